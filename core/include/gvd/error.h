@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace gvd {
+
+/// What went wrong, for programs; `Error::what()` says it in one sentence, for people.
+enum class ErrorCode {
+  kInvalidMesh,   ///< the triangles cannot be made into a surface
+  kInvalidGltf,   ///< the bytes are not a glTF this library reads
+  kInvalidPoint,  ///< a site or query point is not on the surface
+  kInvalidArgument,
+};
+
+/// The one exception this library throws on purpose: bad input, never a state of its own.
+/// The message is one sentence that names what is wrong and where (index, value).
+class Error : public std::runtime_error {
+ public:
+  Error(ErrorCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
+  ErrorCode code() const { return code_; }
+
+ private:
+  ErrorCode code_;
+};
+
+}  // namespace gvd

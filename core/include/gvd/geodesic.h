@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "gvd/surface_point.h"
+#include "gvd/triangle_mesh.h"
+
+namespace gvd {
+
+/// How geodesic distance is measured.
+enum class Metric {
+  kDgpc,   ///< approximate, fast: label-correcting Euclidean unfolding (Melvær & Reimers 2012)
+  kExact,  ///< exact polyhedral distance: continuous Dijkstra over windows (Mitchell et al. 1987)
+};
+
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// The distance of one site at a place. A label is the index of a site in the list given.
+struct LabelledDistance {
+  int label = -1;               ///< -1: no site reaches this place
+  double distance = kInfinity;  ///< in the mesh's units
+};
+
+/// Distances of all sites, each known as far as the Voronoi diagram needs it: if a site is nearest
+/// at any point of a closed face, its distance is known at all three corners of that face
+/// (design: every label spreads while it may still own a point of a face around the vertex).
+/// Ties go to the lower label everywhere.
+class DistanceField {
+ public:
+  virtual ~DistanceField() = default;
+  /// The labels known at vertex v, ascending by label; empty if no site reaches v.
+  virtual std::span<const LabelledDistance> at(int vertex) const = 0;
+  /// The nearest site at a point and its distance; label -1 and infinity if no site reaches it.
+  virtual LabelledDistance nearest(const SurfacePoint& p) const = 0;
+  /// The distance of one site at a point; infinity where it is not known.
+  virtual double distance(int label, const SurfacePoint& p) const = 0;
+};
+
+/// A propagation that can be done in slices, so that a caller keeps responding and can give up.
+class Propagation {
+ public:
+  virtual ~Propagation() = default;
+  /// Works on at most `budget` queue entries; true when everything is done.
+  virtual bool step(long budget) = 0;
+  /// The share of the work done, an estimate in [0, 1] that never falls.
+  virtual double progress() const = 0;
+  /// The result; call once, after `step` returned true. The field refers to the mesh, which must
+  /// outlive it.
+  virtual std::unique_ptr<DistanceField> take() = 0;
+};
+
+/// Starts the distances of all `sites` (in terms of the mesh's faces), one label each.
+/// Sites may coincide, share a face, lie on edges or vertices, and outnumber the vertices.
+/// Throws `Error(kInvalidArgument)` if there is no site.
+std::unique_ptr<Propagation> propagate(const TriangleMesh& mesh,
+                                       std::span<const SurfacePoint> sites, Metric metric);
+
+}  // namespace gvd

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace gvd {
+
+/// The triangles of a glTF scene in world space, not yet a surface: as `TriangleMesh` takes them.
+struct GltfScene {
+  /// Where a run of triangles came from, in scene order.
+  struct Part {
+    int node = -1;
+    int mesh = -1;
+    int primitive = -1;
+    int firstTriangle = 0;
+    int triangleCount = 0;
+    std::string name;  ///< the node's name, else the mesh's, else empty
+  };
+  std::vector<double> positions;  ///< x, y, z per vertex
+  std::vector<int> triangles;     ///< three vertex indices each
+  std::vector<Part> parts;
+  std::vector<std::string> notes;  ///< what was passed over, a sentence each (points, lines, …)
+};
+
+/// Reads GLB or glTF JSON (buffers embedded, as data: URIs, or from `resources`).
+///
+/// Takes every triangle primitive (lists, strips, fans; any index type or none) of the default
+/// scene, else of all root nodes, else of all meshes: depth first, primitives in order, each node's
+/// world transform applied (a mirroring one turns the triangles over).
+/// Throws `Error(kInvalidGltf)` with a sentence that names the offending object and its index.
+struct GltfResource {
+  std::string uri;
+  std::span<const std::byte> bytes;
+};
+GltfScene readGltf(std::span<const std::byte> bytes, std::span<const GltfResource> resources = {});
+
+}  // namespace gvd

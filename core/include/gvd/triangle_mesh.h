@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "gvd/surface_point.h"
+
+namespace gvd {
+
+/// What `TriangleMesh` did to the input to make a manifold of it. Every count is zero for a clean
+/// mesh. The policy is written at `TriangleMesh`.
+struct MeshRepairs {
+  int weldedVertices = 0;        ///< input vertices merged into another one at the same position
+  int isolatedVertices = 0;      ///< input vertices that no kept triangle uses
+  int nonFiniteTriangles = 0;    ///< dropped: a corner is NaN or infinite
+  int degenerateTriangles = 0;   ///< dropped: two corners at one position
+  int duplicateTriangles = 0;    ///< dropped: same three corners as an earlier triangle, either side
+  int nonManifoldEdges = 0;      ///< edges of three or more triangles, cut apart
+  int orientationCuts = 0;       ///< edges cut because no orientation fits both sides (Möbius strip)
+  int flippedTriangles = 0;      ///< turned over to agree with the majority of their component
+  int splitVertices = 0;         ///< vertices shared by several fans, one copy made per further fan
+};
+
+/// Facts of topology, computed once with the mesh.
+struct MeshTopology {
+  int edges = 0;
+  int components = 0;
+  int boundaryLoops = 0;
+  int eulerCharacteristic = 0;  ///< V - E + F
+  /// Sum of the genera of all components: (2·components - boundaryLoops - eulerCharacteristic) / 2.
+  int genus = 0;
+};
+
+/// An oriented 2-manifold triangle mesh, with or without boundary, of one or several components:
+/// flat arrays, immutable.
+///
+/// Halfedge h is side h % 3 of face h / 3 and runs from corner h % 3 to the next corner, so the
+/// halfedges of the face (a, b, c) with index f are
+///
+///     3f: a→b      3f+1: b→c      3f+2: c→a
+///
+/// and corner i of face f is the tail of halfedge 3f+i. `twin` is the halfedge of the neighbour face
+/// that runs the other way, -1 on the boundary.
+///
+/// From any list of triangles to a manifold, in this order, each step counted in `repairs()`:
+///  1. triangles with a non-finite corner are dropped;
+///  2. vertices at bit-equal positions (-0 = +0) are welded;
+///  3. triangles with two equal corners are dropped, as are those with the same three corners as an
+///     earlier one (either orientation). Triangles of zero area with three distinct corners stay:
+///     dropping one would tear its neighbours apart;
+///  4. an edge of three or more triangles is cut: each keeps a boundary there;
+///  5. each component is oriented, the majority of its triangles keeping theirs (on a draw, the
+///     first triangle); an edge that cannot agree (non-orientable surface) is cut;
+///  6. a vertex whose triangles form several fans is split, one vertex per fan: no path passes
+///     through it.
+class TriangleMesh {
+ public:
+  /// `positions`: x, y, z per vertex, any unit. `triangles`: three vertex indices each.
+  /// Throws `Error(kInvalidMesh)` if an array's size is no multiple of three, an index is out of
+  /// range, or no triangle is left after the repairs. O(n log n).
+  TriangleMesh(std::span<const double> positions, std::span<const int> triangles);
+
+  int vertexCount() const { return static_cast<int>(vertexHalfedge_.size()); }
+  int faceCount() const { return static_cast<int>(tail_.size() / 3); }
+  int halfedgeCount() const { return static_cast<int>(tail_.size()); }
+
+  static int faceOf(int h) { return h / 3; }
+  static int next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  static int previous(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  int tail(int h) const { return tail_[h]; }
+  int tip(int h) const { return tail_[next(h)]; }
+  int twin(int h) const { return twin_[h]; }
+  double length(int h) const { return length_[h]; }
+  bool onBoundary(int v) const { return twin_[vertexHalfedge_[v]] < 0; }
+
+  /// A halfedge that leaves v: on a boundary vertex the one without twin, so that turning with
+  /// `twin(previous(h))` from it meets every face around v, counterclockwise, and ends at -1.
+  int outgoing(int v) const { return vertexHalfedge_[v]; }
+  /// The next outgoing halfedge counterclockwise, -1 past the last face of a boundary vertex.
+  int rotate(int h) const { return twin_[previous(h)]; }
+
+  Eigen::Vector3d position(int v) const { return positions_.col(v); }
+  Eigen::Vector3d position(const SurfacePoint& p) const;
+  /// The interior angle at corner h % 3 of face h / 3, from the edge lengths, in [0, π].
+  double cornerAngle(int h) const { return angle_[h]; }
+  /// The sum of the corner angles at v: > 2π at an inner saddle vertex.
+  double angleSum(int v) const { return angleSum_[v]; }
+  double faceArea(int f) const;
+  double area() const;
+  /// The component of a face, numbered from 0 in order of the first face.
+  int component(int f) const { return component_[f]; }
+  /// The diagonal of the bounding box.
+  double diameter() const;
+
+  /// The input triangle a face was made from, and whether it was turned over (corners 1 and 2
+  /// swapped).
+  int inputFace(int f) const { return inputFace_[f]; }
+  bool isFlipped(int f) const { return flipped_[f]; }
+  /// The first input vertex at the place of v.
+  int inputVertex(int v) const { return inputVertex_[v]; }
+  int inputFaceCount() const { return static_cast<int>(faceOfInput_.size()); }
+  int inputVertexCount() const { return static_cast<int>(vertexOfInput_.size()); }
+
+  /// A point of this mesh in terms of the input's triangles.
+  SurfacePoint toInput(const SurfacePoint& p) const;
+  /// A point given by an input triangle, in terms of this mesh. A point on a dropped triangle is
+  /// found on the edge or vertex of a kept one. Barycentric coordinates may be off by up to 1e-6
+  /// (they are clamped and normalised); throws `Error(kInvalidPoint)` naming the fault if they are
+  /// off by more or not finite, if the triangle does not exist, or if no kept triangle has the point.
+  SurfacePoint fromInput(const SurfacePoint& p) const;
+  /// The place of an input vertex; `Error(kInvalidPoint)` if it does not exist or no kept triangle
+  /// uses it. Of a split vertex, the fan of the first triangle that names this input vertex.
+  SurfacePoint fromInputVertex(int inputVertex) const;
+
+  const MeshRepairs& repairs() const { return repairs_; }
+  const MeshTopology& topology() const { return topology_; }
+
+ private:
+  Eigen::Matrix3Xd positions_;
+  std::vector<int> tail_, twin_;
+  std::vector<double> length_, angle_;
+  std::vector<int> vertexHalfedge_;
+  std::vector<double> angleSum_;
+  std::vector<int> component_;
+  std::vector<int> inputFace_, inputVertex_;
+  std::vector<char> flipped_;
+  /// For every input triangle, the halfedge (corner) of the kept mesh at each of its three corners
+  /// if it was kept; for a dropped one, of each corner on some kept triangle holding all of its
+  /// corners; -1 if there is none.
+  std::vector<std::array<int, 3>> faceOfInput_;
+  std::vector<int> vertexOfInput_;  ///< a halfedge leaving the vertex's place, or -1
+  MeshRepairs repairs_;
+  MeshTopology topology_;
+};
+
+}  // namespace gvd

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+
+/** Approximate and fast, or exact polyhedral distance. */
+export type Metric = 'dgpc' | 'exact';
+
+/**
+ * A list of points on a surface. `face[i]` counts the input's triangles in scene order,
+ * `bary[3i…3i+2]` are the barycentric coordinates in the order of that triangle's corners.
+ */
+export interface SurfacePoints {
+  face: Int32Array;
+  bary: Float64Array;
+}
+
+/** What functions take as a list of points: faces with barycentric coordinates, or input vertices. */
+export type SurfacePointsInput =
+  | { face: ArrayLike<number>; bary: ArrayLike<number> }
+  | { vertex: ArrayLike<number> };
+
+/** What the mesh builder did to the input to make a manifold of it; all zero for a clean mesh. */
+export interface MeshRepairs {
+  weldedVertices: number;
+  isolatedVertices: number;
+  nonFiniteTriangles: number;
+  degenerateTriangles: number;
+  duplicateTriangles: number;
+  nonManifoldEdges: number;
+  orientationCuts: number;
+  flippedTriangles: number;
+  splitVertices: number;
+}
+
+export interface MeshInfo {
+  /** Of the surface, after welding and repairs. */
+  vertices: number;
+  faces: number;
+  edges: number;
+  /** Of the input. */
+  inputVertices: number;
+  inputFaces: number;
+  components: number;
+  boundaryLoops: number;
+  eulerCharacteristic: number;
+  genus: number;
+  area: number;
+  /** Diagonal of the bounding box. */
+  diameter: number;
+  repairs: MeshRepairs;
+  /** What the glTF reader passed over, a sentence each. */
+  notes: string[];
+}
+
+/** A list of lists of point indices: list i is `points[offset[i]] … points[offset[i + 1] - 1]`. */
+export interface PointLists {
+  offset: Int32Array;
+  points: Int32Array;
+}
+
+/**
+ * A geodesic Voronoi diagram as flat arrays: copies, yours to keep or to transfer. Labels are
+ * indices into the list of sites; left and right are as seen with the triangles counterclockwise.
+ * `core/include/gvd/diagram.h` holds the definitions.
+ */
+export interface DiagramData {
+  siteCount: number;
+  /** Every point named below, each place once. */
+  points: SurfacePoints & { position: Float64Array };
+  /** Bisector segments: two points, the label on the left (the lower) and on the right, the face. */
+  segments: { points: Int32Array; labels: Int32Array; face: Int32Array; arc: Int32Array };
+  /** Maximal chains of segments of two labels between Voronoi points; two labels per arc. */
+  arcs: PointLists & { labels: Int32Array };
+  /** Per Voronoi point its point, and the labels around it counterclockwise. */
+  voronoiPoints: { point: Int32Array; labelOffset: Int32Array; labels: Int32Array };
+  /** Closed outlines with their region on the left, ascending by `label`. */
+  loops: PointLists & { label: Int32Array };
+  /** Per label. */
+  regionArea: Float64Array;
+  /**
+   * Per input triangle: the label that owns all of it, -1 if no site reaches it, -2 if several
+   * regions share it (see `cells`), -3 if the mesh builder dropped it.
+   */
+  faceLabel: Int32Array;
+  /** Input triangles that several labels tie on, given to the lowest of them. */
+  indifferentFaces: Int32Array;
+  /** The parts of shared triangles: convex polygons, counterclockwise. */
+  cells: PointLists & { face: Int32Array; label: Int32Array };
+}
+
+export interface Located {
+  /** Nearest site per point, -1 if none reaches it. */
+  label: Int32Array;
+  /** Its distance in the input's units, Infinity if none reaches it. */
+  distance: Float64Array;
+}
+
+export interface TaskOptions {
+  /** Called with the share done, 0 … 1. */
+  onProgress?: (share: number) => void;
+  /** Aborting rejects the promise with the signal's reason; nothing is changed. */
+  signal?: AbortSignal;
+}
+
+export interface VoronoiOptions extends TaskOptions {
+  metric?: Metric;
+  /** How many times faces with several regions are split in four. Default 0. */
+  detail?: number;
+}
+
+/** Bytes of the files that a `.gltf` names, by the URI it uses. */
+export type GltfResources = Record<string, Uint8Array>;
+
+export type MeshSource =
+  | Uint8Array
+  | ArrayBuffer
+  | { positions: ArrayLike<number>; indices: ArrayLike<number> };
+
+/** One region of a diagram: views of its arrays, computed when asked for. */
+export interface Region {
+  readonly label: number;
+  readonly area: number;
+  /** Each a list of indices into `points`. */
+  readonly loops: Int32Array[];
+  /** Labels of the regions it shares an arc with, ascending. */
+  readonly neighbours: number[];
+}
+
+export interface Diagram extends Disposable {
+  readonly metric: Metric;
+  readonly sites: SurfacePoints;
+  readonly data: DiagramData;
+  readonly regions: readonly Region[];
+  locate(points: SurfacePointsInput): Promise<Located>;
+  dispose(): void;
+}
+
+export interface Mesh extends Disposable {
+  readonly info: MeshInfo;
+  /** The input in world space: x, y, z per input vertex, three vertices per input triangle. */
+  readonly positions: Float64Array;
+  readonly indices: Int32Array;
+  /** Sites spread evenly by area at random; the same seed gives the same sites everywhere. */
+  sampleSites(count: number, options?: { seed?: number }): Promise<SurfacePoints>;
+  voronoi(sites: SurfacePointsInput, options?: VoronoiOptions): Promise<Diagram>;
+  dispose(): void;
+}
+
+/**
+ * The library, loaded. `load()` runs it on the calling thread, `loadWorker()` in a module worker;
+ * both answer through this interface, and nothing a caller sees differs.
+ */
+export interface GeodesicVoronoi extends Disposable {
+  readonly version: string;
+  mesh(source: MeshSource, options?: { resources?: GltfResources }): Promise<Mesh>;
+  dispose(): void;
+}
+
+export type ErrorCode =
+  | 'invalid-mesh'
+  | 'invalid-gltf'
+  | 'invalid-point'
+  | 'invalid-argument'
+  | 'out-of-memory'
+  | 'disposed'
+  | 'load-failed'
+  | 'internal';
