@@ -106,13 +106,24 @@ export interface VoronoiOptions extends TaskOptions {
   detail?: number;
 }
 
-/** Bytes of the files that a `.gltf` names, by the URI it uses. */
+/** Bytes of the files that a `.gltf` names, by the URI it uses (`gltfResourceUris` lists them). */
 export type GltfResources = Record<string, Uint8Array>;
 
 export type MeshSource =
   | Uint8Array
   | ArrayBuffer
   | { positions: ArrayLike<number>; indices: ArrayLike<number> };
+
+/** Where a run of input triangles came from, by the indices of the glTF; in scene order. */
+export interface MeshPart {
+  /** The node's name, else the mesh's, else empty. */
+  name: string;
+  node: number;
+  mesh: number;
+  primitive: number;
+  firstTriangle: number;
+  triangleCount: number;
+}
 
 /** One region of a diagram: views of its arrays, computed when asked for. */
 export interface Region {
@@ -138,7 +149,12 @@ export interface Mesh extends Disposable {
   /** The input in world space: x, y, z per input vertex, three vertices per input triangle. */
   readonly positions: Float64Array;
   readonly indices: Int32Array;
-  /** Sites spread evenly by area at random; the same seed gives the same sites everywhere. */
+  /** Of a glTF; empty for a mesh of arrays. */
+  readonly parts: readonly MeshPart[];
+  /**
+   * Sites spread evenly by area at random; the same seed (an integer, default 1) gives the same
+   * sites everywhere.
+   */
   sampleSites(count: number, options?: { seed?: number }): Promise<SurfacePoints>;
   voronoi(sites: SurfacePointsInput, options?: VoronoiOptions): Promise<Diagram>;
   dispose(): void;

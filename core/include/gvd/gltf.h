@@ -25,16 +25,20 @@ struct GltfScene {
   std::vector<std::string> notes;  ///< what was passed over, a sentence each (points, lines, …)
 };
 
-/// Reads GLB or glTF JSON (buffers embedded, as data: URIs, or from `resources`).
-///
-/// Takes every triangle primitive (lists, strips, fans; any index type or none) of the default
-/// scene, else of all root nodes, else of all meshes: depth first, primitives in order, each node's
-/// world transform applied (a mirroring one turns the triangles over).
-/// Throws `Error(kInvalidGltf)` with a sentence that names the offending object and its index.
+/// A file that a glTF names as a buffer: the name as the glTF writes it, percent-encoded or not.
 struct GltfResource {
   std::string uri;
   std::span<const std::byte> bytes;
 };
+
+/// Reads GLB or glTF JSON (buffers embedded, as data: URIs, or from `resources`; no file is opened).
+///
+/// Takes every triangle primitive (lists, strips, fans; any index type or none) of the default
+/// scene, else of all root nodes, else (there are no nodes) of all meshes: depth first, primitives
+/// in order, each node's world transform applied; a mirroring one swaps the second and third corner
+/// of the triangles. Every primitive brings all of its positions, every triangle counts: the faces
+/// of the scene are numbered the way an independent reader of the file would number them.
+/// Throws `Error(kInvalidGltf)` with a sentence that names the offending object and its index.
 GltfScene readGltf(std::span<const std::byte> bytes, std::span<const GltfResource> resources = {});
 
 }  // namespace gvd

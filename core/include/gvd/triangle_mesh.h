@@ -11,10 +11,13 @@
 namespace gvd {
 
 /// What `TriangleMesh` did to the input to make a manifold of it. Every count is zero for a clean
-/// mesh. The policy is written at `TriangleMesh`.
+/// mesh. The policy is written at `TriangleMesh`. The counts are complete:
+///
+///     input triangles = faces + non-finite + degenerate + duplicate
+///     input vertices  = vertices - split + welded + isolated
 struct MeshRepairs {
-  int weldedVertices = 0;        ///< input vertices merged into another one at the same position
-  int isolatedVertices = 0;      ///< input vertices that no kept triangle uses
+  int weldedVertices = 0;        ///< input vertices merged into an earlier one at the same position
+  int isolatedVertices = 0;      ///< input vertices at whose position no kept triangle has a corner
   int nonFiniteTriangles = 0;    ///< dropped: a corner is NaN or infinite
   int degenerateTriangles = 0;   ///< dropped: two corners at one position
   int duplicateTriangles = 0;    ///< dropped: same three corners as an earlier triangle, either side
@@ -56,11 +59,15 @@ struct MeshTopology {
 ///     first triangle); an edge that cannot agree (non-orientable surface) is cut;
 ///  6. a vertex whose triangles form several fans is split, one vertex per fan: no path passes
 ///     through it.
+///
+/// Faces keep the order of the input, and so do vertices; the copies of split ones come last. A clean
+/// mesh keeps all its numbers. Where an edge was cut, two boundary edges may have the same two ends.
 class TriangleMesh {
  public:
   /// `positions`: x, y, z per vertex, any unit. `triangles`: three vertex indices each.
   /// Throws `Error(kInvalidMesh)` if an array's size is no multiple of three, an index is out of
-  /// range, or no triangle is left after the repairs. O(n log n).
+  /// range, no triangle is left after the repairs, or the square of the diameter is not a finite
+  /// number. O(n log n).
   TriangleMesh(std::span<const double> positions, std::span<const int> triangles);
 
   int vertexCount() const { return static_cast<int>(vertexHalfedge_.size()); }
@@ -73,7 +80,11 @@ class TriangleMesh {
   int tail(int h) const { return tail_[h]; }
   int tip(int h) const { return tail_[next(h)]; }
   int twin(int h) const { return twin_[h]; }
+  /// Positive, and the same bits for both halfedges of an edge.
   double length(int h) const { return length_[h]; }
+  /// The same for all halfedges.
+  std::span<const int> tails() const { return tail_; }
+  std::span<const int> twins() const { return twin_; }
   bool onBoundary(int v) const { return twin_[vertexHalfedge_[v]] < 0; }
 
   /// A halfedge that leaves v: on a boundary vertex the one without twin, so that turning with
@@ -111,14 +122,19 @@ class TriangleMesh {
   /// (they are clamped and normalised); throws `Error(kInvalidPoint)` naming the fault if they are
   /// off by more or not finite, if the triangle does not exist, or if no kept triangle has the point.
   SurfacePoint fromInput(const SurfacePoint& p) const;
-  /// The place of an input vertex; `Error(kInvalidPoint)` if it does not exist or no kept triangle
-  /// uses it. Of a split vertex, the fan of the first triangle that names this input vertex.
+  /// The place of an input vertex; `Error(kInvalidPoint)` if it does not exist or is isolated. Of a
+  /// split vertex, the fan of the first triangle that names this input vertex.
   SurfacePoint fromInputVertex(int inputVertex) const;
 
   const MeshRepairs& repairs() const { return repairs_; }
   const MeshTopology& topology() const { return topology_; }
 
  private:
+  void splitFans(int inputVertexCount);
+  void copyPositions(std::span<const double> positions);
+  void measure();
+  void countTopology(int components);
+
   Eigen::Matrix3Xd positions_;
   std::vector<int> tail_, twin_;
   std::vector<double> length_, angle_;

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+//
+// npm start [-- --port N --host ADDRESS]: builds what has changed and serves the page.
+
+import { parseArgs } from 'node:util';
+import { buildPackage, buildPage } from './build.mjs';
+import { setUp } from './setup.mjs';
+import { at, main } from './tasks.mjs';
+
+await main(async () => {
+  const { values } = parseArgs({
+    options: { port: { type: 'string', default: '4173' }, host: { type: 'string', default: 'localhost' } },
+  });
+  setUp('build');
+  await buildPackage();
+  await buildPage();
+
+  const { preview } = await import('vite');
+  const server = await preview({
+    root: at('web/page'),
+    preview: { port: Number(values.port), host: values.host },
+  });
+  console.log('\nThe page is at');
+  server.printUrls();
+});

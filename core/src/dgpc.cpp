@@ -1,0 +1,411 @@
+// SPDX-License-Identifier: MIT
+// This work is based on:
+// Eivind Lyche Melvær, Martin Reimers. Geodesic Polar Coordinates on Polygonal Meshes. 2012
+// Eivind Lyche Melvær, Martin Reimers. Approximating Geodesic Voronoi Diagrams on Triangulated
+// Surfaces. 2014
+#include <algorithm>
+#include <cmath>
+
+#include "heap.h"
+#include "metric.h"
+#include "surface_geometry.h"
+#include "tolerances.h"
+
+namespace gvd {
+namespace {
+
+/// What one label knows at one vertex.
+struct Entry {
+  double distance;
+  double squared;
+  int label;
+  int vertex;
+  int next;  ///< the next entry of the same vertex, -1 at the end
+};
+
+struct QueueItem {
+  double distance;
+  int entry;
+  /// By distance; then by entry, which makes the order total. A label's own entries keep their
+  /// order whatever the other labels do, so permuting the sites permutes the result.
+  bool operator<(const QueueItem& other) const {
+    return distance < other.distance || (distance == other.distance && entry < other.entry);
+  }
+};
+
+/// The third corner of a face as seen from one of its sides: the halfedge runs along the x axis
+/// from the origin, the corner lies at y >= 0.
+struct Apex {
+  double length;  ///< of the halfedge
+  double x, y;
+};
+
+std::vector<Apex> layOutFaces(const TriangleMesh& mesh) {
+  std::vector<Apex> apex(mesh.halfedgeCount());
+  for (int f = 0; f < mesh.faceCount(); ++f) {
+    for (int i = 0; i < 3; ++i) {
+      const int h = 3 * f + i;
+      const double a = mesh.length(h), b = mesh.length(mesh.next(h)),
+                   c = mesh.length(mesh.previous(h));
+      const double x = ((c - b) * (c + b) + a * a) / (2 * a);
+      // Heron's product keeps needles accurate, where c² - x² would cancel.
+      const double product = (a + b + c) * (b + c - a) * (a + c - b) * (a + b - c);
+      apex[h] = {a, x, product > 0 ? std::sqrt(product) / (2 * a) : 0.0};
+    }
+  }
+  return apex;
+}
+
+constexpr double kUnreached = kInfinity;
+
+/// The squared distance at the apex of a halfedge by the Euclidean interpolant: the virtual source
+/// has the given distances from the halfedge's ends and lies across it. Infinity if there is none
+/// or the straight line from it to the apex does not cross the halfedge (section 2 of the draft).
+double unfold(const Apex& apex, double atTail, double atTip) {
+  const double d = apex.length;
+  const double difference = atTail - atTip, sum = atTail + atTip;
+  const double product = (d - difference) * (d + difference) * (sum - d) * (sum + d);
+  // Below zero the two distances fit no triangle. A source on the edge itself makes it zero, up to
+  // rounding of sum - d.
+  if (product < 0 && !(std::abs(sum - d) <= kDistanceTolerance * d && std::abs(difference) <= d))
+    return kUnreached;
+  const double x = (difference * sum + d * d) / (2 * d);
+  const double y = product > 0 ? std::sqrt(product) / (2 * d) : 0.0;
+  const double height = apex.y + y;
+  const double crossing = x * apex.y + apex.x * y;  // times height
+  if (crossing < 0 || crossing > d * height) return kUnreached;
+  const double dx = apex.x - x;
+  return dx * dx + height * height;
+}
+
+/// A field of DGPC distances: per vertex the labels that may own a point of a face around it.
+class DgpcField final : public DistanceField {
+ public:
+  DgpcField(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
+            const std::vector<int>& head, const std::vector<Entry>& entries)
+      : mesh_(mesh), sites_(sites.begin(), sites.end()) {
+    offset_.reserve(head.size() + 1);
+    values_.reserve(entries.size());
+    offset_.push_back(0);
+    for (int first : head) {
+      for (int e = first; e >= 0; e = entries[e].next)
+        values_.push_back({entries[e].label, entries[e].distance});
+      std::sort(values_.begin() + offset_.back(), values_.end(),
+                [](const auto& a, const auto& b) { return a.label < b.label; });
+      offset_.push_back(static_cast<int>(values_.size()));
+    }
+  }
+
+  std::span<const LabelledDistance> at(int vertex) const override {
+    return {values_.data() + offset_[vertex], values_.data() + offset_[vertex + 1]};
+  }
+
+  LabelledDistance nearest(const SurfacePoint& p) const override {
+    LabelledDistance best;
+    double least = kInfinity;
+    for (const LabelledDistance& candidate : at(mesh_.tail(3 * p.face))) {
+      const double value = interpolate(candidate.label, p);
+      if (value < least) {
+        least = value;
+        best.label = candidate.label;
+      }
+    }
+    if (best.label >= 0) best.distance = distanceFrom(best.label, p, least);
+    return best;
+  }
+
+  double distance(int label, const SurfacePoint& p) const override {
+    const double value = interpolate(label, p);
+    return value == kInfinity ? kInfinity : distanceFrom(label, p, value);
+  }
+
+ private:
+  double find(int vertex, int label) const {
+    const auto labels = at(vertex);
+    const auto it = std::lower_bound(labels.begin(), labels.end(), label,
+                                     [](const LabelledDistance& d, int l) { return d.label < l; });
+    return it != labels.end() && it->label == label ? it->distance : kInfinity;
+  }
+
+  /// The linear interpolant of squared distance, which decides between labels.
+  double interpolate(int label, const SurfacePoint& p) const {
+    double value = 0;
+    for (int i = 0; i < 3; ++i) {
+      const double d = find(mesh_.tail(3 * p.face + i), label);
+      if (d == kInfinity) return kInfinity;
+      value += p.bary[i] * d * d;
+    }
+    return value;
+  }
+
+  /// The distance itself: what the interpolant has too much is the same for every label,
+  /// Σ bᵢ bⱼ |eᵢⱼ|². In the site's own face the straight line is exact and free of cancellation.
+  double distanceFrom(int label, const SurfacePoint& p, double interpolated) const {
+    const auto sides = squaredSides(mesh_, p.face);
+    if (sites_[label].face == p.face)
+      return std::sqrt(squaredDistance(sites_[label].bary, p.bary, sides));
+    const double excess = p.bary[0] * p.bary[1] * sides[0] + p.bary[1] * p.bary[2] * sides[1] +
+                          p.bary[2] * p.bary[0] * sides[2];
+    return std::sqrt(std::max(0.0, interpolated - excess));
+  }
+
+  const TriangleMesh& mesh_;
+  std::vector<SurfacePoint> sites_;
+  std::vector<int> offset_;
+  std::vector<LabelledDistance> values_;
+};
+
+/// One sweep of all labels through one queue. Label-correcting: an entry that has spread may
+/// improve again and then spreads again, which is what makes it exact in the plane for any
+/// triangulation.
+class DgpcSweep final : public Propagation {
+ public:
+  DgpcSweep(const TriangleMesh& mesh, std::span<const SurfacePoint> sites)
+      : mesh_(mesh),
+        sites_(sites.begin(), sites.end()),
+        apex_(layOutFaces(mesh)),
+        reach_(mesh.vertexCount(), 0.0),
+        head_(mesh.vertexCount(), -1),
+        best_(mesh.vertexCount(), kUnreached) {
+    for (int h = 0; h < mesh.halfedgeCount(); ++h) {
+      reach_[mesh.tail(h)] = std::max(reach_[mesh.tail(h)], 2 * mesh.length(h));
+      reach_[mesh.tip(h)] = std::max(reach_[mesh.tip(h)], 2 * mesh.length(h));
+    }
+    entries_.reserve(2 * static_cast<size_t>(mesh.vertexCount()));
+    for (int label = 0; label < static_cast<int>(sites_.size()); ++label) seed(label);
+  }
+
+  bool step(long budget) override {
+    for (; budget > 0 && !queue_.empty(); --budget) {
+      const QueueItem item = queue_.top();
+      queue_.pop();
+      if (item.distance == entries_[item.entry].distance) settle(item.entry);
+    }
+    return queue_.empty();
+  }
+
+  double progress() const override {
+    return queue_.empty()
+               ? 1.0
+               : std::min(1.0, static_cast<double>(settledVertices_) / mesh_.vertexCount());
+  }
+
+  std::unique_ptr<DistanceField> take() override {
+    equalizeTiesAtVertices();
+    complete();
+    return std::make_unique<DgpcField>(mesh_, sites_, head_, entries_);
+  }
+
+ private:
+  int find(int vertex, int label) const {
+    int e = head_[vertex];
+    while (e >= 0 && entries_[e].label != label) e = entries_[e].next;
+    return e;
+  }
+
+  /// The straight distances from a site to the corners of its face. On an edge the other face's
+  /// corner follows by unfolding, at a vertex its neighbours do.
+  void seed(int label) {
+    const SurfacePoint& site = sites_[label];
+    const auto sides = squaredSides(mesh_, site.face);
+    for (int i = 0; i < 3; ++i)
+      offer(mesh_.tail(3 * site.face + i), label, -1,
+            squaredDistance(site.bary, Eigen::Vector3d::Unit(i), sides));
+  }
+
+  /// Takes a squared distance for a label at a vertex if it is better than what is known by more
+  /// than rounding. `entry` is the label's entry there, -1 if it has none or none is known; the
+  /// entry is returned.
+  int offer(int vertex, int label, int entry, double squared) {
+    if (entry < 0) entry = find(vertex, label);
+    if (entry < 0) {
+      entry = static_cast<int>(entries_.size());
+      entries_.push_back({kUnreached, kUnreached, label, vertex, head_[vertex]});
+      head_[vertex] = entry;
+    }
+    Entry& e = entries_[entry];
+    if (!(squared < e.squared * (1 - kDistanceTolerance))) return entry;
+    e.squared = squared;
+    e.distance = std::sqrt(squared);
+    if (e.distance < best_[vertex]) {
+      if (best_[vertex] == kUnreached) ++settledVertices_;
+      best_[vertex] = e.distance;
+    }
+    queue_.push({e.distance, entry});
+    return entry;
+  }
+
+  double squaredAt(int entry) const { return entry < 0 ? kUnreached : entries_[entry].squared; }
+
+  /// Spreads an entry over the faces around its vertex.
+  void settle(int entry) {
+    const Entry from = entries_[entry];
+    // A label that owns a point of a face around the vertex is at most `reach` behind the best
+    // there, distances being 1-Lipschitz.
+    if (from.distance - best_[from.vertex] > reach_[from.vertex] || isDominated(from)) return;
+    const int first = mesh_.outgoing(from.vertex);
+    int h = first;
+    int a = mesh_.tip(h);
+    int atA = find(a, from.label);
+    do {
+      // The face (vertex, a, b).
+      const int back = mesh_.previous(h);
+      const int b = mesh_.tail(back);
+      int atB = find(b, from.label);
+      atA = improve(back, a, atA, atB, from, mesh_.length(h), false);
+      atB = improve(h, b, atB, atA, from, mesh_.length(back), true);
+      a = b;
+      atA = atB;
+      h = mesh_.twin(back);
+    } while (h >= 0 && h != first);
+  }
+
+  /// Offers `vertex`, the apex of halfedge `across`, what comes over that halfedge: between
+  /// `from.vertex` (its tail if `fromTail`) and the vertex of entry `other`; or, where nothing
+  /// does, along the edge of the given length from `from.vertex`.
+  int improve(int across, int vertex, int entry, int other, const Entry& from, double length,
+              bool fromTail) {
+    const double known = squaredAt(entry);
+    double squared = kUnreached;
+    if (other >= 0) {
+      const double beside = entries_[other].distance;
+      squared = fromTail ? unfold(apex_[across], from.distance, beside)
+                         : unfold(apex_[across], beside, from.distance);
+    }
+    if (squared == kUnreached) {
+      const double along = from.distance + length;
+      squared = along * along;
+    }
+    return squared < known ? offer(vertex, from.label, entry, squared) : entry;
+  }
+
+  /// Whether one other label is nearer than `from` at its vertex and all around it: then the linear
+  /// interpolants leave `from` nothing in those faces.
+  bool isDominated(const Entry& from) const {
+    for (int e = head_[from.vertex]; e >= 0; e = entries_[e].next) {
+      const Entry& other = entries_[e];
+      if (other.label != from.label &&
+          isNearer(other.label, other.distance, from.label, from.distance) &&
+          isNearerAround(other.label, from))
+        return true;
+    }
+    return false;
+  }
+
+  /// Whether label a is nearer than label b beyond doubt, or tied and the lower one.
+  static bool isNearer(int a, double atA, int b, double atB) {
+    return a < b ? atA <= atB : atA < atB * (1 - kDistanceTolerance);
+  }
+
+  bool isNearerAround(int label, const Entry& from) const {
+    const auto isNearerAt = [&](int vertex, double length) {
+      double theirs = kUnreached, ours = from.distance + length;
+      for (int e = head_[vertex]; e >= 0; e = entries_[e].next) {
+        if (entries_[e].label == label) theirs = entries_[e].distance;
+        if (entries_[e].label == from.label) ours = entries_[e].distance;
+      }
+      return isNearer(label, theirs, from.label, ours);
+    };
+    const int first = mesh_.outgoing(from.vertex);
+    int h = first;
+    do {
+      if (!isNearerAt(mesh_.tip(h), mesh_.length(h))) return false;
+      const int back = mesh_.previous(h);
+      if (mesh_.twin(back) < 0) return isNearerAt(mesh_.tail(back), mesh_.length(back));
+      h = mesh_.twin(back);
+    } while (h != first);
+    return true;
+  }
+
+  void equalizeTiesAtVertices() {
+    std::vector<LabelledDistance> here;
+    for (int first : head_) {
+      if (first < 0 || entries_[first].next < 0) continue;
+      here.clear();
+      for (int e = first; e >= 0; e = entries_[e].next)
+        here.push_back({entries_[e].label, entries_[e].distance});
+      equalizeTies(here);
+      for (const LabelledDistance& d : here)
+        entries_[find(entries_[first].vertex, d.label)].distance = d.distance;
+    }
+  }
+
+  /// Makes the field's promise hold where the sweep stopped a label too early: a label that may be
+  /// least somewhere on a side of a face is known at the face's third corner.
+  void complete() {
+    std::vector<int> faces;
+    for (int f = 0; f < mesh_.faceCount(); ++f) completeFace(f, faces);
+    while (!faces.empty()) {
+      const int f = faces.back();
+      faces.pop_back();
+      completeFace(f, faces);
+    }
+  }
+
+  /// Extends what is missing at a corner of the face, and then lists the faces around that corner.
+  void completeFace(int f, std::vector<int>& changed) {
+    for (int h = 3 * f; h < 3 * f + 3; ++h) {
+      const int apex = mesh_.tail(mesh_.previous(h));
+      for (int e = head_[mesh_.tail(h)]; e >= 0; e = entries_[e].next) {
+        if (find(apex, entries_[e].label) >= 0) continue;
+        const int atTip = find(mesh_.tip(h), entries_[e].label);
+        if (atTip < 0 || isHidden(e, atTip)) continue;
+        extend(h, entries_[e].distance, entries_[atTip].distance, entries_[e].label);
+        const int first = mesh_.outgoing(apex);
+        int g = first;
+        do {
+          changed.push_back(TriangleMesh::faceOf(g));
+          g = mesh_.rotate(g);
+        } while (g >= 0 && g != first);
+      }
+    }
+  }
+
+  /// Whether a single label is nearer than another one, of which the entries are given, at both
+  /// ends of an edge.
+  bool isHidden(int atTail, int atTip) const {
+    const Entry &tail = entries_[atTail], &tip = entries_[atTip];
+    const auto isNearerExactly = [](const Entry& a, const Entry& b) {
+      return a.distance < b.distance || (a.distance == b.distance && a.label < b.label);
+    };
+    for (int e = head_[tail.vertex]; e >= 0; e = entries_[e].next) {
+      if (!isNearerExactly(entries_[e], tail)) continue;
+      const int other = find(tip.vertex, entries_[e].label);
+      if (other >= 0 && isNearerExactly(entries_[other], tip)) return true;
+    }
+    return false;
+  }
+
+  /// Gives a label a distance at the apex of h from those at its ends.
+  void extend(int h, double atTail, double atTip, int label) {
+    const int vertex = mesh_.tail(mesh_.previous(h));
+    double distance = std::sqrt(unfold(apex_[h], atTail, atTip));
+    if (distance == kUnreached)
+      distance =
+          std::min(atTail + mesh_.length(mesh_.previous(h)), atTip + mesh_.length(mesh_.next(h)));
+    for (int e = head_[vertex]; e >= 0; e = entries_[e].next)
+      if (std::abs(entries_[e].distance - distance) <= kDistanceTolerance * distance)
+        distance = entries_[e].distance;
+    entries_.push_back({distance, distance * distance, label, vertex, head_[vertex]});
+    head_[vertex] = static_cast<int>(entries_.size()) - 1;
+  }
+
+  const TriangleMesh& mesh_;
+  std::vector<SurfacePoint> sites_;
+  std::vector<Apex> apex_;
+  std::vector<double> reach_;  ///< per vertex, twice the longest edge around
+  std::vector<Entry> entries_;
+  std::vector<int> head_;
+  std::vector<double> best_;
+  QuaternaryHeap<QueueItem> queue_;
+  long settledVertices_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Propagation> propagateDgpc(const TriangleMesh& mesh,
+                                           std::span<const SurfacePoint> sites) {
+  return std::make_unique<DgpcSweep>(mesh, sites);
+}
+
+}  // namespace gvd

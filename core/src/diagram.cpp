@@ -1,0 +1,699 @@
+// SPDX-License-Identifier: MIT
+// This work is based on:
+// Eivind Lyche Melvær, Martin Reimers. Approximating Geodesic Voronoi Diagrams on Triangulated
+// Surfaces. 2014
+#include "gvd/diagram.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "face_complex.h"
+#include "face_envelope.h"
+#include "gvd/error.h"
+#include "surface_geometry.h"
+#include "tolerances.h"
+
+namespace gvd {
+namespace {
+
+/// Traces a diagram in two stages.
+///
+/// First exactly: in every element of several regions the lower envelope, all ties broken, so that
+/// the bisector segments form a graph where three segments meet at every inner vertex and two at
+/// every crossing of an element's side. Seen from a region, every segment is a *dart* that has the
+/// region on its left, each point has at most one dart of a region leaving it, and following darts
+/// (and the mesh boundary in between) closes the region's loops without a choice to make.
+///
+/// Then as doubles see it: points whose error bounds overlap become one. That yields the Voronoi
+/// points of higher degree, those on edges and vertices, and bisectors along edges; outlines lose
+/// what has shrunk to nothing.
+class Tracer {
+ public:
+  Tracer(const TriangleMesh& mesh, const FaceComplex& complex, int siteCount)
+      : mesh_(mesh),
+        complex_(complex),
+        tail_(complex.tails()),
+        twin_(complex.twins()),
+        pointOfNode_(complex.nodeCount(), -1),
+        firstOnSide_(tail_.size(), -1) {
+    out_.siteCount = siteCount;
+    out_.regionArea.assign(siteCount, 0.0);
+    out_.faceLabel.assign(mesh.faceCount(), Diagram::kMixed);
+  }
+
+  Diagram trace() {
+    for (int e = 0; e < complex_.elementCount(); ++e) divide(e);
+    collectBoundary();
+    const std::vector<Loop> loops = traceLoops();
+    collectSegments();
+    collectArcs();
+    collectVoronoiPoints(loops);
+    collectLoops(loops);
+    collectCells();
+    return std::move(out_);
+  }
+
+ private:
+  /// A point of the exact graph, or a node that the mesh boundary or a cell passes.
+  struct Point {
+    SurfacePoint place;
+    double error;               ///< bound on how far rounding has moved it
+    std::array<int, 3> labels;  ///< of the regions that meet here, -1 for none
+    std::array<int, 3> darts;   ///< the dart of each that leaves here, -1 for none
+    int nextOnSide;             ///< list of the points on one side of elements
+  };
+  struct Segment {
+    std::array<int, 2> points;
+    std::array<int, 2> labels;  ///< left (the lower), right
+    int face;
+  };
+  struct Cell {
+    int face, label;
+    int first, count;  ///< in cellPoints_
+  };
+  /// A point on the mesh boundary; `label` owns what follows it going forward.
+  struct BoundaryPoint {
+    int halfedge;
+    double place;  ///< 0 … 1 along the halfedge
+    int point;
+    int label;
+  };
+  struct Loop {
+    int label;
+    std::vector<int> points;  ///< final points (`root`)
+  };
+
+  // --- The exact graph -------------------------------------------------------------------------
+
+  void divide(int element) {
+    const int face = complex_.face(element);
+    const int owner = complex_.soleOwner(element);
+    if (owner != Diagram::kMixed && complex_.isWhole(element)) {
+      out_.faceLabel[face] = owner;
+      if (owner < 0) return;
+      out_.regionArea[owner] += mesh_.faceArea(face);
+      if (isIndifferent(element, owner)) out_.indifferentFaces.push_back(face);
+      return;
+    }
+    gatherFunctions(element, owner);
+    envelope_.compute(functions_);
+    addCells(element);
+  }
+
+  /// Whether some other label ties with the owner at all three nodes.
+  bool isIndifferent(int element, int owner) const {
+    const auto ties = [&](int corner, int label) {
+      const auto labels = complex_.labels(tail_[3 * element + corner]);
+      double ours = kInfinity, theirs = -1;
+      for (const LabelledDistance& d : labels) {
+        if (d.label == owner) ours = d.distance;
+        if (d.label == label) theirs = d.distance;
+      }
+      return ours == theirs;
+    };
+    for (const LabelledDistance& d : complex_.labels(tail_[3 * element]))
+      if (d.label != owner && ties(0, d.label) && ties(1, d.label) && ties(2, d.label)) return true;
+    return false;
+  }
+
+  /// The labels known at all three nodes of an element, without those that one owner of a node
+  /// hides everywhere.
+  void gatherFunctions(int element, int soleOwner) {
+    const auto a = complex_.labels(tail_[3 * element]);
+    const auto b = complex_.labels(tail_[3 * element + 1]);
+    const auto c = complex_.labels(tail_[3 * element + 2]);
+    functions_.clear();
+    for (auto i = a.begin(), j = b.begin(), k = c.begin();
+         i != a.end() && j != b.end() && k != c.end();) {
+      const int label = std::max({i->label, j->label, k->label});
+      if (i->label < label) {
+        ++i;
+      } else if (j->label < label) {
+        ++j;
+      } else if (k->label < label) {
+        ++k;
+      } else {
+        if (soleOwner < 0 || label == soleOwner)
+          functions_.push_back(
+              {label,
+               {i->distance * i->distance, j->distance * j->distance, k->distance * k->distance}});
+        ++i, ++j, ++k;
+      }
+    }
+    if (functions_.size() <= 3) return;
+    std::array<const LabelFunction*, 3> owners;
+    for (int i = 0; i < 3; ++i)
+      owners[i] = &*std::find_if(functions_.begin(), functions_.end(), [&](const LabelFunction& f) {
+        return f.label == complex_.owner(tail_[3 * element + i]);
+      });
+    const std::array<LabelFunction, 3> least = {*owners[0], *owners[1], *owners[2]};
+    std::erase_if(functions_, [&](const LabelFunction& f) {
+      return std::any_of(least.begin(), least.end(), [&](const LabelFunction& owner) {
+        bool hidden = owner.label != f.label;
+        for (int i = 0; i < 3; ++i)
+          hidden &= owner.value[i] < f.value[i] ||
+                    (owner.value[i] == f.value[i] && owner.label < f.label);
+        return hidden;
+      });
+    });
+  }
+
+  void addCells(int element) {
+    const int face = complex_.face(element);
+    const auto sides = squaredSides(mesh_, face);
+    const double longest = std::sqrt(std::max({sides[0], sides[1], sides[2]}));
+    const int vertexCount = static_cast<int>(envelope_.vertices().size());
+    pointOfVertex_.assign(vertexCount, -1);
+    baryOfVertex_.resize(vertexCount);
+    for (const FaceEnvelope::Cell& cell : envelope_.cells()) {
+      for (const FaceEnvelope::CellSide& side : cell.sides) {
+        if (pointOfVertex_[side.vertex] >= 0) continue;
+        baryOfVertex_[side.vertex] = complex_.faceBary(element, envelope_.bary(side.vertex));
+        pointOfVertex_[side.vertex] = pointAt(element, side.vertex, sides, longest);
+      }
+    }
+    const double faceArea = mesh_.faceArea(face);
+    for (const FaceEnvelope::Cell& cell : envelope_.cells()) {
+      const size_t n = cell.sides.size();
+      const int first = static_cast<int>(cellPoints_.size());
+      const Eigen::Vector3d origin = baryOfVertex_[cell.sides[0].vertex];
+      double area = 0;
+      for (size_t i = 0; i < n; ++i) {
+        const auto [vertex, across] = cell.sides[i];
+        const int next = cell.sides[(i + 1) % n].vertex;
+        cellPoints_.push_back(pointOfVertex_[vertex]);
+        const Eigen::Vector3d p = baryOfVertex_[vertex] - origin, q = baryOfVertex_[next] - origin;
+        area += p[0] * q[1] - p[1] * q[0];
+        if (across > cell.label) addSegment(vertex, next, cell.label, across, face, sides);
+        if (FaceEnvelope::isTriangleSide(across))
+          addBoundary(element, FaceEnvelope::triangleSide(across), vertex, cell.label);
+      }
+      out_.regionArea[cell.label] += std::max(0.0, area) * faceArea;
+      cells_.push_back({face, cell.label, first, static_cast<int>(n)});
+    }
+  }
+
+  int pointAt(int element, int vertex, const std::array<double, 3>& sides, double longest) {
+    const FaceEnvelope::Vertex& v = envelope_.vertices()[vertex];
+    if (v.kind == FaceEnvelope::Vertex::kCorner)
+      return pointOfNode(tail_[3 * element + v.place], element, v.place);
+    const SurfacePoint place{complex_.face(element), baryOfVertex_[vertex]};
+    if (v.kind == FaceEnvelope::Vertex::kInside)
+      return addPoint(place, insideError(v, longest), v.labels);
+
+    // On a side: the neighbour may have made the point already.
+    const int h = 3 * element + v.place;
+    const int side = twin_[h] < 0 ? h : std::min(h, twin_[h]);
+    for (int p = firstOnSide_[side]; p >= 0; p = points_[p].nextOnSide)
+      if (std::minmax(points_[p].labels[0], points_[p].labels[1]) ==
+          std::minmax(v.labels[0], v.labels[1]))
+        return p;
+    const int point = addPoint(place, sideError(v, longest), v.labels);
+    // It may be no other than an end of the side, or another point there.
+    for (const int corner : {v.place, (v.place + 1) % 3}) {
+      const Eigen::Vector3d end = complex_.faceBary(element, Eigen::Vector3d::Unit(corner));
+      if (std::sqrt(squaredDistance(place.bary, end, sides)) <= points_[point].error)
+        unite(point, pointOfNode(tail_[3 * element + corner], element, corner));
+    }
+    const Eigen::Vector3d position = mesh_.position(place);
+    for (int p = firstOnSide_[side]; p >= 0; p = points_[p].nextOnSide)
+      if ((mesh_.position(points_[p].place) - position).norm() <=
+          points_[p].error + points_[point].error)
+        unite(point, p);
+    points_[point].nextOnSide = firstOnSide_[side];
+    firstOnSide_[side] = point;
+    return point;
+  }
+
+  int pointOfNode(int node, int element, int corner) {
+    int& point = pointOfNode_[node];
+    if (point < 0) {
+      point = addPoint(
+          {complex_.face(element), complex_.faceBary(element, Eigen::Vector3d::Unit(corner))}, 0.0,
+          {-1, -1, -1});
+      isNode_.back() = true;
+    }
+    return point;
+  }
+
+  int addPoint(const SurfacePoint& place, double error, const std::array<int, 3>& labels) {
+    points_.push_back({place, error, labels, {-1, -1, -1}, -1});
+    isNode_.push_back(false);
+    parent_.push_back(static_cast<int>(parent_.size()));
+    return parent_.back();
+  }
+
+  const std::array<double, 3>& value(int label) const {
+    return std::lower_bound(functions_.begin(), functions_.end(), label,
+                            [](const LabelFunction& f, int l) { return f.label < l; })
+        ->value;
+  }
+
+  /// The share of an edge by which an error of the functions moves a crossing, times the edge.
+  double sideError(const FaceEnvelope::Vertex& v, double longest) const {
+    const int i = v.place, j = (i + 1) % 3;
+    const auto &a = value(v.labels[0]), &b = value(v.labels[1]);
+    const double noise = 2 * kDistanceTolerance * std::max({a[i], a[j], b[i], b[j]});
+    const double slope = std::abs((a[i] - b[i]) - (a[j] - b[j]));
+    return longest * (noise < kMaxPointError * slope ? noise / slope : kMaxPointError);
+  }
+
+  double insideError(const FaceEnvelope::Vertex& v, double longest) const {
+    const auto &a = value(v.labels[0]), &b = value(v.labels[1]), &c = value(v.labels[2]);
+    const Eigen::Vector3d p(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+    const Eigen::Vector3d q(c[0] - a[0], c[1] - a[1], c[2] - a[2]);
+    const double noise =
+        2 * kDistanceTolerance * std::max({a[0], a[1], a[2]}) * (p.lpNorm<1>() + q.lpNorm<1>());
+    const double slope = p.cross(q).lpNorm<1>();
+    return longest * (noise < kMaxPointError * slope ? noise / slope : kMaxPointError);
+  }
+
+  void addSegment(int fromVertex, int toVertex, int left, int right, int face,
+                  const std::array<double, 3>& sides) {
+    const int from = pointOfVertex_[fromVertex], to = pointOfVertex_[toVertex];
+    const int segment = static_cast<int>(segments_.size());
+    segments_.push_back({{from, to}, {left, right}, face});
+    setDart(from, left, 2 * segment);
+    setDart(to, right, 2 * segment + 1);
+    const double length =
+        std::sqrt(squaredDistance(baryOfVertex_[fromVertex], baryOfVertex_[toVertex], sides));
+    if (length <= points_[from].error + points_[to].error) unite(from, to);
+  }
+
+  void setDart(int point, int label, int dart) {
+    Point& p = points_[point];
+    for (int i = 0; i < 3; ++i)
+      if (p.labels[i] == label) p.darts[i] = dart;
+  }
+
+  int dartAt(int point, int label) const {
+    const Point& p = points_[point];
+    for (int i = 0; i < 3; ++i)
+      if (p.labels[i] == label) return p.darts[i];
+    return -1;
+  }
+
+  // --- Which points are one --------------------------------------------------------------------
+
+  int root(int point) {
+    while (parent_[point] != point) point = parent_[point] = parent_[parent_[point]];
+    return point;
+  }
+
+  /// The node stands for all, so that a place on a vertex is exactly that; else the first.
+  void unite(int a, int b) {
+    a = root(a);
+    b = root(b);
+    if (a == b) return;
+    if (isNode_[b] && !isNode_[a]) std::swap(a, b);
+    if (isNode_[b] == isNode_[a] && b < a) std::swap(a, b);
+    parent_[b] = a;
+    merged_.resize(points_.size(), false);
+    merged_[a] = true;
+  }
+
+  bool isMerged(int finalPoint) const {
+    return finalPoint < static_cast<int>(merged_.size()) && merged_[finalPoint];
+  }
+
+  // --- The mesh boundary -----------------------------------------------------------------------
+
+  /// Notes a breakpoint: where a piece of the mesh boundary that a cell owns starts.
+  void addBoundary(int element, int side, int vertex, int label) {
+    const int h = 3 * element + side;
+    if (twin_[h] >= 0) return;
+    const int boundary = complex_.boundaryHalfedge(h);
+    if (boundary < 0) return;
+    if (envelope_.vertices()[vertex].kind != FaceEnvelope::Vertex::kOnSide) return;
+    boundary_.push_back(
+        {boundary, baryOfVertex_[vertex][(boundary + 1) % 3], pointOfVertex_[vertex], label});
+  }
+
+  /// Puts the boundary points in order along their halfedges. Points at the same place, apart only
+  /// by the broken tie, follow each other so that the labels on both sides agree.
+  void collectBoundary() {
+    std::stable_sort(boundary_.begin(), boundary_.end(), [](const auto& a, const auto& b) {
+      return std::pair(a.halfedge, a.place) < std::pair(b.halfedge, b.place);
+    });
+    for (size_t i = 0; i < boundary_.size(); ++i) {
+      const size_t end = std::find_if(boundary_.begin() + i, boundary_.end(),
+                                      [&](const BoundaryPoint& b) {
+                                        return b.halfedge != boundary_[i].halfedge;
+                                      }) -
+                         boundary_.begin();
+      orderTies(i, end);
+      firstOnBoundary_[boundary_[i].halfedge] = static_cast<int>(i);
+      for (size_t k = i; k < end; ++k) boundaryIndex_[boundary_[k].point] = static_cast<int>(k);
+      i = end - 1;
+    }
+  }
+
+  /// Each point's label before it is the one after its predecessor.
+  void orderTies(size_t begin, size_t end) {
+    const auto before = [&](const BoundaryPoint& b) {
+      const auto& labels = points_[b.point].labels;
+      return labels[0] == b.label ? labels[1] : labels[0];
+    };
+    for (size_t i = begin + 1; i < end; ++i)
+      for (size_t k = i; k < end && boundary_[k].place == boundary_[i].place; ++k)
+        if (before(boundary_[k]) == boundary_[i - 1].label) {
+          std::rotate(boundary_.begin() + i, boundary_.begin() + k, boundary_.begin() + k + 1);
+          break;
+        }
+  }
+
+  int vertexPoint(int vertex) {
+    const int h = mesh_.outgoing(vertex);
+    if (pointOfNode_[vertex] < 0) {
+      pointOfNode_[vertex] =
+          addPoint({TriangleMesh::faceOf(h), Eigen::Vector3d::Unit(h % 3)}, 0.0, {-1, -1, -1});
+      isNode_.back() = true;
+    }
+    return pointOfNode_[vertex];
+  }
+
+  // --- Loops -----------------------------------------------------------------------------------
+
+  std::vector<Loop> traceLoops() {
+    std::vector<Loop> loops;
+    std::vector<char> visited(2 * segments_.size(), false);
+    for (int dart = 0; dart < static_cast<int>(visited.size()); ++dart)
+      if (!visited[dart]) loops.push_back(traceLoop(dart, visited));
+    addUnbrokenBoundaries(loops);
+    for (Loop& loop : loops) simplify(loop.points);
+    std::erase_if(loops, [](const Loop& loop) { return loop.points.empty(); });
+    std::stable_sort(loops.begin(), loops.end(),
+                     [](const Loop& a, const Loop& b) { return a.label < b.label; });
+    return loops;
+  }
+
+  Loop traceLoop(int start, std::vector<char>& visited) {
+    Loop loop{segments_[start / 2].labels[start % 2], {}};
+    for (int dart = start; !visited[dart];) {
+      visited[dart] = true;
+      const Segment& segment = segments_[dart / 2];
+      loop.points.push_back(segment.points[dart % 2]);
+      int at = segment.points[1 - dart % 2];
+      dart = dartAt(at, loop.label);
+      if (dart < 0) dart = followBoundary(at, loop);
+    }
+    return loop;
+  }
+
+  /// From a point where a region comes to the mesh boundary, forward along it to the next point
+  /// where the region leaves it; returns that dart.
+  int followBoundary(int point, Loop& loop) {
+    const int start = boundaryIndex_.at(point);
+    loop.points.push_back(point);
+    int halfedge = boundary_[start].halfedge;
+    int index = start + 1;
+    while (index >= static_cast<int>(boundary_.size()) || boundary_[index].halfedge != halfedge) {
+      loop.points.push_back(vertexPoint(mesh_.tip(halfedge)));
+      halfedge = mesh_.outgoing(mesh_.tip(halfedge));
+      const auto first = firstOnBoundary_.find(halfedge);
+      index = first == firstOnBoundary_.end() ? static_cast<int>(boundary_.size()) : first->second;
+    }
+    return dartAt(boundary_[index].point, loop.label);
+  }
+
+  /// Whole boundary loops that one region owns.
+  void addUnbrokenBoundaries(std::vector<Loop>& loops) {
+    std::vector<char> seen(mesh_.vertexCount(), false);
+    for (int v = 0; v < mesh_.vertexCount(); ++v) {
+      if (seen[v] || !mesh_.onBoundary(v)) continue;
+      bool isBroken = false;
+      std::vector<int> vertices;
+      for (int at = v; !seen[at]; at = mesh_.tip(mesh_.outgoing(at))) {
+        seen[at] = true;
+        vertices.push_back(at);
+        isBroken |= firstOnBoundary_.contains(mesh_.outgoing(at));
+      }
+      if (isBroken || complex_.owner(v) < 0) continue;
+      Loop loop{complex_.owner(v), {}};
+      for (const int at : vertices) loop.points.push_back(vertexPoint(at));
+      loops.push_back(std::move(loop));
+    }
+  }
+
+  /// Names final points, and drops what has no length or goes out and back over merged points.
+  void simplify(std::vector<int>& loop) {
+    std::vector<int> kept;
+    const auto isSpike = [&](int before, int tip, int after) {
+      return before == after && isMerged(before) && isMerged(tip);
+    };
+    for (const int point : loop) {
+      const int p = root(point);
+      if (!kept.empty() && kept.back() == p) continue;
+      kept.push_back(p);
+      while (kept.size() >= 3 && isSpike(kept[kept.size() - 3], kept[kept.size() - 2], kept.back()))
+        kept.resize(kept.size() - 2);
+    }
+    // The same where the loop closes.
+    size_t first = 0;
+    for (bool changed = true; changed && kept.size() - first > 1;) {
+      changed = true;
+      const size_t n = kept.size() - first;
+      if (kept[first] == kept.back()) {
+        kept.pop_back();
+      } else if (n >= 3 && isSpike(kept[kept.size() - 2], kept.back(), kept[first])) {
+        kept.resize(kept.size() - 2);
+      } else if (n >= 3 && isSpike(kept.back(), kept[first], kept[first + 1])) {
+        kept.pop_back();
+        ++first;
+      } else {
+        changed = false;
+      }
+    }
+    kept.erase(kept.begin(), kept.begin() + first);
+    if (kept.size() <= 1 || (kept.size() == 2 && isMerged(kept[0]) && isMerged(kept[1])))
+      kept.clear();
+    loop = std::move(kept);
+  }
+
+  // --- Results ---------------------------------------------------------------------------------
+
+  int outPoint(int point) {
+    const int p = root(point);
+    if (outIndex_.size() < points_.size()) outIndex_.resize(points_.size(), -1);
+    if (outIndex_[p] < 0) {
+      outIndex_[p] = static_cast<int>(out_.points.size());
+      out_.points.push_back(points_[p].place);
+    }
+    return outIndex_[p];
+  }
+
+  /// Segments between merged points may lie on top of each other, or on the boundary, with a region
+  /// of no width between them; what remains there has the outermost labels.
+  void collectSegments() {
+    struct Side {
+      std::vector<int> left, right;
+      int face;
+    };
+    std::map<std::pair<int, int>, Side> stacked;
+    const auto stack = [&](int from, int to, int left, int right, int face) {
+      const bool swapped = to < from;
+      Side& side = stacked[std::minmax(from, to)];
+      (swapped ? side.right : side.left).push_back(left);
+      if (right >= 0) (swapped ? side.left : side.right).push_back(right);
+      side.face = face;
+    };
+    for (const Segment& s : segments_) {
+      const int from = root(s.points[0]), to = root(s.points[1]);
+      if (from == to) continue;
+      if (isMerged(from) && isMerged(to))
+        stack(from, to, s.labels[0], s.labels[1], s.face);
+      else
+        out_.segments.push_back({{outPoint(from), outPoint(to)}, s.labels, s.face, -1});
+    }
+    for (auto& [ends, side] : stacked) {
+      for (auto label = side.left.begin(); label != side.left.end();) {
+        const auto same = std::find(side.right.begin(), side.right.end(), *label);
+        if (same == side.right.end()) {
+          ++label;
+        } else {
+          side.right.erase(same);
+          label = side.left.erase(label);
+        }
+      }
+      if (side.left.empty() || side.right.empty()) continue;
+      const int left = side.left.front(), right = side.right.front();
+      const int first = outPoint(ends.first), second = outPoint(ends.second);
+      if (left < right)
+        out_.segments.push_back({{first, second}, {left, right}, side.face, -1});
+      else
+        out_.segments.push_back({{second, first}, {right, left}, side.face, -1});
+    }
+  }
+
+  /// Chains segments through the points where exactly two of one bisector meet.
+  void collectArcs() {
+    const int n = static_cast<int>(out_.points.size());
+    std::vector<int> incoming(n, -1), outgoing(n, -1), degree(n, 0);
+    for (int s = 0; s < static_cast<int>(out_.segments.size()); ++s) {
+      const auto& segment = out_.segments[s];
+      outgoing[segment.points[0]] = s;
+      incoming[segment.points[1]] = s;
+      ++degree[segment.points[0]];
+      ++degree[segment.points[1]];
+    }
+    const auto passes = [&](int point) {
+      return degree[point] == 2 && incoming[point] >= 0 && outgoing[point] >= 0 &&
+             out_.segments[incoming[point]].labels == out_.segments[outgoing[point]].labels;
+    };
+    std::vector<int> chain;
+    const auto follow = [&](int segment) {
+      const int arc = out_.arcs.size();
+      out_.arcLabels.push_back(out_.segments[segment].labels);
+      chain.assign(1, out_.segments[segment].points[0]);
+      for (;;) {
+        auto& s = out_.segments[segment];
+        s.arc = arc;
+        chain.push_back(s.points[1]);
+        if (!passes(s.points[1])) break;
+        segment = outgoing[s.points[1]];
+        if (out_.segments[segment].arc >= 0) break;
+      }
+      out_.arcs.add(chain);
+    };
+    for (int s = 0; s < static_cast<int>(out_.segments.size()); ++s)
+      if (!passes(out_.segments[s].points[0])) follow(s);
+    for (int s = 0; s < static_cast<int>(out_.segments.size()); ++s)
+      if (out_.segments[s].arc < 0) follow(s);
+  }
+
+  /// A region's loop that comes to a point from `before` and leaves it to `after` covers the sector
+  /// counterclockwise from `after` to `before`.
+  struct Sector {
+    int point, label, before, after;
+  };
+
+  void collectVoronoiPoints(const std::vector<Loop>& loops) {
+    std::vector<Sector> sectors;
+    for (const Loop& loop : loops) {
+      const size_t n = loop.points.size();
+      for (size_t i = 0; i < n; ++i) {
+        const int p = loop.points[i];
+        if (isMerged(p) || points_[p].labels[2] >= 0)
+          sectors.push_back(
+              {p, loop.label, loop.points[(i + n - 1) % n], loop.points[(i + 1) % n]});
+      }
+    }
+    std::stable_sort(sectors.begin(), sectors.end(),
+                     [](const Sector& a, const Sector& b) { return a.point < b.point; });
+    for (auto first = sectors.begin(); first != sectors.end();) {
+      const auto last = std::find_if(first, sectors.end(),
+                                     [&](const Sector& s) { return s.point != first->point; });
+      addVoronoiPoint({first, last});
+      first = last;
+    }
+  }
+
+  void addVoronoiPoint(std::span<Sector> sectors) {
+    std::vector<int> distinct;
+    for (const Sector& s : sectors)
+      if (distinct.empty() || distinct.back() != s.label) distinct.push_back(s.label);
+    if (distinct.size() < 3) return;  // the loops, and so the sectors, are ascending by label
+    // Counterclockwise: each sector starts where the one before it ends. On the mesh boundary the
+    // first one starts where none ends.
+    auto start = std::find_if(sectors.begin(), sectors.end(), [&](const Sector& s) {
+      return std::none_of(sectors.begin(), sectors.end(),
+                          [&](const Sector& other) { return other.before == s.after; });
+    });
+    if (start == sectors.end()) start = sectors.begin();
+    std::swap(*start, sectors.front());
+    for (size_t i = 1; i < sectors.size(); ++i) {
+      const auto next = std::find_if(sectors.begin() + i, sectors.end(), [&](const Sector& s) {
+        return s.after == sectors[i - 1].before;
+      });
+      if (next != sectors.end()) std::swap(*next, sectors[i]);
+    }
+    Diagram::VoronoiPoint v{outPoint(sectors.front().point), {}};
+    for (const Sector& s : sectors) v.labels.push_back(s.label);
+    std::rotate(v.labels.begin(), std::min_element(v.labels.begin(), v.labels.end()),
+                v.labels.end());
+    out_.voronoiPoints.push_back(std::move(v));
+  }
+
+  void collectLoops(const std::vector<Loop>& loops) {
+    std::vector<int> list;
+    for (const Loop& loop : loops) {
+      list.clear();
+      for (const int p : loop.points) list.push_back(outPoint(p));
+      out_.loops.add(list);
+      out_.loopLabel.push_back(loop.label);
+    }
+  }
+
+  /// Faces in order; one whose parts all went to one label is a region triangle after all.
+  void collectCells() {
+    std::stable_sort(cells_.begin(), cells_.end(),
+                     [](const Cell& a, const Cell& b) { return a.face < b.face; });
+    for (auto first = cells_.begin(); first != cells_.end();) {
+      bool isMixed = false;
+      auto last = first;
+      for (; last != cells_.end() && last->face == first->face; ++last)
+        isMixed |= last->label != first->label;
+      if (!isMixed)
+        out_.faceLabel[first->face] = first->label;
+      else
+        collectCells({first, last});
+      first = last;
+    }
+  }
+
+  void collectCells(std::span<const Cell> cells) {
+    std::vector<int> list;
+    for (const Cell& cell : cells) {
+      list.clear();
+      for (int i = 0; i < cell.count; ++i) {
+        const int p = root(cellPoints_[cell.first + i]);
+        if (list.empty() || list.back() != p) list.push_back(p);
+      }
+      while (list.size() > 1 && list.front() == list.back()) list.pop_back();
+      if (list.size() < 3) continue;
+      for (int& p : list) p = outPoint(p);
+      out_.cells.add(list);
+      out_.cellFace.push_back(cell.face);
+      out_.cellLabel.push_back(cell.label);
+    }
+  }
+
+  const TriangleMesh& mesh_;
+  const FaceComplex& complex_;
+  const std::span<const int> tail_, twin_;
+  Diagram out_;
+
+  std::vector<Point> points_;
+  std::vector<char> isNode_;
+  std::vector<int> parent_;   ///< union-find over points_
+  std::vector<char> merged_;  ///< of roots: whether they stand for several points
+  std::vector<int> pointOfNode_;
+  std::vector<int> firstOnSide_;  ///< per side, by its lower halfedge
+  std::vector<Segment> segments_;
+  std::vector<Cell> cells_;
+  std::vector<int> cellPoints_;
+  std::vector<BoundaryPoint> boundary_;
+  std::map<int, int> firstOnBoundary_;  ///< per boundary halfedge
+  std::map<int, int> boundaryIndex_;    ///< per point
+  std::vector<int> outIndex_;
+
+  // For the element at hand.
+  std::vector<LabelFunction> functions_;
+  FaceEnvelope envelope_;
+  std::vector<int> pointOfVertex_;
+  std::vector<Eigen::Vector3d> baryOfVertex_;
+};
+
+}  // namespace
+
+Diagram traceDiagram(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,
+                     const DiagramOptions& options) {
+  const FaceComplex complex(mesh, distances, options.detail);
+  return Tracer(mesh, complex, siteCount).trace();
+}
+
+}  // namespace gvd

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <span>
+#include <vector>
+
+namespace gvd {
+
+/// One label's linear function on a triangle, by its values at the three corners: the squared
+/// distances there. |p|² being common to all labels, the least of these functions is the nearest
+/// site: in the plane exactly, on a surface as far as the corner distances are (Melvær & Reimers
+/// 2014, eq. 3: the crossing on an edge is the zero of the difference of two of them).
+struct LabelFunction {
+  int label;
+  std::array<double, 3> value;
+};
+
+/// The lower envelope of linear functions on a triangle: a partition into one convex cell for each
+/// label that is least somewhere.
+///
+/// The combinatorics are exact for the doubles given: every decision is the sign of a difference or
+/// of a determinant, computed exactly, and ties go to the lower label as if label l were raised by
+/// an infinitesimal that grows with l (simulation of simplicity). So cells are never missing or
+/// crossed, every inner vertex has exactly three cells and every side vertex two; where the input is
+/// degenerate, vertices coincide and cells have no area. Two triangles with a common side, and the
+/// same values for the labels that are least on it, get the same side vertices in the same order.
+class FaceEnvelope {
+ public:
+  /// Across a side of a cell is a label, or one of the triangle's own sides: -1 - i for side i,
+  /// from corner i to the next.
+  static constexpr int across(int side) { return -1 - side; }
+  static constexpr bool isTriangleSide(int across) { return across < 0; }
+  static constexpr int triangleSide(int across) { return -1 - across; }
+
+  struct Vertex {
+    enum Kind { kCorner, kOnSide, kInside } kind;
+    int place;                  ///< the corner, or the side
+    std::array<int, 3> labels;  ///< kOnSide: before and after, going along the side; kInside:
+                                ///< counterclockwise; -1 where there is none
+  };
+  /// A cell's side starts at `vertex` and goes counterclockwise to the next one's.
+  struct CellSide {
+    int vertex;
+    int across;
+  };
+  struct Cell {
+    int label;
+    std::vector<CellSide> sides;
+  };
+
+  /// `functions` ascending by label, at least one. O(n²) for n cells.
+  void compute(std::span<const LabelFunction> functions);
+
+  const std::vector<Vertex>& vertices() const { return vertices_; }
+  std::span<const Cell> cells() const { return {cells_.data(), static_cast<size_t>(cellCount_)}; }
+  /// Where a vertex lies.
+  Eigen::Vector3d bary(int vertex) const;
+
+ private:
+  const std::array<double, 3>& value(int label) const;
+  bool isBelow(const LabelFunction& f, const Vertex& v) const;
+  void insert(const LabelFunction& f);
+  int cutVertex(const Cell& cell, const CellSide& from, const CellSide& to, bool toIsBelow,
+                const LabelFunction& f);
+
+  struct Link {
+    int from, to, across;
+  };
+  struct Cut {
+    int from, to, vertex;
+  };
+
+  std::span<const LabelFunction> functions_;
+  std::vector<Vertex> vertices_;
+  std::vector<Cell> cells_;  // the first cellCount_ are in use; the rest keep their memory
+  int cellCount_ = 0;
+  std::vector<char> below_;
+  std::vector<Link> links_;
+  std::vector<Cut> cuts_;
+  std::vector<CellSide> kept_;
+};
+
+/// Where the functions a and b are equal between two corners, as a share of the way from the first
+/// corner to the second; `a` is the lower label's. The result does not depend on which triangle asks
+/// if both name the corners in the same order.
+double crossing(double aFirst, double bFirst, double aSecond, double bSecond);
+
+}  // namespace gvd

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+#include "gvd/triangle_mesh.h"
+
+namespace gvd {
+
+/// Squared edge lengths of a face, entry i that of side i (corner i to the next).
+inline std::array<double, 3> squaredSides(const TriangleMesh& mesh, int face) {
+  std::array<double, 3> squared;
+  for (int i = 0; i < 3; ++i) {
+    const double length = mesh.length(3 * face + i);
+    squared[i] = length * length;
+  }
+  return squared;
+}
+
+/// The squared length of a difference of barycentric coordinates (sum 0): never negative but for
+/// rounding, hence clamped.
+inline double squaredLength(const Eigen::Vector3d& difference, const std::array<double, 3>& sides) {
+  const double s = -(difference[0] * difference[1] * sides[0] +
+                     difference[1] * difference[2] * sides[1] +
+                     difference[2] * difference[0] * sides[2]);
+  return s > 0 ? s : 0;
+}
+
+/// The squared distance between two points of one face, along the face.
+inline double squaredDistance(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                              const std::array<double, 3>& sides) {
+  return squaredLength(a - b, sides);
+}
+
+}  // namespace gvd

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+//
+// The meshes that tests are made of. Outsides are counterclockwise; whatever is random depends on
+// its seed only, on every platform.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "gvd/triangle_mesh.h"
+
+namespace gvd::shapes {
+
+/// Positions and triangles as `TriangleMesh` takes them.
+struct Shape {
+  std::vector<double> positions;
+  std::vector<int> triangles;
+
+  int vertexCount() const { return static_cast<int>(positions.size() / 3); }
+  int faceCount() const { return static_cast<int>(triangles.size() / 3); }
+  Eigen::Vector3d position(int v) const { return Eigen::Vector3d::Map(&positions[3 * v]); }
+  void setPosition(int v, const Eigen::Vector3d& p) { Eigen::Vector3d::Map(&positions[3 * v]) = p; }
+  int addVertex(const Eigen::Vector3d& p);
+  void addTriangle(int a, int b, int c);
+  /// Two triangles, cut along a-c.
+  void addQuad(int a, int b, int c, int d);
+
+  TriangleMesh mesh() const { return TriangleMesh(positions, triangles); }
+};
+
+/// The same numbers everywhere, which the distributions of the standard library do not promise.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : bits_(seed) {}
+  /// In [0, 1).
+  double uniform() { return static_cast<double>(bits_() >> 11) * 0x1p-53; }
+  double uniform(double low, double high) { return low + (high - low) * uniform(); }
+  int below(int n) { return static_cast<int>(bits_() % static_cast<std::uint64_t>(n)); }
+
+ private:
+  std::mt19937_64 bits_;
+};
+
+// --- Plane: distances are Euclidean where the outline is convex ----------------------------------
+
+/// The right triangle (0,0) (1,0) (0,1).
+Shape triangle();
+/// The unit square in columns × rows cells of two triangles; inner vertices are moved by up to
+/// `jitter` cells in x and y (below 0.25 no triangle turns over).
+Shape grid(int columns, int rows, double jitter = 0, std::uint64_t seed = 0);
+/// The unit square with `points` random inner points, each inserted into the triangle that it falls
+/// into and never improved, then `flips` random edges flipped where that keeps the mesh plane: any
+/// angle and any valence occurs, needles and caps (area ≥ 1e-7) above all. With `clustering` c
+/// above 1, points crowd towards the middle of the left side: distances to it are uniform^c.
+Shape randomTriangulation(int points, int flips, std::uint64_t seed, double clustering = 1);
+/// The disk of radius 1 in rings × spokes cells, each ring `ratio` times the size of the next: at
+/// 0.5 and 30 rings the faces at the centre are 2^-30 times the size of those at the rim.
+Shape gradedDisk(int rings, int spokes, double ratio);
+/// The ring between radius 0.5 and 1.
+Shape annulus(int spokes, int rings);
+/// An L of three unit squares of n × n cells: plane, but not convex; (1,1) is its inner corner.
+Shape ell(int n);
+
+// --- One special vertex --------------------------------------------------------------------------
+
+/// `n` isosceles triangles with legs of length 1 around vertex 0, whose corner angles there sum to
+/// `angleSum`: a cone below 2π, flat at 2π, and above (n even, angleSum < nπ/2) a saddle.
+Shape vertexFan(int n, double angleSum);
+
+// --- Closed surfaces -----------------------------------------------------------------------------
+
+Shape tetrahedron();                ///< regular, edges 2√2
+Shape octahedron();                 ///< vertices at distance 1 on the axes
+Shape cube();                       ///< [0,1]³, 12 faces
+Shape icosphere(int subdivisions);  ///< unit sphere, 20·4ⁿ faces
+/// `major` × `minor` cells around the axis z and around the tube.
+Shape torus(int major, int minor, double majorRadius = 1, double minorRadius = 0.4);
+/// A plate of unit cubes, 3 wide and 1 thick, with `genus` square holes, each square in n × n
+/// cells.
+Shape perforatedPlate(int genus, int n = 1);
+/// A perforated plate, smoothed, its vertices moved at random by up to `roughness` times their
+/// shortest edge.
+Shape bumpySurface(int genus, int n, double roughness, std::uint64_t seed);
+
+// --- Surfaces with boundary ----------------------------------------------------------------------
+
+/// Open at both ends, axis z.
+Shape cylinder(int around, int along, double radius = 1, double height = 2);
+/// One half twist: one boundary loop, no orientation.
+Shape moebiusStrip(int around, int across = 1);
+
+// --- Changes -------------------------------------------------------------------------------------
+
+/// Every triangle in four, new vertices in the middle of the edges.
+Shape subdivided(const Shape& shape);
+Shape moved(Shape shape, const Eigen::Vector3d& offset);
+Shape scaled(Shape shape, double factor);
+/// One shape beside the other, nothing shared.
+Shape joined(Shape a, const Shape& b);
+/// `count` random triangles fewer; their vertices stay.
+Shape withoutRandomFaces(Shape shape, int count, std::uint64_t seed);
+Shape withFaceTurnedOver(Shape shape, int face);
+/// Every triangle with three vertices of its own.
+Shape unwelded(const Shape& shape);
+/// Vertices and triangles in random order, corners of each triangle rotated at random.
+Shape shuffled(const Shape& shape, std::uint64_t seed);
+
+}  // namespace gvd::shapes

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, beforeEach, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { both, glb, gltf, grid, octahedron } from './meshes.mjs';
+
+const main = fileURLToPath(new URL('../../dist/cli/main.js', import.meta.url));
+let folder;
+before(() => {
+  folder = mkdtempSync(join(tmpdir(), 'geodesic-voronoi-'));
+});
+after(() => rmSync(folder, { recursive: true }));
+beforeEach(() => {
+  rmSync(folder, { recursive: true });
+  mkdirSync(folder);
+  write('shape.glb', glb(octahedron()));
+  write('two.glb', glb(both(octahedron(), grid(1))));
+  write('sites.json', '{"vertex": [0, 3]}');
+  write('points.json', '{"face": [0, 1], "bary": [1, 0, 0, 0, 1, 0]}');
+});
+
+const write = (name, content) => writeFileSync(join(folder, name), content);
+const read = (name) => readFileSync(join(folder, name), 'utf8');
+
+/** Runs the command in the folder; `input` goes to its standard input. */
+function run(args, input) {
+  const { status, stdout, stderr } = spawnSync(process.execPath, [main, ...args.split(' ')], {
+    cwd: folder,
+    input,
+    encoding: 'utf8',
+  });
+  return { status, stdout, stderr };
+}
+
+function succeeds(args, input) {
+  const { status, stdout, stderr } = run(args, input);
+  assert.equal(status, 0, stderr);
+  return { stdout, stderr };
+}
+
+/** One line on standard error, nothing on standard output, no file that was not there. */
+function fails(status, args, message, input) {
+  const before = readdirSync(folder);
+  const result = run(args, input);
+  assert.match(result.stderr, /^geodesic-voronoi: [^\n]+\n$/);
+  assert.match(result.stderr, message);
+  assert.equal(result.status, status, result.stderr);
+  assert.equal(result.stdout, '');
+  assert.deepEqual(readdirSync(folder), before);
+}
+
+test('--help and --version', () => {
+  assert.match(succeeds('--help').stdout, /info[^]*diagram[^]*locate/);
+  for (const command of ['info', 'diagram', 'locate']) {
+    assert.match(succeeds(`${command} --help`).stdout, new RegExp(`Usage: geodesic-voronoi ${command}`));
+  }
+  const { version } = JSON.parse(readFileSync(new URL('../../package.json', import.meta.url), 'utf8'));
+  assert.equal(succeeds('--version').stdout, `${version}\n`);
+});
+
+test('info, for people and as JSON', () => {
+  const { stdout, stderr } = succeeds('info two.glb');
+  assert.match(stdout, /components +2\n/);
+  assert.match(stdout, /triangles +10 \(10 in the file\)\n/);
+  assert.equal(stderr, '');
+  const json = JSON.parse(succeeds('info two.glb --json').stdout);
+  assert.equal(json.faces, 10);
+  assert.equal(json.boundaryLoops, 1);
+  assert.equal(json.repairs.weldedVertices, 1); // (1, 0, 0) belongs to both
+  assert.equal(json.parts[0].triangleCount, 10);
+});
+
+test('--units: a unit of length, or a factor', () => {
+  const area = (units) => JSON.parse(succeeds(`info shape.glb --json --units ${units}`).stdout).area;
+  assert.equal(area('m'), JSON.parse(succeeds('info shape.glb --json').stdout).area);
+  assert.ok(Math.abs(area('cm') / area('m') - 1e4) < 1e-6);
+  assert.ok(Math.abs(area('0.5') / area('m') - 0.25) < 1e-9);
+  for (const units of ['parsec', '0', '-1', 'Infinity', 'toString']) {
+    fails(2, `info shape.glb --units=${units}`, /--units/);
+  }
+});
+
+test('diagram as JSON, to a file or to standard output', () => {
+  const { stderr } = succeeds('diagram shape.glb --sites 5 --seed 7 -o d.json');
+  assert.match(stderr, /^5 regions, \d+ bisector arcs, \d+ Voronoi points\n$/);
+  const json = JSON.parse(read('d.json'));
+  assert.equal(json.regions.length, 5);
+  assert.equal(json.sites.face.length, 5);
+  const again = succeeds('diagram shape.glb --sites 5 --seed 7 -o -');
+  assert.equal(again.stdout, read('d.json'));
+  assert.equal(again.stderr, '');
+  const other = succeeds('diagram shape.glb --sites 5');
+  assert.notEqual(other.stdout, again.stdout);
+  succeeds('diagram shape.glb --sites 5 --json -o d.txt --quiet');
+  assert.equal(read('d.txt'), other.stdout);
+});
+
+test('diagram as OBJ and GLB', () => {
+  succeeds('diagram shape.glb --sites sites.json -o lines.obj');
+  assert.match(read('lines.obj'), /\nl 1 /);
+  succeeds('diagram shape.glb --sites sites.json -o lines.glb');
+  assert.match(read('lines.glb'), /^glTF/);
+});
+
+test('the sites of a diagram are sites for another', () => {
+  succeeds('diagram shape.glb --sites 5 -o d.json');
+  assert.equal(succeeds('diagram shape.glb --sites d.json').stdout, read('d.json'));
+});
+
+test('locate', () => {
+  const { stdout } = succeeds('locate shape.glb --sites sites.json --points points.json');
+  assert.deepEqual(JSON.parse(stdout), { label: [0, 1], distance: [0, 0] });
+  write('points.json', '{"face": [0, 8], "bary": [0, 0, 1, 0, 1, 0]}');
+  const far = JSON.parse(succeeds('locate shape.glb --sites sites.json --points sites.json --units 2').stdout);
+  assert.deepEqual(far.label, [0, 1]);
+});
+
+test('locate gives null for what no site reaches', () => {
+  write('apart.glb', glb(both(octahedron(), { ...grid(1), positions: grid(1).positions.map((x) => x + 5) })));
+  write('points.json', '{"vertex": [6, 2]}');
+  const { stdout } = succeeds('locate apart.glb --sites sites.json --points points.json');
+  const { label, distance } = JSON.parse(stdout);
+  assert.deepEqual(label, [-1, 0]);
+  assert.equal(distance[0], null);
+  assert.ok(distance[1] > 1);
+});
+
+test('- is standard input, for one file', () => {
+  const bytes = glb(octahedron());
+  assert.match(succeeds('info -', bytes).stdout, /triangles +8/);
+  succeeds('diagram shape.glb --sites -', '{"vertex": [1]}');
+  fails(2, 'diagram - --sites -', /standard input/, bytes);
+});
+
+test('a .gltf finds its buffer in its folder, and nothing outside', () => {
+  const put = (name, uri) => {
+    const { json, buffer } = gltf(octahedron(), { uri });
+    write(name, JSON.stringify(json));
+    return buffer;
+  };
+  mkdirSync(join(folder, 'data'));
+  write('data/a shape.bin', put('shape.gltf', 'data/a%20shape.bin'));
+  assert.match(succeeds('info shape.gltf').stdout, /triangles +8/);
+  assert.match(run('info -', read('shape.gltf')).stderr, /data\/a%20shape\.bin/);
+
+  write('secret.bin', put('data/shape.gltf', '../secret.bin'));
+  fails(1, 'info data/shape.gltf', /\.\.\/secret\.bin.*outside/);
+  put('data/shape.gltf', '%2e%2e/secret.bin');
+  fails(1, 'info data/shape.gltf', /outside/);
+  put('data/shape.gltf', join(folder, 'secret.bin'));
+  fails(1, 'info data/shape.gltf', /outside/);
+  put('data/shape.gltf', 'https://example.com/shape.bin');
+  fails(1, 'info data/shape.gltf', /outside/);
+  put('data/shape.gltf', 'missing.bin');
+  fails(1, 'info data/shape.gltf', /missing\.bin.*no such file/);
+});
+
+test('a wrong command line: status 2', () => {
+  fails(2, 'draw shape.glb', /draw.*info, diagram, locate/);
+  fails(2, 'info', /mesh/);
+  fails(2, 'info shape.glb two.glb', /two\.glb/);
+  fails(2, 'info shape.glb --sites 3', /--sites/);
+  fails(2, 'diagram shape.glb', /--sites/);
+  fails(2, 'diagram shape.glb --sites', /--sites/);
+  for (const count of ['0', '-3', '1.5', 'NaN.', 'Infinity']) {
+    if (Number.isNaN(Number(count))) fails(1, `diagram shape.glb --sites=${count}`, /NaN\./);
+    else fails(2, `diagram shape.glb --sites=${count}`, /--sites/);
+  }
+  fails(2, 'diagram shape.glb --sites 3 --seed -1', /--seed/);
+  fails(2, 'diagram shape.glb --sites 3 --seed=-1', /--seed/);
+  fails(2, 'diagram shape.glb --sites 3 --metric euclid', /euclid.*dgpc, exact/);
+  fails(2, 'diagram shape.glb --sites 3 --sampling poisson', /poisson.*random/);
+  fails(2, 'diagram shape.glb --sites 3 -o d.stl', /d\.stl.*\.json, \.obj, \.glb/);
+  fails(2, 'locate shape.glb --sites 3', /--points/);
+});
+
+test('bad input: status 1, one line, no file', () => {
+  write('broken.glb', glb(octahedron()).subarray(0, 300));
+  write('sites.txt', 'one, two');
+  write('many.json', '[1, 2]');
+  write('outside.json', '{"face": [8], "bary": [1, 0, 0]}');
+  fails(1, 'info nowhere.glb', /nowhere\.glb.*no such file/);
+  fails(1, 'info .', /folder/);
+  fails(1, 'info sites.json', /sites\.json/);
+  fails(1, 'diagram broken.glb --sites 3 -o d.json', /broken\.glb/);
+  fails(1, 'diagram shape.glb --sites nowhere.json -o d.json', /nowhere\.json/);
+  fails(1, 'diagram shape.glb --sites sites.txt -o d.json', /sites\.txt is not JSON/);
+  fails(1, 'diagram shape.glb --sites many.json -o d.json', /many\.json/);
+  fails(1, 'diagram shape.glb --sites outside.json -o d.json', /8/);
+  fails(1, 'diagram shape.glb --sites 3 -o nowhere/d.json', /nowhere.*no such file or folder/);
+  mkdirSync(join(folder, 'taken.json'));
+  fails(1, 'diagram shape.glb --sites 3 -o taken.json', /taken\.json.*folder/);
+});
+
+test('a file that is there stays as it was when the command fails', () => {
+  write('d.json', 'old');
+  write('outside.json', '{"face": [8], "bary": [1, 0, 0]}');
+  fails(1, 'diagram shape.glb --sites outside.json -o d.json', /8/);
+  assert.equal(read('d.json'), 'old');
+  succeeds('diagram shape.glb --sites 2 -o d.json');
+  assert.notEqual(read('d.json'), 'old');
+});
+
+test('progress is shown when asked for, and never on standard output', () => {
+  const { stdout, stderr } = succeeds('diagram shape.glb --sites 3 --progress');
+  assert.match(stderr, /100%\n$/);
+  assert.doesNotMatch(stdout, /%/);
+  assert.equal(succeeds('diagram shape.glb --sites 3').stderr, '');
+});

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+//
+// That what the core computes arrives whole and in terms of the input. Whether it is right is for
+// the tests of the core to say.
+
+import assert from 'node:assert/strict';
+import { before, test } from 'node:test';
+import { load } from 'geodesic-voronoi';
+import { both, grid, octahedron, withFlipped } from './meshes.mjs';
+
+let gvd;
+before(async () => {
+  gvd = await load();
+});
+
+const fails = (code, message = /./) => ({ name: 'GeodesicVoronoiError', code, message });
+const centre = [1 / 3, 1 / 3, 1 / 3];
+
+function near(actual, expected, tolerance = 1e-9) {
+  assert.ok(Math.abs(actual - expected) <= tolerance, `${actual} is not ${expected}`);
+}
+
+/** The position of a point of the input, from the mesh's own arrays. */
+function positionOf({ positions, indices }, face, bary) {
+  return [0, 1, 2].map((axis) =>
+    bary.reduce((sum, b, corner) => sum + b * positions[3 * indices[3 * face + corner] + axis], 0),
+  );
+}
+
+function areaOf(corners) {
+  const normal = [0, 0, 0];
+  corners.forEach((p, i) => {
+    const q = corners[(i + 1) % corners.length];
+    for (let k = 0; k < 3; ++k) {
+      normal[k] += (p[(k + 1) % 3] * q[(k + 2) % 3] - p[(k + 2) % 3] * q[(k + 1) % 3]) / 2;
+    }
+  });
+  return Math.hypot(...normal);
+}
+
+const lists = ({ offset, points }) =>
+  Array.from({ length: offset.length - 1 }, (_, i) => [...points.subarray(offset[i], offset[i + 1])]);
+
+/** Checks everything that a diagram's arrays promise whatever the surface. */
+function checkArrays(mesh, { data, regions }) {
+  const { points, segments, arcs, voronoiPoints, loops, cells, faceLabel } = data;
+  const pointCount = points.face.length;
+  const place = (i) => [...points.position.subarray(3 * i, 3 * i + 3)];
+
+  assert.equal(points.bary.length, 3 * pointCount);
+  assert.equal(points.position.length, 3 * pointCount);
+  for (let i = 0; i < pointCount; ++i) {
+    const position = positionOf(mesh, points.face[i], [...points.bary.subarray(3 * i, 3 * i + 3)]);
+    position.forEach((x, axis) => near(points.position[3 * i + axis], x));
+  }
+
+  assert.equal(segments.points.length, 2 * segments.face.length);
+  assert.equal(segments.labels.length, 2 * segments.face.length);
+  const arcPoints = lists(arcs);
+  assert.equal(arcs.labels.length, 2 * arcPoints.length);
+  segments.arc.forEach((arc, i) => {
+    const [tail, tip] = segments.points.subarray(2 * i);
+    assert.ok(arcPoints[arc].some((point, j) => point === tail && arcPoints[arc][j + 1] === tip));
+    const labels = segments.labels.subarray(2 * i, 2 * i + 2);
+    assert.deepEqual(labels, arcs.labels.subarray(2 * arc, 2 * arc + 2));
+    assert.ok(labels[0] < labels[1]);
+    assert.equal(faceLabel[segments.face[i]], -2);
+  });
+
+  assert.equal(voronoiPoints.labelOffset.length, voronoiPoints.point.length + 1);
+  assert.equal(voronoiPoints.labelOffset.at(-1), voronoiPoints.labels.length);
+
+  const areas = new Float64Array(data.siteCount);
+  assert.equal(faceLabel.length, mesh.indices.length / 3);
+  faceLabel.forEach((label, f) => {
+    const corners = [0, 1, 2].map((c) => positionOf(mesh, f, [0, 1, 2].map((k) => Number(k === c))));
+    if (label >= 0) areas[label] += areaOf(corners);
+  });
+  lists(cells).forEach((polygon, i) => {
+    assert.equal(faceLabel[cells.face[i]], -2);
+    areas[cells.label[i]] += areaOf(polygon.map(place));
+  });
+  areas.forEach((area, label) => near(data.regionArea[label], area));
+
+  assert.equal(regions.length, data.siteCount);
+  const loopPoints = lists(loops);
+  assert.equal(loops.label.length, loopPoints.length);
+  regions.forEach((region, label) => {
+    assert.equal(region.label, label);
+    assert.equal(region.area, data.regionArea[label]);
+    assert.deepEqual(
+      region.loops.map((loop) => [...loop]),
+      loopPoints.filter((_, i) => loops.label[i] === label),
+    );
+    for (const other of region.neighbours) assert.ok(regions[other].neighbours.includes(label));
+  });
+}
+
+test('the arrays of a diagram fit together, and the areas make up the surface', async () => {
+  for (const shape of [grid(7), octahedron()]) {
+    const mesh = await gvd.mesh(shape);
+    for (const detail of [0, 2]) {
+      const diagram = await mesh.voronoi(await mesh.sampleSites(9), { detail });
+      checkArrays(mesh, diagram);
+      near(diagram.data.regionArea.reduce((a, b) => a + b), mesh.info.area);
+      assert.ok(diagram.data.segments.face.length > 0);
+      assert.ok(diagram.data.voronoiPoints.point.length > 0);
+    }
+  }
+});
+
+test('results are in terms of the input, also where its triangles were turned over or dropped', async () => {
+  const { positions, indices } = withFlipped(grid(4), 9);
+  const mesh = await gvd.mesh({ positions, indices: [0, 1, 1, ...indices] });
+  assert.equal(mesh.info.repairs.flippedTriangles, 1);
+  const straight = await gvd.mesh({ positions, indices: [0, 1, 1, ...grid(4).indices] });
+  // Site 1 has corners of weights that differ, in the triangle that is turned over.
+  const sites = { face: [2, 10, 30], bary: [...centre, 0.5, 0.2, 0.3, ...centre] };
+  const turned = { face: sites.face, bary: [...centre, 0.5, 0.3, 0.2, ...centre] };
+  const diagram = await mesh.voronoi(sites);
+  checkArrays(mesh, diagram);
+  assert.equal(diagram.data.faceLabel[0], -3);
+  const expected = await straight.voronoi(turned);
+  diagram.data.regionArea.forEach((area, i) => near(area, expected.data.regionArea[i]));
+});
+
+test('what no site reaches has label -1, and Infinity for a distance', async () => {
+  const mesh = await gvd.mesh(both(octahedron(), grid(1)));
+  const diagram = await mesh.voronoi({ vertex: [0] });
+  assert.deepEqual([...diagram.data.faceLabel], [0, 0, 0, 0, 0, 0, 0, 0, -1, -1]);
+  const { label, distance } = await diagram.locate({ vertex: [6, 0, 2] });
+  assert.deepEqual([...label], [-1, 0, 0]);
+  assert.equal(distance[0], Infinity);
+  near(distance[1], 0);
+  near(distance[2], Math.SQRT2);
+});
+
+test('one site: the whole surface is its region', async () => {
+  const mesh = await gvd.mesh(octahedron());
+  const { data, regions } = await mesh.voronoi({ vertex: [2] });
+  assert.equal(data.arcs.labels.length, 0);
+  near(regions[0].area, mesh.info.area);
+  assert.deepEqual(regions[0].loops, []);
+  assert.deepEqual(regions[0].neighbours, []);
+});
+
+test('sites given by vertices are those given by faces', async () => {
+  const mesh = await gvd.mesh(grid(3));
+  const { sites } = await mesh.voronoi({ vertex: [0, 15] });
+  assert.deepEqual(positionOf(mesh, sites.face[0], [...sites.bary.subarray(0, 3)]), [0, 0, 0]);
+  assert.deepEqual(positionOf(mesh, sites.face[1], [...sites.bary.subarray(3, 6)]), [1, 1, 0]);
+});
+
+test('sites that make no sense are refused with their index', async () => {
+  const mesh = await gvd.mesh(octahedron());
+  const cases = [
+    [{ face: [0, 8], bary: [...centre, ...centre] }, 'invalid-point', /1.*8/],
+    [{ face: [-1], bary: centre }, 'invalid-point', /-1/],
+    [{ face: [0], bary: [NaN, 0, 0] }, 'invalid-point', /0/],
+    [{ face: [0], bary: [0.5, 0.5, 0.5] }, 'invalid-point'],
+    [{ face: [0], bary: [1.5, -0.5, 0] }, 'invalid-point'],
+    [{ vertex: [6] }, 'invalid-point', /6/],
+    [{ face: [0], bary: [1, 0] }, 'invalid-argument', /sites\.bary has 2 numbers/],
+    [{ face: [0.5], bary: centre }, 'invalid-argument', /sites\.face\[0\] is 0\.5/],
+    [{ face: [], bary: [] }, 'invalid-argument', /site/],
+    [{ vertex: [] }, 'invalid-argument', /site/],
+    [{ face: 0, bary: centre }, 'invalid-argument', /sites\.face/],
+    [{ face: [0] }, 'invalid-argument', /sites/],
+    [undefined, 'invalid-argument', /sites/],
+  ];
+  for (const [sites, code, message] of cases) {
+    await assert.rejects(mesh.voronoi(sites), fails(code, message));
+  }
+  const sites = { vertex: [0] };
+  await assert.rejects(mesh.voronoi(sites, { metric: 'euclid' }), fails('invalid-argument', /euclid/));
+  for (const detail of [-1, 0.5, 11, '1']) {
+    await assert.rejects(mesh.voronoi(sites, { detail }), fails('invalid-argument', /detail/));
+  }
+  const diagram = await mesh.voronoi(sites);
+  await assert.rejects(diagram.locate({ face: [9], bary: centre }), fails('invalid-point', /9/));
+  assert.deepEqual((await diagram.locate({ face: [], bary: [] })).label, new Int32Array(0));
+});
+
+test('progress rises to 1, and other work has its turn meanwhile', async () => {
+  const mesh = await gvd.mesh(grid(150));
+  const shares = [];
+  let turns = 0;
+  const timer = setInterval(() => ++turns, 1);
+  const sites = await mesh.sampleSites(300);
+  await mesh.voronoi(sites, { onProgress: (share) => shares.push(share) });
+  clearInterval(timer);
+  assert.ok(shares.length > 1);
+  assert.ok(shares.every((share, i) => share >= (shares[i - 1] ?? 0)));
+  assert.equal(shares.at(-1), 1);
+  assert.ok(turns > 0);
+});
+
+test('a task can be given up, before and during, with the reason of its signal', async () => {
+  const mesh = await gvd.mesh(grid(150));
+  const sites = await mesh.sampleSites(300);
+  const reason = new Error('changed my mind');
+  await assert.rejects(mesh.voronoi(sites, { signal: AbortSignal.abort(reason) }), reason);
+  const controller = new AbortController();
+  const onProgress = () => controller.abort(reason);
+  await assert.rejects(mesh.voronoi(sites, { signal: controller.signal, onProgress }), reason);
+  assert.equal((await mesh.voronoi(sites)).regions.length, 300);
+});
+
+test('what a listener throws ends the task', async () => {
+  const mesh = await gvd.mesh(grid(20));
+  const onProgress = () => {
+    throw new Error('no screen');
+  };
+  await assert.rejects(mesh.voronoi({ vertex: [0] }, { onProgress }), /no screen/);
+});
+
+test('tasks at the same time do not disturb each other', async () => {
+  const mesh = await gvd.mesh(grid(60));
+  const seeds = [1, 2, 3];
+  const compute = async (seed) => (await mesh.voronoi(await mesh.sampleSites(200, { seed }))).data;
+  const together = await Promise.all(seeds.map(compute));
+  for (const [i, seed] of seeds.entries()) assert.deepEqual(together[i], await compute(seed));
+});
+
+test('arrays stay valid while the memory of the module grows', async () => {
+  const fresh = await load();
+  const small = await fresh.mesh(octahedron());
+  const diagram = await small.voronoi({ vertex: [0, 3] });
+  const before = structuredClone(diagram.data);
+  const large = await fresh.mesh(grid(400));
+  await large.voronoi(await large.sampleSites(50));
+  assert.deepEqual(diagram.data, before);
+  assert.deepEqual([...(await diagram.locate({ vertex: [0, 3] })).label], [0, 1]);
+});
+
+test('what is disposed says so, and may be disposed again', async () => {
+  const library = await load();
+  const mesh = await library.mesh(octahedron());
+  const diagram = await mesh.voronoi({ vertex: [0] });
+  const second = await mesh.voronoi({ vertex: [1] });
+  diagram.dispose();
+  diagram.dispose();
+  await assert.rejects(diagram.locate({ vertex: [0] }), fails('disposed', /diagram/));
+  near(diagram.regions[0].area, mesh.info.area);
+  mesh.dispose();
+  mesh.dispose();
+  await assert.rejects(mesh.voronoi({ vertex: [0] }), fails('disposed', /mesh/));
+  await assert.rejects(mesh.sampleSites(1), fails('disposed', /mesh/));
+  assert.deepEqual([...(await second.locate({ vertex: [1] })).label], [0]);
+  library.dispose();
+  library.dispose();
+  await assert.rejects(second.locate({ vertex: [1] }), fails('disposed', /library/));
+  await assert.rejects(library.mesh(octahedron()), fails('disposed', /library/));
+  second.dispose();
+});
+
+test('disposing the library ends its tasks', async () => {
+  const library = await load();
+  const mesh = await library.mesh(grid(150));
+  const running = mesh.voronoi(await mesh.sampleSites(300));
+  library.dispose();
+  await assert.rejects(running, fails('disposed'));
+});
+
+test('Symbol.dispose disposes', async () => {
+  const mesh = await gvd.mesh(octahedron());
+  mesh[Symbol.dispose]();
+  await assert.rejects(mesh.sampleSites(1), fails('disposed'));
+});

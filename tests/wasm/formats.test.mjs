@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+import assert from 'node:assert/strict';
+import { before, test } from 'node:test';
+import { diagramGlb, diagramJson, diagramObj, load } from 'geodesic-voronoi';
+import { grid } from './meshes.mjs';
+
+let diagram;
+let single;
+before(async () => {
+  const gvd = await load();
+  const mesh = await gvd.mesh(grid(5));
+  diagram = await mesh.voronoi(await mesh.sampleSites(6));
+  single = await mesh.voronoi({ vertex: [0] });
+});
+
+/** The length of all bisectors together. */
+function length(places, pairs) {
+  return pairs.reduce((sum, [a, b]) => sum + Math.hypot(...places[a].map((x, k) => x - places[b][k])), 0);
+}
+
+function expectedLength() {
+  const { points, segments } = diagram.data;
+  const places = Array.from(points.face, (_, i) => [...points.position.subarray(3 * i, 3 * i + 3)]);
+  const pairs = Array.from(segments.face, (_, i) => segments.points.subarray(2 * i, 2 * i + 2));
+  return length(places, pairs);
+}
+
+function near(actual, expected, tolerance) {
+  assert.ok(Math.abs(actual - expected) < tolerance, `${actual} is not ${expected}`);
+}
+
+test('JSON holds the diagram in plain arrays', () => {
+  const json = JSON.parse(JSON.stringify(diagramJson(diagram)));
+  const { data, regions } = diagram;
+  assert.equal(json.metric, 'dgpc');
+  assert.deepEqual(json.sites.bary, [...diagram.sites.bary]);
+  assert.deepEqual(json.points.position, [...data.points.position]);
+  assert.deepEqual(json.faceLabel, [...data.faceLabel]);
+  assert.deepEqual(json.regions[2], {
+    area: regions[2].area,
+    loops: regions[2].loops.map((loop) => [...loop]),
+    neighbours: regions[2].neighbours,
+  });
+  assert.equal(json.arcs.length, data.arcs.offset.length - 1);
+  assert.deepEqual(json.arcs.flatMap(({ points }) => points), [...data.arcs.points]);
+  assert.deepEqual(json.arcs.flatMap(({ labels }) => labels), [...data.arcs.labels]);
+  assert.deepEqual(json.voronoiPoints.flatMap(({ labels }) => labels), [...data.voronoiPoints.labels]);
+});
+
+test('JSON scales lengths and areas', () => {
+  const json = diagramJson(diagram, 1000);
+  json.points.position.forEach((x, i) => near(x, 1000 * diagram.data.points.position[i], 1e-9));
+  near(json.regions[0].area, 1e6 * diagram.regions[0].area, 1e-6);
+});
+
+test('OBJ draws every bisector once', () => {
+  const lines = diagramObj(diagram.data, 10).trimEnd().split('\n').map((line) => line.split(' '));
+  const rows = (key) => lines.filter(([first]) => first === key).map(([, ...rest]) => rest);
+  const places = rows('v').map((row) => row.map(Number));
+  const pairs = rows('l').flatMap((row) => row.slice(1).map((n, i) => [row[i] - 1, n - 1]));
+  near(length(places, pairs), 10 * expectedLength(), 1e-9);
+  assert.equal(rows('g').length, rows('l').length);
+  assert.match(rows('g')[0][0], /^bisector_\d_\d$/);
+});
+
+test('GLB draws every bisector once', () => {
+  const bytes = diagramGlb(diagram.data, 10);
+  const view = new DataView(bytes.buffer);
+  assert.equal(view.getUint32(8, true), bytes.length);
+  const jsonLength = view.getUint32(12, true);
+  const json = JSON.parse(new TextDecoder().decode(bytes.subarray(20, 20 + jsonLength)));
+  const bin = 28 + jsonLength;
+  assert.equal(json.meshes[0].primitives[0].mode, 1);
+  const [vertices, indices] = json.accessors;
+  const places = Array.from({ length: vertices.count }, (_, i) => [
+    ...new Float32Array(bytes.slice(bin + 12 * i, bin + 12 * i + 12).buffer),
+  ]);
+  for (const k of [0, 1, 2]) {
+    assert.equal(vertices.min[k], Math.min(...places.map((place) => place[k])));
+    assert.equal(vertices.max[k], Math.max(...places.map((place) => place[k])));
+  }
+  const start = bin + json.bufferViews[1].byteOffset;
+  const numbers = new Uint32Array(bytes.slice(start, start + 4 * indices.count).buffer);
+  const pairs = Array.from({ length: indices.count / 2 }, (_, i) => numbers.subarray(2 * i, 2 * i + 2));
+  near(length(places, pairs), 10 * expectedLength(), 1e-4);
+});
+
+test('a diagram without bisectors is a valid file all the same', () => {
+  assert.deepEqual(diagramJson(single).arcs, []);
+  assert.equal(diagramObj(single.data).split('\n').filter((line) => /^[vl] /.test(line)).length, 0);
+  const bytes = diagramGlb(single.data);
+  const json = JSON.parse(new TextDecoder().decode(bytes.subarray(20)));
+  assert.deepEqual(json.scenes, [{}]);
+});

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { GeodesicVoronoiError, load, loadWorker } from 'geodesic-voronoi';
+import { octahedron } from './meshes.mjs';
+
+const dist = new URL('../../dist/', import.meta.url);
+const coreUrl = new URL('core.wasm', dist);
+const coreBytes = readFileSync(coreUrl);
+
+const failsToLoad = (message) => ({ name: 'GeodesicVoronoiError', code: 'load-failed', message });
+
+test('load() finds its modules beside itself and knows the version of the package', async () => {
+  const { version } = JSON.parse(readFileSync(new URL('../package.json', dist), 'utf8'));
+  assert.equal((await load()).version, version);
+});
+
+test('load() takes a URL, a path, bytes or a module', async () => {
+  const module = await WebAssembly.compile(coreBytes);
+  const arrayBuffer = Uint8Array.from(coreBytes).buffer;
+  for (const wasm of [coreUrl, coreUrl.href, fileURLToPath(coreUrl), coreBytes, arrayBuffer, module]) {
+    const gvd = await load({ wasm });
+    assert.equal((await gvd.mesh(octahedron())).info.faces, 8);
+  }
+});
+
+test('what cannot be loaded says so', async () => {
+  await assert.rejects(load({ wasm: './nowhere.wasm' }), failsToLoad(/nowhere\.wasm/));
+  await assert.rejects(load({ wasm: new Uint8Array(100) }), failsToLoad(/magic/));
+  await assert.rejects(loadWorker(), failsToLoad(/load\(\)/));
+});
+
+test('a module with imports that are not ours is refused by the name of the import', async () => {
+  // (module (import "env" "spy" (func)))
+  const stranger = [0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 2, 11, 1, 3, 101, 110, 118, 3, 115, 112, 121, 0, 0];
+  await assert.rejects(load({ wasm: Uint8Array.from(stranger) }), failsToLoad(/env\.spy/));
+});
+
+test('gltf.wasm is loaded with the first glTF, not before', async () => {
+  const gvd = await load({ gltfWasm: './nowhere.wasm' });
+  await gvd.mesh(octahedron());
+  await assert.rejects(gvd.mesh(new Uint8Array(100)), failsToLoad(/nowhere\.wasm/));
+});
+
+test('GeodesicVoronoiError is an Error with a code', () => {
+  const error = new GeodesicVoronoiError('internal', 'why');
+  assert.ok(error instanceof Error);
+  assert.equal(`${error}`, 'GeodesicVoronoiError: why');
+});
+
+test('nothing that a browser loads imports anything of Node', () => {
+  const seen = new Set();
+  const visit = (url) => {
+    if (seen.has(url.href)) return;
+    seen.add(url.href);
+    for (const [, name] of readFileSync(url, 'utf8').matchAll(/(?:from|import) '([^']+)'/g)) {
+      assert.match(name, /^\.\//, `${url.pathname} imports ${name}`);
+      visit(new URL(name, url));
+    }
+  };
+  visit(new URL('index.js', dist));
+  visit(new URL('worker.js', dist));
+  assert.ok(seen.size > 10);
+});
+
+test('the package works where code from strings is forbidden', () => {
+  const script = `
+    import { load } from 'geodesic-voronoi';
+    const mesh = await (await load()).mesh(${JSON.stringify(octahedron())});
+    const { data } = await mesh.voronoi(await mesh.sampleSites(4));
+    console.log(data.regionArea.length);`;
+  const { stdout, stderr } = spawnSync(
+    process.execPath,
+    ['--disallow-code-generation-from-strings', '--input-type=module', '--eval', script],
+    { cwd: dist, encoding: 'utf8' },
+  );
+  assert.equal(stderr, '');
+  assert.equal(stdout, '4\n');
+});

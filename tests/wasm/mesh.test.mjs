@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+import assert from 'node:assert/strict';
+import { before, test } from 'node:test';
+import { gltfResourceUris, load } from 'geodesic-voronoi';
+import { both, glb, gltf, grid, octahedron, withFlipped } from './meshes.mjs';
+
+let gvd;
+before(async () => {
+  gvd = await load();
+});
+
+const fails = (code, message) => ({ name: 'GeodesicVoronoiError', code, message });
+
+test('a mesh of arrays: counts, topology, measures', async () => {
+  const { info } = await gvd.mesh(octahedron());
+  assert.equal(info.vertices, 6);
+  assert.equal(info.edges, 12);
+  assert.equal(info.faces, 8);
+  assert.equal(info.components, 1);
+  assert.equal(info.boundaryLoops, 0);
+  assert.equal(info.eulerCharacteristic, 2);
+  assert.equal(info.genus, 0);
+  assert.ok(Math.abs(info.area - 4 * Math.sqrt(3)) < 1e-12);
+  assert.ok(Math.abs(info.diameter - Math.sqrt(12)) < 1e-12);
+  assert.deepEqual(info.notes, []);
+  assert.ok(Object.values(info.repairs).every((count) => count === 0));
+});
+
+test('a mesh keeps copies of what it was made from', async () => {
+  const positions = Float32Array.from(grid(1).positions);
+  const indices = Uint16Array.from(grid(1).indices);
+  const mesh = await gvd.mesh({ positions, indices });
+  positions.fill(7);
+  indices.fill(7);
+  assert.deepEqual([...mesh.positions], grid(1).positions);
+  assert.deepEqual([...mesh.indices], grid(1).indices);
+  assert.deepEqual(mesh.parts, []);
+});
+
+test('repairs are counted by name', async () => {
+  const { positions, indices } = withFlipped(grid(2), 3);
+  const mesh = await gvd.mesh({
+    positions: [...positions, 0, 0, 0, NaN, 0, 0],
+    indices: [...indices, 0, 1, 9, 0, 1, 10],
+  });
+  const { repairs } = mesh.info;
+  assert.equal(repairs.flippedTriangles, 1);
+  assert.equal(repairs.weldedVertices, 1);
+  assert.equal(repairs.degenerateTriangles, 1);
+  assert.equal(repairs.nonFiniteTriangles, 1);
+  assert.equal(mesh.info.faces, 8);
+  assert.equal(mesh.info.inputFaces, 10);
+});
+
+test('a GLB comes in world space, with its parts', async () => {
+  const mesh = await gvd.mesh(glb(octahedron(), { translation: [10, 0, 0] }));
+  assert.equal(mesh.positions[0], 11);
+  assert.equal(mesh.info.faces, 8);
+  assert.deepEqual(mesh.parts, [
+    { name: 'Bläck', node: 0, mesh: 0, primitive: 0, firstTriangle: 0, triangleCount: 8 },
+  ]);
+});
+
+test('a GLB may be a view of a larger buffer, or an ArrayBuffer', async () => {
+  const bytes = glb(octahedron());
+  const larger = new Uint8Array(bytes.length + 9);
+  larger.set(bytes, 3);
+  assert.equal((await gvd.mesh(larger.subarray(3, 3 + bytes.length))).info.faces, 8);
+  assert.equal((await gvd.mesh(bytes.buffer)).info.faces, 8);
+});
+
+test('a .gltf takes its buffer from the resources, and names one that is missing', async () => {
+  const { json, buffer } = gltf(octahedron(), { uri: 'shape%20one.bin' });
+  const bytes = new TextEncoder().encode(JSON.stringify(json));
+  assert.deepEqual(gltfResourceUris(bytes), ['shape%20one.bin']);
+  const mesh = await gvd.mesh(bytes, { resources: { 'shape%20one.bin': buffer } });
+  assert.equal(mesh.info.faces, 8);
+  await assert.rejects(gvd.mesh(bytes), fails('invalid-gltf', /shape.*one\.bin/));
+});
+
+test('gltfResourceUris names no resources where there are none', () => {
+  assert.deepEqual(gltfResourceUris(glb(octahedron())), []);
+  assert.deepEqual(gltfResourceUris(new Uint8Array(5)), []);
+  const { json } = gltf(octahedron(), { uri: 'data:application/octet-stream;base64,AAAA' });
+  assert.deepEqual(gltfResourceUris(new TextEncoder().encode(JSON.stringify(json))), []);
+});
+
+test('a mesh that cannot be made says why', async () => {
+  const { positions, indices } = octahedron();
+  const cases = [
+    [{ positions: [], indices: [] }, 'invalid-mesh'],
+    [{ positions, indices: [] }, 'invalid-mesh'],
+    [{ positions, indices: [0, 1] }, 'invalid-mesh'],
+    [{ positions: positions.slice(1), indices }, 'invalid-mesh'],
+    [{ positions, indices: [0, 1, 6] }, 'invalid-mesh', /6/],
+    [{ positions, indices: [0, 1, -1] }, 'invalid-mesh', /-1/],
+    [{ positions, indices: [0, 1, 1] }, 'invalid-mesh'],
+    [{ positions: positions.map(() => NaN), indices }, 'invalid-mesh'],
+    [{ positions, indices: [0, 1, 1.5] }, 'invalid-argument', /indices\[2\] is 1\.5/],
+    [{ positions, indices: [0, 1, 2 ** 32] }, 'invalid-argument', /indices\[2\] is 4294967296/],
+    [{ positions, indices: 'abc' }, 'invalid-argument', /indices/],
+    [{ positions }, 'invalid-argument'],
+    [null, 'invalid-argument'],
+    ['model.glb', 'invalid-argument'],
+    [new Uint8Array(0), 'invalid-gltf'],
+    [new TextEncoder().encode('solid not a glTF'), 'invalid-gltf'],
+    [glb(octahedron()).subarray(0, 300), 'invalid-gltf'],
+  ];
+  for (const [source, code, message = /./] of cases) {
+    await assert.rejects(gvd.mesh(source), fails(code, message));
+  }
+});
+
+test('after a mesh that failed the library still works', async () => {
+  await assert.rejects(gvd.mesh(new Uint8Array(100)));
+  await assert.rejects(gvd.mesh({ positions: [], indices: [] }));
+  assert.equal((await gvd.mesh(both(octahedron(), grid(2)))).info.components, 2);
+});
+
+test('sampled sites depend on the seed alone, and the first ones not on the count', async () => {
+  const mesh = await gvd.mesh(octahedron());
+  const ten = await mesh.sampleSites(10, { seed: 5 });
+  const four = await mesh.sampleSites(4, { seed: 5 });
+  assert.equal(ten.face.length, 10);
+  assert.equal(ten.bary.length, 30);
+  assert.deepEqual(ten.face.slice(0, 4), four.face);
+  assert.deepEqual(ten.bary.slice(0, 12), four.bary);
+  assert.notDeepEqual(await mesh.sampleSites(10, { seed: 6 }), ten);
+  assert.deepEqual(await mesh.sampleSites(3), await mesh.sampleSites(3, { seed: 1 }));
+  assert.notDeepEqual(
+    await mesh.sampleSites(3, { seed: 2 ** 40 }),
+    await mesh.sampleSites(3, { seed: 2 ** 41 }),
+  );
+});
+
+test('there may be more sites than vertices, but not less than one', async () => {
+  const mesh = await gvd.mesh(octahedron());
+  assert.equal((await mesh.sampleSites(100)).face.length, 100);
+  for (const count of [0, -1, 1.5, NaN, Infinity, '3', undefined]) {
+    await assert.rejects(mesh.sampleSites(count), fails('invalid-argument', /count/));
+  }
+  for (const seed of [-1, 0.5, NaN, '1']) {
+    await assert.rejects(mesh.sampleSites(1, { seed }), fails('invalid-argument', /seed/));
+  }
+});

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+//
+// Small meshes for the tests.
+
+/** The unit square in n × n squares of two triangles. */
+export function grid(n) {
+  const positions = [];
+  const indices = [];
+  for (let y = 0; y <= n; ++y) for (let x = 0; x <= n; ++x) positions.push(x / n, y / n, 0);
+  for (let y = 0; y < n; ++y) {
+    for (let x = 0; x < n; ++x) {
+      const a = y * (n + 1) + x;
+      const b = a + n + 1;
+      indices.push(a, a + 1, b, a + 1, b + 1, b);
+    }
+  }
+  return { positions, indices };
+}
+
+/** The regular octahedron with vertices at distance 1 from the origin. */
+export function octahedron() {
+  return {
+    positions: [1, 0, 0, 0, 1, 0, 0, 0, 1, -1, 0, 0, 0, -1, 0, 0, 0, -1],
+    indices: [0, 1, 2, 1, 3, 2, 3, 4, 2, 4, 0, 2, 1, 0, 5, 3, 1, 5, 4, 3, 5, 0, 4, 5],
+  };
+}
+
+/** Two meshes as one, not connected. */
+export function both(a, b) {
+  const offset = a.positions.length / 3;
+  return {
+    positions: [...a.positions, ...b.positions],
+    indices: [...a.indices, ...b.indices.map((i) => i + offset)],
+  };
+}
+
+/** The same surface with triangle `f` turned over. */
+export function withFlipped({ positions, indices }, f) {
+  const flipped = [...indices];
+  [flipped[3 * f + 1], flipped[3 * f + 2]] = [flipped[3 * f + 2], flipped[3 * f + 1]];
+  return { positions, indices: flipped };
+}
+
+/** The JSON and the buffer of a glTF with one mesh, moved by `translation`. */
+export function gltf({ positions, indices }, { translation = [0, 0, 0], uri } = {}) {
+  const buffer = Buffer.concat([
+    Buffer.from(Float32Array.from(positions).buffer),
+    Buffer.from(Uint32Array.from(indices).buffer),
+  ]);
+  const split = 4 * positions.length;
+  const axis = (k) => positions.filter((_, i) => i % 3 === k);
+  const json = {
+    asset: { version: '2.0' },
+    scene: 0,
+    scenes: [{ nodes: [0] }],
+    nodes: [{ mesh: 0, name: 'Bläck', translation }],
+    meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1 }] }],
+    accessors: [
+      {
+        bufferView: 0,
+        componentType: 5126,
+        count: positions.length / 3,
+        type: 'VEC3',
+        min: [0, 1, 2].map((k) => Math.fround(Math.min(...axis(k)))),
+        max: [0, 1, 2].map((k) => Math.fround(Math.max(...axis(k)))),
+      },
+      { bufferView: 1, componentType: 5125, count: indices.length, type: 'SCALAR' },
+    ],
+    bufferViews: [
+      { buffer: 0, byteOffset: 0, byteLength: split },
+      { buffer: 0, byteOffset: split, byteLength: buffer.length - split },
+    ],
+    buffers: [{ byteLength: buffer.length, ...(uri && { uri }) }],
+  };
+  return { json, buffer };
+}
+
+/** The bytes of a GLB with one mesh. */
+export function glb(mesh, options) {
+  const { json, buffer } = gltf(mesh, options);
+  const text = Buffer.from(JSON.stringify(json));
+  const padded = Buffer.concat([text, Buffer.alloc((4 - (text.length % 4)) % 4, ' ')]);
+  const words = (...numbers) => Buffer.from(Uint32Array.from(numbers).buffer);
+  return new Uint8Array(
+    Buffer.concat([
+      words(0x46546c67, 2, 28 + padded.length + buffer.length),
+      words(padded.length, 0x4e4f534a),
+      padded,
+      words(buffer.length, 0x004e4942),
+      buffer,
+    ]),
+  );
+}

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+//
+// Both sides of the worker's protocol, joined by a channel instead of a worker, which Node has not.
+// tests/web runs a real one.
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { load } from 'geodesic-voronoi';
+import { LocalEngine } from '../../dist/engine.js';
+import { Library } from '../../dist/library.js';
+import { WorkerEngine } from '../../dist/worker_engine.js';
+import { serve } from '../../dist/worker_server.js';
+import { glb, grid, octahedron } from './meshes.mjs';
+
+const bytesOf = (name) => readFileSync(new URL(`../../dist/${name}.wasm`, import.meta.url));
+const sources = () => ({ wasm: bytesOf('core'), gltfWasm: bytesOf('gltf') });
+
+/** A worker of a kind: `loadEngine` runs on the far side of a channel. */
+function fakeWorker(loadEngine) {
+  const { port1, port2 } = new MessageChannel();
+  const sent = [];
+  serve(port2, loadEngine);
+  const worker = {
+    onmessage: null,
+    onerror: null,
+    postMessage(message) {
+      sent.push(message);
+      port1.postMessage(message);
+    },
+    terminate: () => port1.close(),
+  };
+  port1.onmessage = (event) => worker.onmessage(event);
+  return { worker, sent };
+}
+
+async function loadThroughChannel() {
+  let engine;
+  const { worker, sent } = fakeWorker(async (from) => (engine = await LocalEngine.load(from)));
+  const library = new Library(await WorkerEngine.start(worker, sources()));
+  return { library, worker, sent, engine: () => engine };
+}
+
+const fails = (code, message = /./) => ({ name: 'GeodesicVoronoiError', code, message });
+
+test('a worker answers as the calling thread does', async () => {
+  const { library: there } = await loadThroughChannel();
+  const here = await load();
+  assert.equal(there.version, here.version);
+  const answers = await Promise.all(
+    [there, here].map(async (gvd) => {
+      const mesh = await gvd.mesh(glb(grid(6)));
+      const sites = await mesh.sampleSites(8, { seed: 3 });
+      const shares = [];
+      const diagram = await mesh.voronoi(sites, { onProgress: (share) => shares.push(share) });
+      const located = await diagram.locate({ vertex: [0, 10, 20] });
+      const { info, positions, indices, parts } = mesh;
+      const { metric, data } = diagram;
+      return { info, positions, indices, parts, sites, metric, data, located, last: shares.at(-1) };
+    }),
+  );
+  assert.deepEqual(answers[0], answers[1]);
+  there.dispose();
+});
+
+test('errors keep their code and their message', async () => {
+  const { library } = await loadThroughChannel();
+  await assert.rejects(library.mesh(new Uint8Array(9)), fails('invalid-gltf'));
+  const mesh = await library.mesh(octahedron());
+  await assert.rejects(mesh.voronoi({ vertex: [6] }), fails('invalid-point', /6/));
+  library.dispose();
+});
+
+test('arrays of the caller are not taken away', async () => {
+  const { library } = await loadThroughChannel();
+  const bytes = glb(octahedron());
+  const mesh = await library.mesh(bytes);
+  assert.ok(bytes.length > 0);
+  const sites = await mesh.sampleSites(4);
+  await mesh.voronoi(sites);
+  assert.equal(sites.face.length, 4);
+  library.dispose();
+});
+
+test('giving up is immediate, and the worker stops too', async () => {
+  const { library, sent } = await loadThroughChannel();
+  const mesh = await library.mesh(grid(150));
+  const sites = await mesh.sampleSites(300);
+  const controller = new AbortController();
+  const reason = new Error('changed my mind');
+  let shares = 0;
+  const onProgress = () => {
+    ++shares;
+    controller.abort(reason);
+  };
+  await assert.rejects(mesh.voronoi(sites, { signal: controller.signal, onProgress }), reason);
+  assert.ok('abort' in sent.at(-1));
+  await mesh.voronoi({ vertex: [0] });
+  assert.equal(shares, 1);
+  await assert.rejects(mesh.voronoi(sites, { signal: controller.signal }), reason);
+  library.dispose();
+});
+
+test('a diagram that is done before its abortion arrives is freed', async () => {
+  const { library, sent, engine } = await loadThroughChannel();
+  const mesh = await library.mesh(octahedron());
+  const controller = new AbortController();
+  const abandoned = mesh.voronoi({ vertex: [0] }, { signal: controller.signal });
+  // The far side misses the signal: its answer comes after all.
+  const far = engine();
+  const openDiagram = far.openDiagram.bind(far);
+  far.openDiagram = (...args) => openDiagram(...args.slice(0, 3), {});
+  await new Promise(setImmediate);
+  controller.abort();
+  await assert.rejects(abandoned, { name: 'AbortError' });
+  await mesh.voronoi({ vertex: [1] });
+  assert.ok(sent.some((message) => 'close' in message));
+  library.dispose();
+});
+
+test('what a listener throws ends the task', async () => {
+  const { library } = await loadThroughChannel();
+  const mesh = await library.mesh(octahedron());
+  const onProgress = () => {
+    throw new Error('no screen');
+  };
+  await assert.rejects(mesh.voronoi({ vertex: [0] }, { onProgress }), /no screen/);
+  library.dispose();
+});
+
+test('disposing frees on the far side, and ends what waits', async () => {
+  const { library, sent } = await loadThroughChannel();
+  const mesh = await library.mesh(octahedron());
+  mesh.dispose();
+  mesh.dispose();
+  assert.equal(sent.filter((message) => 'close' in message).length, 1);
+  const waiting = library.mesh(octahedron());
+  library.dispose();
+  library.dispose();
+  await assert.rejects(waiting, fails('disposed'));
+  await assert.rejects(library.mesh(octahedron()), fails('disposed'));
+});
+
+test('a worker that does not load, or stops, says so', async () => {
+  const silent = { onmessage: null, onerror: null, postMessage() {}, terminate() {} };
+  const starting = WorkerEngine.start(silent, sources());
+  silent.onerror({ message: '' });
+  await assert.rejects(starting, fails('load-failed', /script/));
+
+  const { worker } = fakeWorker((from) => LocalEngine.load(from));
+  const broken = WorkerEngine.start(worker, { ...sources(), wasm: new Uint8Array(10) });
+  await assert.rejects(broken, fails('load-failed', /magic/));
+
+  const { library, worker: running } = await loadThroughChannel();
+  const waiting = library.mesh(octahedron());
+  running.onerror({ message: 'out of memory' });
+  await assert.rejects(waiting, fails('internal', /out of memory/));
+});

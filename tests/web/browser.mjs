@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+//
+// The built page in a browser, for the tests: they wait for what the viewer says, never for frames.
+
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { createServer } from 'node:http';
+import { extname } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { chromium } from 'playwright-core';
+
+const folder = new URL('../../build/page/', import.meta.url);
+
+/** As strict as the package says it can be. */
+const policy = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'";
+
+const mediaTypes = {
+  '.css': 'text/css',
+  '.glb': 'model/gltf-binary',
+  '.html': 'text/html',
+  '.js': 'text/javascript',
+  '.svg': 'image/svg+xml',
+  '.wasm': 'application/wasm',
+};
+
+/** A software renderer, and nothing on the network but the page. Slow machines are given time. */
+const options = {
+  executablePath: process.env.CHROME_PATH ?? '/usr/bin/chromium',
+  chromiumSandbox: false,
+  args: [
+    '--use-angle=swiftshader',
+    '--enable-unsafe-swiftshader',
+    '--disable-background-networking',
+    '--disable-component-update',
+    '--disable-sync',
+    '--no-first-run',
+  ],
+  timeout: 120_000,
+};
+
+/** Serves the page on a free port; `close()` ends it. */
+async function serve() {
+  const server = createServer(async (request, response) => {
+    const path = decodeURIComponent(new URL(request.url, 'http://page').pathname);
+    const file = new URL(`.${path === '/' ? '/index.html' : path}`, folder);
+    try {
+      const content = await readFile(fileURLToPath(file));
+      response.writeHead(200, {
+        'Content-Type': mediaTypes[extname(file.pathname)] ?? 'application/octet-stream',
+        'Content-Security-Policy': policy,
+      });
+      response.end(content);
+    } catch {
+      response.writeHead(404).end();
+    }
+  });
+  await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
+  return { address: `http://127.0.0.1:${server.address().port}/`, close: () => server.close() };
+}
+
+/** A browser and a server for all tests of a file. */
+export async function startBrowser() {
+  const server = await serve();
+  const browser = await chromium.launch(options);
+  return {
+    /** The page in a window of its own; `prepare` may change it before anything is loaded. */
+    async open({ prepare, ...context } = {}) {
+      const page = await browser.newPage({
+        viewport: { width: 800, height: 420 },
+        // A camera that glides on draws frame after frame, seconds each here.
+        reducedMotion: 'reduce',
+        ...context,
+      });
+      page.setDefaultTimeout(120_000);
+      const viewer = new ViewerPage(page);
+      await prepare?.(page);
+      await page.goto(server.address);
+      return viewer;
+    },
+    async stop() {
+      await browser.close();
+      server.close();
+    },
+  };
+}
+
+/** The page with its viewer. */
+export class ViewerPage {
+  /** What the console says of errors and warnings, exceptions and violated policies included. */
+  complaints = [];
+
+  constructor(page) {
+    this.page = page;
+    page.on('pageerror', (error) => this.complaints.push(String(error.stack ?? error)));
+    page.on('console', (message) => {
+      const isOfDriver = message.text().includes('GPU stall due to ReadPixels');
+      if (['error', 'warning'].includes(message.type()) && !isOfDriver) {
+        this.complaints.push(message.text());
+      }
+    });
+  }
+
+  /** Calls a function in the page with the viewer and one argument. */
+  evaluate(f, argument) {
+    return this.page.evaluate(
+      `(${f})(document.querySelector('geodesic-voronoi'), ${JSON.stringify(argument)})`,
+    );
+  }
+
+  /** Until the viewer has nothing left to do. */
+  async settled() {
+    await this.page.waitForFunction(() => {
+      const { status } = document.querySelector('geodesic-voronoi') ?? {};
+      return status === 'ready' || status === 'failed';
+    });
+  }
+
+  /** Does something, and waits for the viewer's next event of a type and for its rest. */
+  async after(type, action) {
+    await this.evaluate((viewer, type) => {
+      viewer.awaited = new Promise((resolve) => {
+        viewer.addEventListener(type, ({ detail }) => resolve({ ...detail, cause: undefined }), {
+          once: true,
+        });
+      });
+    }, type);
+    await action();
+    const detail = await this.evaluate((viewer) => viewer.awaited);
+    await this.settled();
+    return detail;
+  }
+
+  siteCount() {
+    return this.evaluate((viewer) => viewer.sites.face.length);
+  }
+
+  sites() {
+    return this.evaluate(({ sites }) => ({ face: [...sites.face], bary: [...sites.bary] }));
+  }
+
+  regionCount() {
+    return this.evaluate(({ diagram }) => diagram?.regions.filter(({ area }) => area > 0).length ?? 0);
+  }
+
+  /** Where a site is on the page. */
+  sitePosition(index) {
+    return this.evaluate((viewer, index) => viewer.sitePosition(index), index);
+  }
+
+  /** A place on the page where the surface is seen, as far as may be from all sites and from its edge. */
+  async freePlace() {
+    const place = await this.evaluate((viewer) => {
+      const box = viewer.getBoundingClientRect();
+      const sites = [...viewer.sites.face.keys()].map((i) => viewer.sitePosition(i)).filter(Boolean);
+      const step = 12;
+      let best;
+      for (let x = box.left + step; x < box.right - step; x += step) {
+        for (let y = box.top + step; y < box.bottom - step; y += step) {
+          const isInside = [0, step, -step].every(
+            (d) => viewer.surfaceFromPoint(x + d, y) && viewer.surfaceFromPoint(x, y + d),
+          );
+          if (!isInside) continue;
+          const distance = Math.min(...sites.map((site) => Math.hypot(site.x - x, site.y - y)), 60);
+          if (!best || distance > best.distance) best = { x, y, distance };
+        }
+      }
+      return best;
+    });
+    assert.ok(place, 'the surface is seen somewhere');
+    assert.ok(place.distance > 15, `a place ${place.distance} pixels from all sites`);
+    return place;
+  }
+
+  /** A place of the view beside the model. */
+  emptyPlace() {
+    return this.evaluate((viewer) => {
+      const box = viewer.getBoundingClientRect();
+      const places = [box.left + 30, box.right - 30].map((x) => ({ x, y: box.bottom - 120 }));
+      return places.find(({ x, y }) => !viewer.surfaceFromPoint(x, y));
+    });
+  }
+
+  /** Keeps, in the page, what the view shows when only these layers are drawn; returns its number. */
+  async picture(layers = ['regions']) {
+    return this.evaluate(async (viewer, layers) => {
+      const before = viewer.getAttribute('layers');
+      viewer.layers = layers;
+      await null; // Attributes take effect together, after the code that sets them.
+      const bitmap = await createImageBitmap(await viewer.toBlob());
+      if (before === null) viewer.removeAttribute('layers');
+      else viewer.setAttribute('layers', before);
+      const { width, height } = bitmap;
+      const context = new OffscreenCanvas(width, height).getContext('2d');
+      context.drawImage(bitmap, 0, 0);
+      viewer.pictures ??= [];
+      return viewer.pictures.push(context.getImageData(0, 0, width, height)) - 1;
+    }, layers);
+  }
+
+  /** The share of a picture's pixels that are not transparent. */
+  coverage(picture) {
+    return this.evaluate((viewer, picture) => {
+      const { data } = viewer.pictures[picture];
+      return data.filter((alpha, i) => i % 4 === 3 && alpha === 255).length / (data.length / 4);
+    }, picture);
+  }
+
+  /** How many pixels differ between two pictures, and whether the one at a place of the page does. */
+  difference(a, b, place = { x: 0, y: 0 }) {
+    return this.evaluate((viewer, { a, b, place }) => {
+      const first = viewer.pictures[a];
+      const second = viewer.pictures[b];
+      const differs = (i) =>
+        [0, 1, 2, 3].some((k) => Math.abs(first.data[4 * i + k] - second.data[4 * i + k]) > 8);
+      let count = 0;
+      for (let i = 0; i < first.width * first.height; ++i) if (differs(i)) ++count;
+      const box = viewer.getBoundingClientRect();
+      const scale = first.width / box.width;
+      const column = Math.round((place.x - box.left) * scale);
+      const row = Math.round((place.y - box.top) * scale);
+      return { count, there: differs(row * first.width + column) };
+    }, { a, b, place });
+  }
+
+  close() {
+    return this.page.close();
+  }
+}

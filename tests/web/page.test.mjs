@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: MIT
+import assert from 'node:assert/strict';
+import { after, afterEach, before, beforeEach, suite, test } from 'node:test';
+import { glb, gltf, grid, octahedron } from '../wasm/meshes.mjs';
+import { torus } from '../../web/page/sample_shapes.mjs';
+import { startBrowser } from './browser.mjs';
+
+let browser;
+before(async () => {
+  browser = await startBrowser();
+});
+after(() => browser.stop());
+
+const file = (name, content) => ({ name, mimeType: '', buffer: Buffer.from(content) });
+const text = (viewer, selector) => viewer.page.locator(selector).textContent();
+
+suite('the page', () => {
+  let viewer;
+  beforeEach(async () => {
+    viewer = await browser.open();
+    await viewer.settled();
+  });
+  afterEach(async () => {
+    // Under the strict policy that the pages of these tests are served with.
+    assert.deepEqual(viewer.complaints, []);
+    await viewer.close();
+  });
+
+  const choose = (...files) => viewer.page.setInputFiles('#files', files);
+  const openTorus = () => viewer.after('diagram', () => choose(file('torus.glb', glb(torus()))));
+  const click = ({ x, y }) => viewer.page.mouse.click(x, y);
+  const press = (key) => viewer.page.keyboard.press(key);
+  const changedSince = async (picture) =>
+    (await viewer.difference(picture, await viewer.picture())).count;
+  async function drag(from, to) {
+    await viewer.page.mouse.move(from.x, from.y);
+    await viewer.page.mouse.down();
+    for (const share of [0.25, 0.5, 0.75, 1]) {
+      await viewer.page.mouse.move(
+        from.x + share * (to.x - from.x),
+        from.y + share * (to.y - from.y),
+      );
+    }
+    await viewer.page.mouse.up();
+  }
+
+  test('opens with a sample model and its diagram', async () => {
+    assert.equal(await viewer.regionCount(), 60);
+    assert.match(await text(viewer, '#status'), /^60 regions, \d+ bisector arcs, \d+ Voronoi points in /);
+    assert.match(await text(viewer, '#report'), /Triangles3,674.*Components1.*Boundary loops0.*Genus0/);
+    assert.match(await text(viewer, '#credit'), /Stanford/);
+    assert.equal(await viewer.page.locator('#samples').inputValue(), 'bunny.glb');
+    assert.equal(await viewer.page.locator('#error').isVisible(), false);
+
+    const covered = await viewer.coverage(await viewer.picture());
+    assert.ok(covered > 0.15, `${covered} of the view is the model's`);
+  });
+
+  test('a site is added, dragged, removed, and all of it undone', async () => {
+    const opened = await openTorus();
+    assert.equal(opened.regions, 60);
+    assert.match(await text(viewer, '#report'), /Genus1/);
+    const sites = await viewer.sites();
+    const picture = await viewer.picture();
+
+    const place = await viewer.freePlace();
+    const added = await viewer.after('diagram', () => click(place));
+    assert.equal(added.regions, 61);
+    const change = await viewer.difference(picture, await viewer.picture(), place);
+    assert.ok(change.there, 'the place of the new site has another colour');
+    assert.ok(change.count > 100, `${change.count} pixels have another colour`);
+
+    const from = await viewer.sitePosition(60);
+    assert.ok(Math.hypot(from.x - place.x, from.y - place.y) < 1, 'it stands where the click was');
+    const to = await viewer.freePlace();
+    await viewer.after('diagram', () => drag(from, to));
+    const moved = await viewer.sitePosition(60);
+    assert.ok(Math.hypot(moved.x - to.x, moved.y - to.y) < 1, 'it stands where it was dropped');
+    assert.equal(await viewer.regionCount(), 61);
+    const dragged = await viewer.sites();
+
+    const removed = await viewer.after('diagram', () => press('Delete'));
+    assert.equal(removed.regions, 60);
+    assert.deepEqual(await viewer.sites(), sites);
+
+    await viewer.after('diagram', () => press('Control+z'));
+    assert.deepEqual(await viewer.sites(), dragged);
+    // One step for all of the drag.
+    await viewer.after('diagram', () => press('Control+z'));
+    const back = await viewer.sitePosition(60);
+    assert.ok(Math.hypot(back.x - place.x, back.y - place.y) < 1, 'it is back where it was added');
+    await viewer.after('diagram', () => viewer.page.click('#undo'));
+    assert.deepEqual(await viewer.sites(), sites);
+    assert.equal(await viewer.page.locator('#undo').isDisabled(), true);
+    assert.equal(await changedSince(picture), 0);
+
+    await viewer.after('diagram', () => press('Control+y'));
+    assert.equal(await viewer.regionCount(), 61);
+  });
+
+  test('a right click on a site removes it', async () => {
+    const place = await viewer.freePlace();
+    await viewer.after('diagram', () => click(place));
+    await viewer.after('diagram', () => viewer.page.mouse.click(place.x, place.y, { button: 'right' }));
+    assert.equal(await viewer.siteCount(), 60);
+  });
+
+  test('Escape puts a site that is being dragged back', async () => {
+    const place = await viewer.freePlace();
+    await viewer.after('diagram', () => click(place));
+    const before = await viewer.sites();
+    await viewer.page.mouse.move(place.x, place.y);
+    await viewer.page.mouse.down();
+    await viewer.after('diagram', () => viewer.page.mouse.move(place.x + 12, place.y + 9));
+    assert.notDeepEqual(await viewer.sites(), before);
+    await viewer.after('diagram', () => press('Escape'));
+    await viewer.page.mouse.up();
+    await viewer.settled();
+    assert.deepEqual(await viewer.sites(), before);
+  });
+
+  test('a drag beside the sites turns the model and adds nothing', async () => {
+    const before = await viewer.sites();
+    const picture = await viewer.picture();
+    const empty = await viewer.emptyPlace();
+    await drag(empty, { x: empty.x + 5, y: empty.y });
+    await drag(empty, { x: empty.x + 60, y: empty.y - 20 });
+    const place = await viewer.freePlace();
+    await drag(place, { x: place.x + 40, y: place.y });
+    await click(empty);
+    await viewer.settled();
+    assert.deepEqual(await viewer.sites(), before);
+    assert.ok(await changedSince(picture) > 100, 'the model has turned');
+
+    await press('f');
+    assert.equal(await changedSince(picture), 0, 'F fits it into the view again');
+  });
+
+  test('everything works without a mouse', async () => {
+    await viewer.page.locator('geodesic-voronoi canvas').focus();
+    const before = await viewer.siteCount();
+    await press('ArrowRight');
+    await press('+');
+    await viewer.after('diagram', () => press('Enter'));
+    assert.equal(await viewer.siteCount(), before + 1);
+    const { x, y } = await viewer.sitePosition(before);
+    const box = await viewer.page.locator('geodesic-voronoi').boundingBox();
+    assert.ok(Math.abs(x - box.x - box.width / 2) < 1 && Math.abs(y - box.y - box.height / 2) < 1);
+    await press('n');
+    assert.equal(await viewer.evaluate(({ selected }) => selected), 0);
+    await viewer.after('diagram', () => press('Delete'));
+    assert.equal(await viewer.siteCount(), before);
+    await press('?');
+    assert.equal(await viewer.page.locator('dialog').isVisible(), true);
+  });
+
+  test('a file that is no model is told of in a sentence, and the model stays', async () => {
+    const before = await viewer.sites();
+    const picture = await viewer.picture();
+    const expectError = async (pattern, ...files) => {
+      await viewer.after('error', () => choose(...files));
+      assert.match(await text(viewer, '#error-text'), pattern);
+      assert.equal(await viewer.page.locator('#error').isVisible(), true);
+    };
+    const { json } = gltf(octahedron(), { uri: 'scene.bin' });
+    await expectError(/^notes\.txt is not a model/, file('notes.txt', 'hello'));
+    await expectError(/^scene\.gltf needs scene\.bin: /, file('scene.gltf', JSON.stringify(json)));
+    await expectError(/^[^\n]{10,}\.$/, file('broken.glb', 'this is no GLB'));
+    await expectError(/^a\.glb and b\.glb arrived together/, file('a.glb', ''), file('b.glb', ''));
+
+    assert.deepEqual(await viewer.sites(), before);
+    assert.equal(await viewer.page.locator('#samples').inputValue(), 'bunny.glb');
+    assert.equal(await changedSince(picture), 0);
+    const place = await viewer.freePlace();
+    const added = await viewer.after('diagram', () => click(place));
+    assert.equal(added.regions, 61);
+    await viewer.page.click('#error-close');
+    assert.equal(await viewer.page.locator('#error').isVisible(), false);
+  });
+
+  test('a .gltf is dropped together with its .bin', async () => {
+    const { json, buffer } = gltf(grid(6), { uri: 'its%20data.bin' });
+    const files = [
+      { name: 'its data.bin', bytes: [...buffer] },
+      { name: 'grid.gltf', bytes: [...Buffer.from(JSON.stringify(json))] },
+    ];
+    const drop = (types) =>
+      viewer.evaluate((_, { files, types }) => {
+        const dataTransfer = new DataTransfer();
+        for (const { name, bytes } of files) {
+          dataTransfer.items.add(new File([new Uint8Array(bytes)], name));
+        }
+        for (const type of types) {
+          document.body.dispatchEvent(
+            new DragEvent(type, { bubbles: true, cancelable: true, dataTransfer }),
+          );
+        }
+      }, { files, types });
+
+    await drop(['dragover']);
+    assert.equal(await viewer.page.locator('#drop').isVisible(), true);
+    await viewer.after('diagram', () => drop(['drop']));
+    assert.equal(await viewer.page.locator('#drop').isVisible(), false);
+    assert.match(await text(viewer, '#report'), /Triangles72.*Boundary loops1/);
+    assert.equal(await viewer.page.locator('#samples option:checked').textContent(), 'grid.gltf');
+  });
+
+  test('sites are scattered by number and seed, and cleared', async () => {
+    const before = await viewer.sites();
+    await viewer.page.fill('#count', '7');
+    await viewer.page.fill('#seed', '3');
+    const scattered = await viewer.after('diagram', () => viewer.page.click('#scatter button'));
+    assert.equal(scattered.sites, 7);
+    const first = await viewer.sites();
+    await viewer.after('diagram', () => viewer.page.click('#clear'));
+    assert.equal(await viewer.siteCount(), 0);
+    assert.match(await text(viewer, '#status'), /^No sites yet/);
+    await viewer.after('diagram', () => viewer.page.click('#scatter button'));
+    assert.deepEqual(await viewer.sites(), first);
+    for (const _ of [1, 2, 3]) await viewer.after('diagram', () => press('Control+z'));
+    assert.deepEqual(await viewer.sites(), before);
+  });
+
+  test('layers are shown and hidden', async () => {
+    const regions = await viewer.picture(['regions']);
+    for (const layer of ['bisectors', 'sites', 'voronoi-points', 'wireframe']) {
+      const change = await viewer.difference(regions, await viewer.picture(['regions', layer]));
+      assert.ok(change.count > 20, `${layer} change ${change.count} pixels`);
+    }
+    await viewer.page.getByText('Bisectors', { exact: true }).first().click();
+    assert.equal(await viewer.evaluate(({ layers }) => layers.join(' ')), 'regions sites');
+  });
+
+  test('the distance is chosen; a choice that is cancelled is taken back', async () => {
+    const exact = await viewer.after('diagram', () => viewer.page.getByText('Exact').click());
+    assert.equal(exact.metric, 'exact');
+    assert.equal(exact.regions, 60);
+    const finer = await viewer.after('diagram', () => viewer.page.selectOption('#detail', '2'));
+    assert.equal(finer.detail, 2);
+    assert.ok(finer.segments > exact.segments, 'more segments, each shorter');
+
+    await viewer.evaluate(async (viewer) => {
+      viewer.setAttribute('metric', 'dgpc');
+      await null; // Attributes take effect together, after the code that sets them.
+      viewer.cancel();
+    });
+    await viewer.settled();
+    assert.equal(await viewer.page.locator('input[value="exact"]').isChecked(), true);
+    assert.equal(await viewer.evaluate(({ diagram }) => diagram.metric), 'exact');
+  });
+
+  test('the pointer reads region, area and distance', async () => {
+    const [first] = await viewer.evaluate((viewer) =>
+      [...viewer.sites.face.keys()].filter((i) => viewer.sitePosition(i)),
+    );
+    const { x, y } = await viewer.sitePosition(first);
+    const hovered = await viewer.after('hover', () => viewer.page.mouse.move(x, y));
+    assert.equal(hovered.region, first);
+    assert.ok(hovered.distance < 0.1 * Math.sqrt(hovered.area), `${hovered.distance} from the site`);
+    assert.match(
+      await text(viewer, '#readout'),
+      new RegExp(`^Region ${first + 1} · area \\S+ · \\S+ from its site$`),
+    );
+  });
+
+  test('sites, diagram, bisectors and picture can be taken away', async () => {
+    const download = async (button) => {
+      const [file] = await Promise.all([
+        viewer.page.waitForEvent('download'),
+        viewer.page.click(button),
+      ]);
+      const chunks = [];
+      for await (const chunk of await file.createReadStream()) chunks.push(chunk);
+      return { name: file.suggestedFilename(), content: Buffer.concat(chunks) };
+    };
+    const sites = await download('#download-sites');
+    assert.equal(sites.name, 'bunny-sites.json');
+    assert.deepEqual(JSON.parse(sites.content), await viewer.sites());
+    const diagram = await download('#download-diagram');
+    assert.equal(JSON.parse(diagram.content).regions.length, 60);
+    const bisectors = await download('#download-bisectors');
+    assert.equal(bisectors.content.subarray(0, 4).toString(), 'glTF');
+    const picture = await download('#download-picture');
+    assert.equal(picture.content.subarray(1, 4).toString(), 'PNG');
+  });
+
+  test('a viewer that is taken out ends its worker, and starts anew when it returns', async () => {
+    assert.equal(viewer.page.workers().length, 1);
+    const [worker] = viewer.page.workers();
+    await Promise.all([
+      worker.waitForEvent('close'),
+      viewer.evaluate((viewer) => {
+        window.taken = viewer;
+        viewer.remove();
+      }),
+    ]);
+    await viewer.page.evaluate(() => document.querySelector('#view').append(window.taken));
+    await viewer.settled();
+    assert.equal(await viewer.regionCount(), 60);
+    assert.equal(viewer.page.workers().length, 1);
+  });
+});
+
+test('without WebGL 2 the page says so', async () => {
+  const viewer = await browser.open({
+    prepare: (page) =>
+      page.addInitScript(() => {
+        HTMLCanvasElement.prototype.getContext = () => null;
+      }),
+  });
+  await viewer.settled();
+  const message = viewer.page.locator('geodesic-voronoi [role=alert]');
+  assert.match(await message.textContent(), /needs WebGL 2/);
+  assert.equal(await message.isVisible(), true);
+  await viewer.close();
+});
+
+test('on a phone the controls are a sheet that closes', async () => {
+  const viewer = await browser.open({ viewport: { width: 360, height: 560 }, hasTouch: true });
+  await viewer.settled();
+  const box = await viewer.page.locator('geodesic-voronoi').boundingBox();
+  assert.ok(box.width === 360 && box.height > 200, 'the view has the width and most of the height');
+  await viewer.page.click('#sheet');
+  assert.equal(await viewer.page.locator('#panel').isVisible(), false);
+  const place = await viewer.freePlace();
+  const added = await viewer.after('diagram', () => viewer.page.touchscreen.tap(place.x, place.y));
+  assert.equal(added.regions, 61);
+  assert.deepEqual(viewer.complaints, []);
+  await viewer.close();
+});

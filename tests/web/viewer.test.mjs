@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+//
+// The viewer's parts that need no browser.
+
+import assert from 'node:assert/strict';
+import { suite, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { runnerImport } from 'vite';
+import { octahedron } from '../wasm/meshes.mjs';
+
+const { cornerNormals } = await viewerModule('corner_normals');
+const { LatestTask } = await viewerModule('latest_task');
+const { ModelFrame } = await viewerModule('model_frame');
+const { RegionColours, toneColour } = await viewerModule('region_colours');
+const { SiteHistory } = await viewerModule('site_history');
+
+async function viewerModule(name) {
+  const path = fileURLToPath(new URL(`../../web/viewer/${name}.ts`, import.meta.url));
+  return (await runnerImport(path, { configFile: false, logLevel: 'error' })).module;
+}
+
+/** As much of a diagram as colouring looks at. */
+function adjacency(siteCount, pairs) {
+  return { siteCount, arcs: { labels: Int32Array.from(pairs.flat()) } };
+}
+
+function everyPair(n) {
+  return Array.from({ length: n }, (_, i) => Array.from({ length: i }, (_, j) => [j, i])).flat();
+}
+
+function assertNeighboursDiffer(tones, pairs) {
+  for (const [a, b] of pairs) assert.notEqual(toneColour(tones[a]), toneColour(tones[b]), `${a}, ${b}`);
+}
+
+suite('region colours', () => {
+  const ids = (n) => Array.from({ length: n }, (_, i) => 100 + i);
+
+  test('neighbours differ, also where all regions meet', () => {
+    for (const n of [1, 2, 6, 8, 9, 20]) {
+      const tones = new RegionColours().assign(adjacency(n, everyPair(n)), ids(n));
+      assertNeighboursDiffer(tones, everyPair(n));
+    }
+  });
+
+  test('on a sphere the eight tones are enough, and all are used', () => {
+    // Rings of sites around a pole, each next to those beside, above and below it.
+    const rings = 12;
+    const perRing = 17;
+    const at = (i, j) => i * perRing + (j % perRing);
+    const pairs = [];
+    for (let i = 0; i < rings; ++i) {
+      for (let j = 0; j < perRing; ++j) {
+        pairs.push([at(i, j), at(i, j + 1)]);
+        if (i > 0) pairs.push([at(i - 1, j), at(i, j)], [at(i - 1, j + 1), at(i, j)]);
+      }
+    }
+    const n = rings * perRing;
+    const tones = new RegionColours().assign(adjacency(n, pairs), ids(n));
+    assertNeighboursDiffer(tones, pairs);
+    assert.equal(new Set(tones).size, 8);
+    assert.ok(Math.max(...tones) < 8);
+  });
+
+  test('a site keeps its tone when others come, go and change their numbers', () => {
+    const colours = new RegionColours();
+    const before = colours.assign(adjacency(4, [[0, 1], [1, 2], [2, 3]]), [1, 2, 3, 4]);
+    const after = colours.assign(adjacency(4, [[0, 1], [1, 2], [2, 3]]), [2, 3, 4, 9]);
+    assert.deepEqual([...after.subarray(0, 3)], [...before.subarray(1)]);
+  });
+});
+
+suite('model frame', () => {
+  test('any size and any place become the unit sphere', () => {
+    const { positions, indices } = octahedron();
+    for (const [size, shift] of [[1, 0], [1e-9, 0], [1e9, 0], [1e-3, 6e6]]) {
+      const placed = positions.map((x) => size * x + shift);
+      const scene = ModelFrame.around(placed, indices).toScene(placed);
+      scene.forEach((x, i) => assert.ok(Math.abs(x - positions[i]) < 1e-5, `${x} for ${positions[i]}`));
+    }
+  });
+
+  test('corners that are no numbers, and vertices that no triangle uses, do not count', () => {
+    const positions = [0, 0, 0, 2, 0, 0, 0, 2, 0, NaN, 0, 0, 1e9, 0, 0];
+    const scene = ModelFrame.around(positions, [0, 1, 2, 0, 1, 3]).toScene(positions.slice(0, 9));
+    assert.ok(scene.every((x) => Math.abs(x) <= 1));
+  });
+});
+
+suite('corner normals', () => {
+  const normalsOf = ({ positions, indices }) =>
+    cornerNormals(Float32Array.from(positions), Int32Array.from(indices));
+
+  test('a crease keeps the normals of its faces', () => {
+    const shape = octahedron();
+    const third = 1 / Math.sqrt(3);
+    const [x, y, z] = normalsOf(shape);
+    for (const c of [x, y, z]) assert.ok(Math.abs(c - third) < 1e-6);
+  });
+
+  test('a smooth surface has one normal at a vertex, also where it is stored twice', () => {
+    const ridge = [0, 0, 0, 0, 0, 1, 1, 0.1, 0, -1, 0.1, 0, 0, 0, 0, 0, 0, 1];
+    const normals = normalsOf({ positions: ridge, indices: [0, 1, 2, 5, 4, 3] });
+    assert.deepEqual([...normals.subarray(0, 3)], [...normals.subarray(12, 15)]);
+    assert.ok(Math.abs(normals[0]) < 1e-6, 'between those of the two faces');
+  });
+});
+
+suite('site history', () => {
+  const history = () => {
+    const sites = new SiteHistory();
+    sites.reset(sites.createAll({ face: [1, 2], bary: [1, 0, 0, 0, 1, 0] }));
+    return sites;
+  };
+
+  test('a step that is revised is one step', () => {
+    const sites = history();
+    const first = sites.present;
+    sites.record([first[0]]);
+    sites.revise([first[1]]);
+    sites.revise([]);
+    sites.undo();
+    assert.equal(sites.present, first);
+    assert.equal(sites.canUndo, false);
+    sites.redo();
+    assert.deepEqual(sites.present, []);
+  });
+
+  test('a new step forgets what was undone', () => {
+    const sites = history();
+    sites.record([]);
+    sites.undo();
+    sites.record([sites.create({ face: 3, bary: [0, 0, 1] })]);
+    assert.equal(sites.canRedo, false);
+    assert.equal(new Set([...sites.present, ...history().present]).size, 3);
+  });
+
+  test('it returns to a list by undoing or redoing', () => {
+    const sites = history();
+    const lists = [sites.present, [], [sites.present[0]]];
+    sites.record(lists[1]);
+    sites.record(lists[2]);
+    for (const list of [lists[0], lists[2], lists[1]]) {
+      sites.returnTo(list);
+      assert.equal(sites.present, list);
+    }
+    assert.ok(sites.canUndo && sites.canRedo);
+  });
+});
+
+suite('latest task', () => {
+  /** Jobs that are done when the test says so. */
+  function controlled() {
+    const log = [];
+    const finish = [];
+    const task = new LatestTask((job, signal) => {
+      log.push(`start ${job}`);
+      return new Promise((resolve) => {
+        finish.push(() => {
+          log.push(`end ${job}`);
+          resolve();
+        });
+        signal.addEventListener('abort', () => {
+          log.push(`abort ${job}`);
+          resolve();
+        });
+      });
+    });
+    return { task, log, finish };
+  }
+  const turn = () => new Promise((resolve) => setImmediate(resolve));
+
+  test('the patient wait for the one that runs, and only the latest of them follows', async () => {
+    const { task, log, finish } = controlled();
+    for (const job of ['a', 'b', 'c']) task.request(job, { patient: true });
+    finish[0]();
+    await turn();
+    assert.deepEqual(log, ['start a', 'end a', 'start c']);
+  });
+
+  test('others end it', async () => {
+    const { task, log } = controlled();
+    task.request('a');
+    task.request('b', { patient: true });
+    task.hurry();
+    await turn();
+    task.request('c');
+    await turn();
+    assert.deepEqual(log, ['start a', 'abort a', 'start b', 'abort b', 'start c']);
+    task.hurry();
+    task.cancel();
+    await turn();
+    assert.equal(log.at(-1), 'abort c');
+  });
+});
+
+test('the element can be imported where there is no DOM', async () => {
+  const { GeodesicVoronoiElement } = await viewerModule('element');
+  assert.equal(typeof GeodesicVoronoiElement, 'function');
+});

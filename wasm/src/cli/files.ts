@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+import { randomUUID } from 'node:crypto';
+import { access, constants, readFile, realpath, rename, rm, stat, writeFile } from 'node:fs/promises';
+import { dirname, isAbsolute, join, relative, resolve } from 'node:path';
+import { gltfResourceUris } from '../gltf.js';
+import type { GltfResources, SurfacePointsInput } from '../types.js';
+import { UsageError } from './options.js';
+
+/** A file cannot be read or written: exit status 1. */
+export class FileError extends Error {}
+
+const standard = '-';
+
+/** Reads the files of one command: standard input, `-`, can be only one of them. */
+export class Inputs {
+  #standardInputTaken = false;
+
+  async bytes(path: string): Promise<Uint8Array> {
+    if (path === standard) {
+      if (this.#standardInputTaken) throw new UsageError('only one file can be standard input');
+      this.#standardInputTaken = true;
+    }
+    return path === standard ? readStandardInput() : read(path, path);
+  }
+
+  /** A glTF file with the files that it names, out of its own folder. */
+  async model(path: string): Promise<{ bytes: Uint8Array; resources: GltfResources }> {
+    const bytes = await this.bytes(path);
+    const resources: GltfResources = {};
+    for (const uri of gltfResourceUris(bytes)) {
+      if (path === standard) {
+        throw new FileError(`the model needs ${uri}, but one from standard input has no folder`);
+      }
+      resources[uri] = await read(resourcePath(path, uri), `${uri}, which ${path} needs,`);
+    }
+    return { bytes, resources };
+  }
+
+  /** A list of sites or points; also those in a diagram that this command wrote. */
+  async points(path: string): Promise<SurfacePointsInput> {
+    const text = new TextDecoder().decode(await this.bytes(path));
+    let json: unknown;
+    try {
+      json = JSON.parse(text);
+    } catch (error) {
+      throw new FileError(`${nameOf(path)} is not JSON: ${(error as Error).message}`);
+    }
+    const list = has(json, 'sites') ? json.sites : json;
+    if (has(list, 'vertex') || (has(list, 'face') && has(list, 'bary'))) return list as SurfacePointsInput;
+    throw new FileError(`${nameOf(path)} holds no points: {"face", "bary"} or {"vertex"}`);
+  }
+}
+
+function has<Key extends string>(value: unknown, key: Key): value is Record<Key, unknown> {
+  return typeof value === 'object' && value !== null && key in value;
+}
+
+function nameOf(path: string): string {
+  return path === standard ? 'standard input' : path;
+}
+
+async function readStandardInput(): Promise<Uint8Array> {
+  const chunks: Buffer[] = [];
+  for await (const chunk of process.stdin) chunks.push(chunk);
+  return Buffer.concat(chunks);
+}
+
+async function read(path: string, name: string): Promise<Uint8Array> {
+  try {
+    return await readFile(path);
+  } catch (error) {
+    throw new FileError(`${name} cannot be read: ${reason(error)}`);
+  }
+}
+
+/** Where a URI of a model leads. A model comes from anywhere and may not reach outside its folder. */
+function resourcePath(model: string, uri: string): string {
+  const folder = dirname(resolve(model));
+  const path = resolve(folder, decodeUri(uri));
+  const inside = relative(folder, path);
+  if (/^[a-z][a-z0-9+.-]*:/i.test(uri) || isAbsolute(inside) || inside.split(/[\\/]/)[0] === '..') {
+    throw new FileError(`${model} needs ${uri}, which is outside its folder`);
+  }
+  return path;
+}
+
+function decodeUri(uri: string): string {
+  try {
+    return decodeURIComponent(uri);
+  } catch {
+    return uri; // a bare % is part of the name then
+  }
+}
+
+/** Where a result goes; opened before the work, so that a wrong path is known at once. */
+export class Output {
+  readonly #path: string;
+
+  private constructor(path: string) {
+    this.#path = path;
+  }
+
+  static async open(path: string): Promise<Output> {
+    if (path === standard) return new Output(path);
+    try {
+      await access(dirname(resolve(path)), constants.W_OK);
+      return new Output(await realpath(path).catch(() => path));
+    } catch (error) {
+      throw new FileError(`${path} cannot be written: ${reason(error)}`);
+    }
+  }
+
+  get isFile(): boolean {
+    return this.#path !== standard;
+  }
+
+  /** All or nothing: a file appears, or is replaced, when it is complete. */
+  async write(content: string | Uint8Array): Promise<void> {
+    if (!this.isFile) return writeStandardOutput(content);
+    try {
+      await ((await isSpecial(this.#path)) ? writeFile : replaceFile)(this.#path, content);
+    } catch (error) {
+      throw new FileError(`${this.#path} cannot be written: ${reason(error)}`);
+    }
+  }
+}
+
+/** A device or a pipe is written to, not replaced. A folder is special too, and says so. */
+async function isSpecial(path: string): Promise<boolean> {
+  try {
+    return !(await stat(path)).isFile();
+  } catch {
+    return false;
+  }
+}
+
+async function replaceFile(path: string, content: string | Uint8Array): Promise<void> {
+  const draft = join(dirname(path), `.${randomUUID()}.tmp`);
+  try {
+    await writeFile(draft, content);
+    await rename(draft, path);
+  } catch (error) {
+    await rm(draft, { force: true });
+    throw error;
+  }
+}
+
+function writeStandardOutput(content: string | Uint8Array): Promise<void> {
+  return new Promise((done, fail) => {
+    process.stdout.write(content, (error) => {
+      // Who reads, for example head, may have enough.
+      if (error && (error as NodeJS.ErrnoException).code !== 'EPIPE') fail(error);
+      else done();
+    });
+  });
+}
+
+const reasons: Record<string, string> = {
+  ENOENT: 'there is no such file or folder',
+  EACCES: 'permission is denied',
+  EISDIR: 'it is a folder',
+  ENOTDIR: 'part of its path is no folder',
+  ENOSPC: 'the disk is full',
+};
+
+function reason(error: unknown): string {
+  const { code, message } = error as NodeJS.ErrnoException;
+  return reasons[code ?? ''] ?? message;
+}

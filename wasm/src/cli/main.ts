@@ -1,0 +1,25 @@
+#!/usr/bin/env node
+// SPDX-License-Identifier: MIT
+//
+// The command geodesic-voronoi. Exit status: 0 done, 1 bad input, 2 a wrong command line.
+
+import { readFile } from 'node:fs/promises';
+import { run } from './commands.js';
+import { parseCommandLine, UsageError } from './options.js';
+
+async function main(args: string[]): Promise<void> {
+  const packageFile = new URL('../../package.json', import.meta.url);
+  const { version } = JSON.parse(await readFile(packageFile, 'utf8'));
+  const invocation = parseCommandLine(args, version);
+  if (typeof invocation === 'string') process.stdout.write(invocation);
+  else await run[invocation.command](invocation);
+}
+
+// A reader that has enough, for example head, is no failure of ours.
+process.stdout.on('error', () => {});
+
+main(process.argv.slice(2)).catch((error: Error) => {
+  const line = error.message.replaceAll(/\s+/g, ' ').trim();
+  process.stderr.write(`geodesic-voronoi: ${line}\n`);
+  process.exitCode = error instanceof UsageError ? 2 : 1;
+});

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+import type { DiagramData, Located, MeshInfo, MeshRepairs, Metric, SurfacePoints } from './types.js';
+import { WasmModule, type CopyIn } from './wasm_module.js';
+
+/** The functions of core.wasm, as `bindings.cpp` defines them. Pointers are numbers. */
+interface CoreFunctions {
+  version(): number;
+  createMesh(positions: number, positionCount: number, triangles: number, indexCount: number): number;
+  freeMesh(mesh: number): void;
+  meshInfo(mesh: number): number;
+  pointsAtVertices(owner: number, vertex: number, count: number): number;
+  sampleSites(mesh: number, count: number, seed: number): number;
+  startVoronoi(mesh: number, face: number, bary: number, count: number, metric: number): number;
+  stepVoronoi(voronoi: number, budget: number): number;
+  voronoiProgress(voronoi: number): number;
+  traceVoronoi(voronoi: number, detail: number): number;
+  locate(voronoi: number, face: number, bary: number, count: number): number;
+  freeVoronoi(voronoi: number): void;
+}
+
+/** In the order of `gvd::Metric`. */
+export const metrics: readonly Metric[] = ['dgpc', 'exact'];
+
+/** The counts of `meshInfo` in `bindings.cpp`, in their order. */
+const infoCounts = [
+  'vertices',
+  'faces',
+  'edges',
+  'inputVertices',
+  'inputFaces',
+  'components',
+  'boundaryLoops',
+  'eulerCharacteristic',
+  'genus',
+] as const satisfies (keyof MeshInfo)[];
+
+const repairCounts = [
+  'weldedVertices',
+  'isolatedVertices',
+  'nonFiniteTriangles',
+  'degenerateTriangles',
+  'duplicateTriangles',
+  'nonManifoldEdges',
+  'orientationCuts',
+  'flippedTriangles',
+  'splitVertices',
+] as const satisfies (keyof MeshRepairs)[];
+
+declare const kind: unique symbol;
+/** The address of a mesh, or of a diagram under way or done, in core.wasm. */
+export type MeshPointer = number & { [kind]: 'mesh' };
+export type VoronoiPointer = number & { [kind]: 'voronoi' };
+
+/** core.wasm, typed: plain arrays in, copies out. */
+export class Core {
+  readonly #wasm: WasmModule<CoreFunctions>;
+
+  private constructor(wasm: WasmModule<CoreFunctions>) {
+    this.#wasm = wasm;
+  }
+
+  static async instantiate(module: WebAssembly.Module): Promise<Core> {
+    return new Core(await WasmModule.instantiate<CoreFunctions>(module));
+  }
+
+  get version(): string {
+    return this.#wasm.text((core) => core.version());
+  }
+
+  createMesh(positions: Float64Array, indices: Int32Array): MeshPointer {
+    return this.#wasm.call((core, copyIn) =>
+      core.createMesh(copyIn(positions), positions.length, copyIn(indices), indices.length),
+    ) as MeshPointer;
+  }
+
+  freeMesh(mesh: MeshPointer): void {
+    this.#wasm.run((core) => core.freeMesh(mesh));
+  }
+
+  meshInfo(mesh: MeshPointer): Omit<MeshInfo, 'notes'> {
+    const [counts, repairs, measures] = this.#wasm.arrays((core) => core.meshInfo(mesh)) as [
+      Int32Array,
+      Int32Array,
+      Float64Array,
+    ];
+    const [area, diameter] = measures;
+    return { ...named(infoCounts, counts), area, diameter, repairs: named(repairCounts, repairs) };
+  }
+
+  pointsAtVertices(owner: MeshPointer | VoronoiPointer, vertex: Int32Array): SurfacePoints {
+    return surfacePoints(
+      this.#wasm.arrays((core, copyIn) => core.pointsAtVertices(owner, copyIn(vertex), vertex.length)),
+    );
+  }
+
+  sampleSites(mesh: MeshPointer, count: number, seed: number): SurfacePoints {
+    return surfacePoints(this.#wasm.arrays((core) => core.sampleSites(mesh, count, seed)));
+  }
+
+  startVoronoi(mesh: MeshPointer, sites: SurfacePoints, metric: Metric): VoronoiPointer {
+    return this.#wasm.call((core, copyIn) =>
+      core.startVoronoi(mesh, ...copyPoints(copyIn, sites), metrics.indexOf(metric)),
+    ) as VoronoiPointer;
+  }
+
+  /** Works on at most `budget` queue entries; true when the distances are done. */
+  stepVoronoi(voronoi: VoronoiPointer, budget: number): boolean {
+    const done = 2; // SliceEnd
+    return this.#wasm.call((core) => core.stepVoronoi(voronoi, budget)) === done;
+  }
+
+  /** The share of the propagation done, 0 … 1. */
+  voronoiProgress(voronoi: VoronoiPointer): number {
+    return this.#wasm.run((core) => core.voronoiProgress(voronoi)) ?? 0;
+  }
+
+  /** The diagram of distances that are done. */
+  traceVoronoi(voronoi: VoronoiPointer, detail: number): Omit<DiagramData, 'siteCount'> {
+    const arrays = this.#wasm.arrays((core) => core.traceVoronoi(voronoi, detail));
+    const rest = arrays.values();
+    const ints = () => rest.next().value as Int32Array;
+    const doubles = () => rest.next().value as Float64Array;
+    // Evaluated from top to bottom: the order of `flatten` in bindings.cpp.
+    return {
+      points: { face: ints(), bary: doubles(), position: doubles() },
+      segments: { points: ints(), labels: ints(), face: ints(), arc: ints() },
+      arcs: { offset: ints(), points: ints(), labels: ints() },
+      voronoiPoints: { point: ints(), labelOffset: ints(), labels: ints() },
+      loops: { offset: ints(), points: ints(), label: ints() },
+      regionArea: doubles(),
+      faceLabel: ints(),
+      indifferentFaces: ints(),
+      cells: { offset: ints(), points: ints(), face: ints(), label: ints() },
+    };
+  }
+
+  locate(voronoi: VoronoiPointer, points: SurfacePoints): Located {
+    const [label, distance] = this.#wasm.arrays((core, copyIn) =>
+      core.locate(voronoi, ...copyPoints(copyIn, points)),
+    ) as [Int32Array, Float64Array];
+    return { label, distance };
+  }
+
+  freeVoronoi(voronoi: VoronoiPointer): void {
+    this.#wasm.run((core) => core.freeVoronoi(voronoi));
+  }
+}
+
+function named<Name extends string>(names: readonly Name[], values: Int32Array): Record<Name, number> {
+  return Object.fromEntries(names.map((name, i) => [name, values[i]])) as Record<Name, number>;
+}
+
+function surfacePoints(arrays: readonly unknown[]): SurfacePoints {
+  const [face, bary] = arrays as [Int32Array, Float64Array];
+  return { face, bary };
+}
+
+function copyPoints(copyIn: CopyIn, { face, bary }: SurfacePoints): [number, number, number] {
+  return [copyIn(face), copyIn(bary), face.length];
+}

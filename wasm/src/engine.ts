@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+import { compile, type CompileAddress, type WasmSource } from './compile.js';
+import { Core, type MeshPointer, type VoronoiPointer } from './core.js';
+import { GeodesicVoronoiError } from './errors.js';
+import { readGltf } from './gltf.js';
+import type {
+  DiagramData,
+  GltfResources,
+  Located,
+  MeshInfo,
+  MeshPart,
+  Metric,
+  SurfacePoints,
+  TaskOptions,
+} from './types.js';
+
+/** A mesh or a diagram that an engine keeps; never used twice, so a stale one is known as such. */
+export type Handle = number;
+
+export interface Triangles {
+  positions: Float64Array;
+  indices: Int32Array;
+}
+
+export interface GltfFile {
+  bytes: Uint8Array;
+  resources: GltfResources;
+}
+
+/** A mesh opened; `triangles` are those of a glTF, which the caller does not have yet. */
+export interface OpenedMesh {
+  handle: Handle;
+  info: MeshInfo;
+  parts: MeshPart[];
+  triangles?: Triangles;
+}
+
+export interface OpenedDiagram {
+  handle: Handle;
+  data: DiagramData;
+}
+
+/**
+ * What stands behind the objects of `library.ts`: on this thread (`LocalEngine`) or in a worker
+ * (`WorkerEngine`). Arguments are valid in form; everything in and out can be posted to a worker.
+ */
+export interface Engine {
+  readonly version: string;
+  openMesh(source: Triangles | GltfFile): Promise<OpenedMesh>;
+  /** `owner` is a mesh or a diagram. */
+  pointsAtVertices(owner: Handle, vertex: Int32Array): Promise<SurfacePoints>;
+  sampleSites(mesh: Handle, count: number, seed: number): Promise<SurfacePoints>;
+  openDiagram(
+    mesh: Handle,
+    sites: SurfacePoints,
+    options: { metric: Metric; detail: number },
+    task: TaskOptions,
+  ): Promise<OpenedDiagram>;
+  locate(diagram: Handle, points: SurfacePoints): Promise<Located>;
+  /** Frees a mesh or a diagram. Diagrams of a mesh stay. */
+  close(handle: Handle): void;
+  dispose(): void;
+}
+
+/** Where to find the two modules. */
+export interface EngineSources {
+  wasm: WasmSource;
+  gltfWasm: WasmSource;
+}
+
+/** How long a slice of work may keep its thread from anything else. */
+const sliceMilliseconds = 12;
+/** Queue entries between two looks at the clock: well below a slice, well above its price. */
+const entriesPerStep = 1024;
+/** The propagation's part of the time that a diagram takes; tracing it is the rest. */
+const propagationShare = 0.8;
+
+/** The library on the thread that calls it. */
+export class LocalEngine implements Engine {
+  readonly version: string;
+  #core: Core | undefined;
+  readonly #gltfModule: () => Promise<WebAssembly.Module>;
+  readonly #meshes = new Map<Handle, MeshPointer>();
+  readonly #diagrams = new Map<Handle, VoronoiPointer>();
+  #lastHandle: Handle = 0;
+
+  private constructor(core: Core, gltfModule: () => Promise<WebAssembly.Module>) {
+    this.#core = core;
+    this.#gltfModule = gltfModule;
+    this.version = core.version;
+  }
+
+  static async load(sources: EngineSources, compileAddress: CompileAddress): Promise<LocalEngine> {
+    const core = await Core.instantiate(await compile(sources.wasm, compileAddress));
+    let gltfModule: Promise<WebAssembly.Module> | undefined;
+    return new LocalEngine(core, () => {
+      gltfModule ??= compile(sources.gltfWasm, compileAddress).catch((error) => {
+        gltfModule = undefined; // the next file tries again
+        throw error;
+      });
+      return gltfModule;
+    });
+  }
+
+  async openMesh(source: Triangles | GltfFile): Promise<OpenedMesh> {
+    if ('positions' in source) return this.#openTriangles(source);
+    const { parts, notes, ...triangles } = await readGltf(
+      await this.#gltfModule(),
+      source.bytes,
+      source.resources,
+    );
+    const { handle, info } = this.#openTriangles(triangles);
+    return { handle, info: { ...info, notes }, parts, triangles };
+  }
+
+  #openTriangles({ positions, indices }: Triangles): OpenedMesh {
+    const core = this.#open();
+    const mesh = core.createMesh(positions, indices);
+    const info = { ...core.meshInfo(mesh), notes: [] };
+    return { handle: this.#keep(this.#meshes, mesh), info, parts: [] };
+  }
+
+  async pointsAtVertices(owner: Handle, vertex: Int32Array): Promise<SurfacePoints> {
+    return this.#open().pointsAtVertices(this.#diagrams.get(owner) ?? this.#mesh(owner), vertex);
+  }
+
+  async sampleSites(mesh: Handle, count: number, seed: number): Promise<SurfacePoints> {
+    return this.#open().sampleSites(this.#mesh(mesh), count, seed);
+  }
+
+  async openDiagram(
+    mesh: Handle,
+    sites: SurfacePoints,
+    { metric, detail }: { metric: Metric; detail: number },
+    task: TaskOptions,
+  ): Promise<OpenedDiagram> {
+    task.signal?.throwIfAborted();
+    const core = this.#open();
+    const voronoi = core.startVoronoi(this.#mesh(mesh), sites, metric);
+    try {
+      await this.#propagate(core, voronoi, task);
+      const data = { siteCount: sites.face.length, ...core.traceVoronoi(voronoi, detail) };
+      task.onProgress?.(1);
+      return { handle: this.#keep(this.#diagrams, voronoi), data };
+    } catch (error) {
+      core.freeVoronoi(voronoi);
+      throw error;
+    }
+  }
+
+  /** In slices, between which the thread serves others, the caller hears of it and may give up. */
+  async #propagate(core: Core, voronoi: VoronoiPointer, { signal, onProgress }: TaskOptions): Promise<void> {
+    let done = false;
+    while (!done) {
+      const end = performance.now() + sliceMilliseconds;
+      do done = core.stepVoronoi(voronoi, entriesPerStep);
+      while (!done && performance.now() < end);
+      onProgress?.(propagationShare * core.voronoiProgress(voronoi));
+      await nextTask();
+      signal?.throwIfAborted();
+      this.#open();
+    }
+  }
+
+  async locate(diagram: Handle, points: SurfacePoints): Promise<Located> {
+    const core = this.#open();
+    return core.locate(pointerOf(this.#diagrams, diagram), points);
+  }
+
+  close(handle: Handle): void {
+    const mesh = this.#meshes.get(handle);
+    const diagram = this.#diagrams.get(handle);
+    if (mesh !== undefined) this.#core?.freeMesh(mesh);
+    if (diagram !== undefined) this.#core?.freeVoronoi(diagram);
+    this.#meshes.delete(handle);
+    this.#diagrams.delete(handle);
+  }
+
+  /** Lets go of the instance: all its memory at once. */
+  dispose(): void {
+    this.#core = undefined;
+    this.#meshes.clear();
+    this.#diagrams.clear();
+  }
+
+  #open(): Core {
+    if (!this.#core) throw new GeodesicVoronoiError('disposed', 'The library has been disposed.');
+    return this.#core;
+  }
+
+  #mesh(handle: Handle): MeshPointer {
+    return pointerOf(this.#meshes, handle);
+  }
+
+  #keep<Pointer>(pointers: Map<Handle, Pointer>, pointer: Pointer): Handle {
+    pointers.set(++this.#lastHandle, pointer);
+    return this.#lastHandle;
+  }
+}
+
+function pointerOf<Pointer>(pointers: Map<Handle, Pointer>, handle: Handle): Pointer {
+  const pointer = pointers.get(handle);
+  if (pointer === undefined) throw new GeodesicVoronoiError('disposed', 'This object has been disposed.');
+  return pointer;
+}
+
+/** Lets everything else that waits for this thread have its turn. Not a timer: those are slowed. */
+function nextTask(): Promise<void> {
+  return new Promise((resolve) => {
+    const { port1, port2 } = new MessageChannel();
+    port1.onmessage = () => {
+      port1.close();
+      resolve();
+    };
+    port2.postMessage(undefined);
+  });
+}

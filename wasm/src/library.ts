@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+//
+// The objects that callers hold. They check what they are given, know whether they are still alive,
+// and leave the work to an engine: so all engines behave alike.
+
+import { regionsOf } from './region.js';
+import { toCount, toDetail, toMetric, toPoints, toSeed, toTriangles } from './input.js';
+import { GeodesicVoronoiError } from './errors.js';
+import type { Engine, Handle, OpenedDiagram, OpenedMesh, Triangles } from './engine.js';
+import type {
+  Diagram,
+  DiagramData,
+  GeodesicVoronoi,
+  GltfResources,
+  Located,
+  Mesh,
+  MeshInfo,
+  MeshPart,
+  MeshSource,
+  Metric,
+  Region,
+  SurfacePoints,
+  SurfacePointsInput,
+  VoronoiOptions,
+} from './types.js';
+
+/** `Symbol.dispose`, also where the runtime does not know it yet. */
+const disposeSymbol: typeof Symbol.dispose = Symbol.dispose ?? Symbol.for('Symbol.dispose');
+
+/** Frees what an object kept in its engine if nobody disposed it before it was collected. */
+const backstop = new FinalizationRegistry<{ engine: Engine; handle: Handle }>(({ engine, handle }) =>
+  engine.close(handle),
+);
+
+/** What a mesh or a diagram keeps in its engine, until it is disposed. */
+class Kept {
+  readonly engine: Engine;
+  readonly #what: string;
+  readonly #handle: Handle;
+  #disposed = false;
+
+  constructor(owner: object, what: string, engine: Engine, handle: Handle) {
+    this.engine = engine;
+    this.#what = what;
+    this.#handle = handle;
+    backstop.register(owner, { engine, handle }, this);
+  }
+
+  get handle(): Handle {
+    if (this.#disposed) {
+      throw new GeodesicVoronoiError('disposed', `This ${this.#what} has been disposed.`);
+    }
+    return this.#handle;
+  }
+
+  dispose(): void {
+    if (this.#disposed) return;
+    this.#disposed = true;
+    backstop.unregister(this);
+    this.engine.close(this.#handle);
+  }
+}
+
+class EngineDiagram implements Diagram {
+  readonly metric: Metric;
+  readonly sites: SurfacePoints;
+  readonly data: DiagramData;
+  readonly regions: readonly Region[];
+  readonly #kept: Kept;
+
+  constructor(engine: Engine, metric: Metric, sites: SurfacePoints, { handle, data }: OpenedDiagram) {
+    this.metric = metric;
+    this.sites = sites;
+    this.data = data;
+    this.regions = regionsOf(data);
+    this.#kept = new Kept(this, 'diagram', engine, handle);
+  }
+
+  async locate(points: SurfacePointsInput): Promise<Located> {
+    const resolved = await resolvePoints(this.#kept, 'points', points);
+    return this.#kept.engine.locate(this.#kept.handle, resolved);
+  }
+
+  dispose(): void {
+    this.#kept.dispose();
+  }
+
+  [disposeSymbol](): void {
+    this.dispose();
+  }
+}
+
+class EngineMesh implements Mesh {
+  readonly info: MeshInfo;
+  readonly positions: Float64Array;
+  readonly indices: Int32Array;
+  readonly parts: readonly MeshPart[];
+  readonly #kept: Kept;
+
+  constructor(engine: Engine, { handle, info, parts }: OpenedMesh, { positions, indices }: Triangles) {
+    this.info = info;
+    this.positions = positions;
+    this.indices = indices;
+    this.parts = parts;
+    this.#kept = new Kept(this, 'mesh', engine, handle);
+  }
+
+  async sampleSites(count: number, { seed = 1 }: { seed?: number } = {}): Promise<SurfacePoints> {
+    const { engine, handle } = this.#kept;
+    return engine.sampleSites(handle, toCount(count), toSeed(seed));
+  }
+
+  async voronoi(sites: SurfacePointsInput, options: VoronoiOptions = {}): Promise<Diagram> {
+    const { metric = 'dgpc', detail = 0, onProgress, signal } = options;
+    const form = { metric: toMetric(metric), detail: toDetail(detail) };
+    const points = await resolvePoints(this.#kept, 'sites', sites);
+    const { engine, handle } = this.#kept;
+    const opened = await engine.openDiagram(handle, points, form, { onProgress, signal });
+    return new EngineDiagram(engine, form.metric, points, opened);
+  }
+
+  dispose(): void {
+    this.#kept.dispose();
+  }
+
+  [disposeSymbol](): void {
+    this.dispose();
+  }
+}
+
+/** The library over an engine. */
+export class Library implements GeodesicVoronoi {
+  readonly #engine: Engine;
+
+  constructor(engine: Engine) {
+    this.#engine = engine;
+  }
+
+  get version(): string {
+    return this.#engine.version;
+  }
+
+  async mesh(source: MeshSource, options: { resources?: GltfResources } = {}): Promise<Mesh> {
+    const input = toTriangles(source, options.resources);
+    const opened = await this.#engine.openMesh(input);
+    return new EngineMesh(this.#engine, opened, opened.triangles ?? (input as Triangles));
+  }
+
+  dispose(): void {
+    this.#engine.dispose();
+  }
+
+  [disposeSymbol](): void {
+    this.dispose();
+  }
+}
+
+/** Points as faces and coordinates; those given by vertices are looked up. */
+async function resolvePoints(
+  owner: Kept,
+  name: string,
+  points: SurfacePointsInput,
+): Promise<SurfacePoints> {
+  const list = toPoints(name, points);
+  return 'vertex' in list ? owner.engine.pointsAtVertices(owner.handle, list.vertex) : list;
+}

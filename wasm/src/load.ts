@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+import type { CompileAddress, WasmSource } from './compile.js';
+import { LocalEngine, type EngineSources } from './engine.js';
+import { Library } from './library.js';
+import type { GeodesicVoronoi } from './types.js';
+
+export interface LoadOptions {
+  /** core.wasm; by default the one beside this file. */
+  wasm?: WasmSource;
+  /** gltf.wasm, loaded with the first glTF file; by default the one beside this file. */
+  gltfWasm?: WasmSource;
+}
+
+/** Where the modules are. The addresses are written so that bundlers see them. */
+export function sourcesOf(options: LoadOptions): EngineSources {
+  return {
+    wasm: options.wasm ?? new URL('./core.wasm', import.meta.url),
+    gltfWasm: options.gltfWasm ?? new URL('./gltf.wasm', import.meta.url),
+  };
+}
+
+export async function loadLocal(
+  options: LoadOptions,
+  compileAddress: CompileAddress,
+): Promise<GeodesicVoronoi> {
+  return new Library(await LocalEngine.load(sourcesOf(options), compileAddress));
+}

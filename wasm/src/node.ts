@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+//
+// geodesic-voronoi in Node: as in a page, but modules are read from the disk.
+
+import { readFile } from 'node:fs/promises';
+import { pathToFileURL } from 'node:url';
+import { compileFromWeb } from './compile.js';
+import { loadLocal, type LoadOptions } from './load.js';
+import type { GeodesicVoronoi } from './types.js';
+
+export * from './index.js';
+
+/** The library on the calling thread. Long work is done in slices of about 12 ms. */
+export function load(options: LoadOptions = {}): Promise<GeodesicVoronoi> {
+  return loadLocal(options, compileFromDisk);
+}
+
+/** A path or an address. */
+async function compileFromDisk(address: URL | string): Promise<WebAssembly.Module> {
+  const url = new URL(address, pathToFileURL('./'));
+  return url.protocol === 'file:' ? WebAssembly.compile(await readFile(url)) : compileFromWeb(url);
+}

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+//
+// The script of the module worker that `loadWorker` starts.
+
+import { compileFromWeb } from './compile.js';
+import { LocalEngine } from './engine.js';
+import type { Port } from './worker_protocol.js';
+import { serve } from './worker_server.js';
+
+serve(globalThis as unknown as Port, (sources) => LocalEngine.load(sources, compileFromWeb));

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+import type {
+  Engine,
+  EngineSources,
+  GltfFile,
+  Handle,
+  OpenedDiagram,
+  OpenedMesh,
+  Triangles,
+} from './engine.js';
+import { GeodesicVoronoiError } from './errors.js';
+import type { Located, Metric, SurfacePoints, TaskOptions } from './types.js';
+import type { EngineCall, Loaded, Reply, Request, WorkerPort } from './worker_protocol.js';
+
+/** A request that is not answered yet. */
+interface Pending {
+  resolve(result: unknown): void;
+  reject(reason: unknown): void;
+  onProgress?(share: number): void;
+}
+
+/** An engine in a worker: `worker_server.ts` answers there. */
+export class WorkerEngine implements Engine {
+  readonly #worker: WorkerPort;
+  readonly #pending = new Map<number, Pending>();
+  #version = '';
+  #lastId = 0;
+  #closed: GeodesicVoronoiError | undefined;
+
+  private constructor(worker: WorkerPort) {
+    this.#worker = worker;
+    worker.onmessage = ({ data }: { data: Reply }) => this.#receive(data);
+    worker.onerror = ({ message }) => {
+      this.#close(
+        this.#version ? 'internal' : 'load-failed',
+        `The worker has stopped: ${message || 'its script cannot be loaded'}.`,
+      );
+    };
+  }
+
+  static async start(worker: WorkerPort, sources: EngineSources): Promise<WorkerEngine> {
+    const engine = new WorkerEngine(worker);
+    try {
+      engine.#version = (await engine.#request<Loaded>('load', [sources])).version;
+      return engine;
+    } catch (error) {
+      engine.dispose();
+      throw error;
+    }
+  }
+
+  get version(): string {
+    return this.#version;
+  }
+
+  openMesh(source: Triangles | GltfFile): Promise<OpenedMesh> {
+    return this.#request('openMesh', [source]);
+  }
+
+  pointsAtVertices(owner: Handle, vertex: Int32Array): Promise<SurfacePoints> {
+    return this.#request('pointsAtVertices', [owner, vertex]);
+  }
+
+  sampleSites(mesh: Handle, count: number, seed: number): Promise<SurfacePoints> {
+    return this.#request('sampleSites', [mesh, count, seed]);
+  }
+
+  openDiagram(
+    mesh: Handle,
+    sites: SurfacePoints,
+    options: { metric: Metric; detail: number },
+    task: TaskOptions,
+  ): Promise<OpenedDiagram> {
+    return this.#request('openDiagram', [mesh, sites, options], task);
+  }
+
+  locate(diagram: Handle, points: SurfacePoints): Promise<Located> {
+    return this.#request('locate', [diagram, points]);
+  }
+
+  close(handle: Handle): void {
+    if (!this.#closed) this.#post({ close: handle });
+  }
+
+  dispose(): void {
+    this.#close('disposed', 'The library has been disposed.');
+  }
+
+  #close(...reason: ConstructorParameters<typeof GeodesicVoronoiError>): void {
+    if (this.#closed) return;
+    this.#closed = new GeodesicVoronoiError(...reason);
+    this.#worker.terminate();
+    for (const { reject } of this.#pending.values()) reject(this.#closed);
+    this.#pending.clear();
+  }
+
+  #post(message: Request): void {
+    this.#worker.postMessage(message);
+  }
+
+  async #request<Result>(
+    call: EngineCall | 'load',
+    args: unknown[],
+    { signal, onProgress }: TaskOptions = {},
+  ): Promise<Result> {
+    if (this.#closed) throw this.#closed;
+    signal?.throwIfAborted();
+    const id = ++this.#lastId;
+    let abandon = () => {};
+    try {
+      return await new Promise<Result>((resolve, reject) => {
+        abandon = () => {
+          this.#abandon(id);
+          reject(signal?.reason);
+        };
+        signal?.addEventListener('abort', abandon);
+        this.#pending.set(id, { resolve: resolve as (result: unknown) => void, reject, onProgress });
+        this.#post({ id, call, args } as Request);
+      });
+    } finally {
+      signal?.removeEventListener('abort', abandon);
+    }
+  }
+
+  /** Nobody waits for this answer any more; if it comes too late to be stopped, it is freed. */
+  #abandon(id: number): void {
+    this.#pending.set(id, {
+      resolve: (late) => this.close((late as { handle: Handle }).handle),
+      reject: () => {},
+    });
+    this.#post({ abort: id });
+  }
+
+  #receive(reply: Reply): void {
+    const pending = this.#pending.get(reply.id);
+    if (!pending) return;
+    if ('progress' in reply) {
+      this.#report(reply.id, pending, reply.progress);
+      return;
+    }
+    this.#pending.delete(reply.id);
+    if ('result' in reply) pending.resolve(reply.result);
+    else pending.reject(new GeodesicVoronoiError(reply.error.code, reply.error.message));
+  }
+
+  /** What the listener throws ends the task, as it does on one thread. */
+  #report(id: number, { onProgress, reject }: Pending, share: number): void {
+    try {
+      onProgress?.(share);
+    } catch (error) {
+      this.#abandon(id);
+      reject(error);
+    }
+  }
+}

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+import type { GeodesicVoronoiElement, ViewerEvents } from '../viewer/element.js';
+
+/** The element with this id, which is of this class. */
+export function byId<T extends HTMLElement>(id: string, type: new () => T): T {
+  const element = document.getElementById(id);
+  if (!(element instanceof type)) throw new Error(`There is no ${type.name} with the id ${id}.`);
+  return element;
+}
+
+/** Calls back at each click of a button. */
+export function onClick(id: string, listener: () => void): HTMLButtonElement {
+  const button = byId(id, HTMLButtonElement);
+  button.addEventListener('click', listener);
+  return button;
+}
+
+/** Calls back with the `detail` of each event of the viewer. */
+export function listen<Type extends keyof ViewerEvents>(
+  viewer: GeodesicVoronoiElement,
+  type: Type,
+  listener: (detail: ViewerEvents[Type]) => void,
+): void {
+  viewer.addEventListener(type, (event) => listener((event as CustomEvent).detail));
+}

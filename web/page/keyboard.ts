@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+import { type Command, commandOf, type GeodesicVoronoiElement } from '../viewer/element.js';
+import { byId, onClick } from './dom.js';
+
+/** What keys do anywhere in the page; with the view in focus the viewer itself hears them all. */
+const everywhere: ReadonlySet<Command> = new Set(['undo', 'redo', 'remove', 'refit', 'cancel']);
+
+export function setUpKeyboard(viewer: GeodesicVoronoiElement): void {
+  const help = byId('help', HTMLDialogElement);
+  const showHelp = () => help.showModal();
+  onClick('help-button', showHelp);
+  // A click on the backdrop is one on the dialog itself, beside its content.
+  help.addEventListener('click', (event) => {
+    if (event.target === help) help.close();
+  });
+
+  document.addEventListener('keydown', (event) => {
+    if (event.defaultPrevented || help.open || isTyping(event)) return;
+    if (event.key === '?') {
+      showHelp();
+      return;
+    }
+    const command = commandOf(event);
+    if (command === undefined || !everywhere.has(command)) return;
+    event.preventDefault();
+    viewer.perform(command);
+  });
+}
+
+/** Whether a field that takes keys has them. */
+function isTyping({ target }: Event): boolean {
+  if (target instanceof HTMLInputElement) return !['checkbox', 'radio', 'button'].includes(target.type);
+  // The list of sites is no field: Delete there removes the chosen site.
+  return target instanceof HTMLSelectElement && target.size <= 1;
+}

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+import type { MeshInfo, MeshRepairs } from 'geodesic-voronoi';
+import type { GeodesicVoronoiElement } from '../viewer/element.js';
+import { byId, listen } from './dom.js';
+import { counted, integer, measure } from './numbers.js';
+
+/** What the page says of the opened model. */
+export function setUpMeshReport(viewer: GeodesicVoronoiElement): void {
+  const report = byId('report', HTMLElement);
+  const repairs = byId('repairs', HTMLElement);
+  listen(viewer, 'load', ({ info }) => {
+    report.replaceChildren(...factsOf(info).flatMap(([term, value]) => [cell('dt', term), cell('dd', value)]));
+    repairs.replaceChildren(
+      ...[...sentencesOf(info.repairs), ...info.notes].map((sentence) => cell('span', sentence)),
+    );
+  });
+}
+
+function factsOf(info: MeshInfo): [string, string][] {
+  return [
+    ['Triangles', integer(info.faces)],
+    ['Vertices', integer(info.vertices)],
+    ['Components', integer(info.components)],
+    ['Boundary loops', integer(info.boundaryLoops)],
+    ['Genus', integer(info.genus)],
+    ['Area', measure(info.area)],
+  ];
+}
+
+function sentencesOf(repairs: MeshRepairs): string[] {
+  const texts: Record<keyof MeshRepairs, (n: number) => string> = {
+    weldedVertices: (n) => `${counted(n, 'vertex', 'vertices')} welded.`,
+    isolatedVertices: (n) => `${counted(n, 'vertex', 'vertices')} unused.`,
+    nonFiniteTriangles: (n) => `${counted(n, 'triangle')} with impossible coordinates dropped.`,
+    degenerateTriangles: (n) => `${counted(n, 'degenerate triangle')} dropped.`,
+    duplicateTriangles: (n) => `${counted(n, 'duplicate triangle')} dropped.`,
+    nonManifoldEdges: (n) => `${counted(n, 'non-manifold edge')} cut.`,
+    orientationCuts: (n) => `${counted(n, 'edge')} cut, since no orientation fits both sides.`,
+    flippedTriangles: (n) => `${counted(n, 'triangle')} turned over.`,
+    splitVertices: (n) => `${counted(n, 'vertex', 'vertices')} split.`,
+  };
+  const made = (Object.keys(texts) as (keyof MeshRepairs)[]).filter((key) => repairs[key] > 0);
+  return made.length > 0 ? made.map((key) => texts[key](repairs[key])) : ['No repairs needed.'];
+}
+
+function cell(tag: string, text: string): HTMLElement {
+  const element = document.createElement(tag);
+  element.textContent = text;
+  return element;
+}

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+import type { GeodesicVoronoiElement } from '../viewer/element.js';
+import { byId, listen, onClick } from './dom.js';
+import samples from './samples.json' with { type: 'json' };
+
+/** How a model gets into the page: the menu of samples, the file picker, and dropping files on it. */
+export function setUpModelChoice(viewer: GeodesicVoronoiElement): void {
+  setUpMenu(viewer);
+  setUpPicker(viewer);
+  setUpDrop(viewer);
+}
+
+function setUpMenu(viewer: GeodesicVoronoiElement): void {
+  const menu = byId('samples', HTMLSelectElement);
+  const credit = byId('credit', HTMLElement);
+  const ownFile = new Option('', '');
+  ownFile.hidden = true;
+  menu.append(ownFile, ...samples.map(({ title, file }) => new Option(title, file)));
+
+  let current = '';
+  const choose = () => {
+    menu.value = current;
+  };
+  menu.addEventListener('change', async () => {
+    // A model that cannot be opened leaves the one before, which is then what the menu says.
+    if (!(await viewer.load(`./samples/${menu.value}`))) choose();
+  });
+  listen(viewer, 'load', ({ name }) => {
+    const sample = samples.find(({ file }) => file === name);
+    ownFile.text = sample ? '' : name;
+    current = sample?.file ?? '';
+    credit.textContent = sample?.credit ?? '';
+    choose();
+  });
+}
+
+function setUpPicker(viewer: GeodesicVoronoiElement): void {
+  const input = byId('files', HTMLInputElement);
+  onClick('open', () => input.click());
+  input.addEventListener('change', () => {
+    if (input.files?.length) void viewer.loadFiles([...input.files]);
+    // The same file may be chosen again.
+    input.value = '';
+  });
+}
+
+function setUpDrop(viewer: GeodesicVoronoiElement): void {
+  const overlay = byId('drop', HTMLElement);
+  const carriesFiles = (event: DragEvent) => event.dataTransfer?.types.includes('Files') ?? false;
+  addEventListener('dragover', (event) => {
+    if (!carriesFiles(event)) return;
+    event.preventDefault();
+    overlay.hidden = false;
+  });
+  addEventListener('dragleave', (event) => {
+    // Leaving one element for another is no leaving of the page.
+    if (event.relatedTarget === null) overlay.hidden = true;
+  });
+  addEventListener('drop', (event) => {
+    overlay.hidden = true;
+    if (!carriesFiles(event)) return;
+    event.preventDefault();
+    void viewer.loadFiles([...(event.dataTransfer?.files ?? [])]);
+  });
+}

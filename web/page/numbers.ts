@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+
+const integers = new Intl.NumberFormat('en');
+const measures = new Intl.NumberFormat('en', { maximumSignificantDigits: 3 });
+const scientific = new Intl.NumberFormat('en', { notation: 'scientific', maximumSignificantDigits: 3 });
+
+/** "1 site", "1,200 sites". */
+export function counted(count: number, one: string, many = `${one}s`): string {
+  return `${integers.format(count)} ${count === 1 ? one : many}`;
+}
+
+export function integer(value: number): string {
+  return integers.format(value);
+}
+
+/** A length or an area in the model's units, which may be of any size. */
+export function measure(value: number): string {
+  const plain = value === 0 || (Math.abs(value) >= 1e-3 && Math.abs(value) < 1e6);
+  return (plain ? measures : scientific).format(value);
+}
+
+export function duration(milliseconds: number): string {
+  if (milliseconds < 10) return `${milliseconds.toFixed(1)} ms`;
+  if (milliseconds < 1000) return `${Math.round(milliseconds)} ms`;
+  return `${(milliseconds / 1000).toFixed(1)} s`;
+}

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+import type { GeodesicVoronoiElement } from '../viewer/element.js';
+import { byId, listen, onClick } from './dom.js';
+import { measure } from './numbers.js';
+
+/** Scattering, undoing, removing, and the list of sites. */
+export function setUpSiteControls(viewer: GeodesicVoronoiElement): void {
+  setUpScatter(viewer);
+  setUpEditing(viewer);
+  setUpList(viewer);
+}
+
+function setUpScatter(viewer: GeodesicVoronoiElement): void {
+  const form = byId('scatter', HTMLFormElement);
+  const count = byId('count', HTMLInputElement);
+  const seed = byId('seed', HTMLInputElement);
+  count.value = viewer.getAttribute('sites') ?? '';
+  seed.value = viewer.getAttribute('seed') ?? '';
+  form.addEventListener('submit', (event) => {
+    event.preventDefault();
+    const isNew =
+      viewer.getAttribute('sites') !== count.value || viewer.getAttribute('seed') !== seed.value;
+    // The attributes also hold for the next model. The viewer scatters when they change.
+    viewer.setAttribute('sites', count.value);
+    viewer.setAttribute('seed', seed.value);
+    if (!isNew) void viewer.scatter(count.valueAsNumber, seed.valueAsNumber);
+  });
+}
+
+function setUpEditing(viewer: GeodesicVoronoiElement): void {
+  const undo = onClick('undo', () => viewer.undo());
+  const redo = onClick('redo', () => viewer.redo());
+  const remove = onClick('remove', () => viewer.removeSite(viewer.selected));
+  const clear = onClick('clear', () => {
+    viewer.sites = { face: [], bary: [] };
+  });
+  listen(viewer, 'sites-change', ({ count, selected, canUndo, canRedo }) => {
+    undo.disabled = !canUndo;
+    redo.disabled = !canRedo;
+    remove.disabled = selected < 0;
+    clear.disabled = count === 0;
+  });
+}
+
+/** For readers of lists rather than of pictures. It is kept up only while it is open. */
+function setUpList(viewer: GeodesicVoronoiElement): void {
+  const details = byId('site-details', HTMLDetailsElement);
+  const list = byId('site-list', HTMLSelectElement);
+  const fill = () => {
+    if (!details.open) return;
+    const regions = viewer.diagram?.regions ?? [];
+    list.replaceChildren(
+      ...regions.map(({ area }, i) => new Option(`Site ${i + 1}, region of area ${measure(area)}`)),
+    );
+    list.selectedIndex = viewer.selected;
+  };
+  details.addEventListener('toggle', fill);
+  listen(viewer, 'diagram', fill);
+  listen(viewer, 'sites-change', ({ selected }) => {
+    list.selectedIndex = selected;
+  });
+  list.addEventListener('change', () => {
+    viewer.selected = list.selectedIndex;
+  });
+}

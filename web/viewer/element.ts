@@ -1,0 +1,591 @@
+// SPDX-License-Identifier: MIT
+//
+// Importing this file defines <geodesic-voronoi>. Where there is no DOM it defines nothing and does no harm.
+
+import type { Diagram, MeshInfo, MeshPart, Metric, SurfacePoints } from 'geodesic-voronoi';
+import { Vector2 } from 'three';
+import { type Command, commandOf } from './commands.js';
+import { fillShadow } from './element_template.js';
+import { LatestTask } from './latest_task.js';
+import { type Layer, layers, ModelDrawing } from './model_drawing.js';
+import { fetchModelFiles, type ModelFiles, readModelFiles } from './model_files.js';
+import { Picker, type SurfaceHit } from './picking.js';
+import { PointerGestures } from './pointer_gestures.js';
+import { SceneMesh } from './scene_mesh.js';
+import { Session, type ShownDiagram, type Status } from './session.js';
+import { type SitePlace, type Sites, surfacePointsOf } from './site_history.js';
+import { Stage } from './stage.js';
+
+export type { Command, Layer, SitePlace, Status };
+export { commandOf, layers };
+
+/** The `detail` of this element's events, by their name. */
+export interface ViewerEvents {
+  /** A model was opened. */
+  load: { name: string; info: MeshInfo; parts: readonly MeshPart[] };
+  /** Something failed, in a sentence; everything is as it was before. */
+  error: { type: 'loadfailure' | 'nowebgl' | 'webglcontextlost'; message: string; cause?: unknown };
+  /** A diagram is drawn. */
+  diagram: {
+    sites: number;
+    regions: number;
+    segments: number;
+    arcs: number;
+    voronoiPoints: number;
+    metric: Metric;
+    detail: number;
+    /** From asking for it to having it. */
+    milliseconds: number;
+  };
+  /** The sites or the choice of one changed; the diagram follows. */
+  'sites-change': { count: number; selected: number; canUndo: boolean; canRedo: boolean };
+  /** The share done, 0 … 1, of what `status` says is under way. */
+  progress: { share: number };
+  'status-change': { status: Status };
+  /** What lies under the pointer; null if nothing does. */
+  hover: HoveredPoint | null;
+}
+
+/** A point of the surface; `region` is -1 and the others infinite or zero if no site reaches it. */
+export interface HoveredPoint extends SitePlace {
+  region: number;
+  area: number;
+  distance: number;
+  /** The region's colour, as CSS has it. */
+  colour: string | undefined;
+}
+
+const defaultLayers: readonly Layer[] = ['regions', 'bisectors', 'sites'];
+const defaultLabel = 'A surface with its geodesic Voronoi diagram';
+
+/** Steps of the keys, in radians and as a factor. */
+const turnStep = Math.PI / 24;
+const dollyStep = 1.15;
+
+/** What is there only while the element is in a document. */
+interface Connected {
+  canvas: HTMLCanvasElement;
+  stage: Stage;
+  session: Session;
+  gestures: PointerGestures;
+  hovering: LatestTask<SurfaceHit | undefined>;
+  resizing: ResizeObserver;
+}
+
+const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
+
+/**
+ * A model with its geodesic Voronoi diagram, to look at and to edit: a click adds a site, a drag moves
+ * it, Delete removes it.
+ *
+ * Attributes: `src` (address of a .glb or .gltf), `alt`, `sites` (how many are scattered on a new
+ * model) and their `seed`, `metric` (dgpc, exact), `detail` (0 …), `layers` (what is shown, separated
+ * by spaces: regions, bisectors, sites, voronoi-points, wireframe). `status` tells what it does.
+ * Slot `poster`: shown until there is a model, and if there can be none.
+ */
+export class GeodesicVoronoiElement extends Base {
+  static readonly observedAttributes = [
+    'src',
+    'alt',
+    'sites',
+    'seed',
+    'metric',
+    'detail',
+    'layers',
+  ];
+
+  #connected: Connected | undefined;
+  #model: { drawing: ModelDrawing; picker: Picker } | undefined;
+  #selected: number | undefined;
+  #hovered: SurfaceHit | undefined;
+  readonly #changedAttributes = new Set<string>();
+
+  connectedCallback(): void {
+    if (this.#connected) return;
+    const { canvas, message } = fillShadow(this);
+    canvas.ariaLabel = this.alt || defaultLabel;
+    try {
+      this.#connected = this.#connect(canvas);
+      message.hidden = true;
+    } catch (cause) {
+      message.textContent = 'This view needs WebGL 2, which this browser does not offer.';
+      message.hidden = false;
+      this.setAttribute('status', 'failed');
+      this.#emit('error', { type: 'nowebgl', message: message.textContent, cause });
+      return;
+    }
+    canvas.addEventListener('webglcontextlost', () => {
+      message.textContent = 'The graphics card has dropped this view; it returns when it can.';
+      message.hidden = false;
+      this.#emit('error', { type: 'webglcontextlost', message: message.textContent });
+    });
+    canvas.addEventListener('webglcontextrestored', () => {
+      message.hidden = true;
+    });
+    this.setAttribute('status', 'empty');
+    this.#configure();
+    if (this.src) void this.load(this.src);
+  }
+
+  disconnectedCallback(): void {
+    // An element that is only moved is connected again before this runs.
+    queueMicrotask(() => {
+      if (!this.isConnected) this.#disconnect();
+    });
+  }
+
+  attributeChangedCallback(name: string, before: string | null, after: string | null): void {
+    if (before === after) return;
+    if (this.#changedAttributes.size === 0) queueMicrotask(() => this.#applyAttributes());
+    this.#changedAttributes.add(name);
+  }
+
+  // --- Models ---------------------------------------------------------------------------------
+
+  get src(): string {
+    return this.getAttribute('src') ?? '';
+  }
+
+  set src(address: string) {
+    this.setAttribute('src', address);
+  }
+
+  get alt(): string {
+    return this.getAttribute('alt') ?? '';
+  }
+
+  set alt(text: string) {
+    this.setAttribute('alt', text);
+  }
+
+  get status(): Status | 'failed' {
+    return (this.getAttribute('status') ?? 'empty') as Status | 'failed';
+  }
+
+  get info(): MeshInfo | undefined {
+    return this.#session?.mesh?.info;
+  }
+
+  /** Opens the model at an address. Resolves to whether it is there now; if not, `error` says why. */
+  load(address: string): Promise<boolean> {
+    return this.#open((signal, onProgress) => fetchModelFiles(address, { signal, onProgress }));
+  }
+
+  /** Opens a model from files: one .glb, or one .gltf with the files that it names. */
+  loadFiles(files: Iterable<File>): Promise<boolean> {
+    const list = [...files];
+    return this.#open(() => readModelFiles(list));
+  }
+
+  /** A picture of the view. */
+  toBlob(type = 'image/png', quality?: number): Promise<Blob> {
+    return new Promise((resolve, reject) => {
+      const { stage, canvas } = this.#required();
+      // The canvas keeps its picture until this task ends.
+      stage.draw();
+      canvas.toBlob(
+        (blob) => (blob ? resolve(blob) : reject(new Error('The picture cannot be made.'))),
+        type,
+        quality,
+      );
+    });
+  }
+
+  // --- Sites ----------------------------------------------------------------------------------
+
+  /** The sites; setting them is a step that can be undone. */
+  get sites(): SurfacePoints {
+    return surfacePointsOf(this.#session?.sites ?? []);
+  }
+
+  set sites(sites: { face: ArrayLike<number>; bary: ArrayLike<number> }) {
+    this.#session?.replaceSites(sites);
+  }
+
+  /** The diagram that is shown; it changes with the next `diagram` event. */
+  get diagram(): Diagram | undefined {
+    return this.#session?.shown?.diagram;
+  }
+
+  /** Sites in random places instead of those there are. */
+  async scatter(count: number, seed = 1): Promise<void> {
+    await this.#session?.scatter(count, seed);
+  }
+
+  addSite(place: SitePlace): void {
+    if (!this.#session?.mesh) return;
+    this.#selected = this.#session.addSite(place);
+    this.#showSites();
+  }
+
+  moveSite(index: number, place: SitePlace): void {
+    const site = this.#session?.sites[index];
+    if (!site) return;
+    this.#session?.moveSite(site.id, place);
+    this.#session?.endMove();
+  }
+
+  removeSite(index: number): void {
+    const site = this.#session?.sites[index];
+    if (site) this.#session?.removeSite(site.id);
+  }
+
+  undo(): void {
+    this.#session?.undo();
+  }
+
+  redo(): void {
+    this.#session?.redo();
+  }
+
+  /** The index of the chosen site, -1 for none. */
+  get selected(): number {
+    return this.#session?.sites.findIndex((site) => site.id === this.#selected) ?? -1;
+  }
+
+  set selected(index: number) {
+    this.#selected = this.#session?.sites[index]?.id;
+    this.#showSites();
+  }
+
+  /** Where a site is drawn on the page; undefined if it is behind the surface. */
+  sitePosition(index: number): { x: number; y: number } | undefined {
+    if (!this.#model || !this.#connected || !this.#session?.sites[index]) return undefined;
+    const { camera } = this.#connected.stage;
+    const place = this.#model.drawing.sitePlace(index);
+    const client = this.#connected.stage.toClient(place);
+    return client && !this.#model.picker.hides(place, camera) ? client : undefined;
+  }
+
+  /** The point of the surface that is seen at a place on the page. */
+  surfaceFromPoint(clientX: number, clientY: number): SitePlace | undefined {
+    if (!this.#connected) return undefined;
+    const hit = this.#pick(this.#connected.stage.toDevice(clientX, clientY));
+    return hit && { face: hit.face, bary: hit.bary };
+  }
+
+  // --- View -----------------------------------------------------------------------------------
+
+  /** What is shown. */
+  get layers(): readonly Layer[] {
+    const names = this.getAttribute('layers');
+    if (names === null) return defaultLayers;
+    const wanted = new Set(names.split(/\s+/));
+    return layers.filter((layer) => wanted.has(layer));
+  }
+
+  set layers(shown: readonly Layer[]) {
+    this.setAttribute('layers', shown.join(' '));
+  }
+
+  /** Moves the camera so that the model fills the view. */
+  refit(): void {
+    if (this.#model) this.#connected?.stage.frame(this.#model.drawing.mesh.positions);
+  }
+
+  /** Gives up the drag, or else the work, that is under way. */
+  cancel(): void {
+    const { gestures, session } = this.#connected ?? {};
+    if (gestures?.dragging) gestures.cancel();
+    else session?.cancel();
+  }
+
+  perform(command: Command): void {
+    const { stage } = this.#connected ?? {};
+    switch (command) {
+      case 'undo':
+        return this.undo();
+      case 'redo':
+        return this.redo();
+      case 'remove':
+        return this.removeSite(this.selected);
+      case 'refit':
+        return this.refit();
+      case 'cancel':
+        return this.cancel();
+      case 'place':
+        return this.#placeAt(new Vector2(0, 0));
+      case 'next-site':
+        return this.#selectNext(1);
+      case 'previous-site':
+        return this.#selectNext(-1);
+      case 'turn-left':
+        return stage?.orbit(-turnStep, 0);
+      case 'turn-right':
+        return stage?.orbit(turnStep, 0);
+      case 'turn-up':
+        return stage?.orbit(0, turnStep);
+      case 'turn-down':
+        return stage?.orbit(0, -turnStep);
+      case 'nearer':
+        return stage?.dolly(1 / dollyStep);
+      case 'farther':
+        return stage?.dolly(dollyStep);
+    }
+  }
+
+  // --- Inside ---------------------------------------------------------------------------------
+
+  get #session(): Session | undefined {
+    return this.#connected?.session;
+  }
+
+  #required(): Connected {
+    if (!this.#connected) throw new Error('The element is not in a document.');
+    return this.#connected;
+  }
+
+  #emit<Type extends keyof ViewerEvents>(type: Type, detail: ViewerEvents[Type]): void {
+    this.dispatchEvent(new CustomEvent(type, { detail }));
+  }
+
+  #connect(canvas: HTMLCanvasElement): Connected {
+    const gestures = new PointerGestures(canvas, {
+      siteAt: (x, y, reach) => this.#siteAt(x, y, reach),
+      select: (site) => {
+        this.#selected = site;
+        this.#showSites();
+      },
+      move: (site, x, y) => this.#drag(site, x, y),
+      endMove: () => this.#session?.endMove(),
+      cancelMove: () => this.#session?.cancelMove(),
+      remove: (site) => this.#session?.removeSite(site),
+      click: (x, y) => this.#placeAt(this.#required().stage.toDevice(x, y)),
+      hover: (x, y) => this.#hover(x, y),
+      leave: () => this.#hovering(undefined),
+    });
+    const stage = new Stage(canvas);
+    const session = new Session({
+      modelChanged: (mesh, name) => {
+        this.#showModel(new SceneMesh(mesh));
+        this.#emit('load', { name, info: mesh.info, parts: mesh.parts });
+      },
+      sitesChanged: () => this.#showSites(),
+      diagramChanged: (shown) => this.#showDiagram(shown),
+      settingsRestored: ({ metric, detail }) => {
+        this.setAttribute('metric', metric);
+        this.setAttribute('detail', String(detail));
+      },
+      statusChanged: (status) => {
+        this.setAttribute('status', status);
+        this.#emit('status-change', { status });
+      },
+      progressed: (share) => this.#emit('progress', { share }),
+      failed: (cause) => {
+        const message = cause instanceof Error ? cause.message : String(cause);
+        this.#emit('error', { type: 'loadfailure', message, cause });
+      },
+    });
+    canvas.addEventListener('keydown', (event) => {
+      const command = commandOf(event);
+      if (command === undefined) return;
+      event.preventDefault();
+      this.perform(command);
+    });
+    const resizing = new ResizeObserver(() => stage.resize(this.clientWidth, this.clientHeight));
+    resizing.observe(this);
+    const hovering = new LatestTask<SurfaceHit | undefined>((hit) => this.#tellHovered(hit));
+    return { canvas, stage, session, gestures, hovering, resizing };
+  }
+
+  #disconnect(): void {
+    if (!this.#connected) return;
+    const { stage, session, gestures, resizing } = this.#connected;
+    this.#connected = undefined;
+    gestures.dispose();
+    session.dispose();
+    resizing.disconnect();
+    this.#model?.drawing.dispose();
+    this.#model = undefined;
+    stage.dispose();
+    this.shadowRoot?.replaceChildren();
+    this.removeAttribute('status');
+  }
+
+  #applyAttributes(): void {
+    const changed = new Set(this.#changedAttributes);
+    this.#changedAttributes.clear();
+    if (!this.#connected) return;
+    if (changed.has('alt')) this.#connected.canvas.ariaLabel = this.alt || defaultLabel;
+    if (changed.has('layers')) this.#showLayers();
+    if (changed.has('metric') || changed.has('detail')) this.#configure();
+    if (changed.has('src') && this.src) void this.load(this.src);
+    else if (changed.has('sites') || changed.has('seed')) {
+      const { count, seed } = this.#initialSites;
+      void this.scatter(count, seed);
+    }
+  }
+
+  #configure(): void {
+    this.#session?.configure({
+      // What is no metric is for the library to refuse, which names those there are.
+      metric: (this.getAttribute('metric') ?? 'dgpc') as Metric,
+      detail: numberOf(this.getAttribute('detail'), 0),
+    });
+  }
+
+  get #initialSites(): { count: number; seed: number } {
+    return {
+      count: numberOf(this.getAttribute('sites'), 0),
+      seed: numberOf(this.getAttribute('seed'), 1),
+    };
+  }
+
+  #open(
+    read: (signal: AbortSignal, onProgress: (share: number) => void) => Promise<ModelFiles>,
+  ): Promise<boolean> {
+    return this.#session?.open(read, this.#initialSites) ?? Promise.resolve(false);
+  }
+
+  #draw(): void {
+    this.#connected?.stage.invalidate();
+  }
+
+  #showModel(mesh: SceneMesh): void {
+    const { stage, gestures } = this.#required();
+    gestures.cancel();
+    if (this.#model) {
+      stage.remove(this.#model.drawing.object);
+      this.#model.drawing.dispose();
+    }
+    this.#model = { drawing: new ModelDrawing(mesh), picker: new Picker(mesh) };
+    this.#hovering(undefined);
+    stage.add(this.#model.drawing.object);
+    this.#showLayers();
+    this.refit();
+  }
+
+  #showLayers(): void {
+    this.#model?.drawing.show(new Set(this.layers));
+    this.#draw();
+  }
+
+  #showSites(): void {
+    const session = this.#session;
+    if (!session || !this.#model) return;
+    const { selected } = this;
+    this.#model.drawing.setSites(session.sites, selected);
+    this.#draw();
+    this.#emit('sites-change', {
+      count: session.sites.length,
+      selected,
+      canUndo: session.canUndo,
+      canRedo: session.canRedo,
+    });
+  }
+
+  #showDiagram({ sites, diagram, metric, detail, milliseconds }: ShownDiagram): void {
+    const data = diagram?.data;
+    this.#model?.drawing.setDiagram(
+      data,
+      sites.map((site) => site.id),
+    );
+    this.#draw();
+    this.#hovering(this.#hovered);
+    this.#emit('diagram', {
+      sites: sites.length,
+      regions: data?.regionArea.reduce((count, area) => count + (area > 0 ? 1 : 0), 0) ?? 0,
+      segments: data?.segments.face.length ?? 0,
+      arcs: data ? data.arcs.labels.length / 2 : 0,
+      voronoiPoints: data?.voronoiPoints.point.length ?? 0,
+      metric,
+      detail,
+      milliseconds,
+    });
+  }
+
+  #pick(device: Vector2): SurfaceHit | undefined {
+    return this.#model?.picker.pick(device, this.#required().stage.camera);
+  }
+
+  #placeAt(device: Vector2): void {
+    const hit = this.#pick(device);
+    if (hit) this.addSite(hit);
+  }
+
+  #siteAt(x: number, y: number, reach: number): number | undefined {
+    if (!this.#model || !this.layers.includes('sites')) return undefined;
+    const { stage } = this.#required();
+    const { drawing, picker } = this.#model;
+    const sites: Sites = this.#session?.sites ?? [];
+    let nearest: number | undefined;
+    let nearestDistance = reach;
+    sites.forEach(({ id }, i) => {
+      const place = drawing.sitePlace(i);
+      const client = stage.toClient(place);
+      if (!client) return;
+      const distance = Math.hypot(client.x - x, client.y - y);
+      if (distance > nearestDistance || picker.hides(place, stage.camera)) return;
+      nearest = id;
+      nearestDistance = distance;
+    });
+    return nearest;
+  }
+
+  #drag(site: number, x: number, y: number): void {
+    const { stage, canvas } = this.#required();
+    canvas.style.cursor = 'grabbing';
+    const hit = this.#pick(stage.toDevice(x, y));
+    // Beside the model the site waits where it was last.
+    if (hit) this.#session?.moveSite(site, hit);
+  }
+
+  #selectNext(step: 1 | -1): void {
+    const count = this.#session?.sites.length ?? 0;
+    if (count === 0) return;
+    const { selected } = this;
+    if (selected < 0) this.selected = step > 0 ? 0 : count - 1;
+    else this.selected = (selected + step + count) % count;
+  }
+
+  #hover(x: number, y: number): void {
+    const { stage, canvas } = this.#required();
+    const hit = this.#pick(stage.toDevice(x, y));
+    const overSite = hit && this.#siteAt(x, y, 10) !== undefined;
+    canvas.style.cursor = overSite ? 'grab' : hit ? 'crosshair' : '';
+    this.#hovering(hit);
+  }
+
+  #hovering(hit: SurfaceHit | undefined): void {
+    if (!hit && !this.#hovered) return;
+    this.#hovered = hit;
+    this.#connected?.hovering.request(hit, { patient: true });
+  }
+
+  async #tellHovered(hit: SurfaceHit | undefined): Promise<void> {
+    const shown = this.#session?.shown;
+    const located = hit && (await this.#session?.locate({ face: [hit.face], bary: hit.bary }));
+    // The pointer or the diagram has moved on: its own answer follows.
+    if (hit !== this.#hovered || shown !== this.#session?.shown) return;
+    const region = located?.label[0] ?? -1;
+    if (this.#model?.drawing.outline(region)) this.#draw();
+    if (!hit || !located) {
+      this.#emit('hover', null);
+      return;
+    }
+    this.#emit('hover', {
+      face: hit.face,
+      bary: hit.bary,
+      region,
+      area: shown?.diagram?.data.regionArea[region] ?? 0,
+      distance: located.distance[0],
+      colour: this.#model?.drawing.regionColour(region),
+    });
+  }
+}
+
+function numberOf(attribute: string | null, otherwise: number): number {
+  const number = attribute === null || attribute.trim() === '' ? NaN : Number(attribute);
+  return Number.isFinite(number) ? number : otherwise;
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'geodesic-voronoi': GeodesicVoronoiElement;
+  }
+}
+
+const registry = globalThis.customElements as CustomElementRegistry | undefined;
+if (registry && !registry.get('geodesic-voronoi')) {
+  registry.define('geodesic-voronoi', GeodesicVoronoiElement);
+}

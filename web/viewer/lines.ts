@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+import type { DiagramData } from 'geodesic-voronoi';
+import { BufferAttribute, BufferGeometry, LineBasicMaterial, LineSegments } from 'three';
+import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
+import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
+import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
+import type { SceneMesh } from './scene_mesh.js';
+
+/** Line segments of a width in CSS pixels, at any zoom. */
+export class FatLines {
+  readonly object: LineSegments2;
+
+  constructor(style: { colour: number; width: number }) {
+    // Smoothed by multisampling alone: coverage by alpha would let the page shine through the canvas.
+    const material = new LineMaterial({ color: style.colour, linewidth: style.width });
+    this.object = new LineSegments2(new LineSegmentsGeometry(), material);
+    this.object.frustumCulled = false;
+    this.object.visible = false;
+  }
+
+  /** x, y, z of both ends, segment after segment. */
+  set(ends: Float32Array): void {
+    // A new geometry, since the old one would keep its first buffers.
+    this.object.geometry.dispose();
+    this.object.geometry = new LineSegmentsGeometry();
+    this.object.visible = ends.length > 0;
+    if (ends.length > 0) this.object.geometry.setPositions(ends);
+  }
+
+  dispose(): void {
+    this.object.geometry.dispose();
+    this.object.material.dispose();
+  }
+}
+
+/** The places in the scene of points of a diagram, by their indices. */
+export function pointPlaces(
+  mesh: SceneMesh,
+  { points }: DiagramData,
+  indices: ArrayLike<number>,
+): Float32Array {
+  const positions = new Float64Array(3 * indices.length);
+  for (let i = 0; i < indices.length; ++i) {
+    for (let axis = 0; axis < 3; ++axis) {
+      positions[3 * i + axis] = points.position[3 * indices[i] + axis];
+    }
+  }
+  return mesh.frame.toScene(positions);
+}
+
+/** Both ends of every segment of a region's loops, in the scene. */
+export function outlineEnds(mesh: SceneMesh, data: DiagramData, label: number): Float32Array {
+  const { loops } = data;
+  const chain: number[] = [];
+  for (let loop = 0; loop < loops.label.length; ++loop) {
+    if (loops.label[loop] !== label) continue;
+    const first = loops.offset[loop];
+    const end = loops.offset[loop + 1];
+    for (let i = first; i < end; ++i) {
+      chain.push(loops.points[i], loops.points[i + 1 < end ? i + 1 : first]);
+    }
+  }
+  return pointPlaces(mesh, data, chain);
+}
+
+/** The edges of the model's triangles, as thin lines. */
+export function wireframe(mesh: SceneMesh, colour: number): LineSegments {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(mesh.positions, 3));
+  geometry.setIndex(new BufferAttribute(edgesOf(mesh.indices), 1));
+  const material = new LineBasicMaterial({ color: colour, transparent: true, opacity: 0.28 });
+  const lines = new LineSegments(geometry, material);
+  lines.frustumCulled = false;
+  return lines;
+}
+
+/** Both vertices of every edge; an edge inside the surface once if its two faces share vertices. */
+function edgesOf(indices: Int32Array): Uint32Array {
+  const edges: number[] = [];
+  const sides = new Set<number>();
+  const vertexCount = indices.reduce((most, v) => Math.max(most, v), -1) + 1;
+  for (let i = 0; i < indices.length; ++i) {
+    const tail = indices[i];
+    const tip = indices[i % 3 === 2 ? i - 2 : i + 1];
+    const edge = Math.min(tail, tip) * vertexCount + Math.max(tail, tip);
+    if (sides.has(edge)) continue;
+    sides.add(edge);
+    edges.push(tail, tip);
+  }
+  return Uint32Array.from(edges);
+}

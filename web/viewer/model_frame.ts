@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+
+/**
+ * Where a model stands in the scene: its bounding box is centred on the origin and its farthest
+ * vertex is at distance 1. Models come in micrometres and in map coordinates; after this the camera,
+ * the depth buffer and 32-bit positions need not know.
+ */
+export class ModelFrame {
+  readonly #centre: readonly number[];
+  readonly #scale: number;
+
+  private constructor(centre: readonly number[], scale: number) {
+    this.#centre = centre;
+    this.#scale = scale;
+  }
+
+  /** The frame of the vertices that triangles with finite corners use. */
+  static around(positions: ArrayLike<number>, indices: ArrayLike<number>): ModelFrame {
+    const least = [Infinity, Infinity, Infinity];
+    const most = [-Infinity, -Infinity, -Infinity];
+    for (let i = 0; i < indices.length; ++i) {
+      for (let k = 0; k < 3; ++k) {
+        const x = positions[3 * indices[i] + k];
+        if (!Number.isFinite(x)) continue;
+        if (x < least[k]) least[k] = x;
+        if (x > most[k]) most[k] = x;
+      }
+    }
+    const centre = least.map((x, k) => (x <= most[k] ? (x + most[k]) / 2 : 0));
+    let radius = 0;
+    for (let i = 0; i < indices.length; ++i) {
+      const v = 3 * indices[i];
+      const r = Math.hypot(
+        positions[v] - centre[0],
+        positions[v + 1] - centre[1],
+        positions[v + 2] - centre[2],
+      );
+      if (r > radius && r < Infinity) radius = r;
+    }
+    return new ModelFrame(centre, radius > 0 ? 1 / radius : 1);
+  }
+
+  /** x, y, z triples of the model in the scene. Subtracted before rounding: far origins cost nothing. */
+  toScene(positions: ArrayLike<number>): Float32Array {
+    const scene = new Float32Array(positions.length);
+    for (let i = 0; i < positions.length; ++i) {
+      scene[i] = (positions[i] - this.#centre[i % 3]) * this.#scale;
+    }
+    return scene;
+  }
+}

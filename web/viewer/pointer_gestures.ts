@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+
+/** A press that moves farther than this, in CSS pixels, is a drag and never a click. */
+const clickRadius = 4;
+const longPressMilliseconds = 600;
+
+/** What gestures mean; places are on the page, sites are named by their identity. */
+export interface GestureTarget {
+  /** The site drawn there, within a finger's or a pointer's reach. */
+  siteAt(x: number, y: number, reach: number): number | undefined;
+  select(site: number): void;
+  move(site: number, x: number, y: number): void;
+  endMove(): void;
+  cancelMove(): void;
+  remove(site: number): void;
+  /** A click beside all sites. */
+  click(x: number, y: number): void;
+  hover(x: number, y: number): void;
+  leave(): void;
+}
+
+interface Press {
+  pointer: number;
+  x: number;
+  y: number;
+  site: number | undefined;
+  moved: boolean;
+}
+
+/**
+ * Clicks, drags of sites and hovering on a canvas. What begins on a site is kept from the camera's
+ * controls; the rest is left to them and only watched, to tell clicks from turning the model.
+ */
+export class PointerGestures {
+  readonly #canvas: HTMLCanvasElement;
+  readonly #target: GestureTarget;
+  readonly #listening = new AbortController();
+  #press: Press | undefined;
+  #longPress = 0;
+
+  /** Make it before the camera's controls, or they see a press on a site first. */
+  constructor(canvas: HTMLCanvasElement, target: GestureTarget) {
+    this.#canvas = canvas;
+    this.#target = target;
+    const { signal } = this.#listening;
+    const listen = (type: string, listener: (event: PointerEvent) => void, capture = false) =>
+      canvas.addEventListener(type, listener as EventListener, { signal, capture });
+    listen('pointerdown', (event) => this.#down(event), true);
+    listen('pointermove', (event) => this.#moveTo(event));
+    listen('pointerup', (event) => this.#up(event));
+    listen('pointercancel', () => this.cancel());
+    listen('pointerleave', () => this.#target.leave());
+    listen('contextmenu', (event) => event.preventDefault());
+  }
+
+  get dragging(): boolean {
+    return this.#press?.site !== undefined && this.#press.moved;
+  }
+
+  /** Forgets the press; a site that was dragged returns. */
+  cancel(): void {
+    if (this.dragging) this.#target.cancelMove();
+    this.#end();
+  }
+
+  dispose(): void {
+    this.cancel();
+    this.#listening.abort();
+  }
+
+  #down(event: PointerEvent): void {
+    if (this.#press) {
+      // A second finger: what began as a click or a drag of a site is a gesture of the camera now.
+      this.cancel();
+      return;
+    }
+    const { clientX: x, clientY: y, pointerId: pointer } = event;
+    const site = isPlain(event) ? this.#target.siteAt(x, y, reachOf(event)) : undefined;
+    this.#press = { pointer, x, y, site, moved: false };
+    if (site === undefined) return;
+
+    event.stopImmediatePropagation();
+    this.#canvas.focus({ preventScroll: true });
+    this.#canvas.setPointerCapture(pointer);
+    this.#target.select(site);
+    if (event.pointerType !== 'mouse') {
+      this.#longPress = window.setTimeout(() => {
+        this.#end();
+        this.#target.remove(site);
+      }, longPressMilliseconds);
+    }
+  }
+
+  #moveTo(event: PointerEvent): void {
+    const { clientX: x, clientY: y } = event;
+    const press = this.#press;
+    if (!press) {
+      this.#target.hover(x, y);
+      return;
+    }
+    if (event.pointerId !== press.pointer) return;
+    if (!press.moved && Math.hypot(x - press.x, y - press.y) <= clickRadius) return;
+    press.moved = true;
+    clearTimeout(this.#longPress);
+    if (press.site !== undefined) this.#target.move(press.site, x, y);
+  }
+
+  #up(event: PointerEvent): void {
+    const press = this.#press;
+    if (!press || event.pointerId !== press.pointer) return;
+    if (press.site !== undefined && press.moved) this.#target.endMove();
+    this.#end();
+    if (press.moved || press.site !== undefined) return;
+    const { clientX: x, clientY: y } = event;
+    if (isPlain(event)) {
+      this.#target.click(x, y);
+    } else if (event.button === 2) {
+      const site = this.#target.siteAt(x, y, reachOf(event));
+      if (site !== undefined) this.#target.remove(site);
+    }
+  }
+
+  #end(): void {
+    clearTimeout(this.#longPress);
+    this.#press = undefined;
+  }
+}
+
+/** With a modifier or another button the camera's controls pan. */
+function isPlain({ button, ctrlKey, metaKey, shiftKey }: PointerEvent): boolean {
+  return button === 0 && !ctrlKey && !metaKey && !shiftKey;
+}
+
+function reachOf({ pointerType }: PointerEvent): number {
+  return pointerType === 'touch' ? 22 : 10;
+}

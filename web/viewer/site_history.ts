@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+import type { SurfacePoints } from 'geodesic-voronoi';
+
+/** A site as the viewer edits it. The identity stays when it moves and when others come and go. */
+export interface Site {
+  readonly id: number;
+  readonly face: number;
+  readonly bary: readonly [number, number, number];
+}
+
+export type SitePlace = Pick<Site, 'face' | 'bary'>;
+export type Sites = readonly Site[];
+
+export function surfacePointsOf(sites: Sites): SurfacePoints {
+  return {
+    face: Int32Array.from(sites, (site) => site.face),
+    bary: Float64Array.from(sites.flatMap((site) => site.bary)),
+  };
+}
+
+/** The sites, and every earlier and undone list of them. Lists are never changed, only replaced. */
+export class SiteHistory {
+  #past: Sites[] = [];
+  #present: Sites = [];
+  #future: Sites[] = [];
+  #lastId = 0;
+
+  get present(): Sites {
+    return this.#present;
+  }
+
+  get canUndo(): boolean {
+    return this.#past.length > 0;
+  }
+
+  get canRedo(): boolean {
+    return this.#future.length > 0;
+  }
+
+  /** A site with a new identity. */
+  create({ face, bary }: SitePlace): Site {
+    return { id: ++this.#lastId, face, bary };
+  }
+
+  createAll({ face, bary }: { face: ArrayLike<number>; bary: ArrayLike<number> }): Sites {
+    return Array.from(face, (f, i) =>
+      this.create({ face: f, bary: [bary[3 * i], bary[3 * i + 1], bary[3 * i + 2]] }),
+    );
+  }
+
+  /** Begins anew: nothing to undo. */
+  reset(sites: Sites): void {
+    this.#past = [];
+    this.#present = sites;
+    this.#future = [];
+  }
+
+  /** A step that can be undone. */
+  record(sites: Sites): void {
+    this.#past.push(this.#present);
+    this.#present = sites;
+    this.#future = [];
+  }
+
+  /** The last step, changed: what a drag does after its first move. */
+  revise(sites: Sites): void {
+    this.#present = sites;
+  }
+
+  undo(): void {
+    const before = this.#past.pop();
+    if (!before) return;
+    this.#future.push(this.#present);
+    this.#present = before;
+  }
+
+  redo(): void {
+    const after = this.#future.pop();
+    if (!after) return;
+    this.#past.push(this.#present);
+    this.#present = after;
+  }
+
+  /** Takes the last step back for good. */
+  discard(): void {
+    const before = this.#past.pop();
+    if (before) this.#present = before;
+  }
+
+  /** Undoes or redoes until this list is there again; if it is none of them, it begins anew with it. */
+  returnTo(sites: Sites): void {
+    if (this.#past.includes(sites)) while (this.#present !== sites) this.undo();
+    else if (this.#future.includes(sites)) while (this.#present !== sites) this.redo();
+    else if (this.#present !== sites) this.reset(sites);
+  }
+}

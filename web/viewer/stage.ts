@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+import {
+  DirectionalLight,
+  HemisphereLight,
+  type Object3D,
+  PerspectiveCamera,
+  Scene,
+  Spherical,
+  Vector2,
+  Vector3,
+  WebGLRenderer,
+} from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+
+const fieldOfView = 32;
+/** Room around a framed model, as a share of the view. */
+const margin = 0.12;
+/** Where a framed model is looked at from. */
+const firstDirection = new Vector3(0.45, 0.32, 1).normalize();
+
+/**
+ * The scene with its camera, lights and controls on one canvas. It draws when something changed and
+ * not otherwise. What stands in it lies within the unit sphere (`ModelFrame`).
+ */
+export class Stage {
+  readonly camera = new PerspectiveCamera(fieldOfView, 1, 0.01, 10);
+  readonly #renderer: WebGLRenderer;
+  readonly #scene = new Scene();
+  readonly #controls: OrbitControls;
+  #drawing = 0;
+
+  /** Throws if there is no WebGL 2. */
+  constructor(canvas: HTMLCanvasElement) {
+    this.#renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
+    this.#renderer.setClearAlpha(0);
+    this.#scene.add(this.camera);
+    this.#addLights();
+
+    this.#controls = new OrbitControls(this.camera, canvas);
+    this.#controls.enableDamping = !matchMedia('(prefers-reduced-motion: reduce)').matches;
+    this.#controls.dampingFactor = 0.2;
+    this.#controls.zoomToCursor = true;
+    this.#controls.minDistance = 0.02;
+    this.#controls.maxDistance = 40;
+    this.#controls.addEventListener('change', () => this.invalidate());
+    canvas.addEventListener('webglcontextrestored', () => this.invalidate());
+  }
+
+  get canvas(): HTMLCanvasElement {
+    return this.#renderer.domElement;
+  }
+
+  /** Draws soon: once, however often it is called before. */
+  invalidate(): void {
+    this.#drawing ||= requestAnimationFrame(() => {
+      this.#drawing = 0;
+      // While the controls glide they change the camera, which calls for the next drawing.
+      this.#controls.update();
+      this.draw();
+    });
+  }
+
+  draw(): void {
+    this.#fitDepthRange();
+    this.#renderer.render(this.#scene, this.camera);
+  }
+
+  /** In CSS pixels. Draws at once: a resized canvas is empty. */
+  resize(width: number, height: number): void {
+    if (width === 0 || height === 0) return;
+    this.#renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.#renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    this.draw();
+  }
+
+  add(object: Object3D): void {
+    this.#scene.add(object);
+    this.invalidate();
+  }
+
+  remove(object: Object3D): void {
+    this.#scene.remove(object);
+    this.invalidate();
+  }
+
+  /** Looks at the origin so that all these points (x, y, z triples) just fit into the view. */
+  frame(points: Float32Array): void {
+    const back = firstDirection;
+    const right = new Vector3(0, 1, 0).cross(back).normalize();
+    const up = back.clone().cross(right);
+    const halfHeight = Math.tan((fieldOfView * Math.PI) / 360) * (1 - margin);
+    const halfWidth = halfHeight * this.camera.aspect;
+    let distance = 0;
+    const point = new Vector3();
+    for (let i = 0; i < points.length; i += 3) {
+      point.fromArray(points, i);
+      const needed =
+        point.dot(back) +
+        Math.max(Math.abs(point.dot(right)) / halfWidth, Math.abs(point.dot(up)) / halfHeight);
+      if (needed > distance && needed < Infinity) distance = needed;
+    }
+    this.#stopGliding();
+    this.#controls.target.set(0, 0, 0);
+    this.camera.position.copy(back).multiplyScalar(distance || 3);
+    this.#controls.update();
+    this.invalidate();
+  }
+
+  /** Turns the camera around what it looks at, in radians. */
+  orbit(right: number, up: number): void {
+    const { target } = this.#controls;
+    const place = new Spherical().setFromVector3(this.camera.position.clone().sub(target));
+    place.theta += right;
+    place.phi -= up;
+    place.makeSafe();
+    this.camera.position.setFromSpherical(place).add(target);
+    this.#controls.update();
+    this.invalidate();
+  }
+
+  /** Changes the distance to what the camera looks at by a factor. */
+  dolly(factor: number): void {
+    const { target } = this.#controls;
+    this.camera.position.sub(target).multiplyScalar(factor).add(target);
+    this.#controls.update();
+    this.invalidate();
+  }
+
+  /** Device coordinates (-1 … 1) of a place on the page. */
+  toDevice(clientX: number, clientY: number): Vector2 {
+    const box = this.canvas.getBoundingClientRect();
+    return new Vector2(
+      (2 * (clientX - box.left)) / box.width - 1,
+      1 - (2 * (clientY - box.top)) / box.height,
+    );
+  }
+
+  /** The place on the page of a point of the scene; undefined if it is behind the camera. */
+  toClient(point: Vector3): { x: number; y: number } | undefined {
+    this.camera.updateMatrixWorld();
+    const device = point.clone().project(this.camera);
+    if (device.z > 1) return undefined;
+    const box = this.canvas.getBoundingClientRect();
+    return {
+      x: box.left + ((device.x + 1) * box.width) / 2,
+      y: box.top + ((1 - device.y) * box.height) / 2,
+    };
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.#drawing);
+    this.#controls.dispose();
+    this.#renderer.dispose();
+    // Browsers allow few contexts at a time and collect them late.
+    this.#renderer.forceContextLoss();
+  }
+
+  /** What the controls still mean to add to the camera is dropped. */
+  #stopGliding(): void {
+    const { enableDamping } = this.#controls;
+    this.#controls.enableDamping = false;
+    this.#controls.update();
+    this.#controls.enableDamping = enableDamping;
+  }
+
+  /** They move with the camera, so what one looks at is always lit well. */
+  #addLights(): void {
+    const sky = new HemisphereLight(0xffffff, 0xa9a49c, 1.45);
+    const key = new DirectionalLight(0xffffff, 1.95);
+    key.position.set(-0.6, 0.9, 0.8);
+    key.target.position.set(0, 0, -1);
+    const rim = new DirectionalLight(0xdfe8ff, 0.45);
+    rim.position.set(0.9, -0.3, 0.2);
+    rim.target.position.set(0, 0, -1);
+    this.camera.add(key, key.target, rim, rim.target);
+    this.#scene.add(sky);
+  }
+
+  /** As tight around the unit sphere as it goes: depth is what tells lines from the surface. */
+  #fitDepthRange(): void {
+    const distance = this.camera.position.length();
+    this.camera.far = distance + 1.01;
+    this.camera.near = Math.max(distance - 1.01, 0.002);
+    this.camera.updateProjectionMatrix();
+  }
+}
