@@ -5,6 +5,7 @@
 // Surfaces. 2014
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "heap.h"
 #include "metric.h"
@@ -14,13 +15,13 @@
 namespace gvd {
 namespace {
 
-/// What one label knows at one vertex.
+/// What one label knows at one vertex. Entry v is the first one of vertex v, further ones follow
+/// behind those of all vertices: most vertices need no more than the first.
 struct Entry {
-  double distance;
-  double squared;
-  int label;
-  int vertex;
-  int next;  ///< the next entry of the same vertex, -1 at the end
+  double distance = kInfinity;
+  int label = -1;
+  int vertex = -1;
+  int next = -1;  ///< the next entry of the same vertex, -1 at the end
 };
 
 struct QueueItem {
@@ -33,62 +34,43 @@ struct QueueItem {
   }
 };
 
-/// The third corner of a face as seen from one of its sides: the halfedge runs along the x axis
-/// from the origin, the corner lies at y >= 0.
-struct Apex {
-  double length;  ///< of the halfedge
-  double x, y;
-};
-
-std::vector<Apex> layOutFaces(const TriangleMesh& mesh) {
-  std::vector<Apex> apex(mesh.halfedgeCount());
-  for (int f = 0; f < mesh.faceCount(); ++f) {
-    for (int i = 0; i < 3; ++i) {
-      const int h = 3 * f + i;
-      const double a = mesh.length(h), b = mesh.length(mesh.next(h)),
-                   c = mesh.length(mesh.previous(h));
-      const double x = ((c - b) * (c + b) + a * a) / (2 * a);
-      // Heron's product keeps needles accurate, where c² - x² would cancel.
-      const double product = (a + b + c) * (b + c - a) * (a + c - b) * (a + b - c);
-      apex[h] = {a, x, product > 0 ? std::sqrt(product) / (2 * a) : 0.0};
-    }
-  }
-  return apex;
-}
-
-constexpr double kUnreached = kInfinity;
-
-/// The squared distance at the apex of a halfedge by the Euclidean interpolant: the virtual source
-/// has the given distances from the halfedge's ends and lies across it. Infinity if there is none
-/// or the straight line from it to the apex does not cross the halfedge (section 2 of the draft).
-double unfold(const Apex& apex, double atTail, double atTip) {
+/// The distance at the apex of a halfedge by the Euclidean interpolant: the virtual source has the
+/// given distances from the halfedge's ends and lies across it (section 2 of the draft). Infinity
+/// if there is none, if the straight line from it to the apex does not cross the halfedge, or if it
+/// is no shorter than `known`.
+double unfold(const TriangleMesh::Layout& apex, double atTail, double atTip, double known) {
   const double d = apex.length;
   const double difference = atTail - atTip, sum = atTail + atTip;
+  const double x = (difference * sum + d * d) * apex.inverse;
+  // y², by Heron's product: c² - x² would cancel.
   const double product = (d - difference) * (d + difference) * (sum - d) * (sum + d);
+  const double ySquared = product * (apex.inverse * apex.inverse);
+  const double dx = apex.x - x;
+  // The apex is not nearer to the source than y and its own height make it, which spares the root
+  // wherever the wave has come from the apex's side.
+  if (!(dx * dx + apex.y * apex.y + ySquared < known * known)) return kInfinity;
   // Below zero the two distances fit no triangle. A source on the edge itself makes it zero, up to
   // rounding of sum - d.
   if (product < 0 && !(std::abs(sum - d) <= kDistanceTolerance * d && std::abs(difference) <= d))
-    return kUnreached;
-  const double x = (difference * sum + d * d) / (2 * d);
-  const double y = product > 0 ? std::sqrt(product) / (2 * d) : 0.0;
+    return kInfinity;
+  const double y = product > 0 ? std::sqrt(ySquared) : 0.0;
   const double height = apex.y + y;
   const double crossing = x * apex.y + apex.x * y;  // times height
-  if (crossing < 0 || crossing > d * height) return kUnreached;
-  const double dx = apex.x - x;
-  return dx * dx + height * height;
+  if (crossing < 0 || crossing > d * height) return kInfinity;
+  return std::sqrt(dx * dx + height * height);
 }
 
 /// A field of DGPC distances: per vertex the labels that may own a point of a face around it.
 class DgpcField final : public DistanceField {
  public:
   DgpcField(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
-            const std::vector<int>& head, const std::vector<Entry>& entries)
+            const std::vector<Entry>& entries)
       : mesh_(mesh), sites_(sites.begin(), sites.end()) {
-    offset_.reserve(head.size() + 1);
+    offset_.reserve(mesh.vertexCount() + 1);
     values_.reserve(entries.size());
     offset_.push_back(0);
-    for (int first : head) {
-      for (int e = first; e >= 0; e = entries[e].next)
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+      for (int e = v; e >= 0 && entries[e].label >= 0; e = entries[e].next)
         values_.push_back({entries[e].label, entries[e].distance});
       std::sort(values_.begin() + offset_.back(), values_.end(),
                 [](const auto& a, const auto& b) { return a.label < b.label; });
@@ -155,6 +137,12 @@ class DgpcField final : public DistanceField {
   std::vector<LabelledDistance> values_;
 };
 
+double meanEdgeLength(const TriangleMesh& mesh) {
+  double sum = 0;
+  for (int h = 0; h < mesh.halfedgeCount(); ++h) sum += mesh.length(h);
+  return sum / mesh.halfedgeCount();
+}
+
 /// One sweep of all labels through one queue. Label-correcting: an entry that has spread may
 /// improve again and then spreads again, which is what makes it exact in the plane for any
 /// triangulation.
@@ -163,22 +151,21 @@ class DgpcSweep final : public Propagation {
   DgpcSweep(const TriangleMesh& mesh, std::span<const SurfacePoint> sites)
       : mesh_(mesh),
         sites_(sites.begin(), sites.end()),
-        apex_(layOutFaces(mesh)),
         reach_(mesh.vertexCount(), 0.0),
-        head_(mesh.vertexCount(), -1),
-        best_(mesh.vertexCount(), kUnreached) {
+        entries_(mesh.vertexCount()),
+        best_(mesh.vertexCount(), kInfinity),
+        queue_(meanEdgeLength(mesh) / 2) {
     for (int h = 0; h < mesh.halfedgeCount(); ++h) {
       reach_[mesh.tail(h)] = std::max(reach_[mesh.tail(h)], 2 * mesh.length(h));
       reach_[mesh.tip(h)] = std::max(reach_[mesh.tip(h)], 2 * mesh.length(h));
     }
-    entries_.reserve(2 * static_cast<size_t>(mesh.vertexCount()));
+    entries_.reserve(2 * entries_.size());
     for (int label = 0; label < static_cast<int>(sites_.size()); ++label) seed(label);
   }
 
   bool step(long budget) override {
     for (; budget > 0 && !queue_.empty(); --budget) {
-      const QueueItem item = queue_.top();
-      queue_.pop();
+      const QueueItem item = queue_.pop();
       if (item.distance == entries_[item.entry].distance) settle(item.entry);
     }
     return queue_.empty();
@@ -187,20 +174,33 @@ class DgpcSweep final : public Propagation {
   double progress() const override {
     return queue_.empty()
                ? 1.0
-               : std::min(1.0, static_cast<double>(settledVertices_) / mesh_.vertexCount());
+               : std::min(1.0, static_cast<double>(reachedVertices_) / mesh_.vertexCount());
   }
 
   std::unique_ptr<DistanceField> take() override {
     equalizeTiesAtVertices();
     complete();
-    return std::make_unique<DgpcField>(mesh_, sites_, head_, entries_);
+    return std::make_unique<DgpcField>(mesh_, sites_, entries_);
   }
 
  private:
   int find(int vertex, int label) const {
-    int e = head_[vertex];
+    int e = vertex;
     while (e >= 0 && entries_[e].label != label) e = entries_[e].next;
     return e;
+  }
+
+  int add(int vertex, int label) {
+    Entry& first = entries_[vertex];
+    if (first.label < 0) {
+      first.label = label;
+      first.vertex = vertex;
+      return vertex;
+    }
+    const int entry = static_cast<int>(entries_.size());
+    const int next = std::exchange(first.next, entry);
+    entries_.push_back({kInfinity, label, vertex, next});
+    return entry;
   }
 
   /// The straight distances from a site to the corners of its face. On an edge the other face's
@@ -210,32 +210,25 @@ class DgpcSweep final : public Propagation {
     const auto sides = squaredSides(mesh_, site.face);
     for (int i = 0; i < 3; ++i)
       offer(mesh_.tail(3 * site.face + i), label, -1,
-            squaredDistance(site.bary, Eigen::Vector3d::Unit(i), sides));
+            std::sqrt(squaredDistance(site.bary, Eigen::Vector3d::Unit(i), sides)));
   }
 
-  /// Takes a squared distance for a label at a vertex if it is better than what is known by more
-  /// than rounding. `entry` is the label's entry there, -1 if it has none or none is known; the
-  /// entry is returned.
-  int offer(int vertex, int label, int entry, double squared) {
+  /// Takes a distance for a label at a vertex if it is better than what is known by more than
+  /// rounding. `entry` is the label's entry there, -1 if it has none or none is known; the entry is
+  /// returned.
+  int offer(int vertex, int label, int entry, double distance) {
     if (entry < 0) entry = find(vertex, label);
-    if (entry < 0) {
-      entry = static_cast<int>(entries_.size());
-      entries_.push_back({kUnreached, kUnreached, label, vertex, head_[vertex]});
-      head_[vertex] = entry;
-    }
+    if (entry < 0) entry = add(vertex, label);
     Entry& e = entries_[entry];
-    if (!(squared < e.squared * (1 - kDistanceTolerance))) return entry;
-    e.squared = squared;
-    e.distance = std::sqrt(squared);
-    if (e.distance < best_[vertex]) {
-      if (best_[vertex] == kUnreached) ++settledVertices_;
-      best_[vertex] = e.distance;
+    if (!(distance < e.distance * (1 - kDistanceTolerance))) return entry;
+    e.distance = distance;
+    if (distance < best_[vertex]) {
+      if (best_[vertex] == kInfinity) ++reachedVertices_;
+      best_[vertex] = distance;
     }
-    queue_.push({e.distance, entry});
+    queue_.push({distance, entry});
     return entry;
   }
-
-  double squaredAt(int entry) const { return entry < 0 ? kUnreached : entries_[entry].squared; }
 
   /// Spreads an entry over the faces around its vertex.
   void settle(int entry) {
@@ -265,24 +258,21 @@ class DgpcSweep final : public Propagation {
   /// does, along the edge of the given length from `from.vertex`.
   int improve(int across, int vertex, int entry, int other, const Entry& from, double length,
               bool fromTail) {
-    const double known = squaredAt(entry);
-    double squared = kUnreached;
+    const double known = entry < 0 ? kInfinity : entries_[entry].distance;
+    double distance = kInfinity;
     if (other >= 0) {
       const double beside = entries_[other].distance;
-      squared = fromTail ? unfold(apex_[across], from.distance, beside)
-                         : unfold(apex_[across], beside, from.distance);
+      distance = fromTail ? unfold(mesh_.layout(across), from.distance, beside, known)
+                          : unfold(mesh_.layout(across), beside, from.distance, known);
     }
-    if (squared == kUnreached) {
-      const double along = from.distance + length;
-      squared = along * along;
-    }
-    return squared < known ? offer(vertex, from.label, entry, squared) : entry;
+    if (distance == kInfinity) distance = from.distance + length;
+    return distance < known ? offer(vertex, from.label, entry, distance) : entry;
   }
 
   /// Whether one other label is nearer than `from` at its vertex and all around it: then the linear
   /// interpolants leave `from` nothing in those faces.
   bool isDominated(const Entry& from) const {
-    for (int e = head_[from.vertex]; e >= 0; e = entries_[e].next) {
+    for (int e = from.vertex; e >= 0; e = entries_[e].next) {
       const Entry& other = entries_[e];
       if (other.label != from.label &&
           isNearer(other.label, other.distance, from.label, from.distance) &&
@@ -299,8 +289,8 @@ class DgpcSweep final : public Propagation {
 
   bool isNearerAround(int label, const Entry& from) const {
     const auto isNearerAt = [&](int vertex, double length) {
-      double theirs = kUnreached, ours = from.distance + length;
-      for (int e = head_[vertex]; e >= 0; e = entries_[e].next) {
+      double theirs = kInfinity, ours = from.distance + length;
+      for (int e = vertex; e >= 0; e = entries_[e].next) {
         if (entries_[e].label == label) theirs = entries_[e].distance;
         if (entries_[e].label == from.label) ours = entries_[e].distance;
       }
@@ -319,14 +309,13 @@ class DgpcSweep final : public Propagation {
 
   void equalizeTiesAtVertices() {
     std::vector<LabelledDistance> here;
-    for (int first : head_) {
-      if (first < 0 || entries_[first].next < 0) continue;
+    for (int v = 0; v < mesh_.vertexCount(); ++v) {
+      if (entries_[v].next < 0) continue;
       here.clear();
-      for (int e = first; e >= 0; e = entries_[e].next)
+      for (int e = v; e >= 0; e = entries_[e].next)
         here.push_back({entries_[e].label, entries_[e].distance});
       equalizeTies(here);
-      for (const LabelledDistance& d : here)
-        entries_[find(entries_[first].vertex, d.label)].distance = d.distance;
+      for (const LabelledDistance& d : here) entries_[find(v, d.label)].distance = d.distance;
     }
   }
 
@@ -346,7 +335,7 @@ class DgpcSweep final : public Propagation {
   void completeFace(int f, std::vector<int>& changed) {
     for (int h = 3 * f; h < 3 * f + 3; ++h) {
       const int apex = mesh_.tail(mesh_.previous(h));
-      for (int e = head_[mesh_.tail(h)]; e >= 0; e = entries_[e].next) {
+      for (int e = mesh_.tail(h); e >= 0 && entries_[e].label >= 0; e = entries_[e].next) {
         if (find(apex, entries_[e].label) >= 0) continue;
         const int atTip = find(mesh_.tip(h), entries_[e].label);
         if (atTip < 0 || isHidden(e, atTip)) continue;
@@ -368,7 +357,7 @@ class DgpcSweep final : public Propagation {
     const auto isNearerExactly = [](const Entry& a, const Entry& b) {
       return a.distance < b.distance || (a.distance == b.distance && a.label < b.label);
     };
-    for (int e = head_[tail.vertex]; e >= 0; e = entries_[e].next) {
+    for (int e = tail.vertex; e >= 0; e = entries_[e].next) {
       if (!isNearerExactly(entries_[e], tail)) continue;
       const int other = find(tip.vertex, entries_[e].label);
       if (other >= 0 && isNearerExactly(entries_[other], tip)) return true;
@@ -379,26 +368,23 @@ class DgpcSweep final : public Propagation {
   /// Gives a label a distance at the apex of h from those at its ends.
   void extend(int h, double atTail, double atTip, int label) {
     const int vertex = mesh_.tail(mesh_.previous(h));
-    double distance = std::sqrt(unfold(apex_[h], atTail, atTip));
-    if (distance == kUnreached)
+    double distance = unfold(mesh_.layout(h), atTail, atTip, kInfinity);
+    if (distance == kInfinity)
       distance =
           std::min(atTail + mesh_.length(mesh_.previous(h)), atTip + mesh_.length(mesh_.next(h)));
-    for (int e = head_[vertex]; e >= 0; e = entries_[e].next)
+    for (int e = vertex; e >= 0; e = entries_[e].next)
       if (std::abs(entries_[e].distance - distance) <= kDistanceTolerance * distance)
         distance = entries_[e].distance;
-    entries_.push_back({distance, distance * distance, label, vertex, head_[vertex]});
-    head_[vertex] = static_cast<int>(entries_.size()) - 1;
+    entries_[add(vertex, label)].distance = distance;
   }
 
   const TriangleMesh& mesh_;
   std::vector<SurfacePoint> sites_;
-  std::vector<Apex> apex_;
   std::vector<double> reach_;  ///< per vertex, twice the longest edge around
   std::vector<Entry> entries_;
-  std::vector<int> head_;
   std::vector<double> best_;
-  QuaternaryHeap<QueueItem> queue_;
-  long settledVertices_ = 0;
+  SweepQueue<QueueItem> queue_;
+  long reachedVertices_ = 0;
 };
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <cstring>
 #include <fstream>  // tinygltf needs it and with TINYGLTF_NO_FS does not include it
+#include <numeric>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -49,8 +50,6 @@ constexpr std::uint64_t kMaxElements = std::uint64_t{1} << 24;
 
 std::string number(std::uint64_t n) { return std::to_string(n); }
 
-std::string quoted(const std::string& text) { return '"' + text + '"'; }
-
 // --- The container -----------------------------------------------------------------------------
 
 struct Container {
@@ -68,10 +67,28 @@ std::uint32_t uint32At(Bytes bytes, std::size_t offset) {
   return value;
 }
 
-/// Header: magic, version, length. Then chunks: length, type, content. The first is the JSON, the
-/// second may be binary; others are to be ignored.
+struct Chunk {
+  std::uint32_t type = 0;
+  Bytes content;
+};
+
+/// The chunk that `rest` begins with (length, type, content), taken off it; none if it is at its
+/// end.
+Chunk takeChunk(Bytes& rest) {
+  constexpr std::size_t kHeaderSize = 8;
+  if (rest.size() < kHeaderSize) return {};
+  const std::uint32_t length = uint32At(rest, 0), type = uint32At(rest, 4);
+  rest = rest.subspan(kHeaderSize);
+  if (length > rest.size()) reject("a chunk of the GLB reaches past its end");
+  const Bytes content = rest.first(length);
+  rest = rest.subspan(length);
+  return {type, content};
+}
+
+/// Header (magic, version, length), then chunks: the first is the JSON, the second may be binary,
+/// others are to be ignored.
 Container openGlb(Bytes bytes) {
-  constexpr std::size_t kHeaderSize = 12, kChunkHeaderSize = 8;
+  constexpr std::size_t kHeaderSize = 12;
   constexpr std::uint32_t kJson = 0x4E4F534A, kBin = 0x004E4942;
 
   if (bytes.size() < kHeaderSize) reject("the GLB is truncated within its header");
@@ -81,20 +98,11 @@ Container openGlb(Bytes bytes) {
     reject("the GLB is truncated: it should have " + number(length) + " bytes but has " +
            number(bytes.size()));
   }
-  std::vector<std::pair<std::uint32_t, Bytes>> chunks;
-  for (Bytes rest = bytes.first(length).subspan(std::min<std::size_t>(kHeaderSize, length));
-       rest.size() >= kChunkHeaderSize && chunks.size() < 2;) {
-    const std::uint32_t size = uint32At(rest, 0), type = uint32At(rest, 4);
-    rest = rest.subspan(kChunkHeaderSize);
-    if (size > rest.size()) reject("a chunk of the GLB reaches past its end");
-    chunks.emplace_back(type, rest.first(size));
-    rest = rest.subspan(size);
-  }
-  if (chunks.empty() || chunks[0].first != kJson)
-    reject("the GLB does not begin with a JSON chunk");
-  Container container{asText(chunks[0].second), std::nullopt};
-  if (chunks.size() > 1 && chunks[1].first == kBin) container.bin = chunks[1].second;
-  return container;
+  Bytes rest = bytes.first(length).subspan(std::min<std::size_t>(kHeaderSize, length));
+  const Chunk json = takeChunk(rest), bin = takeChunk(rest);
+  if (json.type != kJson) reject("the GLB does not begin with a JSON chunk");
+  if (bin.type != kBin) return {asText(json.content), std::nullopt};
+  return {asText(json.content), bin.content};
 }
 
 Container openContainer(Bytes bytes) {
@@ -149,6 +157,8 @@ json parseDocument(std::string_view text) {
     document = json::parse(text, keep);
   } catch (const json::parse_error& error) {
     reject("the JSON is malformed at byte " + number(error.byte));
+  } catch (const json::out_of_range&) {
+    reject("the JSON has a number that is too large");
   }
   if (!document.is_object()) reject("the JSON is not an object");
   return document;
@@ -188,14 +198,16 @@ void requireKnownExtensions(const json& document) {
   }
 }
 
-tinygltf::Model parseModel(json document) {
-  document.erase("buffers");  // ours: tinygltf would refuse many valid ones
+/// A document without buffers: those are read here, for tinygltf refuses many valid ones.
+tinygltf::Model parseModel(const json& document) {
   const std::string text = document.dump(-1, ' ', false, json::error_handler_t::replace);
   tinygltf::Model model;
   tinygltf::TinyGLTF parser;
   std::string error, warning;
-  const bool parsed = parser.LoadASCIIFromString(&model, &error, &warning, text.data(),
-                                                 static_cast<unsigned int>(text.size()), "", 0);
+  constexpr unsigned int kRequireNothing = 0;
+  const bool parsed =
+      parser.LoadASCIIFromString(&model, &error, &warning, text.data(),
+                                 static_cast<unsigned int>(text.size()), "", kRequireNothing);
   // An object that tinygltf leaves out for a fault would shift the numbers of those after it.
   if (!parsed || !error.empty()) {
     reject("the glTF is invalid: " + error.substr(0, error.find_last_not_of(".\n") + 1));
@@ -277,23 +289,28 @@ std::string dataUriContent(std::string_view uri, const std::string& owner) {
   return *std::move(decoded);
 }
 
+void requireIndex(int index, std::size_t count, const std::string& what, const std::string& owner) {
+  if (index >= 0 && static_cast<std::size_t>(index) < count) return;
+  reject(owner + " names " + what + " " + std::to_string(index) + ", but the glTF has " +
+         number(count));
+}
+
 /// The buffers of a document, each found when it is first asked for: files name buffers that no
 /// triangle needs.
 class Buffers {
  public:
-  Buffers(const json& document, std::optional<Bytes> bin, std::span<const GltfResource> resources)
+  /// Takes the buffers out of the document.
+  Buffers(json& document, std::optional<Bytes> bin, std::span<const GltfResource> resources)
       : bin_(bin), resources_(resources) {
     const auto list = document.find("buffers");
     if (list == document.end()) return;
-    for (const json& buffer : *list) buffers_.push_back({buffer, {}, {}});
+    for (json& buffer : *list) buffers_.push_back({std::move(buffer), {}, {}});
+    document.erase(list);
   }
 
   /// The `byteLength` bytes of a buffer that `owner` names.
   Bytes at(int index, const std::string& owner) {
-    if (index < 0 || index >= static_cast<int>(buffers_.size())) {
-      reject(owner + " names buffer " + std::to_string(index) + ", but there are " +
-             number(buffers_.size()) + " buffers");
-    }
+    requireIndex(index, buffers_.size(), "buffer", owner);
     Buffer& buffer = buffers_[index];
     if (!buffer.bytes) buffer.bytes = load(buffer, index);
     return *buffer.bytes;
@@ -308,22 +325,24 @@ class Buffers {
 
   Bytes load(Buffer& buffer, int index) {
     const std::string name = "buffer " + std::to_string(index);
-    const json length = property(buffer.object, "byteLength");
-    if (!length.is_number_unsigned()) reject(name + " has no valid byteLength");
-    const Bytes bytes = content(buffer, index, name);
-    if (length.get<std::uint64_t>() > bytes.size()) {
-      reject(name + " should have " + length.dump() + " bytes but has " + number(bytes.size()));
+    const auto length = buffer.object.find("byteLength");
+    if (length == buffer.object.end() || !length->is_number_unsigned()) {
+      reject(name + " has no valid byteLength");
     }
-    return bytes.first(length.get<std::size_t>());
+    const Bytes bytes = content(buffer, index, name);
+    if (length->get<std::uint64_t>() > bytes.size()) {
+      reject(name + " should have " + length->dump() + " bytes but has " + number(bytes.size()));
+    }
+    return bytes.first(length->get<std::size_t>());
   }
 
   Bytes content(Buffer& buffer, int index, const std::string& name) {
-    const json uri = property(buffer.object, "uri");
-    if (!uri.is_string()) {
+    const auto uri = buffer.object.find("uri");
+    if (uri == buffer.object.end() || !uri->is_string()) {
       if (index == 0 && bin_) return *bin_;
       reject(name + " has no uri, and there is no binary chunk for it");
     }
-    const std::string& text = uri.get_ref<const std::string&>();
+    const std::string& text = uri->get_ref<const std::string&>();
     if (isDataUri(text)) {
       buffer.decoded = dataUriContent(text, name);
       return std::as_bytes(std::span(buffer.decoded));
@@ -331,11 +350,7 @@ class Buffers {
     for (const GltfResource& resource : resources_) {
       if (percentDecoded(resource.uri) == percentDecoded(text)) return resource.bytes;
     }
-    reject(name + " is in the file " + quoted(text) + ", which is missing");
-  }
-
-  static json property(const json& object, const char* key) {
-    return object.is_object() ? object.value(key, json()) : json();
+    reject(name + " is in the file \"" + text + "\", which is missing");
   }
 
   std::optional<Bytes> bin_;
@@ -471,8 +486,9 @@ class SceneReader {
     std::vector<Visit> stack;
     const auto push = [&](const std::vector<int>& nodes, const std::string& parent,
                           const Eigen::Affine3d& transform) {
-      for (auto n = nodes.rbegin(); n != nodes.rend(); ++n)
+      for (auto n = nodes.rbegin(); n != nodes.rend(); ++n) {
         stack.push_back({*n, parent, transform});
+      }
     };
     std::vector<char> visited(model_.nodes.size(), false);
     push(roots, "the scene", Eigen::Affine3d::Identity());
@@ -555,22 +571,16 @@ class SceneReader {
     requireUncompressed(primitive, position->second, name);
 
     const std::vector<double> positions = numbers(position->second, kPositions, name);
-    const int vertexCount = static_cast<int>(positions.size() / 3);
-    std::vector<double> indices;
-    if (primitive.indices != -1) indices = numbers(primitive.indices, kIndices, name);
-    const auto vertexAt = [&](int corner) {
-      return primitive.indices == -1 ? corner : checkedVertex(indices[corner], vertexCount, name);
-    };
-    const int cornerCount =
-        primitive.indices == -1 ? vertexCount : static_cast<int>(indices.size());
+    const std::vector<int> corners =
+        cornerVertices(primitive, static_cast<int>(positions.size() / 3), name);
 
     GltfScene::Part part{node, meshIndex, primitiveIndex, triangleCount(), 0, {}};
     part.name = node >= 0 && !model_.nodes[node].name.empty() ? model_.nodes[node].name : mesh.name;
     const int firstVertex = static_cast<int>(scene_.positions.size() / 3);
     const bool mirrored = transform.linear().determinant() < 0;
-    forEachTriangle(primitive.mode, cornerCount, [&](int i, int j, int k) {
+    forEachTriangle(primitive.mode, static_cast<int>(corners.size()), [&](int i, int j, int k) {
       if (mirrored) std::swap(j, k);
-      for (int corner : {i, j, k}) scene_.triangles.push_back(firstVertex + vertexAt(corner));
+      for (int corner : {i, j, k}) scene_.triangles.push_back(firstVertex + corners[corner]);
     });
     addVertices(positions, transform);
     part.triangleCount = triangleCount() - part.firstTriangle;
@@ -578,6 +588,27 @@ class SceneReader {
     if (scene_.triangles.size() / 3 > kMaxElements || scene_.positions.size() / 3 > kMaxElements) {
       reject("the scene has more than " + number(kMaxElements) + " vertices or triangles");
     }
+  }
+
+  /// The vertex at each corner of a primitive: as its indices say, else one after the other.
+  std::vector<int> cornerVertices(const tinygltf::Primitive& primitive, int vertexCount,
+                                  const std::string& name) {
+    std::vector<int> corners;
+    if (primitive.indices == -1) {
+      corners.resize(vertexCount);
+      std::iota(corners.begin(), corners.end(), 0);
+      return corners;
+    }
+    const std::vector<double> indices = numbers(primitive.indices, kIndices, name);
+    corners.reserve(indices.size());
+    for (double index : indices) {
+      if (index >= vertexCount) {
+        reject(name + " has vertex index " + number(static_cast<std::uint64_t>(index)) +
+               ", but there are " + std::to_string(vertexCount) + " positions");
+      }
+      corners.push_back(static_cast<int>(index));
+    }
+    return corners;
   }
 
   /// Without its extension, what a compressed primitive has for positions is zeros.
@@ -590,12 +621,6 @@ class SceneReader {
       reject(name + " is compressed with " + extension +
              ", which has to be decompressed before it is read here");
     }
-  }
-
-  static int checkedVertex(double index, int vertexCount, const std::string& name) {
-    if (index < vertexCount) return static_cast<int>(index);
-    reject(name + " has vertex index " + number(static_cast<std::uint64_t>(index)) +
-           ", but there are " + std::to_string(vertexCount) + " positions");
   }
 
   void addVertices(const std::vector<double>& positions, const Eigen::Affine3d& transform) {
@@ -662,8 +687,9 @@ class SceneReader {
     const Elements source = elements(values.bufferView, values.byteOffset, count, size, name);
     for (int i = 0; i < count; ++i) {
       const auto place = static_cast<std::uint64_t>(type.load(places.at(i)));
-      if (place >= accessor.count)
+      if (place >= accessor.count) {
         reject(name + " has the index " + number(place) + " past its end");
+      }
       store(place, source.at(i));
     }
   }
@@ -695,17 +721,8 @@ class SceneReader {
     return {buffer.data() + view.byteOffset + offset, stride};
   }
 
-  // Messages
-
-  static void requireIndex(int index, std::size_t count, const std::string& what,
-                           const std::string& owner) {
-    if (index >= 0 && static_cast<std::size_t>(index) < count) return;
-    reject(owner + " names " + what + " " + std::to_string(index) + ", but there are " +
-           number(count));
-  }
-
   void note(int count, const std::string& text) {
-    if (count > 0) scene_.notes.push_back(std::to_string(count) + " " + text);
+    if (count > 0) scene_.notes.push_back(text + " (" + std::to_string(count) + ")");
   }
 
   const tinygltf::Model& model_;
@@ -722,7 +739,7 @@ GltfScene readGltf(std::span<const std::byte> bytes, std::span<const GltfResourc
   requireVersion2(document);
   requireKnownExtensions(document);
   Buffers buffers(document, container.bin, resources);
-  const tinygltf::Model model = parseModel(std::move(document));
+  const tinygltf::Model model = parseModel(document);
   return SceneReader(model, std::move(buffers)).read();
 }
 

@@ -48,4 +48,52 @@ class QuaternaryHeap {
   std::vector<Item> items_;
 };
 
+/// A priority queue for sweeps, least first, in exactly the order a heap would give: items wait
+/// unsorted in buckets of a range of keys, and only the bucket at hand is a heap, small enough to
+/// stay in the cache. An item below the bucket at hand joins it.
+///
+/// `Item` has a member `distance` >= 0, the leading part of its order.
+template <class Item>
+class SweepQueue {
+ public:
+  /// `width` of a bucket: about as much as keys differ between neighbours. Keys beyond the last
+  /// bucket share it.
+  explicit SweepQueue(double width) : inverseWidth_(1 / width) {}
+
+  bool empty() const { return size_ == 0; }
+
+  void push(const Item& item) {
+    ++size_;
+    const double place = item.distance * inverseWidth_;
+    const size_t bucket = place < kMaxBuckets ? static_cast<size_t>(place) : kMaxBuckets;
+    if (bucket <= current_) {
+      heap_.push(item);
+    } else {
+      if (bucket >= buckets_.size()) buckets_.resize(bucket + 1);
+      buckets_[bucket].push_back(item);
+    }
+  }
+
+  Item pop() {
+    while (heap_.empty()) {
+      ++current_;
+      for (const Item& item : buckets_[current_]) heap_.push(item);
+      buckets_[current_] = {};
+    }
+    --size_;
+    const Item item = heap_.top();
+    heap_.pop();
+    return item;
+  }
+
+ private:
+  static constexpr size_t kMaxBuckets = 1 << 16;
+
+  double inverseWidth_;
+  QuaternaryHeap<Item> heap_;
+  std::vector<std::vector<Item>> buckets_;
+  size_t current_ = 0;
+  size_t size_ = 0;
+};
+
 }  // namespace gvd

@@ -323,6 +323,18 @@ double angleBetween(double a, double b, double c) {
          std::atan2(std::sqrt((a - b) + c) * std::sqrt(mu), std::sqrt(a + (b + c)) * std::sqrt(nu));
 }
 
+/// Places the apex that is b from the tip and c from the tail of the laid out halfedge.
+void layOut(double b, double c, TriangleMesh::Layout& layout) {
+  const double a = layout.length;
+  layout.inverse = 1 / (2 * a);
+  layout.x = ((c - b) * (c + b) + a * a) * layout.inverse;
+  // Heron's product keeps needles accurate, where c² - x² would cancel. Roots before products, as
+  // above.
+  const double mu = std::max(0.0, (a + b - c)) * std::max(0.0, a + c - b);
+  const double nu = (a + b + c) * std::max(0.0, b + c - a);
+  layout.y = std::sqrt(mu) * std::sqrt(nu) * layout.inverse;
+}
+
 // --- Where the input went ----------------------------------------------------------------------
 
 /// For each degenerate triangle, a face with corners at all of its places, or -1; the other entries
@@ -498,16 +510,17 @@ void TriangleMesh::copyPositions(std::span<const double> positions) {
 }
 
 void TriangleMesh::measure() {
-  length_.resize(halfedgeCount());
+  layout_.resize(halfedgeCount());
   angle_.resize(halfedgeCount());
   angleSum_.assign(vertexCount(), 0);
   for (int h = 0; h < halfedgeCount(); ++h) {
     // The same bits for both halfedges: a difference turned around changes its signs only.
-    length_[h] = lengthOf(position(tip(h)) - position(tail(h)));
+    layout_[h].length = lengthOf(position(tip(h)) - position(tail(h)));
   }
   for (int h = 0; h < halfedgeCount(); ++h) {
     angle_[h] = angleBetween(length(h), length(previous(h)), length(next(h)));
     angleSum_[tail(h)] += angle_[h];
+    layOut(length(next(h)), length(previous(h)), layout_[h]);
   }
 }
 

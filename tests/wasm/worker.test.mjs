@@ -34,17 +34,19 @@ function fakeWorker(loadEngine) {
   return { worker, sent };
 }
 
-async function loadThroughChannel() {
+/** The library over such a worker, until the test is over. */
+async function loadThroughChannel(t) {
   let engine;
   const { worker, sent } = fakeWorker(async (from) => (engine = await LocalEngine.load(from)));
   const library = new Library(await WorkerEngine.start(worker, sources()));
+  t.after(() => library.dispose());
   return { library, worker, sent, engine: () => engine };
 }
 
 const fails = (code, message = /./) => ({ name: 'GeodesicVoronoiError', code, message });
 
-test('a worker answers as the calling thread does', async () => {
-  const { library: there } = await loadThroughChannel();
+test('a worker answers as the calling thread does', async (t) => {
+  const { library: there } = await loadThroughChannel(t);
   const here = await load();
   assert.equal(there.version, here.version);
   const answers = await Promise.all(
@@ -60,30 +62,27 @@ test('a worker answers as the calling thread does', async () => {
     }),
   );
   assert.deepEqual(answers[0], answers[1]);
-  there.dispose();
 });
 
-test('errors keep their code and their message', async () => {
-  const { library } = await loadThroughChannel();
+test('errors keep their code and their message', async (t) => {
+  const { library } = await loadThroughChannel(t);
   await assert.rejects(library.mesh(new Uint8Array(9)), fails('invalid-gltf'));
   const mesh = await library.mesh(octahedron());
   await assert.rejects(mesh.voronoi({ vertex: [6] }), fails('invalid-point', /6/));
-  library.dispose();
 });
 
-test('arrays of the caller are not taken away', async () => {
-  const { library } = await loadThroughChannel();
+test('arrays of the caller are not taken away', async (t) => {
+  const { library } = await loadThroughChannel(t);
   const bytes = glb(octahedron());
   const mesh = await library.mesh(bytes);
   assert.ok(bytes.length > 0);
   const sites = await mesh.sampleSites(4);
   await mesh.voronoi(sites);
   assert.equal(sites.face.length, 4);
-  library.dispose();
 });
 
-test('giving up is immediate, and the worker stops too', async () => {
-  const { library, sent } = await loadThroughChannel();
+test('giving up is immediate, and the worker stops too', async (t) => {
+  const { library, sent } = await loadThroughChannel(t);
   const mesh = await library.mesh(grid(150));
   const sites = await mesh.sampleSites(300);
   const controller = new AbortController();
@@ -98,38 +97,36 @@ test('giving up is immediate, and the worker stops too', async () => {
   await mesh.voronoi({ vertex: [0] });
   assert.equal(shares, 1);
   await assert.rejects(mesh.voronoi(sites, { signal: controller.signal }), reason);
-  library.dispose();
 });
 
-test('a diagram that is done before its abortion arrives is freed', async () => {
-  const { library, sent, engine } = await loadThroughChannel();
+test('a diagram that is done before its abortion arrives is freed', async (t) => {
+  const { library, sent, engine } = await loadThroughChannel(t);
   const mesh = await library.mesh(octahedron());
-  const controller = new AbortController();
-  const abandoned = mesh.voronoi({ vertex: [0] }, { signal: controller.signal });
   // The far side misses the signal: its answer comes after all.
   const far = engine();
   const openDiagram = far.openDiagram.bind(far);
   far.openDiagram = (...args) => openDiagram(...args.slice(0, 3), {});
-  await new Promise(setImmediate);
+  const controller = new AbortController();
+  const sites = await mesh.sampleSites(2);
+  const abandoned = mesh.voronoi(sites, { signal: controller.signal });
+  while (sent.at(-1).call !== 'openDiagram') await null;
   controller.abort();
   await assert.rejects(abandoned, { name: 'AbortError' });
-  await mesh.voronoi({ vertex: [1] });
+  await mesh.voronoi(sites);
   assert.ok(sent.some((message) => 'close' in message));
-  library.dispose();
 });
 
-test('what a listener throws ends the task', async () => {
-  const { library } = await loadThroughChannel();
+test('what a listener throws ends the task', async (t) => {
+  const { library } = await loadThroughChannel(t);
   const mesh = await library.mesh(octahedron());
   const onProgress = () => {
     throw new Error('no screen');
   };
   await assert.rejects(mesh.voronoi({ vertex: [0] }, { onProgress }), /no screen/);
-  library.dispose();
 });
 
-test('disposing frees on the far side, and ends what waits', async () => {
-  const { library, sent } = await loadThroughChannel();
+test('disposing frees on the far side, and ends what waits', async (t) => {
+  const { library, sent } = await loadThroughChannel(t);
   const mesh = await library.mesh(octahedron());
   mesh.dispose();
   mesh.dispose();
@@ -141,7 +138,7 @@ test('disposing frees on the far side, and ends what waits', async () => {
   await assert.rejects(library.mesh(octahedron()), fails('disposed'));
 });
 
-test('a worker that does not load, or stops, says so', async () => {
+test('a worker that does not load, or stops, says so', async (t) => {
   const silent = { onmessage: null, onerror: null, postMessage() {}, terminate() {} };
   const starting = WorkerEngine.start(silent, sources());
   silent.onerror({ message: '' });
@@ -151,7 +148,7 @@ test('a worker that does not load, or stops, says so', async () => {
   const broken = WorkerEngine.start(worker, { ...sources(), wasm: new Uint8Array(10) });
   await assert.rejects(broken, fails('load-failed', /magic/));
 
-  const { library, worker: running } = await loadThroughChannel();
+  const { library, worker: running } = await loadThroughChannel(t);
   const waiting = library.mesh(octahedron());
   running.onerror({ message: 'out of memory' });
   await assert.rejects(waiting, fails('internal', /out of memory/));

@@ -118,7 +118,8 @@ export class ViewerPage {
   /** Does something, and waits for the viewer's next event of a type and for its rest. */
   async after(type, action) {
     await this.evaluate((viewer, type) => {
-      viewer.awaited = new Promise((resolve) => {
+      viewer.awaited = new Promise((resolve, reject) => {
+        setTimeout(() => reject(new Error(`No ${type} event.`)), 120_000);
         viewer.addEventListener(type, ({ detail }) => resolve({ ...detail, cause: undefined }), {
           once: true,
         });

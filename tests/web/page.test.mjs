@@ -171,11 +171,11 @@ suite('the page', () => {
     assert.deepEqual(await viewer.sites(), before);
     assert.equal(await viewer.page.locator('#samples').inputValue(), 'bunny.glb');
     assert.equal(await changedSince(picture), 0);
+    await viewer.page.click('#error-close');
+    assert.equal(await viewer.page.locator('#error').isVisible(), false);
     const place = await viewer.freePlace();
     const added = await viewer.after('diagram', () => click(place));
     assert.equal(added.regions, 61);
-    await viewer.page.click('#error-close');
-    assert.equal(await viewer.page.locator('#error').isVisible(), false);
   });
 
   test('a .gltf is dropped together with its .bin', async () => {

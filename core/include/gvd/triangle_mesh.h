@@ -81,7 +81,15 @@ class TriangleMesh {
   int tip(int h) const { return tail_[next(h)]; }
   int twin(int h) const { return twin_[h]; }
   /// Positive, and the same bits for both halfedges of an edge.
-  double length(int h) const { return length_[h]; }
+  double length(int h) const { return layout_[h].length; }
+  /// The face of a halfedge laid out in the plane: the halfedge runs along the x axis from the
+  /// origin, the third corner, its *apex*, is at (x, y), y >= 0.
+  struct Layout {
+    double length;
+    double inverse;  ///< 1 / (2 length): what unfolding divides by
+    double x, y;
+  };
+  const Layout& layout(int h) const { return layout_[h]; }
   /// The same for all halfedges.
   std::span<const int> tails() const { return tail_; }
   std::span<const int> twins() const { return twin_; }
@@ -137,7 +145,8 @@ class TriangleMesh {
 
   Eigen::Matrix3Xd positions_;
   std::vector<int> tail_, twin_;
-  std::vector<double> length_, angle_;
+  std::vector<Layout> layout_;
+  std::vector<double> angle_;
   std::vector<int> vertexHalfedge_;
   std::vector<double> angleSum_;
   std::vector<int> component_;

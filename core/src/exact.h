@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "gvd/geodesic.h"
+#include "gvd/triangle_mesh.h"
+#include "tolerances.h"
+
+namespace gvd::exact {
+
+/// A window: the part of a halfedge through which a virtual source is seen along straight lines of
+/// the unfolded faces. It belongs to the halfedge of the face that these lines enter.
+///
+///              apex
+///             /    \             Coordinates of a halfedge: the origin is its tail, the x axis runs
+///            / face \            along it, its face lies at y >= 0. The virtual source lies across,
+///    tail --[======]---- tip     at y < 0.
+///          begin   end
+///             \  /
+///              \/ source
+struct Window {
+  double begin, end;      ///< along the halfedge, from its tail
+  double x, y;            ///< the virtual source, unfolded
+  double sourceDistance;  ///< from the virtual source to its site
+  int label;
+  int halfedge;
+  int next;  ///< in a list of windows, -1 at the end
+
+  /// The least distance of a point of the window.
+  double least() const {
+    const double beside = x < begin ? begin - x : x > end ? x - end : 0;
+    return sourceDistance + (beside > 0 ? std::sqrt(beside * beside + y * y) : -y);
+  }
+  /// The distance of a point of the halfedge, seen or not.
+  double distanceOnEdge(double at) const {
+    return sourceDistance + std::sqrt((at - x) * (at - x) + y * y);
+  }
+  /// Where the line from the source to a point of the face crosses the halfedge.
+  double crossing(double px, double py) const { return x + (px - x) * (-y / (py - y)); }
+  /// The length of the shortest path through the window to a point of the face: straight if the
+  /// crossing is inside the window, else bent at the end next to it.
+  double distance(double px, double py) const {
+    const double at = crossing(px, py);
+    const double bend = std::clamp(at, begin, end);
+    if (bend == at) return sourceDistance + std::sqrt((px - x) * (px - x) + (py - y) * (py - y));
+    return distanceOnEdge(bend) + std::sqrt((px - bend) * (px - bend) + py * py);
+  }
+};
+
+/// A face laid out for unfolding. Side i runs from corner i to the next one.
+struct alignas(128) Frame {
+  double length[3];
+  double cosine[3], sine[3];  ///< of the angle at corner i
+  int vertex[3];
+  int twin[3];
+  int firstWindow[3];  ///< list of the windows on side i, -1 if empty
+  int firstSite;       ///< list of the sites in the face or on its sides
+  int label;           ///< of all windows and sites here; kNoLabel, kSeveralLabels
+
+  static constexpr int kNoLabel = -1;
+  static constexpr int kSeveralLabels = -2;
+
+  void add(int newLabel) {
+    if (label != newLabel) label = label == kNoLabel ? newLabel : kSeveralLabels;
+  }
+  double longestSide() const { return std::max({length[0], length[1], length[2]}); }
+  /// The corner across from side i, in the coordinates of that side.
+  double apexX(int i) const { return length[before(i)] * cosine[i]; }
+  double apexY(int i) const { return length[before(i)] * sine[i]; }
+
+  static constexpr int after(int i) { return i == 2 ? 0 : i + 1; }
+  static constexpr int before(int i) { return i == 0 ? 2 : i - 1; }
+};
+
+/// Windows by index, in blocks: they stay in place as their number grows.
+class WindowPool {
+ public:
+  int size() const { return size_; }
+  Window& operator[](int i) { return blocks_[i / kBlock][i % kBlock]; }
+  const Window& operator[](int i) const { return blocks_[i / kBlock][i % kBlock]; }
+  int add(const Window& w) {
+    if (size_ % kBlock == 0) blocks_.push_back(std::make_unique_for_overwrite<Window[]>(kBlock));
+    blocks_.back()[size_ % kBlock] = w;
+    return size_++;
+  }
+
+ private:
+  static constexpr int kBlock = 1 << 12;
+  std::vector<std::unique_ptr<Window[]>> blocks_;
+  int size_ = 0;
+};
+
+/// Where a ray from (x, y), y < 0, through (at, 0) meets the side that leaves the origin under an
+/// angle of the given cosine and sine, as the distance from the origin, in [0, length]. The ray is
+/// known to meet the side or, by rounding, to pass an end of it.
+inline double meetSide(double at, double x, double y, double cosine, double sine, double length) {
+  if (at <= 0) return 0;
+  const double numerator = -at * y;
+  const double denominator = -cosine * y - sine * (at - x);
+  return denominator * length > numerator ? numerator / denominator : length;
+}
+
+/// How far from a vertex v, along an edge, the path over v is shorter than a window's: it is up to
+/// where `atVertex` + t = sourceDistance + |source, t|. There the square roots cancel and t follows
+/// by division. 0 if the path over v is nowhere shorter, infinity if it is shorter everywhere.
+/// `along` and `height` give the source as seen from v, `along` towards the edge's other end.
+/// A window that is not longer by more than rounding keeps its ground: a path lost is an error, a
+/// path too many is not.
+inline double reachOfVertex(double atVertex, double sourceDistance, double along, double height2,
+                            double length) {
+  const double lead = atVertex - sourceDistance + kDistanceTolerance * (atVertex + length);
+  const double distance2 = along * along + height2;
+  if (distance2 <= lead * lead) return lead > 0 ? 0 : kInfinity;
+  const double approach = lead + along;
+  return approach > 0 ? (distance2 - lead * lead) / (2 * approach) : kInfinity;
+}
+
+/// Cuts off what paths over the ends of the halfedge do shorter; `atTail` and `atTip` are distances
+/// of the same label.
+inline void trim(Window& w, double length, double atTail, double atTip) {
+  const double height2 = w.y * w.y;
+  if (atTail < kInfinity)
+    w.begin = std::max(w.begin, reachOfVertex(atTail, w.sourceDistance, w.x, height2, length));
+  if (atTip < kInfinity)
+    w.end = std::min(
+        w.end, length - reachOfVertex(atTip, w.sourceDistance, length - w.x, height2, length));
+}
+
+}  // namespace gvd::exact

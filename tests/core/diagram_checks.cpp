@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+#include "diagram_checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+#include <utility>
+
+namespace gvd::checks {
+namespace {
+
+using ::testing::AssertionFailure;
+using ::testing::AssertionResult;
+using ::testing::AssertionSuccess;
+
+/// Sides from one point to another, counted.
+using Sides = std::map<std::pair<int, int>, int>;
+
+AssertionResult checkPoints(const TriangleMesh& mesh, const Diagram& d) {
+  for (const SurfacePoint& p : d.points)
+    if (p.face < 0 || p.face >= mesh.faceCount() || !(p.bary.minCoeff() >= 0) ||
+        !(std::abs(p.bary.sum() - 1) < 1e-12))
+      return AssertionFailure() << "a point is off the surface: face " << p.face << ", "
+                                << p.bary.transpose();
+  return AssertionSuccess();
+}
+
+AssertionResult checkAreas(const TriangleMesh& mesh, const Diagram& d) {
+  double reached = 0, regions = 0;
+  for (int f = 0; f < mesh.faceCount(); ++f)
+    if (d.faceLabel[f] != Diagram::kUnreachable) reached += mesh.faceArea(f);
+  for (const double area : d.regionArea) {
+    if (!(area >= 0)) return AssertionFailure() << "a region's area is " << area;
+    regions += area;
+  }
+  if (!(std::abs(regions - reached) <= 1e-12 * reached))
+    return AssertionFailure() << "region areas sum to " << regions << ", not " << reached;
+  return AssertionSuccess();
+}
+
+AssertionResult checkLoops(const TriangleMesh& mesh, const Diagram& d) {
+  std::map<std::pair<int, int>, std::multiset<int>> steps;  // who walks from one point to another
+  for (int i = 0; i < d.loops.size(); ++i) {
+    const auto loop = d.loops[i];
+    if (loop.size() < 2) return AssertionFailure() << "a loop of " << loop.size() << " points";
+    if (i > 0 && d.loopLabel[i] < d.loopLabel[i - 1])
+      return AssertionFailure() << "the loops are not ascending by label";
+    for (size_t k = 0; k < loop.size(); ++k)
+      steps[{loop[k], loop[(k + 1) % loop.size()]}].insert(d.loopLabel[i]);
+  }
+  for (const Diagram::Segment& s : d.segments) {
+    if (s.labels[0] >= s.labels[1]) return AssertionFailure() << "a segment runs backwards";
+    for (const int side : {0, 1}) {
+      auto& walkers = steps[{s.points[side], s.points[1 - side]}];
+      const auto walker = walkers.find(s.labels[side]);
+      if (walker == walkers.end())
+        return AssertionFailure() << "region " << s.labels[side] << " does not walk a segment of "
+                                  << s.labels[0] << "|" << s.labels[1];
+      walkers.erase(walker);
+    }
+  }
+  for (const auto& [ends, walkers] : steps) {
+    if (walkers.empty()) continue;
+    const Eigen::Vector3d from = mesh.position(d.points[ends.first]);
+    const Eigen::Vector3d to = mesh.position(d.points[ends.second]);
+    bool onBoundary = false;
+    for (int h = 0; h < mesh.halfedgeCount() && !onBoundary; ++h) {
+      if (mesh.twin(h) >= 0) continue;
+      const Eigen::Vector3d a = mesh.position(mesh.tail(h)), b = mesh.position(mesh.tip(h));
+      const double near = 1e-7 * mesh.length(h);
+      onBoundary = std::abs((from - a).norm() + (from - b).norm() - mesh.length(h)) <= near &&
+                   std::abs((to - a).norm() + (to - b).norm() - mesh.length(h)) <= near &&
+                   (to - from).dot(b - a) >= -near * near;
+    }
+    if (!onBoundary || walkers.size() > 1)
+      return AssertionFailure() << "region " << *walkers.begin()
+                                << " walks where there is neither a segment nor the boundary";
+  }
+  return AssertionSuccess();
+}
+
+AssertionResult checkArcs(const Diagram& d) {
+  size_t segments = 0;
+  std::map<std::pair<int, int>, std::array<int, 2>> labels;
+  for (const Diagram::Segment& s : d.segments) labels[{s.points[0], s.points[1]}] = s.labels;
+  for (int a = 0; a < d.arcs.size(); ++a) {
+    const auto arc = d.arcs[a];
+    segments += arc.size() - 1;
+    for (size_t i = 0; i + 1 < arc.size(); ++i) {
+      const auto segment = labels.find({arc[i], arc[i + 1]});
+      if (segment == labels.end() || segment->second != d.arcLabels[a])
+        return AssertionFailure() << "an arc is no chain of its bisector's segments";
+    }
+  }
+  if (segments != d.segments.size())
+    return AssertionFailure() << "arcs have " << segments << " of " << d.segments.size()
+                              << " segments";
+  for (const auto& v : d.voronoiPoints)
+    if (std::set<int>(v.labels.begin(), v.labels.end()).size() < 3)
+      return AssertionFailure() << "a Voronoi point of fewer than three labels";
+  return AssertionSuccess();
+}
+
+/// The whole partition as a complex of polygons.
+AssertionResult checkComplex(const TriangleMesh& mesh, const Diagram& d) {
+  std::vector<int> name(d.points.size());  // mesh vertices first, then all other points
+  for (size_t i = 0; i < d.points.size(); ++i) {
+    Eigen::Index corner;
+    const SurfacePoint& p = d.points[i];
+    name[i] = p.bary.maxCoeff(&corner) == 1
+                  ? mesh.tail(3 * p.face + static_cast<int>(corner))
+                  : mesh.vertexCount() + static_cast<int>(i);
+  }
+  Sides sides;
+  int faces = 0;
+  const auto add = [&](const std::vector<int>& polygon) {
+    ++faces;
+    for (size_t i = 0; i < polygon.size(); ++i)
+      ++sides[{polygon[i], polygon[(i + 1) % polygon.size()]}];
+  };
+  for (int f = 0; f < mesh.faceCount(); ++f)
+    if (d.faceLabel[f] != Diagram::kMixed)
+      add({mesh.tail(3 * f), mesh.tail(3 * f + 1), mesh.tail(3 * f + 2)});
+  std::vector<int> polygon;
+  for (int c = 0; c < d.cells.size(); ++c) {
+    polygon.clear();
+    for (const int p : d.cells[c]) polygon.push_back(name[p]);
+    add(polygon);
+  }
+  std::set<int> points;
+  int edges = 0, open = 0;
+  for (const auto& [ends, count] : sides) {
+    points.insert({ends.first, ends.second});
+    if (count != 1) return AssertionFailure() << "two parts use a side in the same direction";
+    const bool hasOther = sides.contains({ends.second, ends.first});
+    if (!hasOther) ++open;
+    edges += !hasOther || ends.first < ends.second;
+  }
+  if (mesh.topology().boundaryLoops == 0 && open > 0)
+    return AssertionFailure() << open << " sides of parts have nothing beyond them";
+  const int euler = static_cast<int>(points.size()) - edges + faces;
+  if (euler != mesh.topology().eulerCharacteristic)
+    return AssertionFailure() << "V - E + F of the partition is " << euler << ", of the mesh "
+                              << mesh.topology().eulerCharacteristic;
+  return AssertionSuccess();
+}
+
+}  // namespace
+
+Traced trace(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric,
+             int detail) {
+  const auto propagation = propagate(mesh, sites, metric);
+  while (!propagation->step(1000)) {
+  }
+  Traced traced{propagation->take(), {}};
+  traced.diagram = traceDiagram(mesh, *traced.field, static_cast<int>(sites.size()), {detail});
+  return traced;
+}
+
+AssertionResult isConsistent(const TriangleMesh& mesh, const Diagram& d, int detail) {
+  if (auto result = checkPoints(mesh, d); !result) return result;
+  if (auto result = checkAreas(mesh, d); !result) return result;
+  if (auto result = checkLoops(mesh, d); !result) return result;
+  if (auto result = checkArcs(d); !result) return result;
+  return detail == 0 ? checkComplex(mesh, d) : AssertionSuccess();
+}
+
+AssertionResult areSame(const TriangleMesh& mesh, const Diagram& a, const Diagram& b,
+                        std::span<const int> labelInB, double tolerance) {
+  const auto inB = [&](int label) { return label < 0 ? label : labelInB[label]; };
+  for (int f = 0; f < mesh.faceCount(); ++f)
+    if (inB(a.faceLabel[f]) != b.faceLabel[f])
+      return AssertionFailure() << "face " << f << " belongs to " << inB(a.faceLabel[f]) << " and "
+                                << b.faceLabel[f];
+  for (int l = 0; l < a.siteCount; ++l)
+    if (!(std::abs(a.regionArea[l] - b.regionArea[inB(l)]) <= tolerance * mesh.area()))
+      return AssertionFailure() << "region " << l << " has area " << a.regionArea[l] << " and "
+                                << b.regionArea[inB(l)];
+  const auto bisectors = [&](const Diagram& d, bool rename) {
+    std::multiset<std::pair<int, int>> pairs;
+    for (const auto& s : d.segments)
+      pairs.insert(rename ? std::minmax({inB(s.labels[0]), inB(s.labels[1])})
+                          : std::pair(s.labels[0], s.labels[1]));
+    return pairs;
+  };
+  if (bisectors(a, true) != bisectors(b, false))
+    return AssertionFailure() << "the bisector segments differ: " << a.segments.size() << " and "
+                              << b.segments.size();
+  const auto meetings = [&](const Diagram& d, bool rename) {
+    std::multiset<std::vector<int>> labels;
+    for (const auto& v : d.voronoiPoints) {
+      std::vector<int> here;
+      for (const int l : v.labels) here.push_back(rename ? inB(l) : l);
+      std::rotate(here.begin(), std::min_element(here.begin(), here.end()), here.end());
+      labels.insert(here);
+    }
+    return labels;
+  };
+  if (meetings(a, true) != meetings(b, false))
+    return AssertionFailure() << "the Voronoi points differ: " << a.voronoiPoints.size() << " and "
+                              << b.voronoiPoints.size();
+  const auto outlines = [&](const Diagram& d, bool rename) {
+    std::multiset<int> labels;
+    for (const int l : d.loopLabel) labels.insert(rename ? inB(l) : l);
+    return labels;
+  };
+  if (outlines(a, true) != outlines(b, false)) return AssertionFailure() << "the loops differ";
+  return AssertionSuccess();
+}
+
+std::vector<int> identity(int count) {
+  std::vector<int> labels(count);
+  std::iota(labels.begin(), labels.end(), 0);
+  return labels;
+}
+
+}  // namespace gvd::checks
