@@ -3,29 +3,23 @@
 // npm run setup: what building and testing need, where it is missing. The other scripts call it too.
 
 import { statSync } from 'node:fs';
-import { announce, at, exists, hasCommand, isScript, main, root, run, status } from './tasks.mjs';
+import { announce, at, exists, hasCommand, isScript, main, run, status } from './tasks.mjs';
 
-const command = (...names) => () => names.some(hasCommand);
-const header = (path) => () =>
-  ['/usr/include', '/usr/local/include', '/opt/homebrew/include'].some((folder) => exists(`${folder}/${path}`));
+/** Commands, with the Debian packages that bring them: for a page, and for the tests besides. */
+const commands = {
+  build: { emcc: 'emscripten', cmake: 'cmake', ninja: 'ninja-build' },
+  test: { 'c++': 'g++' },
+};
 
-/**
- * What has to be there for a page ('build') and for the tests ('test'), and the Debian packages
- * that bring it. Libraries are `fetched` by CMake where no package manager of ours can bring them.
- */
-const requirements = [
-  { name: 'Emscripten (emcc)', for: 'build', packages: ['emscripten'], found: command('emcc') },
-  { name: 'CMake', for: 'build', packages: ['cmake'], found: command('cmake') },
-  { name: 'Ninja', for: 'build', packages: ['ninja-build'], found: command('ninja') },
-  { name: 'Eigen', for: 'build', packages: ['libeigen3-dev'], found: header('eigen3/Eigen/Core'), fetched: true },
-  { name: 'tinygltf', for: 'build', packages: ['libtinygltf-dev'], found: header('tiny_gltf.h'), fetched: true },
-  { name: 'JSON for Modern C++', for: 'build', packages: ['nlohmann-json3-dev'], found: header('nlohmann/json.hpp'), fetched: true },
-  { name: 'a C++ compiler', for: 'test', packages: ['g++'], found: command('c++') },
-  { name: 'GoogleTest', for: 'test', packages: ['libgtest-dev'], found: header('gtest/gtest.h'), fetched: true },
-  { name: 'Google Benchmark', for: 'test', packages: ['libbenchmark-dev'], found: header('benchmark/benchmark.h'), fetched: true },
-  { name: 'CGAL', for: 'test', packages: ['libcgal-dev'], found: header('CGAL/version.h'), fetched: true },
-  { name: 'Chromium (or CHROME_PATH, the path of a browser of its kind)', for: 'test', packages: ['chromium'], found: () => chromium() !== undefined },
-];
+/** Libraries by one of their headers. What is not there, CMake fetches. */
+const libraries = {
+  build: {
+    'eigen3/Eigen/Core': 'libeigen3-dev',
+    'tiny_gltf.h': 'libtinygltf-dev',
+    'nlohmann/json.hpp': 'nlohmann-json3-dev',
+  },
+  test: { 'gtest/gtest.h': 'libgtest-dev' },
+};
 
 /** The browser that the tests drive. */
 export function chromium() {
@@ -40,26 +34,36 @@ export function chromium() {
 
 /** Makes everything for `purpose` available: 'build', or 'test', which is more. */
 export function setUp(purpose) {
-  const missing = requirements.filter((r) => (purpose === 'test' || r.for === purpose) && !r.found());
-  if (missing.length > 0) install(missing);
+  const wanted = ({ build, test }) =>
+    Object.entries(purpose === 'test' ? { ...build, ...test } : build);
+  const missing = wanted(commands).filter(([name]) => !hasCommand(name));
+  if (purpose === 'test' && !chromium()) missing.push(['Chromium (or CHROME_PATH)', 'chromium']);
+  const fetched = wanted(libraries).filter(([header]) => !hasHeader(header));
+  if (missing.length + fetched.length > 0) install(missing, fetched);
   installModules();
 }
 
-function install(missing) {
-  const packages = missing.flatMap((requirement) => requirement.packages);
+function hasHeader(header) {
+  const folders = ['/usr/include', '/usr/local/include', '/opt/homebrew/include'];
+  return folders.some((folder) => exists(`${folder}/${header}`));
+}
+
+function install(missing, fetched) {
   const apt = aptCommand();
-  if (!apt) {
-    const needed = missing.filter((requirement) => !requirement.fetched);
-    if (needed.length === 0) return;
+  const packages = (requirements) => requirements.map(([, name]) => name);
+  if (apt) {
+    announce(`Install ${packages([...missing, ...fetched]).join(', ')}`);
+    // An old list of packages may do as well: what counts is whether they can be installed.
+    status(...apt('update', '-qq'));
+    const command = ['install', '-y', '--no-install-recommends'];
+    if (missing.length > 0) run(...apt(...command, ...packages(missing)));
+    if (fetched.length > 0) status(...apt(...command, ...packages(fetched)));
+  } else if (missing.length > 0) {
     throw new Error(
-      `Please install ${needed.map(({ name }) => name).join(', ')}.\n` +
-        `On Debian or Ubuntu: apt-get install ${packages.join(' ')}`,
+      `Please install ${missing.map(([name]) => name).join(', ')}. On Debian or Ubuntu:\n` +
+        `apt-get install ${packages([...missing, ...fetched]).join(' ')}`,
     );
   }
-  announce(`Install ${packages.join(', ')}`);
-  // A stale list of packages is often good enough: what matters is whether they can be installed.
-  status(...apt('update', '-qq'));
-  run(...apt('install', '-y', '--no-install-recommends', ...packages));
 }
 
 /** How to call apt-get here, if one may. */
@@ -68,7 +72,8 @@ function aptCommand() {
   const environment = 'DEBIAN_FRONTEND=noninteractive';
   if (process.getuid() === 0) return (...args) => ['env', [environment, 'apt-get', ...args]];
   const maySudo =
-    hasCommand('sudo') && (process.stdin.isTTY || status('sudo', ['-n', 'true'], { stdio: 'ignore' }) === 0);
+    hasCommand('sudo') &&
+    (process.stdin.isTTY || status('sudo', ['-n', 'true'], { stdio: 'ignore' }) === 0);
   return maySudo ? (...args) => ['sudo', [environment, 'apt-get', ...args]] : undefined;
 }
 
@@ -79,7 +84,7 @@ function installModules() {
   if (time(at('node_modules', '.package-lock.json')) >= time(at('package-lock.json'))) return;
   announce('Install the npm packages');
   // Nothing here needs an install script; one of the sample meshes would unpack itself for a minute.
-  run('npm', ['ci', '--ignore-scripts'], { cwd: root });
+  run('npm', ['ci', '--ignore-scripts']);
 }
 
 if (isScript(import.meta.url)) await main(() => setUp('test'));

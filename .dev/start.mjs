@@ -9,7 +9,10 @@ import { at, main } from './tasks.mjs';
 
 await main(async () => {
   const { values } = parseArgs({
-    options: { port: { type: 'string', default: '4173' }, host: { type: 'string', default: 'localhost' } },
+    options: {
+      port: { type: 'string', default: '4173' },
+      host: { type: 'string', default: 'localhost' },
+    },
   });
   setUp('build');
   await buildPackage();

@@ -29,7 +29,11 @@ export function run(command, args, options) {
 /** Runs a command, showing what it writes; resolves with that text and the exit status. */
 export function runShowing(command, args, options = {}) {
   return new Promise((resolve, reject) => {
-    const child = spawn(command, args, { cwd: root, stdio: ['ignore', 'pipe', 'inherit'], ...options });
+    const child = spawn(command, args, {
+      cwd: root,
+      stdio: ['ignore', 'pipe', 'inherit'],
+      ...options,
+    });
     let text = '';
     child.stdout.setEncoding('utf8').on('data', (chunk) => {
       process.stdout.write(chunk);
@@ -76,7 +80,9 @@ function modified(path) {
   if (!entry) return 0;
   if (!entry.isDirectory()) return entry.mtimeMs;
   // A folder's own time changes when something in it appears or goes.
-  const inside = readdirSync(path).filter((name) => name !== 'node_modules').map((name) => modified(join(path, name)));
+  const inside = readdirSync(path)
+    .filter((name) => name !== 'node_modules')
+    .map((name) => modified(join(path, name)));
   return Math.max(entry.mtimeMs, ...inside);
 }
 

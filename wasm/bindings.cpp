@@ -48,7 +48,8 @@ auto naming(const char* what, int index, F&& f) -> decltype(f()) {
   try {
     return f();
   } catch (const Error& error) {
-    throw Error(error.code(), std::string(what) + " " + std::to_string(index) + ": " + error.what());
+    throw Error(error.code(),
+                std::string(what) + " " + std::to_string(index) + ": " + error.what());
   }
 }
 
@@ -182,11 +183,10 @@ GVD_ABI Arrays* meshInfo(const MeshHandle* handle) {
                               mesh.inputVertexCount(), mesh.inputFaceCount(), topology.components,
                               topology.boundaryLoops, topology.eulerCharacteristic,
                               topology.genus});
-    out->add(std::vector<int>{repairs.weldedVertices, repairs.isolatedVertices,
-                              repairs.nonFiniteTriangles, repairs.degenerateTriangles,
-                              repairs.duplicateTriangles, repairs.nonManifoldEdges,
-                              repairs.orientationCuts, repairs.flippedTriangles,
-                              repairs.splitVertices});
+    out->add(std::vector<int>{
+        repairs.weldedVertices, repairs.isolatedVertices, repairs.nonFiniteTriangles,
+        repairs.degenerateTriangles, repairs.duplicateTriangles, repairs.nonManifoldEdges,
+        repairs.orientationCuts, repairs.flippedTriangles, repairs.splitVertices});
     out->add(std::vector<double>{mesh.area(), mesh.diameter()});
     return out.release();
   });
@@ -254,8 +254,8 @@ GVD_ABI double voronoiProgress(const VoronoiHandle* voronoi) {
 GVD_ABI Arrays* traceVoronoi(const VoronoiHandle* voronoi, int detail) {
   return guarded([&] {
     const TriangleMesh& mesh = *voronoi->surface.mesh;
-    return flatten(mesh, traceDiagram(mesh, *voronoi->distances, voronoi->siteCount,
-                                      {.detail = detail}))
+    return flatten(mesh,
+                   traceDiagram(mesh, *voronoi->distances, voronoi->siteCount, {.detail = detail}))
         .release();
   });
 }

@@ -26,8 +26,8 @@ std::vector<int> partNumbers(std::span<const GltfScene::Part> parts) {
   std::vector<int> numbers;
   numbers.reserve(5 * parts.size());
   for (const GltfScene::Part& part : parts) {
-    numbers.insert(numbers.end(), {part.node, part.mesh, part.primitive, part.firstTriangle,
-                                   part.triangleCount});
+    numbers.insert(numbers.end(),
+                   {part.node, part.mesh, part.primitive, part.firstTriangle, part.triangleCount});
   }
   return numbers;
 }

@@ -143,6 +143,35 @@ double meanEdgeLength(const TriangleMesh& mesh) {
   return sum / mesh.halfedgeCount();
 }
 
+/// How far behind the nearest label another one still spreads from a vertex.
+///
+/// If it owns a point of a face with corner x, it is at most 2h(x) behind there, h being the
+/// longest edge around: distances are 1-Lipschitz. Along its way to x it is never further behind,
+/// and at the corners of the faces that this way crosses by at most twice their own edges more. A
+/// way through small faces to a large one needs the large one's allowance, so h is carried into the
+/// neighbourhood, less half the way.
+std::vector<double> reaches(const TriangleMesh& mesh) {
+  std::vector<double> longest(mesh.vertexCount(), 0.0);
+  for (int h = 0; h < mesh.halfedgeCount(); ++h)
+    for (const int v : {mesh.tail(h), mesh.tip(h)})
+      longest[v] = std::max(longest[v], mesh.length(h));
+  std::vector<double> around = longest;
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (int h = 0; h < mesh.halfedgeCount(); ++h) {
+      double &a = around[mesh.tail(h)], &b = around[mesh.tip(h)];
+      const double least = std::max(a, b) - mesh.length(h) / 2;
+      if (a < least || b < least) {
+        a = std::max(a, least);
+        b = std::max(b, least);
+        changed = true;
+      }
+    }
+  }
+  for (int v = 0; v < mesh.vertexCount(); ++v) longest[v] = 2 * (longest[v] + around[v]);
+  return longest;
+}
+
 /// One sweep of all labels through one queue. Label-correcting: an entry that has spread may
 /// improve again and then spreads again, which is what makes it exact in the plane for any
 /// triangulation.
@@ -151,14 +180,10 @@ class DgpcSweep final : public Propagation {
   DgpcSweep(const TriangleMesh& mesh, std::span<const SurfacePoint> sites)
       : mesh_(mesh),
         sites_(sites.begin(), sites.end()),
-        reach_(mesh.vertexCount(), 0.0),
+        reach_(reaches(mesh)),
         entries_(mesh.vertexCount()),
         best_(mesh.vertexCount(), kInfinity),
         queue_(meanEdgeLength(mesh) / 2) {
-    for (int h = 0; h < mesh.halfedgeCount(); ++h) {
-      reach_[mesh.tail(h)] = std::max(reach_[mesh.tail(h)], 2 * mesh.length(h));
-      reach_[mesh.tip(h)] = std::max(reach_[mesh.tip(h)], 2 * mesh.length(h));
-    }
     entries_.reserve(2 * entries_.size());
     for (int label = 0; label < static_cast<int>(sites_.size()); ++label) seed(label);
   }
@@ -233,9 +258,7 @@ class DgpcSweep final : public Propagation {
   /// Spreads an entry over the faces around its vertex.
   void settle(int entry) {
     const Entry from = entries_[entry];
-    // A label that owns a point of a face around the vertex is at most `reach` behind the best
-    // there, distances being 1-Lipschitz.
-    if (from.distance - best_[from.vertex] > reach_[from.vertex] || isDominated(from)) return;
+    if (from.distance - best_[from.vertex] > reach_[from.vertex]) return;
     const int first = mesh_.outgoing(from.vertex);
     int h = first;
     int a = mesh_.tip(h);
@@ -267,44 +290,6 @@ class DgpcSweep final : public Propagation {
     }
     if (distance == kInfinity) distance = from.distance + length;
     return distance < known ? offer(vertex, from.label, entry, distance) : entry;
-  }
-
-  /// Whether one other label is nearer than `from` at its vertex and all around it: then the linear
-  /// interpolants leave `from` nothing in those faces.
-  bool isDominated(const Entry& from) const {
-    for (int e = from.vertex; e >= 0; e = entries_[e].next) {
-      const Entry& other = entries_[e];
-      if (other.label != from.label &&
-          isNearer(other.label, other.distance, from.label, from.distance) &&
-          isNearerAround(other.label, from))
-        return true;
-    }
-    return false;
-  }
-
-  /// Whether label a is nearer than label b beyond doubt, or tied and the lower one.
-  static bool isNearer(int a, double atA, int b, double atB) {
-    return a < b ? atA <= atB : atA < atB * (1 - kDistanceTolerance);
-  }
-
-  bool isNearerAround(int label, const Entry& from) const {
-    const auto isNearerAt = [&](int vertex, double length) {
-      double theirs = kInfinity, ours = from.distance + length;
-      for (int e = vertex; e >= 0; e = entries_[e].next) {
-        if (entries_[e].label == label) theirs = entries_[e].distance;
-        if (entries_[e].label == from.label) ours = entries_[e].distance;
-      }
-      return isNearer(label, theirs, from.label, ours);
-    };
-    const int first = mesh_.outgoing(from.vertex);
-    int h = first;
-    do {
-      if (!isNearerAt(mesh_.tip(h), mesh_.length(h))) return false;
-      const int back = mesh_.previous(h);
-      if (mesh_.twin(back) < 0) return isNearerAt(mesh_.tail(back), mesh_.length(back));
-      h = mesh_.twin(back);
-    } while (h != first);
-    return true;
   }
 
   void equalizeTiesAtVertices() {
@@ -380,7 +365,7 @@ class DgpcSweep final : public Propagation {
 
   const TriangleMesh& mesh_;
   std::vector<SurfacePoint> sites_;
-  std::vector<double> reach_;  ///< per vertex, twice the longest edge around
+  std::vector<double> reach_;
   std::vector<Entry> entries_;
   std::vector<double> best_;
   SweepQueue<QueueItem> queue_;

@@ -433,9 +433,14 @@ class Sweep final : public Propagation {
 
   void enqueue(int id) {
     Bucket& b = bucketFor(windows_[id].least());
+#ifdef LIFO
+    windows_[id].next = b.firstWindow;
+    b.firstWindow = id;
+#else
     windows_[id].next = -1;
     (b.firstWindow < 0 ? b.firstWindow : windows_[b.lastWindow].next) = id;
     b.lastWindow = id;
+#endif
   }
 
   void enqueueEvent(int entry) {

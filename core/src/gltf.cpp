@@ -39,7 +39,7 @@ using nlohmann::json;
 
 static_assert(std::endian::native == std::endian::little, "glTF is read as it lies in memory");
 
-/// tinygltf descends into `extensions` recursively; real files nest a dozen levels.
+/// tinygltf descends into `extras` and `extensions` recursively; real files nest a dozen levels.
 constexpr int kMaxJsonDepth = 128;
 
 /// Vertices, and triangles, of a scene: a small file can ask for any number of them. As surfaces,
@@ -139,29 +139,26 @@ void requireShallow(std::string_view text) {
   }
 }
 
-/// The part of the document that triangles need.
-json parseDocument(std::string_view text) {
+json parseJson(std::string_view text) {
   requireShallow(text);
-  const auto keep = [](int depth, json::parse_event_t event, const json& parsed) {
-    if (event != json::parse_event_t::key) return true;
-    if (parsed == "extras") return false;
-    if (depth > 1) return true;
-    for (const char* key : {"asset", "extensionsRequired", "scene", "scenes", "nodes", "meshes",
-                            "accessors", "bufferViews", "buffers"}) {
-      if (parsed == key) return true;
-    }
-    return false;
-  };
-  json document;
   try {
-    document = json::parse(text, keep);
+    return json::parse(text);
   } catch (const json::parse_error& error) {
     reject("the JSON is malformed at byte " + number(error.byte));
   } catch (const json::out_of_range&) {
     reject("the JSON has a number that is too large");
   }
-  if (!document.is_object()) reject("the JSON is not an object");
-  return document;
+}
+
+/// The part of a document that triangles need.
+json trimmed(json document) {
+  json needed = json::object();
+  for (const char* key : {"asset", "extensionsRequired", "scene", "scenes", "nodes", "meshes",
+                          "accessors", "bufferViews", "buffers"}) {
+    const auto member = document.find(key);
+    if (member != document.end()) needed[key] = std::move(*member);
+  }
+  return needed;
 }
 
 void requireVersion2(const json& document) {
@@ -568,8 +565,9 @@ class SceneReader {
       return;
     }
     morphs_ += !primitive.targets.empty();
-    requireUncompressed(primitive, position->second, name);
-
+    requireIndex(position->second, model_.accessors.size(), "accessor", name);
+    requireUncompressed(primitive, model_.accessors[position->second], name);
+    requireRoom(scene_.positions.size() / 3 + model_.accessors[position->second].count);
     const std::vector<double> positions = numbers(position->second, kPositions, name);
     const std::vector<int> corners =
         cornerVertices(primitive, static_cast<int>(positions.size() / 3), name);
@@ -585,9 +583,12 @@ class SceneReader {
     addVertices(positions, transform);
     part.triangleCount = triangleCount() - part.firstTriangle;
     if (part.triangleCount > 0) scene_.parts.push_back(std::move(part));
-    if (scene_.triangles.size() / 3 > kMaxElements || scene_.positions.size() / 3 > kMaxElements) {
-      reject("the scene has more than " + number(kMaxElements) + " vertices or triangles");
-    }
+    requireRoom(scene_.triangles.size() / 3);
+  }
+
+  static void requireRoom(std::uint64_t elements) {
+    if (elements <= kMaxElements) return;
+    reject("the scene has more than " + number(kMaxElements) + " vertices or triangles");
   }
 
   /// The vertex at each corner of a primitive: as its indices say, else one after the other.
@@ -612,10 +613,9 @@ class SceneReader {
   }
 
   /// Without its extension, what a compressed primitive has for positions is zeros.
-  void requireUncompressed(const tinygltf::Primitive& primitive, int positions,
-                           const std::string& name) const {
-    requireIndex(positions, model_.accessors.size(), "accessor", name);
-    if (model_.accessors[positions].bufferView >= 0) return;
+  static void requireUncompressed(const tinygltf::Primitive& primitive,
+                                  const tinygltf::Accessor& positions, const std::string& name) {
+    if (positions.bufferView >= 0) return;
     for (const auto& [extension, value] : primitive.extensions) {
       if (extension.find("compression") == std::string::npos) continue;
       reject(name + " is compressed with " + extension +
@@ -643,7 +643,7 @@ class SceneReader {
     const std::string name = "accessor " + std::to_string(index);
     if (accessor.type != format.type) reject(name + " has the wrong type for " + format.what);
     const ComponentType& type = componentType(accessor.componentType, format, name);
-    if (accessor.count > 3 * kMaxElements / format.components) {
+    if (accessor.count > 3 * kMaxElements) {
       reject(name + " has " + number(accessor.count) + " elements, which is too many");
     }
 
@@ -735,7 +735,7 @@ class SceneReader {
 
 GltfScene readGltf(std::span<const std::byte> bytes, std::span<const GltfResource> resources) {
   const Container container = openContainer(bytes);
-  json document = parseDocument(container.json);
+  json document = trimmed(parseJson(container.json));
   requireVersion2(document);
   requireKnownExtensions(document);
   Buffers buffers(document, container.bin, resources);

@@ -48,10 +48,10 @@ std::vector<int> countingSort(const std::vector<int>& items, int keyCount, Key k
 /// Calls visit(run) for every maximal run of items that are the same as the run's first.
 template <class Same, class Visit>
 void forEachRun(const std::vector<int>& items, Same same, Visit visit) {
-  for (auto first = items.begin(); first != items.end();) {
-    const auto last =
-        std::find_if(first, items.end(), [&](int item) { return !same(*first, item); });
-    visit(std::span<const int>(first, last));
+  const int* const end = items.data() + items.size();
+  for (const int* first = items.data(); first != end;) {
+    const int* last = std::find_if(first, end, [&](int item) { return !same(*first, item); });
+    visit(std::span(first, last));
     first = last;
   }
 }
@@ -119,8 +119,8 @@ struct Selection {
   std::vector<int> kept;  ///< of each input triangle, the kept one of the same corners, or -1
 };
 
-/// Those of `candidates` (ascending) that have the same three corners as an earlier one, in
-/// whichever order, are set in `original` to that one; the others to themselves.
+/// For each of `candidates` (ascending) the first one that has the same three corners, in whichever
+/// order.
 std::vector<int> findOriginals(const std::vector<Corners>& corners,
                                const std::vector<int>& candidates, int vertexCount) {
   std::vector<Corners> sorted = corners;
@@ -153,6 +153,13 @@ std::vector<Corners> cornersAtPlaces(std::span<const int> triangles,
   return corners;
 }
 
+std::string whyNothingIsLeft(int count, const MeshRepairs& repairs) {
+  if (count == 0) return "there are no triangles";
+  return "no triangle is left: of " + std::to_string(count) + " triangles " +
+         std::to_string(repairs.nonFiniteTriangles) + " have a corner that is not finite and " +
+         std::to_string(repairs.degenerateTriangles) + " have two corners at one position";
+}
+
 Selection selectTriangles(const std::vector<Corners>& corners, int vertexCount,
                           MeshRepairs& repairs) {
   const int count = static_cast<int>(corners.size());
@@ -181,14 +188,7 @@ Selection selectTriangles(const std::vector<Corners>& corners, int vertexCount,
       ++repairs.duplicateTriangles;
     }
   }
-  if (selection.input.empty()) {
-    rejectMesh(count == 0 ? "there are no triangles"
-                          : "no triangle is left: of " + std::to_string(count) + " triangles " +
-                                std::to_string(repairs.nonFiniteTriangles) +
-                                " have a corner that is not finite and " +
-                                std::to_string(repairs.degenerateTriangles) +
-                                " have two corners at one position");
-  }
+  if (selection.input.empty()) rejectMesh(whyNothingIsLeft(count, repairs));
   return selection;
 }
 
@@ -273,7 +273,7 @@ void cutWhereOrientationsDisagree(const std::vector<Corners>& triangles,
                                   const Orientation& orientation, std::vector<int>& twin,
                                   MeshRepairs& repairs) {
   for (int h = 0; h < static_cast<int>(twin.size()); ++h) {
-    if (twin[h] < h) continue;
+    if (twin[h] < h) continue;  // no twin, or seen from there
     const bool disagreed = tailOf(triangles, h) == tailOf(triangles, twin[h]);
     if ((orientation.flipped[h / 3] != orientation.flipped[twin[h] / 3]) == disagreed) continue;
     twin[twin[h]] = -1;
@@ -282,14 +282,11 @@ void cutWhereOrientationsDisagree(const std::vector<Corners>& triangles,
   }
 }
 
-/// Where corner or side number i goes when (a, b, c) turns over and becomes (a, c, b).
-constexpr int flippedCorner(int i) { return (3 - i) % 3; }
-constexpr int flippedSide(int i) { return 2 - i; }
-
-/// Turns the flipped triangles over; the sides keep their neighbours.
+/// Turns the flipped triangles over: (a, b, c) becomes (a, c, b), so that side i becomes side 2 -
+/// i. The sides keep their neighbours.
 void turnOver(const std::vector<char>& flipped, std::vector<Corners>& triangles,
               std::vector<int>& twin) {
-  const auto moved = [&](int h) { return flipped[h / 3] ? h - h % 3 + flippedSide(h % 3) : h; };
+  const auto moved = [&](int h) { return flipped[h / 3] ? h - h % 3 + (2 - h % 3) : h; };
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     if (!flipped[t]) continue;
     std::swap(triangles[t][1], triangles[t][2]);
@@ -419,14 +416,14 @@ void countInputVertices(const std::vector<int>& halfedgeOfInput, const std::vect
 
 /// Non-negative coordinates of sum 1 from such that may be off by the tolerance.
 Eigen::Vector3d cleanBarycentric(const Eigen::Vector3d& bary) {
-  const auto say = [](double x) { return std::to_string(x); };
   for (double b : bary) {
     if (!std::isfinite(b)) rejectPoint("a barycentric coordinate is not a finite number");
-    if (b < -kBarycentricTolerance)
-      rejectPoint("the barycentric coordinate " + say(b) + " is negative");
+    if (b < -kBarycentricTolerance) {
+      rejectPoint("the barycentric coordinate " + std::to_string(b) + " is negative");
+    }
   }
   if (std::abs(bary.sum() - 1) > kBarycentricTolerance) {
-    rejectPoint("the barycentric coordinates sum to " + say(bary.sum()) + ", not 1");
+    rejectPoint("the barycentric coordinates sum to " + std::to_string(bary.sum()) + ", not 1");
   }
   const Eigen::Vector3d clamped = bary.cwiseMax(0.0);
   return clamped / clamped.sum();

@@ -499,19 +499,29 @@ TEST(ReadGltfErrors, NameBytesOutOfBounds) {
             "accessor 0 reaches past the end of buffer view 0");
   EXPECT_EQ(accessor(R"("count":1000000)"), "accessor 0 reaches past the end of buffer view 0");
   EXPECT_EQ(accessor(R"("count":9223372036854775808)"),
-            "accessor 0 has 9223372036854775808 elements, which is too many");
+            "the scene has more than 16777216 vertices or triangles");
 }
 
 TEST(ReadGltfErrors, LimitWhatASmallFileCanAskFor) {
+  const std::string tooMany = "the scene has more than 16777216 vertices or triangles";
   EXPECT_EQ(errorAfter([](GlbWriter& file) {
               file.accessors[0] = R"({"componentType":5126,"count":1000000000,"type":"VEC3"})";
             }),
-            "accessor 0 has 1000000000 elements, which is too many");
+            tooMany);
   EXPECT_EQ(errorAfter([](GlbWriter& file) {
-              file.accessors[0] = R"({"componentType":5126,"count":9000000,"type":"VEC3"})";
-              file.addNode(R"("mesh":0)");
+              const int rest = file.addAccessor(-1, kFloat, (1 << 24) - 2, "VEC3");
+              file.addMesh({GlbWriter::primitive(rest)});
+              file.addNode(R"("mesh":1)");
             }),
-            "the scene has more than 16777216 vertices or triangles");
+            tooMany)
+      << "together with the first triangle's three";
+  EXPECT_EQ(errorAfter([](GlbWriter& file) {
+              const int indices = file.addIndices<std::uint8_t>(kUnsignedByte, {0, 1, 2});
+              file.accessors[indices] =
+                  R"({"bufferView":0,"componentType":5121,"count":1000000000,"type":"SCALAR"})";
+              file.meshes[0] = R"({"primitives":[)" + GlbWriter::primitive(0, indices) + "]}";
+            }),
+            "accessor 1 has 1000000000 elements, which is too many");
 }
 
 TEST(ReadGltfErrors, NameBrokenSparseAccessors) {

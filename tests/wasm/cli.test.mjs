@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, beforeEach, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { both, glb, gltf, grid, octahedron } from './meshes.mjs';
+import { apart, glb, gltf, grid, octahedron } from './meshes.mjs';
 
 const main = fileURLToPath(new URL('../../dist/cli/main.js', import.meta.url));
 let folder;
@@ -18,7 +18,7 @@ beforeEach(() => {
   rmSync(folder, { recursive: true });
   mkdirSync(folder);
   write('shape.glb', glb(octahedron()));
-  write('two.glb', glb(both(octahedron(), grid(1))));
+  write('two.glb', glb(apart(octahedron(), grid(1))));
   write('sites.json', '{"vertex": [0, 3]}');
   write('points.json', '{"face": [0, 1], "bary": [1, 0, 0, 0, 1, 0]}');
 });
@@ -56,9 +56,14 @@ function fails(status, args, message, input) {
 test('--help and --version', () => {
   assert.match(succeeds('--help').stdout, /info[^]*diagram[^]*locate/);
   for (const command of ['info', 'diagram', 'locate']) {
-    assert.match(succeeds(`${command} --help`).stdout, new RegExp(`Usage: geodesic-voronoi ${command}`));
+    assert.match(
+      succeeds(`${command} --help`).stdout,
+      new RegExp(`Usage: geodesic-voronoi ${command}`),
+    );
   }
-  const { version } = JSON.parse(readFileSync(new URL('../../package.json', import.meta.url), 'utf8'));
+  const { version } = JSON.parse(
+    readFileSync(new URL('../../package.json', import.meta.url), 'utf8'),
+  );
   assert.equal(succeeds('--version').stdout, `${version}\n`);
 });
 
@@ -70,12 +75,12 @@ test('info, for people and as JSON', () => {
   const json = JSON.parse(succeeds('info two.glb --json').stdout);
   assert.equal(json.faces, 10);
   assert.equal(json.boundaryLoops, 1);
-  assert.equal(json.repairs.weldedVertices, 1); // (1, 0, 0) belongs to both
   assert.equal(json.parts[0].triangleCount, 10);
 });
 
 test('--units: a unit of length, or a factor', () => {
-  const area = (units) => JSON.parse(succeeds(`info shape.glb --json --units ${units}`).stdout).area;
+  const area = (units) =>
+    JSON.parse(succeeds(`info shape.glb --json --units ${units}`).stdout).area;
   assert.equal(area('m'), JSON.parse(succeeds('info shape.glb --json').stdout).area);
   assert.ok(Math.abs(area('cm') / area('m') - 1e4) < 1e-6);
   assert.ok(Math.abs(area('0.5') / area('m') - 0.25) < 1e-9);
@@ -115,14 +120,15 @@ test('locate', () => {
   const { stdout } = succeeds('locate shape.glb --sites sites.json --points points.json');
   assert.deepEqual(JSON.parse(stdout), { label: [0, 1], distance: [0, 0] });
   write('points.json', '{"face": [0, 8], "bary": [0, 0, 1, 0, 1, 0]}');
-  const far = JSON.parse(succeeds('locate shape.glb --sites sites.json --points sites.json --units 2').stdout);
+  const far = JSON.parse(
+    succeeds('locate shape.glb --sites sites.json --points sites.json --units 2').stdout,
+  );
   assert.deepEqual(far.label, [0, 1]);
 });
 
 test('locate gives null for what no site reaches', () => {
-  write('apart.glb', glb(both(octahedron(), { ...grid(1), positions: grid(1).positions.map((x) => x + 5) })));
   write('points.json', '{"vertex": [6, 2]}');
-  const { stdout } = succeeds('locate apart.glb --sites sites.json --points points.json');
+  const { stdout } = succeeds('locate two.glb --sites sites.json --points points.json');
   const { label, distance } = JSON.parse(stdout);
   assert.deepEqual(label, [-1, 0]);
   assert.equal(distance[0], null);
@@ -166,9 +172,8 @@ test('a wrong command line: status 2', () => {
   fails(2, 'info shape.glb --sites 3', /--sites/);
   fails(2, 'diagram shape.glb', /--sites/);
   fails(2, 'diagram shape.glb --sites', /--sites/);
-  for (const count of ['0', '-3', '1.5', 'NaN.', 'Infinity']) {
-    if (Number.isNaN(Number(count))) fails(1, `diagram shape.glb --sites=${count}`, /NaN\./);
-    else fails(2, `diagram shape.glb --sites=${count}`, /--sites/);
+  for (const count of ['0', '-3', '1.5', 'Infinity']) {
+    fails(2, `diagram shape.glb --sites=${count}`, /--sites/);
   }
   fails(2, 'diagram shape.glb --sites 3 --seed -1', /--seed/);
   fails(2, 'diagram shape.glb --sites 3 --seed=-1', /--seed/);

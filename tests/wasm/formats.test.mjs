@@ -15,7 +15,10 @@ before(async () => {
 
 /** The length of all bisectors together. */
 function length(places, pairs) {
-  return pairs.reduce((sum, [a, b]) => sum + Math.hypot(...places[a].map((x, k) => x - places[b][k])), 0);
+  return pairs.reduce(
+    (sum, [a, b]) => sum + Math.hypot(...places[a].map((x, k) => x - places[b][k])),
+    0,
+  );
 }
 
 function expectedLength() {
@@ -42,9 +45,18 @@ test('JSON holds the diagram in plain arrays', () => {
     neighbours: regions[2].neighbours,
   });
   assert.equal(json.arcs.length, data.arcs.offset.length - 1);
-  assert.deepEqual(json.arcs.flatMap(({ points }) => points), [...data.arcs.points]);
-  assert.deepEqual(json.arcs.flatMap(({ labels }) => labels), [...data.arcs.labels]);
-  assert.deepEqual(json.voronoiPoints.flatMap(({ labels }) => labels), [...data.voronoiPoints.labels]);
+  assert.deepEqual(
+    json.arcs.flatMap(({ points }) => points),
+    [...data.arcs.points],
+  );
+  assert.deepEqual(
+    json.arcs.flatMap(({ labels }) => labels),
+    [...data.arcs.labels],
+  );
+  assert.deepEqual(
+    json.voronoiPoints.flatMap(({ labels }) => labels),
+    [...data.voronoiPoints.labels],
+  );
 });
 
 test('JSON scales lengths and areas', () => {
@@ -54,7 +66,10 @@ test('JSON scales lengths and areas', () => {
 });
 
 test('OBJ draws every bisector once', () => {
-  const lines = diagramObj(diagram.data, 10).trimEnd().split('\n').map((line) => line.split(' '));
+  const lines = diagramObj(diagram.data, 10)
+    .trimEnd()
+    .split('\n')
+    .map((line) => line.split(' '));
   const rows = (key) => lines.filter(([first]) => first === key).map(([, ...rest]) => rest);
   const places = rows('v').map((row) => row.map(Number));
   const pairs = rows('l').flatMap((row) => row.slice(1).map((n, i) => [row[i] - 1, n - 1]));
@@ -81,13 +96,20 @@ test('GLB draws every bisector once', () => {
   }
   const start = bin + json.bufferViews[1].byteOffset;
   const numbers = new Uint32Array(bytes.slice(start, start + 4 * indices.count).buffer);
-  const pairs = Array.from({ length: indices.count / 2 }, (_, i) => numbers.subarray(2 * i, 2 * i + 2));
+  const pairs = Array.from({ length: indices.count / 2 }, (_, i) =>
+    numbers.subarray(2 * i, 2 * i + 2),
+  );
   near(length(places, pairs), 10 * expectedLength(), 1e-4);
 });
 
 test('a diagram without bisectors is a valid file all the same', () => {
   assert.deepEqual(diagramJson(single).arcs, []);
-  assert.equal(diagramObj(single.data).split('\n').filter((line) => /^[vl] /.test(line)).length, 0);
+  assert.equal(
+    diagramObj(single.data)
+      .split('\n')
+      .filter((line) => /^[vl] /.test(line)).length,
+    0,
+  );
   const bytes = diagramGlb(single.data);
   const json = JSON.parse(new TextDecoder().decode(bytes.subarray(20)));
   assert.deepEqual(json.scenes, [{}]);

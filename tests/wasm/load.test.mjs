@@ -21,7 +21,14 @@ test('load() finds its modules beside itself and knows the version of the packag
 test('load() takes a URL, a path, bytes or a module', async () => {
   const module = await WebAssembly.compile(coreBytes);
   const arrayBuffer = Uint8Array.from(coreBytes).buffer;
-  for (const wasm of [coreUrl, coreUrl.href, fileURLToPath(coreUrl), coreBytes, arrayBuffer, module]) {
+  for (const wasm of [
+    coreUrl,
+    coreUrl.href,
+    fileURLToPath(coreUrl),
+    coreBytes,
+    arrayBuffer,
+    module,
+  ]) {
     const gvd = await load({ wasm });
     assert.equal((await gvd.mesh(octahedron())).info.faces, 8);
   }
@@ -35,7 +42,10 @@ test('what cannot be loaded says so', async () => {
 
 test('a module with imports that are not ours is refused by the name of the import', async () => {
   // (module (import "env" "spy" (func)))
-  const stranger = [0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 2, 11, 1, 3, 101, 110, 118, 3, 115, 112, 121, 0, 0];
+  const stranger = [
+    0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 2, 11, 1, 3, 101, 110, 118, 3, 115, 112, 121, 0,
+    0,
+  ];
   await assert.rejects(load({ wasm: Uint8Array.from(stranger) }), failsToLoad(/env\.spy/));
 });
 

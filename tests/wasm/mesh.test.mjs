@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
 import { gltfResourceUris, load } from 'geodesic-voronoi';
-import { both, glb, gltf, grid, octahedron, withFlipped } from './meshes.mjs';
+import { apart, glb, gltf, grid, octahedron, withFlipped } from './meshes.mjs';
 
 let gvd;
 before(async () => {
@@ -114,7 +114,7 @@ test('a mesh that cannot be made says why', async () => {
 test('after a mesh that failed the library still works', async () => {
   await assert.rejects(gvd.mesh(new Uint8Array(100)));
   await assert.rejects(gvd.mesh({ positions: [], indices: [] }));
-  assert.equal((await gvd.mesh(both(octahedron(), grid(2)))).info.components, 2);
+  assert.equal((await gvd.mesh(apart(octahedron(), grid(2)))).info.components, 2);
 });
 
 test('sampled sites depend on the seed alone, and the first ones not on the count', async () => {

@@ -25,11 +25,11 @@ export function octahedron() {
   };
 }
 
-/** Two meshes as one, not connected. */
-export function both(a, b) {
+/** Two meshes side by side, as one. */
+export function apart(a, b) {
   const offset = a.positions.length / 3;
   return {
-    positions: [...a.positions, ...b.positions],
+    positions: [...a.positions, ...b.positions.map((x, i) => (i % 3 === 0 ? x + 5 : x))],
     indices: [...a.indices, ...b.indices.map((i) => i + offset)],
   };
 }

@@ -1,11 +1,23 @@
 // SPDX-License-Identifier: MIT
-import type { DiagramData, Located, MeshInfo, MeshRepairs, Metric, SurfacePoints } from './types.js';
+import type {
+  DiagramData,
+  Located,
+  MeshInfo,
+  MeshRepairs,
+  Metric,
+  SurfacePoints,
+} from './types.js';
 import { WasmModule, type CopyIn } from './wasm_module.js';
 
 /** The functions of core.wasm, as `bindings.cpp` defines them. Pointers are numbers. */
 interface CoreFunctions {
   version(): number;
-  createMesh(positions: number, positionCount: number, triangles: number, indexCount: number): number;
+  createMesh(
+    positions: number,
+    positionCount: number,
+    triangles: number,
+    indexCount: number,
+  ): number;
   freeMesh(mesh: number): void;
   meshInfo(mesh: number): number;
   pointsAtVertices(owner: number, vertex: number, count: number): number;
@@ -89,7 +101,9 @@ export class Core {
 
   pointsAtVertices(owner: MeshPointer | VoronoiPointer, vertex: Int32Array): SurfacePoints {
     return surfacePoints(
-      this.#wasm.arrays((core, copyIn) => core.pointsAtVertices(owner, copyIn(vertex), vertex.length)),
+      this.#wasm.arrays((core, copyIn) =>
+        core.pointsAtVertices(owner, copyIn(vertex), vertex.length),
+      ),
     );
   }
 
@@ -146,7 +160,10 @@ export class Core {
   }
 }
 
-function named<Name extends string>(names: readonly Name[], values: Int32Array): Record<Name, number> {
+function named<Name extends string>(
+  names: readonly Name[],
+  values: Int32Array,
+): Record<Name, number> {
   return Object.fromEntries(names.map((name, i) => [name, values[i]])) as Record<Name, number>;
 }
 

@@ -149,7 +149,11 @@ export class LocalEngine implements Engine {
   }
 
   /** In slices, between which the thread serves others, the caller hears of it and may give up. */
-  async #propagate(core: Core, voronoi: VoronoiPointer, { signal, onProgress }: TaskOptions): Promise<void> {
+  async #propagate(
+    core: Core,
+    voronoi: VoronoiPointer,
+    { signal, onProgress }: TaskOptions,
+  ): Promise<void> {
     let done = false;
     while (!done) {
       const end = performance.now() + sliceMilliseconds;
@@ -200,7 +204,8 @@ export class LocalEngine implements Engine {
 
 function pointerOf<Pointer>(pointers: Map<Handle, Pointer>, handle: Handle): Pointer {
   const pointer = pointers.get(handle);
-  if (pointer === undefined) throw new GeodesicVoronoiError('disposed', 'This object has been disposed.');
+  if (pointer === undefined)
+    throw new GeodesicVoronoiError('disposed', 'This object has been disposed.');
   return pointer;
 }
 

@@ -44,7 +44,10 @@ export function diagramJson(
     voronoiPoints: Array.from(voronoiPoints.point, (point, i) => ({
       point,
       labels: [
-        ...voronoiPoints.labels.subarray(voronoiPoints.labelOffset[i], voronoiPoints.labelOffset[i + 1]),
+        ...voronoiPoints.labels.subarray(
+          voronoiPoints.labelOffset[i],
+          voronoiPoints.labelOffset[i + 1],
+        ),
       ],
     })),
     faceLabel: [...data.faceLabel],
@@ -72,7 +75,7 @@ export function diagramObj({ points, arcs }: DiagramData, scale = 1): string {
 }
 
 /** The bisectors as GLB: one primitive of line segments. */
-export function diagramGlb({ points, segments }: DiagramData, scale = 1): Uint8Array {
+export function diagramGlb({ points, segments }: DiagramData, scale = 1): Uint8Array<ArrayBuffer> {
   const { used, numbers } = compact(segments.points, points.face.length);
   const positions = new Float32Array(3 * used.length);
   used.forEach((point, i) => {
@@ -114,7 +117,10 @@ export function diagramGlb({ points, segments }: DiagramData, scale = 1): Uint8A
 }
 
 /** The points that a list names, ascending, and the list in terms of them. */
-function compact(list: Int32Array, pointCount: number): { used: Uint32Array; numbers: Uint32Array } {
+function compact(
+  list: Int32Array,
+  pointCount: number,
+): { used: Uint32Array; numbers: Uint32Array } {
   const number = new Uint32Array(pointCount);
   const used = new Uint32Array(new Set(list)).sort();
   used.forEach((point, i) => {
@@ -124,7 +130,7 @@ function compact(list: Int32Array, pointCount: number): { used: Uint32Array; num
 }
 
 /** A binary glTF of a JSON chunk and, if there is data, a BIN chunk; all of 4-byte elements. */
-function glb(json: object, data: (Float32Array | Uint32Array)[]): Uint8Array {
+function glb(json: object, data: (Float32Array | Uint32Array)[]): Uint8Array<ArrayBuffer> {
   const text = new TextEncoder().encode(JSON.stringify(json));
   const jsonLength = 4 * Math.ceil(text.length / 4);
   const binLength = data.reduce((sum, array) => sum + array.byteLength, 0);

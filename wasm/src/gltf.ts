@@ -3,7 +3,12 @@ import type { GltfResources, MeshPart } from './types.js';
 import { WasmModule } from './wasm_module.js';
 
 interface GltfFunctions {
-  readGltfScene(bytes: number, byteLength: number, resources: number, resourceCount: number): number;
+  readGltfScene(
+    bytes: number,
+    byteLength: number,
+    resources: number,
+    resourceCount: number,
+  ): number;
 }
 
 /** The triangles of a glTF scene in world space. */
@@ -31,7 +36,12 @@ export async function readGltf(
       const uri = utf8.encode(name);
       return [copyIn(uri), uri.length, copyIn(content), content.length];
     });
-    return gltf.readGltfScene(copyIn(bytes), bytes.length, copyIn(Uint32Array.from(rows)), entries.length);
+    return gltf.readGltfScene(
+      copyIn(bytes),
+      bytes.length,
+      copyIn(Uint32Array.from(rows)),
+      entries.length,
+    );
   }) as [Float64Array, Int32Array, Int32Array, ...string[]];
 
   const partCount = numbers.length / 5;

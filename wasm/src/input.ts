@@ -6,12 +6,21 @@
 import { metrics } from './core.js';
 import { GeodesicVoronoiError } from './errors.js';
 import type { GltfFile, Triangles } from './engine.js';
-import type { GltfResources, MeshSource, Metric, SurfacePoints, SurfacePointsInput } from './types.js';
+import type {
+  GltfResources,
+  MeshSource,
+  Metric,
+  SurfacePoints,
+  SurfacePointsInput,
+} from './types.js';
 
 /** Each level doubles the segments; ten of them turn a face into a million. */
 const maxDetail = 10;
 
-export function toTriangles(source: MeshSource, resources: GltfResources = {}): Triangles | GltfFile {
+export function toTriangles(
+  source: MeshSource,
+  resources: GltfResources = {},
+): Triangles | GltfFile {
   if (source instanceof Uint8Array) return { bytes: source, resources };
   if (source instanceof ArrayBuffer) return { bytes: new Uint8Array(source), resources };
   if (isObject(source) && 'positions' in source && 'indices' in source) {
@@ -20,7 +29,9 @@ export function toTriangles(source: MeshSource, resources: GltfResources = {}): 
       indices: toInt32('indices', source.indices),
     };
   }
-  throw invalidArgument('A mesh is made from the bytes of a glTF file or from {positions, indices}.');
+  throw invalidArgument(
+    'A mesh is made from the bytes of a glTF file or from {positions, indices}.',
+  );
 }
 
 /** A list of points, as faces and coordinates of the same length or as vertices. */
@@ -28,7 +39,8 @@ export function toPoints(
   name: string,
   points: SurfacePointsInput,
 ): SurfacePoints | { vertex: Int32Array } {
-  if (isObject(points) && 'vertex' in points) return { vertex: toInt32(`${name}.vertex`, points.vertex) };
+  if (isObject(points) && 'vertex' in points)
+    return { vertex: toInt32(`${name}.vertex`, points.vertex) };
   if (!isObject(points) || !('face' in points) || !('bary' in points)) {
     throw invalidArgument(`${name} is a list of points: {face, bary} or {vertex}.`);
   }

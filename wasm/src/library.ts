@@ -28,8 +28,8 @@ import type {
 const disposeSymbol: typeof Symbol.dispose = Symbol.dispose ?? Symbol.for('Symbol.dispose');
 
 /** Frees what an object kept in its engine if nobody disposed it before it was collected. */
-const backstop = new FinalizationRegistry<{ engine: Engine; handle: Handle }>(({ engine, handle }) =>
-  engine.close(handle),
+const backstop = new FinalizationRegistry<{ engine: Engine; handle: Handle }>(
+  ({ engine, handle }) => engine.close(handle),
 );
 
 /** What a mesh or a diagram keeps in its engine, until it is disposed. */
@@ -68,7 +68,12 @@ class EngineDiagram implements Diagram {
   readonly regions: readonly Region[];
   readonly #kept: Kept;
 
-  constructor(engine: Engine, metric: Metric, sites: SurfacePoints, { handle, data }: OpenedDiagram) {
+  constructor(
+    engine: Engine,
+    metric: Metric,
+    sites: SurfacePoints,
+    { handle, data }: OpenedDiagram,
+  ) {
     this.metric = metric;
     this.sites = sites;
     this.data = data;
@@ -97,7 +102,11 @@ class EngineMesh implements Mesh {
   readonly parts: readonly MeshPart[];
   readonly #kept: Kept;
 
-  constructor(engine: Engine, { handle, info, parts }: OpenedMesh, { positions, indices }: Triangles) {
+  constructor(
+    engine: Engine,
+    { handle, info, parts }: OpenedMesh,
+    { positions, indices }: Triangles,
+  ) {
     this.info = info;
     this.positions = positions;
     this.indices = indices;

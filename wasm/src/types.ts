@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+/// <reference lib="esnext.disposable" preserve="true" />
 
 /** Approximate and fast, or exact polyhedral distance. */
 export type Metric = 'dgpc' | 'exact';
@@ -14,8 +15,7 @@ export interface SurfacePoints {
 
 /** What functions take as a list of points: faces with barycentric coordinates, or input vertices. */
 export type SurfacePointsInput =
-  | { face: ArrayLike<number>; bary: ArrayLike<number> }
-  | { vertex: ArrayLike<number> };
+  { face: ArrayLike<number>; bary: ArrayLike<number> } | { vertex: ArrayLike<number> };
 
 /** What the mesh builder did to the input to make a manifold of it; all zero for a clean mesh. */
 export interface MeshRepairs {
@@ -58,7 +58,8 @@ export interface PointLists {
 
 /**
  * A geodesic Voronoi diagram as flat arrays: copies, yours to keep or to transfer. Labels are
- * indices into the list of sites; left and right are as seen with the triangles counterclockwise.
+ * indices into the list of sites; left and right are as seen with the triangles counterclockwise,
+ * those that the mesh builder turned over as it turned them.
  * `core/include/gvd/diagram.h` holds the definitions.
  */
 export interface DiagramData {
@@ -110,9 +111,7 @@ export interface VoronoiOptions extends TaskOptions {
 export type GltfResources = Record<string, Uint8Array>;
 
 export type MeshSource =
-  | Uint8Array
-  | ArrayBuffer
-  | { positions: ArrayLike<number>; indices: ArrayLike<number> };
+  Uint8Array | ArrayBuffer | { positions: ArrayLike<number>; indices: ArrayLike<number> };
 
 /** Where a run of input triangles came from, by the indices of the glTF; in scene order. */
 export interface MeshPart {

@@ -38,7 +38,9 @@ const utf8 = new TextDecoder();
  * What a standalone module asks of its host. Ours read no files, no environment and no clock: what
  * the C library asks for all the same is answered with "nothing there".
  */
-function hostFunctions(memory: () => WebAssembly.Memory): Record<string, (...args: number[]) => number> {
+function hostFunctions(
+  memory: () => WebAssembly.Memory,
+): Record<string, (...args: number[]) => number> {
   const badFileDescriptor = 8;
   return {
     'env.emscripten_notify_memory_growth': () => 0,
@@ -59,7 +61,10 @@ function hostFunctions(memory: () => WebAssembly.Memory): Record<string, (...arg
 }
 
 /** The functions a module imports; a module that wants anything else is not one of ours. */
-function importsFor(module: WebAssembly.Module, memory: () => WebAssembly.Memory): WebAssembly.Imports {
+function importsFor(
+  module: WebAssembly.Module,
+  memory: () => WebAssembly.Memory,
+): WebAssembly.Imports {
   const host = hostFunctions(memory);
   const imports: Record<string, Record<string, WebAssembly.ImportValue>> = {};
   for (const { module: namespace, name } of WebAssembly.Module.imports(module)) {
@@ -92,9 +97,13 @@ export class WasmModule<Functions> {
       exports = instance.exports as unknown as Abi & Functions;
       exports._initialize();
     } catch (cause) {
-      throw new GeodesicVoronoiError('load-failed', `The WebAssembly module does not start: ${cause}`, {
-        cause,
-      });
+      throw new GeodesicVoronoiError(
+        'load-failed',
+        `The WebAssembly module does not start: ${cause}`,
+        {
+          cause,
+        },
+      );
     }
     return new WasmModule(exports);
   }
@@ -105,7 +114,10 @@ export class WasmModule<Functions> {
    */
   call(f: (functions: Functions, copyIn: CopyIn) => number): number {
     if (this.#stopped) {
-      throw new GeodesicVoronoiError('internal', 'The library has stopped after a fault: load it again.');
+      throw new GeodesicVoronoiError(
+        'internal',
+        'The library has stopped after a fault: load it again.',
+      );
     }
     const copies: number[] = [];
     try {
@@ -129,7 +141,11 @@ export class WasmModule<Functions> {
     try {
       return this.#copyOut(arrays);
     } catch (cause) {
-      throw new GeodesicVoronoiError('out-of-memory', 'There is not enough memory for the result.', { cause });
+      throw new GeodesicVoronoiError(
+        'out-of-memory',
+        'There is not enough memory for the result.',
+        { cause },
+      );
     } finally {
       this.#exports.freeArrays(arrays);
     }
@@ -188,12 +204,18 @@ export class WasmModule<Functions> {
   #orFault(error: unknown): unknown {
     if (error instanceof GeodesicVoronoiError) return error;
     this.#stopped = true;
-    return new GeodesicVoronoiError('internal', `The library has stopped: ${error}`, { cause: error });
+    return new GeodesicVoronoiError('internal', `The library has stopped: ${error}`, {
+      cause: error,
+    });
   }
 }
 
 function copyOf<T>(
-  type: new (buffer: ArrayBuffer | SharedArrayBuffer, offset: number, length: number) => { slice(): T },
+  type: new (
+    buffer: ArrayBuffer | SharedArrayBuffer,
+    offset: number,
+    length: number,
+  ) => { slice(): T },
   buffer: ArrayBuffer,
   address: number,
   length: number,

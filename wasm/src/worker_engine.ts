@@ -114,7 +114,11 @@ export class WorkerEngine implements Engine {
           reject(signal?.reason);
         };
         signal?.addEventListener('abort', abandon);
-        this.#pending.set(id, { resolve: resolve as (result: unknown) => void, reject, onProgress });
+        this.#pending.set(id, {
+          resolve: resolve as (result: unknown) => void,
+          reject,
+          onProgress,
+        });
         this.#post({ id, call, args } as Request);
       });
     } finally {

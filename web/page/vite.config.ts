@@ -17,6 +17,8 @@ export default defineConfig(({ isPreview }) => {
       target: 'es2022',
       // A strict content security policy allows no data: addresses.
       assetsInlineLimit: 0,
+      // three.js is most of it.
+      chunkSizeWarningLimit: 800,
     },
     worker: { format: 'es' },
   };

@@ -115,6 +115,8 @@ export class GeodesicVoronoiElement extends Base {
       return;
     }
     canvas.addEventListener('webglcontextlost', () => {
+      // Leaving the document gives the context up too.
+      if (this.#connected?.canvas !== canvas) return;
       message.textContent = 'The graphics card has dropped this view; it returns when it can.';
       message.hidden = false;
       this.#emit('error', { type: 'webglcontextlost', message: message.textContent });
@@ -253,7 +255,7 @@ export class GeodesicVoronoiElement extends Base {
     if (!this.#model || !this.#connected || !this.#session?.sites[index]) return undefined;
     const { camera } = this.#connected.stage;
     const place = this.#model.drawing.sitePlace(index);
-    const client = this.#connected.stage.toClient(place);
+    const client = this.#connected.stage.projection()(place);
     return client && !this.#model.picker.hides(place, camera) ? client : undefined;
   }
 
@@ -453,6 +455,9 @@ export class GeodesicVoronoiElement extends Base {
     stage.add(this.#model.drawing.object);
     this.#showLayers();
     this.refit();
+    // The first drawing compiles shaders, which takes longer than many a diagram. Done now, it is not
+    // counted as the diagram's time.
+    stage.draw();
   }
 
   #showLayers(): void {
@@ -508,11 +513,12 @@ export class GeodesicVoronoiElement extends Base {
     const { stage } = this.#required();
     const { drawing, picker } = this.#model;
     const sites: Sites = this.#session?.sites ?? [];
+    const toClient = stage.projection();
     let nearest: number | undefined;
     let nearestDistance = reach;
     sites.forEach(({ id }, i) => {
       const place = drawing.sitePlace(i);
-      const client = stage.toClient(place);
+      const client = toClient(place);
       if (!client) return;
       const distance = Math.hypot(client.x - x, client.y - y);
       if (distance > nearestDistance || picker.hides(place, stage.camera)) return;

@@ -7,7 +7,7 @@ import {
   DoubleSide,
   Group,
   Mesh,
-  MeshStandardMaterial,
+  MeshLambertMaterial,
 } from 'three';
 import { toneColour } from './region_colours.js';
 import type { SceneMesh } from './scene_mesh.js';
@@ -30,17 +30,15 @@ export class RegionSurface {
   readonly object = new Group();
   readonly #mesh: SceneMesh;
   readonly #wholeFaces: BufferGeometry;
-  readonly #material: MeshStandardMaterial;
-  #parts: Mesh<BufferGeometry, MeshStandardMaterial> | undefined;
+  readonly #material: MeshLambertMaterial;
+  #parts: Mesh<BufferGeometry, MeshLambertMaterial> | undefined;
   #diagram: { data: DiagramData; tones: Uint16Array } | undefined;
   #filled = true;
 
   constructor(mesh: SceneMesh) {
     this.#mesh = mesh;
-    this.#material = new MeshStandardMaterial({
+    this.#material = new MeshLambertMaterial({
       vertexColors: true,
-      roughness: 0.82,
-      metalness: 0,
       side: DoubleSide,
       // Lines lie in the surface and are some pixels wide: on a slope the depth differs across
       // them by the slope times half their width, which is what the factor pushes back.
@@ -168,14 +166,18 @@ function partGeometry(mesh: SceneMesh, data: DiagramData, colours: LabelColours)
     const face = cells.face[cell];
     const first = cells.offset[cell];
     const end = cells.offset[cell + 1];
+    const barys: number[][] = [];
     for (let i = first; i < end; ++i) {
       const place = places.subarray(3 * cells.points[i], 3 * cells.points[i] + 3);
       position.set(place, 3 * i);
       // A point names one of the faces it lies on, which need not be this one.
-      mesh.writeNormal(face, mesh.barycentric(face, place[0], place[1], place[2]), normal, 3 * i);
+      const bary = mesh.barycentric(face, place[0], place[1], place[2]);
+      barys.push(bary);
+      mesh.writeNormal(face, bary, normal, 3 * i);
       colours.write(cells.label[cell], colour, 3 * i);
-      if (i >= first + 2) triangles.push(first, i - 1, i);
     }
+    const turned = isClockwise(barys);
+    for (let i = first + 2; i < end; ++i) triangles.push(first, ...(turned ? [i, i - 1] : [i - 1, i]));
   }
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(position, 3));
@@ -183,4 +185,18 @@ function partGeometry(mesh: SceneMesh, data: DiagramData, colours: LabelColours)
   geometry.setAttribute('color', new BufferAttribute(colour, 3, true));
   geometry.setIndex(triangles);
   return geometry;
+}
+
+/**
+ * Whether a polygon in a face winds against the face, as the parts do of a triangle that the mesh
+ * builder turned over. Its normals are those of the input's triangle.
+ */
+function isClockwise(barys: readonly (readonly number[])[]): boolean {
+  let doubleArea = 0;
+  let last = barys[barys.length - 1];
+  for (const bary of barys) {
+    doubleArea += last[1] * bary[2] - bary[1] * last[2];
+    last = bary;
+  }
+  return doubleArea < 0;
 }

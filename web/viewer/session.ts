@@ -101,7 +101,9 @@ export class Session {
     try {
       const library = await this.#loadedLibrary();
       const { name, bytes, resources } = await read(signal, (share) => this.#listener.progressed(share));
-      mesh = await library.mesh(bytes, { resources });
+      mesh = await library.mesh(bytes, { resources }).catch((error) => {
+        throw sentence(`${name} cannot be opened`, error);
+      });
       const sites = count > 0 ? await mesh.sampleSites(count, { seed }) : { face: [], bary: [] };
       signal.throwIfAborted();
       this.#adopt(mesh, name, this.#history.createAll(sites));
@@ -274,7 +276,7 @@ export class Session {
       this.#listener.diagramChanged(this.#shown);
     } catch (error) {
       if (!mesh || mesh !== this.#mesh || this.#task.superseded) return;
-      if (!signal.aborted) this.#fail(error);
+      if (!signal.aborted) this.#fail(sentence('The diagram cannot be made', error));
       this.#returnToShown();
     } finally {
       this.#computing = this.#task.superseded;
@@ -295,7 +297,7 @@ export class Session {
 
   #fail(error: unknown): void {
     // A library that has stopped answers nothing any more; the next model starts another.
-    const code = (error as { code?: unknown } | undefined)?.code;
+    const { code } = ((error as Error).cause ?? error) as { code?: unknown };
     if (code === 'internal' || code === 'load-failed') this.#library = undefined;
     this.#listener.failed(error);
   }
@@ -312,4 +314,10 @@ export class Session {
     this.#status = status;
     this.#listener.statusChanged(status);
   }
+}
+
+/** What happened and, from the library, why. */
+function sentence(what: string, cause: unknown): Error {
+  const why = cause instanceof Error ? cause.message : String(cause);
+  return new Error(`${what}: ${why.replace(/\.$/, '')}.`, { cause });
 }

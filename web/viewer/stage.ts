@@ -16,7 +16,7 @@ const fieldOfView = 32;
 /** Room around a framed model, as a share of the view. */
 const margin = 0.12;
 /** Where a framed model is looked at from. */
-const firstDirection = new Vector3(0.45, 0.32, 1).normalize();
+const firstDirection = new Vector3(0.45, 0.4, 1).normalize();
 
 /**
  * The scene with its camera, lights and controls on one canvas. It draws when something changed and
@@ -137,15 +137,21 @@ export class Stage {
     );
   }
 
-  /** The place on the page of a point of the scene; undefined if it is behind the camera. */
-  toClient(point: Vector3): { x: number; y: number } | undefined {
+  /**
+   * Tells for points of the scene, while the camera stands still, their place on the page; undefined
+   * for what is behind the camera.
+   */
+  projection(): (point: Vector3) => { x: number; y: number } | undefined {
     this.camera.updateMatrixWorld();
-    const device = point.clone().project(this.camera);
-    if (device.z > 1) return undefined;
     const box = this.canvas.getBoundingClientRect();
-    return {
-      x: box.left + ((device.x + 1) * box.width) / 2,
-      y: box.top + ((1 - device.y) * box.height) / 2,
+    const device = new Vector3();
+    return (point) => {
+      device.copy(point).project(this.camera);
+      if (device.z > 1) return undefined;
+      return {
+        x: box.left + ((device.x + 1) * box.width) / 2,
+        y: box.top + ((1 - device.y) * box.height) / 2,
+      };
     };
   }
 

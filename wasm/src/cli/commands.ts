@@ -4,8 +4,8 @@ import { metrics } from '../core.js';
 import { diagramGlb, diagramJson, diagramObj } from '../formats.js';
 import { load } from '../node.js';
 import type { Diagram, Mesh, MeshInfo, MeshRepairs, Metric, SurfacePointsInput } from '../types.js';
-import { FileError, Inputs, Output } from './files.js';
-import { listed, UsageError, type CommandName, type Values } from './options.js';
+import { FileError, Output, readModel, readPoints } from './files.js';
+import { listed, standard, UsageError, type CommandName, type Values } from './options.js';
 import { ProgressBar } from './progress.js';
 
 export interface Request {
@@ -13,12 +13,16 @@ export interface Request {
   values: Values;
 }
 
-export const run: Record<CommandName, (request: Request) => Promise<void>> = { info, diagram, locate };
+export const run: Record<CommandName, (request: Request) => Promise<void>> = {
+  info,
+  diagram,
+  locate,
+};
 
 async function info({ mesh: path, values }: Request): Promise<void> {
   const scale = toScale(values.units);
-  const output = await Output.open(values.output ?? '-');
-  const mesh = await openMesh(path, new Inputs());
+  const output = await Output.open(values.output ?? standard);
+  const mesh = await openMesh(path);
   const facts = {
     ...mesh.info,
     area: scale * scale * mesh.info.area,
@@ -32,8 +36,8 @@ async function diagram({ mesh: path, values }: Request): Promise<void> {
   const scale = toScale(values.units);
   const encode = toEncoder(values);
   const task = toTask(values);
-  const output = await Output.open(values.output ?? '-');
-  const diagram = await compute(path, new Inputs(), values, task);
+  const output = await Output.open(values.output ?? standard);
+  const diagram = await compute(path, values, task);
   await output.write(encode(diagram, scale));
 
   const { arcs, voronoiPoints } = diagram.data;
@@ -49,10 +53,9 @@ async function locate({ mesh: path, values }: Request): Promise<void> {
   if (values.points === undefined) throw new UsageError('--points is missing');
   const scale = toScale(values.units);
   const task = toTask(values);
-  const output = await Output.open(values.output ?? '-');
-  const inputs = new Inputs();
-  const points = await inputs.points(values.points);
-  const diagram = await compute(path, inputs, values, task);
+  const output = await Output.open(values.output ?? standard);
+  const points = await readPoints(values.points);
+  const diagram = await compute(path, values, task);
   const { label, distance } = await diagram.locate(points);
   await output.write(
     `${JSON.stringify({
@@ -63,8 +66,8 @@ async function locate({ mesh: path, values }: Request): Promise<void> {
   );
 }
 
-async function openMesh(path: string, inputs: Inputs): Promise<Mesh> {
-  const { bytes, resources } = await inputs.model(path);
+async function openMesh(path: string): Promise<Mesh> {
+  const { bytes, resources } = await readModel(path);
   const gvd = await load();
   try {
     return await gvd.mesh(bytes, { resources });
@@ -83,16 +86,16 @@ interface DiagramTask {
 /** The diagram that the options ask for. */
 async function compute(
   path: string,
-  inputs: Inputs,
   values: Values,
   { sites, seed, metric, detail }: DiagramTask,
 ): Promise<Diagram> {
   const given: SurfacePointsInput | undefined =
-    typeof sites === 'string' ? await inputs.points(sites) : undefined;
-  const mesh = await openMesh(path, inputs);
+    typeof sites === 'string' ? await readPoints(sites) : undefined;
+  const mesh = await openMesh(path);
   if (!values.quiet) for (const note of mesh.info.notes) process.stderr.write(`note: ${note}\n`);
 
-  const bar = values.progress || (process.stderr.isTTY && !values.quiet) ? new ProgressBar() : undefined;
+  const bar =
+    values.progress || (process.stderr.isTTY && !values.quiet) ? new ProgressBar() : undefined;
   try {
     return await mesh.voronoi(given ?? (await mesh.sampleSites(sites as number, { seed })), {
       metric,
@@ -104,7 +107,13 @@ async function compute(
   }
 }
 
-function toTask({ sites, sampling = 'random', seed = '1', metric = 'dgpc', detail = '0' }: Values): DiagramTask {
+function toTask({
+  sites,
+  sampling = 'random',
+  seed = '1',
+  metric = 'dgpc',
+  detail = '0',
+}: Values): DiagramTask {
   if (sites === undefined) throw new UsageError('--sites is missing');
   const samplings = ['random'];
   if (!samplings.includes(sampling)) {
@@ -132,7 +141,14 @@ function toInteger(name: string, text: string, least: number): number {
 }
 
 /** Units per metre. */
-const unitScale: Record<string, number> = { m: 1, cm: 100, mm: 1000, km: 0.001, in: 1 / 0.0254, ft: 1 / 0.3048 };
+const unitScale: Record<string, number> = {
+  m: 1,
+  cm: 100,
+  mm: 1000,
+  km: 0.001,
+  in: 1 / 0.0254,
+  ft: 1 / 0.3048,
+};
 
 function toScale(units = 'm'): number {
   const scale = Object.hasOwn(unitScale, units) ? unitScale[units] : Number(units);
@@ -150,8 +166,8 @@ const encoders: Record<string, Encoder> = {
   '.glb': ({ data }, scale) => diagramGlb(data, scale),
 };
 
-function toEncoder({ output = '-', json }: Values): Encoder {
-  if (json || output === '-') return encoders['.json'];
+function toEncoder({ output = standard, json }: Values): Encoder {
+  if (json || output === standard) return encoders['.json'];
   const ending = extname(output).toLowerCase();
   if (Object.hasOwn(encoders, ending)) return encoders[ending];
   throw new UsageError(`the ending of '${output}' is not one of ${listed(Object.keys(encoders))}`);

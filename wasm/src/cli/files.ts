@@ -1,54 +1,55 @@
 // SPDX-License-Identifier: MIT
 import { randomUUID } from 'node:crypto';
-import { access, constants, readFile, realpath, rename, rm, stat, writeFile } from 'node:fs/promises';
+import {
+  access,
+  constants,
+  readFile,
+  realpath,
+  rename,
+  rm,
+  stat,
+  writeFile,
+} from 'node:fs/promises';
 import { dirname, isAbsolute, join, relative, resolve } from 'node:path';
 import { gltfResourceUris } from '../gltf.js';
 import type { GltfResources, SurfacePointsInput } from '../types.js';
-import { UsageError } from './options.js';
+import { standard } from './options.js';
 
 /** A file cannot be read or written: exit status 1. */
 export class FileError extends Error {}
 
-const standard = '-';
+function readBytes(path: string): Promise<Uint8Array> {
+  return path === standard ? readStandardInput() : read(path, path);
+}
 
-/** Reads the files of one command: standard input, `-`, can be only one of them. */
-export class Inputs {
-  #standardInputTaken = false;
-
-  async bytes(path: string): Promise<Uint8Array> {
+/** Reads a glTF file with the files that it names, out of its own folder. */
+export async function readModel(
+  path: string,
+): Promise<{ bytes: Uint8Array; resources: GltfResources }> {
+  const bytes = await readBytes(path);
+  const resources: GltfResources = {};
+  for (const uri of gltfResourceUris(bytes)) {
     if (path === standard) {
-      if (this.#standardInputTaken) throw new UsageError('only one file can be standard input');
-      this.#standardInputTaken = true;
+      throw new FileError(`the model needs ${uri}, but one from standard input has no folder`);
     }
-    return path === standard ? readStandardInput() : read(path, path);
+    resources[uri] = await read(resourcePath(path, uri), `${uri}, which ${path} needs,`);
   }
+  return { bytes, resources };
+}
 
-  /** A glTF file with the files that it names, out of its own folder. */
-  async model(path: string): Promise<{ bytes: Uint8Array; resources: GltfResources }> {
-    const bytes = await this.bytes(path);
-    const resources: GltfResources = {};
-    for (const uri of gltfResourceUris(bytes)) {
-      if (path === standard) {
-        throw new FileError(`the model needs ${uri}, but one from standard input has no folder`);
-      }
-      resources[uri] = await read(resourcePath(path, uri), `${uri}, which ${path} needs,`);
-    }
-    return { bytes, resources };
+/** Reads a list of sites or points; also the sites of a diagram that this command wrote. */
+export async function readPoints(path: string): Promise<SurfacePointsInput> {
+  const text = new TextDecoder().decode(await readBytes(path));
+  let json: unknown;
+  try {
+    json = JSON.parse(text);
+  } catch (error) {
+    throw new FileError(`${nameOf(path)} is not JSON: ${(error as Error).message}`);
   }
-
-  /** A list of sites or points; also those in a diagram that this command wrote. */
-  async points(path: string): Promise<SurfacePointsInput> {
-    const text = new TextDecoder().decode(await this.bytes(path));
-    let json: unknown;
-    try {
-      json = JSON.parse(text);
-    } catch (error) {
-      throw new FileError(`${nameOf(path)} is not JSON: ${(error as Error).message}`);
-    }
-    const list = has(json, 'sites') ? json.sites : json;
-    if (has(list, 'vertex') || (has(list, 'face') && has(list, 'bary'))) return list as SurfacePointsInput;
-    throw new FileError(`${nameOf(path)} holds no points: {"face", "bary"} or {"vertex"}`);
-  }
+  const list = has(json, 'sites') ? json.sites : json;
+  if (has(list, 'vertex') || (has(list, 'face') && has(list, 'bary')))
+    return list as SurfacePointsInput;
+  throw new FileError(`${nameOf(path)} holds no points: {"face", "bary"} or {"vertex"}`);
 }
 
 function has<Key extends string>(value: unknown, key: Key): value is Record<Key, unknown> {

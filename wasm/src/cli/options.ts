@@ -7,6 +7,9 @@ import { parseArgs } from 'node:util';
 /** The command line is wrong, not what it names: exit status 2. */
 export class UsageError extends Error {}
 
+/** Standard input or output, where a file is asked for. */
+export const standard = '-';
+
 interface OptionSpec {
   type: 'string' | 'boolean';
   short?: string;
@@ -21,11 +24,23 @@ const options = {
     value: 'N|FILE',
     help: 'Number of sites to sample, or a JSON file of them',
   },
-  sampling: { type: 'string', value: 'METHOD', help: 'How to sample N sites: random (the default)' },
-  seed: { type: 'string', value: 'S', help: 'Seed of the sampling (default 1); the same gives the same sites' },
+  sampling: {
+    type: 'string',
+    value: 'METHOD',
+    help: 'How to sample N sites: random (the default)',
+  },
+  seed: {
+    type: 'string',
+    value: 'S',
+    help: 'Seed of the sampling (default 1); the same gives the same sites',
+  },
   points: { type: 'string', value: 'FILE', help: 'JSON file of the points to locate' },
   metric: { type: 'string', value: 'METRIC', help: 'dgpc: approximate, fast (the default); exact' },
-  detail: { type: 'string', value: 'N', help: 'Split triangles of several regions in four, N times (default 0)' },
+  detail: {
+    type: 'string',
+    value: 'N',
+    help: 'Split triangles of several regions in four, N times (default 0)',
+  },
   units: {
     type: 'string',
     value: 'UNIT|FACTOR',
@@ -65,14 +80,34 @@ export const commands = {
     summary: 'The geodesic Voronoi diagram of sites on a mesh',
     result: `By FILE's ending: .json (regions, bisectors, Voronoi points), .obj or .glb (the bisectors as lines).`,
     options: [
-      'sites', 'sampling', 'seed', 'metric', 'detail', 'units', 'output', 'json', 'progress', 'quiet', 'help',
+      'sites',
+      'sampling',
+      'seed',
+      'metric',
+      'detail',
+      'units',
+      'output',
+      'json',
+      'progress',
+      'quiet',
+      'help',
     ],
   },
   locate: {
     summary: 'The nearest site of points on a mesh, and its distance',
     result: '{"label": […], "distance": […]}; -1 and null for a point that no site reaches.',
     options: [
-      'sites', 'points', 'sampling', 'seed', 'metric', 'units', 'output', 'json', 'progress', 'quiet', 'help',
+      'sites',
+      'points',
+      'sampling',
+      'seed',
+      'metric',
+      'units',
+      'output',
+      'json',
+      'progress',
+      'quiet',
+      'help',
     ],
   },
 } as const satisfies Record<string, CommandSpec>;
@@ -88,22 +123,33 @@ export interface Invocation {
 /** Takes a command line apart. A text is what to print instead of doing anything. */
 export function parseCommandLine(args: string[], version: string): Invocation | string {
   const [command, ...rest] = args;
-  if (command === undefined) throw new UsageError('a command is missing: see geodesic-voronoi --help');
+  if (command === undefined)
+    throw new UsageError('a command is missing: see geodesic-voronoi --help');
   if (command === '--help' || command === '-h') return overview();
   if (command === '--version') return `${version}\n`;
-  if (!isCommand(command)) throw new UsageError(`'${command}' is not one of ${listed(Object.keys(commands))}`);
+  if (!isCommand(command))
+    throw new UsageError(`'${command}' is not one of ${listed(Object.keys(commands))}`);
 
   const { values, positionals } = parseOptions(command, rest);
   if (values.help) return commandHelp(command);
   if (positionals.length !== 1) {
     throw new UsageError(
-      positionals.length === 0 ? 'a mesh is missing' : `one mesh at a time: '${positionals[1]}' is one too many`,
+      positionals.length === 0
+        ? 'a mesh is missing'
+        : `one mesh at a time: '${positionals[1]}' is one too many`,
     );
   }
-  return { command, mesh: positionals[0], values };
+  const [mesh] = positionals;
+  if ([mesh, values.sites, values.points].filter((path) => path === standard).length > 1) {
+    throw new UsageError('only one file can be standard input');
+  }
+  return { command, mesh, values };
 }
 
-function parseOptions(command: CommandName, args: string[]): { values: Values; positionals: string[] } {
+function parseOptions(
+  command: CommandName,
+  args: string[],
+): { values: Values; positionals: string[] } {
   const known = Object.fromEntries(commands[command].options.map((name) => [name, options[name]]));
   try {
     return parseArgs({ args, options: known, allowPositionals: true });
