@@ -78,7 +78,10 @@ TEST_P(RandomMeshes, GiveConsistentDiagrams) {
 
 TEST_P(RandomMeshes, GiveTheDiagramOfWholeMaps) {
   const auto mesh = randomMesh(GetParam());
-  const auto sites = sampleUniform(mesh, randomSiteCount(mesh, GetParam()), GetParam());
+  // A sweep per site: only small meshes get very many.
+  const int most = mesh.vertexCount() <= 80 ? 2 * mesh.vertexCount() : 40;
+  const int count = std::min(most, randomSiteCount(mesh, GetParam()));
+  const auto sites = sampleUniform(mesh, count, GetParam());
   const auto traced = trace(mesh, sites);
   const WholeMaps maps(mesh, sites, Metric::kDgpc);
   const Diagram expected = traceDiagram(mesh, maps, static_cast<int>(sites.size()));
@@ -98,7 +101,133 @@ TEST_P(RandomMeshes, KnowNothingOfTheOrderOfSites) {
   EXPECT_TRUE(areSame(mesh, a, b, order, 1e-12));
 }
 
+TEST_P(RandomMeshes, MayBeTurnedMovedAndScaled) {
+  const auto mesh = randomMesh(GetParam());
+  const auto sites = sampleUniform(mesh, randomSiteCount(mesh, GetParam()), GetParam());
+  const Diagram expected = trace(mesh, sites).diagram;
+  for (const double scale : {1e-6, 1.0, 1e6}) {
+    const Eigen::AngleAxisd turn(1.1, Eigen::Vector3d(1, 2, 3).normalized());
+    std::vector<double> positions;
+    std::vector<int> triangles;
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+      const Eigen::Vector3d p = scale * (turn * mesh.position(v) + Eigen::Vector3d(0.3, -0.2, 0.5));
+      positions.insert(positions.end(), {p[0], p[1], p[2]});
+    }
+    triangles.assign(mesh.tails().begin(), mesh.tails().end());
+    const TriangleMesh moved(positions, triangles);
+    ASSERT_EQ(moved.faceCount(), mesh.faceCount());
+    const Diagram d = trace(moved, sites).diagram;
+    EXPECT_TRUE(isConsistent(moved, d)) << "scale " << scale;
+    for (int l = 0; l < expected.siteCount; ++l)
+      EXPECT_NEAR(d.regionArea[l] / moved.area(), expected.regionArea[l] / mesh.area(), 1e-9);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomMeshes, ::testing::Range(0, 208));
+
+SurfacePoint vertexSite(const TriangleMesh& mesh, int v) {
+  const int h = mesh.outgoing(v);
+  return {TriangleMesh::faceOf(h), Eigen::Vector3d::Unit(h % 3)};
+}
+
+SurfacePoint centroid(int face) { return {face, Eigen::Vector3d::Constant(1.0 / 3)}; }
+
+TEST(Diagram, OfOneSiteOnAClosedSurfaceHasNoLoop) {
+  const auto mesh = shapes::icosphere(1).mesh();
+  const std::vector<SurfacePoint> sites = {centroid(0)};
+  const Diagram d = trace(mesh, sites).diagram;
+  EXPECT_EQ(d.loops.size(), 0);
+  EXPECT_TRUE(d.segments.empty());
+  EXPECT_NEAR(d.regionArea[0], mesh.area(), 1e-12 * mesh.area());
+}
+
+TEST(Diagram, OfOneSiteOnADiskIsOutlinedByTheBoundary) {
+  const auto mesh = shapes::grid(3, 2).mesh();
+  const std::vector<SurfacePoint> sites = {centroid(0)};
+  const Diagram d = trace(mesh, sites).diagram;
+  ASSERT_EQ(d.loops.size(), 1);
+  EXPECT_EQ(d.loops[0].size(), 10u);
+  EXPECT_TRUE(isConsistent(mesh, d));
+}
+
+TEST(Diagram, LeavesOtherComponentsUnreachable) {
+  const auto mesh = shapes::joined(shapes::octahedron(), shapes::moved(shapes::octahedron(),
+                                                                       Eigen::Vector3d(5, 0, 0)))
+                        .mesh();
+  const std::vector<SurfacePoint> sites = {centroid(0), centroid(3)};
+  const Diagram d = trace(mesh, sites).diagram;
+  for (int f = 0; f < mesh.faceCount(); ++f)
+    EXPECT_EQ(d.faceLabel[f] == Diagram::kUnreachable, mesh.component(f) != mesh.component(0));
+  EXPECT_TRUE(isConsistent(mesh, d));
+}
+
+TEST(Diagram, GivesCoincidentSitesToTheLowerLabel) {
+  const auto mesh = shapes::icosphere(1).mesh();
+  const std::vector<SurfacePoint> sites = {centroid(40), centroid(7), centroid(7)};
+  const Diagram d = trace(mesh, sites).diagram;
+  EXPECT_GT(d.regionArea[1], 0);
+  EXPECT_EQ(d.regionArea[2], 0);
+  EXPECT_TRUE(isConsistent(mesh, d));
+}
+
+TEST(Diagram, CutsACubeAlongEdgesBetweenOppositeFaceCentres) {
+  // The bisector of two opposite centres runs over the middle of the other four faces.
+  const auto mesh = shapes::cube().mesh();
+  std::vector<SurfacePoint> sites;
+  for (int f = 0; f < mesh.faceCount(); ++f) {
+    const int h = 3 * f;  // the middle of each face's diagonal, found by its length
+    for (int i = 0; i < 3; ++i)
+      if (mesh.length(h + i) > 1.2 && mesh.twin(h + i) > h + i) {
+        Eigen::Vector3d bary = Eigen::Vector3d::Zero();
+        bary[i] = bary[(i + 1) % 3] = 0.5;
+        sites.push_back({f, bary});
+      }
+  }
+  ASSERT_EQ(sites.size(), 6u);
+  const Diagram d = trace(mesh, sites).diagram;
+  EXPECT_TRUE(isConsistent(mesh, d));
+  for (const double area : d.regionArea) EXPECT_NEAR(area, 1.0, 1e-9);
+  EXPECT_EQ(d.voronoiPoints.size(), 8u);
+  for (const auto& v : d.voronoiPoints) {
+    EXPECT_EQ(v.labels.size(), 3u);
+    EXPECT_EQ(d.points[v.point].bary.maxCoeff(), 1.0) << "a Voronoi point at a corner of the cube";
+  }
+}
+
+TEST(Diagram, JoinsCocircularSitesInOneVoronoiPoint) {
+  for (const int n : {4, 6, 8, 24}) {
+    const auto mesh = shapes::vertexFan(n, 2 * 3.141592653589793).mesh();
+    std::vector<SurfacePoint> sites;
+    for (int f = 0; f < n; ++f) sites.push_back({f, {0.5, 0.25, 0.25}});
+    const Diagram d = trace(mesh, sites).diagram;
+    EXPECT_TRUE(isConsistent(mesh, d)) << n;
+    ASSERT_EQ(d.voronoiPoints.size(), 1u) << n;
+    ASSERT_EQ(static_cast<int>(d.voronoiPoints[0].labels.size()), n);
+    const auto& labels = d.voronoiPoints[0].labels;
+    for (int i = 0; i + 1 < n; ++i)
+      EXPECT_TRUE(std::abs(labels[i] - labels[i + 1]) == 1) << "the cyclic order is the sites'";
+  }
+}
+
+TEST(Diagram, HandlesManySitesInOneFace) {
+  const auto mesh = shapes::triangle().mesh();
+  shapes::Random random(3);
+  std::vector<SurfacePoint> sites;
+  for (int i = 0; i < 50; ++i) {
+    const double a = random.uniform(), b = random.uniform() * (1 - a);
+    sites.push_back({0, {a, b, 1 - a - b}});
+  }
+  const Diagram d = trace(mesh, sites).diagram;
+  EXPECT_TRUE(isConsistent(mesh, d));
+  for (const double area : d.regionArea) EXPECT_GT(area, 0);
+}
+
+TEST(Diagram, KeepsRegionsConsistentWithDetail) {
+  const auto mesh = shapes::bumpySurface(1, 2, 0.2, 5).mesh();
+  const auto sites = sampleUniform(mesh, 12, 5);
+  for (const int detail : {1, 2, 3})
+    EXPECT_TRUE(isConsistent(mesh, trace(mesh, sites, Metric::kDgpc, detail).diagram, detail));
+}
 
 }  // namespace
 }  // namespace gvd

@@ -284,6 +284,23 @@ suite('the page', () => {
     assert.equal(picture.content.subarray(1, 4).toString(), 'PNG');
   });
 
+  test('a lost context is told of, and the picture returns with it', async () => {
+    const picture = await viewer.picture();
+    const message = viewer.page.locator('geodesic-voronoi [role=alert]');
+    const lost = await viewer.after('error', () =>
+      viewer.evaluate((viewer) => {
+        const context = viewer.shadowRoot.querySelector('canvas').getContext('webgl2');
+        viewer.loss = context.getExtension('WEBGL_lose_context');
+        viewer.loss.loseContext();
+      }),
+    );
+    assert.equal(lost.type, 'webglcontextlost');
+    assert.equal(await message.isVisible(), true);
+    await viewer.evaluate((viewer) => viewer.loss.restoreContext());
+    await message.waitFor({ state: 'hidden' });
+    assert.equal(await changedSince(picture), 0);
+  });
+
   test('a viewer that is taken out ends its worker, and starts anew when it returns', async () => {
     assert.equal(viewer.page.workers().length, 1);
     const [worker] = viewer.page.workers();

@@ -4,6 +4,8 @@ const style = `
   :host {
     display: block;
     position: relative;
+    width: 300px;
+    height: 200px;
     overflow: hidden;
     contain: strict;
     touch-action: none;
