@@ -7,6 +7,7 @@
 #include <deque>
 #include <exception>
 #include <new>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -47,11 +48,13 @@ auto guarded(F&& f) -> decltype(f()) {
     // Failure lists the codes of gvd::ErrorCode in their order, after kNone.
     setFailure(static_cast<Failure>(static_cast<int>(error.code()) + 1), error.what());
   } catch (const std::bad_alloc&) {
-    setFailure(Failure::kOutOfMemory, "There is not enough memory for this.");
+    setFailure(Failure::kOutOfMemory, "");
+  } catch (const std::length_error&) {  // more elements than an address space has bytes
+    setFailure(Failure::kOutOfMemory, "");
   } catch (const std::exception& error) {
     setFailure(Failure::kInternal, error.what());
   } catch (...) {
-    setFailure(Failure::kInternal, "Something was thrown that is no exception.");
+    setFailure(Failure::kInternal, "something was thrown that is no exception");
   }
   return {};
 }

@@ -198,7 +198,7 @@ GVD_ABI Arrays* pointsAtVertices(const MeshHandle* handle, const int* vertex, st
     std::vector<SurfacePoint> points;
     points.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
-      points.push_back(naming("Point", static_cast<int>(i),
+      points.push_back(naming("point", static_cast<int>(i),
                               [&] { return handle->mesh->fromInputVertex(vertex[i]); }));
     }
     auto out = std::make_unique<Arrays>();
@@ -224,7 +224,7 @@ GVD_ABI VoronoiHandle* startVoronoi(const MeshHandle* handle, const int* face, c
     std::vector<SurfacePoint> sites;
     sites.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
-      sites.push_back(pointFromInput(mesh, "Site", static_cast<int>(i), face, bary));
+      sites.push_back(pointFromInput(mesh, "site", static_cast<int>(i), face, bary));
     }
     auto voronoi = std::make_unique<VoronoiHandle>();
     voronoi->surface = *handle;
@@ -270,7 +270,7 @@ GVD_ABI Arrays* locate(const VoronoiHandle* voronoi, const int* face, const doub
     distance.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
       const LabelledDistance nearest = voronoi->distances->nearest(
-          pointFromInput(*voronoi->surface.mesh, "Point", static_cast<int>(i), face, bary));
+          pointFromInput(*voronoi->surface.mesh, "point", static_cast<int>(i), face, bary));
       label.push_back(nearest.label);
       distance.push_back(nearest.distance);
     }

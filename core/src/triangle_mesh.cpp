@@ -320,16 +320,22 @@ double angleBetween(double a, double b, double c) {
          std::atan2(std::sqrt((a - b) + c) * std::sqrt(mu), std::sqrt(a + (b + c)) * std::sqrt(nu));
 }
 
-/// Places the apex that is b from the tip and c from the tail of the laid out halfedge.
-void layOut(double b, double c, TriangleMesh::Layout& layout) {
-  const double a = layout.length;
-  layout.inverse = 1 / (2 * a);
-  layout.x = ((c - b) * (c + b) + a * a) * layout.inverse;
-  // Heron's product keeps needles accurate, where c² - x² would cancel. Roots before products, as
-  // above.
-  const double mu = std::max(0.0, (a + b - c)) * std::max(0.0, a + c - b);
-  const double nu = (a + b + c) * std::max(0.0, b + c - a);
-  layout.y = std::sqrt(mu) * std::sqrt(nu) * layout.inverse;
+/// Lays a face out on each of its sides, whose lengths are known.
+void layOut(std::span<TriangleMesh::Layout, 3> sides) {
+  std::array<double, 3> lengths = {sides[0].length, sides[1].length, sides[2].length};
+  std::sort(lengths.begin(), lengths.end());
+  const auto [c, b, a] = lengths;
+  // 4·area = p·q, by Heron's formula in the order of Kahan: accurate for needles, where the
+  // difference of two squares would cancel, and where (a + b) - c would lose c.
+  const double p = std::sqrt(a + (b + c)) * std::sqrt(std::max(0.0, c - (a - b)));
+  const double q = std::sqrt(c + (a - b)) * std::sqrt(a + (b - c));
+  for (int i = 0; i < 3; ++i) {
+    TriangleMesh::Layout& side = sides[i];
+    const double toTip = sides[(i + 1) % 3].length, toTail = sides[(i + 2) % 3].length;
+    side.inverse = 1 / (2 * side.length);
+    side.x = (side.length + (toTail - toTip) / side.length * (toTail + toTip)) / 2;
+    side.y = p * side.inverse * q;
+  }
 }
 
 // --- Where the input went ----------------------------------------------------------------------
@@ -517,7 +523,9 @@ void TriangleMesh::measure() {
   for (int h = 0; h < halfedgeCount(); ++h) {
     angle_[h] = angleBetween(length(h), length(previous(h)), length(next(h)));
     angleSum_[tail(h)] += angle_[h];
-    layOut(length(next(h)), length(previous(h)), layout_[h]);
+  }
+  for (int f = 0; f < faceCount(); ++f) {
+    layOut(std::span<Layout, 3>(&layout_[3 * f], 3));
   }
 }
 

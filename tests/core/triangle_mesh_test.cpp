@@ -39,6 +39,16 @@ void expectInvariants(const TriangleMesh& mesh) {
     EXPECT_EQ(mesh.component(twin / 3), mesh.component(h / 3));
   }
 
+  for (int h = 0; h < mesh.halfedgeCount(); ++h) {
+    const TriangleMesh::Layout& layout = mesh.layout(h);
+    const double toTip = mesh.length(mesh.next(h)), toTail = mesh.length(mesh.previous(h));
+    const double rounding = 8 * kEpsilon * (layout.length + toTip + toTail);
+    EXPECT_GE(layout.y, 0);
+    EXPECT_NEAR(std::hypot(layout.x, layout.y), toTail, rounding);
+    EXPECT_NEAR(std::hypot(layout.x - layout.length, layout.y), toTip, rounding);
+    EXPECT_EQ(layout.inverse, 1 / (2 * layout.length));
+  }
+
   std::vector<int> corners(mesh.vertexCount(), 0);
   for (int h = 0; h < mesh.halfedgeCount(); ++h) ++corners[mesh.tail(h)];
   for (int v = 0; v < mesh.vertexCount(); ++v) {
@@ -248,6 +258,13 @@ TriangleMesh triangleMesh(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
 TEST(CornerAngle, OfANeedleHasFullRelativePrecision) {
   const TriangleMesh mesh = triangleMesh({0, 0, 0}, {1, -5e-10, 0}, {1, 5e-10, 0});
   EXPECT_NEAR(mesh.cornerAngle(0), 1e-9, 1e-9 * 8 * kEpsilon);
+}
+
+TEST(Layout, OfANeedleHasFullRelativePrecision) {
+  const TriangleMesh mesh = triangleMesh({0, 0, 0}, {1, -5e-10, 0}, {1, 5e-10, 0});
+  expectInvariants(mesh);
+  EXPECT_NEAR(mesh.layout(0).y, 1e-9, 1e-9 * 8 * kEpsilon) << "the tip over the long side";
+  EXPECT_NEAR(mesh.layout(1).y, 1, 8 * kEpsilon) << "the far corner over the short side";
 }
 
 TEST(CornerAngle, OfAFlatTriangleIsZeroOrPi) {

@@ -177,6 +177,7 @@ test('a wrong command line: status 2', () => {
   }
   fails(2, 'diagram shape.glb --sites 3 --seed -1', /--seed/);
   fails(2, 'diagram shape.glb --sites 3 --seed=-1', /--seed/);
+  fails(2, 'diagram shape.glb --sites 3 --detail 11', /--detail/);
   fails(2, 'diagram shape.glb --sites 3 --metric euclid', /euclid.*dgpc, exact/);
   fails(2, 'diagram shape.glb --sites 3 --sampling poisson', /poisson.*random/);
   fails(2, 'diagram shape.glb --sites 3 -o d.stl', /d\.stl.*\.json, \.obj, \.glb/);

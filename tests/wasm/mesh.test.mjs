@@ -143,3 +143,9 @@ test('there may be more sites than vertices, but not less than one', async () =>
     await assert.rejects(mesh.sampleSites(1, { seed }), fails('invalid-argument', /seed/));
   }
 });
+
+test('what does not fit into memory says so, and the library still works', async () => {
+  const mesh = await gvd.mesh(octahedron());
+  await assert.rejects(mesh.sampleSites(2 ** 31 - 1), fails('out-of-memory', /memory/));
+  assert.equal((await mesh.sampleSites(2)).face.length, 2);
+});

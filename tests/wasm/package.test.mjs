@@ -32,7 +32,8 @@ after(() => rmSync(folder, { recursive: true }));
 
 test('nothing is published but what is built, its licence and its description', () => {
   const others = packed.files.map(({ path }) => path).filter((path) => !path.startsWith('dist/'));
-  for (const path of others) assert.ok(['LICENSE', 'README.md', 'package.json'].includes(path), path);
+  for (const path of others)
+    assert.ok(['LICENSE', 'README.md', 'package.json'].includes(path), path);
   assert.ok(others.includes('LICENSE'));
 });
 

@@ -17,7 +17,7 @@ export async function compile(
   try {
     return await (isAddress ? compileAddress(source) : WebAssembly.compile(source as BufferSource));
   } catch (cause) {
-    const what = isAddress ? String(source) : 'The WebAssembly module';
+    const what = isAddress ? String(source) : 'the WebAssembly module';
     const why = cause instanceof Error ? cause.message : String(cause);
     throw new GeodesicVoronoiError('load-failed', `${what} cannot be loaded: ${why}`, { cause });
   }

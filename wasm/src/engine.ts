@@ -72,8 +72,8 @@ export interface EngineSources {
 const sliceMilliseconds = 12;
 /** Queue entries between two looks at the clock: well below a slice, well above its price. */
 const entriesPerStep = 1024;
-/** The propagation's part of the time that a diagram takes; tracing it is the rest. */
-const propagationShare = 0.8;
+/** About the propagation's part of the time that a diagram takes; tracing it is the rest. */
+const propagationShare = 0.5;
 
 /** The library on the thread that calls it. */
 export class LocalEngine implements Engine {
@@ -188,7 +188,7 @@ export class LocalEngine implements Engine {
   }
 
   #open(): Core {
-    if (!this.#core) throw new GeodesicVoronoiError('disposed', 'The library has been disposed.');
+    if (!this.#core) throw new GeodesicVoronoiError('disposed', 'the library has been disposed');
     return this.#core;
   }
 
@@ -205,7 +205,7 @@ export class LocalEngine implements Engine {
 function pointerOf<Pointer>(pointers: Map<Handle, Pointer>, handle: Handle): Pointer {
   const pointer = pointers.get(handle);
   if (pointer === undefined)
-    throw new GeodesicVoronoiError('disposed', 'This object has been disposed.');
+    throw new GeodesicVoronoiError('disposed', 'the object has been disposed');
   return pointer;
 }
 

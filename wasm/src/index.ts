@@ -23,7 +23,7 @@ export function load(options: LoadOptions = {}): Promise<GeodesicVoronoi> {
 /** The library in a module worker of its own; `dispose()` ends it. */
 export async function loadWorker(options: LoadOptions = {}): Promise<GeodesicVoronoi> {
   if (typeof Worker === 'undefined') {
-    throw new GeodesicVoronoiError('load-failed', 'There are no module workers here: use load().');
+    throw new GeodesicVoronoiError('load-failed', 'there are no module workers here: use load()');
   }
   const worker = new Worker(new URL('./worker.js', import.meta.url), { type: 'module' });
   const { wasm, gltfWasm } = sourcesOf(options);

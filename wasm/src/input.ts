@@ -15,7 +15,10 @@ import type {
 } from './types.js';
 
 /** Each level doubles the segments; ten of them turn a face into a million. */
-const maxDetail = 10;
+export const maxDetail = 10;
+
+/** The core counts in 32 bits. */
+export const maxCount = 2 ** 31 - 1;
 
 export function toTriangles(
   source: MeshSource,
@@ -30,7 +33,7 @@ export function toTriangles(
     };
   }
   throw invalidArgument(
-    'A mesh is made from the bytes of a glTF file or from {positions, indices}.',
+    'a mesh is made from the bytes of a glTF file or from {positions, indices}',
   );
 }
 
@@ -42,13 +45,13 @@ export function toPoints(
   if (isObject(points) && 'vertex' in points)
     return { vertex: toInt32(`${name}.vertex`, points.vertex) };
   if (!isObject(points) || !('face' in points) || !('bary' in points)) {
-    throw invalidArgument(`${name} is a list of points: {face, bary} or {vertex}.`);
+    throw invalidArgument(`${name} is a list of points: {face, bary} or {vertex}`);
   }
   const face = toInt32(`${name}.face`, points.face);
   const bary = toFloat64(`${name}.bary`, points.bary);
   if (bary.length !== 3 * face.length) {
     throw invalidArgument(
-      `${name}.bary has ${bary.length} numbers: the ${face.length} points of ${name}.face need three each.`,
+      `${name}.bary has ${bary.length} numbers: the ${face.length} points of ${name}.face need three each`,
     );
   }
   return { face, bary };
@@ -56,7 +59,7 @@ export function toPoints(
 
 export function toMetric(metric: Metric): Metric {
   if (metrics.includes(metric)) return metric;
-  throw invalidArgument(`metric is ${show(metric)}, not one of ${metrics.join(', ')}.`);
+  throw invalidArgument(`metric is ${show(metric)}, not one of ${metrics.join(', ')}`);
 }
 
 export function toDetail(detail: number): number {
@@ -64,7 +67,7 @@ export function toDetail(detail: number): number {
 }
 
 export function toCount(count: number): number {
-  return toInteger('count', count, 1, 2 ** 31 - 1);
+  return toInteger('count', count, 1, maxCount);
 }
 
 export function toSeed(seed: number): number {
@@ -73,7 +76,7 @@ export function toSeed(seed: number): number {
 
 function toInteger(name: string, value: number, least: number, most: number): number {
   if (Number.isInteger(value) && value >= least && value <= most) return value;
-  throw invalidArgument(`${name} is ${show(value)}, not an integer from ${least} to ${most}.`);
+  throw invalidArgument(`${name} is ${show(value)}, not an integer from ${least} to ${most}`);
 }
 
 function toFloat64(name: string, values: ArrayLike<number>): Float64Array {
@@ -86,7 +89,7 @@ function toInt32(name: string, values: ArrayLike<number>): Int32Array {
   const integers = new Int32Array(values);
   for (let i = 0; i < integers.length; ++i) {
     if (integers[i] !== values[i]) {
-      throw invalidArgument(`${name}[${i}] is ${show(values[i])}, not an index.`);
+      throw invalidArgument(`${name}[${i}] is ${show(values[i])}, not an index`);
     }
   }
   return integers;
@@ -94,7 +97,7 @@ function toInt32(name: string, values: ArrayLike<number>): Int32Array {
 
 function requireList(name: string, values: unknown): void {
   const isList = Array.isArray(values) || (ArrayBuffer.isView(values) && 'length' in values);
-  if (!isList) throw invalidArgument(`${name} is ${show(values)}, not an array of numbers.`);
+  if (!isList) throw invalidArgument(`${name} is ${show(values)}, not an array of numbers`);
 }
 
 function isObject(value: unknown): value is object {

@@ -48,7 +48,7 @@ class Kept {
 
   get handle(): Handle {
     if (this.#disposed) {
-      throw new GeodesicVoronoiError('disposed', `This ${this.#what} has been disposed.`);
+      throw new GeodesicVoronoiError('disposed', `the ${this.#what} has been disposed`);
     }
     return this.#handle;
   }

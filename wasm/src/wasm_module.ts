@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-import { GeodesicVoronoiError } from './errors.js';
+import { GeodesicVoronoiError, outOfMemory } from './errors.js';
 import type { ErrorCode } from './types.js';
 
 /** The functions that every module of ours exports: `abi.h`. Pointers are numbers. */
@@ -72,7 +72,7 @@ function importsFor(
     if (!hostFunction) {
       throw new GeodesicVoronoiError(
         'load-failed',
-        `The WebAssembly module imports ${namespace}.${name}: it is not one of this library's.`,
+        `the WebAssembly module imports ${namespace}.${name}: it is not one of this library's`,
       );
     }
     (imports[namespace] ??= {})[name] = hostFunction;
@@ -99,10 +99,8 @@ export class WasmModule<Functions> {
     } catch (cause) {
       throw new GeodesicVoronoiError(
         'load-failed',
-        `The WebAssembly module does not start: ${cause}`,
-        {
-          cause,
-        },
+        `the WebAssembly module does not start: ${cause}`,
+        { cause },
       );
     }
     return new WasmModule(exports);
@@ -116,7 +114,7 @@ export class WasmModule<Functions> {
     if (this.#stopped) {
       throw new GeodesicVoronoiError(
         'internal',
-        'The library has stopped after a fault: load it again.',
+        'the library has stopped after a fault: load it again',
       );
     }
     const copies: number[] = [];
@@ -141,11 +139,7 @@ export class WasmModule<Functions> {
     try {
       return this.#copyOut(arrays);
     } catch (cause) {
-      throw new GeodesicVoronoiError(
-        'out-of-memory',
-        'There is not enough memory for the result.',
-        { cause },
-      );
+      throw outOfMemory(cause);
     } finally {
       this.#exports.freeArrays(arrays);
     }
@@ -166,9 +160,7 @@ export class WasmModule<Functions> {
   #copyIn(array: Int32Array | Uint32Array | Float64Array | Uint8Array): number {
     if (array.length === 0) return 0;
     const pointer = this.#exports.allocate(array.byteLength) >>> 0;
-    if (pointer === 0) {
-      throw new GeodesicVoronoiError('out-of-memory', 'There is not enough memory for this.');
-    }
+    if (pointer === 0) throw outOfMemory();
     // The memory's buffer is asked for anew each time: growing replaces it.
     new Uint8Array(this.#exports.memory.buffer, pointer, array.byteLength).set(
       new Uint8Array(array.buffer, array.byteOffset, array.byteLength),
@@ -190,6 +182,7 @@ export class WasmModule<Functions> {
 
   #failure(): GeodesicVoronoiError {
     const code = errorCodes[this.#exports.errorCode()] ?? 'internal';
+    if (code === 'out-of-memory') return outOfMemory();
     const message = utf8.decode(
       new Uint8Array(
         this.#exports.memory.buffer,
@@ -204,7 +197,7 @@ export class WasmModule<Functions> {
   #orFault(error: unknown): unknown {
     if (error instanceof GeodesicVoronoiError) return error;
     this.#stopped = true;
-    return new GeodesicVoronoiError('internal', `The library has stopped: ${error}`, {
+    return new GeodesicVoronoiError('internal', `the library has stopped: ${error}`, {
       cause: error,
     });
   }

@@ -33,7 +33,7 @@ export class WorkerEngine implements Engine {
     worker.onerror = ({ message }) => {
       this.#close(
         this.#version ? 'internal' : 'load-failed',
-        `The worker has stopped: ${message || 'its script cannot be loaded'}.`,
+        `the worker has stopped: ${message || 'its script cannot be loaded'}`,
       );
     };
   }
@@ -83,7 +83,7 @@ export class WorkerEngine implements Engine {
   }
 
   dispose(): void {
-    this.#close('disposed', 'The library has been disposed.');
+    this.#close('disposed', 'the library has been disposed');
   }
 
   #close(...reason: ConstructorParameters<typeof GeodesicVoronoiError>): void {

@@ -6,7 +6,7 @@ import type { Diagram, MeshInfo, MeshPart, Metric, SurfacePoints } from 'geodesi
 import { Vector2 } from 'three';
 import { type Command, commandOf } from './commands.js';
 import { fillShadow } from './element_template.js';
-import { LatestTask } from './latest_task.js';
+import { Hover, type HoveredPoint } from './hover.js';
 import { type Layer, layers, ModelDrawing } from './model_drawing.js';
 import { fetchModelFiles, type ModelFiles, readModelFiles } from './model_files.js';
 import { Picker, type SurfaceHit } from './picking.js';
@@ -16,7 +16,7 @@ import { Session, type ShownDiagram, type Status } from './session.js';
 import { type SitePlace, type Sites, surfacePointsOf } from './site_history.js';
 import { Stage } from './stage.js';
 
-export type { Command, Layer, SitePlace, Status };
+export type { Command, HoveredPoint, Layer, SitePlace, Status };
 export { commandOf, layers };
 
 /** The `detail` of this element's events, by their name. */
@@ -42,17 +42,8 @@ export interface ViewerEvents {
   /** The share done, 0 … 1, of what `status` says is under way. */
   progress: { share: number };
   'status-change': { status: Status };
-  /** What lies under the pointer; null if nothing does. */
-  hover: HoveredPoint | null;
-}
-
-/** A point of the surface; `region` is -1 and the others infinite or zero if no site reaches it. */
-export interface HoveredPoint extends SitePlace {
-  region: number;
-  area: number;
-  distance: number;
-  /** The region's colour, as CSS has it. */
-  colour: string | undefined;
+  /** What lies under the pointer, and its region's colour as CSS has it; null if nothing does. */
+  hover: (HoveredPoint & { colour: string | undefined }) | null;
 }
 
 const defaultLayers: readonly Layer[] = ['regions', 'bisectors', 'sites'];
@@ -68,7 +59,7 @@ interface Connected {
   stage: Stage;
   session: Session;
   gestures: PointerGestures;
-  hovering: LatestTask<SurfaceHit | undefined>;
+  hover: Hover;
   resizing: ResizeObserver;
 }
 
@@ -81,7 +72,8 @@ const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
  * Attributes: `src` (address of a .glb or .gltf), `alt`, `sites` (how many are scattered on a new
  * model) and their `seed`, `metric` (dgpc, exact), `detail` (0 …), `layers` (what is shown, separated
  * by spaces: regions, bisectors, sites, voronoi-points, wireframe). `status` tells what it does.
- * Slot `poster`: shown until there is a model, and if there can be none.
+ * Slot `poster`: shown until there is a model, and if there can be none. A model opened from a file is
+ * gone when the element leaves its document; that of `src` is there again when it returns.
  */
 export class GeodesicVoronoiElement extends Base {
   static readonly observedAttributes = [
@@ -97,7 +89,6 @@ export class GeodesicVoronoiElement extends Base {
   #connected: Connected | undefined;
   #model: { drawing: ModelDrawing; picker: Picker } | undefined;
   #selected: number | undefined;
-  #hovered: SurfaceHit | undefined;
   readonly #changedAttributes = new Set<string>();
 
   connectedCallback(): void {
@@ -124,6 +115,8 @@ export class GeodesicVoronoiElement extends Base {
     canvas.addEventListener('webglcontextrestored', () => {
       message.hidden = true;
     });
+    // All attributes are looked at here; what changes from now on is another matter.
+    this.#changedAttributes.clear();
     this.setAttribute('status', 'empty');
     this.#configure();
     if (this.src) void this.load(this.src);
@@ -354,7 +347,7 @@ export class GeodesicVoronoiElement extends Base {
       remove: (site) => this.#session?.removeSite(site),
       click: (x, y) => this.#placeAt(this.#required().stage.toDevice(x, y)),
       hover: (x, y) => this.#hover(x, y),
-      leave: () => this.#hovering(undefined),
+      leave: () => this.#connected?.hover.moveTo(undefined),
     });
     const stage = new Stage(canvas);
     const session = new Session({
@@ -386,8 +379,8 @@ export class GeodesicVoronoiElement extends Base {
     });
     const resizing = new ResizeObserver(() => stage.resize(this.clientWidth, this.clientHeight));
     resizing.observe(this);
-    const hovering = new LatestTask<SurfaceHit | undefined>((hit) => this.#tellHovered(hit));
-    return { canvas, stage, session, gestures, hovering, resizing };
+    const hover = new Hover(session, (point) => this.#tellHovered(point));
+    return { canvas, stage, session, gestures, hover, resizing };
   }
 
   #disconnect(): void {
@@ -444,14 +437,14 @@ export class GeodesicVoronoiElement extends Base {
   }
 
   #showModel(mesh: SceneMesh): void {
-    const { stage, gestures } = this.#required();
+    const { stage, gestures, hover } = this.#required();
     gestures.cancel();
+    hover.moveTo(undefined);
     if (this.#model) {
       stage.remove(this.#model.drawing.object);
       this.#model.drawing.dispose();
     }
     this.#model = { drawing: new ModelDrawing(mesh), picker: new Picker(mesh) };
-    this.#hovering(undefined);
     stage.add(this.#model.drawing.object);
     this.#showLayers();
     this.refit();
@@ -486,7 +479,7 @@ export class GeodesicVoronoiElement extends Base {
       sites.map((site) => site.id),
     );
     this.#draw();
-    this.#hovering(this.#hovered);
+    this.#connected?.hover.refresh();
     this.#emit('diagram', {
       sites: sites.length,
       regions: data?.regionArea.reduce((count, area) => count + (area > 0 ? 1 : 0), 0) ?? 0,
@@ -545,38 +538,18 @@ export class GeodesicVoronoiElement extends Base {
   }
 
   #hover(x: number, y: number): void {
-    const { stage, canvas } = this.#required();
+    const { stage, canvas, hover } = this.#required();
     const hit = this.#pick(stage.toDevice(x, y));
     const overSite = hit && this.#siteAt(x, y, 10) !== undefined;
     canvas.style.cursor = overSite ? 'grab' : hit ? 'crosshair' : '';
-    this.#hovering(hit);
+    hover.moveTo(hit);
   }
 
-  #hovering(hit: SurfaceHit | undefined): void {
-    if (!hit && !this.#hovered) return;
-    this.#hovered = hit;
-    this.#connected?.hovering.request(hit, { patient: true });
-  }
-
-  async #tellHovered(hit: SurfaceHit | undefined): Promise<void> {
-    const shown = this.#session?.shown;
-    const located = hit && (await this.#session?.locate({ face: [hit.face], bary: hit.bary }));
-    // The pointer or the diagram has moved on: its own answer follows.
-    if (hit !== this.#hovered || shown !== this.#session?.shown) return;
-    const region = located?.label[0] ?? -1;
-    if (this.#model?.drawing.outline(region)) this.#draw();
-    if (!hit || !located) {
-      this.#emit('hover', null);
-      return;
-    }
-    this.#emit('hover', {
-      face: hit.face,
-      bary: hit.bary,
-      region,
-      area: shown?.diagram?.data.regionArea[region] ?? 0,
-      distance: located.distance[0],
-      colour: this.#model?.drawing.regionColour(region),
-    });
+  #tellHovered(point: HoveredPoint | undefined): void {
+    const { drawing } = this.#model ?? {};
+    const region = point?.region ?? -1;
+    if (drawing?.outline(region)) this.#draw();
+    this.#emit('hover', point ? { ...point, colour: drawing?.regionColour(region) } : null);
   }
 }
 

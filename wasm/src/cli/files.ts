@@ -104,8 +104,10 @@ export class Output {
   static async open(path: string): Promise<Output> {
     if (path === standard) return new Output(path);
     try {
-      await access(dirname(resolve(path)), constants.W_OK);
-      return new Output(await realpath(path).catch(() => path));
+      const target = await realpath(path).catch(() => resolve(path));
+      if ((await kindOf(target)) === 'folder') throw new FileError('it is a folder');
+      await access((await kindOf(target)) === 'special' ? target : dirname(target), constants.W_OK);
+      return new Output(target);
     } catch (error) {
       throw new FileError(`${path} cannot be written: ${reason(error)}`);
     }
@@ -119,20 +121,19 @@ export class Output {
   async write(content: string | Uint8Array): Promise<void> {
     if (!this.isFile) return writeStandardOutput(content);
     try {
-      await ((await isSpecial(this.#path)) ? writeFile : replaceFile)(this.#path, content);
+      const isSpecial = (await kindOf(this.#path)) === 'special';
+      await (isSpecial ? writeFile : replaceFile)(this.#path, content);
     } catch (error) {
       throw new FileError(`${this.#path} cannot be written: ${reason(error)}`);
     }
   }
 }
 
-/** A device or a pipe is written to, not replaced. A folder is special too, and says so. */
-async function isSpecial(path: string): Promise<boolean> {
-  try {
-    return !(await stat(path)).isFile();
-  } catch {
-    return false;
-  }
+/** A device or a pipe is special: written to, not replaced. */
+async function kindOf(path: string): Promise<'file' | 'folder' | 'special'> {
+  const entry = await stat(path).catch(() => undefined);
+  if (entry?.isDirectory()) return 'folder';
+  return entry && !entry.isFile() ? 'special' : 'file';
 }
 
 async function replaceFile(path: string, content: string | Uint8Array): Promise<void> {

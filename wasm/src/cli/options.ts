@@ -156,7 +156,7 @@ function parseOptions(
   } catch (error) {
     if (!(error instanceof TypeError)) throw error;
     // Node's hint about '--' that follows the first sentence only confuses here.
-    throw new UsageError(error.message.split('. ')[0]);
+    throw new UsageError(error.message.split(/\.\s/)[0]);
   }
 }
 

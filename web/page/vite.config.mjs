@@ -3,7 +3,7 @@ import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import { makeSamples } from './samples.mjs';
 
-const inBuild = (name: string) => fileURLToPath(new URL(`../../build/${name}`, import.meta.url));
+const inBuild = (name) => fileURLToPath(new URL(`../../build/${name}`, import.meta.url));
 
 export default defineConfig(({ isPreview }) => {
   const publicDir = inBuild('page-public');

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+import type { MeshInfo, MeshRepairs } from '../types.js';
+
+/** What each repair did, after its count. */
+const repairTexts: Record<keyof MeshRepairs, string> = {
+  weldedVertices: 'vertices welded to others at their place',
+  isolatedVertices: 'vertices without a triangle',
+  nonFiniteTriangles: 'triangles with a corner that is not finite, dropped',
+  degenerateTriangles: 'triangles with two equal corners, dropped',
+  duplicateTriangles: 'triangles given twice, dropped',
+  nonManifoldEdges: 'edges of three or more triangles, cut apart',
+  orientationCuts: 'edges cut because the surface has one side only',
+  flippedTriangles: 'triangles turned over to agree with their neighbours',
+  splitVertices: 'vertices split that joined separate fans of triangles',
+};
+
+/** The facts of a mesh, a line each, for people. */
+export function meshReport(facts: MeshInfo): string {
+  const number = (x: number) => String(Number(x.toPrecision(6)));
+  const rows: [string, string][] = [
+    ['triangles', `${facts.faces} (${facts.inputFaces} in the file)`],
+    ['vertices', `${facts.vertices} (${facts.inputVertices} in the file)`],
+    ['edges', String(facts.edges)],
+    ['components', String(facts.components)],
+    ['boundary loops', String(facts.boundaryLoops)],
+    ['genus', String(facts.genus)],
+    ['Euler characteristic', String(facts.eulerCharacteristic)],
+    ['area', number(facts.area)],
+    ['diameter', number(facts.diameter)],
+  ];
+  const lines = rows.map(([name, value]) => `${name.padEnd(22)}${value}`);
+  for (const [name, text] of Object.entries(repairTexts)) {
+    const count = facts.repairs[name as keyof MeshRepairs];
+    if (count > 0) lines.push(`repair: ${count} ${text}`);
+  }
+  for (const note of facts.notes) lines.push(`note: ${note}`);
+  return `${lines.join('\n')}\n`;
+}

@@ -1,2 +1,0 @@
-// SPDX-License-Identifier: MIT
-export function makeSamples(folder: string): void;
