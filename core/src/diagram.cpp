@@ -587,7 +587,7 @@ class Tracer {
     for (auto first = sectors.begin(); first != sectors.end();) {
       const auto last = std::find_if(first, sectors.end(),
                                      [&](const Sector& s) { return s.point != first->point; });
-      addVoronoiPoint({first, last});
+      addVoronoiPoint({&*first, static_cast<size_t>(last - first)});
       first = last;
     }
   }
@@ -640,7 +640,7 @@ class Tracer {
       if (!isMixed)
         out_.faceLabel[first->face] = first->label;
       else
-        collectCells({first, last});
+        collectCells({&*first, static_cast<size_t>(last - first)});
       first = last;
     }
   }

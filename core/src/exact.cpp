@@ -299,7 +299,7 @@ class Sweep final : public Propagation {
       : mesh_(mesh), frames_(layOutFaces(mesh)), table_(mesh.vertexCount()) {
     double sum = 0;
     for (const Frame& f : frames_) sum += f.length[0] + f.length[1] + f.length[2];
-    bucketWidth_ = BUCKET * sum / mesh.halfedgeCount();
+    bucketWidth_ = 0.5 * sum / mesh.halfedgeCount();
     for (int label = 0; label < static_cast<int>(sites.size()); ++label) start(label, sites[label]);
   }
 
