@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// npm run bench [-- ARGUMENTS]: the benchmark, natively built; the arguments are its own.
+// npm run bench [-- OPTIONS]: the benchmark, natively and in WebAssembly; --help tells the options.
 
-import { buildWithCMake } from './build.mjs';
+import { buildPackage, buildWithCMake } from './build.mjs';
 import { setUp } from './setup.mjs';
 import { at, main, run } from './tasks.mjs';
 
-await main(() => {
+await main(async () => {
   setUp('test');
   buildWithCMake('build/native', { targets: ['gvd_bench'] });
-  run(at('build/native/tests/bench/gvd_bench'), process.argv.slice(2));
+  await buildPackage();
+  const executable = at('build/native/tests/bench/gvd_bench');
+  const script = at('tests/bench/bench.mjs');
+  run(process.execPath, [script, '--executable', executable, ...process.argv.slice(2)]);
 });

@@ -11,14 +11,17 @@ const commands = {
   test: { 'c++': 'g++' },
 };
 
-/** Libraries by one of their headers. What is not there, CMake fetches. */
+/** Libraries by one of their headers. What is not there, CMake fetches; without CGAL, it does less. */
 const libraries = {
   build: {
     'eigen3/Eigen/Core': 'libeigen3-dev',
     'tiny_gltf.h': 'libtinygltf-dev',
     'nlohmann/json.hpp': 'nlohmann-json3-dev',
   },
-  test: { 'gtest/gtest.h': 'libgtest-dev' },
+  test: {
+    'gtest/gtest.h': 'libgtest-dev',
+    'CGAL/Surface_mesh_shortest_path.h': 'libcgal-dev',
+  },
 };
 
 /** The browser that the tests drive. */

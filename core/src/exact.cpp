@@ -15,6 +15,7 @@
 #include <span>
 #include <utility>
 
+#include "edge_share.h"
 #include "metric.h"
 
 namespace gvd {
@@ -33,10 +34,7 @@ constexpr double kGrazing = 1e-7;
 
 /// A label goes on where the best one is ahead by less than this share of a face's longest side.
 /// It may be any number: what else is needed is found in the second stage.
-#ifndef OVERLAP
-#define OVERLAP 0.25
-#endif
-constexpr double kOverlap = OVERLAP;
+constexpr double kOverlap = 0.25;
 
 /// A site in a face or on its sides.
 struct FaceSite {
@@ -66,8 +64,8 @@ std::vector<Frame> layOutFaces(const TriangleMesh& mesh) {
     const double longest = frame.longestSide();
     std::array<Eigen::Vector3d, 3> side;
     for (int i = 0; i < 3; ++i)
-      side[i] = (mesh.position(frame.vertex[Frame::after(i)]) - mesh.position(frame.vertex[i])) /
-                longest;
+      side[i] =
+          (mesh.position(frame.vertex[Frame::after(i)]) - mesh.position(frame.vertex[i])) / longest;
     // The area from the two shorter sides: its error is least there.
     const int far = frame.length[0] == longest ? 0 : frame.length[1] == longest ? 1 : 2;
     const double area2 = side[Frame::after(far)].cross(side[Frame::before(far)]).norm();
@@ -271,7 +269,8 @@ class VertexTable {
  private:
   std::uint32_t mask() const { return static_cast<std::uint32_t>(slots_.size()) - 1; }
   static std::uint32_t hash(int vertex, int label) {
-    const std::uint64_t key = static_cast<std::uint64_t>(vertex) << 32 | static_cast<unsigned>(label);
+    const std::uint64_t key =
+        static_cast<std::uint64_t>(vertex) << 32 | static_cast<unsigned>(label);
     return static_cast<std::uint32_t>(key * 0x9E3779B97F4A7C15u >> 32);
   }
   void place(int entry) {
@@ -289,14 +288,18 @@ class VertexTable {
 
 /// Windows of all sites at once.
 ///
-/// Stage 1: every label spreads over what it owns, and stops where another one is ahead. Shortest
-/// paths run inside their region, so this gives the nearest label and its distance everywhere.
+/// Stage 1: every label spreads over what it owns, and stops where another one is ahead; what stops
+/// is parked. Shortest paths run inside their region, so this gives the nearest label and its
+/// distance everywhere.
 ///
-/// Stage 2: 
+/// Stage 2: the diagram also needs the distances of labels at those corners of the faces they share
+/// with others that they do not own. These are demands; what is parked goes on as long as it can
+/// still shorten one: its length so far and the straight way to the vertex are less than the
+/// distance known there.
 class Sweep final : public Propagation {
  public:
-  Sweep(const TriangleMesh& mesh, std::span<const SurfacePoint> sites)
-      : mesh_(mesh), frames_(layOutFaces(mesh)), table_(mesh.vertexCount()) {
+  Sweep(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Spread spread)
+      : mesh_(mesh), spread_(spread), frames_(layOutFaces(mesh)), table_(mesh.vertexCount()) {
     double sum = 0;
     for (const Frame& f : frames_) sum += f.length[0] + f.length[1] + f.length[2];
     bucketWidth_ = 0.5 * sum / mesh.halfedgeCount();
@@ -323,7 +326,10 @@ class Sweep final : public Propagation {
       }
       if (stage_ == Stage::kOwn) {
         stage_ = Stage::kComplete;
-        beginCompletion();
+        demandOwners();
+        resume();
+      } else if (demandNeighbours()) {
+        resume();
       } else {
         stage_ = Stage::kDone;
       }
@@ -331,31 +337,19 @@ class Sweep final : public Propagation {
     return true;
   }
 
-  double progress() const override { return stage_ == Stage::kDone ? 1.0 : 0.5; }
+  double progress() const override {
+    return stage_ == Stage::kDone
+               ? 1.0
+               : std::min(0.99, static_cast<double>(reachedVertices_) / table_.vertexCount());
+  }
 
   std::unique_ptr<DistanceField> take() override {
-    std::vector<int> offset(table_.vertexCount() + 1, 0);
-    const auto isListed = [&](int e) {
-      return table_[e].demand >= 0 || table_.best(table_[e].vertex).entry == e;
-    };
-    for (int e = 0; e < table_.size(); ++e) offset[table_[e].vertex + 1] += isListed(e);
-    std::partial_sum(offset.begin(), offset.end(), offset.begin());
-    std::vector<LabelledDistance> values(offset.back());
-    std::vector<int> cursor(offset.begin(), offset.end() - 1);
-    for (int e = 0; e < table_.size(); ++e)
-      if (isListed(e)) values[cursor[table_[e].vertex]++] = {table_[e].label, table_[e].distance};
-    std::vector<LabelledDistance> here;
-    for (int v = 0; v < table_.vertexCount(); ++v) {
-      if (offset[v + 1] - offset[v] < 2) continue;
-      here.assign(values.begin() + offset[v], values.begin() + offset[v + 1]);
-      equalizeTies(here);
-      std::copy(here.begin(), here.end(), values.begin() + offset[v]);
-    }
+    auto [offset, values] = listValues();
     return std::make_unique<Field>(mesh_, std::move(frames_), std::move(windows_),
                                    std::move(faceSites_), std::move(offset), std::move(values));
   }
 
- public:
+ private:
   enum class Stage { kOwn, kComplete, kDone };
   struct Bucket {
     int firstWindow = -1, lastWindow = -1;
@@ -426,21 +420,15 @@ class Sweep final : public Propagation {
   void push(Window& w, double length, double atTail, double atTip) {
     w.y = std::min(w.y, -0x1p-52 * length);
     trim(w, length, atTail, atTip);
-    if (!(w.begin < w.end)) { ++stats.deadPush; return; }
-    ++stats.made;
+    if (!(w.begin < w.end)) return;
     enqueue(windows_.add(w));
   }
 
   void enqueue(int id) {
     Bucket& b = bucketFor(windows_[id].least());
-#ifdef LIFO
-    windows_[id].next = b.firstWindow;
-    b.firstWindow = id;
-#else
     windows_[id].next = -1;
     (b.firstWindow < 0 ? b.firstWindow : windows_[b.lastWindow].next) = id;
     b.lastWindow = id;
-#endif
   }
 
   void enqueueEvent(int entry) {
@@ -455,7 +443,8 @@ class Sweep final : public Propagation {
   // --- Vertices ---
 
   bool bendsPaths(int vertex) const {
-    return mesh_.angleSum(vertex) > (mesh_.onBoundary(vertex) ? kPi - kAngleTolerance : 2 * kPi + kAngleTolerance);
+    return mesh_.angleSum(vertex) >
+           (mesh_.onBoundary(vertex) ? kPi - kAngleTolerance : 2 * kPi + kAngleTolerance);
   }
 
   /// Takes the length of a path to a vertex if it is the shortest so far of its label. Returns the
@@ -464,6 +453,7 @@ class Sweep final : public Propagation {
     const int entry = table_.findOrAdd(vertex, label);
     Entry& e = table_[entry];
     if (!(distance < e.distance)) return entry;
+    if (table_.best(vertex).label < 0) ++reachedVertices_;
     table_.improve(entry, distance, arrival, crossing);
     if (e.demand >= 0) demands_[e.demand].bound = distance;
     if (arrival < 0 || bendsPaths(vertex)) enqueueEvent(entry);
@@ -474,15 +464,17 @@ class Sweep final : public Propagation {
     const Entry e = table_[event.entry];
     if (e.distance != event.distance) return;
     const double excess = e.distance - table_.best(e.vertex).distance;
-    if (e.arrival >= 0 && excess > kOverlap * frames_[e.arrival / 3].longestSide()) {
+    if (spread_ == Spread::kAsNeeded && e.arrival >= 0 &&
+        excess > kOverlap * frames_[e.arrival / 3].longestSide()) {
       if (stage_ == Stage::kOwn) {
         parkedEvents_.push_back(event.entry);
         return;
       }
-      if (!isNeeded(e.label, mesh_.position(e.vertex), 0, e.distance, excess, {e.vertex, -1, -1}))
+      if (!isNeeded(e.label, mesh_.position(e.vertex), 0, e.distance, excess, {e.vertex, -1, -1})) {
+        parkedEvents_.push_back(event.entry);
         return;
+      }
     }
-    ++stats.spawns;
     bend(e);
   }
 
@@ -514,7 +506,7 @@ class Sweep final : public Propagation {
     double C = f0.cosine[i0] * back.x() + f0.sine[i0] * back.y();
     double S = std::max(0.0, f0.sine[i0] * back.x() - f0.cosine[i0] * back.y());
     int li = -1;
-    Eigen::Vector2d ld, rd;
+    Eigen::Vector2d ld(0, 0), rd(0, 0);
     for (int s = 1; s < (closed ? n : n - j0); ++s) {
       const int o = fan_[(j0 + s) % n];
       const double c = frames_[o / 3].cosine[o % 3], sn = frames_[o / 3].sine[o % 3];
@@ -547,15 +539,18 @@ class Sweep final : public Propagation {
       const int last = n - ri;
       for (int s = li; s <= last; ++s) {
         const int o = fan_[(j0 + s) % n];
-        emit(e, o, s == li ? meetOpposite(o, ld) : 0, s == last ? meetOpposite(o, rd) : oppositeLength(o));
+        emit(e, o, s == li ? meetOpposite(o, ld) : 0,
+             s == last ? meetOpposite(o, rd) : oppositeLength(o));
       }
     } else {
       if (li >= 0)
         for (int s = li; s < n - j0; ++s)
-          emit(e, fan_[j0 + s], s == li ? meetOpposite(fan_[j0 + s], ld) : 0, oppositeLength(fan_[j0 + s]));
+          emit(e, fan_[j0 + s], s == li ? meetOpposite(fan_[j0 + s], ld) : 0,
+               oppositeLength(fan_[j0 + s]));
       if (ri >= 0)
         for (int s = ri; s <= j0; ++s)
-          emit(e, fan_[j0 - s], 0, s == ri ? meetOpposite(fan_[j0 - s], rd) : oppositeLength(fan_[j0 - s]));
+          emit(e, fan_[j0 - s], 0,
+               s == ri ? meetOpposite(fan_[j0 - s], rd) : oppositeLength(fan_[j0 - s]));
     }
   }
 
@@ -573,7 +568,8 @@ class Sweep final : public Propagation {
     const Frame& f = frames_[o / 3];
     const int i = o % 3, j = Frame::after(i), k = Frame::before(i);
     const double length = f.length[j];
-    if (from <= kGrazing * length) offer(f.vertex[j], e.label, e.distance + f.length[i], 3 * (o / 3) + k, f.length[k]);
+    if (from <= kGrazing * length)
+      offer(f.vertex[j], e.label, e.distance + f.length[i], 3 * (o / 3) + k, f.length[k]);
     if (to >= (1 - kGrazing) * length) offer(f.vertex[k], e.label, e.distance + f.length[k], o, 0);
     if (f.twin[j] < 0) return;
     Window w;
@@ -584,7 +580,6 @@ class Sweep final : public Propagation {
     w.sourceDistance = e.distance;
     w.label = e.label;
     w.halfedge = f.twin[j];
-    ++stats.spawnWindows;
     push(w, length, table_.distance(f.vertex[k], e.label), table_.distance(f.vertex[j], e.label));
   }
 
@@ -598,14 +593,13 @@ class Sweep final : public Propagation {
     const int tail = frame.vertex[i], tip = frame.vertex[Frame::after(i)];
     const double atTail = table_.distance(tail, w.label), atTip = table_.distance(tip, w.label);
     trim(w, length, atTail, atTip);
-    ++stats.popped;
-    if (!(w.begin < w.end)) { ++stats.deadPop; return; }
+    if (!(w.begin < w.end)) return;
     double excess = -kInfinity;
     const auto &bestTail = table_.best(tail), &bestTip = table_.best(tip);
     if (bestTail.label != w.label) excess = w.distanceOnEdge(w.end) - (bestTail.distance + w.end);
     if (bestTip.label != w.label)
       excess = std::max(excess, w.distanceOnEdge(w.begin) - (bestTip.distance + length - w.begin));
-    if (excess > kOverlap * frame.longestSide()) {
+    if (spread_ == Spread::kAsNeeded && excess > kOverlap * frame.longestSide()) {
       if (stage_ == Stage::kOwn) {
         parked_.push_back(id);
         return;
@@ -613,8 +607,11 @@ class Sweep final : public Propagation {
       w.next = frame.firstWindow[i];
       frame.firstWindow[i] = id;
       touch(w, frame, i);
-      if (!isNeeded(w, frame, i, excess)) return;
-      ++stats.resumed;
+      if (!isNeeded(w, frame, i, excess)) {
+        const Window again = w;
+        parked_.push_back(windows_.add(again));  // for this one is listed at its face now
+        return;
+      }
     } else {
       frame.add(w.label);
       w.next = frame.firstWindow[i];
@@ -629,11 +626,13 @@ class Sweep final : public Propagation {
     const double px = frame.apexX(i), py = frame.apexY(i);
     const double crossing = w.crossing(px, py);
     const int apex = frame.vertex[k];
-    bool goLeft = frame.twin[k] >= 0 && crossing > w.begin, goRight = frame.twin[j] >= 0 && crossing < w.end;
+    bool goLeft = frame.twin[k] >= 0 && crossing > w.begin,
+         goRight = frame.twin[j] >= 0 && crossing < w.end;
     if (crossing >= w.begin - kGrazing * length && crossing <= w.end + kGrazing * length) {
       const double distance = w.distance(px, py);
       const Entry& e = table_[offer(apex, w.label, distance, w.halfedge, crossing)];
-      if (e.arrival == w.halfedge && distance > e.distance + kDistanceTolerance * (e.distance + length))
+      if (e.arrival == w.halfedge &&
+          distance > e.distance + kDistanceTolerance * (e.distance + length))
         (crossing < e.crossing ? goRight : goLeft) = false;
     }
     const double atApex = table_.distance(apex, w.label);
@@ -678,12 +677,15 @@ class Sweep final : public Propagation {
       entry[i] = table_.findOrAdd(frame.vertex[i], label);
       if (table_[entry[i]].demand < 0) {
         table_[entry[i]].demand = static_cast<int>(demands_.size());
-        demands_.push_back({mesh_.position(frame.vertex[i]), table_[entry[i]].distance, table_.best(frame.vertex[i]).distance, frame.vertex[i], label, entry[i]});
+        demands_.push_back({mesh_.position(frame.vertex[i]), table_[entry[i]].distance,
+                            table_.best(frame.vertex[i]).distance, frame.vertex[i], label,
+                            entry[i]});
       }
     }
     for (int i = 0; i < 3; ++i) {
       const int j = Frame::after(i), k = Frame::before(i);
-      offer(frame.vertex[j], label, table_[entry[i]].distance + frame.length[i], 3 * face + k, frame.length[k]);
+      offer(frame.vertex[j], label, table_[entry[i]].distance + frame.length[i], 3 * face + k,
+            frame.length[k]);
       offer(frame.vertex[k], label, table_[entry[i]].distance + frame.length[k], 3 * face + i, 0);
     }
   }
@@ -693,49 +695,60 @@ class Sweep final : public Propagation {
     const int j = Frame::after(i), k = Frame::before(i), base = w.halfedge - i;
     const auto touchCorner = [&](int corner, double distance, int arrival, double crossing) {
       const int e = table_.find(frame.vertex[corner], w.label);
-      if (e >= 0 && table_[e].demand >= 0 && distance < table_[e].distance)
+      if (e >= 0 && table_[e].demand >= 0 &&
+          distance < table_[e].distance * (1 - kDistanceTolerance))
         offer(frame.vertex[corner], w.label, distance, arrival, crossing);
     };
-    const double px = frame.apexX(i), py = frame.apexY(i);
+    const double px = frame.apexX(i), py = frame.apexY(i), length = frame.length[i];
     touchCorner(k, w.distance(px, py), w.halfedge, std::clamp(w.crossing(px, py), w.begin, w.end));
-    touchCorner(i, w.distanceOnEdge(w.begin) + w.begin, base + j, 0);
-    touchCorner(j, w.distanceOnEdge(w.end) + frame.length[i] - w.end, base + k, frame.length[k]);
+    // Along the halfedge from an end of the window; what looks at a corner directly has already
+    // reached it, and from its own direction.
+    if (w.begin > kGrazing * length)
+      touchCorner(i, w.distanceOnEdge(w.begin) + w.begin, base + j, 0);
+    if (w.end < (1 - kGrazing) * length)
+      touchCorner(j, w.distanceOnEdge(w.end) + length - w.end, base + k, frame.length[k]);
   }
 
   bool isNeeded(const Window& w, const Frame& frame, int i, double excess) {
     const int j = Frame::after(i), k = Frame::before(i);
     const double middle = (w.begin + w.end) / 2, share = middle / frame.length[i];
-    const Eigen::Vector3d m = (1 - share) * mesh_.position(frame.vertex[i]) + share * mesh_.position(frame.vertex[j]);
-    return isNeeded(w.label, m, w.end - middle, w.least(), excess, {frame.vertex[i], frame.vertex[j], frame.vertex[k]});
+    const Eigen::Vector3d m =
+        (1 - share) * mesh_.position(frame.vertex[i]) + share * mesh_.position(frame.vertex[j]);
+    return isNeeded(w.label, m, w.end - middle, w.least(), excess,
+                    {frame.vertex[i], frame.vertex[j], frame.vertex[k]});
   }
 
   /// Whether a path of at least the given length up to a point at most `radius` from `place` can
   /// become the shortest of its label to a vertex that asks for it.
-  bool isNeeded(int label, const Eigen::Vector3d& place, double radius, double length, double excess, const std::array<int, 3>& without) {
+  bool isNeeded(int label, const Eigen::Vector3d& place, double radius, double length,
+                double excess, const std::array<int, 3>& without) {
     for (int d = firstDemand_[label]; d < firstDemand_[label + 1]; ++d) {
       const Demand& demand = demands_[d];
-      ++stats.tests;
       const double rest = demand.bound * (1 - kDistanceTolerance) - length + radius;
       if (rest <= 0 || excess >= demand.bound - demand.best) continue;
       if ((demand.position - place).squaredNorm() >= rest * rest) continue;
-      if (demand.vertex == without[0] || demand.vertex == without[1] || demand.vertex == without[2]) continue;
+      if (demand.vertex == without[0] || demand.vertex == without[1] || demand.vertex == without[2])
+        continue;
       return true;
     }
     return false;
   }
 
-  void beginCompletion() {
-    bucket_ = 0;
+  /// Demands, at all corners of each face, the labels that own something in it.
+  void demandOwners() {
     std::vector<int> owners;
     for (int f = 0; f < mesh_.faceCount(); ++f) {
       const Frame& frame = frames_[f];
       const int label = table_.best(frame.vertex[0]).label;
-      if (frame.label != Frame::kSeveralLabels && (frame.label == Frame::kNoLabel || frame.label == label) &&
-          table_.best(frame.vertex[1]).label == label && table_.best(frame.vertex[2]).label == label)
+      if (frame.label != Frame::kSeveralLabels &&
+          (frame.label == Frame::kNoLabel || frame.label == label) &&
+          table_.best(frame.vertex[1]).label == label &&
+          table_.best(frame.vertex[2]).label == label)
         continue;
-      ++stats.mixed;
       owners.clear();
-      const auto isOwner = [&](int l) { return std::find(owners.begin(), owners.end(), l) != owners.end(); };
+      const auto isOwner = [&](int l) {
+        return std::find(owners.begin(), owners.end(), l) != owners.end();
+      };
       for (int i = 0; i < 3; ++i) {
         const int l = table_.best(frame.vertex[i]).label;
         if (l >= 0 && !isOwner(l)) owners.push_back(l);
@@ -744,11 +757,11 @@ class Sweep final : public Propagation {
         if (!isOwner(faceSites_[s].label)) owners.push_back(faceSites_[s].label);
       for (int i = 0; i < 3; ++i)
         for (int w = frame.firstWindow[i]; w >= 0; w = windows_[w].next)
-          if (!isOwner(windows_[w].label) && owns(windows_[w], frame, i)) owners.push_back(windows_[w].label);
-      stats.owners += owners.size();
+          if (!isOwner(windows_[w].label) && owns(windows_[w], frame, i))
+            owners.push_back(windows_[w].label);
       for (int l : owners) demand(f, l);
     }
-    // ties at vertices
+    // Ties at vertices: each of the labels may own points around.
     const int count = table_.size();
     for (int e = 0; e < count; ++e) {
       const Entry entry = table_[e];
@@ -761,7 +774,72 @@ class Sweep final : public Propagation {
         o = mesh_.rotate(o);
       } while (o >= 0 && o != first);
     }
-    // sort demands by label
+  }
+
+  /// The diagram takes distances within a face to be those of a plane. If that shows a label on a
+  /// side of a face of which it does not know the third corner, that is demanded too. Returns
+  /// whether there was any.
+  bool demandNeighbours() {
+    const Values listed = listValues();
+    const auto at = [&](int v) {
+      return std::span(listed.values.data() + listed.offset[v],
+                       listed.values.data() + listed.offset[v + 1]);
+    };
+    const auto find = [&](int v, int label) {
+      for (const LabelledDistance& d : at(v))
+        if (d.label == label) return d.distance;
+      return kInfinity;
+    };
+    bool found = false;
+    for (int h = 0; h < mesh_.halfedgeCount(); ++h) {
+      const int tail = mesh_.tail(h), tip = mesh_.tip(h);
+      if (at(tail).size() < 2 && at(tip).size() < 2) continue;
+      const int apex = mesh_.tail(TriangleMesh::previous(h));
+      for (const LabelledDistance& d : at(tail)) {
+        const double atTip = find(tip, d.label);
+        if (atTip == kInfinity || find(apex, d.label) < kInfinity) continue;
+        EdgeShare share(d.label, d.distance, atTip);
+        for (const LabelledDistance& other : at(tail))
+          if (const double otherAtTip = find(tip, other.label);
+              other.label != d.label && otherAtTip < kInfinity)
+            share.yieldTo(other.label, other.distance, otherAtTip);
+        if (share.isEmpty()) continue;
+        demand(h / 3, d.label);
+        found = true;
+      }
+    }
+    return found;
+  }
+
+  struct Values {
+    std::vector<int> offset;  ///< of vertex v: values[offset[v]] up to values[offset[v + 1]]
+    std::vector<LabelledDistance> values;
+  };
+  /// The nearest label of each vertex and those demanded there, ascending.
+  Values listValues() const {
+    std::vector<int> offset(table_.vertexCount() + 1, 0);
+    const auto isListed = [&](int e) {
+      return spread_ == Spread::kEverywhere || table_[e].demand >= 0 ||
+             table_.best(table_[e].vertex).entry == e;
+    };
+    for (int e = 0; e < table_.size(); ++e) offset[table_[e].vertex + 1] += isListed(e);
+    std::partial_sum(offset.begin(), offset.end(), offset.begin());
+    std::vector<LabelledDistance> values(offset.back()), here;
+    std::vector<int> cursor(offset.begin(), offset.end() - 1);
+    for (int e = 0; e < table_.size(); ++e)
+      if (isListed(e)) values[cursor[table_[e].vertex]++] = {table_[e].label, table_[e].distance};
+    for (int v = 0; v < table_.vertexCount(); ++v) {
+      if (offset[v + 1] - offset[v] < 2) continue;
+      here.assign(values.begin() + offset[v], values.begin() + offset[v + 1]);
+      equalizeTies(here);
+      std::copy(here.begin(), here.end(), values.begin() + offset[v]);
+    }
+    return {std::move(offset), std::move(values)};
+  }
+
+  /// Takes up what is parked, for the demands made.
+  void resume() {
+    bucket_ = 0;
     int labels = 0;
     for (const Demand& d : demands_) labels = std::max(labels, d.label + 1);
     for (int id : parked_) labels = std::max(labels, windows_[id].label + 1);
@@ -776,26 +854,22 @@ class Sweep final : public Propagation {
       sorted[cursor[d.label]++] = d;
     }
     demands_.swap(sorted);
-    for (int id : parked_) touch(windows_[id], frames_[windows_[id].halfedge / 3], windows_[id].halfedge % 3);
-    for (int id : parked_) enqueue(id);
-    for (int e : parkedEvents_) enqueueEvent(e);
-    stats.parked = parked_.size();
-    stats.parkedEvents = parkedEvents_.size();
+    for (int id : parked_)
+      touch(windows_[id], frames_[windows_[id].halfedge / 3], windows_[id].halfedge % 3);
+    for (const int id : std::exchange(parked_, {})) enqueue(id);
+    for (const int e : std::exchange(parkedEvents_, {})) enqueueEvent(e);
   }
 
   bool owns(Window w, const Frame& frame, int i) {
-    const auto &bestTail = table_.best(frame.vertex[i]), &bestTip = table_.best(frame.vertex[Frame::after(i)]);
+    const auto &bestTail = table_.best(frame.vertex[i]),
+               &bestTip = table_.best(frame.vertex[Frame::after(i)]);
     trim(w, frame.length[i], bestTail.distance, bestTip.distance);
     if (!(w.begin < w.end)) return false;
     return true;
   }
 
- public:
-  struct Stats {
-    long made = 0, popped = 0, deadPush = 0, deadPop = 0, spawns = 0, spawnWindows = 0, resumed = 0, parked = 0, parkedEvents = 0, mixed = 0, owners = 0, tests = 0;
-  } stats;
-
   const TriangleMesh& mesh_;
+  Spread spread_;
   std::vector<Frame> frames_;
   std::vector<FaceSite> faceSites_;
   VertexTable table_;
@@ -809,14 +883,15 @@ class Sweep final : public Propagation {
   std::vector<Demand> demands_;
   std::vector<int> firstDemand_;
   std::vector<int> fan_;
+  int reachedVertices_ = 0;
 };
 
 }  // namespace
 }  // namespace exact
 
 std::unique_ptr<Propagation> propagateExact(const TriangleMesh& mesh,
-                                            std::span<const SurfacePoint> sites) {
-  return std::make_unique<exact::Sweep>(mesh, sites);
+                                            std::span<const SurfacePoint> sites, Spread spread) {
+  return std::make_unique<exact::Sweep>(mesh, sites, spread);
 }
 
 }  // namespace gvd

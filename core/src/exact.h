@@ -16,8 +16,10 @@ namespace gvd::exact {
 /// the unfolded faces. It belongs to the halfedge of the face that these lines enter.
 ///
 ///              apex
-///             /    \             Coordinates of a halfedge: the origin is its tail, the x axis runs
-///            / face \            along it, its face lies at y >= 0. The virtual source lies across,
+///             /    \             Coordinates of a halfedge: the origin is its tail, the x axis
+///             runs
+///            / face \            along it, its face lies at y >= 0. The virtual source lies
+///            across,
 ///    tail --[======]---- tip     at y < 0.
 ///          begin   end
 ///             \  /
@@ -83,7 +85,7 @@ class WindowPool {
   Window& operator[](int i) { return blocks_[i / kBlock][i % kBlock]; }
   const Window& operator[](int i) const { return blocks_[i / kBlock][i % kBlock]; }
   int add(const Window& w) {
-    if (size_ % kBlock == 0) blocks_.push_back(std::make_unique_for_overwrite<Window[]>(kBlock));
+    if (size_ % kBlock == 0) blocks_.push_back(std::unique_ptr<Window[]>(new Window[kBlock]));
     blocks_.back()[size_ % kBlock] = w;
     return size_++;
   }

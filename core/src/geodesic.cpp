@@ -6,16 +6,16 @@
 
 namespace gvd {
 
-#ifndef GVD_HAS_EXACT
-std::unique_ptr<Propagation> propagateExact(const TriangleMesh&, std::span<const SurfacePoint>) {
-  throw Error(ErrorCode::kInvalidArgument, "the exact metric is not built in");
+Eigen::Vector2d DistanceField::direction(int /*label*/, int /*vertex*/) const {
+  return Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
 }
-#endif
 
 std::unique_ptr<Propagation> propagate(const TriangleMesh& mesh,
-                                       std::span<const SurfacePoint> sites, Metric metric) {
+                                       std::span<const SurfacePoint> sites, Metric metric,
+                                       Spread spread) {
   if (sites.empty()) throw Error(ErrorCode::kInvalidArgument, "there is no site");
-  return metric == Metric::kExact ? propagateExact(mesh, sites) : propagateDgpc(mesh, sites);
+  return metric == Metric::kExact ? propagateExact(mesh, sites, spread)
+                                  : propagateDgpc(mesh, sites, spread);
 }
 
 }  // namespace gvd

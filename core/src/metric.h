@@ -10,8 +10,8 @@ namespace gvd {
 
 /// The two metrics behind `propagate`.
 std::unique_ptr<Propagation> propagateDgpc(const TriangleMesh& mesh,
-                                           std::span<const SurfacePoint> sites);
+                                           std::span<const SurfacePoint> sites, Spread spread);
 std::unique_ptr<Propagation> propagateExact(const TriangleMesh& mesh,
-                                            std::span<const SurfacePoint> sites);
+                                            std::span<const SurfacePoint> sites, Spread spread);
 
 }  // namespace gvd

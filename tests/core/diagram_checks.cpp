@@ -150,8 +150,8 @@ AssertionResult checkComplex(const TriangleMesh& mesh, const Diagram& d) {
 }  // namespace
 
 Traced trace(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric,
-             int detail) {
-  const auto propagation = propagate(mesh, sites, metric);
+             int detail, Spread spread) {
+  const auto propagation = propagate(mesh, sites, metric, spread);
   while (!propagation->step(1000)) {
   }
   Traced traced{propagation->take(), {}};

@@ -12,7 +12,6 @@
 #include "diagram_checks.h"
 #include "gvd/sampling.h"
 #include "shapes.h"
-#include "tolerances.h"
 
 namespace gvd {
 namespace {
@@ -27,15 +26,22 @@ TriangleMesh randomMesh(std::uint64_t seed) {
   shapes::Random random(seed);
   const int kind = static_cast<int>(seed % 8);
   switch (kind) {
-    case 0: return shapes::randomTriangulation(5 + random.below(60), 40, seed).mesh();
-    case 1: return shapes::bumpySurface(0, 2, 0.3, seed).mesh();
-    case 2: return shapes::bumpySurface(1, 1 + random.below(2), 0.3, seed).mesh();
-    case 3: return shapes::bumpySurface(2, 1, 0.4, seed).mesh();
-    case 4: return shapes::bumpySurface(3, 1, 0.4, seed).mesh();
+    case 0:
+      return shapes::randomTriangulation(5 + random.below(60), 40, seed).mesh();
+    case 1:
+      return shapes::bumpySurface(0, 2, 0.3, seed).mesh();
+    case 2:
+      return shapes::bumpySurface(1, 1 + random.below(2), 0.3, seed).mesh();
+    case 3:
+      return shapes::bumpySurface(2, 1, 0.4, seed).mesh();
+    case 4:
+      return shapes::bumpySurface(3, 1, 0.4, seed).mesh();
     case 5:
       return shapes::withoutRandomFaces(shapes::bumpySurface(1, 2, 0.3, seed), 10, seed).mesh();
-    case 6: return shapes::withoutRandomFaces(shapes::icosphere(2), 20, seed).mesh();
-    default: return shapes::gradedDisk(4 + random.below(8), 6 + random.below(6), 0.6).mesh();
+    case 6:
+      return shapes::withoutRandomFaces(shapes::icosphere(2), 20, seed).mesh();
+    default:
+      return shapes::gradedDisk(4 + random.below(8), 6 + random.below(6), 0.6).mesh();
   }
 }
 
@@ -46,46 +52,38 @@ int randomSiteCount(const TriangleMesh& mesh, std::uint64_t seed) {
   return 1 + random.below(most);
 }
 
-/// Every site's distances on the whole mesh, each from a sweep of its own: nothing is stopped early.
-class WholeMaps final : public DistanceField {
- public:
-  WholeMaps(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric)
-      : at_(mesh.vertexCount()) {
-    for (size_t l = 0; l < sites.size(); ++l) {
-      const auto single = trace(mesh, sites.subspan(l, 1), metric).field;
-      for (int v = 0; v < mesh.vertexCount(); ++v)
-        for (const LabelledDistance& d : single->at(v))
-          at_[v].push_back({static_cast<int>(l), d.distance});
-    }
-    for (auto& here : at_) equalizeTies(here);
-  }
-  std::span<const LabelledDistance> at(int vertex) const override { return at_[vertex]; }
-  LabelledDistance nearest(const SurfacePoint&) const override { return {}; }
-  double distance(int, const SurfacePoint&) const override { return kInfinity; }
-
- private:
-  std::vector<std::vector<LabelledDistance>> at_;
-};
-
 class RandomMeshes : public ::testing::TestWithParam<int> {};
 
 TEST_P(RandomMeshes, GiveConsistentDiagrams) {
   const auto mesh = randomMesh(GetParam());
   const auto sites = sampleUniform(mesh, randomSiteCount(mesh, GetParam()), GetParam());
-  const auto traced = trace(mesh, sites);
-  EXPECT_TRUE(isConsistent(mesh, traced.diagram));
+  for (const Metric metric : {Metric::kDgpc, Metric::kExact})
+    EXPECT_TRUE(isConsistent(mesh, trace(mesh, sites, metric).diagram));
 }
 
-TEST_P(RandomMeshes, GiveTheDiagramOfWholeMaps) {
+TEST_P(RandomMeshes, GiveTheDiagramOfBruteForce) {
   const auto mesh = randomMesh(GetParam());
-  // A sweep per site: only small meshes get very many.
+  // Brute force: only small meshes get very many sites.
   const int most = mesh.vertexCount() <= 80 ? 2 * mesh.vertexCount() : 40;
   const int count = std::min(most, randomSiteCount(mesh, GetParam()));
   const auto sites = sampleUniform(mesh, count, GetParam());
   const auto traced = trace(mesh, sites);
-  const WholeMaps maps(mesh, sites, Metric::kDgpc);
-  const Diagram expected = traceDiagram(mesh, maps, static_cast<int>(sites.size()));
-  EXPECT_TRUE(areSame(mesh, expected, traced.diagram, identity(expected.siteCount), 1e-11));
+  const auto expected = trace(mesh, sites, Metric::kDgpc, 0, Spread::kEverywhere);
+  EXPECT_TRUE(areSame(mesh, expected.diagram, traced.diagram, identity(count), 1e-11));
+}
+
+TEST_P(RandomMeshes, KnowTheExactDistancesOfBruteForce) {
+  const auto mesh = randomMesh(GetParam());
+  const int count = std::min(20, randomSiteCount(mesh, GetParam()));
+  const auto sites = sampleUniform(mesh, count, GetParam());
+  const auto field = trace(mesh, sites, Metric::kExact).field;
+  const auto expected = trace(mesh, sites, Metric::kExact, 0, Spread::kEverywhere).field;
+  for (int v = 0; v < mesh.vertexCount(); ++v) {
+    std::map<int, double> here;
+    for (const LabelledDistance& d : expected->at(v)) here[d.label] = d.distance;
+    for (const LabelledDistance& d : field->at(v))
+      EXPECT_NEAR(d.distance, here.at(d.label), 1e-9 * mesh.diameter()) << "vertex " << v;
+  }
 }
 
 TEST_P(RandomMeshes, KnowNothingOfTheOrderOfSites) {
@@ -151,8 +149,8 @@ TEST(Diagram, OfOneSiteOnADiskIsOutlinedByTheBoundary) {
 }
 
 TEST(Diagram, LeavesOtherComponentsUnreachable) {
-  const auto mesh = shapes::joined(shapes::octahedron(), shapes::moved(shapes::octahedron(),
-                                                                       Eigen::Vector3d(5, 0, 0)))
+  const auto mesh = shapes::joined(shapes::octahedron(),
+                                   shapes::moved(shapes::octahedron(), Eigen::Vector3d(5, 0, 0)))
                         .mesh();
   const std::vector<SurfacePoint> sites = {centroid(0), centroid(3)};
   const Diagram d = trace(mesh, sites).diagram;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Core>
 #include <limits>
 #include <memory>
 #include <span>
@@ -26,8 +27,9 @@ struct LabelledDistance {
 };
 
 /// Distances of all sites, each known as far as the Voronoi diagram needs it: if a site is nearest
-/// at any point of a closed face, its distance is known at all three corners of that face
-/// (design: every label spreads while it may still own a point of a face around the vertex).
+/// at any point of a closed face, its distance is known at all three corners of that face. With
+/// DGPC, the distance at a corner that another site owns is the one at which the site appears from
+/// the corners it owns, not that of a path outside of its region.
 /// Ties go to the lower label everywhere.
 class DistanceField {
  public:
@@ -38,6 +40,11 @@ class DistanceField {
   virtual LabelledDistance nearest(const SurfacePoint& p) const = 0;
   /// The distance of one site at a point; infinity where it is not known.
   virtual double distance(int label, const SurfacePoint& p) const = 0;
+  /// The direction in which the shortest path from a site to a vertex leaves the site, as a unit
+  /// vector: together with the distance, geodesic polar coordinates. The x axis is the first side
+  /// of the site's face, the y axis lies to its left; faces beside a site on an edge or vertex are
+  /// unfolded counterclockwise. Not a number where it is not known, and with the exact metric.
+  virtual Eigen::Vector2d direction(int label, int vertex) const;
 };
 
 /// A propagation that can be done in slices, so that a caller keeps responding and can give up.
@@ -53,10 +60,17 @@ class Propagation {
   virtual std::unique_ptr<DistanceField> take() = 0;
 };
 
+/// How far each site's distances are carried.
+enum class Spread {
+  kAsNeeded,    ///< while the site may still own a point beyond
+  kEverywhere,  ///< over the whole mesh: brute force, to test the other against
+};
+
 /// Starts the distances of all `sites` (in terms of the mesh's faces), one label each.
 /// Sites may coincide, share a face, lie on edges or vertices, and outnumber the vertices.
 /// Throws `Error(kInvalidArgument)` if there is no site.
 std::unique_ptr<Propagation> propagate(const TriangleMesh& mesh,
-                                       std::span<const SurfacePoint> sites, Metric metric);
+                                       std::span<const SurfacePoint> sites, Metric metric,
+                                       Spread spread = Spread::kAsNeeded);
 
 }  // namespace gvd

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <limits>
+#include <memory>
+#include <span>
+
+#include "gvd/geodesic.h"
+
+namespace gvd::bench {
+
+struct NamedMetric {
+  const char* name;
+  Metric metric;
+};
+inline constexpr std::array<NamedMetric, 2> kMetrics = {
+    {{"dgpc", Metric::kDgpc}, {"exact", Metric::kExact}}};
+
+/// The distances of all sites, from start to end.
+inline std::unique_ptr<DistanceField> distances(const TriangleMesh& mesh,
+                                                std::span<const SurfacePoint> sites,
+                                                Metric metric) {
+  const auto propagation = propagate(mesh, sites, metric);
+  while (!propagation->step(std::numeric_limits<long>::max())) {
+  }
+  return propagation->take();
+}
+
+}  // namespace gvd::bench

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+//
+// Exact answers that were computed elsewhere, made readable for gvd_bench: truth_case.h says how.
+//
+// A folder of them has cases/*.json.gz beside itself meshes in ../meshes:
+//
+//     { mesh, kind, k, sites: { face, bary }, points: { face, bary, label, distance, distance2 } }
+//
+// Distances below 0 are not known. Where paths may or may not lead through a vertex that two fans
+// share, labelSplit and distanceSplit are for those that don't: that is how this library sees it.
+
+import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { basename, join, resolve } from 'node:path';
+import { gunzipSync } from 'node:zlib';
+
+/** Writes the cases of `folder` to another folder and returns the paths. */
+export function writeTruthCases(folder, target) {
+  const files = readdirSync(join(folder, 'cases')).filter((name) => name.endsWith('.json.gz'));
+  return files.sort().map((file) => {
+    const text = gunzipSync(readFileSync(join(folder, 'cases', file))).toString();
+    const path = join(target, `${basename(file, '.json.gz')}.txt`);
+    writeFileSync(path, toText(basename(file, '.json.gz'), JSON.parse(text), folder));
+    return path;
+  });
+}
+
+function toText(name, { mesh, sites, points }, folder) {
+  const { label, distance, distance2 } = points.labelSplit
+    ? { label: points.labelSplit, distance: points.distanceSplit }
+    : points;
+  const place = ({ face, bary }, i) => [face[i], ...bary.slice(3 * i, 3 * i + 3)];
+  const rows = [
+    [name],
+    [resolve(folder, '../meshes', mesh)],
+    [sites.face.length, points.face.length],
+    ...sites.face.map((_, i) => place(sites, i)),
+    ...points.face.map((_, i) => [
+      ...place(points, i),
+      label[i],
+      distance[i],
+      distance2?.[i] ?? -1,
+    ]),
+  ];
+  return rows.map((row) => `${row.join(' ')}\n`).join('');
+}

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+//
+// The same meshes and sites through WebAssembly, as others get it: `voronoi` to the arrays.
+
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { load } from 'geodesic-voronoi';
+
+/**
+ * Adds `wasm`, the seconds of a diagram, to every metric of gvd_bench's `speed` that has times, or
+ * `wasmNote`, why there are none. The meshes are in a folder, as GLBs.
+ */
+export async function measureWasm({ speed, sites, seed, runs, detail }, folder) {
+  const gvd = await load();
+  for (const { name, metrics } of speed) {
+    const mesh = await gvd.mesh(readFileSync(join(folder, `${name}.glb`)));
+    const points = await mesh.sampleSites(sites, { seed });
+    for (const [metric, times] of Object.entries(metrics)) {
+      if (times.note) continue;
+      try {
+        times.wasm = await leastSeconds(runs, () => mesh.voronoi(points, { metric, detail }));
+      } catch (error) {
+        times.wasmNote = `WebAssembly: ${error.message}`;
+      }
+    }
+    mesh.dispose();
+  }
+  gvd.dispose();
+}
+
+/** CPU time of this process: other processes do not count. */
+async function leastSeconds(runs, work) {
+  let least = Infinity;
+  for (let i = 0; i < runs; ++i) {
+    const start = process.cpuUsage();
+    const result = await work();
+    const { user, system } = process.cpuUsage(start);
+    result.dispose();
+    least = Math.min(least, (user + system) / 1e6);
+  }
+  return least;
+}
