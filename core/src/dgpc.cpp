@@ -617,7 +617,7 @@ class DgpcSweep final : public Propagation {
   void lookOut(const View& view, const Vector2d& origin, const Vector2d& axis, int label) {
     const Vector2d zero(0, 0);
     const int twin = mesh_.twin(view.halfedge);
-    if (twin < 0 || needsNoLook(twin, label)) return;
+    if (twin < 0 || ownsAnEnd(twin, label)) return;
     View out = inFrame(view, twin, origin, axis);
     if (!(out.source.y() <= 0)) return;  // on the edge itself is the site of two faces
     if (out.left == zero) out.left = -out.source;
@@ -636,7 +636,11 @@ class DgpcSweep final : public Propagation {
     while (!queue_.empty()) {
       const Look look = looks_[queue_.pop().entry];
       const View& view = look.view;
-      if (needsNoLook(view.halfedge, look.label)) continue;
+      const int tail = mesh_.tail(view.halfedge), tip = mesh_.tip(view.halfedge);
+      if (ownsAnEnd(view.halfedge, look.label) ||
+          isOutdone(look.label, tail, distanceAt(tail, look.label), tip,
+                    distanceAt(tip, look.label)))
+        continue;
       const int left = TriangleMesh::previous(view.halfedge);
       const int right = TriangleMesh::next(view.halfedge);
       const TriangleMesh::Layout& l = mesh_.layout(view.halfedge);
@@ -659,12 +663,10 @@ class DgpcSweep final : public Propagation {
     looks_.clear();
   }
 
-  /// Whether a label that is known at the ends of a halfedge has to be looked for behind it: not if
-  /// it owns an end, which looks around itself.
-  bool needsNoLook(int halfedge, int label) const {
-    const int tail = mesh_.tail(halfedge), tip = mesh_.tip(halfedge);
-    return owner_[tail] == label || owner_[tip] == label ||
-           isOutdone(label, tail, distanceAt(tail, label), tip, distanceAt(tip, label));
+  /// A vertex looks around for the label that owns it, so nothing needs to be looked for behind the
+  /// edges there.
+  bool ownsAnEnd(int halfedge, int label) const {
+    return owner_[mesh_.tail(halfedge)] == label || owner_[mesh_.tip(halfedge)] == label;
   }
 
   /// Whether the labels known at both ends of an edge leave nothing of it to a label with these
