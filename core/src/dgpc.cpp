@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <tuple>
 #include <utility>
 
 #include "dgpc_field.h"
@@ -96,13 +95,14 @@ Vector2d firstSide(const TriangleMesh& mesh, int face, int i) {
 }
 
 /// One sweep of all labels through one queue: Dijkstra's, with views carried from vertex to vertex.
-/// Label-correcting: an entry that has spread may improve again and then spreads again, which is
-/// what makes it exact in the plane for any triangulation.
+/// Label-correcting: an entry that has spread may improve again and then spreads again, which
+/// obtuse triangles need.
 ///
 /// DGPC as published keeps distance and angle per vertex and finds those of the next vertex from
 /// two known ones by a virtual source. Carrying the unfolded source itself costs less (one root
 /// instead of two, no second vertex that must be known), does not blur what comes from both sides
-/// of a ridge, and every distance is the length of a path.
+/// of a ridge, and errs towards too long: what saddles and the boundary hide is cut off where the
+/// fans meet them.
 class DgpcSweep final : public Propagation {
  public:
   DgpcSweep(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Spread spread)
@@ -125,8 +125,9 @@ class DgpcSweep final : public Propagation {
         const QueueItem item = queue_.pop();
         if (item.distance == entries_[item.entry].distance) settle(item.entry);
       }
-    } while (budget > 0 && reachTheUnseen());
-    return queue_.empty();
+      if (!queue_.empty()) return false;
+    } while (reachTheUnseen());
+    return true;
   }
 
   double progress() const override {
@@ -336,9 +337,9 @@ class DgpcSweep final : public Propagation {
     }
   }
 
-  /// Carries the view of an entry on to the vertices around its own, on one side: calls
-  /// mayCross(outer vertex, distance there) per edge, which ends the fan if false, and
-  /// give(apex, distance, makeView) for the apex of the face behind it.
+  /// Carries a view on to the vertices around its own, on one side. Per edge it asks
+  /// mayCross(outer vertex, distance there), and if so, calls give(apex, distance, makeView) for
+  /// the apex of the face behind the edge. Faces behind further edges are asked for in any case.
   template <Side side, class MayCross, class Give>
   void carry(const View& view, int vertex, MayCross mayCross, Give give) const {
     constexpr bool kLeft = side == Side::kLeft;
@@ -613,7 +614,8 @@ class DgpcSweep final : public Propagation {
   }
 
   /// Queues a look through a halfedge of the face a source lies in or is seen in, out to the face
-  /// across, between the view's bounds. The twin's frame is given in that of the view.
+  /// across, between the view's bounds; a bound of zero is the end of the halfedge. The twin's
+  /// frame is given in that of the view.
   void lookOut(const View& view, const Vector2d& origin, const Vector2d& axis, int label) {
     const Vector2d zero(0, 0);
     const int twin = mesh_.twin(view.halfedge);
