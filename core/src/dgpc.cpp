@@ -9,9 +9,10 @@
 #include <numbers>
 #include <utility>
 
-#include "dgpc_field.h"
+#include "continuation.h"
 #include "dgpc_view.h"
 #include "edge_share.h"
+#include "fan.h"
 #include "heap.h"
 #include "metric.h"
 #include "surface_geometry.h"
@@ -21,31 +22,6 @@ namespace gvd {
 namespace {
 
 using Eigen::Vector2d;
-
-/// A face in the fan around a vertex, in the frame of the halfedge through which the fan enters it.
-/// That vertex is the halfedge's inner end, the other one its outer end.
-struct FanFace {
-  int halfedge;
-  Vector2d source;
-  Vector2d bound;  ///< from the source to what limits the view on the fan's outer side, or zero
-  Vector2d axis;   ///< the frame's x axis in the view's frame
-  Vector2d inner = {0, 0}, outer = {0, 0}, apex = {0, 0};
-  /// Where the apex lies: the fan may begin before the direct line from the source to its vertex,
-  /// and it ends where that line, continued behind the vertex, is met from the other side.
-  enum class Place { kBefore, kInSight, kBehind } place = Place::kInSight;
-};
-
-/// The left side of a fan is what lies counterclockwise of the view's face around its vertex.
-enum class Side { kLeft, kRight };
-
-/// Whether a direction lies on the given side of another one, or along it: what just passes a
-/// vertex must not depend on rounding.
-template <Side side>
-bool isTowards(const Vector2d& from, const Vector2d& direction) {
-  constexpr double kGrazing = 1e-12;  // of a radian
-  const double turn = cross(from, direction);
-  return (side == Side::kLeft ? turn : -turn) >= -kGrazing * std::abs(from.dot(direction));
-}
 
 /// What one label knows at one vertex. Entry v is the first one of vertex v, further ones follow
 /// behind those of all vertices: most vertices need no more than the first. The view is kept apart:
@@ -65,12 +41,6 @@ struct QueueItem {
   }
 };
 
-double meanEdgeLength(const TriangleMesh& mesh) {
-  double sum = 0;
-  for (int h = 0; h < mesh.halfedgeCount(); ++h) sum += mesh.length(h);
-  return sum / mesh.halfedgeCount();
-}
-
 /// Vertices where shortest paths may bend: inner saddles, and the boundary. What they hide is only
 /// reached around them, so they limit views. At all others paths on both sides of the vertex reach
 /// every point behind it, and a view that is carried on past such a vertex gives no length that is
@@ -79,19 +49,8 @@ double meanEdgeLength(const TriangleMesh& mesh) {
 std::vector<char> bendingVertices(const TriangleMesh& mesh) {
   constexpr double kFlat = 2 * std::numbers::pi * (1 + 1e-12);  // of the sum of rounded angles
   std::vector<char> bends(mesh.vertexCount());
-  for (int v = 0; v < mesh.vertexCount(); ++v) bends[v] = mesh.angleSum(v) > kFlat;
-  for (int h = 0; h < mesh.halfedgeCount(); ++h)
-    if (mesh.twin(h) < 0) bends[mesh.tail(h)] = bends[mesh.tip(h)] = true;
+  for (int v = 0; v < mesh.vertexCount(); ++v) bends[v] = mesh.onBoundary(v) || mesh.angleSum(v) > kFlat;
   return bends;
-}
-
-/// The direction of the first side of a face in the frame of its side i.
-Vector2d firstSide(const TriangleMesh& mesh, int face, int i) {
-  const TriangleMesh::Layout& l = mesh.layout(3 * face + i);
-  const double inverse = 2 * mesh.layout(3 * face).inverse;
-  if (i == 1) return Vector2d(-l.x, -l.y) * inverse;
-  if (i == 2) return Vector2d(l.x - l.length, l.y) * inverse;
-  return {1, 0};
 }
 
 /// One sweep of all labels through one queue: Dijkstra's, with views carried from vertex to vertex.
@@ -110,12 +69,12 @@ class DgpcSweep final : public Propagation {
         sites_(sites.begin(), sites.end()),
         spread_(spread),
         bends_(bendingVertices(mesh)),
-        entries_(mesh.vertexCount()),
-        views_(mesh.vertexCount()),
         owner_(mesh.vertexCount(), -1),
-        queue_(meanEdgeLength(mesh) / 2) {
-    entries_.reserve(2 * entries_.size());
-    views_.reserve(2 * views_.size());
+        queue_(mesh.meanEdgeLength()) {
+    entries_.reserve(2 * owner_.size());
+    entries_.resize(owner_.size());
+    views_.reserve(2 * owner_.size());
+    views_.resize(owner_.size());
     for (int label = 0; label < static_cast<int>(sites_.size()); ++label) seed(label);
   }
 
@@ -123,6 +82,11 @@ class DgpcSweep final : public Propagation {
     do {
       for (; budget > 0 && !queue_.empty(); --budget) {
         const QueueItem item = queue_.pop();
+        if (const QueueItem* next = queue_.peek()) {
+          __builtin_prefetch(&entries_[next->entry]);
+          __builtin_prefetch(&views_[next->entry]);
+          __builtin_prefetch(reinterpret_cast<const char*>(&views_[next->entry]) + 64);
+        }
         if (item.distance == entries_[item.entry].distance) settle(item.entry);
       }
       if (!queue_.empty()) return false;
@@ -138,21 +102,10 @@ class DgpcSweep final : public Propagation {
 
   std::unique_ptr<DistanceField> take() override {
     keepOwners();
-    for (int label = 0; label < static_cast<int>(sites_.size()); ++label) lookFromSite(label);
-    for (const int v : verticesAtBorders()) lookAround(v);
-    do {
-      lookThroughEdges();
-    } while (completeFaces());
-    return collect();
+    return continueOverBorders(mesh_, std::move(sites_), std::move(nearest_), std::move(views_));
   }
 
  private:
-  /// A site seen through a halfedge by the face it belongs to, between the view's bounds.
-  struct Look {
-    View view;
-    int label;
-  };
-
   // --- Entries ---
 
   int find(int vertex, int label) const {
@@ -178,12 +131,8 @@ class DgpcSweep final : public Propagation {
     const int entry = static_cast<int>(entries_.size());
     const int next = std::exchange(first.next, entry);
     entries_.push_back({kInfinity, label, next});
-    if (areOwnersKept_) {
-      departures_.emplace_back();
-    } else {
-      views_.emplace_back();
-      vertices_.push_back(vertex);
-    }
+    views_.emplace_back();
+    vertices_.push_back(vertex);
     return entry;
   }
 
@@ -210,66 +159,54 @@ class DgpcSweep final : public Propagation {
 
   // --- Sites ---
 
-  View viewOfCorner(int label, int corner) const {
-    const SurfacePoint& site = sites_[label];
-    const int i = (corner + 1) % 3, h = 3 * site.face + i;
-    const TriangleMesh::Layout& l = mesh_.layout(h);
-    const double toTip = site.bary[(corner + 2) % 3], toApex = site.bary[corner];
-    View view;
-    view.source = {toTip * l.length + toApex * l.x, toApex * l.y};
-    view.heading = firstSide(mesh_, site.face, i);
-    view.halfedge = h;
-    return view;
-  }
-
-  double distanceOfCorner(int label, int corner) const {
-    const SurfacePoint& site = sites_[label];
-    return std::sqrt(
-        squaredDistance(site.bary, Eigen::Vector3d::Unit(corner), squaredSides(mesh_, site.face)));
-  }
-
   /// The corners of a site's face see it directly. A site on an edge is seen from the other face
   /// through these views, and one at a vertex along the edges there.
   void seed(int label) {
+    const SurfacePoint& site = sites_[label];
     for (int i = 0; i < 3; ++i) {
-      const double distance = distanceOfCorner(label, i);
-      offer(mesh_.tail(3 * sites_[label].face + i), label, distance,
-            [&] { return distance > 0 ? viewOfCorner(label, i) : View(); });
+      const double distance = distanceOfCorner(mesh_, site, i);
+      offer(mesh_.tail(3 * site.face + i), label, distance,
+            [&] { return distance > 0 ? viewOfCorner(mesh_, site, i) : View(); });
     }
-  }
-
-  /// The angle at a site that lies on a vertex, of the vertex's outgoing halfedge; further ones
-  /// follow counterclockwise by the corner angles.
-  double angleOfOutgoing(int label, int vertex) const {
-    const int face = sites_[label].face;
-    int corner = 0;
-    double angle = 0;
-    while (mesh_.tail(3 * face + corner) != vertex)
-      angle += std::numbers::pi - mesh_.cornerAngle(3 * face + ++corner);
-    for (int h = mesh_.outgoing(vertex); TriangleMesh::faceOf(h) != face; h = mesh_.rotate(h))
-      angle -= mesh_.cornerAngle(h);
-    return angle;
   }
 
   // --- Spreading ---
 
+  /// An entry that goes on to its neighbours.
+  struct Origin {
+    View view;
+    Vector2d path;  ///< from the view's source
+    int vertex, label;
+    double distance;
+    bool isLimit;  ///< whether it limits views past it
+  };
+
   void settle(int entry) {
-    const View view = views_[entry];
-    const int vertex = vertexOf(entry);
-    const int label = entries_[entry].label;
-    const double distance = entries_[entry].distance;
-    const auto give = [&](int at, double length, auto makeView) {
-      offer(at, label, length, makeView);
-    };
-    if (view.halfedge >= 0) {
-      const auto mayCross = [&](int outer, double length) {
-        return (owner_[vertex] == label && owner_[outer] == label) ||
-               !isHidden(label, vertex, distance, outer, length);
-      };
-      carry<Side::kLeft>(view, vertex, mayCross, give);
-      carry<Side::kRight>(view, vertex, mayCross, give);
+    Origin from{.view = views_[entry],
+                .path = {0, 0},
+                .vertex = vertexOf(entry),
+                .label = entries_[entry].label,
+                .distance = entries_[entry].distance,
+                .isLimit = false};
+    if (from.view.halfedge < 0) {
+      spreadFromSite(from.vertex, from.label);
+      return;
     }
-    if ((view.halfedge < 0 || bends_[vertex]) && mayBend(vertex, distance)) alongEdges(entry, give);
+    from.path = from.view.path(mesh_);
+    from.isLimit = bends_[from.vertex];
+    // Between the sides, paths bend; the left one sees to that, up to the boundary both.
+    const bool isBend = from.isLimit && mayBend(from.vertex, from.distance);
+    const bool isOnBoundary = isBend && mesh_.onBoundary(from.vertex);
+    const int behindRight =
+        carry<Side::kRight>(from, isOnBoundary, isOnBoundary ? kToBoundary : kToFirstBehind);
+    carry<Side::kLeft>(from, isBend, isBend ? behindRight : kToFirstBehind);
+  }
+
+  void spreadFromSite(int vertex, int label) {
+    const double first = angleOfFirstSpoke(mesh_, sites_[label], vertex);
+    visitSpokes(mesh_, vertex, [&](const Spoke& spoke) {
+      offer(spoke.neighbour, label, spoke.length, [&] { return viewAlong(mesh_, spoke, first); });
+    });
   }
 
   /// A path that bends at a vertex goes on there as any other label's path would, so only the
@@ -280,459 +217,145 @@ class DgpcSweep final : public Propagation {
 
   /// Whether another label is ahead of this one for good: at both ends of an edge it is nearer, or
   /// as near and the lower one. What crosses this edge then owns nothing behind it.
-  bool isHidden(int label, int v, double atV, int u, double atU) const {
-    if (spread_ == Spread::kEverywhere) return false;
-    const int nearV = owner_[v], nearU = owner_[u];
-    if (nearV != label && isAhead(nearV, leastAt(v), label, atV) &&
-        isAhead(nearV, distanceAt(u, nearV), label, atU))
+  bool isHidden(const Origin& from, int outer, const Vector2d& toOuter) const {
+    const int v = from.vertex, nearV = owner_[v], nearOuter = owner_[outer];
+    const double atOuter = from.view.offset + toOuter.norm();
+    if (nearV != from.label && isAhead(nearV, leastAt(v), from.label, from.distance) &&
+        isAhead(nearV, distanceAt(outer, nearV), from.label, atOuter))
       return true;
-    return nearU >= 0 && nearU != label && nearU != nearV &&
-           isAhead(nearU, leastAt(u), label, atU) &&
-           isAhead(nearU, distanceAt(v, nearU), label, atV);
+    return nearOuter >= 0 && nearOuter != from.label && nearOuter != nearV &&
+           isAhead(nearOuter, leastAt(outer), from.label, atOuter) &&
+           isAhead(nearOuter, distanceAt(v, nearOuter), from.label, from.distance);
   }
 
-  /// Visits the faces on one side of a view around its vertex, until `visit` returns false, the
-  /// boundary is met or the fan closes.
-  template <Side side, class Visit>
-  void walkFan(const View& view, Visit visit) const {
-    using Place = FanFace::Place;
-    constexpr bool kLeft = side == Side::kLeft;
-    const auto isOutward = [](const FanFace& face, const Vector2d& p) {
-      return isTowards<side>(face.inner - face.source, p - face.source);
-    };
-    const TriangleMesh::Layout& own = mesh_.layout(view.halfedge);
-    FanFace face{.halfedge = view.halfedge,
-                 .source = view.source,
-                 .bound = kLeft ? view.left : view.right,
-                 .axis = {1, 0},
-                 .inner = {own.x, own.y}};
-    Place next = isOutward(face, kLeft ? Vector2d(0, 0) : Vector2d(own.length, 0)) ? Place::kInSight
-                                                                                   : Place::kBefore;
-    bool overLeftSide = kLeft;
-    for (;;) {
-      const int from = face.halfedge;
-      const int over = overLeftSide ? TriangleMesh::previous(from) : TriangleMesh::next(from);
-      face.halfedge = mesh_.twin(over);
-      if (face.halfedge < 0 ||
-          TriangleMesh::faceOf(face.halfedge) == TriangleMesh::faceOf(view.halfedge))
-        return;
-      const TriangleMesh::Layout &old = mesh_.layout(from), &l = mesh_.layout(face.halfedge);
-      const Vector2d oldApex(old.x, old.y);
-      const Vector2d axis =
-          (overLeftSide ? oldApex : Vector2d(old.length - old.x, -old.y)) * (2 * l.inverse);
-      face.source = turned(overLeftSide ? face.source : Vector2d(face.source - oldApex), axis);
-      face.bound = turned(face.bound, axis);
-      face.axis = {face.axis.x() * axis.x() - face.axis.y() * axis.y(),
-                   face.axis.x() * axis.y() + face.axis.y() * axis.x()};
-      face.inner = {kLeft ? l.length : 0, 0};
-      face.outer = {kLeft ? 0 : l.length, 0};
-      face.apex = {l.x, l.y};
-      face.place = next;
-      const bool apexIsOutward = isOutward(face, face.apex);
-      if (next == Place::kBefore && apexIsOutward) next = Place::kInSight;
-      if (next == Place::kInSight && face.place == next && !apexIsOutward)
-        face.place = next = Place::kBehind;
-      if (!visit(face)) return;
-      overLeftSide = !kLeft;
-    }
+  /// Whether a label goes on over an edge.
+  bool mayCross(const Origin& from, int outer, const Vector2d& toOuter) const {
+    if (spread_ == Spread::kEverywhere) return true;
+    return (owner_[from.vertex] == from.label && owner_[outer] == from.label) ||
+           !isHidden(from, outer, toOuter);
   }
 
-  /// Carries a view on to the vertices around its own, on one side. Per edge it asks
-  /// mayCross(outer vertex, distance there), and if so, calls give(apex, distance, makeView) for
-  /// the apex of the face behind the edge. Faces behind further edges are asked for in any case.
-  template <Side side, class MayCross, class Give>
-  void carry(const View& view, int vertex, MayCross mayCross, Give give) const {
+  /// Whether a label's distance at a vertex cannot be improved by a path that is straight over the
+  /// given way, up to the given distance before it.
+  bool isFutile(int vertex, int label, const Vector2d& way, double before) const {
+    const Entry& first = entries_[vertex];
+    const double known = first.distance - before;
+    return first.label == label && way.squaredNorm() >= known * std::abs(known);
+  }
+
+  /// Carries a view on to the vertices around its own, on one side, up to `last` (walkFan). Those
+  /// that are left behind are reached by bending.
+  template <Side side>
+  int carry(const Origin& from, bool isBend, int last) {
     constexpr bool kLeft = side == Side::kLeft;
     constexpr Side kInward = kLeft ? Side::kRight : Side::kLeft;
-    const auto isWithin = isTowards<kInward>;
+    const auto isWithin = [](const Vector2d& bound, const Vector2d& direction) {
+      return isTowards<kInward>(bound, direction);
+    };
     const Vector2d zero(0, 0);
-    walkFan<side>(view, [&](FanFace& face) {
-      if (face.place == FanFace::Place::kBefore) return true;
-      if (face.place == FanFace::Place::kBehind) return false;
-      const Vector2d toOuter = face.outer - face.source, toApex = face.apex - face.source;
-      const int outer = kLeft ? mesh_.tail(face.halfedge) : mesh_.tip(face.halfedge);
-      if (bends_[outer] && (face.bound == zero || isWithin(face.bound, toOuter)))
-        face.bound = toOuter;
-      if (!mayCross(outer, view.offset + toOuter.norm())) return true;
-      const auto viewFrom = [&](const Vector2d& source, const Vector2d& outerBound) {
-        Vector2d innerBound = zero;
-        if (bends_[vertex])
-          innerBound = face.inner - source;
-        else if (const Vector2d& limit = kLeft ? view.right : view.left; limit != zero)
-          innerBound = turned(limit, face.axis) + (face.source - source);
-        View next;
-        next.source = source;
-        next.left = kLeft ? outerBound : innerBound;
-        next.right = kLeft ? innerBound : outerBound;
-        next.heading = view.isBent ? view.heading : turned(view.heading, face.axis);
-        next.offset = view.offset;
-        next.halfedge = face.halfedge;
-        next.isBent = view.isBent;
-        return next;
-      };
+    const View& view = from.view;
+    Vector2d bound = kLeft ? view.left : view.right;
+    return walkFan<side>(mesh_, view, from.path, last, [&](const FanFace& face) {
+      if (face.place == FanFace::Place::kBefore) return;
       const int at = mesh_.tail(TriangleMesh::previous(face.halfedge));
-      if (face.bound == zero || isWithin(face.bound, toApex)) {
-        give(at, view.offset + toApex.norm(), [&] { return viewFrom(face.source, face.bound); });
-        return true;
+      if (face.place == FanFace::Place::kBehind) {
+        if (isBend) bend<side>(from, face, at);
+        return;
+      }
+      const Vector2d toOuter = from.path + face.outer, toApex = from.path + face.apex;
+      const int outer = outerEnd<side>(face, mesh_);
+      const bool isOuterLimit = bends_[outer];
+      if (isOuterLimit && (bound == zero || isWithin(bound, toOuter))) bound = toOuter;
+      if (isFutile(at, from.label, toApex, view.offset) || !mayCross(from, outer, toOuter)) return;
+      if (bound == zero || isWithin(bound, toApex)) {
+        offer(at, from.label, view.offset + toApex.norm(),
+              [&] { return viewThrough<side>(from, face, zero, bound); });
+        return;
       }
       // Out of sight: around the vertex that hides it, unless that is an end of this halfedge, from
       // which the path goes on by itself.
-      const Vector2d corner = face.source + face.bound;
-      if (corner.y() < 0 && isWithin(face.outer - corner, face.apex - corner)) {
-        const double toCorner = face.bound.norm(), offset = view.offset + toCorner;
-        give(at, offset + (face.apex - corner).norm(), [&] {
-          View next = viewFrom(corner, bends_[outer] ? Vector2d(face.outer - corner) : zero);
-          next.heading = view.departure(face.bound / toCorner, face.axis);
+      const Vector2d aroundCorner = toApex - bound, besideCorner = toOuter - bound;
+      if (inFrameOf<side>(face, mesh_, bound - from.path).y() < 0 &&
+          isWithin(besideCorner, aroundCorner)) {
+        const double toCorner = bound.norm(), offset = view.offset + toCorner;
+        offer(at, from.label, offset + aroundCorner.norm(), [&] {
+          View next = viewThrough<side>(from, face, bound, isOuterLimit ? besideCorner : zero);
+          next.heading = view.departure(bound / toCorner);
           next.offset = offset;
           next.isBent = true;
           return next;
         });
       }
-      return true;
     });
   }
 
-  /// Makes a vertex the source for its neighbours, a site or a vertex where paths bend: calls
-  /// give(neighbour, distance, makeView) for each.
-  template <class Give>
-  void alongEdges(int entry, Give give) const {
-    const View view = views_[entry];
-    const int vertex = vertexOf(entry), label = entries_[entry].label;
-    const double distance = entries_[entry].distance;
-    const bool isSite = view.halfedge < 0;
-    const Vector2d departure = view.departure(mesh_, distance);
-    double angle = isSite ? angleOfOutgoing(label, vertex) : 0;
-    const auto go = [&](int halfedge, bool fromTail) {
-      const double length =
-          mesh_.length(fromTail ? TriangleMesh::previous(halfedge) : TriangleMesh::next(halfedge));
-      give(mesh_.tail(TriangleMesh::previous(halfedge)), distance + length, [&] {
-        const TriangleMesh::Layout& l = mesh_.layout(halfedge);
-        View next;
-        if (!fromTail) next.source = {l.length, 0};
-        next.offset = distance;
-        next.halfedge = halfedge;
-        next.isBent = !isSite;
-        next.heading = departure;
-        if (isSite) {
-          const Vector2d along = (Vector2d(l.x, l.y) - next.source) / length;
-          next.heading = turned(along, {std::cos(angle), std::sin(angle)});
-        }
-        return next;
-      });
-    };
-    const int first = mesh_.outgoing(vertex);
-    int h = first;
-    do {
-      const int back = TriangleMesh::previous(h);
-      go(back, false);
-      if (isSite) angle += mesh_.cornerAngle(h);
-      if (mesh_.twin(back) < 0) go(h, true);
-      h = mesh_.twin(back);
-    } while (h >= 0 && h != first);
+  /// The view through the halfedge by which a fan enters a face, from what lies at `shift` of the
+  /// source of the fan's view.
+  template <Side side>
+  View viewThrough(const Origin& from, const FanFace& face, const Vector2d& shift,
+                   const Vector2d& outerBound) const {
+    constexpr bool kLeft = side == Side::kLeft;
+    const Vector2d zero(0, 0), axis = axisOf<side>(face);
+    const Vector2d& limit = kLeft ? from.view.right : from.view.left;
+    Vector2d innerBound = zero;
+    if (from.isLimit)
+      innerBound = from.path - shift;
+    else if (limit != zero)
+      innerBound = limit - shift;
+    View next;
+    next.source = inFrameOf<side>(face, mesh_, shift - from.path);
+    next.left = turned(kLeft ? outerBound : innerBound, axis);
+    next.right = turned(kLeft ? innerBound : outerBound, axis);
+    next.heading = from.view.isBent ? from.view.heading : turned(from.view.heading, axis);
+    next.offset = from.view.offset;
+    next.halfedge = face.halfedge;
+    next.isBent = from.view.isBent;
+    return next;
+  }
+
+  template <Side side>
+  void bend(const Origin& from, const FanFace& face, int at) {
+    offer(at, from.label, from.distance + face.apex.norm(), [&] {
+      return viewFromBend(mesh_, face.halfedge, side == Side::kRight, from.distance,
+                          from.view.departure(mesh_, from.distance));
+    });
   }
 
   /// Views end at what hides them. Should a vertex be out of sight from all sides, the path along
   /// the edge from its nearest neighbour reaches it.
   bool reachTheUnseen() {
     if (reachedVertices_ == mesh_.vertexCount()) return false;
-    bool found = false;
+    std::vector<std::pair<int, Spoke>> edges;
     for (int v = 0; v < mesh_.vertexCount(); ++v) {
       if (owner_[v] < 0) continue;
-      const int first = mesh_.outgoing(v);
-      int h = first;
-      bool isLast = false;
-      do {
-        const int back = TriangleMesh::previous(h);
-        if (owner_[mesh_.tip(h)] < 0 || owner_[mesh_.tail(back)] < 0) isLast = true;
-        h = mesh_.twin(back);
-      } while (!isLast && h >= 0 && h != first);
-      if (!isLast) continue;
-      alongEdges(find(v, owner_[v]), [&](int at, double distance, auto makeView) {
-        offer(at, owner_[v], distance, makeView);
+      visitSpokes(mesh_, v, [&](const Spoke& spoke) {
+        if (owner_[spoke.neighbour] < 0) edges.emplace_back(v, spoke);
       });
-      found = true;
     }
-    return found;
+    for (const auto& [v, spoke] : edges) {
+      const int entry = find(v, owner_[v]);
+      const double distance = entries_[entry].distance;
+      const View via = viewFromBend(mesh_, spoke.halfedge, spoke.isFromTail, distance,
+                                    views_[entry].departure(mesh_, distance));
+      offer(spoke.neighbour, owner_[v], distance + spoke.length, [&] { return via; });
+    }
+    return !edges.empty();
   }
 
-  // --- Sites that do not own a vertex, as they appear there ---
-  //
-  // To tell where in a face one region ends, the distances of both labels must be known at all its
-  // corners, also those that another label owns. What counts there is the continuation of the
-  // distance inside the region: how far the site is, as seen from the corners the region has. So it
-  // depends on no path outside of the region, and nothing need have spread there.
-
-  /// Keeps of the entries those of the owners; ties go to the lower label.
+  /// Names the nearest label of each vertex, of those that tie the lowest, and keeps their views.
   void keepOwners() {
+    nearest_.resize(mesh_.vertexCount());
     for (int v = 0; v < mesh_.vertexCount(); ++v) {
       if (owner_[v] < 0) continue;
       const double tie = leastAt(v) * (1 + kDistanceTolerance);
+      int owner = -1;
       for (int e = v; e >= 0; e = entries_[e].next)
-        if (entries_[e].distance <= tie) owner_[v] = std::min(owner_[v], entries_[e].label);
-      const int e = find(v, owner_[v]);
-      if (e != v) views_[v] = views_[e];
-      entries_[v] = {entries_[e].distance, owner_[v], -1};
+        if (entries_[e].distance <= tie && (owner < 0 || entries_[e].label < entries_[owner].label))
+          owner = e;
+      nearest_[v] = {entries_[owner].label, entries_[owner].distance};
+      if (owner != v) views_[v] = views_[owner];
     }
-    entries_.resize(mesh_.vertexCount());
     views_.resize(mesh_.vertexCount());
-    vertices_.clear();
-    areOwnersKept_ = true;
-  }
-
-  /// Ascending, those of which some neighbour belongs to another label.
-  std::vector<int> verticesAtBorders() const {
-    std::vector<char> isAtBorder(mesh_.vertexCount());
-    for (int h = 0; h < mesh_.halfedgeCount(); ++h) {
-      const int tail = mesh_.tail(h), tip = mesh_.tip(h);
-      if (owner_[tail] != owner_[tip]) isAtBorder[tail] = isAtBorder[tip] = true;
-    }
-    std::vector<int> vertices;
-    for (int v = 0; v < mesh_.vertexCount(); ++v)
-      if (isAtBorder[v]) vertices.push_back(v);
-    return vertices;
-  }
-
-  /// Notes how far a label appears to be from a vertex that another one owns; the shortest counts.
-  /// The owner has been found by better means, so what appears to be nearer comes next to it.
-  /// Returns false in that case. `departure` is the direction at the site, in the site's frame.
-  bool see(int vertex, int label, double distance, const Vector2d& departure) {
-    if (owner_[vertex] == label) return true;
-    const double owners = entries_[vertex].distance;
-    const bool isNearer = distance < owners * (1 - kDistanceTolerance);
-    if (isNearer) distance = owners * (1 + 4 * kDistanceTolerance);
-    int entry = find(vertex, label);
-    if (entry < 0) entry = add(vertex, label);
-    if (distance < entries_[entry].distance * (1 - kDistanceTolerance)) {
-      entries_[entry].distance = distance;
-      departures_[entry - mesh_.vertexCount()] = departure;
-    }
-    return !isNearer;
-  }
-
-  /// The same along a straight line from the source of a view, given in a frame whose x axis is
-  /// `axis` in the view's.
-  bool see(int vertex, int label, const View& view, const Vector2d& path, const Vector2d& axis) {
-    const double length = path.norm();
-    return see(vertex, label, view.offset + length,
-               length > 0 ? view.departure(path / length, axis) : Vector2d(1, 0));
-  }
-
-  /// What a view sees, in the frame of another halfedge of its face or of the face across it. The
-  /// frame's origin and x axis are given in the view's frame.
-  static View inFrame(const View& view, int halfedge, const Vector2d& origin,
-                      const Vector2d& axis) {
-    View other;
-    other.source = turned(view.source - origin, axis);
-    other.left = turned(view.left, axis);
-    other.right = turned(view.right, axis);
-    other.heading = view.isBent ? view.heading : turned(view.heading, axis);
-    other.offset = view.offset;
-    other.halfedge = halfedge;
-    other.isBent = view.isBent;
-    return other;
-  }
-
-  void lookFromSite(int label) {
-    for (int i = 0; i < 3; ++i) {
-      const double distance = distanceOfCorner(label, i);
-      see(mesh_.tail(3 * sites_[label].face + i), label, distance,
-          viewOfCorner(label, i).departure(mesh_, distance));
-    }
-    for (int i = 0; i < 3; ++i) {
-      const View view = viewOfCorner(label, i);
-      lookOut(view, {mesh_.length(view.halfedge), 0}, {-1, 0}, label);
-    }
-  }
-
-  /// Lets the vertices around one see the label that owns it, and looks out of the faces of which
-  /// the label owns this corner only.
-  void lookAround(int v) {
-    const int label = owner_[v];
-    const View view = views_[v];
-    if (view.halfedge < 0) {
-      lookAroundSite(v);
-      return;
-    }
-    const Vector2d tip(mesh_.length(view.halfedge), 0);
-    see(mesh_.tail(view.halfedge), label, view, -view.source, {1, 0});
-    see(mesh_.tip(view.halfedge), label, view, tip - view.source, {1, 0});
-    View here = view;
-    here.left = here.right = {0, 0};
-    lookOut(here, tip, {-1, 0}, label);
-    lookAside<Side::kLeft>(view, v);
-    lookAside<Side::kRight>(view, v);
-  }
-
-  /// The same around a vertex that is the site.
-  void lookAroundSite(int v) {
-    const int label = owner_[v];
-    alongEdges(v, [&](int at, double distance, auto makeView) {
-      const View view = makeView();
-      see(at, label, distance, view.departure(mesh_, distance));
-    });
-    const int first = mesh_.outgoing(v);
-    int h = first;
-    do {
-      View here;
-      here.halfedge = TriangleMesh::next(h);
-      const TriangleMesh::Layout& l = mesh_.layout(here.halfedge);
-      here.source = {l.x, l.y};
-      lookOut(here, {l.length, 0}, {-1, 0}, label);
-      h = mesh_.rotate(h);
-    } while (h >= 0 && h != first);
-  }
-
-  template <Side side>
-  void lookAside(const View& view, int v) {
-    constexpr bool kLeft = side == Side::kLeft;
-    const Entry own = entries_[v];
-    bool isBehind = false;
-    walkFan<side>(view, [&](const FanFace& face) {
-      const int outer = kLeft ? mesh_.tail(face.halfedge) : mesh_.tip(face.halfedge);
-      const int at = mesh_.tail(TriangleMesh::previous(face.halfedge));
-      const bool wasBehind = std::exchange(isBehind, face.place == FanFace::Place::kBehind);
-      if (isBehind)
-        see(at, own.label, own.distance + (face.apex - face.inner).norm(),
-            view.departure(mesh_, own.distance));
-      else
-        see(at, own.label, view, face.apex - face.source, face.axis);
-      if (wasBehind || owner_[at] == own.label || owner_[outer] == own.label) return true;
-      View here;
-      here.source = face.source;
-      here.heading = view.isBent ? view.heading : turned(view.heading, face.axis);
-      here.offset = view.offset;
-      here.isBent = view.isBent;
-      here.halfedge =
-          kLeft ? TriangleMesh::previous(face.halfedge) : TriangleMesh::next(face.halfedge);
-      // Where the line behind the vertex runs through the face, up to that line.
-      if (isBehind) (kLeft ? here.right : here.left) = face.inner - face.source;
-      const Vector2d origin = kLeft ? face.outer : face.apex;
-      const Vector2d end = kLeft ? face.apex : face.outer;
-      lookOut(here, origin, (end - origin) * (2 * mesh_.layout(here.halfedge).inverse), own.label);
-      return true;
-    });
-  }
-
-  /// Queues a look through a halfedge of the face a source lies in or is seen in, out to the face
-  /// across, between the view's bounds; a bound of zero is the end of the halfedge. The twin's
-  /// frame is given in that of the view.
-  void lookOut(const View& view, const Vector2d& origin, const Vector2d& axis, int label) {
-    const Vector2d zero(0, 0);
-    const int twin = mesh_.twin(view.halfedge);
-    if (twin < 0 || ownsAnEnd(twin, label)) return;
-    View out = inFrame(view, twin, origin, axis);
-    if (!(out.source.y() <= 0)) return;  // on the edge itself is the site of two faces
-    if (out.left == zero) out.left = -out.source;
-    if (out.right == zero) out.right = Vector2d(mesh_.length(twin), 0) - out.source;
-    queueLook(out, label);
-  }
-
-  void queueLook(const View& view, int label) {
-    queue_.push({view.offset - view.source.y(), static_cast<int>(looks_.size())});
-    looks_.push_back({view, label});
-  }
-
-  /// Regions may be so narrow that they cross faces of which they own no corner: there the site is
-  /// seen through one edge after the other, as long as it owns something on them but no end.
-  void lookThroughEdges() {
-    while (!queue_.empty()) {
-      const Look look = looks_[queue_.pop().entry];
-      const View& view = look.view;
-      const int tail = mesh_.tail(view.halfedge), tip = mesh_.tip(view.halfedge);
-      if (ownsAnEnd(view.halfedge, look.label) ||
-          isOutdone(look.label, tail, distanceAt(tail, look.label), tip,
-                    distanceAt(tip, look.label)))
-        continue;
-      const int left = TriangleMesh::previous(view.halfedge);
-      const int right = TriangleMesh::next(view.halfedge);
-      const TriangleMesh::Layout& l = mesh_.layout(view.halfedge);
-      const Vector2d apex(l.x, l.y), toApex = apex - view.source;
-      if (!see(mesh_.tail(left), look.label, view, toApex, {1, 0})) continue;
-      const double inverseLeft = 2 * mesh_.layout(left).inverse;
-      const double inverseRight = 2 * mesh_.layout(right).inverse;
-      if (mesh_.twin(left) >= 0 && cross(view.left, toApex) < 0) {
-        View next = inFrame(view, mesh_.twin(left), {0, 0}, apex * inverseLeft);
-        if (cross(view.right, toApex) > 0) next.right = turned(toApex, apex * inverseLeft);
-        queueLook(next, look.label);
-      }
-      if (mesh_.twin(right) >= 0 && cross(view.right, toApex) > 0) {
-        const Vector2d axis = Vector2d(l.length - l.x, -l.y) * inverseRight;
-        View next = inFrame(view, mesh_.twin(right), apex, axis);
-        if (cross(view.left, toApex) < 0) next.left = turned(toApex, axis);
-        queueLook(next, look.label);
-      }
-    }
-    looks_.clear();
-  }
-
-  /// A vertex looks around for the label that owns it, so nothing needs to be looked for behind the
-  /// edges there.
-  bool ownsAnEnd(int halfedge, int label) const {
-    return owner_[mesh_.tail(halfedge)] == label || owner_[mesh_.tip(halfedge)] == label;
-  }
-
-  /// Whether the labels known at both ends of an edge leave nothing of it to a label with these
-  /// distances there.
-  bool isOutdone(int label, int v, double atV, int u, double atU) const {
-    EdgeShare share(label, atV, atU);
-    for (int e = v; e >= 0 && !share.isEmpty(); e = entries_[e].next) {
-      const int other = entries_[e].label, atOtherEnd = find(u, other);
-      if (other != label && atOtherEnd >= 0)
-        share.yieldTo(other, entries_[e].distance, entries_[atOtherEnd].distance);
-    }
-    return share.isEmpty();
-  }
-
-  Vector2d departureOf(int entry) const {
-    return entry < mesh_.vertexCount() ? views_[entry].departure(mesh_, entries_[entry].distance)
-                                       : departures_[entry - mesh_.vertexCount()];
-  }
-
-  /// Makes a label that may own something on a side of a face known at the third corner, should it
-  /// be out of sight from there. Returns whether there was any.
-  bool completeFaces() {
-    bool found = false;
-    for (int h = 0; h < mesh_.halfedgeCount(); ++h) {
-      const int tail = mesh_.tail(h), tip = mesh_.tip(h);
-      if (entries_[tail].next < 0 && entries_[tip].next < 0) continue;
-      const int back = TriangleMesh::previous(h), apex = mesh_.tail(back);
-      for (int e = tail; e >= 0; e = entries_[e].next) {
-        const int label = entries_[e].label;
-        const double atTail = entries_[e].distance, atTip = distanceAt(tip, label);
-        if (atTip == kInfinity || find(apex, label) >= 0 ||
-            isOutdone(label, tail, atTail, tip, atTip))
-          continue;
-        const double overTail = atTail + mesh_.length(back);
-        const double overTip = atTip + mesh_.length(TriangleMesh::next(h));
-        const int last = overTail <= overTip ? e : find(tip, label);
-        see(apex, label, std::min(overTail, overTip), departureOf(last));
-        found = true;
-      }
-    }
-    return found;
-  }
-
-  std::unique_ptr<DistanceField> collect() {
-    std::vector<int> offset = {0};
-    std::vector<LabelledDistance> values, here;
-    std::vector<Vector2d> departures;
-    offset.reserve(mesh_.vertexCount() + 1);
-    values.reserve(entries_.size());
-    departures.reserve(entries_.size());
-    for (int v = 0; v < mesh_.vertexCount(); ++v) {
-      here.clear();
-      for (int e = v; e >= 0 && entries_[e].label >= 0; e = entries_[e].next)
-        here.push_back({entries_[e].label, entries_[e].distance});
-      equalizeTies(here);
-      for (const LabelledDistance& d : here) {
-        values.push_back(d);
-        const int e = find(v, d.label);
-        departures.push_back(e == v ? Vector2d(0, 0) : departures_[e - mesh_.vertexCount()]);
-      }
-      offset.push_back(static_cast<int>(values.size()));
-    }
-    return std::make_unique<DgpcField>(mesh_, sites_, std::move(offset), std::move(values),
-                                       std::move(views_), std::move(departures));
   }
 
   const TriangleMesh& mesh_;
@@ -742,12 +365,9 @@ class DgpcSweep final : public Propagation {
   std::vector<Entry> entries_;
   std::vector<View> views_;    ///< of the entries
   std::vector<int> vertices_;  ///< of the entries behind the first ones
-  /// Once only the owners' entries are kept, further ones need no view.
-  bool areOwnersKept_ = false;
-  std::vector<Vector2d> departures_;  ///< of the entries behind the first ones, then
-  std::vector<int> owner_;            ///< the nearest label of each vertex, -1 if none has come
+  std::vector<int> owner_;     ///< the nearest label of each vertex, -1 if none has come
   SweepQueue<QueueItem> queue_;
-  std::vector<Look> looks_;
+  std::vector<LabelledDistance> nearest_;
   int reachedVertices_ = 0;
 };
 

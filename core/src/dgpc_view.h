@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
 
 namespace gvd {
@@ -30,10 +31,19 @@ struct View {
   int halfedge = -1;  ///< -1: the vertex is the site
   bool isBent = false;
 
+  /// What is seen, in another frame, of which the origin and the x axis are given in this one.
+  View inFrame(int otherHalfedge, const Eigen::Vector2d& origin, const Eigen::Vector2d& axis) const;
+
+  /// From the source to the view's own vertex.
+  Eigen::Vector2d path(const TriangleMesh& mesh) const {
+    const TriangleMesh::Layout& l = mesh.layout(halfedge);
+    return Eigen::Vector2d(l.x, l.y) - source;
+  }
+
   /// The direction, in the site's frame, in which a path leaves the site that ends here in the
-  /// given unit direction; the latter in a frame whose x axis is `axis` in the view's.
-  Eigen::Vector2d departure(const Eigen::Vector2d& arrival, const Eigen::Vector2d& axis) const {
-    return isBent ? heading : turned(arrival, turned(heading, axis));
+  /// given unit direction.
+  Eigen::Vector2d departure(const Eigen::Vector2d& arrival) const {
+    return isBent ? heading : turned(arrival, heading);
   }
 
   /// The direction in which the path of this length to the view's own vertex leaves the site; the
@@ -42,9 +52,47 @@ struct View {
     if (isBent) return heading;
     const double straight = distance - offset;
     if (halfedge < 0 || !(straight > 0)) return {1, 0};
-    const TriangleMesh::Layout& l = mesh.layout(halfedge);
-    return departure((Eigen::Vector2d(l.x, l.y) - source) / straight, {1, 0});
+    return departure(path(mesh) / straight);
   }
 };
+
+/// How far a site is from a corner of its face, and how that corner sees it.
+double distanceOfCorner(const TriangleMesh& mesh, const SurfacePoint& site, int corner);
+View viewOfCorner(const TriangleMesh& mesh, const SurfacePoint& site, int corner);
+
+/// An edge from a vertex to a neighbour, with a face beside it through which the neighbour sees the
+/// vertex: the vertex is the tail or the tip of the halfedge, the neighbour the apex.
+struct Spoke {
+  int halfedge;
+  bool isFromTail;
+  int neighbour;
+  double length;
+  double angle;  ///< counterclockwise from the vertex's first outgoing halfedge
+};
+
+/// Calls `visit` for every edge at a vertex, counterclockwise.
+template <class Visit>
+void visitSpokes(const TriangleMesh& mesh, int vertex, Visit visit) {
+  const int first = mesh.outgoing(vertex);
+  double angle = 0;
+  int h = first;
+  do {
+    const int back = TriangleMesh::previous(h);
+    visit(Spoke{back, false, mesh.tip(h), mesh.length(h), angle});
+    angle += mesh.cornerAngle(h);
+    if (mesh.twin(back) < 0) visit(Spoke{h, true, mesh.tail(back), mesh.length(back), angle});
+    h = mesh.twin(back);
+  } while (h >= 0 && h != first);
+}
+
+/// The angle at a site that lies on a vertex, of the vertex's first outgoing halfedge; of a spoke it
+/// is the sum of both.
+double angleOfFirstSpoke(const TriangleMesh& mesh, const SurfacePoint& site, int vertex);
+/// How the neighbour along a spoke sees a site at the spoke's vertex.
+View viewAlong(const TriangleMesh& mesh, const Spoke& spoke, double angleOfFirst);
+/// How the apex of a halfedge's face sees a site along a path that bends at an end of the halfedge,
+/// having come there at the distance `offset` from the site.
+View viewFromBend(const TriangleMesh& mesh, int halfedge, bool isFromTail, double offset,
+                  const Eigen::Vector2d& departure);
 
 }  // namespace gvd

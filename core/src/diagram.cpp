@@ -46,9 +46,12 @@ class Tracer {
   }
 
   Diagram trace() {
+    reserve();
     for (int e = 0; e < complex_.elementCount(); ++e) divide(e);
     collectBoundary();
     const std::vector<Loop> loops = traceLoops();
+    outIndex_.assign(points_.size(), -1);
+    out_.points.reserve(points_.size());
     collectSegments();
     collectArcs();
     collectVoronoiPoints(loops);
@@ -89,6 +92,19 @@ class Tracer {
 
   // --- The exact graph -------------------------------------------------------------------------
 
+  /// Room for what the elements of several regions usually need.
+  void reserve() {
+    size_t mixed = 0;
+    for (int e = 0; e < complex_.elementCount(); ++e)
+      mixed += complex_.soleOwner(e) == Diagram::kMixed;
+    points_.reserve(5 * mixed / 2);
+    parent_.reserve(5 * mixed / 2);
+    isNode_.reserve(5 * mixed / 2);
+    segments_.reserve(5 * mixed / 4);
+    cells_.reserve(5 * mixed / 2);
+    cellPoints_.reserve(8 * mixed);
+  }
+
   void divide(int element) {
     const int face = complex_.face(element);
     const int owner = complex_.soleOwner(element);
@@ -106,6 +122,8 @@ class Tracer {
 
   /// Whether some other label ties with the owner at all three nodes.
   bool isIndifferent(int element, int owner) const {
+    for (int i = 0; i < 3; ++i)
+      if (!complex_.hasTie(tail_[3 * element + i])) return false;
     const auto ties = [&](int corner, int label) {
       const auto labels = complex_.labels(tail_[3 * element + corner]);
       double ours = kInfinity, theirs = -1;
@@ -216,12 +234,12 @@ class Tracer {
     // It may be no other than an end of the side, or another point there.
     for (const int corner : {v.place, (v.place + 1) % 3}) {
       const Eigen::Vector3d end = complex_.faceBary(element, Eigen::Vector3d::Unit(corner));
-      if (std::sqrt(squaredDistance(place.bary, end, sides)) <= points_[point].error)
+      const double error = points_[point].error;
+      if (squaredDistance(place.bary, end, sides) <= error * error)
         unite(point, pointOfNode(tail_[3 * element + corner], element, corner));
     }
-    const Eigen::Vector3d position = mesh_.position(place);
     for (int p = firstOnSide_[side]; p >= 0; p = points_[p].nextOnSide)
-      if ((mesh_.position(points_[p].place) - position).norm() <=
+      if ((mesh_.position(points_[p].place) - mesh_.position(place)).norm() <=
           points_[p].error + points_[point].error)
         unite(point, p);
     points_[point].nextOnSide = firstOnSide_[side];
@@ -279,9 +297,9 @@ class Tracer {
     segments_.push_back({{from, to}, {left, right}, face});
     setDart(from, left, 2 * segment);
     setDart(to, right, 2 * segment + 1);
-    const double length =
-        std::sqrt(squaredDistance(baryOfVertex_[fromVertex], baryOfVertex_[toVertex], sides));
-    if (length <= points_[from].error + points_[to].error) unite(from, to);
+    const double error = points_[from].error + points_[to].error;
+    if (squaredDistance(baryOfVertex_[fromVertex], baryOfVertex_[toVertex], sides) <= error * error)
+      unite(from, to);
   }
 
   void setDart(int point, int label, int dart) {
@@ -478,7 +496,6 @@ class Tracer {
 
   int outPoint(int point) {
     const int p = root(point);
-    if (outIndex_.size() < points_.size()) outIndex_.resize(points_.size(), -1);
     if (outIndex_[p] < 0) {
       outIndex_[p] = static_cast<int>(out_.points.size());
       out_.points.push_back(points_[p].place);
@@ -630,8 +647,9 @@ class Tracer {
 
   /// Faces in order; one whose parts all went to one label is a region triangle after all.
   void collectCells() {
-    std::stable_sort(cells_.begin(), cells_.end(),
-                     [](const Cell& a, const Cell& b) { return a.face < b.face; });
+    const auto isBefore = [](const Cell& a, const Cell& b) { return a.face < b.face; };
+    if (!std::is_sorted(cells_.begin(), cells_.end(), isBefore))
+      std::stable_sort(cells_.begin(), cells_.end(), isBefore);
     for (auto first = cells_.begin(); first != cells_.end();) {
       bool isMixed = false;
       auto last = first;

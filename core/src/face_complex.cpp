@@ -30,9 +30,17 @@ FaceComplex::FaceComplex(const TriangleMesh& mesh, const DistanceField& distance
 
 void FaceComplex::addOwner(std::span<const LabelledDistance> labels) {
   LabelledDistance best;
-  for (const LabelledDistance& d : labels)
-    if (d.distance < best.distance) best = d;
+  bool hasTie = false;
+  for (const LabelledDistance& d : labels) {
+    if (d.distance < best.distance) {
+      best = d;
+      hasTie = false;
+    } else {
+      hasTie |= d.distance == best.distance;
+    }
+  }
   owner_.push_back(best.label);
+  hasTie_.push_back(hasTie);
 }
 
 int FaceComplex::soleOwner(int element) const {

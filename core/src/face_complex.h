@@ -43,6 +43,8 @@ class FaceComplex {
   }
   /// The nearest label of a node, the lowest of those that tie; -1 if there is none.
   int owner(int node) const { return owner_[node]; }
+  /// Whether another label is as near.
+  bool hasTie(int node) const { return hasTie_[node]; }
   /// The label that owns all of an element: the owner of all its nodes; else -2.
   int soleOwner(int element) const;
 
@@ -59,6 +61,7 @@ class FaceComplex {
   const TriangleMesh& mesh_;
   const DistanceField& distances_;
   std::vector<int> owner_;
+  std::vector<char> hasTie_;
   std::vector<int> tail_, twin_, face_;
   std::vector<Eigen::Matrix3d> corners_;
   std::vector<std::vector<LabelledDistance>> added_;  ///< of the nodes that are no vertices

@@ -56,9 +56,9 @@ class QuaternaryHeap {
 template <class Item>
 class SweepQueue {
  public:
-  /// `width` of a bucket: about as much as keys differ between neighbours. Keys beyond the last
-  /// bucket share it.
-  explicit SweepQueue(double width) : inverseWidth_(1 / width) {}
+  /// `step` is by about how much keys differ between neighbours. Keys beyond the last bucket share
+  /// it.
+  explicit SweepQueue(double step) : inverseWidth_(kBucketsPerStep / step) {}
 
   bool empty() const { return size_ == 0; }
 
@@ -70,15 +70,25 @@ class SweepQueue {
       heap_.push(item);
     } else {
       if (bucket >= buckets_.size()) buckets_.resize(bucket + 1);
+      if (buckets_[bucket].capacity() == 0 && !spare_.empty()) {
+        buckets_[bucket] = std::move(spare_.back());
+        spare_.pop_back();
+      }
       buckets_[bucket].push_back(item);
     }
   }
 
+  /// What comes next, should nothing be pushed; null where that takes some work to tell.
+  const Item* peek() const { return heap_.empty() ? nullptr : &heap_.top(); }
+
   Item pop() {
     while (heap_.empty()) {
       ++current_;
-      for (const Item& item : buckets_[current_]) heap_.push(item);
-      buckets_[current_] = {};
+      std::vector<Item>& bucket = buckets_[current_];
+      if (bucket.empty()) continue;
+      for (const Item& item : bucket) heap_.push(item);
+      bucket.clear();
+      spare_.push_back(std::exchange(bucket, {}));
     }
     --size_;
     const Item item = heap_.top();
@@ -88,10 +98,12 @@ class SweepQueue {
 
  private:
   static constexpr size_t kMaxBuckets = 1 << 16;
+  static constexpr double kBucketsPerStep = 16;
 
   double inverseWidth_;
   QuaternaryHeap<Item> heap_;
   std::vector<std::vector<Item>> buckets_;
+  std::vector<std::vector<Item>> spare_;  ///< the memory of those that are done
   size_t current_ = 0;
   size_t size_ = 0;
 };

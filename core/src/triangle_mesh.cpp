@@ -527,6 +527,14 @@ void TriangleMesh::measure() {
   for (int f = 0; f < faceCount(); ++f) {
     layOut(std::span<Layout, 3>(&layout_[3 * f], 3));
   }
+  faceArea_.resize(faceCount());
+  for (int f = 0; f < faceCount(); ++f) {
+    const Eigen::Vector3d a = position(tail(3 * f));
+    const Eigen::Vector3d ab = position(tail(3 * f + 1)) - a, ac = position(tail(3 * f + 2)) - a;
+    faceArea_[f] = ab.cross(ac).norm() / 2;
+    area_ += faceArea_[f];
+  }
+  for (const Layout& layout : layout_) meanEdgeLength_ += layout.length / halfedgeCount();
 }
 
 void TriangleMesh::countTopology(int components) {
@@ -549,17 +557,6 @@ void TriangleMesh::countTopology(int components) {
 Eigen::Vector3d TriangleMesh::position(const SurfacePoint& p) const {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (int i = 0; i < 3; ++i) sum += p.bary[i] * position(tail(3 * p.face + i));
-  return sum;
-}
-
-double TriangleMesh::faceArea(int f) const {
-  const Eigen::Vector3d a = position(tail(3 * f));
-  return (position(tail(3 * f + 1)) - a).cross(position(tail(3 * f + 2)) - a).norm() / 2;
-}
-
-double TriangleMesh::area() const {
-  double sum = 0;
-  for (int f = 0; f < faceCount(); ++f) sum += faceArea(f);
   return sum;
 }
 

@@ -84,7 +84,7 @@ class TriangleMesh {
   double length(int h) const { return layout_[h].length; }
   /// The face of a halfedge laid out in the plane: the halfedge runs along the x axis from the
   /// origin, the third corner, its *apex*, is at (x, y), y >= 0.
-  struct Layout {
+  struct alignas(32) Layout {  // so that each is in one cache line
     double length;
     double inverse;  ///< 1 / (2 length): what unfolding divides by
     double x, y;
@@ -107,8 +107,9 @@ class TriangleMesh {
   double cornerAngle(int h) const { return angle_[h]; }
   /// The sum of the corner angles at v: > 2π at an inner saddle vertex.
   double angleSum(int v) const { return angleSum_[v]; }
-  double faceArea(int f) const;
-  double area() const;
+  double faceArea(int f) const { return faceArea_[f]; }
+  double area() const { return area_; }
+  double meanEdgeLength() const { return meanEdgeLength_; }
   /// The component of a face, numbered from 0 in order of the first face.
   int component(int f) const { return component_[f]; }
   /// The diagonal of the bounding box.
@@ -149,6 +150,8 @@ class TriangleMesh {
   std::vector<double> angle_;
   std::vector<int> vertexHalfedge_;
   std::vector<double> angleSum_;
+  std::vector<double> faceArea_;
+  double area_ = 0, meanEdgeLength_ = 0;
   std::vector<int> component_;
   std::vector<int> inputFace_, inputVertex_;
   std::vector<char> flipped_;
