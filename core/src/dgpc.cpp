@@ -41,18 +41,6 @@ struct QueueItem {
   }
 };
 
-/// Vertices where shortest paths may bend: inner saddles, and the boundary. What they hide is only
-/// reached around them, so they limit views. At all others paths on both sides of the vertex reach
-/// every point behind it, and a view that is carried on past such a vertex gives no length that is
-/// less than the distance (the hinge theorem for non-negative curvature): it needs no limit, and in
-/// the plane every view of a site is the same.
-std::vector<char> bendingVertices(const TriangleMesh& mesh) {
-  constexpr double kFlat = 2 * std::numbers::pi * (1 + 1e-12);  // of the sum of rounded angles
-  std::vector<char> bends(mesh.vertexCount());
-  for (int v = 0; v < mesh.vertexCount(); ++v) bends[v] = mesh.onBoundary(v) || mesh.angleSum(v) > kFlat;
-  return bends;
-}
-
 /// One sweep of all labels through one queue: Dijkstra's, with views carried from vertex to vertex.
 /// Label-correcting: an entry that has spread may improve again and then spreads again, which
 /// obtuse triangles need.
@@ -68,9 +56,10 @@ class DgpcSweep final : public Propagation {
       : mesh_(mesh),
         sites_(sites.begin(), sites.end()),
         spread_(spread),
-        bends_(bendingVertices(mesh)),
+        limits_(mesh.vertexCount()),
         owner_(mesh.vertexCount(), -1),
         queue_(mesh.meanEdgeLength()) {
+    for (int v = 0; v < mesh.vertexCount(); ++v) limits_[v] = limitsViews(mesh, v);
     entries_.reserve(2 * owner_.size());
     entries_.resize(owner_.size());
     views_.reserve(2 * owner_.size());
@@ -193,7 +182,7 @@ class DgpcSweep final : public Propagation {
       return;
     }
     from.path = from.view.path(mesh_);
-    from.isLimit = bends_[from.vertex];
+    from.isLimit = limits_[from.vertex];
     // Between the sides, paths bend; the left one sees to that, up to the boundary both.
     const bool isBend = from.isLimit && mayBend(from.vertex, from.distance);
     const bool isOnBoundary = isBend && mesh_.onBoundary(from.vertex);
@@ -247,14 +236,9 @@ class DgpcSweep final : public Propagation {
   /// that are left behind are reached by bending.
   template <Side side>
   int carry(const Origin& from, bool isBend, int last) {
-    constexpr bool kLeft = side == Side::kLeft;
-    constexpr Side kInward = kLeft ? Side::kRight : Side::kLeft;
-    const auto isWithin = [](const Vector2d& bound, const Vector2d& direction) {
-      return isTowards<kInward>(bound, direction);
-    };
     const Vector2d zero(0, 0);
     const View& view = from.view;
-    Vector2d bound = kLeft ? view.left : view.right;
+    Sight<side> sight(view);
     return walkFan<side>(mesh_, view, from.path, last, [&](const FanFace& face) {
       if (face.place == FanFace::Place::kBefore) return;
       const int at = mesh_.tail(TriangleMesh::previous(face.halfedge));
@@ -264,23 +248,18 @@ class DgpcSweep final : public Propagation {
       }
       const Vector2d toOuter = from.path + face.outer, toApex = from.path + face.apex;
       const int outer = outerEnd<side>(face, mesh_);
-      const bool isOuterLimit = bends_[outer];
-      if (isOuterLimit && (bound == zero || isWithin(bound, toOuter))) bound = toOuter;
+      if (limits_[outer]) sight.limit(toOuter);
       if (isFutile(at, from.label, toApex, view.offset) || !mayCross(from, outer, toOuter)) return;
-      if (bound == zero || isWithin(bound, toApex)) {
+      const Vector2d& bound = sight.bound();
+      if (sight.reaches(toApex)) {
         offer(at, from.label, view.offset + toApex.norm(),
               [&] { return viewThrough<side>(from, face, zero, bound); });
-        return;
-      }
-      // Out of sight: around the vertex that hides it, unless that is an end of this halfedge, from
-      // which the path goes on by itself.
-      const Vector2d aroundCorner = toApex - bound, besideCorner = toOuter - bound;
-      if (inFrameOf<side>(face, mesh_, bound - from.path).y() < 0 &&
-          isWithin(besideCorner, aroundCorner)) {
-        const double toCorner = bound.norm(), offset = view.offset + toCorner;
-        offer(at, from.label, offset + aroundCorner.norm(), [&] {
-          View next = viewThrough<side>(from, face, bound, isOuterLimit ? besideCorner : zero);
-          next.heading = view.departure(bound / toCorner);
+      } else if (sight.reachesAround(face, from.path, toApex)) {
+        const double toBend = bound.norm(), offset = view.offset + toBend;
+        offer(at, from.label, offset + (toApex - bound).norm(), [&] {
+          const Vector2d limit = limits_[outer] ? Vector2d(toOuter - bound) : zero;
+          View next = viewThrough<side>(from, face, bound, limit);
+          next.heading = view.departure(bound / toBend);
           next.offset = offset;
           next.isBent = true;
           return next;
@@ -361,7 +340,7 @@ class DgpcSweep final : public Propagation {
   const TriangleMesh& mesh_;
   std::vector<SurfacePoint> sites_;
   Spread spread_;
-  std::vector<char> bends_;
+  std::vector<char> limits_;  ///< limitsViews, per vertex
   std::vector<Entry> entries_;
   std::vector<View> views_;    ///< of the entries
   std::vector<int> vertices_;  ///< of the entries behind the first ones

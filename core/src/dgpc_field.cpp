@@ -5,9 +5,30 @@
 #include <cmath>
 #include <utility>
 
+#include "fan.h"
 #include "surface_geometry.h"
+#include "tolerances.h"
 
 namespace gvd {
+namespace {
+
+using Eigen::Vector2d;
+
+/// The length of the path to a point of the face that a view comes through.
+double distanceInOwnFace(const TriangleMesh& mesh, const View& view, const SurfacePoint& p) {
+  const TriangleMesh::Layout& l = mesh.layout(view.halfedge);
+  const int i = view.halfedge % 3;
+  const double toTip = p.bary[(i + 1) % 3], toApex = p.bary[(i + 2) % 3];
+  const Vector2d way =
+      Vector2d(toTip * l.length + toApex * l.x, toApex * l.y) - view.source;
+  const Sight<Side::kLeft> left(view);
+  const Sight<Side::kRight> right(view);
+  if (left.reaches(way) && right.reaches(way)) return view.offset + way.norm();
+  const Vector2d& bound = left.reaches(way) ? right.bound() : left.bound();
+  return view.offset + bound.norm() + (way - bound).norm();
+}
+
+}  // namespace
 
 DgpcField::DgpcField(const TriangleMesh& mesh, std::vector<SurfacePoint> sites,
                      std::vector<int> offset, std::vector<LabelledDistance> values,
@@ -25,33 +46,37 @@ std::span<const LabelledDistance> DgpcField::at(int vertex) const {
 
 LabelledDistance DgpcField::nearest(const SurfacePoint& p) const {
   LabelledDistance best;
-  double least = kInfinity;
   const int corner = p.bary[0] > 0 ? 0 : p.bary[1] > 0 ? 1 : 2;
   for (const LabelledDistance& candidate : at(mesh_.tail(3 * p.face + corner))) {
-    const double value = interpolate(candidate.label, p);
-    if (value < least) {
-      least = value;
-      best.label = candidate.label;
-    }
+    const double here = distance(candidate.label, p);
+    if (best.label < 0 ? here < kInfinity : here < best.distance * (1 - kDistanceTolerance))
+      best = {candidate.label, here};
   }
-  if (best.label >= 0) best.distance = distanceFrom(best.label, p, least);
   return best;
 }
 
 double DgpcField::distance(int label, const SurfacePoint& p) const {
-  const double value = interpolate(label, p);
-  return value == kInfinity ? kInfinity : distanceFrom(label, p, value);
+  if (sites_[label].face == p.face)
+    return std::sqrt(squaredDistance(sites_[label].bary, p.bary, squaredSides(mesh_, p.face)));
+  double best = interpolate(label, p);
+  if (best == kInfinity) return best;
+  for (int h = 3 * p.face; h < 3 * p.face + 3; ++h)
+    if (owner(mesh_.tail(h)).label == label) best = std::min(best, distanceSeenFrom(h, p));
+  return best;
 }
 
-Eigen::Vector2d DgpcField::direction(int label, int vertex) const {
+Vector2d DgpcField::direction(int label, int vertex) const {
   const LabelledDistance* found = find(vertex, label);
   if (!found) return DistanceField::direction(label, vertex);
-  const auto labels = at(vertex);
-  const auto owner =
-      std::min_element(labels.begin(), labels.end(),
-                       [](const auto& a, const auto& b) { return a.distance < b.distance; });
-  if (found == &*owner) return views_[vertex].departure(mesh_, found->distance);
+  if (owner(vertex).label == label) return views_[vertex].departure(mesh_, found->distance);
   return departures_[found - values_.data()];
+}
+
+LabelledDistance DgpcField::owner(int vertex) const {
+  LabelledDistance owner;
+  for (const LabelledDistance& d : at(vertex))
+    if (d.distance < owner.distance) owner = d;
+  return owner;
 }
 
 const LabelledDistance* DgpcField::find(int vertex, int label) const {
@@ -61,8 +86,9 @@ const LabelledDistance* DgpcField::find(int vertex, int label) const {
   return it != labels.end() && it->label == label ? &*it : nullptr;
 }
 
-/// The linear interpolant of squared distance, which decides between labels. Corners without weight
-/// do not count, so that both faces of an edge give the same there.
+/// From the linear interpolant of squared distance, by which a diagram tells labels apart: what that
+/// has too much is the same for every label, Σ bᵢ bⱼ |eᵢⱼ|². Corners without weight do not count, so
+/// that both faces of an edge give the same there.
 double DgpcField::interpolate(int label, const SurfacePoint& p) const {
   double value = 0;
   for (int i = 0; i < 3; ++i) {
@@ -71,18 +97,49 @@ double DgpcField::interpolate(int label, const SurfacePoint& p) const {
     if (!found) return kInfinity;
     value += p.bary[i] * found->distance * found->distance;
   }
-  return value;
-}
-
-/// The distance itself: what the interpolant has too much is the same for every label,
-/// Σ bᵢ bⱼ |eᵢⱼ|². In the site's own face the straight line is exact and free of cancellation.
-double DgpcField::distanceFrom(int label, const SurfacePoint& p, double interpolated) const {
   const auto sides = squaredSides(mesh_, p.face);
-  if (sites_[label].face == p.face)
-    return std::sqrt(squaredDistance(sites_[label].bary, p.bary, sides));
   const double excess = p.bary[0] * p.bary[1] * sides[0] + p.bary[1] * p.bary[2] * sides[1] +
                         p.bary[2] * p.bary[0] * sides[2];
-  return std::sqrt(std::max(0.0, interpolated - excess));
+  return std::sqrt(std::max(0.0, value - excess));
+}
+
+/// The distance of the label that owns a corner of a face, as that corner's view shows it at a point
+/// of the face; over the corner if the view does not reach it.
+double DgpcField::distanceSeenFrom(int corner, const SurfacePoint& p) const {
+  const int v = mesh_.tail(corner);
+  const View& view = views_[v];
+  const double overCorner =
+      owner(v).distance + std::sqrt(squaredDistance(p.bary, Eigen::Vector3d::Unit(corner % 3),
+                                                    squaredSides(mesh_, p.face)));
+  if (view.halfedge < 0) return overCorner;
+  if (TriangleMesh::faceOf(view.halfedge) == p.face)
+    return std::min(overCorner, distanceInOwnFace(mesh_, view, p));
+  const Vector2d path = view.path(mesh_);
+  return std::min({overCorner, distanceAside<Side::kLeft>(view, path, p),
+                   distanceAside<Side::kRight>(view, path, p)});
+}
+
+/// The same where the point lies on one side of the view; infinity if it does not.
+template <Side side>
+double DgpcField::distanceAside(const View& view, const Vector2d& path,
+                                const SurfacePoint& p) const {
+  constexpr bool kLeft = side == Side::kLeft;
+  Sight<side> sight(view);
+  double result = kInfinity;
+  walkFan<side>(mesh_, view, path, kToFirstBehind, [&](const FanFace& face) {
+    const int outer = outerEnd<side>(face, mesh_);
+    if (limitsViews(mesh_, outer)) sight.limit(path + face.outer);
+    if (TriangleMesh::faceOf(face.halfedge) != p.face) return;
+    const int i = face.halfedge % 3;
+    const double toOuter = p.bary[kLeft ? i : (i + 1) % 3], toApex = p.bary[(i + 2) % 3];
+    const Vector2d way = path + toOuter * face.outer + toApex * face.apex;
+    if (!isTowards<side>(path, way)) return;
+    if (sight.reaches(way))
+      result = view.offset + way.norm();
+    else if (sight.bound() == path + face.outer || sight.reachesAround(face, path, way))
+      result = view.offset + sight.bound().norm() + (way - sight.bound()).norm();
+  });
+  return result;
 }
 
 }  // namespace gvd

@@ -6,11 +6,14 @@
 #include <vector>
 
 #include "dgpc_view.h"
+#include "fan.h"
 #include "gvd/geodesic.h"
 
 namespace gvd {
 
-/// Distances at the vertices, and by interpolation everywhere else.
+/// Distances at the vertices; inside a face as the views of its corners give them, or as the
+/// interpolation of the corners' distances does, whichever is shorter: views are limited and so err
+/// towards too long, and interpolation misses what comes between the corners.
 class DgpcField final : public DistanceField {
  public:
   /// The labels known at vertex v are `values[offset[v]]` up to `values[offset[v + 1]]`, ascending.
@@ -27,8 +30,11 @@ class DgpcField final : public DistanceField {
 
  private:
   const LabelledDistance* find(int vertex, int label) const;
+  LabelledDistance owner(int vertex) const;
   double interpolate(int label, const SurfacePoint& p) const;
-  double distanceFrom(int label, const SurfacePoint& p, double interpolated) const;
+  double distanceSeenFrom(int corner, const SurfacePoint& p) const;
+  template <Side side>
+  double distanceAside(const View& view, const Eigen::Vector2d& path, const SurfacePoint& p) const;
 
   const TriangleMesh& mesh_;
   std::vector<SurfacePoint> sites_;

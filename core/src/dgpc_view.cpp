@@ -34,6 +34,11 @@ View View::inFrame(int otherHalfedge, const Vector2d& origin, const Vector2d& ax
   return other;
 }
 
+bool limitsViews(const TriangleMesh& mesh, int vertex) {
+  constexpr double kFlat = 2 * std::numbers::pi * (1 + 1e-12);  // of the sum of rounded angles
+  return mesh.onBoundary(vertex) || mesh.angleSum(vertex) > kFlat;
+}
+
 double distanceOfCorner(const TriangleMesh& mesh, const SurfacePoint& site, int corner) {
   return std::sqrt(
       squaredDistance(site.bary, Eigen::Vector3d::Unit(corner), squaredSides(mesh, site.face)));

@@ -56,6 +56,13 @@ struct View {
   }
 };
 
+/// Whether shortest paths may bend at a vertex: at inner saddles, and on the boundary. What they
+/// hide is only reached around them, so they limit views. At all others paths on both sides of the
+/// vertex reach every point behind it, and a view that is carried on past such a vertex gives no
+/// length that is less than the distance (the hinge theorem for non-negative curvature): it needs no
+/// limit, and in the plane every view of a site is the same.
+bool limitsViews(const TriangleMesh& mesh, int vertex);
+
 /// How far a site is from a corner of its face, and how that corner sees it.
 double distanceOfCorner(const TriangleMesh& mesh, const SurfacePoint& site, int corner);
 View viewOfCorner(const TriangleMesh& mesh, const SurfacePoint& site, int corner);

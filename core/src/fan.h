@@ -58,6 +58,42 @@ int outerEnd(const FanFace& face, const TriangleMesh& mesh) {
   return side == Side::kLeft ? mesh.tail(face.halfedge) : mesh.tip(face.halfedge);
 }
 
+/// What of one side of a fan is in sight. Paths that bend do so at the vertex that hides the rest.
+/// All vectors are from the view's source.
+template <Side side>
+class Sight {
+ public:
+  explicit Sight(const View& view) : bound_(side == Side::kLeft ? view.left : view.right) {}
+
+  /// Takes into account a vertex that limits views.
+  void limit(const Eigen::Vector2d& way) {
+    if (isUnlimited() || reaches(way)) bound_ = way;
+  }
+
+  bool isUnlimited() const { return bound_ == Eigen::Vector2d(0, 0); }
+
+  bool reaches(const Eigen::Vector2d& way) const {
+    return isUnlimited() || isTowards<kInward>(bound_, way);
+  }
+
+  /// Whether what is hidden is reached from the limiting vertex through a face's entry, and not
+  /// beside that. From an end of the entry itself paths go on without this view.
+  bool reachesAround(const FanFace& face, const Eigen::Vector2d& path,
+                     const Eigen::Vector2d& way) const {
+    const Eigen::Vector2d axis = axisOf<side>(face);
+    return cross(axis, bound_ - path) < 0 &&
+           isTowards<kInward>(path + face.outer - bound_, way - bound_);
+  }
+
+  /// To the vertex that limits the sight; zero if none does.
+  const Eigen::Vector2d& bound() const { return bound_; }
+
+ private:
+  static constexpr Side kInward = side == Side::kLeft ? Side::kRight : Side::kLeft;
+
+  Eigen::Vector2d bound_;
+};
+
 /// How far one side of a fan goes: at least to a face, given by its index, or
 inline constexpr int kToFirstBehind = -1;  ///< to the first face that is left behind
 inline constexpr int kToBoundary = -2;     ///< to the mesh boundary
