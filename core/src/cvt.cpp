@@ -230,7 +230,7 @@ class Cvt::Solver {
   /// jumps a little where distances do, tells nothing any more.
   void retreat() {
     constexpr int kAttempts = 3;
-    constexpr double kLeastStep = 0x1p-7;
+    constexpr double kLeastStep = 0x1p-12;
     if (method_ == CvtMethod::kLbfgs && !memory_.empty() && ++attempts_ >= kAttempts) {
       memory_.clear();
       attempts_ = 0;

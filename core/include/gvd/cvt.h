@@ -65,8 +65,9 @@ class Cvt {
   Cvt(Cvt&&) noexcept;
   Cvt& operator=(Cvt&&) noexcept;
 
-  /// Works on at most `budget` queue entries of the distances; true when this has finished an
-  /// iteration (the first time: number 0), which the functions below then describe, or everything.
+  /// Works on at most `budget` queue entries of the distances, and when these are done, traces the
+  /// diagram and integrates at one go. True when this has finished an iteration (the first time:
+  /// number 0), which the functions below then describe, or everything.
   bool step(long budget);
   bool isDone() const;
 
