@@ -11,9 +11,11 @@
 #include <span>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "abi.h"
+#include "gvd/cvt.h"
 #include "gvd/diagram.h"
 #include "gvd/error.h"
 #include "gvd/geodesic.h"
@@ -42,6 +44,16 @@ struct VoronoiHandle {
 };
 static_assert(std::is_standard_layout_v<VoronoiHandle>);
 
+/// A centroidal tessellation under way. Its address is that of a `MeshHandle` as well.
+struct CvtHandle {
+  MeshHandle surface;
+  std::unique_ptr<Cvt> cvt;
+};
+static_assert(std::is_standard_layout_v<CvtHandle>);
+
+/// In the order of `samplings` in `src/core.ts`.
+enum Sampling { kRandom, kFarthest, kPoisson };
+
 /// Calls `f`; its error, if any, is said to be about `what` number `index`.
 template <class F>
 auto naming(const char* what, int index, F&& f) -> decltype(f()) {
@@ -58,6 +70,39 @@ SurfacePoint pointFromInput(const TriangleMesh& mesh, const char* what, int i, c
   return naming(what, i, [&] {
     return mesh.fromInput({face[i], {bary[3 * i], bary[3 * i + 1], bary[3 * i + 2]}});
   });
+}
+
+std::vector<SurfacePoint> sitesFromInput(const TriangleMesh& mesh, const int* face,
+                                         const double* bary, std::size_t count) {
+  std::vector<SurfacePoint> sites;
+  sites.reserve(count);
+  for (std::size_t i = 0; i < count; ++i)
+    sites.push_back(pointFromInput(mesh, "site", static_cast<int>(i), face, bary));
+  return sites;
+}
+
+/// Values given per input vertex, per vertex of the mesh; none stay none.
+std::vector<double> valuesFromInput(const TriangleMesh& mesh, std::span<const double> values) {
+  if (values.empty()) return {};
+  if (values.size() != static_cast<std::size_t>(mesh.inputVertexCount()))
+    throw Error(ErrorCode::kInvalidArgument,
+                "there are " + std::to_string(values.size()) + " densities for " +
+                    std::to_string(mesh.inputVertexCount()) + " input vertices");
+  std::vector<double> result(mesh.vertexCount());
+  for (int v = 0; v < mesh.vertexCount(); ++v) result[v] = values[mesh.inputVertex(v)];
+  return result;
+}
+
+std::vector<SurfacePoint> sample(const TriangleMesh& mesh, int count, Sampling sampling,
+                                 std::uint64_t seed) {
+  switch (sampling) {
+    case kFarthest:
+      return sampleFarthest(mesh, count, seed);
+    case kPoisson:
+      return samplePoissonDiskCount(mesh, count, seed).points;
+    default:
+      return sampleUniform(mesh, count, seed);
+  }
 }
 
 /// Two arrays, face and bary, of points of the mesh in terms of the input.
@@ -207,12 +252,13 @@ GVD_ABI Arrays* pointsAtVertices(const MeshHandle* handle, const int* vertex, st
   });
 }
 
-/// face, bary. `seed` is an integer below 2^53.
-GVD_ABI Arrays* sampleSites(const MeshHandle* handle, int count, double seed) {
+/// face, bary. `sampling` is a `Sampling`, `seed` an integer below 2^53.
+GVD_ABI Arrays* sampleSites(const MeshHandle* handle, int count, int sampling, double seed) {
   return guarded([&] {
     auto out = std::make_unique<Arrays>();
     addPoints(*out, *handle->mesh,
-              sampleUniform(*handle->mesh, count, static_cast<std::uint64_t>(seed)));
+              sample(*handle->mesh, count, static_cast<Sampling>(sampling),
+                     static_cast<std::uint64_t>(seed)));
     return out.release();
   });
 }
@@ -221,11 +267,7 @@ GVD_ABI VoronoiHandle* startVoronoi(const MeshHandle* handle, const int* face, c
                                     std::size_t count, int metric) {
   return guarded([&] {
     const TriangleMesh& mesh = *handle->mesh;
-    std::vector<SurfacePoint> sites;
-    sites.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      sites.push_back(pointFromInput(mesh, "site", static_cast<int>(i), face, bary));
-    }
+    const std::vector<SurfacePoint> sites = sitesFromInput(mesh, face, bary, count);
     auto voronoi = std::make_unique<VoronoiHandle>();
     voronoi->surface = *handle;
     voronoi->siteCount = static_cast<int>(count);
@@ -282,5 +324,52 @@ GVD_ABI Arrays* locate(const VoronoiHandle* voronoi, const int* face, const doub
 }
 
 GVD_ABI void freeVoronoi(VoronoiHandle* voronoi) { delete voronoi; }
+
+/// `method` is a `CvtMethod`; `density` is one value per input vertex, or none.
+GVD_ABI CvtHandle* startCvt(const MeshHandle* handle, const int* face, const double* bary,
+                            std::size_t count, int method, int iterations, double energyTolerance,
+                            double moveTolerance, const double* density, std::size_t densityCount,
+                            const int* fixed, std::size_t fixedCount) {
+  return guarded([&] {
+    const TriangleMesh& mesh = *handle->mesh;
+    CvtOptions options;
+    options.method = static_cast<CvtMethod>(method);
+    options.iterations = iterations;
+    options.energyTolerance = energyTolerance;
+    options.moveTolerance = moveTolerance;
+    options.density = valuesFromInput(mesh, {density, densityCount});
+    options.fixedSites.assign(fixed, fixed + fixedCount);
+    const std::vector<SurfacePoint> sites = sitesFromInput(mesh, face, bary, count);
+    auto cvt = std::make_unique<CvtHandle>();
+    cvt->surface = *handle;
+    cvt->cvt = std::make_unique<Cvt>(mesh, sites, std::move(options));
+    return cvt.release();
+  });
+}
+
+/// Done: with an iteration, not with all.
+GVD_ABI SliceEnd stepCvt(CvtHandle* cvt, int budget) {
+  return guarded([&] { return cvt->cvt->step(budget) ? kDone : kMoreToDo; });
+}
+
+/// The last iteration: number and whether it was the last, energy and largest move, face, bary of
+/// the sites. Only after `stepCvt` said it is done.
+GVD_ABI Arrays* cvtIteration(const CvtHandle* cvt) {
+  return guarded([&] {
+    const CvtIteration& iteration = cvt->cvt->iteration();
+    auto out = std::make_unique<Arrays>();
+    out->add(std::vector<int>{iteration.number, cvt->cvt->isDone()});
+    out->add(std::vector<double>{iteration.energy, iteration.largestMove});
+    addPoints(*out, *cvt->surface.mesh, cvt->cvt->sites());
+    return out.release();
+  });
+}
+
+/// The diagram of the last iteration, see `flatten`.
+GVD_ABI Arrays* cvtDiagram(const CvtHandle* cvt) {
+  return guarded([&] { return flatten(*cvt->surface.mesh, cvt->cvt->diagram()).release(); });
+}
+
+GVD_ABI void freeCvt(CvtHandle* cvt) { delete cvt; }
 
 }  // namespace gvd::abi

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <set>
 #include <vector>
 
 #include "gvd/error.h"
@@ -107,6 +109,169 @@ TEST(SampleUniform, HitsAllFacesAlikeIfNoneHasArea) {
   int first = 0;
   for (const SurfacePoint& p : sampleUniform(mesh, kDraws, 1)) first += p.face == 0;
   expectFrequency(first, kDraws, 0.5);
+}
+
+// --- By density ----------------------------------------------------------------------------------
+
+TEST(SampleByDensity, HitsPlacesByTheirDensity) {
+  const auto mesh = shapes::grid(4, 4).mesh();
+  std::vector<double> density;
+  for (int v = 0; v < mesh.vertexCount(); ++v) density.push_back(mesh.position(v).x());
+  constexpr int kDraws = 100000;
+  int left = 0;
+  for (const SurfacePoint& p : sampleByDensity(mesh, density, kDraws, 1))
+    left += mesh.position(p).x() < 0.3;
+  expectFrequency(left, kDraws, 0.09);  // ∫ 2x
+}
+
+TEST(SampleByDensity, BeginsWithTheSamePointsWhateverTheCount) {
+  const auto mesh = shapes::cube().mesh();
+  const std::vector<double> density = {0, 1, 2, 3, 4, 5, 6, 7};
+  const auto few = sampleByDensity(mesh, density, 10, 7);
+  const auto many = sampleByDensity(mesh, density, 100, 7);
+  for (size_t i = 0; i < few.size(); ++i) EXPECT_TRUE(samePoint(few[i], many[i]));
+}
+
+TEST(SampleByDensity, RejectsWhatIsNoDensity) {
+  const auto mesh = shapes::triangle().mesh();
+  const auto sample = [&](const std::vector<double>& density, int count = 1) {
+    sampleByDensity(mesh, density, count, 1);
+  };
+  EXPECT_THROW(sample({1, 1}), Error);
+  EXPECT_THROW(sample({0, 0, 0}), Error);
+  EXPECT_THROW(sample({1, -1, 1}), Error);
+  EXPECT_THROW(sample({1, NAN, 1}), Error);
+  EXPECT_THROW(sample({1, 1, 1}, -1), Error);
+}
+
+// --- Farthest ------------------------------------------------------------------------------------
+
+double distanceBetween(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b) {
+  return (mesh.position(a) - mesh.position(b)).norm();
+}
+
+/// The distance of every vertex to the nearest point, for a mesh that is plane and convex.
+std::vector<double> planeDistances(const TriangleMesh& mesh,
+                                   const std::vector<SurfacePoint>& points) {
+  std::vector<double> result(mesh.vertexCount(), 1e300);
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+    for (const SurfacePoint& p : points)
+      result[v] = std::min(result[v], (mesh.position(v) - mesh.position(p)).norm());
+  return result;
+}
+
+TEST(SampleFarthest, TakesTheFarthestVertexOfThePlane) {
+  for (int seed = 0; seed < 5; ++seed) {
+    const auto mesh = shapes::grid(12, 9, 0.2, seed).mesh();
+    const auto points = sampleFarthest(mesh, 40, seed);
+    ASSERT_EQ(points.size(), 40u);
+    EXPECT_TRUE(samePoint(points[0], sampleUniform(mesh, 1, seed)[0]));
+    for (size_t n = 1; n < points.size(); ++n) {
+      const auto before = planeDistances(mesh, {points.begin(), points.begin() + n});
+      const double farthest = *std::max_element(before.begin(), before.end());
+      double taken = 1e300;
+      for (size_t i = 0; i < n; ++i)
+        taken = std::min(taken, distanceBetween(mesh, points[i], points[n]));
+      EXPECT_NEAR(taken, farthest, 1e-9) << n;
+    }
+  }
+}
+
+TEST(SampleFarthest, KeepsThePointsFarApartOnCurvedSurfaces) {
+  const auto mesh = shapes::torus(60, 30).mesh();
+  const auto points = sampleFarthest(mesh, 50, 1);
+  // In space they are no farther apart than on the surface.
+  double least = 1e300;
+  for (size_t i = 0; i < points.size(); ++i)
+    for (size_t j = 0; j < i; ++j)
+      least = std::min(least, distanceBetween(mesh, points[i], points[j]));
+  // 0.95 is as much as disks in the plane could have; farthest point sampling reaches about 0.7.
+  EXPECT_GT(least, 0.6 * std::sqrt(2 * mesh.area() / (std::sqrt(3.0) * 50)));
+}
+
+TEST(SampleFarthest, CoversTheSurface) {
+  const auto mesh = shapes::grid(20, 20, 0.2, 1).mesh();
+  const auto points = sampleFarthest(mesh, 1000, 1, 0.15);
+  EXPECT_LT(points.size(), 120u);
+  for (const double d : planeDistances(mesh, points)) EXPECT_LE(d, 0.15 * (1 + 1e-9));
+}
+
+TEST(SampleFarthest, GivesEveryComponentAPointFirst) {
+  auto shape = shapes::cube();
+  for (int i = 1; i < 5; ++i)
+    shape = shapes::joined(shape, shapes::moved(shapes::cube(), {2.0 * i, 0, 0}));
+  const auto mesh = shape.mesh();
+  std::set<int> components;
+  for (const SurfacePoint& p : sampleFarthest(mesh, 5, 3))
+    components.insert(mesh.component(p.face));
+  EXPECT_EQ(components.size(), 5u);
+}
+
+TEST(SampleFarthest, EndsWhenEveryVertexIsTaken) {
+  const auto mesh = shapes::cube().mesh();
+  const auto points = sampleFarthest(mesh, 100, 1);
+  EXPECT_EQ(points.size(), 9u);  // the first one is in a face
+  EXPECT_TRUE(sampleFarthest(mesh, 0, 1).empty());
+  EXPECT_THROW(sampleFarthest(mesh, -1, 1), Error);
+}
+
+// --- Poisson disk --------------------------------------------------------------------------------
+
+double leastDistance(const TriangleMesh& mesh, const std::vector<SurfacePoint>& points) {
+  double least = 1e300;
+  for (size_t i = 0; i < points.size(); ++i)
+    for (size_t j = 0; j < i; ++j)
+      least = std::min(least, distanceBetween(mesh, points[i], points[j]));
+  return least;
+}
+
+TEST(SamplePoissonDisk, KeepsItsDistanceAndCoversThePlane) {
+  const std::vector<TriangleMesh> meshes = {shapes::grid(20, 20, 0.2, 1).mesh(),
+                                            shapes::grid(2, 2).mesh(),
+                                            shapes::gradedDisk(8, 9, 0.6).mesh()};
+  for (const TriangleMesh& mesh : meshes)
+    for (const double radius : {0.05, 0.2, 0.7}) {
+      const PoissonDisk sample = samplePoissonDisk(mesh, radius, 1);
+      EXPECT_EQ(sample.radius, radius);
+      EXPECT_GE(leastDistance(mesh, sample.points), radius * (1 - 1e-9));
+      for (const double d : planeDistances(mesh, sample.points)) EXPECT_LE(d, radius * (1 + 1e-9));
+      // At least half of what fits if nothing is left to chance.
+      EXPECT_GT(sample.points.size(), 0.5 * 2 / (std::sqrt(3.0) * radius * radius));
+    }
+}
+
+TEST(SamplePoissonDisk, KeepsItsDistanceOnASphere) {
+  const auto mesh = shapes::icosphere(4).mesh();
+  const PoissonDisk sample = samplePoissonDisk(mesh, 0.3, 1);
+  // The chord of an arc of length 0.3.
+  EXPECT_GT(leastDistance(mesh, sample.points), 2 * std::sin(0.15) * 0.99);
+  EXPECT_GT(sample.points.size(), 80u);
+}
+
+TEST(SamplePoissonDisk, GivesAsManyPointsAsAskedFor) {
+  const auto mesh = shapes::grid(10, 10, 0.2, 1).mesh();
+  for (const int count : {0, 1, 7, 300}) {
+    const PoissonDisk sample = samplePoissonDiskCount(mesh, count, 5);
+    ASSERT_EQ(sample.points.size(), static_cast<size_t>(count));
+    if (count < 2) continue;
+    EXPECT_GE(leastDistance(mesh, sample.points), sample.radius * (1 - 1e-9));
+    EXPECT_GT(sample.radius, 0.6 * std::sqrt(2 / (std::sqrt(3.0) * count)));
+  }
+}
+
+TEST(SamplePoissonDisk, DependsOnItsSeedOnly) {
+  const auto mesh = shapes::torus(20, 10).mesh();
+  const auto a = samplePoissonDisk(mesh, 0.3, 1), b = samplePoissonDisk(mesh, 0.3, 1);
+  ASSERT_EQ(a.points.size(), b.points.size());
+  for (size_t i = 0; i < a.points.size(); ++i) EXPECT_TRUE(samePoint(a.points[i], b.points[i]));
+  EXPECT_FALSE(samePoint(a.points[0], samplePoissonDisk(mesh, 0.3, 2).points[0]));
+}
+
+TEST(SamplePoissonDisk, RejectsWhatCannotBe) {
+  const auto mesh = shapes::cube().mesh();
+  for (const double radius : {0.0, -1.0, double(NAN), double(INFINITY)})
+    EXPECT_THROW(samplePoissonDisk(mesh, radius, 1), Error);
+  EXPECT_THROW(samplePoissonDiskCount(mesh, -1, 1), Error);
 }
 
 }  // namespace

@@ -54,8 +54,8 @@ function fails(status, args, message, input) {
 }
 
 test('--help and --version', () => {
-  assert.match(succeeds('--help').stdout, /info[^]*diagram[^]*locate/);
-  for (const command of ['info', 'diagram', 'locate']) {
+  assert.match(succeeds('--help').stdout, /info[^]*diagram[^]*locate[^]*cvt/);
+  for (const command of ['info', 'diagram', 'locate', 'cvt']) {
     assert.match(
       succeeds(`${command} --help`).stdout,
       new RegExp(`Usage: geodesic-voronoi ${command}`),
@@ -102,6 +102,29 @@ test('diagram as JSON, to a file or to standard output', () => {
   assert.notEqual(other.stdout, again.stdout);
   succeeds('diagram shape.glb --sites 5 --json -o d.txt --quiet');
   assert.equal(read('d.txt'), other.stdout);
+});
+
+test('cvt writes sites that other commands read, and the energy of every iteration', () => {
+  const { stderr } = succeeds('cvt shape.glb --sites 5 --iterations 6 -o c.json');
+  assert.match(stderr, /^5 sites, \d iterations, energy [\d.]+ to [\d.]+\n$/);
+  const { face, bary, energy } = JSON.parse(read('c.json'));
+  assert.equal(face.length, 5);
+  assert.equal(bary.length, 15);
+  energy.slice(1).forEach((e, i) => assert.ok(e <= energy[i] * (1 + 1e-12)));
+  succeeds('diagram shape.glb --sites c.json');
+
+  const lloyd = JSON.parse(
+    succeeds('cvt shape.glb --sites 5 --iterations 1 --method lloyd --units cm').stdout,
+  );
+  assert.equal(lloyd.energy.length, 2);
+  assert.ok(Math.abs(lloyd.energy[0] / energy[0] / 1e8 - 1) < 1e-12);
+});
+
+test('sites are sampled in three ways', () => {
+  const sampled = ['random', 'farthest', 'poisson'].map(
+    (sampling) => succeeds(`diagram shape.glb --sites 6 --sampling ${sampling}`).stdout,
+  );
+  assert.equal(new Set(sampled).size, 3);
 });
 
 test('diagram as OBJ and GLB', () => {
@@ -179,7 +202,10 @@ test('a wrong command line: status 2', () => {
   fails(2, 'diagram shape.glb --sites 3 --seed=-1', /--seed/);
   fails(2, 'diagram shape.glb --sites 3 --detail 11', /--detail/);
   fails(2, 'diagram shape.glb --sites 3 --metric euclid', /euclid.*dgpc, exact/);
-  fails(2, 'diagram shape.glb --sites 3 --sampling poisson', /poisson.*random/);
+  fails(2, 'diagram shape.glb --sites 3 --sampling blue', /blue.*random, farthest, poisson/);
+  fails(2, 'cvt shape.glb --sites 3 --method newton', /newton.*lloyd, lbfgs/);
+  fails(2, 'cvt shape.glb --sites 3 --iterations -1', /--iterations/);
+  fails(2, 'cvt shape.glb', /--sites is missing/);
   fails(2, 'diagram shape.glb --sites 3 -o d.stl', /d\.stl.*\.json, \.obj, \.glb/);
   fails(2, 'locate shape.glb --sites 3', /--points/);
 });

@@ -56,12 +56,28 @@ test('a worker answers as the calling thread does', async (t) => {
       const shares = [];
       const diagram = await mesh.voronoi(sites, { onProgress: (share) => shares.push(share) });
       const located = await diagram.locate({ vertex: [0, 10, 20] });
+      const states = [];
+      for await (const state of mesh.cvt(sites, { iterations: 3, data: true })) states.push(state);
       const { info, positions, indices, parts } = mesh;
       const { metric, data } = diagram;
-      return { info, positions, indices, parts, sites, metric, data, located, last: shares.at(-1) };
+      const last = shares.at(-1);
+      return { info, positions, indices, parts, sites, metric, data, located, states, last };
     }),
   );
   assert.deepEqual(answers[0], answers[1]);
+});
+
+test('a tessellation can be given up', async (t) => {
+  const { library } = await loadThroughChannel(t);
+  const mesh = await library.mesh(grid(60));
+  const controller = new AbortController();
+  const states = mesh.cvt(await mesh.sampleSites(50), { signal: controller.signal });
+  await states.next();
+  const next = states.next();
+  controller.abort(new Error('enough'));
+  await assert.rejects(next, /enough/);
+  assert.deepEqual(await states.next(), { value: undefined, done: true });
+  assert.equal((await mesh.sampleSites(2)).face.length, 2);
 });
 
 test('errors keep their code and their message', async (t) => {

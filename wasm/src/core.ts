@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 import type {
+  CvtMethod,
+  CvtState,
   DiagramData,
   Located,
   MeshInfo,
   MeshRepairs,
   Metric,
+  Sampling,
   SurfacePoints,
 } from './types.js';
 import { WasmModule, type CopyIn } from './wasm_module.js';
@@ -21,17 +24,53 @@ interface CoreFunctions {
   freeMesh(mesh: number): void;
   meshInfo(mesh: number): number;
   pointsAtVertices(owner: number, vertex: number, count: number): number;
-  sampleSites(mesh: number, count: number, seed: number): number;
+  sampleSites(mesh: number, count: number, sampling: number, seed: number): number;
   startVoronoi(mesh: number, face: number, bary: number, count: number, metric: number): number;
   stepVoronoi(voronoi: number, budget: number): number;
   voronoiProgress(voronoi: number): number;
   traceVoronoi(voronoi: number, detail: number): number;
   locate(voronoi: number, face: number, bary: number, count: number): number;
   freeVoronoi(voronoi: number): void;
+  startCvt(
+    mesh: number,
+    face: number,
+    bary: number,
+    count: number,
+    method: number,
+    iterations: number,
+    energyTolerance: number,
+    moveTolerance: number,
+    density: number,
+    densityCount: number,
+    fixed: number,
+    fixedCount: number,
+  ): number;
+  stepCvt(cvt: number, budget: number): number;
+  cvtIteration(cvt: number): number;
+  cvtDiagram(cvt: number): number;
+  freeCvt(cvt: number): void;
 }
 
 /** In the order of `gvd::Metric`. */
 export const metrics: readonly Metric[] = ['dgpc', 'exact'];
+/** In the order of `gvd::CvtMethod`. */
+export const cvtMethods: readonly CvtMethod[] = ['lloyd', 'lbfgs'];
+/** In the order of `Sampling` in `bindings.cpp`. */
+export const samplings: readonly Sampling[] = ['random', 'farthest', 'poisson'];
+
+/** How a slice of work has ended: `SliceEnd` in `bindings.cpp`. */
+const sliceDone = 2;
+
+/** What `startCvt` needs beside a mesh and sites. */
+export interface CvtSettings {
+  method: CvtMethod;
+  iterations: number;
+  energyTolerance: number;
+  moveTolerance: number;
+  /** Per input vertex; empty: uniform. */
+  density: Float64Array;
+  fixedSites: Int32Array;
+}
 
 /** The counts of `meshInfo` in `bindings.cpp`, in their order. */
 const infoCounts = [
@@ -62,6 +101,7 @@ declare const kind: unique symbol;
 /** The address of a mesh, or of a diagram under way or done, in core.wasm. */
 export type MeshPointer = number & { [kind]: 'mesh' };
 export type VoronoiPointer = number & { [kind]: 'voronoi' };
+export type CvtPointer = number & { [kind]: 'cvt' };
 
 /** core.wasm, typed: plain arrays in, copies out. */
 export class Core {
@@ -107,8 +147,12 @@ export class Core {
     );
   }
 
-  sampleSites(mesh: MeshPointer, count: number, seed: number): SurfacePoints {
-    return surfacePoints(this.#wasm.arrays((core) => core.sampleSites(mesh, count, seed)));
+  sampleSites(mesh: MeshPointer, count: number, sampling: Sampling, seed: number): SurfacePoints {
+    return surfacePoints(
+      this.#wasm.arrays((core) =>
+        core.sampleSites(mesh, count, samplings.indexOf(sampling), seed),
+      ),
+    );
   }
 
   startVoronoi(mesh: MeshPointer, sites: SurfacePoints, metric: Metric): VoronoiPointer {
@@ -119,8 +163,7 @@ export class Core {
 
   /** Works on at most `budget` queue entries; true when the distances are done. */
   stepVoronoi(voronoi: VoronoiPointer, budget: number): boolean {
-    const done = 2; // SliceEnd
-    return this.#wasm.call((core) => core.stepVoronoi(voronoi, budget)) === done;
+    return this.#wasm.call((core) => core.stepVoronoi(voronoi, budget)) === sliceDone;
   }
 
   /** The share of the propagation done, 0 … 1. */
@@ -130,22 +173,7 @@ export class Core {
 
   /** The diagram of distances that are done. */
   traceVoronoi(voronoi: VoronoiPointer, detail: number): Omit<DiagramData, 'siteCount'> {
-    const arrays = this.#wasm.arrays((core) => core.traceVoronoi(voronoi, detail));
-    const rest = arrays.values();
-    const ints = () => rest.next().value as Int32Array;
-    const doubles = () => rest.next().value as Float64Array;
-    // Evaluated from top to bottom: the order of `flatten` in bindings.cpp.
-    return {
-      points: { face: ints(), bary: doubles(), position: doubles() },
-      segments: { points: ints(), labels: ints(), face: ints(), arc: ints() },
-      arcs: { offset: ints(), points: ints(), labels: ints() },
-      voronoiPoints: { point: ints(), labelOffset: ints(), labels: ints() },
-      loops: { offset: ints(), points: ints(), label: ints() },
-      regionArea: doubles(),
-      faceLabel: ints(),
-      indifferentFaces: ints(),
-      cells: { offset: ints(), points: ints(), face: ints(), label: ints() },
-    };
+    return diagramData(this.#wasm.arrays((core) => core.traceVoronoi(voronoi, detail)));
   }
 
   locate(voronoi: VoronoiPointer, points: SurfacePoints): Located {
@@ -158,6 +186,69 @@ export class Core {
   freeVoronoi(voronoi: VoronoiPointer): void {
     this.#wasm.run((core) => core.freeVoronoi(voronoi));
   }
+
+  startCvt(mesh: MeshPointer, sites: SurfacePoints, settings: CvtSettings): CvtPointer {
+    const { method, iterations, energyTolerance, moveTolerance, density, fixedSites } = settings;
+    return this.#wasm.call((core, copyIn) =>
+      core.startCvt(
+        mesh,
+        ...copyPoints(copyIn, sites),
+        cvtMethods.indexOf(method),
+        iterations,
+        energyTolerance,
+        moveTolerance,
+        copyIn(density),
+        density.length,
+        copyIn(fixedSites),
+        fixedSites.length,
+      ),
+    ) as CvtPointer;
+  }
+
+  /** Works on at most `budget` queue entries; true when an iteration is done. */
+  stepCvt(cvt: CvtPointer, budget: number): boolean {
+    return this.#wasm.call((core) => core.stepCvt(cvt, budget)) === sliceDone;
+  }
+
+  /** The iteration that is done. */
+  cvtIteration(cvt: CvtPointer): Omit<CvtState, 'data'> & { isLast: boolean } {
+    const [counts, measures, face, bary] = this.#wasm.arrays((core) => core.cvtIteration(cvt)) as [
+      Int32Array,
+      Float64Array,
+      Int32Array,
+      Float64Array,
+    ];
+    const [iteration, isLast] = counts;
+    const [energy, largestMove] = measures;
+    return { iteration, isLast: isLast === 1, energy, largestMove, sites: { face, bary } };
+  }
+
+  /** The diagram of the iteration that is done. */
+  cvtDiagram(cvt: CvtPointer): Omit<DiagramData, 'siteCount'> {
+    return diagramData(this.#wasm.arrays((core) => core.cvtDiagram(cvt)));
+  }
+
+  freeCvt(cvt: CvtPointer): void {
+    this.#wasm.run((core) => core.freeCvt(cvt));
+  }
+}
+
+function diagramData(arrays: readonly unknown[]): Omit<DiagramData, 'siteCount'> {
+  const rest = arrays.values();
+  const ints = () => rest.next().value as Int32Array;
+  const doubles = () => rest.next().value as Float64Array;
+  // Evaluated from top to bottom: the order of `flatten` in bindings.cpp.
+  return {
+    points: { face: ints(), bary: doubles(), position: doubles() },
+    segments: { points: ints(), labels: ints(), face: ints(), arc: ints() },
+    arcs: { offset: ints(), points: ints(), labels: ints() },
+    voronoiPoints: { point: ints(), labelOffset: ints(), labels: ints() },
+    loops: { offset: ints(), points: ints(), label: ints() },
+    regionArea: doubles(),
+    faceLabel: ints(),
+    indifferentFaces: ints(),
+    cells: { offset: ints(), points: ints(), face: ints(), label: ints() },
+  };
 }
 
 function named<Name extends string>(

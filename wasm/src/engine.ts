@@ -1,20 +1,28 @@
 // SPDX-License-Identifier: MIT
 import { compile, type CompileAddress, type WasmSource } from './compile.js';
-import { Core, type MeshPointer, type VoronoiPointer } from './core.js';
+import {
+  Core,
+  type CvtPointer,
+  type CvtSettings,
+  type MeshPointer,
+  type VoronoiPointer,
+} from './core.js';
 import { GeodesicVoronoiError } from './errors.js';
 import { readGltf } from './gltf.js';
 import type {
+  CvtState,
   DiagramData,
   GltfResources,
   Located,
   MeshInfo,
   MeshPart,
   Metric,
+  Sampling,
   SurfacePoints,
   TaskOptions,
 } from './types.js';
 
-/** A mesh or a diagram that an engine keeps; never used twice, so a stale one is known as such. */
+/** A mesh, a diagram or a tessellation that an engine keeps; never used twice, so a stale one is known as such. */
 export type Handle = number;
 
 export interface Triangles {
@@ -40,6 +48,10 @@ export interface OpenedDiagram {
   data: DiagramData;
 }
 
+export interface OpenedCvt {
+  handle: Handle;
+}
+
 /**
  * What stands behind the objects of `library.ts`: on this thread (`LocalEngine`) or in a worker
  * (`WorkerEngine`). Arguments are valid in form; everything in and out can be posted to a worker.
@@ -49,7 +61,12 @@ export interface Engine {
   openMesh(source: Triangles | GltfFile): Promise<OpenedMesh>;
   /** `owner` is a mesh or a diagram. */
   pointsAtVertices(owner: Handle, vertex: Int32Array): Promise<SurfacePoints>;
-  sampleSites(mesh: Handle, count: number, seed: number): Promise<SurfacePoints>;
+  sampleSites(
+    mesh: Handle,
+    count: number,
+    sampling: Sampling,
+    seed: number,
+  ): Promise<SurfacePoints>;
   openDiagram(
     mesh: Handle,
     sites: SurfacePoints,
@@ -57,7 +74,10 @@ export interface Engine {
     task: TaskOptions,
   ): Promise<OpenedDiagram>;
   locate(diagram: Handle, points: SurfacePoints): Promise<Located>;
-  /** Frees a mesh or a diagram. Diagrams of a mesh stay. */
+  openCvt(mesh: Handle, sites: SurfacePoints, settings: CvtSettings): Promise<OpenedCvt>;
+  /** The next iteration, the first time number 0; nothing after the last one. */
+  advanceCvt(cvt: Handle, withData: boolean, task: TaskOptions): Promise<CvtState | undefined>;
+  /** Frees a mesh, a diagram or a tessellation. Those of a mesh stay. */
   close(handle: Handle): void;
   dispose(): void;
 }
@@ -82,6 +102,9 @@ export class LocalEngine implements Engine {
   readonly #gltfModule: () => Promise<WebAssembly.Module>;
   readonly #meshes = new Map<Handle, MeshPointer>();
   readonly #diagrams = new Map<Handle, VoronoiPointer>();
+  readonly #cvts = new Map<Handle, CvtPointer>();
+  /** Tessellations of which every iteration has been asked for. */
+  readonly #finished = new Set<Handle>();
   #lastHandle: Handle = 0;
 
   private constructor(core: Core, gltfModule: () => Promise<WebAssembly.Module>) {
@@ -124,8 +147,13 @@ export class LocalEngine implements Engine {
     return this.#open().pointsAtVertices(this.#diagrams.get(owner) ?? this.#mesh(owner), vertex);
   }
 
-  async sampleSites(mesh: Handle, count: number, seed: number): Promise<SurfacePoints> {
-    return this.#open().sampleSites(this.#mesh(mesh), count, seed);
+  async sampleSites(
+    mesh: Handle,
+    count: number,
+    sampling: Sampling,
+    seed: number,
+  ): Promise<SurfacePoints> {
+    return this.#open().sampleSites(this.#mesh(mesh), count, sampling, seed);
   }
 
   async openDiagram(
@@ -138,7 +166,10 @@ export class LocalEngine implements Engine {
     const core = this.#open();
     const voronoi = core.startVoronoi(this.#mesh(mesh), sites, metric);
     try {
-      await this.#propagate(core, voronoi, task);
+      await this.#inSlices(() => core.stepVoronoi(voronoi, entriesPerStep), {
+        signal: task.signal,
+        onProgress: () => task.onProgress?.(propagationShare * core.voronoiProgress(voronoi)),
+      });
       const data = { siteCount: sites.face.length, ...core.traceVoronoi(voronoi, detail) };
       task.onProgress?.(1);
       return { handle: this.#keep(this.#diagrams, voronoi), data };
@@ -148,18 +179,42 @@ export class LocalEngine implements Engine {
     }
   }
 
-  /** In slices, between which the thread serves others, the caller hears of it and may give up. */
-  async #propagate(
-    core: Core,
-    voronoi: VoronoiPointer,
-    { signal, onProgress }: TaskOptions,
+  async openCvt(mesh: Handle, sites: SurfacePoints, settings: CvtSettings): Promise<OpenedCvt> {
+    const cvt = this.#open().startCvt(this.#mesh(mesh), sites, settings);
+    return { handle: this.#keep(this.#cvts, cvt) };
+  }
+
+  async advanceCvt(
+    handle: Handle,
+    withData: boolean,
+    { signal }: TaskOptions,
+  ): Promise<CvtState | undefined> {
+    signal?.throwIfAborted();
+    const core = this.#open();
+    if (this.#finished.has(handle)) return undefined;
+    const cvt = () => pointerOf(this.#cvts, handle); // it may be closed between slices
+    await this.#inSlices(() => core.stepCvt(cvt(), entriesPerStep), { signal });
+    const { isLast, ...state } = core.cvtIteration(cvt());
+    if (isLast) this.#finished.add(handle);
+    if (!withData) return state;
+    const siteCount = state.sites.face.length;
+    return { ...state, data: { siteCount, ...core.cvtDiagram(cvt()) } };
+  }
+
+  /**
+   * Calls `step` until it says that it is done: in slices, between which the thread serves others,
+   * the caller hears of it and may give up.
+   */
+  async #inSlices(
+    step: () => boolean,
+    { signal, onProgress }: { signal?: AbortSignal; onProgress?: () => void },
   ): Promise<void> {
     let done = false;
     while (!done) {
       const end = performance.now() + sliceMilliseconds;
-      do done = core.stepVoronoi(voronoi, entriesPerStep);
+      do done = step();
       while (!done && performance.now() < end);
-      onProgress?.(propagationShare * core.voronoiProgress(voronoi));
+      onProgress?.();
       await nextTask();
       signal?.throwIfAborted();
       this.#open();
@@ -176,6 +231,10 @@ export class LocalEngine implements Engine {
     const diagram = this.#diagrams.get(handle);
     if (mesh !== undefined) this.#core?.freeMesh(mesh);
     if (diagram !== undefined) this.#core?.freeVoronoi(diagram);
+    const cvt = this.#cvts.get(handle);
+    if (cvt !== undefined) this.#core?.freeCvt(cvt);
+    this.#cvts.delete(handle);
+    this.#finished.delete(handle);
     this.#meshes.delete(handle);
     this.#diagrams.delete(handle);
   }
@@ -185,6 +244,7 @@ export class LocalEngine implements Engine {
     this.#core = undefined;
     this.#meshes.clear();
     this.#diagrams.clear();
+    this.#cvts.clear();
   }
 
   #open(): Core {

@@ -3,13 +3,15 @@
 // What callers pass, checked in form and copied. Whether it makes sense on the surface is for the
 // core to say.
 
-import { metrics } from './core.js';
+import { cvtMethods, metrics, samplings, type CvtSettings } from './core.js';
 import { GeodesicVoronoiError } from './errors.js';
 import type { GltfFile, Triangles } from './engine.js';
 import type {
+  CvtOptions,
   GltfResources,
   MeshSource,
   Metric,
+  Sampling,
   SurfacePoints,
   SurfacePointsInput,
 } from './types.js';
@@ -58,8 +60,40 @@ export function toPoints(
 }
 
 export function toMetric(metric: Metric): Metric {
-  if (metrics.includes(metric)) return metric;
-  throw invalidArgument(`metric is ${show(metric)}, not one of ${metrics.join(', ')}`);
+  return toOneOf('metric', metric, metrics);
+}
+
+export function toSampling(sampling: Sampling): Sampling {
+  return toOneOf('sampling', sampling, samplings);
+}
+
+/** Whether density and fixed sites fit mesh and sites is for the core to say. */
+export function toCvtSettings({
+  method = 'lbfgs',
+  iterations = 50,
+  energyTolerance = 0,
+  moveTolerance = 0,
+  density = [],
+  fixedSites = [],
+}: CvtOptions): CvtSettings {
+  return {
+    method: toOneOf('method', method, cvtMethods),
+    iterations: toInteger('iterations', iterations, 0, maxCount),
+    energyTolerance: toTolerance('energyTolerance', energyTolerance),
+    moveTolerance: toTolerance('moveTolerance', moveTolerance),
+    density: toFloat64('density', density),
+    fixedSites: toInt32('fixedSites', fixedSites),
+  };
+}
+
+function toTolerance(name: string, value: number): number {
+  if (typeof value === 'number' && value >= 0) return value;
+  throw invalidArgument(`${name} is ${show(value)}, not a number from 0`);
+}
+
+function toOneOf<Name extends string>(what: string, name: Name, names: readonly Name[]): Name {
+  if (names.includes(name)) return name;
+  throw invalidArgument(`${what} is ${show(name)}, not one of ${names.join(', ')}`);
 }
 
 export function toDetail(detail: number): number {

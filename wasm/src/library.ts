@@ -4,10 +4,21 @@
 // and leave the work to an engine: so all engines behave alike.
 
 import { regionsOf } from './region.js';
-import { toCount, toDetail, toMetric, toPoints, toSeed, toTriangles } from './input.js';
+import {
+  toCount,
+  toCvtSettings,
+  toDetail,
+  toMetric,
+  toPoints,
+  toSampling,
+  toSeed,
+  toTriangles,
+} from './input.js';
 import { GeodesicVoronoiError } from './errors.js';
 import type { Engine, Handle, OpenedDiagram, OpenedMesh, Triangles } from './engine.js';
 import type {
+  CvtOptions,
+  CvtState,
   Diagram,
   DiagramData,
   GeodesicVoronoi,
@@ -19,6 +30,7 @@ import type {
   MeshSource,
   Metric,
   Region,
+  Sampling,
   SurfacePoints,
   SurfacePointsInput,
   VoronoiOptions,
@@ -114,9 +126,12 @@ class EngineMesh implements Mesh {
     this.#kept = new Kept(this, 'mesh', engine, handle);
   }
 
-  async sampleSites(count: number, { seed = 1 }: { seed?: number } = {}): Promise<SurfacePoints> {
+  async sampleSites(
+    count: number,
+    { seed = 1, sampling = 'random' }: { seed?: number; sampling?: Sampling } = {},
+  ): Promise<SurfacePoints> {
     const { engine, handle } = this.#kept;
-    return engine.sampleSites(handle, toCount(count), toSeed(seed));
+    return engine.sampleSites(handle, toCount(count), toSampling(sampling), toSeed(seed));
   }
 
   async voronoi(sites: SurfacePointsInput, options: VoronoiOptions = {}): Promise<Diagram> {
@@ -126,6 +141,26 @@ class EngineMesh implements Mesh {
     const { engine, handle } = this.#kept;
     const opened = await engine.openDiagram(handle, points, form, { onProgress, signal });
     return new EngineDiagram(engine, form.metric, points, opened);
+  }
+
+  async *cvt(
+    sites: SurfacePointsInput,
+    options: CvtOptions = {},
+  ): AsyncGenerator<CvtState, void, void> {
+    const { data = false, signal } = options;
+    const settings = toCvtSettings(options);
+    const points = await resolvePoints(this.#kept, 'sites', sites);
+    const { engine } = this.#kept;
+    const { handle } = await engine.openCvt(this.#kept.handle, points, settings);
+    try {
+      for (;;) {
+        const state = await engine.advanceCvt(handle, data, { signal });
+        if (!state) return;
+        yield state;
+      }
+    } finally {
+      engine.close(handle);
+    }
   }
 
   dispose(): void {

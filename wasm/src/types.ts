@@ -4,6 +4,15 @@
 /** Approximate and fast, or exact polyhedral distance. */
 export type Metric = 'dgpc' | 'exact';
 
+/** How the sites of a centroidal tessellation are found: quasi-Newton steps take fewer iterations. */
+export type CvtMethod = 'lloyd' | 'lbfgs';
+
+/**
+ * How sites are placed: independently; always at the vertex farthest from those so far; or at random
+ * with a distance kept.
+ */
+export type Sampling = 'random' | 'farthest' | 'poisson';
+
 /**
  * A list of points on a surface. `face[i]` counts the input's triangles in scene order,
  * `bary[3i…3i+2]` are the barycentric coordinates in the order of that triangle's corners.
@@ -107,6 +116,38 @@ export interface VoronoiOptions extends TaskOptions {
   detail?: number;
 }
 
+export interface CvtOptions {
+  /** Default 'lbfgs'. */
+  method?: CvtMethod;
+  /** At most; default 50. */
+  iterations?: number;
+  /** Ends when an iteration lowers the energy by no more than this share. Default 0. */
+  energyTolerance?: number;
+  /** Ends when no site moves further than this, in the input's units. Default 0. */
+  moveTolerance?: number;
+  /** Per input vertex, not negative; default uniform. */
+  density?: ArrayLike<number>;
+  /** Indices of the sites that stay where they are. */
+  fixedSites?: ArrayLike<number>;
+  /** Whether every state comes with the arrays of its diagram. Default false. */
+  data?: boolean;
+  /** Aborting ends the iteration with the signal's reason. */
+  signal?: AbortSignal;
+}
+
+/** A centroidal tessellation on its way; `core/include/gvd/cvt.h` holds the definitions. */
+export interface CvtState {
+  /** 0: the sites given. */
+  iteration: number;
+  /** Σ ∫ ρ d², which never rises. */
+  energy: number;
+  /** How far the site that has moved furthest in this iteration has. */
+  largestMove: number;
+  sites: SurfacePoints;
+  /** The diagram of these sites, if asked for. */
+  data?: DiagramData;
+}
+
 /** Bytes of the files that a `.gltf` names, by the URI it uses (`gltfResourceUris` lists them). */
 export type GltfResources = Record<string, Uint8Array>;
 
@@ -151,11 +192,20 @@ export interface Mesh extends Disposable {
   /** Of a glTF; empty for a mesh of arrays. */
   readonly parts: readonly MeshPart[];
   /**
-   * Sites spread evenly by area at random; the same seed (an integer, default 1) gives the same
-   * sites everywhere.
+   * Sites, by default independent and evenly spread by area; the same seed (an integer, default 1)
+   * gives the same sites everywhere. 'farthest' gives fewer than asked for when it has come to
+   * every vertex.
    */
-  sampleSites(count: number, options?: { seed?: number }): Promise<SurfacePoints>;
+  sampleSites(
+    count: number,
+    options?: { seed?: number; sampling?: Sampling },
+  ): Promise<SurfacePoints>;
   voronoi(sites: SurfacePointsInput, options?: VoronoiOptions): Promise<Diagram>;
+  /**
+   * Moves sites to the centroids of their regions: a state per iteration, the first that of the
+   * sites given. Leaving the loop ends it.
+   */
+  cvt(sites: SurfacePointsInput, options?: CvtOptions): AsyncGenerator<CvtState, void, void>;
   dispose(): void;
 }
 

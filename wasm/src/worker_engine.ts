@@ -1,15 +1,24 @@
 // SPDX-License-Identifier: MIT
+import type { CvtSettings } from './core.js';
 import type {
   Engine,
   EngineSources,
   GltfFile,
   Handle,
+  OpenedCvt,
   OpenedDiagram,
   OpenedMesh,
   Triangles,
 } from './engine.js';
 import { GeodesicVoronoiError } from './errors.js';
-import type { Located, Metric, SurfacePoints, TaskOptions } from './types.js';
+import type {
+  CvtState,
+  Located,
+  Metric,
+  Sampling,
+  SurfacePoints,
+  TaskOptions,
+} from './types.js';
 import type { EngineCall, Loaded, Reply, Request, WorkerPort } from './worker_protocol.js';
 
 /** A request that is not answered yet. */
@@ -61,8 +70,13 @@ export class WorkerEngine implements Engine {
     return this.#request('pointsAtVertices', [owner, vertex]);
   }
 
-  sampleSites(mesh: Handle, count: number, seed: number): Promise<SurfacePoints> {
-    return this.#request('sampleSites', [mesh, count, seed]);
+  sampleSites(
+    mesh: Handle,
+    count: number,
+    sampling: Sampling,
+    seed: number,
+  ): Promise<SurfacePoints> {
+    return this.#request('sampleSites', [mesh, count, sampling, seed]);
   }
 
   openDiagram(
@@ -76,6 +90,14 @@ export class WorkerEngine implements Engine {
 
   locate(diagram: Handle, points: SurfacePoints): Promise<Located> {
     return this.#request('locate', [diagram, points]);
+  }
+
+  openCvt(mesh: Handle, sites: SurfacePoints, settings: CvtSettings): Promise<OpenedCvt> {
+    return this.#request('openCvt', [mesh, sites, settings]);
+  }
+
+  advanceCvt(cvt: Handle, withData: boolean, task: TaskOptions): Promise<CvtState | undefined> {
+    return this.#request('advanceCvt', [cvt, withData], task);
   }
 
   close(handle: Handle): void {
@@ -129,7 +151,10 @@ export class WorkerEngine implements Engine {
   /** Nobody waits for this answer any more; if it comes too late to be stopped, it is freed. */
   #abandon(id: number): void {
     this.#pending.set(id, {
-      resolve: (late) => this.close((late as { handle: Handle }).handle),
+      resolve: (late) => {
+        const handle = (late as { handle?: Handle } | undefined)?.handle;
+        if (handle !== undefined) this.close(handle);
+      },
       reject: () => {},
     });
     this.#post({ abort: id });

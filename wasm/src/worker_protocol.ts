@@ -3,7 +3,14 @@ import type { Engine, EngineSources, Handle } from './engine.js';
 import type { ErrorCode } from './types.js';
 
 /** The calls of an engine that are answered; the last argument, a task's options, stays behind. */
-export type EngineCall = 'openMesh' | 'pointsAtVertices' | 'sampleSites' | 'openDiagram' | 'locate';
+export type EngineCall =
+  | 'openMesh'
+  | 'pointsAtVertices'
+  | 'sampleSites'
+  | 'openDiagram'
+  | 'locate'
+  | 'openCvt'
+  | 'advanceCvt';
 
 /** What the page sends. The first message is 'load'; `abort` names an earlier `id`. */
 export type Request =

@@ -27,7 +27,7 @@ const options = {
   sampling: {
     type: 'string',
     value: 'METHOD',
-    help: 'How to sample N sites: random (the default)',
+    help: 'How to sample N sites: random (the default), farthest, poisson',
   },
   seed: {
     type: 'string',
@@ -40,6 +40,12 @@ const options = {
     type: 'string',
     value: 'N',
     help: 'Split triangles of several regions in four, N times (default 0)',
+  },
+  iterations: { type: 'string', value: 'N', help: 'How many iterations at most (default 50)' },
+  method: {
+    type: 'string',
+    value: 'METHOD',
+    help: 'lbfgs: quasi-Newton, converges faster (the default); lloyd',
   },
   units: {
     type: 'string',
@@ -102,6 +108,24 @@ export const commands = {
       'sampling',
       'seed',
       'metric',
+      'units',
+      'output',
+      'json',
+      'progress',
+      'quiet',
+      'help',
+    ],
+  },
+  cvt: {
+    summary: 'Sites at the centroids of their regions: a centroidal Voronoi tessellation',
+    result:
+      '{"face": […], "bary": […], "energy": […]}: the sites, and the energy of the first ones and after each iteration.',
+    options: [
+      'sites',
+      'iterations',
+      'method',
+      'sampling',
+      'seed',
       'units',
       'output',
       'json',

@@ -3,41 +3,61 @@
 // What the values of the options mean.
 
 import { extname } from 'node:path';
-import { metrics } from '../core.js';
+import { cvtMethods, metrics, samplings } from '../core.js';
 import { diagramGlb, diagramJson, diagramObj } from '../formats.js';
 import { maxCount, maxDetail } from '../input.js';
-import type { Diagram, Metric } from '../types.js';
+import type { CvtMethod, Diagram, Metric, Sampling } from '../types.js';
 import { listed, standard, UsageError, type Values } from './options.js';
 
-/** What to compute; sites are a number or the path of a file. */
-export interface DiagramTask {
+/** Where sites come from: as many as the number, or the file of that path. */
+export interface SiteSource {
   sites: number | string;
+  sampling: Sampling;
   seed: number;
+}
+
+/** What to compute. */
+export interface DiagramTask extends SiteSource {
   metric: Metric;
   detail: number;
 }
 
-export function toTask({
-  sites,
-  sampling = 'random',
-  seed = '1',
-  metric = 'dgpc',
-  detail = '0',
-}: Values): DiagramTask {
+export interface CvtTask extends SiteSource {
+  method: CvtMethod;
+  iterations: number;
+}
+
+function toSiteSource({ sites, sampling = 'random', seed = '1' }: Values): SiteSource {
   if (sites === undefined) throw new UsageError('--sites is missing');
-  const samplings = ['random'];
-  if (!samplings.includes(sampling)) {
-    throw new UsageError(`--sampling is '${sampling}', not one of ${listed(samplings)}`);
-  }
-  if (!metrics.includes(metric as Metric)) {
-    throw new UsageError(`--metric is '${metric}', not one of ${listed(metrics)}`);
-  }
   return {
     sites: isNumber(sites) ? toInteger('--sites', sites, 1, maxCount) : sites,
+    sampling: toOneOf('--sampling', sampling, samplings),
     seed: toInteger('--seed', seed, 0),
-    metric: metric as Metric,
+  };
+}
+
+export function toTask(values: Values): DiagramTask {
+  const { metric = 'dgpc', detail = '0' } = values;
+  return {
+    ...toSiteSource(values),
+    metric: toOneOf('--metric', metric, metrics),
     detail: toInteger('--detail', detail, 0, maxDetail),
   };
+}
+
+export function toCvtTask(values: Values): CvtTask {
+  const { method = 'lbfgs', iterations = '50' } = values;
+  return {
+    ...toSiteSource(values),
+    method: toOneOf('--method', method, cvtMethods),
+    iterations: toInteger('--iterations', iterations, 0, maxCount),
+  };
+}
+
+function toOneOf<Name extends string>(option: string, text: string, names: readonly Name[]): Name {
+  const name = names.find((known) => known === text);
+  if (name !== undefined) return name;
+  throw new UsageError(`${option} is '${text}', not one of ${listed(names)}`);
 }
 
 function isNumber(text: string): boolean {

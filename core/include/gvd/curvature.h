@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "gvd/triangle_mesh.h"
+
+namespace gvd {
+
+/// Curvature at every vertex, averaged over a third of the faces around it.
+struct VertexCurvatures {
+  /// Gaussian: the angle defect 2π - Σ angles over the area, in 1 / length².
+  std::vector<double> gaussian;
+  /// Mean: half the length of the gradient of area (the cotangent formula) over the area, in
+  /// 1 / length. Without sign.
+  std::vector<double> mean;
+};
+
+/// Boundary vertices, where neither formula holds, get the mean of their inner neighbours, or zero
+/// if there is none; so do vertices without area. O(F).
+/// Source: Mark Meyer, Mathieu Desbrun, Peter Schröder, Alan Barr. Discrete Differential-Geometry
+/// Operators for Triangulated 2-Manifolds. 2003.
+VertexCurvatures vertexCurvatures(const TriangleMesh& mesh);
+
+struct CurvatureDensityOptions {
+  /// How often the squared curvature is averaged with that around: the noise of one vertex is
+  /// spread over about as many edges as the square root of this.
+  int smoothing = 4;
+  /// The least density as a share of its mean: so that flat parts get sites too. Positive.
+  double floor = 0.1;
+};
+
+/// A density for centroidal Voronoi tessellations and sampling that follows curvature: κ₁² + κ₂² =
+/// 4 H² - 2 K, smoothed, raised by the floor, and scaled to the mean 1 over the surface; 1 all over
+/// where there is no curvature. The regions of a centroidal tessellation become as wide as ρ^(-1/4)
+/// (Du, Faber, Gunzburger 1999, for large numbers of sites), here κ^(-1/2): then the distance
+/// between the surface and its chords, κ h² / 8, is the same everywhere. Throws
+/// `Error(kInvalidArgument)` if an option is negative or not finite. O(smoothing · F).
+std::vector<double> curvatureDensity(const TriangleMesh& mesh,
+                                     const CurvatureDensityOptions& options = {});
+
+}  // namespace gvd

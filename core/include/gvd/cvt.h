@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "gvd/diagram.h"
+#include "gvd/geodesic.h"
+#include "gvd/surface_point.h"
+#include "gvd/triangle_mesh.h"
+
+namespace gvd {
+
+/// How the sites of a centroidal Voronoi tessellation are found.
+enum class CvtMethod {
+  kLloyd,  ///< every site to the centroid of its region (Lloyd 1982)
+  kLbfgs,  ///< quasi-Newton, its first step Lloyd's (Liu et al. 2009)
+};
+
+struct CvtOptions {
+  CvtMethod method = CvtMethod::kLbfgs;
+  int iterations = 50;  ///< at most
+  /// Done when an iteration has lowered the energy by no more than this share of it.
+  double energyTolerance = 0;
+  /// Done when no site has moved by more than this, in the mesh's units.
+  double moveTolerance = 0;
+  /// The density ρ at each vertex of the mesh, linear in between: finite, not negative. Empty: 1.
+  std::vector<double> density;
+  /// Labels of the sites that stay where they are.
+  std::vector<int> fixedSites;
+};
+
+/// What one iteration has come to.
+struct CvtIteration {
+  int number = 0;          ///< 0: the initial sites
+  double energy = 0;       ///< Σ over the labels of ∫ ρ d² over the label's region
+  double largestMove = 0;  ///< how far the site that has moved furthest has, in the mesh's units
+};
+
+/// A centroidal Voronoi tessellation of a mesh: moves sites so that the energy E = Σ ∫ ρ d² falls,
+/// d the geodesic distance (DGPC) to the nearest site, until every site is at the centroid of its
+/// region, where the mean of the logarithmic map vanishes. That is a local minimum, not the least.
+///
+///     Cvt cvt(mesh, sites);
+///     while (!cvt.isDone())
+///       if (cvt.step(100000)) show(cvt.iteration().energy, cvt.diagram());
+///
+/// The energy never rises by more than rounding: a step that does not lower it is shortened, at
+/// last the iteration ends. It is integrated over the regions as traced, cut faces included. What
+/// no site reaches does not count. A site without region (it coincides with another one, or ρ is
+/// zero there) is set anew to a place drawn where the energy is; a site on a vertex is moved off it
+/// by 1e-7 of a side, to where directions are unique. Fixed sites are left alone in both cases.
+/// Deterministic. An iteration costs one diagram and its integrals, more where a step is shortened.
+///
+/// Sources: Qiang Du, Vance Faber, Max Gunzburger. Centroidal Voronoi Tessellations: Applications
+/// and Algorithms. 1999. Yang Liu et al. On Centroidal Voronoi Tessellation: Energy Smoothness and
+/// Fast Computation. 2009.
+class Cvt {
+ public:
+  /// `sites` in terms of the mesh's faces, one label each; the mesh must outlive this. Throws
+  /// `Error(kInvalidArgument)` if there is no site or an option does not fit mesh and sites.
+  Cvt(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, CvtOptions options = {});
+  ~Cvt();
+  Cvt(Cvt&&) noexcept;
+  Cvt& operator=(Cvt&&) noexcept;
+
+  /// Works on at most `budget` queue entries of the distances, and when these are done, traces the
+  /// diagram and integrates at one go. True when this has finished an iteration (the first time:
+  /// number 0), which the functions below then describe, or everything.
+  bool step(long budget);
+  bool isDone() const;
+
+  /// Of the last iteration finished; valid after `step` has returned true for the first time.
+  const CvtIteration& iteration() const;
+  std::span<const SurfacePoint> sites() const;
+  const DistanceField& distances() const;
+  const Diagram& diagram() const;
+
+ private:
+  class Solver;
+  std::unique_ptr<Solver> solver_;
+};
+
+}  // namespace gvd

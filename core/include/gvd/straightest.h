@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include "gvd/surface_point.h"
+#include "gvd/triangle_mesh.h"
+
+namespace gvd {
+
+/// What a straightest geodesic does where it meets the mesh boundary.
+enum class AtBoundary {
+  kStop,   ///< it ends there
+  kSlide,  ///< it goes on along the boundary by what it has in that direction: a move is projected
+           ///< to what the surface admits. Where the boundary turns away, it leaves it again.
+};
+
+/// The end of a straightest geodesic.
+struct StraightestGeodesic {
+  SurfacePoint end;
+  /// The x axis of the start, carried along the geodesic in parallel, in the frame of the end: a
+  /// unit vector. A tangent vector (a, b) at the start is a · frame + b · (frame turned left by
+  /// 90°) at the end.
+  Eigen::Vector2d frame = {1, 0};
+  double length = 0;         ///< what has been walked, less than asked for at a boundary
+  bool metBoundary = false;  ///< whether it has been stopped or turned there
+};
+
+/// The exponential map: walks from `start` straight on by the vector `move`, in the mesh's units.
+/// The frame of a point is that of its face: the x axis is the first side of the face, the y axis
+/// lies to its left (as for `DistanceField::direction`). Around a start on an edge or vertex, faces
+/// are unfolded counterclockwise; around a vertex, beginning with `TriangleMesh::outgoing`, and
+/// what points into the gap of a cone starts along its side.
+///
+/// Through a face and across an edge the geodesic is a straight line; at an inner vertex it leaves
+/// equal angles on both sides, total or not 2π, and the frame keeps its angle to it. What passes a
+/// vertex closer than 1e-12 of an edge hits it. A move of length 0 or not finite goes nowhere.
+///
+/// O(faces crossed). It ends early, should rounding ever hold it in a place.
+/// Source: Konrad Polthier, Markus Schmies. Straightest Geodesics on Polyhedral Surfaces. 1998.
+StraightestGeodesic walkStraight(const TriangleMesh& mesh, const SurfacePoint& start,
+                                 const Eigen::Vector2d& move,
+                                 AtBoundary atBoundary = AtBoundary::kStop);
+
+}  // namespace gvd

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "gvd/diagram.h"
+#include "gvd/geodesic.h"
+#include "gvd/triangle_mesh.h"
+
+namespace gvd {
+
+/// Integrals over the region of one site.
+struct RegionMoments {
+  double mass = 0;  ///< ∫ ρ
+  /// ∫ ρ u, u the logarithmic map: the vector of length d in which the shortest path to a point
+  /// leaves the site, in the frame of the site's face.
+  Eigen::Vector2d moment = {0, 0};
+};
+
+struct CvtEnergy {
+  double energy = 0;               ///< Σ ∫ ρ d²
+  std::vector<double> faceEnergy;  ///< per mesh face, sums to the energy
+  std::vector<RegionMoments> regions;
+};
+
+/// Integrates over the regions of a diagram traced with detail 0 from these distances, with the
+/// density ρ per vertex, linear in between; empty: 1. All integrals are exact for d² = Σ bᵢ Uᵢ² -
+/// Σ bᵢ bⱼ |eᵢⱼ|² and u = Σ bᵢ Uᵢ (cos θᵢ, sin θᵢ), U and θ the polar coordinates of the corners.
+/// In the site's own face that is |p - s|² and p - s. For these, -2 ∫ ρ u is the exact gradient of
+/// the energy wherever it has one: what regions exchange when their bisector moves has the same d²
+/// on both sides, and ∂(U²)/∂s = -2 U (cos θ, sin θ). O(F).
+CvtEnergy integrateCvt(const TriangleMesh& mesh, const DistanceField& distances,
+                       const Diagram& diagram, std::span<const double> density);
+
+}  // namespace gvd

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <deque>
+
+namespace gvd {
+
+/// The limited-memory approximation of an inverse Hessian from the last steps taken (Nocedal &
+/// Wright, Numerical Optimization, 2006, algorithm 7.4), with a diagonal preconditioner.
+class LbfgsMemory {
+ public:
+  void clear() { steps_.clear(); }
+  bool empty() const { return steps_.empty(); }
+
+  /// Learns that `step` has changed the gradient by `change`. Without positive curvature along the
+  /// step there is nothing to be learnt.
+  void learn(const Eigen::VectorXd& step, const Eigen::VectorXd& change);
+
+  /// The direction to go: the approximate inverse Hessian times -gradient. It starts from the given
+  /// diagonal, an inverse Hessian of its own right; with no step known, nothing else is used.
+  Eigen::VectorXd direction(const Eigen::VectorXd& gradient,
+                            const Eigen::VectorXd& inverseDiagonal) const;
+
+ private:
+  static constexpr size_t kSteps = 7;  // as Liu et al. 2009
+
+  struct Step {
+    Eigen::VectorXd step, change;
+    double curvature;  ///< step · change
+  };
+  std::deque<Step> steps_;  ///< the last one at the back
+};
+
+}  // namespace gvd

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+//
+// Drawing numbers. The distributions of the standard library may differ from one to the next; its
+// generators may not.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <random>
+#include <span>
+#include <vector>
+
+namespace gvd {
+
+/// Uniform in [0, 1), a multiple of 2^-53.
+inline double drawUniform(std::mt19937_64& random) {
+  return static_cast<double>(random() >> 11) * 0x1p-53;
+}
+
+/// The sums of values 0 … i.
+inline std::vector<double> cumulative(std::span<const double> values) {
+  std::vector<double> sums(values.size());
+  double sum = 0;
+  for (size_t i = 0; i < values.size(); ++i) sums[i] = sum += values[i];
+  return sums;
+}
+
+/// An index with a probability in proportion to its value, from the cumulative sums of values that
+/// are not negative and not all zero.
+inline int drawIndex(std::mt19937_64& random, const std::vector<double>& sums) {
+  // u < 1 makes u · total < total, rounded too; so there is an index, and it has a value.
+  const double place = drawUniform(random) * sums.back();
+  return static_cast<int>(std::upper_bound(sums.begin(), sums.end(), place) - sums.begin());
+}
+
+/// Uniform in a triangle, by folding the unit square onto the triangle below its diagonal.
+/// Multiples of 2^-53 are exact here, and the coordinates sum to 1 exactly.
+inline Eigen::Vector3d drawBarycentric(std::mt19937_64& random) {
+  double u = drawUniform(random), v = drawUniform(random);
+  if (v > 1 - u) {
+    u = 1 - u;
+    v = 1 - v;
+  }
+  return {1 - u - v, u, v};
+}
+
+}  // namespace gvd

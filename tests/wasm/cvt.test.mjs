@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+//
+// That centroidal tessellations arrive iteration by iteration, on this thread and from a worker.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { load } from 'geodesic-voronoi';
+import { grid, octahedron, withFlipped } from './meshes.mjs';
+
+let gvd, mesh, sites;
+before(async () => {
+  gvd = await load();
+  mesh = await gvd.mesh(grid(8));
+  sites = await mesh.sampleSites(12, { seed: 3 });
+});
+after(() => gvd.dispose());
+
+const fails = (code, message = /./) => ({ name: 'GeodesicVoronoiError', code, message });
+
+async function collect(states) {
+  const all = [];
+  for await (const state of states) all.push(state);
+  return all;
+}
+
+test('a state per iteration, the first that of the sites given', async () => {
+  const states = await collect(mesh.cvt(sites, { iterations: 10 }));
+  assert.deepEqual(
+    states.map(({ iteration }) => iteration),
+    [...states.keys()],
+  );
+  assert.equal(states.length, 11);
+  assert.deepEqual(states[0].sites, sites);
+  assert.equal(states[0].largestMove, 0);
+  states.slice(1).forEach(({ energy, largestMove, data }, i) => {
+    assert.ok(energy <= states[i].energy * (1 + 1e-12));
+    assert.ok(largestMove > 0);
+    assert.equal(data, undefined);
+  });
+});
+
+test('with the diagram of its sites, if asked for', async () => {
+  for await (const { sites: moved, data } of mesh.cvt(sites, { iterations: 2, data: true })) {
+    // Sites given are normalised, which may change their last bits.
+    const { data: expected } = await mesh.voronoi(moved);
+    assert.equal(data.siteCount, 12);
+    assert.deepEqual(data.faceLabel, expected.faceLabel);
+    assert.deepEqual(data.segments, expected.segments);
+    data.regionArea.forEach((area, l) => assert.ok(Math.abs(area - expected.regionArea[l]) < 1e-12));
+  }
+});
+
+test('fixed sites stay, others go where the density is', async () => {
+  const density = Float64Array.from({ length: mesh.info.inputVertices }, (_, v) =>
+    Math.exp(-8 * mesh.positions[3 * v]),
+  );
+  const states = await collect(mesh.cvt(sites, { density, fixedSites: [5] }));
+  const last = states.at(-1).sites;
+  assert.equal(last.face[5], sites.face[5]);
+  assert.deepEqual(last.bary.slice(15, 18), sites.bary.slice(15, 18));
+  assert.notDeepEqual(last.face, sites.face);
+});
+
+test('points are those of the input, turned triangles too', async () => {
+  const other = await gvd.mesh(withFlipped(octahedron(), 2));
+  const [first] = await collect(other.cvt({ vertex: [0, 3] }, { iterations: 0 }));
+  assert.equal(first.sites.face.length, 2);
+});
+
+test('leaving the loop, aborting and disposing end it', async () => {
+  for await (const { iteration } of mesh.cvt(sites)) if (iteration === 2) break;
+
+  const controller = new AbortController();
+  const aborted = collect(mesh.cvt(sites, { iterations: 1000, signal: controller.signal }));
+  controller.abort(new Error('enough'));
+  await assert.rejects(aborted, /enough/);
+
+  const states = mesh.cvt(sites);
+  await states.next();
+  await states.return();
+  assert.deepEqual(await states.next(), { value: undefined, done: true });
+
+  const disposed = await gvd.mesh(octahedron());
+  disposed.dispose();
+  await assert.rejects(collect(disposed.cvt({ vertex: [0] })), fails('disposed'));
+});
+
+test('options that do not fit are refused', async () => {
+  const refused = (options, message) =>
+    assert.rejects(collect(mesh.cvt(sites, options)), fails('invalid-argument', message));
+  await refused({ method: 'newton' }, /method is "newton"/);
+  await refused({ iterations: 1.5 }, /iterations is 1.5/);
+  await refused({ moveTolerance: NaN }, /moveTolerance is NaN/);
+  await refused({ density: [1, 2] }, /2 densities/);
+  await refused({ fixedSites: [12] }, /site 12/);
+});
+
+test('sites are sampled in three ways', async () => {
+  for (const sampling of ['random', 'farthest', 'poisson']) {
+    const { face, bary } = await mesh.sampleSites(20, { sampling });
+    assert.equal(face.length, 20);
+    assert.equal(bary.length, 60);
+  }
+  await assert.rejects(
+    mesh.sampleSites(20, { sampling: 'blue' }),
+    fails('invalid-argument', /sampling is "blue"/),
+  );
+});
