@@ -10,6 +10,7 @@
 #include "fan.h"
 #include "heap.h"
 #include "tolerances.h"
+#include "unfolding.h"
 
 namespace gvd {
 namespace {
@@ -30,6 +31,7 @@ class Continuation {
   std::unique_ptr<DistanceField> run() {
     for (int label = 0; label < static_cast<int>(sites_.size()); ++label) lookFromSite(label);
     for (const int v : verticesAtBorders()) lookAround(v);
+    unfoldGuests();
     for (size_t i = 0; i < looks_.size(); ++i)
       if (!isOutdone(looks_[i].view.halfedge, looks_[i].label)) queueLook(static_cast<int>(i));
     do {
@@ -194,18 +196,25 @@ class Continuation {
     here.source = -path;
     here.left = here.right = {0, 0};
     bool wasBehind = false;
+    Sight<side> sight(view);
     return walkFan<side>(mesh_, view, path, last, [&](const FanFace& face) {
       const int at = mesh_.tail(TriangleMesh::previous(face.halfedge));
       const bool isBehind = face.place == FanFace::Place::kBehind;
+      if (const int outer = outerEnd<side>(face, mesh_); limitsViews(mesh_, outer))
+        sight.limit(path + face.outer);
       if (owner(at) == label) {
         wasBehind = isBehind;
         return;
       }
+      const Vector2d toApex = path + face.apex, &bound = sight.bound();
       if (isBehind)
         see(at, label, distance + face.apex.norm(),
             [&] { return view.departure(mesh_, distance); });
+      else if (sight.reaches(toApex))
+        see(at, label, view, toApex);
       else
-        see(at, label, view, path + face.apex);
+        see(at, label, view.offset + bound.norm() + (toApex - bound).norm(),
+            [&] { return view.departure(bound.normalized()); });
       if (std::exchange(wasBehind, isBehind)) return;
       // Where the line behind the vertex runs through the face, up to that line.
       if (isBehind) (kLeft ? here.right : here.left) = path;
@@ -235,8 +244,43 @@ class Continuation {
     looks_.push_back({out, label});
   }
 
+  bool ownsBothEnds(int halfedge, int label) const {
+    return owner(mesh_.tail(halfedge)) == label && owner(mesh_.tip(halfedge)) == label;
+  }
+
   bool ownsAnEnd(int halfedge, int label) const {
     return owner(mesh_.tail(halfedge)) == label || owner(mesh_.tip(halfedge)) == label;
+  }
+
+  /// What is hidden from the vertices that a label owns may be nearer by way of other guests: each
+  /// takes the least of what its faces' other corners put there. All at once, so that the order in
+  /// which they were noted does not matter.
+  void unfoldGuests() {
+    std::vector<double> distance(guests_.size());
+    for (const int host : hosts_) {
+      const double least = nearest_[host].distance * (1 + 4 * kDistanceTolerance);
+      for (int g = firstGuest_[host]; g >= 0; g = guests_[g].next)
+        distance[g] = std::max(least, unfoldedAround(host, guests_[g].label));
+    }
+    for (size_t g = 0; g < guests_.size(); ++g)
+      if (distance[g] < guests_[g].distance * (1 - kDistanceTolerance))
+        guests_[g].distance = distance[g];
+  }
+
+  double unfoldedAround(int vertex, int label) const {
+    double least = kInfinity;
+    const int first = mesh_.outgoing(vertex);
+    int h = first;
+    double atRight = distanceAt(mesh_.tip(h), label);
+    do {
+      const int across = TriangleMesh::next(h);
+      const double atLeft = distanceAt(mesh_.tip(across), label);
+      if (atLeft < kInfinity && atRight < kInfinity && !ownsBothEnds(across, label))
+        least = std::min(least, unfoldedDistance(mesh_, across, atRight, atLeft));
+      atRight = atLeft;
+      h = mesh_.rotate(h);
+    } while (h >= 0 && h != first);
+    return least;
   }
 
   // --- Looking through edges ---

@@ -136,7 +136,7 @@ double DgpcField::distanceAside(const View& view, const Vector2d& path,
     if (!isTowards<side>(path, way)) return;
     if (sight.reaches(way))
       result = view.offset + way.norm();
-    else if (sight.bound() == path + face.outer || sight.reachesAround(face, path, way))
+    else if (sight.isAt(path + face.outer) || sight.reachesAround(face, path, way))
       result = view.offset + sight.bound().norm() + (way - sight.bound()).norm();
   });
   return result;
