@@ -147,6 +147,9 @@ AssertionResult checkComplex(const TriangleMesh& mesh, const Diagram& d) {
   return AssertionSuccess();
 }
 
+/// The share of a face that rounding may give to one label or another, where sites are 1e-9 apart.
+constexpr double kSliver = 1e-6;
+
 /// A face or a part of one, with the label that owns it.
 struct Part {
   int face, label;
@@ -214,6 +217,7 @@ AssertionResult checkNearestAtVertices(const TriangleMesh& mesh, const DistanceF
 /// Squares are compared, as the diagram does: near a site the root would magnify rounding.
 AssertionResult checkNearestInParts(const TriangleMesh& mesh, const Traced& traced) {
   for (const Part& part : reachedParts(mesh, traced.diagram)) {
+    if (part.share() <= kSliver) continue;
     const SurfacePoint p{part.face, part.middle()};
     const auto nearest = traced.field->nearest(p);
     const double ours = traced.field->distance(part.label, p);
@@ -246,6 +250,47 @@ AssertionResult checkExactDistances(const TriangleMesh& mesh, const DistanceFiel
   return AssertionSuccess();
 }
 
+bool isKnownAtCorners(const TriangleMesh& mesh, const DistanceField& field, int label, int face) {
+  return std::all_of(&mesh.tails()[3 * face], &mesh.tails()[3 * face] + 3, [&](int v) {
+    const auto known = field.at(v);
+    return std::any_of(known.begin(), known.end(),
+                       [&](const LabelledDistance& d) { return d.label == label; });
+  });
+}
+
+AssertionResult checkOwnersKnown(const TriangleMesh& mesh, const Traced& traced,
+                                 const Traced& everywhere) {
+  for (const Part& part : reachedParts(mesh, everywhere.diagram)) {
+    if (part.share() <= kSliver) continue;
+    if (!isKnownAtCorners(mesh, *traced.field, part.label, part.face))
+      return AssertionFailure() << "site " << part.label << ", which owns " << part.share()
+                                << " of face " << part.face << ", is not known at its corners";
+  }
+  const auto &ours = traced.diagram.regionArea, &expected = everywhere.diagram.regionArea;
+  for (size_t l = 0; l < ours.size(); ++l)
+    if (!(std::abs(ours[l] - expected[l]) <= kSliver * mesh.area()))
+      return AssertionFailure() << "region " << l << " has area " << ours[l]
+                                << ", by brute force " << expected[l];
+  return AssertionSuccess();
+}
+
+AssertionResult checkNearestKnown(const TriangleMesh& mesh, const Traced& traced,
+                                  const Traced& everywhere) {
+  const double tolerance = 1e-9 * mesh.diameter();
+  for (const Part& part : reachedParts(mesh, traced.diagram)) {
+    const SurfacePoint p{part.face, part.middle()};
+    const auto ours = traced.field->nearest(p), expected = everywhere.field->nearest(p);
+    if (!(std::abs(ours.distance - expected.distance) <= tolerance))
+      return AssertionFailure() << "in face " << part.face << ", " << ours.label << " is nearest, "
+                                << ours.distance << " away; by brute force " << expected.label
+                                << ", " << expected.distance << " away";
+    if (!isKnownAtCorners(mesh, *traced.field, ours.label, part.face))
+      return AssertionFailure() << "site " << ours.label << ", nearest in the middle of a part of "
+                                << "face " << part.face << ", is not known at its corners";
+  }
+  return AssertionSuccess();
+}
+
 }  // namespace
 
 Traced trace(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric,
@@ -274,24 +319,9 @@ AssertionResult agreesWithField(const TriangleMesh& mesh, const Traced& traced,
 }
 
 AssertionResult spreadsFarEnough(const TriangleMesh& mesh, const Traced& traced,
-                                 const Traced& everywhere) {
-  for (const Part& part : reachedParts(mesh, everywhere.diagram)) {
-    if (part.share() <= 1e-9) continue;  // of a tie, which rounding may break the other way
-    for (int i = 0; i < 3; ++i) {
-      const int v = mesh.tail(3 * part.face + i);
-      const auto known = traced.field->at(v);
-      if (std::none_of(known.begin(), known.end(),
-                       [&](const LabelledDistance& d) { return d.label == part.label; }))
-        return AssertionFailure() << "site " << part.label << ", which owns " << part.share()
-                                  << " of face " << part.face << ", is not known at vertex " << v;
-    }
-  }
-  const auto &ours = traced.diagram.regionArea, &expected = everywhere.diagram.regionArea;
-  for (size_t l = 0; l < ours.size(); ++l)
-    if (!(std::abs(ours[l] - expected[l]) <= 1e-8 * mesh.area()))
-      return AssertionFailure() << "region " << l << " has area " << ours[l]
-                                << ", by brute force " << expected[l];
-  return AssertionSuccess();
+                                 const Traced& everywhere, Metric metric) {
+  return metric == Metric::kDgpc ? checkOwnersKnown(mesh, traced, everywhere)
+                                 : checkNearestKnown(mesh, traced, everywhere);
 }
 
 AssertionResult areSame(const TriangleMesh& mesh, const Diagram& a, const Diagram& b,

@@ -42,10 +42,12 @@ Traced trace(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
 ::testing::AssertionResult agreesWithField(const TriangleMesh& mesh, const Traced& traced,
                                            std::span<const SurfacePoint> sites, Metric metric);
 
-/// Success if the labels that own a part of a face by brute force (`everywhere`) are known at all
-/// three corners of it in `traced`, and own regions of the same areas.
+/// Success if brute force (`everywhere`) finds no more than `traced` knows. With DGPC: the labels
+/// that own a part of a face are known at all three corners of it, and regions have the same areas.
+/// With the exact metric: in the middle of every part the nearest site is as far away, and known at
+/// all three corners.
 ::testing::AssertionResult spreadsFarEnough(const TriangleMesh& mesh, const Traced& traced,
-                                            const Traced& everywhere);
+                                            const Traced& everywhere, Metric metric);
 
 /// Success if two diagrams of one mesh are the same: label l of a is label `labelInB[l]` of b; the
 /// same region triangles, numbers of loops, segments and Voronoi points with their labels; region

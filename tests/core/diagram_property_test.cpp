@@ -46,7 +46,7 @@ std::string complaint(const RandomCase& c, Metric metric) {
     if (const auto result = checks::agreesWithField(mesh, traced, sites, metric); !result)
       return result.message();
     const auto everywhere = checks::trace(mesh, sites, metric, 0, Spread::kEverywhere);
-    if (const auto result = checks::spreadsFarEnough(mesh, traced, everywhere); !result)
+    if (const auto result = checks::spreadsFarEnough(mesh, traced, everywhere, metric); !result)
       return result.message();
   } catch (const std::exception& error) {
     return std::string("an exception: ") + error.what();

@@ -184,6 +184,13 @@ constexpr std::array kMeshes = {
     KindOfMesh{"soup", [](Random& r) { return soup(r); }},
 };
 
+/// Whether doubles tell the ends of all edges apart by more than the rounding of a position.
+bool hasVisibleEdges(const TriangleMesh& mesh) {
+  for (int h = 0; h < mesh.halfedgeCount(); ++h)
+    if (mesh.length(h) < 1e-12 * mesh.diameter()) return false;
+  return true;
+}
+
 /// Turned at random, and of a size that is no power of two.
 Shape turnedAndScaled(Shape shape, Random& random) {
   const auto part = [&] { return random.uniform(-1, 1); };
@@ -446,8 +453,11 @@ std::vector<SurfacePoint> RandomCase::sitesOn(const TriangleMesh& mesh) const {
 
 RandomCase randomCase(std::uint64_t seed) {
   Random random(seed);
-  const KindOfMesh& chosen = kMeshes[random.below(static_cast<int>(kMeshes.size()))];
-  RandomCase result{std::string(chosen.name) + ": ", chosen.make(random), {}};
+  RandomCase result;
+  do {
+    const KindOfMesh& chosen = kMeshes[random.below(static_cast<int>(kMeshes.size()))];
+    result = {std::string(chosen.name) + ": ", chosen.make(random), {}};
+  } while (!hasVisibleEdges(result.mesh()));
   if (random.below(2)) result.shape = turnedAndScaled(std::move(result.shape), random);
   const TriangleMesh mesh = result.mesh();
   for (const SurfacePoint& site : randomSites(mesh, random, result.kind))
