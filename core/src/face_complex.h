@@ -15,6 +15,10 @@ namespace gvd {
 /// The triangles a diagram is traced on, called *elements*: the faces of the mesh, or for a finer
 /// diagram parts of them, as halfedges in the manner of `TriangleMesh`; and at their corners, the
 /// *nodes*, the labels with their distances.
+///
+/// Two elements with a common side agree on who owns which part of it: a label that is least
+/// anywhere on a side, exactly compared, is known at all three nodes of both. Of slivers that
+/// rounding makes or breaks, no distance field can promise that.
 class FaceComplex {
  public:
   /// Faces of several regions are split `detail` times in four, with distances at the new nodes.
@@ -39,7 +43,10 @@ class FaceComplex {
   }
   std::span<const LabelledDistance> labels(int node) const {
     const int vertices = mesh_.vertexCount();
-    return node < vertices ? distances_.at(node) : added_[node - vertices];
+    if (node >= vertices) return added_[node - vertices];
+    if (completed_.empty()) return distances_.at(node);
+    const auto completed = completed_.find(node);
+    return completed == completed_.end() ? distances_.at(node) : completed->second;
   }
   /// The nearest label of a node, the lowest of those that tie; -1 if there is none.
   int owner(int node) const { return owner_[node]; }
@@ -57,6 +64,11 @@ class FaceComplex {
   void split(int element);
   int midpoint(int element, int side);
   void matchTwins();
+  void complete();
+  bool completeAcross(int element, int side);
+  void addLabel(int node, LabelledDistance added);
+  double unfold(int element, int side, double atTail, double atTip) const;
+  double squaredLength(int element, int from, int to) const;
 
   const TriangleMesh& mesh_;
   const DistanceField& distances_;
@@ -65,6 +77,7 @@ class FaceComplex {
   std::vector<int> tail_, twin_, face_;
   std::vector<Eigen::Matrix3d> corners_;
   std::vector<std::vector<LabelledDistance>> added_;  ///< of the nodes that are no vertices
+  std::unordered_map<int, std::vector<LabelledDistance>> completed_;  ///< of some vertices
   std::unordered_map<std::uint64_t, int> midpoint_;   ///< of split sides, by their two nodes
 };
 

@@ -34,6 +34,21 @@ Traced trace(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
 ::testing::AssertionResult isConsistent(const TriangleMesh& mesh, const Diagram& diagram,
                                         int detail = 0);
 
+/// Success if field and diagram tell the same:
+///  - `nearest` gives at every vertex the least distance known there, and its label;
+///  - with DGPC, `nearest` in the middle of every cell and region triangle gives its label, or one
+///    that ties with it. The exact distance has no straight bisectors to compare with; instead it
+///  - is never less than the straight line in space, and zero at every site.
+::testing::AssertionResult agreesWithField(const TriangleMesh& mesh, const Traced& traced,
+                                           std::span<const SurfacePoint> sites, Metric metric);
+
+/// Success if brute force (`everywhere`) finds no more than `traced` knows. With DGPC: the labels
+/// that own a part of a face are known at all three corners of it, and regions have the same areas.
+/// With the exact metric: in the middle of every part the nearest site is as far away, and known at
+/// all three corners.
+::testing::AssertionResult spreadsFarEnough(const TriangleMesh& mesh, const Traced& traced,
+                                            const Traced& everywhere, Metric metric);
+
 /// Success if two diagrams of one mesh are the same: label l of a is label `labelInB[l]` of b; the
 /// same region triangles, numbers of loops, segments and Voronoi points with their labels; region
 /// areas to `tolerance` times the mesh area.
