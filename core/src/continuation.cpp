@@ -256,31 +256,33 @@ class Continuation {
   /// takes the least of what its faces' other corners put there. All at once, so that the order in
   /// which they were noted does not matter.
   void unfoldGuests() {
-    std::vector<double> distance(guests_.size());
-    for (const int host : hosts_) {
-      const double least = nearest_[host].distance * (1 + 4 * kDistanceTolerance);
+    std::vector<Guest> unfolded = guests_;
+    for (const int host : hosts_)
       for (int g = firstGuest_[host]; g >= 0; g = guests_[g].next)
-        distance[g] = std::max(least, unfoldedAround(host, guests_[g].label));
-    }
-    for (size_t g = 0; g < guests_.size(); ++g)
-      if (distance[g] < guests_[g].distance * (1 - kDistanceTolerance))
-        guests_[g].distance = distance[g];
+        unfoldGuest(host, unfolded[g]);
+    guests_ = std::move(unfolded);
   }
 
-  double unfoldedAround(int vertex, int label) const {
-    double least = kInfinity;
-    const int first = mesh_.outgoing(vertex);
+  void unfoldGuest(int host, Guest& guest) const {
+    const double least = nearest_[host].distance * (1 + 4 * kDistanceTolerance);
+    const int label = guest.label, first = mesh_.outgoing(host);
     int h = first;
     double atRight = distanceAt(mesh_.tip(h), label);
     do {
       const int across = TriangleMesh::next(h);
       const double atLeft = distanceAt(mesh_.tip(across), label);
-      if (atLeft < kInfinity && atRight < kInfinity && !ownsBothEnds(across, label))
-        least = std::min(least, unfoldedDistance(mesh_, across, atRight, atLeft));
+      if (atLeft < kInfinity && atRight < kInfinity && !ownsBothEnds(across, label)) {
+        const Unfolded u = unfold(mesh_, across, atRight, atLeft);
+        const double distance = std::max(least, u.distance);
+        if (distance < guest.distance * (1 - kDistanceTolerance)) {
+          guest.distance = distance;
+          guest.departure = u.byTail * departureAt(mesh_.tail(across), label) +
+                            u.byTip * departureAt(mesh_.tip(across), label);
+        }
+      }
       atRight = atLeft;
       h = mesh_.rotate(h);
     } while (h >= 0 && h != first);
-    return least;
   }
 
   // --- Looking through edges ---

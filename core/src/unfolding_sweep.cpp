@@ -40,8 +40,8 @@ void UnfoldingSweep::offerToNeighbours(int vertex) {
 }
 
 double UnfoldingSweep::unfolded(int halfedge) const {
-  return unfoldedDistance(mesh_, halfedge, distance_[mesh_.tail(halfedge)],
-                          distance_[mesh_.tip(halfedge)]);
+  const double atTail = distance_[mesh_.tail(halfedge)], atTip = distance_[mesh_.tip(halfedge)];
+  return unfold(mesh_, halfedge, atTail, atTip).distance;
 }
 
 }  // namespace gvd
