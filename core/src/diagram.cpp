@@ -86,10 +86,12 @@ class Tracer {
     int point;
     int before, after;
   };
-  /// A step of a loop starts at a point and crosses a face, or follows the mesh boundary (-1).
+  /// A step of a loop starts at a point and crosses a face, or follows a side of it that is on the
+  /// mesh boundary.
   struct Step {
     int point;
     int face;
+    bool onBoundary;
   };
   struct Loop {
     int label;
@@ -344,8 +346,8 @@ class Tracer {
     return point;
   }
 
-  /// The node stands for all, so that a place on a vertex is exactly that; else the first. Two nodes
-  /// stay two, however near: region triangles have them as corners.
+  /// The node stands for all, so that a place on a vertex is exactly that; else the first. Two
+  /// nodes stay two, however near: region triangles have them as corners.
   void unite(int a, int b) {
     a = root(a);
     b = root(b);
@@ -436,7 +438,7 @@ class Tracer {
     for (int dart = start; !visited[dart];) {
       visited[dart] = true;
       const Segment& segment = segments_[dart / 2];
-      loop.steps.push_back({segment.points[dart % 2], segment.face});
+      loop.steps.push_back({segment.points[dart % 2], segment.face, false});
       int at = segment.points[1 - dart % 2];
       dart = dartAt(at, loop.label);
       if (dart < 0) dart = followBoundary(at, loop);
@@ -448,12 +450,13 @@ class Tracer {
   /// where the region leaves it; returns that dart.
   int followBoundary(int point, Loop& loop) {
     const int start = boundaryIndex_.at(point);
-    loop.steps.push_back({point, -1});
     int halfedge = boundary_[start].halfedge;
+    loop.steps.push_back({point, TriangleMesh::faceOf(halfedge), true});
     int index = start + 1;
     while (index >= static_cast<int>(boundary_.size()) || boundary_[index].halfedge != halfedge) {
-      loop.steps.push_back({vertexPoint(mesh_.tip(halfedge)), -1});
-      halfedge = mesh_.outgoing(mesh_.tip(halfedge));
+      const int vertex = mesh_.tip(halfedge);
+      halfedge = mesh_.outgoing(vertex);
+      loop.steps.push_back({vertexPoint(vertex), TriangleMesh::faceOf(halfedge), true});
       const auto first = firstOnBoundary_.find(halfedge);
       index = first == firstOnBoundary_.end() ? static_cast<int>(boundary_.size()) : first->second;
     }
@@ -474,7 +477,8 @@ class Tracer {
       }
       if (isBroken || complex_.owner(v) < 0) continue;
       Loop loop{complex_.owner(v), {}};
-      for (const int at : vertices) loop.steps.push_back({vertexPoint(at), -1});
+      for (const int at : vertices)
+        loop.steps.push_back({vertexPoint(at), TriangleMesh::faceOf(mesh_.outgoing(at)), true});
       loops.push_back(std::move(loop));
     }
   }
@@ -493,9 +497,11 @@ class Tracer {
     for (const Loop& loop : loops) {
       const int first = static_cast<int>(steps.size()), n = static_cast<int>(loop.steps.size());
       for (int i = 0; i < n; ++i) {
-        const int from = root(loop.steps[i].point), to = root(loop.steps[(i + 1) % n].point);
-        steps.push_back({loop.label, from, to, loop.steps[i].face, first + (i + n - 1) % n,
-                         first + (i + 1) % n});
+        const int from = root(loop.steps[i].point);
+        const int to = root(loop.steps[(i + 1) % n].point);
+        const auto& [point, face, onBoundary] = loop.steps[i];
+        steps.push_back({loop.label, from, to, face, first + (i + n - 1) % n, first + (i + 1) % n});
+        if (onBoundary && (isMerged(from) || isMerged(to))) boundarySteps_.push_back(steps.back());
       }
     }
     cancelSteps(steps);
@@ -563,8 +569,8 @@ class Tracer {
     return outIndex_[p];
   }
 
-  /// Segments that end at merged points may lie on top of each other, or on the boundary, with a region
-  /// of no width between them; what remains there has the outermost labels.
+  /// Segments that end at merged points may lie on top of each other, or on the boundary, with a
+  /// region of no width between them; what remains there has the outermost labels.
   void collectSegments() {
     struct Side {
       std::vector<int> left, right;
@@ -586,6 +592,8 @@ class Tracer {
       else
         out_.segments.push_back({{outPoint(from), outPoint(to)}, s.labels, s.face, -1});
     }
+    for (const RingStep& step : boundarySteps_)
+      if (step.from != step.to) stack(step.from, step.to, step.label, -1, step.face);
     for (auto& [ends, side] : stacked) {
       for (auto label = side.left.begin(); label != side.left.end();) {
         const auto same = std::find(side.right.begin(), side.right.end(), *label);
@@ -730,8 +738,8 @@ class Tracer {
     if (!std::is_sorted(cells_.begin(), cells_.end(), isBefore))
       std::stable_sort(cells_.begin(), cells_.end(), isBefore);
     for (auto first = cells_.begin(); first != cells_.end();) {
-      const auto last = std::find_if(first, cells_.end(),
-                                     [&](const Cell& c) { return c.face != first->face; });
+      const auto last =
+          std::find_if(first, cells_.end(), [&](const Cell& c) { return c.face != first->face; });
       collectCells({&*first, static_cast<size_t>(last - first)});
       first = last;
     }
@@ -787,8 +795,9 @@ class Tracer {
   std::vector<Cell> cells_;
   std::vector<int> cellPoints_;
   std::vector<BoundaryPoint> boundary_;
-  std::map<int, int> firstOnBoundary_;  ///< per boundary halfedge
-  std::map<int, int> boundaryIndex_;    ///< per point
+  std::map<int, int> firstOnBoundary_;   ///< per boundary halfedge
+  std::map<int, int> boundaryIndex_;     ///< per point
+  std::vector<RingStep> boundarySteps_;  ///< those with ends at merged points
   std::vector<int> outIndex_;
 
   // For the element at hand.

@@ -24,14 +24,13 @@ std::uint64_t orderedKey(int a, int b) {
 using Labels = std::span<const LabelledDistance>;
 
 const LabelledDistance* find(Labels labels, int label) {
-  const auto it =
-      std::lower_bound(labels.begin(), labels.end(), label,
-                       [](const LabelledDistance& d, int l) { return d.label < l; });
+  const auto it = std::lower_bound(labels.begin(), labels.end(), label,
+                                   [](const LabelledDistance& d, int l) { return d.label < l; });
   return it != labels.end() && it->label == label ? &*it : nullptr;
 }
 
-/// Whether a label is least anywhere on a side, given what is known at its ends: by the squares that
-/// the diagram is traced from, so that no more than the places of ties is rounded.
+/// Whether a label is least anywhere on a side, given what is known at its ends: by the squares
+/// that the diagram is traced from, so that no more than the places of ties is rounded.
 bool ownsPartOf(int label, double atTail, double atTip, Labels tail, Labels tip) {
   constexpr double kRounding = 1e-14;
   double from = 0, to = 1;

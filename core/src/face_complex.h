@@ -27,8 +27,8 @@ class FaceComplex {
   int elementCount() const { return static_cast<int>(tails().size() / 3); }
   int nodeCount() const { return static_cast<int>(owner_.size()); }
   std::span<const int> tails() const { return isRefined() ? tail_ : mesh_.tails(); }
-  /// -1 on the mesh boundary, and where an element meets several smaller ones: one label owns all of
-  /// such a side.
+  /// -1 on the mesh boundary, and where an element meets several smaller ones: one label owns all
+  /// of such a side.
   std::span<const int> twins() const { return isRefined() ? twin_ : mesh_.twins(); }
   /// The mesh's boundary halfedge that a halfedge without twin is part of, or -1.
   int boundaryHalfedge(int h) const;
@@ -78,7 +78,7 @@ class FaceComplex {
   std::vector<Eigen::Matrix3d> corners_;
   std::vector<std::vector<LabelledDistance>> added_;  ///< of the nodes that are no vertices
   std::unordered_map<int, std::vector<LabelledDistance>> completed_;  ///< of some vertices
-  std::unordered_map<std::uint64_t, int> midpoint_;   ///< of split sides, by their two nodes
+  std::unordered_map<std::uint64_t, int> midpoint_;  ///< of split sides, by their two nodes
 };
 
 }  // namespace gvd

@@ -64,7 +64,7 @@ bool alsoFails(const RandomCase& c, Metric metric) {
   return !complaint(c, metric).empty();
 }
 
-// --- Which case it was, where a test ends without coming back -------------------------------------
+// --- Which case it was, where a test ends without coming back ------------------------------------
 
 std::array<char, 256> commandNow;
 

@@ -169,9 +169,7 @@ constexpr std::array kMeshes = {
     KindOfMesh{"Moebius strip",
                [](Random& r) { return shapes::moebiusStrip(3 + r.below(10), 1 + r.below(3)); }},
     KindOfMesh{"covered polygon",
-               [](Random& r) {
-                 return coveredPolygon(3 + r.below(10), r.below(2) ? 0.1 : 1e-6);
-               }},
+               [](Random& r) { return coveredPolygon(3 + r.below(10), r.below(2) ? 0.1 : 1e-6); }},
     KindOfMesh{"folded grid", [](Random& r) { return foldedGrid(1 + r.below(4)); }},
     KindOfMesh{"several components",
                [](Random& r) {
@@ -234,9 +232,7 @@ SurfacePoint inLayout(const TriangleMesh& mesh, int h, double x, double y) {
   return {TriangleMesh::faceOf(h), bary};
 }
 
-bool isInside(const SurfacePoint& p) {
-  return p.bary.allFinite() && p.bary.minCoeff() >= 0;
-}
+bool isInside(const SurfacePoint& p) { return p.bary.allFinite() && p.bary.minCoeff() >= 0; }
 
 /// In every face around a vertex, at the same distance from it.
 Sites circleAroundVertex(const TriangleMesh& mesh, Random& random) {

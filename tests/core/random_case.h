@@ -26,8 +26,8 @@ struct RandomCase {
 
 /// The same on every platform but for rounding in the C library's functions.
 ///
-/// The mesh, of about 10 to 100 faces, is plane or not, of genus 0 to 3, open or closed, oriented or
-/// not, of one or more components; it may be symmetric, strongly graded, folded flat, full of
+/// The mesh, of about 10 to 100 faces, is plane or not, of genus 0 to 3, open or closed, oriented
+/// or not, of one or more components; it may be symmetric, strongly graded, folded flat, full of
 /// needles, or a soup of triangles. Some are turned and scaled, so that ties hold but for rounding.
 ///
 /// The sites lie on vertices, edges, midpoints of edges and of faces, all in one face, on a circle
