@@ -264,6 +264,8 @@ class DgpcSweep final : public Propagation {
           next.isBent = true;
           return next;
         });
+      } else if (isBend) {
+        bend<side>(from, face, at);
       }
     });
   }
