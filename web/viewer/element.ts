@@ -2,22 +2,53 @@
 //
 // Importing this file defines <geodesic-voronoi>. Where there is no DOM it defines nothing and does no harm.
 
-import type { Diagram, MeshInfo, MeshPart, Metric, SurfacePoints } from 'geodesic-voronoi';
+import type {
+  CvtMethod,
+  Diagram,
+  MeshInfo,
+  MeshPart,
+  Metric,
+  Sampling,
+  SurfacePoints,
+} from 'geodesic-voronoi';
 import { Vector2 } from 'three';
 import { type Command, commandOf } from './commands.js';
+import type { CvtSettings } from './cvt_run.js';
 import { fillShadow } from './element_template.js';
+import { hexagonEnergy } from './hexagon_energy.js';
 import { Hover, type HoveredPoint } from './hover.js';
 import { type Layer, layers, ModelDrawing } from './model_drawing.js';
 import { fetchModelFiles, type ModelFiles, readModelFiles } from './model_files.js';
 import { Picker, type SurfaceHit } from './picking.js';
 import { PointerGestures } from './pointer_gestures.js';
 import { SceneMesh } from './scene_mesh.js';
-import { Session, type ShownDiagram, type Status } from './session.js';
+import {
+  type CvtStatus,
+  type Scattering,
+  Session,
+  type ShownDiagram,
+  type Status,
+} from './session.js';
 import { type SitePlace, type Sites, surfacePointsOf } from './site_history.js';
 import { Stage } from './stage.js';
 
-export type { Command, HoveredPoint, Layer, SitePlace, Status };
+export type { Command, CvtStatus, HoveredPoint, Layer, SitePlace, Status };
 export { commandOf, layers };
+
+/** What an iteration of a centroidal tessellation has come to. */
+export interface CvtIteration {
+  /** 0: the sites from before. */
+  iteration: number;
+  /** Σ ∫ d² over the regions, d the distance to the region's site. It never rises. */
+  energy: number;
+  /**
+   * The energy as a multiple of that of as many regular hexagons of the same area in the plane: the
+   * least there is where the surface is not curved.
+   */
+  relativeEnergy: number;
+  /** How far the site that has moved furthest has, in the model's units. */
+  largestMove: number;
+}
 
 /** The `detail` of this element's events, by their name. */
 export interface ViewerEvents {
@@ -39,6 +70,9 @@ export interface ViewerEvents {
   };
   /** The sites or the choice of one changed; the diagram follows. */
   'sites-change': { count: number; selected: number; canUndo: boolean; canRedo: boolean };
+  /** Sites and diagram are those of an iteration now; a `diagram` event follows when it pauses. */
+  'cvt-iteration': CvtIteration;
+  'cvt-change': { status: CvtStatus };
   /** The share done, 0 … 1, of what `status` says is under way. */
   progress: { share: number };
   'status-change': { status: Status };
@@ -70,8 +104,9 @@ const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
  * it, Delete removes it.
  *
  * Attributes: `src` (address of a .glb or .gltf), `alt`, `sites` (how many are scattered on a new
- * model) and their `seed`, `metric` (dgpc, exact), `detail` (0 …), `layers` (what is shown, separated
- * by spaces: regions, bisectors, sites, voronoi-points, wireframe). `status` tells what it does.
+ * model), their `seed` and `sampling` (random, farthest, poisson), `metric` (dgpc, exact), `detail` (0 …), `layers` (what is shown, separated
+ * by spaces: regions, bisectors, sites, voronoi-points, wireframe), `cvt-method` (lbfgs, lloyd),
+ * `cvt-iterations`. `status` tells what it does.
  * Slot `poster`: shown until there is a model, and if there can be none. A model opened from a file is
  * gone when the element leaves its document; that of `src` is there again when it returns.
  */
@@ -81,6 +116,7 @@ export class GeodesicVoronoiElement extends Base {
     'alt',
     'sites',
     'seed',
+    'sampling',
     'metric',
     'detail',
     'layers',
@@ -197,14 +233,17 @@ export class GeodesicVoronoiElement extends Base {
     this.#session?.replaceSites(sites);
   }
 
-  /** The diagram that is shown; it changes with the next `diagram` event. */
+  /**
+   * The diagram that is shown; it changes with the next `diagram` event. There is none without sites
+   * and while iterations of a centroidal tessellation are shown.
+   */
   get diagram(): Diagram | undefined {
     return this.#session?.shown?.diagram;
   }
 
-  /** Sites in random places instead of those there are. */
-  async scatter(count: number, seed = 1): Promise<void> {
-    await this.#session?.scatter(count, seed);
+  /** Sites in new places instead of those there are. */
+  async scatter(count: number, seed = 1, sampling: Sampling = 'random'): Promise<void> {
+    await this.#session?.scatter({ count, seed, sampling });
   }
 
   addSite(place: SitePlace): void {
@@ -259,6 +298,36 @@ export class GeodesicVoronoiElement extends Base {
     return hit && { face: hit.face, bary: hit.bary };
   }
 
+  // --- Centroidal tessellation ----------------------------------------------------------------
+
+  get cvtStatus(): CvtStatus {
+    return this.#session?.cvtStatus ?? 'idle';
+  }
+
+  /**
+   * Moves the sites to the centroids of their regions until the number of iterations is a multiple of
+   * `cvt-iterations`, and goes on where it was paused. All of it is one step to undo; any other change
+   * of the sites, and another `cvt-method`, ends it: the next one begins with the sites as they are then.
+   */
+  playCvt(): void {
+    const iterations = Math.max(1, Math.round(numberOf(this.getAttribute('cvt-iterations'), 50)));
+    this.#session?.playCvt(iterations, this.#cvtSettings);
+  }
+
+  /** One iteration. */
+  stepCvt(): void {
+    this.#session?.stepCvt(this.#cvtSettings);
+  }
+
+  pauseCvt(): void {
+    this.#session?.pauseCvt();
+  }
+
+  /** Back to the sites from before. */
+  resetCvt(): void {
+    this.#session?.resetCvt();
+  }
+
   // --- View -----------------------------------------------------------------------------------
 
   /** What is shown. */
@@ -300,6 +369,8 @@ export class GeodesicVoronoiElement extends Base {
         return this.cancel();
       case 'place':
         return this.#placeAt(new Vector2(0, 0));
+      case 'play-cvt':
+        return this.cvtStatus === 'running' ? this.pauseCvt() : this.playCvt();
       case 'next-site':
         return this.#selectNext(1);
       case 'previous-site':
@@ -356,7 +427,16 @@ export class GeodesicVoronoiElement extends Base {
         this.#emit('load', { name, info: mesh.info, parts: mesh.parts });
       },
       sitesChanged: () => this.#showSites(),
-      diagramChanged: (shown) => this.#showDiagram(shown),
+      diagramChanged: (shown, milliseconds) => {
+        this.#showDiagram(shown);
+        this.#tellDiagram(shown, milliseconds);
+      },
+      cvtIterated: (shown, { iteration, energy, largestMove }) => {
+        this.#showDiagram(shown);
+        const relativeEnergy = energy / hexagonEnergy(shown.data);
+        this.#emit('cvt-iteration', { iteration, energy, relativeEnergy, largestMove });
+      },
+      cvtStatusChanged: (status) => this.#emit('cvt-change', { status }),
       settingsRestored: ({ metric, detail }) => {
         this.setAttribute('metric', metric);
         this.setAttribute('detail', String(detail));
@@ -405,9 +485,8 @@ export class GeodesicVoronoiElement extends Base {
     if (changed.has('layers')) this.#showLayers();
     if (changed.has('metric') || changed.has('detail')) this.#configure();
     if (changed.has('src') && this.src) void this.load(this.src);
-    else if (changed.has('sites') || changed.has('seed')) {
-      const { count, seed } = this.#initialSites;
-      void this.scatter(count, seed);
+    else if (['sites', 'seed', 'sampling'].some((name) => changed.has(name))) {
+      void this.#session?.scatter(this.#scattering);
     }
   }
 
@@ -419,17 +498,22 @@ export class GeodesicVoronoiElement extends Base {
     });
   }
 
-  get #initialSites(): { count: number; seed: number } {
+  get #cvtSettings(): CvtSettings {
+    return { method: (this.getAttribute('cvt-method') ?? 'lbfgs') as CvtMethod };
+  }
+
+  get #scattering(): Scattering {
     return {
       count: numberOf(this.getAttribute('sites'), 0),
       seed: numberOf(this.getAttribute('seed'), 1),
+      sampling: (this.getAttribute('sampling') ?? 'random') as Sampling,
     };
   }
 
   #open(
     read: (signal: AbortSignal, onProgress: (share: number) => void) => Promise<ModelFiles>,
   ): Promise<boolean> {
-    return this.#session?.open(read, this.#initialSites) ?? Promise.resolve(false);
+    return this.#session?.open(read, this.#scattering) ?? Promise.resolve(false);
   }
 
   #draw(): void {
@@ -472,14 +556,16 @@ export class GeodesicVoronoiElement extends Base {
     });
   }
 
-  #showDiagram({ sites, diagram, metric, detail, milliseconds }: ShownDiagram): void {
-    const data = diagram?.data;
+  #showDiagram({ sites, data }: ShownDiagram): void {
     this.#model?.drawing.setDiagram(
       data,
       sites.map((site) => site.id),
     );
     this.#draw();
     this.#connected?.hover.refresh();
+  }
+
+  #tellDiagram({ sites, data, metric, detail }: ShownDiagram, milliseconds: number): void {
     this.#emit('diagram', {
       sites: sites.length,
       regions: data?.regionArea.reduce((count, area) => count + (area > 0 ? 1 : 0), 0) ?? 0,
