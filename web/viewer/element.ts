@@ -14,8 +14,9 @@ import type {
 import { Vector2 } from 'three';
 import { type Command, commandOf } from './commands.js';
 import type { CvtSettings } from './cvt_run.js';
+import { type Brush, DensityPaint } from './density_paint.js';
 import { fillShadow } from './element_template.js';
-import { hexagonEnergy } from './hexagon_energy.js';
+import { hexagonEnergy, rootDensityIntegral } from './hexagon_energy.js';
 import { Hover, type HoveredPoint } from './hover.js';
 import { type Layer, layers, ModelDrawing } from './model_drawing.js';
 import { fetchModelFiles, type ModelFiles, readModelFiles } from './model_files.js';
@@ -39,11 +40,12 @@ export { commandOf, layers };
 export interface CvtIteration {
   /** 0: the sites from before. */
   iteration: number;
-  /** Σ ∫ d² over the regions, d the distance to the region's site. It never rises. */
+  /** Σ ∫ ρ d² over the regions, d the distance to the region's site, ρ the density. It never rises. */
   energy: number;
   /**
    * The energy as a multiple of that of as many regular hexagons of the same area in the plane: the
-   * least there is where the surface is not curved.
+   * least there is where the surface is not curved. With a density, that of hexagons as large as it
+   * asks for.
    */
   relativeEnergy: number;
   /** How far the site that has moved furthest has, in the model's units. */
@@ -73,6 +75,8 @@ export interface ViewerEvents {
   /** Sites and diagram are those of an iteration now; a `diagram` event follows when it pauses. */
   'cvt-iteration': CvtIteration;
   'cvt-change': { status: CvtStatus };
+  /** The density was painted, set or cleared. */
+  'density-change': { isUniform: boolean };
   /** The share done, 0 … 1, of what `status` says is under way. */
   progress: { share: number };
   'status-change': { status: Status };
@@ -97,6 +101,13 @@ interface Connected {
   resizing: ResizeObserver;
 }
 
+/** As it was when it last came to rest. */
+interface Density {
+  perVertex: Float64Array;
+  /** ∫ √ρ. */
+  rootIntegral: number;
+}
+
 const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
 
 /**
@@ -106,7 +117,8 @@ const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
  * Attributes: `src` (address of a .glb or .gltf), `alt`, `sites` (how many are scattered on a new
  * model), their `seed` and `sampling` (random, farthest, poisson), `metric` (dgpc, exact), `detail` (0 …), `layers` (what is shown, separated
  * by spaces: regions, bisectors, sites, voronoi-points, wireframe), `cvt-method` (lbfgs, lloyd),
- * `cvt-iterations`. `status` tells what it does.
+ * `cvt-iterations`, `tool` (sites, density: what a press on the surface does), `brush-size` (in
+ * hundredths of the model's radius), `brush-density`. `status` tells what it does.
  * Slot `poster`: shown until there is a model, and if there can be none. A model opened from a file is
  * gone when the element leaves its document; that of `src` is there again when it returns.
  */
@@ -123,7 +135,8 @@ export class GeodesicVoronoiElement extends Base {
   ];
 
   #connected: Connected | undefined;
-  #model: { drawing: ModelDrawing; picker: Picker } | undefined;
+  #model: { drawing: ModelDrawing; picker: Picker; paint: DensityPaint } | undefined;
+  #density: Density | undefined;
   #selected: number | undefined;
   readonly #changedAttributes = new Set<string>();
 
@@ -328,6 +341,18 @@ export class GeodesicVoronoiElement extends Base {
     this.#session?.resetCvt();
   }
 
+  /** Per input vertex, 1 where nothing is painted; undefined if that is everywhere. */
+  get density(): Float64Array | undefined {
+    return this.#density?.perVertex.slice();
+  }
+
+  /** Values are kept between a thousandth and a thousand. */
+  set density(density: ArrayLike<number> | undefined) {
+    if (!this.#model) return;
+    this.#model.paint.density = density;
+    this.#adoptDensity();
+  }
+
   // --- View -----------------------------------------------------------------------------------
 
   /** What is shown. */
@@ -412,6 +437,9 @@ export class GeodesicVoronoiElement extends Base {
         this.#selected = site;
         this.#showSites();
       },
+      beginStroke: (x, y) => this.#isPainting && this.#dab(stage.toDevice(x, y)),
+      stroke: (x, y) => this.#dab(stage.toDevice(x, y)),
+      endStroke: () => this.#adoptDensity(),
       move: (site, x, y) => this.#drag(site, x, y),
       endMove: () => this.#session?.endMove(),
       cancelMove: () => this.#session?.cancelMove(),
@@ -433,7 +461,8 @@ export class GeodesicVoronoiElement extends Base {
       },
       cvtIterated: (shown, { iteration, energy, largestMove }) => {
         this.#showDiagram(shown);
-        const relativeEnergy = energy / hexagonEnergy(shown.data);
+        const least = shown.data && hexagonEnergy(shown.data, this.#density?.rootIntegral);
+        const relativeEnergy = energy / (least ?? NaN);
         this.#emit('cvt-iteration', { iteration, energy, relativeEnergy, largestMove });
       },
       cvtStatusChanged: (status) => this.#emit('cvt-change', { status }),
@@ -499,7 +528,10 @@ export class GeodesicVoronoiElement extends Base {
   }
 
   get #cvtSettings(): CvtSettings {
-    return { method: (this.getAttribute('cvt-method') ?? 'lbfgs') as CvtMethod };
+    return {
+      method: (this.getAttribute('cvt-method') ?? 'lbfgs') as CvtMethod,
+      density: this.#density?.perVertex,
+    };
   }
 
   get #scattering(): Scattering {
@@ -528,7 +560,12 @@ export class GeodesicVoronoiElement extends Base {
       stage.remove(this.#model.drawing.object);
       this.#model.drawing.dispose();
     }
-    this.#model = { drawing: new ModelDrawing(mesh), picker: new Picker(mesh) };
+    this.#model = {
+      drawing: new ModelDrawing(mesh),
+      picker: new Picker(mesh),
+      paint: new DensityPaint(mesh),
+    };
+    this.#adoptDensity();
     stage.add(this.#model.drawing.object);
     this.#showLayers();
     this.refit();
@@ -582,7 +619,49 @@ export class GeodesicVoronoiElement extends Base {
     return this.#model?.picker.pick(device, this.#required().stage.camera);
   }
 
+  get #isPainting(): boolean {
+    return this.getAttribute('tool') === 'density';
+  }
+
+  get #brush(): Brush {
+    return {
+      radius: numberOf(this.getAttribute('brush-size'), 20) / 100,
+      density: numberOf(this.getAttribute('brush-density'), 100),
+    };
+  }
+
+  /** Paints density there; returns whether there is any surface. */
+  #dab(device: Vector2): boolean {
+    const hit = this.#pick(device);
+    if (!hit || !this.#model) return false;
+    const { paint, drawing } = this.#model;
+    paint.dab(hit, this.#brush);
+    drawing.setTints(paint.tints);
+    this.#draw();
+    return true;
+  }
+
+  /** A tessellation that plays goes on with the density that is painted now. */
+  #adoptDensity(): void {
+    const mesh = this.#session?.mesh;
+    if (!this.#model || !mesh) return;
+    const { paint, drawing } = this.#model;
+    const perVertex = paint.density;
+    this.#density = perVertex && {
+      perVertex,
+      rootIntegral: rootDensityIntegral(mesh, perVertex),
+    };
+    drawing.setTints(paint.tints);
+    this.#draw();
+    this.#emit('density-change', { isUniform: perVertex === undefined });
+    if (this.cvtStatus === 'running') this.playCvt();
+  }
+
   #placeAt(device: Vector2): void {
+    if (this.#isPainting) {
+      if (this.#dab(device)) this.#adoptDensity();
+      return;
+    }
     const hit = this.#pick(device);
     if (hit) this.addSite(hit);
   }
