@@ -705,7 +705,7 @@ export class GeodesicVoronoiElement extends Base {
   #hover(x: number, y: number): void {
     const { stage, canvas, hover } = this.#required();
     const hit = this.#pick(stage.toDevice(x, y));
-    const overSite = hit && this.#siteAt(x, y, 10) !== undefined;
+    const overSite = hit && !this.#isPainting && this.#siteAt(x, y, 10) !== undefined;
     canvas.style.cursor = overSite ? 'grab' : hit ? 'crosshair' : '';
     hover.moveTo(hit);
   }
