@@ -45,14 +45,14 @@ export class EnergyCurve {
     const parts = [
       line('axis', plot.left, plot.bottom, plot.right, plot.bottom),
       line('axis', plot.left, plot.top, plot.left, plot.bottom),
-      text('end', plot.left - 6, plot.bottom + 12, '0'),
+      text('start', plot.left, plot.bottom + 14, '0'),
       text('end', plot.right, plot.bottom + 14, `${lastIteration} iterations`),
     ];
     if (last >= 0) {
       parts.push(
         line('hexagons', plot.left, y(1), plot.right, y(1)),
         text('end', plot.left - 6, y(highest) + 6, highest.toFixed(2)),
-        text('end', plot.left - 6, y(1) - 2, '1'),
+        text('end', plot.left - 6, y(1) + 4, '1'),
         make('polyline', { points: energies.map((e, i) => `${x(i)},${y(e)}`).join(' ') }),
         make('circle', { cx: x(last), cy: y(energies[last]), r: 3 }),
       );

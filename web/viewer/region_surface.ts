@@ -17,7 +17,7 @@ const neutralColour = 0xd9d6d0;
 /** Faces that no site reaches. */
 const unreachableColour = 0x9a9ca1;
 /** Where the painted density is greatest and least. */
-const denseColour = 0xb0124f;
+const denseColour = 0x4a1942;
 const sparseColour = 0xffffff;
 const tintOpacity = 0.75;
 
