@@ -83,6 +83,7 @@ export class Session {
   #move: { id: number; recorded: boolean } | undefined;
   #cvt: CvtRun | undefined;
   #cvtStatus: CvtStatus = 'idle';
+  #scattering: Scattering | undefined;
   #computing = false;
   #status: Status = 'empty';
 
@@ -156,11 +157,18 @@ export class Session {
   async scatter(scattering: Scattering): Promise<void> {
     const mesh = this.#mesh;
     if (!mesh) return;
+    this.#scattering = scattering;
+    this.#updateStatus();
+    // Whether nothing newer has been asked for, nor this been given up.
+    const isWanted = () => mesh === this.#mesh && this.#scattering === scattering;
     try {
       const sites = await scattered(mesh, scattering);
-      if (mesh === this.#mesh) this.#record(this.#history.createAll(sites));
+      if (isWanted()) this.#record(this.#history.createAll(sites));
     } catch (error) {
-      if (mesh === this.#mesh) this.#fail(error);
+      if (isWanted()) this.#fail(error);
+    } finally {
+      if (isWanted()) this.#scattering = undefined;
+      this.#updateStatus();
     }
   }
 
@@ -261,6 +269,7 @@ export class Session {
   cancel(): void {
     this.#opening?.abort();
     this.#opening = undefined;
+    this.#scattering = undefined;
     if (this.#cvt?.playing) this.#cvt.pause();
     else this.#task.cancel();
     this.#updateStatus();
@@ -292,6 +301,7 @@ export class Session {
 
   #adopt(mesh: Mesh, name: string, sites: Sites): void {
     this.#stopCvt();
+    this.#scattering = undefined;
     this.#task.cancel();
     this.#shown?.diagram?.dispose();
     this.#mesh?.dispose();
@@ -431,7 +441,7 @@ export class Session {
       ? 'loading'
       : this.#cvt?.playing
         ? 'iterating'
-        : this.#computing
+        : this.#computing || this.#scattering
           ? 'computing'
           : this.#mesh
             ? 'ready'
