@@ -293,8 +293,21 @@ class Continuation {
   }
 
   void addLook(const View& view, int label) {
+    if (isFutile(view)) return;
     looks_.push_back({view, label});
     queueLook(static_cast<int>(looks_.size()) - 1);
+  }
+
+  /// Whether a view through an edge has no width, or comes from so far that the nearest sites of the
+  /// edge's ends, and with them those of all its points, are nearer: distances differ by no more
+  /// than the way between. This ends every chain of looks.
+  bool isFutile(const View& view) const {
+    if (!(cross(view.right, view.left) > 0)) return true;
+    const int tail = mesh_.tail(view.halfedge), tip = mesh_.tip(view.halfedge);
+    const double length = mesh_.length(view.halfedge);
+    const double beside = std::max({0.0, -view.source.x(), view.source.x() - length});
+    const double least = view.offset + std::hypot(beside, view.source.y());
+    return least > (nearest_[tail].distance + nearest_[tip].distance + length) / 2;
   }
 
   /// Regions may be so narrow that they cross faces of which they own no corner: there the site is
