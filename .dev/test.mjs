@@ -30,6 +30,13 @@ const runners = [
     command: () => nodeTest('tests/web', '--test-concurrency=1'),
     closing: nodeTestClosing,
   },
+];
+
+/**
+ * npm test -- --sanitized: the C++ tests only, watched by AddressSanitizer and UBSan. Several times
+ * slower, hence fewer of the random cases.
+ */
+const sanitizedRunners = [
   {
     name: 'core, sanitized',
     prepare: () => buildWithCMake('build/sanitized', { options: sanitized }),
@@ -37,8 +44,6 @@ const runners = [
     closing: ctestClosing,
   },
 ];
-
-/** Several times slower, hence fewer of the random cases. */
 const sanitized = [
   '-DCMAKE_BUILD_TYPE=Debug',
   '-DGVD_SANITIZE=address,undefined',
@@ -86,7 +91,8 @@ async function result({ name, prepare, command, closing }) {
 await main(async () => {
   setUp('test');
   const results = [];
-  for (const runner of runners) results.push(await result(runner));
+  const chosen = process.argv.includes('--sanitized') ? sanitizedRunners : runners;
+  for (const runner of chosen) results.push(await result(runner));
   announce('Results');
   for (const { name, failed, line } of results) {
     console.log(`${failed ? 'FAILED' : 'ok    '}  ${name.padEnd(15)}  ${line}`);
