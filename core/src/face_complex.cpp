@@ -67,9 +67,16 @@ FaceComplex::FaceComplex(const TriangleMesh& mesh, const DistanceField& distance
 void FaceComplex::complete() {
   for (bool changed = true; changed;) {
     changed = false;
-    for (int e = 0; e < elementCount(); ++e)
+    for (int e = 0; e < elementCount(); ++e) {
+      if (soleOwner(e) != Diagram::kMixed && !hasSeveralLabels(e)) continue;
       for (int side = 0; side < 3; ++side) changed |= completeAcross(e, side);
+    }
   }
+}
+
+bool FaceComplex::hasSeveralLabels(int element) const {
+  const auto tail = tails().subspan(3 * element, 3);
+  return isShared_[tail[0]] || isShared_[tail[1]] || isShared_[tail[2]];
 }
 
 bool FaceComplex::completeAcross(int element, int side) {
@@ -95,6 +102,7 @@ bool FaceComplex::completeAcross(int element, int side) {
 
 /// A label not known at a node does not own it: what is added there stays behind the owner.
 void FaceComplex::addLabel(int node, LabelledDistance added) {
+  isShared_[node] = true;
   const int vertices = mesh_.vertexCount();
   if (node < vertices) {
     const Labels known = labels(node);
@@ -143,6 +151,7 @@ void FaceComplex::addOwner(std::span<const LabelledDistance> labels) {
   }
   owner_.push_back(best.label);
   hasTie_.push_back(hasTie);
+  isShared_.push_back(labels.size() > 1);
 }
 
 int FaceComplex::soleOwner(int element) const {

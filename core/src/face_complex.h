@@ -65,6 +65,7 @@ class FaceComplex {
   int midpoint(int element, int side);
   void matchTwins();
   void complete();
+  bool hasSeveralLabels(int element) const;
   bool completeAcross(int element, int side);
   void addLabel(int node, LabelledDistance added);
   double unfold(int element, int side, double atTail, double atTip) const;
@@ -74,6 +75,7 @@ class FaceComplex {
   const DistanceField& distances_;
   std::vector<int> owner_;
   std::vector<char> hasTie_;
+  std::vector<char> isShared_;  ///< whether a node knows more than one label
   std::vector<int> tail_, twin_, face_;
   std::vector<Eigen::Matrix3d> corners_;
   std::vector<std::vector<LabelledDistance>> added_;  ///< of the nodes that are no vertices
