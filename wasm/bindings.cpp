@@ -17,6 +17,7 @@
 #include "abi.h"
 #include "gvd/cvt.h"
 #include "gvd/diagram.h"
+#include "gvd/dynamic_diagram.h"
 #include "gvd/error.h"
 #include "gvd/geodesic.h"
 #include "gvd/sampling.h"
@@ -38,9 +39,14 @@ struct MeshHandle {
 /// is that of a `MeshHandle` as well.
 struct VoronoiHandle {
   MeshHandle surface;
-  int siteCount = 0;
+  std::vector<SurfacePoint> sites;
+  Metric metric;
+  DiagramOptions options;
   std::unique_ptr<Propagation> propagation;  // until it is done
   std::unique_ptr<DistanceField> distances;  // from then on
+  std::unique_ptr<DynamicDiagram> dynamic;   // instead, once sites have changed
+
+  const DistanceField& field() const { return dynamic ? dynamic->distances() : *distances; }
 };
 static_assert(std::is_standard_layout_v<VoronoiHandle>);
 
@@ -184,22 +190,50 @@ std::vector<int> inputFaceLabels(const TriangleMesh& mesh, std::span<const int> 
   return labels;
 }
 
+void addDiagram(Arrays& out, const TriangleMesh& mesh, Diagram diagram) {
+  addPoints(out, mesh, diagram.points);
+  out.add(positionsOf(mesh, diagram.points));
+  addSegments(out, mesh, diagram.segments);
+  addLists(out, std::move(diagram.arcs));
+  out.add(flat(diagram.arcLabels));
+  addVoronoiPoints(out, diagram.voronoiPoints);
+  addLists(out, std::move(diagram.loops));
+  out.add(std::move(diagram.loopLabel));
+  out.add(std::move(diagram.regionArea));
+  out.add(std::move(diagram.faceLabel));
+  out.add(inputFaces(mesh, std::move(diagram.indifferentFaces)));
+  addLists(out, std::move(diagram.cells));
+  out.add(inputFaces(mesh, std::move(diagram.cellFace)));
+  out.add(std::move(diagram.cellLabel));
+}
+
 std::unique_ptr<Arrays> flatten(const TriangleMesh& mesh, Diagram diagram) {
   auto out = std::make_unique<Arrays>();
-  addPoints(*out, mesh, diagram.points);
-  out->add(positionsOf(mesh, diagram.points));
-  addSegments(*out, mesh, diagram.segments);
-  addLists(*out, std::move(diagram.arcs));
-  out->add(flat(diagram.arcLabels));
-  addVoronoiPoints(*out, diagram.voronoiPoints);
-  addLists(*out, std::move(diagram.loops));
-  out->add(std::move(diagram.loopLabel));
-  out->add(std::move(diagram.regionArea));
-  out->add(inputFaceLabels(mesh, diagram.faceLabel));
-  out->add(inputFaces(mesh, std::move(diagram.indifferentFaces)));
-  addLists(*out, std::move(diagram.cells));
-  out->add(inputFaces(mesh, std::move(diagram.cellFace)));
-  out->add(std::move(diagram.cellLabel));
+  diagram.faceLabel = inputFaceLabels(mesh, diagram.faceLabel);
+  addDiagram(*out, mesh, std::move(diagram));
+  return out;
+}
+
+/// The diagram of which sites can change; made when the first one does.
+DynamicDiagram& dynamicOf(VoronoiHandle& voronoi) {
+  if (voronoi.metric != Metric::kDgpc)
+    throw Error(ErrorCode::kInvalidArgument,
+                "sites can be changed with the metric dgpc only; compute another diagram");
+  if (!voronoi.dynamic) {
+    voronoi.dynamic =
+        std::make_unique<DynamicDiagram>(*voronoi.surface.mesh, voronoi.sites, voronoi.options);
+    voronoi.distances.reset();
+  }
+  return *voronoi.dynamic;
+}
+
+/// The label of the site, labels, faces, and the part (see `addDiagram`).
+std::unique_ptr<Arrays> flatten(const TriangleMesh& mesh, int label, DiagramChange change) {
+  auto out = std::make_unique<Arrays>();
+  out->add(std::vector<int>{label});
+  out->add(std::move(change.labels));
+  out->add(inputFaces(mesh, std::move(change.faces)));
+  addDiagram(*out, mesh, std::move(change.part));
   return out;
 }
 
@@ -267,11 +301,11 @@ GVD_ABI VoronoiHandle* startVoronoi(const MeshHandle* handle, const int* face, c
                                     std::size_t count, int metric) {
   return guarded([&] {
     const TriangleMesh& mesh = *handle->mesh;
-    const std::vector<SurfacePoint> sites = sitesFromInput(mesh, face, bary, count);
     auto voronoi = std::make_unique<VoronoiHandle>();
     voronoi->surface = *handle;
-    voronoi->siteCount = static_cast<int>(count);
-    voronoi->propagation = propagate(mesh, sites, static_cast<Metric>(metric));
+    voronoi->sites = sitesFromInput(mesh, face, bary, count);
+    voronoi->metric = static_cast<Metric>(metric);
+    voronoi->propagation = propagate(mesh, voronoi->sites, voronoi->metric);
     return voronoi.release();
   });
 }
@@ -293,12 +327,39 @@ GVD_ABI double voronoiProgress(const VoronoiHandle* voronoi) {
 }
 
 /// The diagram, see `flatten`. Only after `stepVoronoi` said it is done.
-GVD_ABI Arrays* traceVoronoi(const VoronoiHandle* voronoi, int detail) {
+GVD_ABI Arrays* traceVoronoi(VoronoiHandle* voronoi, int detail) {
   return guarded([&] {
     const TriangleMesh& mesh = *voronoi->surface.mesh;
-    return flatten(mesh,
-                   traceDiagram(mesh, *voronoi->distances, voronoi->siteCount, {.detail = detail}))
+    voronoi->options = {.detail = detail};
+    return flatten(mesh, traceDiagram(mesh, *voronoi->distances,
+                                      static_cast<int>(voronoi->sites.size()), voronoi->options))
         .release();
+  });
+}
+
+/// Inserts a site, see `flatten`. These three only after `traceVoronoi`.
+GVD_ABI Arrays* insertSite(VoronoiHandle* voronoi, int face, double b0, double b1, double b2) {
+  return guarded([&] {
+    const TriangleMesh& mesh = *voronoi->surface.mesh;
+    const SurfacePoint site = mesh.fromInput({face, {b0, b1, b2}});
+    DynamicDiagram& dynamic = dynamicOf(*voronoi);
+    const int label = dynamic.lowestFreeLabel();
+    return flatten(mesh, label, dynamic.insertSite(site)).release();
+  });
+}
+
+GVD_ABI Arrays* moveSite(VoronoiHandle* voronoi, int label, int face, double b0, double b1,
+                         double b2) {
+  return guarded([&] {
+    const TriangleMesh& mesh = *voronoi->surface.mesh;
+    const SurfacePoint site = mesh.fromInput({face, {b0, b1, b2}});
+    return flatten(mesh, label, dynamicOf(*voronoi).moveSite(label, site)).release();
+  });
+}
+
+GVD_ABI Arrays* removeSite(VoronoiHandle* voronoi, int label) {
+  return guarded([&] {
+    return flatten(*voronoi->surface.mesh, label, dynamicOf(*voronoi).removeSite(label)).release();
   });
 }
 
@@ -311,7 +372,7 @@ GVD_ABI Arrays* locate(const VoronoiHandle* voronoi, const int* face, const doub
     label.reserve(count);
     distance.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
-      const LabelledDistance nearest = voronoi->distances->nearest(
+      const LabelledDistance nearest = voronoi->field().nearest(
           pointFromInput(*voronoi->surface.mesh, "point", static_cast<int>(i), face, bary));
       label.push_back(nearest.label);
       distance.push_back(nearest.distance);

@@ -8,6 +8,9 @@ export type EngineCall =
   | 'pointsAtVertices'
   | 'sampleSites'
   | 'openDiagram'
+  | 'insertSite'
+  | 'moveSite'
+  | 'removeSite'
   | 'locate'
   | 'openCvt'
   | 'advanceCvt';
