@@ -516,6 +516,7 @@ class Continuation {
 
   /// Hands over what is known at a vertex. Returns whether it is anything else than before.
   bool collect(int v) {
+    if (firstGuest_[v] < 0 && owner(v) >= 0) return collectOwner(v);
     labels_.clear();
     departures_.clear();
     if (owner(v) >= 0) labels_.push_back(field_.nearest(v));
@@ -530,6 +531,17 @@ class Continuation {
                                        return a.label == b.label && a.distance == b.distance;
                                      });
     field_.setLabels(v, labels_, departures_);
+    return isOther;
+  }
+
+  /// The same where nothing else is known, as at most vertices.
+  bool collectOwner(int v) {
+    const LabelledDistance& nearest = field_.nearest(v);
+    const Vector2d none(0, 0);
+    const auto before = field_.at(v);
+    const bool isOther = before.size() != 1 || before[0].label != nearest.label ||
+                         before[0].distance != nearest.distance;
+    if (isOther) field_.setLabels(v, {&nearest, 1}, {&none, 1});
     return isOther;
   }
 

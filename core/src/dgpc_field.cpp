@@ -60,11 +60,12 @@ void DgpcField::setLabels(int vertex, std::span<const LabelledDistance> labels,
   if (list.count > list.room) {
     list.first = static_cast<int>(values_.size());
     list.room = list.count;
-    values_.resize(values_.size() + labels.size());
-    departures_.resize(values_.size());
+    values_.insert(values_.end(), labels.begin(), labels.end());
+    departures_.insert(departures_.end(), departures.begin(), departures.end());
+  } else {
+    std::copy(labels.begin(), labels.end(), values_.begin() + list.first);
+    std::copy(departures.begin(), departures.end(), departures_.begin() + list.first);
   }
-  std::copy(labels.begin(), labels.end(), values_.begin() + list.first);
-  std::copy(departures.begin(), departures.end(), departures_.begin() + list.first);
 }
 
 std::span<const LabelledDistance> DgpcField::at(int vertex) const {

@@ -2,7 +2,8 @@
 #include "gvd/dynamic_diagram.h"
 
 #include <algorithm>
-#include <bit>
+#include <cstdint>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <string>
@@ -39,10 +40,10 @@ class PlaceIndex {
  private:
   struct Hash {
     size_t operator()(const SurfacePoint& p) const {
-      size_t hash = static_cast<size_t>(p.face);
+      std::uint64_t hash = static_cast<std::uint64_t>(p.face);
       for (int i = 0; i < 2; ++i)
-        hash = (hash ^ std::bit_cast<std::uint64_t>(p.bary[i])) * 0x9e3779b97f4a7c15u;
-      return hash ^ hash >> 32;
+        hash = (hash ^ std::hash<double>()(p.bary[i])) * 0x9e3779b97f4a7c15u;
+      return static_cast<size_t>(hash ^ hash >> 32);
     }
   };
   struct Equal {
