@@ -19,59 +19,101 @@ export function changedSites(
 
 /** The diagram after a change: what the change names is replaced, all else is kept. */
 export function changedData(data: DiagramData, change: DiagramChange): DiagramData {
-  return new Merge(data, change).run();
+  const { part, labels, faces } = change;
+  const siteCount = Math.max(data.siteCount, 1 + (labels.at(-1) ?? -1));
+  const regionArea = new Float64Array(siteCount);
+  regionArea.set(data.regionArea);
+  labels.forEach((label, i) => (regionArea[label] = part.regionArea[i]));
+  const faceLabel = data.faceLabel.slice();
+  faces.forEach((face, i) => (faceLabel[face] = part.faceLabel[i]));
+  return { siteCount, ...new Merge(data, change).run(), regionArea, faceLabel };
 }
+
+/** Two changes as one: the second was made after the first. */
+export function combinedChange(first: DiagramChange, second: DiagramChange): DiagramChange {
+  const [labels, regionArea] = overlaid(
+    [first.labels, first.part.regionArea],
+    [second.labels, second.part.regionArea],
+  );
+  const [faces, faceLabel] = overlaid(
+    [first.faces, first.part.faceLabel],
+    [second.faces, second.part.faceLabel],
+  );
+  const part = {
+    ...new Merge(first.part, second).run(),
+    regionArea: Float64Array.from(regionArea),
+    faceLabel: Int32Array.from(faceLabel),
+  };
+  return { label: second.label, labels, faces, part };
+}
+
+/**
+ * Appends a change to a list, where it is combined with those before that are no larger: a site that
+ * is dragged changes the same place again and again, and the list stays short wherever changes are.
+ */
+export function pushChange(changes: DiagramChange[], change: DiagramChange): void {
+  let last = change;
+  for (;;) {
+    const before = changes.at(-1);
+    if (!before || sizeOf(before) > 2 * sizeOf(last)) break;
+    last = combinedChange(before, last);
+    changes.pop();
+  }
+  changes.push(last);
+}
+
+function sizeOf({ part }: DiagramChange): number {
+  return part.points.face.length;
+}
+
+/** Values by ascending keys, the second ones where both have any. */
+function overlaid(
+  ...layers: [Int32Array, ArrayLike<number>][]
+): [keys: Int32Array, values: number[]] {
+  const valueOf = new Map<number, number>();
+  for (const [keys, values] of layers) keys.forEach((key, i) => valueOf.set(key, values[i]));
+  const keys = Int32Array.from(valueOf.keys()).sort();
+  return [keys, Array.from(keys, (key) => valueOf.get(key)!)];
+}
+
+/** What a diagram and the part of a change are made of alike: all but the values per label and face. */
+type Pieces = Omit<DiagramData, 'siteCount' | 'regionArea' | 'faceLabel'>;
 
 /** One of the two sources of a merged diagram: its arrays, and where its points went. */
 interface Source {
-  arrays: Omit<DiagramData, 'siteCount'>;
+  arrays: Pieces;
   pointOf: (point: number) => number;
 }
 
 class Merge {
-  readonly #change: DiagramChange;
   readonly #old: Source;
   readonly #part: Source;
-  readonly #siteCount: number;
-  readonly #isChangedLabel: Uint8Array;
-  readonly #isChangedFace: Uint8Array;
+  readonly #changedLabels: ReadonlySet<number>;
+  readonly #changedFaces: ReadonlySet<number>;
   readonly #points = new MergedPoints();
 
-  constructor(data: DiagramData, change: DiagramChange) {
-    this.#change = change;
-    this.#siteCount = Math.max(data.siteCount, change.label + 1);
-    this.#old = { arrays: data, pointOf: this.#points.from(data.points, change.part.points) };
-    this.#part = { arrays: change.part, pointOf: this.#points.from(change.part.points) };
-    this.#isChangedLabel = marks(this.#siteCount, change.labels);
-    this.#isChangedFace = marks(data.faceLabel.length, change.faces);
+  constructor(old: Pieces, { part, labels, faces }: DiagramChange) {
+    this.#old = { arrays: old, pointOf: this.#points.from(old.points, part.points) };
+    this.#part = { arrays: part, pointOf: this.#points.from(part.points) };
+    this.#changedLabels = new Set(labels);
+    this.#changedFaces = new Set(faces);
   }
 
-  run(): DiagramData {
-    const old = this.#old.arrays;
-    const { part, labels, faces } = this.#change;
-    const lines = this.#lines();
-    const regionArea = new Float64Array(this.#siteCount);
-    regionArea.set(old.regionArea);
-    labels.forEach((label, i) => (regionArea[label] = part.regionArea[i]));
-    const faceLabel = old.faceLabel.slice();
-    faces.forEach((face, i) => (faceLabel[face] = part.faceLabel[i]));
-    const kept = old.indifferentFaces.filter((face) => !this.#isChangedFace[face]);
-    const result = {
-      siteCount: this.#siteCount,
-      ...lines,
+  run(): Pieces {
+    const kept = this.#old.arrays.indifferentFaces.filter((face) => !this.#changedFaces.has(face));
+    const pieces = {
+      ...this.#lines(),
       voronoiPoints: this.#voronoiPoints(),
       loops: this.#loops(),
-      regionArea,
-      faceLabel,
-      indifferentFaces: Int32Array.from([...kept, ...part.indifferentFaces]).sort(),
+      indifferentFaces: Int32Array.from([...kept, ...this.#part.arrays.indifferentFaces]).sort(),
       cells: this.#cells(),
     };
-    return { ...result, points: this.#points.arrays() };
+    return { points: this.#points.arrays(), ...pieces };
   }
 
   /** Whether a bisector of two labels is replaced. */
   #isChangedPair(labels: Int32Array, i: number): boolean {
-    return !!this.#isChangedLabel[labels[2 * i]] || !!this.#isChangedLabel[labels[2 * i + 1]];
+    return this.#changedLabels.has(labels[2 * i]) || this.#changedLabels.has(labels[2 * i + 1]);
   }
 
   #lines(): Pick<DiagramData, 'segments' | 'arcs'> {
@@ -82,7 +124,8 @@ class Merge {
     const face: number[] = [];
     const arc: number[] = [];
     for (const { arrays, pointOf } of [this.#old, this.#part]) {
-      const isKept = (i: number) => arrays !== this.#old.arrays || !this.#isChangedPair(arrays.arcs.labels, i);
+      const isKept = (i: number) =>
+        arrays !== this.#old.arrays || !this.#isChangedPair(arrays.arcs.labels, i);
       const arcOf = new Int32Array(arrays.arcs.offset.length - 1).fill(-1);
       for (let i = 0; i < arcOf.length; ++i) {
         if (!isKept(i)) continue;
@@ -121,7 +164,7 @@ class Merge {
           voronoiPoints.labelOffset[i],
           voronoiPoints.labelOffset[i + 1],
         );
-        if (arrays === this.#old.arrays && around.some((label) => this.#isChangedLabel[label])) {
+        if (arrays === this.#old.arrays && around.some((label) => this.#changedLabels.has(label))) {
           continue;
         }
         point.push(pointOf(voronoiPoints.point[i]));
@@ -140,8 +183,11 @@ class Merge {
     return this.#inOrder(
       ({ loops }) => loops,
       ({ loops }) => loops.label,
-      this.#isChangedLabel,
-      (lists, order) => ({ ...lists, label: Int32Array.from(order, ([source, i]) => source.loops.label[i]) }),
+      this.#changedLabels,
+      (lists, order) => ({
+        ...lists,
+        label: Int32Array.from(order, ([source, i]) => source.loops.label[i]),
+      }),
     );
   }
 
@@ -149,7 +195,7 @@ class Merge {
     return this.#inOrder(
       ({ cells }) => cells,
       ({ cells }) => cells.face,
-      this.#isChangedFace,
+      this.#changedFaces,
       (lists, order) => ({
         ...lists,
         face: Int32Array.from(order, ([source, i]) => source.cells.face[i]),
@@ -162,7 +208,7 @@ class Merge {
   #inOrder<Result>(
     listsOf: (arrays: Source['arrays']) => PointLists,
     keyOf: (arrays: Source['arrays']) => Int32Array,
-    isChanged: Uint8Array,
+    changed: ReadonlySet<number>,
     build: (lists: PointLists, order: readonly (readonly [Source['arrays'], number])[]) => Result,
   ): Result {
     const lists = new ListsBuilder();
@@ -178,7 +224,7 @@ class Merge {
       while (next < newKey.length && (i === oldKey.length || newKey[next] <= oldKey[i])) {
         take(this.#part, next++);
       }
-      if (i < oldKey.length && !isChanged[oldKey[i]]) take(this.#old, i);
+      if (i < oldKey.length && !changed.has(oldKey[i])) take(this.#old, i);
     }
     return build(lists.lists(), order);
   }
@@ -250,10 +296,4 @@ class ListsBuilder {
   lists(): PointLists {
     return { offset: Int32Array.from(this.#offset), points: Int32Array.from(this.#points) };
   }
-}
-
-function marks(count: number, indices: Int32Array): Uint8Array {
-  const marked = new Uint8Array(count);
-  for (const i of indices) marked[i] = 1;
-  return marked;
 }

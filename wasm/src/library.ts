@@ -3,7 +3,7 @@
 // The objects that callers hold. They check what they are given, know whether they are still alive,
 // and leave the work to an engine: so all engines behave alike.
 
-import { changedData, changedSites } from './change.js';
+import { changedData, changedSites, combinedChange, pushChange } from './change.js';
 import { regionsOf } from './region.js';
 import {
   toCount,
@@ -81,7 +81,7 @@ class EngineDiagram implements Diagram {
   readonly #kept: Kept;
   #sites: SurfacePoints;
   #data: DiagramData;
-  /** What `data` does not know yet: merging is left until somebody asks for all of it. */
+  /** What `data` does not know yet: that is merged when somebody asks for all of it. */
   #changes: DiagramChange[] = [];
   #regions: readonly Region[] | undefined;
   #lastChange: Promise<unknown> = Promise.resolve();
@@ -103,7 +103,11 @@ class EngineDiagram implements Diagram {
   }
 
   get data(): DiagramData {
-    this.#data = this.#changes.reduce(changedData, this.#data);
+    const change = this.#changes.reduceRight<DiagramChange | undefined>(
+      (later, earlier) => (later ? combinedChange(earlier, later) : earlier),
+      undefined,
+    );
+    if (change) this.#data = changedData(this.#data, change);
     this.#changes = [];
     return this.#data;
   }
@@ -113,31 +117,31 @@ class EngineDiagram implements Diagram {
   }
 
   insertSite(site: SurfacePointsInput): Promise<DiagramChange> {
-    return this.#change(async () => {
+    return this.#inTurn(async () => {
       const point = await resolvePoint(this.#kept, site);
       return [await this.#kept.engine.insertSite(this.#kept.handle, point), point];
     });
   }
 
   moveSite(label: number, site: SurfacePointsInput): Promise<DiagramChange> {
-    return this.#change(async () => {
+    return this.#inTurn(async () => {
       const point = await resolvePoint(this.#kept, site);
       return [await this.#kept.engine.moveSite(this.#kept.handle, toLabel(label), point), point];
     });
   }
 
   removeSite(label: number): Promise<DiagramChange> {
-    return this.#change(async () => [
+    return this.#inTurn(async () => [
       await this.#kept.engine.removeSite(this.#kept.handle, toLabel(label)),
     ]);
   }
 
   /** One change after the other, in the order in which they were asked for. */
-  #change(task: () => Promise<[DiagramChange, SurfacePoints?]>): Promise<DiagramChange> {
+  #inTurn(task: () => Promise<[DiagramChange, SurfacePoints?]>): Promise<DiagramChange> {
     const result = this.#lastChange.then(async () => {
       const [change, site] = await task();
       this.#sites = changedSites(this.#sites, change.label, site);
-      this.#changes.push(change);
+      pushChange(this.#changes, change);
       this.#regions = undefined;
       return change;
     });
