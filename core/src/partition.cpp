@@ -32,7 +32,7 @@ class Partitioner {
     groupByLabel();
     numberVertices();
     findTwins();
-    measurePatches(mesh_, diagram_.siteCount, out_);
+    measurePatches(mesh_, diagram_.siteCount, isWholeFace_, out_);
     return std::move(out_);
   }
 
@@ -205,6 +205,7 @@ class Partitioner {
     out_.triangleLabel.resize(n);
     out_.triangleFace.resize(n);
     triangleOfPiece_.resize(n);
+    isWholeFace_.resize(n);
     for (size_t i = 0; i < n; ++i) {
       const Piece& piece = pieces_[i];
       const int t = next[partOf(piece.label)]++;
@@ -212,6 +213,7 @@ class Partitioner {
       out_.triangles[t] = piece.vertices;
       out_.triangleLabel[t] = piece.label;
       out_.triangleFace[t] = piece.face;
+      isWholeFace_[t] = plainPiece_[piece.face] >= 0;
     }
   }
 
@@ -220,6 +222,9 @@ class Partitioner {
     std::vector<int> number(meshVertices + diagram_.points.size(), -1);
     for (const auto& triangle : out_.triangles)
       for (const int v : triangle) number[v] = 0;
+    const size_t used = number.size() - std::count(number.begin(), number.end(), -1);
+    out_.points.reserve(used);
+    out_.positions.reserve(used);
     for (int v = 0; v < static_cast<int>(number.size()); ++v) {
       if (number[v] < 0) continue;
       number[v] = static_cast<int>(out_.points.size());
@@ -242,9 +247,8 @@ class Partitioner {
     std::vector<std::pair<std::uint64_t, int>> sides;
     for (int t = 0; t < static_cast<int>(out_.triangles.size()); ++t) {
       const int face = out_.triangleFace[t];
-      const bool isPlain = plainPiece_[face] >= 0;
       for (int i = 0; i < 3; ++i) {
-        if (isPlain) {
+        if (isWholeFace_[t]) {
           const int beyond = mesh_.twin(3 * face + i);
           if (beyond < 0) continue;
           const int piece = plainPiece_[TriangleMesh::faceOf(beyond)];
@@ -298,6 +302,7 @@ class Partitioner {
   std::vector<Piece> pieces_;
   std::vector<int> plainPiece_;  ///< per face, the piece that is all of it, or -1
   std::vector<int> triangleOfPiece_;
+  std::vector<char> isWholeFace_;  ///< per triangle
   std::vector<int> polygon_;
   std::vector<Eigen::Vector2d> corners_;
   ConvexTriangulation triangulation_;

@@ -3,7 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
+#include <span>
 
 #include "surface_geometry.h"
 
@@ -41,8 +41,9 @@ Vector3d nearestBary(const Vector3d& p, const std::array<Vector3d, 3>& corners) 
 
 class Surveyor {
  public:
-  Surveyor(const TriangleMesh& mesh, Partition& partition)
+  Surveyor(const TriangleMesh& mesh, std::span<const char> isWholeFace, Partition& partition)
       : mesh_(mesh),
+        isWholeFace_(isWholeFace),
         partition_(partition),
         isSeen_(partition.triangles.size(), false),
         isWalked_(partition.twins.size(), false),
@@ -73,6 +74,7 @@ class Surveyor {
 
   double areaOf(int t) const {
     const int face = partition_.triangleFace[t];
+    if (isWholeFace_[t]) return mesh_.faceArea(face);
     const Matrix3d bary = cornersInFace(mesh_, partition_, t);
     const Vector3d p = bary.col(1) - bary.col(0), q = bary.col(2) - bary.col(0);
     return std::max(0.0, p[0] * q[1] - p[1] * q[0]) * mesh_.faceArea(face);
@@ -166,11 +168,16 @@ class Surveyor {
   }
 
   void findNearCentroid(RegionPatch& region) {
-    double least = kInfinity;
+    double least = kInfinity;  // squared
     int nearest = region.firstTriangle;
     Vector3d bary = Vector3d::Unit(0);
     for (int i = 0; i < region.triangleCount; ++i) {
       const int t = region.firstTriangle + i;
+      // No point of a triangle is farther from a corner than its face's longest side is long.
+      const double toCorner =
+          (partition_.positions[partition_.triangles[t][0]] - region.centroid).squaredNorm();
+      const double reach = longestSide(partition_.triangleFace[t]);
+      if (toCorner > 2 * (least + reach * reach)) continue;  // (a + b)² ≤ 2 (a² + b²)
       const auto corners = cornersOf(t);
       const Vector3d here = nearestBary(region.centroid, corners);
       const double distance =
@@ -185,7 +192,13 @@ class Surveyor {
                            cornersInFace(mesh_, partition_, nearest) * bary};
   }
 
+  double longestSide(int face) const {
+    return std::max(
+        {mesh_.length(3 * face), mesh_.length(3 * face + 1), mesh_.length(3 * face + 2)});
+  }
+
   const TriangleMesh& mesh_;
+  const std::span<const char> isWholeFace_;
   Partition& partition_;
   std::vector<char> isSeen_;    ///< triangles
   std::vector<char> isWalked_;  ///< halfedges on outlines
@@ -203,7 +216,8 @@ int nextOnOutline(const Partition& partition, int h) {
   return next;
 }
 
-void measurePatches(const TriangleMesh& mesh, int siteCount, Partition& partition) {
+void measurePatches(const TriangleMesh& mesh, int siteCount, std::span<const char> isWholeFace,
+                    Partition& partition) {
   partition.regions.resize(siteCount);
   for (int l = 0; l < siteCount; ++l) partition.regions[l].label = l;
   const auto patchOf = [&](int label) -> RegionPatch& {
@@ -213,7 +227,7 @@ void measurePatches(const TriangleMesh& mesh, int siteCount, Partition& partitio
     RegionPatch& region = patchOf(partition.triangleLabel[t]);
     if (region.triangleCount++ == 0) region.firstTriangle = t;
   }
-  Surveyor surveyor(mesh, partition);
+  Surveyor surveyor(mesh, isWholeFace, partition);
   for (RegionPatch& region : partition.regions) surveyor.survey(region);
   surveyor.survey(partition.unreachable);
 }

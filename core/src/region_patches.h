@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
+
 #include "gvd/partition.h"
 #include "gvd/triangle_mesh.h"
 
 namespace gvd {
 
-/// Fills in `regions` and `unreachable` of a partition whose triangles and twins are known.
-void measurePatches(const TriangleMesh& mesh, int siteCount, Partition& partition);
+/// Fills in `regions` and `unreachable` of a partition whose triangles and twins are known, and
+/// which of its triangles are whole faces of the mesh.
+void measurePatches(const TriangleMesh& mesh, int siteCount, std::span<const char> isWholeFace,
+                    Partition& partition);
 
 /// The next halfedge along the outline of a region, from one that has another region beyond it, or
 /// nothing: around its tip, within the region.
