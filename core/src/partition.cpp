@@ -6,7 +6,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cstdint>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -244,7 +243,8 @@ class Partitioner {
   /// Between whole faces, the mesh's; the others are matched by their ends.
   void findTwins() {
     out_.twins.assign(3 * out_.triangles.size(), -1);
-    std::vector<std::pair<std::uint64_t, int>> sides;
+    firstOpen_.assign(out_.points.size(), -1);
+    nextOpen_.resize(out_.twins.size());
     for (int t = 0; t < static_cast<int>(out_.triangles.size()); ++t) {
       const int face = out_.triangleFace[t];
       for (int i = 0; i < 3; ++i) {
@@ -257,24 +257,29 @@ class Partitioner {
             continue;
           }
         }
-        const auto [low, high] = std::minmax(out_.triangles[t][i], out_.triangles[t][(i + 1) % 3]);
-        sides.push_back(
-            {static_cast<std::uint64_t>(low) << 32 | static_cast<std::uint32_t>(high), 3 * t + i});
+        findTwin(3 * t + i);
       }
     }
-    std::sort(sides.begin(), sides.end());
-    for (size_t i = 0; i < sides.size(); ++i)
-      for (size_t k = i + 1; k < sides.size() && sides[k].first == sides[i].first; ++k)
-        join(sides[i].second, sides[k].second);
   }
 
-  /// Where the mesh was cut, sides may have the same ends that have nothing to do with each other.
-  void join(int h, int other) {
-    const auto tail = [&](int halfedge) { return out_.triangles[halfedge / 3][halfedge % 3]; };
-    if (tail(h) == tail(other) || out_.twins[h] >= 0 || out_.twins[other] >= 0) return;
-    if (isOnMeshBoundary(h) && isOnMeshBoundary(other)) return;
-    out_.twins[h] = other;
-    out_.twins[other] = h;
+  /// Joins a halfedge with one that waits for it at the lower of their ends, or lets it wait.
+  void findTwin(int h) {
+    const int tail = out_.triangles[h / 3][h % 3], tip = out_.triangles[h / 3][(h + 1) % 3];
+    int* link = &firstOpen_[std::min(tail, tip)];
+    for (int* open = link; *open >= 0; open = &nextOpen_[*open]) {
+      const int other = *open;
+      if (out_.triangles[other / 3][other % 3] != tip ||
+          out_.triangles[other / 3][(other + 1) % 3] != tail)
+        continue;
+      // Where the mesh was cut, sides may have the same ends and nothing to do with each other.
+      if (isOnMeshBoundary(h) && isOnMeshBoundary(other)) continue;
+      out_.twins[h] = other;
+      out_.twins[other] = h;
+      *open = nextOpen_[other];
+      return;
+    }
+    nextOpen_[h] = *link;
+    *link = h;
   }
 
   bool isOnMeshBoundary(int h) const {
@@ -303,6 +308,8 @@ class Partitioner {
   std::vector<int> plainPiece_;  ///< per face, the piece that is all of it, or -1
   std::vector<int> triangleOfPiece_;
   std::vector<char> isWholeFace_;  ///< per triangle
+  /// Lists of the halfedges without a twin so far, by the lower of their ends.
+  std::vector<int> firstOpen_, nextOpen_;
   std::vector<int> polygon_;
   std::vector<Eigen::Vector2d> corners_;
   ConvexTriangulation triangulation_;

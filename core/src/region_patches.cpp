@@ -168,16 +168,24 @@ class Surveyor {
   }
 
   void findNearCentroid(RegionPatch& region) {
-    double least = kInfinity;  // squared
+    const int last = region.firstTriangle + region.triangleCount;
+    const auto toCorner = [&](int t) {
+      return (partition_.positions[partition_.triangles[t][0]] - region.centroid).squaredNorm();
+    };
     int nearest = region.firstTriangle;
+    double least = kInfinity;  // squared
+    for (int t = region.firstTriangle; t < last; ++t) {
+      const double distance = toCorner(t);
+      if (distance >= least) continue;
+      least = distance;
+      nearest = t;
+    }
     Vector3d bary = Vector3d::Unit(0);
-    for (int i = 0; i < region.triangleCount; ++i) {
-      const int t = region.firstTriangle + i;
-      // No point of a triangle is farther from a corner than its face's longest side is long.
-      const double toCorner =
-          (partition_.positions[partition_.triangles[t][0]] - region.centroid).squaredNorm();
+    for (int t = region.firstTriangle; t < last; ++t) {
+      // No point of a triangle is farther from a corner than its face's longest side is long, and
+      // (a + b)² ≤ 2 (a² + b²).
       const double reach = longestSide(partition_.triangleFace[t]);
-      if (toCorner > 2 * (least + reach * reach)) continue;  // (a + b)² ≤ 2 (a² + b²)
+      if (toCorner(t) > 2 * (least + reach * reach)) continue;
       const auto corners = cornersOf(t);
       const Vector3d here = nearestBary(region.centroid, corners);
       const double distance =
