@@ -45,21 +45,25 @@ class Surveyor {
       : mesh_(mesh),
         isWholeFace_(isWholeFace),
         partition_(partition),
+        isOnOutline_(partition.twins.size(), false),
         isSeen_(partition.triangles.size(), false),
         isWalked_(partition.twins.size(), false),
         isOnBorder_(partition.points.size(), false),
         lastLabel_(partition.points.size(), kNoLabel) {
-    for (int h = 0; h < static_cast<int>(partition.twins.size()); ++h)
-      if (isOnOutline(partition, h)) isOnBorder_[tail(h)] = isOnBorder_[tip(h)] = true;
+    for (int h = 0; h < static_cast<int>(partition.twins.size()); ++h) {
+      if (!isOnOutline(partition, h)) continue;
+      isOnOutline_[h] = true;
+      isOnBorder_[tail(h)] = isOnBorder_[tip(h)] = true;
+    }
   }
 
   /// A region whose label and range of triangles are given.
   void survey(RegionPatch& region) {
     if (region.triangleCount == 0) return;
-    measureArea(region);
+    const double reach = measureArea(region);
     walkOutlines(region);
     countTopology(region);
-    findNearCentroid(region);
+    findNearCentroid(region, reach);
   }
 
  private:
@@ -80,12 +84,16 @@ class Surveyor {
     return std::max(0.0, p[0] * q[1] - p[1] * q[0]) * mesh_.faceArea(face);
   }
 
-  void measureArea(RegionPatch& region) {
+  /// Returns the square of how far a point of a triangle may be from its first corner, at most.
+  double measureArea(RegionPatch& region) {
+    double reach = 0;
     Vector3d moment = Vector3d::Zero(), sum = Vector3d::Zero();
     for (int i = 0; i < region.triangleCount; ++i) {
       const int t = region.firstTriangle + i;
       const auto corners = cornersOf(t);
       const Vector3d centre = (corners[0] + corners[1] + corners[2]) / 3;
+      reach = std::max({reach, (corners[1] - corners[0]).squaredNorm(),
+                        (corners[2] - corners[0]).squaredNorm()});
       const double area = areaOf(t);
       region.area += area;
       moment += area * centre;
@@ -93,12 +101,13 @@ class Surveyor {
     }
     region.centroid =
         region.area > 0 ? Vector3d(moment / region.area) : Vector3d(sum / region.triangleCount);
+    return reach;
   }
 
   void walkOutlines(RegionPatch& region) {
     const int first = 3 * region.firstTriangle, last = first + 3 * region.triangleCount;
     for (int start = first; start < last; ++start) {
-      if (isWalked_[start] || !isOnOutline(partition_, start)) continue;
+      if (!isOnOutline_[start] || isWalked_[start]) continue;
       ++region.loops;
       for (int h = start; !isWalked_[h]; h = nextOnOutline(partition_, h)) {
         isWalked_[h] = true;
@@ -158,7 +167,7 @@ class Surveyor {
       const int t = stack_.back();
       stack_.pop_back();
       for (int h = 3 * t; h < 3 * (t + 1); ++h) {
-        if (isOnOutline(partition_, h)) continue;
+        if (isOnOutline_[h]) continue;
         const int other = partition_.twins[h] / 3;
         if (isSeen_[other]) continue;
         isSeen_[other] = true;
@@ -167,7 +176,7 @@ class Surveyor {
     }
   }
 
-  void findNearCentroid(RegionPatch& region) {
+  void findNearCentroid(RegionPatch& region, double reach) {
     const int last = region.firstTriangle + region.triangleCount;
     const auto toCorner = [&](int t) {
       return (partition_.positions[partition_.triangles[t][0]] - region.centroid).squaredNorm();
@@ -182,10 +191,7 @@ class Surveyor {
     }
     Vector3d bary = Vector3d::Unit(0);
     for (int t = region.firstTriangle; t < last; ++t) {
-      // No point of a triangle is farther from a corner than its face's longest side is long, and
-      // (a + b)² ≤ 2 (a² + b²).
-      const double reach = longestSide(partition_.triangleFace[t]);
-      if (toCorner(t) > 2 * (least + reach * reach)) continue;
+      if (toCorner(t) > 2 * (least + reach)) continue;  // (a + b)² ≤ 2 (a² + b²)
       const auto corners = cornersOf(t);
       const Vector3d here = nearestBary(region.centroid, corners);
       const double distance =
@@ -200,16 +206,12 @@ class Surveyor {
                            cornersInFace(mesh_, partition_, nearest) * bary};
   }
 
-  double longestSide(int face) const {
-    return std::max(
-        {mesh_.length(3 * face), mesh_.length(3 * face + 1), mesh_.length(3 * face + 2)});
-  }
-
   const TriangleMesh& mesh_;
   const std::span<const char> isWholeFace_;
   Partition& partition_;
-  std::vector<char> isSeen_;    ///< triangles
-  std::vector<char> isWalked_;  ///< halfedges on outlines
+  std::vector<char> isOnOutline_;  ///< halfedges
+  std::vector<char> isSeen_;       ///< triangles
+  std::vector<char> isWalked_;     ///< halfedges on outlines
   std::vector<char> isOnBorder_;
   std::vector<int> lastLabel_;  ///< per vertex, of the last region whose outline came by
   std::vector<int> stack_;
