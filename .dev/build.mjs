@@ -12,11 +12,13 @@ const wasmModules = ['core', 'gltf'];
 const tool = (name) => at('node_modules', '.bin', name);
 
 /** Configures once and builds with CMake; `emcmake` in `wrapper` makes it a WebAssembly build. */
-export function buildWithCMake(folder, { wrapper = [], targets = [] } = {}) {
+export function buildWithCMake(
+  folder,
+  { wrapper = [], options = ['-DCMAKE_BUILD_TYPE=Release'], targets = [] } = {},
+) {
   if (!exists(at(folder, 'build.ninja'))) {
-    const options = ['-G', 'Ninja', '-DCMAKE_BUILD_TYPE=Release'];
-    const [command, ...args] = [...wrapper, 'cmake', '-S', '.', '-B', folder, ...options];
-    run(command, args);
+    const [command, ...args] = [...wrapper, 'cmake', '-S', '.', '-B', folder, '-G', 'Ninja'];
+    run(command, [...args, ...options]);
   }
   const selection = targets.flatMap((target) => ['--target', target]);
   run('cmake', ['--build', folder, '--parallel', String(availableParallelism()), ...selection]);

@@ -13,13 +13,11 @@ const runners = [
   {
     name: 'core',
     prepare: () => buildWithCMake('build/native'),
-    command: () => [
-      'ctest',
-      ['--test-dir', 'build/native', '--output-on-failure', '-j', availableParallelism()],
-    ],
-    closing: (text) => text.match(/^.*tests passed.*$/m)?.[0],
+    command: () => ctest('build/native'),
+    closing: ctestClosing,
   },
   {
+    // Some of its tests repeat what the native build, which is there by now, computes.
     name: 'wasm',
     prepare: buildPackage,
     command: () => nodeTest('tests/wasm'),
@@ -33,6 +31,32 @@ const runners = [
     closing: nodeTestClosing,
   },
 ];
+
+/**
+ * npm test -- --sanitized: the C++ tests only, watched by AddressSanitizer and UBSan. Several times
+ * slower, hence fewer of the random cases.
+ */
+const sanitizedRunners = [
+  {
+    name: 'core, sanitized',
+    prepare: () => buildWithCMake('build/sanitized', { options: sanitized }),
+    command: () => ctest('build/sanitized'),
+    closing: ctestClosing,
+  },
+];
+const sanitized = [
+  '-DCMAKE_BUILD_TYPE=Debug',
+  '-DGVD_SANITIZE=address,undefined',
+  '-DGVD_PROPERTY_CASES=1000',
+];
+
+function ctest(folder) {
+  return ['ctest', ['--test-dir', folder, '--output-on-failure', '-j', availableParallelism()]];
+}
+
+function ctestClosing(text) {
+  return text.match(/^.*tests passed.*$/m)?.[0];
+}
 
 function nodeTest(folder, ...options) {
   const files = readdirSync(at(folder)).filter((name) => name.endsWith('.test.mjs'));
@@ -67,10 +91,11 @@ async function result({ name, prepare, command, closing }) {
 await main(async () => {
   setUp('test');
   const results = [];
-  for (const runner of runners) results.push(await result(runner));
+  const chosen = process.argv.includes('--sanitized') ? sanitizedRunners : runners;
+  for (const runner of chosen) results.push(await result(runner));
   announce('Results');
   for (const { name, failed, line } of results) {
-    console.log(`${failed ? 'FAILED' : 'ok    '}  ${name.padEnd(4)}  ${line}`);
+    console.log(`${failed ? 'FAILED' : 'ok    '}  ${name.padEnd(15)}  ${line}`);
   }
   if (results.some(({ failed }) => failed)) process.exitCode = 1;
 });

@@ -10,6 +10,7 @@
 #include "fan.h"
 #include "heap.h"
 #include "tolerances.h"
+#include "unfolding.h"
 
 namespace gvd {
 namespace {
@@ -30,6 +31,7 @@ class Continuation {
   std::unique_ptr<DistanceField> run() {
     for (int label = 0; label < static_cast<int>(sites_.size()); ++label) lookFromSite(label);
     for (const int v : verticesAtBorders()) lookAround(v);
+    unfoldGuests();
     for (size_t i = 0; i < looks_.size(); ++i)
       if (!isOutdone(looks_[i].view.halfedge, looks_[i].label)) queueLook(static_cast<int>(i));
     do {
@@ -194,18 +196,25 @@ class Continuation {
     here.source = -path;
     here.left = here.right = {0, 0};
     bool wasBehind = false;
+    Sight<side> sight(view);
     return walkFan<side>(mesh_, view, path, last, [&](const FanFace& face) {
       const int at = mesh_.tail(TriangleMesh::previous(face.halfedge));
       const bool isBehind = face.place == FanFace::Place::kBehind;
+      if (const int outer = outerEnd<side>(face, mesh_); limitsViews(mesh_, outer))
+        sight.limit(path + face.outer);
       if (owner(at) == label) {
         wasBehind = isBehind;
         return;
       }
+      const Vector2d toApex = path + face.apex, &bound = sight.bound();
       if (isBehind)
         see(at, label, distance + face.apex.norm(),
             [&] { return view.departure(mesh_, distance); });
+      else if (sight.reaches(toApex))
+        see(at, label, view, toApex);
       else
-        see(at, label, view, path + face.apex);
+        see(at, label, view.offset + bound.norm() + (toApex - bound).norm(),
+            [&] { return view.departure(bound.normalized()); });
       if (std::exchange(wasBehind, isBehind)) return;
       // Where the line behind the vertex runs through the face, up to that line.
       if (isBehind) (kLeft ? here.right : here.left) = path;
@@ -235,8 +244,45 @@ class Continuation {
     looks_.push_back({out, label});
   }
 
+  bool ownsBothEnds(int halfedge, int label) const {
+    return owner(mesh_.tail(halfedge)) == label && owner(mesh_.tip(halfedge)) == label;
+  }
+
   bool ownsAnEnd(int halfedge, int label) const {
     return owner(mesh_.tail(halfedge)) == label || owner(mesh_.tip(halfedge)) == label;
+  }
+
+  /// What is hidden from the vertices that a label owns may be nearer by way of other guests: each
+  /// takes the least of what its faces' other corners put there. All at once, so that the order in
+  /// which they were noted does not matter.
+  void unfoldGuests() {
+    std::vector<Guest> unfolded = guests_;
+    for (const int host : hosts_)
+      for (int g = firstGuest_[host]; g >= 0; g = guests_[g].next)
+        unfoldGuest(host, unfolded[g]);
+    guests_ = std::move(unfolded);
+  }
+
+  void unfoldGuest(int host, Guest& guest) const {
+    const double least = nearest_[host].distance * (1 + 4 * kDistanceTolerance);
+    const int label = guest.label, first = mesh_.outgoing(host);
+    int h = first;
+    double atRight = distanceAt(mesh_.tip(h), label);
+    do {
+      const int across = TriangleMesh::next(h);
+      const double atLeft = distanceAt(mesh_.tip(across), label);
+      if (atLeft < kInfinity && atRight < kInfinity && !ownsBothEnds(across, label)) {
+        const Unfolded u = unfold(mesh_, across, atRight, atLeft);
+        const double distance = std::max(least, u.distance);
+        if (distance < guest.distance * (1 - kDistanceTolerance)) {
+          guest.distance = distance;
+          guest.departure = u.byTail * departureAt(mesh_.tail(across), label) +
+                            u.byTip * departureAt(mesh_.tip(across), label);
+        }
+      }
+      atRight = atLeft;
+      h = mesh_.rotate(h);
+    } while (h >= 0 && h != first);
   }
 
   // --- Looking through edges ---
@@ -247,8 +293,21 @@ class Continuation {
   }
 
   void addLook(const View& view, int label) {
+    if (isFutile(view)) return;
     looks_.push_back({view, label});
     queueLook(static_cast<int>(looks_.size()) - 1);
+  }
+
+  /// Whether a view through an edge has no width, or comes from so far that the nearest sites of the
+  /// edge's ends, and with them those of all its points, are nearer: distances differ by no more
+  /// than the way between. This ends every chain of looks.
+  bool isFutile(const View& view) const {
+    if (!(cross(view.right, view.left) > 0)) return true;
+    const int tail = mesh_.tail(view.halfedge), tip = mesh_.tip(view.halfedge);
+    const double length = mesh_.length(view.halfedge);
+    const double beside = std::max({0.0, -view.source.x(), view.source.x() - length});
+    const double least = view.offset + std::hypot(beside, view.source.y());
+    return least > (nearest_[tail].distance + nearest_[tip].distance + length) / 2;
   }
 
   /// Regions may be so narrow that they cross faces of which they own no corner: there the site is

@@ -71,11 +71,6 @@ class DgpcSweep final : public Propagation {
     do {
       for (; budget > 0 && !queue_.empty(); --budget) {
         const QueueItem item = queue_.pop();
-        if (const QueueItem* next = queue_.peek()) {
-          __builtin_prefetch(&entries_[next->entry]);
-          __builtin_prefetch(&views_[next->entry]);
-          __builtin_prefetch(reinterpret_cast<const char*>(&views_[next->entry]) + 64);
-        }
         if (item.distance == entries_[item.entry].distance) settle(item.entry);
       }
       if (!queue_.empty()) return false;
@@ -264,6 +259,8 @@ class DgpcSweep final : public Propagation {
           next.isBent = true;
           return next;
         });
+      } else if (isBend) {
+        bend<side>(from, face, at);
       }
     });
   }

@@ -59,7 +59,7 @@ double DgpcField::distance(int label, const SurfacePoint& p) const {
   if (sites_[label].face == p.face)
     return std::sqrt(squaredDistance(sites_[label].bary, p.bary, squaredSides(mesh_, p.face)));
   double best = interpolate(label, p);
-  if (best == kInfinity) return best;
+  if (best == kInfinity || p.bary.maxCoeff() == 1) return best;
   for (int h = 3 * p.face; h < 3 * p.face + 3; ++h)
     if (owner(mesh_.tail(h)).label == label) best = std::min(best, distanceSeenFrom(h, p));
   return best;
@@ -136,7 +136,7 @@ double DgpcField::distanceAside(const View& view, const Vector2d& path,
     if (!isTowards<side>(path, way)) return;
     if (sight.reaches(way))
       result = view.offset + way.norm();
-    else if (sight.bound() == path + face.outer || sight.reachesAround(face, path, way))
+    else if (sight.isAt(path + face.outer) || sight.reachesAround(face, path, way))
       result = view.offset + sight.bound().norm() + (way - sight.bound()).norm();
   });
   return result;

@@ -49,7 +49,7 @@ class Tracer {
     reserve();
     for (int e = 0; e < complex_.elementCount(); ++e) divide(e);
     collectBoundary();
-    const std::vector<Loop> loops = traceLoops();
+    const std::vector<Outline> loops = traceLoops();
     outIndex_.assign(points_.size(), -1);
     out_.points.reserve(points_.size());
     collectSegments();
@@ -78,14 +78,27 @@ class Tracer {
     int face, label;
     int first, count;  ///< in cellPoints_
   };
-  /// A point on the mesh boundary; `label` owns what follows it going forward.
+  /// A point on the mesh boundary, between the regions that own what is before and after it going
+  /// forward; `start` is where its element's part of the halfedge begins.
   struct BoundaryPoint {
     int halfedge;
-    double place;  ///< 0 … 1 along the halfedge
+    double start;  ///< 0 … 1 along the halfedge, exact
     int point;
-    int label;
+    int before, after;
+  };
+  /// A step of a loop starts at a point and crosses a face, or follows a side of it that is on the
+  /// mesh boundary.
+  struct Step {
+    int point;
+    int face;
+    bool onBoundary;
   };
   struct Loop {
+    int label;
+    std::vector<Step> steps;
+  };
+  /// A loop as doubles see it.
+  struct Outline {
     int label;
     std::vector<int> points;  ///< final points (`root`)
   };
@@ -194,7 +207,7 @@ class Tracer {
         pointOfVertex_[side.vertex] = pointAt(element, side.vertex, sides, longest);
       }
     }
-    const double faceArea = mesh_.faceArea(face);
+    cellAreas_.clear();
     for (const FaceEnvelope::Cell& cell : envelope_.cells()) {
       const size_t n = cell.sides.size();
       const int first = static_cast<int>(cellPoints_.size());
@@ -207,14 +220,23 @@ class Tracer {
         const Eigen::Vector3d p = baryOfVertex_[vertex] - origin, q = baryOfVertex_[next] - origin;
         area += p[0] * q[1] - p[1] * q[0];
         if (across > cell.label) addSegment(vertex, next, cell.label, across, face, sides);
-        if (FaceEnvelope::isTriangleSide(across)) {
-          addBoundary(element, FaceEnvelope::triangleSide(across), vertex, cell.label);
-          addInnerNodes(element, FaceEnvelope::triangleSide(across));
-        }
+        if (FaceEnvelope::isTriangleSide(across))
+          addBoundary(element, FaceEnvelope::triangleSide(across), vertex);
       }
-      out_.regionArea[cell.label] += std::max(0.0, area) * faceArea;
-      cells_.push_back({face, cell.label, first, static_cast<int>(cellPoints_.size()) - first});
+      cellAreas_.push_back(area);
+      cells_.push_back({face, cell.label, first, static_cast<int>(n)});
     }
+    addAreas(mesh_.faceArea(face));
+  }
+
+  /// Adds the areas of an element's cells, given as shares of its face, to those of the regions.
+  /// Rounding may have turned a sliver over; what it has less than nothing is the largest cell's.
+  void addAreas(double faceArea) {
+    const auto largest = std::max_element(cellAreas_.begin(), cellAreas_.end());
+    for (double& area : cellAreas_)
+      if (area < 0) *largest += std::exchange(area, 0.0);
+    for (size_t c = 0; c < cellAreas_.size(); ++c)
+      out_.regionArea[envelope_.cells()[c].label] += cellAreas_[c] * faceArea;
   }
 
   int pointAt(int element, int vertex, const std::array<double, 3>& sides, double longest) {
@@ -250,28 +272,14 @@ class Tracer {
   }
 
   int pointOfNode(int node, int element, int corner) {
-    return pointOfNode(node, element, Eigen::Vector3d::Unit(corner));
-  }
-
-  int pointOfNode(int node, int element, const Eigen::Vector3d& bary) {
     int& point = pointOfNode_[node];
     if (point < 0) {
-      point =
-          addPoint({complex_.face(element), complex_.faceBary(element, bary)}, 0.0, {-1, -1, -1});
+      point = addPoint(
+          {complex_.face(element), complex_.faceBary(element, Eigen::Vector3d::Unit(corner))}, 0.0,
+          {-1, -1, -1});
       isNode_.back() = true;
     }
     return point;
-  }
-
-  /// Goes on with a cell, past the corners of smaller elements on one of its sides: one label owns
-  /// all of such a side, and so all of the element.
-  void addInnerNodes(int element, int side) {
-    for (const auto& [node, share] : complex_.innerNodes(3 * element + side)) {
-      Eigen::Vector3d bary = Eigen::Vector3d::Zero();
-      bary[side] = 1 - share;
-      bary[(side + 1) % 3] = share;
-      cellPoints_.push_back(pointOfNode(node, element, bary));
-    }
   }
 
   int addPoint(const SurfacePoint& place, double error, const std::array<int, 3>& labels) {
@@ -338,13 +346,13 @@ class Tracer {
     return point;
   }
 
-  /// The node stands for all, so that a place on a vertex is exactly that; else the first.
+  /// The node stands for all, so that a place on a vertex is exactly that; else the first. Two
+  /// nodes stay two, however near: region triangles have them as corners.
   void unite(int a, int b) {
     a = root(a);
     b = root(b);
-    if (a == b) return;
-    if (isNode_[b] && !isNode_[a]) std::swap(a, b);
-    if (isNode_[b] == isNode_[a] && b < a) std::swap(a, b);
+    if (a == b || (isNode_[a] && isNode_[b])) return;
+    if (isNode_[b] || (!isNode_[a] && b < a)) std::swap(a, b);
     parent_[b] = a;
     merged_.resize(points_.size(), false);
     merged_[a] = true;
@@ -357,47 +365,48 @@ class Tracer {
   // --- The mesh boundary -----------------------------------------------------------------------
 
   /// Notes a breakpoint: where a piece of the mesh boundary that a cell owns starts.
-  void addBoundary(int element, int side, int vertex, int label) {
+  void addBoundary(int element, int side, int vertex) {
     const int h = 3 * element + side;
     if (twin_[h] >= 0) return;
     const int boundary = complex_.boundaryHalfedge(h);
     if (boundary < 0) return;
-    if (envelope_.vertices()[vertex].kind != FaceEnvelope::Vertex::kOnSide) return;
+    const FaceEnvelope::Vertex& v = envelope_.vertices()[vertex];
+    if (v.kind != FaceEnvelope::Vertex::kOnSide) return;
+    const Eigen::Vector3d start = complex_.faceBary(element, Eigen::Vector3d::Unit(side));
     boundary_.push_back(
-        {boundary, baryOfVertex_[vertex][(boundary + 1) % 3], pointOfVertex_[vertex], label});
+        {boundary, start[(boundary + 1) % 3], pointOfVertex_[vertex], v.labels[0], v.labels[1]});
   }
 
-  /// Puts the boundary points in order along their halfedges. Points at the same place, apart only
-  /// by the broken tie, follow each other so that the labels on both sides agree.
+  /// Puts the boundary points in order along their halfedges.
   void collectBoundary() {
-    std::stable_sort(boundary_.begin(), boundary_.end(), [](const auto& a, const auto& b) {
-      return std::pair(a.halfedge, a.place) < std::pair(b.halfedge, b.place);
-    });
-    for (size_t i = 0; i < boundary_.size(); ++i) {
-      const size_t end = std::find_if(boundary_.begin() + i, boundary_.end(),
-                                      [&](const BoundaryPoint& b) {
-                                        return b.halfedge != boundary_[i].halfedge;
-                                      }) -
-                         boundary_.begin();
-      orderTies(i, end);
-      firstOnBoundary_[boundary_[i].halfedge] = static_cast<int>(i);
-      for (size_t k = i; k < end; ++k) boundaryIndex_[boundary_[k].point] = static_cast<int>(k);
-      i = end - 1;
+    const auto part = [](const BoundaryPoint& b) { return std::pair(b.halfedge, b.start); };
+    std::stable_sort(boundary_.begin(), boundary_.end(),
+                     [&](const auto& a, const auto& b) { return part(a) < part(b); });
+    for (auto first = boundary_.begin(); first != boundary_.end();) {
+      const auto last = std::find_if(
+          first, boundary_.end(), [&](const BoundaryPoint& b) { return part(b) != part(*first); });
+      chain({&*first, static_cast<size_t>(last - first)});
+      first = last;
+    }
+    for (int i = 0; i < static_cast<int>(boundary_.size()); ++i) {
+      firstOnBoundary_.try_emplace(boundary_[i].halfedge, i);
+      boundaryIndex_[boundary_[i].point] = i;
     }
   }
 
-  /// Each point's label before it is the one after its predecessor.
-  void orderTies(size_t begin, size_t end) {
-    const auto before = [&](const BoundaryPoint& b) {
-      const auto& labels = points_[b.point].labels;
-      return labels[0] == b.label ? labels[1] : labels[0];
+  /// Each point starts with the label that the one before it ends with: that is their order in the
+  /// exact graph, which rounding may have reversed in their coordinates.
+  void chain(std::span<BoundaryPoint> points) {
+    const auto isFirst = [&](const BoundaryPoint& p) {
+      return std::none_of(points.begin(), points.end(),
+                          [&](const BoundaryPoint& other) { return other.after == p.before; });
     };
-    for (size_t i = begin + 1; i < end; ++i)
-      for (size_t k = i; k < end && boundary_[k].place == boundary_[i].place; ++k)
-        if (before(boundary_[k]) == boundary_[i - 1].label) {
-          std::rotate(boundary_.begin() + i, boundary_.begin() + k, boundary_.begin() + k + 1);
-          break;
-        }
+    std::iter_swap(points.begin(), std::find_if(points.begin(), points.end(), isFirst));
+    for (size_t i = 1; i < points.size(); ++i)
+      std::iter_swap(points.begin() + i,
+                     std::find_if(points.begin() + i, points.end(), [&](const BoundaryPoint& p) {
+                       return p.before == points[i - 1].after;
+                     }));
   }
 
   int vertexPoint(int vertex) {
@@ -412,17 +421,16 @@ class Tracer {
 
   // --- Loops -----------------------------------------------------------------------------------
 
-  std::vector<Loop> traceLoops() {
+  std::vector<Outline> traceLoops() {
     std::vector<Loop> loops;
     std::vector<char> visited(2 * segments_.size(), false);
     for (int dart = 0; dart < static_cast<int>(visited.size()); ++dart)
       if (!visited[dart]) loops.push_back(traceLoop(dart, visited));
     addUnbrokenBoundaries(loops);
-    for (Loop& loop : loops) simplify(loop.points);
-    std::erase_if(loops, [](const Loop& loop) { return loop.points.empty(); });
-    std::stable_sort(loops.begin(), loops.end(),
-                     [](const Loop& a, const Loop& b) { return a.label < b.label; });
-    return loops;
+    std::vector<Outline> outlines = simplified(loops);
+    std::stable_sort(outlines.begin(), outlines.end(),
+                     [](const Outline& a, const Outline& b) { return a.label < b.label; });
+    return outlines;
   }
 
   Loop traceLoop(int start, std::vector<char>& visited) {
@@ -430,7 +438,7 @@ class Tracer {
     for (int dart = start; !visited[dart];) {
       visited[dart] = true;
       const Segment& segment = segments_[dart / 2];
-      loop.points.push_back(segment.points[dart % 2]);
+      loop.steps.push_back({segment.points[dart % 2], segment.face, false});
       int at = segment.points[1 - dart % 2];
       dart = dartAt(at, loop.label);
       if (dart < 0) dart = followBoundary(at, loop);
@@ -442,12 +450,13 @@ class Tracer {
   /// where the region leaves it; returns that dart.
   int followBoundary(int point, Loop& loop) {
     const int start = boundaryIndex_.at(point);
-    loop.points.push_back(point);
     int halfedge = boundary_[start].halfedge;
+    loop.steps.push_back({point, TriangleMesh::faceOf(halfedge), true});
     int index = start + 1;
     while (index >= static_cast<int>(boundary_.size()) || boundary_[index].halfedge != halfedge) {
-      loop.points.push_back(vertexPoint(mesh_.tip(halfedge)));
-      halfedge = mesh_.outgoing(mesh_.tip(halfedge));
+      const int vertex = mesh_.tip(halfedge);
+      halfedge = mesh_.outgoing(vertex);
+      loop.steps.push_back({vertexPoint(vertex), TriangleMesh::faceOf(halfedge), true});
       const auto first = firstOnBoundary_.find(halfedge);
       index = first == firstOnBoundary_.end() ? static_cast<int>(boundary_.size()) : first->second;
     }
@@ -468,44 +477,85 @@ class Tracer {
       }
       if (isBroken || complex_.owner(v) < 0) continue;
       Loop loop{complex_.owner(v), {}};
-      for (const int at : vertices) loop.points.push_back(vertexPoint(at));
+      for (const int at : vertices)
+        loop.steps.push_back({vertexPoint(at), TriangleMesh::faceOf(mesh_.outgoing(at)), true});
       loops.push_back(std::move(loop));
     }
   }
 
-  /// Names final points, and drops what has no length or goes out and back over merged points.
-  void simplify(std::vector<int>& loop) {
-    std::vector<int> kept;
-    const auto isSpike = [&](int before, int tip, int after) {
-      return before == after && isMerged(before) && isMerged(tip);
-    };
-    for (const int point : loop) {
-      const int p = root(point);
-      if (!kept.empty() && kept.back() == p) continue;
-      kept.push_back(p);
-      while (kept.size() >= 3 && isSpike(kept[kept.size() - 3], kept[kept.size() - 2], kept.back()))
-        kept.resize(kept.size() - 2);
-    }
-    // The same where the loop closes.
-    size_t first = 0;
-    for (bool changed = true; changed && kept.size() - first > 1;) {
-      changed = true;
-      const size_t n = kept.size() - first;
-      if (kept[first] == kept.back()) {
-        kept.pop_back();
-      } else if (n >= 3 && isSpike(kept[kept.size() - 2], kept.back(), kept[first])) {
-        kept.resize(kept.size() - 2);
-      } else if (n >= 3 && isSpike(kept.back(), kept[first], kept[first + 1])) {
-        kept.pop_back();
-        ++first;
-      } else {
-        changed = false;
+  /// A step between final points, in a ring of steps.
+  struct RingStep {
+    int label, from, to, face;
+    int previous, next;
+    bool isGone = false;
+  };
+
+  /// Names final points and drops steps of no length, and those that the region takes in both
+  /// directions: it has no width there. That may join two loops, or part one in two.
+  std::vector<Outline> simplified(const std::vector<Loop>& loops) {
+    std::vector<RingStep> steps;
+    for (const Loop& loop : loops) {
+      const int first = static_cast<int>(steps.size()), n = static_cast<int>(loop.steps.size());
+      for (int i = 0; i < n; ++i) {
+        const int from = root(loop.steps[i].point);
+        const int to = root(loop.steps[(i + 1) % n].point);
+        const auto& [point, face, onBoundary] = loop.steps[i];
+        steps.push_back({loop.label, from, to, face, first + (i + n - 1) % n, first + (i + 1) % n});
+        if (onBoundary && (isMerged(from) || isMerged(to))) boundarySteps_.push_back(steps.back());
       }
     }
-    kept.erase(kept.begin(), kept.begin() + first);
-    if (kept.size() <= 1 || (kept.size() == 2 && isMerged(kept[0]) && isMerged(kept[1])))
-      kept.clear();
-    loop = std::move(kept);
+    cancelSteps(steps);
+
+    std::vector<Outline> outlines;
+    for (RingStep& start : steps) {
+      if (start.isGone) continue;
+      Outline outline{start.label, {}};
+      for (RingStep* step = &start; !step->isGone; step = &steps[step->next]) {
+        outline.points.push_back(step->from);
+        step->isGone = true;
+      }
+      outlines.push_back(std::move(outline));
+    }
+    return outlines;
+  }
+
+  void cancelSteps(std::vector<RingStep>& steps) const {
+    std::map<std::array<int, 4>, std::vector<int>> waiting;  // by label and where they are
+    for (int s = 0; s < static_cast<int>(steps.size()); ++s) {
+      RingStep& step = steps[s];
+      if (step.from == step.to) {
+        steps[step.previous].next = step.next;
+        steps[step.next].previous = step.previous;
+        step.isGone = true;
+      } else if (isMerged(step.from) || isMerged(step.to)) {
+        const auto [low, high, face] = placeOf(step.from, step.to, step.face);
+        auto& others = waiting[{step.label, low, high, face}];
+        if (!others.empty() && steps[others.back()].from == step.to) {
+          cancel(steps, s, others.back());
+          others.pop_back();
+        } else {
+          others.push_back(s);
+        }
+      }
+    }
+  }
+
+  /// What came to a step goes on behind the opposite one.
+  static void cancel(std::vector<RingStep>& steps, int s, int opposite) {
+    RingStep &a = steps[s], &b = steps[opposite];
+    const RingStep formerA = a, formerB = b;
+    steps[formerA.previous].next = formerB.next;
+    steps[formerB.next].previous = formerA.previous;
+    steps[formerB.previous].next = formerA.next;
+    steps[formerA.next].previous = formerB.previous;
+    a.isGone = b.isGone = true;
+  }
+
+  /// Segments between the same final points of which one is merged lie on top of each other if this
+  /// is the same: in one face they do, and between two merged points along an edge of both faces.
+  std::array<int, 3> placeOf(int from, int to, int face) const {
+    const bool anyFace = isMerged(from) && isMerged(to);
+    return {std::min(from, to), std::max(from, to), anyFace ? -1 : face};
   }
 
   // --- Results ---------------------------------------------------------------------------------
@@ -519,17 +569,17 @@ class Tracer {
     return outIndex_[p];
   }
 
-  /// Segments between merged points may lie on top of each other, or on the boundary, with a region
-  /// of no width between them; what remains there has the outermost labels.
+  /// Segments that end at merged points may lie on top of each other, or on the boundary, with a
+  /// region of no width between them; what remains there has the outermost labels.
   void collectSegments() {
     struct Side {
       std::vector<int> left, right;
       int face;
     };
-    std::map<std::pair<int, int>, Side> stacked;
+    std::map<std::array<int, 3>, Side> stacked;  // by two points, and the face if it matters
     const auto stack = [&](int from, int to, int left, int right, int face) {
       const bool swapped = to < from;
-      Side& side = stacked[std::minmax(from, to)];
+      Side& side = stacked[placeOf(from, to, face)];
       (swapped ? side.right : side.left).push_back(left);
       if (right >= 0) (swapped ? side.left : side.right).push_back(right);
       side.face = face;
@@ -537,11 +587,13 @@ class Tracer {
     for (const Segment& s : segments_) {
       const int from = root(s.points[0]), to = root(s.points[1]);
       if (from == to) continue;
-      if (isMerged(from) && isMerged(to))
+      if (isMerged(from) || isMerged(to))
         stack(from, to, s.labels[0], s.labels[1], s.face);
       else
         out_.segments.push_back({{outPoint(from), outPoint(to)}, s.labels, s.face, -1});
     }
+    for (const RingStep& step : boundarySteps_)
+      if (step.from != step.to) stack(step.from, step.to, step.label, -1, step.face);
     for (auto& [ends, side] : stacked) {
       for (auto label = side.left.begin(); label != side.left.end();) {
         const auto same = std::find(side.right.begin(), side.right.end(), *label);
@@ -554,7 +606,7 @@ class Tracer {
       }
       if (side.left.empty() || side.right.empty()) continue;
       const int left = side.left.front(), right = side.right.front();
-      const int first = outPoint(ends.first), second = outPoint(ends.second);
+      const int first = outPoint(ends[0]), second = outPoint(ends[1]);
       if (left < right)
         out_.segments.push_back({{first, second}, {left, right}, side.face, -1});
       else
@@ -604,9 +656,9 @@ class Tracer {
     int point, label, before, after;
   };
 
-  void collectVoronoiPoints(const std::vector<Loop>& loops) {
+  void collectVoronoiPoints(const std::vector<Outline>& loops) {
     std::vector<Sector> sectors;
-    for (const Loop& loop : loops) {
+    for (const Outline& loop : loops) {
       const size_t n = loop.points.size();
       for (size_t i = 0; i < n; ++i) {
         const int p = loop.points[i];
@@ -638,11 +690,17 @@ class Tracer {
     });
     if (start == sectors.end()) start = sectors.begin();
     std::swap(*start, sectors.front());
+    size_t joinsLeft = sectors.size();  // there are not more rounds than sectors
     for (size_t i = 1; i < sectors.size(); ++i) {
       const auto next = std::find_if(sectors.begin() + i, sectors.end(), [&](const Sector& s) {
         return s.after == sectors[i - 1].before;
       });
-      if (next != sectors.end()) std::swap(*next, sectors[i]);
+      if (next != sectors.end()) {
+        std::swap(*next, sectors[i]);
+      } else if (joinsLeft > 0 && joinRounds(sectors.first(i), sectors.subspan(i))) {
+        --joinsLeft;
+        i = 0;
+      }
     }
     Diagram::VoronoiPoint v{outPoint(sectors.front().point), {}};
     for (const Sector& s : sectors) v.labels.push_back(s.label);
@@ -651,9 +709,21 @@ class Tracer {
     out_.voronoiPoints.push_back(std::move(v));
   }
 
-  void collectLoops(const std::vector<Loop>& loops) {
+  /// Where a region comes to a point twice, between others that only it keeps apart, its loops pair
+  /// the sides of its two sectors the wrong way: the sectors form two rounds instead of one.
+  static bool joinRounds(std::span<Sector> chained, std::span<Sector> others) {
+    for (Sector& a : chained)
+      for (Sector& b : others)
+        if (a.label == b.label) {
+          std::swap(a.before, b.before);
+          return true;
+        }
+    return false;
+  }
+
+  void collectLoops(const std::vector<Outline>& loops) {
     std::vector<int> list;
-    for (const Loop& loop : loops) {
+    for (const Outline& loop : loops) {
       list.clear();
       for (const int p : loop.points) list.push_back(outPoint(p));
       out_.loops.add(list);
@@ -661,39 +731,53 @@ class Tracer {
     }
   }
 
-  /// Faces in order; one whose parts all went to one label is a region triangle after all.
+  /// Faces in order; one of which all that has any width went to one label is a region triangle
+  /// after all.
   void collectCells() {
     const auto isBefore = [](const Cell& a, const Cell& b) { return a.face < b.face; };
     if (!std::is_sorted(cells_.begin(), cells_.end(), isBefore))
       std::stable_sort(cells_.begin(), cells_.end(), isBefore);
     for (auto first = cells_.begin(); first != cells_.end();) {
-      bool isMixed = false;
-      auto last = first;
-      for (; last != cells_.end() && last->face == first->face; ++last)
-        isMixed |= last->label != first->label;
-      if (!isMixed)
-        out_.faceLabel[first->face] = first->label;
-      else
-        collectCells({&*first, static_cast<size_t>(last - first)});
+      const auto last =
+          std::find_if(first, cells_.end(), [&](const Cell& c) { return c.face != first->face; });
+      collectCells({&*first, static_cast<size_t>(last - first)});
       first = last;
     }
   }
 
   void collectCells(std::span<const Cell> cells) {
-    std::vector<int> list;
-    for (const Cell& cell : cells) {
-      list.clear();
-      for (int i = 0; i < cell.count; ++i) {
-        const int p = root(cellPoints_[cell.first + i]);
-        if (list.empty() || list.back() != p) list.push_back(p);
-      }
-      while (list.size() > 1 && list.front() == list.back()) list.pop_back();
-      if (list.size() < 3) continue;
-      for (int& p : list) p = outPoint(p);
-      out_.cells.add(list);
-      out_.cellFace.push_back(cell.face);
-      out_.cellLabel.push_back(cell.label);
+    const int face = cells.front().face;
+    const auto isOne = [&](const Cell& c) { return c.label == cells.front().label; };
+    if (std::all_of(cells.begin(), cells.end(), isOne)) {
+      out_.faceLabel[face] = cells.front().label;
+      return;
     }
+    std::vector<Outline> parts;
+    for (const Cell& cell : cells)
+      if (Outline part{cell.label, finalPoints(cell)}; part.points.size() >= 3)
+        parts.push_back(std::move(part));
+    const auto isCorner = [&](int point) { return isNode_[point]; };
+    if (parts.size() == 1 && parts[0].points.size() == 3 &&
+        std::all_of(parts[0].points.begin(), parts[0].points.end(), isCorner)) {
+      out_.faceLabel[face] = parts[0].label;
+      return;
+    }
+    for (Outline& part : parts) {
+      for (int& p : part.points) p = outPoint(p);
+      out_.cells.add(part.points);
+      out_.cellFace.push_back(face);
+      out_.cellLabel.push_back(part.label);
+    }
+  }
+
+  std::vector<int> finalPoints(const Cell& cell) {
+    std::vector<int> list;
+    for (int i = 0; i < cell.count; ++i) {
+      const int p = root(cellPoints_[cell.first + i]);
+      if (list.empty() || list.back() != p) list.push_back(p);
+    }
+    while (list.size() > 1 && list.front() == list.back()) list.pop_back();
+    return list;
   }
 
   const TriangleMesh& mesh_;
@@ -711,8 +795,9 @@ class Tracer {
   std::vector<Cell> cells_;
   std::vector<int> cellPoints_;
   std::vector<BoundaryPoint> boundary_;
-  std::map<int, int> firstOnBoundary_;  ///< per boundary halfedge
-  std::map<int, int> boundaryIndex_;    ///< per point
+  std::map<int, int> firstOnBoundary_;   ///< per boundary halfedge
+  std::map<int, int> boundaryIndex_;     ///< per point
+  std::vector<RingStep> boundarySteps_;  ///< those with ends at merged points
   std::vector<int> outIndex_;
 
   // For the element at hand.
@@ -720,6 +805,7 @@ class Tracer {
   FaceEnvelope envelope_;
   std::vector<int> pointOfVertex_;
   std::vector<Eigen::Vector3d> baryOfVertex_;
+  std::vector<double> cellAreas_;
 };
 
 }  // namespace

@@ -2,9 +2,11 @@
 #include "face_complex.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "gvd/diagram.h"
+#include "surface_geometry.h"
 #include "tolerances.h"
 
 namespace gvd {
@@ -19,6 +21,37 @@ std::uint64_t orderedKey(int a, int b) {
   return static_cast<std::uint64_t>(a) << 32 | static_cast<std::uint32_t>(b);
 }
 
+using Labels = std::span<const LabelledDistance>;
+
+const LabelledDistance* find(Labels labels, int label) {
+  const auto it = std::lower_bound(labels.begin(), labels.end(), label,
+                                   [](const LabelledDistance& d, int l) { return d.label < l; });
+  return it != labels.end() && it->label == label ? &*it : nullptr;
+}
+
+/// Whether a label is least anywhere on a side, given what is known at its ends: by the squares
+/// that the diagram is traced from, so that no more than the places of ties is rounded.
+bool ownsPartOf(int label, double atTail, double atTip, Labels tail, Labels tip) {
+  constexpr double kRounding = 1e-14;
+  double from = 0, to = 1;
+  for (const LabelledDistance& other : tail) {
+    const LabelledDistance* const otherAtTip = find(tip, other.label);
+    if (!otherAtTip || other.label == label) continue;
+    const double lagAtTail = atTail * atTail - other.distance * other.distance;
+    const double lagAtTip = atTip * atTip - otherAtTip->distance * otherAtTip->distance;
+    const bool isBehindAtTail = lagAtTail > 0 || (lagAtTail == 0 && other.label < label);
+    const bool isBehindAtTip = lagAtTip > 0 || (lagAtTip == 0 && other.label < label);
+    if (isBehindAtTail && isBehindAtTip) return false;
+    if (isBehindAtTail == isBehindAtTip) continue;
+    const double tie = lagAtTail / (lagAtTail - lagAtTip);
+    if (isBehindAtTail)
+      from = std::max(from, tie);
+    else
+      to = std::min(to, tie);
+  }
+  return from <= to + kRounding;
+}
+
 }  // namespace
 
 FaceComplex::FaceComplex(const TriangleMesh& mesh, const DistanceField& distances, int detail)
@@ -26,6 +59,83 @@ FaceComplex::FaceComplex(const TriangleMesh& mesh, const DistanceField& distance
   owner_.reserve(mesh.vertexCount());
   for (int v = 0; v < mesh.vertexCount(); ++v) addOwner(distances.at(v));
   if (detail > 0) refine(detail);
+  complete();
+}
+
+/// Adds labels where an element's third node lacks one that owns part of the side across. A label
+/// added may now own part of another side, hence again until nothing changes.
+void FaceComplex::complete() {
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (int e = 0; e < elementCount(); ++e) {
+      if (soleOwner(e) != Diagram::kMixed && !hasSeveralLabels(e)) continue;
+      for (int side = 0; side < 3; ++side) changed |= completeAcross(e, side);
+    }
+  }
+}
+
+bool FaceComplex::hasSeveralLabels(int element) const {
+  const auto tail = tails().subspan(3 * element, 3);
+  return isShared_[tail[0]] || isShared_[tail[1]] || isShared_[tail[2]];
+}
+
+bool FaceComplex::completeAcross(int element, int side) {
+  const int i = 3 * element + side;
+  const int tail = tails()[i], tip = tails()[TriangleMesh::next(i)];
+  const int apex = tails()[TriangleMesh::previous(i)];
+  bool changed = false;
+  if (const int owner = owner_[tail]; owner >= 0 && !find(labels(tip), owner)) {
+    const double atTail = find(labels(tail), owner)->distance;
+    addLabel(tip, {owner, atTail + std::sqrt(squaredLength(element, side, side + 1))});
+    changed = true;
+  }
+  const Labels atTail = labels(tail), atTip = labels(tip);
+  for (const LabelledDistance& d : atTail) {
+    if (find(labels(apex), d.label)) continue;
+    const LabelledDistance* const other = find(atTip, d.label);
+    if (!other || !ownsPartOf(d.label, d.distance, other->distance, atTail, atTip)) continue;
+    addLabel(apex, {d.label, unfold(element, side, d.distance, other->distance)});
+    changed = true;
+  }
+  return changed;
+}
+
+/// A label not known at a node does not own it: what is added there stays behind the owner.
+void FaceComplex::addLabel(int node, LabelledDistance added) {
+  isShared_[node] = true;
+  const int vertices = mesh_.vertexCount();
+  if (node < vertices) {
+    const Labels known = labels(node);
+    completed_.try_emplace(node, known.begin(), known.end());
+  }
+  auto& here = node < vertices ? completed_[node] : added_[node - vertices];
+  if (const LabelledDistance* const owner = find(here, owner_[node]))
+    added.distance = std::max(added.distance, std::nextafter(owner->distance, kInfinity));
+  here.insert(std::upper_bound(here.begin(), here.end(), added,
+                               [](const auto& a, const auto& b) { return a.label < b.label; }),
+              added);
+}
+
+/// The distance of an element's third node from where the distances at the ends of a side put the
+/// source in the plane.
+double FaceComplex::unfold(int element, int side, double atTail, double atTip) const {
+  const double squared = squaredLength(element, side, side + 1);
+  const double fromTail = squaredLength(element, side, side + 2);
+  const double fromTip = squaredLength(element, side + 1, side + 2);
+  const double length = std::sqrt(squared);
+  const double sourceX = (atTail * atTail - atTip * atTip + squared) / (2 * length);
+  const double apexX = (fromTail - fromTip + squared) / (2 * length);
+  const double sourceY = std::sqrt(std::max(0.0, atTail * atTail - sourceX * sourceX));
+  const double apexY = std::sqrt(std::max(0.0, fromTail - apexX * apexX));
+  const double x = apexX - sourceX, y = apexY + sourceY;
+  return std::sqrt(x * x + y * y);
+}
+
+/// Between two corners of an element, counted on from 0 to 2.
+double FaceComplex::squaredLength(int element, int from, int to) const {
+  return squaredDistance(faceBary(element, Eigen::Vector3d::Unit(from % 3)),
+                         faceBary(element, Eigen::Vector3d::Unit(to % 3)),
+                         squaredSides(mesh_, face(element)));
 }
 
 void FaceComplex::addOwner(std::span<const LabelledDistance> labels) {
@@ -41,29 +151,13 @@ void FaceComplex::addOwner(std::span<const LabelledDistance> labels) {
   }
   owner_.push_back(best.label);
   hasTie_.push_back(hasTie);
+  isShared_.push_back(labels.size() > 1);
 }
 
 int FaceComplex::soleOwner(int element) const {
   const auto tail = tails().subspan(3 * element, 3);
   const int owner = owner_[tail[0]];
   return owner_[tail[1]] == owner && owner_[tail[2]] == owner ? owner : Diagram::kMixed;
-}
-
-std::vector<FaceComplex::InnerNode> FaceComplex::innerNodes(int h) const {
-  std::vector<InnerNode> nodes;
-  if (isRefined() && twin_[h] < 0)
-    collectInnerNodes(tail_[h], tail_[TriangleMesh::next(h)], 0, 1, nodes);
-  return nodes;
-}
-
-void FaceComplex::collectInnerNodes(int a, int b, double from, double to,
-                                    std::vector<InnerNode>& nodes) const {
-  const auto middle = midpoint_.find(unorderedKey(a, b));
-  if (middle == midpoint_.end()) return;
-  const double share = (from + to) / 2;
-  collectInnerNodes(a, middle->second, from, share, nodes);
-  nodes.push_back({middle->second, share});
-  collectInnerNodes(middle->second, b, share, to, nodes);
 }
 
 int FaceComplex::boundaryHalfedge(int h) const {

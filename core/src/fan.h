@@ -76,10 +76,14 @@ class Sight {
     return isUnlimited() || isTowards<kInward>(bound_, way);
   }
 
+  /// Whether it is limited by the vertex there.
+  bool isAt(const Eigen::Vector2d& way) const { return bound_ == way; }
+
   /// Whether what is hidden is reached from the limiting vertex through a face's entry, and not
   /// beside that. From an end of the entry itself paths go on without this view.
   bool reachesAround(const FanFace& face, const Eigen::Vector2d& path,
                      const Eigen::Vector2d& way) const {
+    if (isAt(path + face.outer)) return false;
     const Eigen::Vector2d axis = axisOf<side>(face);
     return cross(axis, bound_ - path) < 0 &&
            isTowards<kInward>(path + face.outer - bound_, way - bound_);

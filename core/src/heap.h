@@ -78,9 +78,6 @@ class SweepQueue {
     }
   }
 
-  /// What comes next, should nothing be pushed; null where that takes some work to tell.
-  const Item* peek() const { return heap_.empty() ? nullptr : &heap_.top(); }
-
   Item pop() {
     while (heap_.empty()) {
       ++current_;

@@ -5,6 +5,7 @@
 
 #include "surface_geometry.h"
 #include "tolerances.h"
+#include "unfolding.h"
 
 namespace gvd {
 
@@ -38,26 +39,9 @@ void UnfoldingSweep::offerToNeighbours(int vertex) {
   } while (h >= 0 && h != first);
 }
 
-/// The distance of a halfedge's apex from what is known at its two ends.
 double UnfoldingSweep::unfolded(int halfedge) const {
-  constexpr double kRounding = 1e-12;
-  const TriangleMesh::Layout& l = mesh_.layout(halfedge);
   const double atTail = distance_[mesh_.tail(halfedge)], atTip = distance_[mesh_.tip(halfedge)];
-  if (atTail < kInfinity && atTip < kInfinity) {
-    // The virtual source is at (x, -y), the apex at (l.x, l.y).
-    const double x = ((atTail - atTip) * (atTail + atTip) + l.length * l.length) * l.inverse;
-    const double squaredY = atTail * atTail - x * x;
-    if (squaredY > -kRounding * atTail * atTail) {
-      const double y = squaredY > 0 ? std::sqrt(squaredY) : 0;
-      // Where the line between them crosses the halfedge's line, times (y + l.y).
-      const double across = x * l.y + l.x * y, height = l.y + y;
-      const double slack = kRounding * l.length * height;
-      if (across >= -slack && across <= l.length * height + slack)
-        return std::sqrt((l.x - x) * (l.x - x) + height * height);
-    }
-  }
-  return std::min(atTail + mesh_.length(TriangleMesh::previous(halfedge)),
-                  atTip + mesh_.length(TriangleMesh::next(halfedge)));
+  return unfold(mesh_, halfedge, atTail, atTip).distance;
 }
 
 }  // namespace gvd

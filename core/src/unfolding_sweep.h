@@ -45,6 +45,7 @@ class UnfoldingSweep {
   void seed(const SurfacePoint& site);
   void offer(int vertex, double distance);
   void offerToNeighbours(int vertex);
+  /// The distance of a halfedge's apex from what is known at its two ends.
   double unfolded(int halfedge) const;
 
   const TriangleMesh& mesh_;

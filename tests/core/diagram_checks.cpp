@@ -129,12 +129,17 @@ AssertionResult checkComplex(const TriangleMesh& mesh, const Diagram& d) {
     for (const int p : d.cells[c]) polygon.push_back(name[p]);
     add(polygon);
   }
+  // Where an edge was cut, its two halves run between the same two vertices.
+  std::set<std::pair<int, int>> boundary;
+  for (int h = 0; h < mesh.halfedgeCount(); ++h)
+    if (mesh.twin(h) < 0) boundary.insert({mesh.tail(h), mesh.tip(h)});
   std::set<int> points;
   int edges = 0, open = 0;
   for (const auto& [ends, count] : sides) {
     points.insert({ends.first, ends.second});
     if (count != 1) return AssertionFailure() << "two parts use a side in the same direction";
-    const bool hasOther = sides.contains({ends.second, ends.first});
+    const bool hasOther =
+        sides.contains({ends.second, ends.first}) && !boundary.contains({ends.first, ends.second});
     if (!hasOther) ++open;
     edges += !hasOther || ends.first < ends.second;
   }
@@ -145,6 +150,97 @@ AssertionResult checkComplex(const TriangleMesh& mesh, const Diagram& d) {
     return AssertionFailure() << "V - E + F of the partition is " << euler << ", of the mesh "
                               << mesh.topology().eulerCharacteristic;
   return AssertionSuccess();
+}
+
+/// The share of a face that rounding may give to one label or another, where sites are 1e-9 apart.
+constexpr double kSliver = 1e-6;
+
+/// A face or a part of one, with the label that owns it.
+struct Part {
+  int face, label;
+  std::vector<Eigen::Vector3d> corners;
+
+  Eigen::Vector3d middle() const {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& corner : corners) sum += corner;
+    return sum / sum.sum();
+  }
+  /// As a share of the face's area.
+  double share() const {
+    double sum = 0;
+    for (size_t i = 1; i + 1 < corners.size(); ++i) {
+      const Eigen::Vector3d p = corners[i] - corners[0], q = corners[i + 1] - corners[0];
+      sum += p[0] * q[1] - p[1] * q[0];
+    }
+    return sum;
+  }
+};
+
+/// A point of the face or on its sides, in terms of that face.
+Eigen::Vector3d baryIn(const TriangleMesh& mesh, int face, const SurfacePoint& p) {
+  if (p.face == face) return p.bary;
+  Eigen::Vector3d bary = Eigen::Vector3d::Zero();
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k)
+      if (mesh.tail(3 * face + i) == mesh.tail(3 * p.face + k)) bary[i] = p.bary[k];
+  return bary;
+}
+
+std::vector<Part> reachedParts(const TriangleMesh& mesh, const Diagram& d) {
+  std::vector<Part> parts;
+  for (int f = 0; f < mesh.faceCount(); ++f)
+    if (d.faceLabel[f] >= 0)
+      parts.push_back({f, d.faceLabel[f], {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}});
+  for (int c = 0; c < d.cells.size(); ++c) {
+    Part part{d.cellFace[c], d.cellLabel[c], {}};
+    for (const int p : d.cells[c]) part.corners.push_back(baryIn(mesh, part.face, d.points[p]));
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+AssertionResult checkNearestAtVertices(const TriangleMesh& mesh, const DistanceField& field) {
+  for (int h = 0; h < mesh.halfedgeCount(); ++h) {
+    const int v = mesh.tail(h);
+    LabelledDistance least;
+    for (const LabelledDistance& d : field.at(v))
+      if (d.distance < least.distance) least = d;
+    const auto nearest = field.nearest({TriangleMesh::faceOf(h), Eigen::Vector3d::Unit(h % 3)});
+    const bool isSame = least.label < 0
+                            ? nearest.label < 0
+                            : std::abs(nearest.distance - least.distance) <= 1e-7 * mesh.diameter();
+    if (!isSame)
+      return AssertionFailure() << "nearest at vertex " << v << " is " << nearest.label << " at "
+                                << nearest.distance << ", not " << least.label << " at "
+                                << least.distance;
+  }
+  return AssertionSuccess();
+}
+
+AssertionResult checkExactDistances(const TriangleMesh& mesh, const DistanceField& field,
+                                    std::span<const SurfacePoint> sites) {
+  const double tolerance = 1e-9 * mesh.diameter();
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+    for (const LabelledDistance& d : field.at(v)) {
+      const double straight = (mesh.position(v) - mesh.position(sites[d.label])).norm();
+      if (!(d.distance >= straight - tolerance))
+        return AssertionFailure() << "site " << d.label << " is " << d.distance
+                                  << " away from vertex " << v << ", less than the straight line, "
+                                  << straight;
+    }
+  for (size_t i = 0; i < sites.size(); ++i)
+    if (const auto nearest = field.nearest(sites[i]); !(nearest.distance <= tolerance))
+      return AssertionFailure() << "the nearest site at site " << i << " is " << nearest.label
+                                << ", " << nearest.distance << " away";
+  return AssertionSuccess();
+}
+
+bool isKnownAtCorners(const TriangleMesh& mesh, const DistanceField& field, int label, int face) {
+  return std::all_of(&mesh.tails()[3 * face], &mesh.tails()[3 * face] + 3, [&](int v) {
+    const auto known = field.at(v);
+    return std::any_of(known.begin(), known.end(),
+                       [&](const LabelledDistance& d) { return d.label == label; });
+  });
 }
 
 }  // namespace
@@ -165,6 +261,33 @@ AssertionResult isConsistent(const TriangleMesh& mesh, const Diagram& d, int det
   if (auto result = checkLoops(mesh, d); !result) return result;
   if (auto result = checkArcs(d); !result) return result;
   return detail == 0 ? checkComplex(mesh, d) : AssertionSuccess();
+}
+
+AssertionResult agreesWithField(const TriangleMesh& mesh, const Traced& traced,
+                                std::span<const SurfacePoint> sites, Metric metric) {
+  if (auto result = checkNearestAtVertices(mesh, *traced.field); !result) return result;
+  return metric == Metric::kDgpc ? AssertionSuccess()
+                                 : checkExactDistances(mesh, *traced.field, sites);
+}
+
+AssertionResult spreadsFarEnough(const TriangleMesh& mesh, const Traced& traced,
+                                 const Traced& everywhere) {
+  const double tolerance = 1e-9 * mesh.diameter();
+  for (const Part& part : reachedParts(mesh, traced.diagram)) {
+    if (part.share() <= kSliver) continue;
+    const SurfacePoint p{part.face, part.middle()};
+    const auto ours = traced.field->nearest(p), expected = everywhere.field->nearest(p);
+    if (!(std::abs(ours.distance - expected.distance) <= tolerance))
+      return AssertionFailure() << "in face " << part.face << ", " << ours.label << " is nearest, "
+                                << ours.distance << " away; by brute force " << expected.label
+                                << ", " << expected.distance << " away";
+    // Sites that are closer than rounding are as good as each other.
+    const bool isTie = traced.field->distance(part.label, p) <= ours.distance + tolerance;
+    if (!isTie && !isKnownAtCorners(mesh, *traced.field, ours.label, part.face))
+      return AssertionFailure() << "site " << ours.label << ", nearest in the middle of a part of "
+                                << "face " << part.face << ", is not known at its corners";
+  }
+  return AssertionSuccess();
 }
 
 AssertionResult areSame(const TriangleMesh& mesh, const Diagram& a, const Diagram& b,

@@ -34,6 +34,19 @@ Traced trace(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
 ::testing::AssertionResult isConsistent(const TriangleMesh& mesh, const Diagram& diagram,
                                         int detail = 0);
 
+/// Success if `nearest` gives at every vertex the least distance known there, and with the exact
+/// metric distances are never less than the straight line in space, and zero at every site. Inside
+/// faces `nearest` knows more than the diagram, of which the bisectors are straight there.
+::testing::AssertionResult agreesWithField(const TriangleMesh& mesh, const Traced& traced,
+                                           std::span<const SurfacePoint> sites, Metric metric);
+
+/// Success if brute force (`everywhere`) finds no more than `traced` knows: in the middle of every
+/// part the nearest site is as far away, and known at all three corners. For the exact metric. DGPC
+/// stops a label where another one is ahead at both ends of an edge, and where one of them comes
+/// around an obstacle, may so lose a part that it would own.
+::testing::AssertionResult spreadsFarEnough(const TriangleMesh& mesh, const Traced& traced,
+                                            const Traced& everywhere);
+
 /// Success if two diagrams of one mesh are the same: label l of a is label `labelInB[l]` of b; the
 /// same region triangles, numbers of loops, segments and Voronoi points with their labels; region
 /// areas to `tolerance` times the mesh area.

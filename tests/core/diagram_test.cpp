@@ -94,11 +94,6 @@ TEST_P(RandomMeshes, MayBeTurnedMovedAndScaled) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomMeshes, ::testing::Range(0, 208));
 
-SurfacePoint vertexSite(const TriangleMesh& mesh, int v) {
-  const int h = mesh.outgoing(v);
-  return {TriangleMesh::faceOf(h), Eigen::Vector3d::Unit(h % 3)};
-}
-
 SurfacePoint centroid(int face) { return {face, Eigen::Vector3d::Constant(1.0 / 3)}; }
 
 TEST(Diagram, OfOneSiteOnAClosedSurfaceHasNoLoop) {

@@ -6,8 +6,11 @@ import assert from 'node:assert/strict';
 import { suite, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { runnerImport } from 'vite';
-import { octahedron } from '../wasm/meshes.mjs';
+import { apart, grid, octahedron } from '../wasm/meshes.mjs';
 
+const { DensityPaint, greatestDensity } = await viewerModule('density_paint');
+const { hexagonEnergy, rootDensityIntegral } = await viewerModule('hexagon_energy');
+const { SceneMesh } = await viewerModule('scene_mesh');
 const { cornerNormals } = await viewerModule('corner_normals');
 const { LatestTask } = await viewerModule('latest_task');
 const { ModelFrame } = await viewerModule('model_frame');
@@ -102,6 +105,86 @@ suite('corner normals', () => {
     const normals = normalsOf({ positions: ridge, indices: [0, 1, 2, 5, 4, 3] });
     assert.deepEqual([...normals.subarray(0, 3)], [...normals.subarray(12, 15)]);
     assert.ok(Math.abs(normals[0]) < 1e-6, 'between those of the two faces');
+  });
+});
+
+suite('energy of hexagons', () => {
+  const square = ({ positions, indices }) => ({
+    positions: Float64Array.from(positions),
+    indices: Int32Array.from(indices),
+  });
+
+  test('is that of a hexagon of the same area, for each site', () => {
+    // ∫ d² over a regular hexagon of side 1 is 5√3/8, its area 3√3/2.
+    const area = (3 * Math.sqrt(3)) / 2;
+    const energy = hexagonEnergy({ siteCount: 4, regionArea: new Float64Array(4).fill(area) });
+    assert.ok(Math.abs(energy - (4 * 5 * Math.sqrt(3)) / 8) < 1e-12);
+  });
+
+  test('a density c has √c times the area as its weight', () => {
+    const mesh = square(grid(7));
+    const uniform = (c) => rootDensityIntegral(mesh, new Float64Array(64).fill(c));
+    assert.ok(Math.abs(uniform(1) - 1) < 1e-12);
+    assert.ok(Math.abs(uniform(9) - 3) < 1e-12);
+  });
+});
+
+suite('density paint', () => {
+  const sceneMesh = ({ positions, indices }) =>
+    new SceneMesh({ positions: Float64Array.from(positions), indices: Int32Array.from(indices) });
+  const centreOf = ({ positions, indices }, face) => ({
+    face,
+    place: Object.fromEntries(
+      ['x', 'y', 'z'].map((name, axis) => [
+        name,
+        [0, 1, 2].reduce((sum, k) => sum + positions[3 * indices[3 * face + k] + axis] / 3, 0),
+      ]),
+    ),
+  });
+
+  test('a dab reaches what is connected and near, and repeated it comes to the density', () => {
+    const mesh = sceneMesh(apart(grid(10), grid(10)));
+    const paint = new DensityPaint(mesh);
+    assert.equal(paint.density, undefined);
+    const hit = centreOf(mesh, 0);
+    for (let i = 0; i < 50; ++i) paint.dab(hit, { radius: 1e9, density: 100 });
+    const { density } = paint;
+    assert.ok(density.subarray(0, 121).every((each) => Math.abs(each - 100) < 1e-3));
+    assert.ok(density.subarray(121).every((each) => each === 1), 'the other part is not connected');
+
+    for (let i = 0; i < 50; ++i) paint.dab(hit, { radius: 1e9, density: 1 });
+    assert.equal(paint.density, undefined, 'painted over');
+  });
+
+  test('near is what is within the radius, over seams too', () => {
+    // Every triangle has vertices of its own.
+    const { positions, indices } = grid(10);
+    const mesh = sceneMesh({
+      positions: indices.flatMap((v) => positions.slice(3 * v, 3 * v + 3)),
+      indices: indices.map((_, i) => i),
+    });
+    const paint = new DensityPaint(mesh);
+    const hit = centreOf(mesh, 90);
+    const radius = 0.4;
+    paint.dab(hit, { radius, density: greatestDensity });
+    const { x, y, z } = hit.place;
+    let painted = 0;
+    paint.density.forEach((density, v) => {
+      const [px, py, pz] = mesh.positions.subarray(3 * v, 3 * v + 3);
+      const isNear = Math.hypot(px - x, py - y, pz - z) < radius;
+      assert.equal(density > 1, isNear);
+      if (isNear) ++painted;
+    });
+    assert.ok(painted > 20);
+  });
+
+  test('a density that is set is kept between a thousandth and a thousand', () => {
+    const paint = new DensityPaint(sceneMesh(octahedron()));
+    paint.density = [1, 10, 1e9, 0, 1, 0.1];
+    const expected = [1, 10, 1000, 0.001, 1, 0.1];
+    paint.density.forEach((density, v) => {
+      assert.ok(Math.abs(density / expected[v] - 1) < 1e-5);
+    });
   });
 });
 

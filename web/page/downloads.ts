@@ -26,9 +26,11 @@ export function setUpDownloads(viewer: GeodesicVoronoiElement): void {
     save(json({ face: [...face], bary: [...bary] }), `${model}-sites.json`);
   });
   onClick('download-picture', async () => save(await viewer.toBlob(), `${model}.png`));
-  listen(viewer, 'diagram', () => {
+  const update = () => {
     for (const button of ofDiagram) button.disabled = viewer.diagram === undefined;
-  });
+  };
+  listen(viewer, 'diagram', update);
+  listen(viewer, 'cvt-iteration', update);
 }
 
 function save(blob: Blob, name: string): void {

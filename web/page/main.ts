@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { GeodesicVoronoiElement } from '../viewer/element.js';
+import { setUpCvtControls } from './cvt_controls.js';
+import { setUpDensityControls } from './density_controls.js';
 import { byId } from './dom.js';
 import { setUpDownloads } from './downloads.js';
 import { setUpFeedback } from './feedback.js';
@@ -14,6 +16,8 @@ const viewer = byId('viewer', GeodesicVoronoiElement);
 setUpModelChoice(viewer);
 setUpMeshReport(viewer);
 setUpSiteControls(viewer);
+setUpCvtControls(viewer);
+setUpDensityControls(viewer);
 setUpViewControls(viewer);
 setUpFeedback(viewer);
 setUpDownloads(viewer);

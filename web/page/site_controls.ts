@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+import type { Sampling } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { byId, listen, onClick } from './dom.js';
 import { measure } from './numbers.js';
@@ -14,16 +15,21 @@ function setUpScatter(viewer: GeodesicVoronoiElement): void {
   const form = byId('scatter', HTMLFormElement);
   const count = byId('count', HTMLInputElement);
   const seed = byId('seed', HTMLInputElement);
-  count.value = viewer.getAttribute('sites') ?? '';
-  seed.value = viewer.getAttribute('seed') ?? '';
+  const sampling = byId('sampling', HTMLSelectElement);
+  const fields = { sites: count, seed, sampling };
+  for (const [name, field] of Object.entries(fields)) {
+    field.value = viewer.getAttribute(name) ?? field.value;
+  }
   form.addEventListener('submit', (event) => {
     event.preventDefault();
-    const isNew =
-      viewer.getAttribute('sites') !== count.value || viewer.getAttribute('seed') !== seed.value;
     // The attributes also hold for the next model. The viewer scatters when they change.
-    viewer.setAttribute('sites', count.value);
-    viewer.setAttribute('seed', seed.value);
-    if (!isNew) void viewer.scatter(count.valueAsNumber, seed.valueAsNumber);
+    let isNew = false;
+    for (const [name, field] of Object.entries(fields)) {
+      isNew ||= viewer.getAttribute(name) !== field.value;
+      viewer.setAttribute(name, field.value);
+    }
+    if (isNew) return;
+    void viewer.scatter(count.valueAsNumber, seed.valueAsNumber, sampling.value as Sampling);
   });
 }
 

@@ -8,6 +8,7 @@ export type Command =
   | 'refit'
   | 'cancel'
   | 'place'
+  | 'play-cvt'
   | 'next-site'
   | 'previous-site'
   | 'turn-left'
@@ -23,6 +24,7 @@ const ofKey: Readonly<Record<string, Command>> = {
   f: 'refit',
   Escape: 'cancel',
   Enter: 'place',
+  ' ': 'play-cvt',
   n: 'next-site',
   p: 'previous-site',
   ArrowLeft: 'turn-left',

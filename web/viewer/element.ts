@@ -2,22 +2,55 @@
 //
 // Importing this file defines <geodesic-voronoi>. Where there is no DOM it defines nothing and does no harm.
 
-import type { Diagram, MeshInfo, MeshPart, Metric, SurfacePoints } from 'geodesic-voronoi';
+import type {
+  CvtMethod,
+  Diagram,
+  MeshInfo,
+  MeshPart,
+  Metric,
+  Sampling,
+  SurfacePoints,
+} from 'geodesic-voronoi';
 import { Vector2 } from 'three';
 import { type Command, commandOf } from './commands.js';
+import type { CvtSettings } from './cvt_run.js';
+import { type Brush, DensityPaint } from './density_paint.js';
 import { fillShadow } from './element_template.js';
+import { hexagonEnergy, rootDensityIntegral } from './hexagon_energy.js';
 import { Hover, type HoveredPoint } from './hover.js';
 import { type Layer, layers, ModelDrawing } from './model_drawing.js';
 import { fetchModelFiles, type ModelFiles, readModelFiles } from './model_files.js';
 import { Picker, type SurfaceHit } from './picking.js';
 import { PointerGestures } from './pointer_gestures.js';
 import { SceneMesh } from './scene_mesh.js';
-import { Session, type ShownDiagram, type Status } from './session.js';
+import {
+  type CvtStatus,
+  type Scattering,
+  Session,
+  type ShownDiagram,
+  type Status,
+} from './session.js';
 import { type SitePlace, type Sites, surfacePointsOf } from './site_history.js';
 import { Stage } from './stage.js';
 
-export type { Command, HoveredPoint, Layer, SitePlace, Status };
+export type { Command, CvtStatus, HoveredPoint, Layer, SitePlace, Status };
 export { commandOf, layers };
+
+/** What an iteration of a centroidal tessellation has come to. */
+export interface CvtIteration {
+  /** 0: the sites from before. */
+  iteration: number;
+  /** Σ ∫ ρ d² over the regions, d the distance to the region's site, ρ the density. It never rises. */
+  energy: number;
+  /**
+   * The energy as a multiple of that of as many regular hexagons of the same area in the plane: the
+   * least there is where the surface is not curved. With a density, that of hexagons as large as it
+   * asks for.
+   */
+  relativeEnergy: number;
+  /** How far the site that has moved furthest has, in the model's units. */
+  largestMove: number;
+}
 
 /** The `detail` of this element's events, by their name. */
 export interface ViewerEvents {
@@ -39,6 +72,11 @@ export interface ViewerEvents {
   };
   /** The sites or the choice of one changed; the diagram follows. */
   'sites-change': { count: number; selected: number; canUndo: boolean; canRedo: boolean };
+  /** Sites and diagram are those of an iteration now; a `diagram` event follows when it pauses. */
+  'cvt-iteration': CvtIteration;
+  'cvt-change': { status: CvtStatus };
+  /** The density was painted, set or cleared. */
+  'density-change': { isUniform: boolean };
   /** The share done, 0 … 1, of what `status` says is under way. */
   progress: { share: number };
   'status-change': { status: Status };
@@ -63,6 +101,13 @@ interface Connected {
   resizing: ResizeObserver;
 }
 
+/** As it was when it last came to rest. */
+interface Density {
+  perVertex: Float64Array;
+  /** ∫ √ρ. */
+  rootIntegral: number;
+}
+
 const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
 
 /**
@@ -70,8 +115,10 @@ const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
  * it, Delete removes it.
  *
  * Attributes: `src` (address of a .glb or .gltf), `alt`, `sites` (how many are scattered on a new
- * model) and their `seed`, `metric` (dgpc, exact), `detail` (0 …), `layers` (what is shown, separated
- * by spaces: regions, bisectors, sites, voronoi-points, wireframe). `status` tells what it does.
+ * model), their `seed` and `sampling` (random, farthest, poisson), `metric` (dgpc, exact), `detail` (0 …), `layers` (what is shown, separated
+ * by spaces: regions, bisectors, sites, voronoi-points, wireframe), `cvt-method` (lbfgs, lloyd),
+ * `cvt-iterations`, `tool` (sites, density: what a press on the surface does), `brush-size` (in
+ * hundredths of the model's radius), `brush-density`. `status` tells what it does.
  * Slot `poster`: shown until there is a model, and if there can be none. A model opened from a file is
  * gone when the element leaves its document; that of `src` is there again when it returns.
  */
@@ -81,13 +128,15 @@ export class GeodesicVoronoiElement extends Base {
     'alt',
     'sites',
     'seed',
+    'sampling',
     'metric',
     'detail',
     'layers',
   ];
 
   #connected: Connected | undefined;
-  #model: { drawing: ModelDrawing; picker: Picker } | undefined;
+  #model: { drawing: ModelDrawing; picker: Picker; paint: DensityPaint } | undefined;
+  #density: Density | undefined;
   #selected: number | undefined;
   readonly #changedAttributes = new Set<string>();
 
@@ -197,14 +246,17 @@ export class GeodesicVoronoiElement extends Base {
     this.#session?.replaceSites(sites);
   }
 
-  /** The diagram that is shown; it changes with the next `diagram` event. */
+  /**
+   * The diagram that is shown; it changes with the next `diagram` event. There is none without sites
+   * and while iterations of a centroidal tessellation are shown.
+   */
   get diagram(): Diagram | undefined {
     return this.#session?.shown?.diagram;
   }
 
-  /** Sites in random places instead of those there are. */
-  async scatter(count: number, seed = 1): Promise<void> {
-    await this.#session?.scatter(count, seed);
+  /** Sites in new places instead of those there are. */
+  async scatter(count: number, seed = 1, sampling: Sampling = 'random'): Promise<void> {
+    await this.#session?.scatter({ count, seed, sampling });
   }
 
   addSite(place: SitePlace): void {
@@ -259,6 +311,48 @@ export class GeodesicVoronoiElement extends Base {
     return hit && { face: hit.face, bary: hit.bary };
   }
 
+  // --- Centroidal tessellation ----------------------------------------------------------------
+
+  get cvtStatus(): CvtStatus {
+    return this.#session?.cvtStatus ?? 'idle';
+  }
+
+  /**
+   * Moves the sites to the centroids of their regions until the number of iterations is a multiple of
+   * `cvt-iterations`, and goes on where it was paused. All of it is one step to undo; any other change
+   * of the sites, and another `cvt-method`, ends it: the next one begins with the sites as they are then.
+   */
+  playCvt(): void {
+    const iterations = Math.max(1, Math.round(numberOf(this.getAttribute('cvt-iterations'), 50)));
+    this.#session?.playCvt(iterations, this.#cvtSettings);
+  }
+
+  /** One iteration. */
+  stepCvt(): void {
+    this.#session?.stepCvt(this.#cvtSettings);
+  }
+
+  pauseCvt(): void {
+    this.#session?.pauseCvt();
+  }
+
+  /** Back to the sites from before. */
+  resetCvt(): void {
+    this.#session?.resetCvt();
+  }
+
+  /** Per input vertex, 1 where nothing is painted; undefined if that is everywhere. */
+  get density(): Float64Array | undefined {
+    return this.#density?.perVertex.slice();
+  }
+
+  /** Values are kept between a thousandth and a thousand. */
+  set density(density: ArrayLike<number> | undefined) {
+    if (!this.#model) return;
+    this.#model.paint.density = density;
+    this.#adoptDensity();
+  }
+
   // --- View -----------------------------------------------------------------------------------
 
   /** What is shown. */
@@ -300,6 +394,8 @@ export class GeodesicVoronoiElement extends Base {
         return this.cancel();
       case 'place':
         return this.#placeAt(new Vector2(0, 0));
+      case 'play-cvt':
+        return this.cvtStatus === 'running' ? this.pauseCvt() : this.playCvt();
       case 'next-site':
         return this.#selectNext(1);
       case 'previous-site':
@@ -341,6 +437,9 @@ export class GeodesicVoronoiElement extends Base {
         this.#selected = site;
         this.#showSites();
       },
+      beginStroke: (x, y) => this.#isPainting && this.#dab(stage.toDevice(x, y)),
+      stroke: (x, y) => this.#dab(stage.toDevice(x, y)),
+      endStroke: () => this.#adoptDensity(),
       move: (site, x, y) => this.#drag(site, x, y),
       endMove: () => this.#session?.endMove(),
       cancelMove: () => this.#session?.cancelMove(),
@@ -356,7 +455,17 @@ export class GeodesicVoronoiElement extends Base {
         this.#emit('load', { name, info: mesh.info, parts: mesh.parts });
       },
       sitesChanged: () => this.#showSites(),
-      diagramChanged: (shown) => this.#showDiagram(shown),
+      diagramChanged: (shown, milliseconds) => {
+        this.#showDiagram(shown);
+        this.#tellDiagram(shown, milliseconds);
+      },
+      cvtIterated: (shown, { iteration, energy, largestMove }) => {
+        this.#showDiagram(shown);
+        const least = shown.data && hexagonEnergy(shown.data, this.#density?.rootIntegral);
+        const relativeEnergy = energy / (least ?? NaN);
+        this.#emit('cvt-iteration', { iteration, energy, relativeEnergy, largestMove });
+      },
+      cvtStatusChanged: (status) => this.#emit('cvt-change', { status }),
       settingsRestored: ({ metric, detail }) => {
         this.setAttribute('metric', metric);
         this.setAttribute('detail', String(detail));
@@ -405,9 +514,8 @@ export class GeodesicVoronoiElement extends Base {
     if (changed.has('layers')) this.#showLayers();
     if (changed.has('metric') || changed.has('detail')) this.#configure();
     if (changed.has('src') && this.src) void this.load(this.src);
-    else if (changed.has('sites') || changed.has('seed')) {
-      const { count, seed } = this.#initialSites;
-      void this.scatter(count, seed);
+    else if (['sites', 'seed', 'sampling'].some((name) => changed.has(name))) {
+      void this.#session?.scatter(this.#scattering);
     }
   }
 
@@ -419,17 +527,25 @@ export class GeodesicVoronoiElement extends Base {
     });
   }
 
-  get #initialSites(): { count: number; seed: number } {
+  get #cvtSettings(): CvtSettings {
+    return {
+      method: (this.getAttribute('cvt-method') ?? 'lbfgs') as CvtMethod,
+      density: this.#density?.perVertex,
+    };
+  }
+
+  get #scattering(): Scattering {
     return {
       count: numberOf(this.getAttribute('sites'), 0),
       seed: numberOf(this.getAttribute('seed'), 1),
+      sampling: (this.getAttribute('sampling') ?? 'random') as Sampling,
     };
   }
 
   #open(
     read: (signal: AbortSignal, onProgress: (share: number) => void) => Promise<ModelFiles>,
   ): Promise<boolean> {
-    return this.#session?.open(read, this.#initialSites) ?? Promise.resolve(false);
+    return this.#session?.open(read, this.#scattering) ?? Promise.resolve(false);
   }
 
   #draw(): void {
@@ -444,7 +560,12 @@ export class GeodesicVoronoiElement extends Base {
       stage.remove(this.#model.drawing.object);
       this.#model.drawing.dispose();
     }
-    this.#model = { drawing: new ModelDrawing(mesh), picker: new Picker(mesh) };
+    this.#model = {
+      drawing: new ModelDrawing(mesh),
+      picker: new Picker(mesh),
+      paint: new DensityPaint(mesh),
+    };
+    this.#adoptDensity();
     stage.add(this.#model.drawing.object);
     this.#showLayers();
     this.refit();
@@ -472,14 +593,16 @@ export class GeodesicVoronoiElement extends Base {
     });
   }
 
-  #showDiagram({ sites, diagram, metric, detail, milliseconds }: ShownDiagram): void {
-    const data = diagram?.data;
+  #showDiagram({ sites, data }: ShownDiagram): void {
     this.#model?.drawing.setDiagram(
       data,
       sites.map((site) => site.id),
     );
     this.#draw();
     this.#connected?.hover.refresh();
+  }
+
+  #tellDiagram({ sites, data, metric, detail }: ShownDiagram, milliseconds: number): void {
     this.#emit('diagram', {
       sites: sites.length,
       regions: data?.regionArea.reduce((count, area) => count + (area > 0 ? 1 : 0), 0) ?? 0,
@@ -496,7 +619,49 @@ export class GeodesicVoronoiElement extends Base {
     return this.#model?.picker.pick(device, this.#required().stage.camera);
   }
 
+  get #isPainting(): boolean {
+    return this.getAttribute('tool') === 'density';
+  }
+
+  get #brush(): Brush {
+    return {
+      radius: numberOf(this.getAttribute('brush-size'), 20) / 100,
+      density: numberOf(this.getAttribute('brush-density'), 100),
+    };
+  }
+
+  /** Paints density there; returns whether there is any surface. */
+  #dab(device: Vector2): boolean {
+    const hit = this.#pick(device);
+    if (!hit || !this.#model) return false;
+    const { paint, drawing } = this.#model;
+    paint.dab(hit, this.#brush);
+    drawing.setTints(paint.tints);
+    this.#draw();
+    return true;
+  }
+
+  /** A tessellation that plays goes on with the density that is painted now. */
+  #adoptDensity(): void {
+    const mesh = this.#session?.mesh;
+    if (!this.#model || !mesh) return;
+    const { paint, drawing } = this.#model;
+    const perVertex = paint.density;
+    this.#density = perVertex && {
+      perVertex,
+      rootIntegral: rootDensityIntegral(mesh, perVertex),
+    };
+    drawing.setTints(paint.tints);
+    this.#draw();
+    this.#emit('density-change', { isUniform: perVertex === undefined });
+    if (this.cvtStatus === 'running') this.playCvt();
+  }
+
   #placeAt(device: Vector2): void {
+    if (this.#isPainting) {
+      if (this.#dab(device)) this.#adoptDensity();
+      return;
+    }
     const hit = this.#pick(device);
     if (hit) this.addSite(hit);
   }
@@ -540,7 +705,7 @@ export class GeodesicVoronoiElement extends Base {
   #hover(x: number, y: number): void {
     const { stage, canvas, hover } = this.#required();
     const hit = this.#pick(stage.toDevice(x, y));
-    const overSite = hit && this.#siteAt(x, y, 10) !== undefined;
+    const overSite = hit && !this.#isPainting && this.#siteAt(x, y, 10) !== undefined;
     canvas.style.cursor = overSite ? 'grab' : hit ? 'crosshair' : '';
     hover.moveTo(hit);
   }

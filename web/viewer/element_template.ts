@@ -28,13 +28,15 @@ const style = `
     text-align: center;
   }
   .poster { position: absolute; inset: 0; pointer-events: none; }
-  :host([status='ready']) .poster, :host([status='computing']) .poster { display: none; }
+  :host([status='ready']) .poster, :host([status='computing']) .poster,
+  :host([status='iterating']) .poster { display: none; }
   .instructions { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
 `;
 
 const instructions =
   'Arrow keys turn the model, plus and minus zoom. Enter adds a site at the centre of the view; ' +
-  'N and P choose a site, Delete removes it. Control Z undoes.';
+  'N and P choose a site, Delete removes it. Control Z undoes. ' +
+  'Space plays and pauses the centroidal tessellation.';
 
 /**
  * Fills the element's shadow with its canvas and what lies on it. Made by DOM calls and a constructed

@@ -93,6 +93,11 @@ export class ModelDrawing {
     return `#${toneColour(this.#tones[label]).toString(16).padStart(6, '0')}`;
   }
 
+  /** A tint per input vertex, -1 … 1, over the regions' colours; undefined for none. */
+  setTints(tints: Float32Array | undefined): void {
+    this.#surface.tints = tints;
+  }
+
   setSites(sites: Sites, selected: number): void {
     this.#sitePlaces = new Float32Array(3 * sites.length);
     sites.forEach(({ face, bary }, i) => {

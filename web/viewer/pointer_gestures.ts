@@ -9,6 +9,10 @@ export interface GestureTarget {
   /** The site drawn there, within a finger's or a pointer's reach. */
   siteAt(x: number, y: number, reach: number): number | undefined;
   select(site: number): void;
+  /** Whether a stroke of a brush begins there, rather than anything else. */
+  beginStroke(x: number, y: number): boolean;
+  stroke(x: number, y: number): void;
+  endStroke(): void;
   move(site: number, x: number, y: number): void;
   endMove(): void;
   cancelMove(): void;
@@ -23,13 +27,15 @@ interface Press {
   pointer: number;
   x: number;
   y: number;
-  site: number | undefined;
+  /** What is dragged; undefined for the camera. */
+  site: number | 'brush' | undefined;
   moved: boolean;
 }
 
 /**
- * Clicks, drags of sites and hovering on a canvas. What begins on a site is kept from the camera's
- * controls; the rest is left to them and only watched, to tell clicks from turning the model.
+ * Clicks, drags of sites, strokes of a brush and hovering on a canvas. What begins on a site or with
+ * the brush is kept from the camera's controls; the rest is left to them and only watched, to tell
+ * clicks from turning the model.
  */
 export class PointerGestures {
   readonly #canvas: HTMLCanvasElement;
@@ -59,7 +65,8 @@ export class PointerGestures {
 
   /** Forgets the press; a site that was dragged returns. */
   cancel(): void {
-    if (this.dragging) this.#target.cancelMove();
+    if (this.#press?.site === 'brush') this.#target.endStroke();
+    else if (this.dragging) this.#target.cancelMove();
     this.#end();
   }
 
@@ -75,13 +82,14 @@ export class PointerGestures {
       return;
     }
     const { clientX: x, clientY: y, pointerId: pointer } = event;
-    const site = isPlain(event) ? this.#target.siteAt(x, y, reachOf(event)) : undefined;
+    const site = isPlain(event) ? this.#grasped(x, y, reachOf(event)) : undefined;
     this.#press = { pointer, x, y, site, moved: false };
     if (site === undefined) return;
 
     event.stopImmediatePropagation();
     this.#canvas.focus({ preventScroll: true });
     this.#canvas.setPointerCapture(pointer);
+    if (site === 'brush') return;
     this.#target.select(site);
     if (event.pointerType !== 'mouse') {
       this.#longPress = window.setTimeout(() => {
@@ -89,6 +97,10 @@ export class PointerGestures {
         this.#target.remove(site);
       }, longPressMilliseconds);
     }
+  }
+
+  #grasped(x: number, y: number, reach: number): number | 'brush' | undefined {
+    return this.#target.beginStroke(x, y) ? 'brush' : this.#target.siteAt(x, y, reach);
   }
 
   #moveTo(event: PointerEvent): void {
@@ -102,13 +114,15 @@ export class PointerGestures {
     if (!press.moved && Math.hypot(x - press.x, y - press.y) <= clickRadius) return;
     press.moved = true;
     clearTimeout(this.#longPress);
-    if (press.site !== undefined) this.#target.move(press.site, x, y);
+    if (press.site === 'brush') this.#target.stroke(x, y);
+    else if (press.site !== undefined) this.#target.move(press.site, x, y);
   }
 
   #up(event: PointerEvent): void {
     const press = this.#press;
     if (!press || event.pointerId !== press.pointer) return;
-    if (press.site !== undefined && press.moved) this.#target.endMove();
+    if (press.site === 'brush') this.#target.endStroke();
+    else if (press.site !== undefined && press.moved) this.#target.endMove();
     this.#end();
     if (press.moved || press.site !== undefined) return;
     const { clientX: x, clientY: y } = event;

@@ -16,6 +16,10 @@ import type { SceneMesh } from './scene_mesh.js';
 const neutralColour = 0xd9d6d0;
 /** Faces that no site reaches. */
 const unreachableColour = 0x9a9ca1;
+/** Where the painted density is greatest and least. */
+const denseColour = 0x4a1942;
+const sparseColour = 0xffffff;
+const tintOpacity = 0.75;
 
 /** `DiagramData.faceLabel` of a face that several regions share. */
 const shared = -2;
@@ -34,6 +38,7 @@ export class RegionSurface {
   #parts: Mesh<BufferGeometry, MeshLambertMaterial> | undefined;
   #diagram: { data: DiagramData; tones: Uint16Array } | undefined;
   #filled = true;
+  #tints: Float32Array | undefined;
 
   constructor(mesh: SceneMesh) {
     this.#mesh = mesh;
@@ -66,6 +71,13 @@ export class RegionSurface {
     this.#update();
   }
 
+  /** A tint per input vertex, -1 … 1, over the colours; undefined for none. */
+  set tints(tints: Float32Array | undefined) {
+    if (!tints && !this.#tints) return;
+    this.#tints = tints;
+    this.#update();
+  }
+
   dispose(): void {
     this.#removeParts();
     this.#wholeFaces.dispose();
@@ -82,7 +94,8 @@ export class RegionSurface {
       const label = diagram ? diagram.data.faceLabel[face] : undefined;
       if (label === shared) continue;
       for (let corner = 3 * face; corner < 3 * face + 3; ++corner) {
-        colours.write(label, colour.array, 3 * corner);
+        const tint = this.#tints?.[this.#mesh.indices[corner]];
+        colours.write(label, tint, colour.array, 3 * corner);
         index.array[end++] = corner;
       }
     }
@@ -92,7 +105,7 @@ export class RegionSurface {
 
     this.#removeParts();
     if (diagram && diagram.data.cells.face.length > 0) {
-      this.#parts = new Mesh(partGeometry(this.#mesh, diagram.data, colours), this.#material);
+      this.#parts = new Mesh(partGeometry(this.#mesh, diagram.data, colours, this.#tints), this.#material);
       this.#parts.frustumCulled = false;
       this.object.add(this.#parts);
     }
@@ -112,16 +125,23 @@ class LabelColours {
   readonly #tones: Uint16Array | undefined;
   readonly #neutral = linearBytes(neutralColour);
   readonly #unreachable = linearBytes(unreachableColour);
+  readonly #dense = linearBytes(denseColour);
+  readonly #sparse = linearBytes(sparseColour);
 
   constructor(tones: Uint16Array | undefined) {
     this.#tones = tones;
   }
 
-  write(label: number | undefined, target: { [i: number]: number }, at: number): void {
+  write(
+    label: number | undefined,
+    tint: number | undefined,
+    target: { [i: number]: number },
+    at: number,
+  ): void {
     const bytes = this.#of(label);
-    target[at] = bytes[0];
-    target[at + 1] = bytes[1];
-    target[at + 2] = bytes[2];
+    const over = tint && tint < 0 ? this.#sparse : this.#dense;
+    const share = tint ? tintOpacity * Math.abs(tint) : 0;
+    for (let k = 0; k < 3; ++k) target[at + k] = bytes[k] + share * (over[k] - bytes[k]);
   }
 
   #of(label: number | undefined): Uint8Array {
@@ -154,7 +174,12 @@ function wholeFaceGeometry(mesh: SceneMesh): BufferGeometry {
 }
 
 /** The parts of shared faces as triangle fans; they are convex. */
-function partGeometry(mesh: SceneMesh, data: DiagramData, colours: LabelColours): BufferGeometry {
+function partGeometry(
+  mesh: SceneMesh,
+  data: DiagramData,
+  colours: LabelColours,
+  tints: Float32Array | undefined,
+): BufferGeometry {
   const { cells, points } = data;
   const places = mesh.frame.toScene(points.position);
   const corners = cells.points.length;
@@ -174,7 +199,8 @@ function partGeometry(mesh: SceneMesh, data: DiagramData, colours: LabelColours)
       const bary = mesh.barycentric(face, place[0], place[1], place[2]);
       barys.push(bary);
       mesh.writeNormal(face, bary, normal, 3 * i);
-      colours.write(cells.label[cell], colour, 3 * i);
+      const tint = tints && mesh.interpolate(face, bary, tints);
+      colours.write(cells.label[cell], tint, colour, 3 * i);
     }
     const turned = isClockwise(barys);
     for (let i = first + 2; i < end; ++i) triangles.push(first, ...(turned ? [i, i - 1] : [i - 1, i]));

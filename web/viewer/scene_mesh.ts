@@ -34,6 +34,16 @@ export class SceneMesh {
     }
   }
 
+  /** The value at a point of a face of a function given at the vertices. */
+  interpolate(face: number, bary: ArrayLike<number>, values: ArrayLike<number>): number {
+    const { indices } = this;
+    return (
+      bary[0] * values[indices[3 * face]] +
+      bary[1] * values[indices[3 * face + 1]] +
+      bary[2] * values[indices[3 * face + 2]]
+    );
+  }
+
   /** The shading normal of a face at a point of it, not normalised, written to `target[at…]`. */
   writeNormal(face: number, bary: ArrayLike<number>, target: Float32Array, at: number): void {
     for (let axis = 0; axis < 3; ++axis) {

@@ -1,36 +1,58 @@
 // SPDX-License-Identifier: MIT
 import {
+  type CvtState,
   type Diagram,
+  type DiagramData,
   type GeodesicVoronoi,
   loadWorker,
   type Located,
   type Mesh,
   type Metric,
+  type Sampling,
   type SurfacePointsInput,
 } from 'geodesic-voronoi';
+import { CvtRun, type CvtSettings } from './cvt_run.js';
 import { LatestTask } from './latest_task.js';
 import type { ModelFiles } from './model_files.js';
-import { SiteHistory, type SitePlace, type Sites, surfacePointsOf } from './site_history.js';
+import { placeOf, SiteHistory, type SitePlace, type Sites, surfacePointsOf } from './site_history.js';
 
-export type Status = 'empty' | 'loading' | 'computing' | 'ready';
+export type Status = 'empty' | 'loading' | 'computing' | 'iterating' | 'ready';
+
+/**
+ * Where a centroidal tessellation of the present sites stands: 'idle' if none has begun, 'done' if
+ * no iteration lowers the energy any more.
+ */
+export type CvtStatus = 'idle' | 'running' | 'paused' | 'done';
+
+/** How sites are scattered. */
+export interface Scattering {
+  count: number;
+  seed: number;
+  sampling?: Sampling;
+}
 
 export interface DiagramSettings {
   metric: Metric;
   detail: number;
 }
 
-/** A diagram with what it was made from; without sites there is none. */
+/** A diagram with what it was made from. */
 export interface ShownDiagram extends DiagramSettings {
   sites: Sites;
+  /** Without sites there is none. */
+  data: DiagramData | undefined;
+  /** What answers questions about it; an iteration's diagram has only data. */
   diagram: Diagram | undefined;
-  milliseconds: number;
 }
 
 /** Told what changed, after it did. */
 export interface SessionListener {
   modelChanged(mesh: Mesh, name: string): void;
   sitesChanged(sites: Sites): void;
-  diagramChanged(shown: ShownDiagram): void;
+  diagramChanged(shown: ShownDiagram, milliseconds: number): void;
+  /** Sites and diagram are those of an iteration. */
+  cvtIterated(shown: ShownDiagram, state: CvtState): void;
+  cvtStatusChanged(status: CvtStatus): void;
   /** After a failure or a cancel: the settings are again those of the diagram that is shown. */
   settingsRestored(settings: DiagramSettings): void;
   statusChanged(status: Status): void;
@@ -59,6 +81,9 @@ export class Session {
   #mesh: Mesh | undefined;
   #shown: ShownDiagram | undefined;
   #move: { id: number; recorded: boolean } | undefined;
+  #cvt: CvtRun | undefined;
+  #cvtStatus: CvtStatus = 'idle';
+  #scattering: Scattering | undefined;
   #computing = false;
   #status: Status = 'empty';
 
@@ -91,7 +116,7 @@ export class Session {
   }
 
   /** Opens a model with so many sites scattered; resolves to whether it is there now. */
-  async open(read: Reader, { count, seed }: { count: number; seed: number }): Promise<boolean> {
+  async open(read: Reader, scattering: Scattering): Promise<boolean> {
     this.#opening?.abort();
     const opening = new AbortController();
     this.#opening = opening;
@@ -104,7 +129,7 @@ export class Session {
       mesh = await library.mesh(bytes, { resources }).catch((error) => {
         throw sentence(`${name} cannot be opened`, error);
       });
-      const sites = count > 0 ? await mesh.sampleSites(count, { seed }) : { face: [], bary: [] };
+      const sites = await scattered(mesh, scattering);
       signal.throwIfAborted();
       this.#adopt(mesh, name, this.#history.createAll(sites));
       return true;
@@ -124,18 +149,26 @@ export class Session {
     const { metric, detail } = this.#settings;
     if (settings.metric === metric && settings.detail === detail) return;
     this.#settings = settings;
-    this.#request();
+    // A tessellation under way has diagrams of its own; the pause brings one with these settings.
+    if (!this.#cvt?.playing) this.#request();
   }
 
-  /** Sites in random places instead of those there are. */
-  async scatter(count: number, seed: number): Promise<void> {
+  /** Sites in new places instead of those there are. */
+  async scatter(scattering: Scattering): Promise<void> {
     const mesh = this.#mesh;
     if (!mesh) return;
+    this.#scattering = scattering;
+    this.#updateStatus();
+    // Whether nothing newer has been asked for, nor this been given up.
+    const isWanted = () => mesh === this.#mesh && this.#scattering === scattering;
     try {
-      const sites = count > 0 ? await mesh.sampleSites(count, { seed }) : { face: [], bary: [] };
-      if (mesh === this.#mesh) this.#record(this.#history.createAll(sites));
+      const sites = await scattered(mesh, scattering);
+      if (isWanted()) this.#record(this.#history.createAll(sites));
     } catch (error) {
-      if (mesh === this.#mesh) this.#fail(error);
+      if (isWanted()) this.#fail(error);
+    } finally {
+      if (isWanted()) this.#scattering = undefined;
+      this.#updateStatus();
     }
   }
 
@@ -157,6 +190,7 @@ export class Session {
 
   /** Moves a site; all moves until `endMove` are one step to undo. */
   moveSite(id: number, { face, bary }: SitePlace): void {
+    this.#stopCvt();
     const moved = this.sites.map((site) => (site.id === id ? { id, face, bary } : site));
     if (this.#move?.id !== id) this.#move = { id, recorded: false };
     if (this.#move.recorded) this.#history.revise(moved);
@@ -182,13 +216,52 @@ export class Session {
 
   undo(): void {
     if (this.#move || !this.canUndo) return;
+    this.#stopCvt();
     this.#history.undo();
     this.#sitesReplaced();
   }
 
   redo(): void {
     if (this.#move || !this.canRedo) return;
+    this.#stopCvt();
     this.#history.redo();
+    this.#sitesReplaced();
+  }
+
+  // --- Centroidal tessellation ----------------------------------------------------------------
+  //
+  // All iterations from the first to the last are one step to undo. Any other change of the sites
+  // ends the tessellation; the next one begins with the sites as they are then.
+
+  get cvtStatus(): CvtStatus {
+    return this.#cvtStatus;
+  }
+
+  /** The last iteration of the sites there are. */
+  get cvtState(): CvtState | undefined {
+    return this.#cvt?.latest;
+  }
+
+  /** Goes on to the next multiple of so many iterations. */
+  playCvt(iterations: number, settings: CvtSettings): void {
+    this.#playCvt(settings, (done) => (Math.floor(done / iterations) + 1) * iterations);
+  }
+
+  /** Pauses after the next iteration. */
+  stepCvt(settings: CvtSettings): void {
+    this.#playCvt(settings, (done) => done + 1);
+  }
+
+  pauseCvt(): void {
+    this.#cvt?.pause();
+  }
+
+  /** Back to the sites from before. */
+  resetCvt(): void {
+    if (!this.#cvt) return;
+    const hasMoved = this.#cvt.iteration > 0;
+    this.#stopCvt();
+    if (hasMoved) this.#history.undo();
     this.#sitesReplaced();
   }
 
@@ -196,7 +269,9 @@ export class Session {
   cancel(): void {
     this.#opening?.abort();
     this.#opening = undefined;
-    this.#task.cancel();
+    this.#scattering = undefined;
+    if (this.#cvt?.playing) this.#cvt.pause();
+    else this.#task.cancel();
     this.#updateStatus();
   }
 
@@ -211,6 +286,7 @@ export class Session {
   }
 
   dispose(): void {
+    this.#stopCvt();
     this.cancel();
     this.#mesh = undefined;
     this.#shown = undefined;
@@ -224,6 +300,8 @@ export class Session {
   }
 
   #adopt(mesh: Mesh, name: string, sites: Sites): void {
+    this.#stopCvt();
+    this.#scattering = undefined;
     this.#task.cancel();
     this.#shown?.diagram?.dispose();
     this.#mesh?.dispose();
@@ -237,6 +315,7 @@ export class Session {
   }
 
   #record(sites: Sites): void {
+    this.#stopCvt();
     this.#history.record(sites);
     this.#sitesReplaced();
   }
@@ -270,18 +349,73 @@ export class Session {
         diagram?.dispose();
         return;
       }
-      this.#shown?.diagram?.dispose();
       const milliseconds = performance.now() - start;
-      this.#shown = { sites, metric, detail, diagram, milliseconds };
-      this.#listener.diagramChanged(this.#shown);
+      const shown = { sites, metric, detail, diagram, data: diagram?.data };
+      this.#show(shown);
+      this.#listener.diagramChanged(shown, milliseconds);
     } catch (error) {
-      if (!mesh || mesh !== this.#mesh || this.#task.superseded) return;
+      // What follows shows the sites as they are now.
+      const isFollowed = this.#task.superseded || this.#cvt?.playing;
+      if (!mesh || mesh !== this.#mesh || isFollowed) return;
       if (!signal.aborted) this.#fail(sentence('The diagram cannot be made', error));
       this.#returnToShown();
     } finally {
       this.#computing = this.#task.superseded;
       this.#updateStatus();
     }
+  }
+
+  #show(shown: ShownDiagram): void {
+    this.#shown?.diagram?.dispose();
+    this.#shown = shown;
+  }
+
+  #playCvt(settings: CvtSettings, until: (iterationsDone: number) => number): void {
+    if (!this.#mesh || this.sites.length === 0) return;
+    this.#move = undefined;
+    const { method, density } = this.#cvt?.settings ?? {};
+    const isOther = method !== settings.method || density !== settings.density;
+    if (this.#cvt && (isOther || this.#cvt.done)) this.#stopCvt();
+    this.#cvt ??= this.#newCvt(this.#mesh, settings);
+    this.#cvt.play(until(this.#cvt.iteration));
+    this.#task.cancel();
+    this.#updateStatus();
+  }
+
+  #newCvt(mesh: Mesh, settings: CvtSettings): CvtRun {
+    return new CvtRun(mesh, this.sites, settings, {
+      iterated: (state) => this.#showIteration(state),
+      paused: () => this.#request(),
+      failed: (error) => {
+        this.#stopCvt();
+        this.#fail(sentence('The sites cannot be moved', error));
+        this.#request();
+      },
+    });
+  }
+
+  #showIteration(state: CvtState): void {
+    if (state.iteration > 0) {
+      const sites = this.sites.map(({ id }, i) => ({ id, ...placeOf(state.sites, i) }));
+      if (state.iteration === 1) this.#history.record(sites);
+      else this.#history.revise(sites);
+      this.#listener.sitesChanged(sites);
+    }
+    const shown: ShownDiagram = {
+      sites: this.sites,
+      metric: 'dgpc',
+      detail: 0,
+      diagram: undefined,
+      data: state.data,
+    };
+    this.#show(shown);
+    this.#listener.cvtIterated(shown, state);
+  }
+
+  #stopCvt(): void {
+    this.#cvt?.stop();
+    this.#cvt = undefined;
+    this.#updateStatus();
   }
 
   /** The first diagram of a model has nothing to return to: its sites stay without one. */
@@ -305,15 +439,33 @@ export class Session {
   #updateStatus(): void {
     const status = this.#opening
       ? 'loading'
-      : this.#computing
-        ? 'computing'
-        : this.#mesh
-          ? 'ready'
-          : 'empty';
-    if (status === this.#status) return;
-    this.#status = status;
-    this.#listener.statusChanged(status);
+      : this.#cvt?.playing
+        ? 'iterating'
+        : this.#computing || this.#scattering
+          ? 'computing'
+          : this.#mesh
+            ? 'ready'
+            : 'empty';
+    if (status !== this.#status) {
+      this.#status = status;
+      this.#listener.statusChanged(status);
+    }
+    const cvtStatus = cvtStatusOf(this.#cvt);
+    if (cvtStatus !== this.#cvtStatus) {
+      this.#cvtStatus = cvtStatus;
+      this.#listener.cvtStatusChanged(cvtStatus);
+    }
   }
+}
+
+function cvtStatusOf(run: CvtRun | undefined): CvtStatus {
+  if (!run) return 'idle';
+  if (run.playing) return 'running';
+  return run.done ? 'done' : 'paused';
+}
+
+async function scattered(mesh: Mesh, { count, seed, sampling }: Scattering) {
+  return count > 0 ? mesh.sampleSites(count, { seed, sampling }) : { face: [], bary: [] };
 }
 
 /** What happened and, from the library, why. */

@@ -10,12 +10,17 @@ export interface Site {
 
 export type SitePlace = Pick<Site, 'face' | 'bary'>;
 export type Sites = readonly Site[];
+type PointList = { face: ArrayLike<number>; bary: ArrayLike<number> };
 
 export function surfacePointsOf(sites: Sites): SurfacePoints {
   return {
     face: Int32Array.from(sites, (site) => site.face),
     bary: Float64Array.from(sites.flatMap((site) => site.bary)),
   };
+}
+
+export function placeOf({ face, bary }: PointList, i: number): SitePlace {
+  return { face: face[i], bary: [bary[3 * i], bary[3 * i + 1], bary[3 * i + 2]] };
 }
 
 /** The sites, and every earlier and undone list of them. Lists are never changed, only replaced. */
@@ -42,10 +47,8 @@ export class SiteHistory {
     return { id: ++this.#lastId, face, bary };
   }
 
-  createAll({ face, bary }: { face: ArrayLike<number>; bary: ArrayLike<number> }): Sites {
-    return Array.from(face, (f, i) =>
-      this.create({ face: f, bary: [bary[3 * i], bary[3 * i + 1], bary[3 * i + 2]] }),
-    );
+  createAll(points: PointList): Sites {
+    return Array.from(points.face, (_, i) => this.create(placeOf(points, i)));
   }
 
   /** Begins anew: nothing to undo. */

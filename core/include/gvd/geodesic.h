@@ -41,9 +41,12 @@ class DistanceField {
   /// The distance of one site at a point; infinity where it is not known.
   virtual double distance(int label, const SurfacePoint& p) const = 0;
   /// The direction in which the shortest path from a site to a vertex leaves the site, as a unit
-  /// vector: together with the distance, geodesic polar coordinates. The x axis is the first side
-  /// of the site's face, the y axis lies to its left; faces beside a site on an edge or vertex are
-  /// unfolded counterclockwise. Not a number where it is not known, and with the exact metric.
+  /// vector: together with the distance, geodesic polar coordinates. It is also what moving the site
+  /// that way takes off the distance, which counts where the two differ: at a vertex that another
+  /// site owns, the distance may follow from several paths, and this is their mean, shorter than 1
+  /// by what the surface is curved there. The x axis is the first side of the site's face, the y
+  /// axis lies to its left; faces beside a site on an edge or vertex are unfolded counterclockwise.
+  /// Not a number where it is not known, and with the exact metric.
   virtual Eigen::Vector2d direction(int label, int vertex) const;
 };
 

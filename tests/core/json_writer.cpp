@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace gvd::bench {
+namespace gvd {
 
 void JsonWriter::number(std::string_view name, double value) {
   startValue(name);
@@ -60,4 +60,4 @@ void JsonWriter::quoted(std::string_view text) {
   out_ << '"';
 }
 
-}  // namespace gvd::bench
+}  // namespace gvd

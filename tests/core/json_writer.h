@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace gvd::bench {
+namespace gvd {
 
 /// Writes a JSON document from start to end. In an object every value, list and object has a name;
 /// in a list none.
@@ -32,4 +32,4 @@ class JsonWriter {
   std::vector<bool> isEmpty_;  ///< every open list and object, the outermost first
 };
 
-}  // namespace gvd::bench
+}  // namespace gvd

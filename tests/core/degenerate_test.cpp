@@ -1,0 +1,566 @@
+// SPDX-License-Identifier: MIT
+//
+// Small meshes on which a diagram degenerates, one way each, with the combinatorics written out.
+// Both metrics are tested; what only the exact one promises stands behind `isExact()`.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "diagram_checks.h"
+#include "shapes.h"
+
+namespace gvd {
+namespace {
+
+using checks::isConsistent;
+using shapes::Shape;
+using Sites = std::vector<SurfacePoint>;
+using Labels = std::vector<int>;
+
+constexpr double kPi = std::numbers::pi;
+
+SurfacePoint centroid(int face) { return {face, Eigen::Vector3d::Constant(1.0 / 3)}; }
+
+SurfacePoint atVertex(const TriangleMesh& mesh, int v) {
+  const int h = mesh.outgoing(v);
+  return {TriangleMesh::faceOf(h), Eigen::Vector3d::Unit(h % 3)};
+}
+
+/// The point (x, y) of a mesh in the plane z = 0.
+SurfacePoint inPlane(const TriangleMesh& mesh, double x, double y) {
+  const auto cross = [](const Eigen::Vector2d& u, const Eigen::Vector2d& v) {
+    return u.x() * v.y() - u.y() * v.x();
+  };
+  for (int f = 0; f < mesh.faceCount(); ++f) {
+    Eigen::Vector2d corner[3];
+    for (int i = 0; i < 3; ++i)
+      corner[i] = mesh.position(mesh.tail(3 * f + i)).head<2>() - Eigen::Vector2d(x, y);
+    Eigen::Vector3d bary;
+    for (int i = 0; i < 3; ++i) bary[i] = cross(corner[(i + 1) % 3], corner[(i + 2) % 3]);
+    bary /= bary.sum();
+    if (bary.minCoeff() >= -1e-12) {
+      bary = bary.cwiseMax(0);
+      return {f, bary / bary.sum()};
+    }
+  }
+  ADD_FAILURE() << "(" << x << ", " << y << ") is not on the mesh";
+  return {};
+}
+
+int loopCount(const Diagram& d, int label) {
+  return static_cast<int>(std::count(d.loopLabel.begin(), d.loopLabel.end(), label));
+}
+
+/// The labels around every Voronoi point, sorted.
+std::vector<Labels> meetings(const Diagram& d) {
+  std::vector<Labels> labels;
+  for (const auto& v : d.voronoiPoints) labels.push_back(v.labels);
+  std::sort(labels.begin(), labels.end());
+  return labels;
+}
+
+/// The pairs of labels that share an arc.
+std::set<std::pair<int, int>> neighbours(const Diagram& d) {
+  std::set<std::pair<int, int>> pairs;
+  for (const auto& [low, high] : d.arcLabels) pairs.insert({low, high});
+  return pairs;
+}
+
+bool isClosed(const Diagram& d, int arc) { return d.arcs[arc].front() == d.arcs[arc].back(); }
+
+Labels ascending(int count) { return checks::identity(count); }
+
+class Degenerate : public ::testing::TestWithParam<Metric> {
+ protected:
+  static bool isExact() { return GetParam() == Metric::kExact; }
+  /// The diagram, consistent.
+  Diagram diagram(const TriangleMesh& mesh, const Sites& sites) const {
+    Diagram d = checks::trace(mesh, sites, GetParam()).diagram;
+    EXPECT_TRUE(isConsistent(mesh, d));
+    return d;
+  }
+  static void expectAreas(const TriangleMesh& mesh, const Diagram& d,
+                          const std::vector<double>& shares) {
+    ASSERT_EQ(d.regionArea.size(), shares.size());
+    for (size_t l = 0; l < shares.size(); ++l)
+      EXPECT_NEAR(d.regionArea[l] / mesh.area(), shares[l], 1e-9) << "region " << l;
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Metrics, Degenerate, ::testing::Values(Metric::kDgpc, Metric::kExact),
+                         [](const auto& metric) {
+                           return metric.param == Metric::kDgpc ? "Dgpc" : "Exact";
+                         });
+
+// --- Saddles and cones ---------------------------------------------------------------------------
+
+/// Twelve equilateral triangles around vertex 0; face i covers the angles 60°·i to 60°·(i+1).
+Shape doubleTurn() { return shapes::vertexFan(12, 4 * kPi); }
+
+TEST_P(Degenerate, SaddleHidesSitesFromFacesBehindIt) {
+  // Sites at 30° and 90°. Between 270° and 570° all shortest paths pass the saddle: a tie in faces
+  // 5 to 8, which go to the lower label. The bisector runs along the edges at 60° and 300°.
+  const auto mesh = doubleTurn().mesh();
+  const Diagram d = diagram(mesh, {centroid(0), centroid(1)});
+  if (isExact()) {
+    EXPECT_EQ(d.faceLabel, (Labels{0, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0}));
+    EXPECT_EQ(d.indifferentFaces, (Labels{5, 6, 7, 8}));
+    EXPECT_EQ(d.cells.size(), 0);
+    EXPECT_EQ(d.segments.size(), 2u);
+  }
+  ASSERT_EQ(d.arcs.size(), 1);
+  EXPECT_FALSE(isClosed(d, 0));
+  EXPECT_EQ(d.loopLabel, (Labels{0, 1}));
+  EXPECT_TRUE(d.voronoiPoints.empty());
+}
+
+TEST_P(Degenerate, SaddleIsVoronoiPointOfSitesAllAroundIt) {
+  for (const int stride : {1, 2, 3, 4}) {
+    const auto mesh = doubleTurn().mesh();
+    Sites sites;
+    for (int f = 0; f < mesh.faceCount(); f += stride) sites.push_back(centroid(f));
+    const int n = static_cast<int>(sites.size());
+    const Diagram d = diagram(mesh, sites);
+    EXPECT_EQ(meetings(d), std::vector<Labels>{ascending(n)}) << n << " sites";
+    EXPECT_EQ(d.arcs.size(), n);
+    expectAreas(mesh, d, std::vector<double>(n, 1.0 / n));
+  }
+}
+
+TEST_P(Degenerate, SaddleBetweenTwoOppositeSitesIsPassedByTheirBisector) {
+  const auto mesh = doubleTurn().mesh();
+  const Diagram d = diagram(mesh, {centroid(0), centroid(6)});
+  EXPECT_TRUE(d.voronoiPoints.empty());
+  EXPECT_EQ(d.arcs.size(), 1);
+  EXPECT_EQ(d.loopLabel, (Labels{0, 1}));
+  if (isExact()) expectAreas(mesh, d, {0.5, 0.5});
+}
+
+TEST_P(Degenerate, BisectorPassesAConesApexAlongEdges) {
+  // Six corners of 30°; sites at 15° and 105°, the bisector at 60° and 150°.
+  const auto mesh = shapes::vertexFan(6, kPi).mesh();
+  const Diagram d = diagram(mesh, {centroid(0), centroid(3)});
+  EXPECT_EQ(d.faceLabel, (Labels{0, 0, 1, 1, 1, 0}));
+  EXPECT_EQ(d.cells.size(), 0);
+  EXPECT_EQ(d.segments.size(), 2u);
+  EXPECT_EQ(d.arcs.size(), 1);
+  EXPECT_EQ(d.loopLabel, (Labels{0, 1}));
+}
+
+TEST_P(Degenerate, ConesApexIsVoronoiPointOfSitesAllAroundIt) {
+  for (const double angle : {0.5 * kPi, kPi, 1.9 * kPi})
+    for (const int n : {3, 4, 7, 24}) {
+      const auto mesh = shapes::vertexFan(n, angle).mesh();
+      Sites sites;
+      for (int f = 0; f < n; ++f) sites.push_back(centroid(f));
+      const Diagram d = diagram(mesh, sites);
+      EXPECT_EQ(meetings(d), std::vector<Labels>{ascending(n)}) << n << " sites, " << angle;
+      EXPECT_EQ(d.faceLabel, ascending(n));
+      EXPECT_EQ(d.cells.size(), 0);
+    }
+}
+
+// --- Cocircular sites ----------------------------------------------------------------------------
+
+void expectOneVoronoiPoint(const TriangleMesh& mesh, const Diagram& d, const Eigen::Vector3d& place,
+                           double maxBary) {
+  const int n = d.siteCount;
+  ASSERT_EQ(meetings(d), std::vector<Labels>{ascending(n)}) << n << " sites";
+  const SurfacePoint& p = d.points[d.voronoiPoints[0].point];
+  EXPECT_LE((mesh.position(p) - place).norm(), 1e-9);
+  EXPECT_NEAR(p.bary.maxCoeff(), maxBary, 1e-9);
+  EXPECT_EQ(d.arcs.size(), n);
+  EXPECT_EQ(neighbours(d).size(), static_cast<size_t>(n));
+  EXPECT_EQ(d.loopLabel, ascending(n));
+}
+
+Sites onCircle(const TriangleMesh& mesh, double x, double y, double radius, int n) {
+  Sites sites;
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2 * kPi * (i + 0.3) / n;
+    sites.push_back(inPlane(mesh, x + radius * std::cos(angle), y + radius * std::sin(angle)));
+  }
+  return sites;
+}
+
+TEST_P(Degenerate, CocircularSitesMeetOnceInAFace) {
+  const auto mesh = shapes::triangle().mesh();
+  for (int n = 4; n <= 24; ++n)
+    expectOneVoronoiPoint(mesh, diagram(mesh, onCircle(mesh, 0.3, 0.3, 0.2, n)), {0.3, 0.3, 0},
+                          0.4);
+}
+
+TEST_P(Degenerate, CocircularSitesMeetOnceOnAnEdge) {
+  const auto mesh = shapes::grid(1, 1).mesh();
+  for (int n = 4; n <= 24; ++n)
+    expectOneVoronoiPoint(mesh, diagram(mesh, onCircle(mesh, 0.5, 0.5, 0.3, n)), {0.5, 0.5, 0},
+                          0.5);
+}
+
+TEST_P(Degenerate, CocircularSitesMeetOnceOnAVertex) {
+  const auto mesh = shapes::grid(2, 2).mesh();
+  for (int n = 4; n <= 24; ++n)
+    expectOneVoronoiPoint(mesh, diagram(mesh, onCircle(mesh, 0.5, 0.5, 0.3, n)), {0.5, 0.5, 0}, 1);
+}
+
+// --- Regions and faces ---------------------------------------------------------------------------
+
+TEST_P(Degenerate, NarrowRegionCrossesFacesThatOwnNoneOfItsCorners) {
+  // All vertices have an x that is a multiple of 0.25; the middle region is 0.365 < x < 0.375.
+  const auto mesh = shapes::grid(4, 4).mesh();
+  const Diagram d =
+      diagram(mesh, {inPlane(mesh, 0.36, 0.6), inPlane(mesh, 0.37, 0.6), inPlane(mesh, 0.38, 0.6)});
+  EXPECT_EQ(std::count(d.faceLabel.begin(), d.faceLabel.end(), 1), 0);
+  EXPECT_EQ(d.loopLabel, (Labels{0, 1, 2}));
+  EXPECT_EQ(d.arcs.size(), 2);
+  EXPECT_EQ(neighbours(d), (std::set<std::pair<int, int>>{{0, 1}, {1, 2}}));
+  EXPECT_TRUE(d.voronoiPoints.empty());
+  expectAreas(mesh, d, {0.365, 0.01, 0.625});
+}
+
+TEST_P(Degenerate, BisectorRunsAlongEdgesBetweenRegionTriangles) {
+  const auto mesh = shapes::grid(2, 3).mesh();
+  const Diagram d = diagram(mesh, {inPlane(mesh, 0.75, 0.4), inPlane(mesh, 0.25, 0.4)});
+  EXPECT_EQ(d.cells.size(), 0);
+  EXPECT_TRUE(d.indifferentFaces.empty());
+  ASSERT_EQ(d.segments.size(), 3u);
+  for (const auto& s : d.segments) {
+    EXPECT_EQ(s.labels, (std::array<int, 2>{0, 1}));
+    // Site 0 is on the right side of the square, and on the left of the segments.
+    EXPECT_LT(mesh.position(d.points[s.points[1]]).y(), mesh.position(d.points[s.points[0]]).y());
+  }
+  EXPECT_EQ(d.arcs.size(), 1);
+  EXPECT_EQ(d.loopLabel, (Labels{0, 1}));
+  EXPECT_TRUE(d.voronoiPoints.empty());
+}
+
+TEST_P(Degenerate, RegionMayLieInsideOneFace) {
+  const auto mesh = shapes::triangle().mesh();
+  const Diagram d =
+      diagram(mesh, {inPlane(mesh, 0.3, 0.3), inPlane(mesh, 0.4, 0.3), inPlane(mesh, 0.3, 0.4),
+                     inPlane(mesh, 0.2, 0.3), inPlane(mesh, 0.3, 0.2)});
+  EXPECT_EQ(meetings(d), (std::vector<Labels>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}}));
+  EXPECT_EQ(d.arcs.size(), 8);
+  EXPECT_EQ(loopCount(d, 0), 1);
+  EXPECT_EQ(d.loops[0].size(), 4u);
+  EXPECT_NEAR(d.regionArea[0], 0.01, 1e-12);
+}
+
+TEST_P(Degenerate, SitesInOneFaceMeetAgainOnTheFaceAcross) {
+  const auto mesh = shapes::octahedron().mesh();
+  const Diagram d =
+      diagram(mesh, {{0, {0.5, 0.25, 0.25}}, {0, {0.25, 0.5, 0.25}}, {0, {0.25, 0.25, 0.5}}});
+  EXPECT_EQ(meetings(d), (std::vector<Labels>{{0, 1, 2}, {0, 2, 1}}));
+  EXPECT_EQ(d.arcs.size(), 3);
+  EXPECT_EQ(d.loopLabel, (Labels{0, 1, 2}));
+  if (!isExact()) return;
+  for (const auto& v : d.voronoiPoints)
+    EXPECT_NEAR(d.points[v.point].bary.maxCoeff(), 1.0 / 3, 1e-9);
+  expectAreas(mesh, d, {1.0 / 3, 1.0 / 3, 1.0 / 3});
+}
+
+TEST_P(Degenerate, SitesMayOutnumberVerticesTwoToOne) {
+  // 16 vertices, 32 sites in 8 columns and 4 rows: equal rectangles that meet in fours.
+  const auto mesh = shapes::grid(3, 3).mesh();
+  Sites sites;
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 8; ++column)
+      sites.push_back(inPlane(mesh, (column + 0.5) / 8, (row + 0.5) / 4));
+  ASSERT_EQ(static_cast<int>(sites.size()), 2 * mesh.vertexCount());
+  const Diagram d = diagram(mesh, sites);
+  std::vector<Labels> expected;
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 7; ++column) {
+      const int low = 8 * row + column;
+      expected.push_back({low, low + 1, low + 9, low + 8});
+    }
+  EXPECT_EQ(meetings(d), expected);
+  EXPECT_EQ(d.loopLabel, ascending(32));
+  EXPECT_EQ(d.arcs.size(), 4 * 7 + 3 * 8);
+  expectAreas(mesh, d, std::vector<double>(32, 1.0 / 32));
+}
+
+// --- One site, and sites at one place ------------------------------------------------------------
+
+TEST_P(Degenerate, OneSiteOwnsItsComponent) {
+  struct Expected {
+    const char* name;
+    Shape shape;
+    int boundaryLoops;
+  };
+  const Expected cases[] = {{"tetrahedron", shapes::tetrahedron(), 0},
+                            {"cube", shapes::cube(), 0},
+                            {"torus", shapes::torus(6, 4), 0},
+                            {"three holes", shapes::perforatedPlate(3), 0},
+                            {"triangle", shapes::triangle(), 1},
+                            {"annulus", shapes::annulus(6, 1), 2},
+                            {"cylinder", shapes::cylinder(5, 2), 2},
+                            {"saddle", doubleTurn(), 1},
+                            {"cone", shapes::vertexFan(5, kPi), 1},
+                            {"Moebius strip, cut", shapes::moebiusStrip(8), 1}};
+  for (const Expected& expected : cases) {
+    const auto mesh = expected.shape.mesh();
+    for (const SurfacePoint& site : {centroid(0), atVertex(mesh, 1)}) {
+      const Diagram d = diagram(mesh, {site});
+      EXPECT_EQ(d.loops.size(), expected.boundaryLoops) << expected.name;
+      EXPECT_EQ(d.faceLabel, Labels(mesh.faceCount(), 0)) << expected.name;
+      EXPECT_TRUE(d.segments.empty() && d.indifferentFaces.empty()) << expected.name;
+      expectAreas(mesh, d, {1});
+    }
+  }
+}
+
+TEST_P(Degenerate, CoincidentSitesLeaveAllToTheLowest) {
+  const auto mesh = shapes::octahedron().mesh();
+  const int h = 0, twin = mesh.twin(0);
+  const auto onEdge = [](int halfedge, double share) {
+    SurfacePoint p{TriangleMesh::faceOf(halfedge), Eigen::Vector3d::Zero()};
+    p.bary[halfedge % 3] = 1 - share;
+    p.bary[(halfedge + 1) % 3] = share;
+    return p;
+  };
+  Sites byAllFaces;
+  for (int side = 0; side < mesh.halfedgeCount(); ++side)
+    if (mesh.tail(side) == 2)
+      byAllFaces.push_back({TriangleMesh::faceOf(side), Eigen::Vector3d::Unit(side % 3)});
+  ASSERT_EQ(byAllFaces.size(), 4u);
+  for (const Sites& together :
+       {Sites{centroid(3), centroid(3)}, Sites{onEdge(h, 0.25), onEdge(twin, 0.75)}, byAllFaces}) {
+    const Diagram d = diagram(mesh, together);
+    EXPECT_EQ(d.faceLabel, Labels(8, 0));
+    if (isExact()) {
+      EXPECT_EQ(d.indifferentFaces, ascending(8));
+    }
+    EXPECT_EQ(d.loops.size(), 0);
+    EXPECT_TRUE(d.segments.empty());
+  }
+}
+
+// --- Regions of any topology ---------------------------------------------------------------------
+
+/// A square of side 4 with a narrow spike of height 6 in the middle; vertex 8 is its tip.
+Shape spike() {
+  Shape shape;
+  for (const double size : {2.0, 0.25})
+    for (const auto& [x, y] : {std::pair(-1, -1), {1, -1}, {1, 1}, {-1, 1}})
+      shape.addVertex({size * x, size * y, 0});
+  const int tip = shape.addVertex({0, 0, 6});
+  for (int i = 0; i < 4; ++i) {
+    const int j = (i + 1) % 4;
+    shape.addQuad(i, j, 4 + j, 4 + i);
+    shape.addTriangle(4 + i, 4 + j, tip);
+  }
+  return shape;
+}
+
+TEST_P(Degenerate, RegionMayHaveAHole) {
+  const auto mesh = spike().mesh();
+  const Diagram d = diagram(mesh, {atVertex(mesh, 0), atVertex(mesh, 8)});
+  EXPECT_EQ(d.loopLabel, (Labels{0, 0, 1}));
+  ASSERT_EQ(d.arcs.size(), 1);
+  EXPECT_TRUE(isClosed(d, 0));
+  EXPECT_TRUE(d.voronoiPoints.empty());
+}
+
+TEST_P(Degenerate, RegionsOfATubeAreRings) {
+  const auto mesh = shapes::cylinder(5, 10, 0.2, 10).mesh();
+  const Diagram d = diagram(mesh, {atVertex(mesh, 5), atVertex(mesh, 27), atVertex(mesh, 48)});
+  EXPECT_EQ(d.loopLabel, (Labels{0, 0, 1, 1, 2, 2}));
+  ASSERT_EQ(d.arcs.size(), 2);
+  EXPECT_TRUE(isClosed(d, 0) && isClosed(d, 1));
+  EXPECT_EQ(neighbours(d), (std::set<std::pair<int, int>>{{0, 1}, {1, 2}}));
+  EXPECT_TRUE(d.voronoiPoints.empty());
+}
+
+TEST_P(Degenerate, TwoSitesDivideATorusInTwoRings) {
+  const auto mesh = shapes::torus(12, 5, 1, 0.25).mesh();
+  const Diagram d = diagram(mesh, {atVertex(mesh, 0), atVertex(mesh, 6)});
+  EXPECT_EQ(d.loopLabel, (Labels{0, 0, 1, 1}));
+  ASSERT_EQ(d.arcs.size(), 2);
+  EXPECT_TRUE(isClosed(d, 0) && isClosed(d, 1));
+  EXPECT_TRUE(d.voronoiPoints.empty());
+  if (isExact()) expectAreas(mesh, d, {0.5, 0.5});
+}
+
+TEST_P(Degenerate, RegionsMayMeetAlongSeveralArcs) {
+  const auto mesh = shapes::annulus(12, 1).mesh();
+  const Diagram d = diagram(mesh, {atVertex(mesh, 0), atVertex(mesh, 6)});
+  ASSERT_EQ(d.arcs.size(), 2);
+  EXPECT_FALSE(isClosed(d, 0) || isClosed(d, 1));
+  EXPECT_EQ(neighbours(d), (std::set<std::pair<int, int>>{{0, 1}}));
+  EXPECT_EQ(d.loopLabel, (Labels{0, 1}));
+  EXPECT_TRUE(d.voronoiPoints.empty());
+}
+
+TEST_P(Degenerate, RegionMayTouchItself) {
+  // A square tube of circumference 4, unrolled: site 0 at (0, 4), its region comes around to (2, 4)
+  // from both sides; sites 1 and 2, at (2, 6) and (2, 2), are as far from there.
+  const auto mesh = shapes::cylinder(4, 8, std::sqrt(0.5), 8).mesh();
+  const auto at = [&](int x, int y) { return atVertex(mesh, 4 * y + x); };
+  const Diagram d = diagram(mesh, {at(0, 4), at(2, 6), at(2, 2)});
+  ASSERT_EQ(meetings(d), (std::vector<Labels>{{0, 1, 0, 2}}));
+  const Eigen::Vector3d meeting = mesh.position(d.points[d.voronoiPoints[0].point]);
+  EXPECT_LE((meeting - mesh.position(4 * 4 + 2)).norm(), 1e-9);
+  EXPECT_EQ(neighbours(d), (std::set<std::pair<int, int>>{{0, 1}, {0, 2}}));
+}
+
+// --- Places and regions too small for doubles ----------------------------------------------------
+
+/// Coordinates of one place in a face, the second moved to the first step by step.
+Sites inRow(int face, const Eigen::Vector3d& bary, double step, int count) {
+  Sites sites;
+  for (int i = 0; i < count; ++i)
+    sites.push_back({face, bary + i * step * Eigen::Vector3d(1, -1, 0)});
+  return sites;
+}
+
+TEST_P(Degenerate, SitesMayBeAsNearAsDoublesAllow) {
+  // The bisectors' places are rounded by more than they are apart, in any order.
+  for (const Shape& shape : {shapes::triangle(), shapes::annulus(3, 2), shapes::icosphere(1)}) {
+    const auto mesh = shape.mesh();
+    for (const double step : {1e-6, 1e-8, 1e-9, 1e-10, 1e-12, 1e-13, 1e-15})
+      for (const int face : {0, mesh.faceCount() - 1})
+        diagram(mesh, inRow(face, {0.376, 0.139, 0.485}, step, 5));
+  }
+}
+
+TEST_P(Degenerate, SliverThatNeighboursDoNotKnowIsCompleted) {
+  // The middle one of three regions ends in the second triangle before it reaches its third corner,
+  // where no distance of it is known.
+  const Shape shape{{0.30901699437494723, -0.95105651629515364, 0, 1, 0, 0, 0.5, 0, 0,
+                     0.15450849718747361, -0.47552825814757682, 0},
+                    {0, 1, 2, 0, 2, 3}};
+  diagram(shape.mesh(), {{0, {0.3755540988364594, 0.13878240259572872, 0.48566349856781188}},
+                         {0, {0.37555409827659963, 0.13878240315558849, 0.48566349856781188}},
+                         {0, {0.37555409787694871, 0.13878240355523941, 0.48566349856781188}}});
+}
+
+TEST_P(Degenerate, RegionOfNoWidthAlongAnEdgeJoinsNothing) {
+  // The sites tie at the vertices 0 and 1. Ties go to site 0, and with them, but for its width, the
+  // edge between them, which two parts of region 1 have on their sides.
+  const Shape shape{{0, 1, 0, 0, 0, -1, -1, 1, -1, 1, 0, 0, -1, 0, 0},
+                    {0, 1, 2, 3, 1, 0, 0, 2, 4, 1, 4, 2}};
+  const auto mesh = shape.mesh();
+  const Diagram d = diagram(mesh, {atVertex(mesh, 4), atVertex(mesh, 2)});
+  if (!isExact()) return;
+  EXPECT_EQ(d.loopLabel, (Labels{0, 1}));
+  EXPECT_EQ(d.arcs.size(), 1);
+  EXPECT_EQ(d.faceLabel[0], 1);
+  EXPECT_EQ(d.faceLabel[1], 1);
+}
+
+// --- Components and boundaries -------------------------------------------------------------------
+
+TEST_P(Degenerate, ComponentsHaveDiagramsOfTheirOwn) {
+  const auto mesh = shapes::joined(shapes::joined(shapes::octahedron(),
+                                                  shapes::moved(shapes::grid(2, 2), {3, 0, 0})),
+                                   shapes::moved(shapes::triangle(), {6, 0, 0}))
+                        .mesh();
+  // The octahedron is divided in two, the square is one region, the triangle has no site.
+  const Diagram d = diagram(mesh, {centroid(0), centroid(6), centroid(8)});
+  EXPECT_EQ(neighbours(d), (std::set<std::pair<int, int>>{{0, 1}}));
+  EXPECT_EQ(d.loopLabel, (Labels{0, 1, 2}));
+  for (int f = 0; f < mesh.faceCount(); ++f) {
+    if (mesh.component(f) == 1) {
+      EXPECT_EQ(d.faceLabel[f], 2);
+    } else if (mesh.component(f) == 2) {
+      EXPECT_EQ(d.faceLabel[f], Diagram::kUnreachable);
+    }
+  }
+  EXPECT_NEAR(d.regionArea[2], 1, 1e-12);
+}
+
+TEST_P(Degenerate, LoopsPassEveryBoundaryVertex) {
+  const auto mesh = shapes::grid(4, 4).mesh();
+  const Diagram d = diagram(mesh, {inPlane(mesh, 0.3, 0.5), inPlane(mesh, 0.5, 0.5)});
+  std::set<int> passed;
+  for (int l = 0; l < d.loops.size(); ++l)
+    for (const int p : d.loops[l]) {
+      Eigen::Index corner;
+      if (d.points[p].bary.maxCoeff(&corner) == 1)
+        passed.insert(mesh.tail(3 * d.points[p].face + static_cast<int>(corner)));
+    }
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+    EXPECT_EQ(passed.contains(v), mesh.onBoundary(v)) << "vertex " << v;
+}
+
+TEST_P(Degenerate, MoebiusStripIsDividedWhereItWasNotCut) {
+  const auto mesh = shapes::moebiusStrip(12).mesh();
+  ASSERT_EQ(mesh.repairs().orientationCuts, 1);
+  ASSERT_EQ(mesh.topology().boundaryLoops, 1);
+  const Diagram d = diagram(mesh, {centroid(4), centroid(16)});
+  EXPECT_EQ(d.loopLabel, (Labels{0, 1}));
+  ASSERT_EQ(d.arcs.size(), 1);
+  EXPECT_FALSE(isClosed(d, 0));
+  EXPECT_TRUE(d.voronoiPoints.empty());
+}
+
+// --- Symmetric solids ----------------------------------------------------------------------------
+
+Sites atAllVertices(const TriangleMesh& mesh) {
+  Sites sites;
+  for (int v = 0; v < mesh.vertexCount(); ++v) sites.push_back(atVertex(mesh, v));
+  return sites;
+}
+
+Sites atAllCentroids(const TriangleMesh& mesh) {
+  Sites sites;
+  for (int f = 0; f < mesh.faceCount(); ++f) sites.push_back(centroid(f));
+  return sites;
+}
+
+TEST_P(Degenerate, CornersOfACubeMeetInTheMiddleOfItsSquares) {
+  const auto mesh = shapes::cube().mesh();
+  const Diagram d = diagram(mesh, atAllVertices(mesh));
+  ASSERT_EQ(d.voronoiPoints.size(), 6u);
+  for (const auto& v : d.voronoiPoints) {
+    EXPECT_EQ(v.labels.size(), 4u);
+    EXPECT_NEAR(d.points[v.point].bary.maxCoeff(), 0.5, 1e-12) << "the middle of a diagonal";
+  }
+  EXPECT_EQ(d.arcs.size(), 12);
+  EXPECT_EQ(neighbours(d).size(), 12u);
+  EXPECT_EQ(d.loopLabel, ascending(8));
+  expectAreas(mesh, d, std::vector<double>(8, 1.0 / 8));
+}
+
+TEST_P(Degenerate, VerticesOfASolidMeetInTheMiddleOfItsFaces) {
+  for (const Shape& shape : {shapes::tetrahedron(), shapes::octahedron(), shapes::icosphere(0)}) {
+    const auto mesh = shape.mesh();
+    const int n = mesh.vertexCount();
+    const Diagram d = diagram(mesh, atAllVertices(mesh));
+    ASSERT_EQ(static_cast<int>(d.voronoiPoints.size()), mesh.faceCount());
+    for (const auto& v : d.voronoiPoints) {
+      EXPECT_EQ(v.labels.size(), 3u);
+      EXPECT_NEAR(d.points[v.point].bary.maxCoeff(), 1.0 / 3, 1e-9);
+    }
+    EXPECT_EQ(d.arcs.size(), mesh.topology().edges);
+    EXPECT_EQ(d.loopLabel, ascending(n));
+    expectAreas(mesh, d, std::vector<double>(n, 1.0 / n));
+  }
+}
+
+TEST_P(Degenerate, FacesOfASolidAreTheRegionsOfTheirMiddles) {
+  for (const Shape& shape : {shapes::tetrahedron(), shapes::octahedron(), shapes::icosphere(0)}) {
+    const auto mesh = shape.mesh();
+    const int n = mesh.faceCount();
+    const Diagram d = diagram(mesh, atAllCentroids(mesh));
+    EXPECT_EQ(d.faceLabel, ascending(n));
+    EXPECT_EQ(d.cells.size(), 0);
+    EXPECT_EQ(static_cast<int>(d.voronoiPoints.size()), mesh.vertexCount());
+    const size_t degree = 3 * n / mesh.vertexCount();
+    for (const auto& v : d.voronoiPoints) EXPECT_EQ(v.labels.size(), degree);
+    EXPECT_EQ(d.arcs.size(), mesh.topology().edges);
+    EXPECT_EQ(static_cast<int>(d.segments.size()), mesh.topology().edges);
+    EXPECT_EQ(d.loopLabel, ascending(n));
+  }
+}
+
+}  // namespace
+}  // namespace gvd

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+//
+// Every property of `diagram_checks.h` on random degenerate cases, with both metrics:
+//
+//     diagram_property_test [--seed S] [--cases N]
+//
+// checks the cases of seeds S … S+N-1. A failure names the command that repeats its case alone, and
+// shows what is left of the case after shrinking.
+
+#include <unistd.h>
+
+#include <array>
+#include <charconv>
+#include <csignal>
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <string>
+#include <string_view>
+
+#include "diagram_checks.h"
+#include "random_case.h"
+
+namespace gvd {
+namespace {
+
+constexpr int kSecondsPerCase = 120;
+constexpr int kMostFailures = 5;
+
+struct Options {
+  std::uint64_t seed = 0;
+  std::uint64_t cases = 1000;
+};
+
+std::string_view nameOf(Metric metric) { return metric == Metric::kDgpc ? "dgpc" : "exact"; }
+
+/// What is wrong with the diagram of a case; empty if nothing is.
+std::string complaint(const RandomCase& c, Metric metric) {
+  try {
+    const TriangleMesh mesh = c.mesh();
+    const auto sites = c.sitesOn(mesh);
+    const checks::Traced traced = checks::trace(mesh, sites, metric);
+    if (const auto result = checks::isConsistent(mesh, traced.diagram); !result)
+      return result.message();
+    if (const auto result = checks::agreesWithField(mesh, traced, sites, metric); !result)
+      return result.message();
+    if (metric == Metric::kDgpc) return {};
+    const auto everywhere = checks::trace(mesh, sites, metric, 0, Spread::kEverywhere);
+    if (const auto result = checks::spreadsFarEnough(mesh, traced, everywhere); !result)
+      return result.message();
+  } catch (const std::exception& error) {
+    return std::string("an exception: ") + error.what();
+  }
+  return {};
+}
+
+/// Whether a smaller case fails as well. One that is no mesh or has no site on it does not count.
+bool alsoFails(const RandomCase& c, Metric metric) {
+  try {
+    c.sitesOn(c.mesh());
+  } catch (const std::exception&) {
+    return false;
+  }
+  return !complaint(c, metric).empty();
+}
+
+// --- Which case it was, where a test ends without coming back ------------------------------------
+
+std::array<char, 256> commandNow;
+
+void nameCase(const char* program, std::uint64_t seed) {
+  std::snprintf(commandNow.data(), commandNow.size(), "\nRepeat with: %s --seed %llu --cases 1\n",
+                program, static_cast<unsigned long long>(seed));
+}
+
+/// Only what a signal handler may do.
+void onSignal(int signal) {
+  const std::string_view what = signal == SIGALRM ? "\nA case takes too long." : "\nA crash.";
+  [[maybe_unused]] auto written = write(STDERR_FILENO, what.data(), what.size());
+  written = write(STDERR_FILENO, commandNow.data(), std::string_view(commandNow.data()).size());
+  _exit(1);
+}
+
+void handleSignals() {
+  std::signal(SIGALRM, onSignal);
+  std::signal(SIGABRT, onSignal);
+  std::signal(SIGFPE, onSignal);
+#ifndef __SANITIZE_ADDRESS__
+  std::signal(SIGSEGV, onSignal);  // of which the sanitizer tells more
+#endif
+}
+
+void report(const RandomCase& failing, Metric metric, const std::string& what) {
+  std::cout << "FAILED: " << failing.kind << ", " << nameOf(metric) << ": " << what
+            << commandNow.data() << std::flush;
+  alarm(0);
+  const RandomCase small =
+      shrunk(failing, [&](const RandomCase& c) { return alsoFails(c, metric); });
+  std::cout << "Shrunk to " << small.shape.faceCount() << " triangles and " << small.sites.size()
+            << " sites: " << complaint(small, metric) << '\n'
+            << sourceOf(small) << std::endl;
+}
+
+/// Returns the number of failures.
+int run(const Options& options, const char* program) {
+  int failures = 0;
+  handleSignals();
+  for (std::uint64_t i = 0; i < options.cases && failures < kMostFailures; ++i) {
+    nameCase(program, options.seed + i);
+    alarm(kSecondsPerCase);
+    const RandomCase c = randomCase(options.seed + i);
+    for (const Metric metric : {Metric::kDgpc, Metric::kExact}) {
+      const std::string what = complaint(c, metric);
+      if (what.empty()) continue;
+      ++failures;
+      report(c, metric, what);
+    }
+  }
+  alarm(0);
+  return failures;
+}
+
+/// False if the arguments make no sense.
+bool parse(int count, char** arguments, Options& options) {
+  for (int i = 1; i < count; i += 2) {
+    const std::string_view name = arguments[i];
+    std::uint64_t* const value = name == "--seed"    ? &options.seed
+                                 : name == "--cases" ? &options.cases
+                                                     : nullptr;
+    if (!value || i + 1 == count) return false;
+    const std::string_view text = arguments[i + 1];
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), *value);
+    if (error != std::errc() || end != text.data() + text.size()) return false;
+  }
+  return true;
+}
+
+}  // namespace
+}  // namespace gvd
+
+int main(int count, char** arguments) {
+  gvd::Options options;
+  if (!gvd::parse(count, arguments, options)) {
+    std::cerr << "usage: " << arguments[0] << " [--seed S] [--cases N]\n";
+    return 2;
+  }
+  const int failures = gvd::run(options, arguments[0]);
+  if (failures > 0) return 1;
+  std::cout << options.cases << " cases passed\n";
+}

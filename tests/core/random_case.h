@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+//
+// Small meshes of every kind with sites where diagrams degenerate, made of a seed.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "gvd/surface_point.h"
+#include "gvd/triangle_mesh.h"
+#include "shapes.h"
+
+namespace gvd {
+
+/// A mesh and sites in terms of the shape's triangles, so that triangles can be taken away.
+struct RandomCase {
+  std::string kind;  ///< of the mesh and of the sites, for people
+  shapes::Shape shape;
+  std::vector<SurfacePoint> sites;
+
+  TriangleMesh mesh() const { return shape.mesh(); }
+  std::vector<SurfacePoint> sitesOn(const TriangleMesh& mesh) const;
+};
+
+/// The same on every platform but for rounding in the C library's functions.
+///
+/// The mesh, of about 10 to 100 faces, is plane or not, of genus 0 to 3, open or closed, oriented
+/// or not, of one or more components; it may be symmetric, strongly graded, folded flat, full of
+/// needles, or a soup of triangles. Some are turned and scaled, so that ties hold but for rounding.
+///
+/// The sites lie on vertices, edges, midpoints of edges and of faces, all in one face, on a circle
+/// around a vertex or inside a face, alike in every face, on top of each other or nearly so; there
+/// are few or more of them than vertices.
+RandomCase randomCase(std::uint64_t seed);
+
+/// The case with fewest sites and triangles that greedy removal finds and that still fails.
+RandomCase shrunk(RandomCase failing, const std::function<bool(const RandomCase&)>& fails);
+
+/// As C++ to paste into a test.
+std::string sourceOf(const RandomCase& c);
+
+}  // namespace gvd

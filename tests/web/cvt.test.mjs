@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+import assert from 'node:assert/strict';
+import { after, afterEach, before, beforeEach, suite, test } from 'node:test';
+import { glb } from '../wasm/meshes.mjs';
+import { torus } from '../../web/page/sample_shapes.mjs';
+import { startBrowser } from './browser.mjs';
+
+let browser;
+before(async () => {
+  browser = await startBrowser();
+});
+after(() => browser.stop());
+
+suite('the centroidal tessellation', () => {
+  let viewer;
+  beforeEach(async () => {
+    viewer = await browser.open();
+    await viewer.settled();
+    await viewer.evaluate((viewer) => {
+      viewer.iterations = [];
+      viewer.addEventListener('cvt-iteration', ({ detail }) => viewer.iterations.push(detail));
+    });
+  });
+  afterEach(async () => {
+    assert.deepEqual(viewer.complaints, []);
+    await viewer.close();
+  });
+
+  const text = (selector) => viewer.page.locator(selector).textContent();
+  const iterations = () => viewer.evaluate(({ iterations }) => iterations);
+  /** Not by the mouse: that waits for a page that stands still. */
+  const press = (button) =>
+    viewer.page.evaluate((button) => document.querySelector(button).click(), button);
+  const reached = (iteration) =>
+    viewer.page.waitForFunction(
+      (iteration) =>
+        document.querySelector('geodesic-voronoi').iterations.at(-1)?.iteration >= iteration,
+      iteration,
+    );
+  const isDisabled = (button) => viewer.page.locator(button).isDisabled();
+
+  test('plays so many iterations; the energy falls, and all is one step to undo', async () => {
+    const before = await viewer.sites();
+    const picture = await viewer.picture();
+    await viewer.page.fill('#cvt-iterations', '6');
+    await viewer.page.locator('#cvt-iterations').blur();
+    const drawn = await viewer.after('diagram', () => press('#cvt-play'));
+    assert.equal(drawn.regions, 60);
+
+    const all = await iterations();
+    assert.deepEqual(all.map(({ iteration }) => iteration), [0, 1, 2, 3, 4, 5, 6]);
+    for (let i = 1; i < all.length; ++i) {
+      assert.ok(all[i].energy <= all[i - 1].energy, `the energy does not rise at ${i}`);
+      assert.ok(all[i].largestMove > 0);
+    }
+    const [first, last] = [all[0], all.at(-1)];
+    assert.ok(last.energy < 0.75 * first.energy, `from ${first.energy} to ${last.energy}`);
+    assert.ok(last.relativeEnergy > 0.8 && last.relativeEnergy < 1.4, `${last.relativeEnergy}`);
+    assert.equal(await text('#cvt-state'), 'Paused');
+    assert.equal(await text('#cvt-iteration'), '6');
+    assert.equal(await text('#cvt-energy'), `${last.relativeEnergy.toFixed(4)} × hexagons`);
+    const points = await viewer.page.locator('#cvt-curve polyline').getAttribute('points');
+    assert.equal(points.split(' ').length, 7);
+
+    const relaxed = await viewer.sites();
+    assert.notDeepEqual(relaxed, before);
+    const change = await viewer.difference(picture, await viewer.picture());
+    assert.ok(change.count > 1000, `${change.count} pixels have another colour`);
+
+    await viewer.after('diagram', () => press('#undo'));
+    assert.deepEqual(await viewer.sites(), before);
+    assert.equal(await isDisabled('#undo'), true);
+    assert.equal(await text('#cvt-state'), 'Not begun');
+    await viewer.after('diagram', () => press('#redo'));
+    assert.deepEqual(await viewer.sites(), relaxed);
+  });
+
+  test('pauses, steps, goes on and resets', async () => {
+    const before = await viewer.sites();
+    await press('#cvt-play');
+    await reached(2);
+    assert.equal(await text('#cvt-play'), 'Pause');
+    await viewer.after('diagram', () => press('#cvt-play'));
+    const paused = (await iterations()).at(-1).iteration;
+    assert.ok(paused < 50);
+    assert.equal(await viewer.evaluate(({ cvtStatus }) => cvtStatus), 'paused');
+    assert.equal(await viewer.regionCount(), 60);
+
+    const atPause = await viewer.sites();
+    await viewer.after('diagram', () => press('#cvt-step'));
+    assert.equal(await text('#cvt-iteration'), String(paused + 1));
+    assert.notDeepEqual(await viewer.sites(), atPause);
+    await press('#cvt-play');
+    await reached(paused + 2);
+    const numbers = (await iterations()).map(({ iteration }) => iteration);
+    assert.deepEqual(numbers, [...numbers.keys()], 'no iteration is lost or comes twice');
+
+    await viewer.after('diagram', () => press('#cvt-reset'));
+    assert.deepEqual(await viewer.sites(), before);
+    assert.equal(await text('#cvt-iteration'), '–');
+    assert.equal(await isDisabled('#cvt-reset'), true);
+    const number = (await iterations()).length;
+    await viewer.after('diagram', () => press('#redo'));
+    assert.equal((await iterations()).length, number, 'nothing goes on behind one’s back');
+  });
+
+  test('an edit by hand ends it and is a step of its own', async () => {
+    const before = await viewer.sites();
+    await press('#cvt-play');
+    await reached(1);
+    const added = await viewer.after('diagram', () =>
+      viewer.evaluate((viewer) => viewer.addSite({ face: 5, bary: [0.2, 0.3, 0.5] })),
+    );
+    assert.equal(added.regions, 61);
+    assert.equal(await viewer.evaluate(({ cvtStatus }) => cvtStatus), 'idle');
+    const { face } = await viewer.sites();
+    assert.equal(face[60], 5);
+    await viewer.after('diagram', () => press('#undo'));
+    assert.notDeepEqual(await viewer.sites(), before, 'the sites as they were when it ended');
+    await viewer.after('diagram', () => press('#undo'));
+    assert.deepEqual(await viewer.sites(), before);
+  });
+
+  test('regions become small where density is painted', async () => {
+    const place = await viewer.freePlace();
+    const picture = await viewer.picture();
+    const sites = await viewer.sites();
+    await press('#density-paint');
+    await viewer.page.selectOption('#brush-density', '1000');
+    await viewer.after('density-change', async () => {
+      await viewer.page.mouse.move(place.x, place.y);
+      await viewer.page.mouse.down();
+      for (const step of [8, -8, 8, -8, 8, 0]) await viewer.page.mouse.move(place.x + step, place.y);
+      await viewer.page.mouse.up();
+    });
+    assert.deepEqual(await viewer.sites(), sites, 'no site is added or moved');
+    const change = await viewer.difference(picture, await viewer.picture(), place);
+    assert.ok(change.there && change.count > 50, `${change.count} pixels show the paint`);
+
+    await viewer.evaluate((viewer) => viewer.setAttribute('cvt-iterations', 10));
+    await viewer.after('diagram', () => press('#cvt-play'));
+    const { area, mean } = await viewer.evaluate(async (viewer, { x, y }) => {
+      const { face, bary } = viewer.surfaceFromPoint(x, y);
+      const { label } = await viewer.diagram.locate({ face: [face], bary });
+      return {
+        area: viewer.diagram.regions[label[0]].area,
+        mean: viewer.info.area / viewer.diagram.regions.length,
+      };
+    }, place);
+    assert.ok(area < 0.6 * mean, `an area of ${area} there, ${mean} on average`);
+
+    await viewer.after('density-change', () => press('#density-clear'));
+    assert.equal(await viewer.evaluate(({ density }) => density === undefined), true);
+  });
+
+  test('on a larger model the page answers between iterations, and a pause takes effect', async () => {
+    // Few pixels: drawing them without a graphics card is what takes the time here.
+    await viewer.page.setViewportSize({ width: 360, height: 300 });
+    await viewer.after('diagram', () =>
+      viewer.page.setInputFiles('#files', [
+        { name: 'torus.glb', mimeType: '', buffer: Buffer.from(glb(torus())) },
+      ]),
+    );
+    const answers = await viewer.evaluate(
+      (viewer) =>
+        new Promise((resolve) => {
+          const answers = [];
+          let sinceIteration = 0;
+          const timer = setInterval(() => ++sinceIteration, 1);
+          viewer.addEventListener('cvt-iteration', () => {
+            answers.push(sinceIteration);
+            sinceIteration = 0;
+            if (answers.length < 4) return;
+            clearInterval(timer);
+            resolve(answers);
+          });
+          viewer.playCvt();
+        }),
+    );
+    assert.ok(answers.every((count) => count > 0), `timers between iterations: ${answers}`);
+    const { late, status } = await viewer.evaluate(async (viewer) => {
+      const count = viewer.iterations.length;
+      viewer.pauseCvt();
+      const status = viewer.cvtStatus;
+      await new Promise((resolve) => viewer.addEventListener('diagram', resolve, { once: true }));
+      return { late: viewer.iterations.length - count, status };
+    });
+    assert.equal(status, 'paused');
+    assert.equal(late, 0);
+    await viewer.settled();
+  });
+
+  test('sites are scattered in three ways', async () => {
+    const scatter = (sampling) =>
+      viewer.after('diagram', async () => {
+        await viewer.page.selectOption('#sampling', sampling);
+        await press('#scatter button');
+      });
+    const lists = [];
+    for (const sampling of ['farthest', 'poisson', 'random']) {
+      assert.equal((await scatter(sampling)).sites, 60);
+      lists.push(JSON.stringify(await viewer.sites()));
+    }
+    assert.equal(new Set(lists).size, 3);
+  });
+});

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+import type { GeodesicVoronoiElement } from '../viewer/element.js';
+import { byId, listen, onClick } from './dom.js';
+
+/** Painting a density, by which the centroidal tessellation makes regions smaller or larger. */
+export function setUpDensityControls(viewer: GeodesicVoronoiElement): void {
+  const paint = byId('density-paint', HTMLInputElement);
+  const settings = byId('density-settings', HTMLElement);
+  const hint = byId('hint', HTMLElement);
+  const ofSites = hint.textContent;
+  paint.addEventListener('change', () => {
+    viewer.setAttribute('tool', paint.checked ? 'density' : 'sites');
+    settings.hidden = !paint.checked;
+    hint.textContent = paint.checked
+      ? 'Drag on the model to paint, beside it to turn it.'
+      : ofSites;
+  });
+  const fields = {
+    'brush-density': byId('brush-density', HTMLSelectElement),
+    'brush-size': byId('brush-size', HTMLInputElement),
+  };
+  for (const [name, field] of Object.entries(fields)) {
+    const adopt = () => viewer.setAttribute(name, field.value);
+    field.addEventListener('change', adopt);
+    adopt();
+  }
+  const clear = onClick('density-clear', () => {
+    viewer.density = undefined;
+  });
+  listen(viewer, 'density-change', ({ isUniform }) => {
+    clear.disabled = isUniform;
+  });
+}

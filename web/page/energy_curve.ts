@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+
+const svg = 'http://www.w3.org/2000/svg';
+
+/** In units of the drawing, which is as wide as the panel. */
+const width = 284;
+const height = 112;
+const plot = { left: 38, right: width - 6, top: 8, bottom: height - 20 };
+
+/** Fewer would be a line too steep to read. */
+const fewestIterations = 10;
+
+/** The energy by iteration as a small drawing; 1 is that of regular hexagons in the plane. */
+export class EnergyCurve {
+  readonly #drawing: SVGElement;
+  readonly #energies: number[] = [];
+
+  constructor(parent: HTMLElement) {
+    this.#drawing = make('svg', { viewBox: `0 0 ${width} ${height}`, role: 'img' });
+    parent.append(this.#drawing);
+    this.#draw();
+  }
+
+  add(energy: number): void {
+    this.#energies.push(energy);
+    this.#draw();
+  }
+
+  clear(): void {
+    this.#energies.length = 0;
+    this.#draw();
+  }
+
+  #draw(): void {
+    const energies = this.#energies;
+    const last = energies.length - 1;
+    this.#drawing.setAttribute('aria-label', descriptionOf(energies));
+    const lastIteration = Math.max(last, fewestIterations);
+    const lowest = Math.min(1, ...energies.slice(-1));
+    const highest = energies[0] > lowest ? energies[0] : lowest + 1;
+    const x = (i: number) => plot.left + ((plot.right - plot.left) * i) / lastIteration;
+    const y = (energy: number) =>
+      plot.bottom + ((plot.top - plot.bottom) * (energy - lowest)) / (highest - lowest);
+
+    const parts = [
+      line('axis', plot.left, plot.bottom, plot.right, plot.bottom),
+      line('axis', plot.left, plot.top, plot.left, plot.bottom),
+      text('start', plot.left, plot.bottom + 14, '0'),
+      text('end', plot.right, plot.bottom + 14, `${lastIteration} iterations`),
+    ];
+    if (last >= 0) {
+      parts.push(
+        line('hexagons', plot.left, y(1), plot.right, y(1)),
+        text('end', plot.left - 6, y(highest) + 6, highest.toFixed(2)),
+        text('end', plot.left - 6, y(1) + 4, '1'),
+        make('polyline', { points: energies.map((e, i) => `${x(i)},${y(e)}`).join(' ') }),
+        make('circle', { cx: x(last), cy: y(energies[last]), r: 3 }),
+      );
+    }
+    this.#drawing.replaceChildren(...parts);
+  }
+}
+
+function descriptionOf(energies: readonly number[]): string {
+  if (energies.length === 0) return 'Energy by iteration: none yet';
+  const from = energies[0].toFixed(3);
+  const to = energies[energies.length - 1].toFixed(3);
+  return `Energy after ${energies.length - 1} iterations, as a multiple of that of hexagons: from ${from} to ${to}`;
+}
+
+function line(className: string, x1: number, y1: number, x2: number, y2: number): SVGElement {
+  return make('line', { class: className, x1, y1, x2, y2 });
+}
+
+function text(anchor: 'start' | 'end', x: number, y: number, content: string): SVGElement {
+  const element = make('text', { x, y, 'text-anchor': anchor });
+  element.textContent = content;
+  return element;
+}
+
+function make(tag: string, attributes: Record<string, string | number>): SVGElement {
+  const element = document.createElementNS(svg, tag) as SVGElement;
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
+  return element;
+}

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+import type { SurfaceHit } from './picking.js';
+import type { SceneMesh } from './scene_mesh.js';
+
+/** The densities that a brush paints with lie between this and its inverse. */
+export const greatestDensity = 1000;
+
+export interface Brush {
+  /** In units of the scene, where the model has radius 1. */
+  radius: number;
+  /** What the surface comes to under its centre; 1 is the density of what is not painted. */
+  density: number;
+}
+
+/** How much of the way to the brush's density one dab goes at its centre. */
+const flow = 0.5;
+
+/**
+ * A density painted on the surface, per input vertex. A dab reaches what is connected to its centre
+ * within its radius: not the other side of a thin part.
+ */
+export class DensityPaint {
+  readonly #mesh: SceneMesh;
+  /** Logarithms as shares of the greatest's: -1 … 1, 0 where nothing is painted. */
+  readonly #tints: Float32Array;
+  #adjacency: Adjacency | undefined;
+
+  constructor(mesh: SceneMesh) {
+    this.#mesh = mesh;
+    this.#tints = new Float32Array(mesh.positions.length / 3);
+  }
+
+  /** Per input vertex, -1 … 1; undefined if nothing is painted. */
+  get tints(): Float32Array | undefined {
+    return this.#tints.some((tint) => tint !== 0) ? this.#tints : undefined;
+  }
+
+  /** Per input vertex; undefined if nothing is painted. */
+  get density(): Float64Array | undefined {
+    return this.tints && Float64Array.from(this.#tints, (tint) => greatestDensity ** tint);
+  }
+
+  set density(density: ArrayLike<number> | undefined) {
+    for (let v = 0; v < this.#tints.length; ++v) this.#tints[v] = tintOf(density?.[v] ?? 1);
+  }
+
+  dab({ face, place }: SurfaceHit, { radius, density }: Brush): void {
+    this.#adjacency ??= new Adjacency(this.#mesh);
+    const { positions } = this.#mesh;
+    const target = tintOf(density);
+    this.#adjacency.flood(face, (v) => {
+      const distance = Math.hypot(
+        positions[3 * v] - place.x,
+        positions[3 * v + 1] - place.y,
+        positions[3 * v + 2] - place.z,
+      );
+      if (!(distance < radius)) return false;
+      const share = flow * (1 - (distance / radius) ** 2);
+      const tint = this.#tints[v] + share * (target - this.#tints[v]);
+      // It would never come to an end.
+      this.#tints[v] = Math.abs(tint - target) < 0.01 ? target : tint;
+      return true;
+    });
+  }
+}
+
+function tintOf(density: number): number {
+  const tint = Math.log(density) / Math.log(greatestDensity);
+  return Math.min(1, Math.max(-1, tint));
+}
+
+/** Which faces meet in a vertex, also where the input has it several times at the same place. */
+class Adjacency {
+  readonly #indices: Int32Array;
+  /** Of every vertex the first one at its place. */
+  readonly #first: Int32Array;
+  /** Faces around vertex v of those: `#faces[#offset[v]] … #faces[#offset[v + 1] - 1]`. */
+  readonly #offset: Int32Array;
+  readonly #faces: Int32Array;
+
+  constructor({ positions, indices }: SceneMesh) {
+    const count = positions.length / 3;
+    const atPlace = new Map<string, number>();
+    this.#first = Int32Array.from({ length: count }, (_, v) => {
+      const place = `${positions[3 * v]},${positions[3 * v + 1]},${positions[3 * v + 2]}`;
+      const first = atPlace.get(place) ?? v;
+      atPlace.set(place, first);
+      return first;
+    });
+    this.#indices = indices;
+    this.#offset = new Int32Array(count + 1);
+    for (const v of indices) ++this.#offset[this.#first[v] + 1];
+    for (let v = 0; v < count; ++v) this.#offset[v + 1] += this.#offset[v];
+    this.#faces = new Int32Array(indices.length);
+    const end = this.#offset.slice();
+    indices.forEach((v, corner) => {
+      this.#faces[end[this.#first[v]]++] = Math.floor(corner / 3);
+    });
+  }
+
+  /** Calls back with every vertex, once, of the connected part of the surface for which it says yes. */
+  flood(startFace: number, accept: (vertex: number) => boolean): void {
+    const accepted = new Map<number, boolean>();
+    const seen = new Set([startFace]);
+    for (const face of seen) {
+      for (let corner = 3 * face; corner < 3 * face + 3; ++corner) {
+        const v = this.#indices[corner];
+        if (accepted.has(v)) continue;
+        const isInside = accept(v);
+        accepted.set(v, isInside);
+        const first = this.#first[v];
+        if (!isInside) continue;
+        // A set that grows is gone through to its new end.
+        for (let i = this.#offset[first]; i < this.#offset[first + 1]; ++i) seen.add(this.#faces[i]);
+      }
+    }
+  }
+}
