@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -17,8 +18,11 @@
 #include "abi.h"
 #include "gvd/cvt.h"
 #include "gvd/diagram.h"
+#include "gvd/dual.h"
 #include "gvd/error.h"
 #include "gvd/geodesic.h"
+#include "gvd/partition.h"
+#include "gvd/remesh.h"
 #include "gvd/sampling.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
@@ -38,9 +42,10 @@ struct MeshHandle {
 /// is that of a `MeshHandle` as well.
 struct VoronoiHandle {
   MeshHandle surface;
-  int siteCount = 0;
+  std::vector<SurfacePoint> sites;
   std::unique_ptr<Propagation> propagation;  // until it is done
   std::unique_ptr<DistanceField> distances;  // from then on
+  std::optional<Diagram> diagram;            // the one traced last
 };
 static_assert(std::is_standard_layout_v<VoronoiHandle>);
 
@@ -130,9 +135,9 @@ std::vector<double> positionsOf(const TriangleMesh& mesh, std::span<const Surfac
   return positions;
 }
 
-void addLists(Arrays& out, PointLists&& lists) {
-  out.add(std::move(lists.offset));
-  out.add(std::move(lists.points));
+void addLists(Arrays& out, const PointLists& lists) {
+  out.add(std::vector(lists.offset));
+  out.add(std::vector(lists.points));
 }
 
 std::vector<int> inputFaces(const TriangleMesh& mesh, std::vector<int> faces) {
@@ -184,22 +189,117 @@ std::vector<int> inputFaceLabels(const TriangleMesh& mesh, std::span<const int> 
   return labels;
 }
 
-std::unique_ptr<Arrays> flatten(const TriangleMesh& mesh, Diagram diagram) {
+std::unique_ptr<Arrays> flatten(const TriangleMesh& mesh, const Diagram& diagram) {
   auto out = std::make_unique<Arrays>();
   addPoints(*out, mesh, diagram.points);
   out->add(positionsOf(mesh, diagram.points));
   addSegments(*out, mesh, diagram.segments);
-  addLists(*out, std::move(diagram.arcs));
+  addLists(*out, diagram.arcs);
   out->add(flat(diagram.arcLabels));
   addVoronoiPoints(*out, diagram.voronoiPoints);
-  addLists(*out, std::move(diagram.loops));
-  out->add(std::move(diagram.loopLabel));
-  out->add(std::move(diagram.regionArea));
+  addLists(*out, diagram.loops);
+  out->add(std::vector(diagram.loopLabel));
+  out->add(std::vector(diagram.regionArea));
   out->add(inputFaceLabels(mesh, diagram.faceLabel));
-  out->add(inputFaces(mesh, std::move(diagram.indifferentFaces)));
-  addLists(*out, std::move(diagram.cells));
-  out->add(inputFaces(mesh, std::move(diagram.cellFace)));
-  out->add(std::move(diagram.cellLabel));
+  out->add(inputFaces(mesh, diagram.indifferentFaces));
+  addLists(*out, diagram.cells);
+  out->add(inputFaces(mesh, diagram.cellFace));
+  out->add(std::vector(diagram.cellLabel));
+  return out;
+}
+
+template <class T>
+std::vector<T> flat(std::span<const std::array<T, 3>> triples) {
+  std::vector<T> values;
+  values.reserve(3 * triples.size());
+  for (const auto& triple : triples) values.insert(values.end(), triple.begin(), triple.end());
+  return values;
+}
+
+std::vector<double> flat(std::span<const Eigen::Vector3d> positions) {
+  std::vector<double> values;
+  values.reserve(3 * positions.size());
+  for (const Eigen::Vector3d& p : positions) values.insert(values.end(), p.begin(), p.end());
+  return values;
+}
+
+/// Corners, labels, input faces, and the corners in terms of these.
+void addTriangles(Arrays& out, const TriangleMesh& mesh, const Partition& partition) {
+  std::vector<double> bary;
+  bary.reserve(9 * partition.triangles.size());
+  for (int t = 0; t < static_cast<int>(partition.triangles.size()); ++t) {
+    const Eigen::Matrix3d corners = cornersInFace(mesh, partition, t);
+    for (int i = 0; i < 3; ++i) {
+      const SurfacePoint corner = mesh.toInput({partition.triangleFace[t], corners.col(i)});
+      bary.insert(bary.end(), corner.bary.begin(), corner.bary.end());
+    }
+  }
+  out.add(flat<int>(partition.triangles));
+  out.add(std::vector(partition.triangleLabel));
+  out.add(inputFaces(mesh, partition.triangleFace));
+  out.add(std::move(bary));
+}
+
+/// What is told of each region: a list per fact.
+void addRegions(Arrays& out, const TriangleMesh& mesh, const Partition& partition) {
+  std::vector<int> triangleOffset = {0}, nearFace, components, loops, euler, genus, touchings;
+  std::vector<double> area, perimeter, boundaryLength, nearBary, neighbourLength;
+  std::vector<Eigen::Vector3d> centroid;
+  std::vector<int> neighbourOffset = {0}, neighbours;
+  for (const RegionPatch& region : partition.regions) {
+    triangleOffset.push_back(triangleOffset.back() + region.triangleCount);
+    area.push_back(region.area);
+    perimeter.push_back(region.perimeter);
+    boundaryLength.push_back(region.boundaryLength);
+    centroid.push_back(region.centroid);
+    const SurfacePoint near =
+        region.triangleCount > 0 ? mesh.toInput(region.nearCentroid) : SurfacePoint();
+    nearFace.push_back(near.face);
+    nearBary.insert(nearBary.end(), near.bary.begin(), near.bary.end());
+    components.push_back(region.components);
+    loops.push_back(region.loops);
+    euler.push_back(region.eulerCharacteristic);
+    genus.push_back(region.genus);
+    touchings.push_back(region.selfTouchings);
+    for (const auto& neighbour : region.neighbours) {
+      neighbours.push_back(neighbour.label);
+      neighbourLength.push_back(neighbour.length);
+    }
+    neighbourOffset.push_back(static_cast<int>(neighbours.size()));
+  }
+  out.add(std::move(triangleOffset));
+  for (auto* values : {&area, &perimeter, &boundaryLength}) out.add(std::move(*values));
+  out.add(flat(centroid));
+  out.add(std::move(nearFace));
+  out.add(std::move(nearBary));
+  for (auto* values :
+       {&components, &loops, &euler, &genus, &touchings, &neighbourOffset, &neighbours})
+    out.add(std::move(*values));
+  out.add(std::move(neighbourLength));
+}
+
+std::unique_ptr<Arrays> flatten(const TriangleMesh& mesh, const Partition& partition) {
+  auto out = std::make_unique<Arrays>();
+  addPoints(*out, mesh, partition.points);
+  out->add(flat(partition.positions));
+  addTriangles(*out, mesh, partition);
+  addRegions(*out, mesh, partition);
+  return out;
+}
+
+std::unique_ptr<Arrays> flatten(const TriangleMesh& mesh, const PolygonMesh& polygons) {
+  auto out = std::make_unique<Arrays>();
+  addPoints(*out, mesh, polygons.points);
+  out->add(flat(polygons.positions));
+  addLists(*out, polygons.faces);
+  out->add(std::vector(polygons.vertexLabel));
+  out->add(std::vector(polygons.faceLabel));
+  PolygonTriangles cut = triangulate(polygons);
+  out->add(flat<int>(cut.triangles));
+  out->add(std::move(cut.face));
+  const PolygonTopology t = topologyOf(polygons);
+  out->add(std::vector<int>{t.isManifold, t.vertices, t.edges, t.faces, t.components,
+                            t.boundaryLoops, t.eulerCharacteristic, t.genus});
   return out;
 }
 
@@ -270,7 +370,7 @@ GVD_ABI VoronoiHandle* startVoronoi(const MeshHandle* handle, const int* face, c
     const std::vector<SurfacePoint> sites = sitesFromInput(mesh, face, bary, count);
     auto voronoi = std::make_unique<VoronoiHandle>();
     voronoi->surface = *handle;
-    voronoi->siteCount = static_cast<int>(count);
+    voronoi->sites = sites;
     voronoi->propagation = propagate(mesh, sites, static_cast<Metric>(metric));
     return voronoi.release();
   });
@@ -293,12 +393,78 @@ GVD_ABI double voronoiProgress(const VoronoiHandle* voronoi) {
 }
 
 /// The diagram, see `flatten`. Only after `stepVoronoi` said it is done.
-GVD_ABI Arrays* traceVoronoi(const VoronoiHandle* voronoi, int detail) {
+GVD_ABI Arrays* traceVoronoi(VoronoiHandle* voronoi, int detail) {
   return guarded([&] {
     const TriangleMesh& mesh = *voronoi->surface.mesh;
-    return flatten(mesh,
-                   traceDiagram(mesh, *voronoi->distances, voronoi->siteCount, {.detail = detail}))
+    voronoi->diagram = traceDiagram(mesh, *voronoi->distances,
+                                    static_cast<int>(voronoi->sites.size()), {.detail = detail});
+    return flatten(mesh, *voronoi->diagram).release();
+  });
+}
+
+/// The partition by the diagram traced last, see `flatten`.
+GVD_ABI Arrays* partitionVoronoi(const VoronoiHandle* voronoi, int leaveOutIndifferent,
+                                 int leaveOutUnreachable) {
+  return guarded([&] {
+    const TriangleMesh& mesh = *voronoi->surface.mesh;
+    return flatten(mesh, partition(mesh, *voronoi->diagram,
+                                   {.leaveOutIndifferent = leaveOutIndifferent != 0,
+                                    .leaveOutUnreachable = leaveOutUnreachable != 0}))
         .release();
+  });
+}
+
+/// The dual of the diagram traced last, or if `primal` the regions themselves, see `flatten`.
+GVD_ABI Arrays* dualVoronoi(const VoronoiHandle* voronoi, int primal) {
+  return guarded([&] {
+    const TriangleMesh& mesh = *voronoi->surface.mesh;
+    return flatten(mesh, primal ? regionMesh(mesh, *voronoi->diagram)
+                                : dualMesh(mesh, voronoi->sites, *voronoi->diagram))
+        .release();
+  });
+}
+
+/// Kinds, offsets of the labels, labels, then a text each.
+GVD_ABI Arrays* dualViolations(const VoronoiHandle* voronoi) {
+  return guarded([&] {
+    std::vector<int> kinds, offset = {0}, labels;
+    auto violations = findViolations(*voronoi->surface.mesh, *voronoi->diagram);
+    for (const Violation& violation : violations) {
+      kinds.push_back(violation.kind);
+      labels.insert(labels.end(), violation.labels.begin(), violation.labels.end());
+      offset.push_back(static_cast<int>(labels.size()));
+    }
+    auto out = std::make_unique<Arrays>();
+    out->add(std::move(kinds));
+    out->add(std::move(offset));
+    out->add(std::move(labels));
+    for (Violation& violation : violations) out->add(std::move(violation.message));
+    return out.release();
+  });
+}
+
+/// The numbers of `RemeshQuality` for the dual, in their order.
+GVD_ABI Arrays* dualQuality(const VoronoiHandle* voronoi) {
+  return guarded([&] {
+    const TriangleMesh& mesh = *voronoi->surface.mesh;
+    const RemeshQuality quality =
+        measureQuality(mesh, dualMesh(mesh, voronoi->sites, *voronoi->diagram));
+    auto out = std::make_unique<Arrays>();
+    out->add(std::vector<double>{static_cast<double>(quality.triangles), quality.minAngle,
+                                 quality.meanMinAngle, static_cast<double>(quality.minValence),
+                                 static_cast<double>(quality.maxValence), quality.regularShare,
+                                 quality.hausdorff});
+    return out.release();
+  });
+}
+
+/// face, bary of the sites that one round of repair adds to the diagram traced last.
+GVD_ABI Arrays* repairingSites(const VoronoiHandle* voronoi) {
+  return guarded([&] {
+    const TriangleMesh& mesh = *voronoi->surface.mesh;
+    auto out = std::make_unique<Arrays>();
+    addPoints(*out, mesh, repairingSites(mesh, *voronoi->diagram, *voronoi->distances));
+    return out.release();
   });
 }
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "gvd/polygon_mesh.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
 #include <utility>
+
+#include "convex_triangulation.h"
 
 namespace gvd {
 namespace {
@@ -124,6 +127,29 @@ int countBoundaryLoops(const PolygonHalfedges& halfedges) {
 }
 
 }  // namespace
+
+PolygonTriangles triangulate(const PolygonMesh& mesh) {
+  PolygonTriangles result;
+  ConvexTriangulation triangulation;
+  std::vector<Eigen::Vector2d> corners;
+  for (int f = 0; f < mesh.faces.size(); ++f) {
+    const auto polygon = mesh.faces[f];
+    if (polygon.size() < 3) continue;
+    const auto position = [&](size_t i) { return mesh.positions[polygon[i % polygon.size()]]; };
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+    for (size_t i = 0; i < polygon.size(); ++i)
+      normal += (position(i) - position(0)).cross(position(i + 1) - position(0));
+    const Eigen::Vector3d x = normal.unitOrthogonal(), y = normal.stableNormalized().cross(x);
+    corners.clear();
+    for (size_t i = 0; i < polygon.size(); ++i)
+      corners.push_back({x.dot(position(i)), y.dot(position(i))});
+    for (const auto& [a, b, c] : triangulation.compute(corners)) {
+      result.triangles.push_back({polygon[a], polygon[b], polygon[c]});
+      result.face.push_back(f);
+    }
+  }
+  return result;
+}
 
 PolygonTopology topologyOf(const PolygonMesh& mesh) {
   const int vertexCount = static_cast<int>(mesh.points.size());

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <span>
 
+#include "nearest_on_triangle.h"
 #include "surface_geometry.h"
 
 namespace gvd {
@@ -12,32 +13,6 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-/// The point of a triangle that is nearest to p, as barycentric coordinates: the projection if it
-/// falls inside, else the nearest of the three sides.
-Vector3d nearestBary(const Vector3d& p, const std::array<Vector3d, 3>& corners) {
-  const Vector3d u = corners[1] - corners[0], v = corners[2] - corners[0], w = p - corners[0];
-  const double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), wu = w.dot(u), wv = w.dot(v);
-  const double area = uu * vv - uv * uv, b = vv * wu - uv * wv, c = uu * wv - uv * wu;
-  if (area > 0 && b >= 0 && c >= 0 && b + c <= area) {
-    const double second = b / area, third = c / area;
-    return {std::max(0.0, 1 - second - third), second, third};
-  }
-  Vector3d best = Vector3d::Unit(0);
-  double least = kInfinity;
-  for (int i = 0; i < 3; ++i) {
-    const Vector3d &from = corners[i], &to = corners[(i + 1) % 3];
-    const double length = (to - from).squaredNorm();
-    const double share =
-        length > 0 ? std::clamp((p - from).dot(to - from) / length, 0.0, 1.0) : 0.0;
-    const double distance = (from + share * (to - from) - p).squaredNorm();
-    if (distance < least) {
-      least = distance;
-      best = (1 - share) * Vector3d::Unit(i) + share * Vector3d::Unit((i + 1) % 3);
-    }
-  }
-  return best;
-}
 
 class Surveyor {
  public:
@@ -76,12 +51,13 @@ class Surveyor {
     return {partition_.positions[a], partition_.positions[b], partition_.positions[c]};
   }
 
+  /// Of a sliver that rounding has turned over, negative: what its neighbours have too much.
   double areaOf(int t) const {
     const int face = partition_.triangleFace[t];
     if (isWholeFace_[t]) return mesh_.faceArea(face);
     const Matrix3d bary = cornersInFace(mesh_, partition_, t);
     const Vector3d p = bary.col(1) - bary.col(0), q = bary.col(2) - bary.col(0);
-    return std::max(0.0, p[0] * q[1] - p[1] * q[0]) * mesh_.faceArea(face);
+    return (p[0] * q[1] - p[1] * q[0]) * mesh_.faceArea(face);
   }
 
   /// Returns the square of how far a point of a triangle may be from its first corner, at most.
@@ -99,6 +75,7 @@ class Surveyor {
       moment += area * centre;
       sum += centre;
     }
+    region.area = std::max(0.0, region.area);
     region.centroid =
         region.area > 0 ? Vector3d(moment / region.area) : Vector3d(sum / region.triangleCount);
     return reach;
@@ -193,7 +170,7 @@ class Surveyor {
     for (int t = region.firstTriangle; t < last; ++t) {
       if (toCorner(t) > 2 * (least + reach)) continue;  // (a + b)² ≤ 2 (a² + b²)
       const auto corners = cornersOf(t);
-      const Vector3d here = nearestBary(region.centroid, corners);
+      const Vector3d here = nearestOnTriangle(region.centroid, corners);
       const double distance =
           (here[0] * corners[0] + here[1] * corners[1] + here[2] * corners[2] - region.centroid)
               .squaredNorm();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Every property of `diagram_checks.h` on random degenerate cases, with both metrics:
+// Every property of `diagram_checks.h` and of `partition_checks.h` on random degenerate cases, with
+// both metrics:
 //
 //     diagram_property_test [--seed S] [--cases N]
 //
@@ -20,6 +21,8 @@
 #include <string_view>
 
 #include "diagram_checks.h"
+#include "gvd/partition.h"
+#include "partition_checks.h"
 #include "random_case.h"
 
 namespace gvd {
@@ -43,6 +46,9 @@ std::string complaint(const RandomCase& c, Metric metric) {
     const checks::Traced traced = checks::trace(mesh, sites, metric);
     if (const auto result = checks::isConsistent(mesh, traced.diagram); !result)
       return result.message();
+    const Partition parts = partition(mesh, traced.diagram);
+    if (const auto result = checks::isSound(mesh, traced.diagram, parts); !result)
+      return "partition: " + std::string(result.message());
     if (const auto result = checks::agreesWithField(mesh, traced, sites, metric); !result)
       return result.message();
     if (metric == Metric::kDgpc) return {};

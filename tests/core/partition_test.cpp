@@ -7,146 +7,25 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
-#include <numeric>
 
 #include "convex_triangulation.h"
 #include "diagram_checks.h"
 #include "gvd/sampling.h"
+#include "partition_checks.h"
 #include "shapes.h"
-#include "surface_checks.h"
 
 namespace gvd {
 namespace {
 
-using checks::PolygonSurface;
+using checks::hasItsTwins;
+using checks::isSound;
 using checks::trace;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-using ::testing::AssertionFailure;
-using ::testing::AssertionResult;
-using ::testing::AssertionSuccess;
 
 constexpr double kPi = 3.141592653589793;
 
 SurfacePoint centroid(int face) { return {face, Vector3d::Constant(1.0 / 3)}; }
-
-/// Whether the triangles, welded by their indices, are the surface of the mesh.
-AssertionResult isTheSurface(const TriangleMesh& mesh, const Partition& p) {
-  PolygonSurface surface;
-  for (const auto& triangle : p.triangles) surface.add(triangle);
-  if (!surface.isManifold()) return AssertionFailure() << "no manifold";
-  const MeshTopology& expected = mesh.topology();
-  if (surface.eulerCharacteristic() != expected.eulerCharacteristic)
-    return AssertionFailure() << "V - E + F is " << surface.eulerCharacteristic() << ", not "
-                              << expected.eulerCharacteristic;
-  if (surface.boundaryLoops() != expected.boundaryLoops)
-    return AssertionFailure() << surface.boundaryLoops() << " boundary loops, not "
-                              << expected.boundaryLoops;
-  if (surface.components() != expected.components)
-    return AssertionFailure() << surface.components() << " components";
-  return AssertionSuccess();
-}
-
-/// Whether halfedges and their twins run the other way, and those without have none.
-AssertionResult hasItsTwins(const Partition& p) {
-  std::map<std::pair<int, int>, int> side;
-  const int count = static_cast<int>(p.twins.size());
-  const auto endsOf = [&](int h) {
-    return std::pair(p.triangles[h / 3][h % 3], p.triangles[h / 3][(h % 3 + 1) % 3]);
-  };
-  for (int h = 0; h < count; ++h) side[endsOf(h)] = h;
-  for (int h = 0; h < count; ++h) {
-    const auto [from, to] = endsOf(h);
-    const auto other = side.find({to, from});
-    if (p.twins[h] != (other == side.end() ? -1 : other->second))
-      return AssertionFailure() << "halfedge " << h << " has twin " << p.twins[h];
-  }
-  return AssertionSuccess();
-}
-
-AssertionResult hasItsPlaces(const TriangleMesh& mesh, const Partition& p) {
-  const double near = 1e-8 * mesh.diameter();
-  for (size_t v = 0; v < p.points.size(); ++v)
-    if (!((mesh.position(p.points[v]) - p.positions[v]).norm() <= 1e-14 * mesh.diameter()))
-      return AssertionFailure() << "vertex " << v << " is not at its surface point";
-  for (int t = 0; t < static_cast<int>(p.triangles.size()); ++t) {
-    const Eigen::Matrix3d corners = cornersInFace(mesh, p, t);
-    for (int i = 0; i < 3; ++i) {
-      const Vector3d at = mesh.position({p.triangleFace[t], corners.col(i)});
-      if (!((at - p.positions[p.triangles[t][i]]).norm() <= near))
-        return AssertionFailure() << "triangle " << t << " is off its face";
-    }
-    if (!(corners.determinant() >= -1e-9))
-      return AssertionFailure() << "triangle " << t << " is turned over";
-    if (t > 0 &&
-        static_cast<unsigned>(p.triangleLabel[t]) < static_cast<unsigned>(p.triangleLabel[t - 1]))
-      return AssertionFailure() << "the triangles are not ascending by label";
-  }
-  return AssertionSuccess();
-}
-
-AssertionResult hasItsAreas(const TriangleMesh& mesh, const Diagram& d, const Partition& p) {
-  double sum = p.unreachable.area;
-  for (const RegionPatch& region : p.regions) {
-    sum += region.area;
-    if (!(std::abs(region.area - d.regionArea[region.label]) <= 1e-9 * mesh.area()))
-      return AssertionFailure() << "region " << region.label << " has area " << region.area
-                                << ", by the diagram " << d.regionArea[region.label];
-  }
-  if (!(std::abs(sum - mesh.area()) <= 1e-12 * mesh.area()))
-    return AssertionFailure() << "the areas sum to " << sum << ", not to " << mesh.area()
-                              << ": off by " << sum / mesh.area() - 1;
-  return AssertionSuccess();
-}
-
-/// What is told of each region, against its triangles alone and the outlines in the diagram.
-AssertionResult describesItsRegions(const Partition& p) {
-  std::map<std::pair<int, int>, double> borders;
-  int first = 0;
-  for (const RegionPatch& region : p.regions) {
-    if (region.triangleCount > 0 && region.firstTriangle != first)
-      return AssertionFailure() << "region " << region.label << " is not where it says";
-    first += region.triangleCount;
-    double lengths = region.boundaryLength;
-    for (const auto& n : region.neighbours) {
-      borders[{region.label, n.label}] = n.length;
-      lengths += n.length;
-    }
-    if (!(std::abs(lengths - region.perimeter) <= 1e-12 * region.perimeter))
-      return AssertionFailure() << "region " << region.label << " has perimeter "
-                                << region.perimeter << ", in parts " << lengths;
-    if (region.triangleCount == 0) continue;
-    PolygonSurface patch;
-    for (int t = 0; t < region.triangleCount; ++t) patch.add(p.triangles[region.firstTriangle + t]);
-    if (patch.eulerCharacteristic() != region.eulerCharacteristic - region.selfTouchings)
-      return AssertionFailure() << "region " << region.label << " has V - E + F "
-                                << patch.eulerCharacteristic() << ", not "
-                                << region.eulerCharacteristic << " less " << region.selfTouchings;
-    if (patch.components() != region.components || region.genus < 0 ||
-        2 * region.genus != 2 * region.components - region.loops - region.eulerCharacteristic)
-      return AssertionFailure() << "region " << region.label << " has another topology";
-    if (patch.isManifold() != (region.selfTouchings == 0))
-      return AssertionFailure() << "region " << region.label << " touches itself";
-    if (patch.isManifold() && patch.boundaryLoops() != region.loops)
-      return AssertionFailure() << "region " << region.label << " has " << region.loops << " loops";
-  }
-  for (const auto& [labels, length] : borders) {
-    const auto other = borders.find({labels.second, labels.first});
-    if (other == borders.end() || !(std::abs(other->second - length) <= 1e-12 * length))
-      return AssertionFailure() << labels.first << "|" << labels.second
-                                << " is not as long from both sides";
-  }
-  return AssertionSuccess();
-}
-
-AssertionResult isSound(const TriangleMesh& mesh, const Diagram& d, const Partition& p) {
-  if (auto result = isTheSurface(mesh, p); !result) return result;
-  if (auto result = hasItsTwins(p); !result) return result;
-  if (auto result = hasItsPlaces(mesh, p); !result) return result;
-  if (auto result = hasItsAreas(mesh, d, p); !result) return result;
-  return describesItsRegions(p);
-}
 
 class PartitionOfRandomMeshes : public ::testing::TestWithParam<int> {};
 

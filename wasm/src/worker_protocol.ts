@@ -9,6 +9,11 @@ export type EngineCall =
   | 'sampleSites'
   | 'openDiagram'
   | 'locate'
+  | 'partition'
+  | 'dual'
+  | 'violations'
+  | 'quality'
+  | 'repairingSites'
   | 'openCvt'
   | 'advanceCvt';
 

@@ -18,11 +18,11 @@ namespace gvd {
 /// geodesic Delaunay triangulation.
 ///
 /// On the mesh boundary, the outside takes part as if each *run* of a region along it had a site
-/// beyond: in the middle of each run is one more vertex (of the region's label, after all sites), and
-/// where an arc of A and B ends on the boundary is a quadrangle of these two sites and the middles of
-/// their runs (a (d+2)-gon where d - 1 arcs end). So the dual reaches the boundary wherever the
-/// surface has one, with one side per place where arcs end, and its own boundary vertices lie on it.
-/// A boundary that only one region touches gets nothing.
+/// beyond: in the middle of each run is one more vertex (of the region's label, after all sites),
+/// and where an arc of A and B ends on the boundary is a quadrangle of these two sites and the
+/// middles of their runs (a (d+2)-gon where d - 1 arcs end). So the dual reaches the boundary
+/// wherever the surface has one, with one side per place where arcs end, and its own boundary
+/// vertices lie on it. A boundary that only one region touches gets nothing.
 ///
 /// Sites without region, or whose region meets no three others, are in no face. The dual is a
 /// manifold with the topology of the surface if `findViolations` has none.
@@ -33,9 +33,9 @@ PolygonMesh dualMesh(const TriangleMesh& mesh, std::span<const SurfacePoint> sit
 
 /// The regions as polygons: vertices are the Voronoi points and the ends of arcs on the mesh
 /// boundary, then the middles of runs along it; each arc is a side, each run two, each loop of a
-/// region a face. One face per region, and the topology of the surface, if `findViolations` has none;
-/// else a loop may have fewer than three corners, or, meeting no other region or only one, none at
-/// all: it is left out then. Costs as much as `partition`.
+/// region a face. One face per region, and the topology of the surface, if `findViolations` has
+/// none; else a loop may have fewer than three corners, or, meeting no other region or only one,
+/// none at all: it is left out then. Costs as much as `partition`.
 PolygonMesh regionMesh(const TriangleMesh& mesh, const Diagram& diagram);
 
 /// A reason why a dual is no faithful picture of the surface: something that keeps the regions from
@@ -60,9 +60,19 @@ struct Violation {
 
 /// All violations, by kind, then by labels. None: the dual is an orientable manifold that has the
 /// Euler characteristic, the genus and the boundary loops of the surface. (That is a theorem, and
-/// checked nevertheless.) Costs as much as `partition`, and O(k²) for a region with k Voronoi points.
-/// Source: Herbert Edelsbrunner, Nimish Shah. Triangulating Topological Spaces. 1997.
+/// checked nevertheless.) Costs as much as `partition`, and O(k²) for a region with k Voronoi
+/// points. Source: Herbert Edelsbrunner, Nimish Shah. Triangulating Topological Spaces. 1997.
 std::vector<Violation> findViolations(const TriangleMesh& mesh, const Diagram& diagram);
+
+/// One round of `repair`: where more sites help. One place for each violation, unless a region
+/// concerned has had a neighbour changed by another: where the regions concerned are farthest from
+/// all sites; and one in each component without a site. None if there are no violations.
+///
+/// `field` holds the distances that the diagram was traced from. Costs as much as `findViolations`.
+/// Throws `Error(kInvalidArgument)`, naming the violation, where no site helps: another one has no
+/// region.
+std::vector<SurfacePoint> repairingSites(const TriangleMesh& mesh, const Diagram& diagram,
+                                         const DistanceField& field);
 
 struct RepairOptions {
   int maxAdded = 1000;  ///< how many sites may be added
@@ -75,12 +85,11 @@ struct RepairedSites {
   Diagram diagram;
 };
 
-/// Adds sites until the diagram has no violations. Greedy: for each violation, unless a region
-/// concerned has had a neighbour changed in the same round, one site where the regions concerned are
-/// farthest from their sites; then the diagram is traced anew. Deterministic; a diagram per round.
+/// Adds sites until the diagram has no violations. Greedy: those of `repairingSites`, then the
+/// diagram is traced anew. Deterministic; a diagram per round.
 ///
-/// Throws `Error(kInvalidArgument)`, naming the first violation that is left, if more than `maxAdded`
-/// would be needed or a site has no region, and as `propagate` does.
+/// Throws `Error(kInvalidArgument)`, naming the first violation that is left, if more than
+/// `maxAdded` would be needed, and as `repairingSites` and `propagate` do.
 RepairedSites repair(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric,
                      const RepairOptions& options = {});
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <vector>
 
 #include "gvd/diagram.h"
@@ -18,6 +19,18 @@ struct PolygonMesh {
   std::vector<int> vertexLabel;  ///< region of each vertex; empty in a mesh of regions
   std::vector<int> faceLabel;    ///< region of each face; empty in a dual mesh
 };
+
+/// A polygon mesh cut into triangles, without more vertices.
+struct PolygonTriangles {
+  std::vector<std::array<int, 3>> triangles;  ///< vertices; ascending by `face`
+  std::vector<int> face;                      ///< the face each is part of
+};
+
+/// Cuts every polygon along diagonals: as a Delaunay triangulation of its projection to the plane
+/// of its mean normal, where that is convex. Sides and orientation stay, so the topology does, if
+/// no diagonal joins vertices that are joined already: none does in a dual without violations.
+/// O(d²) for a polygon of d corners, three or more; those with fewer have no triangle.
+PolygonTriangles triangulate(const PolygonMesh& mesh);
 
 /// What the faces of a polygon mesh make when welded by their vertices. Vertices without a face do
 /// not count.
