@@ -271,8 +271,11 @@ class Partitioner {
       if (out_.triangles[other / 3][other % 3] != tip ||
           out_.triangles[other / 3][(other + 1) % 3] != tail)
         continue;
-      // Where the mesh was cut, sides may have the same ends and nothing to do with each other.
-      if (isOnMeshBoundary(h) && isOnMeshBoundary(other)) continue;
+      // Where the mesh was cut, sides of different faces may have the same ends and nothing to do
+      // with each other.
+      if (out_.triangleFace[h / 3] != out_.triangleFace[other / 3] && isOnMeshBoundary(h) &&
+          isOnMeshBoundary(other))
+        continue;
       out_.twins[h] = other;
       out_.twins[other] = h;
       *open = nextOpen_[other];

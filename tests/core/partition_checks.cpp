@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "partition_checks.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <map>

@@ -54,8 +54,9 @@ function fails(status, args, message, input) {
 }
 
 test('--help and --version', () => {
-  assert.match(succeeds('--help').stdout, /info[^]*diagram[^]*locate[^]*cvt[^]*partition[^]*dual[^]*remesh/);
+  const overview = succeeds('--help').stdout;
   for (const command of ['info', 'diagram', 'locate', 'cvt', 'partition', 'dual', 'remesh']) {
+    assert.match(overview, new RegExp(`^  ${command} `, 'm'));
     assert.match(
       succeeds(`${command} --help`).stdout,
       new RegExp(`Usage: geodesic-voronoi ${command}`),
@@ -147,7 +148,8 @@ test('dual says what is wrong with it, and can be repaired', () => {
   const { stderr } = succeeds('dual shape.glb --sites sites.json -o base.obj');
   assert.match(stderr, /^2 sites[^\n]*no manifold\nnot valid: regions 0 and 1 meet along[^\n]*\n$/);
   const repaired = succeeds('dual shape.glb --sites sites.json --repair -o base.json').stderr;
-  assert.match(repaired, /^\d sites \(\d added\).*Euler characteristic 2, genus 0, 0 boundary loops\n$/);
+  assert.match(repaired, /^\d sites \(\d added\).*Euler characteristic 2, genus 0, 0 boundary/);
+  assert.doesNotMatch(repaired, /not valid/);
   const { sites, faces, topology, violations } = JSON.parse(read('base.json'));
   assert.deepEqual(sites.face.slice(0, 2), [0, 1]);
   assert.equal(topology.eulerCharacteristic, 2);
@@ -157,7 +159,8 @@ test('dual says what is wrong with it, and can be repaired', () => {
   assert.equal(read('base.obj').match(/^f /gm).length, faces.length);
   succeeds('dual shape.glb --sites base.json --primal -o regions.obj');
   assert.equal(read('regions.obj').match(/^g region_/gm).length, sites.face.length);
-  for (const ending of ['glb', 'ply']) succeeds(`dual shape.glb --sites base.json -o base.${ending}`);
+  for (const ending of ['glb', 'ply'])
+    succeeds(`dual shape.glb --sites base.json -o base.${ending}`);
   assert.match(succeeds('info base.glb').stdout, /Euler characteristic +2\n/);
 });
 

@@ -8,7 +8,14 @@ import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { load, partitionGlb, polygonGlb, polygonJson, polygonObj, polygonPly } from 'geodesic-voronoi';
+import {
+  load,
+  partitionGlb,
+  polygonGlb,
+  polygonJson,
+  polygonObj,
+  polygonPly,
+} from 'geodesic-voronoi';
 import { makeSamples } from '../../web/page/samples.mjs';
 import {
   areaOf,
@@ -33,7 +40,9 @@ after(() => rmSync(samples, { recursive: true }));
 
 /** A list of lists, as lists. */
 const listsOf = ({ offset, points }) =>
-  Array.from({ length: offset.length - 1 }, (_, i) => [...points.subarray(offset[i], offset[i + 1])]);
+  Array.from({ length: offset.length - 1 }, (_, i) => [
+    ...points.subarray(offset[i], offset[i + 1]),
+  ]);
 
 async function validDiagram(input = grid(8), count = 12) {
   const mesh = await gvd.mesh(input);
@@ -155,13 +164,17 @@ test('GLB, OBJ and PLY hold the polygons', async () => {
     assert.equal(triangles.length, polygons.triangles.face.length);
     assert.equal(triangles.length, total(lists.map(({ length }) => length - 2)));
     const area = total(triangles.map(areaOf));
-    assert.ok(Math.abs(area / (100 * total(lists.map((list) => areaOf(list.map(place))))) - 1) < 1e-5);
+    const expected = 100 * total(lists.map((list) => areaOf(list.map(place))));
+    assert.ok(Math.abs(area / expected - 1) < 1e-5);
     const again = await gvd.mesh(bytes);
     assert.equal(again.info.eulerCharacteristic, mesh.info.eulerCharacteristic);
     assert.equal(again.info.inputFaces, triangles.length);
 
     const obj = readObj(polygonObj(polygons, { mesh }));
-    assert.deepEqual(obj.v.map((v) => v.map(Number)), Array.from(polygons.points.face, (_, i) => place(i)));
+    assert.deepEqual(
+      obj.v,
+      Array.from(polygons.points.face, (_, i) => place(i)),
+    );
     assert.deepEqual(
       obj.faces.map(({ corners }) => corners.map(([point]) => point)),
       lists,

@@ -283,8 +283,9 @@ test('PLY: a label per face', async () => {
     );
     if (mesh.uvs.length === 0) assert.equal(vertex.length, partition.points.face.length, name);
     const areas = new Float64Array(diagram.regions.length);
+    const place = (i) => [vertex[i].x, vertex[i].y, vertex[i].z];
     for (const { label, vertex_indices: corners } of face)
-      if (label >= 0) areas[label] += areaOf(corners.map((i) => [vertex[i].x, vertex[i].y, vertex[i].z]));
+      if (label >= 0) areas[label] += areaOf(corners.map(place));
     diagram.regions.forEach(({ area }, i) => near(areas[i], area));
   }
 });

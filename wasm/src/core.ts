@@ -205,9 +205,13 @@ export class Core {
     );
   }
 
-  startVoronoi(mesh: MeshPointer | VoronoiPointer, sites: SurfacePoints, metric: Metric): VoronoiPointer {
+  startVoronoi(
+    owner: MeshPointer | VoronoiPointer,
+    sites: SurfacePoints,
+    metric: Metric,
+  ): VoronoiPointer {
     return this.#wasm.call((core, copyIn) =>
-      core.startVoronoi(mesh, ...copyPoints(copyIn, sites), metrics.indexOf(metric)),
+      core.startVoronoi(owner, ...copyPoints(copyIn, sites), metrics.indexOf(metric)),
     ) as VoronoiPointer;
   }
 

@@ -175,7 +175,8 @@ class EngineDiagram implements Diagram {
   async #anew(sites: SurfacePoints, task: TaskOptions): Promise<EngineDiagram> {
     const { engine, handle } = this.#kept;
     const form = { metric: this.metric, detail: this.#detail };
-    return new EngineDiagram(engine, form, sites, await engine.openDiagram(handle, sites, form, task));
+    const opened = await engine.openDiagram(handle, sites, form, task);
+    return new EngineDiagram(engine, form, sites, opened);
   }
 
   dispose(): void {
