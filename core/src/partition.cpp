@@ -31,7 +31,7 @@ class Partitioner {
     groupByLabel();
     numberVertices();
     findTwins();
-    measurePatches(mesh_, diagram_.siteCount, isWholeFace_, out_);
+    measurePatches(mesh_, diagram_.siteCount, areas_, out_);
     return std::move(out_);
   }
 
@@ -40,6 +40,7 @@ class Partitioner {
   struct Piece {
     std::array<int, 3> vertices;
     int label, face;
+    double area;
   };
   /// A point on the side of a whole face, put there by the neighbour.
   struct SidePoint {
@@ -121,8 +122,10 @@ class Partitioner {
     auto sidePoint = sidePoints_.cbegin();
     int cell = 0;
     for (int f = 0; f < mesh_.faceCount(); ++f) {
+      const size_t firstPiece = pieces_.size();
       if (!isWhole(f)) {
         for (; cell < diagram_.cells.size() && diagram_.cellFace[cell] == f; ++cell) addCell(cell);
+        measurePieces(firstPiece);
         continue;
       }
       const int label = diagram_.faceLabel[f];
@@ -131,12 +134,35 @@ class Partitioner {
       if (isLeftOut[f] || (label < 0 && options_.leaveOutUnreachable)) continue;
       if (first == sidePoint) {
         plainPiece_[f] = static_cast<int>(pieces_.size());
-        pieces_.push_back(
-            {{mesh_.tail(3 * f), mesh_.tail(3 * f + 1), mesh_.tail(3 * f + 2)}, label, f});
+        pieces_.push_back({{mesh_.tail(3 * f), mesh_.tail(3 * f + 1), mesh_.tail(3 * f + 2)},
+                           label,
+                           f,
+                           mesh_.faceArea(f)});
       } else {
         addFaceWithSidePoints(f, first, sidePoint);
+        measurePieces(firstPiece);
       }
     }
+  }
+
+  /// The areas of all pieces of one face, which sum to its own. Rounding may have turned a sliver
+  /// over, or moved a point off a side; what that makes too much or too little is the largest
+  /// one's.
+  void measurePieces(size_t first) {
+    if (first == pieces_.size()) return;
+    const double faceArea = mesh_.faceArea(pieces_[first].face);
+    size_t largest = first;
+    double rest = faceArea;
+    for (size_t i = first; i < pieces_.size(); ++i) {
+      Piece& piece = pieces_[i];
+      const auto& [a, b, c] = piece.vertices;
+      const Eigen::Vector3d origin = baryOf(a, piece.face);
+      const Eigen::Vector3d p = baryOf(b, piece.face) - origin, q = baryOf(c, piece.face) - origin;
+      piece.area = std::max(0.0, p[0] * q[1] - p[1] * q[0]) * faceArea;
+      rest -= piece.area;
+      if (piece.area > pieces_[largest].area) largest = i;
+    }
+    pieces_[largest].area = std::max(0.0, pieces_[largest].area + rest);
   }
 
   void addFaceWithSidePoints(int face, std::vector<SidePoint>::const_iterator point,
@@ -169,25 +195,28 @@ class Partitioner {
   void triangulate(std::span<const int> polygon, int label, int face) {
     if (polygon.size() < 3) return;
     if (polygon.size() == 3) {
-      pieces_.push_back({{polygon[0], polygon[1], polygon[2]}, label, face});
+      pieces_.push_back({{polygon[0], polygon[1], polygon[2]}, label, face, 0});
       return;
     }
     corners_.clear();
     for (const int vertex : polygon) corners_.push_back(layOut(vertex, face));
     for (const auto& [a, b, c] : triangulation_.compute(corners_))
-      pieces_.push_back({{polygon[a], polygon[b], polygon[c]}, label, face});
+      pieces_.push_back({{polygon[a], polygon[b], polygon[c]}, label, face, 0});
   }
 
   /// A vertex in the plane of a face.
   Eigen::Vector2d layOut(int vertex, int face) const {
     const TriangleMesh::Layout& layout = mesh_.layout(3 * face);
-    Eigen::Vector3d bary = Eigen::Vector3d::Zero();
-    if (vertex < mesh_.vertexCount()) {
-      for (int i = 0; i < 3; ++i) bary[i] = mesh_.tail(3 * face + i) == vertex;
-    } else {
-      bary = baryInFace(mesh_, diagram_.points[vertex - mesh_.vertexCount()], face);
-    }
+    const Eigen::Vector3d bary = baryOf(vertex, face);
     return {bary[1] * layout.length + bary[2] * layout.x, bary[2] * layout.y};
+  }
+
+  Eigen::Vector3d baryOf(int vertex, int face) const {
+    if (vertex >= mesh_.vertexCount())
+      return baryInFace(mesh_, diagram_.points[vertex - mesh_.vertexCount()], face);
+    Eigen::Vector3d bary;
+    for (int i = 0; i < 3; ++i) bary[i] = mesh_.tail(3 * face + i) == vertex;
+    return bary;
   }
 
   // --- The mesh of all -------------------------------------------------------------------------
@@ -205,6 +234,7 @@ class Partitioner {
     out_.triangleFace.resize(n);
     triangleOfPiece_.resize(n);
     isWholeFace_.resize(n);
+    areas_.resize(n);
     for (size_t i = 0; i < n; ++i) {
       const Piece& piece = pieces_[i];
       const int t = next[partOf(piece.label)]++;
@@ -213,6 +243,7 @@ class Partitioner {
       out_.triangleLabel[t] = piece.label;
       out_.triangleFace[t] = piece.face;
       isWholeFace_[t] = plainPiece_[piece.face] >= 0;
+      areas_[t] = piece.area;
     }
   }
 
@@ -311,6 +342,7 @@ class Partitioner {
   std::vector<int> plainPiece_;  ///< per face, the piece that is all of it, or -1
   std::vector<int> triangleOfPiece_;
   std::vector<char> isWholeFace_;  ///< per triangle
+  std::vector<double> areas_;      ///< per triangle
   /// Lists of the halfedges without a twin so far, by the lower of their ends.
   std::vector<int> firstOpen_, nextOpen_;
   std::vector<int> polygon_;

@@ -11,14 +11,13 @@
 namespace gvd {
 namespace {
 
-using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 class Surveyor {
  public:
-  Surveyor(const TriangleMesh& mesh, std::span<const char> isWholeFace, Partition& partition)
+  Surveyor(const TriangleMesh& mesh, std::span<const double> areas, Partition& partition)
       : mesh_(mesh),
-        isWholeFace_(isWholeFace),
+        areas_(areas),
         partition_(partition),
         isOnOutline_(partition.twins.size(), false),
         isSeen_(partition.triangles.size(), false),
@@ -51,15 +50,6 @@ class Surveyor {
     return {partition_.positions[a], partition_.positions[b], partition_.positions[c]};
   }
 
-  /// Of a sliver that rounding has turned over, negative: what its neighbours have too much.
-  double areaOf(int t) const {
-    const int face = partition_.triangleFace[t];
-    if (isWholeFace_[t]) return mesh_.faceArea(face);
-    const Matrix3d bary = cornersInFace(mesh_, partition_, t);
-    const Vector3d p = bary.col(1) - bary.col(0), q = bary.col(2) - bary.col(0);
-    return (p[0] * q[1] - p[1] * q[0]) * mesh_.faceArea(face);
-  }
-
   /// Returns the square of how far a point of a triangle may be from its first corner, at most.
   double measureArea(RegionPatch& region) {
     double reach = 0;
@@ -70,12 +60,11 @@ class Surveyor {
       const Vector3d centre = (corners[0] + corners[1] + corners[2]) / 3;
       reach = std::max({reach, (corners[1] - corners[0]).squaredNorm(),
                         (corners[2] - corners[0]).squaredNorm()});
-      const double area = areaOf(t);
+      const double area = areas_[t];
       region.area += area;
       moment += area * centre;
       sum += centre;
     }
-    region.area = std::max(0.0, region.area);
     region.centroid =
         region.area > 0 ? Vector3d(moment / region.area) : Vector3d(sum / region.triangleCount);
     return reach;
@@ -184,7 +173,7 @@ class Surveyor {
   }
 
   const TriangleMesh& mesh_;
-  const std::span<const char> isWholeFace_;
+  const std::span<const double> areas_;
   Partition& partition_;
   std::vector<char> isOnOutline_;  ///< halfedges
   std::vector<char> isSeen_;       ///< triangles
@@ -203,7 +192,7 @@ int nextOnOutline(const Partition& partition, int h) {
   return next;
 }
 
-void measurePatches(const TriangleMesh& mesh, int siteCount, std::span<const char> isWholeFace,
+void measurePatches(const TriangleMesh& mesh, int siteCount, std::span<const double> areas,
                     Partition& partition) {
   partition.regions.resize(siteCount);
   for (int l = 0; l < siteCount; ++l) partition.regions[l].label = l;
@@ -214,7 +203,7 @@ void measurePatches(const TriangleMesh& mesh, int siteCount, std::span<const cha
     RegionPatch& region = patchOf(partition.triangleLabel[t]);
     if (region.triangleCount++ == 0) region.firstTriangle = t;
   }
-  Surveyor surveyor(mesh, isWholeFace, partition);
+  Surveyor surveyor(mesh, areas, partition);
   for (RegionPatch& region : partition.regions) surveyor.survey(region);
   surveyor.survey(partition.unreachable);
 }

@@ -8,9 +8,9 @@
 
 namespace gvd {
 
-/// Fills in `regions` and `unreachable` of a partition whose triangles and twins are known, and
-/// which of its triangles are whole faces of the mesh.
-void measurePatches(const TriangleMesh& mesh, int siteCount, std::span<const char> isWholeFace,
+/// Fills in `regions` and `unreachable` of a partition whose triangles and twins are known, and the
+/// areas of its triangles.
+void measurePatches(const TriangleMesh& mesh, int siteCount, std::span<const double> areas,
                     Partition& partition);
 
 /// The next halfedge along the outline of a region, from one that has another region beyond it, or

@@ -12,12 +12,11 @@
 namespace gvd::checks {
 
 /// Success if of a partition that leaves nothing out
-///  - twins run the other way, and what has none lies on the mesh boundary;
+///  - twins run the other way;
 ///  - welded by the twins, the triangles are a manifold with the mesh's Euler characteristic,
 ///    boundary loops and components, and one vertex per point;
-///  - every vertex is at its surface point, seen from each of its triangles, none of which is
-///  turned
-///    over;
+///  - every vertex is at its surface point, seen from each of its triangles (1e-8 of the diameter),
+///    none of which is turned over by more than a sliver that rounding makes (1e-6 of its face);
 ///  - the areas of the regions are those of the diagram (1e-9 of the mesh's), and sum to the mesh's
 ///    (1e-12 of it);
 ///  - what is told of each region is true of its triangles, and borders are as long from both

@@ -179,7 +179,7 @@ test('what several labels tie on can be left out', async () => {
     indices: slit,
   });
   assert.equal(mesh.info.boundaryLoops, 1);
-  const diagram = await mesh.voronoi({ vertex: [15, 21] });
+  const diagram = await mesh.voronoi({ vertex: [15, 21] }, { metric: 'exact' });
   const whole = await diagram.partition();
   const holed = await diagram.partition({ leaveOutIndifferent: true });
   const left = new Set(diagram.data.indifferentFaces);

@@ -54,7 +54,7 @@ const options = {
   },
   holes: {
     type: 'boolean',
-    help: 'Leave holes where regions tie on whole triangles, instead of giving these to the lowest',
+    help: 'Leave holes where regions tie on whole triangles, instead of giving these to the lowest; with --metric exact',
   },
   repair: { type: 'boolean', help: 'Add sites until the dual is valid' },
   primal: { type: 'boolean', help: 'The regions as polygons, instead of the dual' },
