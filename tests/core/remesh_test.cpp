@@ -112,8 +112,8 @@ TEST(RemeshQuality, OfNothingIsInfinitelyFar) {
 }
 
 TEST(RemeshQuality, OfACentroidalTessellationIsHigh) {
-  const TriangleMesh mesh = shapes::icosphere(4).mesh();
-  Cvt cvt(mesh, sampleUniform(mesh, 200, 1), {.iterations = 40});
+  const TriangleMesh mesh = shapes::icosphere(3).mesh();
+  Cvt cvt(mesh, sampleUniform(mesh, 100, 1), {.iterations = 30});
   while (!cvt.isDone())
     while (!cvt.step(100000)) {
     }
