@@ -274,17 +274,17 @@ suite('the page', () => {
   }
 
   test('the dual is drawn and repaired, regions move apart, and both can be taken away', async () => {
-    await viewer.after('diagram', () => viewer.evaluate((viewer) => viewer.scatter(5)));
+    await viewer.after('diagram', () => viewer.evaluate((viewer) => viewer.scatter(3)));
     const shown = ['regions', 'bisectors', 'sites', 'dual'];
     const plain = await viewer.picture(shown.slice(0, 3));
     const dual = await viewer.after('dual', () => viewer.page.check('#layers [value=dual]'));
     assert.ok(dual.polygons > 0);
     assert.ok((await changedSince(plain)) > 0);
     assert.ok(dual.violations.length > 0);
-    assert.match(await text(viewer, '#dual-note'), /no valid mesh of the surface: region/);
+    assert.match(await text(viewer, '#dual-note'), /no valid mesh of the surface: regions 0, 1 and 2/);
     const valid = await viewer.after('dual', () => viewer.page.click('#repair'));
     assert.deepEqual(valid.violations, []);
-    assert.ok((await viewer.siteCount()) > 5);
+    assert.ok((await viewer.siteCount()) > 3);
     assert.match(await text(viewer, '#dual-note'), /is a valid mesh/);
     assert.equal(await viewer.page.locator('#repair').isVisible(), false);
 
