@@ -19,6 +19,7 @@
 #include "gvd/cvt.h"
 #include "gvd/diagram.h"
 #include "gvd/dual.h"
+#include "gvd/dynamic_diagram.h"
 #include "gvd/error.h"
 #include "gvd/geodesic.h"
 #include "gvd/partition.h"
@@ -43,9 +44,14 @@ struct MeshHandle {
 struct VoronoiHandle {
   MeshHandle surface;
   std::vector<SurfacePoint> sites;
+  Metric metric;
+  DiagramOptions options;
   std::unique_ptr<Propagation> propagation;  // until it is done
   std::unique_ptr<DistanceField> distances;  // from then on
-  std::optional<Diagram> diagram;            // the one traced last
+  std::optional<Diagram> diagram;            // once it is traced
+  std::unique_ptr<DynamicDiagram> dynamic;   // instead, once sites have changed
+
+  const DistanceField& field() const { return dynamic ? dynamic->distances() : *distances; }
 };
 static_assert(std::is_standard_layout_v<VoronoiHandle>);
 
@@ -135,9 +141,9 @@ std::vector<double> positionsOf(const TriangleMesh& mesh, std::span<const Surfac
   return positions;
 }
 
-void addLists(Arrays& out, const PointLists& lists) {
-  out.add(std::vector(lists.offset));
-  out.add(std::vector(lists.points));
+void addLists(Arrays& out, PointLists&& lists) {
+  out.add(std::move(lists.offset));
+  out.add(std::move(lists.points));
 }
 
 std::vector<int> inputFaces(const TriangleMesh& mesh, std::vector<int> faces) {
@@ -189,22 +195,51 @@ std::vector<int> inputFaceLabels(const TriangleMesh& mesh, std::span<const int> 
   return labels;
 }
 
-std::unique_ptr<Arrays> flatten(const TriangleMesh& mesh, const Diagram& diagram) {
+void addDiagram(Arrays& out, const TriangleMesh& mesh, Diagram diagram) {
+  addPoints(out, mesh, diagram.points);
+  out.add(positionsOf(mesh, diagram.points));
+  addSegments(out, mesh, diagram.segments);
+  addLists(out, std::move(diagram.arcs));
+  out.add(flat(diagram.arcLabels));
+  addVoronoiPoints(out, diagram.voronoiPoints);
+  addLists(out, std::move(diagram.loops));
+  out.add(std::move(diagram.loopLabel));
+  out.add(std::move(diagram.regionArea));
+  out.add(std::move(diagram.faceLabel));
+  out.add(inputFaces(mesh, std::move(diagram.indifferentFaces)));
+  addLists(out, std::move(diagram.cells));
+  out.add(inputFaces(mesh, std::move(diagram.cellFace)));
+  out.add(std::move(diagram.cellLabel));
+}
+
+std::unique_ptr<Arrays> flatten(const TriangleMesh& mesh, Diagram diagram) {
   auto out = std::make_unique<Arrays>();
-  addPoints(*out, mesh, diagram.points);
-  out->add(positionsOf(mesh, diagram.points));
-  addSegments(*out, mesh, diagram.segments);
-  addLists(*out, diagram.arcs);
-  out->add(flat(diagram.arcLabels));
-  addVoronoiPoints(*out, diagram.voronoiPoints);
-  addLists(*out, diagram.loops);
-  out->add(std::vector(diagram.loopLabel));
-  out->add(std::vector(diagram.regionArea));
-  out->add(inputFaceLabels(mesh, diagram.faceLabel));
-  out->add(inputFaces(mesh, diagram.indifferentFaces));
-  addLists(*out, diagram.cells);
-  out->add(inputFaces(mesh, diagram.cellFace));
-  out->add(std::vector(diagram.cellLabel));
+  diagram.faceLabel = inputFaceLabels(mesh, diagram.faceLabel);
+  addDiagram(*out, mesh, std::move(diagram));
+  return out;
+}
+
+/// The diagram of which sites can change; made when the first one does.
+DynamicDiagram& dynamicOf(VoronoiHandle& voronoi) {
+  if (voronoi.metric != Metric::kDgpc)
+    throw Error(ErrorCode::kInvalidArgument,
+                "sites can be changed with the metric dgpc only; compute another diagram");
+  if (!voronoi.dynamic) {
+    voronoi.dynamic =
+        std::make_unique<DynamicDiagram>(*voronoi.surface.mesh, voronoi.sites, voronoi.options);
+    voronoi.distances.reset();
+    voronoi.diagram.reset();
+  }
+  return *voronoi.dynamic;
+}
+
+/// The label of the site, labels, faces, and the part (see `addDiagram`).
+std::unique_ptr<Arrays> flatten(const TriangleMesh& mesh, int label, DiagramChange change) {
+  auto out = std::make_unique<Arrays>();
+  out->add(std::vector<int>{label});
+  out->add(std::move(change.labels));
+  out->add(inputFaces(mesh, std::move(change.faces)));
+  addDiagram(*out, mesh, std::move(change.part));
   return out;
 }
 
@@ -287,20 +322,39 @@ std::unique_ptr<Arrays> flatten(const TriangleMesh& mesh, const Partition& parti
   return out;
 }
 
-std::unique_ptr<Arrays> flatten(const TriangleMesh& mesh, const PolygonMesh& polygons) {
+std::unique_ptr<Arrays> flatten(const TriangleMesh& mesh, PolygonMesh polygons) {
   auto out = std::make_unique<Arrays>();
   addPoints(*out, mesh, polygons.points);
   out->add(flat(polygons.positions));
-  addLists(*out, polygons.faces);
-  out->add(std::vector(polygons.vertexLabel));
-  out->add(std::vector(polygons.faceLabel));
   PolygonTriangles cut = triangulate(polygons);
+  const PolygonTopology t = topologyOf(polygons);
+  addLists(*out, std::move(polygons.faces));
+  out->add(std::move(polygons.vertexLabel));
+  out->add(std::move(polygons.faceLabel));
   out->add(flat<int>(cut.triangles));
   out->add(std::move(cut.face));
-  const PolygonTopology t = topologyOf(polygons);
   out->add(std::vector<int>{t.isManifold, t.vertices, t.edges, t.faces, t.components,
                             t.boundaryLoops, t.eulerCharacteristic, t.genus});
   return out;
+}
+
+/// The diagram of the sites there are.
+Diagram diagramOf(const VoronoiHandle& voronoi) {
+  return voronoi.dynamic ? voronoi.dynamic->diagram() : *voronoi.diagram;
+}
+
+/// The sites by label; every label has one, or there is no dual.
+std::vector<SurfacePoint> sitesOf(const VoronoiHandle& voronoi) {
+  if (!voronoi.dynamic) return voronoi.sites;
+  std::vector<SurfacePoint> sites;
+  for (int label = 0; label < voronoi.dynamic->labelCount(); ++label) {
+    if (!voronoi.dynamic->hasSite(label))
+      throw Error(ErrorCode::kInvalidArgument,
+                  "site " + std::to_string(label) +
+                      " has been removed: compute a diagram of the sites that are left");
+    sites.push_back(voronoi.dynamic->site(label));
+  }
+  return sites;
 }
 
 }  // namespace
@@ -367,11 +421,11 @@ GVD_ABI VoronoiHandle* startVoronoi(const MeshHandle* handle, const int* face, c
                                     std::size_t count, int metric) {
   return guarded([&] {
     const TriangleMesh& mesh = *handle->mesh;
-    const std::vector<SurfacePoint> sites = sitesFromInput(mesh, face, bary, count);
     auto voronoi = std::make_unique<VoronoiHandle>();
     voronoi->surface = *handle;
-    voronoi->sites = sites;
-    voronoi->propagation = propagate(mesh, sites, static_cast<Metric>(metric));
+    voronoi->sites = sitesFromInput(mesh, face, bary, count);
+    voronoi->metric = static_cast<Metric>(metric);
+    voronoi->propagation = propagate(mesh, voronoi->sites, voronoi->metric);
     return voronoi.release();
   });
 }
@@ -396,30 +450,32 @@ GVD_ABI double voronoiProgress(const VoronoiHandle* voronoi) {
 GVD_ABI Arrays* traceVoronoi(VoronoiHandle* voronoi, int detail) {
   return guarded([&] {
     const TriangleMesh& mesh = *voronoi->surface.mesh;
+    voronoi->options = {.detail = detail};
     voronoi->diagram = traceDiagram(mesh, *voronoi->distances,
-                                    static_cast<int>(voronoi->sites.size()), {.detail = detail});
+                                    static_cast<int>(voronoi->sites.size()), voronoi->options);
     return flatten(mesh, *voronoi->diagram).release();
   });
 }
 
-/// The partition by the diagram traced last, see `flatten`.
+/// The partition, see `flatten`. This and what follows only after `traceVoronoi`.
 GVD_ABI Arrays* partitionVoronoi(const VoronoiHandle* voronoi, int leaveOutIndifferent,
                                  int leaveOutUnreachable) {
   return guarded([&] {
     const TriangleMesh& mesh = *voronoi->surface.mesh;
-    return flatten(mesh, partition(mesh, *voronoi->diagram,
+    return flatten(mesh, partition(mesh, diagramOf(*voronoi),
                                    {.leaveOutIndifferent = leaveOutIndifferent != 0,
                                     .leaveOutUnreachable = leaveOutUnreachable != 0}))
         .release();
   });
 }
 
-/// The dual of the diagram traced last, or if `primal` the regions themselves, see `flatten`.
+/// The dual, or if `primal` the regions themselves, see `flatten`.
 GVD_ABI Arrays* dualVoronoi(const VoronoiHandle* voronoi, int primal) {
   return guarded([&] {
     const TriangleMesh& mesh = *voronoi->surface.mesh;
-    return flatten(mesh, primal ? regionMesh(mesh, *voronoi->diagram)
-                                : dualMesh(mesh, voronoi->sites, *voronoi->diagram))
+    const Diagram diagram = diagramOf(*voronoi);
+    return flatten(mesh,
+                   primal ? regionMesh(mesh, diagram) : dualMesh(mesh, sitesOf(*voronoi), diagram))
         .release();
   });
 }
@@ -427,8 +483,9 @@ GVD_ABI Arrays* dualVoronoi(const VoronoiHandle* voronoi, int primal) {
 /// Kinds, offsets of the labels, labels, then a text each.
 GVD_ABI Arrays* dualViolations(const VoronoiHandle* voronoi) {
   return guarded([&] {
+    sitesOf(*voronoi);  // all there?
     std::vector<int> kinds, offset = {0}, labels;
-    auto violations = findViolations(*voronoi->surface.mesh, *voronoi->diagram);
+    auto violations = findViolations(*voronoi->surface.mesh, diagramOf(*voronoi));
     for (const Violation& violation : violations) {
       kinds.push_back(violation.kind);
       labels.insert(labels.end(), violation.labels.begin(), violation.labels.end());
@@ -448,7 +505,7 @@ GVD_ABI Arrays* dualQuality(const VoronoiHandle* voronoi) {
   return guarded([&] {
     const TriangleMesh& mesh = *voronoi->surface.mesh;
     const RemeshQuality quality =
-        measureQuality(mesh, dualMesh(mesh, voronoi->sites, *voronoi->diagram));
+        measureQuality(mesh, dualMesh(mesh, sitesOf(*voronoi), diagramOf(*voronoi)));
     auto out = std::make_unique<Arrays>();
     out->add(std::vector<double>{static_cast<double>(quality.triangles), quality.minAngle,
                                  quality.meanMinAngle, static_cast<double>(quality.minValence),
@@ -458,13 +515,40 @@ GVD_ABI Arrays* dualQuality(const VoronoiHandle* voronoi) {
   });
 }
 
-/// face, bary of the sites that one round of repair adds to the diagram traced last.
+/// face, bary of the sites that one round of repair adds.
 GVD_ABI Arrays* repairingSites(const VoronoiHandle* voronoi) {
   return guarded([&] {
     const TriangleMesh& mesh = *voronoi->surface.mesh;
+    sitesOf(*voronoi);  // all there?
     auto out = std::make_unique<Arrays>();
-    addPoints(*out, mesh, repairingSites(mesh, *voronoi->diagram, *voronoi->distances));
+    addPoints(*out, mesh, repairingSites(mesh, diagramOf(*voronoi), voronoi->field()));
     return out.release();
+  });
+}
+
+/// Inserts a site, see `flatten`. These three only after `traceVoronoi`.
+GVD_ABI Arrays* insertSite(VoronoiHandle* voronoi, int face, double b0, double b1, double b2) {
+  return guarded([&] {
+    const TriangleMesh& mesh = *voronoi->surface.mesh;
+    const SurfacePoint site = mesh.fromInput({face, {b0, b1, b2}});
+    DynamicDiagram& dynamic = dynamicOf(*voronoi);
+    const int label = dynamic.lowestFreeLabel();
+    return flatten(mesh, label, dynamic.insertSite(site)).release();
+  });
+}
+
+GVD_ABI Arrays* moveSite(VoronoiHandle* voronoi, int label, int face, double b0, double b1,
+                         double b2) {
+  return guarded([&] {
+    const TriangleMesh& mesh = *voronoi->surface.mesh;
+    const SurfacePoint site = mesh.fromInput({face, {b0, b1, b2}});
+    return flatten(mesh, label, dynamicOf(*voronoi).moveSite(label, site)).release();
+  });
+}
+
+GVD_ABI Arrays* removeSite(VoronoiHandle* voronoi, int label) {
+  return guarded([&] {
+    return flatten(*voronoi->surface.mesh, label, dynamicOf(*voronoi).removeSite(label)).release();
   });
 }
 
@@ -477,7 +561,7 @@ GVD_ABI Arrays* locate(const VoronoiHandle* voronoi, const int* face, const doub
     label.reserve(count);
     distance.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
-      const LabelledDistance nearest = voronoi->distances->nearest(
+      const LabelledDistance nearest = voronoi->field().nearest(
           pointFromInput(*voronoi->surface.mesh, "point", static_cast<int>(i), face, bary));
       label.push_back(nearest.label);
       distance.push_back(nearest.distance);

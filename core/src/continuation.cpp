@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
-#include "dgpc_field.h"
+#include "dgpc_view.h"
 #include "edge_share.h"
 #include "fan.h"
 #include "heap.h"
+#include "index_set.h"
 #include "tolerances.h"
 #include "unfolding.h"
 
@@ -19,25 +21,59 @@ using Eigen::Vector2d;
 
 class Continuation {
  public:
-  Continuation(const TriangleMesh& mesh, std::vector<SurfacePoint> sites,
-               std::vector<LabelledDistance> nearest, std::vector<View> views)
-      : mesh_(mesh),
-        sites_(std::move(sites)),
-        nearest_(std::move(nearest)),
-        views_(std::move(views)),
-        firstGuest_(mesh.vertexCount(), -1),
-        queue_(mesh.meanEdgeLength()) {}
+  explicit Continuation(DgpcField& field)
+      : mesh_(field.mesh()),
+        field_(field),
+        firstGuest_(mesh_.vertexCount(), -1),
+        queue_(mesh_.meanEdgeLength()) {}
 
-  std::unique_ptr<DistanceField> run() {
-    for (int label = 0; label < static_cast<int>(sites_.size()); ++label) lookFromSite(label);
+  void runEverywhere() {
+    scope_.assign(mesh_.vertexCount(), true);
+    for (int label = 0; label < static_cast<int>(field_.sites().size()); ++label)
+      if (field_.sites()[label].face >= 0) lookFromSite(label);
     for (const int v : verticesAtBorders()) lookAround(v);
-    unfoldGuests();
-    for (size_t i = 0; i < looks_.size(); ++i)
-      if (!isOutdone(looks_[i].view.halfedge, looks_[i].label)) queueLook(static_cast<int>(i));
-    do {
-      lookThroughEdges();
-    } while (completeFaces());
-    return collect();
+    findGuests();
+    field_.reserve(mesh_.vertexCount() + guests_.size());
+    for (int v = 0; v < mesh_.vertexCount(); ++v) collect(v);
+    for (const int v : farHosts_) field_.setFarLabel(v, true);
+  }
+
+  /// What a vertex is told first depends on its neighbours, and what it makes of that on theirs; an
+  /// edge is looked through for what its ends make of it. So the effect of a change ends three
+  /// edges away, unless labels come from further: then with all that those have come to.
+  LabelChange runAround(std::span<const int> changed) {
+    IndexSet scope(mesh_.vertexCount(), changed);
+    for (int ring = 0, first = 0; ring < 3; ++ring) first = addNeighbours(scope, first);
+    for (int size = 0; size < scope.size();) {
+      addFarHosts(scope);
+      size = scope.size();
+      runWithin(scope);
+      for (const int v : farHosts_) {
+        scope.add(v);
+        mesh_.visitNeighbours(v, [&](int neighbour) { scope.add(neighbour); });
+      }
+    }
+    LabelChange change{{changed.begin(), changed.end()}, {}};
+    const auto noteLabels = [&](int v) {
+      for (const LabelledDistance& d : field_.at(v)) change.labels.push_back(d.label);
+    };
+    for (const int v : changed) noteLabels(v);
+    for (const int v : scope.list()) {
+      const size_t count = change.labels.size();
+      noteLabels(v);
+      if (collect(v)) {
+        noteLabels(v);
+        change.vertices.push_back(v);
+      } else {
+        change.labels.resize(count);
+      }
+      field_.setFarLabel(v, false);
+    }
+    for (const int v : farHosts_) field_.setFarLabel(v, true);
+    for (const int v : changed) noteLabels(v);
+    makeSet(change.vertices);
+    makeSet(change.labels);
+    return change;
   }
 
  private:
@@ -64,9 +100,74 @@ class Continuation {
     }
   };
 
+  // --- Scope ---
+
+  /// Adds the neighbours of those vertices that have been added as number `first` or later; returns
+  /// the number from which to go on.
+  int addNeighbours(IndexSet& vertices, int first) const {
+    const int end = vertices.size();
+    for (int i = first; i < end; ++i)
+      mesh_.visitNeighbours(vertices.list()[i], [&](int neighbour) { vertices.add(neighbour); });
+    return end;
+  }
+
+  /// Adds all vertices with labels from far that hang together with a scope, and their neighbours.
+  void addFarHosts(IndexSet& scope) const {
+    for (int i = 0; i < scope.size(); ++i) {
+      mesh_.visitNeighbours(scope.list()[i], [&](int v) {
+        if (!field_.hasFarLabel(v)) return;
+        scope.add(v);
+        mesh_.visitNeighbours(v, [&](int neighbour) { scope.add(neighbour); });
+      });
+    }
+  }
+
+  bool isInScope(int vertex) const { return scope_[vertex]; }
+
+  bool isInScope(int vertex, int other) const { return scope_[vertex] && scope_[other]; }
+
+  /// Finds the guests of the vertices in scope. Their neighbours are told all that is needed to
+  /// that end; what they make of it is of no use.
+  void runWithin(const IndexSet& scope) {
+    firstGuest_.assign(mesh_.vertexCount(), -1);
+    guests_.clear();
+    hosts_.clear();
+    farHosts_.clear();
+    looks_.clear();
+    IndexSet sources = scope;
+    const int told = addNeighbours(sources, 0);
+    const int endOfTold = sources.size();
+    scope_.assign(mesh_.vertexCount(), false);
+    for (int i = 0; i < endOfTold; ++i) scope_[sources.list()[i]] = true;
+    for (int label = 0; label < static_cast<int>(field_.sites().size()); ++label) {
+      const int face = field_.sites()[label].face;
+      if (face >= 0 && (isInScope(mesh_.tail(3 * face)) || isInScope(mesh_.tail(3 * face + 1)) ||
+                        isInScope(mesh_.tail(3 * face + 2))))
+        lookFromSite(label);
+    }
+    for (int i = told; i < endOfTold; ++i) scope_[sources.list()[i]] = false;
+    addNeighbours(sources, told);
+    for (const int v : sources.sorted())
+      if (owner(v) >= 0 && isAtBorder(v)) lookAround(v);
+    findGuests();
+  }
+
+  void findGuests() {
+    unfoldGuests();
+    for (size_t i = 0; i < looks_.size(); ++i) {
+      const int halfedge = looks_[i].view.halfedge;
+      if (isInScope(mesh_.tail(halfedge), mesh_.tip(halfedge)) &&
+          !isOutdone(halfedge, looks_[i].label))
+        queueLook(static_cast<int>(i));
+    }
+    do {
+      lookThroughEdges();
+    } while (completeFaces());
+  }
+
   // --- What is known ---
 
-  int owner(int vertex) const { return nearest_[vertex].label; }
+  int owner(int vertex) const { return field_.nearest(vertex).label; }
 
   int findGuest(int vertex, int label) const {
     int g = firstGuest_[vertex];
@@ -75,13 +176,13 @@ class Continuation {
   }
 
   double distanceAt(int vertex, int label) const {
-    if (owner(vertex) == label) return nearest_[vertex].distance;
+    if (owner(vertex) == label) return field_.nearest(vertex).distance;
     const int g = findGuest(vertex, label);
     return g < 0 ? kInfinity : guests_[g].distance;
   }
 
   Vector2d departureAt(int vertex, int label) const {
-    return owner(vertex) == label ? views_[vertex].departure(mesh_, nearest_[vertex].distance)
+    return owner(vertex) == label ? field_.view(vertex).departure(mesh_, distanceAt(vertex, label))
                                   : guests_[findGuest(vertex, label)].departure;
   }
 
@@ -100,13 +201,19 @@ class Continuation {
     return vertices;
   }
 
+  bool isAtBorder(int vertex) const {
+    bool result = false;
+    mesh_.visitNeighbours(vertex, [&](int v) { result |= owner(v) != owner(vertex); });
+    return result;
+  }
+
   /// Notes how far a label appears to be from a vertex that another one owns; the shortest counts.
   /// The owner has been found by better means, so what appears to be nearer comes next to it.
   /// Returns false in that case. `departure` tells the direction at the site, in the site's frame.
   template <class Departure>
   bool see(int vertex, int label, double distance, Departure departure) {
     if (owner(vertex) == label) return true;
-    const double owners = nearest_[vertex].distance;
+    const double owners = field_.nearest(vertex).distance;
     const bool isNearer = distance < owners * (1 - kDistanceTolerance);
     if (isNearer) distance = owners * (1 + 4 * kDistanceTolerance);
     const int guest = findGuest(vertex, label);
@@ -129,17 +236,25 @@ class Continuation {
                [&] { return length > 0 ? view.departure(path / length) : Vector2d(1, 0); });
   }
 
+  /// The same where a label comes to a vertex from further than its neighbours.
+  template <class... Seen>
+  bool seeFromAfar(int vertex, int label, const Seen&... seen) {
+    if (owner(vertex) != label) farHosts_.push_back(vertex);
+    return see(vertex, label, seen...);
+  }
+
   // --- Looking around ---
 
   void lookFromSite(int label) {
+    const SurfacePoint& site = field_.sites()[label];
     for (int i = 0; i < 3; ++i) {
-      const View view = viewOfCorner(mesh_, sites_[label], i);
-      const double distance = distanceOfCorner(mesh_, sites_[label], i);
-      see(mesh_.tail(3 * sites_[label].face + i), label, distance,
+      const View view = viewOfCorner(mesh_, site, i);
+      const double distance = distanceOfCorner(mesh_, site, i);
+      see(mesh_.tail(3 * site.face + i), label, distance,
           [&] { return view.departure(mesh_, distance); });
     }
     for (int i = 0; i < 3; ++i) {
-      const View view = viewOfCorner(mesh_, sites_[label], i);
+      const View view = viewOfCorner(mesh_, site, i);
       lookOut(view, view.halfedge, {0, 0}, {mesh_.length(view.halfedge), 0}, label);
     }
   }
@@ -148,7 +263,7 @@ class Continuation {
   /// the label owns this corner only.
   void lookAround(int v) {
     const int label = owner(v);
-    const View& view = views_[v];
+    const View& view = field_.view(v);
     if (view.halfedge < 0) {
       lookAroundSite(v);
       return;
@@ -170,7 +285,7 @@ class Continuation {
   /// The same around a vertex that is the site.
   void lookAroundSite(int v) {
     const int label = owner(v);
-    const double first = angleOfFirstSpoke(mesh_, sites_[label], v);
+    const double first = angleOfFirstSpoke(mesh_, field_.sites()[label], v);
     visitSpokes(mesh_, v, [&](const Spoke& spoke) {
       const double angle = first + spoke.angle;
       const Vector2d departure(std::cos(angle), std::sin(angle));
@@ -190,7 +305,7 @@ class Continuation {
   int lookAside(const View& view, int v, int last) {
     constexpr bool kLeft = side == Side::kLeft;
     const int label = owner(v);
-    const double distance = nearest_[v].distance;
+    const double distance = field_.nearest(v).distance;
     const Vector2d path = view.path(mesh_);
     View here = view;  // as seen from the vertex
     here.source = -path;
@@ -257,14 +372,15 @@ class Continuation {
   /// which they were noted does not matter.
   void unfoldGuests() {
     std::vector<Guest> unfolded = guests_;
-    for (const int host : hosts_)
-      for (int g = firstGuest_[host]; g >= 0; g = guests_[g].next)
-        unfoldGuest(host, unfolded[g]);
+    for (const int host : hosts_) {
+      if (!isInScope(host)) continue;
+      for (int g = firstGuest_[host]; g >= 0; g = guests_[g].next) unfoldGuest(host, unfolded[g]);
+    }
     guests_ = std::move(unfolded);
   }
 
   void unfoldGuest(int host, Guest& guest) const {
-    const double least = nearest_[host].distance * (1 + 4 * kDistanceTolerance);
+    const double least = field_.nearest(host).distance * (1 + 4 * kDistanceTolerance);
     const int label = guest.label, first = mesh_.outgoing(host);
     int h = first;
     double atRight = distanceAt(mesh_.tip(h), label);
@@ -298,16 +414,16 @@ class Continuation {
     queueLook(static_cast<int>(looks_.size()) - 1);
   }
 
-  /// Whether a view through an edge has no width, or comes from so far that the nearest sites of the
-  /// edge's ends, and with them those of all its points, are nearer: distances differ by no more
-  /// than the way between. This ends every chain of looks.
+  /// Whether a view through an edge has no width, or comes from so far that the nearest sites of
+  /// the edge's ends, and with them those of all its points, are nearer: distances differ by no
+  /// more than the way between. This ends every chain of looks.
   bool isFutile(const View& view) const {
     if (!(cross(view.right, view.left) > 0)) return true;
     const int tail = mesh_.tail(view.halfedge), tip = mesh_.tip(view.halfedge);
     const double length = mesh_.length(view.halfedge);
     const double beside = std::max({0.0, -view.source.x(), view.source.x() - length});
     const double least = view.offset + std::hypot(beside, view.source.y());
-    return least > (nearest_[tail].distance + nearest_[tip].distance + length) / 2;
+    return least > (field_.nearest(tail).distance + field_.nearest(tip).distance + length) / 2;
   }
 
   /// Regions may be so narrow that they cross faces of which they own no corner: there the site is
@@ -316,12 +432,13 @@ class Continuation {
     while (!queue_.empty()) {
       const Look look = looks_[queue_.pop().look];
       const View& view = look.view;
+      if (!isInScope(mesh_.tail(view.halfedge), mesh_.tip(view.halfedge))) continue;
       if (ownsAnEnd(view.halfedge, look.label) || isOutdone(view.halfedge, look.label)) continue;
       const int left = TriangleMesh::previous(view.halfedge);
       const int right = TriangleMesh::next(view.halfedge);
       const TriangleMesh::Layout& l = mesh_.layout(view.halfedge);
       const Vector2d apex(l.x, l.y), toApex = apex - view.source;
-      if (!see(mesh_.tail(left), look.label, view, toApex)) continue;
+      if (!seeFromAfar(mesh_.tail(left), look.label, view, toApex)) continue;
       const double inverseLeft = 2 * mesh_.layout(left).inverse;
       const double inverseRight = 2 * mesh_.layout(right).inverse;
       if (mesh_.twin(left) >= 0 && cross(view.left, toApex) < 0) {
@@ -348,7 +465,7 @@ class Continuation {
       const double atU = distanceAt(u, other);
       if (atU < kInfinity) share.yieldTo(other, atV, atU);
     };
-    yieldTo(owner(v), nearest_[v].distance);
+    yieldTo(owner(v), field_.nearest(v).distance);
     for (int g = firstGuest_[v]; g >= 0 && !share.isEmpty(); g = guests_[g].next)
       yieldTo(guests_[g].label, guests_[g].distance);
     return share.isEmpty();
@@ -362,6 +479,7 @@ class Continuation {
     const size_t before = guests_.size();
     for (size_t i = 0; i < hosts_.size(); ++i) {
       const int host = hosts_[i];
+      if (!isInScope(host)) continue;
       const int first = mesh_.outgoing(host);
       int h = first;
       do {
@@ -374,11 +492,11 @@ class Continuation {
 
   /// The same in one face, for the guests of the vertex that a halfedge leaves.
   void completeFace(int halfedge) {
-    const int host = mesh_.tail(halfedge);
+    const int host = mesh_.tail(halfedge), back = TriangleMesh::previous(halfedge);
+    if (!isInScope(mesh_.tip(halfedge), mesh_.tail(back))) return;
     for (int g = firstGuest_[host]; g >= 0; g = guests_[g].next) {
       const int label = guests_[g].label;
       const double atTip = distanceAt(mesh_.tip(halfedge), label);
-      const int back = TriangleMesh::previous(halfedge);
       const double atApex = distanceAt(mesh_.tail(back), label);
       if ((atTip == kInfinity) == (atApex == kInfinity)) continue;
       const int side = atTip == kInfinity ? back : halfedge;
@@ -390,56 +508,50 @@ class Continuation {
     const int tail = mesh_.tail(side), tip = mesh_.tip(side), back = TriangleMesh::previous(side);
     const double overTail = distanceAt(tail, label) + mesh_.length(back);
     const double overTip = distanceAt(tip, label) + mesh_.length(TriangleMesh::next(side));
-    see(mesh_.tail(back), label, std::min(overTail, overTip),
-        [&] { return departureAt(overTail <= overTip ? tail : tip, label); });
+    seeFromAfar(mesh_.tail(back), label, std::min(overTail, overTip),
+                [&] { return departureAt(overTail <= overTip ? tail : tip, label); });
   }
 
   // --- The result ---
 
-  std::unique_ptr<DistanceField> collect() {
-    std::vector<int> offset = {0};
-    std::vector<LabelledDistance> values, here;
-    std::vector<Vector2d> departures;
-    const size_t count = nearest_.size() + guests_.size();
-    offset.reserve(nearest_.size() + 1);
-    values.reserve(count);
-    departures.reserve(count);
-    for (int v = 0; v < mesh_.vertexCount(); ++v) {
-      if (owner(v) >= 0) {
-        here.assign(1, nearest_[v]);
-        for (int g = firstGuest_[v]; g >= 0; g = guests_[g].next)
-          here.push_back({guests_[g].label, guests_[g].distance});
-        equalizeTies(here);
-        for (const LabelledDistance& d : here) {
-          values.push_back(d);
-          departures.push_back(d.label == owner(v) ? Vector2d(0, 0) : departureAt(v, d.label));
-        }
-      }
-      offset.push_back(static_cast<int>(values.size()));
-    }
-    return std::make_unique<DgpcField>(mesh_, std::move(sites_), std::move(offset),
-                                       std::move(values), std::move(views_),
-                                       std::move(departures));
+  /// Hands over what is known at a vertex. Returns whether it is anything else than before.
+  bool collect(int v) {
+    labels_.clear();
+    departures_.clear();
+    if (owner(v) >= 0) labels_.push_back(field_.nearest(v));
+    for (int g = firstGuest_[v]; g >= 0; g = guests_[g].next)
+      labels_.push_back({guests_[g].label, guests_[g].distance});
+    equalizeTies(labels_);
+    for (const LabelledDistance& d : labels_)
+      departures_.push_back(d.label == owner(v) ? Vector2d(0, 0) : departureAt(v, d.label));
+    const auto before = field_.at(v);
+    const bool isOther = !std::equal(labels_.begin(), labels_.end(), before.begin(), before.end(),
+                                     [](const LabelledDistance& a, const LabelledDistance& b) {
+                                       return a.label == b.label && a.distance == b.distance;
+                                     });
+    field_.setLabels(v, labels_, departures_);
+    return isOther;
   }
 
   const TriangleMesh& mesh_;
-  std::vector<SurfacePoint> sites_;
-  std::vector<LabelledDistance> nearest_;
-  std::vector<View> views_;
+  DgpcField& field_;
+  std::vector<char> scope_;      ///< per vertex
   std::vector<int> firstGuest_;  ///< per vertex, -1: none
   std::vector<Guest> guests_;
-  std::vector<int> hosts_;  ///< the vertices that have guests
+  std::vector<int> hosts_;     ///< the vertices that have guests
+  std::vector<int> farHosts_;  ///< those that were told by others than neighbours, several times
   std::vector<Look> looks_;
   SweepQueue<QueueItem> queue_;
+  std::vector<LabelledDistance> labels_;
+  std::vector<Vector2d> departures_;
 };
 
 }  // namespace
 
-std::unique_ptr<DistanceField> continueOverBorders(const TriangleMesh& mesh,
-                                                   std::vector<SurfacePoint> sites,
-                                                   std::vector<LabelledDistance> nearest,
-                                                   std::vector<View> views) {
-  return Continuation(mesh, std::move(sites), std::move(nearest), std::move(views)).run();
+void continueOverBorders(DgpcField& field) { Continuation(field).runEverywhere(); }
+
+LabelChange continueOverBorders(DgpcField& field, std::span<const int> changed) {
+  return Continuation(field).runAround(changed);
 }
 
 }  // namespace gvd

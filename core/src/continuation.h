@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <memory>
+#include <span>
 #include <vector>
 
-#include "dgpc_view.h"
-#include "gvd/geodesic.h"
+#include "dgpc_field.h"
 
 namespace gvd {
 
@@ -16,10 +15,17 @@ namespace gvd {
 /// distance inside the region: how far the site is, as seen from the corners the region has. So it
 /// depends on no path outside of the region, and nothing need have spread there.
 ///
-/// `nearest` and `views` are those of the vertices; label -1 where no site has come.
-std::unique_ptr<DistanceField> continueOverBorders(const TriangleMesh& mesh,
-                                                   std::vector<SurfacePoint> sites,
-                                                   std::vector<LabelledDistance> nearest,
-                                                   std::vector<View> views);
+/// Fills in the labels of all vertices of a field that knows the sites and what is nearest.
+void continueOverBorders(DgpcField& field);
+
+/// Where the labels of a field have changed.
+struct LabelChange {
+  std::vector<int> vertices;  ///< ascending
+  std::vector<int> labels;    ///< all that are or were known there, ascending
+};
+
+/// The same after the nearest site of some vertices, or how it is seen, has changed, or a site in a
+/// face that they are corners of: brings up to date what follows from these.
+LabelChange continueOverBorders(DgpcField& field, std::span<const int> changed);
 
 }  // namespace gvd

@@ -19,8 +19,7 @@ double distanceInOwnFace(const TriangleMesh& mesh, const View& view, const Surfa
   const TriangleMesh::Layout& l = mesh.layout(view.halfedge);
   const int i = view.halfedge % 3;
   const double toTip = p.bary[(i + 1) % 3], toApex = p.bary[(i + 2) % 3];
-  const Vector2d way =
-      Vector2d(toTip * l.length + toApex * l.x, toApex * l.y) - view.source;
+  const Vector2d way = Vector2d(toTip * l.length + toApex * l.x, toApex * l.y) - view.source;
   const Sight<Side::kLeft> left(view);
   const Sight<Side::kRight> right(view);
   if (left.reaches(way) && right.reaches(way)) return view.offset + way.norm();
@@ -31,17 +30,46 @@ double distanceInOwnFace(const TriangleMesh& mesh, const View& view, const Surfa
 }  // namespace
 
 DgpcField::DgpcField(const TriangleMesh& mesh, std::vector<SurfacePoint> sites,
-                     std::vector<int> offset, std::vector<LabelledDistance> values,
-                     std::vector<View> views, std::vector<Eigen::Vector2d> departures)
+                     std::vector<LabelledDistance> nearest, std::vector<View> views)
     : mesh_(mesh),
       sites_(std::move(sites)),
-      offset_(std::move(offset)),
-      values_(std::move(values)),
+      nearest_(std::move(nearest)),
       views_(std::move(views)),
-      departures_(std::move(departures)) {}
+      hasFarLabel_(mesh.vertexCount()),
+      lists_(mesh.vertexCount()) {}
+
+void DgpcField::setSite(int label, const SurfacePoint& site) {
+  if (label >= static_cast<int>(sites_.size())) sites_.resize(label + 1);
+  sites_[label] = site;
+}
+
+void DgpcField::setNearest(int vertex, const LabelledDistance& nearest, const View& view) {
+  nearest_[vertex] = nearest;
+  views_[vertex] = view;
+}
+
+void DgpcField::reserve(size_t labels) {
+  values_.reserve(labels);
+  departures_.reserve(labels);
+}
+
+void DgpcField::setLabels(int vertex, std::span<const LabelledDistance> labels,
+                          std::span<const Vector2d> departures) {
+  List& list = lists_[vertex];
+  list.count = static_cast<int>(labels.size());
+  if (list.count > list.room) {
+    list.first = static_cast<int>(values_.size());
+    list.room = list.count;
+    values_.resize(values_.size() + labels.size());
+    departures_.resize(values_.size());
+  }
+  std::copy(labels.begin(), labels.end(), values_.begin() + list.first);
+  std::copy(departures.begin(), departures.end(), departures_.begin() + list.first);
+}
 
 std::span<const LabelledDistance> DgpcField::at(int vertex) const {
-  return {values_.data() + offset_[vertex], values_.data() + offset_[vertex + 1]};
+  const List& list = lists_[vertex];
+  return {values_.data() + list.first, static_cast<size_t>(list.count)};
 }
 
 LabelledDistance DgpcField::nearest(const SurfacePoint& p) const {
@@ -61,22 +89,15 @@ double DgpcField::distance(int label, const SurfacePoint& p) const {
   double best = interpolate(label, p);
   if (best == kInfinity || p.bary.maxCoeff() == 1) return best;
   for (int h = 3 * p.face; h < 3 * p.face + 3; ++h)
-    if (owner(mesh_.tail(h)).label == label) best = std::min(best, distanceSeenFrom(h, p));
+    if (nearest_[mesh_.tail(h)].label == label) best = std::min(best, distanceSeenFrom(h, p));
   return best;
 }
 
 Vector2d DgpcField::direction(int label, int vertex) const {
   const LabelledDistance* found = find(vertex, label);
   if (!found) return DistanceField::direction(label, vertex);
-  if (owner(vertex).label == label) return views_[vertex].departure(mesh_, found->distance);
+  if (nearest_[vertex].label == label) return views_[vertex].departure(mesh_, found->distance);
   return departures_[found - values_.data()];
-}
-
-LabelledDistance DgpcField::owner(int vertex) const {
-  LabelledDistance owner;
-  for (const LabelledDistance& d : at(vertex))
-    if (d.distance < owner.distance) owner = d;
-  return owner;
 }
 
 const LabelledDistance* DgpcField::find(int vertex, int label) const {
@@ -86,9 +107,9 @@ const LabelledDistance* DgpcField::find(int vertex, int label) const {
   return it != labels.end() && it->label == label ? &*it : nullptr;
 }
 
-/// From the linear interpolant of squared distance, by which a diagram tells labels apart: what that
-/// has too much is the same for every label, Σ bᵢ bⱼ |eᵢⱼ|². Corners without weight do not count, so
-/// that both faces of an edge give the same there.
+/// From the linear interpolant of squared distance, by which a diagram tells labels apart: what
+/// that has too much is the same for every label, Σ bᵢ bⱼ |eᵢⱼ|². Corners without weight do not
+/// count, so that both faces of an edge give the same there.
 double DgpcField::interpolate(int label, const SurfacePoint& p) const {
   double value = 0;
   for (int i = 0; i < 3; ++i) {
@@ -103,14 +124,14 @@ double DgpcField::interpolate(int label, const SurfacePoint& p) const {
   return std::sqrt(std::max(0.0, value - excess));
 }
 
-/// The distance of the label that owns a corner of a face, as that corner's view shows it at a point
-/// of the face; over the corner if the view does not reach it.
+/// The distance of the label that owns a corner of a face, as that corner's view shows it at a
+/// point of the face; over the corner if the view does not reach it.
 double DgpcField::distanceSeenFrom(int corner, const SurfacePoint& p) const {
   const int v = mesh_.tail(corner);
   const View& view = views_[v];
   const double overCorner =
-      owner(v).distance + std::sqrt(squaredDistance(p.bary, Eigen::Vector3d::Unit(corner % 3),
-                                                    squaredSides(mesh_, p.face)));
+      nearest_[v].distance + std::sqrt(squaredDistance(p.bary, Eigen::Vector3d::Unit(corner % 3),
+                                                       squaredSides(mesh_, p.face)));
   if (view.halfedge < 0) return overCorner;
   if (TriangleMesh::faceOf(view.halfedge) == p.face)
     return std::min(overCorner, distanceInOwnFace(mesh_, view, p));

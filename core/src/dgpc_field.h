@@ -16,32 +16,58 @@ namespace gvd {
 /// towards too long, and interpolation misses what comes between the corners.
 class DgpcField final : public DistanceField {
  public:
-  /// The labels known at vertex v are `values[offset[v]]` up to `values[offset[v + 1]]`, ascending.
-  /// The nearest, or lowest of the nearest, is seen as in `views[v]`; the paths to the others leave
-  /// their sites as in `departures`, one per value.
-  DgpcField(const TriangleMesh& mesh, std::vector<SurfacePoint> sites, std::vector<int> offset,
-            std::vector<LabelledDistance> values, std::vector<View> views,
-            std::vector<Eigen::Vector2d> departures);
+  /// `nearest` and `views` are those of the vertices; label -1 where no site has come. Nothing is
+  /// known until the lists of labels have been set.
+  DgpcField(const TriangleMesh& mesh, std::vector<SurfacePoint> sites,
+            std::vector<LabelledDistance> nearest, std::vector<View> views);
 
   std::span<const LabelledDistance> at(int vertex) const override;
   LabelledDistance nearest(const SurfacePoint& p) const override;
   double distance(int label, const SurfacePoint& p) const override;
   Eigen::Vector2d direction(int label, int vertex) const override;
 
+  // For those who fill it:
+
+  const TriangleMesh& mesh() const { return mesh_; }
+  /// Of a label without a site, face -1.
+  std::span<const SurfacePoint> sites() const { return sites_; }
+  /// The nearest label of a vertex, of those that tie the lowest, and how it is seen.
+  const LabelledDistance& nearest(int vertex) const { return nearest_[vertex]; }
+  const View& view(int vertex) const { return views_[vertex]; }
+  /// Whether some label has come to be known at a vertex from further than its neighbours.
+  bool hasFarLabel(int vertex) const { return hasFarLabel_[vertex]; }
+
+  void setSite(int label, const SurfacePoint& site);
+  void setNearest(int vertex, const LabelledDistance& nearest, const View& view);
+  void setFarLabel(int vertex, bool hasFarLabel) { hasFarLabel_[vertex] = hasFarLabel; }
+  /// The labels known at a vertex, ascending, ties made equal; and the directions in which the
+  /// paths to those that do not own it leave their sites.
+  void setLabels(int vertex, std::span<const LabelledDistance> labels,
+                 std::span<const Eigen::Vector2d> departures);
+  /// Room for so many labels in all.
+  void reserve(size_t labels);
+
  private:
   const LabelledDistance* find(int vertex, int label) const;
-  LabelledDistance owner(int vertex) const;
   double interpolate(int label, const SurfacePoint& p) const;
   double distanceSeenFrom(int corner, const SurfacePoint& p) const;
   template <Side side>
   double distanceAside(const View& view, const Eigen::Vector2d& path, const SurfacePoint& p) const;
 
+  /// Where the labels of a vertex are in `values_`. What a list leaves behind that has outgrown its
+  /// room stays unused, once for every size it has had.
+  struct List {
+    int first = 0, count = 0, room = 0;
+  };
+
   const TriangleMesh& mesh_;
   std::vector<SurfacePoint> sites_;
-  std::vector<int> offset_;
-  std::vector<LabelledDistance> values_;
+  std::vector<LabelledDistance> nearest_;
   std::vector<View> views_;
-  std::vector<Eigen::Vector2d> departures_;
+  std::vector<char> hasFarLabel_;
+  std::vector<List> lists_;
+  std::vector<LabelledDistance> values_;
+  std::vector<Eigen::Vector2d> departures_;  ///< one per value
 };
 
 }  // namespace gvd

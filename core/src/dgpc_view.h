@@ -31,6 +31,8 @@ struct View {
   int halfedge = -1;  ///< -1: the vertex is the site
   bool isBent = false;
 
+  bool operator==(const View& other) const = default;
+
   /// What is seen, in another frame, of which the origin and the x axis are given in this one.
   View inFrame(int otherHalfedge, const Eigen::Vector2d& origin, const Eigen::Vector2d& axis) const;
 
@@ -59,8 +61,8 @@ struct View {
 /// Whether shortest paths may bend at a vertex: at inner saddles, and on the boundary. What they
 /// hide is only reached around them, so they limit views. At all others paths on both sides of the
 /// vertex reach every point behind it, and a view that is carried on past such a vertex gives no
-/// length that is less than the distance (the hinge theorem for non-negative curvature): it needs no
-/// limit, and in the plane every view of a site is the same.
+/// length that is less than the distance (the hinge theorem for non-negative curvature): it needs
+/// no limit, and in the plane every view of a site is the same.
 bool limitsViews(const TriangleMesh& mesh, int vertex);
 
 /// How far a site is from a corner of its face, and how that corner sees it.
@@ -92,8 +94,8 @@ void visitSpokes(const TriangleMesh& mesh, int vertex, Visit visit) {
   } while (h >= 0 && h != first);
 }
 
-/// The angle at a site that lies on a vertex, of the vertex's first outgoing halfedge; of a spoke it
-/// is the sum of both.
+/// The angle at a site that lies on a vertex, of the vertex's first outgoing halfedge; of a spoke
+/// it is the sum of both.
 double angleOfFirstSpoke(const TriangleMesh& mesh, const SurfacePoint& site, int vertex);
 /// How the neighbour along a spoke sees a site at the spoke's vertex.
 View viewAlong(const TriangleMesh& mesh, const Spoke& spoke, double angleOfFirst);

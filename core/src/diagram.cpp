@@ -13,9 +13,9 @@
 
 #include "face_complex.h"
 #include "face_envelope.h"
-#include "gvd/error.h"
 #include "surface_geometry.h"
 #include "tolerances.h"
+#include "trace_faces.h"
 
 namespace gvd {
 namespace {
@@ -33,9 +33,13 @@ namespace {
 /// what has shrunk to nothing.
 class Tracer {
  public:
-  Tracer(const TriangleMesh& mesh, const FaceComplex& complex, int siteCount)
+  /// Traces the outlines of the labels that `isTraced` says, of all if it is empty.
+  Tracer(const TriangleMesh& mesh, const DistanceField& distances, const FaceComplex& complex,
+         int siteCount, std::span<const char> isTraced)
       : mesh_(mesh),
+        distances_(distances),
         complex_(complex),
+        isTraced_(isTraced),
         tail_(complex.tails()),
         twin_(complex.twins()),
         pointOfNode_(complex.nodeCount(), -1),
@@ -59,6 +63,8 @@ class Tracer {
     collectCells();
     return std::move(out_);
   }
+
+  bool hasMergedPoints() const { return !merged_.empty(); }
 
  private:
   /// A point of the exact graph, or a node that the mesh boundary or a cell passes.
@@ -441,7 +447,7 @@ class Tracer {
     std::vector<Loop> loops;
     std::vector<char> visited(2 * segments_.size(), false);
     for (int dart = 0; dart < static_cast<int>(visited.size()); ++dart)
-      if (!visited[dart]) loops.push_back(traceLoop(dart, visited));
+      if (!visited[dart] && isTraced(labelOf(dart))) loops.push_back(traceLoop(dart, visited));
     addUnbrokenBoundaries(loops);
     std::vector<Outline> outlines = simplified(loops);
     std::stable_sort(outlines.begin(), outlines.end(),
@@ -449,8 +455,12 @@ class Tracer {
     return outlines;
   }
 
+  bool isTraced(int label) const { return isTraced_.empty() || isTraced_[label]; }
+
+  int labelOf(int dart) const { return segments_[dart / 2].labels[dart % 2]; }
+
   Loop traceLoop(int start, std::vector<char>& visited) {
-    Loop loop{segments_[start / 2].labels[start % 2], {}};
+    Loop loop{labelOf(start), {}};
     for (int dart = start; !visited[dart];) {
       visited[dart] = true;
       const Segment& segment = segments_[dart / 2];
@@ -481,18 +491,18 @@ class Tracer {
 
   /// Whole boundary loops that one region owns.
   void addUnbrokenBoundaries(std::vector<Loop>& loops) {
-    std::vector<char> seen(mesh_.vertexCount(), false);
-    for (int v = 0; v < mesh_.vertexCount(); ++v) {
-      if (seen[v] || !mesh_.onBoundary(v)) continue;
+    for (const int start : mesh_.boundaryLoops()) {
       bool isBroken = false;
       std::vector<int> vertices;
-      for (int at = v; !seen[at]; at = mesh_.tip(mesh_.outgoing(at))) {
-        seen[at] = true;
-        vertices.push_back(at);
-        isBroken |= firstOnBoundary_.contains(mesh_.outgoing(at));
-      }
-      if (isBroken || complex_.owner(v) < 0) continue;
-      Loop loop{complex_.owner(v), {}};
+      int h = start;
+      do {
+        vertices.push_back(mesh_.tail(h));
+        isBroken |= firstOnBoundary_.contains(h);
+        h = mesh_.outgoing(mesh_.tip(h));
+      } while (h != start);
+      const int owner = nearestOf(distances_.at(vertices[0])).label;
+      if (isBroken || owner < 0 || !isTraced(owner)) continue;
+      Loop loop{owner, {}};
       for (const int at : vertices)
         loop.steps.push_back({vertexPoint(at), TriangleMesh::faceOf(mesh_.outgoing(at)), true});
       loops.push_back(std::move(loop));
@@ -672,24 +682,32 @@ class Tracer {
     int point, label, before, after;
   };
 
+  /// In order of their points. Where three regions of the exact graph meet, there is no more to
+  /// say; where points have become one, the outlines tell who is around.
   void collectVoronoiPoints(const std::vector<Outline>& loops) {
     std::vector<Sector> sectors;
-    for (const Outline& loop : loops) {
-      const size_t n = loop.points.size();
-      for (size_t i = 0; i < n; ++i) {
-        const int p = loop.points[i];
-        if (isMerged(p) || points_[p].labels[2] >= 0)
-          sectors.push_back(
-              {p, loop.label, loop.points[(i + n - 1) % n], loop.points[(i + 1) % n]});
+    if (hasMergedPoints()) {
+      for (const Outline& loop : loops) {
+        const size_t n = loop.points.size();
+        for (size_t i = 0; i < n; ++i)
+          if (const int p = loop.points[i]; isMerged(p))
+            sectors.push_back(
+                {p, loop.label, loop.points[(i + n - 1) % n], loop.points[(i + 1) % n]});
       }
+      std::stable_sort(sectors.begin(), sectors.end(),
+                       [](const Sector& a, const Sector& b) { return a.point < b.point; });
     }
-    std::stable_sort(sectors.begin(), sectors.end(),
-                     [](const Sector& a, const Sector& b) { return a.point < b.point; });
-    for (auto first = sectors.begin(); first != sectors.end();) {
-      const auto last = std::find_if(first, sectors.end(),
-                                     [&](const Sector& s) { return s.point != first->point; });
-      addVoronoiPoint({&*first, static_cast<size_t>(last - first)});
-      first = last;
+    auto first = sectors.begin();
+    for (int p = 0; p < static_cast<int>(points_.size()); ++p) {
+      if (first != sectors.end() && first->point == p) {
+        const auto last =
+            std::find_if(first, sectors.end(), [&](const Sector& s) { return s.point != p; });
+        addVoronoiPoint({&*first, static_cast<size_t>(last - first)});
+        first = last;
+      } else if (const auto& labels = points_[p].labels;
+                 labels[2] >= 0 && parent_[p] == p && !isMerged(p)) {
+        addVoronoiPoint(p, {labels.begin(), labels.end()});
+      }
     }
   }
 
@@ -718,11 +736,15 @@ class Tracer {
         i = 0;
       }
     }
-    Diagram::VoronoiPoint v{outPoint(sectors.front().point), {}};
-    for (const Sector& s : sectors) v.labels.push_back(s.label);
-    std::rotate(v.labels.begin(), std::min_element(v.labels.begin(), v.labels.end()),
-                v.labels.end());
-    out_.voronoiPoints.push_back(std::move(v));
+    std::vector<int> labels;
+    for (const Sector& s : sectors) labels.push_back(s.label);
+    addVoronoiPoint(sectors.front().point, std::move(labels));
+  }
+
+  /// `labels` are counterclockwise.
+  void addVoronoiPoint(int point, std::vector<int> labels) {
+    std::rotate(labels.begin(), std::min_element(labels.begin(), labels.end()), labels.end());
+    out_.voronoiPoints.push_back({outPoint(point), std::move(labels)});
   }
 
   /// Where a region comes to a point twice, between others that only it keeps apart, its loops pair
@@ -768,10 +790,14 @@ class Tracer {
       out_.faceLabel[face] = cells.front().label;
       return;
     }
-    std::vector<Outline> parts;
-    for (const Cell& cell : cells)
-      if (Outline part{cell.label, finalPoints(cell)}; part.points.size() >= 3)
-        parts.push_back(std::move(part));
+    size_t count = 0;
+    parts_.resize(std::max(parts_.size(), cells.size()));
+    for (const Cell& cell : cells) {
+      parts_[count].label = cell.label;
+      takeFinalPoints(cell, parts_[count].points);
+      if (parts_[count].points.size() >= 3) ++count;
+    }
+    const std::span<Outline> parts = std::span(parts_).first(count);
     const auto isCorner = [&](int point) { return isNode_[point]; };
     if (parts.size() == 1 && parts[0].points.size() == 3 &&
         std::all_of(parts[0].points.begin(), parts[0].points.end(), isCorner)) {
@@ -786,18 +812,19 @@ class Tracer {
     }
   }
 
-  std::vector<int> finalPoints(const Cell& cell) {
-    std::vector<int> list;
+  void takeFinalPoints(const Cell& cell, std::vector<int>& list) {
+    list.clear();
     for (int i = 0; i < cell.count; ++i) {
       const int p = root(cellPoints_[cell.first + i]);
       if (list.empty() || list.back() != p) list.push_back(p);
     }
     while (list.size() > 1 && list.front() == list.back()) list.pop_back();
-    return list;
   }
 
   const TriangleMesh& mesh_;
+  const DistanceField& distances_;
   const FaceComplex& complex_;
+  const std::span<const char> isTraced_;
   const std::span<const int> tail_, twin_;
   Diagram out_;
 
@@ -815,6 +842,7 @@ class Tracer {
   std::map<int, int> boundaryIndex_;     ///< per point
   std::vector<RingStep> boundarySteps_;  ///< those with ends at merged points
   std::vector<int> outIndex_;
+  std::vector<Outline> parts_;  ///< of the face at hand; those out of use keep their memory
 
   // For the element at hand.
   std::vector<LabelFunction> functions_;
@@ -829,7 +857,16 @@ class Tracer {
 Diagram traceDiagram(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,
                      const DiagramOptions& options) {
   const FaceComplex complex(mesh, distances, options.detail);
-  return Tracer(mesh, complex, siteCount).trace();
+  return Tracer(mesh, distances, complex, siteCount, {}).trace();
+}
+
+PartialDiagram traceFaces(const TriangleMesh& mesh, const DistanceField& distances,
+                          const DiagramOptions& options, std::span<const int> faces,
+                          std::span<const char> isTraced) {
+  const FaceComplex complex(mesh, distances, options.detail, faces);
+  Tracer tracer(mesh, distances, complex, static_cast<int>(isTraced.size()), isTraced);
+  Diagram diagram = tracer.trace();
+  return {std::move(diagram), !tracer.hasMergedPoints()};
 }
 
 }  // namespace gvd

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "gvd/diagram.h"
@@ -23,10 +24,16 @@ std::uint64_t orderedKey(int a, int b) {
 
 using Labels = std::span<const LabelledDistance>;
 
+/// The lists are short.
 const LabelledDistance* find(Labels labels, int label) {
-  const auto it = std::lower_bound(labels.begin(), labels.end(), label,
-                                   [](const LabelledDistance& d, int l) { return d.label < l; });
-  return it != labels.end() && it->label == label ? &*it : nullptr;
+  for (const LabelledDistance& d : labels)
+    if (d.label >= label) return d.label == label ? &d : nullptr;
+  return nullptr;
+}
+
+bool haveSameLabels(Labels a, Labels b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const auto& x, const auto& y) { return x.label == y.label; });
 }
 
 /// Whether a label is least anywhere on a side, given what is known at its ends: by the squares
@@ -56,10 +63,48 @@ bool ownsPartOf(int label, double atTail, double atTip, Labels tail, Labels tip)
 
 FaceComplex::FaceComplex(const TriangleMesh& mesh, const DistanceField& distances, int detail)
     : mesh_(mesh), distances_(distances) {
-  owner_.reserve(mesh.vertexCount());
-  for (int v = 0; v < mesh.vertexCount(); ++v) addOwner(distances.at(v));
-  if (detail > 0) refine(detail);
+  const int vertices = mesh.vertexCount();
+  labels_.resize(vertices);
+  owner_.resize(vertices);
+  hasTie_.resize(vertices);
+  isShared_.resize(vertices);
+  for (int v = 0; v < vertices; ++v) setLabels(v, distances.at(v));
+  if (detail > 0) {
+    std::vector<int> faces(mesh.faceCount());
+    std::iota(faces.begin(), faces.end(), 0);
+    takeFaces(faces);
+    refine(detail);
+    matchTwins();
+  }
   complete();
+}
+
+FaceComplex::FaceComplex(const TriangleMesh& mesh, const DistanceField& distances, int detail,
+                         std::span<const int> faces)
+    : mesh_(mesh), distances_(distances) {
+  const int vertices = mesh.vertexCount();
+  labels_.resize(vertices);
+  owner_.resize(vertices, -1);
+  hasTie_.resize(vertices);
+  isShared_.resize(vertices);
+  takeFaces(faces);
+  for (const int v : tail_)
+    if (owner_[v] < 0) setLabels(v, distances.at(v));
+  if (detail > 0) {
+    refine(detail);
+    matchTwins();
+  } else {
+    matchTwinsOfFaces();
+  }
+  complete();
+}
+
+void FaceComplex::takeFaces(std::span<const int> faces) {
+  isOwn_ = true;
+  face_.assign(faces.begin(), faces.end());
+  corners_.assign(faces.size(), Eigen::Matrix3d::Identity());
+  for (const int f : faces)
+    for (int h = 3 * f; h < 3 * f + 3; ++h) tail_.push_back(mesh_.tail(h));
 }
 
 /// Adds labels where an element's third node lacks one that owns part of the side across. A label
@@ -67,16 +112,18 @@ FaceComplex::FaceComplex(const TriangleMesh& mesh, const DistanceField& distance
 void FaceComplex::complete() {
   for (bool changed = true; changed;) {
     changed = false;
-    for (int e = 0; e < elementCount(); ++e) {
-      if (soleOwner(e) != Diagram::kMixed && !hasSeveralLabels(e)) continue;
-      for (int side = 0; side < 3; ++side) changed |= completeAcross(e, side);
-    }
+    for (int e = 0; e < elementCount(); ++e)
+      if (knowsMoreSomewhere(e))
+        for (int side = 0; side < 3; ++side) changed |= completeAcross(e, side);
   }
 }
 
-bool FaceComplex::hasSeveralLabels(int element) const {
-  const auto tail = tails().subspan(3 * element, 3);
-  return isShared_[tail[0]] || isShared_[tail[1]] || isShared_[tail[2]];
+/// Whether the nodes of an element know different labels.
+bool FaceComplex::knowsMoreSomewhere(int element) const {
+  const int *const node = &tails()[3 * element], a = node[0], b = node[1], c = node[2];
+  if (!isShared_[a] && !isShared_[b] && !isShared_[c])
+    return owner_[a] != owner_[b] || owner_[b] != owner_[c];
+  return !haveSameLabels(labels(a), labels(b)) || !haveSameLabels(labels(b), labels(c));
 }
 
 bool FaceComplex::completeAcross(int element, int side) {
@@ -103,17 +150,13 @@ bool FaceComplex::completeAcross(int element, int side) {
 /// A label not known at a node does not own it: what is added there stays behind the owner.
 void FaceComplex::addLabel(int node, LabelledDistance added) {
   isShared_[node] = true;
-  const int vertices = mesh_.vertexCount();
-  if (node < vertices) {
-    const Labels known = labels(node);
-    completed_.try_emplace(node, known.begin(), known.end());
-  }
-  auto& here = node < vertices ? completed_[node] : added_[node - vertices];
+  auto& here = ownLabels_.try_emplace(node, labels(node).begin(), labels(node).end()).first->second;
   if (const LabelledDistance* const owner = find(here, owner_[node]))
     added.distance = std::max(added.distance, std::nextafter(owner->distance, kInfinity));
   here.insert(std::upper_bound(here.begin(), here.end(), added,
                                [](const auto& a, const auto& b) { return a.label < b.label; }),
               added);
+  labels_[node] = here;
 }
 
 /// The distance of an element's third node from where the distances at the ends of a side put the
@@ -138,20 +181,14 @@ double FaceComplex::squaredLength(int element, int from, int to) const {
                          squaredSides(mesh_, face(element)));
 }
 
-void FaceComplex::addOwner(std::span<const LabelledDistance> labels) {
-  LabelledDistance best;
-  bool hasTie = false;
-  for (const LabelledDistance& d : labels) {
-    if (d.distance < best.distance) {
-      best = d;
-      hasTie = false;
-    } else {
-      hasTie |= d.distance == best.distance;
-    }
-  }
-  owner_.push_back(best.label);
-  hasTie_.push_back(hasTie);
-  isShared_.push_back(labels.size() > 1);
+void FaceComplex::setLabels(int node, std::span<const LabelledDistance> labels) {
+  const LabelledDistance nearest = nearestOf(labels);
+  labels_[node] = labels;
+  owner_[node] = nearest.label;
+  hasTie_[node] = std::any_of(labels.begin(), labels.end(), [&](const LabelledDistance& d) {
+    return d.label != nearest.label && d.distance == nearest.distance;
+  });
+  isShared_[node] = labels.size() > 1;
 }
 
 int FaceComplex::soleOwner(int element) const {
@@ -179,13 +216,19 @@ void FaceComplex::collectInnerNodes(int a, int b, double from, double to,
 
 int FaceComplex::boundaryHalfedge(int h) const {
   if (twins()[h] >= 0) return -1;
-  if (!isRefined()) return h;
+  const int side = meshHalfedge(h);
+  return side >= 0 && mesh_.twin(side) < 0 ? side : -1;
+}
+
+/// The halfedge of the mesh that a side of an element is part of, -1 if it is inside a face.
+int FaceComplex::meshHalfedge(int h) const {
+  if (!isOwn()) return h;
   // The side of the face that both ends lie on.
   const Eigen::Matrix3d& corners = corners_[h / 3];
   const auto from = corners.col(h % 3), to = corners.col((h + 1) % 3);
   for (int i = 0; i < 3; ++i) {
-    const int side = 3 * face_[h / 3] + i, opposite = (i + 2) % 3;
-    if (from[opposite] == 0 && to[opposite] == 0) return mesh_.twin(side) < 0 ? side : -1;
+    const int opposite = (i + 2) % 3;
+    if (from[opposite] == 0 && to[opposite] == 0) return 3 * face_[h / 3] + i;
   }
   return -1;
 }
@@ -193,10 +236,6 @@ int FaceComplex::boundaryHalfedge(int h) const {
 /// Splits level by level what has several owners, and after each level what a neighbour's new nodes
 /// leave no choice about.
 void FaceComplex::refine(int detail) {
-  tail_.assign(mesh_.tails().begin(), mesh_.tails().end());
-  face_.resize(mesh_.faceCount());
-  for (int f = 0; f < mesh_.faceCount(); ++f) face_[f] = f;
-  corners_.assign(mesh_.faceCount(), Eigen::Matrix3d::Identity());
   for (int level = 0; level < detail; ++level) {
     const int count = static_cast<int>(face_.size());
     for (int e = 0; e < count; ++e)
@@ -210,7 +249,6 @@ void FaceComplex::refine(int detail) {
         }
     }
   }
-  matchTwins();
 }
 
 /// Whether an element beside smaller ones would not agree with them: it has several owners, or some
@@ -264,7 +302,8 @@ void FaceComplex::split(int element) {
 /// The node in the middle of a side, with the distances of the labels known at both ends.
 int FaceComplex::midpoint(int element, int side) {
   const int a = tail_[3 * element + side], b = tail_[3 * element + (side + 1) % 3];
-  const auto [entry, isNew] = midpoint_.try_emplace(unorderedKey(a, b), nodeCount());
+  const int node = nodeCount();
+  const auto [entry, isNew] = midpoint_.try_emplace(unorderedKey(a, b), node);
   if (!isNew) return entry->second;
   const Eigen::Matrix3d& corners = corners_[element];
   const SurfacePoint p{face_[element], (corners.col(side) + corners.col((side + 1) % 3)) / 2};
@@ -282,20 +321,42 @@ int FaceComplex::midpoint(int element, int side) {
     }
   }
   equalizeTies(here);
-  addOwner(here);
-  added_.push_back(std::move(here));
-  return entry->second;
+  labels_.emplace_back();
+  owner_.emplace_back();
+  hasTie_.emplace_back();
+  isShared_.emplace_back();
+  setLabels(node, ownLabels_[node] = std::move(here));
+  return node;
 }
 
+/// Sides on the mesh boundary have none, also where the mesh was cut and another one has the same
+/// two nodes.
 void FaceComplex::matchTwins() {
   std::unordered_map<std::uint64_t, int> halfedge;
   halfedge.reserve(tail_.size());
   const int count = static_cast<int>(tail_.size());
-  for (int h = 0; h < count; ++h) halfedge[orderedKey(tail_[h], tail_[TriangleMesh::next(h)])] = h;
+  const auto isOnBoundary = [&](int h) {
+    const int side = meshHalfedge(h);
+    return side >= 0 && mesh_.twin(side) < 0;
+  };
+  for (int h = 0; h < count; ++h)
+    if (!isOnBoundary(h)) halfedge[orderedKey(tail_[h], tail_[TriangleMesh::next(h)])] = h;
   twin_.resize(count);
   for (int h = 0; h < count; ++h) {
     const auto twin = halfedge.find(orderedKey(tail_[TriangleMesh::next(h)], tail_[h]));
-    twin_[h] = twin == halfedge.end() ? -1 : twin->second;
+    twin_[h] = twin == halfedge.end() || isOnBoundary(h) ? -1 : twin->second;
+  }
+}
+
+/// The same where the elements are faces.
+void FaceComplex::matchTwinsOfFaces() {
+  std::vector<int> elementOf(mesh_.faceCount(), -1);
+  for (int e = 0; e < elementCount(); ++e) elementOf[face_[e]] = e;
+  twin_.resize(tail_.size());
+  for (int h = 0; h < static_cast<int>(twin_.size()); ++h) {
+    const int twin = mesh_.twin(3 * face_[h / 3] + h % 3);
+    const int element = twin < 0 ? -1 : elementOf[TriangleMesh::faceOf(twin)];
+    twin_[h] = element < 0 ? -1 : 3 * element + twin % 3;
   }
 }
 

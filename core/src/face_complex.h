@@ -12,43 +12,41 @@
 
 namespace gvd {
 
-/// The triangles a diagram is traced on, called *elements*: the faces of the mesh, or for a finer
+/// The triangles a diagram is traced on, called *elements*: faces of the mesh, or for a finer
 /// diagram parts of them, as halfedges in the manner of `TriangleMesh`; and at their corners, the
-/// *nodes*, the labels with their distances.
+/// *nodes*, the labels with their distances. The first nodes are the vertices of the mesh.
 ///
 /// Two elements with a common side agree on who owns which part of it: a label that is least
 /// anywhere on a side, exactly compared, is known at all three nodes of both. Of slivers that
 /// rounding makes or breaks, no distance field can promise that.
 class FaceComplex {
  public:
-  /// Faces of several regions are split `detail` times in four, with distances at the new nodes.
+  /// Of all faces. Those of several regions are split `detail` times in four, with distances at the
+  /// new nodes.
   FaceComplex(const TriangleMesh& mesh, const DistanceField& distances, int detail);
+  /// Of some faces, given ascending; nothing is known at vertices they do not have.
+  FaceComplex(const TriangleMesh& mesh, const DistanceField& distances, int detail,
+              std::span<const int> faces);
 
   int elementCount() const { return static_cast<int>(tails().size() / 3); }
-  int nodeCount() const { return static_cast<int>(owner_.size()); }
-  std::span<const int> tails() const { return isRefined() ? tail_ : mesh_.tails(); }
+  int nodeCount() const { return static_cast<int>(labels_.size()); }
+  std::span<const int> tails() const { return isOwn() ? tail_ : mesh_.tails(); }
   /// -1 on the mesh boundary, and where an element meets several smaller ones: one label owns all
   /// of such a side.
-  std::span<const int> twins() const { return isRefined() ? twin_ : mesh_.twins(); }
+  std::span<const int> twins() const { return isOwn() ? twin_ : mesh_.twins(); }
   /// The mesh's boundary halfedge that a halfedge without twin is part of, or -1.
   int boundaryHalfedge(int h) const;
-  int face(int element) const { return isRefined() ? face_[element] : element; }
+  int face(int element) const { return isOwn() ? face_[element] : element; }
   /// Whether an element is all of its face.
   bool isWhole(int element) const {
-    return !isRefined() || corners_[element] == Eigen::Matrix3d::Identity();
+    return !isOwn() || corners_[element] == Eigen::Matrix3d::Identity();
   }
   /// A point of an element in terms of its face.
   Eigen::Vector3d faceBary(int element, const Eigen::Vector3d& bary) const {
-    return isRefined() ? Eigen::Vector3d(corners_[element] * bary) : bary;
+    return isOwn() ? Eigen::Vector3d(corners_[element] * bary) : bary;
   }
-  std::span<const LabelledDistance> labels(int node) const {
-    const int vertices = mesh_.vertexCount();
-    if (node >= vertices) return added_[node - vertices];
-    if (completed_.empty()) return distances_.at(node);
-    const auto completed = completed_.find(node);
-    return completed == completed_.end() ? distances_.at(node) : completed->second;
-  }
-  /// The nearest label of a node, the lowest of those that tie; -1 if there is none.
+  std::span<const LabelledDistance> labels(int node) const { return labels_[node]; }
+  /// The nearest label of a node, the lowest of those that tie; -1 if none is known.
   int owner(int node) const { return owner_[node]; }
   /// Whether another label is as near.
   bool hasTie(int node) const { return hasTie_[node]; }
@@ -63,17 +61,21 @@ class FaceComplex {
   int soleOwner(int element) const;
 
  private:
-  bool isRefined() const { return !tail_.empty(); }
-  void addOwner(std::span<const LabelledDistance> labels);
+  /// Whether elements are kept here, because they are not just the faces of the mesh.
+  bool isOwn() const { return isOwn_; }
+  void takeFaces(std::span<const int> faces);
+  void setLabels(int node, std::span<const LabelledDistance> labels);
   void refine(int detail);
   bool mustSplit(int element) const;
   bool isUniform(int a, int b, int owner) const;
   void split(int element);
   int midpoint(int element, int side);
   void collectInnerNodes(int a, int b, double from, double to, std::vector<InnerNode>& nodes) const;
+  int meshHalfedge(int h) const;
   void matchTwins();
+  void matchTwinsOfFaces();
   void complete();
-  bool hasSeveralLabels(int element) const;
+  bool knowsMoreSomewhere(int element) const;
   bool completeAcross(int element, int side);
   void addLabel(int node, LabelledDistance added);
   double unfold(int element, int side, double atTail, double atTip) const;
@@ -81,13 +83,15 @@ class FaceComplex {
 
   const TriangleMesh& mesh_;
   const DistanceField& distances_;
+  std::vector<std::span<const LabelledDistance>> labels_;  ///< per node
   std::vector<int> owner_;
   std::vector<char> hasTie_;
   std::vector<char> isShared_;  ///< whether a node knows more than one label
+  bool isOwn_ = false;
   std::vector<int> tail_, twin_, face_;
   std::vector<Eigen::Matrix3d> corners_;
-  std::vector<std::vector<LabelledDistance>> added_;  ///< of the nodes that are no vertices
-  std::unordered_map<int, std::vector<LabelledDistance>> completed_;  ///< of some vertices
+  /// The lists of nodes at which the distance field does not hold all that is known.
+  std::unordered_map<int, std::vector<LabelledDistance>> ownLabels_;
   std::unordered_map<std::uint64_t, int> midpoint_;  ///< of split sides, by their two nodes
 };
 

@@ -62,6 +62,12 @@ class SweepQueue {
 
   bool empty() const { return size_ == 0; }
 
+  /// Lets a queue that is empty begin anew: what is pushed need not come late to be in order, but
+  /// it costs less if it goes to its own bucket.
+  void restart() {
+    if (empty()) current_ = 0;
+  }
+
   void push(const Item& item) {
     ++size_;
     const double place = item.distance * inverseWidth_;

@@ -546,9 +546,10 @@ void TriangleMesh::countTopology(int components) {
   std::vector<char> seen(vertexCount(), false);
   for (int start = 0; start < vertexCount(); ++start) {
     if (!onBoundary(start) || seen[start]) continue;
-    ++topology_.boundaryLoops;
+    boundaryLoops_.push_back(outgoing(start));
     for (int v = start; !seen[v]; v = tip(outgoing(v))) seen[v] = true;
   }
+  topology_.boundaryLoops = static_cast<int>(boundaryLoops_.size());
   topology_.genus = (2 * components - topology_.boundaryLoops - topology_.eulerCharacteristic) / 2;
 }
 

@@ -91,3 +91,35 @@ export function glb(mesh, options) {
     ]),
   );
 }
+
+/** A closed surface around the origin, with hills and hollows: rings of vertices between two poles. */
+export function bumpySphere(rings, spokes) {
+  const positions = [];
+  const indices = [];
+  const add = (polar, azimuth) => {
+    const radius = 1 + 0.15 * Math.sin(3 * azimuth + 1) * Math.sin(polar) ** 2 + 0.1 * Math.cos(5 * polar);
+    positions.push(
+      radius * Math.sin(polar) * Math.cos(azimuth),
+      radius * Math.sin(polar) * Math.sin(azimuth),
+      radius * Math.cos(polar),
+    );
+  };
+  add(0, 0);
+  for (let ring = 1; ring < rings; ++ring) {
+    for (let spoke = 0; spoke < spokes; ++spoke) {
+      add((Math.PI * ring) / rings, (2 * Math.PI * (spoke + ring / 2)) / spokes);
+    }
+  }
+  add(Math.PI, 0);
+  const at = (ring, spoke) => 1 + (ring - 1) * spokes + (spoke % spokes);
+  const last = positions.length / 3 - 1;
+  for (let spoke = 0; spoke < spokes; ++spoke) {
+    indices.push(0, at(1, spoke), at(1, spoke + 1));
+    for (let ring = 1; ring < rings - 1; ++ring) {
+      indices.push(at(ring, spoke), at(ring + 1, spoke), at(ring, spoke + 1));
+      indices.push(at(ring + 1, spoke), at(ring + 1, spoke + 1), at(ring, spoke + 1));
+    }
+    indices.push(at(rings - 1, spoke), last, at(rings - 1, spoke + 1));
+  }
+  return { positions, indices };
+}

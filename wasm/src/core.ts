@@ -2,6 +2,7 @@
 import type {
   CvtMethod,
   CvtState,
+  DiagramChange,
   DiagramData,
   Located,
   MeshInfo,
@@ -36,6 +37,16 @@ interface CoreFunctions {
   stepVoronoi(voronoi: number, budget: number): number;
   voronoiProgress(voronoi: number): number;
   traceVoronoi(voronoi: number, detail: number): number;
+  insertSite(voronoi: number, face: number, b0: number, b1: number, b2: number): number;
+  moveSite(
+    voronoi: number,
+    label: number,
+    face: number,
+    b0: number,
+    b1: number,
+    b2: number,
+  ): number;
+  removeSite(voronoi: number, label: number): number;
   locate(voronoi: number, face: number, bary: number, count: number): number;
   partitionVoronoi(
     voronoi: number,
@@ -230,6 +241,24 @@ export class Core {
     return diagramData(this.#wasm.arrays((core) => core.traceVoronoi(voronoi, detail)));
   }
 
+  insertSite(voronoi: VoronoiPointer, site: SurfacePoints): DiagramChange {
+    const [b0, b1, b2] = site.bary;
+    return diagramChange(
+      this.#wasm.arrays((core) => core.insertSite(voronoi, site.face[0], b0, b1, b2)),
+    );
+  }
+
+  moveSite(voronoi: VoronoiPointer, label: number, site: SurfacePoints): DiagramChange {
+    const [b0, b1, b2] = site.bary;
+    return diagramChange(
+      this.#wasm.arrays((core) => core.moveSite(voronoi, label, site.face[0], b0, b1, b2)),
+    );
+  }
+
+  removeSite(voronoi: VoronoiPointer, label: number): DiagramChange {
+    return diagramChange(this.#wasm.arrays((core) => core.removeSite(voronoi, label)));
+  }
+
   locate(voronoi: VoronoiPointer, points: SurfacePoints): Located {
     const [label, distance] = this.#wasm.arrays((core, copyIn) =>
       core.locate(voronoi, ...copyPoints(copyIn, points)),
@@ -337,7 +366,7 @@ function reader(arrays: readonly unknown[]): {
 
 function diagramData(arrays: readonly unknown[]): Omit<DiagramData, 'siteCount'> {
   const { ints, doubles } = reader(arrays);
-  // Evaluated from top to bottom: the order of `flatten` in bindings.cpp.
+  // Evaluated from top to bottom: the order of `addDiagram` in bindings.cpp.
   return {
     points: { face: ints(), bary: doubles(), position: doubles() },
     segments: { points: ints(), labels: ints(), face: ints(), arc: ints() },
@@ -387,6 +416,11 @@ function polygonMesh(arrays: readonly unknown[]): PolygonMesh {
 
 function topology([isManifold, ...counts]: Int32Array): PolygonTopology {
   return { isManifold: isManifold === 1, ...named(topologyCounts, counts) };
+}
+
+function diagramChange(arrays: readonly unknown[]): DiagramChange {
+  const [[label], labels, faces, ...part] = arrays as [Int32Array, Int32Array, Int32Array];
+  return { label, labels, faces, part: diagramData(part) };
 }
 
 function named<Name extends string>(

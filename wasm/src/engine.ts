@@ -11,6 +11,7 @@ import { GeodesicVoronoiError } from './errors.js';
 import { readGltf } from './gltf.js';
 import type {
   CvtState,
+  DiagramChange,
   DiagramData,
   GltfResources,
   Located,
@@ -82,6 +83,10 @@ export interface Engine {
     options: { metric: Metric; detail: number },
     task: TaskOptions,
   ): Promise<OpenedDiagram>;
+  /** `site` is one point. */
+  insertSite(diagram: Handle, site: SurfacePoints): Promise<DiagramChange>;
+  moveSite(diagram: Handle, label: number, site: SurfacePoints): Promise<DiagramChange>;
+  removeSite(diagram: Handle, label: number): Promise<DiagramChange>;
   locate(diagram: Handle, points: SurfacePoints): Promise<Located>;
   partition(diagram: Handle, options: Required<PartitionOptions>): Promise<Partition>;
   dual(diagram: Handle, primal: boolean): Promise<PolygonMesh>;
@@ -234,6 +239,18 @@ export class LocalEngine implements Engine {
       signal?.throwIfAborted();
       this.#open();
     }
+  }
+
+  async insertSite(diagram: Handle, site: SurfacePoints): Promise<DiagramChange> {
+    return this.#open().insertSite(pointerOf(this.#diagrams, diagram), site);
+  }
+
+  async moveSite(diagram: Handle, label: number, site: SurfacePoints): Promise<DiagramChange> {
+    return this.#open().moveSite(pointerOf(this.#diagrams, diagram), label, site);
+  }
+
+  async removeSite(diagram: Handle, label: number): Promise<DiagramChange> {
+    return this.#open().removeSite(pointerOf(this.#diagrams, diagram), label);
   }
 
   async locate(diagram: Handle, points: SurfacePoints): Promise<Located> {

@@ -130,6 +130,10 @@ export function toCount(count: number): number {
   return toInteger('count', count, 1, maxCount);
 }
 
+export function toLabel(label: number): number {
+  return toInteger('label', label, 0, maxCount);
+}
+
 export function toSeed(seed: number): number {
   return toInteger('seed', seed, 0, Number.MAX_SAFE_INTEGER);
 }

@@ -3,11 +3,13 @@
 // The objects that callers hold. They check what they are given, know whether they are still alive,
 // and leave the work to an engine: so all engines behave alike.
 
+import { changedData, changedSites } from './change.js';
 import { regionsOf } from './region.js';
 import {
   toCount,
   toCvtSettings,
   toDetail,
+  toLabel,
   toMaxAdded,
   toMetric,
   toPartitionOptions,
@@ -22,6 +24,7 @@ import type {
   CvtOptions,
   CvtState,
   Diagram,
+  DiagramChange,
   DiagramData,
   DualOptions,
   GeodesicVoronoi,
@@ -85,11 +88,14 @@ class Kept {
 
 class EngineDiagram implements Diagram {
   readonly metric: Metric;
-  readonly sites: SurfacePoints;
-  readonly data: DiagramData;
-  readonly regions: readonly Region[];
   readonly #detail: number;
   readonly #kept: Kept;
+  #sites: SurfacePoints;
+  #data: DiagramData;
+  /** What `data` does not know yet: merging is left until somebody asks for all of it. */
+  #changes: DiagramChange[] = [];
+  #regions: readonly Region[] | undefined;
+  #lastChange: Promise<unknown> = Promise.resolve();
 
   constructor(
     engine: Engine,
@@ -99,10 +105,56 @@ class EngineDiagram implements Diagram {
   ) {
     this.metric = metric;
     this.#detail = detail;
-    this.sites = sites;
-    this.data = data;
-    this.regions = regionsOf(data);
+    this.#sites = sites;
+    this.#data = data;
     this.#kept = new Kept(this, 'diagram', engine, handle);
+  }
+
+  get sites(): SurfacePoints {
+    return this.#sites;
+  }
+
+  get data(): DiagramData {
+    this.#data = this.#changes.reduce(changedData, this.#data);
+    this.#changes = [];
+    return this.#data;
+  }
+
+  get regions(): readonly Region[] {
+    return (this.#regions ??= regionsOf(this.data));
+  }
+
+  insertSite(site: SurfacePointsInput): Promise<DiagramChange> {
+    return this.#change(async () => {
+      const point = await resolvePoint(this.#kept, site);
+      return [await this.#kept.engine.insertSite(this.#kept.handle, point), point];
+    });
+  }
+
+  moveSite(label: number, site: SurfacePointsInput): Promise<DiagramChange> {
+    return this.#change(async () => {
+      const point = await resolvePoint(this.#kept, site);
+      return [await this.#kept.engine.moveSite(this.#kept.handle, toLabel(label), point), point];
+    });
+  }
+
+  removeSite(label: number): Promise<DiagramChange> {
+    return this.#change(async () => [
+      await this.#kept.engine.removeSite(this.#kept.handle, toLabel(label)),
+    ]);
+  }
+
+  /** One change after the other, in the order in which they were asked for. */
+  #change(task: () => Promise<[DiagramChange, SurfacePoints?]>): Promise<DiagramChange> {
+    const result = this.#lastChange.then(async () => {
+      const [change, site] = await task();
+      this.#sites = changedSites(this.#sites, change.label, site);
+      this.#changes.push(change);
+      this.#regions = undefined;
+      return change;
+    });
+    this.#lastChange = result.catch(() => undefined);
+    return result;
   }
 
   async locate(points: SurfacePointsInput): Promise<Located> {
@@ -282,6 +334,18 @@ export class Library implements GeodesicVoronoi {
   [disposeSymbol](): void {
     this.dispose();
   }
+}
+
+/** One point, given as a list. */
+async function resolvePoint(owner: Kept, point: SurfacePointsInput): Promise<SurfacePoints> {
+  const points = await resolvePoints(owner, 'site', point);
+  if (points.face.length !== 1) {
+    throw new GeodesicVoronoiError(
+      'invalid-argument',
+      `site is a list of ${points.face.length} points where one is needed`,
+    );
+  }
+  return points;
 }
 
 /** Points as faces and coordinates; those given by vertices are looked up. */

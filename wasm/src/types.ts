@@ -96,6 +96,24 @@ export interface DiagramData {
   cells: PointLists & { face: Int32Array; label: Int32Array };
 }
 
+/**
+ * What a change of one site has made different in a diagram; all else is as it was.
+ * `core/include/gvd/dynamic_diagram.h` holds the definitions.
+ */
+export interface DiagramChange {
+  /** Of the site that came, went or moved. */
+  label: number;
+  /** The regions that may differ, ascending. */
+  labels: Int32Array;
+  /** The input triangles that may differ: in each of them, all cells are given. */
+  faces: Int32Array;
+  /**
+   * What replaces all that there was of these regions and triangles; points are numbered anew.
+   * `faceLabel` is given per entry of `faces`, `regionArea` per entry of `labels`.
+   */
+  part: Omit<DiagramData, 'siteCount'>;
+}
+
 export interface Located {
   /** Nearest site per point, -1 if none reaches it. */
   label: Int32Array;
@@ -304,11 +322,23 @@ export interface Region {
   readonly neighbours: number[];
 }
 
+/**
+ * A diagram. Sites can come, go and move if the metric is 'dgpc': only the surroundings are computed
+ * anew, and only what has changed is handed over. The first change takes as long as the diagram did.
+ * Calls are carried out in their order; `sites`, `data` and `regions` are those after the last one
+ * that has resolved.
+ */
 export interface Diagram extends Disposable {
   readonly metric: Metric;
+  /** Of a label without a site, face -1. */
   readonly sites: SurfacePoints;
   readonly data: DiagramData;
   readonly regions: readonly Region[];
+  /** Adds a site, given as a list of one; it gets the lowest label that is free. */
+  insertSite(site: SurfacePointsInput): Promise<DiagramChange>;
+  moveSite(label: number, site: SurfacePointsInput): Promise<DiagramChange>;
+  /** The other sites keep their labels; this one's region is empty from then on. */
+  removeSite(label: number): Promise<DiagramChange>;
   locate(points: SurfacePointsInput): Promise<Located>;
   /** The mesh cut into the regions. */
   partition(options?: PartitionOptions): Promise<Partition>;

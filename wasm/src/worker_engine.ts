@@ -13,6 +13,7 @@ import type {
 import { GeodesicVoronoiError } from './errors.js';
 import type {
   CvtState,
+  DiagramChange,
   Located,
   Metric,
   Partition,
@@ -91,6 +92,18 @@ export class WorkerEngine implements Engine {
     task: TaskOptions,
   ): Promise<OpenedDiagram> {
     return this.#request('openDiagram', [owner, sites, options], task);
+  }
+
+  insertSite(diagram: Handle, site: SurfacePoints): Promise<DiagramChange> {
+    return this.#request('insertSite', [diagram, site]);
+  }
+
+  moveSite(diagram: Handle, label: number, site: SurfacePoints): Promise<DiagramChange> {
+    return this.#request('moveSite', [diagram, label, site]);
+  }
+
+  removeSite(diagram: Handle, label: number): Promise<DiagramChange> {
+    return this.#request('removeSite', [diagram, label]);
   }
 
   locate(diagram: Handle, points: SurfacePoints): Promise<Located> {

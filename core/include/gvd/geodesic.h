@@ -26,6 +26,14 @@ struct LabelledDistance {
   double distance = kInfinity;  ///< in the mesh's units
 };
 
+/// The nearest of some sites, the first of those that tie; label -1 if there is none.
+inline LabelledDistance nearestOf(std::span<const LabelledDistance> sites) {
+  LabelledDistance nearest;
+  for (const LabelledDistance& d : sites)
+    if (d.distance < nearest.distance) nearest = d;
+  return nearest;
+}
+
 /// Distances of all sites, each known as far as the Voronoi diagram needs it: if a site is nearest
 /// at any point of a closed face, its distance is known at all three corners of that face. With
 /// DGPC, the distance at a corner that another site owns is the one at which the site appears from

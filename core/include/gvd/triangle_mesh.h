@@ -93,6 +93,8 @@ class TriangleMesh {
   /// The same for all halfedges.
   std::span<const int> tails() const { return tail_; }
   std::span<const int> twins() const { return twin_; }
+  /// Of each boundary loop the halfedge that leaves its lowest vertex; `outgoing(tip(h))` goes on.
+  std::span<const int> boundaryLoops() const { return boundaryLoops_; }
   bool onBoundary(int v) const { return twin_[vertexHalfedge_[v]] < 0; }
 
   /// A halfedge that leaves v: on a boundary vertex the one without twin, so that turning with
@@ -100,6 +102,19 @@ class TriangleMesh {
   int outgoing(int v) const { return vertexHalfedge_[v]; }
   /// The next outgoing halfedge counterclockwise, -1 past the last face of a boundary vertex.
   int rotate(int h) const { return twin_[previous(h)]; }
+
+  /// Calls `visit` with every vertex that shares an edge with v.
+  template <class Visit>
+  void visitNeighbours(int v, Visit visit) const {
+    const int first = outgoing(v);
+    int h = first, last;
+    do {
+      visit(tip(h));
+      last = previous(h);
+      h = twin(last);
+    } while (h >= 0 && h != first);
+    if (h < 0) visit(tail(last));
+  }
 
   Eigen::Vector3d position(int v) const { return positions_.col(v); }
   Eigen::Vector3d position(const SurfacePoint& p) const;
@@ -153,6 +168,7 @@ class TriangleMesh {
   std::vector<double> faceArea_;
   double area_ = 0, meanEdgeLength_ = 0;
   std::vector<int> component_;
+  std::vector<int> boundaryLoops_;
   std::vector<int> inputFace_, inputVertex_;
   std::vector<char> flipped_;
   /// For every input triangle, the halfedge (corner) of the kept mesh at each of its three corners

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "gvd/diagram.h"
+#include "gvd/geodesic.h"
+#include "gvd/surface_point.h"
+#include "gvd/triangle_mesh.h"
+
+namespace gvd {
+
+/// What a change of sites has made different in a diagram. All else is as it was.
+struct DiagramChange {
+  /// The regions that may differ, ascending; among them those that have come or gone.
+  std::vector<int> labels;
+  /// The faces that may differ, ascending: all that these regions have now or had before. In each
+  /// of them, all cells are given.
+  std::vector<int> faces;
+  /// What replaces all that there was of these labels and faces: the loops of the labels; segments
+  /// (each with its whole arc), arcs and Voronoi points of which one of the labels is one; the
+  /// cells and the indifferent ones of the faces. Points are numbered anew. `faceLabel` is given
+  /// per entry of `faces`, `regionArea` per entry of `labels`.
+  Diagram part;
+};
+
+/// A diagram whose sites come, go and move (by DGPC). Only the surroundings of a change are
+/// computed anew; what results is the diagram of the present sites: combinatorially, and to
+/// rounding in its numbers, the one that `propagate` and `traceDiagram` give.
+///
+/// A site keeps its label until it is removed, and labels that are free have empty regions. So
+/// labels are not always consecutive: of n sites they are the lowest n unless sites were removed.
+class DynamicDiagram {
+ public:
+  /// The mesh must outlive this. Sites are in terms of the mesh's faces; there may be none.
+  DynamicDiagram(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
+                 const DiagramOptions& options = {});
+  ~DynamicDiagram();
+  DynamicDiagram(DynamicDiagram&&) noexcept;
+  DynamicDiagram& operator=(DynamicDiagram&&) noexcept;
+
+  /// Each of these takes about as long as the diagram of the labels in `DiagramChange::labels`, and
+  /// O(F) with little for each face. The new site gets `lowestFreeLabel()`.
+  DiagramChange insertSite(const SurfacePoint& site);
+  /// Throws `Error(kInvalidArgument)` if no site has the label.
+  DiagramChange removeSite(int label);
+  DiagramChange moveSite(int label, const SurfacePoint& site);
+
+  int lowestFreeLabel() const;
+  /// Labels are less than this.
+  int labelCount() const;
+  bool hasSite(int label) const;
+  const SurfacePoint& site(int label) const;
+
+  /// Up to date after every change.
+  const DistanceField& distances() const;
+  /// All of the diagram. `siteCount` is `labelCount()`. O(size of the diagram).
+  Diagram diagram() const;
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace gvd

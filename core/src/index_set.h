@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace gvd {
+
+/// Some of the indices below a limit, each once.
+class IndexSet {
+ public:
+  explicit IndexSet(int limit) : isIn_(limit) {}
+  IndexSet(int limit, std::span<const int> indices) : IndexSet(limit) {
+    for (const int i : indices) add(i);
+  }
+
+  /// Whether it was not there before.
+  bool add(int i) {
+    if (isIn_[i]) return false;
+    isIn_[i] = true;
+    list_.push_back(i);
+    return true;
+  }
+  bool contains(int i) const { return isIn_[i]; }
+  int size() const { return static_cast<int>(list_.size()); }
+  /// In the order in which they were added.
+  const std::vector<int>& list() const { return list_; }
+  std::vector<int> sorted() const {
+    std::vector<int> result = list_;
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+ private:
+  std::vector<char> isIn_;
+  std::vector<int> list_;
+};
+
+/// Sorts a list of indices and drops what occurs again.
+inline void makeSet(std::vector<int>& indices) {
+  std::sort(indices.begin(), indices.end());
+  indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+}
+
+}  // namespace gvd

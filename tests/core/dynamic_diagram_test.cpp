@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+#include "gvd/dynamic_diagram.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "diagram_checks.h"
+#include "gvd/error.h"
+#include "shapes.h"
+
+namespace gvd {
+namespace {
+
+using ::testing::AssertionFailure;
+using ::testing::AssertionResult;
+using ::testing::AssertionSuccess;
+
+/// The present sites, and the label of each.
+struct Present {
+  std::vector<SurfacePoint> sites;
+  std::vector<int> labels;
+};
+
+Present presentOf(const DynamicDiagram& dynamic) {
+  Present present;
+  for (int label = 0; label < dynamic.labelCount(); ++label) {
+    if (!dynamic.hasSite(label)) continue;
+    present.sites.push_back(dynamic.site(label));
+    present.labels.push_back(label);
+  }
+  return present;
+}
+
+/// The corners of all outlines and Voronoi points of a diagram, by label, sorted.
+std::vector<std::array<double, 4>> corners(const TriangleMesh& mesh, const Diagram& d,
+                                           std::span<const int> labelOf) {
+  std::vector<std::array<double, 4>> list;
+  const auto add = [&](int label, int point) {
+    const Eigen::Vector3d p = mesh.position(d.points[point]);
+    list.push_back({static_cast<double>(label), p.x(), p.y(), p.z()});
+  };
+  for (int i = 0; i < d.loops.size(); ++i)
+    for (const int p : d.loops[i]) add(labelOf[d.loopLabel[i]], p);
+  for (const Diagram::VoronoiPoint& v : d.voronoiPoints)
+    for (const int label : v.labels) add(labelOf[label], v.point);
+  return list;
+}
+
+/// Whether two lists hold the same corners to a tolerance, in any order.
+AssertionResult areSameCorners(std::vector<std::array<double, 4>> a,
+                               std::vector<std::array<double, 4>> b, double tolerance) {
+  if (a.size() != b.size()) return AssertionFailure() << a.size() << " corners and " << b.size();
+  // Along a line that no two corners of a mesh should share.
+  const auto key = [](const std::array<double, 4>& c) {
+    return c[0] * 1e3 + 0.7236 * c[1] + 0.5393 * c[2] + 0.4309 * c[3];
+  };
+  const auto isBefore = [&](const auto& x, const auto& y) { return key(x) < key(y); };
+  std::sort(a.begin(), a.end(), isBefore);
+  std::sort(b.begin(), b.end(), isBefore);
+  for (size_t i = 0; i < a.size(); ++i)
+    if (!(std::abs(key(a[i]) - key(b[i])) <= tolerance * std::max(1.0, std::abs(key(a[i])))))
+      return AssertionFailure() << "a corner of " << a[i][0] << " at " << a[i][1] << ' ' << a[i][2]
+                                << ' ' << a[i][3] << ", or " << b[i][0] << " at " << b[i][1] << ' '
+                                << b[i][2] << ' ' << b[i][3];
+  return AssertionSuccess();
+}
+
+/// Whether a diagram that has followed its sites is the one of the sites it has now.
+AssertionResult isUpToDate(const TriangleMesh& mesh, const DynamicDiagram& dynamic, int detail) {
+  const auto [sites, labels] = presentOf(dynamic);
+  const Diagram followed = dynamic.diagram();
+  if (sites.empty()) {
+    const bool isEmpty = followed.loops.size() == 0 && followed.cells.size() == 0 &&
+                         std::ranges::all_of(followed.faceLabel, [](int l) { return l == -1; });
+    return isEmpty ? AssertionSuccess() : AssertionFailure() << "something is left";
+  }
+  const checks::Traced anew = checks::trace(mesh, sites, Metric::kDgpc, detail);
+  if (const auto same = checks::areSame(mesh, anew.diagram, followed, labels, 1e-12); !same)
+    return same;
+  const std::vector<int> own = checks::identity(dynamic.labelCount());
+  if (const auto same =
+          areSameCorners(corners(mesh, anew.diagram, labels), corners(mesh, followed, own), 1e-11);
+      !same)
+    return same;
+  if (anew.diagram.points.size() != followed.points.size())
+    return AssertionFailure() << anew.diagram.points.size() << " points and "
+                              << followed.points.size();
+  for (int v = 0; v < mesh.vertexCount(); ++v) {
+    const auto expected = anew.field->at(v), known = dynamic.distances().at(v);
+    const bool same = std::equal(
+        expected.begin(), expected.end(), known.begin(), known.end(), [&](auto& a, auto& b) {
+          return labels[a.label] == b.label &&
+                 std::abs(a.distance - b.distance) <= 1e-12 * std::abs(a.distance);
+        });
+    if (!same) return AssertionFailure() << "other labels or distances at vertex " << v;
+  }
+  return checks::isConsistent(mesh, followed, detail);
+}
+
+/// Sites that come, go and move by a random sequence.
+class RandomEdits {
+ public:
+  RandomEdits(const TriangleMesh& mesh, std::uint64_t seed) : mesh_(mesh), random_(seed) {}
+
+  SurfacePoint point() {
+    const int face = below(mesh_.faceCount());
+    switch (below(6)) {
+      case 0:
+        return {face, Eigen::Vector3d::Unit(below(3))};
+      case 1: {
+        const double t = share();
+        return {face, {t, 1 - t, 0}};
+      }
+      default: {
+        const double a = std::sqrt(share()), b = share();
+        return {face, {1 - a, a * (1 - b), a * b}};
+      }
+    }
+  }
+
+  std::vector<SurfacePoint> points(int count) {
+    std::vector<SurfacePoint> list;
+    for (int i = 0; i < count; ++i) list.push_back(point());
+    return list;
+  }
+
+  /// About as many sites come as go.
+  void edit(DynamicDiagram& dynamic, int usual) {
+    const Present present = presentOf(dynamic);
+    const int count = static_cast<int>(present.labels.size());
+    const int kind = below(4);
+    if (count == 0 || (kind == 0 && count < 2 * usual))
+      dynamic.insertSite(point());
+    else if (kind == 1)
+      dynamic.removeSite(present.labels[below(count)]);
+    else
+      dynamic.moveSite(present.labels[below(count)], point());
+  }
+
+ private:
+  int below(int n) { return static_cast<int>(random_() % static_cast<std::uint64_t>(n)); }
+  double share() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
+
+  const TriangleMesh& mesh_;
+  std::mt19937_64 random_;
+};
+
+struct EditCase {
+  const char* name;
+  shapes::Shape shape;
+  int sites, edits, detail;
+};
+
+void PrintTo(const EditCase& c, std::ostream* out) { *out << c.name; }
+
+class EditSequences : public ::testing::TestWithParam<EditCase> {};
+
+TEST_P(EditSequences, EndInTheDiagramOfTheSites) {
+  const auto& [name, shape, count, edits, detail] = GetParam();
+  const TriangleMesh mesh = shape.mesh();
+  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+    RandomEdits random(mesh, seed);
+    DynamicDiagram dynamic(mesh, random.points(count), {.detail = detail});
+    for (int i = 0; i < edits; ++i) {
+      random.edit(dynamic, count);
+      ASSERT_TRUE(isUpToDate(mesh, dynamic, detail)) << "seed " << seed << ", edit " << i;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Shapes, EditSequences,
+    ::testing::Values(EditCase{"grid", shapes::grid(12, 9, 0.4, 1), 8, 40, 0},
+                      EditCase{"gridCrowded", shapes::grid(6, 5, 0.4, 1), 60, 60, 0},
+                      EditCase{"gridFew", shapes::grid(12, 9, 0.4, 1), 1, 40, 0},
+                      EditCase{"bumpySphere", shapes::bumpySurface(0, 6, 0.3, 2), 12, 40, 0},
+                      EditCase{"bumpyTorus", shapes::bumpySurface(1, 6, 0.3, 3), 12, 40, 0},
+                      EditCase{"bumpyGenus3Crowded", shapes::bumpySurface(3, 4, 0.5, 4), 200, 60,
+                               0},
+                      EditCase{"annulus", shapes::annulus(12, 4), 6, 40, 0},
+                      EditCase{"plate", shapes::perforatedPlate(2, 2), 9, 40, 0},
+                      EditCase{"skinny", shapes::randomTriangulation(80, 400, 7), 10, 40, 0},
+                      EditCase{"graded", shapes::gradedDisk(6, 9, 2.0), 8, 40, 0},
+                      EditCase{"components",
+                               shapes::joined(shapes::icosphere(1),
+                                              shapes::moved(shapes::grid(4, 4, 0.3, 5), {5, 0, 0})),
+                               5, 40, 0},
+                      EditCase{"moebius", shapes::moebiusStrip(14, 3), 7, 40, 0},
+                      EditCase{"bumpyTorusDetail", shapes::bumpySurface(1, 5, 0.3, 3), 9, 25, 2},
+                      EditCase{"gridDetail", shapes::grid(8, 6, 0.4, 1), 6, 25, 1}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+TEST(DynamicDiagram, GivesTheLowestFreeLabel) {
+  const TriangleMesh mesh = shapes::grid(6, 6, 0.3, 1).mesh();
+  RandomEdits random(mesh, 1);
+  DynamicDiagram dynamic(mesh, random.points(4));
+  dynamic.removeSite(2);
+  dynamic.removeSite(1);
+  EXPECT_FALSE(dynamic.hasSite(1));
+  EXPECT_EQ(dynamic.lowestFreeLabel(), 1);
+  dynamic.insertSite(random.point());
+  dynamic.insertSite(random.point());
+  EXPECT_EQ(dynamic.lowestFreeLabel(), 4);
+  EXPECT_TRUE(isUpToDate(mesh, dynamic, 0));
+}
+
+TEST(DynamicDiagram, RefusesLabelsWithoutSite) {
+  const TriangleMesh mesh = shapes::triangle().mesh();
+  DynamicDiagram dynamic(mesh, {});
+  EXPECT_THROW(dynamic.removeSite(0), Error);
+  EXPECT_THROW(dynamic.moveSite(-1, {0, Eigen::Vector3d::Unit(0)}), Error);
+}
+
+/// What a change names is all that is different.
+TEST(DynamicDiagram, NamesWhatHasChanged) {
+  const TriangleMesh mesh = shapes::bumpySurface(1, 8, 0.3, 2).mesh();
+  RandomEdits random(mesh, 3);
+  DynamicDiagram dynamic(mesh, random.points(60));
+  for (int i = 0; i < 20; ++i) {
+    const Diagram before = dynamic.diagram();
+    const int label = i % 60;
+    const DiagramChange change = dynamic.moveSite(label, random.point());
+    const Diagram after = dynamic.diagram();
+    EXPECT_TRUE(std::ranges::binary_search(change.labels, label));
+    for (int f = 0; f < mesh.faceCount(); ++f) {
+      if (std::ranges::binary_search(change.faces, f)) continue;
+      EXPECT_EQ(before.faceLabel[f], after.faceLabel[f]) << f;
+    }
+    for (int l = 0; l < 60; ++l) {
+      if (std::ranges::binary_search(change.labels, l)) continue;
+      EXPECT_EQ(before.regionArea[l], after.regionArea[l]) << l;
+    }
+    EXPECT_LT(change.labels.size(), 40u);
+  }
+}
+
+}  // namespace
+}  // namespace gvd
