@@ -199,7 +199,7 @@ int FaceComplex::soleOwner(int element) const {
 
 std::vector<FaceComplex::InnerNode> FaceComplex::innerNodes(int h) const {
   std::vector<InnerNode> nodes;
-  if (isRefined() && twin_[h] < 0)
+  if (!midpoint_.empty() && twin_[h] < 0)
     collectInnerNodes(tail_[h], tail_[TriangleMesh::next(h)], 0, 1, nodes);
   return nodes;
 }

@@ -46,8 +46,7 @@ std::string complaint(const RandomCase& c, Metric metric) {
     const checks::Traced traced = checks::trace(mesh, sites, metric);
     if (const auto result = checks::isConsistent(mesh, traced.diagram); !result)
       return result.message();
-    const Partition parts = partition(mesh, traced.diagram);
-    if (const auto result = checks::isSound(mesh, traced.diagram, parts); !result)
+    if (const auto result = checks::isSound(mesh, partition(mesh, traced.diagram)); !result)
       return "partition: " + std::string(result.message());
     if (const auto result = checks::agreesWithField(mesh, traced, sites, metric); !result)
       return result.message();

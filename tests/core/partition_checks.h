@@ -15,14 +15,16 @@ namespace gvd::checks {
 ///  - twins run the other way;
 ///  - welded by the twins, the triangles are a manifold with the mesh's Euler characteristic,
 ///    boundary loops and components, and one vertex per point;
-///  - every vertex is at its surface point, seen from each of its triangles (1e-8 of the diameter),
-///    none of which is turned over by more than a sliver that rounding makes (1e-6 of its face);
-///  - the areas of the regions are those of the diagram (1e-9 of the mesh's), and sum to the mesh's
-///    (1e-12 of it);
-///  - what is told of each region is true of its triangles, and borders are as long from both
-///  sides.
-::testing::AssertionResult isSound(const TriangleMesh& mesh, const Diagram& diagram,
-                                   const Partition& partition);
+///  - every vertex is at its surface point, seen from each of its triangles (1e-8 of the diameter);
+///  - the areas of the regions sum to the mesh's (1e-12 of it);
+///  - what is told of each region is true of its triangles;
+///  - borders are as long from both sides.
+::testing::AssertionResult isSound(const TriangleMesh& mesh, const Partition& partition);
+
+/// Success if no triangle is turned over and regions have the areas that the diagram says (1e-9).
+/// Between sites no farther apart than rounding, a diagram has cells that are turned over.
+::testing::AssertionResult agreesWithDiagram(const TriangleMesh& mesh, const Diagram& diagram,
+                                             const Partition& partition);
 
 /// Success if every halfedge's twin runs the other way and has it for a twin.
 ::testing::AssertionResult hasItsTwins(const Partition& partition);

@@ -18,12 +18,17 @@ namespace gvd {
 namespace {
 
 using checks::hasItsTwins;
-using checks::isSound;
 using checks::trace;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double kPi = 3.141592653589793;
+
+/// With sites that are apart, all of it holds.
+::testing::AssertionResult isSound(const TriangleMesh& mesh, const Diagram& d, const Partition& p) {
+  const auto result = checks::isSound(mesh, p);
+  return result ? checks::agreesWithDiagram(mesh, d, p) : result;
+}
 
 SurfacePoint centroid(int face) { return {face, Vector3d::Constant(1.0 / 3)}; }
 
