@@ -220,3 +220,18 @@ test('quality of a dual as a remesh', async () => {
   // Flat, and corners of the square are cut.
   assert.ok(quality.hausdorff > 0 && quality.hausdorff < 0.3);
 });
+
+test('after sites have come and gone, it is about those that are there', async () => {
+  const mesh = await gvd.mesh(octahedron());
+  const diagram = await mesh.voronoi({ vertex: [0, 3] });
+  await diagram.insertSite({ vertex: [1] });
+  const { regions } = await diagram.partition();
+  assert.equal(regions.area.length, 3);
+  diagram.regions.forEach(({ area }, i) => assert.ok(Math.abs(regions.area[i] - area) < 1e-12));
+  assert.equal((await diagram.dual()).points.face.length, 3);
+  assert.ok((await diagram.repair()).sites.face.length > 3);
+  await diagram.removeSite(1);
+  assert.equal((await diagram.partition()).regions.area[1], 0);
+  for (const asked of [diagram.dual(), diagram.violations(), diagram.repair()])
+    await assert.rejects(asked, { code: 'invalid-argument', message: /site 1 has been removed/ });
+});
