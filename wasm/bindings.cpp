@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -17,9 +18,12 @@
 #include "abi.h"
 #include "gvd/cvt.h"
 #include "gvd/diagram.h"
+#include "gvd/dual.h"
 #include "gvd/dynamic_diagram.h"
 #include "gvd/error.h"
 #include "gvd/geodesic.h"
+#include "gvd/partition.h"
+#include "gvd/remesh.h"
 #include "gvd/sampling.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
@@ -44,6 +48,7 @@ struct VoronoiHandle {
   DiagramOptions options;
   std::unique_ptr<Propagation> propagation;  // until it is done
   std::unique_ptr<DistanceField> distances;  // from then on
+  std::optional<Diagram> diagram;            // once it is traced
   std::unique_ptr<DynamicDiagram> dynamic;   // instead, once sites have changed
 
   const DistanceField& field() const { return dynamic ? dynamic->distances() : *distances; }
@@ -223,6 +228,7 @@ DynamicDiagram& dynamicOf(VoronoiHandle& voronoi) {
     voronoi.dynamic =
         std::make_unique<DynamicDiagram>(*voronoi.surface.mesh, voronoi.sites, voronoi.options);
     voronoi.distances.reset();
+    voronoi.diagram.reset();
   }
   return *voronoi.dynamic;
 }
@@ -235,6 +241,120 @@ std::unique_ptr<Arrays> flatten(const TriangleMesh& mesh, int label, DiagramChan
   out->add(inputFaces(mesh, std::move(change.faces)));
   addDiagram(*out, mesh, std::move(change.part));
   return out;
+}
+
+template <class T>
+std::vector<T> flat(std::span<const std::array<T, 3>> triples) {
+  std::vector<T> values;
+  values.reserve(3 * triples.size());
+  for (const auto& triple : triples) values.insert(values.end(), triple.begin(), triple.end());
+  return values;
+}
+
+std::vector<double> flat(std::span<const Eigen::Vector3d> positions) {
+  std::vector<double> values;
+  values.reserve(3 * positions.size());
+  for (const Eigen::Vector3d& p : positions) values.insert(values.end(), p.begin(), p.end());
+  return values;
+}
+
+/// Corners, labels, input faces, and the corners in terms of these.
+void addTriangles(Arrays& out, const TriangleMesh& mesh, const Partition& partition) {
+  std::vector<double> bary;
+  bary.reserve(9 * partition.triangles.size());
+  for (int t = 0; t < static_cast<int>(partition.triangles.size()); ++t) {
+    const Eigen::Matrix3d corners = cornersInFace(mesh, partition, t);
+    for (int i = 0; i < 3; ++i) {
+      const SurfacePoint corner = mesh.toInput({partition.triangleFace[t], corners.col(i)});
+      bary.insert(bary.end(), corner.bary.begin(), corner.bary.end());
+    }
+  }
+  out.add(flat<int>(partition.triangles));
+  out.add(std::vector(partition.triangleLabel));
+  out.add(inputFaces(mesh, partition.triangleFace));
+  out.add(std::move(bary));
+}
+
+/// What is told of each region: a list per fact.
+void addRegions(Arrays& out, const TriangleMesh& mesh, const Partition& partition) {
+  std::vector<int> triangleOffset = {0}, nearFace, components, loops, euler, genus, touchings;
+  std::vector<double> area, perimeter, boundaryLength, nearBary, neighbourLength;
+  std::vector<Eigen::Vector3d> centroid;
+  std::vector<int> neighbourOffset = {0}, neighbours;
+  for (const RegionPatch& region : partition.regions) {
+    triangleOffset.push_back(triangleOffset.back() + region.triangleCount);
+    area.push_back(region.area);
+    perimeter.push_back(region.perimeter);
+    boundaryLength.push_back(region.boundaryLength);
+    centroid.push_back(region.centroid);
+    const SurfacePoint near =
+        region.triangleCount > 0 ? mesh.toInput(region.nearCentroid) : SurfacePoint();
+    nearFace.push_back(near.face);
+    nearBary.insert(nearBary.end(), near.bary.begin(), near.bary.end());
+    components.push_back(region.components);
+    loops.push_back(region.loops);
+    euler.push_back(region.eulerCharacteristic);
+    genus.push_back(region.genus);
+    touchings.push_back(region.selfTouchings);
+    for (const auto& neighbour : region.neighbours) {
+      neighbours.push_back(neighbour.label);
+      neighbourLength.push_back(neighbour.length);
+    }
+    neighbourOffset.push_back(static_cast<int>(neighbours.size()));
+  }
+  out.add(std::move(triangleOffset));
+  for (auto* values : {&area, &perimeter, &boundaryLength}) out.add(std::move(*values));
+  out.add(flat(centroid));
+  out.add(std::move(nearFace));
+  out.add(std::move(nearBary));
+  for (auto* values :
+       {&components, &loops, &euler, &genus, &touchings, &neighbourOffset, &neighbours})
+    out.add(std::move(*values));
+  out.add(std::move(neighbourLength));
+}
+
+std::unique_ptr<Arrays> flatten(const TriangleMesh& mesh, const Partition& partition) {
+  auto out = std::make_unique<Arrays>();
+  addPoints(*out, mesh, partition.points);
+  out->add(flat(partition.positions));
+  addTriangles(*out, mesh, partition);
+  addRegions(*out, mesh, partition);
+  return out;
+}
+
+std::unique_ptr<Arrays> flatten(const TriangleMesh& mesh, PolygonMesh polygons) {
+  auto out = std::make_unique<Arrays>();
+  addPoints(*out, mesh, polygons.points);
+  out->add(flat(polygons.positions));
+  PolygonTriangles cut = triangulate(polygons);
+  const PolygonTopology t = topologyOf(polygons);
+  addLists(*out, std::move(polygons.faces));
+  out->add(std::move(polygons.vertexLabel));
+  out->add(std::move(polygons.faceLabel));
+  out->add(flat<int>(cut.triangles));
+  out->add(std::move(cut.face));
+  out->add(std::vector<int>{t.isManifold, t.vertices, t.edges, t.faces, t.components,
+                            t.boundaryLoops, t.eulerCharacteristic, t.genus});
+  return out;
+}
+
+/// The diagram of the sites there are.
+Diagram diagramOf(const VoronoiHandle& voronoi) {
+  return voronoi.dynamic ? voronoi.dynamic->diagram() : *voronoi.diagram;
+}
+
+/// The sites by label; every label has one, or there is no dual.
+std::vector<SurfacePoint> sitesOf(const VoronoiHandle& voronoi) {
+  if (!voronoi.dynamic) return voronoi.sites;
+  std::vector<SurfacePoint> sites;
+  for (int label = 0; label < voronoi.dynamic->labelCount(); ++label) {
+    if (!voronoi.dynamic->hasSite(label))
+      throw Error(ErrorCode::kInvalidArgument,
+                  "site " + std::to_string(label) +
+                      " has been removed: compute a diagram of the sites that are left");
+    sites.push_back(voronoi.dynamic->site(label));
+  }
+  return sites;
 }
 
 }  // namespace
@@ -331,9 +451,78 @@ GVD_ABI Arrays* traceVoronoi(VoronoiHandle* voronoi, int detail) {
   return guarded([&] {
     const TriangleMesh& mesh = *voronoi->surface.mesh;
     voronoi->options = {.detail = detail};
-    return flatten(mesh, traceDiagram(mesh, *voronoi->distances,
-                                      static_cast<int>(voronoi->sites.size()), voronoi->options))
+    voronoi->diagram = traceDiagram(mesh, *voronoi->distances,
+                                    static_cast<int>(voronoi->sites.size()), voronoi->options);
+    return flatten(mesh, *voronoi->diagram).release();
+  });
+}
+
+/// The partition, see `flatten`. This and what follows only after `traceVoronoi`.
+GVD_ABI Arrays* partitionVoronoi(const VoronoiHandle* voronoi, int leaveOutIndifferent,
+                                 int leaveOutUnreachable) {
+  return guarded([&] {
+    const TriangleMesh& mesh = *voronoi->surface.mesh;
+    return flatten(mesh, partition(mesh, diagramOf(*voronoi),
+                                   {.leaveOutIndifferent = leaveOutIndifferent != 0,
+                                    .leaveOutUnreachable = leaveOutUnreachable != 0}))
         .release();
+  });
+}
+
+/// The dual, or if `primal` the regions themselves, see `flatten`.
+GVD_ABI Arrays* dualVoronoi(const VoronoiHandle* voronoi, int primal) {
+  return guarded([&] {
+    const TriangleMesh& mesh = *voronoi->surface.mesh;
+    const Diagram diagram = diagramOf(*voronoi);
+    return flatten(mesh,
+                   primal ? regionMesh(mesh, diagram) : dualMesh(mesh, sitesOf(*voronoi), diagram))
+        .release();
+  });
+}
+
+/// Kinds, offsets of the labels, labels, then a text each.
+GVD_ABI Arrays* dualViolations(const VoronoiHandle* voronoi) {
+  return guarded([&] {
+    sitesOf(*voronoi);  // all there?
+    std::vector<int> kinds, offset = {0}, labels;
+    auto violations = findViolations(*voronoi->surface.mesh, diagramOf(*voronoi));
+    for (const Violation& violation : violations) {
+      kinds.push_back(violation.kind);
+      labels.insert(labels.end(), violation.labels.begin(), violation.labels.end());
+      offset.push_back(static_cast<int>(labels.size()));
+    }
+    auto out = std::make_unique<Arrays>();
+    out->add(std::move(kinds));
+    out->add(std::move(offset));
+    out->add(std::move(labels));
+    for (Violation& violation : violations) out->add(std::move(violation.message));
+    return out.release();
+  });
+}
+
+/// The numbers of `RemeshQuality` for the dual, in their order.
+GVD_ABI Arrays* dualQuality(const VoronoiHandle* voronoi) {
+  return guarded([&] {
+    const TriangleMesh& mesh = *voronoi->surface.mesh;
+    const RemeshQuality quality =
+        measureQuality(mesh, dualMesh(mesh, sitesOf(*voronoi), diagramOf(*voronoi)));
+    auto out = std::make_unique<Arrays>();
+    out->add(std::vector<double>{static_cast<double>(quality.triangles), quality.minAngle,
+                                 quality.meanMinAngle, static_cast<double>(quality.minValence),
+                                 static_cast<double>(quality.maxValence), quality.regularShare,
+                                 quality.hausdorff});
+    return out.release();
+  });
+}
+
+/// face, bary of the sites that one round of repair adds.
+GVD_ABI Arrays* repairingSites(const VoronoiHandle* voronoi) {
+  return guarded([&] {
+    const TriangleMesh& mesh = *voronoi->surface.mesh;
+    sitesOf(*voronoi);  // all there?
+    auto out = std::make_unique<Arrays>();
+    addPoints(*out, mesh, repairingSites(mesh, diagramOf(*voronoi), voronoi->field()));
+    return out.release();
   });
 }
 

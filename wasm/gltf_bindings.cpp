@@ -34,7 +34,7 @@ std::vector<int> partNumbers(std::span<const GltfScene::Part> parts) {
 
 }  // namespace
 
-/// positions, triangles, part numbers, part count, then a text per part (its name) and per note.
+/// positions, triangles, normals, uvs, part numbers, then a text per part (its name) and per note.
 GVD_ABI Arrays* readGltfScene(const std::byte* bytes, std::size_t byteLength,
                               const ResourceRow* rows, std::size_t rowCount) {
   return guarded([&] {
@@ -46,6 +46,8 @@ GVD_ABI Arrays* readGltfScene(const std::byte* bytes, std::size_t byteLength,
     auto out = std::make_unique<Arrays>();
     out->add(std::move(scene.positions));
     out->add(std::move(scene.triangles));
+    out->add(std::move(scene.normals));
+    out->add(std::move(scene.uvs));
     out->add(partNumbers(scene.parts));
     for (GltfScene::Part& part : scene.parts) out->add(std::move(part.name));
     for (std::string& note : scene.notes) out->add(std::move(note));

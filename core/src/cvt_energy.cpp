@@ -89,27 +89,17 @@ class Integrator {
     const double faceArea = mesh_.faceArea(face);
     const auto points = diagram_.cells[cell];
     Matrix3d corners;
-    corners.col(0) = baryInFace(points[0]);
-    corners.col(2) = baryInFace(points[1]);
+    corners.col(0) = cornerAt(points[0]);
+    corners.col(2) = cornerAt(points[1]);
     for (size_t i = 2; i < points.size(); ++i) {
       corners.col(1) = corners.col(2);
-      corners.col(2) = baryInFace(points[i]);
+      corners.col(2) = cornerAt(points[i]);
       const Vector3d p = corners.col(1) - corners.col(0), q = corners.col(2) - corners.col(0);
       addTriangle(corners, std::max(0.0, p[0] * q[1] - p[1] * q[0]) * faceArea);
     }
   }
 
-  /// A point that is named once for all its faces, in terms of the current one.
-  Vector3d baryInFace(int point) const {
-    const SurfacePoint& p = diagram_.points[point];
-    if (p.face == face_) return p.bary;
-    Vector3d bary = Vector3d::Zero();
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        if (mesh_.tail(3 * p.face + j) == mesh_.tail(3 * face_ + i)) bary[i] = p.bary[j];
-    const double sum = bary.sum();
-    return sum > 0 ? Vector3d(bary / sum) : Vector3d(Vector3d::Unit(0));
-  }
+  Vector3d cornerAt(int point) const { return baryInFace(mesh_, diagram_.points[point], face_); }
 
   /// Adds the integrals over a triangle in the current face. Restricted to it, ρ and u are linear,
   /// and d² is again the interpolant of its corner values less Σ cᵢ cⱼ |eᵢⱼ|², with the triangle's

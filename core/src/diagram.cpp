@@ -226,11 +226,13 @@ class Tracer {
         const Eigen::Vector3d p = baryOfVertex_[vertex] - origin, q = baryOfVertex_[next] - origin;
         area += p[0] * q[1] - p[1] * q[0];
         if (across > cell.label) addSegment(vertex, next, cell.label, across, face, sides);
-        if (FaceEnvelope::isTriangleSide(across))
+        if (FaceEnvelope::isTriangleSide(across)) {
           addBoundary(element, FaceEnvelope::triangleSide(across), vertex);
+          addInnerNodes(element, FaceEnvelope::triangleSide(across));
+        }
       }
       cellAreas_.push_back(area);
-      cells_.push_back({face, cell.label, first, static_cast<int>(n)});
+      cells_.push_back({face, cell.label, first, static_cast<int>(cellPoints_.size()) - first});
     }
     addAreas(mesh_.faceArea(face));
   }
@@ -278,14 +280,28 @@ class Tracer {
   }
 
   int pointOfNode(int node, int element, int corner) {
+    return pointOfNode(node, element, Eigen::Vector3d::Unit(corner));
+  }
+
+  int pointOfNode(int node, int element, const Eigen::Vector3d& bary) {
     int& point = pointOfNode_[node];
     if (point < 0) {
-      point = addPoint(
-          {complex_.face(element), complex_.faceBary(element, Eigen::Vector3d::Unit(corner))}, 0.0,
-          {-1, -1, -1});
+      point =
+          addPoint({complex_.face(element), complex_.faceBary(element, bary)}, 0.0, {-1, -1, -1});
       isNode_.back() = true;
     }
     return point;
+  }
+
+  /// Goes on with a cell, past the corners of smaller elements on one of its sides: one label owns
+  /// all of such a side.
+  void addInnerNodes(int element, int side) {
+    for (const auto& [node, share] : complex_.innerNodes(3 * element + side)) {
+      Eigen::Vector3d bary = Eigen::Vector3d::Zero();
+      bary[side] = 1 - share;
+      bary[(side + 1) % 3] = share;
+      cellPoints_.push_back(pointOfNode(node, element, bary));
+    }
   }
 
   int addPoint(const SurfacePoint& place, double error, const std::array<int, 3>& labels) {

@@ -197,6 +197,23 @@ int FaceComplex::soleOwner(int element) const {
   return owner_[tail[1]] == owner && owner_[tail[2]] == owner ? owner : Diagram::kMixed;
 }
 
+std::vector<FaceComplex::InnerNode> FaceComplex::innerNodes(int h) const {
+  std::vector<InnerNode> nodes;
+  if (!midpoint_.empty() && twin_[h] < 0)
+    collectInnerNodes(tail_[h], tail_[TriangleMesh::next(h)], 0, 1, nodes);
+  return nodes;
+}
+
+void FaceComplex::collectInnerNodes(int a, int b, double from, double to,
+                                    std::vector<InnerNode>& nodes) const {
+  const auto middle = midpoint_.find(unorderedKey(a, b));
+  if (middle == midpoint_.end()) return;
+  const double share = (from + to) / 2;
+  collectInnerNodes(a, middle->second, from, share, nodes);
+  nodes.push_back({middle->second, share});
+  collectInnerNodes(middle->second, b, share, to, nodes);
+}
+
 int FaceComplex::boundaryHalfedge(int h) const {
   if (twins()[h] >= 0) return -1;
   const int side = meshHalfedge(h);

@@ -50,6 +50,13 @@ class FaceComplex {
   int owner(int node) const { return owner_[node]; }
   /// Whether another label is as near.
   bool hasTie(int node) const { return hasTie_[node]; }
+  /// The nodes between the ends of a halfedge where its element meets smaller ones, in order; each
+  /// with its share of the way. None where the elements on both sides have the same size.
+  struct InnerNode {
+    int node;
+    double share;
+  };
+  std::vector<InnerNode> innerNodes(int h) const;
   /// The label that owns all of an element: the owner of all its nodes; else -2.
   int soleOwner(int element) const;
 
@@ -63,6 +70,7 @@ class FaceComplex {
   bool isUniform(int a, int b, int owner) const;
   void split(int element);
   int midpoint(int element, int side);
+  void collectInnerNodes(int a, int b, double from, double to, std::vector<InnerNode>& nodes) const;
   int meshHalfedge(int h) const;
   void matchTwins();
   void matchTwinsOfFaces();

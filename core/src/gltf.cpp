@@ -397,6 +397,8 @@ constexpr ComponentType kPositionTypes[] = {kInt8, kUint8, kInt16, kUint16, kFlo
 
 constexpr Format kIndices = {"vertex indices", TINYGLTF_TYPE_SCALAR, 1, kIndexTypes};
 constexpr Format kPositions = {"positions", TINYGLTF_TYPE_VEC3, 3, kPositionTypes};
+constexpr Format kNormals = {"normals", TINYGLTF_TYPE_VEC3, 3, kPositionTypes};
+constexpr Format kUvs = {"texture coordinates", TINYGLTF_TYPE_VEC2, 2, kPositionTypes};
 
 const ComponentType& componentType(int id, const Format& format, const std::string& owner) {
   for (const ComponentType& type : format.allowed) {
@@ -440,6 +442,7 @@ class SceneReader {
     }
     note(linePrimitives_, "primitives of points or lines were passed over");
     note(emptyPrimitives_, "primitives without positions were passed over");
+    note(badAttributes_, "normals or texture coordinates that cannot be read were passed over");
     note(skins_, "meshes with a skin were taken unposed");
     note(morphs_, "primitives with morph targets were taken without them");
     note(instances_, "nodes with instances were taken once");
@@ -448,6 +451,8 @@ class SceneReader {
       for (const std::string& text : scene_.notes) why += "; " + text;
       reject(why);
     }
+    if (hasNormals_) scene_.normals.resize(scene_.positions.size());
+    if (hasUvs_) scene_.uvs.resize(scene_.positions.size() / 3 * 2);
     return std::move(scene_);
   }
 
@@ -581,6 +586,7 @@ class SceneReader {
       for (int corner : {i, j, k}) scene_.triangles.push_back(firstVertex + corners[corner]);
     });
     addVertices(positions, transform);
+    addAttributes(primitive, positions.size() / 3, transform, name);
     part.triangleCount = triangleCount() - part.firstTriangle;
     if (part.triangleCount > 0) scene_.parts.push_back(std::move(part));
     requireRoom(scene_.triangles.size() / 3);
@@ -629,6 +635,50 @@ class SceneReader {
       const Eigen::Vector3d p = transform * Eigen::Vector3d::Map(&positions[i]);
       scene_.positions.insert(scene_.positions.end(), p.begin(), p.end());
     }
+  }
+
+  /// Of the last `count` vertices.
+  void addAttributes(const tinygltf::Primitive& primitive, std::size_t count,
+                     const Eigen::Affine3d& transform, const std::string& name) {
+    const std::size_t first = scene_.positions.size() / 3 - count;
+    std::vector<double> normals = attribute(primitive, "NORMAL", kNormals, count, name);
+    if (!normals.empty()) {
+      // The cofactors of a matrix turn normals as it turns surfaces, singular or not.
+      const Eigen::Matrix3d m = transform.linear();
+      Eigen::Matrix3d cofactors;
+      for (int i = 0; i < 3; ++i) cofactors.col(i) = m.col((i + 1) % 3).cross(m.col((i + 2) % 3));
+      if (m.determinant() < 0) cofactors = -cofactors;
+      for (std::size_t i = 0; i < normals.size(); i += 3) {
+        auto normal = Eigen::Vector3d::Map(&normals[i]);
+        normal = (cofactors * normal).stableNormalized();
+        if (!normal.allFinite()) normal.setZero();
+      }
+      hasNormals_ = true;
+      scene_.normals.resize(3 * first);
+      scene_.normals.insert(scene_.normals.end(), normals.begin(), normals.end());
+    }
+    std::vector<double> uvs = attribute(primitive, "TEXCOORD_0", kUvs, count, name);
+    if (!uvs.empty()) {
+      for (double& x : uvs)
+        if (!std::isfinite(x)) x = 0;
+      hasUvs_ = true;
+      scene_.uvs.resize(2 * first);
+      scene_.uvs.insert(scene_.uvs.end(), uvs.begin(), uvs.end());
+    }
+  }
+
+  /// Empty if the primitive has none that fits. A surface needs none: a bad one is passed over.
+  std::vector<double> attribute(const tinygltf::Primitive& primitive, const char* semantic,
+                                const Format& format, std::size_t count, const std::string& name) {
+    const auto found = primitive.attributes.find(semantic);
+    if (found == primitive.attributes.end()) return {};
+    try {
+      std::vector<double> values = numbers(found->second, format, name);
+      if (values.size() == count * format.components) return values;
+    } catch (const Error&) {
+    }
+    ++badAttributes_;
+    return {};
   }
 
   int triangleCount() const { return static_cast<int>(scene_.triangles.size() / 3); }
@@ -729,6 +779,8 @@ class SceneReader {
   Buffers buffers_;
   GltfScene scene_;
   int linePrimitives_ = 0, emptyPrimitives_ = 0, skins_ = 0, morphs_ = 0, instances_ = 0;
+  int badAttributes_ = 0;
+  bool hasNormals_ = false, hasUvs_ = false;
 };
 
 }  // namespace

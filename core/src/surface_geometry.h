@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 
+#include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
 
 namespace gvd {
@@ -31,6 +32,18 @@ inline double squaredLength(const Eigen::Vector3d& difference, const std::array<
 inline double squaredDistance(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                               const std::array<double, 3>& sides) {
   return squaredLength(a - b, sides);
+}
+
+/// A point of a face, in terms of that face: it may be named by another one that shares the edge or
+/// vertex it lies on.
+inline Eigen::Vector3d baryInFace(const TriangleMesh& mesh, const SurfacePoint& p, int face) {
+  if (p.face == face) return p.bary;
+  Eigen::Vector3d bary = Eigen::Vector3d::Zero();
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      if (mesh.tail(3 * p.face + j) == mesh.tail(3 * face + i)) bary[i] = p.bary[j];
+  const double sum = bary.sum();
+  return sum > 0 ? Eigen::Vector3d(bary / sum) : Eigen::Vector3d(Eigen::Vector3d::Unit(0));
 }
 
 }  // namespace gvd

@@ -69,6 +69,7 @@ class Bench {
       const Speed speed = measureSpeed(mesh, sites, metric, speedOptions);
       json_.number("distances", speed.distances);
       json_.number("diagram", speed.diagram);
+      json_.number("partition", speed.partition);
     });
     json_.endObject();
     if (!options_.meshFolder.empty()) writeGlb(mesh, options_.meshFolder / (named.name + ".glb"));

@@ -59,6 +59,8 @@ const speedColumns = {
   diagram: (row) => measured(row, () => milliseconds(row.diagram)),
   ' ': (row) => measured(row, () => ratio(row.diagram, row.dijkstra)),
   both: (row) => measured(row, () => ratio(row.distances + row.diagram, row.dijkstra)),
+  'partition/both': (row) =>
+    measured(row, () => ratio(row.partition, row.distances + row.diagram)),
   'wasm/native': (row) => measured(row, () => ratio(row.wasm, row.distances + row.diagram)),
   note: ({ note, wasmNote }) => note ?? wasmNote,
 };

@@ -3,6 +3,7 @@
 
 #include "dijkstra.h"
 #include "gvd/diagram.h"
+#include "gvd/partition.h"
 #include "metrics.h"
 #include "timing.h"
 
@@ -20,7 +21,8 @@ Speed measureSpeed(const TriangleMesh& mesh, std::span<const SurfacePoint> sites
   const auto diagram = timed(options.runs, [&] {
     return traceDiagram(mesh, *field.result, siteCount, {.detail = options.detail});
   });
-  return {field.seconds, diagram.seconds};
+  const auto parts = timed(options.runs, [&] { return partition(mesh, diagram.result); });
+  return {field.seconds, diagram.seconds, parts.seconds};
 }
 
 }  // namespace gvd::bench

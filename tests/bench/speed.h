@@ -22,6 +22,7 @@ double dijkstraSeconds(const TriangleMesh& mesh, std::span<const SurfacePoint> s
 struct Speed {
   double distances;  ///< `propagate` to `take`
   double diagram;    ///< `traceDiagram`
+  double partition;  ///< `partition`
 };
 Speed measureSpeed(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric,
                    const SpeedOptions& options);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Every property of `diagram_checks.h` on random degenerate cases, with both metrics, and for DGPC
-// of the diagram after its sites have changed:
+// Every property of `diagram_checks.h` and of `partition_checks.h` on random degenerate cases, with
+// both metrics, and for DGPC of the diagram after its sites have changed:
 //
 //     diagram_property_test [--seed S] [--cases N]
 //
@@ -22,6 +22,8 @@
 
 #include "diagram_checks.h"
 #include "gvd/dynamic_diagram.h"
+#include "gvd/partition.h"
+#include "partition_checks.h"
 #include "random_case.h"
 
 namespace gvd {
@@ -57,6 +59,8 @@ std::string complaint(const RandomCase& c, Metric metric) {
     const checks::Traced traced = checks::trace(mesh, sites, metric);
     if (const auto result = checks::isConsistent(mesh, traced.diagram); !result)
       return result.message();
+    if (const auto result = checks::isSound(mesh, partition(mesh, traced.diagram)); !result)
+      return "partition: " + std::string(result.message());
     if (const auto result = checks::agreesWithField(mesh, traced, sites, metric); !result)
       return result.message();
     if (metric == Metric::kDgpc) return complaintAfterChanges(mesh, sites);

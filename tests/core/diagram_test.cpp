@@ -20,37 +20,8 @@ using checks::areSame;
 using checks::identity;
 using checks::isConsistent;
 using checks::trace;
-
-/// A random mesh of many kinds: genus 0 to 3, with and without boundary, plane and not.
-TriangleMesh randomMesh(std::uint64_t seed) {
-  shapes::Random random(seed);
-  const int kind = static_cast<int>(seed % 8);
-  switch (kind) {
-    case 0:
-      return shapes::randomTriangulation(5 + random.below(60), 40, seed).mesh();
-    case 1:
-      return shapes::bumpySurface(0, 2, 0.3, seed).mesh();
-    case 2:
-      return shapes::bumpySurface(1, 1 + random.below(2), 0.3, seed).mesh();
-    case 3:
-      return shapes::bumpySurface(2, 1, 0.4, seed).mesh();
-    case 4:
-      return shapes::bumpySurface(3, 1, 0.4, seed).mesh();
-    case 5:
-      return shapes::withoutRandomFaces(shapes::bumpySurface(1, 2, 0.3, seed), 10, seed).mesh();
-    case 6:
-      return shapes::withoutRandomFaces(shapes::icosphere(2), 20, seed).mesh();
-    default:
-      return shapes::gradedDisk(4 + random.below(8), 6 + random.below(6), 0.6).mesh();
-  }
-}
-
-int randomSiteCount(const TriangleMesh& mesh, std::uint64_t seed) {
-  shapes::Random random(seed + 1000);
-  // Few, some, and up to twice as many as there are vertices.
-  const int most = seed % 5 == 0 ? 2 * mesh.vertexCount() : seed % 2 == 0 ? 20 : 5;
-  return 1 + random.below(most);
-}
+using shapes::randomMesh;
+using shapes::randomSiteCount;
 
 class RandomMeshes : public ::testing::TestWithParam<int> {};
 

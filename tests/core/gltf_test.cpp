@@ -245,6 +245,46 @@ TEST(ReadGltf, PassesOnCoordinatesThatAreNotFinite) {
   EXPECT_TRUE(std::isnan(readPrimitive(file, positions).positions[0]));
 }
 
+/// A primitive of the triangle with these attributes besides.
+std::string dressed(int positions, int normals, int uvs) {
+  return R"({"attributes":{"POSITION":)" + std::to_string(positions) + R"(,"NORMAL":)" +
+         std::to_string(normals) + R"(,"TEXCOORD_0":)" + std::to_string(uvs) + "}}";
+}
+
+TEST(ReadGltf, ReadsNormalsAndTextureCoordinates) {
+  GlbWriter file;
+  const int positions = file.addPositions(kTriangle);
+  const int normals = file.addPositions({0, 0, 1, 3, 0, 4, 0, 0, 0});
+  const int uvs =
+      file.addAccessor(file.addView(std::vector<float>{0, 1, 2, 3, 4, 5}), kFloat, 3, "VEC2");
+  file.addMesh({GlbWriter::primitive(positions), dressed(positions, normals, uvs)});
+  // Flattened to half and mirrored: normals lean towards the axis, away from the other side.
+  file.addNode(R"("mesh":0,"scale":[1,1,-0.5])");
+  const GltfScene scene = readGltf(file.glb());
+  EXPECT_EQ(scene.uvs, (Positions{0, 0, 0, 0, 0, 0, 0, 1, 2, 3, 4, 5}));
+  ASSERT_EQ(scene.normals.size(), 18u);
+  const double length = std::sqrt(73.0);
+  const Positions expected = {0, 0, 0,  0,          0, 0,           0, 0, 0,
+                              0, 0, -1, 3 / length, 0, -8 / length, 0, 0, 0};
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    EXPECT_NEAR(scene.normals[i], expected[i], 1e-15) << i;
+  EXPECT_TRUE(readGltf(triangleFile().glb()).normals.empty());
+  EXPECT_TRUE(readGltf(triangleFile().glb()).uvs.empty());
+}
+
+TEST(ReadGltf, PassesOverAttributesThatItCannotRead) {
+  GlbWriter file;
+  const int positions = file.addPositions(kTriangle);
+  const int tooFew = file.addPositions({0, 0, 1});
+  file.addMesh({dressed(positions, tooFew, 77)});
+  const GltfScene scene = readGltf(file.glb());
+  EXPECT_EQ(scene.triangles, (Triangles{0, 1, 2}));
+  EXPECT_TRUE(scene.normals.empty());
+  EXPECT_EQ(scene.notes,
+            (std::vector<std::string>{
+                "normals or texture coordinates that cannot be read were passed over (2)"}));
+}
+
 // --- Accessors -----------------------------------------------------------------------------------
 
 TEST(ReadGltf, ReadsInterleavedElementsFromAnOffset) {

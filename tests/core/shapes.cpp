@@ -488,4 +488,34 @@ Shape shuffled(const Shape& shape, std::uint64_t seed) {
   return result;
 }
 
+TriangleMesh randomMesh(std::uint64_t seed) {
+  Random random(seed);
+  const int kind = static_cast<int>(seed % 8);
+  switch (kind) {
+    case 0:
+      return randomTriangulation(5 + random.below(60), 40, seed).mesh();
+    case 1:
+      return bumpySurface(0, 2, 0.3, seed).mesh();
+    case 2:
+      return bumpySurface(1, 1 + random.below(2), 0.3, seed).mesh();
+    case 3:
+      return bumpySurface(2, 1, 0.4, seed).mesh();
+    case 4:
+      return bumpySurface(3, 1, 0.4, seed).mesh();
+    case 5:
+      return withoutRandomFaces(bumpySurface(1, 2, 0.3, seed), 10, seed).mesh();
+    case 6:
+      return withoutRandomFaces(icosphere(2), 20, seed).mesh();
+    default:
+      return gradedDisk(4 + random.below(8), 6 + random.below(6), 0.6).mesh();
+  }
+}
+
+int randomSiteCount(const TriangleMesh& mesh, std::uint64_t seed) {
+  Random random(seed + 1000);
+  // Few, some, and up to twice as many as there are vertices.
+  const int most = seed % 5 == 0 ? 2 * mesh.vertexCount() : seed % 2 == 0 ? 20 : 5;
+  return 1 + random.below(most);
+}
+
 }  // namespace gvd::shapes

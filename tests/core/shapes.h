@@ -108,4 +108,11 @@ Shape unwelded(const Shape& shape);
 /// Vertices and triangles in random order, corners of each triangle rotated at random.
 Shape shuffled(const Shape& shape, std::uint64_t seed);
 
+// --- Any of them ---------------------------------------------------------------------------------
+
+/// A random mesh of many kinds: genus 0 to 3, with and without boundary, plane and not.
+TriangleMesh randomMesh(std::uint64_t seed);
+/// How many sites to try on it: few, some, and up to twice as many as there are vertices.
+int randomSiteCount(const TriangleMesh& mesh, std::uint64_t seed);
+
 }  // namespace gvd::shapes

@@ -54,8 +54,9 @@ function fails(status, args, message, input) {
 }
 
 test('--help and --version', () => {
-  assert.match(succeeds('--help').stdout, /info[^]*diagram[^]*locate[^]*cvt/);
-  for (const command of ['info', 'diagram', 'locate', 'cvt']) {
+  const overview = succeeds('--help').stdout;
+  for (const command of ['info', 'diagram', 'locate', 'cvt', 'partition', 'dual', 'remesh']) {
+    assert.match(overview, new RegExp(`^  ${command} `, 'm'));
     assert.match(
       succeeds(`${command} --help`).stdout,
       new RegExp(`Usage: geodesic-voronoi ${command}`),
@@ -118,6 +119,59 @@ test('cvt writes sites that other commands read, and the energy of every iterati
   );
   assert.equal(lloyd.energy.length, 2);
   assert.ok(Math.abs(lloyd.energy[0] / energy[0] / 1e8 - 1) < 1e-12);
+});
+
+test('partition as GLB, OBJ, PLY and JSON', () => {
+  const { stderr } = succeeds('partition shape.glb --sites 5 -o parts.glb');
+  assert.match(stderr, /^5 regions, \d of them disks, \d+ triangles\n$/);
+  const json = JSON.parse(succeeds('partition shape.glb --sites 5 --units cm').stdout);
+  const area = JSON.parse(succeeds('info shape.glb --json').stdout).area;
+  const areas = json.regions.reduce((sum, region) => sum + region.area, 0);
+  assert.ok(Math.abs(areas / area / 1e4 - 1) < 1e-12);
+  const parts = JSON.parse(succeeds('info parts.glb --json').stdout);
+  assert.equal(parts.faces, json.triangles.label.length);
+  assert.deepEqual(
+    parts.parts.map(({ name, triangleCount }) => [name, triangleCount]),
+    json.regions.map(({ triangleCount }, i) => [`region ${i}`, triangleCount]),
+  );
+  succeeds('partition shape.glb --sites 5 --layout features -o ids.glb');
+  assert.match(read('ids.glb'), /_FEATURE_ID_0/);
+  succeeds('partition shape.glb --sites 5 --holes -o parts.obj');
+  assert.equal(read('parts.obj').match(/^g region_/gm).length, 5);
+  succeeds('partition shape.glb --sites 5 -o parts.ply');
+  assert.match(read('parts.ply'), /^ply\n[^]*property int label\nend_header\n/);
+  succeeds('diagram shape.glb --sites 5 -o d.json');
+  assert.deepEqual(JSON.parse(read('d.json')).sites, json.sites);
+});
+
+test('dual says what is wrong with it, and can be repaired', () => {
+  const { stderr } = succeeds('dual shape.glb --sites sites.json -o base.obj');
+  assert.match(stderr, /^2 sites, 0 vertices[^\n]*\nnot valid: regions 0 and 1 meet[^\n]*\n$/);
+  const repaired = succeeds('dual shape.glb --sites sites.json --repair -o base.json').stderr;
+  assert.match(repaired, /^\d sites \(\d added\).*Euler characteristic 2, genus 0, 0 boundary/);
+  assert.doesNotMatch(repaired, /not valid/);
+  const { sites, faces, topology, violations } = JSON.parse(read('base.json'));
+  assert.deepEqual(sites.face.slice(0, 2), [0, 1]);
+  assert.equal(topology.eulerCharacteristic, 2);
+  assert.deepEqual(violations, []);
+  // Its sites are sites for another one.
+  succeeds('dual shape.glb --sites base.json -o base.obj');
+  assert.equal(read('base.obj').match(/^f /gm).length, faces.length);
+  succeeds('dual shape.glb --sites base.json --primal -o regions.obj');
+  assert.equal(read('regions.obj').match(/^g region_/gm).length, sites.face.length);
+  for (const ending of ['glb', 'ply'])
+    succeeds(`dual shape.glb --sites base.json -o base.${ending}`);
+  assert.match(succeeds('info base.glb').stdout, /Euler characteristic +2\n/);
+});
+
+test('remesh tells its quality', () => {
+  const { stderr } = succeeds('remesh shape.glb --sites 20 --iterations 5 -o fine.obj');
+  assert.match(stderr, /genus 0[^]*least angle [\d.]+°[^]*valence \d to \d[^]*Hausdorff distance/);
+  const { quality, topology } = JSON.parse(
+    succeeds('remesh shape.glb --sites 20 --iterations 5 --units 10').stdout,
+  );
+  assert.equal(topology.isManifold, true);
+  assert.ok(quality.minAngle > 0 && quality.hausdorff > 0);
 });
 
 test('sites are sampled in three ways', () => {
@@ -207,6 +261,10 @@ test('a wrong command line: status 2', () => {
   fails(2, 'cvt shape.glb --sites 3 --iterations -1', /--iterations/);
   fails(2, 'cvt shape.glb', /--sites is missing/);
   fails(2, 'diagram shape.glb --sites 3 -o d.stl', /d\.stl.*\.json, \.obj, \.glb/);
+  fails(2, 'partition shape.glb --sites 3 --layout heap -o d.glb', /heap.*regions, features/);
+  fails(2, 'partition shape.glb --sites 3 -o d.stl', /d\.stl.*\.json, \.glb, \.obj, \.ply/);
+  fails(2, 'dual shape.glb --sites 3 --detail 2', /--detail/);
+  fails(2, 'remesh shape.glb', /--sites is missing/);
   fails(2, 'locate shape.glb --sites 3', /--points/);
 });
 

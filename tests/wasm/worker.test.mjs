@@ -56,12 +56,17 @@ test('a worker answers as the calling thread does', async (t) => {
       const shares = [];
       const diagram = await mesh.voronoi(sites, { onProgress: (share) => shares.push(share) });
       const located = await diagram.locate({ vertex: [0, 10, 20] });
+      const parts = await diagram.partition();
+      const valid = await diagram.repair({ onProgress: (share) => shares.push(share) });
+      const duals = [await valid.dual(), await valid.dual({ primal: true })];
+      const facts = [await diagram.violations(), await valid.remeshQuality(), valid.sites];
       const states = [];
       for await (const state of mesh.cvt(sites, { iterations: 3, data: true })) states.push(state);
-      const { info, positions, indices, parts } = mesh;
+      const { info, positions, indices, normals, uvs } = mesh;
       const { metric, data } = diagram;
       const last = shares.at(-1);
-      return { info, positions, indices, parts, sites, metric, data, located, states, last };
+      const input = { info, positions, indices, normals, uvs, parts: mesh.parts };
+      return { input, sites, metric, data, located, parts, duals, facts, states, last };
     }),
   );
   assert.deepEqual(answers[0], answers[1]);

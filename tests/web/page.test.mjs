@@ -263,16 +263,60 @@ suite('the page', () => {
     );
   });
 
+  async function download(button) {
+    const [file] = await Promise.all([
+      viewer.page.waitForEvent('download'),
+      viewer.page.click(button),
+    ]);
+    const chunks = [];
+    for await (const chunk of await file.createReadStream()) chunks.push(chunk);
+    return { name: file.suggestedFilename(), content: Buffer.concat(chunks) };
+  }
+
+  test('the dual is drawn and repaired, regions move apart, and both can be taken away', async () => {
+    await viewer.after('diagram', () => viewer.evaluate((viewer) => viewer.scatter(3)));
+    const shown = ['regions', 'bisectors', 'sites', 'dual'];
+    const plain = await viewer.picture(shown.slice(0, 3));
+    const dual = await viewer.after('dual', () => viewer.page.check('#layers [value=dual]'));
+    assert.ok(dual.polygons > 0);
+    assert.ok((await changedSince(plain)) > 0);
+    assert.ok(dual.violations.length > 0);
+    assert.match(await text(viewer, '#dual-note'), /no valid mesh of the surface: regions 0, 1 and 2/);
+    const valid = await viewer.after('dual', () => viewer.page.click('#repair'));
+    assert.deepEqual(valid.violations, []);
+    assert.ok((await viewer.siteCount()) > 3);
+    assert.match(await text(viewer, '#dual-note'), /is a valid mesh/);
+    assert.equal(await viewer.page.locator('#repair').isVisible(), false);
+
+    const together = await viewer.coverage(await viewer.picture(shown));
+    const slide = (value) =>
+      viewer.after('exploded', () => viewer.page.locator('#exploded').fill(String(value)));
+    const apart = await slide(60);
+    assert.equal(apart.regions, await viewer.siteCount());
+    assert.ok(apart.triangles > 3674);
+    assert.ok((await viewer.coverage(await viewer.picture(shown))) > 1.1 * together);
+    const { x, y } = await viewer.evaluate((viewer) => {
+      const box = viewer.getBoundingClientRect();
+      return { x: box.left + box.width / 2, y: box.top + box.height / 2 };
+    });
+    const count = await viewer.siteCount();
+    await click({ x, y });
+    assert.equal(await viewer.siteCount(), count, 'there is nothing to edit');
+    await slide(0);
+    const again = await viewer.coverage(await viewer.picture(shown));
+    assert.ok(Math.abs(again - together) < 0.01 * together);
+
+    const formats = { glb: /^glTF/, obj: /^# [^]*\nf /, ply: /^ply\n/ };
+    for (const name of ['parts', 'polygons', 'dual']) {
+      for (const [ending, start] of Object.entries(formats)) {
+        const file = await download(`#download-${name}-${ending}`);
+        assert.equal(file.name, `bunny-${name}.${ending}`);
+        assert.match(file.content.toString('latin1'), start);
+      }
+    }
+  });
+
   test('sites, diagram, bisectors and picture can be taken away', async () => {
-    const download = async (button) => {
-      const [file] = await Promise.all([
-        viewer.page.waitForEvent('download'),
-        viewer.page.click(button),
-      ]);
-      const chunks = [];
-      for await (const chunk of await file.createReadStream()) chunks.push(chunk);
-      return { name: file.suggestedFilename(), content: Buffer.concat(chunks) };
-    };
     const sites = await download('#download-sites');
     assert.equal(sites.name, 'bunny-sites.json');
     assert.deepEqual(JSON.parse(sites.content), await viewer.sites());

@@ -8,8 +8,15 @@ import type {
   MeshInfo,
   MeshRepairs,
   Metric,
+  Partition,
+  PartitionOptions,
+  PolygonMesh,
+  PolygonTopology,
+  RemeshQuality,
   Sampling,
   SurfacePoints,
+  Violation,
+  ViolationKind,
 } from './types.js';
 import { WasmModule, type CopyIn } from './wasm_module.js';
 
@@ -41,6 +48,15 @@ interface CoreFunctions {
   ): number;
   removeSite(voronoi: number, label: number): number;
   locate(voronoi: number, face: number, bary: number, count: number): number;
+  partitionVoronoi(
+    voronoi: number,
+    leaveOutIndifferent: number,
+    leaveOutUnreachable: number,
+  ): number;
+  dualVoronoi(voronoi: number, primal: number): number;
+  dualViolations(voronoi: number): number;
+  dualQuality(voronoi: number): number;
+  repairingSites(voronoi: number): number;
   freeVoronoi(voronoi: number): void;
   startCvt(
     mesh: number,
@@ -68,6 +84,19 @@ export const metrics: readonly Metric[] = ['dgpc', 'exact'];
 export const cvtMethods: readonly CvtMethod[] = ['lloyd', 'lbfgs'];
 /** In the order of `Sampling` in `bindings.cpp`. */
 export const samplings: readonly Sampling[] = ['random', 'farthest', 'poisson'];
+
+/** In the order of `gvd::Violation::Kind`. */
+const violationKinds: readonly ViolationKind[] = [
+  'unreachable',
+  'no-region',
+  'few-runs',
+  'closed-border',
+  'no-disk',
+  'touches-itself',
+  'two-meet-twice',
+  'three-meet-twice',
+  'no-manifold',
+];
 
 /** How a slice of work has ended: `SliceEnd` in `bindings.cpp`. */
 const sliceDone = 2;
@@ -107,6 +136,27 @@ const repairCounts = [
   'flippedTriangles',
   'splitVertices',
 ] as const satisfies (keyof MeshRepairs)[];
+
+/** After `isManifold`. */
+const topologyCounts = [
+  'vertices',
+  'edges',
+  'faces',
+  'components',
+  'boundaryLoops',
+  'eulerCharacteristic',
+  'genus',
+] as const satisfies (keyof PolygonTopology)[];
+
+const qualityNumbers = [
+  'triangles',
+  'minAngle',
+  'meanMinAngle',
+  'minValence',
+  'maxValence',
+  'regularShare',
+  'hausdorff',
+] as const satisfies (keyof RemeshQuality)[];
 
 declare const kind: unique symbol;
 /** The address of a mesh, or of a diagram under way or done, in core.wasm. */
@@ -166,9 +216,13 @@ export class Core {
     );
   }
 
-  startVoronoi(mesh: MeshPointer, sites: SurfacePoints, metric: Metric): VoronoiPointer {
+  startVoronoi(
+    owner: MeshPointer | VoronoiPointer,
+    sites: SurfacePoints,
+    metric: Metric,
+  ): VoronoiPointer {
     return this.#wasm.call((core, copyIn) =>
-      core.startVoronoi(mesh, ...copyPoints(copyIn, sites), metrics.indexOf(metric)),
+      core.startVoronoi(owner, ...copyPoints(copyIn, sites), metrics.indexOf(metric)),
     ) as VoronoiPointer;
   }
 
@@ -210,6 +264,42 @@ export class Core {
       core.locate(voronoi, ...copyPoints(copyIn, points)),
     ) as [Int32Array, Float64Array];
     return { label, distance };
+  }
+
+  /** The partition by the diagram traced last; so with all that follows. */
+  partition(
+    voronoi: VoronoiPointer,
+    { leaveOutIndifferent, leaveOutUnreachable }: Required<PartitionOptions>,
+  ): Partition {
+    return partitionData(
+      this.#wasm.arrays((core) =>
+        core.partitionVoronoi(voronoi, Number(leaveOutIndifferent), Number(leaveOutUnreachable)),
+      ),
+    );
+  }
+
+  dual(voronoi: VoronoiPointer, primal: boolean): PolygonMesh {
+    return polygonMesh(this.#wasm.arrays((core) => core.dualVoronoi(voronoi, Number(primal))));
+  }
+
+  violations(voronoi: VoronoiPointer): Violation[] {
+    const [kinds, offset, labels, ...messages] = this.#wasm.arrays((core) =>
+      core.dualViolations(voronoi),
+    ) as [Int32Array, Int32Array, Int32Array, ...string[]];
+    return messages.map((message, i) => ({
+      kind: violationKinds[kinds[i]],
+      labels: [...labels.subarray(offset[i], offset[i + 1])],
+      message,
+    }));
+  }
+
+  quality(voronoi: VoronoiPointer): RemeshQuality {
+    const [numbers] = this.#wasm.arrays((core) => core.dualQuality(voronoi)) as [Float64Array];
+    return named(qualityNumbers, numbers);
+  }
+
+  repairingSites(voronoi: VoronoiPointer): SurfacePoints {
+    return surfacePoints(this.#wasm.arrays((core) => core.repairingSites(voronoi)));
   }
 
   freeVoronoi(voronoi: VoronoiPointer): void {
@@ -262,10 +352,20 @@ export class Core {
   }
 }
 
-function diagramData(arrays: readonly unknown[]): Omit<DiagramData, 'siteCount'> {
+/** Takes one array after the other. */
+function reader(arrays: readonly unknown[]): {
+  ints: () => Int32Array;
+  doubles: () => Float64Array;
+} {
   const rest = arrays.values();
-  const ints = () => rest.next().value as Int32Array;
-  const doubles = () => rest.next().value as Float64Array;
+  return {
+    ints: () => rest.next().value as Int32Array,
+    doubles: () => rest.next().value as Float64Array,
+  };
+}
+
+function diagramData(arrays: readonly unknown[]): Omit<DiagramData, 'siteCount'> {
+  const { ints, doubles } = reader(arrays);
   // Evaluated from top to bottom: the order of `addDiagram` in bindings.cpp.
   return {
     points: { face: ints(), bary: doubles(), position: doubles() },
@@ -280,6 +380,44 @@ function diagramData(arrays: readonly unknown[]): Omit<DiagramData, 'siteCount'>
   };
 }
 
+function partitionData(arrays: readonly unknown[]): Partition {
+  const { ints, doubles } = reader(arrays);
+  return {
+    points: { face: ints(), bary: doubles(), position: doubles() },
+    triangles: { points: ints(), label: ints(), face: ints(), bary: doubles() },
+    regions: {
+      triangleOffset: ints(),
+      area: doubles(),
+      perimeter: doubles(),
+      boundaryLength: doubles(),
+      centroid: doubles(),
+      nearCentroid: { face: ints(), bary: doubles() },
+      components: ints(),
+      loops: ints(),
+      eulerCharacteristic: ints(),
+      genus: ints(),
+      selfTouchings: ints(),
+      neighbours: { offset: ints(), label: ints(), length: doubles() },
+    },
+  };
+}
+
+function polygonMesh(arrays: readonly unknown[]): PolygonMesh {
+  const { ints, doubles } = reader(arrays);
+  return {
+    points: { face: ints(), bary: doubles(), position: doubles() },
+    faces: { offset: ints(), points: ints() },
+    vertexLabel: ints(),
+    faceLabel: ints(),
+    triangles: { points: ints(), face: ints() },
+    topology: topology(ints()),
+  };
+}
+
+function topology([isManifold, ...counts]: Int32Array): PolygonTopology {
+  return { isManifold: isManifold === 1, ...named(topologyCounts, counts) };
+}
+
 function diagramChange(arrays: readonly unknown[]): DiagramChange {
   const [[label], labels, faces, ...part] = arrays as [Int32Array, Int32Array, Int32Array];
   return { label, labels, faces, part: diagramData(part) };
@@ -287,7 +425,7 @@ function diagramChange(arrays: readonly unknown[]): DiagramChange {
 
 function named<Name extends string>(
   names: readonly Name[],
-  values: Int32Array,
+  values: ArrayLike<number>,
 ): Record<Name, number> {
   return Object.fromEntries(names.map((name, i) => [name, values[i]])) as Record<Name, number>;
 }

@@ -18,9 +18,14 @@ import type {
   MeshInfo,
   MeshPart,
   Metric,
+  Partition,
+  PartitionOptions,
+  PolygonMesh,
+  RemeshQuality,
   Sampling,
   SurfacePoints,
   TaskOptions,
+  Violation,
 } from './types.js';
 
 /** A mesh, a diagram or a tessellation that an engine keeps; never used twice, so a stale one is known as such. */
@@ -29,6 +34,9 @@ export type Handle = number;
 export interface Triangles {
   positions: Float64Array;
   indices: Int32Array;
+  /** Per vertex, or empty; the core has no use for them. */
+  normals: Float64Array;
+  uvs: Float64Array;
 }
 
 export interface GltfFile {
@@ -68,8 +76,9 @@ export interface Engine {
     sampling: Sampling,
     seed: number,
   ): Promise<SurfacePoints>;
+  /** `owner` is a mesh or a diagram on it. */
   openDiagram(
-    mesh: Handle,
+    owner: Handle,
     sites: SurfacePoints,
     options: { metric: Metric; detail: number },
     task: TaskOptions,
@@ -79,6 +88,12 @@ export interface Engine {
   moveSite(diagram: Handle, label: number, site: SurfacePoints): Promise<DiagramChange>;
   removeSite(diagram: Handle, label: number): Promise<DiagramChange>;
   locate(diagram: Handle, points: SurfacePoints): Promise<Located>;
+  partition(diagram: Handle, options: Required<PartitionOptions>): Promise<Partition>;
+  dual(diagram: Handle, primal: boolean): Promise<PolygonMesh>;
+  violations(diagram: Handle): Promise<Violation[]>;
+  quality(diagram: Handle): Promise<RemeshQuality>;
+  /** The sites that a round of repair adds; none if there is nothing to repair. */
+  repairingSites(diagram: Handle): Promise<SurfacePoints>;
   openCvt(mesh: Handle, sites: SurfacePoints, settings: CvtSettings): Promise<OpenedCvt>;
   /** The next iteration, the first time number 0; nothing after the last one. */
   advanceCvt(cvt: Handle, withData: boolean, task: TaskOptions): Promise<CvtState | undefined>;
@@ -149,7 +164,7 @@ export class LocalEngine implements Engine {
   }
 
   async pointsAtVertices(owner: Handle, vertex: Int32Array): Promise<SurfacePoints> {
-    return this.#open().pointsAtVertices(this.#diagrams.get(owner) ?? this.#mesh(owner), vertex);
+    return this.#open().pointsAtVertices(this.#surface(owner), vertex);
   }
 
   async sampleSites(
@@ -162,14 +177,14 @@ export class LocalEngine implements Engine {
   }
 
   async openDiagram(
-    mesh: Handle,
+    owner: Handle,
     sites: SurfacePoints,
     { metric, detail }: { metric: Metric; detail: number },
     task: TaskOptions,
   ): Promise<OpenedDiagram> {
     task.signal?.throwIfAborted();
     const core = this.#open();
-    const voronoi = core.startVoronoi(this.#mesh(mesh), sites, metric);
+    const voronoi = core.startVoronoi(this.#surface(owner), sites, metric);
     try {
       await this.#inSlices(() => core.stepVoronoi(voronoi, entriesPerStep), {
         signal: task.signal,
@@ -243,6 +258,26 @@ export class LocalEngine implements Engine {
     return core.locate(pointerOf(this.#diagrams, diagram), points);
   }
 
+  async partition(diagram: Handle, options: Required<PartitionOptions>): Promise<Partition> {
+    return this.#open().partition(pointerOf(this.#diagrams, diagram), options);
+  }
+
+  async dual(diagram: Handle, primal: boolean): Promise<PolygonMesh> {
+    return this.#open().dual(pointerOf(this.#diagrams, diagram), primal);
+  }
+
+  async violations(diagram: Handle): Promise<Violation[]> {
+    return this.#open().violations(pointerOf(this.#diagrams, diagram));
+  }
+
+  async quality(diagram: Handle): Promise<RemeshQuality> {
+    return this.#open().quality(pointerOf(this.#diagrams, diagram));
+  }
+
+  async repairingSites(diagram: Handle): Promise<SurfacePoints> {
+    return this.#open().repairingSites(pointerOf(this.#diagrams, diagram));
+  }
+
   close(handle: Handle): void {
     const mesh = this.#meshes.get(handle);
     const diagram = this.#diagrams.get(handle);
@@ -271,6 +306,10 @@ export class LocalEngine implements Engine {
 
   #mesh(handle: Handle): MeshPointer {
     return pointerOf(this.#meshes, handle);
+  }
+
+  #surface(owner: Handle): MeshPointer | VoronoiPointer {
+    return this.#diagrams.get(owner) ?? this.#mesh(owner);
   }
 
   #keep<Pointer>(pointers: Map<Handle, Pointer>, pointer: Pointer): Handle {

@@ -2,6 +2,7 @@
 //
 // A diagram as a file. `scale` is what lengths are multiplied with on the way out.
 
+import { GlbBuilder } from './glb.js';
 import type { Diagram, DiagramData, SurfacePoints } from './types.js';
 
 /** The JSON form of a list of points. */
@@ -54,7 +55,7 @@ export function diagramJson(
   };
 }
 
-function pointsJson({ face, bary }: SurfacePoints): SurfacePointsJson {
+export function pointsJson({ face, bary }: SurfacePoints): SurfacePointsJson {
   return { face: [...face], bary: [...bary] };
 }
 
@@ -81,75 +82,32 @@ export function diagramGlb({ points, segments }: DiagramData, scale = 1): Uint8A
   used.forEach((point, i) => {
     for (let k = 0; k < 3; ++k) positions[3 * i + k] = scale * points.position[3 * point + k];
   });
-  const asset = { version: '2.0', generator: 'geodesic-voronoi' };
+  const file = new GlbBuilder();
   // One region, no bisectors: glTF has no empty primitive.
-  if (used.length === 0) return glb({ asset, scene: 0, scenes: [{}] }, []);
-
-  const axis = (k: number) => positions.filter((_, i) => i % 3 === k);
-  const float = 5126;
-  const unsignedInt = 5125;
-  return glb(
-    {
-      asset,
-      scene: 0,
-      scenes: [{ nodes: [0] }],
-      nodes: [{ name: 'bisectors', mesh: 0 }],
-      meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1, mode: 1 }] }],
-      accessors: [
-        {
-          bufferView: 0,
-          componentType: float,
-          count: used.length,
-          type: 'VEC3',
-          min: [0, 1, 2].map((k) => axis(k).reduce((a, b) => Math.min(a, b))),
-          max: [0, 1, 2].map((k) => axis(k).reduce((a, b) => Math.max(a, b))),
-        },
-        { bufferView: 1, componentType: unsignedInt, count: numbers.length, type: 'SCALAR' },
-      ],
-      bufferViews: [
-        { buffer: 0, byteOffset: 0, byteLength: positions.byteLength },
-        { buffer: 0, byteOffset: positions.byteLength, byteLength: numbers.byteLength },
-      ],
-      buffers: [{ byteLength: positions.byteLength + numbers.byteLength }],
-    },
-    [positions, numbers],
-  );
+  if (used.length === 0) return file.finish({ scene: 0, scenes: [{}] });
+  const lines = 1;
+  const primitive = {
+    attributes: { POSITION: file.attribute(positions, 'VEC3') },
+    indices: file.indices(numbers),
+    mode: lines,
+  };
+  return file.finish({
+    scene: 0,
+    scenes: [{ nodes: [0] }],
+    nodes: [{ name: 'bisectors', mesh: 0 }],
+    meshes: [{ primitives: [primitive] }],
+  });
 }
 
 /** The points that a list names, ascending, and the list in terms of them. */
 function compact(
   list: Int32Array,
   pointCount: number,
-): { used: Uint32Array; numbers: Uint32Array } {
+): { used: Uint32Array; numbers: Uint32Array<ArrayBuffer> } {
   const number = new Uint32Array(pointCount);
   const used = new Uint32Array(new Set(list)).sort();
   used.forEach((point, i) => {
     number[point] = i;
   });
   return { used, numbers: Uint32Array.from(list, (point) => number[point]) };
-}
-
-/** A binary glTF of a JSON chunk and, if there is data, a BIN chunk; all of 4-byte elements. */
-function glb(json: object, data: (Float32Array | Uint32Array)[]): Uint8Array<ArrayBuffer> {
-  const text = new TextEncoder().encode(JSON.stringify(json));
-  const jsonLength = 4 * Math.ceil(text.length / 4);
-  const binLength = data.reduce((sum, array) => sum + array.byteLength, 0);
-  const length = 12 + 8 + jsonLength + (binLength > 0 ? 8 + binLength : 0);
-  const bytes = new Uint8Array(length);
-  const view = new DataView(bytes.buffer);
-  const writeWords = (offset: number, ...words: number[]) =>
-    words.forEach((word, i) => view.setUint32(offset + 4 * i, word, true));
-
-  writeWords(0, 0x46546c67 /* glTF */, 2, length, jsonLength, 0x4e4f534a /* JSON */);
-  bytes.fill(0x20, 20, 20 + jsonLength);
-  bytes.set(text, 20);
-  if (binLength === 0) return bytes;
-  let offset = 20 + jsonLength;
-  writeWords(offset, binLength, 0x004e4942 /* BIN */);
-  offset += 8;
-  for (const array of data) {
-    bytes.set(new Uint8Array(array.buffer, array.byteOffset, array.byteLength), offset);
-    offset += array.byteLength;
-  }
-  return bytes;
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+import type { Triangles } from './engine.js';
 import type { GltfResources, MeshPart } from './types.js';
 import { WasmModule } from './wasm_module.js';
 
@@ -12,9 +13,7 @@ interface GltfFunctions {
 }
 
 /** The triangles of a glTF scene in world space. */
-export interface GltfScene {
-  positions: Float64Array;
-  indices: Int32Array;
+export interface GltfScene extends Triangles {
   parts: MeshPart[];
   notes: string[];
 }
@@ -31,7 +30,7 @@ export async function readGltf(
   const wasm = await WasmModule.instantiate<GltfFunctions>(module);
   const utf8 = new TextEncoder();
   const entries = Object.entries(resources);
-  const [positions, indices, numbers, ...texts] = wasm.arrays((gltf, copyIn) => {
+  const [positions, indices, normals, uvs, numbers, ...texts] = wasm.arrays((gltf, copyIn) => {
     const rows = entries.flatMap(([name, content]) => {
       const uri = utf8.encode(name);
       return [copyIn(uri), uri.length, copyIn(content), content.length];
@@ -42,14 +41,14 @@ export async function readGltf(
       copyIn(Uint32Array.from(rows)),
       entries.length,
     );
-  }) as [Float64Array, Int32Array, Int32Array, ...string[]];
+  }) as [Float64Array, Int32Array, Float64Array, Float64Array, Int32Array, ...string[]];
 
   const partCount = numbers.length / 5;
   const parts = texts.slice(0, partCount).map((name, i) => {
     const [node, mesh, primitive, firstTriangle, triangleCount] = numbers.subarray(5 * i);
     return { name, node, mesh, primitive, firstTriangle, triangleCount };
   });
-  return { positions, indices, parts, notes: texts.slice(partCount) };
+  return { positions, indices, normals, uvs, parts, notes: texts.slice(partCount) };
 }
 
 /**

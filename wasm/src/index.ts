@@ -14,6 +14,10 @@ export type { LoadOptions, WasmSource };
 export { GeodesicVoronoiError };
 export { gltfResourceUris } from './gltf.js';
 export { diagramGlb, diagramJson, diagramObj } from './formats.js';
+export type { PartitionFileOptions, PartitionGlbOptions } from './partition_formats.js';
+export type { PolygonFileOptions } from './polygon_formats.js';
+export { partitionGlb, partitionJson, partitionObj, partitionPly } from './partition_formats.js';
+export { polygonGlb, polygonJson, polygonObj, polygonPly } from './polygon_formats.js';
 
 /** The library on the calling thread. Long work is done in slices of about 12 ms. */
 export function load(options: LoadOptions = {}): Promise<GeodesicVoronoi> {

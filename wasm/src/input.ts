@@ -11,6 +11,7 @@ import type {
   GltfResources,
   MeshSource,
   Metric,
+  PartitionOptions,
   Sampling,
   SurfacePoints,
   SurfacePointsInput,
@@ -29,9 +30,12 @@ export function toTriangles(
   if (source instanceof Uint8Array) return { bytes: source, resources };
   if (source instanceof ArrayBuffer) return { bytes: new Uint8Array(source), resources };
   if (isObject(source) && 'positions' in source && 'indices' in source) {
+    const positions = toFloat64('positions', source.positions);
     return {
-      positions: toFloat64('positions', source.positions),
+      positions,
       indices: toInt32('indices', source.indices),
+      normals: toAttribute('normals', source.normals, positions.length),
+      uvs: toAttribute('uvs', source.uvs, (positions.length / 3) * 2),
     };
   }
   throw invalidArgument(
@@ -57,6 +61,17 @@ export function toPoints(
     );
   }
   return { face, bary };
+}
+
+/** Numbers per vertex, or none. */
+function toAttribute(
+  name: string,
+  values: ArrayLike<number> = [],
+  expected: number,
+): Float64Array {
+  const numbers = toFloat64(name, values);
+  if (numbers.length === 0 || numbers.length === expected) return numbers;
+  throw invalidArgument(`${name} has ${numbers.length} numbers, not ${expected}`);
 }
 
 export function toMetric(metric: Metric): Metric {
@@ -94,6 +109,17 @@ function toTolerance(name: string, value: number): number {
 function toOneOf<Name extends string>(what: string, name: Name, names: readonly Name[]): Name {
   if (names.includes(name)) return name;
   throw invalidArgument(`${what} is ${show(name)}, not one of ${names.join(', ')}`);
+}
+
+export function toPartitionOptions({
+  leaveOutIndifferent = false,
+  leaveOutUnreachable = false,
+}: PartitionOptions): Required<PartitionOptions> {
+  return { leaveOutIndifferent, leaveOutUnreachable };
+}
+
+export function toMaxAdded(maxAdded: number): number {
+  return toInteger('maxAdded', maxAdded, 0, maxCount);
 }
 
 export function toDetail(detail: number): number {

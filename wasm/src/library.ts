@@ -10,7 +10,9 @@ import {
   toCvtSettings,
   toDetail,
   toLabel,
+  toMaxAdded,
   toMetric,
+  toPartitionOptions,
   toPoints,
   toSampling,
   toSeed,
@@ -24,6 +26,7 @@ import type {
   Diagram,
   DiagramChange,
   DiagramData,
+  DualOptions,
   GeodesicVoronoi,
   GltfResources,
   Located,
@@ -32,10 +35,17 @@ import type {
   MeshPart,
   MeshSource,
   Metric,
+  Partition,
+  PartitionOptions,
+  PolygonMesh,
   Region,
+  RemeshQuality,
+  RepairOptions,
   Sampling,
   SurfacePoints,
   SurfacePointsInput,
+  TaskOptions,
+  Violation,
   VoronoiOptions,
 } from './types.js';
 
@@ -78,6 +88,7 @@ class Kept {
 
 class EngineDiagram implements Diagram {
   readonly metric: Metric;
+  readonly #detail: number;
   readonly #kept: Kept;
   #sites: SurfacePoints;
   #data: DiagramData;
@@ -88,11 +99,12 @@ class EngineDiagram implements Diagram {
 
   constructor(
     engine: Engine,
-    metric: Metric,
+    { metric, detail }: { metric: Metric; detail: number },
     sites: SurfacePoints,
     { handle, data }: OpenedDiagram,
   ) {
     this.metric = metric;
+    this.#detail = detail;
     this.#sites = sites;
     this.#data = data;
     this.#kept = new Kept(this, 'diagram', engine, handle);
@@ -154,6 +166,75 @@ class EngineDiagram implements Diagram {
     return this.#kept.engine.locate(this.#kept.handle, resolved);
   }
 
+  async partition(options: PartitionOptions = {}): Promise<Partition> {
+    return this.#kept.engine.partition(this.#kept.handle, toPartitionOptions(options));
+  }
+
+  async dual({ primal = false }: DualOptions = {}): Promise<PolygonMesh> {
+    return this.#kept.engine.dual(this.#kept.handle, primal);
+  }
+
+  async violations(): Promise<Violation[]> {
+    return this.#kept.engine.violations(this.#kept.handle);
+  }
+
+  async remeshQuality(): Promise<RemeshQuality> {
+    return this.#kept.engine.quality(this.#kept.handle);
+  }
+
+  async repair({ maxAdded = 1000, onProgress, signal }: RepairOptions = {}): Promise<Diagram> {
+    const most = this.sites.face.length + toMaxAdded(maxAdded);
+    let diagram: EngineDiagram = this;
+    let share = 0;
+    for (;;) {
+      const before = diagram;
+      try {
+        const sites = await before.#moreSites(most);
+        if (!sites) break;
+        // How many rounds there will be, nobody knows: each is half of what is left.
+        const rest = (1 - share) / 2;
+        diagram = await before.#anew(sites, {
+          signal,
+          onProgress: (part) => onProgress?.(share + rest * part),
+        });
+        share += rest;
+      } catch (error) {
+        if (before !== this) before.dispose();
+        throw error;
+      }
+      if (before !== this) before.dispose();
+    }
+    onProgress?.(1);
+    return diagram;
+  }
+
+  /** These sites and those of one round of repair; nothing if there is nothing to repair. */
+  async #moreSites(most: number): Promise<SurfacePoints | undefined> {
+    const { engine, handle } = this.#kept;
+    const added = await engine.repairingSites(handle);
+    if (added.face.length === 0) return undefined;
+    const { face, bary } = this.sites;
+    if (face.length + added.face.length > most) {
+      const [{ message }] = await engine.violations(handle);
+      throw new GeodesicVoronoiError(
+        'invalid-argument',
+        `the dual is not valid with as many sites as may be added: ${message}`,
+      );
+    }
+    return {
+      face: Int32Array.from([...face, ...added.face]),
+      bary: Float64Array.from([...bary, ...added.bary]),
+    };
+  }
+
+  /** The diagram of other sites on the same mesh. */
+  async #anew(sites: SurfacePoints, task: TaskOptions): Promise<EngineDiagram> {
+    const { engine, handle } = this.#kept;
+    const form = { metric: this.metric, detail: this.#detail };
+    const opened = await engine.openDiagram(handle, sites, form, task);
+    return new EngineDiagram(engine, form, sites, opened);
+  }
+
   dispose(): void {
     this.#kept.dispose();
   }
@@ -167,17 +248,21 @@ class EngineMesh implements Mesh {
   readonly info: MeshInfo;
   readonly positions: Float64Array;
   readonly indices: Int32Array;
+  readonly normals: Float64Array;
+  readonly uvs: Float64Array;
   readonly parts: readonly MeshPart[];
   readonly #kept: Kept;
 
   constructor(
     engine: Engine,
     { handle, info, parts }: OpenedMesh,
-    { positions, indices }: Triangles,
+    { positions, indices, normals, uvs }: Triangles,
   ) {
     this.info = info;
     this.positions = positions;
     this.indices = indices;
+    this.normals = normals;
+    this.uvs = uvs;
     this.parts = parts;
     this.#kept = new Kept(this, 'mesh', engine, handle);
   }
@@ -196,7 +281,7 @@ class EngineMesh implements Mesh {
     const points = await resolvePoints(this.#kept, 'sites', sites);
     const { engine, handle } = this.#kept;
     const opened = await engine.openDiagram(handle, points, form, { onProgress, signal });
-    return new EngineDiagram(engine, form.metric, points, opened);
+    return new EngineDiagram(engine, form, points, opened);
   }
 
   async *cvt(

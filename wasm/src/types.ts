@@ -134,6 +134,127 @@ export interface VoronoiOptions extends TaskOptions {
   detail?: number;
 }
 
+export interface PartitionOptions {
+  /** Leaves holes where labels tie on a whole face, instead of giving it to the lowest. */
+  leaveOutIndifferent?: boolean;
+  /** Leaves out the components without a site. */
+  leaveOutUnreachable?: boolean;
+}
+
+/**
+ * A mesh cut into the regions of a diagram: one mesh of triangles, in which regions share the points
+ * on their borders, closed where the input is. Flat arrays, yours to keep or to transfer.
+ * `core/include/gvd/partition.h` holds the definitions.
+ */
+export interface Partition {
+  points: SurfacePoints & { position: Float64Array };
+  /**
+   * Three points each, ascending by label, what no site reaches (-1) last. `face` is the input
+   * triangle each is part of, and `bary` its corners in terms of it, nine numbers each: what belongs
+   * to a triangle's corners is interpolated by these.
+   */
+  triangles: { points: Int32Array; label: Int32Array; face: Int32Array; bary: Float64Array };
+  regions: PartitionRegions;
+}
+
+/** Facts of each region, by label; for a site without region zeros, and NaN for the centroid. */
+export interface PartitionRegions {
+  /** Those of region i are triangles `triangleOffset[i] … triangleOffset[i + 1] - 1`. */
+  triangleOffset: Int32Array;
+  area: Float64Array;
+  /** Of the outline: borders, mesh boundary and holes left for indifferent faces. */
+  perimeter: Float64Array;
+  /** Of the perimeter, what has no region beyond it. */
+  boundaryLength: Float64Array;
+  /** In space, three numbers each: off the surface where that is bent. */
+  centroid: Float64Array;
+  /** The points of the regions nearest to these; face -1 for a site without region. */
+  nearCentroid: SurfacePoints;
+  components: Int32Array;
+  /** Closed outlines. A region is a disk if components, loops and Euler characteristic are 1. */
+  loops: Int32Array;
+  eulerCharacteristic: Int32Array;
+  genus: Int32Array;
+  /** How often a region touches itself in a point; the counts take it as cut apart there. */
+  selfTouchings: Int32Array;
+  /** Those of region i, ascending: `label[offset[i]] … `, and how long the borders with them are. */
+  neighbours: { offset: Int32Array; label: Int32Array; length: Float64Array };
+}
+
+export interface DualOptions {
+  /** The regions as polygons, with the Voronoi points for corners, instead. Default false. */
+  primal?: boolean;
+}
+
+/**
+ * The dual of a diagram, or its regions as polygons; `core/include/gvd/dual.h` says what is done on
+ * the mesh boundary. Counterclockwise as the surface is, sides straight in space.
+ */
+export interface PolygonMesh {
+  points: SurfacePoints & { position: Float64Array };
+  faces: PointLists;
+  /** Per point of a dual, its region: point i is site i, those after are on the boundary. */
+  vertexLabel: Int32Array;
+  /** Per face of the regions as polygons, its region. */
+  faceLabel: Int32Array;
+  /** The polygons cut along diagonals: three points each, and the polygon each is part of. */
+  triangles: { points: Int32Array; face: Int32Array };
+  topology: PolygonTopology;
+}
+
+/** Of the polygons welded by their points; points without a polygon do not count. */
+export interface PolygonTopology {
+  /** If not, boundary loops and genus mean nothing. */
+  isManifold: boolean;
+  vertices: number;
+  edges: number;
+  faces: number;
+  components: number;
+  boundaryLoops: number;
+  eulerCharacteristic: number;
+  genus: number;
+}
+
+/** Why a dual is no faithful picture of the surface, see `Violation` in `core/include/gvd/dual.h`. */
+export type ViolationKind =
+  | 'unreachable'
+  | 'no-region'
+  | 'few-runs'
+  | 'closed-border'
+  | 'no-disk'
+  | 'touches-itself'
+  | 'two-meet-twice'
+  | 'three-meet-twice'
+  | 'no-manifold';
+
+export interface Violation {
+  kind: ViolationKind;
+  /** The regions concerned, ascending. */
+  labels: number[];
+  /** One sentence that names them. */
+  message: string;
+}
+
+/** How good the triangles of a dual are as a remesh of the surface. */
+export interface RemeshQuality {
+  triangles: number;
+  /** The least angle, and the mean of each triangle's least one, in degrees: 60 at best. */
+  minAngle: number;
+  meanMinAngle: number;
+  /** Neighbours of a vertex inside: 6 at best; 0 if there is none inside. */
+  minValence: number;
+  maxValence: number;
+  /** Of the vertices inside, the share with 6 neighbours. */
+  regularShare: number;
+  /** How far the two surfaces are apart at most, either way, by samples; in the input's units. */
+  hausdorff: number;
+}
+
+export interface RepairOptions extends TaskOptions {
+  /** How many sites may be added. Default 1000. */
+  maxAdded?: number;
+}
+
 export interface CvtOptions {
   /** Default 'lbfgs'. */
   method?: CvtMethod;
@@ -169,8 +290,16 @@ export interface CvtState {
 /** Bytes of the files that a `.gltf` names, by the URI it uses (`gltfResourceUris` lists them). */
 export type GltfResources = Record<string, Uint8Array>;
 
+/** Bytes of a glTF, or triangles; these with normals (3) and texture coordinates (2) per vertex. */
 export type MeshSource =
-  Uint8Array | ArrayBuffer | { positions: ArrayLike<number>; indices: ArrayLike<number> };
+  | Uint8Array
+  | ArrayBuffer
+  | {
+      positions: ArrayLike<number>;
+      indices: ArrayLike<number>;
+      normals?: ArrayLike<number>;
+      uvs?: ArrayLike<number>;
+    };
 
 /** Where a run of input triangles came from, by the indices of the glTF; in scene order. */
 export interface MeshPart {
@@ -211,6 +340,22 @@ export interface Diagram extends Disposable {
   /** The other sites keep their labels; this one's region is empty from then on. */
   removeSite(label: number): Promise<DiagramChange>;
   locate(points: SurfacePointsInput): Promise<Located>;
+  /** The mesh cut into the regions. */
+  partition(options?: PartitionOptions): Promise<Partition>;
+  /**
+   * The polygonal base mesh: a vertex per site, a polygon per Voronoi point. It is a manifold with
+   * the topology of the surface if there are no `violations`.
+   */
+  dual(options?: DualOptions): Promise<PolygonMesh>;
+  /** Why the dual is no faithful picture of the surface; nothing if it is. */
+  violations(): Promise<Violation[]>;
+  /** How good the dual is as a remesh of the surface. */
+  remeshQuality(): Promise<RemeshQuality>;
+  /**
+   * A diagram of these sites and as few more as a greedy choice finds, without violations: this one
+   * itself if it has none.
+   */
+  repair(options?: RepairOptions): Promise<Diagram>;
   dispose(): void;
 }
 
@@ -219,6 +364,9 @@ export interface Mesh extends Disposable {
   /** The input in world space: x, y, z per input vertex, three vertices per input triangle. */
   readonly positions: Float64Array;
   readonly indices: Int32Array;
+  /** Per input vertex normals (3 numbers) and texture coordinates (2); empty if it came without. */
+  readonly normals: Float64Array;
+  readonly uvs: Float64Array;
   /** Of a glTF; empty for a mesh of arrays. */
   readonly parts: readonly MeshPart[];
   /**

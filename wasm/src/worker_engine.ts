@@ -16,9 +16,14 @@ import type {
   DiagramChange,
   Located,
   Metric,
+  Partition,
+  PartitionOptions,
+  PolygonMesh,
+  RemeshQuality,
   Sampling,
   SurfacePoints,
   TaskOptions,
+  Violation,
 } from './types.js';
 import type { EngineCall, Loaded, Reply, Request, WorkerPort } from './worker_protocol.js';
 
@@ -81,12 +86,12 @@ export class WorkerEngine implements Engine {
   }
 
   openDiagram(
-    mesh: Handle,
+    owner: Handle,
     sites: SurfacePoints,
     options: { metric: Metric; detail: number },
     task: TaskOptions,
   ): Promise<OpenedDiagram> {
-    return this.#request('openDiagram', [mesh, sites, options], task);
+    return this.#request('openDiagram', [owner, sites, options], task);
   }
 
   insertSite(diagram: Handle, site: SurfacePoints): Promise<DiagramChange> {
@@ -103,6 +108,26 @@ export class WorkerEngine implements Engine {
 
   locate(diagram: Handle, points: SurfacePoints): Promise<Located> {
     return this.#request('locate', [diagram, points]);
+  }
+
+  partition(diagram: Handle, options: Required<PartitionOptions>): Promise<Partition> {
+    return this.#request('partition', [diagram, options]);
+  }
+
+  dual(diagram: Handle, primal: boolean): Promise<PolygonMesh> {
+    return this.#request('dual', [diagram, primal]);
+  }
+
+  violations(diagram: Handle): Promise<Violation[]> {
+    return this.#request('violations', [diagram]);
+  }
+
+  quality(diagram: Handle): Promise<RemeshQuality> {
+    return this.#request('quality', [diagram]);
+  }
+
+  repairingSites(diagram: Handle): Promise<SurfacePoints> {
+    return this.#request('repairingSites', [diagram]);
   }
 
   openCvt(mesh: Handle, sites: SurfacePoints, settings: CvtSettings): Promise<OpenedCvt> {

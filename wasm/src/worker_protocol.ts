@@ -12,6 +12,11 @@ export type EngineCall =
   | 'moveSite'
   | 'removeSite'
   | 'locate'
+  | 'partition'
+  | 'dual'
+  | 'violations'
+  | 'quality'
+  | 'repairingSites'
   | 'openCvt'
   | 'advanceCvt';
 

@@ -1,7 +1,46 @@
 // SPDX-License-Identifier: MIT
-import { diagramGlb, diagramJson } from 'geodesic-voronoi';
+import {
+  type Diagram,
+  diagramGlb,
+  diagramJson,
+  partitionGlb,
+  partitionObj,
+  partitionPly,
+  type PolygonFileOptions,
+  polygonGlb,
+  polygonObj,
+  polygonPly,
+} from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { listen, onClick } from './dom.js';
+
+type Content = string | Uint8Array;
+type Encoder = (diagram: Diagram, options: PolygonFileOptions) => Promise<Content>;
+
+/** What can be had as a mesh in several formats: by its name, then by its ending. */
+const meshes: Record<string, Record<string, Encoder>> = {
+  parts: {
+    glb: async (diagram, options) => partitionGlb(await diagram.partition(), options),
+    obj: async (diagram, options) => partitionObj(await diagram.partition(), options),
+    ply: async (diagram, options) => partitionPly(await diagram.partition(), options),
+  },
+  polygons: polygonEncoders(true),
+  dual: polygonEncoders(false),
+};
+
+function polygonEncoders(primal: boolean): Record<string, Encoder> {
+  return {
+    glb: async (diagram, options) => polygonGlb(await diagram.dual({ primal }), options),
+    obj: async (diagram, options) => polygonObj(await diagram.dual({ primal }), options),
+    ply: async (diagram, options) => polygonPly(await diagram.dual({ primal }), options),
+  };
+}
+
+const mediaTypes: Record<string, string> = {
+  glb: 'model/gltf-binary',
+  obj: 'model/obj',
+  ply: 'application/octet-stream',
+};
 
 /** Files to take away, named after the model. */
 export function setUpDownloads(viewer: GeodesicVoronoiElement): void {
@@ -21,6 +60,17 @@ export function setUpDownloads(viewer: GeodesicVoronoiElement): void {
       save(new Blob([bytes], { type: 'model/gltf-binary' }), `${model}-bisectors.glb`);
     }),
   ];
+  for (const [name, encoders] of Object.entries(meshes)) {
+    for (const [ending, encode] of Object.entries(encoders)) {
+      const button = onClick(`download-${name}-${ending}`, async () => {
+        if (!viewer.diagram) return;
+        const content = await encode(viewer.diagram, { mesh: viewer.mesh });
+        const type = mediaTypes[ending];
+        save(new Blob([content as BlobPart], { type }), `${model}-${name}.${ending}`);
+      });
+      ofDiagram.push(button);
+    }
+  }
   onClick('download-sites', () => {
     const { face, bary } = viewer.sites;
     save(json({ face: [...face], bary: [...bary] }), `${model}-sites.json`);

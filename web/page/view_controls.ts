@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: MIT
 import { type GeodesicVoronoiElement, type Layer, layers } from '../viewer/element.js';
-import { byId } from './dom.js';
+import { byId, listen, onClick } from './dom.js';
 
 const layerTitles: Record<Layer, string> = {
   regions: 'Regions',
   bisectors: 'Bisectors',
   sites: 'Sites',
   'voronoi-points': 'Voronoi points',
+  dual: 'Dual',
   wireframe: 'Wireframe',
 };
 
 /** What is shown, and by which distance. */
 export function setUpViewControls(viewer: GeodesicVoronoiElement): void {
   setUpLayers(viewer);
+  setUpDual(viewer);
+  setUpExploded(viewer);
   setUpDistance(viewer);
 }
 
@@ -33,6 +36,46 @@ function setUpLayers(viewer: GeodesicVoronoiElement): void {
   group.addEventListener('change', () => {
     viewer.layers = boxes.filter((box) => box.checked).map((box) => box.value as Layer);
   });
+}
+
+/** Whether the dual that is drawn is a picture of the surface, and a way to make it one. */
+function setUpDual(viewer: GeodesicVoronoiElement): void {
+  const note = byId('dual-note', HTMLElement);
+  const repair = onClick('repair', async () => {
+    const { diagram } = viewer;
+    if (!diagram) return;
+    repair.disabled = true;
+    try {
+      const valid = await diagram.repair();
+      if (diagram === viewer.diagram) viewer.sites = valid.sites;
+      if (valid !== diagram) valid.dispose();
+    } catch (error) {
+      note.textContent = `Sites cannot be added: ${(error as Error).message}.`;
+    } finally {
+      repair.disabled = false;
+    }
+  });
+  listen(viewer, 'dual', (dual) => {
+    const [first, ...others] = dual?.violations ?? [];
+    const more = others.length > 0 ? `, and ${others.length} more` : '';
+    note.textContent = first
+      ? `The dual is no valid mesh of the surface: ${first.message}${more}.`
+      : 'The dual is a valid mesh of the surface.';
+    note.hidden = dual === null;
+    repair.hidden = first === undefined;
+  });
+}
+
+function setUpExploded(viewer: GeodesicVoronoiElement): void {
+  const slider = byId('exploded', HTMLInputElement);
+  slider.addEventListener('input', () => {
+    viewer.exploded = Number(slider.value) / 100;
+  });
+  const update = () => {
+    slider.disabled = viewer.diagram === undefined;
+  };
+  listen(viewer, 'diagram', update);
+  listen(viewer, 'cvt-iteration', update);
 }
 
 function setUpDistance(viewer: GeodesicVoronoiElement): void {

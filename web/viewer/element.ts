@@ -5,20 +5,26 @@
 import type {
   CvtMethod,
   Diagram,
+  Mesh,
   MeshInfo,
   MeshPart,
   Metric,
+  Partition,
+  PolygonMesh,
   Sampling,
   SurfacePoints,
+  Violation,
 } from 'geodesic-voronoi';
 import { Vector2 } from 'three';
 import { type Command, commandOf } from './commands.js';
 import type { CvtSettings } from './cvt_run.js';
 import { type Brush, DensityPaint } from './density_paint.js';
+import { Derived } from './derived.js';
 import { fillShadow } from './element_template.js';
 import { hexagonEnergy, rootDensityIntegral } from './hexagon_energy.js';
 import { Hover, type HoveredPoint } from './hover.js';
 import { type Layer, layers, ModelDrawing } from './model_drawing.js';
+import { widestSpread } from './exploded_parts.js';
 import { fetchModelFiles, type ModelFiles, readModelFiles } from './model_files.js';
 import { Picker, type SurfaceHit } from './picking.js';
 import { PointerGestures } from './pointer_gestures.js';
@@ -70,6 +76,10 @@ export interface ViewerEvents {
     /** From asking for it to having it. */
     milliseconds: number;
   };
+  /** The dual is drawn; null: it is not any more. It is a picture of the surface if nothing is wrong. */
+  dual: { polygons: number; violations: readonly Violation[] } | null;
+  /** The regions are drawn apart; null: they are together again. */
+  exploded: { regions: number; triangles: number } | null;
   /** The sites or the choice of one changed; the diagram follows. */
   'sites-change': { count: number; selected: number; canUndo: boolean; canRedo: boolean };
   /** Sites and diagram are those of an iteration now; a `diagram` event follows when it pauses. */
@@ -116,7 +126,8 @@ const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
  *
  * Attributes: `src` (address of a .glb or .gltf), `alt`, `sites` (how many are scattered on a new
  * model), their `seed` and `sampling` (random, farthest, poisson), `metric` (dgpc, exact), `detail` (0 …), `layers` (what is shown, separated
- * by spaces: regions, bisectors, sites, voronoi-points, wireframe), `cvt-method` (lbfgs, lloyd),
+ * by spaces: regions, bisectors, sites, voronoi-points, dual, wireframe), `exploded` (0 … 1: how far
+ * the regions are apart; then there is nothing to edit), `cvt-method` (lbfgs, lloyd),
  * `cvt-iterations`, `tool` (sites, density: what a press on the surface does), `brush-size` (in
  * hundredths of the model's radius), `brush-density`. `status` tells what it does.
  * Slot `poster`: shown until there is a model, and if there can be none. A model opened from a file is
@@ -132,6 +143,7 @@ export class GeodesicVoronoiElement extends Base {
     'metric',
     'detail',
     'layers',
+    'exploded',
   ];
 
   #connected: Connected | undefined;
@@ -139,6 +151,14 @@ export class GeodesicVoronoiElement extends Base {
   #density: Density | undefined;
   #selected: number | undefined;
   readonly #changedAttributes = new Set<string>();
+  readonly #dual = new Derived(
+    async (diagram) => ({ dual: await diagram.dual(), violations: await diagram.violations() }),
+    (result) => this.#showDual(result),
+  );
+  readonly #parts = new Derived(
+    (diagram) => diagram.partition(),
+    (parts) => this.#showParts(parts),
+  );
 
   connectedCallback(): void {
     if (this.#connected) return;
@@ -204,6 +224,11 @@ export class GeodesicVoronoiElement extends Base {
 
   get status(): Status | 'failed' {
     return (this.getAttribute('status') ?? 'empty') as Status | 'failed';
+  }
+
+  /** The model as the library has it; gone with the next `load` event. */
+  get mesh(): Mesh | undefined {
+    return this.#session?.mesh;
   }
 
   get info(): MeshInfo | undefined {
@@ -367,6 +392,15 @@ export class GeodesicVoronoiElement extends Base {
     this.setAttribute('layers', shown.join(' '));
   }
 
+  /** How far the regions are apart, 0 … 1. */
+  get exploded(): number {
+    return Math.min(1, Math.max(0, numberOf(this.getAttribute('exploded'), 0)));
+  }
+
+  set exploded(share: number) {
+    this.setAttribute('exploded', String(share));
+  }
+
   /** Moves the camera so that the model fills the view. */
   refit(): void {
     if (this.#model) this.#connected?.stage.frame(this.#model.drawing.mesh.positions);
@@ -512,6 +546,7 @@ export class GeodesicVoronoiElement extends Base {
     if (!this.#connected) return;
     if (changed.has('alt')) this.#connected.canvas.ariaLabel = this.alt || defaultLabel;
     if (changed.has('layers')) this.#showLayers();
+    if (changed.has('exploded')) this.#explode();
     if (changed.has('metric') || changed.has('detail')) this.#configure();
     if (changed.has('src') && this.src) void this.load(this.src);
     else if (['sites', 'seed', 'sampling'].some((name) => changed.has(name))) {
@@ -577,6 +612,36 @@ export class GeodesicVoronoiElement extends Base {
   #showLayers(): void {
     this.#model?.drawing.show(new Set(this.layers));
     this.#draw();
+    this.#derive();
+  }
+
+  /** Asks for what is shown of the diagram besides itself. */
+  #derive(): void {
+    void this.#dual.update(this.layers.includes('dual') ? this.diagram : undefined);
+    void this.#parts.update(this.exploded > 0 ? this.diagram : undefined);
+  }
+
+  #showDual(result: { dual: PolygonMesh; violations: Violation[] } | undefined): void {
+    if (!this.#model) return;
+    const { drawing, picker } = this.#model;
+    drawing.setDual(result?.dual, (place) => picker.nearest(place));
+    this.#draw();
+    const polygons = (result?.dual.faces.offset.length ?? 0) - 1;
+    this.#emit('dual', result ? { polygons, violations: result.violations } : null);
+  }
+
+  #showParts(parts: Partition | undefined): void {
+    this.#model?.drawing.setParts(parts);
+    this.#explode();
+    const triangles = parts?.triangles.label.length ?? 0;
+    this.#emit('exploded', parts ? { regions: parts.regions.area.length, triangles } : null);
+  }
+
+  #explode(): void {
+    this.#derive();
+    this.#model?.drawing.spread(this.exploded);
+    if (this.#connected) this.#connected.stage.reach = 1 + widestSpread * this.exploded;
+    this.#draw();
   }
 
   #showSites(): void {
@@ -600,6 +665,7 @@ export class GeodesicVoronoiElement extends Base {
     );
     this.#draw();
     this.#connected?.hover.refresh();
+    this.#derive();
   }
 
   #tellDiagram({ sites, data, metric, detail }: ShownDiagram, milliseconds: number): void {
@@ -616,6 +682,7 @@ export class GeodesicVoronoiElement extends Base {
   }
 
   #pick(device: Vector2): SurfaceHit | undefined {
+    if (this.exploded > 0) return undefined;
     return this.#model?.picker.pick(device, this.#required().stage.camera);
   }
 
@@ -667,7 +734,7 @@ export class GeodesicVoronoiElement extends Base {
   }
 
   #siteAt(x: number, y: number, reach: number): number | undefined {
-    if (!this.#model || !this.layers.includes('sites')) return undefined;
+    if (!this.#model || !this.layers.includes('sites') || this.exploded > 0) return undefined;
     const { stage } = this.#required();
     const { drawing, picker } = this.#model;
     const sites: Sites = this.#session?.sites ?? [];

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
-import type { DiagramData } from 'geodesic-voronoi';
-import { BufferAttribute, BufferGeometry, LineBasicMaterial, LineSegments } from 'three';
+import type { DiagramData, PolygonMesh } from 'geodesic-voronoi';
+import { BufferAttribute, BufferGeometry, LineBasicMaterial, LineSegments, Vector3 } from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 import type { SceneMesh } from './scene_mesh.js';
+
+/** Of a side laid onto the surface, in radii of the model. */
+const longestPiece = 0.02;
 
 /** Line segments of a width in CSS pixels, at any zoom. */
 export class FatLines {
@@ -61,6 +64,42 @@ export function outlineEnds(mesh: SceneMesh, data: DiagramData, label: number): 
     }
   }
   return pointPlaces(mesh, data, chain);
+}
+
+/**
+ * Both ends of pieces of the sides of polygons, in the scene, laid onto the surface: straight sides
+ * would run below it where it is bent outwards. `nearest` finds the point of the surface.
+ */
+export function drapedSides(
+  mesh: SceneMesh,
+  { points, faces }: PolygonMesh,
+  nearest: (place: Vector3) => Vector3,
+): Float32Array {
+  const places = mesh.frame.toScene(points.position);
+  const ends: number[] = [];
+  const drawn = new Set<number>();
+  const from = new Vector3();
+  const to = new Vector3();
+  for (let f = 0; f + 1 < faces.offset.length; ++f) {
+    const [first, end] = [faces.offset[f], faces.offset[f + 1]];
+    for (let i = first; i < end; ++i) {
+      const a = faces.points[i];
+      const b = faces.points[i + 1 < end ? i + 1 : first];
+      const side = Math.min(a, b) * points.face.length + Math.max(a, b);
+      if (drawn.has(side)) continue;
+      drawn.add(side);
+      from.fromArray(places, 3 * a);
+      to.fromArray(places, 3 * b);
+      const pieces = Math.ceil(from.distanceTo(to) / longestPiece);
+      let last = from.clone();
+      for (let k = 1; k <= pieces; ++k) {
+        const next = nearest(from.clone().lerp(to, k / pieces));
+        ends.push(...last, ...next);
+        last = next;
+      }
+    }
+  }
+  return Float32Array.from(ends);
 }
 
 /** The edges of the model's triangles, as thin lines. */

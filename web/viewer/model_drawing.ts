@@ -1,15 +1,23 @@
 // SPDX-License-Identifier: MIT
-import type { DiagramData } from 'geodesic-voronoi';
+import type { DiagramData, Partition, PolygonMesh } from 'geodesic-voronoi';
 import { Group, type LineSegments, Vector3 } from 'three';
-import { FatLines, outlineEnds, pointPlaces, wireframe } from './lines.js';
+import { ExplodedParts } from './exploded_parts.js';
+import { drapedSides, FatLines, outlineEnds, pointPlaces, wireframe } from './lines.js';
 import { Markers } from './markers.js';
 import { RegionColours, toneColour } from './region_colours.js';
-import { RegionSurface } from './region_surface.js';
+import { LabelColours, RegionSurface } from './region_surface.js';
 import type { SceneMesh } from './scene_mesh.js';
 import type { Sites } from './site_history.js';
 
 /** What can be shown and hidden. */
-export const layers = ['regions', 'bisectors', 'sites', 'voronoi-points', 'wireframe'] as const;
+export const layers = [
+  'regions',
+  'bisectors',
+  'sites',
+  'voronoi-points',
+  'dual',
+  'wireframe',
+] as const;
 export type Layer = (typeof layers)[number];
 
 const ink = 0x1f2933;
@@ -24,6 +32,7 @@ export class ModelDrawing {
   readonly #colours = new RegionColours();
   readonly #bisectors = new FatLines({ colour: ink, width: 2 });
   readonly #outline = new FatLines({ colour: ink, width: 4.5 });
+  readonly #dual = new FatLines({ colour: accent, width: 2.5 });
   readonly #voronoiPoints = new Markers({
     diameter: 7,
     ring: 1.25,
@@ -38,6 +47,9 @@ export class ModelDrawing {
     edge: paper,
     emphasis: accent,
   });
+  /** All that lies on the surface, and it. */
+  readonly #together = new Group();
+  #parts: ExplodedParts | undefined;
   #wireframe: LineSegments | undefined;
   #shown: ReadonlySet<Layer> = new Set();
   #data: DiagramData | undefined;
@@ -48,10 +60,12 @@ export class ModelDrawing {
   constructor(mesh: SceneMesh) {
     this.#mesh = mesh;
     this.#surface = new RegionSurface(mesh);
-    this.object.add(
+    this.object.add(this.#together);
+    this.#together.add(
       this.#surface.object,
       this.#bisectors.object,
       this.#outline.object,
+      this.#dual.object,
       this.#voronoiPoints.object,
       this.#siteMarkers.object,
     );
@@ -68,7 +82,7 @@ export class ModelDrawing {
     this.#voronoiPoints.object.visible = shown.has('voronoi-points');
     if (shown.has('wireframe') && !this.#wireframe) {
       this.#wireframe = wireframe(this.#mesh, ink);
-      this.object.add(this.#wireframe);
+      this.#together.add(this.#wireframe);
     }
     if (this.#wireframe) this.#wireframe.visible = shown.has('wireframe');
     this.#showBisectors();
@@ -85,6 +99,25 @@ export class ModelDrawing {
     this.#voronoiPoints.set(places(data?.voronoiPoints.point));
     this.outline(-1);
     this.#showBisectors();
+  }
+
+  /** The sides of the dual, laid onto the surface by `nearest`; undefined for none. */
+  setDual(dual: PolygonMesh | undefined, nearest: (place: Vector3) => Vector3): void {
+    this.#dual.set(dual ? drapedSides(this.#mesh, dual, nearest) : new Float32Array());
+  }
+
+  /** The regions apart, instead of the surface and what lies on it; undefined for none. */
+  setParts(partition: Partition | undefined): void {
+    if (this.#parts) this.object.remove(this.#parts.object);
+    this.#parts?.dispose();
+    this.#parts = partition && new ExplodedParts(this.#mesh, partition, new LabelColours(this.#tones));
+    if (this.#parts) this.object.add(this.#parts.object);
+    this.#together.visible = !this.#parts;
+  }
+
+  /** How far apart the parts are, 0 … 1. */
+  spread(share: number): void {
+    this.#parts?.spread(share);
   }
 
   /** The colour of a region, as CSS has it. */
@@ -123,6 +156,8 @@ export class ModelDrawing {
     this.#surface.dispose();
     this.#bisectors.dispose();
     this.#outline.dispose();
+    this.#dual.dispose();
+    this.#parts?.dispose();
     this.#voronoiPoints.dispose();
     this.#siteMarkers.dispose();
     if (this.#wireframe) {

@@ -32,6 +32,11 @@ export class Picker {
     return { face, bary: this.#mesh.barycentric(face, x, y, z), place: hit.point };
   }
 
+  /** The point of the surface nearest to one in space. */
+  nearest(place: Vector3): Vector3 {
+    return this.#builtTree().bvh.closestPointToPoint(place)?.point.clone() ?? place.clone();
+  }
+
   /** Whether the surface hides a point that lies on it or is lifted off it by up to `slack`. */
   hides(point: Vector3, camera: Camera, slack = 0.01): boolean {
     const { ray } = this.#raycaster;

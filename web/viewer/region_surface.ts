@@ -120,7 +120,7 @@ export class RegionSurface {
 }
 
 /** Colours as vertex attributes hold them: linear, a byte per channel. */
-class LabelColours {
+export class LabelColours {
   readonly #ofTone: Uint8Array[] = [];
   readonly #tones: Uint16Array | undefined;
   readonly #neutral = linearBytes(neutralColour);

@@ -20,9 +20,11 @@ const firstDirection = new Vector3(0.45, 0.4, 1).normalize();
 
 /**
  * The scene with its camera, lights and controls on one canvas. It draws when something changed and
- * not otherwise. What stands in it lies within the unit sphere (`ModelFrame`).
+ * not otherwise. What stands in it lies within the unit sphere (`ModelFrame`), or within `reach`.
  */
 export class Stage {
+  /** The radius around the origin that what stands in it takes. */
+  reach = 1;
   readonly camera = new PerspectiveCamera(fieldOfView, 1, 0.01, 10);
   readonly #renderer: WebGLRenderer;
   readonly #scene = new Scene();
@@ -184,11 +186,12 @@ export class Stage {
     this.#scene.add(sky);
   }
 
-  /** As tight around the unit sphere as it goes: depth is what tells lines from the surface. */
+  /** As tight around what stands there as it goes: depth is what tells lines from the surface. */
   #fitDepthRange(): void {
     const distance = this.camera.position.length();
-    this.camera.far = distance + 1.01;
-    this.camera.near = Math.max(distance - 1.01, 0.002);
+    const radius = 1.01 * this.reach;
+    this.camera.far = distance + radius;
+    this.camera.near = Math.max(distance - radius, 0.002);
     this.camera.updateProjectionMatrix();
   }
 }

@@ -77,7 +77,9 @@ struct Diagram {
   /// Region triangles that two or more labels tie on; given to the lowest of them.
   std::vector<int> indifferentFaces;
 
-  /// The parts of mixed faces: convex polygons, counterclockwise, ascending by face.
+  /// The parts of mixed faces: convex polygons, counterclockwise, ascending by face. A point on the
+  /// outline of several cells is a corner of all of them, so angles may be straight; region
+  /// triangles alone do not name the points that a neighbour of more detail has on their sides.
   PointLists cells;
   std::vector<int> cellFace;
   std::vector<int> cellLabel;

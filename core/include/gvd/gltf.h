@@ -21,6 +21,9 @@ struct GltfScene {
   };
   std::vector<double> positions;  ///< x, y, z per vertex
   std::vector<int> triangles;     ///< three vertex indices each
+  /// Unit normals (x, y, z) and texture coordinates (u, v: TEXCOORD_0) per vertex; zeros where a
+  /// primitive has none, empty if none has.
+  std::vector<double> normals, uvs;
   std::vector<Part> parts;
   std::vector<std::string> notes;  ///< what was passed over, a sentence each (points, lines, …)
 };
@@ -37,7 +40,8 @@ struct GltfResource {
 /// scene, else of all root nodes, else (there are no nodes) of all meshes: depth first, primitives
 /// in order, each node's world transform applied; a mirroring one swaps the second and third corner
 /// of the triangles. Every primitive brings all of its positions, every triangle counts: the faces
-/// of the scene are numbered the way an independent reader of the file would number them.
+/// of the scene are numbered the way an independent reader of the file would number them. Normals
+/// and texture coordinates that cannot be read are passed over.
 /// Throws `Error(kInvalidGltf)` with a sentence that names the offending object and its index.
 GltfScene readGltf(std::span<const std::byte> bytes, std::span<const GltfResource> resources = {});
 

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
 import { load } from '../node.js';
-import type { CvtState, Diagram, Mesh, SurfacePointsInput } from '../types.js';
+import type { CvtState, Diagram, Mesh, PolygonMesh, SurfacePointsInput } from '../types.js';
 import { FileError, Output, readModel, readPoints } from './files.js';
 import { meshReport } from './mesh_report.js';
 import { standard, UsageError, type CommandName, type Values } from './options.js';
 import { ProgressBar } from './progress.js';
 import {
   toCvtTask,
-  toEncoder,
+  toDiagramEncoder,
+  toPartitionEncoder,
+  toPolygonEncoder,
   toScale,
   toTask,
+  type CvtTask,
   type DiagramTask,
   type SiteSource,
 } from './values.js';
@@ -24,6 +27,9 @@ export const run: Record<CommandName, (request: Request) => Promise<void>> = {
   diagram,
   locate,
   cvt,
+  partition,
+  dual,
+  remesh,
 };
 
 async function info({ mesh: path, values }: Request): Promise<void> {
@@ -41,19 +47,19 @@ async function info({ mesh: path, values }: Request): Promise<void> {
 
 async function diagram({ mesh: path, values }: Request): Promise<void> {
   const scale = toScale(values.units);
-  const encode = toEncoder(values);
+  const encode = toDiagramEncoder(values);
   const task = toTask(values);
   const output = await Output.open(values.output ?? standard);
-  const diagram = await compute(path, values, task);
+  const { diagram } = await compute(path, values, task);
   await output.write(encode(diagram, scale));
 
   const { arcs, voronoiPoints } = diagram.data;
-  if (output.isFile && !values.quiet) {
-    process.stderr.write(
-      `${diagram.regions.length} regions, ${arcs.offset.length - 1} bisector arcs, ` +
-        `${voronoiPoints.point.length} Voronoi points\n`,
-    );
-  }
+  summarise(
+    output,
+    values,
+    `${diagram.regions.length} regions, ${arcs.offset.length - 1} bisector arcs, ` +
+      `${voronoiPoints.point.length} Voronoi points`,
+  );
 }
 
 async function locate({ mesh: path, values }: Request): Promise<void> {
@@ -62,7 +68,7 @@ async function locate({ mesh: path, values }: Request): Promise<void> {
   const task = toTask(values);
   const output = await Output.open(values.output ?? standard);
   const points = await readPoints(values.points);
-  const diagram = await compute(path, values, task);
+  const { diagram } = await compute(path, values, task);
   const { label, distance } = await diagram.locate(points);
   await output.write(
     `${JSON.stringify({
@@ -78,23 +84,138 @@ async function cvt({ mesh: path, values }: Request): Promise<void> {
   const { method, iterations, ...source } = toCvtTask(values);
   const output = await Output.open(values.output ?? standard);
   const { mesh, sites } = await openWithSites(path, values, source);
-  const energy: number[] = [];
-  let last: CvtState | undefined;
-  await withProgress(values, async (onProgress) => {
-    for await (const state of mesh.cvt(sites, { method, iterations })) {
-      energy.push(scale ** 4 * state.energy); // an area times a squared length
-      last = state;
-      onProgress(iterations > 0 ? state.iteration / iterations : 1);
-    }
-  });
-  const { face, bary } = last!.sites;
+  const states = await withProgress(values, (onProgress) =>
+    tessellate(mesh, sites, { method, iterations }, onProgress),
+  );
+  const energy = states.map((state) => scale ** 4 * state.energy); // area times squared length
+  const { iteration, sites: last } = states.at(-1)!;
+  const { face, bary } = last;
   await output.write(`${JSON.stringify({ face: [...face], bary: [...bary], energy })}\n`);
-  if (output.isFile && !values.quiet) {
-    process.stderr.write(
-      `${face.length} sites, ${last!.iteration} iterations, energy ` +
-        `${energy[0].toPrecision(6)} to ${energy.at(-1)!.toPrecision(6)}\n`,
-    );
+  summarise(
+    output,
+    values,
+    `${face.length} sites, ${iteration} iterations, energy ` +
+      `${energy[0].toPrecision(6)} to ${energy.at(-1)!.toPrecision(6)}`,
+  );
+}
+
+async function partition({ mesh: path, values }: Request): Promise<void> {
+  const scale = toScale(values.units);
+  const encode = toPartitionEncoder(values);
+  const task = toTask(values);
+  const output = await Output.open(values.output ?? standard);
+  const { mesh, diagram } = await compute(path, values, task);
+  const partition = await diagram.partition({ leaveOutIndifferent: values.holes });
+  await output.write(encode({ mesh, sites: diagram.sites, partition }, scale));
+  const { components, loops, eulerCharacteristic } = partition.regions;
+  const disks = components.filter(
+    (count, i) => count === 1 && loops[i] === 1 && eulerCharacteristic[i] === 1,
+  );
+  summarise(
+    output,
+    values,
+    `${diagram.regions.length} regions, ${disks.length} of them disks, ` +
+      `${partition.triangles.label.length} triangles`,
+  );
+}
+
+async function dual({ mesh: path, values }: Request): Promise<void> {
+  const scale = toScale(values.units);
+  const encode = toPolygonEncoder(values);
+  const task = toTask(values);
+  const output = await Output.open(values.output ?? standard);
+  const { mesh, diagram: given } = await compute(path, values, task);
+  const diagram = values.repair ? await repaired(given, values) : given;
+  const polygons = await diagram.dual({ primal: values.primal });
+  const violations = await diagram.violations();
+  await output.write(encode({ mesh, sites: diagram.sites, polygons, violations }, scale));
+  summarise(output, values, polygonSummary(given.sites.face.length, diagram, polygons));
+  if (!values.quiet)
+    for (const { message } of violations) process.stderr.write(`not valid: ${message}\n`);
+}
+
+async function remesh({ mesh: path, values }: Request): Promise<void> {
+  const scale = toScale(values.units);
+  const encode = toPolygonEncoder(values);
+  const { method, iterations, ...source } = toCvtTask(values);
+  const output = await Output.open(values.output ?? standard);
+  const { mesh, sites } = await openWithSites(path, values, source);
+  const [first, diagram] = await validTessellation(mesh, sites, { method, iterations }, values);
+  const polygons = await diagram.dual();
+  const quality = await diagram.remeshQuality();
+  await output.write(encode({ mesh, sites: diagram.sites, polygons, quality }, scale));
+  const number = (x: number) => String(Number(x.toPrecision(4)));
+  summarise(
+    output,
+    values,
+    `${polygonSummary(first, diagram, polygons)}\n` +
+      `${quality.triangles} triangles: least angle ${number(quality.minAngle)}°, ` +
+      `mean of the least ones ${number(quality.meanMinAngle)}°; ` +
+      `valence ${quality.minValence} to ${quality.maxValence}, ` +
+      `${number(100 * quality.regularShare)} % have 6; ` +
+      `Hausdorff distance ${number(scale * quality.hausdorff)} ` +
+      `(${number((100 * quality.hausdorff) / mesh.info.diameter)} % of the diameter)`,
+  );
+}
+
+/** Sites that repair adds are no centroids: after some were, everything moves again, this often. */
+const mostRounds = 3;
+
+/** How many sites there were first, and a diagram with a valid dual. */
+async function validTessellation(
+  mesh: Mesh,
+  given: SurfacePointsInput,
+  settings: Pick<CvtTask, 'method' | 'iterations'>,
+  values: Values,
+): Promise<[number, Diagram]> {
+  let sites = given;
+  let first: number | undefined;
+  for (let round = 1; ; ++round) {
+    const diagram = await withProgress(values, async (onProgress) => {
+      const states = await tessellate(mesh, sites, settings, onProgress);
+      return mesh.voronoi(states.at(-1)!.sites);
+    });
+    first ??= diagram.sites.face.length;
+    const valid = await repaired(diagram, values);
+    if (valid === diagram || round === mostRounds) return [first, valid];
+    sites = valid.sites;
   }
+}
+
+function repaired(diagram: Diagram, values: Values): Promise<Diagram> {
+  return withProgress(values, (onProgress) => diagram.repair({ onProgress }));
+}
+
+function polygonSummary(first: number, diagram: Diagram, { topology }: PolygonMesh): string {
+  const added = diagram.sites.face.length - first;
+  const { vertices, faces, eulerCharacteristic, genus, boundaryLoops, isManifold } = topology;
+  return (
+    `${diagram.sites.face.length} sites${added > 0 ? ` (${added} added)` : ''}, ` +
+    `${vertices} vertices, ${faces} polygons, ` +
+    (isManifold
+      ? `Euler characteristic ${eulerCharacteristic}, genus ${genus}, ${boundaryLoops} boundary loops`
+      : 'no manifold')
+  );
+}
+
+/** All states on the way to a centroidal tessellation. */
+async function tessellate(
+  mesh: Mesh,
+  sites: SurfacePointsInput,
+  { method, iterations }: Pick<CvtTask, 'method' | 'iterations'>,
+  onProgress: (share: number) => void,
+): Promise<CvtState[]> {
+  const states: CvtState[] = [];
+  for await (const state of mesh.cvt(sites, { method, iterations })) {
+    states.push(state);
+    onProgress(iterations > 0 ? state.iteration / iterations : 1);
+  }
+  return states;
+}
+
+/** A line about a result that went to a file. */
+function summarise(output: Output, values: Values, line: string): void {
+  if (output.isFile && !values.quiet) process.stderr.write(`${line}\n`);
 }
 
 async function openMesh(path: string): Promise<Mesh> {
@@ -112,11 +233,12 @@ async function compute(
   path: string,
   values: Values,
   { metric, detail, ...source }: DiagramTask,
-): Promise<Diagram> {
+): Promise<{ mesh: Mesh; diagram: Diagram }> {
   const { mesh, sites } = await openWithSites(path, values, source);
-  return withProgress(values, (onProgress) =>
+  const diagram = await withProgress(values, (onProgress) =>
     mesh.voronoi(sites, { metric, detail, onProgress }),
   );
+  return { mesh, diagram };
 }
 
 async function openWithSites(

@@ -4,9 +4,28 @@
 
 import { extname } from 'node:path';
 import { cvtMethods, metrics, samplings } from '../core.js';
-import { diagramGlb, diagramJson, diagramObj } from '../formats.js';
+import { diagramGlb, diagramJson, diagramObj, pointsJson } from '../formats.js';
 import { maxCount, maxDetail } from '../input.js';
-import type { CvtMethod, Diagram, Metric, Sampling } from '../types.js';
+import {
+  partitionGlb,
+  partitionJson,
+  partitionLayouts,
+  partitionObj,
+  partitionPly,
+} from '../partition_formats.js';
+import { polygonGlb, polygonJson, polygonObj, polygonPly } from '../polygon_formats.js';
+import type {
+  CvtMethod,
+  Diagram,
+  Mesh,
+  Metric,
+  Partition,
+  PolygonMesh,
+  RemeshQuality,
+  Sampling,
+  SurfacePoints,
+  Violation,
+} from '../types.js';
 import { listed, standard, UsageError, type Values } from './options.js';
 
 /** Where sites come from: as many as the number, or the file of that path. */
@@ -93,17 +112,76 @@ export function toScale(units = 'm'): number {
   );
 }
 
-type Encoder = (diagram: Diagram, scale: number) => string | Uint8Array;
+/** Makes a file of a result; `scale` is the output's unit. */
+type Encoder<Result> = (result: Result, scale: number) => string | Uint8Array;
+/** By the endings of files. */
+type Encoders<Result> = Record<string, Encoder<Result>>;
 
-const encoders: Record<string, Encoder> = {
-  '.json': (diagram, scale) => `${JSON.stringify(diagramJson(diagram, scale))}\n`,
-  '.obj': ({ data }, scale) => diagramObj(data, scale),
-  '.glb': ({ data }, scale) => diagramGlb(data, scale),
-};
-
-export function toEncoder({ output = standard, json }: Values): Encoder {
+/** The encoder that the ending of the output asks for; of standard output, JSON. */
+function encoderOf<Result>(
+  encoders: Encoders<Result>,
+  { output = standard, json }: Values,
+): Encoder<Result> {
   if (json || output === standard) return encoders['.json'];
   const ending = extname(output).toLowerCase();
   if (Object.hasOwn(encoders, ending)) return encoders[ending];
   throw new UsageError(`the ending of '${output}' is not one of ${listed(Object.keys(encoders))}`);
+}
+
+const text = (json: object): string => `${JSON.stringify(json)}\n`;
+
+export function toDiagramEncoder(values: Values): Encoder<Diagram> {
+  return encoderOf(
+    {
+      '.json': (diagram, scale) => text(diagramJson(diagram, scale)),
+      '.obj': ({ data }, scale) => diagramObj(data, scale),
+      '.glb': ({ data }, scale) => diagramGlb(data, scale),
+    },
+    values,
+  );
+}
+
+interface PartitionResult {
+  mesh: Mesh;
+  sites: SurfacePoints;
+  partition: Partition;
+}
+
+export function toPartitionEncoder(values: Values): Encoder<PartitionResult> {
+  const layout = toOneOf('--layout', values.layout ?? 'regions', partitionLayouts);
+  return encoderOf(
+    {
+      '.json': ({ partition, sites }, scale) => text(partitionJson(partition, sites, scale)),
+      '.glb': ({ partition, mesh }, scale) => partitionGlb(partition, { layout, mesh, scale }),
+      '.obj': ({ partition, mesh }, scale) => partitionObj(partition, { mesh, scale }),
+      '.ply': ({ partition, mesh }, scale) => partitionPly(partition, { mesh, scale }),
+    },
+    values,
+  );
+}
+
+interface PolygonResult {
+  mesh: Mesh;
+  sites: SurfacePoints;
+  polygons: PolygonMesh;
+  violations?: Violation[];
+  quality?: RemeshQuality;
+}
+
+export function toPolygonEncoder(values: Values): Encoder<PolygonResult> {
+  return encoderOf(
+    {
+      '.json': ({ sites, polygons, violations, quality }, scale) =>
+        text({
+          sites: pointsJson(sites),
+          ...polygonJson(polygons, scale),
+          ...(violations && { violations }),
+          ...(quality && { quality: { ...quality, hausdorff: scale * quality.hausdorff } }),
+        }),
+      '.obj': ({ polygons, mesh }, scale) => polygonObj(polygons, { mesh, scale }),
+      '.ply': ({ polygons, mesh }, scale) => polygonPly(polygons, { mesh, scale }),
+      '.glb': ({ polygons, mesh }, scale) => polygonGlb(polygons, { mesh, scale }),
+    },
+    values,
+  );
 }

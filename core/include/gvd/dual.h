@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "gvd/diagram.h"
+#include "gvd/geodesic.h"
+#include "gvd/polygon_mesh.h"
+#include "gvd/surface_point.h"
+#include "gvd/triangle_mesh.h"
+
+namespace gvd {
+
+/// The dual of a diagram: a polygonal base mesh. Vertex l is site l, and every Voronoi point of
+/// degree d is a d-gon of the sites around it; where no three sites are equidistant by chance, a
+/// geodesic Delaunay triangulation.
+///
+/// On the mesh boundary, the outside takes part as if each *run* of a region along it had a site
+/// beyond: in the middle of each run is one more vertex (of the region's label, after all sites),
+/// and where an arc of A and B ends on the boundary is a quadrangle of these two sites and the
+/// middles of their runs (a (d+2)-gon where d - 1 arcs end). So the dual reaches the boundary
+/// wherever the surface has one, with one side per place where arcs end, and its own boundary
+/// vertices lie on it. A boundary that only one region touches gets nothing.
+///
+/// Sites without region, or whose region meets no three others, are in no face. The dual is a
+/// manifold with the topology of the surface if `findViolations` has none.
+///
+/// `sites` are those of the diagram. Costs as much as `partition`.
+PolygonMesh dualMesh(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
+                     const Diagram& diagram);
+
+/// The regions as polygons: vertices are the Voronoi points and the ends of arcs on the mesh
+/// boundary, then the middles of runs along it; each arc is a side, each run two, each loop of a
+/// region a face. One face per region, and the topology of the surface, if `findViolations` has
+/// none; else a loop may have fewer than three corners, or, meeting no other region or only one,
+/// none at all: it is left out then. Costs as much as `partition`.
+PolygonMesh regionMesh(const TriangleMesh& mesh, const Diagram& diagram);
+
+/// A reason why a dual is no faithful picture of the surface: something that keeps the regions from
+/// having the *closed ball property* (Edelsbrunner & Shah): every region is a disk, any two meet in
+/// one arc or one point if at all, any three in one point.
+struct Violation {
+  enum Kind {
+    kUnreachable,     ///< a component of the mesh has no site; no labels
+    kNoRegion,        ///< a site owns nothing, another one is at its place
+    kFewRuns,         ///< a loop of the mesh boundary passes fewer than three runs of regions
+    kClosedBorder,    ///< two regions meet along a closed curve, with no third one on it
+    kNoDisk,          ///< a region has several outlines or parts, none, or a handle
+    kTouchesItself,   ///< a region comes to one point from two sides
+    kTwoMeetTwice,    ///< two regions meet in several arcs or points
+    kThreeMeetTwice,  ///< three or more regions meet in two Voronoi points
+    kNoManifold,      ///< none of these, and yet the dual is no manifold of the surface's topology
+  };
+  Kind kind;
+  std::vector<int> labels;  ///< the regions concerned, ascending
+  std::string message;      ///< one sentence that names them
+};
+
+/// All violations, by kind, then by labels. None: the dual is an orientable manifold that has the
+/// Euler characteristic, the genus and the boundary loops of the surface. (That is a theorem, and
+/// checked nevertheless.) Costs as much as `partition`, and O(k²) for a region with k Voronoi
+/// points. Source: Herbert Edelsbrunner, Nimish Shah. Triangulating Topological Spaces. 1997.
+std::vector<Violation> findViolations(const TriangleMesh& mesh, const Diagram& diagram);
+
+/// One round of `repair`: where more sites help. One place for each violation, unless a region
+/// concerned has had a neighbour changed by another: where the regions concerned are farthest from
+/// all sites; and one in each component without a site. None if there are no violations.
+///
+/// `field` holds the distances that the diagram was traced from. Costs as much as `findViolations`.
+/// Throws `Error(kInvalidArgument)`, naming the violation, where no site helps: another one has no
+/// region.
+std::vector<SurfacePoint> repairingSites(const TriangleMesh& mesh, const Diagram& diagram,
+                                         const DistanceField& field);
+
+struct RepairOptions {
+  int maxAdded = 1000;  ///< how many sites may be added
+};
+
+/// Sites with a valid dual.
+struct RepairedSites {
+  std::vector<SurfacePoint> sites;  ///< those given, then `added` more
+  int added = 0;
+  Diagram diagram;
+};
+
+/// Adds sites until the diagram has no violations. Greedy: those of `repairingSites`, then the
+/// diagram is traced anew. Deterministic; a diagram per round.
+///
+/// Throws `Error(kInvalidArgument)`, naming the first violation that is left, if more than
+/// `maxAdded` would be needed, and as `repairingSites` and `propagate` do.
+RepairedSites repair(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric,
+                     const RepairOptions& options = {});
+
+}  // namespace gvd

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "gvd/diagram.h"
+#include "gvd/surface_point.h"
+#include "gvd/triangle_mesh.h"
+
+namespace gvd {
+
+/// One region of a partition, as a patch of triangles. Lengths and areas are in the mesh's units.
+///
+/// Where a region touches itself in a single point, its patch is taken as cut apart there, which
+/// makes it a surface with boundary: the one whose inside is the region's inside. Counts are of
+/// that surface; how often the region touches itself is told apart.
+struct RegionPatch {
+  struct Neighbour {
+    int label;
+    double length;  ///< of the border with it, all arcs together
+  };
+
+  int label = Diagram::kUnreachable;
+  /// Its triangles: `firstTriangle` … `firstTriangle + triangleCount - 1`. None for a site without
+  /// region (it coincides with another one); everything below is zero then, the centroid NaN.
+  int firstTriangle = 0, triangleCount = 0;
+
+  double area = 0;
+  /// The length of its outline: borders, mesh boundary, and holes left for indifferent faces.
+  double perimeter = 0;
+  double boundaryLength = 0;          ///< of the perimeter, what has no region beyond it
+  std::vector<Neighbour> neighbours;  ///< ascending by label; no part that was left out
+
+  /// The mean of its points by area, in space: off the surface where that is bent. (By triangle, if
+  /// the region has no area.)
+  Eigen::Vector3d centroid = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  /// The point of the region that is nearest to the centroid, in space.
+  SurfacePoint nearCentroid;
+
+  int components = 0;
+  int loops = 0;  ///< closed outlines
+  int eulerCharacteristic = 0;
+  int genus = 0;  ///< all components: (2·components - loops - eulerCharacteristic) / 2
+  /// How often it touches itself in a point: its fans of triangles around points, beyond the first.
+  int selfTouchings = 0;
+
+  /// Whether it is a closed disk.
+  bool isDisk() const { return components == 1 && eulerCharacteristic == 1 && selfTouchings == 0; }
+};
+
+/// A mesh cut into the regions of a diagram (Melvær & Reimers 2014, section 7.2): the mesh's own
+/// triangles where one region owns all of them, and the parts of the others, triangulated. It is
+/// one mesh: regions share the vertices on their borders, so that all of it is closed exactly where
+/// the input was. Triangles keep the side of the face they are part of.
+///
+/// Parts of a face are convex; of their triangulations, the Delaunay triangulation is taken, the
+/// one with the largest least angle. A triangle has zero area only where its face has, or where
+/// points that differ by no more than rounding leave no choice.
+struct Partition {
+  /// Vertices: those of the mesh that are in use, in their order, then the points of the diagram.
+  std::vector<SurfacePoint> points;  ///< `face` counts the mesh's faces
+  std::vector<Eigen::Vector3d> positions;
+
+  /// Ascending by label, those no site reaches last; of one label, ascending by face.
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<int> triangleLabel;  ///< region, or `Diagram::kUnreachable`
+  std::vector<int> triangleFace;   ///< the mesh face it is part of
+  /// Per halfedge (3t + i runs from corner i of triangle t to the next, as in `TriangleMesh`), the
+  /// halfedge of the neighbour that runs the other way; -1 where there is none.
+  std::vector<int> twins;
+
+  std::vector<RegionPatch> regions;  ///< one per site; `regions[l].label == l`
+  RegionPatch unreachable;           ///< what no site reaches, as if it were a region
+};
+
+struct PartitionOptions {
+  /// Leaves holes where two or more labels tie on a whole face, instead of giving it to the lowest.
+  bool leaveOutIndifferent = false;
+  /// Leaves out the components without a site.
+  bool leaveOutUnreachable = false;
+};
+
+/// Cuts a mesh along a diagram of it. O(F + M log M), M the number of points of the diagram.
+/// Source: Eivind Lyche Melvær, Martin Reimers. Approximating Geodesic Voronoi Diagrams on
+/// Triangulated Surfaces. 2014.
+Partition partition(const TriangleMesh& mesh, const Diagram& diagram,
+                    const PartitionOptions& options = {});
+
+/// The corners of a triangle of a partition in terms of `triangleFace[triangle]`: column i holds
+/// the barycentric coordinates of corner i. A vertex on an edge or a vertex of the mesh is named by
+/// one face in `points`; what differs from face to face (a texture coordinate at a seam) needs
+/// these.
+Eigen::Matrix3d cornersInFace(const TriangleMesh& mesh, const Partition& partition, int triangle);
+
+}  // namespace gvd

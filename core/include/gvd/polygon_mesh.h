@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "gvd/diagram.h"
+#include "gvd/surface_point.h"
+
+namespace gvd {
+
+/// A mesh of polygons with corners on a surface, counterclockwise as that is. Sides are straight in
+/// space, so they leave the surface where it is bent.
+struct PolygonMesh {
+  std::vector<SurfacePoint> points;  ///< vertices; `face` counts the faces of the triangle mesh
+  std::vector<Eigen::Vector3d> positions;
+  PointLists faces;
+  std::vector<int> vertexLabel;  ///< region of each vertex; empty in a mesh of regions
+  std::vector<int> faceLabel;    ///< region of each face; empty in a dual mesh
+};
+
+/// A polygon mesh cut into triangles, without more vertices.
+struct PolygonTriangles {
+  std::vector<std::array<int, 3>> triangles;  ///< vertices; ascending by `face`
+  std::vector<int> face;                      ///< the face each is part of
+};
+
+/// Cuts every polygon along diagonals: as a Delaunay triangulation of its projection to the plane
+/// of its mean normal, where that is convex. Sides and orientation stay, so the topology does, if
+/// no diagonal joins vertices that are joined already: none does in a dual without violations.
+/// O(d²) for a polygon of d corners, three or more; those with fewer have no triangle.
+PolygonTriangles triangulate(const PolygonMesh& mesh);
+
+/// What the faces of a polygon mesh make when welded by their vertices. Vertices without a face do
+/// not count.
+struct PolygonTopology {
+  /// Whether the faces are a surface, oriented: no corner occurs twice in a face, no side twice in
+  /// one direction, and the faces around each vertex form one fan. If not, the numbers of boundary
+  /// loops and the genus mean nothing.
+  bool isManifold = false;
+  int vertices = 0, edges = 0, faces = 0;
+  int components = 0;
+  int boundaryLoops = 0;
+  int eulerCharacteristic = 0;  ///< V - E + F
+  int genus = 0;  ///< all components: (2·components - boundaryLoops - eulerCharacteristic) / 2
+};
+
+/// O(n log n) for n corners of faces.
+PolygonTopology topologyOf(const PolygonMesh& mesh);
+
+}  // namespace gvd

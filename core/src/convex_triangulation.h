@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <span>
+#include <vector>
+
+namespace gvd {
+
+/// The Delaunay triangulation of a convex polygon, which of all its triangulations has the largest
+/// least angle. Straight angles are allowed.
+class ConvexTriangulation {
+ public:
+  /// `corners` counterclockwise, at least three. The result, n - 2 triangles of indices into them,
+  /// is valid until the next call. O(n²).
+  std::span<const std::array<int, 3>> compute(std::span<const Eigen::Vector2d> corners);
+
+ private:
+  int apex(int from, int to) const;
+
+  std::span<const Eigen::Vector2d> corners_;
+  std::vector<std::array<int, 2>> open_;
+  std::vector<std::array<int, 3>> triangles_;
+};
+
+}  // namespace gvd

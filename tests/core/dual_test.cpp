@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: MIT
+#include "gvd/dual.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "diagram_checks.h"
+#include "gvd/error.h"
+#include "gvd/sampling.h"
+#include "shapes.h"
+#include "surface_checks.h"
+
+namespace gvd {
+namespace {
+
+using checks::PolygonSurface;
+using checks::trace;
+using Eigen::Vector3d;
+using ::testing::AssertionFailure;
+using ::testing::AssertionResult;
+using ::testing::AssertionSuccess;
+
+SurfacePoint centroid(int face) { return {face, Vector3d::Constant(1.0 / 3)}; }
+
+/// Whether polygons make an oriented manifold of the mesh's topology, by an independent count.
+AssertionResult hasTheTopologyOf(const TriangleMesh& mesh, const PolygonMesh& polygons) {
+  PolygonSurface surface;
+  for (int f = 0; f < polygons.faces.size(); ++f) surface.add(polygons.faces[f]);
+  const MeshTopology& expected = mesh.topology();
+  const PolygonTopology told = topologyOf(polygons);
+  if (!surface.isManifold() || !told.isManifold) return AssertionFailure() << "no manifold";
+  if (surface.eulerCharacteristic() != expected.eulerCharacteristic ||
+      surface.boundaryLoops() != expected.boundaryLoops ||
+      surface.components() != expected.components || surface.genus() != expected.genus)
+    return AssertionFailure() << "Euler characteristic " << surface.eulerCharacteristic() << " for "
+                              << expected.eulerCharacteristic << ", " << surface.boundaryLoops()
+                              << " boundary loops for " << expected.boundaryLoops << ", genus "
+                              << surface.genus() << " for " << expected.genus;
+  if (told.eulerCharacteristic != expected.eulerCharacteristic ||
+      told.boundaryLoops != expected.boundaryLoops || told.components != expected.components ||
+      told.genus != expected.genus)
+    return AssertionFailure() << "topologyOf says otherwise";
+  return AssertionSuccess();
+}
+
+/// The least of the rotations of a list.
+std::vector<int> canonical(std::vector<int> cycle) {
+  std::vector<int> least = cycle;
+  for (size_t i = 0; i < cycle.size(); ++i) {
+    std::rotate(cycle.begin(), cycle.begin() + 1, cycle.end());
+    least = std::min(least, cycle);
+  }
+  return least;
+}
+
+/// Whether the polygons of three or more sites are the diagram's Voronoi points, in the same turn.
+AssertionResult hasTheVoronoiPoints(const Diagram& d, const PolygonMesh& dual) {
+  std::multiset<std::vector<int>> expected, found;
+  for (const auto& v : d.voronoiPoints) expected.insert(canonical(v.labels));
+  for (int f = 0; f < dual.faces.size(); ++f) {
+    std::vector<int> labels;
+    for (const int v : dual.faces[f])
+      if (v < d.siteCount) labels.push_back(v);
+    if (std::set<int>(labels.begin(), labels.end()).size() >= 3) found.insert(canonical(labels));
+  }
+  if (found != expected)
+    return AssertionFailure() << found.size() << " polygons for " << expected.size()
+                              << " Voronoi points";
+  return AssertionSuccess();
+}
+
+std::set<Violation::Kind> kinds(const std::vector<Violation>& violations) {
+  std::set<Violation::Kind> result;
+  for (const Violation& v : violations) {
+    result.insert(v.kind);
+    EXPECT_FALSE(v.message.empty());
+    EXPECT_TRUE(std::is_sorted(v.labels.begin(), v.labels.end()));
+  }
+  return result;
+}
+
+class DualOfRandomMeshes : public ::testing::TestWithParam<int> {};
+
+TEST_P(DualOfRandomMeshes, IsTheSurfaceUnlessItSaysWhyNot) {
+  const auto mesh = shapes::randomMesh(GetParam());
+  const auto sites = sampleUniform(mesh, shapes::randomSiteCount(mesh, GetParam()), GetParam());
+  const Diagram d = trace(mesh, sites).diagram;
+  const PolygonMesh dual = dualMesh(mesh, sites, d);
+  EXPECT_TRUE(hasTheVoronoiPoints(d, dual));
+  const auto found = kinds(findViolations(mesh, d));
+  EXPECT_FALSE(found.contains(Violation::kNoManifold));
+  if (!found.empty()) return;
+  EXPECT_TRUE(hasTheTopologyOf(mesh, dual));
+  const PolygonMesh regions = regionMesh(mesh, d);
+  EXPECT_EQ(regions.faces.size(), d.siteCount);
+  EXPECT_TRUE(hasTheTopologyOf(mesh, regions));
+}
+
+TEST_P(DualOfRandomMeshes, IsTheSurfaceAfterRepair) {
+  const auto mesh = shapes::randomMesh(GetParam());
+  const auto sites = sampleFarthest(mesh, 1 + GetParam() % 12, GetParam());
+  const RepairedSites repaired = repair(mesh, sites, Metric::kDgpc);
+  EXPECT_TRUE(findViolations(mesh, repaired.diagram).empty());
+  EXPECT_TRUE(hasTheTopologyOf(mesh, dualMesh(mesh, repaired.sites, repaired.diagram)));
+  EXPECT_TRUE(hasTheTopologyOf(mesh, regionMesh(mesh, repaired.diagram)));
+  EXPECT_EQ(repaired.sites.size(), sites.size() + repaired.added);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, DualOfRandomMeshes, ::testing::Range(0, 48));
+
+TEST(Dual, OfThirtySitesHasTheGenusOfTheSurface) {
+  struct Case {
+    const char* name;
+    TriangleMesh mesh;
+  };
+  const Case cases[] = {
+      {"sphere", shapes::icosphere(4).mesh()},
+      {"torus", shapes::torus(48, 24).mesh()},
+      {"thin torus", shapes::torus(96, 12, 1, 0.1).mesh()},
+      {"genus 2", shapes::bumpySurface(2, 4, 0.1, 1).mesh()},
+      {"genus 3", shapes::bumpySurface(3, 4, 0.1, 1).mesh()},
+      {"plate of genus 3", shapes::perforatedPlate(3, 4).mesh()},
+      {"square", shapes::grid(24, 24, 0.2, 1).mesh()},
+      {"annulus", shapes::annulus(48, 8).mesh()},
+      {"cylinder", shapes::cylinder(36, 18).mesh()},
+      {"torn torus", shapes::withoutRandomFaces(shapes::torus(48, 24), 12, 1).mesh()}};
+  for (const Case& c : cases) {
+    for (const bool farthest : {true, false}) {
+      const auto sites = farthest ? sampleFarthest(c.mesh, 30, 1) : sampleUniform(c.mesh, 30, 1);
+      const RepairedSites repaired = repair(c.mesh, sites, Metric::kDgpc);
+      EXPECT_TRUE(hasTheTopologyOf(c.mesh, dualMesh(c.mesh, repaired.sites, repaired.diagram)))
+          << c.name;
+    }
+  }
+}
+
+TEST(Dual, OfTheSidesOfACubeIsAnOctahedron) {
+  const auto mesh = shapes::cube().mesh();
+  std::vector<SurfacePoint> sites;
+  for (int h = 0; h < mesh.halfedgeCount(); ++h) {
+    if (mesh.length(h) < 1.2 || mesh.twin(h) < h) continue;
+    Vector3d bary = Vector3d::Zero();
+    bary[h % 3] = bary[(h + 1) % 3] = 0.5;
+    sites.push_back({h / 3, bary});
+  }
+  const Diagram d = trace(mesh, sites).diagram;
+  EXPECT_TRUE(findViolations(mesh, d).empty());
+  const PolygonTopology dual = topologyOf(dualMesh(mesh, sites, d));
+  EXPECT_TRUE(dual.isManifold);
+  EXPECT_EQ(dual.vertices, 6);
+  EXPECT_EQ(dual.edges, 12);
+  EXPECT_EQ(dual.faces, 8);
+  const PolygonMesh regions = regionMesh(mesh, d);
+  const PolygonTopology primal = topologyOf(regions);
+  EXPECT_TRUE(primal.isManifold);
+  EXPECT_EQ(primal.vertices, 8);
+  EXPECT_EQ(primal.edges, 12);
+  EXPECT_EQ(primal.faces, 6);
+  for (int f = 0; f < regions.faces.size(); ++f) {
+    // Counterclockwise from outside, around the region's site.
+    Vector3d normal = Vector3d::Zero();
+    const auto face = regions.faces[f];
+    for (size_t i = 0; i < face.size(); ++i)
+      normal += regions.positions[face[i]].cross(regions.positions[face[(i + 1) % face.size()]]);
+    const Vector3d out = mesh.position(sites[regions.faceLabel[f]]) - Vector3d::Constant(0.5);
+    EXPECT_NEAR(normal.normalized().dot(out.normalized()), 1, 1e-9);
+  }
+}
+
+TEST(Dual, OfFourQuartersOfASquareReachesItsBoundary) {
+  const auto mesh = shapes::grid(4, 4).mesh();
+  std::vector<SurfacePoint> sites;
+  for (int v = 0; v < mesh.vertexCount(); ++v) {
+    const Vector3d p = mesh.position(v);
+    if ((p[0] == 0.25 || p[0] == 0.75) && (p[1] == 0.25 || p[1] == 0.75)) {
+      const int h = mesh.outgoing(v);
+      sites.push_back({h / 3, Vector3d::Unit(h % 3)});
+    }
+  }
+  ASSERT_EQ(sites.size(), 4u);
+  const Diagram d = trace(mesh, sites).diagram;
+  EXPECT_TRUE(findViolations(mesh, d).empty());
+  const PolygonMesh dual = dualMesh(mesh, sites, d);
+  EXPECT_TRUE(hasTheTopologyOf(mesh, dual));
+  EXPECT_EQ(dual.points.size(), 8u);
+  EXPECT_EQ(dual.faces.size(), 5);
+  for (int f = 0; f < dual.faces.size(); ++f) EXPECT_EQ(dual.faces[f].size(), 4u);
+  // Each region's run goes around a corner of the square, which is its middle.
+  for (int v = 4; v < 8; ++v) {
+    const Vector3d p = dual.positions[v], site = dual.positions[dual.vertexLabel[v]];
+    EXPECT_NEAR(p[0], site[0] < 0.5 ? 0 : 1, 1e-9);
+    EXPECT_NEAR(p[1], site[1] < 0.5 ? 0 : 1, 1e-9);
+  }
+}
+
+TEST(Violations, NameWhatIsWrongWithFewSites) {
+  const auto sphere = shapes::icosphere(2).mesh();
+  const auto kindsFor = [](const TriangleMesh& mesh, int count) {
+    return kinds(findViolations(mesh, trace(mesh, sampleFarthest(mesh, count, 1)).diagram));
+  };
+  using Kinds = std::set<Violation::Kind>;
+  EXPECT_EQ(kindsFor(sphere, 1), Kinds({Violation::kNoDisk}));
+  EXPECT_EQ(kindsFor(sphere, 2), Kinds({Violation::kClosedBorder}));
+  EXPECT_EQ(kindsFor(sphere, 3), Kinds({Violation::kThreeMeetTwice}));
+  EXPECT_EQ(kindsFor(sphere, 12), Kinds());
+  EXPECT_EQ(kindsFor(shapes::torus(24, 12).mesh(), 1), Kinds({Violation::kNoDisk}));
+  EXPECT_EQ(kindsFor(shapes::cylinder(12, 6).mesh(), 1),
+            Kinds({Violation::kNoDisk, Violation::kFewRuns}));
+  EXPECT_EQ(kindsFor(shapes::grid(4, 4).mesh(), 1), Kinds({Violation::kFewRuns}));
+}
+
+TEST(Violations, NameTheRegions) {
+  const auto mesh = shapes::icosphere(1).mesh();
+  const std::vector<SurfacePoint> sites = {centroid(40), centroid(7), centroid(7)};
+  const auto violations = findViolations(mesh, trace(mesh, sites).diagram);
+  ASSERT_FALSE(violations.empty());
+  EXPECT_EQ(violations[0].kind, Violation::kNoRegion);
+  EXPECT_EQ(violations[0].labels, std::vector<int>({2}));
+  EXPECT_EQ(violations[0].message, "site 2 has no region: another site is at its place");
+  const std::vector<SurfacePoint> two = {centroid(40), centroid(7)};
+  const auto closed = findViolations(mesh, trace(mesh, two).diagram);
+  ASSERT_EQ(closed.size(), 1u);
+  EXPECT_EQ(closed[0].message, "regions 0 and 1 meet along a closed curve");
+}
+
+TEST(Repair, PutsSitesOnEveryComponent) {
+  const auto one = shapes::icosphere(2);
+  const auto mesh = shapes::joined(shapes::joined(one, shapes::moved(one, Vector3d(5, 0, 0))),
+                                   shapes::moved(one, Vector3d(0, 5, 0)))
+                        .mesh();
+  const std::vector<SurfacePoint> sites = {centroid(0)};
+  EXPECT_TRUE(
+      kinds(findViolations(mesh, trace(mesh, sites).diagram)).contains(Violation::kUnreachable));
+  const RepairedSites repaired = repair(mesh, sites, Metric::kDgpc);
+  EXPECT_TRUE(hasTheTopologyOf(mesh, dualMesh(mesh, repaired.sites, repaired.diagram)));
+}
+
+TEST(Repair, AddsNothingToWhatIsValid) {
+  const auto mesh = shapes::icosphere(2).mesh();
+  const auto sites = sampleFarthest(mesh, 12, 1);
+  EXPECT_EQ(repair(mesh, sites, Metric::kDgpc).added, 0);
+  EXPECT_EQ(repair(mesh, sites, Metric::kExact).added, 0);
+}
+
+TEST(Repair, SaysWhatIsLeftWhereItMayNotAddMore) {
+  const auto mesh = shapes::torus(24, 12).mesh();
+  const std::vector<SurfacePoint> sites = {centroid(0)};
+  try {
+    repair(mesh, sites, Metric::kDgpc, {.maxAdded = 1});
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.code(), ErrorCode::kInvalidArgument);
+    EXPECT_NE(std::string(e.what()).find("1 site more: region"), std::string::npos) << e.what();
+  }
+  const std::vector<SurfacePoint> twice = {centroid(0), centroid(0)};
+  EXPECT_THROW(repair(mesh, twice, Metric::kDgpc), Error);
+}
+
+TEST(Repair, GivesTheSameSitesEveryTime) {
+  const auto mesh = shapes::bumpySurface(2, 2, 0.3, 4).mesh();
+  const auto sites = sampleUniform(mesh, 6, 4);
+  const auto a = repair(mesh, sites, Metric::kDgpc), b = repair(mesh, sites, Metric::kDgpc);
+  ASSERT_EQ(a.sites.size(), b.sites.size());
+  for (size_t i = 0; i < a.sites.size(); ++i) {
+    EXPECT_EQ(a.sites[i].face, b.sites[i].face);
+    EXPECT_EQ(a.sites[i].bary, b.sites[i].bary);
+  }
+}
+
+TEST(PolygonTopology, KnowsWhatIsNoManifold) {
+  const auto topology = [](int vertices, const std::vector<std::vector<int>>& faces) {
+    PolygonMesh mesh;
+    mesh.points.resize(vertices);
+    for (const auto& face : faces) mesh.faces.add(face);
+    return topologyOf(mesh);
+  };
+  EXPECT_TRUE(topology(4, {{0, 1, 2, 3}}).isManifold);
+  EXPECT_EQ(topology(4, {{0, 1, 2, 3}}).boundaryLoops, 1);
+  EXPECT_TRUE(topology(4, {{0, 1, 2}, {0, 2, 3}}).isManifold);
+  EXPECT_FALSE(topology(4, {{0, 1, 2}, {0, 1, 3}}).isManifold) << "a side twice";
+  EXPECT_FALSE(topology(5, {{0, 1, 2}, {0, 3, 4}}).isManifold) << "two fans";
+  EXPECT_FALSE(topology(3, {{0, 1, 0, 2}}).isManifold) << "a corner twice";
+  EXPECT_EQ(topology(6, {{0, 1, 2}, {3, 4, 5}}).components, 2);
+  EXPECT_EQ(topology(9, {{0, 1, 2}}).vertices, 3);
+}
+
+}  // namespace
+}  // namespace gvd

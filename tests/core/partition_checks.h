@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+//
+// What holds for every partition of every mesh, found from its triangles and twins alone.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "gvd/diagram.h"
+#include "gvd/partition.h"
+#include "gvd/triangle_mesh.h"
+
+namespace gvd::checks {
+
+/// Success if of a partition that leaves nothing out
+///  - twins run the other way;
+///  - welded by the twins, the triangles are a manifold with the mesh's Euler characteristic,
+///    boundary loops and components, and one vertex per point;
+///  - every vertex is at its surface point, seen from each of its triangles (1e-8 of the diameter);
+///  - the areas of the regions sum to the mesh's (1e-12 of it);
+///  - what is told of each region is true of its triangles;
+///  - borders are as long from both sides.
+::testing::AssertionResult isSound(const TriangleMesh& mesh, const Partition& partition);
+
+/// Success if no triangle is turned over and regions have the areas that the diagram says (1e-9).
+/// Between sites no farther apart than rounding, a diagram has cells that are turned over.
+::testing::AssertionResult agreesWithDiagram(const TriangleMesh& mesh, const Diagram& diagram,
+                                             const Partition& partition);
+
+/// Success if every halfedge's twin runs the other way and has it for a twin.
+::testing::AssertionResult hasItsTwins(const Partition& partition);
+
+}  // namespace gvd::checks

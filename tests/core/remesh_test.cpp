@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "gvd/remesh.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "diagram_checks.h"
+#include "gvd/cvt.h"
+#include "gvd/dual.h"
+#include "gvd/sampling.h"
+#include "nearest_on_triangle.h"
+#include "shapes.h"
+#include "triangle_tree.h"
+
+namespace gvd {
+namespace {
+
+using Eigen::Vector3d;
+
+Vector3d randomPoint(shapes::Random& random) {
+  return {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+}
+
+TEST(TriangleTree, FindsWhatLookingAtEveryTriangleFinds) {
+  shapes::Random random(1);
+  for (const int count : {1, 2, 4, 5, 9, 200}) {
+    std::vector<TriangleTree::Triangle> triangles(count);
+    for (auto& triangle : triangles) {
+      const Vector3d centre = randomPoint(random);
+      for (Vector3d& corner : triangle) corner = centre + 0.2 * randomPoint(random);
+    }
+    const TriangleTree tree(triangles);
+    for (int i = 0; i < 100; ++i) {
+      const Vector3d p = 1.5 * randomPoint(random);
+      double least = std::numeric_limits<double>::infinity();
+      for (const auto& t : triangles) {
+        const Vector3d bary = nearestOnTriangle(p, t);
+        EXPECT_NEAR(bary.sum(), 1, 1e-12);
+        EXPECT_GE(bary.minCoeff(), 0);
+        least = std::min(least, (bary[0] * t[0] + bary[1] * t[1] + bary[2] * t[2] - p).norm());
+      }
+      EXPECT_DOUBLE_EQ(tree.distance(p), least);
+    }
+  }
+  EXPECT_EQ(TriangleTree({}).distance({0, 0, 0}), std::numeric_limits<double>::infinity());
+}
+
+TEST(NearestOnTriangle, IsNotFartherThanAnySample) {
+  shapes::Random random(2);
+  for (int i = 0; i < 200; ++i) {
+    const TriangleTree::Triangle t = {randomPoint(random), randomPoint(random),
+                                      randomPoint(random)};
+    const Vector3d p = 2 * randomPoint(random), bary = nearestOnTriangle(p, t);
+    const double distance = (bary[0] * t[0] + bary[1] * t[1] + bary[2] * t[2] - p).norm();
+    for (int a = 0; a <= 10; ++a)
+      for (int b = 0; a + b <= 10; ++b)
+        EXPECT_LE(distance, ((a * t[0] + b * t[1] + (10 - a - b) * t[2]) / 10 - p).norm() + 1e-12);
+  }
+}
+
+/// The mesh itself as polygons.
+PolygonMesh asPolygons(const TriangleMesh& mesh) {
+  PolygonMesh result;
+  for (int v = 0; v < mesh.vertexCount(); ++v) {
+    const int h = mesh.outgoing(v);
+    result.points.push_back({h / 3, Vector3d::Unit(h % 3)});
+    result.positions.push_back(mesh.position(v));
+  }
+  for (int f = 0; f < mesh.faceCount(); ++f)
+    result.faces.add(
+        std::vector<int>{mesh.tail(3 * f), mesh.tail(3 * f + 1), mesh.tail(3 * f + 2)});
+  return result;
+}
+
+TEST(RemeshQuality, OfAnIcosahedronIsThatOfItsTriangles) {
+  const TriangleMesh mesh = shapes::icosphere(0).mesh();
+  const RemeshQuality quality = measureQuality(mesh, asPolygons(mesh));
+  EXPECT_EQ(quality.triangles, 20);
+  EXPECT_NEAR(quality.minAngle, 60, 1e-9);
+  EXPECT_NEAR(quality.meanMinAngle, 60, 1e-9);
+  EXPECT_EQ(quality.minValence, 5);
+  EXPECT_EQ(quality.maxValence, 5);
+  EXPECT_EQ(quality.regularShare, 0);
+  EXPECT_NEAR(quality.hausdorff, 0, 1e-12);
+}
+
+TEST(RemeshQuality, KnowsTheDistanceOfAnIcosahedronFromASphere) {
+  // The middles of its faces are deepest inside.
+  const TriangleMesh coarse = shapes::icosphere(0).mesh(), sphere = shapes::icosphere(4).mesh();
+  const double depth = 1 - coarse.position({0, Vector3d::Constant(1.0 / 3)}).norm();
+  EXPECT_NEAR(measureQuality(sphere, asPolygons(coarse)).hausdorff, depth, 0.02 * depth);
+  EXPECT_NEAR(measureQuality(coarse, asPolygons(sphere)).hausdorff, depth, 0.02 * depth);
+}
+
+TEST(RemeshQuality, CountsNeighboursOfVerticesInsideOnly) {
+  const TriangleMesh mesh = shapes::grid(4, 4).mesh();
+  const RemeshQuality quality = measureQuality(mesh, asPolygons(mesh));
+  EXPECT_EQ(quality.minValence, 6);
+  EXPECT_EQ(quality.maxValence, 6);
+  EXPECT_EQ(quality.regularShare, 1);
+  EXPECT_NEAR(quality.minAngle, 45, 1e-9);
+}
+
+TEST(RemeshQuality, OfNothingIsInfinitelyFar) {
+  const TriangleMesh mesh = shapes::icosphere(0).mesh();
+  const RemeshQuality quality = measureQuality(mesh, {});
+  EXPECT_EQ(quality.triangles, 0);
+  EXPECT_EQ(quality.hausdorff, std::numeric_limits<double>::infinity());
+}
+
+TEST(RemeshQuality, OfACentroidalTessellationIsHigh) {
+  const TriangleMesh mesh = shapes::icosphere(3).mesh();
+  Cvt cvt(mesh, sampleUniform(mesh, 100, 1), {.iterations = 30});
+  while (!cvt.isDone())
+    while (!cvt.step(100000)) {
+    }
+  const RepairedSites valid = repair(mesh, cvt.sites(), Metric::kDgpc);
+  const RemeshQuality quality = measureQuality(mesh, dualMesh(mesh, valid.sites, valid.diagram));
+  EXPECT_EQ(quality.triangles, 2 * static_cast<int>(valid.sites.size()) - 4);
+  EXPECT_GT(quality.minAngle, 30);
+  EXPECT_GT(quality.meanMinAngle, 50);
+  EXPECT_GE(quality.minValence, 5);
+  EXPECT_LE(quality.maxValence, 7);
+}
+
+TEST(Triangulate, KeepsSidesAndTurnsNoTriangleOver) {
+  const TriangleMesh mesh = shapes::bumpySurface(1, 3, 0.1, 1).mesh();
+  const RepairedSites valid = repair(mesh, sampleFarthest(mesh, 60, 1), Metric::kDgpc);
+  for (const PolygonMesh& polygons :
+       {dualMesh(mesh, valid.sites, valid.diagram), regionMesh(mesh, valid.diagram)}) {
+    const PolygonTriangles cut = triangulate(polygons);
+    PolygonMesh triangles = polygons;
+    triangles.faces = {};
+    for (const auto& triangle : cut.triangles) triangles.faces.add(triangle);
+    const PolygonTopology before = topologyOf(polygons), after = topologyOf(triangles);
+    EXPECT_TRUE(after.isManifold);
+    EXPECT_EQ(after.eulerCharacteristic, before.eulerCharacteristic);
+    EXPECT_EQ(after.genus, 1);
+    EXPECT_EQ(after.vertices, before.vertices);
+  }
+}
+
+}  // namespace
+}  // namespace gvd

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+//
+// Duals and regions as polygons: that they arrive whole, that repair makes valid ones on every sample
+// model of the page, and that others can read the files.
+
+import assert from 'node:assert/strict';
+import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import {
+  load,
+  partitionGlb,
+  polygonGlb,
+  polygonJson,
+  polygonObj,
+  polygonPly,
+} from 'geodesic-voronoi';
+import { makeSamples } from '../../web/page/samples.mjs';
+import {
+  areaOf,
+  assertValidGlb,
+  readObj,
+  readPly,
+  surfaceOf,
+  threeMeshes,
+  total,
+  trianglesOf,
+} from './files.mjs';
+import { apart, grid, octahedron } from './meshes.mjs';
+
+let gvd;
+let samples;
+before(async () => {
+  gvd = await load();
+  samples = mkdtempSync(join(tmpdir(), 'geodesic-voronoi-'));
+  makeSamples(samples);
+});
+after(() => rmSync(samples, { recursive: true }));
+
+/** A list of lists, as lists. */
+const listsOf = ({ offset, points }) =>
+  Array.from({ length: offset.length - 1 }, (_, i) => [
+    ...points.subarray(offset[i], offset[i + 1]),
+  ]);
+
+async function validDiagram(input = grid(8), count = 12) {
+  const mesh = await gvd.mesh(input);
+  const diagram = await (await mesh.voronoi(await mesh.sampleSites(count, { seed: 3 }))).repair();
+  return { mesh, diagram };
+}
+
+test('a dual has a vertex per site, in its place, and the topology of the surface', async () => {
+  for (const input of [grid(8), octahedron(), apart(octahedron(), grid(5))]) {
+    const { mesh, diagram } = await validDiagram(input);
+    const { sites } = diagram;
+    const dual = await diagram.dual();
+    assert.deepEqual([...dual.points.face.subarray(0, sites.face.length)], [...sites.face]);
+    assert.deepEqual([...dual.vertexLabel.subarray(0, sites.face.length)], [...sites.face.keys()]);
+    assert.equal(dual.faceLabel.length, 0);
+    assert.deepEqual(await diagram.violations(), []);
+    const primal = await diagram.dual({ primal: true });
+    assert.deepEqual([...primal.faceLabel].sort((a, b) => a - b), [...sites.face.keys()]);
+    for (const polygons of [dual, primal]) {
+      const { euler, isOriented } = surfaceOf(listsOf(polygons.faces));
+      assert.ok(isOriented);
+      assert.equal(euler, mesh.info.eulerCharacteristic);
+      assert.equal(polygons.topology.eulerCharacteristic, euler);
+      for (const key of ['components', 'boundaryLoops', 'genus'])
+        assert.equal(polygons.topology[key], mesh.info[key], key);
+    }
+  }
+});
+
+test('on every sample model, and from 30 sites, repair makes a dual of its genus', async () => {
+  const genera = new Set();
+  for (const file of readdirSync(samples)) {
+    const mesh = await gvd.mesh(readFileSync(join(samples, file)));
+    const { components, boundaryLoops, genus, eulerCharacteristic } = mesh.info;
+    genera.add(genus);
+    const diagram = await (await mesh.voronoi(await mesh.sampleSites(30))).repair();
+    assert.deepEqual(await diagram.violations(), [], file);
+    const { topology, faces } = await diagram.dual();
+    assert.ok(topology.isManifold, file);
+    assert.deepEqual(
+      [topology.components, topology.boundaryLoops, topology.genus, topology.eulerCharacteristic],
+      [components, boundaryLoops, genus, eulerCharacteristic],
+      file,
+    );
+    assert.equal(surfaceOf(listsOf(faces)).euler, eulerCharacteristic, file);
+
+    const { triangles, points, regions } = await diagram.partition();
+    const area = total(
+      Array.from(triangles.label, (_, t) =>
+        areaOf(
+          [...triangles.points.subarray(3 * t, 3 * t + 3)].map((point) => [
+            ...points.position.subarray(3 * point, 3 * point + 3),
+          ]),
+        ),
+      ),
+    );
+    assert.ok(Math.abs(area / mesh.info.area - 1) < 1e-12, file);
+    assert.ok(Math.abs(total([...regions.area]) / mesh.info.area - 1) < 1e-12, file);
+    await assertValidGlb(partitionGlb({ triangles, points, regions }, { mesh }));
+  }
+  assert.ok([0, 1].every((genus) => genera.has(genus)) && Math.max(...genera) > 1);
+});
+
+test('violations are named with their regions', async () => {
+  const mesh = await gvd.mesh(octahedron());
+  const diagram = await mesh.voronoi({ vertex: [0, 3] });
+  assert.deepEqual(await diagram.violations(), [
+    {
+      kind: 'closed-border',
+      labels: [0, 1],
+      message: 'regions 0 and 1 meet along a closed curve',
+    },
+  ]);
+});
+
+test('repair keeps the sites, adds some, and leaves what is valid alone', async () => {
+  const mesh = await gvd.mesh(octahedron());
+  const diagram = await mesh.voronoi({ vertex: [0, 3] });
+  const shares = [];
+  const valid = await diagram.repair({ onProgress: (share) => shares.push(share) });
+  assert.deepEqual([...valid.sites.face.subarray(0, 2)], [...diagram.sites.face]);
+  assert.ok(valid.sites.face.length > 2);
+  assert.equal(await valid.repair(), valid);
+  assert.deepEqual(
+    shares,
+    [...shares].sort((a, b) => a - b),
+  );
+  assert.equal(shares.at(-1), 1);
+  assert.equal((await diagram.dual()).points.face.length, 2, 'the first one is still there');
+});
+
+test('repair may be limited and given up', async () => {
+  const mesh = await gvd.mesh(octahedron());
+  const diagram = await mesh.voronoi({ vertex: [0, 3] });
+  await assert.rejects(diagram.repair({ maxAdded: 1 }), {
+    code: 'invalid-argument',
+    message: /regions \d/,
+  });
+  await assert.rejects(diagram.repair({ maxAdded: -1 }), { code: 'invalid-argument' });
+  await assert.rejects(
+    diagram.repair({ signal: AbortSignal.abort(new Error('enough')) }),
+    /enough/,
+  );
+  const twice = await mesh.voronoi({ vertex: [0, 0] });
+  await assert.rejects(twice.repair(), { message: /site 1 has no region/ });
+});
+
+test('GLB, OBJ and PLY hold the polygons', async () => {
+  const { mesh, diagram } = await validDiagram();
+  for (const primal of [false, true]) {
+    const polygons = await diagram.dual({ primal });
+    const lists = listsOf(polygons.faces);
+    const place = (point) => [...polygons.points.position.subarray(3 * point, 3 * point + 3)];
+
+    const bytes = polygonGlb(polygons, { mesh, scale: 10 });
+    await assertValidGlb(bytes);
+    const [{ geometry }] = await threeMeshes(bytes);
+    const triangles = trianglesOf(geometry);
+    assert.equal(triangles.length, polygons.triangles.face.length);
+    assert.equal(triangles.length, total(lists.map(({ length }) => length - 2)));
+    const area = total(triangles.map(areaOf));
+    const expected = 100 * total(lists.map((list) => areaOf(list.map(place))));
+    assert.ok(Math.abs(area / expected - 1) < 1e-5);
+    const again = await gvd.mesh(bytes);
+    assert.equal(again.info.eulerCharacteristic, mesh.info.eulerCharacteristic);
+    assert.equal(again.info.inputFaces, triangles.length);
+
+    const obj = readObj(polygonObj(polygons, { mesh }));
+    assert.deepEqual(
+      obj.v,
+      Array.from(polygons.points.face, (_, i) => place(i)),
+    );
+    assert.deepEqual(
+      obj.faces.map(({ corners }) => corners.map(([point]) => point)),
+      lists,
+    );
+    assert.deepEqual(
+      obj.faces.map(({ group }) => group),
+      lists.map((_, f) => (primal ? `region_${polygons.faceLabel[f]}` : '')),
+    );
+
+    const { vertex, face } = readPly(polygonPly(polygons, { mesh }));
+    assert.deepEqual(
+      face.map(({ vertex_indices: corners }) => corners),
+      lists,
+    );
+    const labels = (primal ? face : vertex).map(({ label }) => label);
+    assert.deepEqual(labels, [...(primal ? polygons.faceLabel : polygons.vertexLabel)]);
+
+    const json = polygonJson(polygons, 3);
+    assert.deepEqual(json.faces, lists);
+    assert.equal(json.points.position[1], 3 * polygons.points.position[1]);
+  }
+});
+
+test('where there is no polygon, files are valid all the same', async () => {
+  const mesh = await gvd.mesh(octahedron());
+  const diagram = await mesh.voronoi({ vertex: [0] });
+  const dual = await diagram.dual();
+  await assertValidGlb(polygonGlb(dual));
+  assert.deepEqual(readObj(polygonObj(dual)).faces, []);
+  assert.deepEqual(readPly(polygonPly(dual)).face, []);
+  // Two regions with one closed border have no corners, three have polygons of two.
+  const three = await (await mesh.voronoi({ vertex: [0, 1, 2] })).dual({ primal: true });
+  for (const { corners } of readObj(polygonObj(three)).faces) assert.ok(corners.length >= 3);
+});
+
+test('quality of a dual as a remesh', async () => {
+  const { diagram } = await validDiagram(grid(20), 60);
+  const quality = await diagram.remeshQuality();
+  assert.equal(quality.triangles, (await diagram.dual()).triangles.face.length);
+  assert.ok(quality.minAngle > 0 && quality.meanMinAngle <= 60);
+  assert.ok(quality.minValence >= 3 && quality.maxValence < 12);
+  assert.ok(quality.regularShare >= 0 && quality.regularShare <= 1);
+  // Flat, and corners of the square are cut.
+  assert.ok(quality.hausdorff > 0 && quality.hausdorff < 0.3);
+});
+
+test('after sites have come and gone, it is about those that are there', async () => {
+  const mesh = await gvd.mesh(octahedron());
+  const diagram = await mesh.voronoi({ vertex: [0, 3] });
+  await diagram.insertSite({ vertex: [1] });
+  const { regions } = await diagram.partition();
+  assert.equal(regions.area.length, 3);
+  diagram.regions.forEach(({ area }, i) => assert.ok(Math.abs(regions.area[i] - area) < 1e-12));
+  assert.equal((await diagram.dual()).points.face.length, 3);
+  assert.ok((await diagram.repair()).sites.face.length > 3);
+  await diagram.removeSite(1);
+  assert.equal((await diagram.partition()).regions.area[1], 0);
+  for (const asked of [diagram.dual(), diagram.violations(), diagram.repair()])
+    await assert.rejects(asked, { code: 'invalid-argument', message: /site 1 has been removed/ });
+});

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+//
+// What the input says of its vertices (normals, texture coordinates), at points of the surface.
+
+import type { Mesh, Partition } from './types.js';
+
+/** The mesh that a partition or a dual came from, or as much of it as writers need. */
+export type AttributeSource = Pick<Mesh, 'positions' | 'indices' | 'normals' | 'uvs'>;
+
+/** Per vertex of a file the point it is at, and what belongs to it; absent: the input has none. */
+export interface FileVertices {
+  points: Int32Array;
+  normals?: Float32Array;
+  uvs?: Float32Array;
+}
+
+/** Values at points given by a face and barycentric coordinates. */
+class Interpolator {
+  readonly #source: AttributeSource;
+  /** Of one point: the normal, then the texture coordinates, as far as there are any. */
+  readonly values: Float32Array;
+
+  constructor(source: AttributeSource) {
+    this.#source = source;
+    this.values = new Float32Array(
+      (source.normals.length > 0 ? 3 : 0) + (source.uvs.length > 0 ? 2 : 0),
+    );
+  }
+
+  /** Sets `values` to those at the point with coordinates `bary[at] … bary[at + 2]`. */
+  moveTo(face: number, bary: Float64Array, at: number): void {
+    const { normals, uvs } = this.#source;
+    let k = 0;
+    if (normals.length > 0) {
+      let normal = [0, 1, 2].map((axis) => this.#mean(normals, 3, axis, face, bary, at));
+      let length = Math.hypot(...normal);
+      if (!(length > 1e-6)) {
+        normal = this.#faceNormal(face); // they cancel out, or there are none here
+        length = Math.hypot(...normal);
+      }
+      if (!(length > 0)) [normal, length] = [[0, 0, 1], 1]; // nothing to go by
+      for (const x of normal) this.values[k++] = x / length;
+    }
+    if (uvs.length > 0)
+      for (const axis of [0, 1]) this.values[k++] = this.#mean(uvs, 2, axis, face, bary, at);
+  }
+
+  #mean(
+    values: Float64Array,
+    size: number,
+    axis: number,
+    face: number,
+    bary: Float64Array,
+    at: number,
+  ): number {
+    const { indices } = this.#source;
+    let sum = 0;
+    for (let i = 0; i < 3; ++i) {
+      const share = bary[at + i];
+      if (share !== 0) sum += share * values[size * indices[3 * face + i] + axis];
+    }
+    return sum;
+  }
+
+  #faceNormal(face: number): number[] {
+    const { positions, indices } = this.#source;
+    const [a, b, c] = [0, 1, 2].map((i) => {
+      const vertex = indices[3 * face + i];
+      return positions.subarray(3 * vertex, 3 * vertex + 3);
+    });
+    const side = (to: Float64Array, axis: number) => to[axis] - a[axis];
+    return [0, 1, 2].map((axis) => {
+      const [y, z] = [(axis + 1) % 3, (axis + 2) % 3];
+      return side(b, y) * side(c, z) - side(b, z) * side(c, y);
+    });
+  }
+}
+
+/** Takes the rows of an interpolator apart. */
+function columnsOf(source: AttributeSource, rows: number[]): Omit<FileVertices, 'points'> {
+  const normalSize = source.normals.length > 0 ? 3 : 0;
+  const uvSize = source.uvs.length > 0 ? 2 : 0;
+  const size = normalSize + uvSize;
+  const column = (first: number, width: number) =>
+    Float32Array.from(
+      { length: (rows.length / size) * width },
+      (_, i) => rows[Math.floor(i / width) * size + first + (i % width)],
+    );
+  return {
+    ...(normalSize > 0 && { normals: column(0, normalSize) }),
+    ...(uvSize > 0 && { uvs: column(normalSize, uvSize) }),
+  };
+}
+
+/**
+ * Vertices for the triangles `first` … `last - 1` of a partition, and each corner's: one per point,
+ * but several where the input's normals or texture coordinates have a seam.
+ */
+export function partitionVertices(
+  { triangles, points }: Partition,
+  source: AttributeSource | undefined,
+  first = 0,
+  last = triangles.label.length,
+): { vertices: FileVertices; corners: Uint32Array<ArrayBuffer> } {
+  const interpolator = source && new Interpolator(source);
+  const values = interpolator?.values ?? new Float32Array();
+  /** Per point the last vertex made there, per vertex the one before; -1 for none. */
+  const newest = new Int32Array(points.face.length).fill(-1);
+  const before: number[] = [];
+  const at: number[] = [];
+  const rows: number[] = [];
+  const corners = new Uint32Array(3 * (last - first));
+  for (let c = 0; c < corners.length; ++c) {
+    const corner = 3 * first + c;
+    const point = triangles.points[corner];
+    interpolator?.moveTo(triangles.face[Math.floor(corner / 3)], triangles.bary, 3 * corner);
+    let vertex = newest[point];
+    while (vertex >= 0 && !values.every((x, k) => x === rows[vertex * values.length + k]))
+      vertex = before[vertex];
+    if (vertex < 0) {
+      vertex = at.length;
+      at.push(point);
+      before.push(newest[point]);
+      newest[point] = vertex;
+      rows.push(...values);
+    }
+    corners[c] = vertex;
+  }
+  const columns = source && values.length > 0 ? columnsOf(source, rows) : {};
+  return { vertices: { points: Int32Array.from(at), ...columns }, corners };
+}
+
+/** One vertex per point. */
+export function pointVertices(
+  { face, bary }: { face: Int32Array; bary: Float64Array },
+  source: AttributeSource | undefined,
+): FileVertices {
+  const points = Int32Array.from(face, (_, i) => i);
+  if (!source || source.normals.length + source.uvs.length === 0) return { points };
+  const interpolator = new Interpolator(source);
+  const rows: number[] = [];
+  for (let i = 0; i < face.length; ++i) {
+    interpolator.moveTo(face[i], bary, 3 * i);
+    rows.push(...interpolator.values);
+  }
+  return { points, ...columnsOf(source, rows) };
+}
+
+/** One list after the other, all with or all without each attribute. */
+export function joined(lists: FileVertices[]): FileVertices {
+  const concat = <List extends Int32Array | Float32Array>(
+    type: { new (length: number): List },
+    parts: List[],
+  ) => {
+    const whole = new type(parts.reduce((sum, { length }) => sum + length, 0));
+    let offset = 0;
+    for (const part of parts) {
+      whole.set(part, offset);
+      offset += part.length;
+    }
+    return whole;
+  };
+  const attribute = (name: 'normals' | 'uvs') =>
+    lists[0][name] && { [name]: concat(Float32Array, lists.map((list) => list[name]!)) };
+  return {
+    points: concat(Int32Array, lists.map(({ points }) => points)),
+    ...attribute('normals'),
+    ...attribute('uvs'),
+  };
+}

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: MIT
+//
+// A partition as a file. `mesh` brings the normals and texture coordinates to interpolate; `scale`
+// is what lengths are multiplied with on the way out.
+
+import { joined, partitionVertices, type AttributeSource } from './attributes.js';
+import { glbAttributes, objCorner, objLines, plyColumns } from './file_vertices.js';
+import { pointsJson, type SurfacePointsJson } from './formats.js';
+import { GlbBuilder } from './glb.js';
+import { ply } from './ply.js';
+import type { Partition, SurfacePoints } from './types.js';
+
+export interface PartitionFileOptions {
+  mesh?: AttributeSource;
+  scale?: number;
+}
+
+export interface PartitionGlbOptions extends PartitionFileOptions {
+  /**
+   * 'regions': a node with one primitive per region, named `region 0`, …, with its label in
+   * `extras.region`. 'features': one primitive, with the labels in `_FEATURE_ID_0` as
+   * EXT_mesh_features has them. Default 'regions'.
+   */
+  layout?: PartitionLayout;
+}
+
+export const partitionLayouts = ['regions', 'features'] as const;
+export type PartitionLayout = (typeof partitionLayouts)[number];
+
+/** The JSON form of a partition; without its triangles where only facts of regions are wanted. */
+export interface PartitionJson {
+  sites: SurfacePointsJson;
+  regions: {
+    area: number;
+    perimeter: number;
+    boundaryLength: number;
+    /** null for a site without region. */
+    centroid: number[] | null;
+    /** The nearest point of the region; face -1 for a site without. */
+    nearCentroid: { face: number; bary: number[] };
+    components: number;
+    loops: number;
+    eulerCharacteristic: number;
+    genus: number;
+    selfTouchings: number;
+    neighbours: { label: number; length: number }[];
+    firstTriangle: number;
+    triangleCount: number;
+  }[];
+  points: SurfacePointsJson & { position: number[] };
+  triangles: { points: number[]; label: number[]; face: number[] };
+}
+
+export function partitionJson(
+  { points, triangles, regions }: Partition,
+  sites: SurfacePoints,
+  scale = 1,
+): PartitionJson {
+  const { neighbours, nearCentroid, triangleOffset } = regions;
+  return {
+    sites: pointsJson(sites),
+    regions: Array.from(regions.area, (area, i) => {
+      const centroid = Array.from(regions.centroid.subarray(3 * i, 3 * i + 3), (x) => scale * x);
+      return {
+        area: scale * scale * area,
+        perimeter: scale * regions.perimeter[i],
+        boundaryLength: scale * regions.boundaryLength[i],
+        centroid: centroid.some(Number.isNaN) ? null : centroid,
+        nearCentroid: {
+          face: nearCentroid.face[i],
+          bary: [...nearCentroid.bary.subarray(3 * i, 3 * i + 3)],
+        },
+        components: regions.components[i],
+        loops: regions.loops[i],
+        eulerCharacteristic: regions.eulerCharacteristic[i],
+        genus: regions.genus[i],
+        selfTouchings: regions.selfTouchings[i],
+        neighbours: Array.from(
+          neighbours.label.subarray(neighbours.offset[i], neighbours.offset[i + 1]),
+          (label, k) => ({ label, length: scale * neighbours.length[neighbours.offset[i] + k] }),
+        ),
+        firstTriangle: triangleOffset[i],
+        triangleCount: triangleOffset[i + 1] - triangleOffset[i],
+      };
+    }),
+    points: { ...pointsJson(points), position: Array.from(points.position, (x) => scale * x) },
+    triangles: {
+      points: [...triangles.points],
+      label: [...triangles.label],
+      face: [...triangles.face],
+    },
+  };
+}
+
+export function partitionGlb(
+  partition: Partition,
+  { layout = 'regions', ...options }: PartitionGlbOptions = {},
+): Uint8Array<ArrayBuffer> {
+  if (partition.triangles.label.length === 0)
+    return new GlbBuilder().finish({ scene: 0, scenes: [{}] }); // glTF has no empty primitive
+  return layout === 'regions' ? regionsGlb(partition, options) : featuresGlb(partition, options);
+}
+
+function regionsGlb(
+  partition: Partition,
+  { mesh, scale = 1 }: PartitionFileOptions,
+): Uint8Array<ArrayBuffer> {
+  const file = new GlbBuilder();
+  const parts = partsOf(partition).map(({ label, first, last }, i) => {
+    const { vertices, corners } = partitionVertices(partition, mesh, first, last);
+    const name = nameOf(label);
+    const extras = { region: label };
+    return {
+      node: { name, mesh: i, extras },
+      mesh: {
+        name,
+        primitives: [
+          {
+            attributes: glbAttributes(file, partition.points.position, vertices, scale),
+            indices: file.indices(corners),
+            material: i,
+          },
+        ],
+      },
+      material: material(name, [...colourOf(label), 1]),
+    };
+  });
+  return file.finish({
+    scene: 0,
+    scenes: [{ nodes: parts.map((_, i) => i) }],
+    nodes: parts.map(({ node }) => node),
+    meshes: parts.map(({ mesh }) => mesh),
+    materials: parts.map(({ material }) => material),
+  });
+}
+
+function featuresGlb(
+  partition: Partition,
+  { mesh, scale = 1 }: PartitionFileOptions,
+): Uint8Array<ArrayBuffer> {
+  const siteCount = partition.regions.area.length;
+  const file = new GlbBuilder();
+  const patches = partsOf(partition).map(({ label, first, last }) => ({
+    label,
+    ...partitionVertices(partition, mesh, first, last),
+  }));
+  // Vertices on borders are there once per region: an id belongs to a vertex.
+  const vertices = joined(patches.map((patch) => patch.vertices));
+  const ids = new Float32Array(vertices.points.length);
+  const colours = new Uint8Array(4 * ids.length);
+  const corners = new Uint32Array(partition.triangles.points.length);
+  let [vertex, corner] = [0, 0];
+  for (const patch of patches) {
+    const end = vertex + patch.vertices.points.length;
+    ids.fill(patch.label < 0 ? siteCount : patch.label, vertex, end);
+    const colour = [...colourOf(patch.label), 1].map((x) => Math.round(255 * x));
+    for (let v = vertex; v < end; ++v) colours.set(colour, 4 * v);
+    for (const c of patch.corners) corners[corner++] = vertex + c;
+    vertex = end;
+  }
+  const isPartUnreached = patches.at(-1)!.label < 0;
+  const featureIds = {
+    featureCount: patches.length - Number(isPartUnreached),
+    attribute: 0,
+    label: 'region',
+    ...(isPartUnreached && { nullFeatureId: siteCount }),
+  };
+  const primitive = {
+    attributes: {
+      ...glbAttributes(file, partition.points.position, vertices, scale),
+      COLOR_0: file.attribute(colours, 'VEC4'),
+      _FEATURE_ID_0: file.attribute(ids, 'SCALAR'),
+    },
+    indices: file.indices(corners),
+    material: 0,
+    // Without a feature there is nothing to tell apart, and no valid extension.
+    ...(featureIds.featureCount > 0 && {
+      extensions: { EXT_mesh_features: { featureIds: [featureIds] } },
+    }),
+  };
+  return file.finish({
+    ...(featureIds.featureCount > 0 && { extensionsUsed: ['EXT_mesh_features'] }),
+    scene: 0,
+    scenes: [{ nodes: [0] }],
+    nodes: [{ name: 'regions', mesh: 0 }],
+    meshes: [{ name: 'regions', primitives: [primitive] }],
+    materials: [material('regions', [1, 1, 1, 1])],
+  });
+}
+
+/** A group per region; all vertices are shared. */
+export function partitionObj(
+  partition: Partition,
+  { mesh, scale = 1 }: PartitionFileOptions = {},
+): string {
+  const { vertices, corners } = partitionVertices(partition, mesh);
+  const lines = objLines(partition.points.position, vertices, scale);
+  const corner = (c: number) => objCorner(vertices, partition.triangles.points[c], corners[c]);
+  for (const { label, first, last } of partsOf(partition)) {
+    lines.push(`g ${nameOf(label).replace(' ', '_')}`);
+    for (let t = first; t < last; ++t)
+      lines.push(`f ${corner(3 * t)} ${corner(3 * t + 1)} ${corner(3 * t + 2)}`);
+  }
+  return `# Regions of a geodesic Voronoi diagram\n${lines.join('\n')}\n`;
+}
+
+/** Every face with its label, -1 where no site reaches. */
+export function partitionPly(
+  partition: Partition,
+  { mesh, scale = 1 }: PartitionFileOptions = {},
+): Uint8Array<ArrayBuffer> {
+  const { vertices, corners } = partitionVertices(partition, mesh);
+  const offset = Int32Array.from(
+    { length: partition.triangles.label.length + 1 },
+    (_, t) => 3 * t,
+  );
+  return ply(
+    'Regions of a geodesic Voronoi diagram',
+    plyColumns(partition.points.position, vertices, scale),
+    { offset, points: corners },
+    [{ names: ['label'], type: 'int', values: partition.triangles.label }],
+  );
+}
+
+/** The runs of triangles of one label. */
+function partsOf({ triangles, regions }: Partition): {
+  label: number;
+  first: number;
+  last: number;
+}[] {
+  const { triangleOffset } = regions;
+  const parts = Array.from(regions.area, (_, label) => ({
+    label,
+    first: triangleOffset[label],
+    last: triangleOffset[label + 1],
+  }));
+  parts.push({ label: -1, first: parts.at(-1)?.last ?? 0, last: triangles.label.length });
+  return parts.filter(({ first, last }) => first < last);
+}
+
+function nameOf(label: number): string {
+  return label < 0 ? 'unreachable' : `region ${label}`;
+}
+
+/** Hues that follow each other by the golden ratio, so that any first few differ; as linear RGB. */
+function colourOf(label: number): number[] {
+  if (label < 0) return [0.2, 0.2, 0.2];
+  const hue = (label * 0.618033988749895) % 1;
+  return [5, 3, 1].map((n) => {
+    const k = (n + 6 * hue) % 6;
+    return 0.85 * (1 - 0.6 * Math.max(0, Math.min(k, 4 - k, 1)));
+  });
+}
+
+function material(name: string, baseColorFactor: number[]): object {
+  return {
+    name,
+    pbrMetallicRoughness: { baseColorFactor, metallicFactor: 0, roughnessFactor: 0.8 },
+    doubleSided: true,
+  };
+}

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+//
+// A dual, or regions as polygons, as a file. `mesh` brings the normals and texture coordinates to
+// interpolate; `scale` is what lengths are multiplied with on the way out.
+
+import { pointVertices, type AttributeSource } from './attributes.js';
+import { glbAttributes, objCorner, objLines, plyColumns } from './file_vertices.js';
+import { pointsJson, type SurfacePointsJson } from './formats.js';
+import { GlbBuilder } from './glb.js';
+import { ply, type PlyColumns } from './ply.js';
+import type { PolygonMesh, PolygonTopology } from './types.js';
+
+export interface PolygonFileOptions {
+  mesh?: AttributeSource;
+  scale?: number;
+}
+
+/** The JSON form of a polygon mesh; `vertexLabel` of a dual, `faceLabel` of regions. */
+export interface PolygonMeshJson {
+  points: SurfacePointsJson & { position: number[] };
+  faces: number[][];
+  vertexLabel: number[];
+  faceLabel: number[];
+  topology: PolygonTopology;
+}
+
+export function polygonJson(
+  { points, faces, vertexLabel, faceLabel, topology }: PolygonMesh,
+  scale = 1,
+): PolygonMeshJson {
+  return {
+    points: { ...pointsJson(points), position: Array.from(points.position, (x) => scale * x) },
+    faces: Array.from({ length: faces.offset.length - 1 }, (_, f) => [
+      ...faces.points.subarray(faces.offset[f], faces.offset[f + 1]),
+    ]),
+    vertexLabel: [...vertexLabel],
+    faceLabel: [...faceLabel],
+    topology,
+  };
+}
+
+/** The polygons cut into triangles: one primitive. */
+export function polygonGlb(
+  { points, triangles }: PolygonMesh,
+  { mesh, scale = 1 }: PolygonFileOptions = {},
+): Uint8Array<ArrayBuffer> {
+  const file = new GlbBuilder();
+  // glTF has no empty primitive.
+  if (triangles.face.length === 0) return file.finish({ scene: 0, scenes: [{}] });
+  const primitive = {
+    attributes: glbAttributes(file, points.position, pointVertices(points, mesh), scale),
+    indices: file.indices(Uint32Array.from(triangles.points)),
+  };
+  return file.finish({
+    scene: 0,
+    scenes: [{ nodes: [0] }],
+    nodes: [{ name: 'polygons', mesh: 0 }],
+    meshes: [{ name: 'polygons', primitives: [primitive] }],
+  });
+}
+
+/** Polygons; those of regions in a group each. */
+export function polygonObj(
+  polygons: PolygonMesh,
+  { mesh, scale = 1 }: PolygonFileOptions = {},
+): string {
+  const { points } = polygons;
+  const { faces, faceLabel } = withArea(polygons);
+  const vertices = pointVertices(points, mesh);
+  const lines = objLines(points.position, vertices, scale);
+  for (let f = 0; f + 1 < faces.offset.length; ++f) {
+    if (faceLabel.length > 0) lines.push(`g region_${faceLabel[f]}`);
+    const corners = faces.points.subarray(faces.offset[f], faces.offset[f + 1]);
+    lines.push(`f ${Array.from(corners, (point) => objCorner(vertices, point, point)).join(' ')}`);
+  }
+  return `# Polygons of a geodesic Voronoi diagram\n${lines.join('\n')}\n`;
+}
+
+/** Polygons; with the region of each vertex of a dual, or of each face that is a region. */
+export function polygonPly(
+  polygons: PolygonMesh,
+  { mesh, scale = 1 }: PolygonFileOptions = {},
+): Uint8Array<ArrayBuffer> {
+  const { points, vertexLabel } = polygons;
+  const { faces, faceLabel } = withArea(polygons);
+  const labels = (values: Int32Array): PlyColumns[] =>
+    values.length > 0 ? [{ names: ['label'], type: 'int', values }] : [];
+  return ply(
+    'Polygons of a geodesic Voronoi diagram',
+    [
+      ...plyColumns(points.position, pointVertices(points, mesh), scale),
+      ...labels(vertexLabel),
+    ],
+    faces,
+    labels(faceLabel),
+  );
+}
+
+/** Without the polygons of one or two corners, which there may be where regions have few neighbours. */
+function withArea({ faces, faceLabel }: PolygonMesh): Pick<PolygonMesh, 'faces' | 'faceLabel'> {
+  const { offset, points } = faces;
+  const kept = Array.from({ length: offset.length - 1 }, (_, f) => f).filter(
+    (f) => offset[f + 1] - offset[f] >= 3,
+  );
+  if (kept.length === offset.length - 1) return { faces, faceLabel };
+  const lists = kept.map((f) => points.subarray(offset[f], offset[f + 1]));
+  let end = 0;
+  return {
+    faces: {
+      offset: Int32Array.from([0, ...lists.map(({ length }) => (end += length))]),
+      points: Int32Array.from(lists.flatMap((list) => [...list])),
+    },
+    faceLabel: faceLabel.length > 0 ? Int32Array.from(kept, (f) => faceLabel[f]) : faceLabel,
+  };
+}
