@@ -47,6 +47,7 @@ class Sweep final : public Propagation {
  public:
   Sweep(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Spread spread)
       : mesh_(mesh),
+        sites_(sites.begin(), sites.end()),
         spread_(spread),
         frames_(layOutFaces(mesh)),
         table_(mesh.vertexCount()),
@@ -86,8 +87,9 @@ class Sweep final : public Propagation {
 
   std::unique_ptr<DistanceField> take() override {
     auto [offset, values] = listValues();
-    return std::make_unique<Field>(mesh_, std::move(frames_), std::move(windows_),
-                                   std::move(faceSites_), std::move(offset), std::move(values));
+    return std::make_unique<Field>(mesh_, std::move(sites_), std::move(frames_),
+                                   std::move(windows_), std::move(faceSites_), std::move(table_),
+                                   std::move(offset), std::move(values));
   }
 
  private:
@@ -106,7 +108,7 @@ class Sweep final : public Propagation {
     const Place place = placeOf(site.bary);
     if (place.corner >= 0) {
       const int vertex = frames_[site.face].vertex[place.corner];
-      offer(vertex, label, 0, -1, 0);
+      offer(vertex, label, 0, -1, 0, kFromSite);
       return;
     }
     startInFace(label, site, place.side);
@@ -128,7 +130,7 @@ class Sweep final : public Propagation {
       const Eigen::Vector2d s = layOut(frame, i, site.bary);
       const double below = toApex.y() > 0 ? s.x() - toApex.x() * (s.y() / toApex.y()) : s.x();
       offer(frame.vertex[Frame::before(i)], label, toApex.norm(), 3 * site.face + i,
-            std::clamp(below, 0.0, frame.length[i]));
+            std::clamp(below, 0.0, frame.length[i]), kFromSite);
     }
     for (int i = 0; i < 3; ++i) {
       if (i == itsSide || frame.twin[i] < 0) continue;
@@ -141,6 +143,7 @@ class Sweep final : public Propagation {
       w.sourceDistance = 0;
       w.label = label;
       w.halfedge = frame.twin[i];
+      w.origin = kFromSite;
       push(w, frame.length[i], table_.distance(frame.vertex[Frame::after(i)], label),
            table_.distance(frame.vertex[i], label));
     }
@@ -150,12 +153,12 @@ class Sweep final : public Propagation {
 
   /// Takes the length of a path to a vertex if it is the shortest so far of its label. Returns the
   /// label's entry there.
-  int offer(int vertex, int label, double distance, int arrival, double crossing) {
+  int offer(int vertex, int label, double distance, int arrival, double crossing, int origin) {
     const int entry = table_.findOrAdd(vertex, label);
     Entry& e = table_[entry];
     if (!(distance < e.distance)) return entry;
     if (table_.best(vertex).label < 0) ++reachedVertices_;
-    table_.improve(entry, distance, arrival, crossing);
+    table_.improve(entry, distance, arrival, crossing, origin);
     if (e.demand >= 0) demands_.shorten(e.demand, distance);
     if (arrival < 0 || bendsPaths(mesh_, vertex)) queue_.addEvent(entry, distance);
     return entry;
@@ -178,17 +181,20 @@ class Sweep final : public Propagation {
       }
     }
     for (const OppositeSide& side : bend_.sidesBehind(e.vertex, e.arrival, e.crossing))
-      emit(e, side.outgoing, side.from, side.to);
+      emit(event.entry, side.outgoing, side.from, side.to);
   }
 
   /// Lets a vertex see through the side opposite to it in the face of its outgoing halfedge o.
-  void emit(const Entry& e, int o, double from, double to) {
+  void emit(int entry, int o, double from, double to) {
+    const Entry e = table_[entry];
+    const int origin = fromVertex(entry);
     const Frame& f = frames_[o / 3];
     const int i = o % 3, j = Frame::after(i), k = Frame::before(i);
     const double length = f.length[j];
     if (from <= kGrazing * length)
-      offer(f.vertex[j], e.label, e.distance + f.length[i], 3 * (o / 3) + k, f.length[k]);
-    if (to >= (1 - kGrazing) * length) offer(f.vertex[k], e.label, e.distance + f.length[k], o, 0);
+      offer(f.vertex[j], e.label, e.distance + f.length[i], 3 * (o / 3) + k, f.length[k], origin);
+    if (to >= (1 - kGrazing) * length)
+      offer(f.vertex[k], e.label, e.distance + f.length[k], o, 0, origin);
     if (f.twin[j] < 0) return;
     Window w;
     w.begin = length - to;
@@ -198,6 +204,7 @@ class Sweep final : public Propagation {
     w.sourceDistance = e.distance;
     w.label = e.label;
     w.halfedge = f.twin[j];
+    w.origin = origin;
     push(w, length, table_.distance(f.vertex[k], e.label), table_.distance(f.vertex[j], e.label));
   }
 
@@ -232,7 +239,7 @@ class Sweep final : public Propagation {
       }
       w.next = frame.firstWindow[i];
       frame.firstWindow[i] = id;
-      touch(w, frame, i);
+      touch(id, frame, i);
       if (!isNeeded(w, frame, i, excess)) {
         const Window again = w;
         parked_.push_back(windows_.add(again));  // for this one is listed at its face now
@@ -243,10 +250,11 @@ class Sweep final : public Propagation {
       w.next = frame.firstWindow[i];
       frame.firstWindow[i] = id;
     }
-    crossFace(w, frame, i, atTail, atTip);
+    crossFace(id, frame, i, atTail, atTip);
   }
 
-  void crossFace(const Window& w, const Frame& frame, int i, double atTail, double atTip) {
+  void crossFace(int id, const Frame& frame, int i, double atTail, double atTip) {
+    const Window& w = windows_[id];
     const int j = Frame::after(i), k = Frame::before(i);
     const double length = frame.length[i];
     const double px = frame.apexX(i), py = frame.apexY(i);
@@ -256,7 +264,7 @@ class Sweep final : public Propagation {
          goRight = frame.twin[j] >= 0 && crossing < w.end;
     if (crossing >= w.begin - kGrazing * length && crossing <= w.end + kGrazing * length) {
       const double distance = w.distance(px, py);
-      const Entry& e = table_[offer(apex, w.label, distance, w.halfedge, crossing)];
+      const Entry& e = table_[offer(apex, w.label, distance, w.halfedge, crossing, id)];
       if (e.arrival == w.halfedge &&
           distance > e.distance + kDistanceTolerance * (e.distance + length))
         (crossing < e.crossing ? goRight : goLeft) = false;
@@ -265,6 +273,7 @@ class Sweep final : public Propagation {
     Window child;
     child.sourceDistance = w.sourceDistance;
     child.label = w.label;
+    child.origin = id;
     if (goLeft) {
       const double c = frame.cosine[i], s = frame.sine[i], side = frame.length[k];
       child.begin = meetSide(w.begin, w.x, w.y, c, s, side);
@@ -298,19 +307,21 @@ class Sweep final : public Propagation {
     for (int i = 0; i < 3; ++i) {
       const int j = Frame::after(i), k = Frame::before(i);
       offer(frame.vertex[j], label, table_[entry[i]].distance + frame.length[i], 3 * face + k,
-            frame.length[k]);
-      offer(frame.vertex[k], label, table_[entry[i]].distance + frame.length[k], 3 * face + i, 0);
+            frame.length[k], fromVertex(entry[i]));
+      offer(frame.vertex[k], label, table_[entry[i]].distance + frame.length[k], 3 * face + i, 0,
+            fromVertex(entry[i]));
     }
   }
 
   /// Offers a window's paths to those corners of its face where they are asked for.
-  void touch(const Window& w, const Frame& frame, int i) {
+  void touch(int id, const Frame& frame, int i) {
+    const Window& w = windows_[id];
     const int j = Frame::after(i), k = Frame::before(i), base = w.halfedge - i;
     const auto touchCorner = [&](int corner, double distance, int arrival, double crossing) {
       const int e = table_.find(frame.vertex[corner], w.label);
       if (e >= 0 && table_[e].demand >= 0 &&
           distance < table_[e].distance * (1 - kDistanceTolerance))
-        offer(frame.vertex[corner], w.label, distance, arrival, crossing);
+        offer(frame.vertex[corner], w.label, distance, arrival, crossing, id);
     };
     const double px = frame.apexX(i), py = frame.apexY(i), length = frame.length[i];
     touchCorner(k, w.distance(px, py), w.halfedge, std::clamp(w.crossing(px, py), w.begin, w.end));
@@ -438,8 +449,7 @@ class Sweep final : public Propagation {
   void resume() {
     queue_.rewind();
     demands_.index(table_);
-    for (int id : parked_)
-      touch(windows_[id], frames_[windows_[id].halfedge / 3], windows_[id].halfedge % 3);
+    for (int id : parked_) touch(id, frames_[windows_[id].halfedge / 3], windows_[id].halfedge % 3);
     for (const int id : std::exchange(parked_, {})) queue_.addWindow(windows_, id);
     for (const int e : std::exchange(parkedEvents_, {})) queue_.addEvent(e, table_[e].distance);
   }
@@ -452,6 +462,7 @@ class Sweep final : public Propagation {
   }
 
   const TriangleMesh& mesh_;
+  std::vector<SurfacePoint> sites_;
   Spread spread_;
   std::vector<Frame> frames_;
   std::vector<FaceSite> faceSites_;

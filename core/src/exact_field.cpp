@@ -4,15 +4,19 @@
 #include <algorithm>
 #include <utility>
 
+#include "exact_departure.h"
+
 namespace gvd::exact {
 
-Field::Field(const TriangleMesh& mesh, std::vector<Frame> frames, WindowPool windows,
-             std::vector<FaceSite> sites, std::vector<int> offset,
-             std::vector<LabelledDistance> values)
+Field::Field(const TriangleMesh& mesh, std::vector<SurfacePoint> sites, std::vector<Frame> frames,
+             WindowPool windows, std::vector<FaceSite> faceSites, VertexTable table,
+             std::vector<int> offset, std::vector<LabelledDistance> values)
     : mesh_(mesh),
+      sites_(std::move(sites)),
       frames_(std::move(frames)),
       windows_(std::move(windows)),
-      sites_(std::move(sites)),
+      faceSites_(std::move(faceSites)),
+      table_(std::move(table)),
       offset_(std::move(offset)),
       values_(std::move(values)) {}
 
@@ -36,8 +40,8 @@ void Field::visitPathsInFace(const SurfacePoint& p, Visit visit) const {
     for (int w = frame.firstWindow[i]; w >= 0; w = windows_[w].next)
       visit(windows_[w].label, windows_[w].distance(q.x(), q.y()));
   }
-  for (int s = frame.firstSite; s >= 0; s = sites_[s].next)
-    visit(sites_[s].label, layOut(frame, 0, p.bary - sites_[s].bary).norm());
+  for (int s = frame.firstSite; s >= 0; s = faceSites_[s].next)
+    visit(faceSites_[s].label, layOut(frame, 0, p.bary - faceSites_[s].bary).norm());
 }
 
 template <class Visit>
@@ -82,6 +86,11 @@ double Field::distance(int label, const SurfacePoint& p) const {
     if (pathLabel == label) least = std::min(least, distance);
   });
   return least;
+}
+
+Eigen::Vector2d Field::direction(int label, int vertex) const {
+  if (!isKnownAt(vertex, label)) return DistanceField::direction(label, vertex);
+  return departure(mesh_, sites_[label], frames_, windows_, table_, table_.find(vertex, label));
 }
 
 }  // namespace gvd::exact

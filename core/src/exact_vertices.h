@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "exact_window.h"
 #include "gvd/geodesic.h"
 
 namespace gvd::exact {
@@ -17,6 +18,7 @@ struct Entry {
   int arrival;
   int label;
   int vertex;
+  int origin;
   int demand;  ///< index of the demand for this distance, -1 if nothing depends on it
 };
 
@@ -58,7 +60,7 @@ class VertexTable {
     const int found = find(vertex, label);
     if (found >= 0) return found;
     const int e = size();
-    entries_.push_back({kInfinity, 0, -1, label, vertex, -1});
+    entries_.push_back({kInfinity, 0, -1, label, vertex, kFromSite, -1});
     if (2 * entries_.size() > slots_.size()) {
       slots_.assign(2 * slots_.size(), -1);
       for (int i = 0; i < e; ++i) place(i);
@@ -67,11 +69,12 @@ class VertexTable {
     return e;
   }
   /// The entry gets a new distance, known to be less.
-  void improve(int entry, double distance, int arrival, double crossing) {
+  void improve(int entry, double distance, int arrival, double crossing, int origin) {
     Entry& e = entries_[entry];
     e.distance = distance;
     e.arrival = arrival;
     e.crossing = crossing;
+    e.origin = origin;
     Best& best = best_[e.vertex];
     if (best.label == e.label || distance < best.distance) best = {distance, e.label, entry};
   }

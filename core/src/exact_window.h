@@ -11,6 +11,12 @@
 
 namespace gvd::exact {
 
+/// What a path or a window continues: a window, by its index, or
+inline constexpr int kFromSite = -1;  ///< the site itself, which is seen from a corner of its face
+/// or a vertex as virtual source, by its entry in the table of vertices.
+constexpr int fromVertex(int entry) { return -2 - entry; }
+constexpr int entryOf(int origin) { return -2 - origin; }
+
 /// A window: the part of a halfedge through which a virtual source is seen along straight lines of
 /// the unfolded faces. It belongs to the halfedge of the face that these lines enter, and is given
 /// in the coordinates of that halfedge.
@@ -28,6 +34,7 @@ struct Window {
   double sourceDistance;  ///< from the virtual source to its site
   int label;
   int halfedge;
+  int origin;
   int next;  ///< in a list of windows, -1 at the end
 
   /// The least distance of a point of the window.
