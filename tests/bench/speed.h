@@ -18,10 +18,11 @@ struct SpeedOptions {
 double dijkstraSeconds(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
                        const SpeedOptions& options);
 
-/// Where the time of one metric goes, in seconds.
+/// What one metric takes.
 struct Speed {
-  double distances;  ///< `propagate` to `take`
-  double diagram;    ///< `traceDiagram`
+  double distances;  ///< seconds from `propagate` to `take`
+  double diagram;    ///< seconds of `traceDiagram`
+  double bytes;      ///< the most that both have allocated at a time, besides the mesh
 };
 Speed measureSpeed(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric,
                    const SpeedOptions& options);
