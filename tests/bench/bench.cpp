@@ -6,15 +6,18 @@
 #include <exception>
 #include <iostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "accuracy.h"
+#include "convergence.h"
 #include "gvd/sampling.h"
 #include "json_writer.h"
 #include "meshes.h"
 #include "metrics.h"
 #include "options.h"
 #include "speed.h"
+#include "tessellation.h"
 #include "truth_case.h"
 
 namespace gvd::bench {
@@ -27,17 +30,28 @@ class Bench {
   void run() {
     json_.beginObject();
     describe();
-    json_.beginList("speed");
-    forEachMesh(largeMeshes(), [&](const NamedMesh& mesh) { writeSpeed(mesh); });
-    json_.endList();
-    json_.beginList("accuracy");
-    if (hasOracle())
-      forEachMesh(smallMeshes(), [&](const NamedMesh& mesh) { writeAccuracy(mesh); });
-    json_.endList();
+    writeList("speed", "speed", [&] {
+      forEachMesh(largeMeshes(), [&](const NamedMesh& mesh) { writeSpeed(mesh); });
+    });
+    writeList("accuracy", "accuracy", [&] {
+      if (hasOracle())
+        forEachMesh(smallMeshes(), [&](const NamedMesh& mesh) { writeAccuracy(mesh); });
+    });
     if (!hasOracle()) json_.text("accuracyNote", "built without CGAL");
-    json_.beginList("cases");
-    for (const auto& path : options_.cases) writeCase(readTruthCase(path));
-    json_.endList();
+    writeList("accuracy", "cases", [&] {
+      for (const auto& path : options_.cases) writeCase(readTruthCase(path));
+    });
+    writeList("convergence", "byDetail", [&] {
+      forEachMesh(smallMeshes(), [&](const NamedMesh& mesh) { writeDetail(mesh); });
+    });
+    writeList("convergence", "byRefinement", [&] {
+      for (int subdivisions = 2; subdivisions <= 6; ++subdivisions) writeRefinement(subdivisions);
+    });
+    writeList("cvt", "tessellations", [&] {
+      if (options_.tessellations.empty())
+        forEachMesh(smallMeshes(), [&](const NamedMesh& mesh) { writeTessellation(mesh); });
+      for (const auto& path : options_.tessellations) writeTessellation(readTruthCase(path));
+    });
     json_.endObject();
   }
 
@@ -47,6 +61,14 @@ class Bench {
     json_.number("seed", static_cast<double>(options_.seed));
     json_.number("runs", options_.runs);
     json_.number("detail", options_.detail);
+  }
+
+  /// A list, empty if its part is not asked for.
+  template <class Write>
+  void writeList(const std::string& part, const char* name, Write write) {
+    json_.beginList(name);
+    if (options_.parts.contains(part)) write();
+    json_.endList();
   }
 
   /// The given meshes and the models.
@@ -70,6 +92,8 @@ class Bench {
       json_.number("distances", speed.distances);
       json_.number("diagram", speed.diagram);
       json_.number("partition", speed.partition);
+      json_.number("change", speed.change);
+      json_.number("bytes", speed.bytes);
     });
     json_.endObject();
     if (!options_.meshFolder.empty()) writeGlb(mesh, options_.meshFolder / (named.name + ".glb"));
@@ -107,6 +131,71 @@ class Bench {
       json_.number("mislabelled", result.mislabelledShare());
       json_.number("meanError", result.meanError);
     });
+  }
+
+  void writeDetail(const NamedMesh& named) {
+    constexpr int kMostDetail = 4;
+    const TriangleMesh mesh = named.make();
+    if (mesh.faceCount() > options_.oracleFaces) return;
+    announce(named.name + " in detail");
+    const auto sites = sampleUniform(mesh, options_.oracleSites, options_.seed);
+    const DetailStudy study(mesh, sites, options_.seed + 1);
+    json_.beginObject();
+    describe(named.name, mesh);
+    json_.number("sites", options_.oracleSites);
+    forEachMetric([&](Metric metric) {
+      json_.beginList("mislabelled");
+      for (const double share : study.mislabelled(metric, kMostDetail)) json_.number({}, share);
+      json_.endList();
+    });
+    json_.endObject();
+  }
+
+  void writeRefinement(int subdivisions) {
+    constexpr int kPoints = 200'000;
+    const SphereCase sphere =
+        sphereCase(subdivisions, options_.oracleSites, kPoints, options_.seed);
+    announce("sphere of " + std::to_string(sphere.mesh.faceCount()) + " faces");
+    json_.beginObject();
+    describe("sphere", sphere.mesh);
+    json_.number("sites", options_.oracleSites);
+    writeScores(sphere.mesh, sphere.sites, sphere.points, sphere.nearest);
+    json_.endObject();
+  }
+
+  void writeTessellation(const NamedMesh& named) {
+    constexpr int kPoints = 20'000;
+    const TriangleMesh mesh = named.make();
+    if (mesh.faceCount() > options_.oracleFaces) return;
+    writeTessellation(named.name, mesh, sampleUniform(mesh, options_.oracleSites, options_.seed),
+                      sampleUniform(mesh, kPoints, options_.seed + 1));
+  }
+
+  void writeTessellation(const TruthCase& start) {
+    const TriangleMesh mesh = readGlb(start.mesh);
+    writeTessellation(start.name, mesh, ofMesh(mesh, start.sites), ofMesh(mesh, start.points));
+  }
+
+  void writeTessellation(const std::string& name, const TriangleMesh& mesh,
+                         const std::vector<SurfacePoint>& sites,
+                         const std::vector<SurfacePoint>& points) {
+    announce("tessellation of " + name);
+    json_.beginObject();
+    describe(name, mesh);
+    json_.number("sites", static_cast<double>(sites.size()));
+    json_.beginObject("methods");
+    for (const auto& [method, title] :
+         {std::pair(CvtMethod::kLbfgs, "lbfgs"), std::pair(CvtMethod::kLloyd, "lloyd")}) {
+      const TessellationScore score = measureTessellation(mesh, sites, points, method);
+      json_.beginObject(title);
+      json_.beginList("energy");
+      for (const double energy : score.energy) json_.number({}, energy);
+      json_.endList();
+      json_.number("diagrams", score.diagrams);
+      json_.endObject();
+    }
+    json_.endObject();
+    json_.endObject();
   }
 
   void describe(const std::string& name, const TriangleMesh& mesh) {

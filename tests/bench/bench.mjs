@@ -9,13 +9,14 @@ import { join } from 'node:path';
 import { parseArgs } from 'node:util';
 import { writeModels } from './models.mjs';
 import { report, summaries } from './report.mjs';
-import { writeTruthCases } from './truth_cases.mjs';
+import { writeTessellations, writeTruthCases } from './truth_cases.mjs';
 import { measureWasm } from './wasm.mjs';
 
 const usage = `Usage: npm run bench [-- OPTIONS]
   --sites N, --seed N   sites per mesh (300), and what they depend on (1)
   --runs N              the fastest counts (5)
   --detail N            of the diagrams (0)
+  --part NAME           only speed, accuracy, convergence or cvt
   --only TEXT           only meshes with this in their name
   --truth FOLDER        compares with the exact answers there: truth_cases.mjs says how they look
   --native              leaves WebAssembly out
@@ -23,7 +24,7 @@ const usage = `Usage: npm run bench [-- OPTIONS]
   -o, --output FILE     writes there`;
 
 /** Those that gvd_bench takes too. */
-const shared = ['sites', 'seed', 'runs', 'detail', 'only'];
+const shared = ['sites', 'seed', 'runs', 'detail', 'part', 'only'];
 
 const { values } = parseArgs({
   options: {
@@ -56,8 +57,10 @@ async function measure(folder) {
   for (const path of writeModels(models)) options.push('--model', path);
   const cases = values.truth ? writeTruthCases(values.truth, truth) : [];
   for (const path of cases) options.push('--case', path);
+  const tessellations = values.truth ? writeTessellations(values.truth, truth) : [];
+  for (const path of tessellations) options.push('--tessellation', path);
   const measured = runNative(options);
-  if (cases.length > 0) measured.caseSummaries = summaries(measured.cases);
+  if (measured.cases.length > 0) measured.caseSummaries = summaries(measured.cases);
   if (!values.native) await measureWasm(measured, meshes);
   return measured;
 }

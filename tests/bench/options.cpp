@@ -27,10 +27,12 @@ const char* const kUsage =
     "  --seed N            of the sites (1)\n"
     "  --runs N            the fastest counts (5)\n"
     "  --detail N          of the diagrams (0)\n"
+    "  --part NAME         only speed, accuracy, convergence or cvt; all\n"
     "  --only TEXT         only meshes with this in their name\n"
     "  --model FILE        one more mesh, a GLB; may be repeated\n"
     "  --case FILE         exact answers to compare with, as truth_cases.mjs writes them; may be\n"
     "                      repeated\n"
+    "  --tessellation FILE sites to start from, and points to measure the energy at, likewise\n"
     "  --meshes FOLDER     where the meshes that speed was measured on are left, as GLBs\n"
     "  --oracle-sites N    sites per mesh where distances are compared with CGAL's (30)\n"
     "  --oracle-points N   points there (1000)\n"
@@ -49,9 +51,15 @@ Options parseOptions(const std::vector<std::string>& arguments) {
       {"--seed", number(options.seed, 0)},
       {"--runs", number(options.runs, 1)},
       {"--detail", number(options.detail, 0)},
+      {"--part",
+       [&](const std::string& text) {
+         if (!options.parts.contains(text)) throw std::invalid_argument("there is no part " + text);
+         options.parts = {text};
+       }},
       {"--only", [&](const std::string& text) { options.only = text; }},
       {"--model", [&](const std::string& text) { options.models.emplace_back(text); }},
       {"--case", [&](const std::string& text) { options.cases.emplace_back(text); }},
+      {"--tessellation", [&](const std::string& text) { options.tessellations.push_back(text); }},
       {"--meshes", [&](const std::string& text) { options.meshFolder = text; }},
       {"--oracle-sites", number(options.oracleSites, 1)},
       {"--oracle-points", number(options.oraclePoints, 1)},

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct Options {
   std::vector<std::filesystem::path> models;
   std::vector<std::filesystem::path> cases;
   std::filesystem::path meshFolder;  ///< gets the meshes that speed was measured on; empty: none
+  std::vector<std::filesystem::path> tessellations;
+  std::set<std::string> parts = {"speed", "accuracy", "convergence", "cvt"};
   int oracleSites = 30;
   int oraclePoints = 1000;
   int oracleFaces = 6000;

@@ -2,26 +2,61 @@
 //
 // What was measured, as tables for people.
 
-export function report({ sites, runs, detail, speed, accuracy, accuracyNote, cases, ...more }) {
+export function report(measured) {
+  const { sites, runs, detail, cases, caseSummaries = [] } = measured;
   const sections = [
     [
       `Speed: ${sites} sites, detail ${detail}; CPU time of the fastest of ${runs}`,
       speedColumns,
-      speed,
+      measured.speed.flatMap(perMetric),
     ],
-    ['Accuracy: against CGAL', scoreColumns, accuracy],
-    ['Accuracy: against the cases given', scoreColumns, [...cases, ...(more.caseSummaries ?? [])]],
+    ['Accuracy: against CGAL', scoreColumns, measured.accuracy.flatMap(perMetric)],
+    [
+      'Accuracy: against the cases given',
+      scoreColumns,
+      [...cases, ...caseSummaries].flatMap(perMetric),
+    ],
+    [
+      'Convergence: area given to another site, by detail',
+      detailColumns,
+      measured.byDetail.flatMap(perMetric),
+    ],
+    [
+      'Convergence: finer and finer meshes in a sphere, against great circles',
+      refinementColumns,
+      withOrders(measured.byRefinement.flatMap(perMetric)),
+    ],
+    [
+      'Centroidal tessellations: energy as a multiple of that of hexagons in the plane',
+      tessellationColumns,
+      measured.tessellations.flatMap(perMethod),
+    ],
   ];
   const texts = sections
-    .filter(([, , meshes]) => meshes.length > 0)
-    .map(([title, columns, meshes]) => `${title}\n\n${table(columns, meshes.flatMap(perMetric))}`);
-  if (accuracyNote) texts.push(`Accuracy: ${accuracyNote}`);
+    .filter(([, , rows]) => rows.length > 0)
+    .map(([title, columns, rows]) => `${title}\n\n${table(columns, rows)}`);
+  if (measured.accuracyNote) texts.push(`Accuracy: ${measured.accuracyNote}`);
   return texts.join('\n\n');
 }
 
 /** A row per mesh and metric. */
 function perMetric({ metrics, ...mesh }) {
   return Object.entries(metrics).map(([metric, values]) => ({ ...mesh, metric, ...values }));
+}
+
+/** A row per mesh and method of tessellation. */
+function perMethod({ methods, ...mesh }) {
+  return Object.entries(methods).map(([method, values]) => ({ ...mesh, method, ...values }));
+}
+
+/** How fast an error falls from one mesh to the next, of which the sides are half as long. */
+function withOrders(rows) {
+  return rows.map((row) => {
+    const coarser = rows.find(
+      ({ metric, faces }) => metric === row.metric && 4 * faces === row.faces,
+    );
+    return { ...row, coarser };
+  });
 }
 
 /** The mean and the worst of all cases, for each metric that has scores. */
@@ -47,6 +82,7 @@ export function summaries(cases) {
 const milliseconds = (seconds) => `${(1000 * seconds).toFixed(1)} ms`;
 const ratio = (a, b) => (a === undefined ? undefined : `${(a / b).toFixed(2)} ×`);
 const percent = (share) => `${(100 * share).toFixed(3)} %`;
+const smallPercent = (share) => `${(100 * share).toFixed(5)} %`;
 
 /** Titles, with what a row has there; undefined where it has nothing. */
 const speedColumns = {
@@ -61,6 +97,10 @@ const speedColumns = {
   both: (row) => measured(row, () => ratio(row.distances + row.diagram, row.dijkstra)),
   'partition/both': (row) =>
     measured(row, () => ratio(row.partition, row.distances + row.diagram)),
+  // Where sites can be changed in place.
+  'change/both': (row) =>
+    measured(row, () => row.change && ratio(row.change, row.distances + row.diagram)),
+  memory: (row) => measured(row, () => `${Math.round(row.bytes / row.faces)} B/face`),
   'wasm/native': (row) => measured(row, () => ratio(row.wasm, row.distances + row.diagram)),
   note: ({ note, wasmNote }) => note ?? wasmNote,
 };
@@ -76,23 +116,66 @@ const scoreColumns = {
   note: ({ note }) => note,
 };
 
+/** The exponent p of an error ~ hᵖ that falls from one value to another as h is halved `times`. */
+const order = (from, to, times = 1) =>
+  from > 0 && to > 0 ? (Math.log2(from / to) / times).toFixed(1) : undefined;
+
+const detailColumns = {
+  mesh: ({ name }) => name,
+  faces: ({ faces }) => faces,
+  sites: ({ sites }) => sites,
+  metric: ({ metric }) => metric,
+  ...Object.fromEntries(
+    [0, 1, 2, 3, 4].map((n) => [
+      `detail ${n}`,
+      (row) => measured(row, () => smallPercent(row.mislabelled[n])),
+    ]),
+  ),
+  order: (row) => measured(row, () => order(row.mislabelled[0], row.mislabelled[4], 4)),
+  note: ({ note }) => note,
+};
+
+const refinementColumns = {
+  faces: ({ faces }) => faces,
+  sites: ({ sites }) => sites,
+  metric: ({ metric }) => metric,
+  mislabelled: (row) => measured(row, () => percent(row.mislabelled)),
+  order: (row) =>
+    measured(row, () => row.coarser && order(row.coarser.mislabelled, row.mislabelled)),
+  'mean error': (row) => measured(row, () => row.meanError.toExponential(2)),
+  'its order': (row) =>
+    measured(row, () => row.coarser && order(row.coarser.meanError, row.meanError)),
+  note: ({ note }) => note,
+};
+
+const tessellationColumns = {
+  mesh: ({ name }) => name,
+  faces: ({ faces }) => faces,
+  sites: ({ sites }) => sites,
+  method: ({ method }) => method,
+  start: ({ energy }) => energy[0].toFixed(3),
+  '10 iterations': ({ energy }) => energy[1].toFixed(3),
+  '50 iterations': ({ energy }) => energy[2].toFixed(3),
+  'one iteration': ({ diagrams }) => `${diagrams.toFixed(1)} diagrams`,
+};
+
 const measured = (row, text) => (row.note ? undefined : text());
 
-/** Numbers to the right, everything else to the left; columns that are empty are left out. */
+/** In Markdown, legible as it is: numbers to the right, columns that are empty left out. */
 function table(columns, rows) {
   const cells = Object.entries(columns).map(([title, text]) => [title, ...rows.map(text)]);
   const shown = cells.filter(([, ...values]) => values.some((value) => value !== undefined));
   const padded = shown.map((column) => {
     const texts = column.map((value) => String(value ?? ''));
     const width = Math.max(...texts.map((text) => text.length));
-    const isNumber = texts.slice(1).some((text) => /^[\d.e+-]+( (ms|%|×))?$/.test(text));
-    return texts.map((text) => (isNumber ? text.padStart(width) : text.padEnd(width)));
+    const isNumber = texts
+      .slice(1)
+      .some((text) => /^[\d.e+-]+( (ms|%|×|B\/face|diagrams))?$/.test(text));
+    const rule = isNumber ? `${'-'.repeat(width - 1)}:` : '-'.repeat(width);
+    const [title, ...values] = texts.map((text) =>
+      isNumber ? text.padStart(width) : text.padEnd(width),
+    );
+    return [title, rule, ...values];
   });
-  const lines = padded[0].map((_, i) =>
-    padded
-      .map((column) => column[i])
-      .join('  ')
-      .trimEnd(),
-  );
-  return lines.join('\n');
+  return padded[0].map((_, i) => `| ${padded.map((column) => column[i]).join(' | ')} |`).join('\n');
 }

@@ -18,11 +18,13 @@ struct SpeedOptions {
 double dijkstraSeconds(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
                        const SpeedOptions& options);
 
-/// Where the time of one metric goes, in seconds.
+/// What one metric takes.
 struct Speed {
-  double distances;  ///< `propagate` to `take`
-  double diagram;    ///< `traceDiagram`
-  double partition;  ///< `partition`
+  double distances;  ///< seconds from `propagate` to `take`
+  double diagram;    ///< seconds of `traceDiagram`
+  double partition;  ///< seconds of `partition`
+  double change;  ///< seconds for one site that moves to the next face, on average; 0 if it cannot
+  double bytes;  ///< the most that distances and diagram have allocated at a time, besides the mesh
 };
 Speed measureSpeed(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric,
                    const SpeedOptions& options);

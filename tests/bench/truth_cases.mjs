@@ -6,10 +6,13 @@
 //
 //     { mesh, kind, k, sites: { face, bary }, points: { face, bary, label, distance, distance2 } }
 //
+// and may have cvt/init_<mesh>_<k>.json.gz with { mesh, sites } and cvt/samples_<mesh>.json.gz with
+// { points } beside them.
+//
 // Distances below 0 are not known. Where paths may or may not lead through a vertex that two fans
 // share, labelSplit and distanceSplit are for those that don't: that is how this library sees it.
 
-import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { basename, join, resolve } from 'node:path';
 import { gunzipSync } from 'node:zlib';
 
@@ -20,6 +23,23 @@ export function writeTruthCases(folder, target) {
     const text = gunzipSync(readFileSync(join(folder, 'cases', file))).toString();
     const path = join(target, `${basename(file, '.json.gz')}.txt`);
     writeFileSync(path, toText(basename(file, '.json.gz'), JSON.parse(text), folder));
+    return path;
+  });
+}
+
+/** Initial sites of tessellations and points to measure them at, where the folder has such. */
+export function writeTessellations(folder, target) {
+  if (!existsSync(join(folder, 'cvt'))) return [];
+  const read = (name) => JSON.parse(gunzipSync(readFileSync(join(folder, 'cvt', name))).toString());
+  const files = readdirSync(join(folder, 'cvt')).filter((name) => name.startsWith('init_'));
+  return files.sort().map((file) => {
+    const name = basename(file, '.json.gz').replace('init_', '');
+    const { mesh, sites } = read(file);
+    const { points } = read(`samples_${basename(mesh, '.glb')}.json.gz`);
+    const unknown = points.face.map(() => -1);
+    const path = join(target, `${name}.txt`);
+    const known = { ...points, label: unknown, distance: unknown };
+    writeFileSync(path, toText(name, { mesh, sites, points: known }, folder));
     return path;
   });
 }

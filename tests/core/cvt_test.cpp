@@ -26,8 +26,8 @@ using std::numbers::pi;
 constexpr long kUnlimited = 1L << 40;
 
 CvtEnergy integrated(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
-                     std::span<const double> density = {}) {
-  const auto traced = checks::trace(mesh, sites);
+                     std::span<const double> density = {}, Metric metric = Metric::kDgpc) {
+  const auto traced = checks::trace(mesh, sites, metric);
   return integrateCvt(mesh, *traced.field, traced.diagram, density);
 }
 
@@ -178,8 +178,9 @@ INSTANTIATE_TEST_SUITE_P(Seeds, Square, ::testing::Range(0, 8));
 /// The errors of the gradient's components against central differences, ascending, over the
 /// largest gradient.
 std::vector<double> gradientErrors(const TriangleMesh& mesh, const std::vector<SurfacePoint>& sites,
-                                   double step, std::span<const double> density = {}) {
-  const CvtEnergy energy = integrated(mesh, sites, density);
+                                   double step, std::span<const double> density = {},
+                                   Metric metric = Metric::kDgpc) {
+  const CvtEnergy energy = integrated(mesh, sites, density, metric);
   std::vector<double> errors;
   double largest = 0;
   for (size_t l = 0; l < sites.size(); ++l) {
@@ -189,7 +190,7 @@ std::vector<double> gradientErrors(const TriangleMesh& mesh, const std::vector<S
       const auto at = [&](double length) {
         auto moved = sites;
         moved[l] = walkStraight(mesh, sites[l], length * Vector2d::Unit(axis)).end;
-        return integrated(mesh, moved, density).energy;
+        return integrated(mesh, moved, density, metric).energy;
       };
       const double difference = (at(step) - at(-step)) / (2 * step);
       errors.push_back(std::abs(difference - gradient[axis]));
@@ -223,6 +224,13 @@ TEST(CvtGradient, IsThatOfTheEnergyAmongSaddlesWhereItDoesNotJump) {
   const auto mesh = shapes::torus(40, 20).mesh();
   const auto errors = gradientErrors(mesh, sampleUniform(mesh, 30, 1), 1e-6);
   EXPECT_LT(errors[errors.size() * 8 / 10], 1e-5);
+}
+
+TEST(CvtGradient, IsThatOfTheEnergyWithExactDistances) {
+  for (const auto& mesh : {shapes::icosphere(3).mesh(), shapes::torus(40, 20).mesh()}) {
+    const auto errors = gradientErrors(mesh, sampleUniform(mesh, 12, 1), 1e-6, {}, Metric::kExact);
+    EXPECT_LT(errors.back(), 1e-5);
+  }
 }
 
 // --- Iterations ----------------------------------------------------------------------------------

@@ -3,11 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <vector>
 
 #include "gvd/error.h"
 #include "gvd/sampling.h"
+#include "gvd/straightest.h"
 #include "random_case.h"
 #include "shapes.h"
 
@@ -80,6 +84,116 @@ TEST_P(Metrics, KnowTheStraightLineInASitesFace) {
 TEST_P(Metrics, WantASite) {
   const auto mesh = shapes::icosphere(1).mesh();
   EXPECT_THROW(propagate(mesh, {}, GetParam()), Error);
+}
+
+// --- Directions ----------------------------------------------------------------------------------
+
+/// In the plane they are known: whether the site lies in a face, on an edge or at a vertex.
+TEST_P(Metrics, PointStraightAtVerticesOfThePlane) {
+  const auto mesh = shapes::grid(7, 6, 0.2, 3).mesh();
+  const auto isInside = [&](const SurfacePoint& p) {
+    const Eigen::Vector3d place = mesh.position(p);
+    return place.head<2>().minCoeff() > 0 && place.head<2>().maxCoeff() < 1;
+  };
+  int checked = 0;
+  for (int face = 0; face < mesh.faceCount(); ++face) {
+    for (const Eigen::Vector3d& bary :
+         {Eigen::Vector3d(0.2, 0.3, 0.5), Eigen::Vector3d(0, 0.25, 0.75),
+          Eigen::Vector3d(0.25, 0, 0.75), Eigen::Vector3d(0.25, 0.75, 0), Eigen::Vector3d(0, 1, 0),
+          Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, 0, 1)}) {
+      const SurfacePoint site{face, bary};
+      if (!isInside(site)) continue;
+      const auto field = inSlices(mesh, {site}, GetParam(), 1L << 40);
+      const Eigen::Vector2d x =
+          (mesh.position(mesh.tip(3 * face)) - mesh.position(mesh.tail(3 * face))).head<2>();
+      const Eigen::Vector2d axis = x.normalized();
+      for (int v = 0; v < mesh.vertexCount(); ++v) {
+        const Eigen::Vector2d way = (mesh.position(v) - mesh.position(site)).head<2>();
+        if (way.norm() < 1e-9) continue;
+        const Eigen::Vector2d d = field->direction(0, v);
+        const Eigen::Vector2d inPlane(axis.x() * d.x() - axis.y() * d.y(),
+                                      axis.y() * d.x() + axis.x() * d.y());
+        EXPECT_LT((inPlane - way.normalized()).norm(), 1e-9)
+            << "site in face " << face << " at " << bary.transpose() << ", vertex " << v;
+        ++checked;
+      }
+    }
+  }
+  EXPECT_GT(checked, 10000);
+}
+
+/// How the distance to a vertex changes as a site moves; not a number where it has a kink, for
+/// there two shortest paths leave the site.
+Eigen::Vector2d derivative(const TriangleMesh& mesh, const SurfacePoint& site, int vertex,
+                           double step) {
+  const auto distanceFrom = [&](const Eigen::Vector2d& move) {
+    const auto moved = walkStraight(mesh, site, move).end;
+    const auto field = inSlices(mesh, {moved}, Metric::kExact, 1L << 40);
+    return field->at(vertex)[0].distance;
+  };
+  const double here = distanceFrom({0, 0});
+  Eigen::Vector2d result;
+  for (int axis = 0; axis < 2; ++axis) {
+    const Eigen::Vector2d move = step * Eigen::Vector2d::Unit(axis);
+    const double ahead = distanceFrom(move) - here, behind = here - distanceFrom(-move);
+    result[axis] = std::abs(ahead - behind) < 1e-3 * step
+                       ? (ahead + behind) / (2 * step)
+                       : std::numeric_limits<double>::quiet_NaN();
+  }
+  return result;
+}
+
+/// Saddles, an inner corner, a boundary with holes and a closed surface of genus 1: paths bend.
+TEST(ExactDirections, AreWhatMovingTheSiteTakesOffTheDistance) {
+  const std::vector<TriangleMesh> meshes = {
+      shapes::vertexFan(8, 8).mesh(),
+      shapes::ell(3).mesh(),
+      shapes::bumpySurface(1, 1, 0.3, 2).mesh(),
+      shapes::withoutRandomFaces(shapes::bumpySurface(0, 2, 0.4, 5), 6, 5).mesh(),
+      shapes::torus(9, 6).mesh(),
+  };
+  int checked = 0, kinks = 0;
+  for (const TriangleMesh& mesh : meshes) {
+    for (const SurfacePoint& site : sampleUniform(mesh, 3, 4)) {
+      const auto field = inSlices(mesh, {site}, Metric::kExact, 1L << 40);
+      for (int v = 0; v < mesh.vertexCount(); ++v) {
+        if (field->at(v).empty()) continue;
+        const double distance = field->at(v)[0].distance;
+        const Eigen::Vector2d d = field->direction(0, v);
+        EXPECT_NEAR(d.norm(), 1, 1e-14);
+        const Eigen::Vector2d expected = -derivative(mesh, site, v, 1e-6);
+        if (!expected.allFinite()) {
+          ++kinks;
+          continue;
+        }
+        // The second derivative is 1 / distance.
+        EXPECT_LT((d - expected).norm(), 1e-8 + 1e-6 / distance) << "vertex " << v;
+        ++checked;
+      }
+    }
+  }
+  EXPECT_GT(checked, 300);
+  EXPECT_LT(kinks, checked / 50);
+}
+
+/// Several sites at once, each direction that of the site alone.
+TEST(ExactDirections, DoNotDependOnOtherSites) {
+  const auto mesh = shapes::bumpySurface(2, 2, 0.3, 1).mesh();
+  const auto sites = sampleUniform(mesh, 12, 3);
+  const auto field = inSlices(mesh, sites, Metric::kExact, 1000);
+  for (int label = 0; label < 12; ++label) {
+    const auto alone = inSlices(mesh, {sites[label]}, Metric::kExact, 1000);
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+      const auto known = field->at(v);
+      const bool isKnown =
+          std::any_of(known.begin(), known.end(), [&](const auto& d) { return d.label == label; });
+      const Eigen::Vector2d d = field->direction(label, v);
+      EXPECT_EQ(d.allFinite(), isKnown);
+      if (isKnown) {
+        EXPECT_LT((d - alone->direction(0, v)).norm(), 1e-9) << label << ' ' << v;
+      }
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, Metrics, ::testing::Values(Metric::kDgpc, Metric::kExact),

@@ -20,7 +20,8 @@ enum class CvtMethod {
 
 struct CvtOptions {
   CvtMethod method = CvtMethod::kLbfgs;
-  int iterations = 50;  ///< at most
+  Metric metric = Metric::kDgpc;  ///< of the distances
+  int iterations = 50;            ///< at most
   /// Done when an iteration has lowered the energy by no more than this share of it.
   double energyTolerance = 0;
   /// Done when no site has moved by more than this, in the mesh's units.
@@ -39,7 +40,7 @@ struct CvtIteration {
 };
 
 /// A centroidal Voronoi tessellation of a mesh: moves sites so that the energy E = Σ ∫ ρ d² falls,
-/// d the geodesic distance (DGPC) to the nearest site, until every site is at the centroid of its
+/// d the geodesic distance to the nearest site, until every site is at the centroid of its
 /// region, where the mean of the logarithmic map vanishes. That is a local minimum, not the least.
 ///
 ///     Cvt cvt(mesh, sites);

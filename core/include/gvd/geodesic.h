@@ -50,11 +50,12 @@ class DistanceField {
   virtual double distance(int label, const SurfacePoint& p) const = 0;
   /// The direction in which the shortest path from a site to a vertex leaves the site, as a unit
   /// vector: together with the distance, geodesic polar coordinates. It is also what moving the site
-  /// that way takes off the distance, which counts where the two differ: at a vertex that another
-  /// site owns, the distance may follow from several paths, and this is their mean, shorter than 1
-  /// by what the surface is curved there. The x axis is the first side of the site's face, the y
-  /// axis lies to its left; faces beside a site on an edge or vertex are unfolded counterclockwise.
-  /// Not a number where it is not known, and with the exact metric.
+  /// that way takes off the distance, which counts where the two differ: with DGPC, at a vertex that
+  /// another site owns, the distance may follow from several paths, and this is their mean, shorter
+  /// than 1 by what the surface is curved there. The x axis is the first side of the site's face, the
+  /// y axis lies to its left; faces beside a site on an edge or vertex are unfolded
+  /// counterclockwise. (1, 0) at the site itself; not a number where it is not known. O(1) with
+  /// DGPC; with the exact metric, O(faces that the path crosses).
   virtual Eigen::Vector2d direction(int label, int vertex) const;
 };
 

@@ -7,29 +7,34 @@
 #include <vector>
 
 #include "gvd/geodesic.h"
-#include "gvd/triangle_mesh.h"
 #include "tolerances.h"
 
 namespace gvd::exact {
 
+/// What a path or a window continues: a window, by its index, or
+inline constexpr int kFromSite = -1;  ///< the site itself, which is seen from a corner of its face
+/// or a vertex as virtual source, by its entry in the table of vertices.
+constexpr int fromVertex(int entry) { return -2 - entry; }
+constexpr int entryOf(int origin) { return -2 - origin; }
+
 /// A window: the part of a halfedge through which a virtual source is seen along straight lines of
-/// the unfolded faces. It belongs to the halfedge of the face that these lines enter.
+/// the unfolded faces. It belongs to the halfedge of the face that these lines enter, and is given
+/// in the coordinates of that halfedge.
 ///
 ///              apex
-///             /    \             Coordinates of a halfedge: the origin is its tail, the x axis
-///             runs
-///            / face \            along it, its face lies at y >= 0. The virtual source lies
-///            across,
-///    tail --[======]---- tip     at y < 0.
+///             /    \             The face lies at y >= 0,
+///            / face \            the virtual source at y < 0.
+///    tail --[======]---- tip
 ///          begin   end
 ///             \  /
-///              \/ source
+///            source
 struct Window {
   double begin, end;      ///< along the halfedge, from its tail
   double x, y;            ///< the virtual source, unfolded
   double sourceDistance;  ///< from the virtual source to its site
   int label;
   int halfedge;
+  int origin;
   int next;  ///< in a list of windows, -1 at the end
 
   /// The least distance of a point of the window.
@@ -51,31 +56,6 @@ struct Window {
     if (bend == at) return sourceDistance + std::sqrt((px - x) * (px - x) + (py - y) * (py - y));
     return distanceOnEdge(bend) + std::sqrt((px - bend) * (px - bend) + py * py);
   }
-};
-
-/// A face laid out for unfolding. Side i runs from corner i to the next one.
-struct alignas(128) Frame {
-  double length[3];
-  double cosine[3], sine[3];  ///< of the angle at corner i
-  int vertex[3];
-  int twin[3];
-  int firstWindow[3];  ///< list of the windows on side i, -1 if empty
-  int firstSite;       ///< list of the sites in the face or on its sides
-  int label;           ///< of all windows and sites here; kNoLabel, kSeveralLabels
-
-  static constexpr int kNoLabel = -1;
-  static constexpr int kSeveralLabels = -2;
-
-  void add(int newLabel) {
-    if (label != newLabel) label = label == kNoLabel ? newLabel : kSeveralLabels;
-  }
-  double longestSide() const { return std::max({length[0], length[1], length[2]}); }
-  /// The corner across from side i, in the coordinates of that side.
-  double apexX(int i) const { return length[before(i)] * cosine[i]; }
-  double apexY(int i) const { return length[before(i)] * sine[i]; }
-
-  static constexpr int after(int i) { return i == 2 ? 0 : i + 1; }
-  static constexpr int before(int i) { return i == 0 ? 2 : i - 1; }
 };
 
 /// Windows by index, in blocks: they stay in place as their number grows.

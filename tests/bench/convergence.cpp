@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "convergence.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+#include <utility>
+
+#include "gvd/diagram.h"
+#include "gvd/sampling.h"
+#include "metrics.h"
+#include "random.h"
+#include "shapes.h"
+
+namespace gvd::bench {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Which region of a diagram a point lies in.
+class Regions {
+ public:
+  Regions(const TriangleMesh& mesh, const Diagram& diagram)
+      : mesh_(mesh), diagram_(diagram), firstCell_(mesh.faceCount() + 1, 0) {
+    for (const int face : diagram.cellFace) ++firstCell_[face + 1];
+    for (int f = 0; f < mesh.faceCount(); ++f) firstCell_[f + 1] += firstCell_[f];
+  }
+
+  int labelAt(const SurfacePoint& p) const {
+    if (diagram_.faceLabel[p.face] != Diagram::kMixed) return diagram_.faceLabel[p.face];
+    int label = -1;
+    double deepest = -1;
+    for (int c = firstCell_[p.face]; c < firstCell_[p.face + 1]; ++c) {
+      const double depth = depthInCell(p, c);
+      if (depth > deepest) {
+        deepest = depth;
+        label = diagram_.cellLabel[c];
+      }
+    }
+    return label;
+  }
+
+ private:
+  /// Not negative inside of a cell.
+  double depthInCell(const SurfacePoint& p, int cell) const {
+    const auto points = diagram_.cells[cell];
+    double depth = kInfinity;
+    Vector3d from = inFace(p.face, points.back());
+    for (const int point : points) {
+      const Vector3d to = inFace(p.face, point), side = to - from, way = p.bary - from;
+      depth = std::min(depth, side[1] * way[2] - side[2] * way[1]);
+      from = to;
+    }
+    return depth;
+  }
+
+  /// A point that is named once for all faces around it, in terms of one of them.
+  Vector3d inFace(int face, int point) const {
+    const SurfacePoint& p = diagram_.points[point];
+    if (p.face == face) return p.bary;
+    Vector3d bary = Vector3d::Zero();
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < 3; ++k)
+        if (mesh_.tail(3 * face + i) == mesh_.tail(3 * p.face + k)) bary[i] = p.bary[k];
+    return bary;
+  }
+
+  const TriangleMesh& mesh_;
+  const Diagram& diagram_;
+  std::vector<int> firstCell_;
+};
+
+/// The point of a mesh around the origin that lies in a direction from there.
+SurfacePoint pointInDirection(const TriangleMesh& mesh, const Vector3d& direction) {
+  for (int f = 0; f < mesh.faceCount(); ++f) {
+    Eigen::Matrix3d corners;
+    for (int i = 0; i < 3; ++i) corners.col(i) = mesh.position(mesh.tail(3 * f + i));
+    const Vector3d weights = corners.inverse() * direction;
+    if (weights.minCoeff() >= 0) return {f, weights / weights.sum()};
+  }
+  throw std::logic_error("the mesh does not surround the origin");
+}
+
+double greatCircleDistance(const Vector3d& a, const Vector3d& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+}  // namespace
+
+DetailStudy::DetailStudy(const TriangleMesh& mesh, std::vector<SurfacePoint> sites,
+                         std::uint64_t seed)
+    : mesh_(mesh), sites_(std::move(sites)) {
+  constexpr int kInMixedFaces = 400'000, kElsewhere = 100'000;
+  const auto truth = distances(mesh, sites_, Metric::kExact);
+  const Diagram diagram = traceDiagram(mesh, *truth, static_cast<int>(sites_.size()));
+  std::vector<double> mixed(mesh.faceCount()), others(mesh.faceCount());
+  for (int f = 0; f < mesh.faceCount(); ++f)
+    (diagram.faceLabel[f] == Diagram::kMixed ? mixed : others)[f] = mesh.faceArea(f);
+  addStratum(*truth, mixed, kInMixedFaces, seed);
+  addStratum(*truth, others, kElsewhere, seed + 1);
+}
+
+void DetailStudy::addStratum(const DistanceField& truth, std::span<const double> areas, int count,
+                             std::uint64_t seed) {
+  const std::vector<double> sums = cumulative(areas);
+  if (!(sums.back() > 0)) return;
+  Stratum stratum{sums.back() / mesh_.area(), {}, {}};
+  std::mt19937_64 random(seed);
+  for (int i = 0; i < count; ++i) {
+    const int face = drawIndex(random, sums);
+    stratum.points.push_back({face, drawBarycentric(random)});
+    stratum.labels.push_back(truth.nearest(stratum.points.back()).label);
+  }
+  strata_.push_back(std::move(stratum));
+}
+
+std::vector<double> DetailStudy::mislabelled(Metric metric, int most) const {
+  const auto field = distances(mesh_, sites_, metric);
+  std::vector<double> result;
+  for (int detail = 0; detail <= most; ++detail) {
+    const Diagram diagram =
+        traceDiagram(mesh_, *field, static_cast<int>(sites_.size()), {.detail = detail});
+    const Regions regions(mesh_, diagram);
+    double share = 0;
+    for (const Stratum& stratum : strata_) {
+      int wrong = 0;
+      for (size_t i = 0; i < stratum.points.size(); ++i)
+        wrong += regions.labelAt(stratum.points[i]) != stratum.labels[i];
+      share += stratum.share * wrong / static_cast<double>(stratum.points.size());
+    }
+    result.push_back(share);
+  }
+  return result;
+}
+
+SphereCase sphereCase(int subdivisions, int siteCount, int pointCount, std::uint64_t seed) {
+  SphereCase result{shapes::icosphere(subdivisions).mesh(), {}, {}, {}};
+  std::vector<Vector3d> directions;
+  const TriangleMesh coarse = shapes::icosphere(2).mesh();
+  for (const SurfacePoint& p : sampleUniform(coarse, siteCount, seed)) {
+    directions.push_back(coarse.position(p));
+    result.sites.push_back(pointInDirection(result.mesh, directions.back()));
+  }
+  result.points = sampleUniform(result.mesh, pointCount, seed + 1);
+  for (const SurfacePoint& p : result.points) {
+    TrueNearest nearest;
+    for (int label = 0; label < siteCount; ++label) {
+      const double distance = greatCircleDistance(directions[label], result.mesh.position(p));
+      if (distance < nearest.distance)
+        nearest = {label, distance, nearest.distance};
+      else
+        nearest.second = std::min(nearest.second, distance);
+    }
+    result.nearest.push_back(nearest);
+  }
+  return result;
+}
+
+}  // namespace gvd::bench
