@@ -49,7 +49,7 @@ class Tracer {
     out_.faceLabel.assign(mesh.faceCount(), Diagram::kMixed);
   }
 
-  Diagram trace() {
+  TracedDiagram trace() {
     reserve();
     for (int e = 0; e < complex_.elementCount(); ++e) divide(e);
     collectBoundary();
@@ -61,10 +61,8 @@ class Tracer {
     collectVoronoiPoints(loops);
     collectLoops(loops);
     collectCells();
-    return std::move(out_);
+    return {std::move(out_), hasMergedPoints()};
   }
-
-  bool hasMergedPoints() const { return !merged_.empty(); }
 
  private:
   /// A point of the exact graph, or a node that the mesh boundary or a cell passes.
@@ -379,6 +377,8 @@ class Tracer {
     merged_.resize(points_.size(), false);
     merged_[a] = true;
   }
+
+  bool hasMergedPoints() const { return !merged_.empty(); }
 
   bool isMerged(int finalPoint) const {
     return finalPoint < static_cast<int>(merged_.size()) && merged_[finalPoint];
@@ -856,17 +856,21 @@ class Tracer {
 
 Diagram traceDiagram(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,
                      const DiagramOptions& options) {
+  return traceAll(mesh, distances, siteCount, options).diagram;
+}
+
+TracedDiagram traceAll(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,
+                       const DiagramOptions& options) {
   const FaceComplex complex(mesh, distances, options.detail);
   return Tracer(mesh, distances, complex, siteCount, {}).trace();
 }
 
-PartialDiagram traceFaces(const TriangleMesh& mesh, const DistanceField& distances,
-                          const DiagramOptions& options, std::span<const int> faces,
-                          std::span<const char> isTraced) {
+TracedDiagram traceFaces(const TriangleMesh& mesh, const DistanceField& distances,
+                         const DiagramOptions& options, std::span<const int> faces,
+                         std::span<const char> isTraced) {
   const FaceComplex complex(mesh, distances, options.detail, faces);
-  Tracer tracer(mesh, distances, complex, static_cast<int>(isTraced.size()), isTraced);
-  Diagram diagram = tracer.trace();
-  return {std::move(diagram), !tracer.hasMergedPoints()};
+  const int siteCount = static_cast<int>(isTraced.size());
+  return Tracer(mesh, distances, complex, siteCount, isTraced).trace();
 }
 
 }  // namespace gvd

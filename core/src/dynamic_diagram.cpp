@@ -188,8 +188,8 @@ class DiagramPieces {
 /// Copies what is wanted of a diagram, points numbered anew.
 class Extract {
  public:
-  Extract(const Diagram& from, std::span<const char> isOne)
-      : from_(from), isOne_(isOne), pointOf_(from.points.size(), -1) {}
+  Extract(const Diagram& from, std::vector<char> isOne)
+      : from_(from), isOne_(std::move(isOne)), pointOf_(from.points.size(), -1) {}
 
   /// The loops, arcs and Voronoi points of the labels, and the cells of the faces.
   Diagram run(std::span<const int> faces) {
@@ -245,7 +245,7 @@ class Extract {
   }
 
   const Diagram& from_;
-  std::span<const char> isOne_;
+  const std::vector<char> isOne_;
   std::vector<int> pointOf_;
   std::vector<int> list_;
   Diagram out_;
@@ -275,8 +275,10 @@ class DynamicDiagram::Implementation {
                                     std::move(nearest), std::move(views));
     continueOverBorders(*field_);
     for (int v = 0; v < mesh.vertexCount(); ++v) noteLabels(v);
+    TracedDiagram traced = traceAll(mesh, *field_, labelCount(), options);
+    hasMergedPoints_ = traced.hasMergedPoints;
     DiagramChange all{std::vector<int>(sites.size()), std::vector<int>(mesh.faceCount()),
-                      traceDiagram(mesh, *field_, labelCount(), options)};
+                      std::move(traced.diagram)};
     std::iota(all.labels.begin(), all.labels.end(), 0);
     std::iota(all.faces.begin(), all.faces.end(), 0);
     pieces_.replace(all);
@@ -322,7 +324,7 @@ class DynamicDiagram::Implementation {
     labels.labels.push_back(label);
     makeSet(labels.labels);
     for (const int v : labels.vertices) noteLabels(v);
-    return trace(std::move(labels));
+    return trace(labels);
   }
 
  private:
@@ -349,27 +351,46 @@ class DynamicDiagram::Implementation {
     return vertices;
   }
 
-  DiagramChange trace(LabelChange labels) {
-    std::vector<char> isOne(labelCount());
-    for (const int label : labels.labels) isOne[label] = true;
-    const std::vector<int> tracedFaces = facesWhereMet(labels.labels);
-    PartialDiagram traced = traceFaces(mesh_, *field_, options_, tracedFaces, isOne);
-    return traced.isSure ? replaced(std::move(labels), isOne, traced.diagram, tracedFaces)
-                         : traceWithOthers(std::move(labels), isOne);
+  /// Only in faces around the changed vertices, and by what the tracer completes in those beside
+  /// them, can cells be others.
+  DiagramChange trace(const LabelChange& change) {
+    IndexSet faces(mesh_.faceCount());
+    for (const int v : change.vertices) {
+      addFacesAround(v, faces);
+      mesh_.visitNeighbours(v, [&](int neighbour) { addFacesAround(neighbour, faces); });
+    }
+    const std::vector<int> tracedFaces = facesWhereMet(change.labels);
+    const TracedDiagram traced =
+        traceFaces(mesh_, *field_, options_, tracedFaces, marks(change.labels));
+    hasMergedPoints_ |= traced.hasMergedPoints;
+    return hasMergedPoints_ ? traceWithOthers(change.labels, faces)
+                            : replaced(change.labels, faces, traced.diagram, tracedFaces);
   }
 
-  /// The same by way of tracing all labels that these may meet.
-  DiagramChange traceWithOthers(LabelChange labels, std::span<const char> isOne) {
-    std::vector<char> isTraced(isOne.begin(), isOne.end());
-    std::vector<int> others;
-    for (const int label : labels.labels)
+  /// The same where points have become one, or have been. A bisector may then lie where a third
+  /// label has no width left, so those that the changed labels may meet count as changed too, in
+  /// all their faces; and all that those may meet are traced.
+  DiagramChange traceWithOthers(const std::vector<int>& changed, IndexSet& faces) {
+    const std::vector<int> labels = withThoseMet(changed);
+    for (const int f : facesWhereMet(labels)) faces.add(f);
+    const std::vector<int> traced = withThoseMet(labels), tracedFaces = facesWhereMet(traced);
+    const Diagram part = traceFaces(mesh_, *field_, options_, tracedFaces, marks(traced)).diagram;
+    return replaced(labels, faces, part, tracedFaces);
+  }
+
+  std::vector<char> marks(std::span<const int> labels) const {
+    std::vector<char> isOne(labelCount());
+    for (const int label : labels) isOne[label] = true;
+    return isOne;
+  }
+
+  /// Some labels and those that are known at a vertex where one of them is; ascending.
+  std::vector<int> withThoseMet(std::span<const int> labels) {
+    IndexSet met(labelCount(), labels);
+    for (const int label : labels)
       for (const int v : sharedVertices(label))
-        for (const LabelledDistance& d : field_->at(v))
-          if (!std::exchange(isTraced[d.label], true)) others.push_back(d.label);
-    others.insert(others.end(), labels.labels.begin(), labels.labels.end());
-    const std::vector<int> tracedFaces = facesWhereMet(others);
-    const Diagram traced = traceFaces(mesh_, *field_, options_, tracedFaces, isTraced).diagram;
-    return replaced(std::move(labels), isOne, traced, tracedFaces);
+        for (const LabelledDistance& d : field_->at(v)) met.add(d.label);
+    return met.sorted();
   }
 
   /// All faces of which several labels are known at a corner, one of the given ones among them;
@@ -381,18 +402,12 @@ class DynamicDiagram::Implementation {
     return faces.sorted();
   }
 
-  /// Puts what has been traced of the changed labels in the place of what there was. Only in faces
-  /// around the changed vertices, and by what the tracer completes in those beside them, can cells
-  /// be others.
-  DiagramChange replaced(LabelChange labels, std::span<const char> isOne, const Diagram& traced,
-                         std::span<const int> tracedFaces) {
-    IndexSet faces(mesh_.faceCount()), isTraced(mesh_.faceCount(), tracedFaces);
-    for (const int v : labels.vertices) {
-      addFacesAround(v, faces);
-      mesh_.visitNeighbours(v, [&](int neighbour) { addFacesAround(neighbour, faces); });
-    }
-    DiagramChange change{std::move(labels.labels), faces.sorted(), {}};
-    change.part = Extract(traced, isOne).run(change.faces);
+  /// Puts what has been traced of the changed labels and faces in the place of what there was.
+  DiagramChange replaced(const std::vector<int>& labels, const IndexSet& faces,
+                         const Diagram& traced, std::span<const int> tracedFaces) {
+    const IndexSet isTraced(mesh_.faceCount(), tracedFaces);
+    DiagramChange change{labels, faces.sorted(), {}};
+    change.part = Extract(traced, marks(labels)).run(change.faces);
     for (const int f : change.faces)
       change.part.faceLabel.push_back(
           isTraced.contains(f) ? traced.faceLabel[f] : field_->nearest(mesh_.tail(3 * f)).label);
@@ -421,6 +436,7 @@ class DynamicDiagram::Implementation {
   DgpcSweep sweep_;
   std::unique_ptr<DgpcField> field_;
   DiagramPieces pieces_;
+  bool hasMergedPoints_ = false;  ///< whether points have ever become one
   /// Per label the vertices where others are known as well, and some where that was so.
   std::vector<std::vector<int>> sharedVertices_;
 };
