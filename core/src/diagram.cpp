@@ -61,7 +61,7 @@ class Tracer {
     collectVoronoiPoints(loops);
     collectLoops(loops);
     collectCells();
-    return {std::move(out_), hasMergedPoints()};
+    return {std::move(out_), std::move(mergedFaces_), complex_.completedFaces()};
   }
 
  private:
@@ -374,6 +374,7 @@ class Tracer {
     if (a == b || (isNode_[a] && isNode_[b])) return;
     if (isNode_[b] || (!isNode_[a] && b < a)) std::swap(a, b);
     parent_[b] = a;
+    mergedFaces_.insert(mergedFaces_.end(), {points_[a].place.face, points_[b].place.face});
     merged_.resize(points_.size(), false);
     merged_[a] = true;
   }
@@ -832,6 +833,7 @@ class Tracer {
   std::vector<char> isNode_;
   std::vector<int> parent_;   ///< union-find over points_
   std::vector<char> merged_;  ///< of roots: whether they stand for several points
+  std::vector<int> mergedFaces_;
   std::vector<int> pointOfNode_;
   std::vector<int> firstOnSide_;  ///< per side, by its lower halfedge
   std::vector<Segment> segments_;

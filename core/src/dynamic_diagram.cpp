@@ -275,15 +275,7 @@ class DynamicDiagram::Implementation {
                                     std::move(nearest), std::move(views));
     continueOverBorders(*field_);
     for (int v = 0; v < mesh.vertexCount(); ++v) noteLabels(v);
-    TracedDiagram traced = traceAll(mesh, *field_, labelCount(), options);
-    hasMergedPoints_ = traced.hasMergedPoints;
-    DiagramChange all{std::vector<int>(sites.size()), std::vector<int>(mesh.faceCount()),
-                      std::move(traced.diagram)};
-    std::iota(all.labels.begin(), all.labels.end(), 0);
-    std::iota(all.faces.begin(), all.faces.end(), 0);
-    pieces_.replace(all);
-    for (int label = 0; label < labelCount(); ++label)
-      pieces_.setArea(label, all.part.regionArea[label]);
+    replaceAll();
   }
 
   int labelCount() const { return static_cast<int>(field_->sites().size()); }
@@ -360,11 +352,36 @@ class DynamicDiagram::Implementation {
       mesh_.visitNeighbours(v, [&](int neighbour) { addFacesAround(neighbour, faces); });
     }
     const std::vector<int> tracedFaces = facesWhereMet(change.labels);
-    const TracedDiagram traced =
-        traceFaces(mesh_, *field_, options_, tracedFaces, marks(change.labels));
-    hasMergedPoints_ |= traced.hasMergedPoints;
-    return hasMergedPoints_ ? traceWithOthers(change.labels, faces)
-                            : replaced(change.labels, faces, traced.diagram, tracedFaces);
+    TracedDiagram traced = traceFaces(mesh_, *field_, options_, tracedFaces, marks(change.labels));
+    if (!traced.completedFaces.empty() || haveCommon(tracedFaces, completedFaces_))
+      return replaceAll();
+    const bool hadMerged = haveCommon(tracedFaces, mergedFaces_);
+    if (traced.mergedFaces.empty() && !hadMerged)
+      return replaced(change.labels, faces, traced.diagram, tracedFaces);
+    mergedFaces_.insert(mergedFaces_.end(), traced.mergedFaces.begin(), traced.mergedFaces.end());
+    makeSet(mergedFaces_);
+    return traceWithOthers(change.labels, faces);
+  }
+
+  static bool haveCommon(std::span<const int> faces, std::span<const int> few) {
+    return std::any_of(few.begin(), few.end(),
+                       [&](int f) { return std::binary_search(faces.begin(), faces.end(), f); });
+  }
+
+  /// Traces all of the diagram.
+  DiagramChange replaceAll() {
+    TracedDiagram traced = traceAll(mesh_, *field_, labelCount(), options_);
+    mergedFaces_ = std::move(traced.mergedFaces);
+    completedFaces_ = std::move(traced.completedFaces);
+    makeSet(mergedFaces_);
+    makeSet(completedFaces_);
+    DiagramChange all{std::vector<int>(labelCount()), std::vector<int>(mesh_.faceCount()),
+                      std::move(traced.diagram)};
+    std::iota(all.labels.begin(), all.labels.end(), 0);
+    std::iota(all.faces.begin(), all.faces.end(), 0);
+    pieces_.replace(all);
+    for (const int label : all.labels) pieces_.setArea(label, all.part.regionArea[label]);
+    return all;
   }
 
   /// The same where points have become one, or have been. A bisector may then lie where a third
@@ -436,7 +453,9 @@ class DynamicDiagram::Implementation {
   DgpcSweep sweep_;
   std::unique_ptr<DgpcField> field_;
   DiagramPieces pieces_;
-  bool hasMergedPoints_ = false;  ///< whether points have ever become one
+  // Ascending:
+  std::vector<int> mergedFaces_;     ///< where points have become one since all was traced
+  std::vector<int> completedFaces_;  ///< where the tracer had to add labels when all was traced
   /// Per label the vertices where others are known as well, and some where that was so.
   std::vector<std::vector<int>> sharedVertices_;
 };

@@ -114,7 +114,11 @@ void FaceComplex::complete() {
     changed = false;
     for (int e = 0; e < elementCount(); ++e)
       if (knowsMoreSomewhere(e))
-        for (int side = 0; side < 3; ++side) changed |= completeAcross(e, side);
+        for (int side = 0; side < 3; ++side)
+          if (completeAcross(e, side)) {
+            completedFaces_.push_back(face(e));
+            changed = true;
+          }
   }
 }
 

@@ -57,6 +57,9 @@ class FaceComplex {
     double share;
   };
   std::vector<InnerNode> innerNodes(int h) const;
+  /// The faces for which labels were added to those that the distance field knows; some several
+  /// times.
+  const std::vector<int>& completedFaces() const { return completedFaces_; }
   /// The label that owns all of an element: the owner of all its nodes; else -2.
   int soleOwner(int element) const;
 
@@ -88,6 +91,7 @@ class FaceComplex {
   std::vector<char> hasTie_;
   std::vector<char> isShared_;  ///< whether a node knows more than one label
   bool isOwn_ = false;
+  std::vector<int> completedFaces_;
   std::vector<int> tail_, twin_, face_;
   std::vector<Eigen::Matrix3d> corners_;
   /// The lists of nodes at which the distance field does not hold all that is known.

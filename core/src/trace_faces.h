@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "gvd/diagram.h"
 
@@ -12,9 +13,13 @@ namespace gvd {
 /// are those in the faces it was traced in only.
 struct TracedDiagram {
   Diagram diagram;
-  /// Whether points have become one. Then a part is not certain: the order of labels around such a
-  /// point follows from the loops of all of them, which must be traced as well.
-  bool hasMergedPoints;
+  /// The faces where points have become one, some several times. There a part is not certain: the
+  /// order of labels around such a point follows from the loops of all of them, which must be traced
+  /// as well.
+  std::vector<int> mergedFaces;
+  /// The faces for which the tracer had to add labels to those that the distance field knows at
+  /// their corners. There these do not tell which regions meet, and no part is certain.
+  std::vector<int> completedFaces;
 };
 
 /// What `traceDiagram` does.
