@@ -5,17 +5,21 @@
 import assert from 'node:assert/strict';
 import { suite, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
+import { load } from 'geodesic-voronoi';
 import { runnerImport } from 'vite';
-import { apart, grid, octahedron } from '../wasm/meshes.mjs';
+import { apart, bumpySphere, grid, octahedron } from '../wasm/meshes.mjs';
 
 const { DensityPaint, greatestDensity } = await viewerModule('density_paint');
+const { DiagramSummary } = await viewerModule('diagram_summary');
 const { hexagonEnergy, rootDensityIntegral } = await viewerModule('hexagon_energy');
 const { SceneMesh } = await viewerModule('scene_mesh');
 const { cornerNormals } = await viewerModule('corner_normals');
 const { LatestTask } = await viewerModule('latest_task');
+const { ModelDrawing } = await viewerModule('model_drawing');
 const { ModelFrame } = await viewerModule('model_frame');
 const { RegionColours, toneColour } = await viewerModule('region_colours');
 const { SiteHistory } = await viewerModule('site_history');
+const { stepBetween } = await viewerModule('site_step');
 
 async function viewerModule(name) {
   const path = fileURLToPath(new URL(`../../web/viewer/${name}.ts`, import.meta.url));
@@ -69,6 +73,167 @@ suite('region colours', () => {
     const before = colours.assign(adjacency(4, [[0, 1], [1, 2], [2, 3]]), [1, 2, 3, 4]);
     const after = colours.assign(adjacency(4, [[0, 1], [1, 2], [2, 3]]), [2, 3, 4, 9]);
     assert.deepEqual([...after.subarray(0, 3)], [...before.subarray(1)]);
+  });
+});
+
+suite('a diagram that changes', () => {
+  const single = ({ face, bary }, i) => ({
+    face: face.slice(i, i + 1),
+    bary: bary.slice(3 * i, 3 * i + 3),
+  });
+
+  /** The drawings' buffers as the graphics card has them: brought up to date by what is uploaded only. */
+  class Card {
+    #copies = new Map();
+
+    upload({ object }) {
+      for (const buffer of buffersOf(object)) {
+        const copy = this.#copies.get(buffer);
+        if (!copy) {
+          this.#copies.set(buffer, { array: buffer.array.slice(), version: buffer.version });
+        } else if (copy.version !== buffer.version) {
+          copy.version = buffer.version;
+          const ranges = buffer.updateRanges.length
+            ? buffer.updateRanges
+            : [{ start: 0, count: buffer.array.length }];
+          for (const { start, count } of ranges) {
+            copy.array.set(buffer.array.subarray(start, start + count), start);
+            this.uploaded += count * buffer.array.BYTES_PER_ELEMENT;
+          }
+          buffer.clearUpdateRanges();
+        }
+      }
+    }
+
+    /** Everything drawn, sorted: triangles, segments and markers with all their numbers. */
+    picture({ object }) {
+      const of = (attribute) => this.#copies.get(attribute.data ?? attribute).array;
+      const list = [];
+      object.traverse(({ geometry, visible, type }) => {
+        if (!geometry || !visible) return;
+        const { attributes, drawRange } = geometry;
+        const isLines = 'instanceStart' in attributes;
+        // That of lines is the same for each: how one of them is drawn.
+        const index = isLines ? null : geometry.index;
+        const names = isLines ? ['instanceStart'] : Object.keys(attributes).sort();
+        const count = isLines
+          ? geometry.instanceCount
+          : Math.min(drawRange.count, index ? index.count : attributes.position.count);
+        const perShape = type === 'Mesh' && !isLines ? 3 : 1;
+        for (let i = 0; i < count; i += perShape) {
+          const corners = Array.from({ length: perShape }, (_, k) => (index ? of(index)[i + k] : i + k));
+          if (perShape === 3 && corners[0] === corners[1]) continue; // without extent
+          const numbers = corners.map((corner) =>
+            names.map((name) => {
+              const width = isLines ? 6 : attributes[name].itemSize;
+              return of(attributes[name]).subarray(width * corner, width * (corner + 1)).join();
+            }),
+          );
+          list.push(`${type} ${geometry.type} ${numbers.join(' | ')}`);
+        }
+      });
+      return list.sort();
+    }
+
+    uploaded = 0;
+  }
+
+  function buffersOf(object) {
+    const buffers = new Set();
+    object.traverse(({ geometry }) => {
+      if (!geometry) return;
+      if (geometry.index) buffers.add(geometry.index);
+      for (const attribute of Object.values(geometry.attributes)) buffers.add(attribute.data ?? attribute);
+    });
+    return buffers;
+  }
+
+  const isAsIfNew = async (tintAt) => {
+    const library = await load();
+    const mesh = await library.mesh(bumpySphere(40, 60));
+    const diagram = await mesh.voronoi(await mesh.sampleSites(60));
+    const scene = new SceneMesh(mesh);
+    const colours = new RegionColours();
+    const ids = () => [...diagram.sites.face.keys()];
+    const layers = new Set(['regions', 'bisectors', 'voronoi-points']);
+    const whole = () => ({ data: diagram.data, summary: DiagramSummary.of(diagram.data), siteIds: ids() });
+    const newDrawing = () => {
+      const drawing = new ModelDrawing(scene, colours);
+      drawing.show(layers);
+      if (tintAt) drawing.setTints(scene.positions.filter((_, i) => i % 3 === 0).map(tintAt));
+      return drawing;
+    };
+
+    const drawing = newDrawing();
+    const card = new Card();
+    let summary = DiagramSummary.of(diagram.data);
+    drawing.setDiagram(whole());
+    card.upload(drawing);
+    const all = [...buffersOf(drawing.object)].reduce((sum, { array }) => sum + array.byteLength, 0);
+
+    const places = await mesh.sampleSites(60, { seed: 7 });
+    for (let i = 0; i < 21; ++i) {
+      const change = await (i % 3 === 0
+        ? diagram.insertSite(single(places, i))
+        : diagram.moveSite((7 * i) % 60, single(places, i)));
+      summary = summary.after(change);
+      drawing.changeDiagram(change, {
+        get data() {
+          return assert.fail('all of the diagram is not needed');
+        },
+        summary,
+        siteIds: ids(),
+      });
+      card.uploaded = 0;
+      if (i % 4 === 2) continue; // several changes before a drawing
+      card.upload(drawing);
+      if (i % 3) assert.ok(card.uploaded < 0.5 * all, `${card.uploaded} of ${all} bytes`);
+      if (i % 5 > 0) continue;
+
+      const { siteCount, regionCount, arcCount, segmentCount, voronoiPointCount } = whole().summary;
+      assert.deepEqual(
+        [summary.siteCount, summary.regionCount, summary.arcCount, summary.segmentCount],
+        [siteCount, regionCount, arcCount, segmentCount],
+      );
+      assert.equal(summary.voronoiPointCount, voronoiPointCount);
+      assertNeighboursDiffer(colours.assign(summary, ids()), pairsOf(summary));
+
+      const anew = newDrawing();
+      anew.setDiagram(whole());
+      for (const each of [drawing, anew]) each.outline(change.labels[0]);
+      const cardAnew = new Card();
+      cardAnew.upload(anew);
+      card.upload(drawing);
+      assert.deepEqual(card.picture(drawing), cardAnew.picture(anew));
+      for (const each of [drawing, anew]) each.outline(-1);
+    }
+    library.dispose();
+  };
+  test('is drawn and told of as if all of it were new, and little is uploaded', () => isAsIfNew());
+  test('also under a painted density', () => isAsIfNew((x) => Math.min(1, Math.max(0, 2 * x))));
+
+  const pairsOf = ({ arcs: { labels } }) =>
+    Array.from({ length: labels.length / 2 }, (_, i) => [labels[2 * i], labels[2 * i + 1]]);
+
+  test('a step is one site that has moved, or one more at the end', () => {
+    const sites = new SiteHistory();
+    const list = sites.createAll({ face: [1, 2, 3], bary: [1, 0, 0, 1, 0, 0, 1, 0, 0] });
+    const moved = list.map((site, i) => (i === 1 ? { ...site, face: 9 } : site));
+    const added = [...list, sites.create({ face: 4, bary: [1, 0, 0] })];
+    assert.deepEqual(stepBetween(list, moved), { kind: 'move', index: 1, site: moved[1] });
+    assert.deepEqual(stepBetween(list, added), { kind: 'insert', index: 3, site: added[3] });
+    assert.deepEqual(stepBetween(moved, list), { kind: 'move', index: 1, site: list[1] });
+    const others = [
+      [...list],
+      list.slice(1),
+      added.slice(1),
+      [...moved, added[3]],
+      [added[3], ...list],
+      moved.map((site, i) => (i === 2 ? { ...site, face: 8 } : site)),
+      [list[0], added[3], list[2]],
+      [list[1], list[0], list[2]],
+    ];
+    for (const other of others) assert.equal(stepBetween(list, other), undefined);
   });
 });
 

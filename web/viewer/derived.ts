@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 import type { Diagram } from 'geodesic-voronoi';
+import type { ShownDiagram } from './session.js';
 
 /** Something that is computed from the diagram that is shown, as long as it is wanted. */
 export class Derived<Result> {
   readonly #compute: (diagram: Diagram) => Promise<Result>;
   readonly #adopt: (result: Result | undefined) => void;
-  #diagram: Diagram | undefined;
+  #shown: ShownDiagram | undefined;
 
   /** `adopt` gets what the latest diagram gives; undefined when there is none, or it fails. */
   constructor(
@@ -16,12 +17,12 @@ export class Derived<Result> {
     this.#adopt = adopt;
   }
 
-  /** The diagram there is now; undefined also if nothing is wanted. */
-  async update(diagram: Diagram | undefined): Promise<void> {
-    if (diagram === this.#diagram) return;
-    this.#diagram = diagram;
+  /** What is shown now, and again whenever that has changed; undefined also if nothing is wanted. */
+  async update(shown: ShownDiagram | undefined): Promise<void> {
+    if (shown === this.#shown) return;
+    this.#shown = shown;
     // A diagram may be replaced while it is asked; then the answer for the next one follows.
-    const result = diagram && (await this.#compute(diagram).catch(() => undefined));
-    if (diagram === this.#diagram) this.#adopt(result);
+    const result = shown?.diagram && (await this.#compute(shown.diagram).catch(() => undefined));
+    if (shown === this.#shown) this.#adopt(result);
   }
 }

@@ -5,6 +5,8 @@
 import type {
   CvtMethod,
   Diagram,
+  DiagramChange,
+  DiagramData,
   Mesh,
   MeshInfo,
   MeshPart,
@@ -23,8 +25,8 @@ import { Derived } from './derived.js';
 import { fillShadow } from './element_template.js';
 import { hexagonEnergy, rootDensityIntegral } from './hexagon_energy.js';
 import { Hover, type HoveredPoint } from './hover.js';
-import { type Layer, layers, ModelDrawing } from './model_drawing.js';
 import { widestSpread } from './exploded_parts.js';
+import { type DrawnDiagram, type Layer, layers, ModelDrawing } from './model_drawing.js';
 import { fetchModelFiles, type ModelFiles, readModelFiles } from './model_files.js';
 import { Picker, type SurfaceHit } from './picking.js';
 import { PointerGestures } from './pointer_gestures.js';
@@ -489,13 +491,13 @@ export class GeodesicVoronoiElement extends Base {
         this.#emit('load', { name, info: mesh.info, parts: mesh.parts });
       },
       sitesChanged: () => this.#showSites(),
-      diagramChanged: (shown, milliseconds) => {
-        this.#showDiagram(shown);
+      diagramChanged: (shown, milliseconds, change) => {
+        this.#showDiagram(shown, change);
         this.#tellDiagram(shown, milliseconds);
       },
       cvtIterated: (shown, { iteration, energy, largestMove }) => {
         this.#showDiagram(shown);
-        const least = shown.data && hexagonEnergy(shown.data, this.#density?.rootIntegral);
+        const least = shown.summary && hexagonEnergy(shown.summary, this.#density?.rootIntegral);
         const relativeEnergy = energy / (least ?? NaN);
         this.#emit('cvt-iteration', { iteration, energy, relativeEnergy, largestMove });
       },
@@ -617,8 +619,9 @@ export class GeodesicVoronoiElement extends Base {
 
   /** Asks for what is shown of the diagram besides itself. */
   #derive(): void {
-    void this.#dual.update(this.layers.includes('dual') ? this.diagram : undefined);
-    void this.#parts.update(this.exploded > 0 ? this.diagram : undefined);
+    const shown = this.#session?.shown;
+    void this.#dual.update(this.layers.includes('dual') ? shown : undefined);
+    void this.#parts.update(this.exploded > 0 ? shown : undefined);
   }
 
   #showDual(result: { dual: PolygonMesh; violations: Violation[] } | undefined): void {
@@ -658,23 +661,22 @@ export class GeodesicVoronoiElement extends Base {
     });
   }
 
-  #showDiagram({ sites, data }: ShownDiagram): void {
-    this.#model?.drawing.setDiagram(
-      data,
-      sites.map((site) => site.id),
-    );
+  #showDiagram(shown: ShownDiagram, change?: DiagramChange): void {
+    const drawn = drawnDiagram(shown);
+    if (drawn && change) this.#model?.drawing.changeDiagram(change, drawn);
+    else this.#model?.drawing.setDiagram(drawn);
     this.#draw();
     this.#connected?.hover.refresh();
     this.#derive();
   }
 
-  #tellDiagram({ sites, data, metric, detail }: ShownDiagram, milliseconds: number): void {
+  #tellDiagram({ sites, summary, metric, detail }: ShownDiagram, milliseconds: number): void {
     this.#emit('diagram', {
       sites: sites.length,
-      regions: data?.regionArea.reduce((count, area) => count + (area > 0 ? 1 : 0), 0) ?? 0,
-      segments: data?.segments.face.length ?? 0,
-      arcs: data ? data.arcs.labels.length / 2 : 0,
-      voronoiPoints: data?.voronoiPoints.point.length ?? 0,
+      regions: summary?.regionCount ?? 0,
+      segments: summary?.segmentCount ?? 0,
+      arcs: summary?.arcCount ?? 0,
+      voronoiPoints: summary?.voronoiPointCount ?? 0,
       metric,
       detail,
       milliseconds,
@@ -783,6 +785,19 @@ export class GeodesicVoronoiElement extends Base {
     if (drawing?.outline(region)) this.#draw();
     this.#emit('hover', point ? { ...point, colour: drawing?.regionColour(region) } : null);
   }
+}
+
+function drawnDiagram(shown: ShownDiagram): DrawnDiagram | undefined {
+  const { sites, summary } = shown;
+  return (
+    summary && {
+      summary,
+      siteIds: sites.map(({ id }) => id),
+      get data() {
+        return shown.data as DiagramData;
+      },
+    }
+  );
 }
 
 function numberOf(attribute: string | null, otherwise: number): number {

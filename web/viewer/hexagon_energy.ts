@@ -5,7 +5,10 @@ import type { DiagramData, Mesh } from 'geodesic-voronoi';
  * Σ ∫ ρ d² for the plane in as many regular hexagons as there are sites: 5/(18√3) · (∫ √ρ)²/k, exact
  * for uniform density and else the limit for many sites (Gersho 1979).
  */
-export function hexagonEnergy({ siteCount, regionArea }: DiagramData, weight?: number): number {
+export function hexagonEnergy(
+  { siteCount, regionArea }: Pick<DiagramData, 'siteCount' | 'regionArea'>,
+  weight?: number,
+): number {
   const area = weight ?? regionArea.reduce((sum, each) => sum + each, 0);
   return (5 / (18 * Math.sqrt(3))) * (area ** 2 / siteCount);
 }

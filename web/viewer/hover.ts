@@ -51,7 +51,7 @@ export class Hover {
       face: hit.face,
       bary: hit.bary,
       region,
-      area: shown?.diagram?.data.regionArea[region] ?? 0,
+      area: shown?.summary?.regionArea[region] ?? 0,
       distance: located.distance[0],
     });
   }

@@ -1,17 +1,30 @@
 // SPDX-License-Identifier: MIT
 import type { DiagramData, PolygonMesh } from 'geodesic-voronoi';
-import { BufferAttribute, BufferGeometry, LineBasicMaterial, LineSegments, Vector3 } from 'three';
+import {
+  BufferAttribute,
+  BufferGeometry,
+  InstancedInterleavedBuffer,
+  InterleavedBufferAttribute,
+  LineBasicMaterial,
+  LineSegments,
+  Vector3,
+} from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
+import { RecordBuffer, wholeScene } from './record_buffer.js';
 import type { SceneMesh } from './scene_mesh.js';
 
 /** Of a side laid onto the surface, in radii of the model. */
 const longestPiece = 0.02;
 
-/** Line segments of a width in CSS pixels, at any zoom. */
-export class FatLines {
+/** Line segments of a width in CSS pixels, at any zoom; `Key` is what a segment belongs to. */
+export class FatLines<Key> {
   readonly object: LineSegments2;
+  /** x, y, z of both ends. */
+  readonly #segments = new RecordBuffer<Key>((n) => [
+    new InstancedInterleavedBuffer(new Float32Array(6 * n), 6),
+  ]);
 
   constructor(style: { colour: number; width: number }) {
     // Smoothed by multisampling alone: coverage by alpha would let the page shine through the canvas.
@@ -21,25 +34,48 @@ export class FatLines {
     this.object.visible = false;
   }
 
-  /** x, y, z of both ends, segment after segment. */
-  set(ends: Float32Array): void {
-    // A new geometry, since the old one would keep its first buffers.
-    this.object.geometry.dispose();
-    this.object.geometry = new LineSegmentsGeometry();
-    this.object.visible = ends.length > 0;
-    if (ends.length > 0) this.object.geometry.setPositions(ends);
+  get count(): number {
+    return this.#segments.count;
+  }
+
+  /** x, y, z of both ends, segment after segment, and a key for each. */
+  set(ends: Float32Array, keys: readonly Key[]): void {
+    this.#segments.set(keys, [ends]);
+    this.#adopt();
+  }
+
+  /** Others instead of the segments whose key says that they are gone. */
+  replace(isGone: (key: Key) => boolean, ends: Float32Array, keys: readonly Key[]): void {
+    this.#segments.replace(isGone, keys, [ends]);
+    this.#adopt();
   }
 
   dispose(): void {
     this.object.geometry.dispose();
     this.object.material.dispose();
   }
+
+  #adopt(): void {
+    const [buffer] = this.#segments.buffers as readonly InstancedInterleavedBuffer[];
+    const start = this.object.geometry.getAttribute('instanceStart');
+    if (!(start instanceof InterleavedBufferAttribute) || start.data !== buffer) {
+      // A new geometry, since the old one would keep its first buffers.
+      this.object.geometry.dispose();
+      const geometry = new LineSegmentsGeometry();
+      geometry.setAttribute('instanceStart', new InterleavedBufferAttribute(buffer, 3, 0));
+      geometry.setAttribute('instanceEnd', new InterleavedBufferAttribute(buffer, 3, 3));
+      geometry.boundingSphere = wholeScene;
+      this.object.geometry = geometry;
+    }
+    this.object.geometry.instanceCount = this.count;
+    this.object.visible = this.count > 0;
+  }
 }
 
 /** The places in the scene of points of a diagram, by their indices. */
 export function pointPlaces(
   mesh: SceneMesh,
-  { points }: DiagramData,
+  { points }: Pick<DiagramData, 'points'>,
   indices: ArrayLike<number>,
 ): Float32Array {
   const positions = new Float64Array(3 * indices.length);
@@ -52,7 +88,11 @@ export function pointPlaces(
 }
 
 /** Both ends of every segment of a region's loops, in the scene. */
-export function outlineEnds(mesh: SceneMesh, data: DiagramData, label: number): Float32Array {
+export function outlineEnds(
+  mesh: SceneMesh,
+  data: Pick<DiagramData, 'points' | 'loops'>,
+  label: number,
+): Float32Array {
   const { loops } = data;
   const chain: number[] = [];
   for (let loop = 0; loop < loops.label.length; ++loop) {

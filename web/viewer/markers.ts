@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { BufferAttribute, BufferGeometry, Color, Points, ShaderMaterial, Vector2 } from 'three';
+import { RecordBuffer, wholeScene } from './record_buffer.js';
 
 /** A disc's sizes in CSS pixels and its colours. */
 export interface MarkerStyle {
@@ -54,8 +55,14 @@ const fragmentShader = /* glsl */ `
   }
 `;
 
-export class Markers {
+/** `Key` is what a marker belongs to. */
+export class Markers<Key> {
   readonly object: Points<BufferGeometry, ShaderMaterial>;
+  /** Place, and 1 if emphasised. */
+  readonly #markers = new RecordBuffer<Key>((n) => [
+    new BufferAttribute(new Float32Array(3 * n), 3),
+    new BufferAttribute(new Float32Array(n), 1),
+  ]);
 
   constructor({ diameter, ring, fill, edge, emphasis }: MarkerStyle) {
     const material = new ShaderMaterial({
@@ -88,19 +95,34 @@ export class Markers {
     };
   }
 
-  /** Places in the scene, and which of them is emphasised, if any. */
-  set(places: Float32Array, emphasised = -1): void {
-    const flags = new Float32Array(places.length / 3);
+  /** Places in the scene, a key for each, and which of them is emphasised, if any. */
+  set(places: Float32Array, keys: readonly Key[], emphasised = -1): void {
+    const flags = new Float32Array(keys.length);
     if (emphasised >= 0 && emphasised < flags.length) flags[emphasised] = 1;
-    this.object.geometry.dispose();
-    const geometry = new BufferGeometry();
-    geometry.setAttribute('position', new BufferAttribute(places, 3));
-    geometry.setAttribute('emphasised', new BufferAttribute(flags, 1));
-    this.object.geometry = geometry;
+    this.#markers.set(keys, [places, flags]);
+    this.#adopt();
+  }
+
+  /** Others, none of them emphasised, instead of those whose key says that they are gone. */
+  replace(isGone: (key: Key) => boolean, places: Float32Array, keys: readonly Key[]): void {
+    this.#markers.replace(isGone, keys, [places, new Float32Array(keys.length)]);
+    this.#adopt();
   }
 
   dispose(): void {
     this.object.geometry.dispose();
     this.object.material.dispose();
+  }
+
+  #adopt(): void {
+    const [position, emphasised] = this.#markers.buffers as readonly BufferAttribute[];
+    if (this.object.geometry.getAttribute('position') !== position) {
+      this.object.geometry.dispose();
+      this.object.geometry = new BufferGeometry();
+      this.object.geometry.setAttribute('position', position);
+      this.object.geometry.setAttribute('emphasised', emphasised);
+      this.object.geometry.boundingSphere = wholeScene;
+    }
+    this.object.geometry.setDrawRange(0, this.#markers.count);
   }
 }

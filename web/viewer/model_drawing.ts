@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-import type { DiagramData, Partition, PolygonMesh } from 'geodesic-voronoi';
+import type { DiagramChange, DiagramData, Partition, PolygonMesh } from 'geodesic-voronoi';
 import { Group, type LineSegments, Vector3 } from 'three';
+import { type DiagramSummary, labelsAround } from './diagram_summary.js';
 import { ExplodedParts } from './exploded_parts.js';
 import { drapedSides, FatLines, outlineEnds, pointPlaces, wireframe } from './lines.js';
 import { Markers } from './markers.js';
 import { RegionColours, toneColour } from './region_colours.js';
-import { LabelColours, RegionSurface } from './region_surface.js';
+import { LabelColours, RegionSurface, type TonedDiagram } from './region_surface.js';
 import type { SceneMesh } from './scene_mesh.js';
 import type { Sites } from './site_history.js';
 
@@ -24,23 +25,35 @@ const ink = 0x1f2933;
 const paper = 0xffffff;
 const accent = 0xd6336c;
 
+/** A diagram to be drawn; `data` is read only to draw all of it. */
+export interface DrawnDiagram {
+  readonly data: DiagramData;
+  summary: DiagramSummary;
+  /** Identities per label. */
+  siteIds: readonly number[];
+}
+
+/** What a bisector or a Voronoi point lies between. */
+type Labels = ArrayLike<number>;
+type Lines = Pick<DiagramData, 'points' | 'arcs' | 'segments' | 'voronoiPoints'>;
+
 /** A model with its diagram and sites, as objects of the scene. */
 export class ModelDrawing {
   readonly object = new Group();
   readonly #mesh: SceneMesh;
   readonly #surface: RegionSurface;
-  readonly #colours = new RegionColours();
-  readonly #bisectors = new FatLines({ colour: ink, width: 2 });
-  readonly #outline = new FatLines({ colour: ink, width: 4.5 });
-  readonly #dual = new FatLines({ colour: accent, width: 2.5 });
-  readonly #voronoiPoints = new Markers({
+  readonly #colours: RegionColours;
+  readonly #bisectors = new FatLines<Labels>({ colour: ink, width: 2 });
+  readonly #outline = new FatLines<undefined>({ colour: ink, width: 4.5 });
+  readonly #dual = new FatLines<undefined>({ colour: accent, width: 2.5 });
+  readonly #voronoiPoints = new Markers<Labels>({
     diameter: 7,
     ring: 1.25,
     fill: ink,
     edge: paper,
     emphasis: ink,
   });
-  readonly #siteMarkers = new Markers({
+  readonly #siteMarkers = new Markers<number>({
     diameter: 11,
     ring: 2,
     fill: ink,
@@ -52,13 +65,16 @@ export class ModelDrawing {
   #parts: ExplodedParts | undefined;
   #wireframe: LineSegments | undefined;
   #shown: ReadonlySet<Layer> = new Set();
-  #data: DiagramData | undefined;
+  /** Of the diagram when all of it was drawn; regions that have changed since are in `#outlines`. */
+  #loops: Pick<DiagramData, 'points' | 'loops'> | undefined;
+  readonly #outlines = new Map<number, Float32Array>();
   #tones: Uint16Array = new Uint16Array();
   #outlined = -1;
   #sitePlaces = new Float32Array();
 
-  constructor(mesh: SceneMesh) {
+  constructor(mesh: SceneMesh, colours = new RegionColours()) {
     this.#mesh = mesh;
+    this.#colours = colours;
     this.#surface = new RegionSurface(mesh);
     this.object.add(this.#together);
     this.#together.add(
@@ -88,22 +104,35 @@ export class ModelDrawing {
     this.#showBisectors();
   }
 
-  /** The diagram of sites with these identities; undefined for none. */
-  setDiagram(data: DiagramData | undefined, siteIds: readonly number[] = []): void {
-    this.#data = data;
-    this.#tones = data ? this.#colours.assign(data, siteIds) : new Uint16Array();
-    this.#surface.setDiagram(data && { data, tones: this.#tones });
-    const places = (points: Int32Array | undefined) =>
-      data && points ? pointPlaces(this.#mesh, data, points) : new Float32Array();
-    this.#bisectors.set(places(data?.segments.points));
-    this.#voronoiPoints.set(places(data?.voronoiPoints.point));
+  setDiagram(diagram: DrawnDiagram | undefined): void {
+    const data = diagram?.data;
+    this.#tones = diagram
+      ? this.#colours.assign(diagram.summary, diagram.siteIds)
+      : new Uint16Array();
+    this.#surface.setDiagram(diagram && toned(diagram, this.#tones));
+    this.#replaceLines(() => true, data);
+    this.#loops = data;
+    this.#outlines.clear();
     this.outline(-1);
-    this.#showBisectors();
+  }
+
+  /** What the diagram drawn has become by a change: draws this, and nothing else anew. */
+  changeDiagram(change: DiagramChange, diagram: DrawnDiagram): void {
+    const { labels, part } = change;
+    const changed = new Set(labels);
+    this.#tones = this.#colours.assign(diagram.summary, diagram.siteIds, changed);
+    this.#surface.changeDiagram(change, toned(diagram, this.#tones));
+    this.#replaceLines((between) => {
+      for (let i = 0; i < between.length; ++i) if (changed.has(between[i])) return true;
+      return false;
+    }, part);
+    for (const label of labels) this.#outlines.set(label, outlineEnds(this.#mesh, part, label));
+    this.outline(-1);
   }
 
   /** The sides of the dual, laid onto the surface by `nearest`; undefined for none. */
   setDual(dual: PolygonMesh | undefined, nearest: (place: Vector3) => Vector3): void {
-    this.#dual.set(dual ? drapedSides(this.#mesh, dual, nearest) : new Float32Array());
+    setAlike(this.#dual, dual ? drapedSides(this.#mesh, dual, nearest) : new Float32Array());
   }
 
   /** The regions apart, instead of the surface and what lies on it; undefined for none. */
@@ -136,7 +165,8 @@ export class ModelDrawing {
     sites.forEach(({ face, bary }, i) => {
       this.#mesh.writePoint(face, bary, this.#sitePlaces, 3 * i);
     });
-    this.#siteMarkers.set(this.#sitePlaces, selected);
+    const ids = sites.map(({ id }) => id);
+    this.#siteMarkers.set(this.#sitePlaces, ids, selected);
   }
 
   sitePlace(index: number): Vector3 {
@@ -147,8 +177,9 @@ export class ModelDrawing {
   outline(label: number): boolean {
     if (label === this.#outlined) return false;
     this.#outlined = label;
-    const known = this.#data !== undefined && label >= 0 && label < this.#data.siteCount;
-    this.#outline.set(known ? outlineEnds(this.#mesh, this.#data!, label) : new Float32Array());
+    const isKnown = label >= 0 && label < this.#tones.length;
+    const ends = isKnown ? this.#outlineEnds(label) : new Float32Array();
+    setAlike(this.#outline, ends);
     return true;
   }
 
@@ -167,7 +198,47 @@ export class ModelDrawing {
   }
 
   #showBisectors(): void {
-    const any = (this.#data?.segments.face.length ?? 0) > 0;
-    this.#bisectors.object.visible = any && this.#shown.has('bisectors');
+    this.#bisectors.object.visible = this.#bisectors.count > 0 && this.#shown.has('bisectors');
   }
+
+  #outlineEnds(label: number): Float32Array {
+    const changed = this.#outlines.get(label);
+    if (changed || !this.#loops) return changed ?? new Float32Array();
+    return outlineEnds(this.#mesh, this.#loops, label);
+  }
+
+  /** Other bisectors and Voronoi points instead of those between labels that are gone. */
+  #replaceLines(isGone: (between: Labels) => boolean, part: Lines | undefined): void {
+    const places = (points: Int32Array | undefined) =>
+      part && points ? pointPlaces(this.#mesh, part, points) : new Float32Array();
+    this.#bisectors.replace(isGone, places(part?.segments.points), part ? segmentLabels(part) : []);
+    this.#voronoiPoints.replace(
+      isGone,
+      places(part?.voronoiPoints.point),
+      part ? labelsAround(part) : [],
+    );
+    this.#showBisectors();
+  }
+}
+
+function toned(diagram: DrawnDiagram, tones: Uint16Array): TonedDiagram {
+  return {
+    tones,
+    get data() {
+      return diagram.data;
+    },
+  };
+}
+
+/** The two labels of every segment; those of an arc share a list. */
+function segmentLabels({ arcs, segments }: Lines): Labels[] {
+  const ofArc = Array.from({ length: arcs.labels.length / 2 }, (_, arc) =>
+    arcs.labels.subarray(2 * arc, 2 * arc + 2),
+  );
+  return Array.from(segments.arc, (arc) => ofArc[arc]);
+}
+
+/** Draws segments of which none is to be told from the others. */
+function setAlike(lines: FatLines<undefined>, ends: Float32Array): void {
+  lines.set(ends, new Array(ends.length / 6).fill(undefined));
 }

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: MIT
-import type { DiagramData } from 'geodesic-voronoi';
+
+/** As much of a diagram as colouring looks at: two labels per arc. */
+interface Adjacency {
+  readonly siteCount: number;
+  readonly arcs: { readonly labels: ArrayLike<number> };
+}
 
 /**
  * sRGB. Found by a search for the eight tones, pale enough for dark bisectors on top, whose least
@@ -19,11 +24,19 @@ const fewestTones = palette.length;
 export class RegionColours {
   readonly #toneOfSite = new Map<number, number>();
 
-  /** Tones per label of the diagram, whose sites have these identities. */
-  assign(data: DiagramData, siteIds: readonly number[]): Uint16Array {
-    const neighbours = neighboursOf(data);
+  /**
+   * Tones per label of the diagram, whose sites have these identities. Where two neighbours have had
+   * the same tone, one in `yielding` takes another; those beyond the palette do so if they can.
+   */
+  assign(
+    diagram: Adjacency,
+    siteIds: readonly number[],
+    yielding: ReadonlySet<number> = new Set(),
+  ): Uint16Array {
+    const neighbours = neighboursOf(diagram);
     const unset = 0xffff;
-    const tones = new Uint16Array(data.siteCount).fill(unset);
+    const labels = [...neighbours.keys()];
+    const tones = new Uint16Array(diagram.siteCount).fill(unset);
     const usage: number[] = new Array(fewestTones).fill(0);
     const give = (label: number, tone: number) => {
       tones[label] = tone;
@@ -31,9 +44,14 @@ export class RegionColours {
       this.#toneOfSite.set(siteIds[label], tone);
     };
 
-    for (let label = 0; label < data.siteCount; ++label) {
+    const firmFirst = [
+      ...labels.filter((label) => !yielding.has(label)),
+      ...labels.filter((label) => yielding.has(label)),
+    ];
+    for (const label of firmFirst) {
       const kept = this.#toneOfSite.get(siteIds[label]);
       if (kept === undefined || neighbours[label].some((other) => tones[other] === kept)) continue;
+      if (kept >= fewestTones && yielding.has(label)) continue;
       give(label, kept);
     }
     for (const label of hardestFirst(neighbours)) {
@@ -65,7 +83,7 @@ function leastUsedTone(usage: readonly number[], taken: ReadonlySet<number>): nu
   return tone;
 }
 
-function neighboursOf({ siteCount, arcs }: DiagramData): number[][] {
+function neighboursOf({ siteCount, arcs }: Adjacency): number[][] {
   const sets = Array.from({ length: siteCount }, () => new Set<number>());
   for (let i = 0; i + 1 < arcs.labels.length; i += 2) {
     sets[arcs.labels[i]].add(arcs.labels[i + 1]);

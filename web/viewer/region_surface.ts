@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-import type { DiagramData } from 'geodesic-voronoi';
+import type { DiagramChange, DiagramData } from 'geodesic-voronoi';
 import {
   BufferAttribute,
   BufferGeometry,
@@ -9,6 +9,7 @@ import {
   Mesh,
   MeshLambertMaterial,
 } from 'three';
+import { RecordBuffer, uploadRecords, wholeScene } from './record_buffer.js';
 import { toneColour } from './region_colours.js';
 import type { SceneMesh } from './scene_mesh.js';
 
@@ -25,23 +26,38 @@ const tintOpacity = 0.75;
 const shared = -2;
 const unreachable = -1;
 
+/** A diagram to be drawn, with a tone per label; `data` is read only to draw all of it. */
+export interface TonedDiagram {
+  readonly data: DiagramData;
+  tones: Uint16Array;
+}
+
 /**
  * The model's surface filled by region. Faces with one owner are drawn whole from arrays made once;
- * only their colours and the list of them change with the diagram. The parts of shared faces are
- * drawn as they were traced: the fill ends exactly where the bisector runs.
+ * only their colours change with the diagram, and in the list of corners shared faces are without
+ * extent. Their parts are drawn as they were traced: the fill ends exactly where the bisector runs.
  */
 export class RegionSurface {
   readonly object = new Group();
   readonly #mesh: SceneMesh;
   readonly #wholeFaces: BufferGeometry;
   readonly #material: MeshLambertMaterial;
-  #parts: Mesh<BufferGeometry, MeshLambertMaterial> | undefined;
-  #diagram: { data: DiagramData; tones: Uint16Array } | undefined;
+  readonly #parts: Mesh<BufferGeometry, MeshLambertMaterial>;
+  /** Triangles of the parts: per corner place, normal and colour. */
+  readonly #triangles = new RecordBuffer<PartTriangle>((n) => [
+    new BufferAttribute(new Float32Array(9 * n), 3),
+    new BufferAttribute(new Float32Array(9 * n), 3),
+    new BufferAttribute(new Uint8Array(9 * n), 3, true),
+  ]);
+  #diagram: TonedDiagram | undefined;
+  /** What the surface is drawn by: per face its label, undefined without a diagram. */
+  #faceLabels: (number | undefined)[];
   #filled = true;
   #tints: Float32Array | undefined;
 
   constructor(mesh: SceneMesh) {
     this.#mesh = mesh;
+    this.#faceLabels = new Array(mesh.faceCount);
     this.#material = new MeshLambertMaterial({
       vertexColors: true,
       side: DoubleSide,
@@ -54,7 +70,9 @@ export class RegionSurface {
     this.#wholeFaces = wholeFaceGeometry(mesh);
     const faces = new Mesh(this.#wholeFaces, this.#material);
     faces.frustumCulled = false;
-    this.object.add(faces);
+    this.#parts = new Mesh(new BufferGeometry(), this.#material);
+    this.#parts.frustumCulled = false;
+    this.object.add(faces, this.#parts);
     this.#update();
   }
 
@@ -65,10 +83,26 @@ export class RegionSurface {
     this.#update();
   }
 
-  /** `tones` per label. Without a diagram the surface is neutral. */
-  setDiagram(diagram: { data: DiagramData; tones: Uint16Array } | undefined): void {
+  /** Without a diagram the surface is neutral. */
+  setDiagram(diagram: TonedDiagram | undefined): void {
     this.#diagram = diagram;
     this.#update();
+  }
+
+  /** What the diagram has become by a change. */
+  changeDiagram({ faces, part }: DiagramChange, diagram: TonedDiagram): void {
+    const before = this.#diagram?.tones;
+    this.#diagram = diagram;
+    if (!this.#filled) return;
+    const colours = new LabelColours(diagram.tones);
+    const isChanged = new Uint8Array(this.#mesh.faceCount);
+    for (const face of faces) isChanged[face] = 1;
+    faces.forEach((face, i) => this.#writeFace(face, part.faceLabel[i], colours));
+    uploadRecords(this.#corners, faces, 3);
+    uploadRecords(this.#colour, faces, 9);
+    this.#replaceParts(({ face }) => isChanged[face] > 0, part, colours);
+    const recoloured = diagram.tones.map((tone, label) => (tone === before?.[label] ? 0 : 1));
+    if (recoloured.includes(1)) this.#recolour(recoloured, colours);
   }
 
   /** A tint per input vertex, -1 … 1, over the colours; undefined for none. */
@@ -79,43 +113,81 @@ export class RegionSurface {
   }
 
   dispose(): void {
-    this.#removeParts();
+    this.#parts.geometry.dispose();
     this.#wholeFaces.dispose();
     this.#material.dispose();
   }
 
+  get #colour(): BufferAttribute {
+    return this.#wholeFaces.getAttribute('color') as BufferAttribute;
+  }
+
+  get #corners(): BufferAttribute {
+    return this.#wholeFaces.index as BufferAttribute;
+  }
+
   #update(): void {
     const diagram = this.#filled ? this.#diagram : undefined;
+    const data = diagram?.data;
     const colours = new LabelColours(diagram?.tones);
-    const colour = this.#wholeFaces.getAttribute('color') as BufferAttribute;
-    const index = this.#wholeFaces.index as BufferAttribute;
-    let end = 0;
     for (let face = 0; face < this.#mesh.faceCount; ++face) {
-      const label = diagram ? diagram.data.faceLabel[face] : undefined;
-      if (label === shared) continue;
-      for (let corner = 3 * face; corner < 3 * face + 3; ++corner) {
-        const tint = this.#tints?.[this.#mesh.indices[corner]];
-        colours.write(label, tint, colour.array, 3 * corner);
-        index.array[end++] = corner;
-      }
+      this.#writeFace(face, data?.faceLabel[face], colours);
     }
-    colour.needsUpdate = true;
-    index.needsUpdate = true;
-    this.#wholeFaces.setDrawRange(0, end);
+    for (const attribute of [this.#colour, this.#corners]) {
+      attribute.clearUpdateRanges();
+      attribute.needsUpdate = true;
+    }
+    this.#replaceParts(() => true, data, colours);
+  }
 
-    this.#removeParts();
-    if (diagram && diagram.data.cells.face.length > 0) {
-      this.#parts = new Mesh(partGeometry(this.#mesh, diagram.data, colours, this.#tints), this.#material);
-      this.#parts.frustumCulled = false;
-      this.object.add(this.#parts);
+  /** What has not changed of regions that have another colour; they are marked by label. */
+  #recolour(recoloured: ArrayLike<number>, colours: LabelColours): void {
+    const faces: number[] = [];
+    this.#faceLabels.forEach((label, face) => {
+      if (label === undefined || !recoloured[label]) return;
+      this.#writeFace(face, label, colours);
+      faces.push(face);
+    });
+    uploadRecords(this.#colour, faces, 9);
+    this.#triangles.rewrite(
+      ({ label }) => recoloured[label] > 0,
+      2,
+      ({ label, tints }, target, at) => {
+        for (let k = 0; k < 3; ++k) colours.write(label, tints?.[k], target, at + 3 * k);
+      },
+    );
+  }
+
+  #writeFace(face: number, label: number | undefined, colours: LabelColours): void {
+    this.#faceLabels[face] = label;
+    const colour = this.#colour.array;
+    const corners = this.#corners.array;
+    for (let corner = 3 * face; corner < 3 * face + 3; ++corner) {
+      const tint = this.#tints?.[this.#mesh.indices[corner]];
+      colours.write(label, tint, colour, 3 * corner);
+      corners[corner] = label === shared ? 3 * face : corner;
     }
   }
 
-  #removeParts(): void {
-    if (!this.#parts) return;
-    this.object.remove(this.#parts);
-    this.#parts.geometry.dispose();
-    this.#parts = undefined;
+  #replaceParts(
+    isGone: (triangle: PartTriangle) => boolean,
+    part: Cells | undefined,
+    colours: LabelColours,
+  ): void {
+    const { triangles, numbers } = partTriangles(this.#mesh, part, colours, this.#tints);
+    this.#triangles.replace(isGone, triangles, numbers);
+    const [position, normal, colour] = this.#triangles.buffers as readonly BufferAttribute[];
+    if (this.#parts.geometry.getAttribute('position') !== position) {
+      // Disposing of the old one frees its buffers on the graphics card.
+      this.#parts.geometry.dispose();
+      this.#parts.geometry = new BufferGeometry();
+      this.#parts.geometry.setAttribute('position', position);
+      this.#parts.geometry.setAttribute('normal', normal);
+      this.#parts.geometry.setAttribute('color', colour);
+      this.#parts.geometry.boundingSphere = wholeScene;
+    }
+    this.#parts.geometry.setDrawRange(0, 3 * this.#triangles.count);
+    this.#parts.visible = this.#triangles.count > 0;
   }
 }
 
@@ -173,22 +245,35 @@ function wholeFaceGeometry(mesh: SceneMesh): BufferGeometry {
   return geometry;
 }
 
-/** The parts of shared faces as triangle fans; they are convex. */
-function partGeometry(
+type Cells = Pick<DiagramData, 'cells' | 'points'>;
+
+/** A triangle of a part of a shared face, with the tints of its corners if there are any. */
+interface PartTriangle {
+  face: number;
+  label: number;
+  tints: readonly number[] | undefined;
+}
+
+/** The parts of shared faces as triangle fans; they are convex. With place, normal and colour per corner. */
+function partTriangles(
   mesh: SceneMesh,
-  data: DiagramData,
+  part: Cells | undefined,
   colours: LabelColours,
   tints: Float32Array | undefined,
-): BufferGeometry {
-  const { cells, points } = data;
+): { triangles: PartTriangle[]; numbers: readonly ArrayLike<number>[] } {
+  if (!part) return { triangles: [], numbers: [[], [], []] };
+  const { cells, points } = part;
   const places = mesh.frame.toScene(points.position);
-  const corners = cells.points.length;
-  const position = new Float32Array(3 * corners);
-  const normal = new Float32Array(3 * corners);
-  const colour = new Uint8Array(3 * corners);
-  const triangles: number[] = [];
+  const cornerCount = cells.points.length;
+  const position = new Float32Array(3 * cornerCount);
+  const normal = new Float32Array(3 * cornerCount);
+  const colour = new Uint8Array(3 * cornerCount);
+  const tintOf = new Float32Array(cornerCount);
+  const triangles: PartTriangle[] = [];
+  const corners: number[] = [];
   for (let cell = 0; cell < cells.face.length; ++cell) {
     const face = cells.face[cell];
+    const label = cells.label[cell];
     const first = cells.offset[cell];
     const end = cells.offset[cell + 1];
     const barys: number[][] = [];
@@ -199,18 +284,29 @@ function partGeometry(
       const bary = mesh.barycentric(face, place[0], place[1], place[2]);
       barys.push(bary);
       mesh.writeNormal(face, bary, normal, 3 * i);
-      const tint = tints && mesh.interpolate(face, bary, tints);
-      colours.write(cells.label[cell], tint, colour, 3 * i);
+      if (tints) tintOf[i] = mesh.interpolate(face, bary, tints);
+      colours.write(label, tintOf[i], colour, 3 * i);
     }
     const turned = isClockwise(barys);
-    for (let i = first + 2; i < end; ++i) triangles.push(first, ...(turned ? [i, i - 1] : [i - 1, i]));
+    for (let i = first + 2; i < end; ++i) {
+      const fan = turned ? [first, i, i - 1] : [first, i - 1, i];
+      corners.push(...fan);
+      triangles.push({ face, label, tints: tints && fan.map((corner) => tintOf[corner]) });
+    }
   }
-  const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(position, 3));
-  geometry.setAttribute('normal', new BufferAttribute(normal, 3));
-  geometry.setAttribute('color', new BufferAttribute(colour, 3, true));
-  geometry.setIndex(triangles);
-  return geometry;
+  return { triangles, numbers: [position, normal, colour].map((each) => gathered(each, corners)) };
+}
+
+/** The number triples with these indices. */
+function gathered<Numbers extends Float32Array | Uint8Array>(
+  triples: Numbers,
+  indices: readonly number[],
+): Numbers {
+  const result = new (triples.constructor as new (length: number) => Numbers)(3 * indices.length);
+  for (let i = 0; i < indices.length; ++i) {
+    for (let k = 0; k < 3; ++k) result[3 * i + k] = triples[3 * indices[i] + k];
+  }
+  return result;
 }
 
 /**

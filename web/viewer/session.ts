@@ -2,6 +2,7 @@
 import {
   type CvtState,
   type Diagram,
+  type DiagramChange,
   type DiagramData,
   type GeodesicVoronoi,
   loadWorker,
@@ -12,9 +13,11 @@ import {
   type SurfacePointsInput,
 } from 'geodesic-voronoi';
 import { CvtRun, type CvtSettings } from './cvt_run.js';
+import { DiagramSummary } from './diagram_summary.js';
 import { LatestTask } from './latest_task.js';
 import type { ModelFiles } from './model_files.js';
 import { placeOf, SiteHistory, type SitePlace, type Sites, surfacePointsOf } from './site_history.js';
+import { stepBetween } from './site_step.js';
 
 export type Status = 'empty' | 'loading' | 'computing' | 'iterating' | 'ready';
 
@@ -36,11 +39,13 @@ export interface DiagramSettings {
   detail: number;
 }
 
-/** A diagram with what it was made from. */
+/** A diagram with what it was made from. Its labels are the indices of the sites. */
 export interface ShownDiagram extends DiagramSettings {
   sites: Sites;
   /** Without sites there is none. */
-  data: DiagramData | undefined;
+  summary: DiagramSummary | undefined;
+  /** All of it, put together when asked for if the diagram has been changed: not for every step of a drag. */
+  readonly data: DiagramData | undefined;
   /** What answers questions about it; an iteration's diagram has only data. */
   diagram: Diagram | undefined;
 }
@@ -49,7 +54,8 @@ export interface ShownDiagram extends DiagramSettings {
 export interface SessionListener {
   modelChanged(mesh: Mesh, name: string): void;
   sitesChanged(sites: Sites): void;
-  diagramChanged(shown: ShownDiagram, milliseconds: number): void;
+  /** With `change`, the diagram shown before has become this one by it. */
+  diagramChanged(shown: ShownDiagram, milliseconds: number, change?: DiagramChange): void;
   /** Sites and diagram are those of an iteration. */
   cvtIterated(shown: ShownDiagram, state: CvtState): void;
   cvtStatusChanged(status: CvtStatus): void;
@@ -69,7 +75,7 @@ interface Job extends DiagramSettings {
 /**
  * One model with its sites and their diagram, computed in a worker that starts with the first model.
  * Sites change at once; the diagram follows, and if it cannot, the sites return to those of the
- * diagram there is.
+ * diagram there is. Where one site has moved or come, only its surroundings are computed.
  */
 export class Session {
   readonly #listener: SessionListener;
@@ -332,27 +338,32 @@ export class Session {
     this.#task.request({ ...this.#settings, sites: this.sites }, options);
   }
 
-  async #compute({ sites, metric, detail }: Job, signal: AbortSignal): Promise<void> {
+  async #compute(job: Job, signal: AbortSignal): Promise<void> {
     const mesh = this.#mesh;
+    const before = this.#shown;
     const start = performance.now();
     try {
-      const diagram =
-        sites.length > 0
-          ? await mesh?.voronoi(surfacePointsOf(sites), {
-              metric,
-              detail,
-              signal,
-              onProgress: (share) => this.#listener.progressed(share),
-            })
-          : undefined;
-      if (!mesh || mesh !== this.#mesh) {
+      const change = await this.#changeShown(job);
+      const diagram = change ? before?.diagram : await this.#computeAnew(mesh, job, signal);
+      // An iteration of a tessellation may have been shown meanwhile.
+      if (!mesh || mesh !== this.#mesh || (change && before !== this.#shown)) {
         diagram?.dispose();
         return;
       }
       const milliseconds = performance.now() - start;
-      const shown = { sites, metric, detail, diagram, data: diagram?.data };
+      const summary = change
+        ? before?.summary?.after(change)
+        : diagram && DiagramSummary.of(diagram.data);
+      const shown: ShownDiagram = {
+        ...job,
+        summary,
+        diagram,
+        get data() {
+          return diagram?.data;
+        },
+      };
       this.#show(shown);
-      this.#listener.diagramChanged(shown, milliseconds);
+      this.#listener.diagramChanged(shown, milliseconds, change);
     } catch (error) {
       // What follows shows the sites as they are now.
       const isFollowed = this.#task.superseded || this.#cvt?.playing;
@@ -365,8 +376,44 @@ export class Session {
     }
   }
 
+  async #computeAnew(
+    mesh: Mesh | undefined,
+    { sites, metric, detail }: Job,
+    signal: AbortSignal,
+  ): Promise<Diagram | undefined> {
+    if (sites.length === 0) return undefined;
+    return mesh?.voronoi(surfacePointsOf(sites), {
+      metric,
+      detail,
+      signal,
+      onProgress: (share) => this.#listener.progressed(share),
+    });
+  }
+
+  /**
+   * Makes the diagram that is shown the one asked for, where one step does: the work of a few regions
+   * (except for the first time). It is too short to be given up half-way. Undefined if there is no such
+   * step or it failed.
+   */
+  async #changeShown({ sites, metric, detail }: Job): Promise<DiagramChange | undefined> {
+    const shown = this.#shown;
+    const diagram = shown?.diagram;
+    if (!diagram || metric !== 'dgpc' || shown.metric !== metric || shown.detail !== detail) {
+      return undefined;
+    }
+    const step = stepBetween(shown.sites, sites);
+    if (!step) return undefined;
+    const place = surfacePointsOf([step.site]);
+    try {
+      if (step.kind === 'insert') return await diagram.insertSite(place);
+      return await diagram.moveSite(step.index, place);
+    } catch {
+      return undefined; // computed anew, it works or says why not
+    }
+  }
+
   #show(shown: ShownDiagram): void {
-    this.#shown?.diagram?.dispose();
+    if (this.#shown?.diagram !== shown.diagram) this.#shown?.diagram?.dispose();
     this.#shown = shown;
   }
 
@@ -405,8 +452,9 @@ export class Session {
       sites: this.sites,
       metric: 'dgpc',
       detail: 0,
-      diagram: undefined,
+      summary: state.data && DiagramSummary.of(state.data),
       data: state.data,
+      diagram: undefined,
     };
     this.#show(shown);
     this.#listener.cvtIterated(shown, state);

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+import type { DiagramChange, DiagramData } from 'geodesic-voronoi';
+
+type Lines = Pick<DiagramData, 'segments' | 'arcs' | 'voronoiPoints'>;
+
+/**
+ * What a diagram is told by and coloured by, without its geometry: small, and quickly brought up to
+ * date where `Diagram.data` would have to be put together.
+ */
+export class DiagramSummary {
+  /** Per label. */
+  readonly regionArea: Float64Array;
+  /** Two labels per arc. */
+  readonly arcs: { readonly labels: readonly number[] };
+  /** Per arc. */
+  readonly #segments: readonly number[];
+  /** The labels around every Voronoi point. */
+  readonly #around: readonly Int32Array[];
+
+  private constructor(
+    regionArea: Float64Array,
+    labels: readonly number[],
+    segments: readonly number[],
+    around: readonly Int32Array[],
+  ) {
+    this.regionArea = regionArea;
+    this.arcs = { labels };
+    this.#segments = segments;
+    this.#around = around;
+  }
+
+  static of(data: DiagramData): DiagramSummary {
+    const labels = [...data.arcs.labels];
+    return new DiagramSummary(data.regionArea, labels, segmentCounts(data), labelsAround(data));
+  }
+
+  get siteCount(): number {
+    return this.regionArea.length;
+  }
+
+  get regionCount(): number {
+    return this.regionArea.reduce((count, area) => count + (area > 0 ? 1 : 0), 0);
+  }
+
+  get arcCount(): number {
+    return this.#segments.length;
+  }
+
+  get segmentCount(): number {
+    return this.#segments.reduce((sum, count) => sum + count, 0);
+  }
+
+  get voronoiPointCount(): number {
+    return this.#around.length;
+  }
+
+  /** That of the diagram after a change. */
+  after({ label, labels: changedLabels, part }: DiagramChange): DiagramSummary {
+    const changed = new Set(changedLabels);
+    const regionArea = new Float64Array(Math.max(this.siteCount, label + 1));
+    regionArea.set(this.regionArea);
+    changedLabels.forEach((each, i) => (regionArea[each] = part.regionArea[i]));
+    const { labels } = this.arcs;
+    const keptArcs = [...this.#segments.keys()].filter(
+      (arc) => !changed.has(labels[2 * arc]) && !changed.has(labels[2 * arc + 1]),
+    );
+    const keptAround = this.#around.filter((around) => !around.some((each) => changed.has(each)));
+    return new DiagramSummary(
+      regionArea,
+      [...keptArcs.flatMap((arc) => [labels[2 * arc], labels[2 * arc + 1]]), ...part.arcs.labels],
+      [...keptArcs.map((arc) => this.#segments[arc]), ...segmentCounts(part)],
+      [...keptAround, ...labelsAround(part)],
+    );
+  }
+}
+
+function segmentCounts({ arcs, segments }: Lines): number[] {
+  const counts: number[] = new Array(arcs.labels.length / 2).fill(0);
+  for (const arc of segments.arc) ++counts[arc];
+  return counts;
+}
+
+/** The labels around every Voronoi point. */
+export function labelsAround({ voronoiPoints }: Pick<Lines, 'voronoiPoints'>): Int32Array[] {
+  const { point, labelOffset, labels } = voronoiPoints;
+  return Array.from(point, (_, i) => labels.subarray(labelOffset[i], labelOffset[i + 1]));
+}
