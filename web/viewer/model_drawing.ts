@@ -110,7 +110,7 @@ export class ModelDrawing {
       ? this.#colours.assign(diagram.summary, diagram.siteIds)
       : new Uint16Array();
     this.#surface.setDiagram(diagram && toned(diagram, this.#tones));
-    this.#replaceLines(() => true, data);
+    this.#replaceLines(undefined, data);
     this.#loops = data;
     this.#outlines.clear();
     this.outline(-1);
@@ -119,11 +119,12 @@ export class ModelDrawing {
   /** What the diagram drawn has become by a change: draws this, and nothing else anew. */
   changeDiagram(change: DiagramChange, diagram: DrawnDiagram): void {
     const { labels, part } = change;
-    const changed = new Set(labels);
-    this.#tones = this.#colours.assign(diagram.summary, diagram.siteIds, changed);
+    this.#tones = this.#colours.assign(diagram.summary, diagram.siteIds, new Set(labels));
     this.#surface.changeDiagram(change, toned(diagram, this.#tones));
+    const isChanged = new Uint8Array(this.#tones.length);
+    for (const label of labels) isChanged[label] = 1;
     this.#replaceLines((between) => {
-      for (let i = 0; i < between.length; ++i) if (changed.has(between[i])) return true;
+      for (let i = 0; i < between.length; ++i) if (isChanged[between[i]]) return true;
       return false;
     }, part);
     for (const label of labels) this.#outlines.set(label, outlineEnds(this.#mesh, part, label));
@@ -207,16 +208,24 @@ export class ModelDrawing {
     return outlineEnds(this.#mesh, this.#loops, label);
   }
 
-  /** Other bisectors and Voronoi points instead of those between labels that are gone. */
-  #replaceLines(isGone: (between: Labels) => boolean, part: Lines | undefined): void {
+  /** Other bisectors and Voronoi points instead of those that are gone; of all if that is not given. */
+  #replaceLines(
+    isGone: ((between: Labels) => boolean) | undefined,
+    part: Lines | undefined,
+  ): void {
     const places = (points: Int32Array | undefined) =>
       part && points ? pointPlaces(this.#mesh, part, points) : new Float32Array();
-    this.#bisectors.replace(isGone, places(part?.segments.points), part ? segmentLabels(part) : []);
-    this.#voronoiPoints.replace(
-      isGone,
-      places(part?.voronoiPoints.point),
-      part ? labelsAround(part) : [],
-    );
+    const segments = places(part?.segments.points);
+    const points = places(part?.voronoiPoints.point);
+    const ofSegments = part ? segmentLabels(part) : [];
+    const ofPoints = part ? labelsAround(part) : [];
+    if (isGone) {
+      this.#bisectors.replace(isGone, segments, ofSegments);
+      this.#voronoiPoints.replace(isGone, points, ofPoints);
+    } else {
+      this.#bisectors.set(segments, ofSegments);
+      this.#voronoiPoints.set(points, ofPoints);
+    }
     this.#showBisectors();
   }
 }

@@ -46,7 +46,15 @@ export class RecordBuffer<Key> {
 
   /** These records and no others: one per key, whose numbers stand one after the other per buffer. */
   set(keys: readonly Key[], numbers: readonly ArrayLike<number>[]): void {
-    this.replace(() => true, keys, numbers);
+    this.#keys = [];
+    this.#reserve(keys.length);
+    this.#keys = [...keys];
+    this.#buffers.forEach((buffer, b) => {
+      (buffer.array as Float32Array).set(numbers[b]);
+      buffer.clearUpdateRanges();
+      buffer.addUpdateRange(0, numbers[b].length);
+      buffer.needsUpdate = true;
+    });
   }
 
   /** Other records instead of those whose key says that they are gone. O(count), with little for each. */
@@ -55,10 +63,7 @@ export class RecordBuffer<Key> {
     keys: readonly Key[],
     numbers: readonly ArrayLike<number>[],
   ): void {
-    const holes: number[] = [];
-    this.#keys.forEach((key, record) => {
-      if (isGone(key)) holes.push(record);
-    });
+    const holes = this.#recordsWhere(isGone);
     this.#reserve(this.count - holes.length + keys.length);
     const written: number[] = [];
     keys.forEach((key, i) => {
@@ -81,13 +86,18 @@ export class RecordBuffer<Key> {
   ): void {
     const buffer = this.#buffers[b];
     const width = this.#width(buffer);
-    const written: number[] = [];
-    this.#keys.forEach((key, record) => {
-      if (!isConcerned(key)) return;
-      write(key, buffer.array, width * record);
-      written.push(record);
-    });
-    uploadRecords(buffer, written, width);
+    const records = this.#recordsWhere(isConcerned);
+    for (const record of records) write(this.#keys[record], buffer.array, width * record);
+    uploadRecords(buffer, records, width);
+  }
+
+  /** Ascending. */
+  #recordsWhere(isMeant: (key: Key) => boolean): number[] {
+    const records: number[] = [];
+    for (let record = 0; record < this.count; ++record) {
+      if (isMeant(this.#keys[record])) records.push(record);
+    }
+    return records;
   }
 
   /** Moves the last records into holes (ascending) until there is none; returns those written. */
@@ -111,12 +121,12 @@ export class RecordBuffer<Key> {
   }
 
   #write(record: number, numbers: readonly ArrayLike<number>[], i: number): void {
-    this.#buffers.forEach((buffer, b) => {
-      const width = this.#width(buffer);
+    for (let b = 0; b < this.#buffers.length; ++b) {
+      const width = this.#width(this.#buffers[b]);
       const from = numbers[b];
-      const to = buffer.array;
+      const to = this.#buffers[b].array;
       for (let k = 0; k < width; ++k) to[width * record + k] = from[width * i + k];
-    });
+    }
   }
 
   #width({ array }: UploadedBuffer): number {
@@ -128,6 +138,7 @@ export class RecordBuffer<Key> {
     const before = this.#buffers;
     this.#capacity = Math.ceil(slack * count);
     this.#buffers = this.#make(this.#capacity);
+    if (this.count === 0) return;
     this.#buffers.forEach((buffer, b) => (buffer.array as Float32Array).set(before[b].array));
   }
 }

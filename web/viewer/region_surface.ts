@@ -22,9 +22,10 @@ const denseColour = 0x4a1942;
 const sparseColour = 0xffffff;
 const tintOpacity = 0.75;
 
-/** `DiagramData.faceLabel` of a face that several regions share. */
+/** `DiagramData.faceLabel` of a face that several regions share; others below zero have no region. */
 const shared = -2;
 const unreachable = -1;
+const dropped = -3;
 
 /** A diagram to be drawn, with a tone per label; `data` is read only to draw all of it. */
 export interface TonedDiagram {
@@ -41,6 +42,8 @@ export class RegionSurface {
   readonly object = new Group();
   readonly #mesh: SceneMesh;
   readonly #wholeFaces: BufferGeometry;
+  readonly #colour: BufferAttribute;
+  readonly #corners: BufferAttribute;
   readonly #material: MeshLambertMaterial;
   readonly #parts: Mesh<BufferGeometry, MeshLambertMaterial>;
   /** Triangles of the parts: per corner place, normal and colour. */
@@ -50,14 +53,14 @@ export class RegionSurface {
     new BufferAttribute(new Uint8Array(9 * n), 3, true),
   ]);
   #diagram: TonedDiagram | undefined;
-  /** What the surface is drawn by: per face its label, undefined without a diagram. */
-  #faceLabels: (number | undefined)[];
+  /** As `DiagramData.faceLabel`; without a diagram all are as if dropped. */
+  readonly #faceLabels: Int32Array;
   #filled = true;
   #tints: Float32Array | undefined;
 
   constructor(mesh: SceneMesh) {
     this.#mesh = mesh;
-    this.#faceLabels = new Array(mesh.faceCount);
+    this.#faceLabels = new Int32Array(mesh.faceCount);
     this.#material = new MeshLambertMaterial({
       vertexColors: true,
       side: DoubleSide,
@@ -68,6 +71,8 @@ export class RegionSurface {
       polygonOffsetUnits: 2,
     });
     this.#wholeFaces = wholeFaceGeometry(mesh);
+    this.#colour = this.#wholeFaces.getAttribute('color') as BufferAttribute;
+    this.#corners = this.#wholeFaces.index as BufferAttribute;
     const faces = new Mesh(this.#wholeFaces, this.#material);
     faces.frustumCulled = false;
     this.#parts = new Mesh(new BufferGeometry(), this.#material);
@@ -118,33 +123,25 @@ export class RegionSurface {
     this.#material.dispose();
   }
 
-  get #colour(): BufferAttribute {
-    return this.#wholeFaces.getAttribute('color') as BufferAttribute;
-  }
-
-  get #corners(): BufferAttribute {
-    return this.#wholeFaces.index as BufferAttribute;
-  }
-
   #update(): void {
     const diagram = this.#filled ? this.#diagram : undefined;
     const data = diagram?.data;
     const colours = new LabelColours(diagram?.tones);
     for (let face = 0; face < this.#mesh.faceCount; ++face) {
-      this.#writeFace(face, data?.faceLabel[face], colours);
+      this.#writeFace(face, data ? data.faceLabel[face] : dropped, colours);
     }
     for (const attribute of [this.#colour, this.#corners]) {
       attribute.clearUpdateRanges();
       attribute.needsUpdate = true;
     }
-    this.#replaceParts(() => true, data, colours);
+    this.#replaceParts(undefined, data, colours);
   }
 
   /** What has not changed of regions that have another colour; they are marked by label. */
   #recolour(recoloured: ArrayLike<number>, colours: LabelColours): void {
     const faces: number[] = [];
     this.#faceLabels.forEach((label, face) => {
-      if (label === undefined || !recoloured[label]) return;
+      if (!recoloured[label]) return;
       this.#writeFace(face, label, colours);
       faces.push(face);
     });
@@ -158,7 +155,7 @@ export class RegionSurface {
     );
   }
 
-  #writeFace(face: number, label: number | undefined, colours: LabelColours): void {
+  #writeFace(face: number, label: number, colours: LabelColours): void {
     this.#faceLabels[face] = label;
     const colour = this.#colour.array;
     const corners = this.#corners.array;
@@ -169,13 +166,15 @@ export class RegionSurface {
     }
   }
 
+  /** Others instead of those that are gone; of all if that is not given. */
   #replaceParts(
-    isGone: (triangle: PartTriangle) => boolean,
+    isGone: ((triangle: PartTriangle) => boolean) | undefined,
     part: Cells | undefined,
     colours: LabelColours,
   ): void {
     const { triangles, numbers } = partTriangles(this.#mesh, part, colours, this.#tints);
-    this.#triangles.replace(isGone, triangles, numbers);
+    if (isGone) this.#triangles.replace(isGone, triangles, numbers);
+    else this.#triangles.set(triangles, numbers);
     const [position, normal, colour] = this.#triangles.buffers as readonly BufferAttribute[];
     if (this.#parts.geometry.getAttribute('position') !== position) {
       // Disposing of the old one frees its buffers on the graphics card.
@@ -205,7 +204,7 @@ export class LabelColours {
   }
 
   write(
-    label: number | undefined,
+    label: number,
     tint: number | undefined,
     target: { [i: number]: number },
     at: number,
@@ -216,9 +215,9 @@ export class LabelColours {
     for (let k = 0; k < 3; ++k) target[at + k] = bytes[k] + share * (over[k] - bytes[k]);
   }
 
-  #of(label: number | undefined): Uint8Array {
+  #of(label: number): Uint8Array {
     if (label === unreachable) return this.#unreachable;
-    if (label === undefined || label < 0 || !this.#tones) return this.#neutral;
+    if (label < 0 || !this.#tones) return this.#neutral;
     const tone = this.#tones[label];
     return (this.#ofTone[tone] ??= linearBytes(toneColour(tone)));
   }
@@ -289,22 +288,35 @@ function partTriangles(
     }
     const turned = isClockwise(barys);
     for (let i = first + 2; i < end; ++i) {
-      const fan = turned ? [first, i, i - 1] : [first, i - 1, i];
-      corners.push(...fan);
-      triangles.push({ face, label, tints: tints && fan.map((corner) => tintOf[corner]) });
+      const second = turned ? i : i - 1;
+      const third = turned ? i - 1 : i;
+      corners.push(first, second, third);
+      const tintsOfCorners = tints && [tintOf[first], tintOf[second], tintOf[third]];
+      triangles.push({ face, label, tints: tintsOfCorners });
     }
   }
-  return { triangles, numbers: [position, normal, colour].map((each) => gathered(each, corners)) };
+  const count = 3 * corners.length;
+  return {
+    triangles,
+    numbers: [
+      gathered(position, corners, new Float32Array(count)),
+      gathered(normal, corners, new Float32Array(count)),
+      gathered(colour, corners, new Uint8Array(count)),
+    ],
+  };
 }
 
-/** The number triples with these indices. */
+/** The number triples with these indices, in `result`. */
 function gathered<Numbers extends Float32Array | Uint8Array>(
   triples: Numbers,
   indices: readonly number[],
+  result: Numbers,
 ): Numbers {
-  const result = new (triples.constructor as new (length: number) => Numbers)(3 * indices.length);
   for (let i = 0; i < indices.length; ++i) {
-    for (let k = 0; k < 3; ++k) result[3 * i + k] = triples[3 * indices[i] + k];
+    const from = 3 * indices[i];
+    result[3 * i] = triples[from];
+    result[3 * i + 1] = triples[from + 1];
+    result[3 * i + 2] = triples[from + 2];
   }
   return result;
 }
