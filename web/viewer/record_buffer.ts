@@ -12,8 +12,8 @@ export const wholeScene = new Sphere(new Vector3(), 1);
 
 /** Uploading this many records that have not changed is cheaper than another call. */
 const negligibleGap = 32;
-/** More ranges than this pile up only while the buffer is not drawn. */
-const mostRanges = 2000;
+/** More calls than this in a frame cost drivers more than uploading all of the buffer. */
+const mostRanges = 64;
 /** How much larger than needed a buffer is made. */
 const slack = 1.4;
 
