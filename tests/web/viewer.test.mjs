@@ -167,8 +167,8 @@ suite('a diagram that changes', () => {
     const drawing = newDrawing();
     const card = new Card();
     let summary = DiagramSummary.of(diagram.data);
-    drawing.setDiagram(whole());
     card.upload(drawing);
+    drawing.setDiagram(whole()); // not uploaded before the first change
     const all = [...buffersOf(drawing.object)].reduce((sum, { array }) => sum + array.byteLength, 0);
 
     const places = await mesh.sampleSites(60, { seed: 7 });

@@ -51,9 +51,7 @@ export class RecordBuffer<Key> {
     this.#keys = [...keys];
     this.#buffers.forEach((buffer, b) => {
       (buffer.array as Float32Array).set(numbers[b]);
-      buffer.clearUpdateRanges();
-      buffer.addUpdateRange(0, numbers[b].length);
-      buffer.needsUpdate = true;
+      uploadAll(buffer, numbers[b].length);
     });
   }
 
@@ -162,9 +160,16 @@ export function uploadRecords(
     last = record;
   }
   addRange();
-  if (buffer.updateRanges.length > mostRanges) {
-    buffer.clearUpdateRanges();
-    buffer.addUpdateRange(0, buffer.array.length);
-  }
+  if (buffer.updateRanges.length > mostRanges) uploadAll(buffer);
+  buffer.needsUpdate = true;
+}
+
+/**
+ * Has the next drawing upload all of a buffer, or so many numbers from its beginning. It is a range like
+ * others: without any, those that are added before the drawing would be all that is uploaded.
+ */
+export function uploadAll(buffer: UploadedBuffer, length = buffer.array.length): void {
+  buffer.clearUpdateRanges();
+  buffer.addUpdateRange(0, length);
   buffer.needsUpdate = true;
 }

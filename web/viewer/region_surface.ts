@@ -9,7 +9,7 @@ import {
   Mesh,
   MeshLambertMaterial,
 } from 'three';
-import { RecordBuffer, uploadRecords, wholeScene } from './record_buffer.js';
+import { RecordBuffer, uploadAll, uploadRecords, wholeScene } from './record_buffer.js';
 import { toneColour } from './region_colours.js';
 import type { SceneMesh } from './scene_mesh.js';
 
@@ -130,10 +130,8 @@ export class RegionSurface {
     for (let face = 0; face < this.#mesh.faceCount; ++face) {
       this.#writeFace(face, data ? data.faceLabel[face] : dropped, colours);
     }
-    for (const attribute of [this.#colour, this.#corners]) {
-      attribute.clearUpdateRanges();
-      attribute.needsUpdate = true;
-    }
+    uploadAll(this.#colour);
+    uploadAll(this.#corners);
     this.#replaceParts(undefined, data, colours);
   }
 
