@@ -11,8 +11,9 @@
 #include "fan.h"
 #include "heap.h"
 #include "index_set.h"
+#include "path_straightening.h"
+#include "site_frame.h"
 #include "tolerances.h"
-#include "unfolding.h"
 
 namespace gvd {
 namespace {
@@ -25,7 +26,9 @@ class Continuation {
       : mesh_(field.mesh()),
         field_(field),
         firstGuest_(mesh_.vertexCount(), -1),
-        queue_(mesh_.meanEdgeLength()) {}
+        ownPath_(mesh_.vertexCount(), -1),
+        queue_(mesh_.meanEdgeLength()),
+        straightener_(field) {}
 
   void runEverywhere() {
     scope_.assign(mesh_.vertexCount(), true);
@@ -130,6 +133,8 @@ class Continuation {
   /// that end; what they make of it is of no use.
   void runWithin(const IndexSet& scope) {
     firstGuest_.assign(mesh_.vertexCount(), -1);
+    ownPath_.assign(mesh_.vertexCount(), -1);
+    ownPaths_.clear();
     guests_.clear();
     hosts_.clear();
     farHosts_.clear();
@@ -153,7 +158,7 @@ class Continuation {
   }
 
   void findGuests() {
-    unfoldGuests();
+    straightenPaths();
     for (size_t i = 0; i < looks_.size(); ++i) {
       const int halfedge = looks_[i].view.halfedge;
       if (isInScope(mesh_.tail(halfedge), mesh_.tip(halfedge)) &&
@@ -169,6 +174,11 @@ class Continuation {
 
   int owner(int vertex) const { return field_.nearest(vertex).label; }
 
+  double ownersDistance(int vertex) const {
+    return ownPath_[vertex] < 0 ? field_.nearest(vertex).distance
+                                : ownPaths_[ownPath_[vertex]].length;
+  }
+
   int findGuest(int vertex, int label) const {
     int g = firstGuest_[vertex];
     while (g >= 0 && guests_[g].label != label) g = guests_[g].next;
@@ -176,14 +186,15 @@ class Continuation {
   }
 
   double distanceAt(int vertex, int label) const {
-    if (owner(vertex) == label) return field_.nearest(vertex).distance;
+    if (owner(vertex) == label) return ownersDistance(vertex);
     const int g = findGuest(vertex, label);
     return g < 0 ? kInfinity : guests_[g].distance;
   }
 
   Vector2d departureAt(int vertex, int label) const {
-    return owner(vertex) == label ? field_.view(vertex).departure(mesh_, distanceAt(vertex, label))
-                                  : guests_[findGuest(vertex, label)].departure;
+    if (owner(vertex) != label) return guests_[findGuest(vertex, label)].departure;
+    if (ownPath_[vertex] >= 0) return ownPaths_[ownPath_[vertex]].departure;
+    return field_.view(vertex).departure(mesh_, field_.nearest(vertex).distance);
   }
 
   /// Ascending, those of which some neighbour belongs to another label.
@@ -207,15 +218,21 @@ class Continuation {
     return result;
   }
 
+  /// The owner of a vertex has been found by better means than what else is known there: what
+  /// appears to be nearer comes next to it. Returns whether that is so.
+  bool keepBehindOwner(int vertex, double& distance) const {
+    const double owners = ownersDistance(vertex);
+    if (!(distance < owners * (1 - kDistanceTolerance))) return false;
+    distance = owners * (1 + 4 * kDistanceTolerance);
+    return true;
+  }
+
   /// Notes how far a label appears to be from a vertex that another one owns; the shortest counts.
-  /// The owner has been found by better means, so what appears to be nearer comes next to it.
-  /// Returns false in that case. `departure` tells the direction at the site, in the site's frame.
+  /// Returns false if it appears to be nearer than the owner. `departure` tells the direction at the site, in the site's frame.
   template <class Departure>
   bool see(int vertex, int label, double distance, Departure departure) {
     if (owner(vertex) == label) return true;
-    const double owners = field_.nearest(vertex).distance;
-    const bool isNearer = distance < owners * (1 - kDistanceTolerance);
-    if (isNearer) distance = owners * (1 + 4 * kDistanceTolerance);
+    const bool isNearer = keepBehindOwner(vertex, distance);
     const int guest = findGuest(vertex, label);
     if (guest < 0) {
       if (firstGuest_[vertex] < 0) hosts_.push_back(vertex);
@@ -285,7 +302,7 @@ class Continuation {
   /// The same around a vertex that is the site.
   void lookAroundSite(int v) {
     const int label = owner(v);
-    const double first = angleOfFirstSpoke(mesh_, field_.sites()[label], v);
+    const double first = angleOfOutgoing(mesh_, field_.sites()[label], mesh_.outgoing(v));
     visitSpokes(mesh_, v, [&](const Spoke& spoke) {
       const double angle = first + spoke.angle;
       const Vector2d departure(std::cos(angle), std::sin(angle));
@@ -295,7 +312,7 @@ class Continuation {
       here.halfedge = TriangleMesh::previous(spoke.halfedge);
       const TriangleMesh::Layout& l = mesh_.layout(here.halfedge);
       here.source = {l.x, l.y};
-      here.heading = turned(-here.source / spoke.length, departure);
+      here.heading = turnedBackBy(-here.source / spoke.length, departure);
       lookOut(here, here.halfedge, {0, 0}, {mesh_.length(here.halfedge), 0}, label);
     });
   }
@@ -367,38 +384,31 @@ class Continuation {
     return owner(mesh_.tail(halfedge)) == label || owner(mesh_.tip(halfedge)) == label;
   }
 
-  /// What is hidden from the vertices that a label owns may be nearer by way of other guests: each
-  /// takes the least of what its faces' other corners put there. All at once, so that the order in
-  /// which they were noted does not matter.
-  void unfoldGuests() {
-    std::vector<Guest> unfolded = guests_;
+  // --- Straightening ---
+
+  /// What is known where labels meet decides where they meet: there it is taken from geodesics. The
+  /// length of a view's path is never less than the distance, nor is a geodesic's.
+  void straightenPaths() {
     for (const int host : hosts_) {
       if (!isInScope(host)) continue;
-      for (int g = firstGuest_[host]; g >= 0; g = guests_[g].next) unfoldGuest(host, unfolded[g]);
+      if (field_.view(host).isBent) straightenOwnPath(host);
+      for (int g = firstGuest_[host]; g >= 0; g = guests_[g].next) {
+        Guest& guest = guests_[g];
+        const auto path = straightener_.straighten(guest.label, host);
+        if (path && path->length < guest.distance) {
+          guest.distance = path->length;
+          guest.departure = path->departure;
+        }
+        keepBehindOwner(host, guest.distance);
+      }
     }
-    guests_ = std::move(unfolded);
   }
 
-  void unfoldGuest(int host, Guest& guest) const {
-    const double least = field_.nearest(host).distance * (1 + 4 * kDistanceTolerance);
-    const int label = guest.label, first = mesh_.outgoing(host);
-    int h = first;
-    double atRight = distanceAt(mesh_.tip(h), label);
-    do {
-      const int across = TriangleMesh::next(h);
-      const double atLeft = distanceAt(mesh_.tip(across), label);
-      if (atLeft < kInfinity && atRight < kInfinity && !ownsBothEnds(across, label)) {
-        const Unfolded u = unfold(mesh_, across, atRight, atLeft);
-        const double distance = std::max(least, u.distance);
-        if (distance < guest.distance * (1 - kDistanceTolerance)) {
-          guest.distance = distance;
-          guest.departure = u.byTail * departureAt(mesh_.tail(across), label) +
-                            u.byTip * departureAt(mesh_.tip(across), label);
-        }
-      }
-      atRight = atLeft;
-      h = mesh_.rotate(h);
-    } while (h >= 0 && h != first);
+  void straightenOwnPath(int vertex) {
+    const auto path = straightener_.straighten(owner(vertex), vertex);
+    if (!path || !(path->length < field_.nearest(vertex).distance)) return;
+    ownPath_[vertex] = static_cast<int>(ownPaths_.size());
+    ownPaths_.push_back(*path);
   }
 
   // --- Looking through edges ---
@@ -443,13 +453,13 @@ class Continuation {
       const double inverseRight = 2 * mesh_.layout(right).inverse;
       if (mesh_.twin(left) >= 0 && cross(view.left, toApex) < 0) {
         View next = view.inFrame(mesh_.twin(left), {0, 0}, apex * inverseLeft);
-        if (cross(view.right, toApex) > 0) next.right = turned(toApex, apex * inverseLeft);
+        if (cross(view.right, toApex) > 0) next.right = turnedBackBy(toApex, apex * inverseLeft);
         addLook(next, look.label);
       }
       if (mesh_.twin(right) >= 0 && cross(view.right, toApex) > 0) {
         const Vector2d axis = Vector2d(l.length - l.x, -l.y) * inverseRight;
         View next = view.inFrame(mesh_.twin(right), apex, axis);
-        if (cross(view.left, toApex) < 0) next.left = turned(toApex, axis);
+        if (cross(view.left, toApex) < 0) next.left = turnedBackBy(toApex, axis);
         addLook(next, look.label);
       }
     }
@@ -465,7 +475,7 @@ class Continuation {
       const double atU = distanceAt(u, other);
       if (atU < kInfinity) share.yieldTo(other, atV, atU);
     };
-    yieldTo(owner(v), field_.nearest(v).distance);
+    yieldTo(owner(v), ownersDistance(v));
     for (int g = firstGuest_[v]; g >= 0 && !share.isEmpty(); g = guests_[g].next)
       yieldTo(guests_[g].label, guests_[g].distance);
     return share.isEmpty();
@@ -519,12 +529,13 @@ class Continuation {
     if (firstGuest_[v] < 0 && owner(v) >= 0) return collectOwner(v);
     labels_.clear();
     departures_.clear();
-    if (owner(v) >= 0) labels_.push_back(field_.nearest(v));
+    if (owner(v) >= 0) labels_.push_back({owner(v), ownersDistance(v)});
     for (int g = firstGuest_[v]; g >= 0; g = guests_[g].next)
       labels_.push_back({guests_[g].label, guests_[g].distance});
     equalizeTies(labels_);
     for (const LabelledDistance& d : labels_)
-      departures_.push_back(d.label == owner(v) ? Vector2d(0, 0) : departureAt(v, d.label));
+      departures_.push_back(d.label == owner(v) && ownPath_[v] < 0 ? Vector2d(0, 0)
+                                                                   : departureAt(v, d.label));
     const auto before = field_.at(v);
     const bool isOther = !std::equal(labels_.begin(), labels_.end(), before.begin(), before.end(),
                                      [](const LabelledDistance& a, const LabelledDistance& b) {
@@ -549,11 +560,14 @@ class Continuation {
   DgpcField& field_;
   std::vector<char> scope_;      ///< per vertex
   std::vector<int> firstGuest_;  ///< per vertex, -1: none
+  std::vector<int> ownPath_;     ///< per vertex, -1: as the owner's view tells
+  std::vector<LocalGeodesic> ownPaths_;
   std::vector<Guest> guests_;
   std::vector<int> hosts_;     ///< the vertices that have guests
   std::vector<int> farHosts_;  ///< those that were told by others than neighbours, several times
   std::vector<Look> looks_;
   SweepQueue<QueueItem> queue_;
+  PathStraightener straightener_;
   std::vector<LabelledDistance> labels_;
   std::vector<Vector2d> departures_;
 };

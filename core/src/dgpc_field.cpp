@@ -97,8 +97,9 @@ double DgpcField::distance(int label, const SurfacePoint& p) const {
 Vector2d DgpcField::direction(int label, int vertex) const {
   const LabelledDistance* found = find(vertex, label);
   if (!found) return DistanceField::direction(label, vertex);
-  if (nearest_[vertex].label == label) return views_[vertex].departure(mesh_, found->distance);
-  return departures_[found - values_.data()];
+  const Vector2d& departure = departures_[found - values_.data()];
+  if (departure != Vector2d(0, 0) || nearest_[vertex].label != label) return departure;
+  return views_[vertex].departure(mesh_, found->distance);
 }
 
 const LabelledDistance* DgpcField::find(int vertex, int label) const {

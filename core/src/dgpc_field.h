@@ -41,7 +41,7 @@ class DgpcField final : public DistanceField {
   void setNearest(int vertex, const LabelledDistance& nearest, const View& view);
   void setFarLabel(int vertex, bool hasFarLabel) { hasFarLabel_[vertex] = hasFarLabel; }
   /// The labels known at a vertex, ascending, ties made equal; and the directions in which the
-  /// paths to those that do not own it leave their sites.
+  /// paths to it leave their sites, zero for the owner if that is as its view tells.
   void setLabels(int vertex, std::span<const LabelledDistance> labels,
                  std::span<const Eigen::Vector2d> departures);
   /// Room for so many labels in all.

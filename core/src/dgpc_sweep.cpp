@@ -16,6 +16,7 @@
 #include "dgpc_field.h"
 #include "edge_share.h"
 #include "metric.h"
+#include "site_frame.h"
 #include "surface_geometry.h"
 #include "tolerances.h"
 
@@ -322,7 +323,7 @@ void DgpcSweep::settle(int entry) {
 }
 
 void DgpcSweep::spreadFromSite(int vertex, int label) {
-  const double first = angleOfFirstSpoke(mesh_, sites_[label], vertex);
+  const double first = angleOfOutgoing(mesh_, sites_[label], mesh_.outgoing(vertex));
   visitSpokes(mesh_, vertex, [&](const Spoke& spoke) {
     offer(spoke.neighbour, label, spoke.length, [&] { return viewAlong(mesh_, spoke, first); });
   });
@@ -415,9 +416,9 @@ View DgpcSweep::viewThrough(const Origin& from, const FanFace& face, const Vecto
     innerBound = limit - shift;
   View next;
   next.source = inFrameOf<side>(face, mesh_, shift - from.path);
-  next.left = turned(kLeft ? outerBound : innerBound, axis);
-  next.right = turned(kLeft ? innerBound : outerBound, axis);
-  next.heading = from.view.isBent ? from.view.heading : turned(from.view.heading, axis);
+  next.left = turnedBackBy(kLeft ? outerBound : innerBound, axis);
+  next.right = turnedBackBy(kLeft ? innerBound : outerBound, axis);
+  next.heading = from.view.isBent ? from.view.heading : turnedBackBy(from.view.heading, axis);
   next.offset = from.view.offset;
   next.halfedge = face.halfedge;
   next.isBent = from.view.isBent;

@@ -4,30 +4,18 @@
 #include <cmath>
 #include <numbers>
 
+#include "site_frame.h"
 #include "surface_geometry.h"
 
 namespace gvd {
-namespace {
-
 using Eigen::Vector2d;
-
-/// The direction of the first side of a face in the frame of its side i.
-Vector2d firstSide(const TriangleMesh& mesh, int face, int i) {
-  const TriangleMesh::Layout& l = mesh.layout(3 * face + i);
-  const double inverse = 2 * mesh.layout(3 * face).inverse;
-  if (i == 1) return Vector2d(-l.x, -l.y) * inverse;
-  if (i == 2) return Vector2d(l.x - l.length, l.y) * inverse;
-  return {1, 0};
-}
-
-}  // namespace
 
 View View::inFrame(int otherHalfedge, const Vector2d& origin, const Vector2d& axis) const {
   View other;
-  other.source = turned(source - origin, axis);
-  other.left = turned(left, axis);
-  other.right = turned(right, axis);
-  other.heading = isBent ? heading : turned(heading, axis);
+  other.source = turnedBackBy(source - origin, axis);
+  other.left = turnedBackBy(left, axis);
+  other.right = turnedBackBy(right, axis);
+  other.heading = isBent ? heading : turnedBackBy(heading, axis);
   other.offset = offset;
   other.halfedge = otherHalfedge;
   other.isBent = isBent;
@@ -55,21 +43,11 @@ View viewOfCorner(const TriangleMesh& mesh, const SurfacePoint& site, int corner
   return view;
 }
 
-double angleOfFirstSpoke(const TriangleMesh& mesh, const SurfacePoint& site, int vertex) {
-  int corner = 0;
-  double angle = 0;
-  while (mesh.tail(3 * site.face + corner) != vertex)
-    angle += std::numbers::pi - mesh.cornerAngle(3 * site.face + ++corner);
-  for (int h = mesh.outgoing(vertex); TriangleMesh::faceOf(h) != site.face; h = mesh.rotate(h))
-    angle -= mesh.cornerAngle(h);
-  return angle;
-}
-
 View viewAlong(const TriangleMesh& mesh, const Spoke& spoke, double angleOfFirst) {
   const double angle = angleOfFirst + spoke.angle;
   View view = viewFromBend(mesh, spoke.halfedge, spoke.isFromTail, 0, {1, 0});
   view.isBent = false;
-  view.heading = turned(view.path(mesh) / spoke.length, {std::cos(angle), std::sin(angle)});
+  view.heading = turnedBackBy(view.path(mesh) / spoke.length, {std::cos(angle), std::sin(angle)});
   return view;
 }
 

@@ -5,17 +5,9 @@
 
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
+#include "plane.h"
 
 namespace gvd {
-
-inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
-/// `v` in a frame whose x axis is the unit vector `axis`.
-inline Eigen::Vector2d turned(const Eigen::Vector2d& v, const Eigen::Vector2d& axis) {
-  return {v.dot(axis), cross(axis, v)};
-}
 
 /// How a vertex sees a site: through a strip of faces, unfolded into the frame of the strip's last
 /// halfedge (TriangleMesh::Layout), of which the vertex is the apex. This is the vertex's polar
@@ -45,7 +37,7 @@ struct View {
   /// The direction, in the site's frame, in which a path leaves the site that ends here in the
   /// given unit direction.
   Eigen::Vector2d departure(const Eigen::Vector2d& arrival) const {
-    return isBent ? heading : turned(arrival, heading);
+    return isBent ? heading : turnedBackBy(arrival, heading);
   }
 
   /// The direction in which the path of this length to the view's own vertex leaves the site; the
@@ -94,9 +86,6 @@ void visitSpokes(const TriangleMesh& mesh, int vertex, Visit visit) {
   } while (h >= 0 && h != first);
 }
 
-/// The angle at a site that lies on a vertex, of the vertex's first outgoing halfedge; of a spoke
-/// it is the sum of both.
-double angleOfFirstSpoke(const TriangleMesh& mesh, const SurfacePoint& site, int vertex);
 /// How the neighbour along a spoke sees a site at the spoke's vertex.
 View viewAlong(const TriangleMesh& mesh, const Spoke& spoke, double angleOfFirst);
 /// How the apex of a halfedge's face sees a site along a path that bends at an end of the halfedge,

@@ -3,17 +3,13 @@
 
 #include <cmath>
 
-#include "dgpc_view.h"
+#include "plane.h"
+#include "site_frame.h"
 
 namespace gvd::exact {
 namespace {
 
 using Eigen::Vector2d;
-
-/// `v` turned counterclockwise by the angle of the given cosine and sine.
-Vector2d turnedBy(const Vector2d& v, double cosine, double sine) {
-  return {v.x() * cosine - v.y() * sine, v.x() * sine + v.y() * cosine};
-}
 
 /// A direction in a face, in the coordinates of one of its halfedges.
 class Direction {
@@ -27,7 +23,7 @@ class Direction {
     while (halfedge_ != halfedge) {
       halfedge_ = TriangleMesh::next(halfedge_);
       const int corner = halfedge_ % 3;
-      vector_ = turnedBy(-vector_, frame.cosine[corner], frame.sine[corner]);
+      vector_ = turnedBy(-vector_, {frame.cosine[corner], frame.sine[corner]});
     }
   }
 
@@ -72,11 +68,8 @@ int outgoing(const Frame& frame, int face, int vertex) {
 /// leaves the vertex.
 Vector2d inFrameOfVertex(const TriangleMesh& mesh, const SurfacePoint& site,
                          const Direction& direction) {
-  const int vertex = mesh.tail(direction.halfedge());
-  double angle = angleOfFirstSpoke(mesh, site, vertex);
-  for (int h = mesh.outgoing(vertex); h != direction.halfedge(); h = mesh.rotate(h))
-    angle += mesh.cornerAngle(h);
-  return turnedBy(direction.vector(), std::cos(angle), std::sin(angle));
+  return turnedBy(direction.vector(),
+                  unitVector(angleOfOutgoing(mesh, site, direction.halfedge())));
 }
 
 /// In the frame of a site in a face, or on a side: then the direction may be in the face beside it.

@@ -48,7 +48,7 @@ Eigen::Vector2d axisOf(const FanFace& face) {
 template <Side side>
 Eigen::Vector2d inFrameOf(const FanFace& face, const TriangleMesh& mesh,
                           const Eigen::Vector2d& point) {
-  Eigen::Vector2d p = turned(point, axisOf<side>(face));
+  Eigen::Vector2d p = turnedBackBy(point, axisOf<side>(face));
   if (side == Side::kLeft) p.x() += mesh.length(face.halfedge);
   return p;
 }
@@ -135,7 +135,7 @@ int walkFan(const TriangleMesh& mesh, const View& view, const Eigen::Vector2d& p
     face.outer = face.apex;
     face.outward = face.outer * (2 * (kLeft ? inverse : l.inverse));
     if (kLeft) {
-      face.apex = turned(face.outward, Vector2d(l.x, l.y) * (2 * inverse)) * l.length;
+      face.apex = turnedBackBy(face.outward, Vector2d(l.x, l.y) * (2 * inverse)) * l.length;
       inverse = l.inverse;
     } else {
       face.apex = {l.x * face.outward.x() - l.y * face.outward.y(),

@@ -8,23 +8,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "plane.h"
+
 namespace gvd {
 namespace {
 
 using Eigen::Vector2d;
 using std::numbers::pi;
 
-double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-// Unit vectors stand for rotations, as complex numbers do.
-Vector2d turnedBy(const Vector2d& v, const Vector2d& rotation) {
-  return {v.x() * rotation.x() - v.y() * rotation.y(), v.x() * rotation.y() + v.y() * rotation.x()};
-}
-Vector2d turnedBackBy(const Vector2d& v, const Vector2d& rotation) {
-  return {v.dot(rotation), cross(rotation, v)};
-}
 double angleOf(const Vector2d& v) { return std::atan2(v.y(), v.x()); }
-Vector2d unitVector(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
 /// Walks from face to face. Where it is, is a point of a face; where to, a direction in the frame
 /// of one halfedge of that face (`TriangleMesh::Layout`). Nothing is ever divided by the height of

@@ -34,6 +34,13 @@ inline double squaredDistance(const Eigen::Vector3d& a, const Eigen::Vector3d& b
   return squaredLength(a - b, sides);
 }
 
+/// The vertex that a point lies on, -1 if on none.
+inline int vertexAt(const TriangleMesh& mesh, const SurfacePoint& p) {
+  for (int i = 0; i < 3; ++i)
+    if (p.bary[i] == 1) return mesh.tail(3 * p.face + i);
+  return -1;
+}
+
 /// A point of a face, in terms of that face: it may be named by another one that shares the edge or
 /// vertex it lies on.
 inline Eigen::Vector3d baryInFace(const TriangleMesh& mesh, const SurfacePoint& p, int face) {

@@ -1,11 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Core>
 #include <cmath>
 
 #include "gvd/triangle_mesh.h"
+#include "plane.h"
 
 namespace gvd {
+
+/// The apex of a halfedge's face, laid out to the left of the halfedge, whose ends are given.
+inline Eigen::Vector2d apexBeside(const TriangleMesh& mesh, int halfedge,
+                                  const Eigen::Vector2d& tail, const Eigen::Vector2d& tip) {
+  const TriangleMesh::Layout& l = mesh.layout(halfedge);
+  return tail + turnedBy({l.x, l.y}, (tip - tail) * (2 * l.inverse));
+}
 
 /// A distance that follows from those at the two ends of a halfedge, and its derivatives by them.
 struct Unfolded {
