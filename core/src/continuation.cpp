@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 #include "dgpc_view.h"
@@ -82,10 +83,13 @@ class Continuation {
  private:
   /// A label known at a vertex that another one owns; they form a list at each vertex.
   struct Guest {
-    double distance;
+    int vertex;
     int label;
+    double distance;
     int next;  ///< -1 at the end
-    Vector2d departure;
+    View view;
+    Vector2d departure;  ///< once it has been straightened; before, it is as the view tells
+    bool isStraightened;
   };
 
   /// A site seen through a halfedge by the face it belongs to, between the view's bounds.
@@ -165,9 +169,8 @@ class Continuation {
           !isOutdone(halfedge, looks_[i].label))
         queueLook(static_cast<int>(i));
     }
-    do {
-      lookThroughEdges();
-    } while (completeFaces());
+    lookThroughEdges();
+    for (int known = 0; completeFaces(known);) lookThroughEdges();
   }
 
   // --- What is known ---
@@ -192,9 +195,14 @@ class Continuation {
   }
 
   Vector2d departureAt(int vertex, int label) const {
-    if (owner(vertex) != label) return guests_[findGuest(vertex, label)].departure;
+    if (owner(vertex) != label) return departureOf(guests_[findGuest(vertex, label)]);
     if (ownPath_[vertex] >= 0) return ownPaths_[ownPath_[vertex]].departure;
     return field_.view(vertex).departure(mesh_, field_.nearest(vertex).distance);
+  }
+
+  Vector2d departureOf(const Guest& guest) const {
+    if (guest.isStraightened) return guest.departure;
+    return guest.view.departure(mesh_, guest.view.offset + guest.view.path(mesh_).norm());
   }
 
   /// Ascending, those of which some neighbour belongs to another label.
@@ -228,36 +236,28 @@ class Continuation {
   }
 
   /// Notes how far a label appears to be from a vertex that another one owns; the shortest counts.
-  /// Returns false if it appears to be nearer than the owner. `departure` tells the direction at the site, in the site's frame.
-  template <class Departure>
-  bool see(int vertex, int label, double distance, Departure departure) {
+  /// Returns false if it appears to be nearer than the owner. `view` is only asked for if needed.
+  template <class MakeView>
+  bool see(int vertex, int label, double distance, MakeView view) {
     if (owner(vertex) == label) return true;
     const bool isNearer = keepBehindOwner(vertex, distance);
     const int guest = findGuest(vertex, label);
     if (guest < 0) {
       if (firstGuest_[vertex] < 0) hosts_.push_back(vertex);
       const int next = std::exchange(firstGuest_[vertex], static_cast<int>(guests_.size()));
-      guests_.push_back({distance, label, next, departure()});
+      guests_.push_back({vertex, label, distance, next, view(), {1, 0}, false});
     } else if (distance < guests_[guest].distance * (1 - kDistanceTolerance)) {
       guests_[guest].distance = distance;
-      guests_[guest].departure = departure();
+      guests_[guest].view = view();
     }
     return !isNearer;
   }
 
-  /// The same along a straight line from the source of a view, given in the view's frame.
-  bool see(int vertex, int label, const View& view, const Vector2d& path) {
-    if (owner(vertex) == label) return true;
-    const double length = path.norm();
-    return see(vertex, label, view.offset + length,
-               [&] { return length > 0 ? view.departure(path / length) : Vector2d(1, 0); });
-  }
-
   /// The same where a label comes to a vertex from further than its neighbours.
-  template <class... Seen>
-  bool seeFromAfar(int vertex, int label, const Seen&... seen) {
+  template <class MakeView>
+  bool seeFromAfar(int vertex, int label, double distance, MakeView view) {
     if (owner(vertex) != label) farHosts_.push_back(vertex);
-    return see(vertex, label, seen...);
+    return see(vertex, label, distance, view);
   }
 
   // --- Looking around ---
@@ -267,8 +267,7 @@ class Continuation {
     for (int i = 0; i < 3; ++i) {
       const View view = viewOfCorner(mesh_, site, i);
       const double distance = distanceOfCorner(mesh_, site, i);
-      see(mesh_.tail(3 * site.face + i), label, distance,
-          [&] { return view.departure(mesh_, distance); });
+      see(mesh_.tail(3 * site.face + i), label, distance, [&] { return view; });
     }
     for (int i = 0; i < 3; ++i) {
       const View view = viewOfCorner(mesh_, site, i);
@@ -286,8 +285,7 @@ class Continuation {
       return;
     }
     const Vector2d tip(mesh_.length(view.halfedge), 0);
-    see(mesh_.tail(view.halfedge), label, view, -view.source);
-    see(mesh_.tip(view.halfedge), label, view, tip - view.source);
+    lookAtEnds(view, label);
     View free = view;
     free.left = free.right = {0, 0};
     lookOut(free, view.halfedge, {0, 0}, tip, label);
@@ -299,6 +297,18 @@ class Continuation {
     lookAside<Side::kLeft>(view, v, isOnBoundary ? kToBoundary : behindRight);
   }
 
+  /// Lets the ends of a view's halfedge see the source, each through the side of the face that is
+  /// across from it; from there, the source is beside that side.
+  void lookAtEnds(const View& view, int label) {
+    const int h = view.halfedge, next = TriangleMesh::next(h), previous = TriangleMesh::previous(h);
+    const TriangleMesh::Layout& l = mesh_.layout(h);
+    const Vector2d tip(l.length, 0), apex(l.x, l.y);
+    see(mesh_.tail(h), label, view.offset + view.source.norm(),
+        [&] { return view.inFrame(next, tip, (apex - tip) * (2 * mesh_.layout(next).inverse)); });
+    see(mesh_.tip(h), label, view.offset + (tip - view.source).norm(),
+        [&] { return view.inFrame(previous, apex, apex * (-2 * mesh_.layout(previous).inverse)); });
+  }
+
   /// The same around a vertex that is the site.
   void lookAroundSite(int v) {
     const int label = owner(v);
@@ -306,7 +316,7 @@ class Continuation {
     visitSpokes(mesh_, v, [&](const Spoke& spoke) {
       const double angle = first + spoke.angle;
       const Vector2d departure(std::cos(angle), std::sin(angle));
-      see(spoke.neighbour, label, spoke.length, [&] { return departure; });
+      see(spoke.neighbour, label, spoke.length, [&] { return viewAlong(mesh_, spoke, first); });
       if (spoke.isFromTail) return;
       View here;
       here.halfedge = TriangleMesh::previous(spoke.halfedge);
@@ -340,13 +350,21 @@ class Continuation {
       }
       const Vector2d toApex = path + face.apex, &bound = sight.bound();
       if (isBehind)
-        see(at, label, distance + face.apex.norm(),
-            [&] { return view.departure(mesh_, distance); });
+        see(at, label, distance + face.apex.norm(), [&] {
+          return viewFromBend(mesh_, face.halfedge, !kLeft, distance,
+                              view.departure(mesh_, distance), view.detourAfter(path, face.apex));
+        });
       else if (sight.reaches(toApex))
-        see(at, label, view, toApex);
+        see(at, label, view.offset + toApex.norm(),
+            [&] { return viewThrough<side>(view, face, -path); });
       else
-        see(at, label, view.offset + bound.norm() + (toApex - bound).norm(),
-            [&] { return view.departure(bound.normalized()); });
+        see(at, label, view.offset + bound.norm() + (toApex - bound).norm(), [&] {
+          View bent = viewThrough<side>(view, face, bound - path);
+          bent.heading = view.departure(bound.normalized());
+          bent.offset = view.offset + bound.norm();
+          bent.detour = view.detourAfter(bound, toApex - bound);
+          return bent;
+        });
       if (std::exchange(wasBehind, isBehind)) return;
       // Where the line behind the vertex runs through the face, up to that line.
       if (isBehind) (kLeft ? here.right : here.left) = path;
@@ -357,17 +375,29 @@ class Continuation {
     });
   }
 
+  /// The view through the halfedge by which a fan enters a face, of a source in the fan's frame.
+  template <Side side>
+  View viewThrough(const View& view, const FanFace& face, const Vector2d& source) const {
+    View next = view;
+    next.source = inFrameOf<side>(face, mesh_, source);
+    next.left = next.right = {0, 0};
+    if (!view.isBent()) next.heading = turnedBackBy(view.heading, axisOf<side>(face));
+    next.halfedge = face.halfedge;
+    return next;
+  }
+
   /// Notes a look through a halfedge of the face that a source lies in or is seen in, out to the
   /// face across, between the view's bounds; a bound of zero is the end of the halfedge. Its ends
   /// are given in the view's frame.
   ///
   /// A vertex looks around for the label that owns it, so nothing needs to be looked for behind the
-  /// edges there, and nothing behind an edge that others share among themselves.
+  /// edges there, and nothing behind an edge that is all another one's: one that owns both ends
+  /// owns what is between. Of the others isOutdone tells, once all is known.
   void lookOut(const View& view, int halfedge, const Vector2d& tail, const Vector2d& tip,
                int label) {
     const Vector2d zero(0, 0);
     const int twin = mesh_.twin(halfedge);
-    if (twin < 0 || ownsAnEnd(twin, label)) return;
+    if (twin < 0 || ownsAnEnd(twin, label) || haveOneOwner(twin)) return;
     const TriangleMesh::Layout& l = mesh_.layout(twin);
     View out = view.inFrame(twin, tip, (tail - tip) * (2 * l.inverse));
     if (!(out.source.y() <= 0)) return;  // on the edge itself is the site of two faces
@@ -376,8 +406,8 @@ class Continuation {
     looks_.push_back({out, label});
   }
 
-  bool ownsBothEnds(int halfedge, int label) const {
-    return owner(mesh_.tail(halfedge)) == label && owner(mesh_.tip(halfedge)) == label;
+  bool haveOneOwner(int halfedge) const {
+    return owner(mesh_.tail(halfedge)) == owner(mesh_.tip(halfedge));
   }
 
   bool ownsAnEnd(int halfedge, int label) const {
@@ -386,29 +416,57 @@ class Continuation {
 
   // --- Straightening ---
 
+  struct PathEnd {
+    int label, vertex;
+    int guest;  ///< -1: the vertex's owner
+  };
+
   /// What is known where labels meet decides where they meet: there it is taken from geodesics. The
-  /// length of a view's path is never less than the distance, nor is a geodesic's.
+  /// length of a view's path is never less than the distance, nor is a geodesic's: the lesser
+  /// counts.
   void straightenPaths() {
-    for (const int host : hosts_) {
-      if (!isInScope(host)) continue;
-      if (field_.view(host).isBent) straightenOwnPath(host);
-      for (int g = firstGuest_[host]; g >= 0; g = guests_[g].next) {
-        Guest& guest = guests_[g];
-        const auto path = straightener_.straighten(guest.label, host);
-        if (path && path->length < guest.distance) {
-          guest.distance = path->length;
-          guest.departure = path->departure;
-        }
-        keepBehindOwner(host, guest.distance);
+    const std::vector<PathEnd> ends = bentPaths();
+    for (const PathEnd& end : ends) {
+      const bool isOwner = end.guest < 0;
+      const View& view = isOwner ? field_.view(end.vertex) : guests_[end.guest].view;
+      const auto path = straightener_.straighten(end.label, end.vertex, view);
+      if (!path || !(path->length < distanceAt(end.vertex, end.label))) continue;
+      if (isOwner) {
+        ownPath_[end.vertex] = static_cast<int>(ownPaths_.size());
+        ownPaths_.push_back(*path);
+      } else {
+        Guest& guest = guests_[end.guest];
+        guest.distance = path->length;
+        guest.departure = path->departure;
+        guest.isStraightened = true;
       }
     }
+    for (const PathEnd& end : ends)
+      if (end.guest >= 0) keepBehindOwner(end.vertex, guests_[end.guest].distance);
   }
 
-  void straightenOwnPath(int vertex) {
-    const auto path = straightener_.straighten(owner(vertex), vertex);
-    if (!path || !(path->length < field_.nearest(vertex).distance)) return;
-    ownPath_[vertex] = static_cast<int>(ownPaths_.size());
-    ownPaths_.push_back(*path);
+  /// The paths that bend where labels meet, one label's after the other's: those run through the
+  /// same faces, and memory is what straightening waits for. Those that do not bend err little, and
+  /// so do those that bending has made hardly longer.
+  std::vector<PathEnd> bentPaths() const {
+    constexpr double kSmallDetour = 5e-5;  // of the distance
+    std::vector<PathEnd> ends;
+    std::vector<int> next(field_.sites().size() + 1);
+    const auto add = [&](const View& view, double distance, const PathEnd& end) {
+      if (!(view.detour > kSmallDetour * distance)) return;
+      ends.push_back(end);
+      ++next[end.label + 1];
+    };
+    for (const int host : hosts_) {
+      if (!isInScope(host)) continue;
+      add(field_.view(host), field_.nearest(host).distance, {owner(host), host, -1});
+      for (int g = firstGuest_[host]; g >= 0; g = guests_[g].next)
+        add(guests_[g].view, guests_[g].distance, {guests_[g].label, host, g});
+    }
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    std::vector<PathEnd> sorted(ends.size());
+    for (const PathEnd& end : ends) sorted[next[end.label]++] = end;
+    return sorted;
   }
 
   // --- Looking through edges ---
@@ -448,7 +506,9 @@ class Continuation {
       const int right = TriangleMesh::next(view.halfedge);
       const TriangleMesh::Layout& l = mesh_.layout(view.halfedge);
       const Vector2d apex(l.x, l.y), toApex = apex - view.source;
-      if (!seeFromAfar(mesh_.tail(left), look.label, view, toApex)) continue;
+      if (!seeFromAfar(mesh_.tail(left), look.label, view.offset + toApex.norm(),
+                       [&] { return view; }))
+        continue;
       const double inverseLeft = 2 * mesh_.layout(left).inverse;
       const double inverseRight = 2 * mesh_.layout(right).inverse;
       if (mesh_.twin(left) >= 0 && cross(view.left, toApex) < 0) {
@@ -482,44 +542,46 @@ class Continuation {
   }
 
   /// Makes a label that may own something on a side of a face known at the third corner, should it
-  /// be out of sight from there. Returns whether there was any.
+  /// be out of sight from there; at all guests from number `first`, which is then the one to go on
+  /// from. Returns whether there was any.
   ///
   /// An owner is seen by all neighbours, so on such a side the label is a guest at one of the ends.
-  bool completeFaces() {
-    const size_t before = guests_.size();
-    for (size_t i = 0; i < hosts_.size(); ++i) {
-      const int host = hosts_[i];
-      if (!isInScope(host)) continue;
-      const int first = mesh_.outgoing(host);
-      int h = first;
+  bool completeFaces(int& first) {
+    const int known = static_cast<int>(guests_.size());
+    for (; first < known; ++first) {
+      const auto [vertex, label] = std::pair(guests_[first].vertex, guests_[first].label);
+      if (!isInScope(vertex)) continue;
+      const int start = mesh_.outgoing(vertex);
+      int h = start;
       do {
-        completeFace(h);
+        completeFace(h, label);
         h = mesh_.rotate(h);
-      } while (h >= 0 && h != first);
+      } while (h >= 0 && h != start);
     }
-    return guests_.size() > before;
+    return static_cast<int>(guests_.size()) > known;
   }
 
-  /// The same in one face, for the guests of the vertex that a halfedge leaves.
-  void completeFace(int halfedge) {
-    const int host = mesh_.tail(halfedge), back = TriangleMesh::previous(halfedge);
-    if (!isInScope(mesh_.tip(halfedge), mesh_.tail(back))) return;
-    for (int g = firstGuest_[host]; g >= 0; g = guests_[g].next) {
-      const int label = guests_[g].label;
-      const double atTip = distanceAt(mesh_.tip(halfedge), label);
-      const double atApex = distanceAt(mesh_.tail(back), label);
-      if ((atTip == kInfinity) == (atApex == kInfinity)) continue;
-      const int side = atTip == kInfinity ? back : halfedge;
-      if (!isOutdone(side, label)) seeOverEnds(side, label);
-    }
+  /// The same in one face, for a guest of the vertex that a halfedge leaves.
+  void completeFace(int halfedge, int label) {
+    const int tip = mesh_.tip(halfedge), back = TriangleMesh::previous(halfedge);
+    if (!isInScope(tip, mesh_.tail(back))) return;
+    const bool isAtTip = distanceAt(tip, label) < kInfinity;
+    const bool isAtApex = distanceAt(mesh_.tail(back), label) < kInfinity;
+    if (isAtTip == isAtApex) return;
+    const int side = isAtTip ? halfedge : back;
+    if (!isOutdone(side, label)) seeOverEnds(side, label);
   }
 
   void seeOverEnds(int side, int label) {
     const int tail = mesh_.tail(side), tip = mesh_.tip(side), back = TriangleMesh::previous(side);
     const double overTail = distanceAt(tail, label) + mesh_.length(back);
     const double overTip = distanceAt(tip, label) + mesh_.length(TriangleMesh::next(side));
-    seeFromAfar(mesh_.tail(back), label, std::min(overTail, overTip),
-                [&] { return departureAt(overTail <= overTip ? tail : tip, label); });
+    const bool isFromTail = overTail <= overTip;
+    const int over = isFromTail ? tail : tip;
+    seeFromAfar(mesh_.tail(back), label, std::min(overTail, overTip), [&] {
+      return viewFromBend(mesh_, side, isFromTail, distanceAt(over, label),
+                          departureAt(over, label), kUnknownDetour);
+    });
   }
 
   // --- The result ---

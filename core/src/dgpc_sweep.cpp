@@ -392,7 +392,7 @@ int DgpcSweep::carry(const Origin& from, bool isBend, int last) {
         View next = viewThrough<side>(from, face, bound, limit);
         next.heading = view.departure(bound / toBend);
         next.offset = offset;
-        next.isBent = true;
+        next.detour = view.detourAfter(bound, toApex - bound);
         return next;
       });
     } else if (isBend) {
@@ -418,10 +418,10 @@ View DgpcSweep::viewThrough(const Origin& from, const FanFace& face, const Vecto
   next.source = inFrameOf<side>(face, mesh_, shift - from.path);
   next.left = turnedBackBy(kLeft ? outerBound : innerBound, axis);
   next.right = turnedBackBy(kLeft ? innerBound : outerBound, axis);
-  next.heading = from.view.isBent ? from.view.heading : turnedBackBy(from.view.heading, axis);
+  next.heading = from.view.isBent() ? from.view.heading : turnedBackBy(from.view.heading, axis);
   next.offset = from.view.offset;
   next.halfedge = face.halfedge;
-  next.isBent = from.view.isBent;
+  next.detour = from.view.detour;
   return next;
 }
 
@@ -429,7 +429,8 @@ template <Side side>
 void DgpcSweep::bend(const Origin& from, const FanFace& face, int at) {
   offer(at, from.label, from.distance + face.apex.norm(), [&] {
     return viewFromBend(mesh_, face.halfedge, side == Side::kRight, from.distance,
-                        from.view.departure(mesh_, from.distance));
+                        from.view.departure(mesh_, from.distance),
+                        from.view.detourAfter(from.path, face.apex));
   });
 }
 
@@ -448,7 +449,7 @@ bool DgpcSweep::reachTheUnseen() {
     const int entry = find(v, owner_[v]);
     const double distance = entries_[entry].distance;
     const View via = viewFromBend(mesh_, spoke.halfedge, spoke.isFromTail, distance,
-                                  views_[entry].departure(mesh_, distance));
+                                  views_[entry].departure(mesh_, distance), kUnknownDetour);
     offer(spoke.neighbour, owner_[v], distance + spoke.length, [&] { return via; });
   }
   return !edges.empty();

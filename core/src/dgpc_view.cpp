@@ -15,10 +15,10 @@ View View::inFrame(int otherHalfedge, const Vector2d& origin, const Vector2d& ax
   other.source = turnedBackBy(source - origin, axis);
   other.left = turnedBackBy(left, axis);
   other.right = turnedBackBy(right, axis);
-  other.heading = isBent ? heading : turnedBackBy(heading, axis);
+  other.heading = isBent() ? heading : turnedBackBy(heading, axis);
   other.offset = offset;
   other.halfedge = otherHalfedge;
-  other.isBent = isBent;
+  other.detour = detour;
   return other;
 }
 
@@ -45,20 +45,19 @@ View viewOfCorner(const TriangleMesh& mesh, const SurfacePoint& site, int corner
 
 View viewAlong(const TriangleMesh& mesh, const Spoke& spoke, double angleOfFirst) {
   const double angle = angleOfFirst + spoke.angle;
-  View view = viewFromBend(mesh, spoke.halfedge, spoke.isFromTail, 0, {1, 0});
-  view.isBent = false;
-  view.heading = turnedBackBy(view.path(mesh) / spoke.length, {std::cos(angle), std::sin(angle)});
+  View view = viewFromBend(mesh, spoke.halfedge, spoke.isFromTail, 0, {1, 0}, View().detour);
+  view.heading = turnedBackBy(view.path(mesh) / spoke.length, unitVector(angle));
   return view;
 }
 
 View viewFromBend(const TriangleMesh& mesh, int halfedge, bool isFromTail, double offset,
-                  const Vector2d& departure) {
+                  const Vector2d& departure, float detour) {
   View view;
   if (!isFromTail) view.source = {mesh.length(halfedge), 0};
   view.heading = departure;
   view.offset = offset;
   view.halfedge = halfedge;
-  view.isBent = true;
+  view.detour = detour;
   return view;
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <limits>
 
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
@@ -21,9 +23,18 @@ struct View {
   Eigen::Vector2d heading = {1, 0};
   double offset = 0;  ///< length of the path from the site to the source
   int halfedge = -1;  ///< -1: the vertex is the site
-  bool isBent = false;
+  /// By how much the path is longer than if it were straight where it bends, through the same
+  /// faces: by no more can it be cut short there. Negative if it does not bend.
+  float detour = -1;
 
   bool operator==(const View& other) const = default;
+
+  bool isBent() const { return detour >= 0; }
+  /// The detour after one more bend, between two straight pieces that are given in one frame.
+  float detourAfter(const Eigen::Vector2d& before, const Eigen::Vector2d& after) const {
+    const double longer = before.norm() + after.norm() - (before + after).norm();
+    return std::max(detour, 0.0f) + static_cast<float>(std::max(longer, 0.0));
+  }
 
   /// What is seen, in another frame, of which the origin and the x axis are given in this one.
   View inFrame(int otherHalfedge, const Eigen::Vector2d& origin, const Eigen::Vector2d& axis) const;
@@ -34,16 +45,21 @@ struct View {
     return Eigen::Vector2d(l.x, l.y) - source;
   }
 
+  /// The length of the path to the view's own vertex.
+  double distance(const TriangleMesh& mesh) const {
+    return halfedge < 0 ? 0 : offset + path(mesh).norm();
+  }
+
   /// The direction, in the site's frame, in which a path leaves the site that ends here in the
   /// given unit direction.
   Eigen::Vector2d departure(const Eigen::Vector2d& arrival) const {
-    return isBent ? heading : turnedBackBy(arrival, heading);
+    return isBent() ? heading : turnedBackBy(arrival, heading);
   }
 
   /// The direction in which the path of this length to the view's own vertex leaves the site; the
   /// site's reference direction if that is the vertex.
   Eigen::Vector2d departure(const TriangleMesh& mesh, double distance) const {
-    if (isBent) return heading;
+    if (isBent()) return heading;
     const double straight = distance - offset;
     if (halfedge < 0 || !(straight > 0)) return {1, 0};
     return departure(path(mesh) / straight);
@@ -91,6 +107,7 @@ View viewAlong(const TriangleMesh& mesh, const Spoke& spoke, double angleOfFirst
 /// How the apex of a halfedge's face sees a site along a path that bends at an end of the halfedge,
 /// having come there at the distance `offset` from the site.
 View viewFromBend(const TriangleMesh& mesh, int halfedge, bool isFromTail, double offset,
-                  const Eigen::Vector2d& departure);
+                  const Eigen::Vector2d& departure, float detour);
+inline constexpr float kUnknownDetour = std::numeric_limits<float>::infinity();
 
 }  // namespace gvd

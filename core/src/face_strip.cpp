@@ -74,17 +74,21 @@ std::optional<LocalGeodesic> FaceStrip::straighten(int vertex, const SurfacePoin
     if (crossed_.empty()) return acrossOneFace(vertex, endVertex, end);
     unfold(endVertex, end);
     pullTight();
-    // From the end, so that what comes before it is not in the way.
+    // From the end, so that what comes before keeps its place. No two are in each other's way: the
+    // path so far lies in the new strip as well.
     bool isFlipped = false;
-    for (size_t i = bends_.size(); i-- > 0 && !isFlipped;) {
-      constexpr double kRounding = 1e-12;
-      const int at = endAt(bends_[i].gate, bends_[i].side);
-      if (!mesh_.onBoundary(at) && mesh_.angleSum(at) < 2 * pi + turnAt(i) - kRounding)
-        isFlipped = flip(bends_[i]);
-    }
-    if (!isFlipped) return path(endVertex, end);
+    for (size_t i = bends_.size(); i-- > 0;) isFlipped |= mayFlip(i) && flip(bends_[i]);
+    if (!isFlipped) return path(end);
   }
   return std::nullopt;
+}
+
+std::optional<FaceStrip::Line> FaceStrip::line(int vertex, const SurfacePoint& end) {
+  const int endVertex = vertexAt(mesh_, end);
+  trim(vertex, endVertex);
+  if (crossed_.empty()) return std::nullopt;
+  unfold(endVertex, end);
+  return Line{crossed_.front(), end_ - start_};
 }
 
 /// Takes away what leads around the path's own ends.
@@ -100,18 +104,18 @@ void FaceStrip::trim(int vertex, int endVertex) {
 }
 
 LocalGeodesic FaceStrip::acrossOneFace(int vertex, int endVertex, const SurfacePoint& end) const {
-  if (vertex == endVertex) return {0, {1, 0}};
+  LocalGeodesic path{0, {1, 0}};
   if (endVertex < 0) {
     const int corner = outgoingOf(mesh_, end.face, vertex) % 3;
-    const double length = distanceOfCorner(mesh_, end, corner);
-    return {length, viewOfCorner(mesh_, end, corner).departure(mesh_, length)};
+    path.length = distanceOfCorner(mesh_, end, corner);
+    path.departure = viewOfCorner(mesh_, end, corner).departure(mesh_, path.length);
+  } else if (vertex != endVertex) {
+    const double first = angleOfOutgoing(mesh_, end, mesh_.outgoing(endVertex));
+    visitSpokes(mesh_, endVertex, [&](const Spoke& spoke) {
+      if (spoke.neighbour == vertex) path = {spoke.length, unitVector(first + spoke.angle)};
+    });
   }
-  LocalGeodesic edge{0, {1, 0}};
-  const double first = angleOfOutgoing(mesh_, end, mesh_.outgoing(endVertex));
-  visitSpokes(mesh_, endVertex, [&](const Spoke& spoke) {
-    if (spoke.neighbour == vertex) edge = {spoke.length, unitVector(first + spoke.angle)};
-  });
-  return edge;
+  return path;
 }
 
 /// Into the frame of the first halfedge that is crossed.
@@ -126,10 +130,10 @@ void FaceStrip::unfold(int endVertex, const SurfacePoint& end) {
     const Vector2d apex = apexBeside(mesh_, entry, gate.left, gate.right);
     if (i + 1 == crossed_.size()) {
       const int corner = entry % 3;
-      end_ = endVertex >= 0 ? apex
-                            : Vector2d(end.bary[corner] * gate.left +
-                                       end.bary[(corner + 1) % 3] * gate.right +
-                                       end.bary[(corner + 2) % 3] * apex);
+      end_ = endVertex >= 0
+                 ? apex
+                 : Vector2d(end.bary[corner] * gate.left + end.bary[(corner + 1) % 3] * gate.right +
+                            end.bary[(corner + 2) % 3] * apex);
       return;
     }
     (crossed_[i + 1] == TriangleMesh::next(entry) ? gate.left : gate.right) = apex;
@@ -151,8 +155,8 @@ void FaceStrip::pullTight() {
       const Side side = bendsLeft ? Side::kLeft : Side::kRight;
       size_t next = bendsLeft ? left : right;
       from = bendsLeft ? gates_[left].left : gates_[right].right;
-      bends_.push_back({from, next, side});
       const int vertex = endAt(next, side);
+      bends_.push_back({from, vertex, next, side});
       while (next < gates_.size() && endAt(next, side) == vertex) ++next;
       if (next == gates_.size()) return;  // the end is in sight
       left = right = next;
@@ -167,64 +171,57 @@ void FaceStrip::pullTight() {
   }
 }
 
-/// By how much the path changes its direction at a bend.
-double FaceStrip::turnAt(size_t bend) const {
+/// Whether the path is shorter on the other side of a vertex at which it bends: the angle there is
+/// less than π.
+bool FaceStrip::mayFlip(size_t bend) const {
+  constexpr double kRounding = 1e-12;
+  const int vertex = bends_[bend].vertex;
+  if (mesh_.onBoundary(vertex)) return false;
+  const double excess = mesh_.angleSum(vertex) - 2 * pi + kRounding;
+  if (excess < 0) return true;
   const Vector2d before = bend > 0 ? bends_[bend - 1].place : start_;
   const Vector2d after = bend + 1 < bends_.size() ? bends_[bend + 1].place : end_;
   const Vector2d in = bends_[bend].place - before, out = after - bends_[bend].place;
-  return std::abs(std::atan2(cross(in, out), in.dot(out)));
+  return std::abs(std::atan2(cross(in, out), in.dot(out))) > excess;
 }
 
-/// Leads the strip around the other side of a vertex. False if the boundary is there.
+/// Leads the strip around the other side of a vertex. False if the strip has come to pass it
+/// otherwise meanwhile.
 bool FaceStrip::flip(const Bend& bend) {
-  const int vertex = endAt(bend.gate, bend.side);
+  const auto passes = [&](size_t gate) { return endAt(gate, bend.side) == bend.vertex; };
+  if (bend.gate >= crossed_.size() || !passes(bend.gate)) return false;
   size_t first = bend.gate, last = bend.gate;
-  while (first > 0 && endAt(first - 1, bend.side) == vertex) --first;
-  while (last + 1 < crossed_.size() && endAt(last + 1, bend.side) == vertex) ++last;
+  while (first > 0 && passes(first - 1)) --first;
+  while (last + 1 < crossed_.size() && passes(last + 1)) ++last;
   const int goal = TriangleMesh::faceOf(mesh_.twin(crossed_[last]));
   detour_.clear();
-  int h = outgoingOf(mesh_, TriangleMesh::faceOf(crossed_[first]), vertex);
+  int h = outgoingOf(mesh_, TriangleMesh::faceOf(crossed_[first]), bend.vertex);
   do {
     const int over = bend.side == Side::kLeft ? h : TriangleMesh::previous(h);
     const int twin = mesh_.twin(over);
-    if (twin < 0) return false;
     detour_.push_back(over);
     h = bend.side == Side::kLeft ? TriangleMesh::next(twin) : twin;
   } while (TriangleMesh::faceOf(h) != goal);
 
-  // Crossed one by one, for the strip may have come through one of them.
-  const std::vector<int> rest(crossed_.begin() + static_cast<std::ptrdiff_t>(last) + 1,
-                              crossed_.end());
+  // One by one, for the strip may have come through one of them, or go on through one.
+  rest_.assign(crossed_.begin() + static_cast<std::ptrdiff_t>(last) + 1, crossed_.end());
   crossed_.resize(first);
   for (const int over : detour_) goThrough(over);
-  for (const int over : rest) goThrough(over);
+  for (const int over : rest_) goThrough(over);
   return true;
 }
 
-LocalGeodesic FaceStrip::path(int endVertex, const SurfacePoint& end) const {
+LocalGeodesic FaceStrip::path(const SurfacePoint& end) const {
   double length = 0;
   Vector2d before = start_;
   for (const Bend& bend : bends_) {
     length += (bend.place - before).norm();
     before = bend.place;
   }
-  return {length + (end_ - before).norm(), departure(endVertex, end)};
-}
-
-Vector2d FaceStrip::departure(int endVertex, const SurfacePoint& end) const {
-  const Gate& gate = gates_.back();
-  const int entry = mesh_.twin(crossed_.back());
-  const Vector2d before = bends_.empty() ? start_ : bends_.back().place;
   const Vector2d back = before - end_;
-  if (!(back.squaredNorm() > 0)) return {1, 0};
-  if (endVertex < 0) {
-    const Vector2d inEntry = turnedBackBy(back, gate.right - gate.left);
-    return turnedBackBy(inEntry, firstSide(mesh_, end.face, entry % 3)).normalized();
-  }
-  const int outgoing = TriangleMesh::previous(entry);
-  const Vector2d along = gate.left - end_;
-  return unitVector(angleOfOutgoing(mesh_, end, outgoing) +
-                    std::atan2(cross(along, back), along.dot(back)));
+  const int entry = mesh_.twin(crossed_.back());
+  const Vector2d along = (gates_.back().right - gates_.back().left) / mesh_.length(entry);
+  return {length + back.norm(), inSiteFrame(mesh_, end, entry, turnedBackBy(back, along))};
 }
 
 }  // namespace gvd

@@ -34,10 +34,16 @@ class FaceStrip {
 
   /// The path from a vertex of the first face to a point of the last face that follows from the
   /// shortest one in the strip by leading the strip around the other side of every vertex at which
-  /// the path may be cut short there, as long as there is one (Xin & Wang 2007). The strip is then
+  /// the path may be cut short there, as long as there are any (Xin & Wang 2007). The strip is then
   /// that of the path, and may end in another face at the point. Nothing if that does not end soon.
-  /// O(faces) for every vertex that is passed on the other side.
+  /// O(faces) every time.
   std::optional<LocalGeodesic> straighten(int vertex, const SurfacePoint& end);
+
+  struct Line {
+    int halfedge;
+    Eigen::Vector2d way;
+  };
+  std::optional<Line> line(int vertex, const SurfacePoint& end);
 
  private:
   /// An edge that the strip crosses, unfolded; left and right as seen on the way.
@@ -46,6 +52,7 @@ class FaceStrip {
   };
   struct Bend {
     Eigen::Vector2d place;
+    int vertex;
     size_t gate;  ///< one that has the vertex as an end
     Side side;    ///< where the vertex is
   };
@@ -60,10 +67,9 @@ class FaceStrip {
   LocalGeodesic acrossOneFace(int vertex, int endVertex, const SurfacePoint& end) const;
   void unfold(int endVertex, const SurfacePoint& end);
   void pullTight();
-  double turnAt(size_t bend) const;
+  bool mayFlip(size_t bend) const;
   bool flip(const Bend& bend);
-  LocalGeodesic path(int endVertex, const SurfacePoint& end) const;
-  Eigen::Vector2d departure(int endVertex, const SurfacePoint& end) const;
+  LocalGeodesic path(const SurfacePoint& end) const;
 
   const TriangleMesh& mesh_;
   int firstFace_ = -1, lastFace_ = -1;
@@ -73,7 +79,7 @@ class FaceStrip {
   Eigen::Vector2d start_, end_;
   std::vector<Gate> gates_;
   std::vector<Bend> bends_;
-  std::vector<int> detour_;
+  std::vector<int> detour_, rest_;
 };
 
 }  // namespace gvd

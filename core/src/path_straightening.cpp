@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "path_straightening.h"
 
-#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "plane.h"
+#include "site_frame.h"
 #include "surface_geometry.h"
 #include "unfolding.h"
 
@@ -19,46 +20,87 @@ constexpr int kAtSite = -1;
 /// the same vertex: rounding along a path stays far below, and edges are longer.
 constexpr double kSamePlace = 1e-6;
 
+/// Where the apex of a halfedge is, in the halfedge's frame.
+Vector2d apexOf(const TriangleMesh& mesh, int halfedge) {
+  const TriangleMesh::Layout& l = mesh.layout(halfedge);
+  return {l.x, l.y};
+}
+
+/// Whether two directions are the same but for rounding: on which side of one the other lies then
+/// must not matter.
+bool isGrazing(const Vector2d& a, const Vector2d& b) {
+  constexpr double kGrazing = 1e-12;  // of a radian
+  return std::abs(cross(a, b)) <= kGrazing * std::abs(a.dot(b));
+}
+
 }  // namespace
 
-std::optional<LocalGeodesic> PathStraightener::straighten(int label, int vertex) {
-  if (!followViews(label, vertex)) return std::nullopt;
-  return strip_.straighten(vertex, field_.sites()[label]);
+std::optional<LocalGeodesic> PathStraightener::straighten(int label, int vertex, const View& view) {
+  const SurfacePoint& site = field_.sites()[label];
+  if (!followViews(label, vertex, view)) return std::nullopt;
+  // Most paths that bend may as well be straight, and to find that out takes less.
+  if (const auto line = strip_.line(vertex, site))
+    if (const auto straight = aim(line->halfedge, line->way, site)) return straight;
+  return strip_.straighten(vertex, site);
+}
+
+/// A straight line to the site from the apex of a halfedge: where the given one, in the halfedge's
+/// frame, leads beside the site, it is drawn anew to where the site is seen from there.
+std::optional<LocalGeodesic> PathStraightener::aim(int halfedge, Vector2d line,
+                                                   const SurfacePoint& site) {
+  constexpr int kMostAims = 4;
+  const int siteVertex = vertexAt(mesh_, site);
+  if (TriangleMesh::faceOf(halfedge) == site.face) return std::nullopt;
+  const auto isAtSite = [&](int entry, const Vector2d&) {
+    return siteVertex >= 0 ? mesh_.tail(TriangleMesh::previous(entry)) == siteVertex
+                           : TriangleMesh::faceOf(entry) == site.face;
+  };
+  for (int i = 0; i < kMostAims; ++i) {
+    const auto end = walk(halfedge, line, AtVertex::kStop, isAtSite);
+    if (!end) return std::nullopt;
+    const int k = end->entry % 3;
+    line = siteVertex >= 0
+               ? end->apex
+               : Vector2d(site.bary[k] * end->left + site.bary[(k + 1) % 3] * end->right +
+                          site.bary[(k + 2) % 3] * end->apex);
+    if (isGrazing(end->leftBound, line) || isGrazing(end->rightBound, line)) return std::nullopt;
+    if (!end->isInSight(line)) continue;
+    const Vector2d along = (end->right - end->left) / mesh_.length(end->entry);
+    return LocalGeodesic{line.norm(),
+                         inSiteFrame(mesh_, site, end->entry, turnedBackBy(-line, along))};
+  }
+  return std::nullopt;
 }
 
 /// Makes the strip that the path from a vertex back to the site runs through, as the views tell it;
 /// along edges where they tell nothing. False if there is no way.
-bool PathStraightener::followViews(int label, int vertex) {
+bool PathStraightener::followViews(int label, int vertex, const View& first) {
   const SurfacePoint& site = field_.sites()[label];
+  const View* view = &first;
   bool hasStarted = false;
   const auto goOn = [&](int at, int face) {
     if (std::exchange(hasStarted, true)) return strip_.turn(at, face);
     strip_.start(face);
     return true;
   };
-  for (int at = vertex;;) {
-    std::optional<int> source;
-    const bool isOwner = field_.nearest(at).label == label;
-    if (!isOwner && at != vertex) return false;
-    if (isOwner) {
-      const View& view = field_.view(at);
-      if (view.halfedge < 0) return hasStarted;
-      source = lookBack(view, site);
-      if (source) {
-        if (!goOn(at, TriangleMesh::faceOf(view.halfedge))) return false;
-        for (const int h : seenThrough_) strip_.goThrough(h);
-      }
-    }
-    if (!source) {
+  for (int at = vertex; view->halfedge >= 0;) {
+    std::optional<int> source = lookBack(*view, site);
+    if (source) {
+      if (!goOn(at, TriangleMesh::faceOf(view->halfedge))) return false;
+      for (const int h : walkedThrough_) strip_.goThrough(h);
+    } else {
       const int edge = stepToOwner(label, at);
       if (edge < 0 || !goOn(at, TriangleMesh::faceOf(edge))) return false;
       source = mesh_.tail(edge) == at ? mesh_.tip(edge) : mesh_.tail(edge);
     }
     if (*source == kAtSite) return true;
-    const double distance = field_.nearest(*source).distance;
-    if (isOwner && !(distance < field_.nearest(at).distance)) return false;
+    const LabelledDistance &here = field_.nearest(at), &there = field_.nearest(*source);
+    const bool isNearer = here.label != label || there.distance < here.distance;
+    if (there.label != label || !isNearer) return false;
     at = *source;
+    view = &field_.view(at);
   }
+  return hasStarted;
 }
 
 /// A halfedge between a vertex and the neighbour over which a label comes to it the shortest way,
@@ -86,55 +128,80 @@ int PathStraightener::stepToOwner(int label, int vertex) const {
   return step;
 }
 
-/// Notes the halfedges through which a straight line leads from the vertex of a view to the view's
-/// source. Returns the vertex there, or kAtSite in the face of the site; nothing if the line does
-/// not come there, for views may be carried on beside a vertex that the line passes on the other
-/// side.
+/// Walks from the vertex of a view to the view's source. Returns the vertex there, or kAtSite in
+/// the face of the site; nothing if the line does not lead there, for views may be carried on
+/// beside a vertex that the line passes on the other side.
 std::optional<int> PathStraightener::lookBack(const View& view, const SurfacePoint& site) {
-  seenThrough_.clear();
-  int h = view.halfedge;
-  const TriangleMesh::Layout& l = mesh_.layout(h);
-  const Vector2d from(l.x, l.y), line = view.source - from;
-  Vector2d left(l.length, 0), right(0, 0);  // on the way
-  const int siteVertex = vertexAt(mesh_, site);
-  const bool isVertex = view.isBent || siteVertex >= 0;
+  const int h = view.halfedge, siteVertex = vertexAt(mesh_, site);
+  const Vector2d from = apexOf(mesh_, h);
+  const bool isVertex = view.isBent() || siteVertex >= 0;
   const auto isSource = [&](const Vector2d& place, double edge) {
     return isVertex && (place - view.source).squaredNorm() <= kSamePlace * kSamePlace * edge * edge;
   };
-  if (!(line.squaredNorm() > 0)) return std::nullopt;
-  if (isSource(right, l.length)) return mesh_.tail(h);
-  if (isSource(left, l.length)) return mesh_.tip(h);
+  walkedThrough_.clear();
+  if (isSource({0, 0}, mesh_.length(h))) return mesh_.tail(h);
+  if (isSource({mesh_.length(h), 0}, mesh_.length(h))) return mesh_.tip(h);
   if (!isVertex && TriangleMesh::faceOf(h) == site.face) return kAtSite;
+  const auto end =
+      walk(h, -view.path(mesh_), AtVertex::kPass, [&](int entry, const Vector2d& apex) {
+        if (!isVertex) return TriangleMesh::faceOf(entry) == site.face;
+        return isSource(apex + from, mesh_.length(entry)) ||
+               (!view.isBent() && mesh_.tail(TriangleMesh::previous(entry)) == siteVertex);
+      });
+  if (!end) return std::nullopt;
+  return isVertex ? mesh_.tail(TriangleMesh::previous(end->entry)) : kAtSite;
+}
 
-  // Where the line leaves beside the halfedge, it does so through a face around the vertex.
-  while (cross(right - from, line) < 0) {
-    const int over = TriangleMesh::previous(h), entry = mesh_.twin(over);
-    if (entry < 0 || TriangleMesh::faceOf(entry) == TriangleMesh::faceOf(view.halfedge)) return std::nullopt;
-    seenThrough_.push_back(over);
-    left = std::exchange(right, apexBeside(mesh_, entry, right, from));
-    h = TriangleMesh::previous(entry);
+/// Walks along a straight line from the apex of a halfedge, given in the halfedge's frame, and
+/// notes what it goes through, up to the first face of which `isEnd` says so, by the halfedge that
+/// it is entered through and the apex of that. Nothing if the line ends before, or at the boundary.
+template <class IsEnd>
+auto PathStraightener::walk(int halfedge, const Vector2d& line, AtVertex atVertex, IsEnd isEnd)
+    -> std::optional<Step> {
+  walkedThrough_.clear();
+  const double length = line.squaredNorm();
+  if (!(length > 0)) return std::nullopt;
+  Vector2d right = -apexOf(mesh_, halfedge);
+  Vector2d left = right + Vector2d(mesh_.length(halfedge), 0);
+  int over = halfedge;
+  // Where the line leaves beside the halfedge, it does so through another face around the vertex.
+  const Vector2d here(0, 0);
+  const bool isRightOf = cross(right, line) < 0;
+  while (isRightOf ? cross(right, line) < 0 : cross(line, left) < 0) {
+    const int side = isRightOf ? TriangleMesh::previous(over) : TriangleMesh::next(over);
+    const int entry = mesh_.twin(side);
+    if (entry < 0 || TriangleMesh::faceOf(entry) == TriangleMesh::faceOf(halfedge))
+      return std::nullopt;
+    walkedThrough_.push_back(side);
+    if (isRightOf)
+      left = std::exchange(right, apexBeside(mesh_, entry, right, here));
+    else
+      right = std::exchange(left, apexBeside(mesh_, entry, here, left));
+    over = isRightOf ? TriangleMesh::previous(entry) : TriangleMesh::next(entry);
   }
-  while (cross(line, left - from) < 0) {
-    const int over = TriangleMesh::next(h), entry = mesh_.twin(over);
-    if (entry < 0 || TriangleMesh::faceOf(entry) == TriangleMesh::faceOf(view.halfedge)) return std::nullopt;
-    seenThrough_.push_back(over);
-    right = std::exchange(left, apexBeside(mesh_, entry, from, left));
-    h = TriangleMesh::next(entry);
-  }
+  Vector2d leftBound = left, rightBound = right;
+  constexpr double kBeyond = 1.2;  // the line may be a little short of where it leads
+  bool isLeftBeyond = false, isRightBeyond = false;
   for (int steps = 0; steps < mesh_.faceCount(); ++steps) {
-    const int entry = mesh_.twin(h);
+    const int entry = mesh_.twin(over);
     if (entry < 0) return std::nullopt;
-    seenThrough_.push_back(h);
+    walkedThrough_.push_back(over);
     const Vector2d apex = apexBeside(mesh_, entry, left, right);
-    const int atApex = mesh_.tail(TriangleMesh::previous(entry));
-    if (isSource(apex, mesh_.length(entry)) || (!view.isBent && atApex == siteVertex))
-      return atApex;
-    if (!isVertex && TriangleMesh::faceOf(entry) == site.face) return kAtSite;
-    const double ahead = std::min((left - from).dot(line), (right - from).dot(line));
-    if (ahead > line.squaredNorm()) return std::nullopt;
-    const bool isApexLeft = cross(line, apex - from) > 0;
-    (isApexLeft ? left : right) = apex;
-    h = isApexLeft ? TriangleMesh::next(entry) : TriangleMesh::previous(entry);
+    if (isEnd(entry, apex)) return Step{entry, left, right, apex, leftBound, rightBound};
+    if (atVertex == AtVertex::kStop && isGrazing(line, apex)) return std::nullopt;
+    const bool isBeyond = line.dot(apex) > kBeyond * length;
+    if (cross(line, apex) > 0) {
+      left = apex;
+      if (cross(left, leftBound) > 0) leftBound = left;
+      isLeftBeyond = isBeyond;
+      over = TriangleMesh::next(entry);
+    } else {
+      right = apex;
+      if (cross(rightBound, right) > 0) rightBound = right;
+      isRightBeyond = isBeyond;
+      over = TriangleMesh::previous(entry);
+    }
+    if (isLeftBeyond && isRightBeyond) return std::nullopt;
   }
   return std::nullopt;
 }

@@ -6,30 +6,49 @@
 
 #include "dgpc_field.h"
 #include "face_strip.h"
+#include "plane.h"
 
 namespace gvd {
 
-/// Turns the paths that the vertices of a field know, from view to view, into geodesics. Views err:
-/// a line of sight may leave the faces it was unfolded through, and where views end, paths bend
-/// whether or not they have to. What comes after this depends on the owners' views only.
+/// Turns the paths by which vertices see sites into geodesics. Views err: a line of sight may leave
+/// the faces it was unfolded through, and where views end, paths bend whether or not they have to.
 class PathStraightener {
  public:
   explicit PathStraightener(const DgpcField& field)
       : field_(field), mesh_(field.mesh()), strip_(field.mesh()) {}
 
-  /// From the site of a label to a vertex that it owns, or that has a neighbour that it owns:
-  /// nothing if that is not so, or if the views lead nowhere. O(faces on the way), a few times.
-  std::optional<LocalGeodesic> straighten(int label, int vertex);
+  /// The geodesic that is found near the path by which a vertex sees the site of a label, and on
+  /// from where that bends by the views of the label's own vertices: it depends on these, the view
+  /// and the mesh only. Nothing if the views lead nowhere. O(faces on the way), a few times.
+  std::optional<LocalGeodesic> straighten(int label, int vertex, const View& view);
 
  private:
-  bool followViews(int label, int vertex);
+  /// A face that a walk comes to, laid out as seen from where the walk begins.
+  struct Step {
+    int entry;                          ///< the face's halfedge that it is entered through
+    Eigen::Vector2d left, right, apex;  ///< the ends of that one, as seen on the way, and its apex
+    Eigen::Vector2d leftBound, rightBound;  ///< of what is seen through all that was passed
+
+    bool isInSight(const Eigen::Vector2d& place) const {
+      return cross(rightBound, place) >= 0 && cross(place, leftBound) >= 0;
+    }
+  };
+
+  /// Where a line leads through a vertex, it may be led past on either side.
+  enum class AtVertex { kStop, kPass };
+
+  std::optional<LocalGeodesic> aim(int halfedge, Eigen::Vector2d line, const SurfacePoint& site);
+  bool followViews(int label, int vertex, const View& first);
   int stepToOwner(int label, int vertex) const;
   std::optional<int> lookBack(const View& view, const SurfacePoint& site);
+  template <class IsEnd>
+  std::optional<Step> walk(int halfedge, const Eigen::Vector2d& line, AtVertex atVertex,
+                           IsEnd isEnd);
 
   const DgpcField& field_;
   const TriangleMesh& mesh_;
   FaceStrip strip_;
-  std::vector<int> seenThrough_;  ///< halfedges, from a vertex back to the source of its view
+  std::vector<int> walkedThrough_;  ///< halfedges
 };
 
 }  // namespace gvd

@@ -22,9 +22,9 @@ inline std::array<double, 3> squaredSides(const TriangleMesh& mesh, int face) {
 /// The squared length of a difference of barycentric coordinates (sum 0): never negative but for
 /// rounding, hence clamped.
 inline double squaredLength(const Eigen::Vector3d& difference, const std::array<double, 3>& sides) {
-  const double s = -(difference[0] * difference[1] * sides[0] +
-                     difference[1] * difference[2] * sides[1] +
-                     difference[2] * difference[0] * sides[2]);
+  const double s =
+      -(difference[0] * difference[1] * sides[0] + difference[1] * difference[2] * sides[1] +
+        difference[2] * difference[0] * sides[2]);
   return s > 0 ? s : 0;
 }
 
