@@ -31,11 +31,11 @@ export async function buildPackage() {
   await step('WebAssembly', { inputs: sources, output: modules[0] }, () =>
     buildWithCMake('build/wasm', { wrapper: ['emcmake'], targets: wasmModules }),
   );
-  const inputs = ['wasm/src', 'web/viewer', 'tsconfig.json', 'package-lock.json', ...modules];
+  const inputs = ['wasm/src', 'wasm/tsconfig.json', 'web/viewer', 'package-lock.json', ...modules];
   await step('Package', { inputs, output: 'dist' }, () => {
     // Nothing that a deleted source left behind may be published.
     rmSync(at('dist'), { recursive: true, force: true });
-    run(tool('tsc'), []);
+    run(tool('tsc'), ['-p', 'wasm']);
     run(tool('tsc'), ['-p', 'web/viewer']);
     for (const module of modules) copyFileSync(at(module), at('dist', basename(module)));
   });

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// npm test: sets up, builds, and runs all tests, the fastest first. Fails if any failed.
+// npm test [-- RUNNER...]: sets up, builds, and runs all tests, or those of the runners named, the
+// fastest first. Fails if any failed.
 
-import { readdirSync } from 'node:fs';
+import { readdirSync, readFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import { buildPackage, buildPage, buildWithCMake } from './build.mjs';
 import { chromium, setUp } from './setup.mjs';
@@ -14,54 +15,59 @@ const runners = [
     name: 'core',
     prepare: () => buildWithCMake('build/native'),
     command: () => ctest('build/native'),
-    closing: ctestClosing,
+    closing: (text) => ctestClosing('build/native', text),
   },
   {
     // Some of its tests repeat what the native build, which is there by now, computes.
     name: 'wasm',
     prepare: buildPackage,
-    command: () => nodeTest('tests/wasm'),
+    command: () => nodeTest('tests/wasm', availableParallelism()),
     closing: nodeTestClosing,
   },
   {
     name: 'web',
     prepare: buildPage,
     // One file at a time: each has a browser of its own.
-    command: () => nodeTest('tests/web', '--test-concurrency=1'),
+    command: () => nodeTest('tests/web', 1),
     closing: nodeTestClosing,
   },
-];
-
-/**
- * npm test -- --sanitized: the C++ tests only, watched by AddressSanitizer and UBSan. Several times
- * slower, hence fewer of the random cases.
- */
-const sanitizedRunners = [
   {
-    name: 'core, sanitized',
+    // The tests of the core again, watched by AddressSanitizer and UBSan, with the assertions of Eigen
+    // and of the standard library. That takes several times as long: fewer of the random cases.
+    name: 'sanitized',
     prepare: () => buildWithCMake('build/sanitized', { options: sanitized }),
     command: () => ctest('build/sanitized'),
-    closing: ctestClosing,
+    closing: (text) => ctestClosing('build/sanitized', text),
   },
 ];
 const sanitized = [
   '-DCMAKE_BUILD_TYPE=Debug',
   '-DGVD_SANITIZE=address,undefined',
   '-DGVD_PROPERTY_CASES=1000',
+  '-DCGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE=ON',
 ];
 
 function ctest(folder) {
   return ['ctest', ['--test-dir', folder, '--output-on-failure', '-j', availableParallelism()]];
 }
 
-function ctestClosing(text) {
-  return text.match(/^.*tests passed.*$/m)?.[0];
+/** ctest counts programs; what each of them passed is in its log. */
+function ctestClosing(folder, text) {
+  const programs = text.match(/^.*tests passed.*$/m)?.[0];
+  if (!programs) return undefined;
+  const log = readFileSync(at(folder, 'Testing/Temporary/LastTest.log'), 'utf8');
+  const sum = (pattern) =>
+    [...log.matchAll(pattern)].reduce((total, [, count]) => total + Number(count), 0);
+  const tests = sum(/^\[ {2}PASSED {2}\] (\d+) tests?\./gm);
+  const cases = sum(/^(\d+) cases passed$/gm);
+  return `${programs}: in them ${tests} tests and ${cases} random cases passed`;
 }
 
-function nodeTest(folder, ...options) {
+function nodeTest(folder, concurrency) {
   const files = readdirSync(at(folder)).filter((name) => name.endsWith('.test.mjs'));
   const paths = files.sort().map((name) => `${folder}/${name}`);
-  return [process.execPath, ['--test', '--test-reporter=spec', ...options, ...paths]];
+  const options = ['--test-reporter=spec', `--test-concurrency=${concurrency}`];
+  return [process.execPath, ['--test', ...options, ...paths]];
 }
 
 /** node:test closes with a line per count. */
@@ -76,26 +82,37 @@ function nodeTestClosing(text) {
 
 /** Runs the tests of one runner; what goes wrong before they start counts as their failure. */
 async function result({ name, prepare, command, closing }) {
-  announce(`Tests of ${name}`);
+  announce(`Tests: ${name}`);
+  const start = performance.now();
+  const outcome = await attempt(prepare, command, closing);
+  return { name, seconds: Math.round((performance.now() - start) / 1000), ...outcome };
+}
+
+async function attempt(prepare, command, closing) {
   try {
     await prepare();
     const { code, text } = await runShowing(...command(), {
       env: { ...process.env, CHROME_PATH: chromium() },
     });
-    return { name, failed: code !== 0, line: closing(text) ?? 'no result' };
+    return { failed: code !== 0, line: closing(text) ?? 'no result' };
   } catch (error) {
-    return { name, failed: true, line: error.message };
+    return { failed: true, line: error.message };
   }
 }
 
 await main(async () => {
   setUp('test');
+  const names = process.argv.slice(2);
+  const known = runners.map(({ name }) => name);
+  const unknown = names.find((name) => !known.includes(name));
+  if (unknown) throw new Error(`'${unknown}' is none of ${known.join(', ')}`);
+  const chosen = runners.filter(({ name }) => names.length === 0 || names.includes(name));
   const results = [];
-  const chosen = process.argv.includes('--sanitized') ? sanitizedRunners : runners;
   for (const runner of chosen) results.push(await result(runner));
   announce('Results');
-  for (const { name, failed, line } of results) {
-    console.log(`${failed ? 'FAILED' : 'ok    '}  ${name.padEnd(15)}  ${line}`);
+  for (const { name, failed, seconds, line } of results) {
+    const time = `${seconds} s`.padStart(6);
+    console.log(`${failed ? 'FAILED' : 'ok    '}  ${name.padEnd(9)}  ${time}  ${line}`);
   }
   if (results.some(({ failed }) => failed)) process.exitCode = 1;
 });

@@ -54,7 +54,10 @@ export function areaOf(corners) {
 
 export const total = (values) => values.reduce((sum, value) => sum + value, 0);
 
-/** V - E + F and whether each side is used at most once in each direction. */
+/**
+ * V - E + F, the number of sides without a face beyond them, of the closed curves that these make up
+ * (NaN if they meet elsewhere), and whether each side is used at most once in each direction.
+ */
 export function surfaceOf(polygons) {
   const sides = new Set();
   let repeated = 0;
@@ -65,10 +68,28 @@ export function surfaceOf(polygons) {
       sides.add(side);
     });
   }
-  const open = [...sides].filter((side) => !sides.has(side.split(' ').reverse().join(' '))).length;
+  const pairs = [...sides].map((side) => side.split(' '));
+  const open = pairs.filter(([from, to]) => !sides.has(`${to} ${from}`));
   const vertices = new Set(polygons.flat()).size;
-  const edges = (sides.size + open) / 2;
-  return { euler: vertices - edges + polygons.length, open, isOriented: repeated === 0 };
+  const edges = (sides.size + open.length) / 2;
+  return {
+    euler: vertices - edges + polygons.length,
+    open: open.length,
+    loops: closedCurves(open),
+    isOriented: repeated === 0,
+  };
+}
+
+/** How many closed curves sides make up, each with the next one's start as its end. */
+function closedCurves(sides) {
+  const next = new Map(sides);
+  if (next.size < sides.length) return NaN;
+  let count = 0;
+  for (const start of next.keys()) {
+    ++count;
+    for (let at = start, to; (to = next.get(at)) !== undefined; at = to) next.delete(at);
+  }
+  return count;
 }
 
 /** Vertices, and faces with their corners' indices (from 0) and group. */

@@ -106,7 +106,7 @@ test('the parts are the surface', async () => {
     const surface = surfaceOf(corners);
     assert.ok(surface.isOriented, name);
     assert.equal(surface.euler, mesh.info.eulerCharacteristic, name);
-    assert.equal(surface.open === 0, mesh.info.boundaryLoops === 0, name);
+    assert.equal(surface.loops, mesh.info.boundaryLoops, name);
     near(total(placed(partition).map(areaOf)), mesh.info.area);
     regions.area.forEach((area, i) => near(area, diagram.regions[i].area, 1e-9));
     assert.deepEqual([...triangles.label].sort((a, b) => (a < 0) - (b < 0) || a - b), [

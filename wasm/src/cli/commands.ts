@@ -1,40 +1,53 @@
 // SPDX-License-Identifier: MIT
 import { load } from '../node.js';
-import type { CvtState, Diagram, Mesh, PolygonMesh, SurfacePointsInput } from '../types.js';
+import type {
+  CvtState,
+  Diagram,
+  Mesh,
+  Metric,
+  PolygonMesh,
+  SurfacePointsInput,
+} from '../types.js';
+import { toDiagramEncoder, toPartitionEncoder, toPolygonEncoder } from './encoders.js';
 import { FileError, Output, readModel, readPoints } from './files.js';
 import { meshReport } from './mesh_report.js';
-import { standard, UsageError, type CommandName, type Values } from './options.js';
+import type { CommandName, Invocation, Values } from './options.js';
 import { ProgressBar } from './progress.js';
-import {
-  toCvtTask,
-  toDiagramEncoder,
-  toPartitionEncoder,
-  toPolygonEncoder,
-  toScale,
-  toTask,
-  type CvtTask,
-  type DiagramTask,
-  type SiteSource,
-} from './values.js';
 
-export interface Request {
+interface Request<Command extends CommandName> {
   mesh: string;
-  values: Values;
+  values: Values<Command>;
 }
 
-export const run: Record<CommandName, (request: Request) => Promise<void>> = {
-  info,
-  diagram,
-  locate,
-  cvt,
-  partition,
-  dual,
-  remesh,
-};
+export function execute(invocation: Invocation): Promise<void> {
+  switch (invocation.command) {
+    case 'info':
+      return info(invocation);
+    case 'diagram':
+      return diagram(invocation);
+    case 'locate':
+      return locate(invocation);
+    case 'cvt':
+      return cvt(invocation);
+    case 'partition':
+      return partition(invocation);
+    case 'dual':
+      return dual(invocation);
+    case 'remesh':
+      return remesh(invocation);
+  }
+}
 
-async function info({ mesh: path, values }: Request): Promise<void> {
-  const scale = toScale(values.units);
-  const output = await Output.open(values.output ?? standard);
+/** How sites come to be centroids. */
+type CvtSettings = Pick<Values<'cvt'>, 'method' | 'iterations'>;
+/** Where sites come from. */
+type SiteSource = Pick<Values<'diagram'>, 'sites' | 'sampling' | 'seed'>;
+/** What may be written to standard error. */
+type Notices = Pick<Values<'diagram'>, 'quiet' | 'progress'>;
+
+async function info({ mesh: path, values }: Request<'info'>): Promise<void> {
+  const scale = values.units;
+  const output = await Output.open(values.output);
   const mesh = await openMesh(path);
   const facts = {
     ...mesh.info,
@@ -45,12 +58,11 @@ async function info({ mesh: path, values }: Request): Promise<void> {
   await output.write(values.json ? `${JSON.stringify(json, null, 2)}\n` : meshReport(facts));
 }
 
-async function diagram({ mesh: path, values }: Request): Promise<void> {
-  const scale = toScale(values.units);
+async function diagram({ mesh: path, values }: Request<'diagram'>): Promise<void> {
+  const scale = values.units;
   const encode = toDiagramEncoder(values);
-  const task = toTask(values);
-  const output = await Output.open(values.output ?? standard);
-  const { diagram } = await compute(path, values, task);
+  const output = await Output.open(values.output);
+  const { diagram } = await compute(path, values);
   await output.write(encode(diagram, scale));
 
   const { arcs, voronoiPoints } = diagram.data;
@@ -62,13 +74,11 @@ async function diagram({ mesh: path, values }: Request): Promise<void> {
   );
 }
 
-async function locate({ mesh: path, values }: Request): Promise<void> {
-  if (values.points === undefined) throw new UsageError('--points is missing');
-  const scale = toScale(values.units);
-  const task = toTask(values);
-  const output = await Output.open(values.output ?? standard);
+async function locate({ mesh: path, values }: Request<'locate'>): Promise<void> {
+  const scale = values.units;
+  const output = await Output.open(values.output);
   const points = await readPoints(values.points);
-  const { diagram } = await compute(path, values, task);
+  const { diagram } = await compute(path, values);
   const { label, distance } = await diagram.locate(points);
   await output.write(
     `${JSON.stringify({
@@ -79,13 +89,12 @@ async function locate({ mesh: path, values }: Request): Promise<void> {
   );
 }
 
-async function cvt({ mesh: path, values }: Request): Promise<void> {
-  const scale = toScale(values.units);
-  const { method, iterations, ...source } = toCvtTask(values);
-  const output = await Output.open(values.output ?? standard);
-  const { mesh, sites } = await openWithSites(path, values, source);
+async function cvt({ mesh: path, values }: Request<'cvt'>): Promise<void> {
+  const scale = values.units;
+  const output = await Output.open(values.output);
+  const { mesh, sites } = await openWithSites(path, values);
   const states = await withProgress(values, (onProgress) =>
-    tessellate(mesh, sites, { method, iterations }, onProgress),
+    tessellate(mesh, sites, values, onProgress),
   );
   const energy = states.map((state) => scale ** 4 * state.energy); // area times squared length
   const { iteration, sites: last } = states.at(-1)!;
@@ -99,12 +108,11 @@ async function cvt({ mesh: path, values }: Request): Promise<void> {
   );
 }
 
-async function partition({ mesh: path, values }: Request): Promise<void> {
-  const scale = toScale(values.units);
+async function partition({ mesh: path, values }: Request<'partition'>): Promise<void> {
+  const scale = values.units;
   const encode = toPartitionEncoder(values);
-  const task = toTask(values);
-  const output = await Output.open(values.output ?? standard);
-  const { mesh, diagram } = await compute(path, values, task);
+  const output = await Output.open(values.output);
+  const { mesh, diagram } = await compute(path, values);
   const partition = await diagram.partition({ leaveOutIndifferent: values.holes });
   await output.write(encode({ mesh, sites: diagram.sites, partition }, scale));
   const { components, loops, eulerCharacteristic } = partition.regions;
@@ -119,12 +127,11 @@ async function partition({ mesh: path, values }: Request): Promise<void> {
   );
 }
 
-async function dual({ mesh: path, values }: Request): Promise<void> {
-  const scale = toScale(values.units);
+async function dual({ mesh: path, values }: Request<'dual'>): Promise<void> {
+  const scale = values.units;
   const encode = toPolygonEncoder(values);
-  const task = toTask(values);
-  const output = await Output.open(values.output ?? standard);
-  const { mesh, diagram: given } = await compute(path, values, task);
+  const output = await Output.open(values.output);
+  const { mesh, diagram: given } = await compute(path, values);
   const diagram = values.repair ? await repaired(given, values) : given;
   const polygons = await diagram.dual({ primal: values.primal });
   const violations = await diagram.violations();
@@ -134,13 +141,12 @@ async function dual({ mesh: path, values }: Request): Promise<void> {
     for (const { message } of violations) process.stderr.write(`not valid: ${message}\n`);
 }
 
-async function remesh({ mesh: path, values }: Request): Promise<void> {
-  const scale = toScale(values.units);
+async function remesh({ mesh: path, values }: Request<'remesh'>): Promise<void> {
+  const scale = values.units;
   const encode = toPolygonEncoder(values);
-  const { method, iterations, ...source } = toCvtTask(values);
-  const output = await Output.open(values.output ?? standard);
-  const { mesh, sites } = await openWithSites(path, values, source);
-  const [first, diagram] = await validTessellation(mesh, sites, { method, iterations }, values);
+  const output = await Output.open(values.output);
+  const { mesh, sites } = await openWithSites(path, values);
+  const [first, diagram] = await validTessellation(mesh, sites, values);
   const polygons = await diagram.dual();
   const quality = await diagram.remeshQuality();
   await output.write(encode({ mesh, sites: diagram.sites, polygons, quality }, scale));
@@ -165,14 +171,13 @@ const mostRounds = 3;
 async function validTessellation(
   mesh: Mesh,
   given: SurfacePointsInput,
-  settings: Pick<CvtTask, 'method' | 'iterations'>,
-  values: Values,
+  values: Notices & CvtSettings,
 ): Promise<[number, Diagram]> {
   let sites = given;
   let first: number | undefined;
   for (let round = 1; ; ++round) {
     const diagram = await withProgress(values, async (onProgress) => {
-      const states = await tessellate(mesh, sites, settings, onProgress);
+      const states = await tessellate(mesh, sites, values, onProgress);
       return mesh.voronoi(states.at(-1)!.sites);
     });
     first ??= diagram.sites.face.length;
@@ -182,7 +187,7 @@ async function validTessellation(
   }
 }
 
-function repaired(diagram: Diagram, values: Values): Promise<Diagram> {
+function repaired(diagram: Diagram, values: Notices): Promise<Diagram> {
   return withProgress(values, (onProgress) => diagram.repair({ onProgress }));
 }
 
@@ -202,7 +207,7 @@ function polygonSummary(first: number, diagram: Diagram, { topology }: PolygonMe
 async function tessellate(
   mesh: Mesh,
   sites: SurfacePointsInput,
-  { method, iterations }: Pick<CvtTask, 'method' | 'iterations'>,
+  { method, iterations }: CvtSettings,
   onProgress: (share: number) => void,
 ): Promise<CvtState[]> {
   const states: CvtState[] = [];
@@ -214,8 +219,8 @@ async function tessellate(
 }
 
 /** A line about a result that went to a file. */
-function summarise(output: Output, values: Values, line: string): void {
-  if (output.isFile && !values.quiet) process.stderr.write(`${line}\n`);
+function summarise(output: Output, { quiet }: Notices, line: string): void {
+  if (output.isFile && !quiet) process.stderr.write(`${line}\n`);
 }
 
 async function openMesh(path: string): Promise<Mesh> {
@@ -231,10 +236,10 @@ async function openMesh(path: string): Promise<Mesh> {
 /** The diagram that the options ask for. */
 async function compute(
   path: string,
-  values: Values,
-  { metric, detail, ...source }: DiagramTask,
+  values: Notices & SiteSource & { metric: Metric; detail?: number },
 ): Promise<{ mesh: Mesh; diagram: Diagram }> {
-  const { mesh, sites } = await openWithSites(path, values, source);
+  const { mesh, sites } = await openWithSites(path, values);
+  const { metric, detail } = values;
   const diagram = await withProgress(values, (onProgress) =>
     mesh.voronoi(sites, { metric, detail, onProgress }),
   );
@@ -243,12 +248,11 @@ async function compute(
 
 async function openWithSites(
   path: string,
-  values: Values,
-  { sites, sampling, seed }: SiteSource,
+  { sites, sampling, seed, quiet }: Notices & SiteSource,
 ): Promise<{ mesh: Mesh; sites: SurfacePointsInput }> {
   const given = typeof sites === 'string' ? await readPoints(sites) : undefined;
   const mesh = await openMesh(path);
-  if (!values.quiet) for (const note of mesh.info.notes) process.stderr.write(`note: ${note}\n`);
+  if (!quiet) for (const note of mesh.info.notes) process.stderr.write(`note: ${note}\n`);
   return {
     mesh,
     sites: given ?? (await mesh.sampleSites(sites as number, { sampling, seed })),
@@ -257,11 +261,10 @@ async function openWithSites(
 
 /** Shows how far the work is, where that is wanted. */
 async function withProgress<Result>(
-  values: Values,
+  { quiet, progress }: Notices,
   work: (onProgress: (share: number) => void) => Promise<Result>,
 ): Promise<Result> {
-  const bar =
-    !values.quiet && (values.progress || process.stderr.isTTY) ? new ProgressBar() : undefined;
+  const bar = !quiet && (progress || process.stderr.isTTY) ? new ProgressBar() : undefined;
   try {
     return await work((share) => bar?.update(share));
   } finally {

@@ -4,15 +4,16 @@
 // The command geodesic-voronoi. Exit status: 0 done, 1 bad input, 2 a wrong command line.
 
 import { readFile } from 'node:fs/promises';
-import { run } from './commands.js';
-import { parseCommandLine, UsageError } from './options.js';
+import { execute } from './commands.js';
+import { parseCommandLine } from './options.js';
+import { UsageError } from './values.js';
 
 async function main(args: string[]): Promise<void> {
   const packageFile = new URL('../../package.json', import.meta.url);
   const { version } = JSON.parse(await readFile(packageFile, 'utf8'));
   const invocation = parseCommandLine(args, version);
   if (typeof invocation === 'string') process.stdout.write(invocation);
-  else await run[invocation.command](invocation);
+  else await execute(invocation);
 }
 
 // A reader that has enough, for example head, is no failure of ours.

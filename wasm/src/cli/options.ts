@@ -1,213 +1,182 @@
 // SPDX-License-Identifier: MIT
 //
-// The command line's one table: what can be given, to which command, and what its help says.
+// The command line's one table: what can be given, to which command, what it means, and what the help
+// says of it.
 
 import { parseArgs } from 'node:util';
-
-/** The command line is wrong, not what it names: exit status 2. */
-export class UsageError extends Error {}
+import { cvtMethods, metrics, samplings } from '../core.js';
+import { maxCount, maxDetail } from '../input.js';
+import { partitionLayouts } from '../partition_formats.js';
+import {
+  integer,
+  listed,
+  numberOrPath,
+  oneOf,
+  path,
+  scale,
+  units,
+  UsageError,
+  type Parser,
+} from './values.js';
 
 /** Standard input or output, where a file is asked for. */
 export const standard = '-';
 
+/** One with a value, or a switch. */
 interface OptionSpec {
-  type: 'string' | 'boolean';
   short?: string;
   /** What the help calls its value. */
   value?: string;
+  parse?: Parser<unknown>;
+  /** What counts if it is not given; without this, it has to be. */
+  default?: string;
   help: string;
 }
 
+/** In the order of the help. */
 const options = {
   sites: {
-    type: 'string',
     value: 'N|FILE',
+    parse: numberOrPath(1, maxCount),
     help: 'Number of sites to sample, or a JSON file of them',
   },
-  sampling: {
-    type: 'string',
-    value: 'METHOD',
-    help: 'How to sample N sites: random (the default), farthest, poisson',
-  },
-  seed: {
-    type: 'string',
-    value: 'S',
-    help: 'Seed of the sampling (default 1); the same gives the same sites',
-  },
-  points: { type: 'string', value: 'FILE', help: 'JSON file of the points to locate' },
-  metric: { type: 'string', value: 'METRIC', help: 'dgpc: approximate, fast (the default); exact' },
-  detail: {
-    type: 'string',
+  points: { value: 'FILE', parse: path, help: 'JSON file of the points to locate' },
+  iterations: {
     value: 'N',
-    help: 'Split triangles of several regions in four, N times (default 0)',
+    parse: integer(0, maxCount),
+    default: '50',
+    help: 'How many iterations at most',
   },
-  iterations: { type: 'string', value: 'N', help: 'How many iterations at most (default 50)' },
   method: {
-    type: 'string',
     value: 'METHOD',
-    help: 'lbfgs: quasi-Newton, converges faster (the default); lloyd',
+    parse: oneOf(cvtMethods),
+    default: 'lbfgs',
+    help: 'lbfgs: quasi-Newton, converges faster; lloyd',
   },
   layout: {
-    type: 'string',
     value: 'LAYOUT',
-    help: 'Of a .glb: regions: a node with a primitive for each (the default); features: one mesh with region ids (EXT_mesh_features)',
+    parse: oneOf(partitionLayouts),
+    default: 'regions',
+    help: 'Of a .glb: regions: a node with a primitive for each; features: one mesh with region ids (EXT_mesh_features)',
   },
   holes: {
-    type: 'boolean',
     help: 'Leave holes where regions tie on whole triangles, instead of giving these to the lowest; with --metric exact',
   },
-  repair: { type: 'boolean', help: 'Add sites until the dual is valid' },
-  primal: { type: 'boolean', help: 'The regions as polygons, instead of the dual' },
+  repair: { help: 'Add sites until the dual is valid' },
+  primal: { help: 'The regions as polygons, instead of the dual' },
+  sampling: {
+    value: 'METHOD',
+    parse: oneOf(samplings),
+    default: 'random',
+    help: `How to sample N sites: ${listed(samplings)}`,
+  },
+  seed: {
+    value: 'S',
+    parse: integer(0),
+    default: '1',
+    help: 'Seed of the sampling; the same gives the same sites',
+  },
+  metric: {
+    value: 'METRIC',
+    parse: oneOf(metrics),
+    default: 'dgpc',
+    help: 'dgpc: approximate, fast; exact',
+  },
+  detail: {
+    value: 'N',
+    parse: integer(0, maxDetail),
+    default: '0',
+    help: 'Split triangles of several regions in four, N times',
+  },
   units: {
-    type: 'string',
     value: 'UNIT|FACTOR',
-    help: 'Unit of lengths in the output, of a model in metres as glTF has it: m (the default), cm, mm, km, in, ft; or the factor to multiply with',
+    parse: scale,
+    default: 'm',
+    help: `Unit of lengths in the output, of a model in metres as glTF has it: ${listed(units)}; or the factor to multiply with`,
   },
   output: {
-    type: 'string',
     short: 'o',
     value: 'FILE',
-    help: 'Where to write, - for standard output (the default)',
+    parse: path,
+    default: standard,
+    help: 'Where to write, - for standard output',
   },
-  json: { type: 'boolean', help: 'Write JSON, whatever FILE is called' },
-  progress: { type: 'boolean', help: 'Show progress even if standard error is no terminal' },
-  quiet: { type: 'boolean', short: 'q', help: 'Write nothing to standard error but errors' },
-  help: { type: 'boolean', short: 'h', help: 'Show this help' },
+  json: { help: 'Write JSON, whatever FILE is called' },
+  progress: { help: 'Show progress even if standard error is no terminal' },
+  quiet: { short: 'q', help: 'Write nothing to standard error but errors' },
+  help: { short: 'h', help: 'Show this help' },
 } as const satisfies Record<string, OptionSpec>;
 
 type OptionName = keyof typeof options;
-export type Values = {
-  [Name in OptionName]?: (typeof options)[Name]['type'] extends 'string' ? string : boolean;
+
+/** What all options mean, given or not. */
+type AllValues = {
+  [Name in OptionName]: (typeof options)[Name] extends { parse: Parser<infer Value> }
+    ? Value
+    : boolean;
 };
+
+const ofSites = ['sites', 'sampling', 'seed'] as const;
+const ofOutput = ['units', 'output', 'json', 'quiet', 'help'] as const;
 
 interface CommandSpec {
   summary: string;
   /** What -o writes, for the help. */
   result: string;
-  options: OptionName[];
+  options: readonly OptionName[];
 }
 
 export const commands = {
   info: {
     summary: 'Counts, topology, measures and repairs of a mesh',
     result: 'Text for people; with --json an object.',
-    options: ['json', 'units', 'output', 'quiet', 'help'],
+    options: ofOutput,
   },
   diagram: {
     summary: 'The geodesic Voronoi diagram of sites on a mesh',
     result: `By FILE's ending: .json (regions, bisectors, Voronoi points), .obj or .glb (the bisectors as lines).`,
-    options: [
-      'sites',
-      'sampling',
-      'seed',
-      'metric',
-      'detail',
-      'units',
-      'output',
-      'json',
-      'progress',
-      'quiet',
-      'help',
-    ],
+    options: [...ofSites, 'metric', 'detail', 'progress', ...ofOutput],
   },
   locate: {
     summary: 'The nearest site of points on a mesh, and its distance',
     result: '{"label": […], "distance": […]}; -1 and null for a point that no site reaches.',
-    options: [
-      'sites',
-      'points',
-      'sampling',
-      'seed',
-      'metric',
-      'units',
-      'output',
-      'json',
-      'progress',
-      'quiet',
-      'help',
-    ],
+    options: [...ofSites, 'points', 'metric', 'progress', ...ofOutput],
   },
   cvt: {
     summary: 'Sites at the centroids of their regions: a centroidal Voronoi tessellation',
     result:
       '{"face": […], "bary": […], "energy": […]}: the sites, and the energy of the first ones and after each iteration.',
-    options: [
-      'sites',
-      'iterations',
-      'method',
-      'sampling',
-      'seed',
-      'units',
-      'output',
-      'json',
-      'progress',
-      'quiet',
-      'help',
-    ],
+    options: [...ofSites, 'iterations', 'method', 'progress', ...ofOutput],
   },
   partition: {
     summary: 'The mesh cut into the regions of sites, watertight where it was',
     result: `By FILE's ending: .glb, .obj (a group per region), .ply (a label per face), .json (triangles, and facts of each region).`,
-    options: [
-      'sites',
-      'layout',
-      'holes',
-      'sampling',
-      'seed',
-      'metric',
-      'detail',
-      'units',
-      'output',
-      'json',
-      'progress',
-      'quiet',
-      'help',
-    ],
+    options: [...ofSites, 'layout', 'holes', 'metric', 'detail', 'progress', ...ofOutput],
   },
   dual: {
     summary: 'The polygonal base mesh of sites: a vertex each, a polygon per Voronoi point',
     result: `By FILE's ending: .obj or .ply (polygons), .glb (triangles), .json (polygons, sites, and what is wrong with the dual).`,
-    options: [
-      'sites',
-      'repair',
-      'primal',
-      'sampling',
-      'seed',
-      'metric',
-      'units',
-      'output',
-      'json',
-      'progress',
-      'quiet',
-      'help',
-    ],
+    options: [...ofSites, 'repair', 'primal', 'metric', 'progress', ...ofOutput],
   },
   remesh: {
     summary: 'An isotropic remesh: the valid dual of a centroidal tessellation',
     result: `By FILE's ending: .obj or .ply (polygons), .glb (triangles), .json (polygons, sites and quality). Sites may be added until it is valid.`,
-    options: [
-      'sites',
-      'iterations',
-      'method',
-      'sampling',
-      'seed',
-      'units',
-      'output',
-      'json',
-      'progress',
-      'quiet',
-      'help',
-    ],
+    options: [...ofSites, 'iterations', 'method', 'progress', ...ofOutput],
   },
 } as const satisfies Record<string, CommandSpec>;
 
 export type CommandName = keyof typeof commands;
 
-export interface Invocation {
-  command: CommandName;
-  mesh: string;
-  values: Values;
-}
+/** What the options of a command mean. */
+export type Values<Command extends CommandName = CommandName> = Pick<
+  AllValues,
+  (typeof commands)[Command]['options'][number]
+>;
+
+/** What to do: each command with a mesh and the values of its own options. */
+export type Invocation = {
+  [Command in CommandName]: { command: Command; mesh: string; values: Values<Command> };
+}[CommandName];
 
 /** Takes a command line apart. A text is what to print instead of doing anything. */
 export function parseCommandLine(args: string[], version: string): Invocation | string {
@@ -219,8 +188,8 @@ export function parseCommandLine(args: string[], version: string): Invocation | 
   if (!isCommand(command))
     throw new UsageError(`'${command}' is not one of ${listed(Object.keys(commands))}`);
 
-  const { values, positionals } = parseOptions(command, rest);
-  if (values.help) return commandHelp(command);
+  const { texts, positionals } = parseOptions(command, rest);
+  if (texts.help) return commandHelp(command);
   if (positionals.length !== 1) {
     throw new UsageError(
       positionals.length === 0
@@ -229,19 +198,31 @@ export function parseCommandLine(args: string[], version: string): Invocation | 
     );
   }
   const [mesh] = positionals;
-  if ([mesh, values.sites, values.points].filter((path) => path === standard).length > 1) {
+  if ([mesh, texts.sites, texts.points].filter((path) => path === standard).length > 1) {
     throw new UsageError('only one file can be standard input');
   }
-  return { command, mesh, values };
+  const values = commands[command].options.map((name) => [name, valueOf(name, texts[name])]);
+  return { command, mesh, values: Object.fromEntries(values) } as Invocation;
 }
+
+/** Options as they are given. */
+type Texts = { [Name in OptionName]?: string | boolean };
 
 function parseOptions(
   command: CommandName,
   args: string[],
-): { values: Values; positionals: string[] } {
-  const known = Object.fromEntries(commands[command].options.map((name) => [name, options[name]]));
+): { texts: Texts; positionals: string[] } {
+  const known = commands[command].options.map((name) => {
+    const { short, value }: OptionSpec = options[name];
+    return [name, { type: value ? 'string' : 'boolean', ...(short && { short }) }] as const;
+  });
   try {
-    return parseArgs({ args, options: known, allowPositionals: true });
+    const { values, positionals } = parseArgs({
+      args,
+      options: Object.fromEntries(known),
+      allowPositionals: true,
+    });
+    return { texts: values as Texts, positionals };
   } catch (error) {
     if (!(error instanceof TypeError)) throw error;
     // Node's hint about '--' that follows the first sentence only confuses here.
@@ -249,8 +230,12 @@ function parseOptions(
   }
 }
 
-export function listed(names: readonly string[]): string {
-  return names.join(', ');
+function valueOf(name: OptionName, given: string | boolean | undefined): unknown {
+  const { parse, default: usual }: OptionSpec = options[name];
+  if (!parse) return given === true;
+  const text = given ?? usual;
+  if (typeof text !== 'string') throw new UsageError(`--${name} is missing`);
+  return parse(text, `--${name}`);
 }
 
 function isCommand(name: string): name is CommandName {
@@ -275,11 +260,17 @@ Exit status: 0 done, 1 bad input, 2 a wrong command line.
 }
 
 function commandHelp(command: CommandName): string {
-  const { summary, result, options: names } = commands[command];
-  const rows = names.map((name): [string, string] => {
-    const { short, value, help }: OptionSpec = options[name];
-    return [`${short ? `-${short}, ` : '    '}--${name}${value ? ` ${value}` : ''}`, help];
-  });
+  const { summary, result, options: taken }: CommandSpec = commands[command];
+  const names = Object.keys(options) as OptionName[];
+  const rows = names
+    .filter((name) => taken.includes(name))
+    .map((name): [string, string] => {
+      const { short, value, default: usual, help }: OptionSpec = options[name];
+      return [
+        `${short ? `-${short}, ` : '    '}--${name}${value ? ` ${value}` : ''}`,
+        usual === undefined ? help : `${help} (default: ${usual})`,
+      ];
+    });
   return `${summary}
 
 Usage: geodesic-voronoi ${command} MESH [OPTIONS]

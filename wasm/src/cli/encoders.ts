@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+//
+// Files of the results, by the ending of the output.
+
+import { extname } from 'node:path';
+import { diagramGlb, diagramJson, diagramObj, pointsJson } from '../formats.js';
+import { partitionGlb, partitionJson, partitionObj, partitionPly } from '../partition_formats.js';
+import { polygonGlb, polygonJson, polygonObj, polygonPly } from '../polygon_formats.js';
+import type {
+  Diagram,
+  Mesh,
+  Partition,
+  PolygonMesh,
+  RemeshQuality,
+  SurfacePoints,
+  Violation,
+} from '../types.js';
+import { standard, type Values } from './options.js';
+import { listed, UsageError } from './values.js';
+
+/** Where the result goes, and whether it is JSON whatever that is called. */
+type Target = Pick<Values, 'output' | 'json'>;
+
+/** Makes a file of a result; `scale` is the output's unit. */
+type Encoder<Result> = (result: Result, scale: number) => string | Uint8Array;
+/** By the endings of files. */
+type Encoders<Result> = Record<string, Encoder<Result>>;
+
+/** The encoder that the ending of the output asks for; of standard output, JSON. */
+function encoderOf<Result>(
+  encoders: Encoders<Result>,
+  { output, json }: Target,
+): Encoder<Result> {
+  if (json || output === standard) return encoders['.json'];
+  const ending = extname(output).toLowerCase();
+  if (Object.hasOwn(encoders, ending)) return encoders[ending];
+  throw new UsageError(`the ending of '${output}' is not one of ${listed(Object.keys(encoders))}`);
+}
+
+const text = (json: object): string => `${JSON.stringify(json)}\n`;
+
+export function toDiagramEncoder(target: Target): Encoder<Diagram> {
+  return encoderOf(
+    {
+      '.json': (diagram, scale) => text(diagramJson(diagram, scale)),
+      '.obj': ({ data }, scale) => diagramObj(data, scale),
+      '.glb': ({ data }, scale) => diagramGlb(data, scale),
+    },
+    target,
+  );
+}
+
+interface PartitionResult {
+  mesh: Mesh;
+  sites: SurfacePoints;
+  partition: Partition;
+}
+
+export function toPartitionEncoder(target: Values<'partition'>): Encoder<PartitionResult> {
+  const { layout } = target;
+  return encoderOf(
+    {
+      '.json': ({ partition, sites }, scale) => text(partitionJson(partition, sites, scale)),
+      '.glb': ({ partition, mesh }, scale) => partitionGlb(partition, { layout, mesh, scale }),
+      '.obj': ({ partition, mesh }, scale) => partitionObj(partition, { mesh, scale }),
+      '.ply': ({ partition, mesh }, scale) => partitionPly(partition, { mesh, scale }),
+    },
+    target,
+  );
+}
+
+interface PolygonResult {
+  mesh: Mesh;
+  sites: SurfacePoints;
+  polygons: PolygonMesh;
+  violations?: Violation[];
+  quality?: RemeshQuality;
+}
+
+export function toPolygonEncoder(target: Target): Encoder<PolygonResult> {
+  return encoderOf(
+    {
+      '.json': ({ sites, polygons, violations, quality }, scale) =>
+        text({
+          sites: pointsJson(sites),
+          ...polygonJson(polygons, scale),
+          ...(violations && { violations }),
+          ...(quality && { quality: { ...quality, hausdorff: scale * quality.hausdorff } }),
+        }),
+      '.obj': ({ polygons, mesh }, scale) => polygonObj(polygons, { mesh, scale }),
+      '.ply': ({ polygons, mesh }, scale) => polygonPly(polygons, { mesh, scale }),
+      '.glb': ({ polygons, mesh }, scale) => polygonGlb(polygons, { mesh, scale }),
+    },
+    target,
+  );
+}
