@@ -46,10 +46,10 @@ struct VoronoiHandle {
   std::vector<SurfacePoint> sites;
   Metric metric;
   DiagramOptions options;
-  std::unique_ptr<Propagation> propagation;  // until it is done
-  std::unique_ptr<DistanceField> distances;  // from then on
-  std::optional<Diagram> diagram;            // once it is traced
-  std::unique_ptr<DynamicDiagram> dynamic;   // instead, once sites have changed
+  std::unique_ptr<Propagation> propagation;        // until it is done
+  std::shared_ptr<const DistanceField> distances;  // from then on
+  std::optional<Diagram> diagram;                  // once it is traced
+  std::unique_ptr<DynamicDiagram> dynamic;         // instead, once sites have changed
 
   const DistanceField& field() const { return dynamic ? dynamic->distances() : *distances; }
 };
@@ -58,6 +58,7 @@ static_assert(std::is_standard_layout_v<VoronoiHandle>);
 /// A centroidal tessellation under way. Its address is that of a `MeshHandle` as well.
 struct CvtHandle {
   MeshHandle surface;
+  Metric metric;
   std::unique_ptr<Cvt> cvt;
 };
 static_assert(std::is_standard_layout_v<CvtHandle>);
@@ -575,15 +576,16 @@ GVD_ABI Arrays* locate(const VoronoiHandle* voronoi, const int* face, const doub
 
 GVD_ABI void freeVoronoi(VoronoiHandle* voronoi) { delete voronoi; }
 
-/// `method` is a `CvtMethod`; `density` is one value per input vertex, or none.
+/// `method` is a `CvtMethod`, `metric` a `Metric`; `density` is one value per input vertex, or none.
 GVD_ABI CvtHandle* startCvt(const MeshHandle* handle, const int* face, const double* bary,
-                            std::size_t count, int method, int iterations, double energyTolerance,
-                            double moveTolerance, const double* density, std::size_t densityCount,
-                            const int* fixed, std::size_t fixedCount) {
+                            std::size_t count, int method, int metric, int iterations,
+                            double energyTolerance, double moveTolerance, const double* density,
+                            std::size_t densityCount, const int* fixed, std::size_t fixedCount) {
   return guarded([&] {
     const TriangleMesh& mesh = *handle->mesh;
     CvtOptions options;
     options.method = static_cast<CvtMethod>(method);
+    options.metric = static_cast<Metric>(metric);
     options.iterations = iterations;
     options.energyTolerance = energyTolerance;
     options.moveTolerance = moveTolerance;
@@ -592,6 +594,7 @@ GVD_ABI CvtHandle* startCvt(const MeshHandle* handle, const int* face, const dou
     const std::vector<SurfacePoint> sites = sitesFromInput(mesh, face, bary, count);
     auto cvt = std::make_unique<CvtHandle>();
     cvt->surface = *handle;
+    cvt->metric = options.metric;
     cvt->cvt = std::make_unique<Cvt>(mesh, sites, std::move(options));
     return cvt.release();
   });
@@ -618,6 +621,20 @@ GVD_ABI Arrays* cvtIteration(const CvtHandle* cvt) {
 /// The diagram of the last iteration, see `flatten`.
 GVD_ABI Arrays* cvtDiagram(const CvtHandle* cvt) {
   return guarded([&] { return flatten(*cvt->surface.mesh, cvt->cvt->diagram()).release(); });
+}
+
+/// The same diagram as an object, for what `traceVoronoi` is needed for otherwise.
+GVD_ABI VoronoiHandle* cvtVoronoi(const CvtHandle* handle) {
+  return guarded([&] {
+    const Cvt& cvt = *handle->cvt;
+    auto voronoi = std::make_unique<VoronoiHandle>();
+    voronoi->surface = handle->surface;
+    voronoi->sites.assign(cvt.sites().begin(), cvt.sites().end());
+    voronoi->metric = handle->metric;
+    voronoi->distances = cvt.distances();
+    voronoi->diagram = cvt.diagram();
+    return voronoi.release();
+  });
 }
 
 GVD_ABI void freeCvt(CvtHandle* cvt) { delete cvt; }

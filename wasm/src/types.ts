@@ -258,6 +258,8 @@ export interface RepairOptions extends TaskOptions {
 export interface CvtOptions {
   /** Default 'lbfgs'. */
   method?: CvtMethod;
+  /** Of the distances; default 'dgpc'. */
+  metric?: Metric;
   /** At most; default 50. */
   iterations?: number;
   /** Ends when an iteration lowers the energy by no more than this share. Default 0. */
@@ -270,6 +272,8 @@ export interface CvtOptions {
   fixedSites?: ArrayLike<number>;
   /** Whether every state comes with the arrays of its diagram. Default false. */
   data?: boolean;
+  /** Whether every state comes with its diagram, to be asked and changed. Default false. */
+  diagrams?: boolean;
   /** Aborting ends the iteration with the signal's reason. */
   signal?: AbortSignal;
 }
@@ -283,8 +287,10 @@ export interface CvtState {
   /** How far the site that has moved furthest in this iteration has. */
   largestMove: number;
   sites: SurfacePoints;
-  /** The diagram of these sites, if asked for. */
+  /** The arrays of the diagram of these sites, if these or the diagram were asked for. */
   data?: DiagramData;
+  /** The diagram of these sites, if asked for. It is yours: it stays when the next one comes. */
+  diagram?: Diagram;
 }
 
 /** Bytes of the files that a `.gltf` names, by the URI it uses (`gltfResourceUris` lists them). */

@@ -81,11 +81,11 @@ async function locate({ mesh: path, values }: Request): Promise<void> {
 
 async function cvt({ mesh: path, values }: Request): Promise<void> {
   const scale = toScale(values.units);
-  const { method, iterations, ...source } = toCvtTask(values);
+  const task = toCvtTask(values);
   const output = await Output.open(values.output ?? standard);
-  const { mesh, sites } = await openWithSites(path, values, source);
+  const { mesh, sites } = await openWithSites(path, values, task);
   const states = await withProgress(values, (onProgress) =>
-    tessellate(mesh, sites, { method, iterations }, onProgress),
+    tessellate(mesh, sites, task, onProgress),
   );
   const energy = states.map((state) => scale ** 4 * state.energy); // area times squared length
   const { iteration, sites: last } = states.at(-1)!;
@@ -137,10 +137,10 @@ async function dual({ mesh: path, values }: Request): Promise<void> {
 async function remesh({ mesh: path, values }: Request): Promise<void> {
   const scale = toScale(values.units);
   const encode = toPolygonEncoder(values);
-  const { method, iterations, ...source } = toCvtTask(values);
+  const task = toCvtTask(values);
   const output = await Output.open(values.output ?? standard);
-  const { mesh, sites } = await openWithSites(path, values, source);
-  const [first, diagram] = await validTessellation(mesh, sites, { method, iterations }, values);
+  const { mesh, sites } = await openWithSites(path, values, task);
+  const [first, diagram] = await validTessellation(mesh, sites, task, values);
   const polygons = await diagram.dual();
   const quality = await diagram.remeshQuality();
   await output.write(encode({ mesh, sites: diagram.sites, polygons, quality }, scale));
@@ -165,15 +165,15 @@ const mostRounds = 3;
 async function validTessellation(
   mesh: Mesh,
   given: SurfacePointsInput,
-  settings: Pick<CvtTask, 'method' | 'iterations'>,
+  task: CvtTask,
   values: Values,
 ): Promise<[number, Diagram]> {
   let sites = given;
   let first: number | undefined;
   for (let round = 1; ; ++round) {
     const diagram = await withProgress(values, async (onProgress) => {
-      const states = await tessellate(mesh, sites, settings, onProgress);
-      return mesh.voronoi(states.at(-1)!.sites);
+      const states = await tessellate(mesh, sites, task, onProgress);
+      return mesh.voronoi(states.at(-1)!.sites, { metric: task.metric });
     });
     first ??= diagram.sites.face.length;
     const valid = await repaired(diagram, values);
@@ -202,11 +202,11 @@ function polygonSummary(first: number, diagram: Diagram, { topology }: PolygonMe
 async function tessellate(
   mesh: Mesh,
   sites: SurfacePointsInput,
-  { method, iterations }: Pick<CvtTask, 'method' | 'iterations'>,
+  { method, metric, iterations }: CvtTask,
   onProgress: (share: number) => void,
 ): Promise<CvtState[]> {
   const states: CvtState[] = [];
-  for await (const state of mesh.cvt(sites, { method, iterations })) {
+  for await (const state of mesh.cvt(sites, { method, metric, iterations })) {
     states.push(state);
     onProgress(iterations > 0 ? state.iteration / iterations : 1);
   }

@@ -43,6 +43,7 @@ export interface DiagramTask extends SiteSource {
 
 export interface CvtTask extends SiteSource {
   method: CvtMethod;
+  metric: Metric;
   iterations: number;
 }
 
@@ -65,10 +66,11 @@ export function toTask(values: Values): DiagramTask {
 }
 
 export function toCvtTask(values: Values): CvtTask {
-  const { method = 'lbfgs', iterations = '50' } = values;
+  const { method = 'lbfgs', metric = 'dgpc', iterations = '50' } = values;
   return {
     ...toSiteSource(values),
     method: toOneOf('--method', method, cvtMethods),
+    metric: toOneOf('--metric', metric, metrics),
     iterations: toInteger('--iterations', iterations, 0, maxCount),
   };
 }
