@@ -347,11 +347,12 @@ suite('the page', () => {
     assert.equal(await changedSince(picture), 0);
   });
 
-  test('a viewer that is taken out ends its worker, and starts anew when it returns', async () => {
-    assert.equal(viewer.page.workers().length, 1);
-    const [worker] = viewer.page.workers();
+  test('a viewer that is taken out ends its workers, and starts anew when it returns', async () => {
+    // One for diagrams, one for how they are drawn.
+    const workers = viewer.page.workers();
+    assert.equal(workers.length, 2);
     await Promise.all([
-      worker.waitForEvent('close'),
+      ...workers.map((worker) => worker.waitForEvent('close')),
       viewer.evaluate((viewer) => {
         window.taken = viewer;
         viewer.remove();
@@ -360,7 +361,7 @@ suite('the page', () => {
     await viewer.page.evaluate(() => document.querySelector('#view').append(window.taken));
     await viewer.settled();
     assert.equal(await viewer.regionCount(), 60);
-    assert.equal(viewer.page.workers().length, 1);
+    assert.equal(viewer.page.workers().length, 2);
   });
 });
 

@@ -2,7 +2,11 @@
 import type { DiagramData } from 'geodesic-voronoi';
 import type { SceneMesh } from './scene_mesh.js';
 
-type Cells = Pick<DiagramData, 'cells' | 'points'>;
+/** As much of a diagram as is cut. */
+export interface Cells {
+  cells: DiagramData['cells'];
+  points: Pick<DiagramData['points'], 'position'>;
+}
 
 /** The parts of shared faces, cut into triangles. */
 export interface CellTriangles {

@@ -5,7 +5,6 @@
 import type {
   CvtMethod,
   Diagram,
-  DiagramChange,
   DiagramData,
   Mesh,
   MeshInfo,
@@ -18,6 +17,7 @@ import type {
   Violation,
 } from 'geodesic-voronoi';
 import { Vector2 } from 'three';
+import { CellBuilder } from './cell_builder.js';
 import { type Command, commandOf } from './commands.js';
 import type { CvtSettings } from './cvt_run.js';
 import { type Brush, DensityPaint } from './density_paint.js';
@@ -33,6 +33,7 @@ import { PointerGestures } from './pointer_gestures.js';
 import { SceneMesh } from './scene_mesh.js';
 import {
   type CvtStatus,
+  type Drawable,
   type Scattering,
   Session,
   type ShownDiagram,
@@ -113,6 +114,14 @@ interface Connected {
   resizing: ResizeObserver;
 }
 
+/** What is there for every model. */
+interface Model {
+  drawing: ModelDrawing;
+  picker: Picker;
+  paint: DensityPaint;
+  cells: CellBuilder;
+}
+
 /** As it was when it last came to rest. */
 interface Density {
   perVertex: Float64Array;
@@ -149,7 +158,7 @@ export class GeodesicVoronoiElement extends Base {
   ];
 
   #connected: Connected | undefined;
-  #model: { drawing: ModelDrawing; picker: Picker; paint: DensityPaint } | undefined;
+  #model: Model | undefined;
   #density: Density | undefined;
   #selected: number | undefined;
   readonly #changedAttributes = new Set<string>();
@@ -274,8 +283,8 @@ export class GeodesicVoronoiElement extends Base {
   }
 
   /**
-   * The diagram that is shown; it changes with the next `diagram` event. There is none without sites
-   * and while iterations of a centroidal tessellation are shown.
+   * The diagram that is shown; it changes with the next `diagram` or `cvt-iteration` event, and is then
+   * disposed of. There is none without sites.
    */
   get diagram(): Diagram | undefined {
     return this.#session?.shown?.diagram;
@@ -485,18 +494,23 @@ export class GeodesicVoronoiElement extends Base {
       leave: () => this.#connected?.hover.moveTo(undefined),
     });
     const stage = new Stage(canvas);
-    const session = new Session({
+    const cut = async (data: DiagramData) => this.#model?.cells.build(data);
+    const session = new Session(cut, {
       modelChanged: (mesh, name) => {
-        this.#showModel(new SceneMesh(mesh));
+        this.#showModel(mesh);
         this.#emit('load', { name, info: mesh.info, parts: mesh.parts });
       },
       sitesChanged: () => this.#showSites(),
-      diagramChanged: (shown, milliseconds, change) => {
-        this.#showDiagram(shown, change);
+      diagramChanged: (shown, milliseconds, how) => {
+        this.#showDiagram(shown, how);
         this.#tellDiagram(shown, milliseconds);
       },
-      cvtIterated: (shown, { iteration, energy, largestMove }) => {
-        this.#showDiagram(shown);
+      cvtRested: (shown, milliseconds) => {
+        this.#derive();
+        this.#tellDiagram(shown, milliseconds);
+      },
+      cvtIterated: (shown, { iteration, energy, largestMove }, how) => {
+        this.#showDiagram(shown, how);
         const least = shown.summary && hexagonEnergy(shown.summary, this.#density?.rootIntegral);
         const relativeEnergy = energy / (least ?? NaN);
         this.#emit('cvt-iteration', { iteration, energy, relativeEnergy, largestMove });
@@ -536,6 +550,7 @@ export class GeodesicVoronoiElement extends Base {
     session.dispose();
     resizing.disconnect();
     this.#model?.drawing.dispose();
+    this.#model?.cells.dispose();
     this.#model = undefined;
     stage.dispose();
     this.shadowRoot?.replaceChildren();
@@ -589,18 +604,22 @@ export class GeodesicVoronoiElement extends Base {
     this.#connected?.stage.invalidate();
   }
 
-  #showModel(mesh: SceneMesh): void {
+  #showModel(model: Mesh): void {
     const { stage, gestures, hover } = this.#required();
     gestures.cancel();
     hover.moveTo(undefined);
     if (this.#model) {
       stage.remove(this.#model.drawing.object);
       this.#model.drawing.dispose();
+      this.#model.cells.dispose();
     }
+    const cells = new CellBuilder(model);
+    const mesh = new SceneMesh(model);
     this.#model = {
       drawing: new ModelDrawing(mesh),
       picker: new Picker(mesh),
       paint: new DensityPaint(mesh),
+      cells,
     };
     this.#adoptDensity();
     stage.add(this.#model.drawing.object);
@@ -617,9 +636,9 @@ export class GeodesicVoronoiElement extends Base {
     this.#derive();
   }
 
-  /** Asks for what is shown of the diagram besides itself. */
+  /** Asks for what is shown of the diagram besides itself; not for that of every iteration. */
   #derive(): void {
-    const shown = this.#session?.shown;
+    const shown = this.cvtStatus === 'running' ? undefined : this.#session?.shown;
     void this.#dual.update(this.layers.includes('dual') ? shown : undefined);
     void this.#parts.update(this.exploded > 0 ? shown : undefined);
   }
@@ -661,10 +680,10 @@ export class GeodesicVoronoiElement extends Base {
     });
   }
 
-  #showDiagram(shown: ShownDiagram, change?: DiagramChange): void {
+  #showDiagram(shown: ShownDiagram, { change, cells }: Drawable): void {
     const drawn = drawnDiagram(shown);
     if (drawn && change) this.#model?.drawing.changeDiagram(change, drawn);
-    else this.#model?.drawing.setDiagram(drawn);
+    else this.#model?.drawing.setDiagram(drawn, cells);
     this.#draw();
     this.#connected?.hover.refresh();
     this.#derive();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 import type { DiagramChange, DiagramData, Partition, PolygonMesh } from 'geodesic-voronoi';
 import { Group, type LineSegments, Vector3 } from 'three';
+import type { CellTriangles } from './cell_triangles.js';
 import { type DiagramSummary, labelsAround } from './diagram_summary.js';
 import { ExplodedParts } from './exploded_parts.js';
 import { drapedSides, FatLines, outlineEnds, pointPlaces, wireframe } from './lines.js';
@@ -106,12 +107,13 @@ export class ModelDrawing {
     this.#showBisectors();
   }
 
-  setDiagram(diagram: DrawnDiagram | undefined): void {
+  /** `cells` are the diagram's if they have been cut already. */
+  setDiagram(diagram: DrawnDiagram | undefined, cells?: CellTriangles): void {
     const data = diagram?.data;
     this.#tones = diagram
       ? this.#colours.assign(diagram.summary, diagram.siteIds)
       : new Uint16Array();
-    this.#surface.setDiagram(diagram && toned(diagram, this.#tones));
+    this.#surface.setDiagram(diagram && toned(diagram, this.#tones), cells);
     this.#replaceLines(undefined, data);
     this.#loops = data;
     this.#outlines.clear();

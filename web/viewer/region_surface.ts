@@ -9,7 +9,7 @@ import {
   Mesh,
   MeshLambertMaterial,
 } from 'three';
-import { cellTriangles } from './cell_triangles.js';
+import { type Cells, type CellTriangles, cellTriangles } from './cell_triangles.js';
 import { type KeyTest, RecordBuffer, uploadAll, uploadRecords, wholeScene } from './record_buffer.js';
 import { toneColour } from './region_colours.js';
 import type { SceneMesh } from './scene_mesh.js';
@@ -27,6 +27,12 @@ const tintOpacity = 0.75;
 const shared = -2;
 const unreachable = -1;
 const dropped = -3;
+
+const noCells: CellTriangles = {
+  keys: new Int32Array(),
+  position: new Float32Array(),
+  normal: new Float32Array(),
+};
 
 /** A diagram to be drawn, with a tone per label; `data` is read only to draw all of it. */
 export interface TonedDiagram {
@@ -89,8 +95,11 @@ export class RegionSurface {
     this.#drawAll();
   }
 
-  /** Without a diagram the surface is neutral. Of the faces, those that have not changed stay as they are. */
-  setDiagram(diagram: TonedDiagram | undefined): void {
+  /**
+   * Without a diagram the surface is neutral. Of the faces, those that have not changed stay as they are;
+   * `cells` are the diagram's if they have been cut already.
+   */
+  setDiagram(diagram: TonedDiagram | undefined, cells?: CellTriangles): void {
     const before = this.#diagram?.tones;
     this.#diagram = diagram;
     if (!this.#filled) return;
@@ -105,7 +114,7 @@ export class RegionSurface {
     const colours = new LabelColours(diagram?.tones);
     for (const face of faces) this.#writeFace(face, faceLabel ? faceLabel[face] : dropped, colours);
     this.#uploadFaces(faces);
-    this.#replaceParts(undefined, diagram?.data, colours);
+    this.#replaceParts(undefined, cells ?? this.#cut(diagram?.data), colours);
   }
 
   /** What the diagram has become by a change. */
@@ -120,7 +129,7 @@ export class RegionSurface {
       this.#writeFace(faces[i], part.faceLabel[i], colours);
     }
     this.#uploadFaces(faces);
-    this.#replaceParts((keys, at) => isChanged[keys[at]] > 0, part, colours);
+    this.#replaceParts((keys, at) => isChanged[keys[at]] > 0, this.#cut(part), colours);
     const isRecoloured = recoloured(before, diagram.tones);
     if (isRecoloured.includes(1)) this.#recolour(isRecoloured, colours);
   }
@@ -147,7 +156,7 @@ export class RegionSurface {
     }
     uploadAll(this.#colour);
     uploadAll(this.#corners);
-    this.#replaceParts(undefined, data, colours);
+    this.#replaceParts(undefined, this.#cut(data), colours);
   }
 
   /** What has not changed of regions that have another colour; they are marked by label. */
@@ -187,11 +196,17 @@ export class RegionSurface {
     uploadRecords(this.#colour, faces, 9);
   }
 
+  #cut(part: Cells | undefined): CellTriangles | undefined {
+    return part && cellTriangles(this.#mesh, part);
+  }
+
   /** Others instead of those that are gone; of all if that is not given. */
-  #replaceParts(isGone: KeyTest | undefined, part: Cells | undefined, colours: LabelColours): void {
-    const { keys, position, normal } = part
-      ? cellTriangles(this.#mesh, part)
-      : { keys: new Int32Array(), position: [], normal: [] };
+  #replaceParts(
+    isGone: KeyTest | undefined,
+    cells: CellTriangles | undefined,
+    colours: LabelColours,
+  ): void {
+    const { keys, position, normal } = cells ?? noCells;
     const colour = new Uint8Array(position.length);
     for (let triangle = 0; triangle < keys.length / 2; ++triangle) {
       this.#writeColours(keys, triangle, position, colours, colour, 9 * triangle);
@@ -302,5 +317,3 @@ function wholeFaceGeometry(mesh: SceneMesh): BufferGeometry {
   geometry.setIndex(new BufferAttribute(new Uint32Array(indices.length), 1));
   return geometry;
 }
-
-type Cells = Pick<DiagramData, 'cells' | 'points'>;

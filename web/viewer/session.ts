@@ -12,7 +12,8 @@ import {
   type Sampling,
   type SurfacePointsInput,
 } from 'geodesic-voronoi';
-import { CvtRun, type CvtSettings } from './cvt_run.js';
+import type { CellTriangles } from './cell_triangles.js';
+import { type CvtPicture, CvtRun, type CvtSettings } from './cvt_run.js';
 import { DiagramSummary } from './diagram_summary.js';
 import { LatestTask } from './latest_task.js';
 import type { ModelFiles } from './model_files.js';
@@ -46,18 +47,26 @@ export interface ShownDiagram extends DiagramSettings {
   summary: DiagramSummary | undefined;
   /** All of it, put together when asked for if the diagram has been changed: not for every step of a drag. */
   readonly data: DiagramData | undefined;
-  /** What answers questions about it; an iteration's diagram has only data. */
   diagram: Diagram | undefined;
+}
+
+/** What helps to draw a diagram. */
+export interface Drawable {
+  /** The diagram drawn before has become this one by it. */
+  change?: DiagramChange;
+  /** Its cells, if they have been cut already. */
+  cells?: CellTriangles;
 }
 
 /** Told what changed, after it did. */
 export interface SessionListener {
   modelChanged(mesh: Mesh, name: string): void;
   sitesChanged(sites: Sites): void;
-  /** With `change`, the diagram shown before has become this one by it. */
-  diagramChanged(shown: ShownDiagram, milliseconds: number, change?: DiagramChange): void;
+  diagramChanged(shown: ShownDiagram, milliseconds: number, how: Drawable): void;
   /** Sites and diagram are those of an iteration. */
-  cvtIterated(shown: ShownDiagram, state: CvtState): void;
+  cvtIterated(shown: ShownDiagram, state: CvtState, how: Drawable): void;
+  /** The iteration that is shown is the last one for now: it is the diagram of the sites as any other. */
+  cvtRested(shown: ShownDiagram, milliseconds: number): void;
   cvtStatusChanged(status: CvtStatus): void;
   /** After a failure or a cancel: the settings are again those of the diagram that is shown. */
   settingsRestored(settings: DiagramSettings): void;
@@ -78,6 +87,7 @@ interface Job extends DiagramSettings {
  * diagram there is. Where one site has moved or come, only its surroundings are computed.
  */
 export class Session {
+  readonly #cut: (data: DiagramData) => Promise<CellTriangles | undefined>;
   readonly #listener: SessionListener;
   readonly #history = new SiteHistory();
   readonly #task = new LatestTask<Job>((job, signal) => this.#compute(job, signal));
@@ -93,7 +103,12 @@ export class Session {
   #computing = false;
   #status: Status = 'empty';
 
-  constructor(listener: SessionListener) {
+  /** `cut` makes the cells of a diagram of the present model ready to be drawn. */
+  constructor(
+    cut: (data: DiagramData) => Promise<CellTriangles | undefined>,
+    listener: SessionListener,
+  ) {
+    this.#cut = cut;
     this.#listener = listener;
   }
 
@@ -245,7 +260,7 @@ export class Session {
 
   /** The last iteration of the sites there are. */
   get cvtState(): CvtState | undefined {
-    return this.#cvt?.latest;
+    return this.#cvt?.latest?.state;
   }
 
   /** Goes on to the next multiple of so many iterations. */
@@ -345,12 +360,18 @@ export class Session {
     try {
       const change = await this.#changeShown(job);
       const diagram = change ? before?.diagram : await this.#computeAnew(mesh, job, signal);
+      const milliseconds = performance.now() - start;
+      const isAnew = diagram && !change && mesh === this.#mesh;
+      const cells = isAnew ? await this.#cut(diagram.data) : undefined;
       // An iteration of a tessellation may have been shown meanwhile.
       if (!mesh || mesh !== this.#mesh || (change && before !== this.#shown)) {
         diagram?.dispose();
         return;
       }
-      const milliseconds = performance.now() - start;
+      if (!change && signal.aborted) {
+        diagram?.dispose();
+        signal.throwIfAborted();
+      }
       const summary = change
         ? before?.summary?.after(change)
         : diagram && DiagramSummary.of(diagram.data);
@@ -363,7 +384,7 @@ export class Session {
         },
       };
       this.#show(shown);
-      this.#listener.diagramChanged(shown, milliseconds, change);
+      this.#listener.diagramChanged(shown, milliseconds, { change, cells });
     } catch (error) {
       // What follows shows the sites as they are now.
       const isFollowed = this.#task.superseded || this.#cvt?.playing;
@@ -420,19 +441,22 @@ export class Session {
   #playCvt(settings: CvtSettings, until: (iterationsDone: number) => number): void {
     if (!this.#mesh || this.sites.length === 0) return;
     this.#move = undefined;
-    const { method, density } = this.#cvt?.settings ?? {};
-    const isOther = method !== settings.method || density !== settings.density;
+    const wanted = { ...settings, metric: this.#settings.metric };
+    const present = this.#cvt?.settings ?? {};
+    const isOther = (Object.keys(wanted) as (keyof CvtSettings)[]).some(
+      (name) => wanted[name] !== present[name],
+    );
     if (this.#cvt && (isOther || this.#cvt.done)) this.#stopCvt();
-    this.#cvt ??= this.#newCvt(this.#mesh, settings);
+    this.#cvt ??= this.#newCvt(this.#mesh, wanted);
     this.#cvt.play(until(this.#cvt.iteration));
     this.#task.cancel();
     this.#updateStatus();
   }
 
   #newCvt(mesh: Mesh, settings: CvtSettings): CvtRun {
-    return new CvtRun(mesh, this.sites, settings, {
-      iterated: (state) => this.#showIteration(state),
-      paused: () => this.#request(),
+    return new CvtRun(mesh, this.sites, settings, this.#cut, {
+      iterated: (picture) => this.#showIteration(picture, settings.metric ?? 'dgpc'),
+      paused: () => this.#rest(),
       failed: (error) => {
         this.#stopCvt();
         this.#fail(sentence('The sites cannot be moved', error));
@@ -441,7 +465,7 @@ export class Session {
     });
   }
 
-  #showIteration(state: CvtState): void {
+  #showIteration({ state, cells }: CvtPicture, metric: Metric): void {
     if (state.iteration > 0) {
       const sites = this.sites.map(({ id }, i) => ({ id, ...placeOf(state.sites, i) }));
       if (state.iteration === 1) this.#history.record(sites);
@@ -450,14 +474,35 @@ export class Session {
     }
     const shown: ShownDiagram = {
       sites: this.sites,
-      metric: 'dgpc',
+      metric,
       detail: 0,
       summary: state.data && DiagramSummary.of(state.data),
-      data: state.data,
-      diagram: undefined,
+      get data() {
+        return state.diagram?.data;
+      },
+      diagram: state.diagram,
     };
     this.#show(shown);
-    this.#listener.cvtIterated(shown, state);
+    this.#listener.cvtIterated(shown, state, { cells });
+  }
+
+  /**
+   * After a pause: what is shown is what there is. An iteration under way is not waited for; only if the
+   * diagram is to have other settings than those of iterations, it is computed.
+   */
+  #rest(): void {
+    const shown = this.#shown;
+    const { metric, detail } = this.#settings;
+    const isWanted = shown?.metric === metric && shown.detail === detail;
+    if (!shown?.diagram || shown.sites !== this.sites || !isWanted) {
+      this.#request();
+      return;
+    }
+    this.#updateStatus();
+    const milliseconds = this.#cvt?.latest?.milliseconds ?? 0;
+    queueMicrotask(() => {
+      if (shown === this.#shown && !this.#cvt?.playing) this.#listener.cvtRested(shown, milliseconds);
+    });
   }
 
   #stopCvt(): void {
