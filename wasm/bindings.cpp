@@ -576,7 +576,8 @@ GVD_ABI Arrays* locate(const VoronoiHandle* voronoi, const int* face, const doub
 
 GVD_ABI void freeVoronoi(VoronoiHandle* voronoi) { delete voronoi; }
 
-/// `method` is a `CvtMethod`, `metric` a `Metric`; `density` is one value per input vertex, or none.
+/// `method` is a `CvtMethod`, `metric` a `Metric`; `density` is one value per input vertex, or
+/// none.
 GVD_ABI CvtHandle* startCvt(const MeshHandle* handle, const int* face, const double* bary,
                             std::size_t count, int method, int metric, int iterations,
                             double energyTolerance, double moveTolerance, const double* density,
