@@ -339,16 +339,27 @@ std::unique_ptr<Arrays> flatten(const TriangleMesh& mesh, PolygonMesh polygons) 
   return out;
 }
 
+/// Labels are less than this: those at the end that are free do not count.
+int labelCount(const DynamicDiagram& diagram) {
+  int count = diagram.labelCount();
+  while (count > 0 && !diagram.hasSite(count - 1)) --count;
+  return count;
+}
+
 /// The diagram of the sites there are.
 Diagram diagramOf(const VoronoiHandle& voronoi) {
-  return voronoi.dynamic ? voronoi.dynamic->diagram() : *voronoi.diagram;
+  if (!voronoi.dynamic) return *voronoi.diagram;
+  Diagram diagram = voronoi.dynamic->diagram();
+  diagram.siteCount = labelCount(*voronoi.dynamic);
+  diagram.regionArea.resize(diagram.siteCount);
+  return diagram;
 }
 
 /// The sites by label; every label has one, or there is no dual.
 std::vector<SurfacePoint> sitesOf(const VoronoiHandle& voronoi) {
   if (!voronoi.dynamic) return voronoi.sites;
   std::vector<SurfacePoint> sites;
-  for (int label = 0; label < voronoi.dynamic->labelCount(); ++label) {
+  for (int label = 0; label < labelCount(*voronoi.dynamic); ++label) {
     if (!voronoi.dynamic->hasSite(label))
       throw Error(ErrorCode::kInvalidArgument,
                   "site " + std::to_string(label) +
@@ -524,6 +535,14 @@ GVD_ABI Arrays* repairingSites(const VoronoiHandle* voronoi) {
     auto out = std::make_unique<Arrays>();
     addPoints(*out, mesh, repairingSites(mesh, diagramOf(*voronoi), voronoi->field()));
     return out.release();
+  });
+}
+
+/// Does ahead what the first change of a site would take long for; the result says nothing.
+GVD_ABI SliceEnd prepareChanges(VoronoiHandle* voronoi) {
+  return guarded([&] {
+    dynamicOf(*voronoi);
+    return kDone;
   });
 }
 

@@ -37,6 +37,7 @@ interface CoreFunctions {
   stepVoronoi(voronoi: number, budget: number): number;
   voronoiProgress(voronoi: number): number;
   traceVoronoi(voronoi: number, detail: number): number;
+  prepareChanges(voronoi: number): number;
   insertSite(voronoi: number, face: number, b0: number, b1: number, b2: number): number;
   moveSite(
     voronoi: number,
@@ -242,6 +243,10 @@ export class Core {
   /** The diagram of distances that are done. */
   traceVoronoi(voronoi: VoronoiPointer, detail: number): Omit<DiagramData, 'siteCount'> {
     return diagramData(this.#wasm.arrays((core) => core.traceVoronoi(voronoi, detail)));
+  }
+
+  prepareChanges(voronoi: VoronoiPointer): void {
+    this.#wasm.call((core) => core.prepareChanges(voronoi));
   }
 
   insertSite(voronoi: VoronoiPointer, site: SurfacePoints): DiagramChange {

@@ -89,6 +89,7 @@ export interface Engine {
     options: { metric: Metric; detail: number },
     task: TaskOptions,
   ): Promise<OpenedDiagram>;
+  prepareChanges(diagram: Handle): Promise<void>;
   /** `site` is one point. */
   insertSite(diagram: Handle, site: SurfacePoints): Promise<DiagramChange>;
   moveSite(diagram: Handle, label: number, site: SurfacePoints): Promise<DiagramChange>;
@@ -247,6 +248,10 @@ export class LocalEngine implements Engine {
       signal?.throwIfAborted();
       this.#open();
     }
+  }
+
+  async prepareChanges(diagram: Handle): Promise<void> {
+    this.#open().prepareChanges(pointerOf(this.#diagrams, diagram));
   }
 
   async insertSite(diagram: Handle, site: SurfacePoints): Promise<DiagramChange> {

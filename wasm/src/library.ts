@@ -119,13 +119,17 @@ class EngineDiagram implements Diagram {
       (later, earlier) => (later ? combinedChange(earlier, later) : earlier),
       undefined,
     );
-    if (change) this.#data = changedData(this.#data, change);
+    if (change) this.#data = changedData(this.#data, change, this.#sites.face.length);
     this.#changes = [];
     return this.#data;
   }
 
   get regions(): readonly Region[] {
     return (this.#regions ??= regionsOf(this.data));
+  }
+
+  async prepareChanges(): Promise<void> {
+    await this.#kept.engine.prepareChanges(this.#kept.handle);
   }
 
   insertSite(site: SurfacePointsInput): Promise<DiagramChange> {

@@ -109,7 +109,8 @@ export interface DiagramChange {
   faces: Int32Array;
   /**
    * What replaces all that there was of these regions and triangles; points are numbered anew.
-   * `faceLabel` is given per entry of `faces`, `regionArea` per entry of `labels`.
+   * `faceLabel` is given per entry of `faces`, `regionArea` per entry of `labels`, also of a label at
+   * the end that has gone.
    */
   part: Omit<DiagramData, 'siteCount'>;
 }
@@ -330,7 +331,8 @@ export interface Region {
 
 /**
  * A diagram. Sites can come, go and move if the metric is 'dgpc': only the surroundings are computed
- * anew, and only what has changed is handed over. The first change takes as long as the diagram did.
+ * anew, and only what has changed is handed over. The first change takes as long as the diagram did,
+ * unless that was prepared.
  * Calls are carried out in their order; `sites`, `data` and `regions` are those after the last one
  * that has resolved.
  */
@@ -340,10 +342,15 @@ export interface Diagram extends Disposable {
   readonly sites: SurfacePoints;
   readonly data: DiagramData;
   readonly regions: readonly Region[];
+  /** Does ahead what the first change takes long for. */
+  prepareChanges(): Promise<void>;
   /** Adds a site, given as a list of one; it gets the lowest label that is free. */
   insertSite(site: SurfacePointsInput): Promise<DiagramChange>;
   moveSite(label: number, site: SurfacePointsInput): Promise<DiagramChange>;
-  /** The other sites keep their labels; this one's region is empty from then on. */
+  /**
+   * The other sites keep their labels; this one's region is empty from then on. Labels at the end that
+   * have no site do not count any more.
+   */
   removeSite(label: number): Promise<DiagramChange>;
   locate(points: SurfacePointsInput): Promise<Located>;
   /** The mesh cut into the regions. */

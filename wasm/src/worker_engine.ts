@@ -95,6 +95,10 @@ export class WorkerEngine implements Engine {
     return this.#request('openDiagram', [owner, sites, options], task);
   }
 
+  prepareChanges(diagram: Handle): Promise<void> {
+    return this.#request('prepareChanges', [diagram]);
+  }
+
   insertSite(diagram: Handle, site: SurfacePoints): Promise<DiagramChange> {
     return this.#request('insertSite', [diagram, site]);
   }

@@ -308,6 +308,7 @@ export class GeodesicVoronoiElement extends Base {
     this.#session?.endMove();
   }
 
+  /** The last of the sites takes its place in the list; all others keep theirs. */
   removeSite(index: number): void {
     const site = this.#session?.sites[index];
     if (site) this.#session?.removeSite(site.id);
@@ -329,6 +330,11 @@ export class GeodesicVoronoiElement extends Base {
   set selected(index: number) {
     this.#selected = this.#session?.sites[index]?.id;
     this.#showSites();
+  }
+
+  /** Of every region, by its site; it does not have all of the diagram put together, as `diagram` does. */
+  get regionAreas(): Float64Array {
+    return this.#session?.shown?.summary?.regionArea.slice() ?? new Float64Array();
   }
 
   /** Where a site is drawn on the page; undefined if it is behind the surface. */
@@ -481,6 +487,7 @@ export class GeodesicVoronoiElement extends Base {
       select: (site) => {
         this.#selected = site;
         this.#showSites();
+        this.#session?.expectMove();
       },
       beginStroke: (x, y) => this.#isPainting && this.#dab(stage.toDevice(x, y)),
       stroke: (x, y) => this.#dab(stage.toDevice(x, y)),
@@ -680,10 +687,11 @@ export class GeodesicVoronoiElement extends Base {
     });
   }
 
-  #showDiagram(shown: ShownDiagram, { change, cells }: Drawable): void {
+  #showDiagram(shown: ShownDiagram, { changes, cells }: Drawable): void {
     const drawn = drawnDiagram(shown);
-    if (drawn && change) this.#model?.drawing.changeDiagram(change, drawn);
-    else this.#model?.drawing.setDiagram(drawn, cells);
+    const drawing = this.#model?.drawing;
+    if (drawn && changes) for (const change of changes) drawing?.changeDiagram(change, drawn);
+    else drawing?.setDiagram(drawn, cells);
     this.#draw();
     this.#connected?.hover.refresh();
     this.#derive();
@@ -794,6 +802,7 @@ export class GeodesicVoronoiElement extends Base {
     const { stage, canvas, hover } = this.#required();
     const hit = this.#pick(stage.toDevice(x, y));
     const overSite = hit && !this.#isPainting && this.#siteAt(x, y, 10) !== undefined;
+    if (overSite) this.#session?.expectMove();
     canvas.style.cursor = overSite ? 'grab' : hit ? 'crosshair' : '';
     hover.moveTo(hit);
   }

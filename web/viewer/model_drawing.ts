@@ -73,7 +73,7 @@ export class ModelDrawing {
   #sitePlaces = new Float32Array();
   /** Of the Voronoi points, with the labels around each. */
   #pointPlaces: Float32Array = new Float32Array();
-  #pointLabels: readonly ArrayLike<number>[] = [];
+  #pointLabels: readonly Int32Array[] = [];
 
   constructor(mesh: SceneMesh, colours = new RegionColours()) {
     this.#mesh = mesh;
@@ -125,7 +125,8 @@ export class ModelDrawing {
     const { labels, part } = change;
     this.#tones = this.#colours.assign(diagram.summary, diagram.siteIds, new Set(labels));
     this.#surface.changeDiagram(change, toned(diagram, this.#tones));
-    const isChanged = new Uint8Array(this.#tones.length);
+    // Of labels there may be one more than tones: that of a site that has gone.
+    const isChanged = new Uint8Array(1 + Math.max(this.#tones.length, labels[labels.length - 1]));
     for (const label of labels) isChanged[label] = 1;
     this.#replaceLines(isChanged, part);
     for (const label of labels) this.#outlines.set(label, outlineEnds(this.#mesh, part, label));
@@ -234,11 +235,12 @@ export class ModelDrawing {
   #keepPoints(
     isChanged: Uint8Array,
     places: Float32Array,
-    labels: readonly ArrayLike<number>[],
+    labels: readonly Int32Array[],
   ): void {
-    const kept = [...this.#pointLabels.keys()].filter(
-      (i) => !Array.prototype.some.call(this.#pointLabels[i], (label) => isChanged[label] > 0),
-    );
+    const kept: number[] = [];
+    this.#pointLabels.forEach((around, i) => {
+      if (!around.some((label) => isChanged[label] > 0)) kept.push(i);
+    });
     const all = new Float32Array(3 * kept.length + places.length);
     kept.forEach((from, to) => {
       all.set(this.#pointPlaces.subarray(3 * from, 3 * from + 3), 3 * to);

@@ -18,7 +18,7 @@ import { DiagramSummary } from './diagram_summary.js';
 import { LatestTask } from './latest_task.js';
 import type { ModelFiles } from './model_files.js';
 import { placeOf, SiteHistory, type SitePlace, type Sites, surfacePointsOf } from './site_history.js';
-import { stepBetween } from './site_step.js';
+import { type SiteStep, stepsBetween, without } from './site_step.js';
 
 export type Status = 'empty' | 'loading' | 'computing' | 'iterating' | 'ready';
 
@@ -52,8 +52,8 @@ export interface ShownDiagram extends DiagramSettings {
 
 /** What helps to draw a diagram. */
 export interface Drawable {
-  /** The diagram drawn before has become this one by it. */
-  change?: DiagramChange;
+  /** The diagram drawn before has become this one by these. */
+  changes?: readonly DiagramChange[];
   /** Its cells, if they have been cut already. */
   cells?: CellTriangles;
 }
@@ -84,7 +84,7 @@ interface Job extends DiagramSettings {
 /**
  * One model with its sites and their diagram, computed in a worker that starts with the first model.
  * Sites change at once; the diagram follows, and if it cannot, the sites return to those of the
- * diagram there is. Where one site has moved or come, only its surroundings are computed.
+ * diagram there is. Where one site has moved, come or gone, only its surroundings are computed.
  */
 export class Session {
   readonly #cut: (data: DiagramData) => Promise<CellTriangles | undefined>;
@@ -97,6 +97,8 @@ export class Session {
   #mesh: Mesh | undefined;
   #shown: ShownDiagram | undefined;
   #move: { id: number; recorded: boolean } | undefined;
+  /** The diagram that is prepared to be changed. */
+  #prepared: Diagram | undefined;
   #cvt: CvtRun | undefined;
   #cvtStatus: CvtStatus = 'idle';
   #scattering: Scattering | undefined;
@@ -204,9 +206,19 @@ export class Session {
     return site.id;
   }
 
+  /** The last of the sites takes its place in the list. */
   removeSite(id: number): void {
-    const rest = this.sites.filter((site) => site.id !== id);
-    if (rest.length < this.sites.length) this.#record(rest);
+    const rest = without(this.sites, id);
+    if (rest !== this.sites) this.#record(rest);
+  }
+
+  /** A site may be moved soon: what the diagram's first change takes long for is done ahead. */
+  expectMove(): void {
+    const diagram = this.#shown?.diagram;
+    if (this.#status !== 'ready' || diagram?.metric !== 'dgpc' || diagram === this.#prepared) return;
+    this.#prepared = diagram;
+    // If it fails, so does the first change, which is then what has failed.
+    diagram.prepareChanges().catch(() => {});
   }
 
   /** Moves a site; all moves until `endMove` are one step to undo. */
@@ -358,22 +370,22 @@ export class Session {
     const before = this.#shown;
     const start = performance.now();
     try {
-      const change = await this.#changeShown(job);
-      const diagram = change ? before?.diagram : await this.#computeAnew(mesh, job, signal);
+      const changes = await this.#changeShown(job);
+      const diagram = changes ? before?.diagram : await this.#computeAnew(mesh, job, signal);
       const milliseconds = performance.now() - start;
-      const isAnew = diagram && !change && mesh === this.#mesh;
+      const isAnew = diagram && !changes && mesh === this.#mesh;
       const cells = isAnew ? await this.#cut(diagram.data) : undefined;
       // An iteration of a tessellation may have been shown meanwhile.
-      if (!mesh || mesh !== this.#mesh || (change && before !== this.#shown)) {
+      if (!mesh || mesh !== this.#mesh || (changes && before !== this.#shown)) {
         diagram?.dispose();
         return;
       }
-      if (!change && signal.aborted) {
+      if (!changes && signal.aborted) {
         diagram?.dispose();
         signal.throwIfAborted();
       }
-      const summary = change
-        ? before?.summary?.after(change)
+      const summary = changes
+        ? changes.reduce((sum, change) => sum?.after(change, job.sites.length), before?.summary)
         : diagram && DiagramSummary.of(diagram.data);
       const shown: ShownDiagram = {
         ...job,
@@ -384,7 +396,7 @@ export class Session {
         },
       };
       this.#show(shown);
-      this.#listener.diagramChanged(shown, milliseconds, { change, cells });
+      this.#listener.diagramChanged(shown, milliseconds, { changes, cells });
     } catch (error) {
       // What follows shows the sites as they are now.
       const isFollowed = this.#task.superseded || this.#cvt?.playing;
@@ -412,22 +424,20 @@ export class Session {
   }
 
   /**
-   * Makes the diagram that is shown the one asked for, where one step does: the work of a few regions
-   * (except for the first time). It is too short to be given up half-way. Undefined if there is no such
-   * step or it failed.
+   * Makes the diagram that is shown the one asked for, where a step or two do: the work of a few regions
+   * (except for the first time). It is too short to be given up half-way. Undefined if there are no such
+   * steps or one failed.
    */
-  async #changeShown({ sites, metric, detail }: Job): Promise<DiagramChange | undefined> {
+  async #changeShown({ sites, metric, detail }: Job): Promise<DiagramChange[] | undefined> {
     const shown = this.#shown;
     const diagram = shown?.diagram;
     if (!diagram || metric !== 'dgpc' || shown.metric !== metric || shown.detail !== detail) {
       return undefined;
     }
-    const step = stepBetween(shown.sites, sites);
-    if (!step) return undefined;
-    const place = surfacePointsOf([step.site]);
+    const steps = sites.length > 0 && stepsBetween(shown.sites, sites);
+    if (!steps) return undefined;
     try {
-      if (step.kind === 'insert') return await diagram.insertSite(place);
-      return await diagram.moveSite(step.index, place);
+      return await Promise.all(steps.map((step) => takeStep(diagram, step)));
     } catch {
       return undefined; // computed anew, it works or says why not
     }
@@ -555,6 +565,13 @@ function cvtStatusOf(run: CvtRun | undefined): CvtStatus {
   if (!run) return 'idle';
   if (run.playing) return 'running';
   return run.done ? 'done' : 'paused';
+}
+
+function takeStep(diagram: Diagram, step: SiteStep): Promise<DiagramChange> {
+  if (step.kind === 'remove') return diagram.removeSite(step.index);
+  const place = surfacePointsOf([step.site]);
+  if (step.kind === 'insert') return diagram.insertSite(place);
+  return diagram.moveSite(step.index, place);
 }
 
 async function scattered(mesh: Mesh, { count, seed, sampling }: Scattering) {
