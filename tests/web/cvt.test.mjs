@@ -104,6 +104,16 @@ suite('the centroidal tessellation', () => {
     assert.equal((await iterations()).length, number, 'nothing goes on behind one’s back');
   });
 
+  test('ends where iterations gain no more than asked for', async () => {
+    await viewer.page.selectOption('#cvt-tolerance', '0.01');
+    await viewer.after('diagram', () => press('#cvt-play'));
+    const all = await iterations();
+    assert.ok(all.length < 50, `${all.length} iterations`);
+    const gains = all.slice(1).map(({ energy }, i) => 1 - energy / all[i].energy);
+    assert.ok(gains.slice(0, -1).every((gain) => gain > 0.01) && gains.at(-1) <= 0.01, `${gains}`);
+    assert.equal(await text('#cvt-state'), 'No further improvement');
+  });
+
   test('an edit by hand ends it and is a step of its own', async () => {
     const before = await viewer.sites();
     await press('#cvt-play');

@@ -3,10 +3,14 @@ import type { CvtMethod, CvtState, DiagramData, Mesh, Metric } from 'geodesic-vo
 import type { CellTriangles } from './cell_triangles.js';
 import { type Sites, surfacePointsOf } from './site_history.js';
 
+/** In milliseconds. */
+const longestFrame = 100;
+
 /** How sites move to the centroids of their regions; see `CvtOptions` of the library. */
 export interface CvtSettings {
   method?: CvtMethod;
   metric?: Metric;
+  /** It is done when an iteration lowers the energy by no more than this share. */
   energyTolerance?: number;
   /** Per input vertex. */
   density?: ArrayLike<number>;
@@ -155,10 +159,13 @@ export class CvtRun {
   }
 }
 
-/** Lets the page draw and answer; in a hidden page, which draws nothing, just answer. */
+/**
+ * Lets the page draw and answer. A page that is hidden, or has to wait for a slow graphics card, draws
+ * nothing for a while: then iterations go on, and the newest is drawn.
+ */
 function nextFrame(): Promise<void> {
   return new Promise((resolve) => {
-    if (document.hidden) setTimeout(resolve);
-    else requestAnimationFrame(() => resolve());
+    setTimeout(resolve, document.hidden ? 0 : longestFrame);
+    requestAnimationFrame(() => resolve());
   });
 }

@@ -139,7 +139,8 @@ const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
  * model), their `seed` and `sampling` (random, farthest, poisson), `metric` (dgpc, exact), `detail` (0 …), `layers` (what is shown, separated
  * by spaces: regions, bisectors, sites, voronoi-points, dual, wireframe), `exploded` (0 … 1: how far
  * the regions are apart; then there is nothing to edit), `cvt-method` (lbfgs, lloyd),
- * `cvt-iterations`, `tool` (sites, density: what a press on the surface does), `brush-size` (in
+ * `cvt-iterations`, `cvt-tolerance` (ends when an iteration lowers the energy by no more than this share;
+ * default 0), `tool` (sites, density: what a press on the surface does), `brush-size` (in
  * hundredths of the model's radius), `brush-density`. `status` tells what it does.
  * Slot `poster`: shown until there is a model, and if there can be none. A model opened from a file is
  * gone when the element leaves its document; that of `src` is there again when it returns.
@@ -361,8 +362,9 @@ export class GeodesicVoronoiElement extends Base {
 
   /**
    * Moves the sites to the centroids of their regions until the number of iterations is a multiple of
-   * `cvt-iterations`, and goes on where it was paused. All of it is one step to undo; any other change
-   * of the sites, and another `cvt-method`, ends it: the next one begins with the sites as they are then.
+   * `cvt-iterations`, and goes on where it was paused. All of it is one step to undo; any other change of
+   * the sites, and another `cvt-method`, `cvt-tolerance` or `metric`, ends it: the next one begins with the
+   * sites as they are then.
    */
   playCvt(): void {
     const iterations = Math.max(1, Math.round(numberOf(this.getAttribute('cvt-iterations'), 50)));
@@ -589,6 +591,7 @@ export class GeodesicVoronoiElement extends Base {
   get #cvtSettings(): CvtSettings {
     return {
       method: (this.getAttribute('cvt-method') ?? 'lbfgs') as CvtMethod,
+      energyTolerance: Math.max(0, numberOf(this.getAttribute('cvt-tolerance'), 0)),
       density: this.#density?.perVertex,
     };
   }
