@@ -163,6 +163,53 @@ suite('the centroidal tessellation', () => {
     assert.equal(await viewer.evaluate(({ density }) => density === undefined), true);
   });
 
+  test('a stroke is a step to undo, and the brush is seen where it would paint', async () => {
+    const density = () => viewer.evaluate(({ density }) => density && [...density]);
+    const place = await viewer.freePlace();
+    const empty = await viewer.emptyPlace();
+    await viewer.page.mouse.move(empty.x, empty.y);
+    const bare = await viewer.picture();
+    // The region under the pointer is outlined, too.
+    const hovering = async (x) => {
+      await viewer.after('hover', () => viewer.page.mouse.move(x, place.y));
+      return viewer.picture();
+    };
+    const without = await hovering(place.x);
+    await press('#density-paint');
+    const outlined = await viewer.difference(without, await hovering(place.x + 1));
+    assert.ok(outlined.count > 20, `${outlined.count} pixels are the brush's outline`);
+    await press('#density-paint');
+    assert.equal((await viewer.difference(without, await hovering(place.x))).count, 0);
+    await press('#density-paint');
+
+    const sites = await viewer.sites();
+    const stroke = (dx) =>
+      viewer.after('density-change', async () => {
+        await viewer.page.mouse.move(place.x, place.y);
+        await viewer.page.mouse.down();
+        await viewer.page.mouse.move(place.x + dx, place.y);
+        await viewer.page.mouse.up();
+      });
+    await stroke(8);
+    const first = await density();
+    await stroke(-8);
+    const second = await density();
+    assert.notDeepEqual(first, second);
+    await viewer.after('density-change', () => press('#undo'));
+    assert.deepEqual(await density(), first);
+    await viewer.after('density-change', () => press('#undo'));
+    assert.equal(await density(), undefined);
+    assert.equal(await isDisabled('#undo'), true);
+    await viewer.after('hover', () => viewer.page.mouse.move(empty.x, empty.y));
+    assert.equal((await viewer.difference(bare, await viewer.picture())).count, 0);
+    await viewer.after('density-change', () => press('#redo'));
+    assert.deepEqual(await density(), first);
+    await viewer.after('density-change', () => press('#density-clear'));
+    await viewer.after('density-change', () => press('#undo'));
+    assert.deepEqual(await density(), first);
+    assert.deepEqual(await viewer.sites(), sites);
+  });
+
   test('with 300 sites on 100,000 triangles the page answers throughout, and a pause is final', async () => {
     // Few pixels: drawing them without a graphics card is what takes the time here.
     await viewer.page.setViewportSize({ width: 360, height: 300 });

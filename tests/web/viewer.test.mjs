@@ -392,6 +392,27 @@ suite('site history', () => {
     assert.equal(new Set([...sites.present, ...history().present]).size, 3);
   });
 
+  test('the density is part of it', () => {
+    const sites = history();
+    const first = sites.present;
+    const painted = Float32Array.of(0, 1);
+    sites.recordTints(painted);
+    sites.record([]);
+    assert.equal(sites.tints, painted);
+    sites.revise([first[0]]);
+    sites.undo();
+    assert.equal(sites.present, first);
+    assert.equal(sites.tints, painted);
+    sites.undo();
+    assert.equal(sites.tints, undefined);
+    assert.equal(sites.canUndo, false);
+    sites.redo();
+    sites.redo();
+    assert.deepEqual([sites.present, sites.tints], [[first[0]], painted]);
+    sites.returnTo(first);
+    assert.equal(sites.tints, painted, 'no further than needed');
+  });
+
   test('it returns to a list by undoing or redoing', () => {
     const sites = history();
     const lists = [sites.present, [], [sites.present[0]]];

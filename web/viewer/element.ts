@@ -17,6 +17,7 @@ import type {
   Violation,
 } from 'geodesic-voronoi';
 import { Vector2 } from 'three';
+import { brushRing } from './brush_ring.js';
 import { CellBuilder } from './cell_builder.js';
 import { type Command, commandOf } from './commands.js';
 import type { CvtSettings } from './cvt_run.js';
@@ -390,11 +391,11 @@ export class GeodesicVoronoiElement extends Base {
     return this.#density?.perVertex.slice();
   }
 
-  /** Values are kept between a thousandth and a thousand. */
+  /** Values are kept between a thousandth and a thousand. Setting it is a step that can be undone. */
   set density(density: ArrayLike<number> | undefined) {
     if (!this.#model) return;
     this.#model.paint.density = density;
-    this.#adoptDensity();
+    this.#recordDensity();
   }
 
   // --- View -----------------------------------------------------------------------------------
@@ -493,14 +494,17 @@ export class GeodesicVoronoiElement extends Base {
       },
       beginStroke: (x, y) => this.#isPainting && this.#dab(stage.toDevice(x, y)),
       stroke: (x, y) => this.#dab(stage.toDevice(x, y)),
-      endStroke: () => this.#adoptDensity(),
+      endStroke: () => this.#recordDensity(),
       move: (site, x, y) => this.#drag(site, x, y),
       endMove: () => this.#session?.endMove(),
       cancelMove: () => this.#session?.cancelMove(),
       remove: (site) => this.#session?.removeSite(site),
       click: (x, y) => this.#placeAt(this.#required().stage.toDevice(x, y)),
       hover: (x, y) => this.#hover(x, y),
-      leave: () => this.#connected?.hover.moveTo(undefined),
+      leave: () => {
+        this.#connected?.hover.moveTo(undefined);
+        this.#showBrush(undefined);
+      },
     });
     const stage = new Stage(canvas);
     const cut = async (data: DiagramData) => this.#model?.cells.build(data);
@@ -510,6 +514,10 @@ export class GeodesicVoronoiElement extends Base {
         this.#emit('load', { name, info: mesh.info, parts: mesh.parts });
       },
       sitesChanged: () => this.#showSites(),
+      densityChanged: (tints) => {
+        if (this.#model) this.#model.paint.tints = tints;
+        this.#adoptDensity();
+      },
       diagramChanged: (shown, milliseconds, how) => {
         this.#showDiagram(shown, how);
         this.#tellDiagram(shown, milliseconds);
@@ -736,11 +744,30 @@ export class GeodesicVoronoiElement extends Base {
     const { paint, drawing } = this.#model;
     paint.dab(hit, this.#brush);
     drawing.setTints(paint.tints);
+    this.#showBrush(hit);
     this.#draw();
     return true;
   }
 
+  /** The outline of what the brush reaches there; none beside the surface. */
+  #showBrush(hit: SurfaceHit | undefined): void {
+    if (!this.#model) return;
+    const { drawing, picker } = this.#model;
+    const ring =
+      hit && this.#isPainting
+        ? brushRing(drawing.mesh, hit, this.#brush.radius, (place) => picker.nearest(place))
+        : new Float32Array();
+    if (drawing.setBrush(ring)) this.#draw();
+  }
+
   /** A tessellation that plays goes on with the density that is painted now. */
+  #recordDensity(): void {
+    const isPlaying = this.cvtStatus === 'running';
+    this.#session?.recordDensity(this.#model?.paint.tints?.slice());
+    this.#adoptDensity();
+    if (isPlaying) this.playCvt();
+  }
+
   #adoptDensity(): void {
     const mesh = this.#session?.mesh;
     if (!this.#model || !mesh) return;
@@ -753,12 +780,11 @@ export class GeodesicVoronoiElement extends Base {
     drawing.setTints(paint.tints);
     this.#draw();
     this.#emit('density-change', { isUniform: perVertex === undefined });
-    if (this.cvtStatus === 'running') this.playCvt();
   }
 
   #placeAt(device: Vector2): void {
     if (this.#isPainting) {
-      if (this.#dab(device)) this.#adoptDensity();
+      if (this.#dab(device)) this.#recordDensity();
       return;
     }
     const hit = this.#pick(device);
@@ -808,6 +834,7 @@ export class GeodesicVoronoiElement extends Base {
     if (overSite) this.#session?.expectMove();
     canvas.style.cursor = overSite ? 'grab' : hit ? 'crosshair' : '';
     hover.moveTo(hit);
+    this.#showBrush(hit);
   }
 
   #tellHovered(point: HoveredPoint | undefined): void {

@@ -45,6 +45,7 @@ export class ModelDrawing {
   /** Their keys are the two labels. */
   readonly #bisectors = new FatLines({ colour: ink, width: 2 });
   readonly #outline = new FatLines({ colour: ink, width: 4.5 });
+  readonly #brush = new FatLines({ colour: ink, width: 2 });
   readonly #dual = new FatLines({ colour: accent, width: 2.5 });
   readonly #voronoiPoints = new Markers({
     diameter: 7,
@@ -85,6 +86,7 @@ export class ModelDrawing {
       this.#bisectors.object,
       this.#outline.object,
       this.#dual.object,
+      this.#brush.object,
       this.#voronoiPoints.object,
       this.#siteMarkers.object,
     );
@@ -158,6 +160,13 @@ export class ModelDrawing {
     return `#${toneColour(this.#tones[label]).toString(16).padStart(6, '0')}`;
   }
 
+  /** Both ends of the sides of the brush's outline; none if there is no brush. Returns whether it changed. */
+  setBrush(ends: Float32Array): boolean {
+    if (ends.length === 0 && this.#brush.count === 0) return false;
+    this.#brush.set(ends);
+    return true;
+  }
+
   /** A tint per input vertex, -1 … 1, over the regions' colours; undefined for none. */
   setTints(tints: Float32Array | undefined): void {
     this.#surface.tints = tints;
@@ -190,6 +199,7 @@ export class ModelDrawing {
     this.#bisectors.dispose();
     this.#outline.dispose();
     this.#dual.dispose();
+    this.#brush.dispose();
     this.#parts?.dispose();
     this.#voronoiPoints.dispose();
     this.#siteMarkers.dispose();

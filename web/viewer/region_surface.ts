@@ -131,14 +131,25 @@ export class RegionSurface {
     this.#uploadFaces(faces);
     this.#replaceParts((keys, at) => isChanged[keys[at]] > 0, this.#cut(part), colours);
     const isRecoloured = recoloured(before, diagram.tones);
-    if (isRecoloured.includes(1)) this.#recolour(isRecoloured, colours);
+    if (isRecoloured.includes(1)) {
+      this.#recolour((_, label) => isRecoloured[label] > 0, colours);
+    }
   }
 
-  /** A tint per input vertex, -1 … 1, over the colours; undefined for none. */
+  /** A tint per input vertex, -1 … 1, over the colours; undefined for none. Draws what differs. */
   set tints(tints: Float32Array | undefined) {
-    if (!tints && !this.#tints) return;
-    this.#tints = tints;
-    this.#drawAll();
+    const before = this.#tints;
+    this.#tints = tints?.slice();
+    if (!tints && !before) return;
+    const { indices, faceCount } = this.#mesh;
+    const differs = (v: number) => (before ? before[v] : 0) !== (tints ? tints[v] : 0);
+    const isMeant = Uint8Array.from({ length: faceCount }, (_, face) =>
+      differs(indices[3 * face]) || differs(indices[3 * face + 1]) || differs(indices[3 * face + 2])
+        ? 1
+        : 0,
+    );
+    const diagram = this.#filled ? this.#diagram : undefined;
+    this.#recolour((face) => isMeant[face] > 0, new LabelColours(diagram?.tones));
   }
 
   dispose(): void {
@@ -159,19 +170,19 @@ export class RegionSurface {
     this.#replaceParts(undefined, this.#cut(data), colours);
   }
 
-  /** What has not changed of regions that have another colour; they are marked by label. */
-  #recolour(isRecoloured: Uint8Array, colours: LabelColours): void {
+  /** The faces, and the parts of faces, that have another colour though nothing else has changed. */
+  #recolour(isMeant: (face: number, label: number) => boolean, colours: LabelColours): void {
     const faces: number[] = [];
     const labels = this.#faceLabels;
     for (let face = 0; face < labels.length; ++face) {
-      if (!isRecoloured[labels[face]]) continue;
+      if (!isMeant(face, labels[face])) continue;
       this.#writeFace(face, labels[face], colours);
       faces.push(face);
     }
     uploadRecords(this.#colour, faces, 9);
     const [position] = this.#triangles.buffers;
     this.#triangles.rewrite(
-      (keys, at) => isRecoloured[keys[at + 1]] > 0,
+      (keys, at) => isMeant(keys[at], keys[at + 1]),
       2,
       (keys, record, target, at) => {
         this.#writeColours(keys, record, position.array, colours, target, at);

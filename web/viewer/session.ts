@@ -17,7 +17,14 @@ import { type CvtPicture, CvtRun, type CvtSettings } from './cvt_run.js';
 import { DiagramSummary } from './diagram_summary.js';
 import { LatestTask } from './latest_task.js';
 import type { ModelFiles } from './model_files.js';
-import { placeOf, SiteHistory, type SitePlace, type Sites, surfacePointsOf } from './site_history.js';
+import {
+  placeOf,
+  SiteHistory,
+  type SitePlace,
+  type Sites,
+  surfacePointsOf,
+  type Tints,
+} from './site_history.js';
 import { type SiteStep, stepsBetween, without } from './site_step.js';
 
 export type Status = 'empty' | 'loading' | 'computing' | 'iterating' | 'ready';
@@ -62,6 +69,8 @@ export interface Drawable {
 export interface SessionListener {
   modelChanged(mesh: Mesh, name: string): void;
   sitesChanged(sites: Sites): void;
+  /** By undoing or redoing; after a failure too. */
+  densityChanged(tints: Tints): void;
   diagramChanged(shown: ShownDiagram, milliseconds: number, how: Drawable): void;
   /** Sites and diagram are those of an iteration. */
   cvtIterated(shown: ShownDiagram, state: CvtState, how: Drawable): void;
@@ -248,17 +257,19 @@ export class Session {
   }
 
   undo(): void {
-    if (this.#move || !this.canUndo) return;
-    this.#stopCvt();
-    this.#history.undo();
-    this.#sitesReplaced();
+    if (!this.#move && this.canUndo) this.#step(() => this.#history.undo());
   }
 
   redo(): void {
-    if (this.#move || !this.canRedo) return;
+    if (!this.#move && this.canRedo) this.#step(() => this.#history.redo());
+  }
+
+  /** A density was painted: a step to undo. It ends a tessellation; the next one is by it. */
+  recordDensity(tints: Tints): void {
+    if (!this.#mesh || (!tints && !this.#history.tints)) return;
     this.#stopCvt();
-    this.#history.redo();
-    this.#sitesReplaced();
+    this.#history.recordTints(tints);
+    this.#listener.sitesChanged(this.sites);
   }
 
   // --- Centroidal tessellation ----------------------------------------------------------------
@@ -345,6 +356,16 @@ export class Session {
     this.#listener.modelChanged(mesh, name);
     this.#listener.sitesChanged(sites);
     this.#request();
+  }
+
+  /** A step back or forth: it changes the sites or the density. */
+  #step(take: () => void): void {
+    const { present: sites, tints } = this.#history;
+    this.#stopCvt();
+    take();
+    if (this.#history.tints !== tints) this.#listener.densityChanged(this.#history.tints);
+    if (this.sites !== sites) this.#sitesReplaced();
+    else this.#listener.sitesChanged(sites);
   }
 
   #record(sites: Sites): void {
@@ -527,7 +548,9 @@ export class Session {
     const { sites, metric, detail } = this.#shown;
     this.#settings = { metric, detail };
     this.#move = undefined;
+    const { tints } = this.#history;
     this.#history.returnTo(sites);
+    if (this.#history.tints !== tints) this.#listener.densityChanged(this.#history.tints);
     this.#listener.settingsRestored(this.#settings);
     this.#listener.sitesChanged(this.sites);
   }
