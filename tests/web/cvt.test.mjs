@@ -46,6 +46,7 @@ suite('the centroidal tessellation', () => {
     await viewer.page.locator('#cvt-iterations').blur();
     const drawn = await viewer.after('diagram', () => press('#cvt-play'));
     assert.equal(drawn.regions, 60);
+    assert.ok(drawn.milliseconds > 1, 'as long as an iteration');
 
     const all = await iterations();
     assert.deepEqual(all.map(({ iteration }) => iteration), [0, 1, 2, 3, 4, 5, 6]);

@@ -25,6 +25,12 @@ export interface CvtPicture {
   milliseconds: number;
 }
 
+/** A state, or none after the last one. */
+interface TimedState {
+  state: CvtState | undefined;
+  milliseconds: number;
+}
+
 export interface CvtRunListener {
   iterated(picture: CvtPicture): void;
   /** It plays no more, by itself or because it was told so. */
@@ -46,7 +52,7 @@ export class CvtRun {
   /** The iteration after the last one told of. */
   #asked: Promise<CvtPicture | undefined> | undefined;
   /** The state after that one. */
-  #coming: Promise<IteratorResult<CvtState, void>> | undefined;
+  #coming: Promise<TimedState> | undefined;
   #playing: { until: number } | undefined;
   #latest: CvtPicture | undefined;
   #done = false;
@@ -108,7 +114,7 @@ export class CvtRun {
     void this.#states.return();
     // Diagrams that nobody has seen.
     this.#asked?.then((picture) => picture?.state.diagram?.dispose()).catch(() => {});
-    this.#coming?.then(({ value }) => value?.diagram?.dispose()).catch(() => {});
+    this.#coming?.then(({ state }) => state?.diagram?.dispose()).catch(() => {});
   }
 
   async #play(playing: { until: number }): Promise<void> {
@@ -144,18 +150,22 @@ export class CvtRun {
   }
 
   async #nextPicture(): Promise<CvtPicture | undefined> {
-    const start = performance.now();
-    const { value: state } = await (this.#coming ?? this.#states.next());
+    const { state, milliseconds } = await (this.#coming ?? this.#nextState());
     this.#coming = undefined;
     if (!state) return undefined;
-    const milliseconds = performance.now() - start;
     if (this.#playing && state.iteration < this.#playing.until) {
-      this.#coming = this.#states.next();
+      this.#coming = this.#nextState();
       this.#coming.catch(() => {});
     }
     const isWanted = !this.#stopping.signal.aborted;
     const cells = state.data && isWanted ? await this.#cut(state.data) : undefined;
     return { state, cells, milliseconds };
+  }
+
+  async #nextState(): Promise<TimedState> {
+    const start = performance.now();
+    const { value: state } = await this.#states.next();
+    return { state: state ?? undefined, milliseconds: performance.now() - start };
   }
 }
 

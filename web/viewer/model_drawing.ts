@@ -45,7 +45,7 @@ export class ModelDrawing {
   /** Their keys are the two labels. */
   readonly #bisectors = new FatLines({ colour: ink, width: 2 });
   readonly #outline = new FatLines({ colour: ink, width: 4.5 });
-  readonly #brush = new FatLines({ colour: ink, width: 2 });
+  readonly #brush = new FatLines({ colour: accent, width: 2.5 });
   readonly #dual = new FatLines({ colour: accent, width: 2.5 });
   readonly #voronoiPoints = new Markers({
     diameter: 7,
