@@ -46,10 +46,10 @@ struct VoronoiHandle {
   std::vector<SurfacePoint> sites;
   Metric metric;
   DiagramOptions options;
-  std::unique_ptr<Propagation> propagation;  // until it is done
-  std::unique_ptr<DistanceField> distances;  // from then on
-  std::optional<Diagram> diagram;            // once it is traced
-  std::unique_ptr<DynamicDiagram> dynamic;   // instead, once sites have changed
+  std::unique_ptr<Propagation> propagation;        // until it is done
+  std::shared_ptr<const DistanceField> distances;  // from then on
+  std::optional<Diagram> diagram;                  // once it is traced
+  std::unique_ptr<DynamicDiagram> dynamic;         // instead, once sites have changed
 
   const DistanceField& field() const { return dynamic ? dynamic->distances() : *distances; }
 };
@@ -58,6 +58,7 @@ static_assert(std::is_standard_layout_v<VoronoiHandle>);
 /// A centroidal tessellation under way. Its address is that of a `MeshHandle` as well.
 struct CvtHandle {
   MeshHandle surface;
+  Metric metric;
   std::unique_ptr<Cvt> cvt;
 };
 static_assert(std::is_standard_layout_v<CvtHandle>);
@@ -338,16 +339,27 @@ std::unique_ptr<Arrays> flatten(const TriangleMesh& mesh, PolygonMesh polygons) 
   return out;
 }
 
+/// Labels are less than this: those at the end that are free do not count.
+int labelCount(const DynamicDiagram& diagram) {
+  int count = diagram.labelCount();
+  while (count > 0 && !diagram.hasSite(count - 1)) --count;
+  return count;
+}
+
 /// The diagram of the sites there are.
 Diagram diagramOf(const VoronoiHandle& voronoi) {
-  return voronoi.dynamic ? voronoi.dynamic->diagram() : *voronoi.diagram;
+  if (!voronoi.dynamic) return *voronoi.diagram;
+  Diagram diagram = voronoi.dynamic->diagram();
+  diagram.siteCount = labelCount(*voronoi.dynamic);
+  diagram.regionArea.resize(diagram.siteCount);
+  return diagram;
 }
 
 /// The sites by label; every label has one, or there is no dual.
 std::vector<SurfacePoint> sitesOf(const VoronoiHandle& voronoi) {
   if (!voronoi.dynamic) return voronoi.sites;
   std::vector<SurfacePoint> sites;
-  for (int label = 0; label < voronoi.dynamic->labelCount(); ++label) {
+  for (int label = 0; label < labelCount(*voronoi.dynamic); ++label) {
     if (!voronoi.dynamic->hasSite(label))
       throw Error(ErrorCode::kInvalidArgument,
                   "site " + std::to_string(label) +
@@ -526,6 +538,14 @@ GVD_ABI Arrays* repairingSites(const VoronoiHandle* voronoi) {
   });
 }
 
+/// Does ahead what the first change of a site would take long for; the result says nothing.
+GVD_ABI SliceEnd prepareChanges(VoronoiHandle* voronoi) {
+  return guarded([&] {
+    dynamicOf(*voronoi);
+    return kDone;
+  });
+}
+
 /// Inserts a site, see `flatten`. These three only after `traceVoronoi`.
 GVD_ABI Arrays* insertSite(VoronoiHandle* voronoi, int face, double b0, double b1, double b2) {
   return guarded([&] {
@@ -575,15 +595,17 @@ GVD_ABI Arrays* locate(const VoronoiHandle* voronoi, const int* face, const doub
 
 GVD_ABI void freeVoronoi(VoronoiHandle* voronoi) { delete voronoi; }
 
-/// `method` is a `CvtMethod`; `density` is one value per input vertex, or none.
+/// `method` is a `CvtMethod`, `metric` a `Metric`; `density` is one value per input vertex, or
+/// none.
 GVD_ABI CvtHandle* startCvt(const MeshHandle* handle, const int* face, const double* bary,
-                            std::size_t count, int method, int iterations, double energyTolerance,
-                            double moveTolerance, const double* density, std::size_t densityCount,
-                            const int* fixed, std::size_t fixedCount) {
+                            std::size_t count, int method, int metric, int iterations,
+                            double energyTolerance, double moveTolerance, const double* density,
+                            std::size_t densityCount, const int* fixed, std::size_t fixedCount) {
   return guarded([&] {
     const TriangleMesh& mesh = *handle->mesh;
     CvtOptions options;
     options.method = static_cast<CvtMethod>(method);
+    options.metric = static_cast<Metric>(metric);
     options.iterations = iterations;
     options.energyTolerance = energyTolerance;
     options.moveTolerance = moveTolerance;
@@ -592,6 +614,7 @@ GVD_ABI CvtHandle* startCvt(const MeshHandle* handle, const int* face, const dou
     const std::vector<SurfacePoint> sites = sitesFromInput(mesh, face, bary, count);
     auto cvt = std::make_unique<CvtHandle>();
     cvt->surface = *handle;
+    cvt->metric = options.metric;
     cvt->cvt = std::make_unique<Cvt>(mesh, sites, std::move(options));
     return cvt.release();
   });
@@ -618,6 +641,20 @@ GVD_ABI Arrays* cvtIteration(const CvtHandle* cvt) {
 /// The diagram of the last iteration, see `flatten`.
 GVD_ABI Arrays* cvtDiagram(const CvtHandle* cvt) {
   return guarded([&] { return flatten(*cvt->surface.mesh, cvt->cvt->diagram()).release(); });
+}
+
+/// The same diagram as an object, for what `traceVoronoi` is needed for otherwise.
+GVD_ABI VoronoiHandle* cvtVoronoi(const CvtHandle* handle) {
+  return guarded([&] {
+    const Cvt& cvt = *handle->cvt;
+    auto voronoi = std::make_unique<VoronoiHandle>();
+    voronoi->surface = handle->surface;
+    voronoi->sites.assign(cvt.sites().begin(), cvt.sites().end());
+    voronoi->metric = handle->metric;
+    voronoi->distances = cvt.distances();
+    voronoi->diagram = cvt.diagram();
+    return voronoi.release();
+  });
 }
 
 GVD_ABI void freeCvt(CvtHandle* cvt) { delete cvt; }

@@ -103,7 +103,7 @@ class Cvt::Solver {
   bool isDone() const { return isDone_; }
   const CvtIteration& iteration() const { return iteration_; }
   std::span<const SurfacePoint> sites() const { return accepted_.sites; }
-  const DistanceField& distances() const { return *accepted_.distances; }
+  std::shared_ptr<const DistanceField> distances() const { return accepted_.distances; }
   const Diagram& diagram() const { return accepted_.diagram; }
 
  private:
@@ -112,7 +112,7 @@ class Cvt::Solver {
     std::vector<SurfacePoint> sites;
     std::vector<Vector2d> frames;  ///< x axis of each site's own frame in that of its face
     std::vector<double> moves;     ///< length of each site's last move
-    std::unique_ptr<DistanceField> distances;
+    std::shared_ptr<const DistanceField> distances;
     Diagram diagram;
     CvtEnergy energy;
     VectorXd gradient;
@@ -295,7 +295,7 @@ bool Cvt::step(long budget) { return solver_->step(budget); }
 bool Cvt::isDone() const { return solver_->isDone(); }
 const CvtIteration& Cvt::iteration() const { return solver_->iteration(); }
 std::span<const SurfacePoint> Cvt::sites() const { return solver_->sites(); }
-const DistanceField& Cvt::distances() const { return solver_->distances(); }
+std::shared_ptr<const DistanceField> Cvt::distances() const { return solver_->distances(); }
 const Diagram& Cvt::diagram() const { return solver_->diagram(); }
 
 }  // namespace gvd

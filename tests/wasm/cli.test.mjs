@@ -119,6 +119,12 @@ test('cvt writes sites that other commands read, and the energy of every iterati
   );
   assert.equal(lloyd.energy.length, 2);
   assert.ok(Math.abs(lloyd.energy[0] / energy[0] / 1e8 - 1) < 1e-12);
+
+  const exact = JSON.parse(
+    succeeds('cvt shape.glb --sites 5 --iterations 1 --metric exact').stdout,
+  );
+  assert.ok(exact.energy[1] < exact.energy[0]);
+  succeeds('remesh shape.glb --sites 20 --iterations 1 --metric exact -o remesh.obj');
 });
 
 test('partition as GLB, OBJ, PLY and JSON', () => {
@@ -258,6 +264,7 @@ test('a wrong command line: status 2', () => {
   fails(2, 'diagram shape.glb --sites 3 --metric euclid', /euclid.*dgpc, exact/);
   fails(2, 'diagram shape.glb --sites 3 --sampling blue', /blue.*random, farthest, poisson/);
   fails(2, 'cvt shape.glb --sites 3 --method newton', /newton.*lloyd, lbfgs/);
+  fails(2, 'cvt shape.glb --sites 3 --metric far', /far.*dgpc, exact/);
   fails(2, 'cvt shape.glb --sites 3 --iterations -1', /--iterations/);
   fails(2, 'cvt shape.glb', /--sites is missing/);
   fails(2, 'diagram shape.glb --sites 3 -o d.stl', /d\.stl.*\.json, \.obj, \.glb/);

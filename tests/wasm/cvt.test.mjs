@@ -50,6 +50,39 @@ test('with the diagram of its sites, if asked for', async () => {
   }
 });
 
+test('with a diagram that can be asked and changed, and outlives the iterations that follow', async () => {
+  const diagrams = [];
+  for await (const { iteration, sites: moved, data, diagram } of mesh.cvt(sites, {
+    iterations: 3,
+    diagrams: true,
+  })) {
+    assert.equal(diagram.data, data);
+    assert.equal(diagram.sites, moved);
+    assert.equal(diagram.metric, 'dgpc');
+    diagrams.push({ iteration, diagram });
+  }
+  assert.equal(diagrams.length, 4);
+  for (const { diagram } of diagrams) {
+    const expected = await mesh.voronoi(diagram.sites);
+    const { label, distance } = await diagram.locate({ vertex: [0, 40, 80] });
+    const wanted = await expected.locate({ vertex: [0, 40, 80] });
+    assert.deepEqual(label, wanted.label);
+    distance.forEach((d, i) => assert.ok(Math.abs(d - wanted.distance[i]) < 1e-12));
+    assert.equal((await diagram.dual()).vertexLabel.length, (await expected.dual()).vertexLabel.length);
+    const { label: added } = await diagram.insertSite({ vertex: [40] });
+    assert.equal(added, 12);
+    assert.equal(diagram.regions.length, 13);
+    diagram.dispose();
+  }
+});
+
+test('by exact distances, if asked for', async () => {
+  const states = await collect(mesh.cvt(sites, { iterations: 2, metric: 'exact', diagrams: true }));
+  const [, { diagram }, last] = states;
+  assert.equal(diagram.metric, 'exact');
+  assert.ok(last.energy < states[0].energy);
+});
+
 test('fixed sites stay, others go where the density is', async () => {
   const density = Float64Array.from({ length: mesh.info.inputVertices }, (_, v) =>
     Math.exp(-8 * mesh.positions[3 * v]),
@@ -89,6 +122,7 @@ test('options that do not fit are refused', async () => {
   const refused = (options, message) =>
     assert.rejects(collect(mesh.cvt(sites, options)), fails('invalid-argument', message));
   await refused({ method: 'newton' }, /method is "newton"/);
+  await refused({ metric: 'far' }, /metric is "far"/);
   await refused({ iterations: 1.5 }, /iterations is 1.5/);
   await refused({ moveTolerance: NaN }, /moveTolerance is NaN/);
   await refused({ density: [1, 2] }, /2 densities/);

@@ -96,8 +96,30 @@ describe('sites that come, go and move', () => {
     const removed = diagram.removeSite(2);
     assert.equal((await inserted).label, 2);
     await removed;
-    assert.equal(diagram.sites.face[2], -1);
-    assert.equal(diagram.regions[2].area, 0);
+    assert.equal(diagram.sites.face.length, 2);
+    assert.equal(diagram.regions.length, 2);
+    await assertUpToDate(diagram);
+    diagram.dispose();
+  });
+
+  it('a label that is free has an empty region; at the end it does not count', async () => {
+    const diagram = await mesh.voronoi(await mesh.sampleSites(40));
+    await diagram.prepareChanges();
+    await diagram.removeSite(38);
+    assert.equal(diagram.sites.face[38], -1);
+    assert.equal(diagram.regions.length, 40);
+    assert.equal(diagram.regions[38].area, 0);
+    await assert.rejects(diagram.dual(), { code: 'invalid-argument' });
+    await diagram.removeSite(39);
+    assert.equal(diagram.sites.face.length, 38);
+    assert.equal(diagram.data.siteCount, 38);
+    await assertUpToDate(diagram);
+
+    const { anew } = await computedAnew(diagram);
+    const sizes = ({ vertexLabel, faces }) => [vertexLabel.length, faces.offset.length];
+    assert.deepEqual(sizes(await diagram.dual()), sizes(await anew.dual()));
+    assert.equal((await diagram.partition()).regions.area.length, 38);
+    assert.equal((await diagram.insertSite({ vertex: [300] })).label, 38);
     await assertUpToDate(diagram);
     diagram.dispose();
   });

@@ -93,8 +93,8 @@ export class ViewerPage {
     this.page = page;
     page.on('pageerror', (error) => this.complaints.push(String(error.stack ?? error)));
     page.on('console', (message) => {
-      // Remarks on speed, which software rendering has many of.
-      const isOfDriver = message.text().includes('GL Driver Message (OpenGL, Performance');
+      // What a driver says of the pictures that tests take.
+      const isOfDriver = message.text().includes('GPU stall due to ReadPixels');
       if (['error', 'warning'].includes(message.type()) && !isOfDriver) {
         this.complaints.push(message.text());
       }

@@ -46,6 +46,7 @@ suite('the centroidal tessellation', () => {
     await viewer.page.locator('#cvt-iterations').blur();
     const drawn = await viewer.after('diagram', () => press('#cvt-play'));
     assert.equal(drawn.regions, 60);
+    assert.ok(drawn.milliseconds > 1, 'as long as an iteration');
 
     const all = await iterations();
     assert.deepEqual(all.map(({ iteration }) => iteration), [0, 1, 2, 3, 4, 5, 6]);
@@ -104,6 +105,16 @@ suite('the centroidal tessellation', () => {
     assert.equal((await iterations()).length, number, 'nothing goes on behind one’s back');
   });
 
+  test('ends where iterations gain no more than asked for', async () => {
+    await viewer.page.selectOption('#cvt-tolerance', '0.01');
+    await viewer.after('diagram', () => press('#cvt-play'));
+    const all = await iterations();
+    assert.ok(all.length < 50, `${all.length} iterations`);
+    const gains = all.slice(1).map(({ energy }, i) => 1 - energy / all[i].energy);
+    assert.ok(gains.slice(0, -1).every((gain) => gain > 0.01) && gains.at(-1) <= 0.01, `${gains}`);
+    assert.equal(await text('#cvt-state'), 'No further improvement');
+  });
+
   test('an edit by hand ends it and is a step of its own', async () => {
     const before = await viewer.sites();
     await press('#cvt-play');
@@ -153,41 +164,140 @@ suite('the centroidal tessellation', () => {
     assert.equal(await viewer.evaluate(({ density }) => density === undefined), true);
   });
 
-  test('on a larger model the page answers between iterations, and a pause takes effect', async () => {
+  test('a stroke is a step to undo, and the brush is seen where it would paint', async () => {
+    const density = () => viewer.evaluate(({ density }) => density && [...density]);
+    const place = await viewer.freePlace();
+    const empty = await viewer.emptyPlace();
+    await viewer.page.mouse.move(empty.x, empty.y);
+    const bare = await viewer.picture();
+    // The region under the pointer is outlined, too.
+    const hovering = async (x) => {
+      await viewer.after('hover', () => viewer.page.mouse.move(x, place.y));
+      return viewer.picture();
+    };
+    const without = await hovering(place.x);
+    await press('#density-paint');
+    const outlined = await viewer.difference(without, await hovering(place.x + 1));
+    assert.ok(outlined.count > 20, `${outlined.count} pixels are the brush's outline`);
+    await press('#density-paint');
+    assert.equal((await viewer.difference(without, await hovering(place.x))).count, 0);
+    await press('#density-paint');
+
+    const sites = await viewer.sites();
+    const stroke = (dx) =>
+      viewer.after('density-change', async () => {
+        await viewer.page.mouse.move(place.x, place.y);
+        await viewer.page.mouse.down();
+        await viewer.page.mouse.move(place.x + dx, place.y);
+        await viewer.page.mouse.up();
+      });
+    await stroke(8);
+    const first = await density();
+    await stroke(-8);
+    const second = await density();
+    assert.notDeepEqual(first, second);
+    await viewer.after('density-change', () => press('#undo'));
+    assert.deepEqual(await density(), first);
+    await viewer.after('density-change', () => press('#undo'));
+    assert.equal(await density(), undefined);
+    assert.equal(await isDisabled('#undo'), true);
+    await viewer.after('hover', () => viewer.page.mouse.move(empty.x, empty.y));
+    assert.equal((await viewer.difference(bare, await viewer.picture())).count, 0);
+    await viewer.after('density-change', () => press('#redo'));
+    assert.deepEqual(await density(), first);
+    await viewer.after('density-change', () => press('#density-clear'));
+    await viewer.after('density-change', () => press('#undo'));
+    assert.deepEqual(await density(), first);
+    assert.deepEqual(await viewer.sites(), sites);
+  });
+
+  test('with 300 sites on 100,000 triangles the page answers throughout, and a pause is final', async () => {
     // Few pixels: drawing them without a graphics card is what takes the time here.
     await viewer.page.setViewportSize({ width: 360, height: 300 });
     await viewer.after('diagram', () =>
       viewer.page.setInputFiles('#files', [
-        { name: 'torus.glb', mimeType: '', buffer: Buffer.from(glb(torus())) },
+        { name: 'torus.glb', mimeType: '', buffer: Buffer.from(glb(torus(320, 160))) },
       ]),
     );
+    await viewer.after('diagram', () => viewer.evaluate((viewer) => viewer.scatter(300)));
+    assert.equal(await viewer.evaluate(({ info }) => info.faces), 102_400);
+    const before = await viewer.sites();
+
+    // Of every iteration how long it took, and the longest time in which no timer ran.
     const answers = await viewer.evaluate(
       (viewer) =>
         new Promise((resolve) => {
           const answers = [];
-          let sinceIteration = 0;
-          const timer = setInterval(() => ++sinceIteration, 1);
+          let start = performance.now();
+          let last = start;
+          let longest = 0;
+          const timer = setInterval(() => {
+            const now = performance.now();
+            longest = Math.max(longest, now - last);
+            last = now;
+          }, 1);
           viewer.addEventListener('cvt-iteration', () => {
-            answers.push(sinceIteration);
-            sinceIteration = 0;
-            if (answers.length < 4) return;
+            const now = performance.now();
+            answers.push({ whole: now - start, longest: Math.max(longest, now - last) });
+            start = last = now;
+            longest = 0;
+            if (answers.length < 6) return;
             clearInterval(timer);
             resolve(answers);
           });
           viewer.playCvt();
         }),
     );
-    assert.ok(answers.every((count) => count > 0), `timers between iterations: ${answers}`);
-    const { late, status } = await viewer.evaluate(async (viewer) => {
-      const count = viewer.iterations.length;
-      viewer.pauseCvt();
-      const status = viewer.cvtStatus;
-      await new Promise((resolve) => viewer.addEventListener('diagram', resolve, { once: true }));
-      return { late: viewer.iterations.length - count, status };
-    });
-    assert.equal(status, 'paused');
-    assert.equal(late, 0);
-    await viewer.settled();
+    // What a busy machine holds up, it holds up in one iteration or another.
+    const shares = answers.slice(1).map(({ whole, longest }) => longest / whole);
+    assert.ok(shares.sort((a, b) => a - b)[2] < 0.4, `silent for ${shares} of iterations`);
+
+    // In the middle of the next iteration, the first time by the button, then by Cancel.
+    for (const give of ['pauseCvt', 'cancel']) {
+      const told = await viewer.evaluate(async (viewer, give) => {
+        if (viewer.cvtStatus !== 'running') viewer.playCvt();
+        await new Promise((resolve) =>
+          viewer.addEventListener('cvt-iteration', resolve, { once: true }),
+        );
+        await new Promise((resolve) => setTimeout(resolve, 50));
+        const later = [];
+        for (const type of ['cvt-iteration', 'sites-change', 'cvt-change', 'status-change']) {
+          viewer.addEventListener(type, () => later.push(type));
+        }
+        viewer[give]();
+        const { cvtStatus, status } = viewer;
+        later.length = 0;
+        viewer.later = later;
+        return { cvtStatus, status };
+      }, give);
+      assert.deepEqual(told, { cvtStatus: 'paused', status: 'ready' }, 'at once');
+      const atPause = await viewer.sites();
+      const picture = await viewer.picture(['regions', 'bisectors', 'sites']);
+      // Each takes as long as an iteration: the one that was under way is done after these.
+      await viewer.evaluate(async ({ mesh, sites }) => {
+        for (let i = 0; i < 3; ++i) (await mesh.voronoi(sites)).dispose();
+      });
+      assert.deepEqual(await viewer.evaluate(({ later }) => later), []);
+      const change = await viewer.difference(
+        picture,
+        await viewer.picture(['regions', 'bisectors', 'sites']),
+      );
+      assert.equal(change.count, 0, 'nothing is drawn after it');
+      assert.deepEqual(await viewer.sites(), atPause);
+      // The diagram is that of the sites, and can be asked.
+      const { sites, nearest } = await viewer.evaluate(async ({ diagram }) => {
+        const { face, bary } = diagram.sites;
+        const { label } = await diagram.locate({ face: [face[7]], bary: bary.slice(21, 24) });
+        return { sites: { face: [...face], bary: [...bary] }, nearest: label[0] };
+      });
+      assert.deepEqual(sites, atPause);
+      assert.equal(nearest, 7);
+    }
+    const numbers = (await iterations()).map(({ iteration }) => iteration);
+    assert.deepEqual(numbers, [...numbers.keys()], 'no iteration is lost or comes twice');
+
+    await viewer.after('diagram', () => press('#undo'));
+    assert.deepEqual(await viewer.sites(), before, 'all of it is one step');
   });
 
   test('sites are scattered in three ways', async () => {

@@ -105,6 +105,37 @@ suite('the page', () => {
     assert.equal(await viewer.siteCount(), 60);
   });
 
+  test('removing a site and undoing it change the diagram in place', async () => {
+    const at = 10;
+    const before = await viewer.sites();
+    const isSame = () => viewer.evaluate((viewer) => viewer.diagram === viewer.first);
+    await viewer.evaluate((viewer) => {
+      viewer.first = viewer.diagram;
+    });
+    const removed = await viewer.after('diagram', () =>
+      viewer.evaluate((viewer, at) => viewer.removeSite(at), at),
+    );
+    assert.equal(removed.sites, 59);
+    assert.equal(removed.regions, 59);
+    assert.equal(await isSame(), true);
+    const rest = await viewer.sites();
+    assert.equal(rest.face[at], before.face[59], 'the last one takes its place');
+    assert.deepEqual([...rest.face.slice(0, at), ...rest.face.slice(at + 1)], [
+      ...before.face.slice(0, at),
+      ...before.face.slice(at + 1, -1),
+    ]);
+    const inPlace = await viewer.picture(['bisectors', 'voronoi-points']);
+
+    await viewer.after('diagram', () => press('Control+z'));
+    assert.equal(await isSame(), true);
+    assert.deepEqual(await viewer.sites(), before);
+    assert.equal(await viewer.regionCount(), 60);
+    await viewer.after('diagram', () => viewer.evaluate((viewer, rest) => (viewer.sites = rest), rest));
+    assert.equal(await isSame(), false);
+    const anew = await viewer.picture(['bisectors', 'voronoi-points']);
+    assert.equal((await viewer.difference(inPlace, anew)).count, 0);
+  });
+
   test('Escape puts a site that is being dragged back', async () => {
     const place = await viewer.freePlace();
     await viewer.after('diagram', () => click(place));
@@ -347,11 +378,12 @@ suite('the page', () => {
     assert.equal(await changedSince(picture), 0);
   });
 
-  test('a viewer that is taken out ends its worker, and starts anew when it returns', async () => {
-    assert.equal(viewer.page.workers().length, 1);
-    const [worker] = viewer.page.workers();
+  test('a viewer that is taken out ends its workers, and starts anew when it returns', async () => {
+    // One for diagrams, one for how they are drawn.
+    const workers = viewer.page.workers();
+    assert.equal(workers.length, 2);
     await Promise.all([
-      worker.waitForEvent('close'),
+      ...workers.map((worker) => worker.waitForEvent('close')),
       viewer.evaluate((viewer) => {
         window.taken = viewer;
         viewer.remove();
@@ -360,7 +392,7 @@ suite('the page', () => {
     await viewer.page.evaluate(() => document.querySelector('#view').append(window.taken));
     await viewer.settled();
     assert.equal(await viewer.regionCount(), 60);
-    assert.equal(viewer.page.workers().length, 1);
+    assert.equal(viewer.page.workers().length, 2);
   });
 });
 

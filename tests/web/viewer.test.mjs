@@ -19,7 +19,7 @@ const { ModelDrawing } = await viewerModule('model_drawing');
 const { ModelFrame } = await viewerModule('model_frame');
 const { RegionColours, toneColour } = await viewerModule('region_colours');
 const { SiteHistory } = await viewerModule('site_history');
-const { stepBetween } = await viewerModule('site_step');
+const { stepsBetween, without } = await viewerModule('site_step');
 
 async function viewerModule(name) {
   const path = fileURLToPath(new URL(`../../web/viewer/${name}.ts`, import.meta.url));
@@ -173,10 +173,13 @@ suite('a diagram that changes', () => {
 
     const places = await mesh.sampleSites(60, { seed: 7 });
     for (let i = 0; i < 21; ++i) {
+      const count = diagram.sites.face.length;
       const change = await (i % 3 === 0
-        ? diagram.insertSite(single(places, i))
+        ? i % 9 === 6
+          ? diagram.removeSite(count - 1)
+          : diagram.insertSite(single(places, i))
         : diagram.moveSite((7 * i) % 60, single(places, i)));
-      summary = summary.after(change);
+      summary = summary.after(change, diagram.sites.face.length);
       drawing.changeDiagram(change, {
         get data() {
           return assert.fail('all of the diagram is not needed');
@@ -188,7 +191,7 @@ suite('a diagram that changes', () => {
       if (i % 4 === 2) continue; // several changes before a drawing
       card.upload(drawing);
       if (i % 3) assert.ok(card.uploaded < 0.5 * all, `${card.uploaded} of ${all} bytes`);
-      if (i % 5 > 0) continue;
+      if (i % 5 > 0 && i !== 6) continue;
 
       const { siteCount, regionCount, arcCount, segmentCount, voronoiPointCount } = whole().summary;
       assert.deepEqual(
@@ -215,25 +218,32 @@ suite('a diagram that changes', () => {
   const pairsOf = ({ arcs: { labels } }) =>
     Array.from({ length: labels.length / 2 }, (_, i) => [labels[2 * i], labels[2 * i + 1]]);
 
-  test('a step is one site that has moved, or one more at the end', () => {
+  test('one or two steps are a site that moved, came or went at the end, and no two sites meet', () => {
     const sites = new SiteHistory();
     const list = sites.createAll({ face: [1, 2, 3], bary: [1, 0, 0, 1, 0, 0, 1, 0, 0] });
     const moved = list.map((site, i) => (i === 1 ? { ...site, face: 9 } : site));
     const added = [...list, sites.create({ face: 4, bary: [1, 0, 0] })];
-    assert.deepEqual(stepBetween(list, moved), { kind: 'move', index: 1, site: moved[1] });
-    assert.deepEqual(stepBetween(list, added), { kind: 'insert', index: 3, site: added[3] });
-    assert.deepEqual(stepBetween(moved, list), { kind: 'move', index: 1, site: list[1] });
-    const others = [
-      [...list],
-      list.slice(1),
-      added.slice(1),
-      [...moved, added[3]],
-      [added[3], ...list],
-      moved.map((site, i) => (i === 2 ? { ...site, face: 8 } : site)),
-      [list[0], added[3], list[2]],
-      [list[1], list[0], list[2]],
-    ];
-    for (const other of others) assert.equal(stepBetween(list, other), undefined);
+    assert.deepEqual(stepsBetween(list, moved), [{ kind: 'move', index: 1, site: moved[1] }]);
+    assert.deepEqual(stepsBetween(list, added), [{ kind: 'insert', index: 3, site: added[3] }]);
+    assert.deepEqual(stepsBetween(moved, list), [{ kind: 'move', index: 1, site: list[1] }]);
+    assert.deepEqual(stepsBetween(added, list), [{ kind: 'remove', index: 3 }]);
+
+    // The last site takes the place of one that goes, and gives it back.
+    const rest = without(added, list[1].id);
+    assert.deepEqual(rest, [list[0], added[3], list[2]]);
+    assert.deepEqual(stepsBetween(added, rest), [
+      { kind: 'remove', index: 3 },
+      { kind: 'move', index: 1, site: added[3] },
+    ]);
+    assert.deepEqual(stepsBetween(rest, added), [
+      { kind: 'move', index: 1, site: list[1] },
+      { kind: 'insert', index: 3, site: added[3] },
+    ]);
+    assert.deepEqual(without(added, added[3].id), list);
+    assert.equal(without(list, added[3].id), list);
+
+    const others = [[...list], [added[3], ...list], [list[1], list[2], list[0]], [list[2]]];
+    for (const other of others) assert.equal(stepsBetween(list, other), undefined);
   });
 });
 
@@ -380,6 +390,27 @@ suite('site history', () => {
     sites.record([sites.create({ face: 3, bary: [0, 0, 1] })]);
     assert.equal(sites.canRedo, false);
     assert.equal(new Set([...sites.present, ...history().present]).size, 3);
+  });
+
+  test('the density is part of it', () => {
+    const sites = history();
+    const first = sites.present;
+    const painted = Float32Array.of(0, 1);
+    sites.recordTints(painted);
+    sites.record([]);
+    assert.equal(sites.tints, painted);
+    sites.revise([first[0]]);
+    sites.undo();
+    assert.equal(sites.present, first);
+    assert.equal(sites.tints, painted);
+    sites.undo();
+    assert.equal(sites.tints, undefined);
+    assert.equal(sites.canUndo, false);
+    sites.redo();
+    sites.redo();
+    assert.deepEqual([sites.present, sites.tints], [[first[0]], painted]);
+    sites.returnTo(first);
+    assert.equal(sites.tints, painted, 'no further than needed');
   });
 
   test('it returns to a list by undoing or redoing', () => {

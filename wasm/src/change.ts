@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 import type { DiagramChange, DiagramData, PointLists, SurfacePoints } from './types.js';
 
-/** The sites after a change: `site` is where the one of `label` is now, undefined if it is gone. */
+/**
+ * The sites after a change: `site` is where the one of `label` is now, undefined if it is gone. Labels at
+ * the end without a site do not count.
+ */
 export function changedSites(
   sites: SurfacePoints,
   label: number,
@@ -14,16 +17,23 @@ export function changedSites(
   bary.set(sites.bary);
   face[label] = site ? site.face[0] : -1;
   bary.set(site ? site.bary : [0, 0, 0], 3 * label);
-  return { face, bary };
+  let end = count;
+  while (end > 0 && face[end - 1] < 0) --end;
+  return end === count ? { face, bary } : { face: face.slice(0, end), bary: bary.slice(0, 3 * end) };
 }
 
-/** The diagram after a change: what the change names is replaced, all else is kept. */
-export function changedData(data: DiagramData, change: DiagramChange): DiagramData {
+/** The diagram of so many sites after a change: what the change names is replaced, all else is kept. */
+export function changedData(
+  data: DiagramData,
+  change: DiagramChange,
+  siteCount: number,
+): DiagramData {
   const { part, labels, faces } = change;
-  const siteCount = Math.max(data.siteCount, 1 + (labels.at(-1) ?? -1));
   const regionArea = new Float64Array(siteCount);
-  regionArea.set(data.regionArea);
-  labels.forEach((label, i) => (regionArea[label] = part.regionArea[i]));
+  regionArea.set(data.regionArea.subarray(0, siteCount));
+  labels.forEach((label, i) => {
+    if (label < siteCount) regionArea[label] = part.regionArea[i];
+  });
   const faceLabel = data.faceLabel.slice();
   faces.forEach((face, i) => (faceLabel[face] = part.faceLabel[i]));
   return { siteCount, ...new Merge(data, change).run(), regionArea, faceLabel };
@@ -48,18 +58,32 @@ export function combinedChange(first: DiagramChange, second: DiagramChange): Dia
 }
 
 /**
- * Appends a change to a list, where it is combined with those before that are no larger: a site that
- * is dragged changes the same place again and again, and the list stays short wherever changes are.
+ * Appends a change to a list. Those before of which it replaces everything are dropped, as often when a
+ * site is dragged; it is combined with those that are no larger: the list stays short wherever changes are.
  */
 export function pushChange(changes: DiagramChange[], change: DiagramChange): void {
   let last = change;
   for (;;) {
     const before = changes.at(-1);
-    if (!before || sizeOf(before) > 2 * sizeOf(last)) break;
-    last = combinedChange(before, last);
+    if (!before) break;
+    if (!isReplaced(before, last)) {
+      if (sizeOf(before) > 2 * sizeOf(last)) break;
+      last = combinedChange(before, last);
+    }
     changes.pop();
   }
   changes.push(last);
+}
+
+/** Whether nothing is left of a change after another one. */
+function isReplaced(first: DiagramChange, second: DiagramChange): boolean {
+  return isSubset(first.labels, second.labels) && isSubset(first.faces, second.faces);
+}
+
+function isSubset(some: Int32Array, all: Int32Array): boolean {
+  if (some.length > all.length) return false;
+  const set = new Set(all);
+  return some.every((each) => set.has(each));
 }
 
 function sizeOf({ part }: DiagramChange): number {

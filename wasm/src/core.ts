@@ -37,6 +37,7 @@ interface CoreFunctions {
   stepVoronoi(voronoi: number, budget: number): number;
   voronoiProgress(voronoi: number): number;
   traceVoronoi(voronoi: number, detail: number): number;
+  prepareChanges(voronoi: number): number;
   insertSite(voronoi: number, face: number, b0: number, b1: number, b2: number): number;
   moveSite(
     voronoi: number,
@@ -64,6 +65,7 @@ interface CoreFunctions {
     bary: number,
     count: number,
     method: number,
+    metric: number,
     iterations: number,
     energyTolerance: number,
     moveTolerance: number,
@@ -75,6 +77,7 @@ interface CoreFunctions {
   stepCvt(cvt: number, budget: number): number;
   cvtIteration(cvt: number): number;
   cvtDiagram(cvt: number): number;
+  cvtVoronoi(cvt: number): number;
   freeCvt(cvt: number): void;
 }
 
@@ -104,6 +107,7 @@ const sliceDone = 2;
 /** What `startCvt` needs beside a mesh and sites. */
 export interface CvtSettings {
   method: CvtMethod;
+  metric: Metric;
   iterations: number;
   energyTolerance: number;
   moveTolerance: number;
@@ -241,6 +245,10 @@ export class Core {
     return diagramData(this.#wasm.arrays((core) => core.traceVoronoi(voronoi, detail)));
   }
 
+  prepareChanges(voronoi: VoronoiPointer): void {
+    this.#wasm.call((core) => core.prepareChanges(voronoi));
+  }
+
   insertSite(voronoi: VoronoiPointer, site: SurfacePoints): DiagramChange {
     const [b0, b1, b2] = site.bary;
     return diagramChange(
@@ -307,12 +315,13 @@ export class Core {
   }
 
   startCvt(mesh: MeshPointer, sites: SurfacePoints, settings: CvtSettings): CvtPointer {
-    const { method, iterations, energyTolerance, moveTolerance, density, fixedSites } = settings;
+    const { iterations, energyTolerance, moveTolerance, density, fixedSites } = settings;
     return this.#wasm.call((core, copyIn) =>
       core.startCvt(
         mesh,
         ...copyPoints(copyIn, sites),
-        cvtMethods.indexOf(method),
+        cvtMethods.indexOf(settings.method),
+        metrics.indexOf(settings.metric),
         iterations,
         energyTolerance,
         moveTolerance,
@@ -330,7 +339,7 @@ export class Core {
   }
 
   /** The iteration that is done. */
-  cvtIteration(cvt: CvtPointer): Omit<CvtState, 'data'> & { isLast: boolean } {
+  cvtIteration(cvt: CvtPointer): Omit<CvtState, 'data' | 'diagram'> & { isLast: boolean } {
     const [counts, measures, face, bary] = this.#wasm.arrays((core) => core.cvtIteration(cvt)) as [
       Int32Array,
       Float64Array,
@@ -345,6 +354,11 @@ export class Core {
   /** The diagram of the iteration that is done. */
   cvtDiagram(cvt: CvtPointer): Omit<DiagramData, 'siteCount'> {
     return diagramData(this.#wasm.arrays((core) => core.cvtDiagram(cvt)));
+  }
+
+  /** The same diagram as an object. */
+  cvtVoronoi(cvt: CvtPointer): VoronoiPointer {
+    return this.#wasm.call((core) => core.cvtVoronoi(cvt)) as VoronoiPointer;
   }
 
   freeCvt(cvt: CvtPointer): void {

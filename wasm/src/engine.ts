@@ -61,6 +61,12 @@ export interface OpenedCvt {
   handle: Handle;
 }
 
+/** What a state of a tessellation comes with: nothing, the arrays of its diagram, or the diagram too. */
+export type CvtForm = 'bare' | 'data' | 'diagram';
+
+/** An iteration; with `handle` that of its diagram. */
+export type AdvancedCvt = Omit<CvtState, 'diagram'> & { handle?: Handle };
+
 /**
  * What stands behind the objects of `library.ts`: on this thread (`LocalEngine`) or in a worker
  * (`WorkerEngine`). Arguments are valid in form; everything in and out can be posted to a worker.
@@ -83,6 +89,7 @@ export interface Engine {
     options: { metric: Metric; detail: number },
     task: TaskOptions,
   ): Promise<OpenedDiagram>;
+  prepareChanges(diagram: Handle): Promise<void>;
   /** `site` is one point. */
   insertSite(diagram: Handle, site: SurfacePoints): Promise<DiagramChange>;
   moveSite(diagram: Handle, label: number, site: SurfacePoints): Promise<DiagramChange>;
@@ -96,7 +103,7 @@ export interface Engine {
   repairingSites(diagram: Handle): Promise<SurfacePoints>;
   openCvt(mesh: Handle, sites: SurfacePoints, settings: CvtSettings): Promise<OpenedCvt>;
   /** The next iteration, the first time number 0; nothing after the last one. */
-  advanceCvt(cvt: Handle, withData: boolean, task: TaskOptions): Promise<CvtState | undefined>;
+  advanceCvt(cvt: Handle, form: CvtForm, task: TaskOptions): Promise<AdvancedCvt | undefined>;
   /** Frees a mesh, a diagram or a tessellation. Those of a mesh stay. */
   close(handle: Handle): void;
   dispose(): void;
@@ -206,9 +213,9 @@ export class LocalEngine implements Engine {
 
   async advanceCvt(
     handle: Handle,
-    withData: boolean,
+    form: CvtForm,
     { signal }: TaskOptions,
-  ): Promise<CvtState | undefined> {
+  ): Promise<AdvancedCvt | undefined> {
     signal?.throwIfAborted();
     const core = this.#open();
     if (this.#finished.has(handle)) return undefined;
@@ -216,9 +223,11 @@ export class LocalEngine implements Engine {
     await this.#inSlices(() => core.stepCvt(cvt(), entriesPerStep), { signal });
     const { isLast, ...state } = core.cvtIteration(cvt());
     if (isLast) this.#finished.add(handle);
-    if (!withData) return state;
+    if (form === 'bare') return state;
     const siteCount = state.sites.face.length;
-    return { ...state, data: { siteCount, ...core.cvtDiagram(cvt()) } };
+    const withData = { ...state, data: { siteCount, ...core.cvtDiagram(cvt()) } };
+    if (form === 'data') return withData;
+    return { ...withData, handle: this.#keep(this.#diagrams, core.cvtVoronoi(cvt())) };
   }
 
   /**
@@ -239,6 +248,10 @@ export class LocalEngine implements Engine {
       signal?.throwIfAborted();
       this.#open();
     }
+  }
+
+  async prepareChanges(diagram: Handle): Promise<void> {
+    this.#open().prepareChanges(pointerOf(this.#diagrams, diagram));
   }
 
   async insertSite(diagram: Handle, site: SurfacePoints): Promise<DiagramChange> {

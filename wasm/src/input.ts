@@ -85,6 +85,7 @@ export function toSampling(sampling: Sampling): Sampling {
 /** Whether density and fixed sites fit mesh and sites is for the core to say. */
 export function toCvtSettings({
   method = 'lbfgs',
+  metric = 'dgpc',
   iterations = 50,
   energyTolerance = 0,
   moveTolerance = 0,
@@ -93,6 +94,7 @@ export function toCvtSettings({
 }: CvtOptions): CvtSettings {
   return {
     method: toOneOf('method', method, cvtMethods),
+    metric: toMetric(metric),
     iterations: toInteger('iterations', iterations, 0, maxCount),
     energyTolerance: toTolerance('energyTolerance', energyTolerance),
     moveTolerance: toTolerance('moveTolerance', moveTolerance),

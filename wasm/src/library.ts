@@ -19,7 +19,7 @@ import {
   toTriangles,
 } from './input.js';
 import { GeodesicVoronoiError } from './errors.js';
-import type { Engine, Handle, OpenedDiagram, OpenedMesh, Triangles } from './engine.js';
+import type { AdvancedCvt, Engine, Handle, OpenedDiagram, OpenedMesh, Triangles } from './engine.js';
 import type {
   CvtOptions,
   CvtState,
@@ -119,13 +119,17 @@ class EngineDiagram implements Diagram {
       (later, earlier) => (later ? combinedChange(earlier, later) : earlier),
       undefined,
     );
-    if (change) this.#data = changedData(this.#data, change);
+    if (change) this.#data = changedData(this.#data, change, this.#sites.face.length);
     this.#changes = [];
     return this.#data;
   }
 
   get regions(): readonly Region[] {
     return (this.#regions ??= regionsOf(this.data));
+  }
+
+  async prepareChanges(): Promise<void> {
+    await this.#kept.engine.prepareChanges(this.#kept.handle);
   }
 
   insertSite(site: SurfacePointsInput): Promise<DiagramChange> {
@@ -288,16 +292,17 @@ class EngineMesh implements Mesh {
     sites: SurfacePointsInput,
     options: CvtOptions = {},
   ): AsyncGenerator<CvtState, void, void> {
-    const { data = false, signal } = options;
+    const { data = false, diagrams = false, signal } = options;
     const settings = toCvtSettings(options);
     const points = await resolvePoints(this.#kept, 'sites', sites);
     const { engine } = this.#kept;
     const { handle } = await engine.openCvt(this.#kept.handle, points, settings);
     try {
       for (;;) {
-        const state = await engine.advanceCvt(handle, data, { signal });
-        if (!state) return;
-        yield state;
+        const form = diagrams ? 'diagram' : data ? 'data' : 'bare';
+        const advanced = await engine.advanceCvt(handle, form, { signal });
+        if (!advanced) return;
+        yield stateOf(engine, advanced, settings.metric);
       }
     } finally {
       engine.close(handle);
@@ -311,6 +316,14 @@ class EngineMesh implements Mesh {
   [disposeSymbol](): void {
     this.dispose();
   }
+}
+
+/** An iteration as callers get it. */
+function stateOf(engine: Engine, { handle, ...state }: AdvancedCvt, metric: Metric): CvtState {
+  if (handle === undefined || !state.data) return state;
+  const opened = { handle, data: state.data };
+  const diagram = new EngineDiagram(engine, { metric, detail: 0 }, state.sites, opened);
+  return { ...state, diagram };
 }
 
 /** The library over an engine. */

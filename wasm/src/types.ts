@@ -109,7 +109,8 @@ export interface DiagramChange {
   faces: Int32Array;
   /**
    * What replaces all that there was of these regions and triangles; points are numbered anew.
-   * `faceLabel` is given per entry of `faces`, `regionArea` per entry of `labels`.
+   * `faceLabel` is given per entry of `faces`, `regionArea` per entry of `labels`, also of a label at
+   * the end that has gone.
    */
   part: Omit<DiagramData, 'siteCount'>;
 }
@@ -258,6 +259,8 @@ export interface RepairOptions extends TaskOptions {
 export interface CvtOptions {
   /** Default 'lbfgs'. */
   method?: CvtMethod;
+  /** Of the distances; default 'dgpc'. */
+  metric?: Metric;
   /** At most; default 50. */
   iterations?: number;
   /** Ends when an iteration lowers the energy by no more than this share. Default 0. */
@@ -270,6 +273,8 @@ export interface CvtOptions {
   fixedSites?: ArrayLike<number>;
   /** Whether every state comes with the arrays of its diagram. Default false. */
   data?: boolean;
+  /** Whether every state comes with its diagram, to be asked and changed. Default false. */
+  diagrams?: boolean;
   /** Aborting ends the iteration with the signal's reason. */
   signal?: AbortSignal;
 }
@@ -283,8 +288,10 @@ export interface CvtState {
   /** How far the site that has moved furthest in this iteration has. */
   largestMove: number;
   sites: SurfacePoints;
-  /** The diagram of these sites, if asked for. */
+  /** The arrays of the diagram of these sites, if these or the diagram were asked for. */
   data?: DiagramData;
+  /** The diagram of these sites, if asked for. It is yours: it stays when the next one comes. */
+  diagram?: Diagram;
 }
 
 /** Bytes of the files that a `.gltf` names, by the URI it uses (`gltfResourceUris` lists them). */
@@ -324,7 +331,8 @@ export interface Region {
 
 /**
  * A diagram. Sites can come, go and move if the metric is 'dgpc': only the surroundings are computed
- * anew, and only what has changed is handed over. The first change takes as long as the diagram did.
+ * anew, and only what has changed is handed over. The first change takes as long as the diagram did,
+ * unless that was prepared.
  * Calls are carried out in their order; `sites`, `data` and `regions` are those after the last one
  * that has resolved.
  */
@@ -334,10 +342,15 @@ export interface Diagram extends Disposable {
   readonly sites: SurfacePoints;
   readonly data: DiagramData;
   readonly regions: readonly Region[];
+  /** Does ahead what the first change takes long for. */
+  prepareChanges(): Promise<void>;
   /** Adds a site, given as a list of one; it gets the lowest label that is free. */
   insertSite(site: SurfacePointsInput): Promise<DiagramChange>;
   moveSite(label: number, site: SurfacePointsInput): Promise<DiagramChange>;
-  /** The other sites keep their labels; this one's region is empty from then on. */
+  /**
+   * The other sites keep their labels; this one's region is empty from then on. Labels at the end that
+   * have no site do not count any more.
+   */
   removeSite(label: number): Promise<DiagramChange>;
   locate(points: SurfacePointsInput): Promise<Located>;
   /** The mesh cut into the regions. */

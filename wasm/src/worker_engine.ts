@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 import type { CvtSettings } from './core.js';
 import type {
+  AdvancedCvt,
+  CvtForm,
   Engine,
   EngineSources,
   GltfFile,
@@ -12,7 +14,6 @@ import type {
 } from './engine.js';
 import { GeodesicVoronoiError } from './errors.js';
 import type {
-  CvtState,
   DiagramChange,
   Located,
   Metric,
@@ -94,6 +95,10 @@ export class WorkerEngine implements Engine {
     return this.#request('openDiagram', [owner, sites, options], task);
   }
 
+  prepareChanges(diagram: Handle): Promise<void> {
+    return this.#request('prepareChanges', [diagram]);
+  }
+
   insertSite(diagram: Handle, site: SurfacePoints): Promise<DiagramChange> {
     return this.#request('insertSite', [diagram, site]);
   }
@@ -134,8 +139,8 @@ export class WorkerEngine implements Engine {
     return this.#request('openCvt', [mesh, sites, settings]);
   }
 
-  advanceCvt(cvt: Handle, withData: boolean, task: TaskOptions): Promise<CvtState | undefined> {
-    return this.#request('advanceCvt', [cvt, withData], task);
+  advanceCvt(cvt: Handle, form: CvtForm, task: TaskOptions): Promise<AdvancedCvt | undefined> {
+    return this.#request('advanceCvt', [cvt, form], task);
   }
 
   close(handle: Handle): void {

@@ -8,6 +8,7 @@ export type EngineCall =
   | 'pointsAtVertices'
   | 'sampleSites'
   | 'openDiagram'
+  | 'prepareChanges'
   | 'insertSite'
   | 'moveSite'
   | 'removeSite'

@@ -21,6 +21,7 @@ function setUpPlaying(viewer: GeodesicVoronoiElement): void {
   const fields = {
     'cvt-method': byId('cvt-method', HTMLSelectElement),
     'cvt-iterations': byId('cvt-iterations', HTMLInputElement),
+    'cvt-tolerance': byId('cvt-tolerance', HTMLSelectElement),
   };
   for (const [name, field] of Object.entries(fields)) {
     field.addEventListener('change', () => {

@@ -4,8 +4,8 @@
 
 const turn = 2 * Math.PI;
 
-export function torus() {
-  return grid(150, 60, { across: true, along: true }, (s, t) => {
+export function torus(around = 150, across = 60) {
+  return grid(around, across, { across: true, along: true }, (s, t) => {
     const radius = 1 + 0.42 * Math.cos(turn * t);
     return [radius * Math.cos(turn * s), 0.42 * Math.sin(turn * t), -radius * Math.sin(turn * s)];
   });

@@ -48,20 +48,30 @@ function setUpEditing(viewer: GeodesicVoronoiElement): void {
   });
 }
 
-/** For readers of lists rather than of pictures. It is kept up only while it is open. */
+/**
+ * For readers of lists rather than of pictures. It is kept up only while it is open, and of it what has
+ * changed: a drag changes a few regions many times a second.
+ */
 function setUpList(viewer: GeodesicVoronoiElement): void {
   const details = byId('site-details', HTMLDetailsElement);
   const list = byId('site-list', HTMLSelectElement);
+  let shown: Float64Array = new Float64Array();
   const fill = () => {
     if (!details.open) return;
-    const regions = viewer.diagram?.regions ?? [];
-    list.replaceChildren(
-      ...regions.map(({ area }, i) => new Option(`Site ${i + 1}, region of area ${measure(area)}`)),
-    );
-    list.selectedIndex = viewer.selected;
+    const areas = viewer.regionAreas;
+    list.length = Math.min(list.length, areas.length);
+    areas.forEach((area, i) => {
+      if (i < list.length && area === shown[i]) return;
+      const text = `Site ${i + 1}, region of area ${measure(area)}`;
+      if (i < list.length) list.options[i].text = text;
+      else list.add(new Option(text));
+    });
+    shown = areas;
+    if (list.selectedIndex !== viewer.selected) list.selectedIndex = viewer.selected;
   };
   details.addEventListener('toggle', fill);
   listen(viewer, 'diagram', fill);
+  listen(viewer, 'cvt-iteration', fill);
   listen(viewer, 'sites-change', ({ selected }) => {
     list.selectedIndex = selected;
   });

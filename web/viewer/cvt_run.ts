@@ -1,16 +1,38 @@
 // SPDX-License-Identifier: MIT
-import type { CvtMethod, CvtState, Mesh } from 'geodesic-voronoi';
+import type { CvtMethod, CvtState, DiagramData, Mesh, Metric } from 'geodesic-voronoi';
+import type { CellTriangles } from './cell_triangles.js';
 import { type Sites, surfacePointsOf } from './site_history.js';
+
+/** In milliseconds. */
+const longestFrame = 100;
 
 /** How sites move to the centroids of their regions; see `CvtOptions` of the library. */
 export interface CvtSettings {
   method?: CvtMethod;
+  metric?: Metric;
+  /** It is done when an iteration lowers the energy by no more than this share. */
+  energyTolerance?: number;
   /** Per input vertex. */
   density?: ArrayLike<number>;
 }
 
+/** An iteration, ready to be drawn. */
+export interface CvtPicture {
+  state: CvtState;
+  /** Of its diagram, if they could be cut. */
+  cells: CellTriangles | undefined;
+  /** From asking for it to having it. */
+  milliseconds: number;
+}
+
+/** A state, or none after the last one. */
+interface TimedState {
+  state: CvtState | undefined;
+  milliseconds: number;
+}
+
 export interface CvtRunListener {
-  iterated(state: CvtState): void;
+  iterated(picture: CvtPicture): void;
   /** It plays no more, by itself or because it was told so. */
   paused(): void;
   failed(error: unknown): void;
@@ -18,27 +40,38 @@ export interface CvtRunListener {
 
 /**
  * A centroidal tessellation on its way: plays until some iteration and pauses. The next iteration is
- * computed while one is drawn; a pause takes effect at once, and what was asked for by then is not
- * lost but shown first when it plays again.
+ * computed while one is made ready and drawn. A pause takes effect at once: the iteration that was told of
+ * last stays the last, and what was asked for by then is not lost but comes first when it plays again.
  */
 export class CvtRun {
   readonly settings: CvtSettings;
   readonly #listener: CvtRunListener;
   readonly #stopping = new AbortController();
+  readonly #cut: (data: DiagramData) => Promise<CellTriangles | undefined>;
   readonly #states: AsyncGenerator<CvtState, void, void>;
-  #asked: Promise<IteratorResult<CvtState, void>> | undefined;
+  /** The iteration after the last one told of. */
+  #asked: Promise<CvtPicture | undefined> | undefined;
+  /** The state after that one. */
+  #coming: Promise<TimedState> | undefined;
   #playing: { until: number } | undefined;
-  #latest: CvtState | undefined;
+  #latest: CvtPicture | undefined;
   #done = false;
 
-  constructor(mesh: Mesh, sites: Sites, settings: CvtSettings, listener: CvtRunListener) {
+  constructor(
+    mesh: Mesh,
+    sites: Sites,
+    settings: CvtSettings,
+    cut: (data: DiagramData) => Promise<CellTriangles | undefined>,
+    listener: CvtRunListener,
+  ) {
     this.settings = settings;
+    this.#cut = cut;
     this.#listener = listener;
     this.#states = mesh.cvt(surfacePointsOf(sites), {
       ...settings,
       // Whoever plays decides when it ends.
       iterations: 2 ** 31 - 1,
-      data: true,
+      diagrams: true,
       signal: this.#stopping.signal,
     });
   }
@@ -52,13 +85,13 @@ export class CvtRun {
     return this.#done;
   }
 
-  get latest(): CvtState | undefined {
+  get latest(): CvtPicture | undefined {
     return this.#latest;
   }
 
   /** The number of the last iteration; 0 also before it. */
   get iteration(): number {
-    return this.#latest?.iteration ?? 0;
+    return this.#latest?.state.iteration ?? 0;
   }
 
   play(until: number): void {
@@ -79,23 +112,25 @@ export class CvtRun {
     this.#playing = undefined;
     this.#stopping.abort();
     void this.#states.return();
+    // Diagrams that nobody has seen.
+    this.#asked?.then((picture) => picture?.state.diagram?.dispose()).catch(() => {});
+    this.#coming?.then(({ state }) => state?.diagram?.dispose()).catch(() => {});
   }
 
   async #play(playing: { until: number }): Promise<void> {
     try {
       while (this.#playing === playing) {
-        const { value: state } = await this.#ask();
+        const picture = await this.#ask();
         if (this.#playing !== playing) return;
         this.#asked = undefined;
-        if (state && state.iteration < playing.until) void this.#ask();
-        if (state) {
-          this.#latest = state;
-          this.#listener.iterated(state);
+        if (picture) {
+          this.#latest = { ...picture, cells: undefined }; // large, and drawn now
+          this.#listener.iterated(picture);
         } else {
           this.#done = true;
         }
         if (this.#playing !== playing) return;
-        if (!state || state.iteration >= playing.until) this.pause();
+        if (!picture || picture.state.iteration >= playing.until) this.pause();
         else await nextFrame();
       }
     } catch (error) {
@@ -105,20 +140,42 @@ export class CvtRun {
     }
   }
 
-  #ask(): Promise<IteratorResult<CvtState, void>> {
+  #ask(): Promise<CvtPicture | undefined> {
     if (!this.#asked) {
-      this.#asked = this.#states.next();
+      this.#asked = this.#nextPicture();
       // Nobody may be waiting when it is stopped.
       this.#asked.catch(() => {});
     }
     return this.#asked;
   }
+
+  async #nextPicture(): Promise<CvtPicture | undefined> {
+    const { state, milliseconds } = await (this.#coming ?? this.#nextState());
+    this.#coming = undefined;
+    if (!state) return undefined;
+    if (this.#playing && state.iteration < this.#playing.until) {
+      this.#coming = this.#nextState();
+      this.#coming.catch(() => {});
+    }
+    const isWanted = !this.#stopping.signal.aborted;
+    const cells = state.data && isWanted ? await this.#cut(state.data) : undefined;
+    return { state, cells, milliseconds };
+  }
+
+  async #nextState(): Promise<TimedState> {
+    const start = performance.now();
+    const { value: state } = await this.#states.next();
+    return { state: state ?? undefined, milliseconds: performance.now() - start };
+  }
 }
 
-/** Lets the page draw and answer; in a hidden page, which draws nothing, just answer. */
+/**
+ * Lets the page draw and answer. A page that is hidden, or has to wait for a slow graphics card, draws
+ * nothing for a while: then iterations go on, and the newest is drawn.
+ */
 function nextFrame(): Promise<void> {
   return new Promise((resolve) => {
-    if (document.hidden) setTimeout(resolve);
-    else requestAnimationFrame(() => resolve());
+    setTimeout(resolve, document.hidden ? 0 : longestFrame);
+    requestAnimationFrame(() => resolve());
   });
 }

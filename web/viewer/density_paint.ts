@@ -35,6 +35,11 @@ export class DensityPaint {
     return this.#tints.some((tint) => tint !== 0) ? this.#tints : undefined;
   }
 
+  set tints(tints: Float32Array | undefined) {
+    if (tints) this.#tints.set(tints);
+    else this.#tints.fill(0);
+  }
+
   /** Per input vertex; undefined if nothing is painted. */
   get density(): Float64Array | undefined {
     return this.tints && Float64Array.from(this.#tints, (tint) => greatestDensity ** tint);

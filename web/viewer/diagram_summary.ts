@@ -54,23 +54,28 @@ export class DiagramSummary {
     return this.#around.length;
   }
 
-  /** That of the diagram after a change. */
-  after({ label, labels: changedLabels, part }: DiagramChange): DiagramSummary {
-    const changed = new Set(changedLabels);
-    const regionArea = new Float64Array(Math.max(this.siteCount, label + 1));
-    regionArea.set(this.regionArea);
-    changedLabels.forEach((each, i) => (regionArea[each] = part.regionArea[i]));
-    const { labels } = this.arcs;
-    const keptArcs = [...this.#segments.keys()].filter(
-      (arc) => !changed.has(labels[2 * arc]) && !changed.has(labels[2 * arc + 1]),
-    );
-    const keptAround = this.#around.filter((around) => !around.some((each) => changed.has(each)));
-    return new DiagramSummary(
-      regionArea,
-      [...keptArcs.flatMap((arc) => [labels[2 * arc], labels[2 * arc + 1]]), ...part.arcs.labels],
-      [...keptArcs.map((arc) => this.#segments[arc]), ...segmentCounts(part)],
-      [...keptAround, ...labelsAround(part)],
-    );
+  /** That of the diagram of so many sites after a change. */
+  after({ labels: changedLabels, part }: DiagramChange, siteCount: number): DiagramSummary {
+    const regionArea = new Float64Array(siteCount);
+    regionArea.set(this.regionArea.subarray(0, siteCount));
+    const isChanged = new Uint8Array(1 + changedLabels[changedLabels.length - 1]);
+    changedLabels.forEach((each, i) => {
+      isChanged[each] = 1;
+      if (each < siteCount) regionArea[each] = part.regionArea[i];
+    });
+    const labels: number[] = [];
+    const segments: number[] = [];
+    for (let arc = 0; arc < this.#segments.length; ++arc) {
+      const [left, right] = [this.arcs.labels[2 * arc], this.arcs.labels[2 * arc + 1]];
+      if (isChanged[left] || isChanged[right]) continue;
+      labels.push(left, right);
+      segments.push(this.#segments[arc]);
+    }
+    labels.push(...part.arcs.labels);
+    segments.push(...segmentCounts(part));
+    const around = this.#around.filter((each) => !each.some((label) => isChanged[label] > 0));
+    around.push(...labelsAround(part));
+    return new DiagramSummary(regionArea, labels, segments, around);
   }
 }
 

@@ -5,7 +5,6 @@
 import type {
   CvtMethod,
   Diagram,
-  DiagramChange,
   DiagramData,
   Mesh,
   MeshInfo,
@@ -18,6 +17,8 @@ import type {
   Violation,
 } from 'geodesic-voronoi';
 import { Vector2 } from 'three';
+import { brushRing } from './brush_ring.js';
+import { CellBuilder } from './cell_builder.js';
 import { type Command, commandOf } from './commands.js';
 import type { CvtSettings } from './cvt_run.js';
 import { type Brush, DensityPaint } from './density_paint.js';
@@ -33,6 +34,7 @@ import { PointerGestures } from './pointer_gestures.js';
 import { SceneMesh } from './scene_mesh.js';
 import {
   type CvtStatus,
+  type Drawable,
   type Scattering,
   Session,
   type ShownDiagram,
@@ -113,6 +115,14 @@ interface Connected {
   resizing: ResizeObserver;
 }
 
+/** What is there for every model. */
+interface Model {
+  drawing: ModelDrawing;
+  picker: Picker;
+  paint: DensityPaint;
+  cells: CellBuilder;
+}
+
 /** As it was when it last came to rest. */
 interface Density {
   perVertex: Float64Array;
@@ -130,7 +140,8 @@ const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
  * model), their `seed` and `sampling` (random, farthest, poisson), `metric` (dgpc, exact), `detail` (0 …), `layers` (what is shown, separated
  * by spaces: regions, bisectors, sites, voronoi-points, dual, wireframe), `exploded` (0 … 1: how far
  * the regions are apart; then there is nothing to edit), `cvt-method` (lbfgs, lloyd),
- * `cvt-iterations`, `tool` (sites, density: what a press on the surface does), `brush-size` (in
+ * `cvt-iterations`, `cvt-tolerance` (ends when an iteration lowers the energy by no more than this share;
+ * default 0), `tool` (sites, density: what a press on the surface does), `brush-size` (in
  * hundredths of the model's radius), `brush-density`. `status` tells what it does.
  * Slot `poster`: shown until there is a model, and if there can be none. A model opened from a file is
  * gone when the element leaves its document; that of `src` is there again when it returns.
@@ -149,7 +160,7 @@ export class GeodesicVoronoiElement extends Base {
   ];
 
   #connected: Connected | undefined;
-  #model: { drawing: ModelDrawing; picker: Picker; paint: DensityPaint } | undefined;
+  #model: Model | undefined;
   #density: Density | undefined;
   #selected: number | undefined;
   readonly #changedAttributes = new Set<string>();
@@ -274,8 +285,8 @@ export class GeodesicVoronoiElement extends Base {
   }
 
   /**
-   * The diagram that is shown; it changes with the next `diagram` event. There is none without sites
-   * and while iterations of a centroidal tessellation are shown.
+   * The diagram that is shown; it changes with the next `diagram` or `cvt-iteration` event, and is then
+   * disposed of. There is none without sites.
    */
   get diagram(): Diagram | undefined {
     return this.#session?.shown?.diagram;
@@ -299,6 +310,7 @@ export class GeodesicVoronoiElement extends Base {
     this.#session?.endMove();
   }
 
+  /** The last of the sites takes its place in the list; all others keep theirs. */
   removeSite(index: number): void {
     const site = this.#session?.sites[index];
     if (site) this.#session?.removeSite(site.id);
@@ -320,6 +332,11 @@ export class GeodesicVoronoiElement extends Base {
   set selected(index: number) {
     this.#selected = this.#session?.sites[index]?.id;
     this.#showSites();
+  }
+
+  /** Of every region, by its site; it does not have all of the diagram put together, as `diagram` does. */
+  get regionAreas(): Float64Array {
+    return this.#session?.shown?.summary?.regionArea.slice() ?? new Float64Array();
   }
 
   /** Where a site is drawn on the page; undefined if it is behind the surface. */
@@ -346,8 +363,9 @@ export class GeodesicVoronoiElement extends Base {
 
   /**
    * Moves the sites to the centroids of their regions until the number of iterations is a multiple of
-   * `cvt-iterations`, and goes on where it was paused. All of it is one step to undo; any other change
-   * of the sites, and another `cvt-method`, ends it: the next one begins with the sites as they are then.
+   * `cvt-iterations`, and goes on where it was paused. All of it is one step to undo; any other change of
+   * the sites, and another `cvt-method`, `cvt-tolerance` or `metric`, ends it: the next one begins with the
+   * sites as they are then.
    */
   playCvt(): void {
     const iterations = Math.max(1, Math.round(numberOf(this.getAttribute('cvt-iterations'), 50)));
@@ -373,11 +391,11 @@ export class GeodesicVoronoiElement extends Base {
     return this.#density?.perVertex.slice();
   }
 
-  /** Values are kept between a thousandth and a thousand. */
+  /** Values are kept between a thousandth and a thousand. Setting it is a step that can be undone. */
   set density(density: ArrayLike<number> | undefined) {
     if (!this.#model) return;
     this.#model.paint.density = density;
-    this.#adoptDensity();
+    this.#recordDensity();
   }
 
   // --- View -----------------------------------------------------------------------------------
@@ -472,31 +490,44 @@ export class GeodesicVoronoiElement extends Base {
       select: (site) => {
         this.#selected = site;
         this.#showSites();
+        this.#session?.expectMove();
       },
       beginStroke: (x, y) => this.#isPainting && this.#dab(stage.toDevice(x, y)),
       stroke: (x, y) => this.#dab(stage.toDevice(x, y)),
-      endStroke: () => this.#adoptDensity(),
+      endStroke: () => this.#recordDensity(),
       move: (site, x, y) => this.#drag(site, x, y),
       endMove: () => this.#session?.endMove(),
       cancelMove: () => this.#session?.cancelMove(),
       remove: (site) => this.#session?.removeSite(site),
       click: (x, y) => this.#placeAt(this.#required().stage.toDevice(x, y)),
       hover: (x, y) => this.#hover(x, y),
-      leave: () => this.#connected?.hover.moveTo(undefined),
+      leave: () => {
+        this.#connected?.hover.moveTo(undefined);
+        this.#showBrush(undefined);
+      },
     });
     const stage = new Stage(canvas);
-    const session = new Session({
+    const cut = async (data: DiagramData) => this.#model?.cells.build(data);
+    const session = new Session(cut, {
       modelChanged: (mesh, name) => {
-        this.#showModel(new SceneMesh(mesh));
+        this.#showModel(mesh);
         this.#emit('load', { name, info: mesh.info, parts: mesh.parts });
       },
       sitesChanged: () => this.#showSites(),
-      diagramChanged: (shown, milliseconds, change) => {
-        this.#showDiagram(shown, change);
+      densityChanged: (tints) => {
+        if (this.#model) this.#model.paint.tints = tints;
+        this.#adoptDensity();
+      },
+      diagramChanged: (shown, milliseconds, how) => {
+        this.#showDiagram(shown, how);
         this.#tellDiagram(shown, milliseconds);
       },
-      cvtIterated: (shown, { iteration, energy, largestMove }) => {
-        this.#showDiagram(shown);
+      cvtRested: (shown, milliseconds) => {
+        this.#derive();
+        this.#tellDiagram(shown, milliseconds);
+      },
+      cvtIterated: (shown, { iteration, energy, largestMove }, how) => {
+        this.#showDiagram(shown, how);
         const least = shown.summary && hexagonEnergy(shown.summary, this.#density?.rootIntegral);
         const relativeEnergy = energy / (least ?? NaN);
         this.#emit('cvt-iteration', { iteration, energy, relativeEnergy, largestMove });
@@ -536,6 +567,7 @@ export class GeodesicVoronoiElement extends Base {
     session.dispose();
     resizing.disconnect();
     this.#model?.drawing.dispose();
+    this.#model?.cells.dispose();
     this.#model = undefined;
     stage.dispose();
     this.shadowRoot?.replaceChildren();
@@ -567,6 +599,7 @@ export class GeodesicVoronoiElement extends Base {
   get #cvtSettings(): CvtSettings {
     return {
       method: (this.getAttribute('cvt-method') ?? 'lbfgs') as CvtMethod,
+      energyTolerance: Math.max(0, numberOf(this.getAttribute('cvt-tolerance'), 0)),
       density: this.#density?.perVertex,
     };
   }
@@ -589,18 +622,22 @@ export class GeodesicVoronoiElement extends Base {
     this.#connected?.stage.invalidate();
   }
 
-  #showModel(mesh: SceneMesh): void {
+  #showModel(model: Mesh): void {
     const { stage, gestures, hover } = this.#required();
     gestures.cancel();
     hover.moveTo(undefined);
     if (this.#model) {
       stage.remove(this.#model.drawing.object);
       this.#model.drawing.dispose();
+      this.#model.cells.dispose();
     }
+    const cells = new CellBuilder(model);
+    const mesh = new SceneMesh(model);
     this.#model = {
       drawing: new ModelDrawing(mesh),
       picker: new Picker(mesh),
       paint: new DensityPaint(mesh),
+      cells,
     };
     this.#adoptDensity();
     stage.add(this.#model.drawing.object);
@@ -617,9 +654,9 @@ export class GeodesicVoronoiElement extends Base {
     this.#derive();
   }
 
-  /** Asks for what is shown of the diagram besides itself. */
+  /** Asks for what is shown of the diagram besides itself; not for that of every iteration. */
   #derive(): void {
-    const shown = this.#session?.shown;
+    const shown = this.cvtStatus === 'running' ? undefined : this.#session?.shown;
     void this.#dual.update(this.layers.includes('dual') ? shown : undefined);
     void this.#parts.update(this.exploded > 0 ? shown : undefined);
   }
@@ -661,10 +698,11 @@ export class GeodesicVoronoiElement extends Base {
     });
   }
 
-  #showDiagram(shown: ShownDiagram, change?: DiagramChange): void {
+  #showDiagram(shown: ShownDiagram, { changes, cells }: Drawable): void {
     const drawn = drawnDiagram(shown);
-    if (drawn && change) this.#model?.drawing.changeDiagram(change, drawn);
-    else this.#model?.drawing.setDiagram(drawn);
+    const drawing = this.#model?.drawing;
+    if (drawn && changes) for (const change of changes) drawing?.changeDiagram(change, drawn);
+    else drawing?.setDiagram(drawn, cells);
     this.#draw();
     this.#connected?.hover.refresh();
     this.#derive();
@@ -706,11 +744,30 @@ export class GeodesicVoronoiElement extends Base {
     const { paint, drawing } = this.#model;
     paint.dab(hit, this.#brush);
     drawing.setTints(paint.tints);
+    this.#showBrush(hit);
     this.#draw();
     return true;
   }
 
+  /** The outline of what the brush reaches there; none beside the surface. */
+  #showBrush(hit: SurfaceHit | undefined): void {
+    if (!this.#model) return;
+    const { drawing, picker } = this.#model;
+    const ring =
+      hit && this.#isPainting
+        ? brushRing(drawing.mesh, hit, this.#brush.radius, (place) => picker.nearest(place))
+        : new Float32Array();
+    if (drawing.setBrush(ring)) this.#draw();
+  }
+
   /** A tessellation that plays goes on with the density that is painted now. */
+  #recordDensity(): void {
+    const isPlaying = this.cvtStatus === 'running';
+    this.#session?.recordDensity(this.#model?.paint.tints?.slice());
+    this.#adoptDensity();
+    if (isPlaying) this.playCvt();
+  }
+
   #adoptDensity(): void {
     const mesh = this.#session?.mesh;
     if (!this.#model || !mesh) return;
@@ -723,12 +780,11 @@ export class GeodesicVoronoiElement extends Base {
     drawing.setTints(paint.tints);
     this.#draw();
     this.#emit('density-change', { isUniform: perVertex === undefined });
-    if (this.cvtStatus === 'running') this.playCvt();
   }
 
   #placeAt(device: Vector2): void {
     if (this.#isPainting) {
-      if (this.#dab(device)) this.#adoptDensity();
+      if (this.#dab(device)) this.#recordDensity();
       return;
     }
     const hit = this.#pick(device);
@@ -775,8 +831,10 @@ export class GeodesicVoronoiElement extends Base {
     const { stage, canvas, hover } = this.#required();
     const hit = this.#pick(stage.toDevice(x, y));
     const overSite = hit && !this.#isPainting && this.#siteAt(x, y, 10) !== undefined;
+    if (overSite) this.#session?.expectMove();
     canvas.style.cursor = overSite ? 'grab' : hit ? 'crosshair' : '';
     hover.moveTo(hit);
+    this.#showBrush(hit);
   }
 
   #tellHovered(point: HoveredPoint | undefined): void {

@@ -34,7 +34,7 @@ export class ExplodedParts {
         normals,
         3 * c,
       );
-      colours.write(label, undefined, colour, 3 * c);
+      colours.write(label, 0, colour, 3 * c);
     }
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(this.#together.slice(), 3));

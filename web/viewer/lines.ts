@@ -12,17 +12,17 @@ import {
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
-import { RecordBuffer, wholeScene } from './record_buffer.js';
+import { type Keys, type KeyTest, RecordBuffer, wholeScene } from './record_buffer.js';
 import type { SceneMesh } from './scene_mesh.js';
 
 /** Of a side laid onto the surface, in radii of the model. */
 const longestPiece = 0.02;
 
-/** Line segments of a width in CSS pixels, at any zoom; `Key` is what a segment belongs to. */
-export class FatLines<Key> {
+/** Line segments of a width in CSS pixels, at any zoom. */
+export class FatLines {
   readonly object: LineSegments2;
   /** x, y, z of both ends. */
-  readonly #segments = new RecordBuffer<Key>((n) => [
+  readonly #segments = new RecordBuffer((n) => [
     new InstancedInterleavedBuffer(new Float32Array(6 * n), 6),
   ]);
 
@@ -38,14 +38,14 @@ export class FatLines<Key> {
     return this.#segments.count;
   }
 
-  /** x, y, z of both ends, segment after segment, and a key for each. */
-  set(ends: Float32Array, keys: readonly Key[]): void {
+  /** x, y, z of both ends, segment after segment, and two keys for each, if any is to be told from others. */
+  set(ends: Float32Array, keys: Keys = new Int32Array(ends.length / 3)): void {
     this.#segments.set(keys, [ends]);
     this.#adopt();
   }
 
-  /** Others instead of the segments whose key says that they are gone. */
-  replace(isGone: (key: Key) => boolean, ends: Float32Array, keys: readonly Key[]): void {
+  /** Others instead of the segments that are gone. */
+  replace(isGone: KeyTest, ends: Float32Array, keys: Keys): void {
     this.#segments.replace(isGone, keys, [ends]);
     this.#adopt();
   }
@@ -78,11 +78,10 @@ export function pointPlaces(
   { points }: Pick<DiagramData, 'points'>,
   indices: ArrayLike<number>,
 ): Float32Array {
+  const { position } = points;
   const positions = new Float64Array(3 * indices.length);
   for (let i = 0; i < indices.length; ++i) {
-    for (let axis = 0; axis < 3; ++axis) {
-      positions[3 * i + axis] = points.position[3 * indices[i] + axis];
-    }
+    for (let axis = 0; axis < 3; ++axis) positions[3 * i + axis] = position[3 * indices[i] + axis];
   }
   return mesh.frame.toScene(positions);
 }

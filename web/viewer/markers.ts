@@ -55,11 +55,10 @@ const fragmentShader = /* glsl */ `
   }
 `;
 
-/** `Key` is what a marker belongs to. */
-export class Markers<Key> {
+export class Markers {
   readonly object: Points<BufferGeometry, ShaderMaterial>;
   /** Place, and 1 if emphasised. */
-  readonly #markers = new RecordBuffer<Key>((n) => [
+  readonly #markers = new RecordBuffer((n) => [
     new BufferAttribute(new Float32Array(3 * n), 3),
     new BufferAttribute(new Float32Array(n), 1),
   ]);
@@ -95,17 +94,12 @@ export class Markers<Key> {
     };
   }
 
-  /** Places in the scene, a key for each, and which of them is emphasised, if any. */
-  set(places: Float32Array, keys: readonly Key[], emphasised = -1): void {
-    const flags = new Float32Array(keys.length);
-    if (emphasised >= 0 && emphasised < flags.length) flags[emphasised] = 1;
-    this.#markers.set(keys, [places, flags]);
-    this.#adopt();
-  }
-
-  /** Others, none of them emphasised, instead of those whose key says that they are gone. */
-  replace(isGone: (key: Key) => boolean, places: Float32Array, keys: readonly Key[]): void {
-    this.#markers.replace(isGone, keys, [places, new Float32Array(keys.length)]);
+  /** Places in the scene, and which of them is emphasised, if any. */
+  set(places: Float32Array, emphasised = -1): void {
+    const count = places.length / 3;
+    const flags = new Float32Array(count);
+    if (emphasised >= 0 && emphasised < count) flags[emphasised] = 1;
+    this.#markers.set(new Int32Array(2 * count), [places, flags]);
     this.#adopt();
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 import type { DiagramChange, DiagramData, Partition, PolygonMesh } from 'geodesic-voronoi';
 import { Group, type LineSegments, Vector3 } from 'three';
+import type { CellTriangles } from './cell_triangles.js';
 import { type DiagramSummary, labelsAround } from './diagram_summary.js';
 import { ExplodedParts } from './exploded_parts.js';
 import { drapedSides, FatLines, outlineEnds, pointPlaces, wireframe } from './lines.js';
@@ -33,8 +34,6 @@ export interface DrawnDiagram {
   siteIds: readonly number[];
 }
 
-/** What a bisector or a Voronoi point lies between. */
-type Labels = ArrayLike<number>;
 type Lines = Pick<DiagramData, 'points' | 'arcs' | 'segments' | 'voronoiPoints'>;
 
 /** A model with its diagram and sites, as objects of the scene. */
@@ -43,17 +42,19 @@ export class ModelDrawing {
   readonly #mesh: SceneMesh;
   readonly #surface: RegionSurface;
   readonly #colours: RegionColours;
-  readonly #bisectors = new FatLines<Labels>({ colour: ink, width: 2 });
-  readonly #outline = new FatLines<undefined>({ colour: ink, width: 4.5 });
-  readonly #dual = new FatLines<undefined>({ colour: accent, width: 2.5 });
-  readonly #voronoiPoints = new Markers<Labels>({
+  /** Their keys are the two labels. */
+  readonly #bisectors = new FatLines({ colour: ink, width: 2 });
+  readonly #outline = new FatLines({ colour: ink, width: 4.5 });
+  readonly #brush = new FatLines({ colour: accent, width: 2.5 });
+  readonly #dual = new FatLines({ colour: accent, width: 2.5 });
+  readonly #voronoiPoints = new Markers({
     diameter: 7,
     ring: 1.25,
     fill: ink,
     edge: paper,
     emphasis: ink,
   });
-  readonly #siteMarkers = new Markers<number>({
+  readonly #siteMarkers = new Markers({
     diameter: 11,
     ring: 2,
     fill: ink,
@@ -71,6 +72,9 @@ export class ModelDrawing {
   #tones: Uint16Array = new Uint16Array();
   #outlined = -1;
   #sitePlaces = new Float32Array();
+  /** Of the Voronoi points, with the labels around each. */
+  #pointPlaces: Float32Array = new Float32Array();
+  #pointLabels: readonly Int32Array[] = [];
 
   constructor(mesh: SceneMesh, colours = new RegionColours()) {
     this.#mesh = mesh;
@@ -82,6 +86,7 @@ export class ModelDrawing {
       this.#bisectors.object,
       this.#outline.object,
       this.#dual.object,
+      this.#brush.object,
       this.#voronoiPoints.object,
       this.#siteMarkers.object,
     );
@@ -104,12 +109,13 @@ export class ModelDrawing {
     this.#showBisectors();
   }
 
-  setDiagram(diagram: DrawnDiagram | undefined): void {
+  /** `cells` are the diagram's if they have been cut already. */
+  setDiagram(diagram: DrawnDiagram | undefined, cells?: CellTriangles): void {
     const data = diagram?.data;
     this.#tones = diagram
       ? this.#colours.assign(diagram.summary, diagram.siteIds)
       : new Uint16Array();
-    this.#surface.setDiagram(diagram && toned(diagram, this.#tones));
+    this.#surface.setDiagram(diagram && toned(diagram, this.#tones), cells);
     this.#replaceLines(undefined, data);
     this.#loops = data;
     this.#outlines.clear();
@@ -121,19 +127,17 @@ export class ModelDrawing {
     const { labels, part } = change;
     this.#tones = this.#colours.assign(diagram.summary, diagram.siteIds, new Set(labels));
     this.#surface.changeDiagram(change, toned(diagram, this.#tones));
-    const isChanged = new Uint8Array(this.#tones.length);
+    // Of labels there may be one more than tones: that of a site that has gone.
+    const isChanged = new Uint8Array(1 + Math.max(this.#tones.length, labels[labels.length - 1]));
     for (const label of labels) isChanged[label] = 1;
-    this.#replaceLines((between) => {
-      for (let i = 0; i < between.length; ++i) if (isChanged[between[i]]) return true;
-      return false;
-    }, part);
+    this.#replaceLines(isChanged, part);
     for (const label of labels) this.#outlines.set(label, outlineEnds(this.#mesh, part, label));
     this.outline(-1);
   }
 
   /** The sides of the dual, laid onto the surface by `nearest`; undefined for none. */
   setDual(dual: PolygonMesh | undefined, nearest: (place: Vector3) => Vector3): void {
-    setAlike(this.#dual, dual ? drapedSides(this.#mesh, dual, nearest) : new Float32Array());
+    this.#dual.set(dual ? drapedSides(this.#mesh, dual, nearest) : new Float32Array());
   }
 
   /** The regions apart, instead of the surface and what lies on it; undefined for none. */
@@ -156,6 +160,13 @@ export class ModelDrawing {
     return `#${toneColour(this.#tones[label]).toString(16).padStart(6, '0')}`;
   }
 
+  /** Both ends of the sides of the brush's outline; none if there is no brush. Returns whether it changed. */
+  setBrush(ends: Float32Array): boolean {
+    if (ends.length === 0 && this.#brush.count === 0) return false;
+    this.#brush.set(ends);
+    return true;
+  }
+
   /** A tint per input vertex, -1 … 1, over the regions' colours; undefined for none. */
   setTints(tints: Float32Array | undefined): void {
     this.#surface.tints = tints;
@@ -166,8 +177,7 @@ export class ModelDrawing {
     sites.forEach(({ face, bary }, i) => {
       this.#mesh.writePoint(face, bary, this.#sitePlaces, 3 * i);
     });
-    const ids = sites.map(({ id }) => id);
-    this.#siteMarkers.set(this.#sitePlaces, ids, selected);
+    this.#siteMarkers.set(this.#sitePlaces, selected);
   }
 
   sitePlace(index: number): Vector3 {
@@ -180,7 +190,7 @@ export class ModelDrawing {
     this.#outlined = label;
     const isKnown = label >= 0 && label < this.#tones.length;
     const ends = isKnown ? this.#outlineEnds(label) : new Float32Array();
-    setAlike(this.#outline, ends);
+    this.#outline.set(ends);
     return true;
   }
 
@@ -189,6 +199,7 @@ export class ModelDrawing {
     this.#bisectors.dispose();
     this.#outline.dispose();
     this.#dual.dispose();
+    this.#brush.dispose();
     this.#parts?.dispose();
     this.#voronoiPoints.dispose();
     this.#siteMarkers.dispose();
@@ -208,25 +219,45 @@ export class ModelDrawing {
     return outlineEnds(this.#mesh, this.#loops, label);
   }
 
-  /** Other bisectors and Voronoi points instead of those that are gone; of all if that is not given. */
-  #replaceLines(
-    isGone: ((between: Labels) => boolean) | undefined,
-    part: Lines | undefined,
-  ): void {
+  /** Other bisectors and Voronoi points instead of those of the marked labels; of all if none are given. */
+  #replaceLines(isChanged: Uint8Array | undefined, part: Lines | undefined): void {
     const places = (points: Int32Array | undefined) =>
       part && points ? pointPlaces(this.#mesh, part, points) : new Float32Array();
     const segments = places(part?.segments.points);
+    const between = part?.segments.labels ?? new Int32Array();
     const points = places(part?.voronoiPoints.point);
-    const ofSegments = part ? segmentLabels(part) : [];
-    const ofPoints = part ? labelsAround(part) : [];
-    if (isGone) {
-      this.#bisectors.replace(isGone, segments, ofSegments);
-      this.#voronoiPoints.replace(isGone, points, ofPoints);
+    const around = part ? labelsAround(part) : [];
+    if (isChanged) {
+      const isGone = (keys: Int32Array, at: number) =>
+        isChanged[keys[at]] > 0 || isChanged[keys[at + 1]] > 0;
+      this.#bisectors.replace(isGone, segments, between);
+      this.#keepPoints(isChanged, points, around);
     } else {
-      this.#bisectors.set(segments, ofSegments);
-      this.#voronoiPoints.set(points, ofPoints);
+      this.#bisectors.set(segments, between);
+      this.#pointPlaces = points;
+      this.#pointLabels = around;
     }
+    this.#voronoiPoints.set(this.#pointPlaces);
     this.#showBisectors();
+  }
+
+  /** Of the Voronoi points those beside the marked labels; these ones are added. They are few. */
+  #keepPoints(
+    isChanged: Uint8Array,
+    places: Float32Array,
+    labels: readonly Int32Array[],
+  ): void {
+    const kept: number[] = [];
+    this.#pointLabels.forEach((around, i) => {
+      if (!around.some((label) => isChanged[label] > 0)) kept.push(i);
+    });
+    const all = new Float32Array(3 * kept.length + places.length);
+    kept.forEach((from, to) => {
+      all.set(this.#pointPlaces.subarray(3 * from, 3 * from + 3), 3 * to);
+    });
+    all.set(places, 3 * kept.length);
+    this.#pointPlaces = all;
+    this.#pointLabels = [...kept.map((i) => this.#pointLabels[i]), ...labels];
   }
 }
 
@@ -237,17 +268,4 @@ function toned(diagram: DrawnDiagram, tones: Uint16Array): TonedDiagram {
       return diagram.data;
     },
   };
-}
-
-/** The two labels of every segment; those of an arc share a list. */
-function segmentLabels({ arcs, segments }: Lines): Labels[] {
-  const ofArc = Array.from({ length: arcs.labels.length / 2 }, (_, arc) =>
-    arcs.labels.subarray(2 * arc, 2 * arc + 2),
-  );
-  return Array.from(segments.arc, (arc) => ofArc[arc]);
-}
-
-/** Draws segments of which none is to be told from the others. */
-function setAlike(lines: FatLines<undefined>, ends: Float32Array): void {
-  lines.set(ends, new Array(ends.length / 6).fill(undefined));
 }

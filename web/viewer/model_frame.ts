@@ -43,8 +43,12 @@ export class ModelFrame {
   /** x, y, z triples of the model in the scene. Subtracted before rounding: far origins cost nothing. */
   toScene(positions: ArrayLike<number>): Float32Array {
     const scene = new Float32Array(positions.length);
-    for (let i = 0; i < positions.length; ++i) {
-      scene[i] = (positions[i] - this.#centre[i % 3]) * this.#scale;
+    const [x, y, z] = this.#centre;
+    const scale = this.#scale;
+    for (let i = 0; i < positions.length; i += 3) {
+      scene[i] = (positions[i] - x) * scale;
+      scene[i + 1] = (positions[i + 1] - y) * scale;
+      scene[i + 2] = (positions[i + 2] - z) * scale;
     }
     return scene;
   }

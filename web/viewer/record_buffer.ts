@@ -10,24 +10,28 @@ export type UploadedBuffer = BufferAttribute | InterleavedBuffer;
  */
 export const wholeScene = new Sphere(new Vector3(), 1);
 
-/** Uploading this many records that have not changed is cheaper than another call. */
+/** Uploading this many records that have not changed costs less than to think about it. */
 const negligibleGap = 32;
-/** More calls than this in a frame cost drivers more than uploading all of the buffer. */
-const mostRanges = 64;
+/** Drivers complain of more calls than this in a frame: uploading what lies between costs less. */
+const mostRanges = 8;
 /** How much larger than needed a buffer is made. */
 const slack = 1.4;
 
+/** Two numbers per record that tell what it belongs to: `keys[2 * record]` and the one after. */
+export type Keys = Int32Array;
+/** Whether the record with the two keys from `keys[at]` on is meant. */
+export type KeyTest = (keys: Keys, at: number) => boolean;
+
 /**
  * Records of a fixed size, without order, that come and go: in buffers in which those that go make room
- * for those that come, and of which only the records that are written are uploaded. Every record has a
- * key that tells what it belongs to.
+ * for those that come, and of which little more is uploaded than the records that are written.
  */
-export class RecordBuffer<Key> {
+export class RecordBuffer {
   readonly #make: (capacity: number) => readonly UploadedBuffer[];
   #buffers: readonly UploadedBuffer[];
   #capacity = 1;
-  /** Per record. */
-  #keys: Key[] = [];
+  #count = 0;
+  #keys: Keys = new Int32Array(2);
 
   /** `make` makes the buffers for so many records. */
   constructor(make: (capacity: number) => readonly UploadedBuffer[]) {
@@ -36,7 +40,7 @@ export class RecordBuffer<Key> {
   }
 
   get count(): number {
-    return this.#keys.length;
+    return this.#count;
   }
 
   /** They are others after a call that needed larger ones. */
@@ -44,85 +48,87 @@ export class RecordBuffer<Key> {
     return this.#buffers;
   }
 
-  /** These records and no others: one per key, whose numbers stand one after the other per buffer. */
-  set(keys: readonly Key[], numbers: readonly ArrayLike<number>[]): void {
-    this.#keys = [];
-    this.#reserve(keys.length);
-    this.#keys = [...keys];
+  /** These records and no others: their numbers stand one after the other per buffer. */
+  set(keys: Keys, numbers: readonly ArrayLike<number>[]): void {
+    this.#count = 0;
+    this.#reserve(keys.length / 2);
+    this.#count = keys.length / 2;
+    this.#keys.set(keys);
     this.#buffers.forEach((buffer, b) => {
       (buffer.array as Float32Array).set(numbers[b]);
       uploadAll(buffer, numbers[b].length);
     });
   }
 
-  /** Other records instead of those whose key says that they are gone. O(count), with little for each. */
-  replace(
-    isGone: (key: Key) => boolean,
-    keys: readonly Key[],
-    numbers: readonly ArrayLike<number>[],
-  ): void {
+  /** Other records instead of those that are gone. O(count), with little for each. */
+  replace(isGone: KeyTest, keys: Keys, numbers: readonly ArrayLike<number>[]): void {
     const holes = this.#recordsWhere(isGone);
-    this.#reserve(this.count - holes.length + keys.length);
+    const added = keys.length / 2;
+    this.#reserve(this.#count - holes.length + added);
+    const arrays = this.#buffers.map(({ array }) => array);
     const written: number[] = [];
-    keys.forEach((key, i) => {
-      const record = i < holes.length ? holes[i] : this.count;
-      this.#keys[record] = key;
-      this.#write(record, numbers, i);
+    for (let i = 0; i < added; ++i) {
+      const record = i < holes.length ? holes[i] : this.#count++;
+      this.#write(record, keys, arrays, numbers, i);
       written.push(record);
-    });
-    for (const hole of this.#closed(holes.slice(keys.length))) written.push(hole);
+    }
+    this.#close(holes.slice(added), arrays, written);
     this.#buffers.forEach((buffer) => {
       uploadRecords(buffer, written, this.#width(buffer));
     });
   }
 
-  /** Writes the numbers in one of the buffers anew for the records with such a key. */
+  /** Writes the numbers in one of the buffers anew for the records that are meant. */
   rewrite(
-    isConcerned: (key: Key) => boolean,
+    isMeant: KeyTest,
     b: number,
-    write: (key: Key, target: { [i: number]: number }, at: number) => void,
+    write: (keys: Keys, record: number, target: { [i: number]: number }, at: number) => void,
   ): void {
     const buffer = this.#buffers[b];
     const width = this.#width(buffer);
-    const records = this.#recordsWhere(isConcerned);
-    for (const record of records) write(this.#keys[record], buffer.array, width * record);
+    const records = this.#recordsWhere(isMeant);
+    for (const record of records) write(this.#keys, record, buffer.array, width * record);
     uploadRecords(buffer, records, width);
   }
 
   /** Ascending. */
-  #recordsWhere(isMeant: (key: Key) => boolean): number[] {
+  #recordsWhere(isMeant: KeyTest): number[] {
+    const keys = this.#keys;
     const records: number[] = [];
-    for (let record = 0; record < this.count; ++record) {
-      if (isMeant(this.#keys[record])) records.push(record);
+    for (let record = 0; record < this.#count; ++record) {
+      if (isMeant(keys, 2 * record)) records.push(record);
     }
     return records;
   }
 
-  /** Moves the last records into holes (ascending) until there is none; returns those written. */
-  #closed(holes: readonly number[]): number[] {
-    const written: number[] = [];
+  /** Moves the last records into holes (ascending) until there is none; adds those to `written`. */
+  #close(holes: readonly number[], arrays: readonly ArrayLike<number>[], written: number[]): void {
     let open = holes.length;
     for (let i = 0; i < open; ++i) {
-      while (open > i && holes[open - 1] === this.count - 1) {
-        this.#keys.pop();
+      while (open > i && holes[open - 1] === this.#count - 1) {
+        --this.#count;
         --open;
       }
       if (open === i) break;
-      const last = this.count - 1;
-      this.#keys[holes[i]] = this.#keys[last];
-      const arrays = this.#buffers.map(({ array }) => array);
-      this.#write(holes[i], arrays, last);
-      this.#keys.pop();
+      this.#write(holes[i], this.#keys, arrays, arrays, --this.#count);
       written.push(holes[i]);
     }
-    return written;
   }
 
-  #write(record: number, numbers: readonly ArrayLike<number>[], i: number): void {
-    for (let b = 0; b < this.#buffers.length; ++b) {
-      const width = this.#width(this.#buffers[b]);
+  /** Copies record number i of the given ones. */
+  #write(
+    record: number,
+    keys: Keys,
+    arrays: readonly { [i: number]: number; readonly length: number }[],
+    numbers: readonly ArrayLike<number>[],
+    i: number,
+  ): void {
+    this.#keys[2 * record] = keys[2 * i];
+    this.#keys[2 * record + 1] = keys[2 * i + 1];
+    for (let b = 0; b < arrays.length; ++b) {
+      const to = arrays[b];
       const from = numbers[b];
-      const to = this.#buffers[b].array;
+      const width = to.length / this.#capacity;
       for (let k = 0; k < width; ++k) to[width * record + k] = from[width * i + k];
     }
   }
@@ -133,34 +139,41 @@ export class RecordBuffer<Key> {
 
   #reserve(count: number): void {
     if (count <= this.#capacity) return;
-    const before = this.#buffers;
+    const { buffers: before } = this;
+    const keysBefore = this.#keys;
     this.#capacity = Math.ceil(slack * count);
     this.#buffers = this.#make(this.#capacity);
-    if (this.count === 0) return;
+    this.#keys = new Int32Array(2 * this.#capacity);
+    if (this.#count === 0) return;
+    this.#keys.set(keysBefore);
     this.#buffers.forEach((buffer, b) => (buffer.array as Float32Array).set(before[b].array));
   }
 }
 
-/** Has the next drawing upload these records of a buffer, each so many numbers wide, and little else. */
+/**
+ * Has the next drawing upload these records of a buffer, each so many numbers wide, and what lies between
+ * them but for the widest gaps.
+ */
 export function uploadRecords(
   buffer: UploadedBuffer,
   records: ArrayLike<number>,
   width: number,
 ): void {
   if (records.length === 0) return;
-  let first = records[0];
-  let last = first;
-  const addRange = () => buffer.addUpdateRange(width * first, width * (last + 1 - first));
-  for (let i = 1; i < records.length; ++i) {
-    const record = records[i];
-    if (record < last || record > last + negligibleGap) {
-      addRange();
-      first = record;
+  const runs = [...buffer.updateRanges];
+  let start = records[0];
+  let end = start;
+  const addRun = () => runs.push({ start: width * start, count: width * (end - start) });
+  for (let i = 0; i < records.length; ++i) {
+    if (records[i] < end || records[i] > end + negligibleGap) {
+      addRun();
+      start = records[i];
     }
-    last = record;
+    end = records[i] + 1;
   }
-  addRange();
-  if (buffer.updateRanges.length > mostRanges) uploadAll(buffer);
+  addRun();
+  buffer.clearUpdateRanges();
+  for (const { start, count } of fewRanges(runs)) buffer.addUpdateRange(start, count);
   buffer.needsUpdate = true;
 }
 
@@ -172,4 +185,29 @@ export function uploadAll(buffer: UploadedBuffer, length = buffer.array.length):
   buffer.clearUpdateRanges();
   buffer.addUpdateRange(0, length);
   buffer.needsUpdate = true;
+}
+
+interface Range {
+  start: number;
+  count: number;
+}
+
+/** As few ranges as there may be that hold all of these, ascending; of the gaps the widest are left out. */
+function fewRanges(ranges: readonly Range[]): Range[] {
+  const ascending = [...ranges].sort((a, b) => a.start - b.start);
+  const gaps: Range[] = [];
+  let end = ascending[0].start;
+  for (const { start, count } of ascending) {
+    if (start > end) gaps.push({ start: end, count: start - end });
+    end = Math.max(end, start + count);
+  }
+  const widest = gaps.sort((a, b) => b.count - a.count).slice(0, mostRanges - 1);
+  const result: Range[] = [];
+  let { start } = ascending[0];
+  for (const gap of widest.sort((a, b) => a.start - b.start)) {
+    result.push({ start, count: gap.start - start });
+    start = gap.start + gap.count;
+  }
+  result.push({ start, count: end - start });
+  return result;
 }

@@ -9,7 +9,8 @@ import {
   Mesh,
   MeshLambertMaterial,
 } from 'three';
-import { RecordBuffer, uploadAll, uploadRecords, wholeScene } from './record_buffer.js';
+import { type Cells, type CellTriangles, cellTriangles } from './cell_triangles.js';
+import { type KeyTest, RecordBuffer, uploadAll, uploadRecords, wholeScene } from './record_buffer.js';
 import { toneColour } from './region_colours.js';
 import type { SceneMesh } from './scene_mesh.js';
 
@@ -26,6 +27,12 @@ const tintOpacity = 0.75;
 const shared = -2;
 const unreachable = -1;
 const dropped = -3;
+
+const noCells: CellTriangles = {
+  keys: new Int32Array(),
+  position: new Float32Array(),
+  normal: new Float32Array(),
+};
 
 /** A diagram to be drawn, with a tone per label; `data` is read only to draw all of it. */
 export interface TonedDiagram {
@@ -46,21 +53,21 @@ export class RegionSurface {
   readonly #corners: BufferAttribute;
   readonly #material: MeshLambertMaterial;
   readonly #parts: Mesh<BufferGeometry, MeshLambertMaterial>;
-  /** Triangles of the parts: per corner place, normal and colour. */
-  readonly #triangles = new RecordBuffer<PartTriangle>((n) => [
+  /** Triangles of the parts: per corner place, normal and colour; their keys are face and label. */
+  readonly #triangles = new RecordBuffer((n) => [
     new BufferAttribute(new Float32Array(9 * n), 3),
     new BufferAttribute(new Float32Array(9 * n), 3),
     new BufferAttribute(new Uint8Array(9 * n), 3, true),
   ]);
   #diagram: TonedDiagram | undefined;
-  /** As `DiagramData.faceLabel`; without a diagram all are as if dropped. */
+  /** As `DiagramData.faceLabel`, of what is drawn; without a diagram all are as if dropped. */
   readonly #faceLabels: Int32Array;
   #filled = true;
   #tints: Float32Array | undefined;
 
   constructor(mesh: SceneMesh) {
     this.#mesh = mesh;
-    this.#faceLabels = new Int32Array(mesh.faceCount);
+    this.#faceLabels = new Int32Array(mesh.faceCount).fill(dropped);
     this.#material = new MeshLambertMaterial({
       vertexColors: true,
       side: DoubleSide,
@@ -78,20 +85,36 @@ export class RegionSurface {
     this.#parts = new Mesh(new BufferGeometry(), this.#material);
     this.#parts.frustumCulled = false;
     this.object.add(faces, this.#parts);
-    this.#update();
+    this.#drawAll();
   }
 
   /** Whether the regions are filled; without, the surface is neutral. */
   set filled(filled: boolean) {
     if (filled === this.#filled) return;
     this.#filled = filled;
-    this.#update();
+    this.#drawAll();
   }
 
-  /** Without a diagram the surface is neutral. */
-  setDiagram(diagram: TonedDiagram | undefined): void {
+  /**
+   * Without a diagram the surface is neutral. Of the faces, those that have not changed stay as they are;
+   * `cells` are the diagram's if they have been cut already.
+   */
+  setDiagram(diagram: TonedDiagram | undefined, cells?: CellTriangles): void {
+    const before = this.#diagram?.tones;
     this.#diagram = diagram;
-    this.#update();
+    if (!this.#filled) return;
+    const faceLabel = diagram?.data.faceLabel;
+    const isRecoloured = recoloured(before, diagram?.tones);
+    const drawn = this.#faceLabels;
+    const faces: number[] = [];
+    for (let face = 0; face < drawn.length; ++face) {
+      const label = faceLabel ? faceLabel[face] : dropped;
+      if (label !== drawn[face] || isRecoloured[label]) faces.push(face);
+    }
+    const colours = new LabelColours(diagram?.tones);
+    for (const face of faces) this.#writeFace(face, faceLabel ? faceLabel[face] : dropped, colours);
+    this.#uploadFaces(faces);
+    this.#replaceParts(undefined, cells ?? this.#cut(diagram?.data), colours);
   }
 
   /** What the diagram has become by a change. */
@@ -101,20 +124,32 @@ export class RegionSurface {
     if (!this.#filled) return;
     const colours = new LabelColours(diagram.tones);
     const isChanged = new Uint8Array(this.#mesh.faceCount);
-    for (const face of faces) isChanged[face] = 1;
-    faces.forEach((face, i) => this.#writeFace(face, part.faceLabel[i], colours));
-    uploadRecords(this.#corners, faces, 3);
-    uploadRecords(this.#colour, faces, 9);
-    this.#replaceParts(({ face }) => isChanged[face] > 0, part, colours);
-    const recoloured = diagram.tones.map((tone, label) => (tone === before?.[label] ? 0 : 1));
-    if (recoloured.includes(1)) this.#recolour(recoloured, colours);
+    for (let i = 0; i < faces.length; ++i) {
+      isChanged[faces[i]] = 1;
+      this.#writeFace(faces[i], part.faceLabel[i], colours);
+    }
+    this.#uploadFaces(faces);
+    this.#replaceParts((keys, at) => isChanged[keys[at]] > 0, this.#cut(part), colours);
+    const isRecoloured = recoloured(before, diagram.tones);
+    if (isRecoloured.includes(1)) {
+      this.#recolour((_, label) => isRecoloured[label] > 0, colours);
+    }
   }
 
-  /** A tint per input vertex, -1 … 1, over the colours; undefined for none. */
+  /** A tint per input vertex, -1 … 1, over the colours; undefined for none. Draws what differs. */
   set tints(tints: Float32Array | undefined) {
-    if (!tints && !this.#tints) return;
-    this.#tints = tints;
-    this.#update();
+    const before = this.#tints;
+    this.#tints = tints?.slice();
+    if (!tints && !before) return;
+    const { indices, faceCount } = this.#mesh;
+    const differs = (v: number) => (before ? before[v] : 0) !== (tints ? tints[v] : 0);
+    const isMeant = Uint8Array.from({ length: faceCount }, (_, face) =>
+      differs(indices[3 * face]) || differs(indices[3 * face + 1]) || differs(indices[3 * face + 2])
+        ? 1
+        : 0,
+    );
+    const diagram = this.#filled ? this.#diagram : undefined;
+    this.#recolour((face) => isMeant[face] > 0, new LabelColours(diagram?.tones));
   }
 
   dispose(): void {
@@ -123,7 +158,7 @@ export class RegionSurface {
     this.#material.dispose();
   }
 
-  #update(): void {
+  #drawAll(): void {
     const diagram = this.#filled ? this.#diagram : undefined;
     const data = diagram?.data;
     const colours = new LabelColours(diagram?.tones);
@@ -132,23 +167,25 @@ export class RegionSurface {
     }
     uploadAll(this.#colour);
     uploadAll(this.#corners);
-    this.#replaceParts(undefined, data, colours);
+    this.#replaceParts(undefined, this.#cut(data), colours);
   }
 
-  /** What has not changed of regions that have another colour; they are marked by label. */
-  #recolour(recoloured: ArrayLike<number>, colours: LabelColours): void {
+  /** The faces, and the parts of faces, that have another colour though nothing else has changed. */
+  #recolour(isMeant: (face: number, label: number) => boolean, colours: LabelColours): void {
     const faces: number[] = [];
-    this.#faceLabels.forEach((label, face) => {
-      if (!recoloured[label]) return;
-      this.#writeFace(face, label, colours);
+    const labels = this.#faceLabels;
+    for (let face = 0; face < labels.length; ++face) {
+      if (!isMeant(face, labels[face])) continue;
+      this.#writeFace(face, labels[face], colours);
       faces.push(face);
-    });
+    }
     uploadRecords(this.#colour, faces, 9);
+    const [position] = this.#triangles.buffers;
     this.#triangles.rewrite(
-      ({ label }) => recoloured[label] > 0,
+      (keys, at) => isMeant(keys[at], keys[at + 1]),
       2,
-      ({ label, tints }, target, at) => {
-        for (let k = 0; k < 3; ++k) colours.write(label, tints?.[k], target, at + 3 * k);
+      (keys, record, target, at) => {
+        this.#writeColours(keys, record, position.array, colours, target, at);
       },
     );
   }
@@ -157,22 +194,65 @@ export class RegionSurface {
     this.#faceLabels[face] = label;
     const colour = this.#colour.array;
     const corners = this.#corners.array;
+    const tints = this.#tints;
     for (let corner = 3 * face; corner < 3 * face + 3; ++corner) {
-      const tint = this.#tints?.[this.#mesh.indices[corner]];
+      const tint = tints ? tints[this.#mesh.indices[corner]] : 0;
       colours.write(label, tint, colour, 3 * corner);
       corners[corner] = label === shared ? 3 * face : corner;
     }
   }
 
+  #uploadFaces(faces: ArrayLike<number>): void {
+    uploadRecords(this.#corners, faces, 3);
+    uploadRecords(this.#colour, faces, 9);
+  }
+
+  #cut(part: Cells | undefined): CellTriangles | undefined {
+    return part && cellTriangles(this.#mesh, part);
+  }
+
   /** Others instead of those that are gone; of all if that is not given. */
   #replaceParts(
-    isGone: ((triangle: PartTriangle) => boolean) | undefined,
-    part: Cells | undefined,
+    isGone: KeyTest | undefined,
+    cells: CellTriangles | undefined,
     colours: LabelColours,
   ): void {
-    const { triangles, numbers } = partTriangles(this.#mesh, part, colours, this.#tints);
-    if (isGone) this.#triangles.replace(isGone, triangles, numbers);
-    else this.#triangles.set(triangles, numbers);
+    const { keys, position, normal } = cells ?? noCells;
+    const colour = new Uint8Array(position.length);
+    for (let triangle = 0; triangle < keys.length / 2; ++triangle) {
+      this.#writeColours(keys, triangle, position, colours, colour, 9 * triangle);
+    }
+    const numbers = [position, normal, colour];
+    if (isGone) this.#triangles.replace(isGone, keys, numbers);
+    else this.#triangles.set(keys, numbers);
+    this.#adoptParts();
+  }
+
+  /** The colours of the three corners of a triangle of a part. */
+  #writeColours(
+    keys: Int32Array,
+    triangle: number,
+    position: ArrayLike<number>,
+    colours: LabelColours,
+    target: { [i: number]: number },
+    at: number,
+  ): void {
+    const face = keys[2 * triangle];
+    const label = keys[2 * triangle + 1];
+    for (let k = 0; k < 9; k += 3) {
+      const corner = 9 * triangle + k;
+      const tint = this.#tints
+        ? this.#tintAt(face, position[corner], position[corner + 1], position[corner + 2])
+        : 0;
+      colours.write(label, tint, target, at + k);
+    }
+  }
+
+  #tintAt(face: number, x: number, y: number, z: number): number {
+    return this.#mesh.interpolate(face, this.#mesh.barycentric(face, x, y, z), this.#tints ?? []);
+  }
+
+  #adoptParts(): void {
     const [position, normal, colour] = this.#triangles.buffers as readonly BufferAttribute[];
     if (this.#parts.geometry.getAttribute('position') !== position) {
       // Disposing of the old one frees its buffers on the graphics card.
@@ -188,6 +268,14 @@ export class RegionSurface {
   }
 }
 
+/** Marks the labels with another tone than before, and those that are new or gone. */
+function recoloured(before: Uint16Array | undefined, after: Uint16Array | undefined): Uint8Array {
+  const count = Math.max(before?.length ?? 0, after?.length ?? 0);
+  return Uint8Array.from({ length: count }, (_, label) =>
+    before?.[label] === after?.[label] ? 0 : 1,
+  );
+}
+
 /** Colours as vertex attributes hold them: linear, a byte per channel. */
 export class LabelColours {
   readonly #ofTone: Uint8Array[] = [];
@@ -201,15 +289,14 @@ export class LabelColours {
     this.#tones = tones;
   }
 
-  write(
-    label: number,
-    tint: number | undefined,
-    target: { [i: number]: number },
-    at: number,
-  ): void {
+  write(label: number, tint: number, target: { [i: number]: number }, at: number): void {
     const bytes = this.#of(label);
-    const over = tint && tint < 0 ? this.#sparse : this.#dense;
-    const share = tint ? tintOpacity * Math.abs(tint) : 0;
+    if (tint === 0) {
+      for (let k = 0; k < 3; ++k) target[at + k] = bytes[k];
+      return;
+    }
+    const over = tint < 0 ? this.#sparse : this.#dense;
+    const share = tintOpacity * Math.abs(tint);
     for (let k = 0; k < 3; ++k) target[at + k] = bytes[k] + share * (over[k] - bytes[k]);
   }
 
@@ -240,95 +327,4 @@ function wholeFaceGeometry(mesh: SceneMesh): BufferGeometry {
   geometry.setAttribute('color', new BufferAttribute(new Uint8Array(3 * indices.length), 3, true));
   geometry.setIndex(new BufferAttribute(new Uint32Array(indices.length), 1));
   return geometry;
-}
-
-type Cells = Pick<DiagramData, 'cells' | 'points'>;
-
-/** A triangle of a part of a shared face, with the tints of its corners if there are any. */
-interface PartTriangle {
-  face: number;
-  label: number;
-  tints: readonly number[] | undefined;
-}
-
-/** The parts of shared faces as triangle fans; they are convex. With place, normal and colour per corner. */
-function partTriangles(
-  mesh: SceneMesh,
-  part: Cells | undefined,
-  colours: LabelColours,
-  tints: Float32Array | undefined,
-): { triangles: PartTriangle[]; numbers: readonly ArrayLike<number>[] } {
-  if (!part) return { triangles: [], numbers: [[], [], []] };
-  const { cells, points } = part;
-  const places = mesh.frame.toScene(points.position);
-  const cornerCount = cells.points.length;
-  const position = new Float32Array(3 * cornerCount);
-  const normal = new Float32Array(3 * cornerCount);
-  const colour = new Uint8Array(3 * cornerCount);
-  const tintOf = new Float32Array(cornerCount);
-  const triangles: PartTriangle[] = [];
-  const corners: number[] = [];
-  for (let cell = 0; cell < cells.face.length; ++cell) {
-    const face = cells.face[cell];
-    const label = cells.label[cell];
-    const first = cells.offset[cell];
-    const end = cells.offset[cell + 1];
-    const barys: number[][] = [];
-    for (let i = first; i < end; ++i) {
-      const place = places.subarray(3 * cells.points[i], 3 * cells.points[i] + 3);
-      position.set(place, 3 * i);
-      // A point names one of the faces it lies on, which need not be this one.
-      const bary = mesh.barycentric(face, place[0], place[1], place[2]);
-      barys.push(bary);
-      mesh.writeNormal(face, bary, normal, 3 * i);
-      if (tints) tintOf[i] = mesh.interpolate(face, bary, tints);
-      colours.write(label, tintOf[i], colour, 3 * i);
-    }
-    const turned = isClockwise(barys);
-    for (let i = first + 2; i < end; ++i) {
-      const second = turned ? i : i - 1;
-      const third = turned ? i - 1 : i;
-      corners.push(first, second, third);
-      const tintsOfCorners = tints && [tintOf[first], tintOf[second], tintOf[third]];
-      triangles.push({ face, label, tints: tintsOfCorners });
-    }
-  }
-  const count = 3 * corners.length;
-  return {
-    triangles,
-    numbers: [
-      gathered(position, corners, new Float32Array(count)),
-      gathered(normal, corners, new Float32Array(count)),
-      gathered(colour, corners, new Uint8Array(count)),
-    ],
-  };
-}
-
-/** The number triples with these indices, in `result`. */
-function gathered<Numbers extends Float32Array | Uint8Array>(
-  triples: Numbers,
-  indices: readonly number[],
-  result: Numbers,
-): Numbers {
-  for (let i = 0; i < indices.length; ++i) {
-    const from = 3 * indices[i];
-    result[3 * i] = triples[from];
-    result[3 * i + 1] = triples[from + 1];
-    result[3 * i + 2] = triples[from + 2];
-  }
-  return result;
-}
-
-/**
- * Whether a polygon in a face winds against the face, as the parts do of a triangle that the mesh
- * builder turned over. Its normals are those of the input's triangle.
- */
-function isClockwise(barys: readonly (readonly number[])[]): boolean {
-  let doubleArea = 0;
-  let last = barys[barys.length - 1];
-  for (const bary of barys) {
-    doubleArea += last[1] * bary[2] - bary[1] * last[2];
-    last = bary;
-  }
-  return doubleArea < 0;
 }

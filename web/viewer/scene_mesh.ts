@@ -46,40 +46,52 @@ export class SceneMesh {
 
   /** The shading normal of a face at a point of it, not normalised, written to `target[at…]`. */
   writeNormal(face: number, bary: ArrayLike<number>, target: Float32Array, at: number): void {
+    const { normals } = this;
+    const [b0, b1, b2] = [bary[0], bary[1], bary[2]];
+    const corner = 9 * face;
     for (let axis = 0; axis < 3; ++axis) {
-      let sum = 0;
-      for (let k = 0; k < 3; ++k) sum += bary[k] * this.normals[9 * face + 3 * k + axis];
-      target[at + axis] = sum;
+      target[at + axis] =
+        b0 * normals[corner + axis] +
+        b1 * normals[corner + 3 + axis] +
+        b2 * normals[corner + 6 + axis];
     }
   }
 
   /** Barycentric coordinates, clamped to the face, of the point of its plane nearest to (x, y, z). */
   barycentric(face: number, x: number, y: number, z: number): [number, number, number] {
+    const bary: [number, number, number] = [1, 0, 0];
+    this.writeBarycentric(face, x, y, z, bary);
+    return bary;
+  }
+
+  /** The same, written to `target`. It is called for every corner of a diagram: no list is made. */
+  writeBarycentric(
+    face: number,
+    x: number,
+    y: number,
+    z: number,
+    target: { [i: number]: number },
+  ): void {
     const { positions, indices } = this;
     const a = 3 * indices[3 * face];
     const b = 3 * indices[3 * face + 1];
     const c = 3 * indices[3 * face + 2];
-    const point = [x, y, z];
-    let uu = 0;
-    let uv = 0;
-    let vv = 0;
-    let pu = 0;
-    let pv = 0;
-    for (let axis = 0; axis < 3; ++axis) {
-      const u = positions[b + axis] - positions[a + axis];
-      const v = positions[c + axis] - positions[a + axis];
-      const p = point[axis] - positions[a + axis];
-      uu += u * u;
-      uv += u * v;
-      vv += v * v;
-      pu += p * u;
-      pv += p * v;
-    }
+    const [ax, ay, az] = [positions[a], positions[a + 1], positions[a + 2]];
+    const [ux, uy, uz] = [positions[b] - ax, positions[b + 1] - ay, positions[b + 2] - az];
+    const [vx, vy, vz] = [positions[c] - ax, positions[c + 1] - ay, positions[c + 2] - az];
+    const [px, py, pz] = [x - ax, y - ay, z - az];
+    const uu = ux * ux + uy * uy + uz * uz;
+    const uv = ux * vx + uy * vy + uz * vz;
+    const vv = vx * vx + vy * vy + vz * vz;
+    const pu = px * ux + py * uy + pz * uz;
+    const pv = px * vx + py * vy + pz * vz;
     const determinant = uu * vv - uv * uv;
-    if (!(determinant > 0)) return [1, 0, 0];
-    const second = Math.max(0, (vv * pu - uv * pv) / determinant);
-    const third = Math.max(0, (uu * pv - uv * pu) / determinant);
+    const isFlat = !(determinant > 0);
+    const second = isFlat ? 0 : Math.max(0, (vv * pu - uv * pv) / determinant);
+    const third = isFlat ? 0 : Math.max(0, (uu * pv - uv * pu) / determinant);
     const excess = Math.max(1, second + third);
-    return [Math.max(0, 1 - (second + third) / excess), second / excess, third / excess];
+    target[0] = Math.max(0, 1 - (second + third) / excess);
+    target[1] = second / excess;
+    target[2] = third / excess;
   }
 }

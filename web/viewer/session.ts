@@ -12,12 +12,20 @@ import {
   type Sampling,
   type SurfacePointsInput,
 } from 'geodesic-voronoi';
-import { CvtRun, type CvtSettings } from './cvt_run.js';
+import type { CellTriangles } from './cell_triangles.js';
+import { type CvtPicture, CvtRun, type CvtSettings } from './cvt_run.js';
 import { DiagramSummary } from './diagram_summary.js';
 import { LatestTask } from './latest_task.js';
 import type { ModelFiles } from './model_files.js';
-import { placeOf, SiteHistory, type SitePlace, type Sites, surfacePointsOf } from './site_history.js';
-import { stepBetween } from './site_step.js';
+import {
+  placeOf,
+  SiteHistory,
+  type SitePlace,
+  type Sites,
+  surfacePointsOf,
+  type Tints,
+} from './site_history.js';
+import { type SiteStep, stepsBetween, without } from './site_step.js';
 
 export type Status = 'empty' | 'loading' | 'computing' | 'iterating' | 'ready';
 
@@ -46,18 +54,28 @@ export interface ShownDiagram extends DiagramSettings {
   summary: DiagramSummary | undefined;
   /** All of it, put together when asked for if the diagram has been changed: not for every step of a drag. */
   readonly data: DiagramData | undefined;
-  /** What answers questions about it; an iteration's diagram has only data. */
   diagram: Diagram | undefined;
+}
+
+/** What helps to draw a diagram. */
+export interface Drawable {
+  /** The diagram drawn before has become this one by these. */
+  changes?: readonly DiagramChange[];
+  /** Its cells, if they have been cut already. */
+  cells?: CellTriangles;
 }
 
 /** Told what changed, after it did. */
 export interface SessionListener {
   modelChanged(mesh: Mesh, name: string): void;
   sitesChanged(sites: Sites): void;
-  /** With `change`, the diagram shown before has become this one by it. */
-  diagramChanged(shown: ShownDiagram, milliseconds: number, change?: DiagramChange): void;
+  /** By undoing or redoing; after a failure too. */
+  densityChanged(tints: Tints): void;
+  diagramChanged(shown: ShownDiagram, milliseconds: number, how: Drawable): void;
   /** Sites and diagram are those of an iteration. */
-  cvtIterated(shown: ShownDiagram, state: CvtState): void;
+  cvtIterated(shown: ShownDiagram, state: CvtState, how: Drawable): void;
+  /** The iteration that is shown is the last one for now: it is the diagram of the sites as any other. */
+  cvtRested(shown: ShownDiagram, milliseconds: number): void;
   cvtStatusChanged(status: CvtStatus): void;
   /** After a failure or a cancel: the settings are again those of the diagram that is shown. */
   settingsRestored(settings: DiagramSettings): void;
@@ -75,9 +93,10 @@ interface Job extends DiagramSettings {
 /**
  * One model with its sites and their diagram, computed in a worker that starts with the first model.
  * Sites change at once; the diagram follows, and if it cannot, the sites return to those of the
- * diagram there is. Where one site has moved or come, only its surroundings are computed.
+ * diagram there is. Where one site has moved, come or gone, only its surroundings are computed.
  */
 export class Session {
+  readonly #cut: (data: DiagramData) => Promise<CellTriangles | undefined>;
   readonly #listener: SessionListener;
   readonly #history = new SiteHistory();
   readonly #task = new LatestTask<Job>((job, signal) => this.#compute(job, signal));
@@ -87,13 +106,20 @@ export class Session {
   #mesh: Mesh | undefined;
   #shown: ShownDiagram | undefined;
   #move: { id: number; recorded: boolean } | undefined;
+  /** The diagram that is prepared to be changed. */
+  #prepared: Diagram | undefined;
   #cvt: CvtRun | undefined;
   #cvtStatus: CvtStatus = 'idle';
   #scattering: Scattering | undefined;
   #computing = false;
   #status: Status = 'empty';
 
-  constructor(listener: SessionListener) {
+  /** `cut` makes the cells of a diagram of the present model ready to be drawn. */
+  constructor(
+    cut: (data: DiagramData) => Promise<CellTriangles | undefined>,
+    listener: SessionListener,
+  ) {
+    this.#cut = cut;
     this.#listener = listener;
   }
 
@@ -189,9 +215,19 @@ export class Session {
     return site.id;
   }
 
+  /** The last of the sites takes its place in the list. */
   removeSite(id: number): void {
-    const rest = this.sites.filter((site) => site.id !== id);
-    if (rest.length < this.sites.length) this.#record(rest);
+    const rest = without(this.sites, id);
+    if (rest !== this.sites) this.#record(rest);
+  }
+
+  /** A site may be moved soon: what the diagram's first change takes long for is done ahead. */
+  expectMove(): void {
+    const diagram = this.#shown?.diagram;
+    if (this.#status !== 'ready' || diagram?.metric !== 'dgpc' || diagram === this.#prepared) return;
+    this.#prepared = diagram;
+    // If it fails, so does the first change, which is then what has failed.
+    diagram.prepareChanges().catch(() => {});
   }
 
   /** Moves a site; all moves until `endMove` are one step to undo. */
@@ -221,17 +257,19 @@ export class Session {
   }
 
   undo(): void {
-    if (this.#move || !this.canUndo) return;
-    this.#stopCvt();
-    this.#history.undo();
-    this.#sitesReplaced();
+    if (!this.#move && this.canUndo) this.#step(() => this.#history.undo());
   }
 
   redo(): void {
-    if (this.#move || !this.canRedo) return;
+    if (!this.#move && this.canRedo) this.#step(() => this.#history.redo());
+  }
+
+  /** A density was painted: a step to undo. It ends a tessellation; the next one is by it. */
+  recordDensity(tints: Tints): void {
+    if (!this.#mesh || (!tints && !this.#history.tints)) return;
     this.#stopCvt();
-    this.#history.redo();
-    this.#sitesReplaced();
+    this.#history.recordTints(tints);
+    this.#listener.sitesChanged(this.sites);
   }
 
   // --- Centroidal tessellation ----------------------------------------------------------------
@@ -245,7 +283,7 @@ export class Session {
 
   /** The last iteration of the sites there are. */
   get cvtState(): CvtState | undefined {
-    return this.#cvt?.latest;
+    return this.#cvt?.latest?.state;
   }
 
   /** Goes on to the next multiple of so many iterations. */
@@ -320,6 +358,16 @@ export class Session {
     this.#request();
   }
 
+  /** A step back or forth: it changes the sites or the density. */
+  #step(take: () => void): void {
+    const { present: sites, tints } = this.#history;
+    this.#stopCvt();
+    take();
+    if (this.#history.tints !== tints) this.#listener.densityChanged(this.#history.tints);
+    if (this.sites !== sites) this.#sitesReplaced();
+    else this.#listener.sitesChanged(sites);
+  }
+
   #record(sites: Sites): void {
     this.#stopCvt();
     this.#history.record(sites);
@@ -343,16 +391,22 @@ export class Session {
     const before = this.#shown;
     const start = performance.now();
     try {
-      const change = await this.#changeShown(job);
-      const diagram = change ? before?.diagram : await this.#computeAnew(mesh, job, signal);
+      const changes = await this.#changeShown(job);
+      const diagram = changes ? before?.diagram : await this.#computeAnew(mesh, job, signal);
+      const milliseconds = performance.now() - start;
+      const isAnew = diagram && !changes && mesh === this.#mesh;
+      const cells = isAnew ? await this.#cut(diagram.data) : undefined;
       // An iteration of a tessellation may have been shown meanwhile.
-      if (!mesh || mesh !== this.#mesh || (change && before !== this.#shown)) {
+      if (!mesh || mesh !== this.#mesh || (changes && before !== this.#shown)) {
         diagram?.dispose();
         return;
       }
-      const milliseconds = performance.now() - start;
-      const summary = change
-        ? before?.summary?.after(change)
+      if (!changes && signal.aborted) {
+        diagram?.dispose();
+        signal.throwIfAborted();
+      }
+      const summary = changes
+        ? changes.reduce((sum, change) => sum?.after(change, job.sites.length), before?.summary)
         : diagram && DiagramSummary.of(diagram.data);
       const shown: ShownDiagram = {
         ...job,
@@ -363,7 +417,7 @@ export class Session {
         },
       };
       this.#show(shown);
-      this.#listener.diagramChanged(shown, milliseconds, change);
+      this.#listener.diagramChanged(shown, milliseconds, { changes, cells });
     } catch (error) {
       // What follows shows the sites as they are now.
       const isFollowed = this.#task.superseded || this.#cvt?.playing;
@@ -391,22 +445,20 @@ export class Session {
   }
 
   /**
-   * Makes the diagram that is shown the one asked for, where one step does: the work of a few regions
-   * (except for the first time). It is too short to be given up half-way. Undefined if there is no such
-   * step or it failed.
+   * Makes the diagram that is shown the one asked for, where a step or two do: the work of a few regions
+   * (except for the first time). It is too short to be given up half-way. Undefined if there are no such
+   * steps or one failed.
    */
-  async #changeShown({ sites, metric, detail }: Job): Promise<DiagramChange | undefined> {
+  async #changeShown({ sites, metric, detail }: Job): Promise<DiagramChange[] | undefined> {
     const shown = this.#shown;
     const diagram = shown?.diagram;
     if (!diagram || metric !== 'dgpc' || shown.metric !== metric || shown.detail !== detail) {
       return undefined;
     }
-    const step = stepBetween(shown.sites, sites);
-    if (!step) return undefined;
-    const place = surfacePointsOf([step.site]);
+    const steps = sites.length > 0 && stepsBetween(shown.sites, sites);
+    if (!steps) return undefined;
     try {
-      if (step.kind === 'insert') return await diagram.insertSite(place);
-      return await diagram.moveSite(step.index, place);
+      return await Promise.all(steps.map((step) => takeStep(diagram, step)));
     } catch {
       return undefined; // computed anew, it works or says why not
     }
@@ -420,19 +472,22 @@ export class Session {
   #playCvt(settings: CvtSettings, until: (iterationsDone: number) => number): void {
     if (!this.#mesh || this.sites.length === 0) return;
     this.#move = undefined;
-    const { method, density } = this.#cvt?.settings ?? {};
-    const isOther = method !== settings.method || density !== settings.density;
+    const wanted = { ...settings, metric: this.#settings.metric };
+    const present = this.#cvt?.settings ?? {};
+    const isOther = (Object.keys(wanted) as (keyof CvtSettings)[]).some(
+      (name) => wanted[name] !== present[name],
+    );
     if (this.#cvt && (isOther || this.#cvt.done)) this.#stopCvt();
-    this.#cvt ??= this.#newCvt(this.#mesh, settings);
+    this.#cvt ??= this.#newCvt(this.#mesh, wanted);
     this.#cvt.play(until(this.#cvt.iteration));
     this.#task.cancel();
     this.#updateStatus();
   }
 
   #newCvt(mesh: Mesh, settings: CvtSettings): CvtRun {
-    return new CvtRun(mesh, this.sites, settings, {
-      iterated: (state) => this.#showIteration(state),
-      paused: () => this.#request(),
+    return new CvtRun(mesh, this.sites, settings, this.#cut, {
+      iterated: (picture) => this.#showIteration(picture, settings.metric ?? 'dgpc'),
+      paused: () => this.#rest(),
       failed: (error) => {
         this.#stopCvt();
         this.#fail(sentence('The sites cannot be moved', error));
@@ -441,7 +496,7 @@ export class Session {
     });
   }
 
-  #showIteration(state: CvtState): void {
+  #showIteration({ state, cells }: CvtPicture, metric: Metric): void {
     if (state.iteration > 0) {
       const sites = this.sites.map(({ id }, i) => ({ id, ...placeOf(state.sites, i) }));
       if (state.iteration === 1) this.#history.record(sites);
@@ -450,14 +505,35 @@ export class Session {
     }
     const shown: ShownDiagram = {
       sites: this.sites,
-      metric: 'dgpc',
+      metric,
       detail: 0,
       summary: state.data && DiagramSummary.of(state.data),
-      data: state.data,
-      diagram: undefined,
+      get data() {
+        return state.diagram?.data;
+      },
+      diagram: state.diagram,
     };
     this.#show(shown);
-    this.#listener.cvtIterated(shown, state);
+    this.#listener.cvtIterated(shown, state, { cells });
+  }
+
+  /**
+   * After a pause: what is shown is what there is. An iteration under way is not waited for; only if the
+   * diagram is to have other settings than those of iterations, it is computed.
+   */
+  #rest(): void {
+    const shown = this.#shown;
+    const { metric, detail } = this.#settings;
+    const isWanted = shown?.metric === metric && shown.detail === detail;
+    if (!shown?.diagram || shown.sites !== this.sites || !isWanted) {
+      this.#request();
+      return;
+    }
+    this.#updateStatus();
+    const milliseconds = this.#cvt?.latest?.milliseconds ?? 0;
+    queueMicrotask(() => {
+      if (shown === this.#shown && !this.#cvt?.playing) this.#listener.cvtRested(shown, milliseconds);
+    });
   }
 
   #stopCvt(): void {
@@ -472,7 +548,9 @@ export class Session {
     const { sites, metric, detail } = this.#shown;
     this.#settings = { metric, detail };
     this.#move = undefined;
+    const { tints } = this.#history;
     this.#history.returnTo(sites);
+    if (this.#history.tints !== tints) this.#listener.densityChanged(this.#history.tints);
     this.#listener.settingsRestored(this.#settings);
     this.#listener.sitesChanged(this.sites);
   }
@@ -510,6 +588,13 @@ function cvtStatusOf(run: CvtRun | undefined): CvtStatus {
   if (!run) return 'idle';
   if (run.playing) return 'running';
   return run.done ? 'done' : 'paused';
+}
+
+function takeStep(diagram: Diagram, step: SiteStep): Promise<DiagramChange> {
+  if (step.kind === 'remove') return diagram.removeSite(step.index);
+  const place = surfacePointsOf([step.site]);
+  if (step.kind === 'insert') return diagram.insertSite(place);
+  return diagram.moveSite(step.index, place);
 }
 
 async function scattered(mesh: Mesh, { count, seed, sampling }: Scattering) {

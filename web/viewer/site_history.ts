@@ -23,15 +23,32 @@ export function placeOf({ face, bary }: PointList, i: number): SitePlace {
   return { face: face[i], bary: [bary[3 * i], bary[3 * i + 1], bary[3 * i + 2]] };
 }
 
-/** The sites, and every earlier and undone list of them. Lists are never changed, only replaced. */
+/** A density as it is painted: see `DensityPaint.tints`. */
+export type Tints = Float32Array | undefined;
+
+/** What is edited. */
+interface State {
+  sites: Sites;
+  tints: Tints;
+}
+
+/**
+ * The sites and the density, and all that they were earlier or before undoing. Lists are never changed,
+ * only replaced. A step changes one of the two.
+ */
 export class SiteHistory {
-  #past: Sites[] = [];
-  #present: Sites = [];
-  #future: Sites[] = [];
+  #past: State[] = [];
+  #present: State = { sites: [], tints: undefined };
+  #future: State[] = [];
   #lastId = 0;
 
+  /** The sites. */
   get present(): Sites {
-    return this.#present;
+    return this.#present.sites;
+  }
+
+  get tints(): Tints {
+    return this.#present.tints;
   }
 
   get canUndo(): boolean {
@@ -52,22 +69,24 @@ export class SiteHistory {
   }
 
   /** Begins anew: nothing to undo. */
-  reset(sites: Sites): void {
+  reset(sites: Sites, tints?: Tints): void {
     this.#past = [];
-    this.#present = sites;
+    this.#present = { sites, tints };
     this.#future = [];
   }
 
   /** A step that can be undone. */
   record(sites: Sites): void {
-    this.#past.push(this.#present);
-    this.#present = sites;
-    this.#future = [];
+    this.#step({ ...this.#present, sites });
+  }
+
+  recordTints(tints: Tints): void {
+    this.#step({ ...this.#present, tints });
   }
 
   /** The last step, changed: what a drag does after its first move. */
   revise(sites: Sites): void {
-    this.#present = sites;
+    this.#present = { ...this.#present, sites };
   }
 
   undo(): void {
@@ -92,8 +111,16 @@ export class SiteHistory {
 
   /** Undoes or redoes until this list is there again; if it is none of them, it begins anew with it. */
   returnTo(sites: Sites): void {
-    if (this.#past.includes(sites)) while (this.#present !== sites) this.undo();
-    else if (this.#future.includes(sites)) while (this.#present !== sites) this.redo();
-    else if (this.#present !== sites) this.reset(sites);
+    const isIn = (states: readonly State[]) => states.some((state) => state.sites === sites);
+    if (this.present === sites) return;
+    if (isIn(this.#past)) while (this.present !== sites) this.undo();
+    else if (isIn(this.#future)) while (this.present !== sites) this.redo();
+    else this.reset(sites, this.tints);
+  }
+
+  #step(state: State): void {
+    this.#past.push(this.#present);
+    this.#present = state;
+    this.#future = [];
   }
 }

@@ -75,7 +75,8 @@ class Cvt {
   /// Of the last iteration finished; valid after `step` has returned true for the first time.
   const CvtIteration& iteration() const;
   std::span<const SurfacePoint> sites() const;
-  const DistanceField& distances() const;
+  /// What is kept of it stays as it is when further iterations follow.
+  std::shared_ptr<const DistanceField> distances() const;
   const Diagram& diagram() const;
 
  private:

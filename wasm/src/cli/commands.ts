@@ -39,7 +39,7 @@ export function execute(invocation: Invocation): Promise<void> {
 }
 
 /** How sites come to be centroids. */
-type CvtSettings = Pick<Values<'cvt'>, 'method' | 'iterations'>;
+type CvtSettings = Pick<Values<'cvt'>, 'method' | 'metric' | 'iterations'>;
 /** Where sites come from. */
 type SiteSource = Pick<Values<'diagram'>, 'sites' | 'sampling' | 'seed'>;
 /** What may be written to standard error. */
@@ -178,7 +178,7 @@ async function validTessellation(
   for (let round = 1; ; ++round) {
     const diagram = await withProgress(values, async (onProgress) => {
       const states = await tessellate(mesh, sites, values, onProgress);
-      return mesh.voronoi(states.at(-1)!.sites);
+      return mesh.voronoi(states.at(-1)!.sites, { metric: values.metric });
     });
     first ??= diagram.sites.face.length;
     const valid = await repaired(diagram, values);
@@ -207,11 +207,11 @@ function polygonSummary(first: number, diagram: Diagram, { topology }: PolygonMe
 async function tessellate(
   mesh: Mesh,
   sites: SurfacePointsInput,
-  { method, iterations }: CvtSettings,
+  { method, metric, iterations }: CvtSettings,
   onProgress: (share: number) => void,
 ): Promise<CvtState[]> {
   const states: CvtState[] = [];
-  for await (const state of mesh.cvt(sites, { method, iterations })) {
+  for await (const state of mesh.cvt(sites, { method, metric, iterations })) {
     states.push(state);
     onProgress(iterations > 0 ? state.iteration / iterations : 1);
   }

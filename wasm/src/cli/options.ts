@@ -146,7 +146,7 @@ export const commands = {
     summary: 'Sites at the centroids of their regions: a centroidal Voronoi tessellation',
     result:
       '{"face": […], "bary": […], "energy": […]}: the sites, and the energy of the first ones and after each iteration.',
-    options: [...ofSites, 'iterations', 'method', 'progress', ...ofOutput],
+    options: [...ofSites, 'iterations', 'method', 'metric', 'progress', ...ofOutput],
   },
   partition: {
     summary: 'The mesh cut into the regions of sites, watertight where it was',
@@ -161,7 +161,7 @@ export const commands = {
   remesh: {
     summary: 'An isotropic remesh: the valid dual of a centroidal tessellation',
     result: `By FILE's ending: .obj or .ply (polygons), .glb (triangles), .json (polygons, sites and quality). Sites may be added until it is valid.`,
-    options: [...ofSites, 'iterations', 'method', 'progress', ...ofOutput],
+    options: [...ofSites, 'iterations', 'method', 'metric', 'progress', ...ofOutput],
   },
 } as const satisfies Record<string, CommandSpec>;
 
