@@ -32,7 +32,7 @@ class Continuation {
         straightener_(field) {}
 
   void runEverywhere() {
-    scope_.assign(mesh_.vertexCount(), true);
+    scope_.assign(mesh_.vertexCount(), Scope::kInside);
     for (int label = 0; label < static_cast<int>(field_.sites().size()); ++label)
       if (field_.sites()[label].face >= 0) lookFromSite(label);
     for (const int v : verticesAtBorders()) lookAround(v);
@@ -129,12 +129,12 @@ class Continuation {
     }
   }
 
-  bool isInScope(int vertex) const { return scope_[vertex]; }
-
-  bool isInScope(int vertex, int other) const { return scope_[vertex] && scope_[other]; }
+  bool isInScope(int vertex) const { return scope_[vertex] == Scope::kInside; }
+  bool isInScope(int vertex, int other) const { return isInScope(vertex) && isInScope(other); }
+  bool isTold(int vertex) const { return scope_[vertex] != Scope::kOutside; }
 
   /// Finds the guests of the vertices in scope. Their neighbours are told all that is needed to
-  /// that end; what they make of it is of no use.
+  /// that end; what they make of it counts where it makes a guest nearer than the owner.
   void runWithin(const IndexSet& scope) {
     firstGuest_.assign(mesh_.vertexCount(), -1);
     ownPath_.assign(mesh_.vertexCount(), -1);
@@ -146,15 +146,15 @@ class Continuation {
     IndexSet sources = scope;
     const int told = addNeighbours(sources, 0);
     const int endOfTold = sources.size();
-    scope_.assign(mesh_.vertexCount(), false);
-    for (int i = 0; i < endOfTold; ++i) scope_[sources.list()[i]] = true;
+    scope_.assign(mesh_.vertexCount(), Scope::kOutside);
+    for (int i = 0; i < endOfTold; ++i)
+      scope_[sources.list()[i]] = i < told ? Scope::kInside : Scope::kTold;
     for (int label = 0; label < static_cast<int>(field_.sites().size()); ++label) {
       const int face = field_.sites()[label].face;
-      if (face >= 0 && (isInScope(mesh_.tail(3 * face)) || isInScope(mesh_.tail(3 * face + 1)) ||
-                        isInScope(mesh_.tail(3 * face + 2))))
+      if (face >= 0 && (isTold(mesh_.tail(3 * face)) || isTold(mesh_.tail(3 * face + 1)) ||
+                        isTold(mesh_.tail(3 * face + 2))))
         lookFromSite(label);
     }
-    for (int i = told; i < endOfTold; ++i) scope_[sources.list()[i]] = false;
     addNeighbours(sources, told);
     for (const int v : sources.sorted())
       if (owner(v) >= 0 && isAtBorder(v)) lookAround(v);
@@ -226,12 +226,12 @@ class Continuation {
     return result;
   }
 
-  /// The owner of a vertex has been found by better means than what else is known there: what
-  /// appears to be nearer comes next to it. Returns whether that is so.
+  /// The owner of a vertex has been found by better means than what it is told of others: what
+  /// appears to be nearer counts as being as far. Returns whether that is so.
   bool keepBehindOwner(int vertex, double& distance) const {
     const double owners = ownersDistance(vertex);
     if (!(distance < owners * (1 - kDistanceTolerance))) return false;
-    distance = owners * (1 + 4 * kDistanceTolerance);
+    distance = owners;
     return true;
   }
 
@@ -249,6 +249,7 @@ class Continuation {
     } else if (distance < guests_[guest].distance * (1 - kDistanceTolerance)) {
       guests_[guest].distance = distance;
       guests_[guest].view = view();
+      guests_[guest].isStraightened = false;
     }
     return !isNearer;
   }
@@ -278,12 +279,14 @@ class Continuation {
   /// Lets the vertices around one see the label that owns it, and looks out of the faces of which
   /// the label owns this corner only.
   void lookAround(int v) {
-    const int label = owner(v);
-    const View& view = field_.view(v);
-    if (view.halfedge < 0) {
+    if (field_.view(v).halfedge < 0)
       lookAroundSite(v);
-      return;
-    }
+    else
+      lookAround(v, owner(v), field_.view(v), field_.nearest(v).distance);
+  }
+
+  /// The same for a label that a vertex sees by a view, at a distance.
+  void lookAround(int v, int label, const View& view, double distance) {
     const Vector2d tip(mesh_.length(view.halfedge), 0);
     lookAtEnds(view, label);
     View free = view;
@@ -293,8 +296,8 @@ class Continuation {
     // If the sides leave a gap between them, the left one sees to that; up to the boundary both.
     const bool isOnBoundary = mesh_.onBoundary(v);
     const int behindRight =
-        lookAside<Side::kRight>(view, v, isOnBoundary ? kToBoundary : kToFirstBehind);
-    lookAside<Side::kLeft>(view, v, isOnBoundary ? kToBoundary : behindRight);
+        lookAside<Side::kRight>(label, view, distance, isOnBoundary ? kToBoundary : kToFirstBehind);
+    lookAside<Side::kLeft>(label, view, distance, isOnBoundary ? kToBoundary : behindRight);
   }
 
   /// Lets the ends of a view's halfedge see the source, each through the side of the face that is
@@ -329,10 +332,8 @@ class Continuation {
 
   /// Looks around on one side, up to `last` (walkFan).
   template <Side side>
-  int lookAside(const View& view, int v, int last) {
+  int lookAside(int label, const View& view, double distance, int last) {
     constexpr bool kLeft = side == Side::kLeft;
-    const int label = owner(v);
-    const double distance = field_.nearest(v).distance;
     const Vector2d path = view.path(mesh_);
     View here = view;  // as seen from the vertex
     here.source = -path;
@@ -441,8 +442,20 @@ class Continuation {
         guest.isStraightened = true;
       }
     }
-    for (const PathEnd& end : ends)
-      if (end.guest >= 0) keepBehindOwner(end.vertex, guests_[end.guest].distance);
+    lookAroundNewOwners(ends);
+  }
+
+  /// Where a geodesic has made a guest nearer than the owner, the guest's label may have something
+  /// in all faces there: the vertices around have to know it.
+  void lookAroundNewOwners(std::span<const PathEnd> ends) {
+    std::vector<Guest> nearest;
+    for (const PathEnd& end : ends) {
+      if (end.guest < 0) continue;
+      const Guest& guest = guests_[end.guest];
+      if (guest.distance < ownersDistance(end.vertex) * (1 - kDistanceTolerance))
+        nearest.push_back(guest);
+    }
+    for (const Guest& g : nearest) lookAround(g.vertex, g.label, g.view, g.distance);
   }
 
   /// The paths that bend where labels meet, one label's after the other's: those run through the
@@ -458,7 +471,7 @@ class Continuation {
       ++next[end.label + 1];
     };
     for (const int host : hosts_) {
-      if (!isInScope(host)) continue;
+      if (!isTold(host)) continue;
       add(field_.view(host), field_.nearest(host).distance, {owner(host), host, -1});
       for (int g = firstGuest_[host]; g >= 0; g = guests_[g].next)
         add(guests_[g].view, guests_[g].distance, {guests_[g].label, host, g});
@@ -620,7 +633,8 @@ class Continuation {
 
   const TriangleMesh& mesh_;
   DgpcField& field_;
-  std::vector<char> scope_;      ///< per vertex
+  enum class Scope : char { kOutside, kTold, kInside };
+  std::vector<Scope> scope_;     ///< per vertex
   std::vector<int> firstGuest_;  ///< per vertex, -1: none
   std::vector<int> ownPath_;     ///< per vertex, -1: as the owner's view tells
   std::vector<LocalGeodesic> ownPaths_;
