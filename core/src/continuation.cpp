@@ -462,7 +462,7 @@ class Continuation {
   /// same faces, and memory is what straightening waits for. Those that do not bend err little, and
   /// so do those that bending has made hardly longer.
   std::vector<PathEnd> bentPaths() const {
-    constexpr double kSmallDetour = 5e-5;  // of the distance
+    constexpr double kSmallDetour = 2e-4;  // of the distance
     std::vector<PathEnd> ends;
     std::vector<int> next(field_.sites().size() + 1);
     const auto add = [&](const View& view, double distance, const PathEnd& end) {
