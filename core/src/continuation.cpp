@@ -431,14 +431,19 @@ class Continuation {
       const bool isOwner = end.guest < 0;
       const View& view = isOwner ? field_.view(end.vertex) : guests_[end.guest].view;
       const auto path = straightener_.straighten(end.label, end.vertex, view);
-      if (!path || !(path->length < distanceAt(end.vertex, end.label))) continue;
+      const double before = distanceAt(end.vertex, end.label);
+      if (!path || !(path->length < before)) continue;
+      const double share = shareOfGeodesic(view, before);
+      const LocalGeodesic mean = {
+          before + share * (path->length - before),
+          (1 - share) * departureAt(end.vertex, end.label) + share * path->departure};
       if (isOwner) {
         ownPath_[end.vertex] = static_cast<int>(ownPaths_.size());
-        ownPaths_.push_back(*path);
+        ownPaths_.push_back(mean);
       } else {
         Guest& guest = guests_[end.guest];
-        guest.distance = path->length;
-        guest.departure = path->departure;
+        guest.distance = mean.length;
+        guest.departure = mean.departure;
         guest.isStraightened = true;
       }
     }
@@ -458,15 +463,20 @@ class Continuation {
     for (const Guest& g : nearest) lookAround(g.vertex, g.label, g.view, g.distance);
   }
 
-  /// The paths that bend where labels meet, one label's after the other's: those run through the
-  /// same faces, and memory is what straightening waits for. Those that do not bend err little, and
-  /// so do those that bending has made hardly longer.
+  /// Paths that do not bend err little, and so do those that bending has made hardly longer. These
+  /// are left, and between them and others there is no step: a tessellation's energy has none.
+  static double shareOfGeodesic(const View& view, double distance) {
+    constexpr double kSmallDetour = 1e-4;  // of the distance
+    return std::clamp(view.detour / (kSmallDetour * distance) - 1, 0.0, 1.0);
+  }
+
+  /// The paths to straighten where labels meet, one label's after the other's: those run through
+  /// the same faces, and memory is what straightening waits for.
   std::vector<PathEnd> bentPaths() const {
-    constexpr double kSmallDetour = 2e-4;  // of the distance
     std::vector<PathEnd> ends;
     std::vector<int> next(field_.sites().size() + 1);
     const auto add = [&](const View& view, double distance, const PathEnd& end) {
-      if (!(view.detour > kSmallDetour * distance)) return;
+      if (!(shareOfGeodesic(view, distance) > 0)) return;
       ends.push_back(end);
       ++next[end.label + 1];
     };
