@@ -121,14 +121,17 @@ void DiagramPieces::replace(const DiagramChange& change) {
   const Diagram& part = change.part;
   const auto places = [&](std::span<const int> points) {
     std::vector<SurfacePoint> list;
+    list.reserve(points.size());
     for (const int p : points) list.push_back(part.points[p]);
     return list;
   };
   for (int i = 0; i < part.loops.size(); ++i)
     regions_[part.loopLabel[i]].loops.push_back(places(part.loops[i]));
   const size_t firstArc = arcs_.size();
-  for (int i = 0; i < part.arcs.size(); ++i)
+  for (int i = 0; i < part.arcs.size(); ++i) {
     arcs_.push_back({part.arcLabels[i], places(part.arcs[i]), {}});
+    arcs_.back().segments.reserve(part.arcs[i].size());
+  }
   for (const Diagram::Segment& s : part.segments)
     arcs_[firstArc + s.arc].segments.push_back(
         {part.points[s.points[0]], part.points[s.points[1]], s.face});
