@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 
 #include "gvd/triangle_mesh.h"
@@ -16,16 +17,10 @@ inline Eigen::Vector2d apexBeside(const TriangleMesh& mesh, int halfedge,
   return tail + turnedBy({l.x, l.y}, (tip - tail) * (2 * l.inverse));
 }
 
-/// A distance that follows from those at the two ends of a halfedge, and its derivatives by them.
-struct Unfolded {
-  double distance;
-  double byTail, byTip;
-};
-
 /// The distance of a halfedge's apex from those at the halfedge's two ends, infinite where not
 /// known: from the virtual source that these two put behind the halfedge if it sees the apex
 /// through it, else along an edge (Melvær & Reimers 2012).
-inline Unfolded unfold(const TriangleMesh& mesh, int halfedge, double atTail, double atTip) {
+inline double unfold(const TriangleMesh& mesh, int halfedge, double atTail, double atTip) {
   constexpr double kRounding = 1e-12;
   const TriangleMesh::Layout& l = mesh.layout(halfedge);
   if (std::isfinite(atTail) && std::isfinite(atTip)) {
@@ -38,16 +33,12 @@ inline Unfolded unfold(const TriangleMesh& mesh, int halfedge, double atTail, do
       const double across = x * l.y + l.x * y, height = l.y + y;
       const double slack = kRounding * l.length * height;
       if (across >= -slack && across <= l.length * height + slack) {
-        const double distance = std::sqrt((l.x - x) * (l.x - x) + height * height);
-        // The line's direction, times its share on the way to either end.
-        const double scale = y > 0 ? 1 / (l.length * y * distance) : 0;
-        return {distance, atTail * (l.length * height - across) * scale, atTip * across * scale};
+        return std::sqrt((l.x - x) * (l.x - x) + height * height);
       }
     }
   }
-  const double overTail = atTail + mesh.length(TriangleMesh::previous(halfedge));
-  const double overTip = atTip + mesh.length(TriangleMesh::next(halfedge));
-  return overTail <= overTip ? Unfolded{overTail, 1, 0} : Unfolded{overTip, 0, 1};
+  return std::min(atTail + mesh.length(TriangleMesh::previous(halfedge)),
+                  atTip + mesh.length(TriangleMesh::next(halfedge)));
 }
 
 }  // namespace gvd

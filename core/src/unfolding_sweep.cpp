@@ -41,7 +41,7 @@ void UnfoldingSweep::offerToNeighbours(int vertex) {
 
 double UnfoldingSweep::unfolded(int halfedge) const {
   const double atTail = distance_[mesh_.tail(halfedge)], atTip = distance_[mesh_.tip(halfedge)];
-  return unfold(mesh_, halfedge, atTail, atTip).distance;
+  return unfold(mesh_, halfedge, atTail, atTip);
 }
 
 }  // namespace gvd
