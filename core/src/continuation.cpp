@@ -13,6 +13,7 @@
 #include "heap.h"
 #include "index_set.h"
 #include "path_straightening.h"
+#include "saddle_ties.h"
 #include "site_frame.h"
 #include "tolerances.h"
 
@@ -40,6 +41,7 @@ class Continuation {
     field_.reserve(mesh_.vertexCount() + guests_.size());
     for (int v = 0; v < mesh_.vertexCount(); ++v) collect(v);
     for (const int v : farHosts_) field_.setFarLabel(v, true);
+    SaddleTies(field_, straightener_).carryEverywhere();
   }
 
   /// What a vertex is told first depends on its neighbours, and what it makes of that on theirs; an
@@ -49,7 +51,7 @@ class Continuation {
     IndexSet scope(mesh_.vertexCount(), changed);
     for (int ring = 0, first = 0; ring < 3; ++ring) first = addNeighbours(scope, first);
     for (int size = 0; size < scope.size();) {
-      addFarHosts(scope);
+      addDependent(scope);
       size = scope.size();
       runWithin(scope);
       for (const int v : farHosts_) {
@@ -74,6 +76,10 @@ class Continuation {
       field_.setFarLabel(v, false);
     }
     for (const int v : farHosts_) field_.setFarLabel(v, true);
+    for (const int v : SaddleTies(field_, straightener_).carryAround(scope)) {
+      noteLabels(v);
+      change.vertices.push_back(v);
+    }
     for (const int v : changed) noteLabels(v);
     makeSet(change.vertices);
     makeSet(change.labels);
@@ -116,6 +122,15 @@ class Continuation {
     for (int i = first; i < end; ++i)
       mesh_.visitNeighbours(vertices.list()[i], [&](int neighbour) { vertices.add(neighbour); });
     return end;
+  }
+
+  /// Adds what a scope has effects on further away.
+  void addDependent(IndexSet& scope) const {
+    for (int size = 0; size < scope.size();) {
+      size = scope.size();
+      addFarHosts(scope);
+      SaddleTies::addTold(field_, scope);
+    }
   }
 
   /// Adds all vertices with labels from far that hang together with a scope, and their neighbours.

@@ -13,7 +13,8 @@ namespace gvd {
 /// To tell where in a face one region ends, the distances of both labels must be known at all its
 /// corners, also those that another label owns. What counts there is the continuation of the
 /// distance inside the region: how far the site is, as seen from the corners the region has. So it
-/// depends on no path outside of the region, and nothing need have spread there.
+/// depends on no path outside of the region, and nothing need have spread there. Only where labels
+/// tie because their paths bend at the same vertex, all of them are told, however far behind it.
 ///
 /// Fills in the labels of all vertices of a field that knows the sites and what is nearest.
 void continueOverBorders(DgpcField& field);

@@ -68,6 +68,24 @@ void DgpcField::setLabels(int vertex, std::span<const LabelledDistance> labels,
   }
 }
 
+void DgpcField::setLabel(int vertex, const LabelledDistance& label, const Vector2d& departure) {
+  const auto here = at(vertex);
+  const auto first = departures_.begin() + lists_[vertex].first;
+  std::vector<LabelledDistance> labels(here.begin(), here.end());
+  std::vector<Vector2d> departures(first, first + static_cast<long>(here.size()));
+  const auto place = std::lower_bound(labels.begin(), labels.end(), label.label,
+                                      [](const LabelledDistance& d, int l) { return d.label < l; });
+  const auto departurePlace = departures.begin() + (place - labels.begin());
+  if (place != labels.end() && place->label == label.label) {
+    *place = label;
+    *departurePlace = departure;
+  } else {
+    labels.insert(place, label);
+    departures.insert(departurePlace, departure);
+  }
+  setLabels(vertex, labels, departures);
+}
+
 std::span<const LabelledDistance> DgpcField::at(int vertex) const {
   const List& list = lists_[vertex];
   return {values_.data() + list.first, static_cast<size_t>(list.count)};

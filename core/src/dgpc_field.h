@@ -34,8 +34,21 @@ class DgpcField final : public DistanceField {
   /// The nearest label of a vertex, of those that tie the lowest, and how it is seen.
   const LabelledDistance& nearest(int vertex) const { return nearest_[vertex]; }
   const View& view(int vertex) const { return views_[vertex]; }
+  /// The distance of a label that is known at a vertex.
+  double distanceAt(int vertex, int label) const { return find(vertex, label)->distance; }
   /// Whether some label has come to be known at a vertex from further than its neighbours.
   bool hasFarLabel(int vertex) const { return hasFarLabel_[vertex]; }
+
+  /// What has been found out about ties where paths bend (SaddleTies); in no order.
+  struct Ties {
+    struct Told {
+      int vertex, from;
+    };
+    std::vector<int> origins;  ///< the vertices where ties begin that are carried on
+    std::vector<Told> told;    ///< to which other vertices they have been, and from where
+  };
+  Ties& ties() { return ties_; }
+  const Ties& ties() const { return ties_; }
 
   void setSite(int label, const SurfacePoint& site);
   void setNearest(int vertex, const LabelledDistance& nearest, const View& view);
@@ -44,6 +57,8 @@ class DgpcField final : public DistanceField {
   /// paths to it leave their sites, zero for the owner if that is as its view tells.
   void setLabels(int vertex, std::span<const LabelledDistance> labels,
                  std::span<const Eigen::Vector2d> departures);
+  /// Adds one label to those of a vertex, or changes what is known of it.
+  void setLabel(int vertex, const LabelledDistance& label, const Eigen::Vector2d& departure);
   /// Room for so many labels in all.
   void reserve(size_t labels);
 
@@ -65,6 +80,7 @@ class DgpcField final : public DistanceField {
   std::vector<LabelledDistance> nearest_;
   std::vector<View> views_;
   std::vector<char> hasFarLabel_;
+  Ties ties_;
   std::vector<List> lists_;
   std::vector<LabelledDistance> values_;
   std::vector<Eigen::Vector2d> departures_;  ///< one per value

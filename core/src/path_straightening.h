@@ -22,6 +22,10 @@ class PathStraightener {
   /// and the mesh only. Nothing if the views lead nowhere. O(faces on the way), a few times.
   std::optional<LocalGeodesic> straighten(int label, int vertex, const View& view);
 
+  /// The vertex where the path of a view to a site bends last, or the site's; negative if that is
+  /// in a face. Nothing if the line from the view's vertex does not lead there. O(faces on the way).
+  std::optional<int> lookBack(const View& view, const SurfacePoint& site);
+
  private:
   /// A face that a walk comes to, laid out as seen from where the walk begins.
   struct Step {
@@ -40,7 +44,6 @@ class PathStraightener {
   std::optional<LocalGeodesic> aim(int halfedge, Eigen::Vector2d line, const SurfacePoint& site);
   bool followViews(int label, int vertex, const View& first);
   int stepToOwner(int label, int vertex) const;
-  std::optional<int> lookBack(const View& view, const SurfacePoint& site);
   template <class IsEnd>
   std::optional<Step> walk(int halfedge, const Eigen::Vector2d& line, AtVertex atVertex,
                            IsEnd isEnd);

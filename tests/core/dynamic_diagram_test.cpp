@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -81,6 +82,8 @@ AssertionResult isUpToDate(const TriangleMesh& mesh, const DynamicDiagram& dynam
   const checks::Traced anew = checks::trace(mesh, sites, Metric::kDgpc, detail);
   if (const auto same = checks::areSame(mesh, anew.diagram, followed, labels, 1e-12); !same)
     return same;
+  if (anew.diagram.indifferentFaces != followed.indifferentFaces)
+    return AssertionFailure() << "other indifferent faces";
   const std::vector<int> own = checks::identity(dynamic.labelCount());
   if (const auto same =
           areSameCorners(corners(mesh, anew.diagram, labels), corners(mesh, followed, own), 1e-11);
@@ -200,6 +203,33 @@ INSTANTIATE_TEST_SUITE_P(
                       EditCase{"bumpyTorusDetail", shapes::bumpySurface(1, 5, 0.3, 3), 9, 25, 2},
                       EditCase{"gridDetail", shapes::grid(8, 6, 0.4, 1), 6, 25, 1}),
     [](const auto& info) { return std::string(info.param.name); });
+
+TEST(DynamicDiagram, FollowsTiesFarBehindASaddle) {
+  // All around the middle, and at the same distance: what ties behind it, and where, changes with
+  // every site.
+  const auto mesh =
+      shapes::subdivided(shapes::subdivided(shapes::vertexFan(12, 4 * std::numbers::pi))).mesh();
+  const auto middleOf = [](int face) {
+    return SurfacePoint{16 * face + 15, Eigen::Vector3d::Constant(1.0 / 3)};
+  };
+  DynamicDiagram dynamic(mesh, std::vector{middleOf(0), middleOf(1)});
+  const auto expectTies = [&](int least, int most) {
+    const int count = static_cast<int>(dynamic.diagram().indifferentFaces.size());
+    EXPECT_TRUE(isUpToDate(mesh, dynamic, 0));
+    EXPECT_TRUE(least <= count && count <= most) << count;
+  };
+  expectTies(64, 96);
+  dynamic.insertSite(middleOf(2));
+  expectTies(48, 80);
+  dynamic.moveSite(0, middleOf(6));
+  expectTies(8, 32);
+  dynamic.removeSite(0);
+  expectTies(64, 96);
+  dynamic.moveSite(1, {7, Eigen::Vector3d::Constant(1.0 / 3)});
+  expectTies(0, 0);
+  dynamic.moveSite(1, middleOf(3));
+  expectTies(64, 96);
+}
 
 TEST(DynamicDiagram, GivesTheLowestFreeLabel) {
   const TriangleMesh mesh = shapes::grid(6, 6, 0.3, 1).mesh();

@@ -180,6 +180,23 @@ TEST(Partition, LeavesHolesForIndifferentFaces) {
     EXPECT_EQ(std::count(d.indifferentFaces.begin(), d.indifferentFaces.end(), f), 0);
 }
 
+TEST(Partition, LeavesHolesWhereSitesTieBehindASaddle) {
+  // Two sites as far from the middle of twelve equilateral triangles, four of them behind it.
+  const auto mesh = shapes::vertexFan(12, 4 * kPi).mesh();
+  const std::vector<SurfacePoint> sites = {centroid(0), centroid(1)};
+  for (const Metric metric : {Metric::kDgpc, Metric::kExact}) {
+    const Diagram d = trace(mesh, sites, metric).diagram;
+    ASSERT_EQ(d.indifferentFaces.size(), 4u);
+    const Partition filled = partition(mesh, d);
+    EXPECT_TRUE(isSound(mesh, d, filled));
+    EXPECT_EQ(filled.triangles.size(), 12u);
+    const Partition open = partition(mesh, d, {.leaveOutIndifferent = true});
+    EXPECT_TRUE(hasItsTwins(open));
+    EXPECT_EQ(open.triangles.size(), 8u);
+    EXPECT_NEAR(open.regions[0].area, open.regions[1].area, 1e-12 * mesh.area());
+  }
+}
+
 // --- Triangulations of convex polygons -----------------------------------------------------------
 
 double leastAngle(const Vector2d& a, const Vector2d& b, const Vector2d& c) {

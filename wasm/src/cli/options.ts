@@ -60,7 +60,7 @@ const options = {
     help: 'Of a .glb: regions: a node with a primitive for each; features: one mesh with region ids (EXT_mesh_features)',
   },
   holes: {
-    help: 'Leave holes where regions tie on whole triangles, instead of giving these to the lowest; with --metric exact',
+    help: 'Leave holes where regions tie on whole triangles, instead of giving these to the lowest; for sites in one place, with --metric exact only',
   },
   repair: { help: 'Add sites until the dual is valid' },
   primal: { help: 'The regions as polygons, instead of the dual' },
