@@ -14,8 +14,7 @@ namespace gvd {
 
 /// Carries ties on to what lies behind the vertices where paths bend. All that is reached around
 /// such a vertex is as far from each of the labels that tie there, but a sweep goes on with the
-/// lowest of them only: whatever the others would have to be told on the way, they own nothing
-/// there.
+/// lowest of them only, for the others own nothing there.
 ///
 /// Sites in one place tie everywhere, and the lowest takes it all: of those only it is carried on.
 class SaddleTies {

@@ -113,7 +113,9 @@ TEST(RemeshQuality, OfNothingIsInfinitelyFar) {
 
 TEST(RemeshQuality, OfACentroidalTessellationIsHigh) {
   const TriangleMesh mesh = shapes::icosphere(3).mesh();
-  Cvt cvt(mesh, sampleUniform(mesh, 100, 1), {.iterations = 30});
+  CvtOptions options;
+  options.iterations = 30;
+  Cvt cvt(mesh, sampleUniform(mesh, 100, 1), options);
   while (!cvt.isDone())
     while (!cvt.step(100000)) {
     }
