@@ -17,6 +17,7 @@
 #include "edge_share.h"
 #include "metric.h"
 #include "site_frame.h"
+#include "straight_walk.h"
 #include "surface_geometry.h"
 #include "tolerances.h"
 
@@ -29,9 +30,14 @@ DgpcSweep::DgpcSweep(const TriangleMesh& mesh, std::span<const SurfacePoint> sit
       sites_(sites.begin(), sites.end()),
       spread_(spread),
       limits_(mesh.vertexCount()),
+      isSharp_(mesh.vertexCount()),
+      meetsShadows_(sites.size()),
       owner_(mesh.vertexCount(), -1),
       queue_(mesh.meanEdgeLength()) {
-  for (int v = 0; v < mesh.vertexCount(); ++v) limits_[v] = limitsViews(mesh, v);
+  for (int v = 0; v < mesh.vertexCount(); ++v) {
+    limits_[v] = limitsViews(mesh, v);
+    isSharp_[v] = castsShadow(mesh, v);
+  }
   entries_.reserve(2 * owner_.size());
   entries_.resize(owner_.size());
   views_.reserve(2 * owner_.size());
@@ -165,6 +171,7 @@ void DgpcSweep::offer(int vertex, int label, double distance, MakeView view) {
   if (entry < 0) entry = add(vertex, label);
   Entry& e = entries_[entry];
   if (!(distance < e.distance * (1 - kDistanceTolerance))) return;
+  if (isSharp_[vertex]) meetsShadows_[label] = true;
   touch(vertex);
   e.distance = distance;
   views_[entry] = view();
@@ -196,6 +203,7 @@ void DgpcSweep::setSite(int label, const SurfacePoint& site) {
   if (label >= static_cast<int>(sites_.size())) {
     sites_.resize(label + 1);
     verticesOf_.resize(label + 1);
+    meetsShadows_.resize(label + 1);
   }
   IndexSet disturbed(mesh_.vertexCount(), verticesOf_[label]);
   std::vector<Knowledge> former = {knowledgeOf(label)};
@@ -286,6 +294,7 @@ void DgpcSweep::forget(int label) {
     if (owner_[v] < 0) --reachedVertices_;
   }
   verticesOf_[label].clear();
+  meetsShadows_[label] = false;
 }
 
 /// The corners of a site's face see it directly. A site on an edge is seen from the other face
@@ -383,8 +392,8 @@ int DgpcSweep::carry(const Origin& from, bool isBend, int last) {
     if (isFutile(at, from.label, toApex, view.offset) || !mayCross(from, outer, toOuter)) return;
     const Vector2d& bound = sight.bound();
     if (sight.reaches(toApex)) {
-      offer(at, from.label, view.offset + toApex.norm(),
-            [&] { return viewThrough<side>(from, face, zero, bound); });
+      offerIfClear<side>(from, face, at, view.offset + toApex.norm(),
+                         [&] { return viewThrough<side>(from, face, zero, bound); });
     } else if (sight.reachesAround(face, from.path, toApex)) {
       const double toBend = bound.norm(), offset = view.offset + toBend;
       offer(at, from.label, offset + (toApex - bound).norm(), [&] {
@@ -423,6 +432,45 @@ View DgpcSweep::viewThrough(const Origin& from, const FanFace& face, const Vecto
   next.halfedge = face.halfedge;
   next.detour = from.view.detour;
   return next;
+}
+
+/// Offers a view, or, if it leads elsewhere, the path around the vertex it is carried on from.
+template <Side side, class MakeView>
+void DgpcSweep::offerIfClear(const Origin& from, const FanFace& face, int at, double distance,
+                             MakeView view) {
+  if (from.view.isBent() || !meetsShadows_[from.label] || !isImproved(at, from.label, distance) ||
+      isClear(view(), from.label))
+    offer(at, from.label, distance, view);
+  else if (mayBend(from.vertex, from.distance))
+    bend<side>(from, face, at);
+}
+
+bool DgpcSweep::isImproved(int vertex, int label, double distance) const {
+  return distance < distanceAt(vertex, label) * (1 - kDistanceTolerance);
+}
+
+/// Whether the straight line from the vertex of a view that does not bend leads to the site, on the
+/// surface. A line of sight may leave the faces that it was unfolded through, and what is enclosed
+/// between it and them may hide the site: a saddle or a hole that no fan on the way has met.
+bool DgpcSweep::isClear(const View& view, int label) {
+  constexpr double kNear = 0.1;  // of the line: slight curvature may lead it beside the site
+  const SurfacePoint& site = sites_[label];
+  const Vector2d way = -view.path(mesh_);
+  const double slack = kNear * way.norm();
+  const auto isCornerOfSite = [&](int vertex, const Vector2d& place) {
+    for (int i = 0; i < 3; ++i)
+      if (mesh_.tail(3 * site.face + i) == vertex)
+        return std::abs((place - way).norm() - distanceOfCorner(mesh_, site, i)) <= slack;
+    return false;
+  };
+  const int h = view.halfedge;
+  const Vector2d toTail = -apexOf(mesh_, h), toTip = toTail + Vector2d(mesh_.length(h), 0);
+  if (isCornerOfSite(mesh_.tail(h), toTail) || isCornerOfSite(mesh_.tip(h), toTip)) return true;
+  return walkStraight(mesh_, h, way, AtVertex::kPass, walkedThrough_,
+                      [&](int entry, const Vector2d& apex) {
+                        return isCornerOfSite(mesh_.tail(TriangleMesh::previous(entry)), apex);
+                      })
+      .has_value();
 }
 
 template <Side side>

@@ -114,8 +114,13 @@ class DgpcSweep final : public Propagation {
   bool isHidden(const Origin& from, int outer, const Eigen::Vector2d& toOuter) const;
   bool mayCross(const Origin& from, int outer, const Eigen::Vector2d& toOuter) const;
   bool isFutile(int vertex, int label, const Eigen::Vector2d& way, double before) const;
+  bool isImproved(int vertex, int label, double distance) const;
+  bool isClear(const View& view, int label);
   template <Side side>
   int carry(const Origin& from, bool isBend, int last);
+  template <Side side, class MakeView>
+  void offerIfClear(const Origin& from, const FanFace& face, int at, double distance,
+                    MakeView view);
   template <Side side>
   View viewThrough(const Origin& from, const FanFace& face, const Eigen::Vector2d& shift,
                    const Eigen::Vector2d& outerBound) const;
@@ -126,7 +131,10 @@ class DgpcSweep final : public Propagation {
   const TriangleMesh& mesh_;
   std::vector<SurfacePoint> sites_;
   Spread spread_;
-  std::vector<char> limits_;  ///< limitsViews, per vertex
+  std::vector<char> limits_;        ///< limitsViews, per vertex
+  std::vector<char> isSharp_;       ///< castsShadow, per vertex
+  std::vector<char> meetsShadows_;  ///< per label, whether it has come to such a vertex
+  std::vector<int> walkedThrough_;
   std::vector<Entry> entries_;
   std::vector<View> views_;    ///< of the entries
   std::vector<int> vertices_;  ///< of the entries behind the first ones

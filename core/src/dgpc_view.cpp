@@ -27,6 +27,12 @@ bool limitsViews(const TriangleMesh& mesh, int vertex) {
   return mesh.onBoundary(vertex) || mesh.angleSum(vertex) > kFlat;
 }
 
+bool castsShadow(const TriangleMesh& mesh, int vertex) {
+  constexpr double kSharp = 0.1;
+  const double straight = (mesh.onBoundary(vertex) ? 1 : 2) * std::numbers::pi;
+  return mesh.angleSum(vertex) > straight + kSharp;
+}
+
 double distanceOfCorner(const TriangleMesh& mesh, const SurfacePoint& site, int corner) {
   return std::sqrt(
       squaredDistance(site.bary, Eigen::Vector3d::Unit(corner), squaredSides(mesh, site.face)));

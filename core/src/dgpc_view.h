@@ -72,6 +72,9 @@ struct View {
 /// length that is less than the distance (the hinge theorem for non-negative curvature): it needs
 /// no limit, and in the plane every view of a site is the same.
 bool limitsViews(const TriangleMesh& mesh, int vertex);
+/// Whether it does so by far, so that much of what is behind it is hidden: as on the edges of
+/// machine parts and of holes, and hardly where a mesh stands for a smooth surface.
+bool castsShadow(const TriangleMesh& mesh, int vertex);
 
 /// How far a site is from a corner of its face, and how that corner sees it.
 double distanceOfCorner(const TriangleMesh& mesh, const SurfacePoint& site, int corner);

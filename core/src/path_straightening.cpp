@@ -6,6 +6,7 @@
 
 #include "plane.h"
 #include "site_frame.h"
+#include "straight_walk.h"
 #include "surface_geometry.h"
 #include "unfolding.h"
 
@@ -19,19 +20,6 @@ constexpr int kAtSite = -1;
 /// Places in one frame that are nearer to each other than this, as a share of an edge there, are
 /// the same vertex: rounding along a path stays far below, and edges are longer.
 constexpr double kSamePlace = 1e-6;
-
-/// Where the apex of a halfedge is, in the halfedge's frame.
-Vector2d apexOf(const TriangleMesh& mesh, int halfedge) {
-  const TriangleMesh::Layout& l = mesh.layout(halfedge);
-  return {l.x, l.y};
-}
-
-/// Whether two directions are the same but for rounding: on which side of one the other lies then
-/// must not matter.
-bool isGrazing(const Vector2d& a, const Vector2d& b) {
-  constexpr double kGrazing = 1e-12;  // of a radian
-  return std::abs(cross(a, b)) <= kGrazing * std::abs(a.dot(b));
-}
 
 }  // namespace
 
@@ -56,7 +44,7 @@ std::optional<LocalGeodesic> PathStraightener::aim(int halfedge, Vector2d line,
                            : TriangleMesh::faceOf(entry) == site.face;
   };
   for (int i = 0; i < kMostAims; ++i) {
-    const auto end = walk(halfedge, line, AtVertex::kStop, isAtSite);
+    const auto end = walkStraight(mesh_, halfedge, line, AtVertex::kStop, walkedThrough_, isAtSite);
     if (!end) return std::nullopt;
     const int k = end->entry % 3;
     line = siteVertex >= 0
@@ -142,68 +130,15 @@ std::optional<int> PathStraightener::lookBack(const View& view, const SurfacePoi
   if (isSource({0, 0}, mesh_.length(h))) return mesh_.tail(h);
   if (isSource({mesh_.length(h), 0}, mesh_.length(h))) return mesh_.tip(h);
   if (!isVertex && TriangleMesh::faceOf(h) == site.face) return kAtSite;
-  const auto end =
-      walk(h, -view.path(mesh_), AtVertex::kPass, [&](int entry, const Vector2d& apex) {
+  const auto end = walkStraight(
+      mesh_, h, -view.path(mesh_), AtVertex::kPass, walkedThrough_,
+      [&](int entry, const Vector2d& apex) {
         if (!isVertex) return TriangleMesh::faceOf(entry) == site.face;
         return isSource(apex + from, mesh_.length(entry)) ||
                (!view.isBent() && mesh_.tail(TriangleMesh::previous(entry)) == siteVertex);
       });
   if (!end) return std::nullopt;
   return isVertex ? mesh_.tail(TriangleMesh::previous(end->entry)) : kAtSite;
-}
-
-/// Walks along a straight line from the apex of a halfedge, given in the halfedge's frame, and
-/// notes what it goes through, up to the first face of which `isEnd` says so, by the halfedge that
-/// it is entered through and the apex of that. Nothing if the line ends before, or at the boundary.
-template <class IsEnd>
-auto PathStraightener::walk(int halfedge, const Vector2d& line, AtVertex atVertex, IsEnd isEnd)
-    -> std::optional<Step> {
-  walkedThrough_.clear();
-  const double length = line.squaredNorm();
-  if (!(length > 0)) return std::nullopt;
-  Vector2d right = -apexOf(mesh_, halfedge);
-  Vector2d left = right + Vector2d(mesh_.length(halfedge), 0);
-  int over = halfedge;
-  // Where the line leaves beside the halfedge, it does so through another face around the vertex.
-  const Vector2d here(0, 0);
-  const bool isRightOf = cross(right, line) < 0;
-  while (isRightOf ? cross(right, line) < 0 : cross(line, left) < 0) {
-    const int side = isRightOf ? TriangleMesh::previous(over) : TriangleMesh::next(over);
-    const int entry = mesh_.twin(side);
-    if (entry < 0 || TriangleMesh::faceOf(entry) == TriangleMesh::faceOf(halfedge))
-      return std::nullopt;
-    walkedThrough_.push_back(side);
-    if (isRightOf)
-      left = std::exchange(right, apexBeside(mesh_, entry, right, here));
-    else
-      right = std::exchange(left, apexBeside(mesh_, entry, here, left));
-    over = isRightOf ? TriangleMesh::previous(entry) : TriangleMesh::next(entry);
-  }
-  Vector2d leftBound = left, rightBound = right;
-  constexpr double kBeyond = 1.2;  // the line may be a little short of where it leads
-  bool isLeftBeyond = false, isRightBeyond = false;
-  for (int steps = 0; steps < mesh_.faceCount(); ++steps) {
-    const int entry = mesh_.twin(over);
-    if (entry < 0) return std::nullopt;
-    walkedThrough_.push_back(over);
-    const Vector2d apex = apexBeside(mesh_, entry, left, right);
-    if (isEnd(entry, apex)) return Step{entry, left, right, apex, leftBound, rightBound};
-    if (atVertex == AtVertex::kStop && isGrazing(line, apex)) return std::nullopt;
-    const bool isBeyond = line.dot(apex) > kBeyond * length;
-    if (cross(line, apex) > 0) {
-      left = apex;
-      if (cross(left, leftBound) > 0) leftBound = left;
-      isLeftBeyond = isBeyond;
-      over = TriangleMesh::next(entry);
-    } else {
-      right = apex;
-      if (cross(rightBound, right) > 0) rightBound = right;
-      isRightBeyond = isBeyond;
-      over = TriangleMesh::previous(entry);
-    }
-    if (isLeftBeyond && isRightBeyond) return std::nullopt;
-  }
-  return std::nullopt;
 }
 
 }  // namespace gvd

@@ -23,30 +23,14 @@ class PathStraightener {
   std::optional<LocalGeodesic> straighten(int label, int vertex, const View& view);
 
   /// The vertex where the path of a view to a site bends last, or the site's; negative if that is
-  /// in a face. Nothing if the line from the view's vertex does not lead there. O(faces on the way).
+  /// in a face. Nothing if the line from the view's vertex does not lead there. O(faces on the
+  /// way).
   std::optional<int> lookBack(const View& view, const SurfacePoint& site);
 
  private:
-  /// A face that a walk comes to, laid out as seen from where the walk begins.
-  struct Step {
-    int entry;                          ///< the face's halfedge that it is entered through
-    Eigen::Vector2d left, right, apex;  ///< the ends of that one, as seen on the way, and its apex
-    Eigen::Vector2d leftBound, rightBound;  ///< of what is seen through all that was passed
-
-    bool isInSight(const Eigen::Vector2d& place) const {
-      return cross(rightBound, place) >= 0 && cross(place, leftBound) >= 0;
-    }
-  };
-
-  /// Where a line leads through a vertex, it may be led past on either side.
-  enum class AtVertex { kStop, kPass };
-
   std::optional<LocalGeodesic> aim(int halfedge, Eigen::Vector2d line, const SurfacePoint& site);
   bool followViews(int label, int vertex, const View& first);
   int stepToOwner(int label, int vertex) const;
-  template <class IsEnd>
-  std::optional<Step> walk(int halfedge, const Eigen::Vector2d& line, AtVertex atVertex,
-                           IsEnd isEnd);
 
   const DgpcField& field_;
   const TriangleMesh& mesh_;
