@@ -16,6 +16,10 @@ namespace gvd {
 /// depends on no path outside of the region, and nothing need have spread there. Only where labels
 /// tie because their paths bend at the same vertex, all of them are told, however far behind it.
 ///
+/// Paths that bend are straightened there, those of owners too. A site may then be nearer to a
+/// vertex than the one that the sweep has found for it, and what a vertex knows is what counts: the
+/// sweep's is only where this starts.
+///
 /// Fills in the labels of all vertices of a field that knows the sites and what is nearest.
 void continueOverBorders(DgpcField& field);
 

@@ -21,7 +21,8 @@ namespace gvd {
 /// two known ones by a virtual source. Carrying the unfolded source itself costs less (one root
 /// instead of two, no second vertex that must be known), does not blur what comes from both sides
 /// of a ridge, and errs towards too long: what saddles and the boundary hide is cut off where the
-/// fans meet them.
+/// fans meet them. What lies beyond the fans may hide more; sharp saddles and holes do so by far,
+/// so labels that have come to one walk every line before they take it.
 class DgpcSweep final : public Propagation {
  public:
   DgpcSweep(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Spread spread);

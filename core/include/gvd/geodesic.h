@@ -37,7 +37,8 @@ inline LabelledDistance nearestOf(std::span<const LabelledDistance> sites) {
 /// Distances of all sites, each known as far as the Voronoi diagram needs it: if a site is nearest
 /// at any point of a closed face, its distance is known at all three corners of that face. With
 /// DGPC, the distance at a corner that another site owns is the one at which the site appears from
-/// the corners it owns, not that of a path outside of its region.
+/// the corners it owns, or, if that path bends, the length of the geodesic near it; not that of a path
+/// outside of its region.
 /// Ties go to the lower label everywhere.
 class DistanceField {
  public:
