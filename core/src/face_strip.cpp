@@ -31,7 +31,7 @@ int outgoingOf(const TriangleMesh& mesh, int face, int vertex) {
 // --- Faces ---
 
 void FaceStrip::start(int face) {
-  firstFace_ = lastFace_ = face;
+  lastFace_ = face;
   crossed_.clear();
 }
 
@@ -95,7 +95,6 @@ std::optional<FaceStrip::Line> FaceStrip::line(int vertex, const SurfacePoint& e
 void FaceStrip::trim(int vertex, int endVertex) {
   size_t first = 0;
   while (first < crossed_.size() && isEnd(crossed_[first], vertex)) ++first;
-  if (first > 0) firstFace_ = TriangleMesh::faceOf(mesh_.twin(crossed_[first - 1]));
   crossed_.erase(crossed_.begin(), crossed_.begin() + static_cast<std::ptrdiff_t>(first));
   while (!crossed_.empty() && isEnd(crossed_.back(), endVertex)) {
     lastFace_ = TriangleMesh::faceOf(crossed_.back());

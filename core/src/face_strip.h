@@ -75,7 +75,7 @@ class FaceStrip {
   LocalGeodesic path(const SurfacePoint& end) const;
 
   const TriangleMesh& mesh_;
-  int firstFace_ = -1, lastFace_ = -1;
+  int lastFace_ = -1;
   std::vector<int> crossed_;  ///< halfedges of the faces that are left through them
 
   // While it is straightened:

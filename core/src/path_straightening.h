@@ -6,7 +6,6 @@
 
 #include "dgpc_field.h"
 #include "face_strip.h"
-#include "plane.h"
 
 namespace gvd {
 

@@ -74,7 +74,7 @@ export interface SessionListener {
   diagramChanged(shown: ShownDiagram, milliseconds: number, how: Drawable): void;
   /** Sites and diagram are those of an iteration. */
   cvtIterated(shown: ShownDiagram, state: CvtState, how: Drawable): void;
-  /** The iteration that is shown is the last one for now: it is the diagram of the sites as any other. */
+  /** Iterations have been paused: the one that is shown is the diagram of the sites as any other. */
   cvtRested(shown: ShownDiagram, milliseconds: number): void;
   cvtStatusChanged(status: CvtStatus): void;
   /** After a failure or a cancel: the settings are again those of the diagram that is shown. */
