@@ -367,20 +367,16 @@ class Continuation {
       const Vector2d toApex = path + face.apex, &bound = sight.bound();
       if (isBehind)
         see(at, label, distance + face.apex.norm(), [&] {
-          return viewFromBend(mesh_, face.halfedge, !kLeft, distance,
-                              view.departure(mesh_, distance), view.detourAfter(path, face.apex));
+          View bent = viewFromBend<side>(mesh_, view, path, face, path);
+          bent.offset = distance;
+          return bent;
         });
       else if (sight.reaches(toApex))
         see(at, label, view.offset + toApex.norm(),
-            [&] { return viewThrough<side>(view, face, -path); });
+            [&] { return viewThrough<side>(mesh_, view, path, face); });
       else
-        see(at, label, view.offset + bound.norm() + (toApex - bound).norm(), [&] {
-          View bent = viewThrough<side>(view, face, bound - path);
-          bent.heading = view.departure(bound.normalized());
-          bent.offset = view.offset + bound.norm();
-          bent.detour = view.detourAfter(bound, toApex - bound);
-          return bent;
-        });
+        see(at, label, view.offset + bound.norm() + (toApex - bound).norm(),
+            [&] { return viewFromBend<side>(mesh_, view, path, face, bound); });
       if (std::exchange(wasBehind, isBehind)) return;
       // Where the line behind the vertex runs through the face, up to that line.
       if (isBehind) (kLeft ? here.right : here.left) = path;
@@ -389,17 +385,6 @@ class Continuation {
       else
         lookOut(here, TriangleMesh::next(face.halfedge), face.outer, face.apex, label);
     });
-  }
-
-  /// The view through the halfedge by which a fan enters a face, of a source in the fan's frame.
-  template <Side side>
-  View viewThrough(const View& view, const FanFace& face, const Vector2d& source) const {
-    View next = view;
-    next.source = inFrameOf<side>(face, mesh_, source);
-    next.left = next.right = {0, 0};
-    if (!view.isBent()) next.heading = turnedBackBy(view.heading, axisOf<side>(face));
-    next.halfedge = face.halfedge;
-    return next;
   }
 
   /// Notes a look through a halfedge of the face that a source lies in or is seen in, out to the
@@ -617,8 +602,8 @@ class Continuation {
     const bool isFromTail = overTail <= overTip;
     const int over = isFromTail ? tail : tip;
     seeFromAfar(mesh_.tail(back), label, std::min(overTail, overTip), [&] {
-      return viewFromBend(mesh_, side, isFromTail, distanceAt(over, label),
-                          departureAt(over, label), kUnknownDetour);
+      return viewOverEnd(mesh_, side, isFromTail, distanceAt(over, label),
+                         departureAt(over, label));
     });
   }
 

@@ -393,15 +393,15 @@ int DgpcSweep::carry(const Origin& from, bool isBend, int last) {
     const Vector2d& bound = sight.bound();
     if (sight.reaches(toApex)) {
       offerIfClear<side>(from, face, at, view.offset + toApex.norm(),
-                         [&] { return viewThrough<side>(from, face, zero, bound); });
+                         [&] {
+                           View next = viewThrough<side>(mesh_, view, from.path, face);
+                           limit<side>(next, from, face, zero, bound);
+                           return next;
+                         });
     } else if (sight.reachesAround(face, from.path, toApex)) {
-      const double toBend = bound.norm(), offset = view.offset + toBend;
-      offer(at, from.label, offset + (toApex - bound).norm(), [&] {
-        const Vector2d limit = limits_[outer] ? Vector2d(toOuter - bound) : zero;
-        View next = viewThrough<side>(from, face, bound, limit);
-        next.heading = view.departure(bound / toBend);
-        next.offset = offset;
-        next.detour = view.detourAfter(bound, toApex - bound);
+      offer(at, from.label, view.offset + bound.norm() + (toApex - bound).norm(), [&] {
+        View next = viewFromBend<side>(mesh_, view, from.path, face, bound);
+        limit<side>(next, from, face, bound, limits_[outer] ? Vector2d(toOuter - bound) : zero);
         return next;
       });
     } else if (isBend) {
@@ -410,11 +410,12 @@ int DgpcSweep::carry(const Origin& from, bool isBend, int last) {
   });
 }
 
-/// The view through the halfedge by which a fan enters a face, from what lies at `shift` of the
-/// source of the fan's view.
+/// Limits a view through a face of the fan by what has limited the fan's own view on the inner
+/// side and by the fan's vertex, and by what limits it on the outer side. The view's source is at
+/// `shift` of the fan's.
 template <Side side>
-View DgpcSweep::viewThrough(const Origin& from, const FanFace& face, const Vector2d& shift,
-                            const Vector2d& outerBound) const {
+void DgpcSweep::limit(View& view, const Origin& from, const FanFace& face, const Vector2d& shift,
+                      const Vector2d& outerBound) const {
   constexpr bool kLeft = side == Side::kLeft;
   const Vector2d zero(0, 0), axis = axisOf<side>(face);
   const Vector2d& limit = kLeft ? from.view.right : from.view.left;
@@ -423,15 +424,8 @@ View DgpcSweep::viewThrough(const Origin& from, const FanFace& face, const Vecto
     innerBound = from.path - shift;
   else if (limit != zero)
     innerBound = limit - shift;
-  View next;
-  next.source = inFrameOf<side>(face, mesh_, shift - from.path);
-  next.left = turnedBackBy(kLeft ? outerBound : innerBound, axis);
-  next.right = turnedBackBy(kLeft ? innerBound : outerBound, axis);
-  next.heading = from.view.isBent() ? from.view.heading : turnedBackBy(from.view.heading, axis);
-  next.offset = from.view.offset;
-  next.halfedge = face.halfedge;
-  next.detour = from.view.detour;
-  return next;
+  view.left = turnedBackBy(kLeft ? outerBound : innerBound, axis);
+  view.right = turnedBackBy(kLeft ? innerBound : outerBound, axis);
 }
 
 /// Offers a view, or, if it leads elsewhere, the path around the vertex it is carried on from.
@@ -475,11 +469,8 @@ bool DgpcSweep::isClear(const View& view, int label) {
 
 template <Side side>
 void DgpcSweep::bend(const Origin& from, const FanFace& face, int at) {
-  offer(at, from.label, from.distance + face.apex.norm(), [&] {
-    return viewFromBend(mesh_, face.halfedge, side == Side::kRight, from.distance,
-                        from.view.departure(mesh_, from.distance),
-                        from.view.detourAfter(from.path, face.apex));
-  });
+  offer(at, from.label, from.distance + face.apex.norm(),
+        [&] { return viewFromBend<side>(mesh_, from.view, from.path, face, from.path); });
 }
 
 /// Views end at what hides them. Should a vertex be out of sight from all sides, the path along
@@ -496,8 +487,8 @@ bool DgpcSweep::reachTheUnseen() {
   for (const auto& [v, spoke] : edges) {
     const int entry = find(v, owner_[v]);
     const double distance = entries_[entry].distance;
-    const View via = viewFromBend(mesh_, spoke.halfedge, spoke.isFromTail, distance,
-                                  views_[entry].departure(mesh_, distance), kUnknownDetour);
+    const View via = viewOverEnd(mesh_, spoke.halfedge, spoke.isFromTail, distance,
+                                 views_[entry].departure(mesh_, distance));
     offer(spoke.neighbour, owner_[v], distance + spoke.length, [&] { return via; });
   }
   return !edges.empty();

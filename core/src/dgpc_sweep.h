@@ -123,8 +123,8 @@ class DgpcSweep final : public Propagation {
   void offerIfClear(const Origin& from, const FanFace& face, int at, double distance,
                     MakeView view);
   template <Side side>
-  View viewThrough(const Origin& from, const FanFace& face, const Eigen::Vector2d& shift,
-                   const Eigen::Vector2d& outerBound) const;
+  void limit(View& view, const Origin& from, const FanFace& face, const Eigen::Vector2d& shift,
+             const Eigen::Vector2d& outerBound) const;
   template <Side side>
   void bend(const Origin& from, const FanFace& face, int at);
   bool reachTheUnseen();

@@ -2,6 +2,7 @@
 #include "dgpc_view.h"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "site_frame.h"
@@ -16,6 +17,7 @@ View View::inFrame(int otherHalfedge, const Vector2d& origin, const Vector2d& ax
   other.left = turnedBackBy(left, axis);
   other.right = turnedBackBy(right, axis);
   other.heading = isBent() ? heading : turnedBackBy(heading, axis);
+  other.toSite = isBent() ? turnedBackBy(toSite, axis) : toSite;
   other.offset = offset;
   other.halfedge = otherHalfedge;
   other.detour = detour;
@@ -51,19 +53,21 @@ View viewOfCorner(const TriangleMesh& mesh, const SurfacePoint& site, int corner
 
 View viewAlong(const TriangleMesh& mesh, const Spoke& spoke, double angleOfFirst) {
   const double angle = angleOfFirst + spoke.angle;
-  View view = viewFromBend(mesh, spoke.halfedge, spoke.isFromTail, 0, {1, 0}, View().detour);
+  View view;
+  if (!spoke.isFromTail) view.source = {mesh.length(spoke.halfedge), 0};
+  view.halfedge = spoke.halfedge;
   view.heading = turnedBackBy(view.path(mesh) / spoke.length, unitVector(angle));
   return view;
 }
 
-View viewFromBend(const TriangleMesh& mesh, int halfedge, bool isFromTail, double offset,
-                  const Vector2d& departure, float detour) {
+View viewOverEnd(const TriangleMesh& mesh, int halfedge, bool isFromTail, double offset,
+                 const Vector2d& departure) {
   View view;
   if (!isFromTail) view.source = {mesh.length(halfedge), 0};
   view.heading = departure;
   view.offset = offset;
   view.halfedge = halfedge;
-  view.detour = detour;
+  view.detour = std::numeric_limits<float>::infinity();
   return view;
 }
 

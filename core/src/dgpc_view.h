@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <limits>
 
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
@@ -21,6 +20,9 @@ struct View {
   /// Unit vector. While the path is straight, the site's reference direction, in this frame; once
   /// it has bent, the direction in which it left the site, in the site's frame.
   Eigen::Vector2d heading = {1, 0};
+  /// Of a path that bends: from the source to where the site would be seen through the same faces
+  /// if the path did not. Nothing may be known about that if the detour is not.
+  Eigen::Vector2d toSite = {0, 0};
   double offset = 0;  ///< length of the path from the site to the source
   int halfedge = -1;  ///< -1: the vertex is the site
   /// By how much the path is longer than if it were straight where it bends, through the same
@@ -108,9 +110,8 @@ void visitSpokes(const TriangleMesh& mesh, int vertex, Visit visit) {
 /// How the neighbour along a spoke sees a site at the spoke's vertex.
 View viewAlong(const TriangleMesh& mesh, const Spoke& spoke, double angleOfFirst);
 /// How the apex of a halfedge's face sees a site along a path that bends at an end of the halfedge,
-/// having come there at the distance `offset` from the site.
-View viewFromBend(const TriangleMesh& mesh, int halfedge, bool isFromTail, double offset,
-                  const Eigen::Vector2d& departure, float detour);
-inline constexpr float kUnknownDetour = std::numeric_limits<float>::infinity();
+/// having come there at the distance `offset` from the site. Its detour is not known, infinity.
+View viewOverEnd(const TriangleMesh& mesh, int halfedge, bool isFromTail, double offset,
+                 const Eigen::Vector2d& departure);
 
 }  // namespace gvd

@@ -83,14 +83,6 @@ std::optional<LocalGeodesic> FaceStrip::straighten(int vertex, const SurfacePoin
   return std::nullopt;
 }
 
-std::optional<FaceStrip::Line> FaceStrip::line(int vertex, const SurfacePoint& end) {
-  const int endVertex = vertexAt(mesh_, end);
-  trim(vertex, endVertex);
-  if (crossed_.empty()) return std::nullopt;
-  unfold(endVertex, end);
-  return Line{crossed_.front(), end_ - start_};
-}
-
 /// Takes away what leads around the path's own ends.
 void FaceStrip::trim(int vertex, int endVertex) {
   size_t first = 0;

@@ -39,15 +39,6 @@ class FaceStrip {
   /// O(faces) every time.
   std::optional<LocalGeodesic> straighten(int vertex, const SurfacePoint& end);
 
-  /// From the apex of a halfedge through it, in its frame.
-  struct Line {
-    int halfedge;
-    Eigen::Vector2d way;
-  };
-  /// Where a vertex of the first face sees a point of the last face through the strip, whether or
-  /// not the line there leaves the strip. Nothing if they are corners of one face.
-  std::optional<Line> line(int vertex, const SurfacePoint& end);
-
  private:
   /// An edge that the strip crosses, unfolded; left and right as seen on the way.
   struct Gate {

@@ -53,6 +53,37 @@ Eigen::Vector2d inFrameOf(const FanFace& face, const TriangleMesh& mesh,
   return p;
 }
 
+/// What a view shows through the halfedge by which a fan enters a face, without limits. `path`
+/// leads from the view's source to the fan's vertex.
+template <Side side>
+View viewThrough(const TriangleMesh& mesh, const View& view, const Eigen::Vector2d& path,
+                 const FanFace& face) {
+  const Eigen::Vector2d axis = axisOf<side>(face);
+  View next;
+  next.source = inFrameOf<side>(face, mesh, -path);
+  next.heading = view.isBent() ? view.heading : turnedBackBy(view.heading, axis);
+  if (view.isBent()) next.toSite = turnedBackBy(view.toSite, axis);
+  next.offset = view.offset;
+  next.halfedge = face.halfedge;
+  next.detour = view.detour;
+  return next;
+}
+
+/// The same where the path to the face's apex bends once more, at `bend` from the view's source.
+template <Side side>
+View viewFromBend(const TriangleMesh& mesh, const View& view, const Eigen::Vector2d& path,
+                  const FanFace& face, const Eigen::Vector2d& bend) {
+  const double toBend = bend.norm();
+  View next;
+  next.source = inFrameOf<side>(face, mesh, bend - path);
+  next.heading = view.departure(bend / toBend);
+  next.toSite = turnedBackBy(view.toSite - bend, axisOf<side>(face));
+  next.offset = view.offset + toBend;
+  next.halfedge = face.halfedge;
+  next.detour = view.detourAfter(bend, path + face.apex - bend);
+  return next;
+}
+
 template <Side side>
 int outerEnd(const FanFace& face, const TriangleMesh& mesh) {
   return side == Side::kLeft ? mesh.tail(face.halfedge) : mesh.tip(face.halfedge);

@@ -25,10 +25,12 @@ constexpr double kSamePlace = 1e-6;
 
 std::optional<LocalGeodesic> PathStraightener::straighten(int label, int vertex, const View& view) {
   const SurfacePoint& site = field_.sites()[label];
-  if (!followViews(label, vertex, view)) return std::nullopt;
   // Most paths that bend may as well be straight, and to find that out takes less.
-  if (const auto line = strip_.line(vertex, site))
-    if (const auto straight = aim(line->halfedge, line->way, site)) return straight;
+  if (std::isfinite(view.detour)) {
+    const Vector2d line = view.toSite - view.path(mesh_);
+    if (const auto straight = aim(view.halfedge, line, site)) return straight;
+  }
+  if (!followViews(label, vertex, view)) return std::nullopt;
   return strip_.straighten(vertex, site);
 }
 
