@@ -36,7 +36,7 @@ class Continuation {
     scope_.assign(mesh_.vertexCount(), Scope::kInside);
     for (int label = 0; label < static_cast<int>(field_.sites().size()); ++label)
       if (field_.sites()[label].face >= 0) lookFromSite(label);
-    for (const int v : verticesAtBorders()) lookAround(v);
+    lookAround(verticesAtBorders());
     findGuests();
     field_.reserve(mesh_.vertexCount() + guests_.size());
     for (int v = 0; v < mesh_.vertexCount(); ++v) collect(v);
@@ -93,9 +93,13 @@ class Continuation {
     int label;
     double distance;
     int next;  ///< -1 at the end
+  };
+
+  /// How a guest sees its site.
+  struct GuestPath {
     View view;
-    Vector2d departure;  ///< once it has been straightened; before, it is as the view tells
-    bool isStraightened;
+    Vector2d departure = {1, 0};  ///< once it has been straightened; before, as the view tells
+    bool isStraightened = false;
   };
 
   /// A site seen through a halfedge by the face it belongs to, between the view's bounds.
@@ -155,6 +159,7 @@ class Continuation {
     ownPath_.assign(mesh_.vertexCount(), -1);
     ownPaths_.clear();
     guests_.clear();
+    guestPaths_.clear();
     hosts_.clear();
     farHosts_.clear();
     looks_.clear();
@@ -210,17 +215,18 @@ class Continuation {
   }
 
   Vector2d departureAt(int vertex, int label) const {
-    if (owner(vertex) != label) return departureOf(guests_[findGuest(vertex, label)]);
+    if (owner(vertex) != label) return departureOf(guestPaths_[findGuest(vertex, label)]);
     if (ownPath_[vertex] >= 0) return ownPaths_[ownPath_[vertex]].departure;
     return field_.view(vertex).departure(mesh_, field_.nearest(vertex).distance);
   }
 
-  Vector2d departureOf(const Guest& guest) const {
-    if (guest.isStraightened) return guest.departure;
-    return guest.view.departure(mesh_, guest.view.offset + guest.view.path(mesh_).norm());
+  Vector2d departureOf(const GuestPath& path) const {
+    if (path.isStraightened) return path.departure;
+    return path.view.departure(mesh_, path.view.offset + path.view.path(mesh_).norm());
   }
 
-  /// Ascending, those of which some neighbour belongs to another label.
+  /// Those of which some neighbour belongs to another label: one owner's after the other's, which
+  /// are near each other, for memory is what looking around waits for.
   std::vector<int> verticesAtBorders() const {
     std::vector<char> isAtBorder(mesh_.vertexCount());
     for (int h = 0; h < mesh_.halfedgeCount(); h += 3) {
@@ -232,7 +238,18 @@ class Continuation {
     std::vector<int> vertices;
     for (int v = 0; v < mesh_.vertexCount(); ++v)
       if (isAtBorder[v] && owner(v) >= 0) vertices.push_back(v);
-    return vertices;
+    return sortedByLabel(vertices, [&](int v) { return owner(v); });
+  }
+
+  /// The same items, label by label, those of one label in the order they are given in.
+  template <class Item, class LabelOf>
+  std::vector<Item> sortedByLabel(const std::vector<Item>& items, LabelOf labelOf) const {
+    std::vector<int> next(field_.sites().size() + 1);
+    for (const Item& item : items) ++next[labelOf(item) + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    std::vector<Item> sorted(items.size());
+    for (const Item& item : items) sorted[next[labelOf(item)]++] = item;
+    return sorted;
   }
 
   bool isAtBorder(int vertex) const {
@@ -260,11 +277,11 @@ class Continuation {
     if (guest < 0) {
       if (firstGuest_[vertex] < 0) hosts_.push_back(vertex);
       const int next = std::exchange(firstGuest_[vertex], static_cast<int>(guests_.size()));
-      guests_.push_back({vertex, label, distance, next, view(), {1, 0}, false});
+      guests_.push_back({vertex, label, distance, next});
+      guestPaths_.push_back({view()});
     } else if (distance < guests_[guest].distance * (1 - kDistanceTolerance)) {
       guests_[guest].distance = distance;
-      guests_[guest].view = view();
-      guests_[guest].isStraightened = false;
+      guestPaths_[guest] = {view()};
     }
     return !isNearer;
   }
@@ -288,6 +305,19 @@ class Continuation {
     for (int i = 0; i < 3; ++i) {
       const View view = viewOfCorner(mesh_, site, i);
       lookOut(view, view.halfedge, {0, 0}, {mesh_.length(view.halfedge), 0}, label);
+    }
+  }
+
+  /// From vertices that hang together more or less: what the next ones need is asked for ahead.
+  void lookAround(const std::vector<int>& vertices) {
+    constexpr size_t kAhead = 4;
+    for (size_t i = 0; i < vertices.size(); ++i) {
+      if (i + kAhead < vertices.size()) prefetch(field_.view(vertices[i + kAhead]));
+      if (i + 1 < vertices.size()) {
+        const int h = field_.view(vertices[i + 1]).halfedge;
+        if (h >= 0) prefetchFan(mesh_, h, [&](int v) { prefetch(field_.nearest(v)); });
+      }
+      lookAround(vertices[i]);
     }
   }
 
@@ -429,7 +459,7 @@ class Continuation {
     const std::vector<PathEnd> ends = bentPaths();
     for (const PathEnd& end : ends) {
       const bool isOwner = end.guest < 0;
-      const View& view = isOwner ? field_.view(end.vertex) : guests_[end.guest].view;
+      const View& view = isOwner ? field_.view(end.vertex) : guestPaths_[end.guest].view;
       const auto path = straightener_.straighten(end.label, end.vertex, view);
       const double before = distanceAt(end.vertex, end.label);
       if (!path || !(path->length < before)) continue;
@@ -441,10 +471,9 @@ class Continuation {
         ownPath_[end.vertex] = static_cast<int>(ownPaths_.size());
         ownPaths_.push_back(mean);
       } else {
-        Guest& guest = guests_[end.guest];
-        guest.distance = mean.length;
-        guest.departure = mean.departure;
-        guest.isStraightened = true;
+        guests_[end.guest].distance = mean.length;
+        guestPaths_[end.guest].departure = mean.departure;
+        guestPaths_[end.guest].isStraightened = true;
       }
     }
     lookAroundNewOwners(ends);
@@ -453,14 +482,13 @@ class Continuation {
   /// Where a geodesic has made a guest nearer than the owner, the guest's label may have something
   /// in all faces there: the vertices around have to know it.
   void lookAroundNewOwners(std::span<const PathEnd> ends) {
-    std::vector<Guest> nearest;
-    for (const PathEnd& end : ends) {
-      if (end.guest < 0) continue;
-      const Guest& guest = guests_[end.guest];
-      if (guest.distance < ownersDistance(end.vertex) * (1 - kDistanceTolerance))
-        nearest.push_back(guest);
-    }
-    for (const Guest& g : nearest) lookAround(g.vertex, g.label, g.view, g.distance);
+    std::vector<std::pair<Guest, View>> nearest;
+    for (const PathEnd& end : ends)
+      if (end.guest >= 0 && guests_[end.guest].distance <
+                                ownersDistance(end.vertex) * (1 - kDistanceTolerance))
+        nearest.emplace_back(guests_[end.guest], guestPaths_[end.guest].view);
+    for (const auto& [guest, view] : nearest)
+      lookAround(guest.vertex, guest.label, view, guest.distance);
   }
 
   /// Paths that do not bend err little, and so do those that bending has made hardly longer. These
@@ -471,25 +499,19 @@ class Continuation {
   }
 
   /// The paths to straighten where labels meet, one label's after the other's: those run through
-  /// the same faces, and memory is what straightening waits for.
+  /// the same faces.
   std::vector<PathEnd> bentPaths() const {
     std::vector<PathEnd> ends;
-    std::vector<int> next(field_.sites().size() + 1);
     const auto add = [&](const View& view, double distance, const PathEnd& end) {
-      if (!(shareOfGeodesic(view, distance) > 0)) return;
-      ends.push_back(end);
-      ++next[end.label + 1];
+      if (shareOfGeodesic(view, distance) > 0) ends.push_back(end);
     };
     for (const int host : hosts_) {
       if (!isTold(host)) continue;
       add(field_.view(host), field_.nearest(host).distance, {owner(host), host, -1});
       for (int g = firstGuest_[host]; g >= 0; g = guests_[g].next)
-        add(guests_[g].view, guests_[g].distance, {guests_[g].label, host, g});
+        add(guestPaths_[g].view, guests_[g].distance, {guests_[g].label, host, g});
     }
-    std::partial_sum(next.begin(), next.end(), next.begin());
-    std::vector<PathEnd> sorted(ends.size());
-    for (const PathEnd& end : ends) sorted[next[end.label]++] = end;
-    return sorted;
+    return sortedByLabel(ends, [](const PathEnd& end) { return end.label; });
   }
 
   // --- Looking through edges ---
@@ -574,25 +596,26 @@ class Continuation {
     for (; first < known; ++first) {
       const auto [vertex, label] = std::pair(guests_[first].vertex, guests_[first].label);
       if (!isInScope(vertex)) continue;
-      const int start = mesh_.outgoing(vertex);
-      int h = start;
-      do {
-        completeFace(h, label);
-        h = mesh_.rotate(h);
-      } while (h >= 0 && h != start);
+      completeFacesAround(vertex, label);
     }
     return static_cast<int>(guests_.size()) > known;
   }
 
-  /// The same in one face, for a guest of the vertex that a halfedge leaves.
-  void completeFace(int halfedge, int label) {
-    const int tip = mesh_.tip(halfedge), back = TriangleMesh::previous(halfedge);
-    if (!isInScope(tip, mesh_.tail(back))) return;
-    const bool isAtTip = distanceAt(tip, label) < kInfinity;
-    const bool isAtApex = distanceAt(mesh_.tail(back), label) < kInfinity;
-    if (isAtTip == isAtApex) return;
-    const int side = isAtTip ? halfedge : back;
-    if (!isOutdone(side, label)) seeOverEnds(side, label);
+  /// The same in the faces around a vertex of which the label is a guest.
+  void completeFacesAround(int vertex, int label) {
+    const auto isKnownAt = [&](int v) { return distanceAt(v, label) < kInfinity; };
+    const int first = mesh_.outgoing(vertex);
+    int h = first;
+    bool isAtTip = isKnownAt(mesh_.tip(h));
+    do {
+      const int back = TriangleMesh::previous(h), tip = mesh_.tip(h), apex = mesh_.tail(back);
+      const bool isAtApex = isKnownAt(apex);
+      const int side = isAtTip ? h : back;
+      const bool isMissing = isAtTip != isAtApex && isInScope(tip, apex) && !isOutdone(side, label);
+      if (isMissing) seeOverEnds(side, label);
+      isAtTip = isAtApex || isMissing;
+      h = mesh_.twin(back);
+    } while (h >= 0 && h != first);
   }
 
   void seeOverEnds(int side, int label) {
@@ -649,6 +672,7 @@ class Continuation {
   std::vector<int> ownPath_;     ///< per vertex, -1: as the owner's view tells
   std::vector<LocalGeodesic> ownPaths_;
   std::vector<Guest> guests_;
+  std::vector<GuestPath> guestPaths_;  ///< apart, for guests are looked for more than at
   std::vector<int> hosts_;     ///< the vertices that have guests
   std::vector<int> farHosts_;  ///< those that were told by others than neighbours, several times
   std::vector<Look> looks_;

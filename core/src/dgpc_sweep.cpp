@@ -57,9 +57,24 @@ bool DgpcSweep::step(long budget) {
 long DgpcSweep::drain(long budget) {
   for (; budget > 0 && !queue_.empty(); --budget) {
     const QueueItem item = queue_.pop();
+    prefetchUpcoming();
     if (item.distance == entries_[item.entry].distance) settle(item.entry);
   }
   return budget;
+}
+
+/// Settling an entry waits for memory more than for anything else, so what the next ones need is
+/// asked for ahead: first what they know, and of the very next, of which that has been asked for
+/// before, the faces that its view is carried on to.
+void DgpcSweep::prefetchUpcoming() const {
+  const auto upcoming = queue_.upcoming();
+  for (const QueueItem& item : upcoming) {
+    prefetch(entries_[item.entry]);
+    prefetch(views_[item.entry]);
+  }
+  if (upcoming.empty()) return;
+  const int h = views_[upcoming[0].entry].halfedge;
+  if (h >= 0) prefetchFan(mesh_, h, [&](int neighbour) { prefetch(entries_[neighbour]); });
 }
 
 double DgpcSweep::progress() const {
@@ -446,7 +461,7 @@ bool DgpcSweep::isImproved(int vertex, int label, double distance) const {
 /// Whether the straight line from the vertex of a view that does not bend leads to the site, on the
 /// surface. A line of sight may leave the faces that it was unfolded through, and what is enclosed
 /// between it and them may hide the site: a saddle or a hole that no fan on the way has met.
-bool DgpcSweep::isClear(const View& view, int label) {
+bool DgpcSweep::isClear(const View& view, int label) const {
   constexpr double kNear = 0.1;  // of the line: slight curvature may lead it beside the site
   const SurfacePoint& site = sites_[label];
   const Vector2d way = -view.path(mesh_);
@@ -460,7 +475,7 @@ bool DgpcSweep::isClear(const View& view, int label) {
   const int h = view.halfedge;
   const Vector2d toTail = -apexOf(mesh_, h), toTip = toTail + Vector2d(mesh_.length(h), 0);
   if (isCornerOfSite(mesh_.tail(h), toTail) || isCornerOfSite(mesh_.tip(h), toTip)) return true;
-  return walkStraight(mesh_, h, way, AtVertex::kPass, walkedThrough_,
+  return walkStraight(mesh_, h, way, AtVertex::kPass,
                       [&](int entry, const Vector2d& apex) {
                         return isCornerOfSite(mesh_.tail(TriangleMesh::previous(entry)), apex);
                       })

@@ -109,6 +109,7 @@ class DgpcSweep final : public Propagation {
   void addDifferences(const Knowledge& before, IndexSet& vertices);
 
   long drain(long budget);
+  void prefetchUpcoming() const;
   void settle(int entry);
   void spreadFromSite(int vertex, int label);
   bool mayBend(int vertex, double distance) const;
@@ -116,7 +117,7 @@ class DgpcSweep final : public Propagation {
   bool mayCross(const Origin& from, int outer, const Eigen::Vector2d& toOuter) const;
   bool isFutile(int vertex, int label, const Eigen::Vector2d& way, double before) const;
   bool isImproved(int vertex, int label, double distance) const;
-  bool isClear(const View& view, int label);
+  bool isClear(const View& view, int label) const;
   template <Side side>
   int carry(const Origin& from, bool isBend, int last);
   template <Side side, class MakeView>
@@ -135,7 +136,6 @@ class DgpcSweep final : public Propagation {
   std::vector<char> limits_;        ///< limitsViews, per vertex
   std::vector<char> isSharp_;       ///< castsShadow, per vertex
   std::vector<char> meetsShadows_;  ///< per label, whether it has come to such a vertex
-  std::vector<int> walkedThrough_;
   std::vector<Entry> entries_;
   std::vector<View> views_;    ///< of the entries
   std::vector<int> vertices_;  ///< of the entries behind the first ones

@@ -24,13 +24,8 @@ View View::inFrame(int otherHalfedge, const Vector2d& origin, const Vector2d& ax
   return other;
 }
 
-bool limitsViews(const TriangleMesh& mesh, int vertex) {
-  constexpr double kFlat = 2 * std::numbers::pi * (1 + 1e-12);  // of the sum of rounded angles
-  return mesh.onBoundary(vertex) || mesh.angleSum(vertex) > kFlat;
-}
-
 bool castsShadow(const TriangleMesh& mesh, int vertex) {
-  constexpr double kSharp = 0.1;
+  constexpr double kSharp = 0.2;
   const double straight = (mesh.onBoundary(vertex) ? 1 : 2) * std::numbers::pi;
   return mesh.angleSum(vertex) > straight + kSharp;
 }

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <numbers>
 
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
@@ -73,7 +74,10 @@ struct View {
 /// vertex reach every point behind it, and a view that is carried on past such a vertex gives no
 /// length that is less than the distance (the hinge theorem for non-negative curvature): it needs
 /// no limit, and in the plane every view of a site is the same.
-bool limitsViews(const TriangleMesh& mesh, int vertex);
+inline bool limitsViews(const TriangleMesh& mesh, int vertex) {
+  constexpr double kFlat = 2 * std::numbers::pi * (1 + 1e-12);  // of the sum of rounded angles
+  return mesh.onBoundary(vertex) || mesh.angleSum(vertex) > kFlat;
+}
 /// Whether it does so by far, so that much of what is behind it is hidden: as on the edges of
 /// machine parts and of holes, and hardly where a mesh stands for a smooth surface.
 bool castsShadow(const TriangleMesh& mesh, int vertex);

@@ -6,6 +6,7 @@
 
 #include "dgpc_view.h"
 #include "gvd/triangle_mesh.h"
+#include "prefetch.h"
 
 namespace gvd {
 
@@ -128,6 +129,22 @@ class Sight {
 
   Eigen::Vector2d bound_;
 };
+
+/// Asks for the memory of what walkFan reads of the faces around the apex of a halfedge, and calls
+/// `visit` with the vertices there, for what else is to be asked for.
+template <class Visit>
+void prefetchFan(const TriangleMesh& mesh, int halfedge, Visit visit) {
+  constexpr int kMostFaces = 8;  // more would come too late
+  const int first = TriangleMesh::previous(halfedge);
+  prefetch(mesh.layout(halfedge));
+  int h = first;
+  for (int i = 0; i < kMostFaces; ++i) {
+    prefetch(mesh.layout(h));
+    visit(mesh.tip(h));
+    h = mesh.rotate(h);
+    if (h < 0 || h == first) return;
+  }
+}
 
 /// How far one side of a fan goes: at least to a face, given by its index, or
 inline constexpr int kToFirstBehind = -1;  ///< to the first face that is left behind

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -13,6 +15,8 @@ class QuaternaryHeap {
  public:
   bool empty() const { return items_.empty(); }
   const Item& top() const { return items_.front(); }
+  /// The least one and its children in the heap, of which one is the next but one.
+  std::span<const Item> topFew() const { return {items_.data(), std::min<size_t>(5, items_.size())}; }
 
   void push(const Item& item) {
     size_t hole = items_.size();
@@ -83,6 +87,10 @@ class SweepQueue {
       buckets_[bucket].push_back(item);
     }
   }
+
+  /// Of the items that come next, those that are known already without looking for them, the next
+  /// one first, unless others are pushed before: a bucket's last ones do not know who follows.
+  std::span<const Item> upcoming() const { return heap_.topFew(); }
 
   Item pop() {
     while (heap_.empty()) {

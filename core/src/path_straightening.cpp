@@ -46,7 +46,7 @@ std::optional<LocalGeodesic> PathStraightener::aim(int halfedge, Vector2d line,
                            : TriangleMesh::faceOf(entry) == site.face;
   };
   for (int i = 0; i < kMostAims; ++i) {
-    const auto end = walkStraight(mesh_, halfedge, line, AtVertex::kStop, walkedThrough_, isAtSite);
+    const auto end = walkStraight(mesh_, halfedge, line, AtVertex::kStop, isAtSite);
     if (!end) return std::nullopt;
     const int k = end->entry % 3;
     line = siteVertex >= 0
@@ -133,7 +133,8 @@ std::optional<int> PathStraightener::lookBack(const View& view, const SurfacePoi
   if (isSource({mesh_.length(h), 0}, mesh_.length(h))) return mesh_.tip(h);
   if (!isVertex && TriangleMesh::faceOf(h) == site.face) return kAtSite;
   const auto end = walkStraight(
-      mesh_, h, -view.path(mesh_), AtVertex::kPass, walkedThrough_,
+      mesh_, h, -view.path(mesh_), AtVertex::kPass,
+      [&](int through) { walkedThrough_.push_back(through); },
       [&](int entry, const Vector2d& apex) {
         if (!isVertex) return TriangleMesh::faceOf(entry) == site.face;
         return isSource(apex + from, mesh_.length(entry)) ||

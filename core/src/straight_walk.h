@@ -5,7 +5,6 @@
 #include <cmath>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include "gvd/triangle_mesh.h"
 #include "plane.h"
@@ -20,10 +19,14 @@ inline Eigen::Vector2d apexOf(const TriangleMesh& mesh, int halfedge) {
 }
 
 /// Whether two directions are the same but for rounding: on which side of one the other lies then
-/// must not matter.
-inline bool isGrazing(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+/// must not matter. Of their cross and dot products, or of themselves.
+inline bool isGrazing(double turn, double along) {
   constexpr double kGrazing = 1e-12;  // of a radian
-  return std::abs(cross(a, b)) <= kGrazing * std::abs(a.dot(b));
+  return std::abs(turn) <= kGrazing * std::abs(along);
+}
+
+inline bool isGrazing(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return isGrazing(cross(a, b), a.dot(b));
 }
 
 /// A face that a walk comes to, laid out as seen from where the walk begins.
@@ -40,15 +43,15 @@ struct WalkStep {
 /// Where a line leads through a vertex, it may be led past on either side.
 enum class AtVertex { kStop, kPass };
 
-/// Walks along a straight line from the apex of a halfedge, given in the halfedge's frame, and
-/// notes what it goes through, up to the first face of which `isEnd` says so, by the halfedge that
-/// it is entered through and the apex of that. Nothing if the line ends before, or at the boundary.
-template <class IsEnd>
+/// Walks along a straight line from the apex of a halfedge, given in the halfedge's frame, up to
+/// the first face of which `isEnd` says so, by the halfedge that it is entered through and the apex
+/// of that. Nothing if the line ends before, or at the boundary. `goThrough` is told of the
+/// halfedges that the walk leaves faces through, the one it ends at included.
+template <class GoThrough, class IsEnd>
 std::optional<WalkStep> walkStraight(const TriangleMesh& mesh, int halfedge,
                                      const Eigen::Vector2d& line, AtVertex atVertex,
-                                     std::vector<int>& through, IsEnd isEnd) {
+                                     GoThrough goThrough, IsEnd isEnd) {
   using Eigen::Vector2d;
-  through.clear();
   const double length = line.squaredNorm();
   if (!(length > 0)) return std::nullopt;
   Vector2d right = -apexOf(mesh, halfedge);
@@ -62,7 +65,7 @@ std::optional<WalkStep> walkStraight(const TriangleMesh& mesh, int halfedge,
     const int entry = mesh.twin(side);
     if (entry < 0 || TriangleMesh::faceOf(entry) == TriangleMesh::faceOf(halfedge))
       return std::nullopt;
-    through.push_back(side);
+    goThrough(side);
     if (isRightOf)
       left = std::exchange(right, apexBeside(mesh, entry, right, here));
     else
@@ -75,12 +78,13 @@ std::optional<WalkStep> walkStraight(const TriangleMesh& mesh, int halfedge,
   for (int steps = 0; steps < mesh.faceCount(); ++steps) {
     const int entry = mesh.twin(over);
     if (entry < 0) return std::nullopt;
-    through.push_back(over);
+    goThrough(over);
     const Vector2d apex = apexBeside(mesh, entry, left, right);
     if (isEnd(entry, apex)) return WalkStep{entry, left, right, apex, leftBound, rightBound};
-    if (atVertex == AtVertex::kStop && isGrazing(line, apex)) return std::nullopt;
-    const bool isBeyond = line.dot(apex) > kBeyond * length;
-    if (cross(line, apex) > 0) {
+    const double turn = cross(line, apex), along = line.dot(apex);
+    if (atVertex == AtVertex::kStop && isGrazing(turn, along)) return std::nullopt;
+    const bool isBeyond = along > kBeyond * length;
+    if (turn > 0) {
       left = apex;
       if (cross(left, leftBound) > 0) leftBound = left;
       isLeftBeyond = isBeyond;
@@ -94,6 +98,13 @@ std::optional<WalkStep> walkStraight(const TriangleMesh& mesh, int halfedge,
     if (isLeftBeyond && isRightBeyond) return std::nullopt;
   }
   return std::nullopt;
+}
+
+/// The same for those who need not know what the walk goes through.
+template <class IsEnd>
+std::optional<WalkStep> walkStraight(const TriangleMesh& mesh, int halfedge,
+                                     const Eigen::Vector2d& line, AtVertex atVertex, IsEnd isEnd) {
+  return walkStraight(mesh, halfedge, line, atVertex, [](int) {}, isEnd);
 }
 
 }  // namespace gvd
