@@ -42,24 +42,24 @@ class Tracer {
         isTraced_(isTraced),
         tail_(complex.tails()),
         twin_(complex.twins()),
-        pointOfNode_(complex.nodeCount(), -1),
-        firstOnSide_(tail_.size(), -1) {
+        pointOfNode_(complex.nodeCount(), -1) {
     out_.siteCount = siteCount;
     out_.regionArea.assign(siteCount, 0.0);
     out_.faceLabel.assign(mesh.faceCount(), Diagram::kMixed);
   }
 
   TracedDiagram trace() {
+    collectMixed();
     reserve();
-    for (int e = 0; e < complex_.elementCount(); ++e) divide(e);
+    divideAll();
     collectBoundary();
-    const std::vector<Outline> loops = traceLoops();
+    traceLoops();
     outIndex_.assign(points_.size(), -1);
     out_.points.reserve(points_.size());
     collectSegments();
     collectArcs();
-    collectVoronoiPoints(loops);
-    collectLoops(loops);
+    collectVoronoiPoints();
+    collectLoops();
     collectCells();
     return {std::move(out_), std::move(mergedFaces_), complex_.completedFaces()};
   }
@@ -67,16 +67,25 @@ class Tracer {
  private:
   /// A point of the exact graph, or a node that the mesh boundary or a cell passes.
   struct Point {
-    SurfacePoint place;
     double error;               ///< bound on how far rounding has moved it
     std::array<int, 3> labels;  ///< of the regions that meet here, -1 for none
-    std::array<int, 3> darts;   ///< the dart of each that leaves here, -1 for none
+    std::array<int, 3> darts;   ///< of each, the dart that came or left here first, -1 for none
     int nextOnSide;             ///< list of the points on one side of elements
   };
   struct Segment {
     std::array<int, 2> points;
     std::array<int, 2> labels;  ///< left (the lower), right
     int face;
+  };
+  /// What there is to know of the sides of an element.
+  struct Sides {
+    std::array<double, 3> squaredLength;  ///< of the face's
+    std::array<int, 3> index;             ///< in firstOnSide_
+  };
+  /// A vertex of the envelope at hand.
+  struct Corner {
+    int point = -1;
+    Eigen::Vector3d bary;  ///< in terms of the face
   };
   struct Cell {
     int face, label;
@@ -90,51 +99,86 @@ class Tracer {
     int point;
     int before, after;
   };
-  /// A step of a loop starts at a point and crosses a face, or follows a side of it that is on the
-  /// mesh boundary.
+  /// A step of a loop between final points (`root`), in a ring of steps: across a face, or along a
+  /// side of it that is on the mesh boundary.
   struct Step {
-    int point;
-    int face;
-    bool onBoundary;
+    int label, from, face;
+    int previous, next;
+    bool isOnBoundary, isGone;
   };
-  struct Loop {
-    int label;
-    std::vector<Step> steps;
+  struct BoundaryStep {
+    int label, from, to, face;
   };
   /// A loop as doubles see it.
   struct Outline {
     int label;
-    std::vector<int> points;  ///< final points (`root`)
+    int first, count;  ///< in outlinePoints_
   };
 
   // --- The exact graph -------------------------------------------------------------------------
 
+  /// The sides of the elements of several regions, those that two have in common counted once.
+  void collectMixed() {
+    std::vector<int> indexOf(complex_.elementCount(), -1);
+    mixedSides_.reserve(complex_.contested().size());
+    int sideCount = 0;
+    for (const int e : complex_.contested()) {
+      if (complex_.soleOwner(e) != Diagram::kMixed) continue;
+      Sides sides{squaredSides(mesh_, complex_.face(e)), {}};
+      for (int i = 0; i < 3; ++i) {
+        const int twin = twin_[3 * e + i], neighbour = twin < 0 ? -1 : indexOf[twin / 3];
+        sides.index[i] = neighbour < 0 ? sideCount++ : mixedSides_[neighbour].index[twin % 3];
+      }
+      indexOf[e] = static_cast<int>(mixedSides_.size());
+      mixedSides_.push_back(sides);
+    }
+    firstOnSide_.assign(sideCount, -1);
+  }
+
   /// Room for what the elements of several regions usually need.
   void reserve() {
-    size_t mixed = 0;
-    for (int e = 0; e < complex_.elementCount(); ++e)
-      mixed += complex_.soleOwner(e) == Diagram::kMixed;
+    const size_t mixed = mixedSides_.size();
     points_.reserve(5 * mixed / 2);
+    place_.reserve(5 * mixed / 2);
     parent_.reserve(5 * mixed / 2);
     isNode_.reserve(5 * mixed / 2);
     segments_.reserve(5 * mixed / 4);
+    nextDart_.reserve(5 * mixed / 2);
     cells_.reserve(5 * mixed / 2);
     cellPoints_.reserve(8 * mixed);
   }
 
-  void divide(int element) {
-    const int face = complex_.face(element);
-    const int owner = complex_.soleOwner(element);
-    if (owner != Diagram::kMixed && complex_.isWhole(element)) {
-      out_.faceLabel[face] = owner;
-      if (owner < 0) return;
-      out_.regionArea[owner] += mesh_.faceArea(face);
-      if (isIndifferent(element, owner)) out_.indifferentFaces.push_back(face);
-      return;
+  /// In order, so that areas are always summed in the same one.
+  void divideAll() {
+    int next = 0;
+    auto sides = mixedSides_.begin();
+    for (const int contested : complex_.contested()) {
+      for (; next < contested; ++next) give(next, complex_.owner(tail_[3 * next]));
+      const int owner = complex_.soleOwner(next);
+      if (owner == Diagram::kMixed) {
+        divide(next, owner, *sides++);
+      } else {
+        give(next, owner);
+        if (owner >= 0 && complex_.isWhole(next) && isIndifferent(next, owner))
+          out_.indifferentFaces.push_back(complex_.face(next));
+      }
+      ++next;
     }
-    gatherFunctions(element, owner);
+    for (; next < complex_.elementCount(); ++next) give(next, complex_.owner(tail_[3 * next]));
+  }
+
+  /// Gives all of an element to one label, or to none.
+  void give(int element, int owner) {
+    const int face = complex_.face(element);
+    if (!complex_.isWhole(element)) return divide(element, owner, {squaredSides(mesh_, face), {}});
+    out_.faceLabel[face] = owner;
+    if (owner >= 0) out_.regionArea[owner] += mesh_.faceArea(face);
+  }
+
+  void divide(int element, int soleOwner, const Sides& sides) {
+    gatherFunctions(element, soleOwner);
     envelope_.compute(functions_);
-    addCells(element);
+    addCells(element, sides);
   }
 
   /// Whether some other label ties with the owner at all three nodes.
@@ -197,40 +241,43 @@ class Tracer {
     });
   }
 
-  void addCells(int element) {
+  void addCells(int element, const Sides& sides) {
     const int face = complex_.face(element);
-    const auto sides = squaredSides(mesh_, face);
-    const double longest = std::sqrt(std::max({sides[0], sides[1], sides[2]}));
-    const int vertexCount = static_cast<int>(envelope_.vertices().size());
-    pointOfVertex_.assign(vertexCount, -1);
-    baryOfVertex_.resize(vertexCount);
+    const auto& squared = sides.squaredLength;
+    const double longest = std::sqrt(std::max({squared[0], squared[1], squared[2]}));
+    corners_.assign(envelope_.vertices().size(), {});
     for (const FaceEnvelope::Cell& cell : envelope_.cells()) {
-      for (const FaceEnvelope::CellSide& side : cell.sides) {
-        if (pointOfVertex_[side.vertex] >= 0) continue;
-        baryOfVertex_[side.vertex] = complex_.faceBary(element, envelope_.bary(side.vertex));
-        pointOfVertex_[side.vertex] = pointAt(element, side.vertex, sides, longest);
+      for (const auto& [vertex, across] : cell.sides) {
+        Corner& corner = corners_[vertex];
+        if (corner.point >= 0) continue;
+        corner.bary = complex_.faceBary(element, envelope_.bary(vertex));
+        corner.point = pointAt(element, vertex, sides, longest);
       }
     }
     cellAreas_.clear();
     for (const FaceEnvelope::Cell& cell : envelope_.cells()) {
       const size_t n = cell.sides.size();
       const int first = static_cast<int>(cellPoints_.size());
-      const Eigen::Vector3d origin = baryOfVertex_[cell.sides[0].vertex];
+      const Eigen::Vector3d& origin = corners_[cell.sides[0].vertex].bary;
       double area = 0;
       for (size_t i = 0; i < n; ++i) {
         const auto [vertex, across] = cell.sides[i];
-        const int next = cell.sides[(i + 1) % n].vertex;
-        cellPoints_.push_back(pointOfVertex_[vertex]);
-        const Eigen::Vector3d p = baryOfVertex_[vertex] - origin, q = baryOfVertex_[next] - origin;
-        area += p[0] * q[1] - p[1] * q[0];
-        if (across > cell.label) addSegment(vertex, next, cell.label, across, face, sides);
+        const Corner& from = corners_[vertex];
+        const Corner& to = corners_[cell.sides[i + 1 < n ? i + 1 : 0].vertex];
+        cellPoints_.push_back(from.point);
+        const double px = from.bary[0] - origin[0], py = from.bary[1] - origin[1];
+        const double qx = to.bary[0] - origin[0], qy = to.bary[1] - origin[1];
+        area += px * qy - py * qx;
+        if (across > cell.function)
+          addSegment(from, to, label(cell.function), label(across), face, squared);
         if (FaceEnvelope::isTriangleSide(across)) {
-          addBoundary(element, FaceEnvelope::triangleSide(across), vertex);
-          addInnerNodes(element, FaceEnvelope::triangleSide(across));
+          const int h = 3 * element + FaceEnvelope::triangleSide(across);
+          if (twin_[h] < 0) addUnmatchedSide(h, vertex);
         }
       }
       cellAreas_.push_back(area);
-      cells_.push_back({face, cell.label, first, static_cast<int>(cellPoints_.size()) - first});
+      cells_.push_back(
+          {face, label(cell.function), first, static_cast<int>(cellPoints_.size()) - first});
     }
     addAreas(mesh_.faceArea(face));
   }
@@ -242,38 +289,40 @@ class Tracer {
     for (double& area : cellAreas_)
       if (area < 0) *largest += std::exchange(area, 0.0);
     for (size_t c = 0; c < cellAreas_.size(); ++c)
-      out_.regionArea[envelope_.cells()[c].label] += cellAreas_[c] * faceArea;
+      out_.regionArea[label(envelope_.cells()[c].function)] += cellAreas_[c] * faceArea;
   }
 
-  int pointAt(int element, int vertex, const std::array<double, 3>& sides, double longest) {
+  int pointAt(int element, int vertex, const Sides& sides, double longest) {
     const FaceEnvelope::Vertex& v = envelope_.vertices()[vertex];
     if (v.kind == FaceEnvelope::Vertex::kCorner)
       return pointOfNode(tail_[3 * element + v.place], element, v.place);
-    const SurfacePoint place{complex_.face(element), baryOfVertex_[vertex]};
-    if (v.kind == FaceEnvelope::Vertex::kInside)
-      return addPoint(place, insideError(v, longest), v.labels);
+    const SurfacePoint place{complex_.face(element), corners_[vertex].bary};
+    const std::array<int, 3> labels = {label(v.functions[0]), label(v.functions[1]),
+                                       v.functions[2] < 0 ? -1 : label(v.functions[2])};
+    if (v.kind == FaceEnvelope::Vertex::kInside) {
+      innerPoints_.push_back(static_cast<int>(points_.size()));
+      return addPoint(place, insideError(v, longest), labels);
+    }
 
     // On a side: the neighbour may have made the point already.
-    const int h = 3 * element + v.place;
-    const int side = twin_[h] < 0 ? h : std::min(h, twin_[h]);
-    for (int p = firstOnSide_[side]; p >= 0; p = points_[p].nextOnSide)
+    int& first = firstOnSide_[sides.index[v.place]];
+    for (int p = first; p >= 0; p = points_[p].nextOnSide)
       if (std::minmax(points_[p].labels[0], points_[p].labels[1]) ==
-          std::minmax(v.labels[0], v.labels[1]))
+          std::minmax(labels[0], labels[1]))
         return p;
-    const int point = addPoint(place, sideError(v, longest), v.labels);
+    const int point = addPoint(place, sideError(v, longest), labels);
     // It may be no other than an end of the side, or another point there.
     for (const int corner : {v.place, (v.place + 1) % 3}) {
       const Eigen::Vector3d end = complex_.faceBary(element, Eigen::Vector3d::Unit(corner));
       const double error = points_[point].error;
-      if (squaredDistance(place.bary, end, sides) <= error * error)
+      if (squaredDistance(place.bary, end, sides.squaredLength) <= error * error)
         unite(point, pointOfNode(tail_[3 * element + corner], element, corner));
     }
-    for (int p = firstOnSide_[side]; p >= 0; p = points_[p].nextOnSide)
-      if ((mesh_.position(points_[p].place) - mesh_.position(place)).norm() <=
+    for (int p = first; p >= 0; p = points_[p].nextOnSide)
+      if ((mesh_.position(place_[p]) - mesh_.position(place)).norm() <=
           points_[p].error + points_[point].error)
         unite(point, p);
-    points_[point].nextOnSide = firstOnSide_[side];
-    firstOnSide_[side] = point;
+    points_[point].nextOnSide = std::exchange(first, point);
     return point;
   }
 
@@ -291,8 +340,13 @@ class Tracer {
     return point;
   }
 
-  /// Goes on with a cell, past the corners of smaller elements on one of its sides: one label owns
-  /// all of such a side.
+  /// Goes on with a cell, along a side without twin.
+  void addUnmatchedSide(int h, int vertex) {
+    addBoundary(h, vertex);
+    addInnerNodes(h / 3, h % 3);
+  }
+
+  /// Past the corners of smaller elements on a side: one label owns all of it.
   void addInnerNodes(int element, int side) {
     for (const auto& [node, share] : complex_.innerNodes(3 * element + side)) {
       Eigen::Vector3d bary = Eigen::Vector3d::Zero();
@@ -303,29 +357,28 @@ class Tracer {
   }
 
   int addPoint(const SurfacePoint& place, double error, const std::array<int, 3>& labels) {
-    points_.push_back({place, error, labels, {-1, -1, -1}, -1});
+    const int point = static_cast<int>(points_.size());
+    points_.push_back({error, labels, {-1, -1, -1}, -1});
+    place_.push_back(place);
     isNode_.push_back(false);
-    parent_.push_back(static_cast<int>(parent_.size()));
-    return parent_.back();
+    parent_.push_back(point);
+    return point;
   }
 
-  const std::array<double, 3>& value(int label) const {
-    return std::lower_bound(functions_.begin(), functions_.end(), label,
-                            [](const LabelFunction& f, int l) { return f.label < l; })
-        ->value;
-  }
+  int label(int function) const { return functions_[function].label; }
+  const std::array<double, 3>& value(int function) const { return functions_[function].value; }
 
   /// The share of an edge by which an error of the functions moves a crossing, times the edge.
   double sideError(const FaceEnvelope::Vertex& v, double longest) const {
     const int i = v.place, j = (i + 1) % 3;
-    const auto &a = value(v.labels[0]), &b = value(v.labels[1]);
+    const auto &a = value(v.functions[0]), &b = value(v.functions[1]);
     const double noise = 2 * kDistanceTolerance * std::max({a[i], a[j], b[i], b[j]});
     const double slope = std::abs((a[i] - b[i]) - (a[j] - b[j]));
     return longest * (noise < kMaxPointError * slope ? noise / slope : kMaxPointError);
   }
 
   double insideError(const FaceEnvelope::Vertex& v, double longest) const {
-    const auto &a = value(v.labels[0]), &b = value(v.labels[1]), &c = value(v.labels[2]);
+    const auto &a = value(v.functions[0]), &b = value(v.functions[1]), &c = value(v.functions[2]);
     const Eigen::Vector3d p(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
     const Eigen::Vector3d q(c[0] - a[0], c[1] - a[1], c[2] - a[2]);
     const double noise =
@@ -334,29 +387,39 @@ class Tracer {
     return longest * (noise < kMaxPointError * slope ? noise / slope : kMaxPointError);
   }
 
-  void addSegment(int fromVertex, int toVertex, int left, int right, int face,
+  void addSegment(const Corner& from, const Corner& to, int left, int right, int face,
                   const std::array<double, 3>& sides) {
-    const int from = pointOfVertex_[fromVertex], to = pointOfVertex_[toVertex];
-    const int segment = static_cast<int>(segments_.size());
-    segments_.push_back({{from, to}, {left, right}, face});
-    setDart(from, left, 2 * segment);
-    setDart(to, right, 2 * segment + 1);
-    const double error = points_[from].error + points_[to].error;
-    if (squaredDistance(baryOfVertex_[fromVertex], baryOfVertex_[toVertex], sides) <= error * error)
-      unite(from, to);
+    const int dart = 2 * static_cast<int>(segments_.size());
+    segments_.push_back({{from.point, to.point}, {left, right}, face});
+    nextDart_.insert(nextDart_.end(), {-1, -1});
+    Point &tail = points_[from.point], &tip = points_[to.point];
+    leave(tail, left, dart);
+    arrive(tail, right, dart + 1);
+    arrive(tip, left, dart);
+    leave(tip, right, dart + 1);
+    const double error = tail.error + tip.error;
+    if (squaredDistance(from.bary, to.bary, sides) <= error * error) unite(from.point, to.point);
   }
 
-  void setDart(int point, int label, int dart) {
-    Point& p = points_[point];
-    for (int i = 0; i < 3; ++i)
-      if (p.labels[i] == label) p.darts[i] = dart;
+  /// A dart of a region leaves a point: the one that comes there, if it is known, goes on with it.
+  void leave(Point& p, int label, int dart) {
+    int& other = dartAt(p, label);
+    if (other < 0)
+      other = dart;
+    else
+      nextDart_[other] = dart;
   }
 
-  int dartAt(int point, int label) const {
-    const Point& p = points_[point];
-    for (int i = 0; i < 3; ++i)
-      if (p.labels[i] == label) return p.darts[i];
-    return -1;
+  void arrive(Point& p, int label, int dart) {
+    int& other = dartAt(p, label);
+    if (other < 0)
+      other = dart;
+    else
+      nextDart_[dart] = other;
+  }
+
+  static int& dartAt(Point& p, int label) {
+    return p.darts[p.labels[0] == label ? 0 : p.labels[1] == label ? 1 : 2];
   }
 
   // --- Which points are one --------------------------------------------------------------------
@@ -374,7 +437,7 @@ class Tracer {
     if (a == b || (isNode_[a] && isNode_[b])) return;
     if (isNode_[b] || (!isNode_[a] && b < a)) std::swap(a, b);
     parent_[b] = a;
-    mergedFaces_.insert(mergedFaces_.end(), {points_[a].place.face, points_[b].place.face});
+    mergedFaces_.insert(mergedFaces_.end(), {place_[a].face, place_[b].face});
     merged_.resize(points_.size(), false);
     merged_[a] = true;
   }
@@ -388,16 +451,14 @@ class Tracer {
   // --- The mesh boundary -----------------------------------------------------------------------
 
   /// Notes a breakpoint: where a piece of the mesh boundary that a cell owns starts.
-  void addBoundary(int element, int side, int vertex) {
-    const int h = 3 * element + side;
-    if (twin_[h] >= 0) return;
+  void addBoundary(int h, int vertex) {
     const int boundary = complex_.boundaryHalfedge(h);
     if (boundary < 0) return;
     const FaceEnvelope::Vertex& v = envelope_.vertices()[vertex];
     if (v.kind != FaceEnvelope::Vertex::kOnSide) return;
-    const Eigen::Vector3d start = complex_.faceBary(element, Eigen::Vector3d::Unit(side));
-    boundary_.push_back(
-        {boundary, start[(boundary + 1) % 3], pointOfVertex_[vertex], v.labels[0], v.labels[1]});
+    const Eigen::Vector3d start = complex_.faceBary(h / 3, Eigen::Vector3d::Unit(h % 3));
+    boundary_.push_back({boundary, start[(boundary + 1) % 3], corners_[vertex].point,
+                         label(v.functions[0]), label(v.functions[1])});
   }
 
   /// Puts the boundary points in order along their halfedges.
@@ -444,54 +505,68 @@ class Tracer {
 
   // --- Loops -----------------------------------------------------------------------------------
 
-  std::vector<Outline> traceLoops() {
-    std::vector<Loop> loops;
+  void traceLoops() {
+    steps_.reserve(2 * segments_.size());
     std::vector<char> visited(2 * segments_.size(), false);
     for (int dart = 0; dart < static_cast<int>(visited.size()); ++dart)
-      if (!visited[dart] && isTraced(labelOf(dart))) loops.push_back(traceLoop(dart, visited));
-    addUnbrokenBoundaries(loops);
-    std::vector<Outline> outlines = simplified(loops);
-    std::stable_sort(outlines.begin(), outlines.end(),
-                     [](const Outline& a, const Outline& b) { return a.label < b.label; });
-    return outlines;
+      if (!visited[dart] && isTraced(labelOf(dart))) traceLoop(dart, visited);
+    addUnbrokenBoundaries();
+    cancelSteps();
+    collectOutlines();
   }
 
   bool isTraced(int label) const { return isTraced_.empty() || isTraced_[label]; }
 
   int labelOf(int dart) const { return segments_[dart / 2].labels[dart % 2]; }
 
-  Loop traceLoop(int start, std::vector<char>& visited) {
-    Loop loop{labelOf(start), {}};
+  void traceLoop(int start, std::vector<char>& visited) {
+    const int first = static_cast<int>(steps_.size()), label = labelOf(start);
     for (int dart = start; !visited[dart];) {
       visited[dart] = true;
       const Segment& segment = segments_[dart / 2];
-      loop.steps.push_back({segment.points[dart % 2], segment.face, false});
-      int at = segment.points[1 - dart % 2];
-      dart = dartAt(at, loop.label);
-      if (dart < 0) dart = followBoundary(at, loop);
+      const int tip = segment.points[1 - dart % 2];
+      addStep(label, segment.points[dart % 2], segment.face, false);
+      dart = nextDart_[dart];
+      if (dart < 0) dart = followBoundary(tip, label);
     }
-    return loop;
+    closeRing(first);
   }
+
+  void addStep(int label, int point, int face, bool isOnBoundary) {
+    const int s = static_cast<int>(steps_.size());
+    steps_.push_back({label, root(point), face, s - 1, s + 1, isOnBoundary, false});
+  }
+
+  /// Makes a ring of the steps since the first one.
+  void closeRing(int first) {
+    steps_[first].previous = static_cast<int>(steps_.size()) - 1;
+    steps_.back().next = first;
+    for (const Step& step : std::span(steps_).subspan(first))
+      if (step.isOnBoundary && (isMerged(step.from) || isMerged(tip(step))))
+        boundarySteps_.push_back({step.label, step.from, tip(step), step.face});
+  }
+
+  int tip(const Step& step) const { return steps_[step.next].from; }
 
   /// From a point where a region comes to the mesh boundary, forward along it to the next point
   /// where the region leaves it; returns that dart.
-  int followBoundary(int point, Loop& loop) {
+  int followBoundary(int point, int label) {
     const int start = boundaryIndex_.at(point);
     int halfedge = boundary_[start].halfedge;
-    loop.steps.push_back({point, TriangleMesh::faceOf(halfedge), true});
+    addStep(label, point, TriangleMesh::faceOf(halfedge), true);
     int index = start + 1;
     while (index >= static_cast<int>(boundary_.size()) || boundary_[index].halfedge != halfedge) {
       const int vertex = mesh_.tip(halfedge);
       halfedge = mesh_.outgoing(vertex);
-      loop.steps.push_back({vertexPoint(vertex), TriangleMesh::faceOf(halfedge), true});
+      addStep(label, vertexPoint(vertex), TriangleMesh::faceOf(halfedge), true);
       const auto first = firstOnBoundary_.find(halfedge);
       index = first == firstOnBoundary_.end() ? static_cast<int>(boundary_.size()) : first->second;
     }
-    return dartAt(boundary_[index].point, loop.label);
+    return dartAt(points_[boundary_[index].point], label);
   }
 
   /// Whole boundary loops that one region owns.
-  void addUnbrokenBoundaries(std::vector<Loop>& loops) {
+  void addUnbrokenBoundaries() {
     for (const int start : mesh_.boundaryLoops()) {
       bool isBroken = false;
       std::vector<int> vertices;
@@ -503,62 +578,29 @@ class Tracer {
       } while (h != start);
       const int owner = nearestOf(distances_.at(vertices[0])).label;
       if (isBroken || owner < 0 || !isTraced(owner)) continue;
-      Loop loop{owner, {}};
+      const int first = static_cast<int>(steps_.size());
       for (const int at : vertices)
-        loop.steps.push_back({vertexPoint(at), TriangleMesh::faceOf(mesh_.outgoing(at)), true});
-      loops.push_back(std::move(loop));
+        addStep(owner, vertexPoint(at), TriangleMesh::faceOf(mesh_.outgoing(at)), true);
+      closeRing(first);
     }
   }
 
-  /// A step between final points, in a ring of steps.
-  struct RingStep {
-    int label, from, to, face;
-    int previous, next;
-    bool isGone = false;
-  };
-
-  /// Names final points and drops steps of no length, and those that the region takes in both
-  /// directions: it has no width there. That may join two loops, or part one in two.
-  std::vector<Outline> simplified(const std::vector<Loop>& loops) {
-    std::vector<RingStep> steps;
-    for (const Loop& loop : loops) {
-      const int first = static_cast<int>(steps.size()), n = static_cast<int>(loop.steps.size());
-      for (int i = 0; i < n; ++i) {
-        const int from = root(loop.steps[i].point);
-        const int to = root(loop.steps[(i + 1) % n].point);
-        const auto& [point, face, onBoundary] = loop.steps[i];
-        steps.push_back({loop.label, from, to, face, first + (i + n - 1) % n, first + (i + 1) % n});
-        if (onBoundary && (isMerged(from) || isMerged(to))) boundarySteps_.push_back(steps.back());
-      }
-    }
-    cancelSteps(steps);
-
-    std::vector<Outline> outlines;
-    for (RingStep& start : steps) {
-      if (start.isGone) continue;
-      Outline outline{start.label, {}};
-      for (RingStep* step = &start; !step->isGone; step = &steps[step->next]) {
-        outline.points.push_back(step->from);
-        step->isGone = true;
-      }
-      outlines.push_back(std::move(outline));
-    }
-    return outlines;
-  }
-
-  void cancelSteps(std::vector<RingStep>& steps) const {
+  /// Drops steps of no length, and those that the region takes in both directions: it has no width
+  /// there. That may join two loops, or part one in two.
+  void cancelSteps() {
     std::map<std::array<int, 4>, std::vector<int>> waiting;  // by label and where they are
-    for (int s = 0; s < static_cast<int>(steps.size()); ++s) {
-      RingStep& step = steps[s];
-      if (step.from == step.to) {
-        steps[step.previous].next = step.next;
-        steps[step.next].previous = step.previous;
+    for (int s = 0; s < static_cast<int>(steps_.size()); ++s) {
+      Step& step = steps_[s];
+      const int from = step.from, to = tip(step);
+      if (from == to) {
+        steps_[step.previous].next = step.next;
+        steps_[step.next].previous = step.previous;
         step.isGone = true;
-      } else if (isMerged(step.from) || isMerged(step.to)) {
-        const auto [low, high, face] = placeOf(step.from, step.to, step.face);
+      } else if (isMerged(from) || isMerged(to)) {
+        const auto [low, high, face] = placeOf(from, to, step.face);
         auto& others = waiting[{step.label, low, high, face}];
-        if (!others.empty() && steps[others.back()].from == step.to) {
-          cancel(steps, s, others.back());
+        if (!others.empty() && steps_[others.back()].from == to) {
+          cancel(s, others.back());
           others.pop_back();
         } else {
           others.push_back(s);
@@ -568,14 +610,33 @@ class Tracer {
   }
 
   /// What came to a step goes on behind the opposite one.
-  static void cancel(std::vector<RingStep>& steps, int s, int opposite) {
-    RingStep &a = steps[s], &b = steps[opposite];
-    const RingStep formerA = a, formerB = b;
-    steps[formerA.previous].next = formerB.next;
-    steps[formerB.next].previous = formerA.previous;
-    steps[formerB.previous].next = formerA.next;
-    steps[formerA.next].previous = formerB.previous;
+  void cancel(int s, int opposite) {
+    Step &a = steps_[s], &b = steps_[opposite];
+    const Step formerA = a, formerB = b;
+    steps_[formerA.previous].next = formerB.next;
+    steps_[formerB.next].previous = formerA.previous;
+    steps_[formerB.previous].next = formerA.next;
+    steps_[formerA.next].previous = formerB.previous;
     a.isGone = b.isGone = true;
+  }
+
+  void collectOutlines() {
+    outlinePoints_.reserve(steps_.size());
+    for (Step& start : steps_) {
+      if (start.isGone) continue;
+      const int first = static_cast<int>(outlinePoints_.size());
+      for (Step* step = &start; !step->isGone; step = &steps_[step->next]) {
+        outlinePoints_.push_back(step->from);
+        step->isGone = true;
+      }
+      outlines_.push_back({start.label, first, static_cast<int>(outlinePoints_.size()) - first});
+    }
+    std::stable_sort(outlines_.begin(), outlines_.end(),
+                     [](const Outline& a, const Outline& b) { return a.label < b.label; });
+  }
+
+  std::span<const int> pointsOf(const Outline& outline) const {
+    return std::span(outlinePoints_).subspan(outline.first, outline.count);
   }
 
   /// Segments between the same final points of which one is merged lie on top of each other if this
@@ -591,7 +652,7 @@ class Tracer {
     const int p = root(point);
     if (outIndex_[p] < 0) {
       outIndex_[p] = static_cast<int>(out_.points.size());
-      out_.points.push_back(points_[p].place);
+      out_.points.push_back(place_[p]);
     }
     return outIndex_[p];
   }
@@ -611,6 +672,7 @@ class Tracer {
       if (right >= 0) (swapped ? side.left : side.right).push_back(right);
       side.face = face;
     };
+    out_.segments.reserve(segments_.size());
     for (const Segment& s : segments_) {
       const int from = root(s.points[0]), to = root(s.points[1]);
       if (from == to) continue;
@@ -619,7 +681,7 @@ class Tracer {
       else
         out_.segments.push_back({{outPoint(from), outPoint(to)}, s.labels, s.face, -1});
     }
-    for (const RingStep& step : boundarySteps_)
+    for (const BoundaryStep& step : boundarySteps_)
       if (step.from != step.to) stack(step.from, step.to, step.label, -1, step.face);
     for (auto& [ends, side] : stacked) {
       for (auto label = side.left.begin(); label != side.left.end();) {
@@ -643,18 +705,21 @@ class Tracer {
 
   /// Chains segments through the points where exactly two of one bisector meet.
   void collectArcs() {
-    const int n = static_cast<int>(out_.points.size());
-    std::vector<int> incoming(n, -1), outgoing(n, -1), degree(n, 0);
+    struct Ends {
+      int incoming = -1, outgoing = -1, degree = 0;
+    };
+    std::vector<Ends> ends(out_.points.size());
     for (int s = 0; s < static_cast<int>(out_.segments.size()); ++s) {
-      const auto& segment = out_.segments[s];
-      outgoing[segment.points[0]] = s;
-      incoming[segment.points[1]] = s;
-      ++degree[segment.points[0]];
-      ++degree[segment.points[1]];
+      Ends &tail = ends[out_.segments[s].points[0]], &tip = ends[out_.segments[s].points[1]];
+      tail.outgoing = tip.incoming = s;
+      ++tail.degree;
+      ++tip.degree;
     }
     const auto passes = [&](int point) {
-      return degree[point] == 2 && incoming[point] >= 0 && outgoing[point] >= 0 &&
-             out_.segments[incoming[point]].labels == out_.segments[outgoing[point]].labels;
+      const auto& [incoming, outgoing, degree] = ends[point];
+      if (degree != 2 || incoming < 0 || outgoing < 0) return false;
+      const auto &before = out_.segments[incoming].labels, &after = out_.segments[outgoing].labels;
+      return before[0] == after[0] && before[1] == after[1];
     };
     std::vector<int> chain;
     const auto follow = [&](int segment) {
@@ -666,7 +731,7 @@ class Tracer {
         s.arc = arc;
         chain.push_back(s.points[1]);
         if (!passes(s.points[1])) break;
-        segment = outgoing[s.points[1]];
+        segment = ends[s.points[1]].outgoing;
         if (out_.segments[segment].arc >= 0) break;
       }
       out_.arcs.add(chain);
@@ -685,31 +750,41 @@ class Tracer {
 
   /// In order of their points. Where three regions of the exact graph meet, there is no more to
   /// say; where points have become one, the outlines tell who is around.
-  void collectVoronoiPoints(const std::vector<Outline>& loops) {
+  void collectVoronoiPoints() {
+    std::vector<Sector> sectors = mergedSectors();
+    auto next = sectors.begin();
+    const auto addMergedBefore = [&](int point) {
+      while (next != sectors.end() && next->point < point) {
+        const auto last = std::find_if(next, sectors.end(),
+                                       [&](const Sector& s) { return s.point != next->point; });
+        addVoronoiPoint({&*next, static_cast<size_t>(last - next)});
+        next = last;
+      }
+    };
+    for (const int p : innerPoints_) {
+      if (parent_[p] != p || isMerged(p)) continue;
+      addMergedBefore(p);
+      const auto& labels = points_[p].labels;
+      addVoronoiPoint(p, {labels.begin(), labels.end()});
+    }
+    addMergedBefore(static_cast<int>(points_.size()));
+  }
+
+  /// In order of their points.
+  std::vector<Sector> mergedSectors() const {
     std::vector<Sector> sectors;
-    if (hasMergedPoints()) {
-      for (const Outline& loop : loops) {
-        const size_t n = loop.points.size();
-        for (size_t i = 0; i < n; ++i)
-          if (const int p = loop.points[i]; isMerged(p))
-            sectors.push_back(
-                {p, loop.label, loop.points[(i + n - 1) % n], loop.points[(i + 1) % n]});
-      }
-      std::stable_sort(sectors.begin(), sectors.end(),
-                       [](const Sector& a, const Sector& b) { return a.point < b.point; });
+    if (!hasMergedPoints()) return sectors;
+    for (const Outline& outline : outlines_) {
+      const std::span<const int> points = pointsOf(outline);
+      const size_t n = points.size();
+      for (size_t i = 0; i < n; ++i)
+        if (isMerged(points[i]))
+          sectors.push_back({points[i], outline.label, points[i > 0 ? i - 1 : n - 1],
+                             points[i + 1 < n ? i + 1 : 0]});
     }
-    auto first = sectors.begin();
-    for (int p = 0; p < static_cast<int>(points_.size()); ++p) {
-      if (first != sectors.end() && first->point == p) {
-        const auto last =
-            std::find_if(first, sectors.end(), [&](const Sector& s) { return s.point != p; });
-        addVoronoiPoint({&*first, static_cast<size_t>(last - first)});
-        first = last;
-      } else if (const auto& labels = points_[p].labels;
-                 labels[2] >= 0 && parent_[p] == p && !isMerged(p)) {
-        addVoronoiPoint(p, {labels.begin(), labels.end()});
-      }
-    }
+    std::stable_sort(sectors.begin(), sectors.end(),
+                     [](const Sector& a, const Sector& b) { return a.point < b.point; });
+    return sectors;
   }
 
   void addVoronoiPoint(std::span<Sector> sectors) {
@@ -760,13 +835,14 @@ class Tracer {
     return false;
   }
 
-  void collectLoops(const std::vector<Outline>& loops) {
+  void collectLoops() {
+    out_.loops.points.reserve(outlinePoints_.size());
     std::vector<int> list;
-    for (const Outline& loop : loops) {
+    for (const Outline& outline : outlines_) {
       list.clear();
-      for (const int p : loop.points) list.push_back(outPoint(p));
+      for (const int p : pointsOf(outline)) list.push_back(outPoint(p));
       out_.loops.add(list);
-      out_.loopLabel.push_back(loop.label);
+      out_.loopLabel.push_back(outline.label);
     }
   }
 
@@ -776,6 +852,10 @@ class Tracer {
     const auto isBefore = [](const Cell& a, const Cell& b) { return a.face < b.face; };
     if (!std::is_sorted(cells_.begin(), cells_.end(), isBefore))
       std::stable_sort(cells_.begin(), cells_.end(), isBefore);
+    out_.cells.offset.reserve(cells_.size() + 1);
+    out_.cells.points.reserve(cellPoints_.size());
+    out_.cellFace.reserve(cells_.size());
+    out_.cellLabel.reserve(cells_.size());
     for (auto first = cells_.begin(); first != cells_.end();) {
       const auto last =
           std::find_if(first, cells_.end(), [&](const Cell& c) { return c.face != first->face; });
@@ -785,41 +865,48 @@ class Tracer {
   }
 
   void collectCells(std::span<const Cell> cells) {
-    const int face = cells.front().face;
-    const auto isOne = [&](const Cell& c) { return c.label == cells.front().label; };
-    if (std::all_of(cells.begin(), cells.end(), isOne)) {
-      out_.faceLabel[face] = cells.front().label;
+    const int face = cells.front().face, first = cells.front().label;
+    if (std::all_of(cells.begin(), cells.end(), [&](const Cell& c) { return c.label == first; })) {
+      out_.faceLabel[face] = first;
       return;
     }
-    size_t count = 0;
-    parts_.resize(std::max(parts_.size(), cells.size()));
-    for (const Cell& cell : cells) {
-      parts_[count].label = cell.label;
-      takeFinalPoints(cell, parts_[count].points);
-      if (parts_[count].points.size() >= 3) ++count;
-    }
-    const std::span<Outline> parts = std::span(parts_).first(count);
-    const auto isCorner = [&](int point) { return isNode_[point]; };
-    if (parts.size() == 1 && parts[0].points.size() == 3 &&
-        std::all_of(parts[0].points.begin(), parts[0].points.end(), isCorner)) {
-      out_.faceLabel[face] = parts[0].label;
+    PointLists& lists = out_.cells;
+    const int before = lists.size();
+    for (const Cell& cell : cells) addFinalPoints(cell);
+    const std::span<int> points = std::span(lists.points).subspan(lists.offset[before]);
+    if (lists.size() == before + 1 && points.size() == 3 &&
+        std::all_of(points.begin(), points.end(), [&](int p) { return isNode_[p]; })) {
+      out_.faceLabel[face] = out_.cellLabel.back();
+      dropLastCell();
       return;
     }
-    for (Outline& part : parts) {
-      for (int& p : part.points) p = outPoint(p);
-      out_.cells.add(part.points);
-      out_.cellFace.push_back(face);
-      out_.cellLabel.push_back(part.label);
-    }
+    for (int& p : points) p = outPoint(p);
   }
 
-  void takeFinalPoints(const Cell& cell, std::vector<int>& list) {
-    list.clear();
-    for (int i = 0; i < cell.count; ++i) {
-      const int p = root(cellPoints_[cell.first + i]);
-      if (list.empty() || list.back() != p) list.push_back(p);
+  /// Adds what is left of a cell, if it has any width.
+  void addFinalPoints(const Cell& cell) {
+    PointLists& lists = out_.cells;
+    const size_t begin = lists.points.size();
+    for (const int point : std::span(cellPoints_).subspan(cell.first, cell.count)) {
+      const int p = root(point);
+      if (lists.points.size() == begin || lists.points.back() != p) lists.points.push_back(p);
     }
-    while (list.size() > 1 && list.front() == list.back()) list.pop_back();
+    while (lists.points.size() > begin + 1 && lists.points[begin] == lists.points.back())
+      lists.points.pop_back();
+    if (lists.points.size() < begin + 3) {
+      lists.points.resize(begin);
+      return;
+    }
+    lists.offset.push_back(static_cast<int>(lists.points.size()));
+    out_.cellFace.push_back(cell.face);
+    out_.cellLabel.push_back(cell.label);
+  }
+
+  void dropLastCell() {
+    out_.cells.offset.pop_back();
+    out_.cells.points.resize(out_.cells.offset.back());
+    out_.cellFace.pop_back();
+    out_.cellLabel.pop_back();
   }
 
   const TriangleMesh& mesh_;
@@ -830,27 +917,35 @@ class Tracer {
   Diagram out_;
 
   std::vector<Point> points_;
+  std::vector<SurfacePoint> place_;  ///< per point
+  std::vector<int> innerPoints_;     ///< those of three regions
   std::vector<char> isNode_;
   std::vector<int> parent_;   ///< union-find over points_
   std::vector<char> merged_;  ///< of roots: whether they stand for several points
   std::vector<int> mergedFaces_;
   std::vector<int> pointOfNode_;
-  std::vector<int> firstOnSide_;  ///< per side, by its lower halfedge
+  std::vector<int> firstOnSide_;  ///< per side of mixed elements
   std::vector<Segment> segments_;
+  std::vector<int> nextDart_;  ///< of the same region; -1 where it comes to the mesh boundary
   std::vector<Cell> cells_;
   std::vector<int> cellPoints_;
   std::vector<BoundaryPoint> boundary_;
-  std::map<int, int> firstOnBoundary_;   ///< per boundary halfedge
-  std::map<int, int> boundaryIndex_;     ///< per point
-  std::vector<RingStep> boundarySteps_;  ///< those with ends at merged points
+  std::map<int, int> firstOnBoundary_;  ///< per boundary halfedge
+  std::map<int, int> boundaryIndex_;    ///< per point
+  std::vector<Step> steps_;
+  std::vector<BoundaryStep> boundarySteps_;  ///< those with ends at merged points
+  std::vector<Outline> outlines_;            ///< ascending by label
+  std::vector<int> outlinePoints_;
   std::vector<int> outIndex_;
-  std::vector<Outline> parts_;  ///< of the face at hand; those out of use keep their memory
+
+  /// Of the mixed elements. Read all at once, with many loads under way at a time; one by one, each
+  /// would have to be waited for.
+  std::vector<Sides> mixedSides_;
 
   // For the element at hand.
   std::vector<LabelFunction> functions_;
   FaceEnvelope envelope_;
-  std::vector<int> pointOfVertex_;
-  std::vector<Eigen::Vector3d> baryOfVertex_;
+  std::vector<Corner> corners_;  ///< per vertex of the envelope
   std::vector<double> cellAreas_;
 };
 

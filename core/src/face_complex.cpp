@@ -18,10 +18,6 @@ std::uint64_t unorderedKey(int a, int b) {
   return static_cast<std::uint64_t>(low) << 32 | static_cast<std::uint32_t>(high);
 }
 
-std::uint64_t orderedKey(int a, int b) {
-  return static_cast<std::uint64_t>(a) << 32 | static_cast<std::uint32_t>(b);
-}
-
 using Labels = std::span<const LabelledDistance>;
 
 /// The lists are short.
@@ -63,12 +59,8 @@ bool ownsPartOf(int label, double atTail, double atTip, Labels tail, Labels tip)
 
 FaceComplex::FaceComplex(const TriangleMesh& mesh, const DistanceField& distances, int detail)
     : mesh_(mesh), distances_(distances) {
-  const int vertices = mesh.vertexCount();
-  labels_.resize(vertices);
-  owner_.resize(vertices);
-  hasTie_.resize(vertices);
-  isShared_.resize(vertices);
-  for (int v = 0; v < vertices; ++v) setLabels(v, distances.at(v));
+  nodes_.resize(mesh.vertexCount());
+  for (int v = 0; v < nodeCount(); ++v) noteOwner(v);
   if (detail > 0) {
     std::vector<int> faces(mesh.faceCount());
     std::iota(faces.begin(), faces.end(), 0);
@@ -76,26 +68,24 @@ FaceComplex::FaceComplex(const TriangleMesh& mesh, const DistanceField& distance
     refine(detail);
     matchTwins();
   }
+  collectContested();
   complete();
 }
 
 FaceComplex::FaceComplex(const TriangleMesh& mesh, const DistanceField& distances, int detail,
                          std::span<const int> faces)
     : mesh_(mesh), distances_(distances) {
-  const int vertices = mesh.vertexCount();
-  labels_.resize(vertices);
-  owner_.resize(vertices, -1);
-  hasTie_.resize(vertices);
-  isShared_.resize(vertices);
+  nodes_.resize(mesh.vertexCount());
   takeFaces(faces);
   for (const int v : tail_)
-    if (owner_[v] < 0) setLabels(v, distances.at(v));
+    if (nodes_[v].owner < 0) noteOwner(v);
   if (detail > 0) {
     refine(detail);
     matchTwins();
   } else {
     matchTwinsOfFaces();
   }
+  collectContested();
   complete();
 }
 
@@ -107,13 +97,25 @@ void FaceComplex::takeFaces(std::span<const int> faces) {
     for (int h = 3 * f; h < 3 * f + 3; ++h) tail_.push_back(mesh_.tail(h));
 }
 
+void FaceComplex::collectContested() {
+  const std::span<const int> tail = tails();
+  contested_.reserve(elementCount());
+  for (int e = 0; e < elementCount(); ++e) {
+    const Node &a = nodes_[tail[3 * e]], &b = nodes_[tail[3 * e + 1]], &c = nodes_[tail[3 * e + 2]];
+    const bool hasOneOwner = a.owner >= 0 && a.owner == b.owner && b.owner == c.owner;
+    if (!hasOneOwner || (a.hasTie && b.hasTie && c.hasTie)) contested_.push_back(e);
+  }
+}
+
 /// Adds labels where an element's third node lacks one that owns part of the side across. A label
-/// added may now own part of another side, hence again until nothing changes.
+/// added may now own part of another side, hence again where some were added until none is. An
+/// element of one owner lacks none: where that one is least at all nodes, it is everywhere.
 void FaceComplex::complete() {
-  for (bool changed = true; changed;) {
+  bool isFirst = true;
+  for (bool changed = true; changed; isFirst = false) {
     changed = false;
-    for (int e = 0; e < elementCount(); ++e)
-      if (knowsMoreSomewhere(e))
+    for (const int e : contested_)
+      if ((isFirst || hasOwnLabels(e)) && knowsMoreSomewhere(e))
         for (int side = 0; side < 3; ++side)
           if (completeAcross(e, side)) {
             completedFaces_.push_back(face(e));
@@ -124,10 +126,15 @@ void FaceComplex::complete() {
 
 /// Whether the nodes of an element know different labels.
 bool FaceComplex::knowsMoreSomewhere(int element) const {
-  const int *const node = &tails()[3 * element], a = node[0], b = node[1], c = node[2];
-  if (!isShared_[a] && !isShared_[b] && !isShared_[c])
-    return owner_[a] != owner_[b] || owner_[b] != owner_[c];
-  return !haveSameLabels(labels(a), labels(b)) || !haveSameLabels(labels(b), labels(c));
+  const int* const node = &tails()[3 * element];
+  const Labels first = labels(node[0]);
+  return !haveSameLabels(first, labels(node[1])) || !haveSameLabels(first, labels(node[2]));
+}
+
+/// Whether labels may have been added at a node.
+bool FaceComplex::hasOwnLabels(int element) const {
+  const int* const node = &tails()[3 * element];
+  return std::any_of(node, node + 3, [&](int n) { return nodes_[n].ownLabels >= 0; });
 }
 
 bool FaceComplex::completeAcross(int element, int side) {
@@ -135,17 +142,20 @@ bool FaceComplex::completeAcross(int element, int side) {
   const int tail = tails()[i], tip = tails()[TriangleMesh::next(i)];
   const int apex = tails()[TriangleMesh::previous(i)];
   bool changed = false;
-  if (const int owner = owner_[tail]; owner >= 0 && !find(labels(tip), owner)) {
-    const double atTail = find(labels(tail), owner)->distance;
-    addLabel(tip, {owner, atTail + std::sqrt(squaredLength(element, side, side + 1))});
+  const Labels atTail = labels(tail);
+  Labels atTip = labels(tip), atApex = labels(apex);
+  if (const int owner = nodes_[tail].owner; owner >= 0 && !find(atTip, owner)) {
+    const double distance = find(atTail, owner)->distance;
+    addLabel(tip, {owner, distance + std::sqrt(squaredLength(element, side, side + 1))});
+    atTip = labels(tip);
     changed = true;
   }
-  const Labels atTail = labels(tail), atTip = labels(tip);
   for (const LabelledDistance& d : atTail) {
-    if (find(labels(apex), d.label)) continue;
+    if (find(atApex, d.label)) continue;
     const LabelledDistance* const other = find(atTip, d.label);
     if (!other || !ownsPartOf(d.label, d.distance, other->distance, atTail, atTip)) continue;
     addLabel(apex, {d.label, unfold(element, side, d.distance, other->distance)});
+    atApex = labels(apex);
     changed = true;
   }
   return changed;
@@ -153,14 +163,18 @@ bool FaceComplex::completeAcross(int element, int side) {
 
 /// A label not known at a node does not own it: what is added there stays behind the owner.
 void FaceComplex::addLabel(int node, LabelledDistance added) {
-  isShared_[node] = true;
-  auto& here = ownLabels_.try_emplace(node, labels(node).begin(), labels(node).end()).first->second;
-  if (const LabelledDistance* const owner = find(here, owner_[node]))
+  int& list = nodes_[node].ownLabels;
+  if (list < 0) {
+    const Labels known = distances_.at(node);
+    list = static_cast<int>(ownLabels_.size());
+    ownLabels_.emplace_back(known.begin(), known.end());
+  }
+  std::vector<LabelledDistance>& here = ownLabels_[list];
+  if (const LabelledDistance* const owner = find(here, nodes_[node].owner))
     added.distance = std::max(added.distance, std::nextafter(owner->distance, kInfinity));
   here.insert(std::upper_bound(here.begin(), here.end(), added,
                                [](const auto& a, const auto& b) { return a.label < b.label; }),
               added);
-  labels_[node] = here;
 }
 
 /// The distance of an element's third node from where the distances at the ends of a side put the
@@ -185,20 +199,20 @@ double FaceComplex::squaredLength(int element, int from, int to) const {
                          squaredSides(mesh_, face(element)));
 }
 
-void FaceComplex::setLabels(int node, std::span<const LabelledDistance> labels) {
-  const LabelledDistance nearest = nearestOf(labels);
-  labels_[node] = labels;
-  owner_[node] = nearest.label;
-  hasTie_[node] = std::any_of(labels.begin(), labels.end(), [&](const LabelledDistance& d) {
-    return d.label != nearest.label && d.distance == nearest.distance;
-  });
-  isShared_[node] = labels.size() > 1;
+void FaceComplex::noteOwner(int node) {
+  const Labels here = labels(node);
+  const LabelledDistance nearest = nearestOf(here);
+  nodes_[node].owner = nearest.label;
+  nodes_[node].hasTie =
+      here.size() > 1 && std::any_of(here.begin(), here.end(), [&](const LabelledDistance& d) {
+        return d.label != nearest.label && d.distance == nearest.distance;
+      });
 }
 
 int FaceComplex::soleOwner(int element) const {
-  const auto tail = tails().subspan(3 * element, 3);
-  const int owner = owner_[tail[0]];
-  return owner_[tail[1]] == owner && owner_[tail[2]] == owner ? owner : Diagram::kMixed;
+  const int* const node = &tails()[3 * element];
+  const int owner = nodes_[node[0]].owner;
+  return nodes_[node[1]].owner == owner && nodes_[node[2]].owner == owner ? owner : Diagram::kMixed;
 }
 
 std::vector<FaceComplex::InnerNode> FaceComplex::innerNodes(int h) const {
@@ -210,12 +224,12 @@ std::vector<FaceComplex::InnerNode> FaceComplex::innerNodes(int h) const {
 
 void FaceComplex::collectInnerNodes(int a, int b, double from, double to,
                                     std::vector<InnerNode>& nodes) const {
-  const auto middle = midpoint_.find(unorderedKey(a, b));
-  if (middle == midpoint_.end()) return;
+  const int middle = middleOf(a, b);
+  if (middle < 0) return;
   const double share = (from + to) / 2;
-  collectInnerNodes(a, middle->second, from, share, nodes);
-  nodes.push_back({middle->second, share});
-  collectInnerNodes(middle->second, b, share, to, nodes);
+  collectInnerNodes(a, middle, from, share, nodes);
+  nodes.push_back({middle, share});
+  collectInnerNodes(middle, b, share, to, nodes);
 }
 
 int FaceComplex::boundaryHalfedge(int h) const {
@@ -261,17 +275,15 @@ bool FaceComplex::mustSplit(int element) const {
   const int owner = soleOwner(element);
   for (int i = 0; i < 3; ++i) {
     const int a = tail_[3 * element + i], b = tail_[3 * element + (i + 1) % 3];
-    if (owner == Diagram::kMixed ? midpoint_.contains(unorderedKey(a, b)) : !isUniform(a, b, owner))
-      return true;
+    if (owner == Diagram::kMixed ? middleOf(a, b) >= 0 : !isUniform(a, b, owner)) return true;
   }
   return false;
 }
 
 bool FaceComplex::isUniform(int a, int b, int owner) const {
-  const auto middle = midpoint_.find(unorderedKey(a, b));
-  if (middle == midpoint_.end()) return true;
-  const int m = middle->second;
-  return owner_[m] == owner && isUniform(a, m, owner) && isUniform(m, b, owner);
+  const int m = middleOf(a, b);
+  if (m < 0) return true;
+  return nodes_[m].owner == owner && isUniform(a, m, owner) && isUniform(m, b, owner);
 }
 
 /// In four, by the midpoints of the sides; the middle part takes the element's place.
@@ -303,12 +315,21 @@ void FaceComplex::split(int element) {
   corners_[element] = middles;
 }
 
-/// The node in the middle of a side, with the distances of the labels known at both ends.
+/// The node in the middle of the side between two nodes, -1 if it is not split.
+int FaceComplex::middleOf(int a, int b) const {
+  if (!nodes_[a].endsSplitSide || !nodes_[b].endsSplitSide) return -1;
+  const auto middle = midpoint_.find(unorderedKey(a, b));
+  return middle == midpoint_.end() ? -1 : middle->second;
+}
+
+/// The node in the middle of a side, made if there is none yet, with the distances of the labels
+/// known at both ends.
 int FaceComplex::midpoint(int element, int side) {
   const int a = tail_[3 * element + side], b = tail_[3 * element + (side + 1) % 3];
   const int node = nodeCount();
   const auto [entry, isNew] = midpoint_.try_emplace(unorderedKey(a, b), node);
   if (!isNew) return entry->second;
+  nodes_[a].endsSplitSide = nodes_[b].endsSplitSide = true;
   const Eigen::Matrix3d& corners = corners_[element];
   const SurfacePoint p{face_[element], (corners.col(side) + corners.col((side + 1) % 3)) / 2};
   std::vector<LabelledDistance> here;
@@ -325,30 +346,30 @@ int FaceComplex::midpoint(int element, int side) {
     }
   }
   equalizeTies(here);
-  labels_.emplace_back();
-  owner_.emplace_back();
-  hasTie_.emplace_back();
-  isShared_.emplace_back();
-  setLabels(node, ownLabels_[node] = std::move(here));
+  nodes_.push_back({.ownLabels = static_cast<int>(ownLabels_.size())});
+  ownLabels_.push_back(std::move(here));
+  noteOwner(node);
   return node;
 }
 
 /// Sides on the mesh boundary have none, also where the mesh was cut and another one has the same
 /// two nodes.
 void FaceComplex::matchTwins() {
-  std::unordered_map<std::uint64_t, int> halfedge;
-  halfedge.reserve(tail_.size());
   const int count = static_cast<int>(tail_.size());
   const auto isOnBoundary = [&](int h) {
     const int side = meshHalfedge(h);
     return side >= 0 && mesh_.twin(side) < 0;
   };
+  // The halfedges that leave each node, as lists.
+  std::vector<int> last(nodeCount(), -1), before(count, -1);
   for (int h = 0; h < count; ++h)
-    if (!isOnBoundary(h)) halfedge[orderedKey(tail_[h], tail_[TriangleMesh::next(h)])] = h;
-  twin_.resize(count);
+    if (!isOnBoundary(h)) before[h] = std::exchange(last[tail_[h]], h);
+  twin_.assign(count, -1);
   for (int h = 0; h < count; ++h) {
-    const auto twin = halfedge.find(orderedKey(tail_[TriangleMesh::next(h)], tail_[h]));
-    twin_[h] = twin == halfedge.end() || isOnBoundary(h) ? -1 : twin->second;
+    if (isOnBoundary(h)) continue;
+    int twin = last[tail_[TriangleMesh::next(h)]];
+    while (twin >= 0 && tail_[TriangleMesh::next(twin)] != tail_[h]) twin = before[twin];
+    twin_[h] = twin;
   }
 }
 

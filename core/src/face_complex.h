@@ -29,7 +29,7 @@ class FaceComplex {
               std::span<const int> faces);
 
   int elementCount() const { return static_cast<int>(tails().size() / 3); }
-  int nodeCount() const { return static_cast<int>(labels_.size()); }
+  int nodeCount() const { return static_cast<int>(nodes_.size()); }
   std::span<const int> tails() const { return isOwn() ? tail_ : mesh_.tails(); }
   /// -1 on the mesh boundary, and where an element meets several smaller ones: one label owns all
   /// of such a side.
@@ -45,11 +45,14 @@ class FaceComplex {
   Eigen::Vector3d faceBary(int element, const Eigen::Vector3d& bary) const {
     return isOwn() ? Eigen::Vector3d(corners_[element] * bary) : bary;
   }
-  std::span<const LabelledDistance> labels(int node) const { return labels_[node]; }
+  std::span<const LabelledDistance> labels(int node) const {
+    const int list = nodes_[node].ownLabels;
+    return list < 0 ? distances_.at(node) : ownLabels_[list];
+  }
   /// The nearest label of a node, the lowest of those that tie; -1 if none is known.
-  int owner(int node) const { return owner_[node]; }
+  int owner(int node) const { return nodes_[node].owner; }
   /// Whether another label is as near.
-  bool hasTie(int node) const { return hasTie_[node]; }
+  bool hasTie(int node) const { return nodes_[node].hasTie; }
   /// The nodes between the ends of a halfedge where its element meets smaller ones, in order; each
   /// with its share of the way. None where the elements on both sides have the same size.
   struct InnerNode {
@@ -62,23 +65,29 @@ class FaceComplex {
   const std::vector<int>& completedFaces() const { return completedFaces_; }
   /// The label that owns all of an element: the owner of all its nodes; else -2.
   int soleOwner(int element) const;
+  /// The elements, ascending, of several regions or of none, and those with ties at all nodes: on
+  /// all of these, two labels may tie.
+  const std::vector<int>& contested() const { return contested_; }
 
  private:
   /// Whether elements are kept here, because they are not just the faces of the mesh.
   bool isOwn() const { return isOwn_; }
   void takeFaces(std::span<const int> faces);
-  void setLabels(int node, std::span<const LabelledDistance> labels);
+  void noteOwner(int node);
   void refine(int detail);
   bool mustSplit(int element) const;
   bool isUniform(int a, int b, int owner) const;
   void split(int element);
   int midpoint(int element, int side);
+  int middleOf(int a, int b) const;
   void collectInnerNodes(int a, int b, double from, double to, std::vector<InnerNode>& nodes) const;
   int meshHalfedge(int h) const;
   void matchTwins();
   void matchTwinsOfFaces();
+  void collectContested();
   void complete();
   bool knowsMoreSomewhere(int element) const;
+  bool hasOwnLabels(int element) const;
   bool completeAcross(int element, int side);
   void addLabel(int node, LabelledDistance added);
   double unfold(int element, int side, double atTail, double atTip) const;
@@ -86,16 +95,20 @@ class FaceComplex {
 
   const TriangleMesh& mesh_;
   const DistanceField& distances_;
-  std::vector<std::span<const LabelledDistance>> labels_;  ///< per node
-  std::vector<int> owner_;
-  std::vector<char> hasTie_;
-  std::vector<char> isShared_;  ///< whether a node knows more than one label
+  struct Node {
+    int owner = -1;
+    int ownLabels = -1;  ///< which list of `ownLabels_` it has, -1 for that of the distance field
+    bool hasTie = false;
+    bool endsSplitSide = false;
+  };
+  std::vector<Node> nodes_;
+  std::vector<int> contested_;
   bool isOwn_ = false;
   std::vector<int> completedFaces_;
   std::vector<int> tail_, twin_, face_;
   std::vector<Eigen::Matrix3d> corners_;
   /// The lists of nodes at which the distance field does not hold all that is known.
-  std::unordered_map<int, std::vector<LabelledDistance>> ownLabels_;
+  std::vector<std::vector<LabelledDistance>> ownLabels_;
   std::unordered_map<std::uint64_t, int> midpoint_;  ///< of split sides, by their two nodes
 };
 

@@ -16,71 +16,62 @@ double crossing(double aFirst, double bFirst, double aSecond, double bSecond) {
   return span == 0 ? 0.5 : std::clamp(first / span, 0.0, 1.0);
 }
 
-const std::array<double, 3>& FaceEnvelope::value(int label) const {
-  const auto it = std::lower_bound(functions_.begin(), functions_.end(), label,
-                                   [](const LabelFunction& f, int l) { return f.label < l; });
-  return it->value;
-}
-
 Eigen::Vector3d FaceEnvelope::bary(int vertex) const {
   const Vertex& v = vertices_[vertex];
-  Eigen::Vector3d b = Eigen::Vector3d::Zero();
-  if (v.kind == Vertex::kCorner) {
-    b[v.place] = 1;
-  } else if (v.kind == Vertex::kOnSide) {
+  if (v.kind == Vertex::kCorner) return Eigen::Vector3d::Unit(v.place);
+  if (v.kind == Vertex::kOnSide) {
     const int i = v.place, j = (i + 1) % 3;
-    const auto [low, high] = std::minmax(v.labels[0], v.labels[1]);
+    const auto [low, high] = std::minmax(v.functions[0], v.functions[1]);
     const auto &a = value(low), &c = value(high);
-    b[j] = crossing(a[i], c[i], a[j], c[j]);
-    b[i] = 1 - b[j];
-  } else {
-    // The common zero of b - a and c - a is their cross product, up to scale.
-    const auto &a = value(v.labels[0]), &c = value(v.labels[1]), &d = value(v.labels[2]);
-    const Eigen::Vector3d p(c[0] - a[0], c[1] - a[1], c[2] - a[2]);
-    const Eigen::Vector3d q(d[0] - a[0], d[1] - a[1], d[2] - a[2]);
-    b = p.cross(q).cwiseMax(0);
-    const double sum = b.sum();
-    // No scale left: three functions that are equal along a line, a tie that only the perturbation
-    // resolves. Any point of the triangle serves, the caller merges it with its neighbours.
-    b = sum > 0 ? Eigen::Vector3d(b / sum) : Eigen::Vector3d::Constant(1.0 / 3);
+    const double share = crossing(a[i], c[i], a[j], c[j]);
+    const double fromCorner[] = {1 - share, share, 0};  // i, and on
+    return {fromCorner[(3 - i) % 3], fromCorner[(4 - i) % 3], fromCorner[2 - i]};
   }
-  return b;
+  // The common zero of b - a and c - a is their cross product, up to scale.
+  const auto &a = value(v.functions[0]), &b = value(v.functions[1]), &c = value(v.functions[2]);
+  const Eigen::Vector3d p(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+  const Eigen::Vector3d q(c[0] - a[0], c[1] - a[1], c[2] - a[2]);
+  const Eigen::Vector3d zero = p.cross(q).cwiseMax(0);
+  const double sum = zero.sum();
+  // No scale left: three functions that are equal along a line, a tie that only the perturbation
+  // resolves. Any point of the triangle serves, the caller merges it with its neighbours.
+  return sum > 0 ? Eigen::Vector3d(zero / sum) : Eigen::Vector3d::Constant(1.0 / 3);
 }
 
 /// Whether f is less than the envelope at a vertex. f has a higher label than everything inserted
 /// so far, hence a tie means no.
-bool FaceEnvelope::isBelow(const LabelFunction& f, const Vertex& v) const {
-  if (v.kind == Vertex::kCorner) return f.value[v.place] < value(v.labels[0])[v.place];
+bool FaceEnvelope::isBelow(int f, const Vertex& v) const {
+  const auto &a = value(v.functions[0]), &c = value(f);
+  if (v.kind == Vertex::kCorner) return c[v.place] < a[v.place];
+  const auto& b = value(v.functions[1]);
   if (v.kind == Vertex::kOnSide) {
     const int i = v.place, j = (i + 1) % 3;
-    const auto &a = value(v.labels[0]), &b = value(v.labels[1]);
-    return orientation({a[i], a[j]}, {b[i], b[j]}, {f.value[i], f.value[j]}) < 0;
+    return orientation({a[i], a[j]}, {b[i], b[j]}, {c[i], c[j]}) < 0;
   }
-  return orientation(value(v.labels[0]), value(v.labels[1]), value(v.labels[2]), f.value) < 0;
+  return orientation(a, b, value(v.functions[2]), c) < 0;
 }
 
 void FaceEnvelope::compute(std::span<const LabelFunction> functions) {
   functions_ = functions;
   vertices_.clear();
-  const int first = functions[0].label;
   if (cells_.empty()) cells_.emplace_back();
   cellCount_ = 1;
-  cells_[0].label = first;
+  cells_[0].function = 0;
   cells_[0].sides.clear();
   for (int i = 0; i < 3; ++i) {
-    vertices_.push_back({Vertex::kCorner, i, {first, -1, -1}});
+    vertices_.push_back({Vertex::kCorner, i, {0, -1, -1}});
     cells_[0].sides.push_back({i, across(i)});
   }
-  for (const LabelFunction& f : functions.subspan(1)) insert(f);
+  for (int f = 1; f < static_cast<int>(functions.size()); ++f) insert(f);
 }
 
 /// The new vertex where f's cell cuts the side of `cell` that goes from `from` to `to`; one vertex
 /// for both cells of the side.
 int FaceEnvelope::cutVertex(const Cell& cell, const CellSide& from, const CellSide& to,
-                            bool toIsBelow, const LabelFunction& f) {
+                            bool toIsBelow, int f) {
   const int other = from.across;
   if (isTriangleSide(other)) {
-    const int before = toIsBelow ? cell.label : f.label, after = toIsBelow ? f.label : cell.label;
+    const int before = toIsBelow ? cell.function : f, after = toIsBelow ? f : cell.function;
     vertices_.push_back({Vertex::kOnSide, triangleSide(other), {before, after, -1}});
     return static_cast<int>(vertices_.size()) - 1;
   }
@@ -88,9 +79,9 @@ int FaceEnvelope::cutVertex(const Cell& cell, const CellSide& from, const CellSi
     if (cut.from == to.vertex && cut.to == from.vertex) return cut.vertex;
   // `cell` is on the left of the side and `other` on its right; f takes over ahead or behind.
   if (toIsBelow)
-    vertices_.push_back({Vertex::kInside, -1, {f.label, cell.label, other}});
+    vertices_.push_back({Vertex::kInside, -1, {f, cell.function, other}});
   else
-    vertices_.push_back({Vertex::kInside, -1, {f.label, other, cell.label}});
+    vertices_.push_back({Vertex::kInside, -1, {f, other, cell.function}});
   const int vertex = static_cast<int>(vertices_.size()) - 1;
   cuts_.push_back({from.vertex, to.vertex, vertex});
   return vertex;
@@ -98,7 +89,7 @@ int FaceEnvelope::cutVertex(const Cell& cell, const CellSide& from, const CellSi
 
 /// Adds one function: its cell is what it takes from the others. Each cell, convex, gives up one
 /// run of its vertices, and the cut closes both parts.
-void FaceEnvelope::insert(const LabelFunction& f) {
+void FaceEnvelope::insert(int f) {
   const int vertexCount = static_cast<int>(vertices_.size());
   below_.assign(vertexCount, 0);
   bool any = false;
@@ -116,7 +107,7 @@ void FaceEnvelope::insert(const LabelFunction& f) {
     kept_.clear();
     int entry = -1, exit = -1;  // where the outline of the part given up starts and ends
     for (int s = 0; s < n; ++s) {
-      const CellSide from = cell.sides[s], to = cell.sides[(s + 1) % n];
+      const CellSide from = cell.sides[s], to = cell.sides[s + 1 < n ? s + 1 : 0];
       const bool fromBelow = below_[from.vertex], toBelow = below_[to.vertex];
       if (!fromBelow) kept_.push_back(from);
       int start = from.vertex, end = to.vertex;
@@ -124,7 +115,7 @@ void FaceEnvelope::insert(const LabelFunction& f) {
         const int cut = cutVertex(cell, from, to, toBelow, f);
         if (toBelow) {
           entry = start = cut;
-          kept_.push_back({cut, f.label});
+          kept_.push_back({cut, f});
         } else {
           exit = end = cut;
           kept_.push_back({cut, from.across});
@@ -133,7 +124,7 @@ void FaceEnvelope::insert(const LabelFunction& f) {
       if ((fromBelow || toBelow) && isTriangleSide(from.across))
         links_.push_back({start, end, from.across});
     }
-    if (entry >= 0) links_.push_back({exit, entry, cell.label});
+    if (entry >= 0) links_.push_back({exit, entry, cell.function});
     if (kept_.empty()) continue;
     std::swap(cell.sides, kept_);
     if (remaining != c) std::swap(cells_[remaining], cells_[c]);
@@ -143,7 +134,7 @@ void FaceEnvelope::insert(const LabelFunction& f) {
   if (remaining == static_cast<int>(cells_.size())) cells_.emplace_back();
   cellCount_ = remaining + 1;
   Cell& cell = cells_[remaining];
-  cell.label = f.label;
+  cell.function = f;
   cell.sides.clear();
   int at = links_[0].from;
   for (size_t i = 0; i < links_.size(); ++i) {
@@ -155,7 +146,7 @@ void FaceEnvelope::insert(const LabelFunction& f) {
     at = link->to;
   }
   for (int v = 0; v < 3; ++v)
-    if (below_[v]) vertices_[v].labels[0] = f.label;
+    if (below_[v]) vertices_[v].functions[0] = f;
 }
 
 }  // namespace gvd

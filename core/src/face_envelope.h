@@ -26,19 +26,21 @@ struct LabelFunction {
 /// crossed, every inner vertex has exactly three cells and every side vertex two; where the input is
 /// degenerate, vertices coincide and cells have no area. Two triangles with a common side, and the
 /// same values for the labels that are least on it, get the same side vertices in the same order.
+///
+/// Below, a function is named by its index in the list given, which is in the order of labels.
 class FaceEnvelope {
  public:
-  /// Across a side of a cell is a label, or one of the triangle's own sides: -1 - i for side i,
-  /// from corner i to the next.
+  /// Across a side of a cell is the cell of a function, or one of the triangle's own sides: -1 - i
+  /// for side i, from corner i to the next.
   static constexpr int across(int side) { return -1 - side; }
   static constexpr bool isTriangleSide(int across) { return across < 0; }
   static constexpr int triangleSide(int across) { return -1 - across; }
 
   struct Vertex {
     enum Kind { kCorner, kOnSide, kInside } kind;
-    int place;                  ///< the corner, or the side
-    std::array<int, 3> labels;  ///< kOnSide: before and after, going along the side; kInside:
-                                ///< counterclockwise; -1 where there is none
+    int place;                     ///< the corner, or the side
+    std::array<int, 3> functions;  ///< kOnSide: before and after, going along the side; kInside:
+                                   ///< counterclockwise; -1 where there is none
   };
   /// A cell's side starts at `vertex` and goes counterclockwise to the next one's.
   struct CellSide {
@@ -46,7 +48,7 @@ class FaceEnvelope {
     int across;
   };
   struct Cell {
-    int label;
+    int function;
     std::vector<CellSide> sides;
   };
 
@@ -59,11 +61,10 @@ class FaceEnvelope {
   Eigen::Vector3d bary(int vertex) const;
 
  private:
-  const std::array<double, 3>& value(int label) const;
-  bool isBelow(const LabelFunction& f, const Vertex& v) const;
-  void insert(const LabelFunction& f);
-  int cutVertex(const Cell& cell, const CellSide& from, const CellSide& to, bool toIsBelow,
-                const LabelFunction& f);
+  const std::array<double, 3>& value(int function) const { return functions_[function].value; }
+  bool isBelow(int f, const Vertex& v) const;
+  void insert(int f);
+  int cutVertex(const Cell& cell, const CellSide& from, const CellSide& to, bool toIsBelow, int f);
 
   struct Link {
     int from, to, across;
