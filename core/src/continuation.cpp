@@ -484,8 +484,8 @@ class Continuation {
   void lookAroundNewOwners(std::span<const PathEnd> ends) {
     std::vector<std::pair<Guest, View>> nearest;
     for (const PathEnd& end : ends)
-      if (end.guest >= 0 && guests_[end.guest].distance <
-                                ownersDistance(end.vertex) * (1 - kDistanceTolerance))
+      if (end.guest >= 0 &&
+          guests_[end.guest].distance < ownersDistance(end.vertex) * (1 - kDistanceTolerance))
         nearest.emplace_back(guests_[end.guest], guestPaths_[end.guest].view);
     for (const auto& [guest, view] : nearest)
       lookAround(guest.vertex, guest.label, view, guest.distance);
@@ -673,7 +673,7 @@ class Continuation {
   std::vector<LocalGeodesic> ownPaths_;
   std::vector<Guest> guests_;
   std::vector<GuestPath> guestPaths_;  ///< apart, for guests are looked for more than at
-  std::vector<int> hosts_;     ///< the vertices that have guests
+  std::vector<int> hosts_;             ///< the vertices that have guests
   std::vector<int> farHosts_;  ///< those that were told by others than neighbours, several times
   std::vector<Look> looks_;
   SweepQueue<QueueItem> queue_;

@@ -407,12 +407,11 @@ int DgpcSweep::carry(const Origin& from, bool isBend, int last) {
     if (isFutile(at, from.label, toApex, view.offset) || !mayCross(from, outer, toOuter)) return;
     const Vector2d& bound = sight.bound();
     if (sight.reaches(toApex)) {
-      offerIfClear<side>(from, face, at, view.offset + toApex.norm(),
-                         [&] {
-                           View next = viewThrough<side>(mesh_, view, from.path, face);
-                           limit<side>(next, from, face, zero, bound);
-                           return next;
-                         });
+      offerIfClear<side>(from, face, at, view.offset + toApex.norm(), [&] {
+        View next = viewThrough<side>(mesh_, view, from.path, face);
+        limit<side>(next, from, face, zero, bound);
+        return next;
+      });
     } else if (sight.reachesAround(face, from.path, toApex)) {
       offer(at, from.label, view.offset + bound.norm() + (toApex - bound).norm(), [&] {
         View next = viewFromBend<side>(mesh_, view, from.path, face, bound);

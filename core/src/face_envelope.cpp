@@ -138,8 +138,8 @@ void FaceEnvelope::insert(int f) {
   cell.sides.clear();
   int at = links_[0].from;
   for (size_t i = 0; i < links_.size(); ++i) {
-    const auto link = std::find_if(links_.begin(), links_.end(),
-                                   [&](const Link& l) { return l.from == at; });
+    const auto link =
+        std::find_if(links_.begin(), links_.end(), [&](const Link& l) { return l.from == at; });
     // Where two former cells met on a side of the triangle there is nothing any more.
     const bool isGone = at < vertexCount && vertices_[at].kind == Vertex::kOnSide;
     if (!isGone) cell.sides.push_back({at, link->across});

@@ -23,9 +23,10 @@ struct LabelFunction {
 /// The combinatorics are exact for the doubles given: every decision is the sign of a difference or
 /// of a determinant, computed exactly, and ties go to the lower label as if label l were raised by
 /// an infinitesimal that grows with l (simulation of simplicity). So cells are never missing or
-/// crossed, every inner vertex has exactly three cells and every side vertex two; where the input is
-/// degenerate, vertices coincide and cells have no area. Two triangles with a common side, and the
-/// same values for the labels that are least on it, get the same side vertices in the same order.
+/// crossed, every inner vertex has exactly three cells and every side vertex two; where the input
+/// is degenerate, vertices coincide and cells have no area. Two triangles with a common side, and
+/// the same values for the labels that are least on it, get the same side vertices in the same
+/// order.
 ///
 /// Below, a function is named by its index in the list given, which is in the order of labels.
 class FaceEnvelope {
@@ -84,8 +85,8 @@ class FaceEnvelope {
 };
 
 /// Where the functions a and b are equal between two corners, as a share of the way from the first
-/// corner to the second; `a` is the lower label's. The result does not depend on which triangle asks
-/// if both name the corners in the same order.
+/// corner to the second; `a` is the lower label's. The result does not depend on which triangle
+/// asks if both name the corners in the same order.
 double crossing(double aFirst, double bFirst, double aSecond, double bSecond);
 
 }  // namespace gvd

@@ -16,7 +16,9 @@ class QuaternaryHeap {
   bool empty() const { return items_.empty(); }
   const Item& top() const { return items_.front(); }
   /// The least one and its children in the heap, of which one is the next but one.
-  std::span<const Item> topFew() const { return {items_.data(), std::min<size_t>(5, items_.size())}; }
+  std::span<const Item> topFew() const {
+    return {items_.data(), std::min<size_t>(5, items_.size())};
+  }
 
   void push(const Item& item) {
     size_t hole = items_.size();

@@ -104,7 +104,8 @@ std::optional<WalkStep> walkStraight(const TriangleMesh& mesh, int halfedge,
 template <class IsEnd>
 std::optional<WalkStep> walkStraight(const TriangleMesh& mesh, int halfedge,
                                      const Eigen::Vector2d& line, AtVertex atVertex, IsEnd isEnd) {
-  return walkStraight(mesh, halfedge, line, atVertex, [](int) {}, isEnd);
+  return walkStraight(
+      mesh, halfedge, line, atVertex, [](int) {}, isEnd);
 }
 
 }  // namespace gvd
