@@ -36,10 +36,13 @@ class Continuation {
     scope_.assign(mesh_.vertexCount(), Scope::kInside);
     for (int label = 0; label < static_cast<int>(field_.sites().size()); ++label)
       if (field_.sites()[label].face >= 0) lookFromSite(label);
-    lookAround(verticesAtBorders());
+    const std::vector<int> borders = verticesAtBorders();
+    guests_.reserve(2 * borders.size());
+    guestViews_.reserve(2 * borders.size());
+    lookAround(borders);
     findGuests();
-    field_.reserve(mesh_.vertexCount() + guests_.size());
-    for (int v = 0; v < mesh_.vertexCount(); ++v) collect(v);
+    field_.reserve(hosts_.size() + guests_.size());
+    for (const int host : hosts_) collect(host);
     for (const int v : farHosts_) field_.setFarLabel(v, true);
     SaddleTies(field_, straightener_).carryEverywhere();
   }
@@ -93,13 +96,6 @@ class Continuation {
     int label;
     double distance;
     int next;  ///< -1 at the end
-  };
-
-  /// How a guest sees its site.
-  struct GuestPath {
-    View view;
-    Vector2d departure = {1, 0};  ///< once it has been straightened; before, as the view tells
-    bool isStraightened = false;
   };
 
   /// A site seen through a halfedge by the face it belongs to, between the view's bounds.
@@ -159,7 +155,7 @@ class Continuation {
     ownPath_.assign(mesh_.vertexCount(), -1);
     ownPaths_.clear();
     guests_.clear();
-    guestPaths_.clear();
+    guestViews_.clear();
     hosts_.clear();
     farHosts_.clear();
     looks_.clear();
@@ -215,14 +211,13 @@ class Continuation {
   }
 
   Vector2d departureAt(int vertex, int label) const {
-    if (owner(vertex) != label) return departureOf(guestPaths_[findGuest(vertex, label)]);
+    if (owner(vertex) != label) return departureOf(guestViews_[findGuest(vertex, label)]);
     if (ownPath_[vertex] >= 0) return ownPaths_[ownPath_[vertex]].departure;
     return field_.view(vertex).departure(mesh_, field_.nearest(vertex).distance);
   }
 
-  Vector2d departureOf(const GuestPath& path) const {
-    if (path.isStraightened) return path.departure;
-    return path.view.departure(mesh_, path.view.offset + path.view.path(mesh_).norm());
+  Vector2d departureOf(const View& view) const {
+    return view.departure(mesh_, view.offset + view.path(mesh_).norm());
   }
 
   /// Those of which some neighbour belongs to another label: one owner's after the other's, which
@@ -278,10 +273,10 @@ class Continuation {
       if (firstGuest_[vertex] < 0) hosts_.push_back(vertex);
       const int next = std::exchange(firstGuest_[vertex], static_cast<int>(guests_.size()));
       guests_.push_back({vertex, label, distance, next});
-      guestPaths_.push_back({view()});
+      guestViews_.push_back(view());
     } else if (distance < guests_[guest].distance * (1 - kDistanceTolerance)) {
       guests_[guest].distance = distance;
-      guestPaths_[guest] = {view()};
+      guestViews_[guest] = view();
     }
     return !isNearer;
   }
@@ -459,7 +454,7 @@ class Continuation {
     const std::vector<PathEnd> ends = bentPaths();
     for (const PathEnd& end : ends) {
       const bool isOwner = end.guest < 0;
-      const View& view = isOwner ? field_.view(end.vertex) : guestPaths_[end.guest].view;
+      const View& view = isOwner ? field_.view(end.vertex) : guestViews_[end.guest];
       const auto path = straightener_.straighten(end.label, end.vertex, view);
       const double before = distanceAt(end.vertex, end.label);
       if (!path || !(path->length < before)) continue;
@@ -472,8 +467,7 @@ class Continuation {
         ownPaths_.push_back(mean);
       } else {
         guests_[end.guest].distance = mean.length;
-        guestPaths_[end.guest].departure = mean.departure;
-        guestPaths_[end.guest].isStraightened = true;
+        guestViews_[end.guest].heading = mean.departure;
       }
     }
     lookAroundNewOwners(ends);
@@ -486,7 +480,7 @@ class Continuation {
     for (const PathEnd& end : ends)
       if (end.guest >= 0 &&
           guests_[end.guest].distance < ownersDistance(end.vertex) * (1 - kDistanceTolerance))
-        nearest.emplace_back(guests_[end.guest], guestPaths_[end.guest].view);
+        nearest.emplace_back(guests_[end.guest], guestViews_[end.guest]);
     for (const auto& [guest, view] : nearest)
       lookAround(guest.vertex, guest.label, view, guest.distance);
   }
@@ -509,7 +503,7 @@ class Continuation {
       if (!isTold(host)) continue;
       add(field_.view(host), field_.nearest(host).distance, {owner(host), host, -1});
       for (int g = firstGuest_[host]; g >= 0; g = guests_[g].next)
-        add(guestPaths_[g].view, guests_[g].distance, {guests_[g].label, host, g});
+        add(guestViews_[g], guests_[g].distance, {guests_[g].label, host, g});
     }
     return sortedByLabel(ends, [](const PathEnd& end) { return end.label; });
   }
@@ -653,7 +647,7 @@ class Continuation {
     return isOther;
   }
 
-  /// The same where nothing else is known, as at most vertices.
+  /// The same where nothing else is known any more.
   bool collectOwner(int v) {
     const LabelledDistance& nearest = field_.nearest(v);
     const Vector2d none(0, 0);
@@ -672,7 +666,7 @@ class Continuation {
   std::vector<int> ownPath_;     ///< per vertex, -1: as the owner's view tells
   std::vector<LocalGeodesic> ownPaths_;
   std::vector<Guest> guests_;
-  std::vector<GuestPath> guestPaths_;  ///< apart, for guests are looked for more than at
+  std::vector<View> guestViews_;  ///< apart, for guests are looked for more than at
   std::vector<int> hosts_;             ///< the vertices that have guests
   std::vector<int> farHosts_;  ///< those that were told by others than neighbours, several times
   std::vector<Look> looks_;

@@ -44,6 +44,11 @@ void DgpcField::setSite(int label, const SurfacePoint& site) {
 }
 
 void DgpcField::setNearest(int vertex, const LabelledDistance& nearest, const View& view) {
+  if (lists_[vertex].count == List::kNone) {
+    const Vector2d none(0, 0);
+    const auto known = at(vertex);
+    setLabels(vertex, known, {&none, known.size()});
+  }
   nearest_[vertex] = nearest;
   views_[vertex] = view;
 }
@@ -70,9 +75,10 @@ void DgpcField::setLabels(int vertex, std::span<const LabelledDistance> labels,
 
 void DgpcField::setLabel(int vertex, const LabelledDistance& label, const Vector2d& departure) {
   const auto here = at(vertex);
-  const auto first = departures_.begin() + lists_[vertex].first;
   std::vector<LabelledDistance> labels(here.begin(), here.end());
-  std::vector<Vector2d> departures(first, first + static_cast<long>(here.size()));
+  std::vector<Vector2d> departures(here.size(), Vector2d(0, 0));
+  if (const List& list = lists_[vertex]; list.count != List::kNone)
+    std::copy_n(departures_.begin() + list.first, list.count, departures.begin());
   const auto place = std::lower_bound(labels.begin(), labels.end(), label.label,
                                       [](const LabelledDistance& d, int l) { return d.label < l; });
   const auto departurePlace = departures.begin() + (place - labels.begin());
@@ -88,6 +94,7 @@ void DgpcField::setLabel(int vertex, const LabelledDistance& label, const Vector
 
 std::span<const LabelledDistance> DgpcField::at(int vertex) const {
   const List& list = lists_[vertex];
+  if (list.count == List::kNone) return {&nearest_[vertex], nearest_[vertex].label >= 0 ? 1u : 0u};
   return {values_.data() + list.first, static_cast<size_t>(list.count)};
 }
 
@@ -115,8 +122,10 @@ double DgpcField::distance(int label, const SurfacePoint& p) const {
 Vector2d DgpcField::direction(int label, int vertex) const {
   const LabelledDistance* found = find(vertex, label);
   if (!found) return DistanceField::direction(label, vertex);
-  const Vector2d& departure = departures_[found - values_.data()];
-  if (departure != Vector2d(0, 0) || nearest_[vertex].label != label) return departure;
+  if (lists_[vertex].count != List::kNone) {
+    const Vector2d& departure = departures_[found - values_.data()];
+    if (departure != Vector2d(0, 0) || nearest_[vertex].label != label) return departure;
+  }
   return views_[vertex].departure(mesh_, found->distance);
 }
 

@@ -16,8 +16,8 @@ namespace gvd {
 /// towards too long, and interpolation misses what comes between the corners.
 class DgpcField final : public DistanceField {
  public:
-  /// `nearest` and `views` are those of the vertices; label -1 where no site has come. Nothing is
-  /// known until the lists of labels have been set.
+  /// `nearest` and `views` are those of the vertices; label -1 where no site has come. Nothing else
+  /// is known of a vertex until its list of labels has been set.
   DgpcField(const TriangleMesh& mesh, std::vector<SurfacePoint> sites,
             std::vector<LabelledDistance> nearest, std::vector<View> views);
 
@@ -51,6 +51,7 @@ class DgpcField final : public DistanceField {
   const Ties& ties() const { return ties_; }
 
   void setSite(int label, const SurfacePoint& site);
+  /// Does not change the list of labels.
   void setNearest(int vertex, const LabelledDistance& nearest, const View& view);
   void setFarLabel(int vertex, bool hasFarLabel) { hasFarLabel_[vertex] = hasFarLabel; }
   /// The labels known at a vertex, ascending, ties made equal; and the directions in which the
@@ -70,9 +71,11 @@ class DgpcField final : public DistanceField {
   double distanceAside(const View& view, const Eigen::Vector2d& path, const SurfacePoint& p) const;
 
   /// Where the labels of a vertex are in `values_`. What a list leaves behind that has outgrown its
-  /// room stays unused, once for every size it has had.
+  /// room stays unused, once for every size it has had. Most vertices have none: there the nearest
+  /// label is all that is known.
   struct List {
-    int first = 0, count = 0, room = 0;
+    int first = 0, count = kNone, room = 0;
+    static constexpr int kNone = -1;
   };
 
   const TriangleMesh& mesh_;

@@ -71,10 +71,10 @@ void DgpcSweep::prefetchUpcoming() const {
   for (const QueueItem& item : upcoming) {
     prefetch(entries_[item.entry]);
     prefetch(views_[item.entry]);
+    if (item.halfedge >= 0) prefetch(mesh_.twins()[item.halfedge]);
   }
-  if (upcoming.empty()) return;
-  const int h = views_[upcoming[0].entry].halfedge;
-  if (h >= 0) prefetchFan(mesh_, h, [&](int neighbour) { prefetch(entries_[neighbour]); });
+  if (upcoming.empty() || upcoming[0].halfedge < 0) return;
+  prefetchFan(mesh_, upcoming[0].halfedge, [&](int v) { prefetch(entries_[v]); });
 }
 
 double DgpcSweep::progress() const {
@@ -194,7 +194,7 @@ void DgpcSweep::offer(int vertex, int label, double distance, MakeView view) {
     if (owner_[vertex] < 0) ++reachedVertices_;
     owner_[vertex] = label;
   }
-  queue_.push({distance, entry});
+  queue_.push({distance, entry, views_[entry].halfedge});
 }
 
 void DgpcSweep::touch(int vertex) {

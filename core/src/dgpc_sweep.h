@@ -62,6 +62,7 @@ class DgpcSweep final : public Propagation {
   struct QueueItem {
     double distance;
     int entry;
+    int halfedge;  ///< of the entry's view, to ask ahead for what is there
     /// By distance; then by entry, which makes the order total.
     bool operator<(const QueueItem& other) const {
       return distance < other.distance || (distance == other.distance && entry < other.entry);
