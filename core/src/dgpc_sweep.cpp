@@ -491,9 +491,16 @@ void DgpcSweep::bend(const Origin& from, const FanFace& face, int at) {
 /// the edge from its nearest neighbour reaches it.
 bool DgpcSweep::reachTheUnseen() {
   if (reachedVertices_ == mesh_.vertexCount()) return false;
-  std::vector<std::pair<int, Spoke>> edges;
+  std::vector<int> nextToUnseen;
   for (int v = 0; v < mesh_.vertexCount(); ++v) {
-    if (owner_[v] < 0) continue;
+    if (owner_[v] >= 0) continue;
+    mesh_.visitNeighbours(v, [&](int neighbour) {
+      if (owner_[neighbour] >= 0) nextToUnseen.push_back(neighbour);
+    });
+  }
+  makeSet(nextToUnseen);
+  std::vector<std::pair<int, Spoke>> edges;
+  for (const int v : nextToUnseen) {
     visitSpokes(mesh_, v, [&](const Spoke& spoke) {
       if (owner_[spoke.neighbour] < 0) edges.emplace_back(v, spoke);
     });

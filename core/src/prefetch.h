@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+
+namespace gvd {
+
+/// Asks for an object's memory without waiting for it. A hint: does nothing where there is no such.
+template <class Object>
+void prefetch(const Object& object) {
+#if defined(__GNUC__) && !defined(__wasm__)
+  constexpr std::size_t kCacheLine = 64;
+  const char* const bytes = reinterpret_cast<const char*>(&object);
+  for (std::size_t i = 0; i < sizeof(Object); i += kCacheLine) __builtin_prefetch(bytes + i);
+  // GCC takes what only prefetches for a function without effect, and leaves out calls of it.
+  asm volatile("");
+#endif
+}
+
+}  // namespace gvd
