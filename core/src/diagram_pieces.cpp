@@ -119,50 +119,75 @@ class Extract {
 void DiagramPieces::replace(const DiagramChange& change) {
   removePieces(change);
   const Diagram& part = change.part;
-  const auto places = [&](std::span<const int> points) {
-    std::vector<SurfacePoint> list;
-    list.reserve(points.size());
-    for (const int p : points) list.push_back(part.points[p]);
-    return list;
+  const auto setPlaces = [&](std::span<const int> points, std::vector<SurfacePoint>& to) {
+    to.clear();
+    for (const int p : points) to.push_back(part.points[p]);
   };
   for (int i = 0; i < part.loops.size(); ++i)
-    regions_[part.loopLabel[i]].loops.push_back(places(part.loops[i]));
-  const size_t firstArc = arcs_.size();
+    setPlaces(part.loops[i], regions_[part.loopLabel[i]].loops.emplace_back());
+  std::vector<int> arcOf;
   for (int i = 0; i < part.arcs.size(); ++i) {
-    arcs_.push_back({part.arcLabels[i], places(part.arcs[i]), {}});
-    arcs_.back().segments.reserve(part.arcs[i].size());
+    arcOf.push_back(arcs_.add());
+    Arc& arc = arcs_[arcOf.back()];
+    arc.labels = part.arcLabels[i];
+    setPlaces(part.arcs[i], arc.points);
+    arc.segments.clear();
+    for (const int label : arc.labels) regions_[label].arcs.push_back(arcOf.back());
   }
   for (const Diagram::Segment& s : part.segments)
-    arcs_[firstArc + s.arc].segments.push_back(
+    arcs_[arcOf[s.arc]].segments.push_back(
         {part.points[s.points[0]], part.points[s.points[1]], s.face});
-  for (const Diagram::VoronoiPoint& v : part.voronoiPoints)
-    voronoiPoints_.push_back({part.points[v.point], v.labels});
+  for (const Diagram::VoronoiPoint& v : part.voronoiPoints) {
+    const int number = voronoiPoints_.add();
+    voronoiPoints_[number].place = part.points[v.point];
+    voronoiPoints_[number].labels = v.labels;
+    for (const int label : v.labels) regions_[label].voronoiPoints.push_back(number);
+  }
   for (size_t i = 0; i < change.faces.size(); ++i) {
     faceLabel_[change.faces[i]] = part.faceLabel[i];
     if (part.faceLabel[i] >= 0) regions_[part.faceLabel[i]].faces.push_back(change.faces[i]);
   }
   for (const int face : part.indifferentFaces) isIndifferent_[face] = true;
   for (int i = 0; i < part.cells.size(); ++i)
-    cells_[part.cellFace[i]].push_back({part.cellLabel[i], places(part.cells[i])});
+    addCell(part.cellFace[i], part.cellLabel[i], part, part.cells[i]);
 }
 
 void DiagramPieces::removePieces(const DiagramChange& change) {
   if (!change.labels.empty() && change.labels.back() >= static_cast<int>(regions_.size()))
     regions_.resize(change.labels.back() + 1);
-  std::vector<char> isOne(regions_.size());
   for (const int label : change.labels) {
-    isOne[label] = true;
-    regions_[label].loops.clear();
+    Region& region = regions_[label];
+    region.loops.clear();
+    while (!region.arcs.empty()) removeArc(region.arcs.back());
+    while (!region.voronoiPoints.empty()) removeVoronoiPoint(region.voronoiPoints.back());
   }
-  const auto is = [&](int label) { return isOne[label] != 0; };
-  std::erase_if(arcs_, [&](const Arc& a) { return is(a.labels[0]) || is(a.labels[1]); });
-  std::erase_if(voronoiPoints_, [&](const VoronoiPoint& v) {
-    return std::any_of(v.labels.begin(), v.labels.end(), is);
-  });
   for (const int face : change.faces) {
-    cells_.erase(face);
+    if (const int cells = std::exchange(cellsOf_[face], -1); cells >= 0) cells_.remove(cells);
     isIndifferent_[face] = false;
   }
+}
+
+void DiagramPieces::removeArc(int arc) {
+  for (const int label : arcs_[arc].labels) std::erase(regions_[label].arcs, arc);
+  arcs_.remove(arc);
+}
+
+void DiagramPieces::removeVoronoiPoint(int point) {
+  for (const int label : voronoiPoints_[point].labels)
+    std::erase(regions_[label].voronoiPoints, point);
+  voronoiPoints_.remove(point);
+}
+
+void DiagramPieces::addCell(int face, int label, const Diagram& part,
+                            std::span<const int> outline) {
+  if (cellsOf_[face] < 0) {
+    cellsOf_[face] = cells_.add();
+    cells_[cellsOf_[face]].cells.clear();
+    cells_[cellsOf_[face]].points.clear();
+  }
+  auto& [cells, points] = cells_[cellsOf_[face]];
+  for (const int p : outline) points.push_back(part.points[p]);
+  cells.push_back({label, static_cast<int>(points.size())});
 }
 
 const std::vector<int>& DiagramPieces::wholeFaces(int label) {
@@ -176,15 +201,18 @@ Diagram DiagramPieces::whole() const {
   Diagram out;
   PlaceIndex points;
   out.siteCount = static_cast<int>(regions_.size());
-  for (const Arc& arc : arcs_) {
+  for (int a = 0; a < arcs_.limit(); ++a) {
+    if (!arcs_.isUsed(a)) continue;
+    const Arc& arc = arcs_[a];
     const int index = out.arcs.size();
     for (const Segment& s : arc.segments)
       out.segments.push_back({{points.add(s.from), points.add(s.to)}, arc.labels, s.face, index});
     out.arcs.add(points.addAll(arc.points));
     out.arcLabels.push_back(arc.labels);
   }
-  for (const VoronoiPoint& v : voronoiPoints_)
-    out.voronoiPoints.push_back({points.add(v.place), v.labels});
+  for (int v = 0; v < voronoiPoints_.limit(); ++v)
+    if (voronoiPoints_.isUsed(v))
+      out.voronoiPoints.push_back({points.add(voronoiPoints_[v].place), voronoiPoints_[v].labels});
   for (int label = 0; label < out.siteCount; ++label) {
     for (const auto& loop : regions_[label].loops) {
       out.loops.add(points.addAll(loop));
@@ -195,12 +223,15 @@ Diagram DiagramPieces::whole() const {
   out.faceLabel = faceLabel_;
   for (int f = 0; f < static_cast<int>(faceLabel_.size()); ++f) {
     if (isIndifferent_[f]) out.indifferentFaces.push_back(f);
-    const auto cells = cells_.find(f);
-    if (cells == cells_.end()) continue;
-    for (const Cell& cell : cells->second) {
-      out.cells.add(points.addAll(cell.outline));
+    if (cellsOf_[f] < 0) continue;
+    const Cells& here = cells_[cellsOf_[f]];
+    int begin = 0;
+    for (const Cells::Cell& cell : here.cells) {
+      const auto count = static_cast<size_t>(cell.end - begin);
+      out.cells.add(points.addAll(std::span(here.points).subspan(begin, count)));
       out.cellFace.push_back(f);
       out.cellLabel.push_back(cell.label);
+      begin = cell.end;
     }
   }
   out.points = points.take();

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 #include "gvd/diagram.h"
@@ -17,10 +16,12 @@ class DiagramPieces {
  public:
   /// That of no sites: no region reaches any face.
   explicit DiagramPieces(int faceCount)
-      : faceLabel_(faceCount, Diagram::kUnreachable), isIndifferent_(faceCount) {}
+      : faceLabel_(faceCount, Diagram::kUnreachable),
+        isIndifferent_(faceCount),
+        cellsOf_(faceCount, -1) {}
 
   /// Puts the pieces of a change in the place of all that there was of its labels and faces.
-  /// Takes time for all arcs and Voronoi points, and for the change. Areas stay as they are.
+  /// Takes time for what is replaced only. Areas stay as they are.
   void replace(const DiagramChange& change);
 
   void setArea(int label, double area) { regions_[label].area = area; }
@@ -33,10 +34,44 @@ class DiagramPieces {
   Diagram whole() const;
 
  private:
+  /// Items with numbers that stay. The memory of those that are removed serves the next ones, lists
+  /// of theirs included: what an edit takes away it mostly puts back elsewhere.
+  template <class Item>
+  class Pool {
+   public:
+    /// The number of a new item, which is as its memory was left.
+    int add() {
+      if (free_.empty()) {
+        free_.push_back(static_cast<int>(items_.size()));
+        items_.emplace_back();
+        isUsed_.push_back(false);
+      }
+      const int number = free_.back();
+      free_.pop_back();
+      isUsed_[number] = true;
+      return number;
+    }
+    void remove(int number) {
+      isUsed_[number] = false;
+      free_.push_back(number);
+    }
+    Item& operator[](int number) { return items_[number]; }
+    const Item& operator[](int number) const { return items_[number]; }
+    /// One more than the largest number.
+    int limit() const { return static_cast<int>(items_.size()); }
+    bool isUsed(int number) const { return isUsed_[number]; }
+
+   private:
+    std::vector<Item> items_;
+    std::vector<char> isUsed_;
+    std::vector<int> free_;
+  };
+
   struct Region {
     double area = 0;
     std::vector<std::vector<SurfacePoint>> loops;
     std::vector<int> faces;  ///< those it has all of, and some that it had
+    std::vector<int> arcs, voronoiPoints;
   };
   struct Segment {
     SurfacePoint from, to;
@@ -51,19 +86,28 @@ class DiagramPieces {
     SurfacePoint place;
     std::vector<int> labels;
   };
-  struct Cell {
-    int label;
-    std::vector<SurfacePoint> outline;
+  /// The cells of a face, one outline after the other.
+  struct Cells {
+    struct Cell {
+      int label;
+      int end;  ///< in `points`
+    };
+    std::vector<Cell> cells;
+    std::vector<SurfacePoint> points;
   };
 
   void removePieces(const DiagramChange& change);
+  void removeArc(int arc);
+  void removeVoronoiPoint(int point);
+  void addCell(int face, int label, const Diagram& part, std::span<const int> outline);
 
   std::vector<Region> regions_;
-  std::vector<Arc> arcs_;
-  std::vector<VoronoiPoint> voronoiPoints_;
+  Pool<Arc> arcs_;
+  Pool<VoronoiPoint> voronoiPoints_;
   std::vector<int> faceLabel_;
   std::vector<char> isIndifferent_;
-  std::unordered_map<int, std::vector<Cell>> cells_;  ///< by face
+  std::vector<int> cellsOf_;  ///< per face, -1: it has none
+  Pool<Cells> cells_;
 };
 
 /// Copies out of a diagram the loops, arcs and Voronoi points of the labels for which `isWanted`,
