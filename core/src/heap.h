@@ -111,7 +111,7 @@ class SweepQueue {
 
  private:
   static constexpr size_t kMaxBuckets = 1 << 16;
-  static constexpr double kBucketsPerStep = 16;
+  static constexpr double kBucketsPerStep = 48;
 
   double inverseWidth_;
   QuaternaryHeap<Item> heap_;
