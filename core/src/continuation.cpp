@@ -13,6 +13,7 @@
 #include "heap.h"
 #include "index_set.h"
 #include "path_straightening.h"
+#include "prefetch.h"
 #include "saddle_ties.h"
 #include "site_frame.h"
 #include "tolerances.h"

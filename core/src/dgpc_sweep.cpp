@@ -16,6 +16,7 @@
 #include "dgpc_field.h"
 #include "edge_share.h"
 #include "metric.h"
+#include "prefetch.h"
 #include "site_frame.h"
 #include "straight_walk.h"
 #include "surface_geometry.h"

@@ -7,7 +7,7 @@ namespace gvd {
 
 /// Asks for an object's memory without waiting for it. A hint: does nothing where there is no such.
 template <class Object>
-void prefetch(const Object& object) {
+void prefetch([[maybe_unused]] const Object& object) {
 #if defined(__GNUC__) && !defined(__wasm__)
   constexpr std::size_t kCacheLine = 64;
   const char* const bytes = reinterpret_cast<const char*>(&object);
