@@ -668,8 +668,8 @@ class Continuation {
   std::vector<LocalGeodesic> ownPaths_;
   std::vector<Guest> guests_;
   std::vector<View> guestViews_;  ///< apart, for guests are looked for more than at
-  std::vector<int> hosts_;             ///< the vertices that have guests
-  std::vector<int> farHosts_;  ///< those that were told by others than neighbours, several times
+  std::vector<int> hosts_;        ///< the vertices that have guests
+  std::vector<int> farHosts_;     ///< those that were told by others than neighbours, several times
   std::vector<Look> looks_;
   SweepQueue<QueueItem> queue_;
   PathStraightener straightener_;
