@@ -394,7 +394,7 @@ class Continuation {
       if (isBehind)
         see(at, label, distance + face.apex.norm(), [&] {
           View bent = viewFromBend<side>(mesh_, view, path, face, path);
-          bent.offset = distance;
+          bent.offset = distance;  // which a geodesic may have made less
           return bent;
         });
       else if (sight.reaches(toApex))

@@ -10,6 +10,17 @@
 
 namespace gvd {
 using Eigen::Vector2d;
+namespace {
+
+/// How the apex of a halfedge's face sees an end of the halfedge.
+View viewOfEnd(const TriangleMesh& mesh, int halfedge, bool isTail) {
+  View view;
+  if (!isTail) view.source = {mesh.length(halfedge), 0};
+  view.halfedge = halfedge;
+  return view;
+}
+
+}  // namespace
 
 View View::inFrame(int otherHalfedge, const Vector2d& origin, const Vector2d& axis) const {
   View other;
@@ -25,7 +36,7 @@ View View::inFrame(int otherHalfedge, const Vector2d& origin, const Vector2d& ax
 }
 
 bool castsShadow(const TriangleMesh& mesh, int vertex) {
-  constexpr double kSharp = 0.2;
+  constexpr double kSharp = 0.2;  // radians
   const double straight = (mesh.onBoundary(vertex) ? 1 : 2) * std::numbers::pi;
   return mesh.angleSum(vertex) > straight + kSharp;
 }
@@ -48,20 +59,16 @@ View viewOfCorner(const TriangleMesh& mesh, const SurfacePoint& site, int corner
 
 View viewAlong(const TriangleMesh& mesh, const Spoke& spoke, double angleOfFirst) {
   const double angle = angleOfFirst + spoke.angle;
-  View view;
-  if (!spoke.isFromTail) view.source = {mesh.length(spoke.halfedge), 0};
-  view.halfedge = spoke.halfedge;
+  View view = viewOfEnd(mesh, spoke.halfedge, spoke.isFromTail);
   view.heading = turnedBackBy(view.path(mesh) / spoke.length, unitVector(angle));
   return view;
 }
 
 View viewOverEnd(const TriangleMesh& mesh, int halfedge, bool isFromTail, double offset,
                  const Vector2d& departure) {
-  View view;
-  if (!isFromTail) view.source = {mesh.length(halfedge), 0};
+  View view = viewOfEnd(mesh, halfedge, isFromTail);
   view.heading = departure;
   view.offset = offset;
-  view.halfedge = halfedge;
   view.detour = std::numeric_limits<float>::infinity();
   return view;
 }

@@ -22,12 +22,13 @@ struct View {
   /// it has bent, the direction in which it left the site, in the site's frame.
   Eigen::Vector2d heading = {1, 0};
   /// Of a path that bends: from the source to where the site would be seen through the same faces
-  /// if the path did not. Nothing may be known about that if the detour is not.
+  /// if the path did not; not known if the detour is not.
   Eigen::Vector2d toSite = {0, 0};
   double offset = 0;  ///< length of the path from the site to the source
   int halfedge = -1;  ///< -1: the vertex is the site
   /// By how much the path is longer than if it were straight where it bends, through the same
-  /// faces: by no more can it be cut short there. Negative if it does not bend.
+  /// faces: by no more can it be cut short there. Negative if it does not bend, infinite
+  /// if that is not known.
   float detour = -1;
 
   bool operator==(const View& other) const = default;
@@ -114,7 +115,7 @@ void visitSpokes(const TriangleMesh& mesh, int vertex, Visit visit) {
 /// How the neighbour along a spoke sees a site at the spoke's vertex.
 View viewAlong(const TriangleMesh& mesh, const Spoke& spoke, double angleOfFirst);
 /// How the apex of a halfedge's face sees a site along a path that bends at an end of the halfedge,
-/// having come there at the distance `offset` from the site. Its detour is not known, infinity.
+/// having come there at the distance `offset` from the site. Its detour is not known.
 View viewOverEnd(const TriangleMesh& mesh, int halfedge, bool isFromTail, double offset,
                  const Eigen::Vector2d& departure);
 

@@ -17,7 +17,7 @@ class QuaternaryHeap {
   const Item& top() const { return items_.front(); }
   /// The least one and its children in the heap, of which one is the next but one.
   std::span<const Item> topFew() const {
-    return {items_.data(), std::min<size_t>(5, items_.size())};
+    return {items_.data(), std::min<size_t>(1 + 4, items_.size())};
   }
 
   void push(const Item& item) {
