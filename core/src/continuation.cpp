@@ -25,9 +25,10 @@ using Eigen::Vector2d;
 
 class Continuation {
  public:
-  explicit Continuation(DgpcField& field)
+  Continuation(DgpcField& field, Straightens straightens)
       : mesh_(field.mesh()),
         field_(field),
+        straightens_(straightens),
         firstGuest_(mesh_.vertexCount(), -1),
         ownPath_(mesh_.vertexCount(), -1),
         queue_(mesh_.meanEdgeLength()),
@@ -44,6 +45,9 @@ class Continuation {
     findGuests();
     field_.reserve(hosts_.size() + guests_.size());
     for (const int host : hosts_) collect(host);
+    if (straightens_ == Straightens::kEverywhere)
+      for (int v = 0; v < mesh_.vertexCount(); ++v)
+        if (firstGuest_[v] < 0 && ownPath_[v] >= 0) collect(v);
     for (const int v : farHosts_) field_.setFarLabel(v, true);
     SaddleTies(field_, straightener_).carryEverywhere();
   }
@@ -394,7 +398,7 @@ class Continuation {
       if (isBehind)
         see(at, label, distance + face.apex.norm(), [&] {
           View bent = viewFromBend<side>(mesh_, view, path, face, path);
-          bent.offset = distance;  // which a geodesic may have made less
+          bent.offset = distance;  // which may be a geodesic's
           return bent;
         });
       else if (sight.reaches(toApex))
@@ -448,27 +452,21 @@ class Continuation {
     int guest;  ///< -1: the vertex's owner
   };
 
-  /// What is known where labels meet decides where they meet: there it is taken from geodesics. The
-  /// length of a view's path is never less than the distance, nor is a geodesic's: the lesser
-  /// counts.
+  /// What is known where labels meet decides where they meet: there it is taken from geodesics. A
+  /// geodesic is a path on the surface, never shorter than the distance; a view may be.
   void straightenPaths() {
     const std::vector<PathEnd> ends = bentPaths();
     for (const PathEnd& end : ends) {
       const bool isOwner = end.guest < 0;
       const View& view = isOwner ? field_.view(end.vertex) : guestViews_[end.guest];
       const auto path = straightener_.straighten(end.label, end.vertex, view);
-      const double before = distanceAt(end.vertex, end.label);
-      if (!path || !(path->length < before)) continue;
-      const double share = shareOfGeodesic(view, before);
-      const LocalGeodesic mean = {
-          before + share * (path->length - before),
-          (1 - share) * departureAt(end.vertex, end.label) + share * path->departure};
+      if (!path) continue;
       if (isOwner) {
         ownPath_[end.vertex] = static_cast<int>(ownPaths_.size());
-        ownPaths_.push_back(mean);
+        ownPaths_.push_back(*path);
       } else {
-        guests_[end.guest].distance = mean.length;
-        guestViews_[end.guest].heading = mean.departure;
+        guests_[end.guest].distance = path->length;
+        guestViews_[end.guest].heading = path->departure;
       }
     }
     lookAroundNewOwners(ends);
@@ -486,26 +484,22 @@ class Continuation {
       lookAround(guest.vertex, guest.label, view, guest.distance);
   }
 
-  /// Paths that do not bend err little, and so do those that bending has made hardly longer. These
-  /// are left, and between them and others there is no step: a tessellation's energy has none.
-  static double shareOfGeodesic(const View& view, double distance) {
-    constexpr double kSmallDetour = 1e-4;  // of the distance
-    return std::clamp(view.detour / (kSmallDetour * distance) - 1, 0.0, 1.0);
-  }
-
-  /// The paths to straighten where labels meet, one label's after the other's: those run through
-  /// the same faces.
+  /// The paths to straighten, one label's after the other's: those run through the same faces.
+  /// Paths that do not bend err little.
   std::vector<PathEnd> bentPaths() const {
     std::vector<PathEnd> ends;
-    const auto add = [&](const View& view, double distance, const PathEnd& end) {
-      if (shareOfGeodesic(view, distance) > 0) ends.push_back(end);
+    const auto addOwner = [&](int v) {
+      if (field_.view(v).isBent()) ends.push_back({owner(v), v, -1});
     };
     for (const int host : hosts_) {
       if (!isTold(host)) continue;
-      add(field_.view(host), field_.nearest(host).distance, {owner(host), host, -1});
+      addOwner(host);
       for (int g = firstGuest_[host]; g >= 0; g = guests_[g].next)
-        add(guestViews_[g], guests_[g].distance, {guests_[g].label, host, g});
+        if (guestViews_[g].isBent()) ends.push_back({guests_[g].label, host, g});
     }
+    if (straightens_ == Straightens::kEverywhere)
+      for (int v = 0; v < mesh_.vertexCount(); ++v)
+        if (firstGuest_[v] < 0) addOwner(v);
     return sortedByLabel(ends, [](const PathEnd& end) { return end.label; });
   }
 
@@ -629,7 +623,7 @@ class Continuation {
 
   /// Hands over what is known at a vertex. Returns whether it is anything else than before.
   bool collect(int v) {
-    if (firstGuest_[v] < 0 && owner(v) >= 0) return collectOwner(v);
+    if (firstGuest_[v] < 0 && owner(v) >= 0 && ownPath_[v] < 0) return collectOwner(v);
     labels_.clear();
     departures_.clear();
     if (owner(v) >= 0) labels_.push_back({owner(v), ownersDistance(v)});
@@ -661,6 +655,7 @@ class Continuation {
 
   const TriangleMesh& mesh_;
   DgpcField& field_;
+  const Straightens straightens_;
   enum class Scope : char { kOutside, kTold, kInside };
   std::vector<Scope> scope_;     ///< per vertex
   std::vector<int> firstGuest_;  ///< per vertex, -1: none
@@ -679,10 +674,12 @@ class Continuation {
 
 }  // namespace
 
-void continueOverBorders(DgpcField& field) { Continuation(field).runEverywhere(); }
+void continueOverBorders(DgpcField& field, Straightens straightens) {
+  Continuation(field, straightens).runEverywhere();
+}
 
 LabelChange continueOverBorders(DgpcField& field, std::span<const int> changed) {
-  return Continuation(field).runAround(changed);
+  return Continuation(field, Straightens::kBetweenRegions).runAround(changed);
 }
 
 }  // namespace gvd

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dgpc_field.h"
+#include "metric.h"
 
 namespace gvd {
 
@@ -16,12 +17,12 @@ namespace gvd {
 /// depends on no path outside of the region, and nothing need have spread there. Only where labels
 /// tie because their paths bend at the same vertex, all of them are told, however far behind it.
 ///
-/// Paths that bend are straightened there, those of owners too. A site may then be nearer to a
-/// vertex than the one that the sweep has found for it, and what a vertex knows is what counts: the
-/// sweep's is only where this starts.
+/// Paths that bend are straightened there, those of owners too, or wherever it is asked for. A site
+/// may then be nearer to a vertex than the one that the sweep has found for it, and what a vertex
+/// knows is what counts: the sweep's is only where this starts.
 ///
 /// Fills in the labels of all vertices of a field that knows the sites and what is nearest.
-void continueOverBorders(DgpcField& field);
+void continueOverBorders(DgpcField& field, Straightens straightens);
 
 /// Where the labels of a field have changed.
 struct LabelChange {

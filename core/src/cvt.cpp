@@ -79,7 +79,7 @@ class Cvt::Solver {
     trial_.frames.assign(sites.size(), Vector2d(1, 0));
     for (size_t l = 0; l < sites.size(); ++l)
       if (!isFixed_[l]) trial_.sites[l] = offVertex(trial_.sites[l]);
-    propagation_ = propagate(mesh_, trial_.sites, options_.metric);
+    propagation_ = propagateForCvt(mesh_, trial_.sites, options_.metric);
   }
 
   bool step(long budget) {
@@ -89,7 +89,7 @@ class Cvt::Solver {
     if (!accepted_.distances) {
       accept();
     } else if (isLowEnough()) {
-      if (method_ == CvtMethod::kLbfgs && !hasNewPlaces_)
+      if (options_.method == CvtMethod::kLbfgs && !hasNewPlaces_)
         memory_.learn(stepLength_ * direction_, trial_.gradient - accepted_.gradient);
       ++iteration_.number;
       accept();
@@ -158,7 +158,6 @@ class Cvt::Solver {
   // --- Where to ---
 
   void beginIteration() {
-    method_ = options_.method;
     findNewPlaces();
     if (hasNewPlaces_) memory_.clear();
     chooseDirection();
@@ -177,7 +176,7 @@ class Cvt::Solver {
 
   void chooseDirection() {
     const VectorXd inverse = inverseDiagonal();
-    if (method_ == CvtMethod::kLbfgs && !memory_.empty()) {
+    if (!memory_.empty()) {
       direction_ = memory_.direction(accepted_.gradient, inverse);
       limit(inverse);
       slope_ = direction_.dot(accepted_.gradient);
@@ -213,7 +212,7 @@ class Cvt::Solver {
       else if (!isFixed_[l])
         move(l, stepLength * direction_.segment<2>(2 * l));
     }
-    propagation_ = propagate(mesh_, trial_.sites, options_.metric);
+    propagation_ = propagateForCvt(mesh_, trial_.sites, options_.metric);
   }
 
   void move(int label, const Vector2d& step) {
@@ -226,12 +225,16 @@ class Cvt::Solver {
   }
 
   /// After a step that did not lower the energy enough: to where a parabola has its minimum, within
-  /// limits. The quasi-Newton direction has three attempts. Lloyd's ends where the energy, which
-  /// jumps a little where distances do, tells nothing any more.
+  /// limits. After three attempts Lloyd's direction takes the place of the quasi-Newton one. Its
+  /// own first step would lower the energy if distances did not jump a little: after three attempts
+  /// what is left to be gained is less than that, and this ends.
   void retreat() {
     constexpr int kAttempts = 3;
-    constexpr double kLeastStep = 0x1p-12;
-    if (method_ == CvtMethod::kLbfgs && !memory_.empty() && ++attempts_ >= kAttempts) {
+    if (++attempts_ >= kAttempts) {
+      if (memory_.empty()) {
+        isDone_ = true;
+        return;
+      }
       memory_.clear();
       attempts_ = 0;
       chooseDirection();
@@ -239,11 +242,7 @@ class Cvt::Solver {
     }
     const double rise = trial_.energy.energy - accepted_.energy.energy - stepLength_ * slope_;
     const double share = rise > 0 ? -slope_ * stepLength_ / (2 * rise) : 0.5;
-    const double next = stepLength_ * std::clamp(share, 0.1, 0.5);
-    if (next < kLeastStep || slope_ == 0)
-      isDone_ = true;
-    else
-      tryStep(next);
+    tryStep(stepLength_ * std::clamp(share, 0.1, 0.5));
   }
 
   // --- Sites without region ---
@@ -274,7 +273,6 @@ class Cvt::Solver {
   bool isDone_ = false;
 
   // Of the iteration at hand.
-  CvtMethod method_ = CvtMethod::kLloyd;
   LbfgsMemory memory_;
   VectorXd direction_;
   double slope_ = 0;  ///< of the energy along the direction

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "metric.h"
 #include "surface_geometry.h"
 
 namespace gvd {
@@ -139,6 +140,13 @@ class Integrator {
 };
 
 }  // namespace
+
+std::unique_ptr<Propagation> propagateForCvt(const TriangleMesh& mesh,
+                                             std::span<const SurfacePoint> sites, Metric metric) {
+  return metric == Metric::kExact
+             ? propagateExact(mesh, sites, Spread::kAsNeeded)
+             : propagateDgpc(mesh, sites, Spread::kAsNeeded, Straightens::kEverywhere);
+}
 
 CvtEnergy integrateCvt(const TriangleMesh& mesh, const DistanceField& distances,
                        const Diagram& diagram, std::span<const double> density) {

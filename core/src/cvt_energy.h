@@ -2,11 +2,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "gvd/diagram.h"
 #include "gvd/geodesic.h"
+#include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
 
 namespace gvd {
@@ -24,6 +26,11 @@ struct CvtEnergy {
   std::vector<double> faceEnergy;  ///< per mesh face, sums to the energy
   std::vector<RegionMoments> regions;
 };
+
+/// Starts the distances to integrate over. With DGPC all paths are straightened, inside regions
+/// too: where sites move a little, the energy then hardly jumps.
+std::unique_ptr<Propagation> propagateForCvt(const TriangleMesh& mesh,
+                                             std::span<const SurfacePoint> sites, Metric metric);
 
 /// Integrates over the regions of a diagram traced with detail 0 from these distances, with the
 /// density ρ per vertex, linear in between; empty: 1. All integrals are exact for d² = Σ bᵢ Uᵢ² -

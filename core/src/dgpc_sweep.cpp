@@ -26,10 +26,12 @@ namespace gvd {
 
 using Eigen::Vector2d;
 
-DgpcSweep::DgpcSweep(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Spread spread)
+DgpcSweep::DgpcSweep(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Spread spread,
+                     Straightens straightens)
     : mesh_(mesh),
       sites_(sites.begin(), sites.end()),
       spread_(spread),
+      straightens_(straightens),
       limits_(mesh.vertexCount()),
       isSharp_(mesh.vertexCount()),
       meetsShadows_(sites.size()),
@@ -95,7 +97,7 @@ std::unique_ptr<DistanceField> DgpcSweep::take() {
   views_.resize(mesh_.vertexCount());
   auto field =
       std::make_unique<DgpcField>(mesh_, std::move(sites_), std::move(nearest), std::move(views_));
-  continueOverBorders(*field);
+  continueOverBorders(*field, straightens_);
   return field;
 }
 
@@ -517,8 +519,9 @@ bool DgpcSweep::reachTheUnseen() {
 }
 
 std::unique_ptr<Propagation> propagateDgpc(const TriangleMesh& mesh,
-                                           std::span<const SurfacePoint> sites, Spread spread) {
-  return std::make_unique<DgpcSweep>(mesh, sites, spread);
+                                           std::span<const SurfacePoint> sites, Spread spread,
+                                           Straightens straightens) {
+  return std::make_unique<DgpcSweep>(mesh, sites, spread, straightens);
 }
 
 }  // namespace gvd

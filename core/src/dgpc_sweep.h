@@ -10,6 +10,7 @@
 #include "gvd/geodesic.h"
 #include "heap.h"
 #include "index_set.h"
+#include "metric.h"
 
 namespace gvd {
 
@@ -25,7 +26,8 @@ namespace gvd {
 /// so labels that have come to one walk every line before they take it.
 class DgpcSweep final : public Propagation {
  public:
-  DgpcSweep(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Spread spread);
+  DgpcSweep(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Spread spread,
+            Straightens straightens);
 
   bool step(long budget) override;
   double progress() const override;
@@ -134,6 +136,7 @@ class DgpcSweep final : public Propagation {
   const TriangleMesh& mesh_;
   std::vector<SurfacePoint> sites_;
   Spread spread_;
+  Straightens straightens_;
   std::vector<char> limits_;        ///< limitsViews, per vertex
   std::vector<char> isSharp_;       ///< castsShadow, per vertex
   std::vector<char> meetsShadows_;  ///< per label, whether it has come to such a vertex

@@ -23,7 +23,7 @@ class DynamicDiagram::Implementation {
                  const DiagramOptions& options)
       : mesh_(mesh),
         options_(options),
-        sweep_(mesh, sites, Spread::kAsNeeded),
+        sweep_(mesh, sites, Spread::kAsNeeded, Straightens::kBetweenRegions),
         pieces_(mesh.faceCount()) {
     while (!sweep_.step(std::numeric_limits<long>::max())) {
     }
@@ -37,7 +37,7 @@ class DynamicDiagram::Implementation {
     field_ =
         std::make_unique<DgpcField>(mesh, std::vector<SurfacePoint>(sites.begin(), sites.end()),
                                     std::move(nearest), std::move(views));
-    continueOverBorders(*field_);
+    continueOverBorders(*field_, Straightens::kBetweenRegions);
     for (int v = 0; v < mesh.vertexCount(); ++v) noteLabels(v);
     replaceAll();
   }

@@ -8,6 +8,7 @@
 #include "site_frame.h"
 #include "straight_walk.h"
 #include "surface_geometry.h"
+#include "tolerances.h"
 #include "unfolding.h"
 
 namespace gvd {
@@ -26,12 +27,15 @@ constexpr double kSamePlace = 1e-6;
 std::optional<LocalGeodesic> PathStraightener::straighten(int label, int vertex, const View& view) {
   const SurfacePoint& site = field_.sites()[label];
   // Most paths that bend may as well be straight, and to find that out takes less.
-  if (std::isfinite(view.detour)) {
-    const Vector2d line = view.toSite - view.path(mesh_);
-    if (const auto straight = aim(view.halfedge, line, site)) return straight;
-  }
-  if (!followViews(label, vertex, view)) return std::nullopt;
-  return strip_.straighten(vertex, site);
+  std::optional<LocalGeodesic> straight;
+  if (std::isfinite(view.detour))
+    straight = aim(view.halfedge, view.toSite - view.path(mesh_), site);
+  if (straight && straight->length <= view.distance(mesh_) * (1 + kDistanceTolerance))
+    return straight;
+  // A straight line that is longer leads around something else, or the view shows what is not so.
+  if (!followViews(label, vertex, view)) return straight;
+  const auto near = strip_.straighten(vertex, site);
+  return straight && !(near && near->length < straight->length) ? straight : near;
 }
 
 /// A straight line to the site from the apex of a halfedge: where the given one, in the halfedge's

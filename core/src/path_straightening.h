@@ -16,9 +16,11 @@ class PathStraightener {
   explicit PathStraightener(const DgpcField& field)
       : field_(field), mesh_(field.mesh()), strip_(field.mesh()) {}
 
-  /// The geodesic that is found near the path by which a vertex sees the site of a label, and on
-  /// from where that bends by the views of the label's own vertices: it depends on these, the view
-  /// and the mesh only. Nothing if the views lead nowhere. O(faces on the way), a few times.
+  /// The geodesic that is found near the path by which a vertex sees the site of a label: of a
+  /// straight line to the site and, should that be none or longer than the view's path, what
+  /// follows from that path, the shorter. From where it bends, the path goes on by the views of the
+  /// label's own vertices: the result depends on these, the view and the mesh only. Nothing if the
+  /// views lead nowhere. O(faces on the way), a few times.
   std::optional<LocalGeodesic> straighten(int label, int vertex, const View& view);
 
   /// The vertex where the path of a view to a site bends last, or the site's; negative if that is
