@@ -119,17 +119,18 @@ class DynamicDiagram::Implementation {
     TracedDiagram traced = traceFaces(mesh_, *field_, options_, tracedFaces, marks(change.labels));
     if (!traced.completedFaces.empty() || haveCommon(tracedFaces, completedFaces_))
       return replaceAll();
-    const bool hadMerged = haveCommon(tracedFaces, mergedFaces_);
-    if (traced.mergedFaces.empty() && !hadMerged)
+    if (traced.mergedFaces.empty() && !haveCommon(tracedFaces, mergedFaces_))
       return replaced(change.labels, faces, traced.diagram, tracedFaces);
-    mergedFaces_.insert(mergedFaces_.end(), traced.mergedFaces.begin(), traced.mergedFaces.end());
-    makeSet(mergedFaces_);
     return traceWithOthers(change.labels, faces);
   }
 
+  /// `faces` are ascending.
+  static bool isOneOf(std::span<const int> faces, int face) {
+    return std::binary_search(faces.begin(), faces.end(), face);
+  }
+
   static bool haveCommon(std::span<const int> faces, std::span<const int> few) {
-    return std::any_of(few.begin(), few.end(),
-                       [&](int f) { return std::binary_search(faces.begin(), faces.end(), f); });
+    return std::any_of(few.begin(), few.end(), [&](int f) { return isOneOf(faces, f); });
   }
 
   /// Traces all of the diagram.
@@ -152,11 +153,14 @@ class DynamicDiagram::Implementation {
   /// label has no width left, so those that the changed labels may meet count as changed too, in
   /// all their faces; and all that those may meet are traced.
   DiagramChange traceWithOthers(const std::vector<int>& changed, IndexSet& faces) {
-    const std::vector<int> labels = withThoseMet(changed);
-    for (const int f : facesWhereMet(labels)) faces.add(f);
-    const std::vector<int> traced = withThoseMet(labels), tracedFaces = facesWhereMet(traced);
-    const Diagram part = traceFaces(mesh_, *field_, options_, tracedFaces, marks(traced)).diagram;
-    return replaced(labels, faces, part, tracedFaces);
+    const std::vector<int> labels = withThoseMet(changed), ofLabels = facesWhereMet(labels);
+    for (const int f : ofLabels) faces.add(f);
+    const std::vector<int> withMet = withThoseMet(labels), tracedFaces = facesWhereMet(withMet);
+    const TracedDiagram traced = traceFaces(mesh_, *field_, options_, tracedFaces, marks(withMet));
+    std::erase_if(mergedFaces_, [&](int f) { return isOneOf(ofLabels, f); });
+    mergedFaces_.insert(mergedFaces_.end(), traced.mergedFaces.begin(), traced.mergedFaces.end());
+    makeSet(mergedFaces_);
+    return replaced(labels, faces, traced.diagram, tracedFaces);
   }
 
   std::vector<char> marks(std::span<const int> labels) const {
@@ -218,7 +222,7 @@ class DynamicDiagram::Implementation {
   std::unique_ptr<DgpcField> field_;
   DiagramPieces pieces_;
   // Ascending:
-  std::vector<int> mergedFaces_;     ///< where points have become one since all was traced
+  std::vector<int> mergedFaces_;     ///< where points have become one, and some where they had
   std::vector<int> completedFaces_;  ///< where the tracer had to add labels when all was traced
   /// Per label the vertices where others are known as well, and some where that was so.
   std::vector<std::vector<int>> sharedVertices_;
