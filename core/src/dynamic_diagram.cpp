@@ -108,20 +108,52 @@ class DynamicDiagram::Implementation {
   }
 
   /// Only in faces around the changed vertices, and by what the tracer completes in those beside
-  /// them, can cells be others.
+  /// them, can cells be others. Where points have become one, or had, a bisector may lie where a
+  /// third label has no width left: what is known there counts as changed too, in all its faces.
   DiagramChange trace(const LabelChange& change) {
+    IndexSet labels(labelCount(), change.labels);
+    for (;;) {
+      const std::vector<int> tracedLabels = labels.sorted();
+      const std::vector<int> tracedFaces = facesWhereMet(tracedLabels);
+      TracedDiagram traced = traceFaces(mesh_, *field_, options_, tracedFaces, marks(tracedLabels));
+      if (!traced.completedFaces.empty() || haveCommon(tracedFaces, completedFaces_))
+        return replaceAll();
+      std::vector<int> merged = traced.mergedFaces;
+      for (const int f : mergedFaces_)
+        if (isOneOf(tracedFaces, f)) merged.push_back(f);
+      makeSet(merged);
+      for (const int f : merged) addLabelsAround(f, labels);
+      if (labels.size() > static_cast<int>(tracedLabels.size())) continue;
+
+      IndexSet faces = facesAround(change.vertices);
+      for (const int f : merged)
+        for (int h = 3 * f; h < 3 * f + 3; ++h) addFacesAround(mesh_.tail(h), faces);
+      std::erase_if(mergedFaces_, [&](int f) { return isOneOf(tracedFaces, f); });
+      mergedFaces_.insert(mergedFaces_.end(), traced.mergedFaces.begin(), traced.mergedFaces.end());
+      makeSet(mergedFaces_);
+      return replaced(tracedLabels, faces, traced.diagram, tracedFaces);
+    }
+  }
+
+  /// Adds the labels that are known in a face or in one that has a corner in common with it.
+  void addLabelsAround(int face, IndexSet& labels) const {
+    const auto add = [&](int v) {
+      for (const LabelledDistance& d : field_->at(v)) labels.add(d.label);
+    };
+    for (int h = 3 * face; h < 3 * face + 3; ++h) {
+      add(mesh_.tail(h));
+      mesh_.visitNeighbours(mesh_.tail(h), add);
+    }
+  }
+
+  /// The faces of some vertices and their neighbours.
+  IndexSet facesAround(std::span<const int> vertices) const {
     IndexSet faces(mesh_.faceCount());
-    for (const int v : change.vertices) {
+    for (const int v : vertices) {
       addFacesAround(v, faces);
       mesh_.visitNeighbours(v, [&](int neighbour) { addFacesAround(neighbour, faces); });
     }
-    const std::vector<int> tracedFaces = facesWhereMet(change.labels);
-    TracedDiagram traced = traceFaces(mesh_, *field_, options_, tracedFaces, marks(change.labels));
-    if (!traced.completedFaces.empty() || haveCommon(tracedFaces, completedFaces_))
-      return replaceAll();
-    if (traced.mergedFaces.empty() && !haveCommon(tracedFaces, mergedFaces_))
-      return replaced(change.labels, faces, traced.diagram, tracedFaces);
-    return traceWithOthers(change.labels, faces);
+    return faces;
   }
 
   /// `faces` are ascending.
@@ -149,33 +181,10 @@ class DynamicDiagram::Implementation {
     return all;
   }
 
-  /// The same where points have become one, or have been. A bisector may then lie where a third
-  /// label has no width left, so those that the changed labels may meet count as changed too, in
-  /// all their faces; and all that those may meet are traced.
-  DiagramChange traceWithOthers(const std::vector<int>& changed, IndexSet& faces) {
-    const std::vector<int> labels = withThoseMet(changed), ofLabels = facesWhereMet(labels);
-    for (const int f : ofLabels) faces.add(f);
-    const std::vector<int> withMet = withThoseMet(labels), tracedFaces = facesWhereMet(withMet);
-    const TracedDiagram traced = traceFaces(mesh_, *field_, options_, tracedFaces, marks(withMet));
-    std::erase_if(mergedFaces_, [&](int f) { return isOneOf(ofLabels, f); });
-    mergedFaces_.insert(mergedFaces_.end(), traced.mergedFaces.begin(), traced.mergedFaces.end());
-    makeSet(mergedFaces_);
-    return replaced(labels, faces, traced.diagram, tracedFaces);
-  }
-
   std::vector<char> marks(std::span<const int> labels) const {
     std::vector<char> isOne(labelCount());
     for (const int label : labels) isOne[label] = true;
     return isOne;
-  }
-
-  /// Some labels and those that are known at a vertex where one of them is; ascending.
-  std::vector<int> withThoseMet(std::span<const int> labels) {
-    IndexSet met(labelCount(), labels);
-    for (const int label : labels)
-      for (const int v : sharedVertices(label))
-        for (const LabelledDistance& d : field_->at(v)) met.add(d.label);
-    return met.sorted();
   }
 
   /// All faces of which several labels are known at a corner, one of the given ones among them;
