@@ -38,7 +38,10 @@ class DynamicDiagram::Implementation {
         std::make_unique<DgpcField>(mesh, std::vector<SurfacePoint>(sites.begin(), sites.end()),
                                     std::move(nearest), std::move(views));
     continueOverBorders(*field_, Straightens::kBetweenRegions);
-    for (int v = 0; v < mesh.vertexCount(); ++v) noteLabels(v);
+    std::vector<int> faces(mesh.faceCount()), labels(sites.size());
+    std::iota(faces.begin(), faces.end(), 0);
+    std::iota(labels.begin(), labels.end(), 0);
+    noteShared(faces, labels);
     replaceAll();
   }
 
@@ -79,32 +82,37 @@ class DynamicDiagram::Implementation {
     LabelChange labels = continueOverBorders(*field_, changed);
     labels.labels.push_back(label);
     makeSet(labels.labels);
-    for (const int v : labels.vertices) noteLabels(v);
+    IndexSet faces(mesh_.faceCount());
+    for (const int v : labels.vertices) addFacesAround(v, faces);
+    noteShared(faces.sorted(), labels.labels);
     return trace(labels);
   }
 
  private:
-  /// Keeps note of where labels meet.
-  void noteLabels(int vertex) {
-    const auto labels = field_->at(vertex);
-    if (labels.size() < 2) return;
-    for (const LabelledDistance& d : labels) {
-      if (d.label >= static_cast<int>(sharedVertices_.size())) sharedVertices_.resize(d.label + 1);
-      sharedVertices_[d.label].push_back(vertex);
+  /// Keeps note of where some labels meet others, after what is known in some faces has changed;
+  /// both ascending.
+  void noteShared(std::span<const int> faces, std::span<const int> labels) {
+    sharedFaces_.resize(labelCount());
+    const std::vector<char> isOne = marks(labels);
+    std::vector<size_t> kept;
+    for (const int label : labels) {
+      std::erase_if(sharedFaces_[label], [&](int f) { return isOneOf(faces, f); });
+      kept.push_back(sharedFaces_[label].size());
     }
-  }
-
-  /// The vertices where a label and others are known, ascending.
-  const std::vector<int>& sharedVertices(int label) {
-    if (label >= static_cast<int>(sharedVertices_.size())) sharedVertices_.resize(label + 1);
-    std::vector<int>& vertices = sharedVertices_[label];
-    std::erase_if(vertices, [&](int v) {
-      const auto labels = field_->at(v);
-      return labels.size() < 2 || std::none_of(labels.begin(), labels.end(),
-                                               [&](const auto& d) { return d.label == label; });
-    });
-    makeSet(vertices);
-    return vertices;
+    for (const int f : faces)
+      for (int h = 3 * f; h < 3 * f + 3; ++h) {
+        const auto known = field_->at(mesh_.tail(h));
+        if (known.size() < 2) continue;
+        for (const LabelledDistance& d : known) {
+          if (!isOne[d.label]) continue;
+          std::vector<int>& shared = sharedFaces_[d.label];
+          if (shared.empty() || shared.back() != f) shared.push_back(f);
+        }
+      }
+    for (size_t i = 0; i < labels.size(); ++i) {
+      std::vector<int>& shared = sharedFaces_[labels[i]];
+      std::inplace_merge(shared.begin(), shared.begin() + kept[i], shared.end());
+    }
   }
 
   /// Only in faces around the changed vertices, and by what the tracer completes in those beside
@@ -189,11 +197,12 @@ class DynamicDiagram::Implementation {
 
   /// All faces of which several labels are known at a corner, one of the given ones among them;
   /// ascending.
-  std::vector<int> facesWhereMet(std::span<const int> labels) {
-    IndexSet faces(mesh_.faceCount());
+  std::vector<int> facesWhereMet(std::span<const int> labels) const {
+    std::vector<int> faces;
     for (const int label : labels)
-      for (const int v : sharedVertices(label)) addFacesAround(v, faces);
-    return faces.sorted();
+      faces.insert(faces.end(), sharedFaces_[label].begin(), sharedFaces_[label].end());
+    makeSet(faces);
+    return faces;
   }
 
   /// Puts what has been traced of the changed labels and faces in the place of what there was.
@@ -233,8 +242,8 @@ class DynamicDiagram::Implementation {
   // Ascending:
   std::vector<int> mergedFaces_;     ///< where points have become one, and some where they had
   std::vector<int> completedFaces_;  ///< where the tracer had to add labels when all was traced
-  /// Per label the vertices where others are known as well, and some where that was so.
-  std::vector<std::vector<int>> sharedVertices_;
+  /// Per label the faces with a corner where it and others are known.
+  std::vector<std::vector<int>> sharedFaces_;
 };
 
 DynamicDiagram::DynamicDiagram(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,

@@ -38,9 +38,12 @@ class IndexSet {
   std::vector<int> list_;
 };
 
-/// Sorts a list of indices and drops what occurs again.
+/// Sorts a list of indices and drops what occurs again. Takes little where most of the list is a set
+/// already, to which others have been added.
 inline void makeSet(std::vector<int>& indices) {
-  std::sort(indices.begin(), indices.end());
+  const auto added = std::is_sorted_until(indices.begin(), indices.end());
+  std::sort(added, indices.end());
+  std::inplace_merge(indices.begin(), added, indices.end());
   indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
 }
 
