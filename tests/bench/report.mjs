@@ -81,6 +81,7 @@ export function summaries(cases) {
 
 const milliseconds = (seconds) => `${(1000 * seconds).toFixed(1)} ms`;
 const ratio = (a, b) => (a === undefined ? undefined : `${(a / b).toFixed(2)} ×`);
+const fraction = (a, b) => `1/${Math.round(b / a)}`;
 const percent = (share) => `${(100 * share).toFixed(3)} %`;
 const smallPercent = (share) => `${(100 * share).toFixed(5)} %`;
 
@@ -99,7 +100,7 @@ const speedColumns = {
     measured(row, () => ratio(row.partition, row.distances + row.diagram)),
   // Where sites can be changed in place.
   'change/both': (row) =>
-    measured(row, () => row.change && ratio(row.change, row.distances + row.diagram)),
+    measured(row, () => row.change && fraction(row.change, row.distances + row.diagram)),
   memory: (row) => measured(row, () => `${Math.round(row.bytes / row.faces)} B/face`),
   'wasm/native': (row) => measured(row, () => ratio(row.wasm, row.distances + row.diagram)),
   note: ({ note, wasmNote }) => note ?? wasmNote,

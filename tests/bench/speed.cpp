@@ -24,7 +24,7 @@ namespace {
 double changeSeconds(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
                      const SpeedOptions& options) {
   DynamicDiagram dynamic(mesh, sites, {.detail = options.detail});
-  const int moves = std::min(20, static_cast<int>(sites.size()));
+  const int moves = std::min(100, static_cast<int>(sites.size()));
   const auto all = timed(options.runs, [&] {
     for (int label = 0; label < moves; ++label) {
       const int face = dynamic.site(label).face;
