@@ -19,22 +19,24 @@
 #include "tolerances.h"
 
 namespace gvd {
-namespace {
 
 using Eigen::Vector2d;
 
-class Continuation {
+class Continuation::Implementation {
  public:
-  Continuation(DgpcField& field, Straightens straightens)
+  explicit Implementation(DgpcField& field)
       : mesh_(field.mesh()),
         field_(field),
-        straightens_(straightens),
+        scope_(mesh_.vertexCount(), Scope::kOutside),
+        inScope_(mesh_.vertexCount()),
+        sources_(mesh_.vertexCount()),
         firstGuest_(mesh_.vertexCount(), -1),
         ownPath_(mesh_.vertexCount(), -1),
         queue_(mesh_.meanEdgeLength()),
         straightener_(field) {}
 
-  void runEverywhere() {
+  void runEverywhere(Straightens straightens) {
+    straightens_ = straightens;
     scope_.assign(mesh_.vertexCount(), Scope::kInside);
     for (int label = 0; label < static_cast<int>(field_.sites().size()); ++label)
       if (field_.sites()[label].face >= 0) lookFromSite(label);
@@ -56,15 +58,16 @@ class Continuation {
   /// edge is looked through for what its ends make of it. So the effect of a change ends three
   /// edges away, unless labels come from further: then with all that those have come to.
   LabelChange runAround(std::span<const int> changed) {
-    IndexSet scope(mesh_.vertexCount(), changed);
-    for (int ring = 0, first = 0; ring < 3; ++ring) first = addNeighbours(scope, first);
-    for (int size = 0; size < scope.size();) {
-      addDependent(scope);
-      size = scope.size();
-      runWithin(scope);
+    inScope_.clear();
+    for (const int v : changed) inScope_.add(v);
+    for (int ring = 0, first = 0; ring < 3; ++ring) first = addNeighbours(inScope_, first);
+    for (int size = 0; size < inScope_.size();) {
+      addDependent(inScope_);
+      size = inScope_.size();
+      runWithinScope();
       for (const int v : farHosts_) {
-        scope.add(v);
-        mesh_.visitNeighbours(v, [&](int neighbour) { scope.add(neighbour); });
+        inScope_.add(v);
+        mesh_.visitNeighbours(v, [&](int neighbour) { inScope_.add(neighbour); });
       }
     }
     LabelChange change{{changed.begin(), changed.end()}, {}};
@@ -72,7 +75,7 @@ class Continuation {
       for (const LabelledDistance& d : field_.at(v)) change.labels.push_back(d.label);
     };
     for (const int v : changed) noteLabels(v);
-    for (const int v : scope.list()) {
+    for (const int v : inScope_.list()) {
       const size_t count = change.labels.size();
       noteLabels(v);
       if (collect(v)) {
@@ -84,7 +87,7 @@ class Continuation {
       field_.setFarLabel(v, false);
     }
     for (const int v : farHosts_) field_.setFarLabel(v, true);
-    for (const int v : SaddleTies(field_, straightener_).carryAround(scope)) {
+    for (const int v : SaddleTies(field_, straightener_).carryAround(inScope_)) {
       noteLabels(v);
       change.vertices.push_back(v);
     }
@@ -155,31 +158,37 @@ class Continuation {
 
   /// Finds the guests of the vertices in scope. Their neighbours are told all that is needed to
   /// that end; what they make of it counts where it makes a guest nearer than the owner.
-  void runWithin(const IndexSet& scope) {
-    firstGuest_.assign(mesh_.vertexCount(), -1);
-    ownPath_.assign(mesh_.vertexCount(), -1);
-    ownPaths_.clear();
-    guests_.clear();
-    guestViews_.clear();
-    hosts_.clear();
-    farHosts_.clear();
-    looks_.clear();
-    IndexSet sources = scope;
-    const int told = addNeighbours(sources, 0);
-    const int endOfTold = sources.size();
-    scope_.assign(mesh_.vertexCount(), Scope::kOutside);
+  void runWithinScope() {
+    forget();
+    for (const int v : inScope_.list()) sources_.add(v);
+    const int told = addNeighbours(sources_, 0);
+    const int endOfTold = sources_.size();
     for (int i = 0; i < endOfTold; ++i)
-      scope_[sources.list()[i]] = i < told ? Scope::kInside : Scope::kTold;
+      scope_[sources_.list()[i]] = i < told ? Scope::kInside : Scope::kTold;
     for (int label = 0; label < static_cast<int>(field_.sites().size()); ++label) {
       const int face = field_.sites()[label].face;
       if (face >= 0 && (isTold(mesh_.tail(3 * face)) || isTold(mesh_.tail(3 * face + 1)) ||
                         isTold(mesh_.tail(3 * face + 2))))
         lookFromSite(label);
     }
-    addNeighbours(sources, told);
-    for (const int v : sources.sorted())
+    addNeighbours(sources_, told);
+    for (const int v : sources_.sorted())
       if (owner(v) >= 0 && isAtBorder(v)) lookAround(v);
     findGuests();
+  }
+
+  /// Takes back what the last such run has found.
+  void forget() {
+    for (const int v : sources_.list()) scope_[v] = Scope::kOutside;
+    for (const int host : hosts_) firstGuest_[host] = -1;
+    for (const OwnPath& p : ownPaths_) ownPath_[p.vertex] = -1;
+    sources_.clear();
+    ownPaths_.clear();
+    guests_.clear();
+    guestViews_.clear();
+    hosts_.clear();
+    farHosts_.clear();
+    looks_.clear();
   }
 
   void findGuests() {
@@ -200,7 +209,7 @@ class Continuation {
 
   double ownersDistance(int vertex) const {
     return ownPath_[vertex] < 0 ? field_.nearest(vertex).distance
-                                : ownPaths_[ownPath_[vertex]].length;
+                                : ownPaths_[ownPath_[vertex]].path.length;
   }
 
   int findGuest(int vertex, int label) const {
@@ -217,7 +226,7 @@ class Continuation {
 
   Vector2d departureAt(int vertex, int label) const {
     if (owner(vertex) != label) return departureOf(guestViews_[findGuest(vertex, label)]);
-    if (ownPath_[vertex] >= 0) return ownPaths_[ownPath_[vertex]].departure;
+    if (ownPath_[vertex] >= 0) return ownPaths_[ownPath_[vertex]].path.departure;
     return field_.view(vertex).departure(mesh_, field_.nearest(vertex).distance);
   }
 
@@ -447,6 +456,10 @@ class Continuation {
 
   // --- Straightening ---
 
+  struct OwnPath {
+    int vertex;
+    LocalGeodesic path;
+  };
   struct PathEnd {
     int label, vertex;
     int guest;  ///< -1: the vertex's owner
@@ -463,7 +476,7 @@ class Continuation {
       if (!path) continue;
       if (isOwner) {
         ownPath_[end.vertex] = static_cast<int>(ownPaths_.size());
-        ownPaths_.push_back(*path);
+        ownPaths_.push_back({end.vertex, *path});
       } else {
         guests_[end.guest].distance = path->length;
         guestViews_[end.guest].heading = path->departure;
@@ -655,12 +668,14 @@ class Continuation {
 
   const TriangleMesh& mesh_;
   DgpcField& field_;
-  const Straightens straightens_;
+  Straightens straightens_ = Straightens::kBetweenRegions;
   enum class Scope : char { kOutside, kTold, kInside };
   std::vector<Scope> scope_;     ///< per vertex
+  IndexSet inScope_;             ///< not of a run everywhere
+  IndexSet sources_;             ///< the same, and what is within two edges
   std::vector<int> firstGuest_;  ///< per vertex, -1: none
   std::vector<int> ownPath_;     ///< per vertex, -1: as the owner's view tells
-  std::vector<LocalGeodesic> ownPaths_;
+  std::vector<OwnPath> ownPaths_;
   std::vector<Guest> guests_;
   std::vector<View> guestViews_;  ///< apart, for guests are looked for more than at
   std::vector<int> hosts_;        ///< the vertices that have guests
@@ -672,14 +687,17 @@ class Continuation {
   std::vector<Vector2d> departures_;
 };
 
-}  // namespace
+Continuation::Continuation(DgpcField& field)
+    : implementation_(std::make_unique<Implementation>(field)) {}
 
-void continueOverBorders(DgpcField& field, Straightens straightens) {
-  Continuation(field, straightens).runEverywhere();
+Continuation::~Continuation() = default;
+
+void Continuation::runEverywhere(Straightens straightens) {
+  implementation_->runEverywhere(straightens);
 }
 
-LabelChange continueOverBorders(DgpcField& field, std::span<const int> changed) {
-  return Continuation(field, Straightens::kBetweenRegions).runAround(changed);
+LabelChange Continuation::runAround(std::span<const int> changed) {
+  return implementation_->runAround(changed);
 }
 
 }  // namespace gvd

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -8,6 +9,12 @@
 #include "metric.h"
 
 namespace gvd {
+
+/// Where the labels of a field have changed.
+struct LabelChange {
+  std::vector<int> vertices;  ///< ascending
+  std::vector<int> labels;    ///< all that are or were known there, ascending
+};
 
 /// Adds to the nearest site of each vertex those other sites that a diagram needs to know there.
 ///
@@ -20,18 +27,23 @@ namespace gvd {
 /// Paths that bend are straightened there, those of owners too, or wherever it is asked for. A site
 /// may then be nearer to a vertex than the one that the sweep has found for it, and what a vertex
 /// knows is what counts: the sweep's is only where this starts.
-///
-/// Fills in the labels of all vertices of a field that knows the sites and what is nearest.
-void continueOverBorders(DgpcField& field, Straightens straightens);
+class Continuation {
+ public:
+  /// Of a field that knows the sites and what is nearest; it must outlive this.
+  explicit Continuation(DgpcField& field);
+  ~Continuation();
 
-/// Where the labels of a field have changed.
-struct LabelChange {
-  std::vector<int> vertices;  ///< ascending
-  std::vector<int> labels;    ///< all that are or were known there, ascending
+  /// Fills in the labels of all vertices.
+  void runEverywhere(Straightens straightens);
+
+  /// The same after the nearest site of some vertices, or how it is seen, has changed, or a site in
+  /// a face that they are corners of: brings up to date what follows from these, with straight
+  /// paths between regions. Takes time for what is near them, and little for each site.
+  LabelChange runAround(std::span<const int> changed);
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
 };
-
-/// The same after the nearest site of some vertices, or how it is seen, has changed, or a site in a
-/// face that they are corners of: brings up to date what follows from these.
-LabelChange continueOverBorders(DgpcField& field, std::span<const int> changed);
 
 }  // namespace gvd

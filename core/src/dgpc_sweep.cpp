@@ -36,7 +36,8 @@ DgpcSweep::DgpcSweep(const TriangleMesh& mesh, std::span<const SurfacePoint> sit
       isSharp_(mesh.vertexCount()),
       meetsShadows_(sites.size()),
       owner_(mesh.vertexCount(), -1),
-      queue_(mesh.meanEdgeLength()) {
+      queue_(mesh.meanEdgeLength()),
+      disturbed_(0) {
   for (int v = 0; v < mesh.vertexCount(); ++v) {
     limits_[v] = limitsViews(mesh, v);
     isSharp_[v] = castsShadow(mesh, v);
@@ -97,7 +98,7 @@ std::unique_ptr<DistanceField> DgpcSweep::take() {
   views_.resize(mesh_.vertexCount());
   auto field =
       std::make_unique<DgpcField>(mesh_, std::move(sites_), std::move(nearest), std::move(views_));
-  continueOverBorders(*field, straightens_);
+  Continuation(*field).runEverywhere(straightens_);
   return field;
 }
 
@@ -223,22 +224,23 @@ void DgpcSweep::setSite(int label, const SurfacePoint& site) {
     verticesOf_.resize(label + 1);
     meetsShadows_.resize(label + 1);
   }
-  IndexSet disturbed(mesh_.vertexCount(), verticesOf_[label]);
+  disturbed_.clear();
+  for (const int v : verticesOf_[label]) disturbed_.add(v);
   std::vector<Knowledge> former = {knowledgeOf(label)};
   std::vector<int> anew = {label};
   forget(label);
   sites_[label] = site;
   sweepAnew(anew);
-  for (const int v : verticesOf_[label]) disturbed.add(v);
+  for (const int v : verticesOf_[label]) disturbed_.add(v);
   for (;;) {
-    const std::vector<int> added = labelsAround(disturbed.list(), anew);
+    const std::vector<int> added = labelsAround(disturbed_.list(), anew);
     if (added.empty()) break;
     for (const int l : added) former.push_back(knowledgeOf(l));
     anew.insert(anew.end(), added.begin(), added.end());
     makeSet(anew);
     for (const int l : anew) forget(l);
     sweepAnew(anew);
-    for (const Knowledge& k : former) addDifferences(k, disturbed);
+    for (const Knowledge& k : former) disturbDifferences(k);
   }
   while (reachTheUnseen()) drain(std::numeric_limits<long>::max());
 }
@@ -254,6 +256,7 @@ void DgpcSweep::sweepAnew(std::span<const int> labels) {
 void DgpcSweep::indexEntries() {
   if (!isTouched_.empty()) return;
   isTouched_.resize(mesh_.vertexCount());
+  disturbed_ = IndexSet(mesh_.vertexCount());
   isMarked_.resize(mesh_.vertexCount());
   verticesOf_.resize(sites_.size());
   for (int e = 0; e < static_cast<int>(entries_.size()); ++e)
@@ -269,15 +272,15 @@ DgpcSweep::Knowledge DgpcSweep::knowledgeOf(int label) const {
   return knowledge;
 }
 
-/// Adds the vertices at which a label knows anything else than before.
-void DgpcSweep::addDifferences(const Knowledge& before, IndexSet& vertices) {
+/// Notes the vertices at which a label knows anything else than before.
+void DgpcSweep::disturbDifferences(const Knowledge& before) {
   for (const auto& [vertex, distance, view] : before.places) {
     const int e = find(vertex, before.label);
-    if (e < 0 || entries_[e].distance != distance || !(views_[e] == view)) vertices.add(vertex);
+    if (e < 0 || entries_[e].distance != distance || !(views_[e] == view)) disturbed_.add(vertex);
     isMarked_[vertex] = true;
   }
   for (const int v : verticesOf_[before.label])
-    if (!isMarked_[v]) vertices.add(v);
+    if (!isMarked_[v]) disturbed_.add(v);
   for (const auto& place : before.places) isMarked_[place.vertex] = false;
 }
 

@@ -109,7 +109,7 @@ class DgpcSweep final : public Propagation {
   void forget(int label);
   void sweepAnew(std::span<const int> labels);
   std::vector<int> labelsAround(std::span<const int> vertices, std::span<const int> without) const;
-  void addDifferences(const Knowledge& before, IndexSet& vertices);
+  void disturbDifferences(const Knowledge& before);
 
   long drain(long budget);
   void prefetchUpcoming() const;
@@ -151,6 +151,7 @@ class DgpcSweep final : public Propagation {
   std::vector<std::vector<int>> verticesOf_;  ///< per label, where it is known
   std::vector<char> isTouched_, isMarked_;    ///< per vertex
   std::vector<int> touched_;
+  IndexSet disturbed_;  ///< the vertices where a change of sites has changed anything
 };
 
 }  // namespace gvd

@@ -33,19 +33,20 @@ namespace {
 /// what has shrunk to nothing.
 class Tracer {
  public:
-  /// Traces the outlines of the labels that `isTraced` says, of all if it is empty.
+  /// Traces the outlines of the labels that `isTraced` says, of all if it is empty. `pointOfNode`
+  /// has -1 for every node, and is so left.
   Tracer(const TriangleMesh& mesh, const DistanceField& distances, const FaceComplex& complex,
-         int siteCount, std::span<const char> isTraced)
+         int siteCount, std::span<const char> isTraced, std::span<int> pointOfNode)
       : mesh_(mesh),
         distances_(distances),
         complex_(complex),
         isTraced_(isTraced),
         tail_(complex.tails()),
         twin_(complex.twins()),
-        pointOfNode_(complex.nodeCount(), -1) {
+        pointOfNode_(pointOfNode) {
     out_.siteCount = siteCount;
     out_.regionArea.assign(siteCount, 0.0);
-    out_.faceLabel.assign(mesh.faceCount(), Diagram::kMixed);
+    out_.faceLabel.assign(complex.faceCount(), Diagram::kMixed);
   }
 
   TracedDiagram trace() {
@@ -61,6 +62,7 @@ class Tracer {
     collectVoronoiPoints();
     collectLoops();
     collectCells();
+    for (const int node : nodesWithPoint_) pointOfNode_[node] = -1;
     return {std::move(out_), std::move(mergedFaces_), complex_.completedFaces()};
   }
 
@@ -171,7 +173,7 @@ class Tracer {
   void give(int element, int owner) {
     const int face = complex_.face(element);
     if (!complex_.isWhole(element)) return divide(element, owner, {squaredSides(mesh_, face), {}});
-    out_.faceLabel[face] = owner;
+    out_.faceLabel[complex_.faceIndex(face)] = owner;
     if (owner >= 0) out_.regionArea[owner] += mesh_.faceArea(face);
   }
 
@@ -336,6 +338,7 @@ class Tracer {
       point =
           addPoint({complex_.face(element), complex_.faceBary(element, bary)}, 0.0, {-1, -1, -1});
       isNode_.back() = true;
+      nodesWithPoint_.push_back(node);
     }
     return point;
   }
@@ -499,6 +502,7 @@ class Tracer {
       pointOfNode_[vertex] =
           addPoint({TriangleMesh::faceOf(h), Eigen::Vector3d::Unit(h % 3)}, 0.0, {-1, -1, -1});
       isNode_.back() = true;
+      nodesWithPoint_.push_back(vertex);
     }
     return pointOfNode_[vertex];
   }
@@ -867,7 +871,7 @@ class Tracer {
   void collectCells(std::span<const Cell> cells) {
     const int face = cells.front().face, first = cells.front().label;
     if (std::all_of(cells.begin(), cells.end(), [&](const Cell& c) { return c.label == first; })) {
-      out_.faceLabel[face] = first;
+      out_.faceLabel[complex_.faceIndex(face)] = first;
       return;
     }
     PointLists& lists = out_.cells;
@@ -876,7 +880,7 @@ class Tracer {
     const std::span<int> points = std::span(lists.points).subspan(lists.offset[before]);
     if (lists.size() == before + 1 && points.size() == 3 &&
         std::all_of(points.begin(), points.end(), [&](int p) { return isNode_[p]; })) {
-      out_.faceLabel[face] = out_.cellLabel.back();
+      out_.faceLabel[complex_.faceIndex(face)] = out_.cellLabel.back();
       dropLastCell();
       return;
     }
@@ -923,7 +927,8 @@ class Tracer {
   std::vector<int> parent_;   ///< union-find over points_
   std::vector<char> merged_;  ///< of roots: whether they stand for several points
   std::vector<int> mergedFaces_;
-  std::vector<int> pointOfNode_;
+  const std::span<int> pointOfNode_;
+  std::vector<int> nodesWithPoint_;
   std::vector<int> firstOnSide_;  ///< per side of mixed elements
   std::vector<Segment> segments_;
   std::vector<int> nextDart_;  ///< of the same region; -1 where it comes to the mesh boundary
@@ -959,15 +964,20 @@ Diagram traceDiagram(const TriangleMesh& mesh, const DistanceField& distances, i
 TracedDiagram traceAll(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,
                        const DiagramOptions& options) {
   const FaceComplex complex(mesh, distances, options.detail);
-  return Tracer(mesh, distances, complex, siteCount, {}).trace();
+  std::vector<int> pointOfNode(complex.nodeCount(), -1);
+  return Tracer(mesh, distances, complex, siteCount, {}, pointOfNode).trace();
 }
 
-TracedDiagram traceFaces(const TriangleMesh& mesh, const DistanceField& distances,
-                         const DiagramOptions& options, std::span<const int> faces,
-                         std::span<const char> isTraced) {
-  const FaceComplex complex(mesh, distances, options.detail, faces);
+PartialTracer::PartialTracer(const TriangleMesh& mesh, const DistanceField& distances,
+                             const DiagramOptions& options)
+    : mesh_(mesh), distances_(distances), options_(options), complex_(mesh, distances) {}
+
+TracedDiagram PartialTracer::trace(std::span<const int> faces, std::span<const char> isTraced) {
+  complex_.take(faces, options_.detail);
+  if (complex_.nodeCount() > static_cast<int>(pointOfNode_.size()))
+    pointOfNode_.resize(complex_.nodeCount(), -1);
   const int siteCount = static_cast<int>(isTraced.size());
-  return Tracer(mesh, distances, complex, siteCount, isTraced).trace();
+  return Tracer(mesh_, distances_, complex_, siteCount, isTraced, pointOfNode_).trace();
 }
 
 }  // namespace gvd

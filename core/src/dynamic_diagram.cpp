@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -24,7 +25,8 @@ class DynamicDiagram::Implementation {
       : mesh_(mesh),
         options_(options),
         sweep_(mesh, sites, Spread::kAsNeeded, Straightens::kBetweenRegions),
-        pieces_(mesh.faceCount()) {
+        pieces_(mesh.faceCount()),
+        faces_(mesh.faceCount()) {
     while (!sweep_.step(std::numeric_limits<long>::max())) {
     }
     std::vector<LabelledDistance> nearest;
@@ -37,7 +39,9 @@ class DynamicDiagram::Implementation {
     field_ =
         std::make_unique<DgpcField>(mesh, std::vector<SurfacePoint>(sites.begin(), sites.end()),
                                     std::move(nearest), std::move(views));
-    continueOverBorders(*field_, Straightens::kBetweenRegions);
+    Continuation(*field_).runEverywhere(Straightens::kBetweenRegions);
+    continuation_.emplace(*field_);
+    tracer_.emplace(mesh, *field_, options);
     std::vector<int> faces(mesh.faceCount()), labels(sites.size());
     std::iota(faces.begin(), faces.end(), 0);
     std::iota(labels.begin(), labels.end(), 0);
@@ -79,12 +83,12 @@ class DynamicDiagram::Implementation {
       field_->setNearest(v, nearest, view);
     }
     makeSet(changed);
-    LabelChange labels = continueOverBorders(*field_, changed);
+    LabelChange labels = continuation_->runAround(changed);
     labels.labels.push_back(label);
     makeSet(labels.labels);
-    IndexSet faces(mesh_.faceCount());
-    for (const int v : labels.vertices) addFacesAround(v, faces);
-    noteShared(faces.sorted(), labels.labels);
+    faces_.clear();
+    for (const int v : labels.vertices) addFacesAround(v);
+    noteShared(faces_.sorted(), labels.labels);
     return trace(labels);
   }
 
@@ -123,7 +127,7 @@ class DynamicDiagram::Implementation {
     for (;;) {
       const std::vector<int> tracedLabels = labels.sorted();
       const std::vector<int> tracedFaces = facesWhereMet(tracedLabels);
-      TracedDiagram traced = traceFaces(mesh_, *field_, options_, tracedFaces, marks(tracedLabels));
+      TracedDiagram traced = tracer_->trace(tracedFaces, marks(tracedLabels));
       if (!traced.completedFaces.empty() || haveCommon(tracedFaces, completedFaces_))
         return replaceAll();
       std::vector<int> merged = traced.mergedFaces;
@@ -133,13 +137,17 @@ class DynamicDiagram::Implementation {
       for (const int f : merged) addLabelsAround(f, labels);
       if (labels.size() > static_cast<int>(tracedLabels.size())) continue;
 
-      IndexSet faces = facesAround(change.vertices);
+      faces_.clear();
+      for (const int v : change.vertices) {
+        addFacesAround(v);
+        mesh_.visitNeighbours(v, [&](int neighbour) { addFacesAround(neighbour); });
+      }
       for (const int f : merged)
-        for (int h = 3 * f; h < 3 * f + 3; ++h) addFacesAround(mesh_.tail(h), faces);
+        for (int h = 3 * f; h < 3 * f + 3; ++h) addFacesAround(mesh_.tail(h));
       std::erase_if(mergedFaces_, [&](int f) { return isOneOf(tracedFaces, f); });
       mergedFaces_.insert(mergedFaces_.end(), traced.mergedFaces.begin(), traced.mergedFaces.end());
       makeSet(mergedFaces_);
-      return replaced(tracedLabels, faces, traced.diagram, tracedFaces);
+      return replaced(tracedLabels, faces_.sorted(), traced.diagram);
     }
   }
 
@@ -152,16 +160,6 @@ class DynamicDiagram::Implementation {
       add(mesh_.tail(h));
       mesh_.visitNeighbours(mesh_.tail(h), add);
     }
-  }
-
-  /// The faces of some vertices and their neighbours.
-  IndexSet facesAround(std::span<const int> vertices) const {
-    IndexSet faces(mesh_.faceCount());
-    for (const int v : vertices) {
-      addFacesAround(v, faces);
-      mesh_.visitNeighbours(v, [&](int neighbour) { addFacesAround(neighbour, faces); });
-    }
-    return faces;
   }
 
   /// `faces` are ascending.
@@ -206,30 +204,31 @@ class DynamicDiagram::Implementation {
   }
 
   /// Puts what has been traced of the changed labels and faces in the place of what there was.
-  DiagramChange replaced(const std::vector<int>& labels, const IndexSet& faces,
-                         const Diagram& traced, std::span<const int> tracedFaces) {
-    const IndexSet isTraced(mesh_.faceCount(), tracedFaces);
-    DiagramChange change{labels, faces.sorted(), {}};
+  DiagramChange replaced(const std::vector<int>& labels, std::vector<int> faces,
+                         const Diagram& traced) {
+    DiagramChange change{labels, std::move(faces), {}};
     change.part = extract(traced, marks(labels), change.faces);
-    for (const int f : change.faces)
-      change.part.faceLabel.push_back(
-          isTraced.contains(f) ? traced.faceLabel[f] : field_->nearest(mesh_.tail(3 * f)).label);
+    for (const int f : change.faces) {
+      const int index = tracer_->faceIndex(f);
+      change.part.faceLabel.push_back(index >= 0 ? traced.faceLabel[index]
+                                                 : field_->nearest(mesh_.tail(3 * f)).label);
+    }
     pieces_.replace(change);
     for (const int label : change.labels) {
       double area = traced.regionArea[label];
       for (const int f : pieces_.wholeFaces(label))
-        if (!isTraced.contains(f)) area += mesh_.faceArea(f);
+        if (tracer_->faceIndex(f) < 0) area += mesh_.faceArea(f);
       change.part.regionArea.push_back(area);
       pieces_.setArea(label, area);
     }
     return change;
   }
 
-  void addFacesAround(int vertex, IndexSet& faces) const {
+  void addFacesAround(int vertex) {
     const int first = mesh_.outgoing(vertex);
     int h = first;
     do {
-      faces.add(TriangleMesh::faceOf(h));
+      faces_.add(TriangleMesh::faceOf(h));
       h = mesh_.rotate(h);
     } while (h >= 0 && h != first);
   }
@@ -238,10 +237,13 @@ class DynamicDiagram::Implementation {
   DiagramOptions options_;
   DgpcSweep sweep_;
   std::unique_ptr<DgpcField> field_;
+  std::optional<Continuation> continuation_;
+  std::optional<PartialTracer> tracer_;
   DiagramPieces pieces_;
   // Ascending:
   std::vector<int> mergedFaces_;     ///< where points have become one, and some where they had
   std::vector<int> completedFaces_;  ///< where the tracer had to add labels when all was traced
+  IndexSet faces_;                   ///< those that are gathered at the time
   /// Per label the faces with a corner where it and others are known.
   std::vector<std::vector<int>> sharedFaces_;
 };

@@ -72,11 +72,17 @@ FaceComplex::FaceComplex(const TriangleMesh& mesh, const DistanceField& distance
   complete();
 }
 
-FaceComplex::FaceComplex(const TriangleMesh& mesh, const DistanceField& distances, int detail,
-                         std::span<const int> faces)
-    : mesh_(mesh), distances_(distances) {
-  nodes_.resize(mesh.vertexCount());
+FaceComplex::FaceComplex(const TriangleMesh& mesh, const DistanceField& distances)
+    : mesh_(mesh),
+      distances_(distances),
+      nodes_(mesh.vertexCount()),
+      indexInPart_(mesh.faceCount(), -1) {}
+
+void FaceComplex::take(std::span<const int> faces, int detail) {
+  clear();
   takeFaces(faces);
+  partSize_ = static_cast<int>(faces.size());
+  for (int e = 0; e < partSize_; ++e) indexInPart_[face_[e]] = e;
   for (const int v : tail_)
     if (nodes_[v].owner < 0) noteOwner(v);
   if (detail > 0) {
@@ -87,6 +93,21 @@ FaceComplex::FaceComplex(const TriangleMesh& mesh, const DistanceField& distance
   }
   collectContested();
   complete();
+}
+
+void FaceComplex::clear() {
+  nodes_.resize(mesh_.vertexCount());
+  for (const int node : tail_)
+    if (node < nodeCount()) nodes_[node] = {};
+  for (const int f : face_) indexInPart_[f] = -1;
+  tail_.clear();
+  twin_.clear();
+  face_.clear();
+  corners_.clear();
+  contested_.clear();
+  completedFaces_.clear();
+  ownLabels_.clear();
+  midpoint_.clear();
 }
 
 void FaceComplex::takeFaces(std::span<const int> faces) {
@@ -373,14 +394,12 @@ void FaceComplex::matchTwins() {
   }
 }
 
-/// The same where the elements are faces.
+/// The same where the elements are the faces of a part.
 void FaceComplex::matchTwinsOfFaces() {
-  std::vector<int> elementOf(mesh_.faceCount(), -1);
-  for (int e = 0; e < elementCount(); ++e) elementOf[face_[e]] = e;
   twin_.resize(tail_.size());
   for (int h = 0; h < static_cast<int>(twin_.size()); ++h) {
     const int twin = mesh_.twin(3 * face_[h / 3] + h % 3);
-    const int element = twin < 0 ? -1 : elementOf[TriangleMesh::faceOf(twin)];
+    const int element = twin < 0 ? -1 : indexInPart_[TriangleMesh::faceOf(twin)];
     twin_[h] = element < 0 ? -1 : 3 * element + twin % 3;
   }
 }

@@ -24,9 +24,12 @@ class FaceComplex {
   /// Of all faces. Those of several regions are split `detail` times in four, with distances at the
   /// new nodes.
   FaceComplex(const TriangleMesh& mesh, const DistanceField& distances, int detail);
-  /// Of some faces, given ascending; nothing is known at vertices they do not have.
-  FaceComplex(const TriangleMesh& mesh, const DistanceField& distances, int detail,
-              std::span<const int> faces);
+  /// Of no faces yet.
+  FaceComplex(const TriangleMesh& mesh, const DistanceField& distances);
+  /// The same of some faces, given ascending, and of no others; nothing is known at vertices that
+  /// these do not have. Only for a complex made without faces, again and again: takes time for
+  /// these faces and for those that it had.
+  void take(std::span<const int> faces, int detail);
 
   int elementCount() const { return static_cast<int>(tails().size() / 3); }
   int nodeCount() const { return static_cast<int>(nodes_.size()); }
@@ -36,6 +39,9 @@ class FaceComplex {
   std::span<const int> twins() const { return isOwn() ? twin_ : mesh_.twins(); }
   /// The mesh's boundary halfedge that a halfedge without twin is part of, or -1.
   int boundaryHalfedge(int h) const;
+  /// How many faces it is made of, and which of them a face is, -1 if it is none.
+  int faceCount() const { return isPart() ? partSize_ : mesh_.faceCount(); }
+  int faceIndex(int face) const { return isPart() ? indexInPart_[face] : face; }
   int face(int element) const { return isOwn() ? face_[element] : element; }
   /// Whether an element is all of its face.
   bool isWhole(int element) const {
@@ -72,7 +78,9 @@ class FaceComplex {
  private:
   /// Whether elements are kept here, because they are not just the faces of the mesh.
   bool isOwn() const { return isOwn_; }
+  bool isPart() const { return !indexInPart_.empty(); }
   void takeFaces(std::span<const int> faces);
+  void clear();
   void noteOwner(int node);
   void refine(int detail);
   bool mustSplit(int element) const;
@@ -104,6 +112,8 @@ class FaceComplex {
   std::vector<Node> nodes_;
   std::vector<int> contested_;
   bool isOwn_ = false;
+  std::vector<int> indexInPart_;  ///< per face of the mesh, -1 if it is not in; empty if all are
+  int partSize_ = 0;
   std::vector<int> completedFaces_;
   std::vector<int> tail_, twin_, face_;
   std::vector<Eigen::Matrix3d> corners_;

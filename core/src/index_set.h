@@ -23,6 +23,11 @@ class IndexSet {
     list_.push_back(i);
     return true;
   }
+  /// Takes all out, in time for what was in.
+  void clear() {
+    for (const int i : list_) isIn_[i] = false;
+    list_.clear();
+  }
   bool contains(int i) const { return isIn_[i]; }
   int size() const { return static_cast<int>(list_.size()); }
   /// In the order in which they were added.
@@ -38,8 +43,8 @@ class IndexSet {
   std::vector<int> list_;
 };
 
-/// Sorts a list of indices and drops what occurs again. Takes little where most of the list is a set
-/// already, to which others have been added.
+/// Sorts a list of indices and drops what occurs again. Takes little where most of the list is a
+/// set already, to which others have been added.
 inline void makeSet(std::vector<int>& indices) {
   const auto added = std::is_sorted_until(indices.begin(), indices.end());
   std::sort(added, indices.end());
