@@ -256,6 +256,7 @@ class Tracer {
         corner.point = pointAt(element, vertex, sides, longest);
       }
     }
+    tellApartInnerPoints();
     cellAreas_.clear();
     for (const FaceEnvelope::Cell& cell : envelope_.cells()) {
       const size_t n = cell.sides.size();
@@ -282,6 +283,22 @@ class Tracer {
           {face, label(cell.function), first, static_cast<int>(cellPoints_.size()) - first});
     }
     addAreas(mesh_.faceArea(face));
+  }
+
+  /// Where slivers meet, an inner point may be where another one is that no segment joins it to:
+  /// they stay two points, and so have to be told apart by their places.
+  void tellApartInnerPoints() {
+    for (size_t v = 0; v < corners_.size(); ++v) {
+      const int inner = corners_[v].point;
+      if (inner < 0 || envelope_.vertices()[v].kind != FaceEnvelope::Vertex::kInside) continue;
+      SurfacePoint& place = place_[inner];
+      for (const Corner& other : corners_) {
+        if (other.point < 0 || other.point == inner) continue;
+        const SurfacePoint& there = place_[other.point];
+        if (place.face == there.face && place.bary == there.bary)
+          place.bary[0] = std::nextafter(place.bary[0], 0.5);
+      }
+    }
   }
 
   /// Adds the areas of an element's cells, given as shares of its face, to those of the regions.

@@ -231,6 +231,25 @@ TEST(DynamicDiagram, FollowsTiesFarBehindASaddle) {
   expectTies(64, 96);
 }
 
+/// Two pairs of sites 1e-13 apart. In the middle face the region of site 4 is a sliver whose
+/// corners rounding puts in one place, though no segment joins them.
+TEST(DynamicDiagram, TellsPointsInOnePlaceApart) {
+  const shapes::Shape shape{
+      {0.6, 0, 4.8985871965894131e-17, -0.49999999999999972, 0.8660254037844386, -0.4,
+       0.99999999999999989, 0, -0.4, -0.69999999999999962, 1.2124355652982142, 0},
+      {0, 1, 2, 2, 1, 3}};
+  const auto mesh = shape.mesh();
+  const std::vector<SurfacePoint> sites = {
+      {1, {0.11291687275999007, 0.79157418935549884, 0.095508937884511091}},
+      {1, {0.11291687275992461, 0.79157418935556434, 0.095508937884511091}},
+      {0, {0.46231701912957457, 0.33547486435464635, 0.20220811651577908}},
+      {1, {0.10271863432590278, 0.75410095133907584, 0.14318041433502138}},
+      {1, {0.10271863432580941, 0.75410095133916921, 0.14318041433502138}}};
+  std::vector<SurfacePoint> own;
+  for (const SurfacePoint& site : sites) own.push_back(mesh.fromInput(site));
+  EXPECT_TRUE(checks::isConsistent(mesh, DynamicDiagram(mesh, own).diagram()));
+}
+
 TEST(DynamicDiagram, GivesTheLowestFreeLabel) {
   const TriangleMesh mesh = shapes::grid(6, 6, 0.3, 1).mesh();
   RandomEdits random(mesh, 1);
