@@ -9,10 +9,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/random.h"
 #include "gvd/diagram.h"
 #include "gvd/sampling.h"
 #include "metrics.h"
-#include "random.h"
 #include "shapes.h"
 
 namespace gvd::bench {

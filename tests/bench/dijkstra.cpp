@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dijkstra.h"
 
-#include "heap.h"
+#include "base/heap.h"
 
 namespace gvd::bench {
 namespace {

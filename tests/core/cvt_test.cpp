@@ -9,12 +9,12 @@
 #include <limits>
 #include <numbers>
 
-#include "cvt_energy.h"
 #include "diagram_checks.h"
 #include "gvd/error.h"
 #include "gvd/sampling.h"
 #include "gvd/straightest.h"
 #include "shapes.h"
+#include "tessellation/cvt_energy.h"
 
 namespace gvd {
 namespace {

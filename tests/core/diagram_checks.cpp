@@ -109,9 +109,8 @@ AssertionResult checkComplex(const TriangleMesh& mesh, const Diagram& d) {
   for (size_t i = 0; i < d.points.size(); ++i) {
     Eigen::Index corner;
     const SurfacePoint& p = d.points[i];
-    name[i] = p.bary.maxCoeff(&corner) == 1
-                  ? mesh.tail(3 * p.face + static_cast<int>(corner))
-                  : mesh.vertexCount() + static_cast<int>(i);
+    name[i] = p.bary.maxCoeff(&corner) == 1 ? mesh.tail(3 * p.face + static_cast<int>(corner))
+                                            : mesh.vertexCount() + static_cast<int>(i);
   }
   Sides sides;
   int faces = 0;

@@ -39,8 +39,8 @@ struct Options {
 
 std::string_view nameOf(Metric metric) { return metric == Metric::kDgpc ? "dgpc" : "exact"; }
 
-/// What is wrong with a diagram whose sites have changed: one has moved to the middle of a face, one
-/// has gone, and one has come to where another one is.
+/// What is wrong with a diagram whose sites have changed: one has moved to the middle of a face,
+/// one has gone, and one has come to where another one is.
 std::string complaintAfterChanges(const TriangleMesh& mesh, std::span<const SurfacePoint> sites) {
   DynamicDiagram dynamic(mesh, sites);
   const int count = static_cast<int>(sites.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "face_strip.h"
+#include "dgpc/face_strip.h"
 
 #include <gtest/gtest.h>
 

@@ -8,9 +8,9 @@
 #include <array>
 #include <cmath>
 
-#include "convex_triangulation.h"
 #include "diagram_checks.h"
 #include "gvd/sampling.h"
+#include "mesh/convex_triangulation.h"
 #include "partition_checks.h"
 #include "shapes.h"
 

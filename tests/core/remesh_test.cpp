@@ -11,9 +11,9 @@
 #include "gvd/cvt.h"
 #include "gvd/dual.h"
 #include "gvd/sampling.h"
-#include "nearest_on_triangle.h"
+#include "mesh/nearest_on_triangle.h"
+#include "mesh/triangle_tree.h"
 #include "shapes.h"
-#include "triangle_tree.h"
 
 namespace gvd {
 namespace {

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+#include "diagram/diagram_pieces.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <iterator>
+#include <unordered_map>
+#include <utility>
+
+#include "base/index_set.h"
+
+namespace gvd {
+namespace {
+
+/// Numbers places, each once: two are the same if they are written the same.
+class PlaceIndex {
+ public:
+  int add(const SurfacePoint& place) {
+    const auto [entry, isNew] = index_.try_emplace(place, static_cast<int>(places_.size()));
+    if (isNew) places_.push_back(place);
+    return entry->second;
+  }
+
+  std::vector<int> addAll(std::span<const SurfacePoint> places) {
+    std::vector<int> indices;
+    for (const SurfacePoint& p : places) indices.push_back(add(p));
+    return indices;
+  }
+
+  std::vector<SurfacePoint> take() { return std::move(places_); }
+
+ private:
+  struct Hash {
+    size_t operator()(const SurfacePoint& p) const {
+      std::uint64_t hash = static_cast<std::uint64_t>(p.face);
+      for (int i = 0; i < 2; ++i)
+        hash = (hash ^ std::hash<double>()(p.bary[i])) * 0x9e3779b97f4a7c15u;
+      return static_cast<size_t>(hash ^ hash >> 32);
+    }
+  };
+  struct Equal {
+    bool operator()(const SurfacePoint& a, const SurfacePoint& b) const {
+      return a.face == b.face && a.bary == b.bary;
+    }
+  };
+
+  std::unordered_map<SurfacePoint, int, Hash, Equal> index_;
+  std::vector<SurfacePoint> places_;
+};
+
+/// Copies what is wanted of a diagram, points numbered anew.
+class Extract {
+ public:
+  Extract(const Diagram& from, std::span<const char> isWanted)
+      : from_(from), isWanted_(isWanted), pointOf_(from.points.size(), -1) {}
+
+  /// The loops, arcs and Voronoi points of the labels, and the cells of the faces.
+  Diagram run(std::span<const int> faces) {
+    out_.siteCount = from_.siteCount;
+    addArcs();
+    for (const Diagram::VoronoiPoint& v : from_.voronoiPoints)
+      if (std::any_of(v.labels.begin(), v.labels.end(), [&](int l) { return isWanted_[l]; }))
+        out_.voronoiPoints.push_back({point(v.point), v.labels});
+    for (int i = 0; i < from_.loops.size(); ++i) {
+      if (!isWanted_[from_.loopLabel[i]]) continue;
+      addList(from_.loops[i], out_.loops);
+      out_.loopLabel.push_back(from_.loopLabel[i]);
+    }
+    for (int i = 0; i < from_.cells.size(); ++i) {
+      if (!std::binary_search(faces.begin(), faces.end(), from_.cellFace[i])) continue;
+      addList(from_.cells[i], out_.cells);
+      out_.cellFace.push_back(from_.cellFace[i]);
+      out_.cellLabel.push_back(from_.cellLabel[i]);
+    }
+    std::set_intersection(from_.indifferentFaces.begin(), from_.indifferentFaces.end(),
+                          faces.begin(), faces.end(), std::back_inserter(out_.indifferentFaces));
+    return std::move(out_);
+  }
+
+ private:
+  void addArcs() {
+    std::vector<int> arcOf(from_.arcs.size(), -1);
+    for (int i = 0; i < from_.arcs.size(); ++i) {
+      const auto& labels = from_.arcLabels[i];
+      if (!isWanted_[labels[0]] && !isWanted_[labels[1]]) continue;
+      arcOf[i] = out_.arcs.size();
+      addList(from_.arcs[i], out_.arcs);
+      out_.arcLabels.push_back(labels);
+    }
+    for (const Diagram::Segment& s : from_.segments)
+      if (arcOf[s.arc] >= 0)
+        out_.segments.push_back(
+            {{point(s.points[0]), point(s.points[1])}, s.labels, s.face, arcOf[s.arc]});
+  }
+
+  void addList(std::span<const int> points, PointLists& to) {
+    list_.clear();
+    for (const int p : points) list_.push_back(point(p));
+    to.add(list_);
+  }
+
+  int point(int p) {
+    if (pointOf_[p] < 0) {
+      pointOf_[p] = static_cast<int>(out_.points.size());
+      out_.points.push_back(from_.points[p]);
+    }
+    return pointOf_[p];
+  }
+
+  const Diagram& from_;
+  std::span<const char> isWanted_;
+  std::vector<int> pointOf_;
+  std::vector<int> list_;
+  Diagram out_;
+};
+
+}  // namespace
+
+void DiagramPieces::replace(const DiagramChange& change) {
+  removePieces(change);
+  const Diagram& part = change.part;
+  const auto setPlaces = [&](std::span<const int> points, std::vector<SurfacePoint>& to) {
+    to.clear();
+    for (const int p : points) to.push_back(part.points[p]);
+  };
+  for (int i = 0; i < part.loops.size(); ++i)
+    setPlaces(part.loops[i], regions_[part.loopLabel[i]].loops.emplace_back());
+  std::vector<int> arcOf;
+  for (int i = 0; i < part.arcs.size(); ++i) {
+    arcOf.push_back(arcs_.add());
+    Arc& arc = arcs_[arcOf.back()];
+    arc.labels = part.arcLabels[i];
+    setPlaces(part.arcs[i], arc.points);
+    arc.segments.clear();
+    for (const int label : arc.labels) regions_[label].arcs.push_back(arcOf.back());
+  }
+  for (const Diagram::Segment& s : part.segments)
+    arcs_[arcOf[s.arc]].segments.push_back(
+        {part.points[s.points[0]], part.points[s.points[1]], s.face});
+  for (const Diagram::VoronoiPoint& v : part.voronoiPoints) {
+    const int number = voronoiPoints_.add();
+    voronoiPoints_[number].place = part.points[v.point];
+    voronoiPoints_[number].labels = v.labels;
+    for (const int label : v.labels) regions_[label].voronoiPoints.push_back(number);
+  }
+  for (size_t i = 0; i < change.faces.size(); ++i) {
+    faceLabel_[change.faces[i]] = part.faceLabel[i];
+    if (part.faceLabel[i] >= 0) regions_[part.faceLabel[i]].faces.push_back(change.faces[i]);
+  }
+  for (const int face : part.indifferentFaces) isIndifferent_[face] = true;
+  for (int i = 0; i < part.cells.size(); ++i)
+    addCell(part.cellFace[i], part.cellLabel[i], part, part.cells[i]);
+}
+
+void DiagramPieces::removePieces(const DiagramChange& change) {
+  if (!change.labels.empty() && change.labels.back() >= static_cast<int>(regions_.size()))
+    regions_.resize(change.labels.back() + 1);
+  for (const int label : change.labels) {
+    Region& region = regions_[label];
+    region.loops.clear();
+    while (!region.arcs.empty()) removeArc(region.arcs.back());
+    while (!region.voronoiPoints.empty()) removeVoronoiPoint(region.voronoiPoints.back());
+  }
+  for (const int face : change.faces) {
+    if (const int cells = std::exchange(cellsOf_[face], -1); cells >= 0) cells_.remove(cells);
+    isIndifferent_[face] = false;
+  }
+}
+
+void DiagramPieces::removeArc(int arc) {
+  for (const int label : arcs_[arc].labels) std::erase(regions_[label].arcs, arc);
+  arcs_.remove(arc);
+}
+
+void DiagramPieces::removeVoronoiPoint(int point) {
+  for (const int label : voronoiPoints_[point].labels)
+    std::erase(regions_[label].voronoiPoints, point);
+  voronoiPoints_.remove(point);
+}
+
+void DiagramPieces::addCell(int face, int label, const Diagram& part,
+                            std::span<const int> outline) {
+  if (cellsOf_[face] < 0) {
+    cellsOf_[face] = cells_.add();
+    cells_[cellsOf_[face]].cells.clear();
+    cells_[cellsOf_[face]].points.clear();
+  }
+  auto& [cells, points] = cells_[cellsOf_[face]];
+  for (const int p : outline) points.push_back(part.points[p]);
+  cells.push_back({label, static_cast<int>(points.size())});
+}
+
+const std::vector<int>& DiagramPieces::wholeFaces(int label) {
+  std::vector<int>& faces = regions_[label].faces;
+  std::erase_if(faces, [&](int f) { return faceLabel_[f] != label; });
+  makeSet(faces);
+  return faces;
+}
+
+Diagram DiagramPieces::whole() const {
+  Diagram out;
+  PlaceIndex points;
+  out.siteCount = static_cast<int>(regions_.size());
+  for (int a = 0; a < arcs_.limit(); ++a) {
+    if (!arcs_.isUsed(a)) continue;
+    const Arc& arc = arcs_[a];
+    const int index = out.arcs.size();
+    for (const Segment& s : arc.segments)
+      out.segments.push_back({{points.add(s.from), points.add(s.to)}, arc.labels, s.face, index});
+    out.arcs.add(points.addAll(arc.points));
+    out.arcLabels.push_back(arc.labels);
+  }
+  for (int v = 0; v < voronoiPoints_.limit(); ++v)
+    if (voronoiPoints_.isUsed(v))
+      out.voronoiPoints.push_back({points.add(voronoiPoints_[v].place), voronoiPoints_[v].labels});
+  for (int label = 0; label < out.siteCount; ++label) {
+    for (const auto& loop : regions_[label].loops) {
+      out.loops.add(points.addAll(loop));
+      out.loopLabel.push_back(label);
+    }
+    out.regionArea.push_back(regions_[label].area);
+  }
+  out.faceLabel = faceLabel_;
+  for (int f = 0; f < static_cast<int>(faceLabel_.size()); ++f) {
+    if (isIndifferent_[f]) out.indifferentFaces.push_back(f);
+    if (cellsOf_[f] < 0) continue;
+    const Cells& here = cells_[cellsOf_[f]];
+    int begin = 0;
+    for (const Cells::Cell& cell : here.cells) {
+      const auto count = static_cast<size_t>(cell.end - begin);
+      out.cells.add(points.addAll(std::span(here.points).subspan(begin, count)));
+      out.cellFace.push_back(f);
+      out.cellLabel.push_back(cell.label);
+      begin = cell.end;
+    }
+  }
+  out.points = points.take();
+  return out;
+}
+
+Diagram extract(const Diagram& from, std::span<const char> isWanted, std::span<const int> faces) {
+  return Extract(from, isWanted).run(faces);
+}
+
+}  // namespace gvd

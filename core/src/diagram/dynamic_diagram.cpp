@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: MIT
+#include "gvd/dynamic_diagram.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "base/index_set.h"
+#include "dgpc/continuation.h"
+#include "dgpc/dgpc_field.h"
+#include "dgpc/dgpc_sweep.h"
+#include "diagram/diagram_pieces.h"
+#include "diagram/trace_faces.h"
+#include "gvd/error.h"
+
+namespace gvd {
+
+class DynamicDiagram::Implementation {
+ public:
+  Implementation(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
+                 const DiagramOptions& options)
+      : mesh_(mesh),
+        options_(options),
+        sweep_(mesh, sites, Spread::kAsNeeded, Straightens::kBetweenRegions),
+        pieces_(mesh.faceCount()),
+        faces_(mesh.faceCount()) {
+    while (!sweep_.step(std::numeric_limits<long>::max())) {
+    }
+    std::vector<LabelledDistance> nearest;
+    std::vector<View> views;
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+      auto [site, view] = sweep_.nearest(v);
+      nearest.push_back(site);
+      views.push_back(view);
+    }
+    field_ =
+        std::make_unique<DgpcField>(mesh, std::vector<SurfacePoint>(sites.begin(), sites.end()),
+                                    std::move(nearest), std::move(views));
+    Continuation(*field_).runEverywhere(Straightens::kBetweenRegions);
+    continuation_.emplace(*field_);
+    tracer_.emplace(mesh, *field_, options);
+    std::vector<int> faces(mesh.faceCount()), labels(sites.size());
+    std::iota(faces.begin(), faces.end(), 0);
+    std::iota(labels.begin(), labels.end(), 0);
+    noteShared(faces, labels);
+    replaceAll();
+  }
+
+  int labelCount() const { return static_cast<int>(field_->sites().size()); }
+  const DgpcField& field() const { return *field_; }
+  Diagram whole() const { return pieces_.whole(); }
+
+  bool hasSite(int label) const {
+    return label >= 0 && label < labelCount() && field_->sites()[label].face >= 0;
+  }
+
+  void expectSite(int label) const {
+    if (!hasSite(label))
+      throw Error(ErrorCode::kInvalidArgument, "there is no site " + std::to_string(label));
+  }
+
+  /// Takes the site of a label away if it has one, and puts it to another place if one is given.
+  DiagramChange setSite(int label, const SurfacePoint& site) {
+    std::vector<int> changed;
+    const auto noteCorners = [&](const SurfacePoint& p) {
+      if (p.face < 0) return;
+      for (int i = 0; i < 3; ++i) changed.push_back(mesh_.tail(3 * p.face + i));
+    };
+    if (hasSite(label)) noteCorners(field_->sites()[label]);
+    noteCorners(site);
+    sweep_.setSite(label, site);
+    field_->setSite(label, site);
+    for (const int v : sweep_.takeTouched()) {
+      const auto [nearest, view] = sweep_.nearest(v);
+      const LabelledDistance& before = field_->nearest(v);
+      if (nearest.label == before.label && nearest.distance == before.distance &&
+          view == field_->view(v))
+        continue;
+      changed.push_back(v);
+      field_->setNearest(v, nearest, view);
+    }
+    makeSet(changed);
+    LabelChange labels = continuation_->runAround(changed);
+    labels.labels.push_back(label);
+    makeSet(labels.labels);
+    faces_.clear();
+    for (const int v : labels.vertices) addFacesAround(v);
+    noteShared(faces_.sorted(), labels.labels);
+    return trace(labels);
+  }
+
+ private:
+  /// Keeps note of where some labels meet others, after what is known in some faces has changed;
+  /// both ascending.
+  void noteShared(std::span<const int> faces, std::span<const int> labels) {
+    sharedFaces_.resize(labelCount());
+    const std::vector<char> isOne = marks(labels);
+    std::vector<size_t> kept;
+    for (const int label : labels) {
+      std::erase_if(sharedFaces_[label], [&](int f) { return isOneOf(faces, f); });
+      kept.push_back(sharedFaces_[label].size());
+    }
+    for (const int f : faces)
+      for (int h = 3 * f; h < 3 * f + 3; ++h) {
+        const auto known = field_->at(mesh_.tail(h));
+        if (known.size() < 2) continue;
+        for (const LabelledDistance& d : known) {
+          if (!isOne[d.label]) continue;
+          std::vector<int>& shared = sharedFaces_[d.label];
+          if (shared.empty() || shared.back() != f) shared.push_back(f);
+        }
+      }
+    for (size_t i = 0; i < labels.size(); ++i) {
+      std::vector<int>& shared = sharedFaces_[labels[i]];
+      std::inplace_merge(shared.begin(), shared.begin() + kept[i], shared.end());
+    }
+  }
+
+  /// Only in faces around the changed vertices, and by what the tracer completes in those beside
+  /// them, can cells be others. Where points have become one, or had, a bisector may lie where a
+  /// third label has no width left: what is known there counts as changed too, in all its faces.
+  DiagramChange trace(const LabelChange& change) {
+    IndexSet labels(labelCount(), change.labels);
+    for (;;) {
+      const std::vector<int> tracedLabels = labels.sorted();
+      const std::vector<int> tracedFaces = facesWhereMet(tracedLabels);
+      TracedDiagram traced = tracer_->trace(tracedFaces, marks(tracedLabels));
+      if (!traced.completedFaces.empty() || haveCommon(tracedFaces, completedFaces_))
+        return replaceAll();
+      std::vector<int> merged = traced.mergedFaces;
+      for (const int f : mergedFaces_)
+        if (isOneOf(tracedFaces, f)) merged.push_back(f);
+      makeSet(merged);
+      for (const int f : merged) addLabelsAround(f, labels);
+      if (labels.size() > static_cast<int>(tracedLabels.size())) continue;
+
+      faces_.clear();
+      for (const int v : change.vertices) {
+        addFacesAround(v);
+        mesh_.visitNeighbours(v, [&](int neighbour) { addFacesAround(neighbour); });
+      }
+      for (const int f : merged)
+        for (int h = 3 * f; h < 3 * f + 3; ++h) addFacesAround(mesh_.tail(h));
+      std::erase_if(mergedFaces_, [&](int f) { return isOneOf(tracedFaces, f); });
+      mergedFaces_.insert(mergedFaces_.end(), traced.mergedFaces.begin(), traced.mergedFaces.end());
+      makeSet(mergedFaces_);
+      return replaced(tracedLabels, faces_.sorted(), traced.diagram);
+    }
+  }
+
+  /// Adds the labels that are known in a face or in one that has a corner in common with it.
+  void addLabelsAround(int face, IndexSet& labels) const {
+    const auto add = [&](int v) {
+      for (const LabelledDistance& d : field_->at(v)) labels.add(d.label);
+    };
+    for (int h = 3 * face; h < 3 * face + 3; ++h) {
+      add(mesh_.tail(h));
+      mesh_.visitNeighbours(mesh_.tail(h), add);
+    }
+  }
+
+  /// `faces` are ascending.
+  static bool isOneOf(std::span<const int> faces, int face) {
+    return std::binary_search(faces.begin(), faces.end(), face);
+  }
+
+  static bool haveCommon(std::span<const int> faces, std::span<const int> few) {
+    return std::any_of(few.begin(), few.end(), [&](int f) { return isOneOf(faces, f); });
+  }
+
+  /// Traces all of the diagram.
+  DiagramChange replaceAll() {
+    TracedDiagram traced = traceAll(mesh_, *field_, labelCount(), options_);
+    mergedFaces_ = std::move(traced.mergedFaces);
+    completedFaces_ = std::move(traced.completedFaces);
+    makeSet(mergedFaces_);
+    makeSet(completedFaces_);
+    DiagramChange all{std::vector<int>(labelCount()), std::vector<int>(mesh_.faceCount()),
+                      std::move(traced.diagram)};
+    std::iota(all.labels.begin(), all.labels.end(), 0);
+    std::iota(all.faces.begin(), all.faces.end(), 0);
+    pieces_.replace(all);
+    for (const int label : all.labels) pieces_.setArea(label, all.part.regionArea[label]);
+    return all;
+  }
+
+  std::vector<char> marks(std::span<const int> labels) const {
+    std::vector<char> isOne(labelCount());
+    for (const int label : labels) isOne[label] = true;
+    return isOne;
+  }
+
+  /// All faces of which several labels are known at a corner, one of the given ones among them;
+  /// ascending.
+  std::vector<int> facesWhereMet(std::span<const int> labels) const {
+    std::vector<int> faces;
+    for (const int label : labels)
+      faces.insert(faces.end(), sharedFaces_[label].begin(), sharedFaces_[label].end());
+    makeSet(faces);
+    return faces;
+  }
+
+  /// Puts what has been traced of the changed labels and faces in the place of what there was.
+  DiagramChange replaced(const std::vector<int>& labels, std::vector<int> faces,
+                         const Diagram& traced) {
+    DiagramChange change{labels, std::move(faces), {}};
+    change.part = extract(traced, marks(labels), change.faces);
+    for (const int f : change.faces) {
+      const int index = tracer_->faceIndex(f);
+      change.part.faceLabel.push_back(index >= 0 ? traced.faceLabel[index]
+                                                 : field_->nearest(mesh_.tail(3 * f)).label);
+    }
+    pieces_.replace(change);
+    for (const int label : change.labels) {
+      double area = traced.regionArea[label];
+      for (const int f : pieces_.wholeFaces(label))
+        if (tracer_->faceIndex(f) < 0) area += mesh_.faceArea(f);
+      change.part.regionArea.push_back(area);
+      pieces_.setArea(label, area);
+    }
+    return change;
+  }
+
+  void addFacesAround(int vertex) {
+    const int first = mesh_.outgoing(vertex);
+    int h = first;
+    do {
+      faces_.add(TriangleMesh::faceOf(h));
+      h = mesh_.rotate(h);
+    } while (h >= 0 && h != first);
+  }
+
+  const TriangleMesh& mesh_;
+  DiagramOptions options_;
+  DgpcSweep sweep_;
+  std::unique_ptr<DgpcField> field_;
+  std::optional<Continuation> continuation_;
+  std::optional<PartialTracer> tracer_;
+  DiagramPieces pieces_;
+  // Ascending:
+  std::vector<int> mergedFaces_;     ///< where points have become one, and some where they had
+  std::vector<int> completedFaces_;  ///< where the tracer had to add labels when all was traced
+  IndexSet faces_;                   ///< those that are gathered at the time
+  /// Per label the faces with a corner where it and others are known.
+  std::vector<std::vector<int>> sharedFaces_;
+};
+
+DynamicDiagram::DynamicDiagram(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
+                               const DiagramOptions& options)
+    : implementation_(std::make_unique<Implementation>(mesh, sites, options)) {}
+
+DynamicDiagram::~DynamicDiagram() = default;
+DynamicDiagram::DynamicDiagram(DynamicDiagram&&) noexcept = default;
+DynamicDiagram& DynamicDiagram::operator=(DynamicDiagram&&) noexcept = default;
+
+DiagramChange DynamicDiagram::insertSite(const SurfacePoint& site) {
+  return implementation_->setSite(lowestFreeLabel(), site);
+}
+
+DiagramChange DynamicDiagram::removeSite(int label) {
+  implementation_->expectSite(label);
+  return implementation_->setSite(label, {});
+}
+
+DiagramChange DynamicDiagram::moveSite(int label, const SurfacePoint& site) {
+  implementation_->expectSite(label);
+  return implementation_->setSite(label, site);
+}
+
+int DynamicDiagram::lowestFreeLabel() const {
+  int label = 0;
+  while (hasSite(label)) ++label;
+  return label;
+}
+
+int DynamicDiagram::labelCount() const { return implementation_->labelCount(); }
+
+bool DynamicDiagram::hasSite(int label) const { return implementation_->hasSite(label); }
+
+const SurfacePoint& DynamicDiagram::site(int label) const {
+  implementation_->expectSite(label);
+  return implementation_->field().sites()[label];
+}
+
+const DistanceField& DynamicDiagram::distances() const { return implementation_->field(); }
+
+Diagram DynamicDiagram::diagram() const { return implementation_->whole(); }
+
+}  // namespace gvd

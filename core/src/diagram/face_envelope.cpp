@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "diagram/face_envelope.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "base/predicates.h"
+
+namespace gvd {
+
+double crossing(double aFirst, double bFirst, double aSecond, double bSecond) {
+  const double first = aFirst - bFirst, second = aSecond - bSecond;
+  // Of opposite signs, or one of them zero; both only where a perturbed tie put the crossing.
+  const double span = first - second;
+  return span == 0 ? 0.5 : std::clamp(first / span, 0.0, 1.0);
+}
+
+Eigen::Vector3d FaceEnvelope::bary(int vertex) const {
+  const Vertex& v = vertices_[vertex];
+  if (v.kind == Vertex::kCorner) return Eigen::Vector3d::Unit(v.place);
+  if (v.kind == Vertex::kOnSide) {
+    const int i = v.place, j = (i + 1) % 3;
+    const auto [low, high] = std::minmax(v.functions[0], v.functions[1]);
+    const auto &a = value(low), &c = value(high);
+    const double share = crossing(a[i], c[i], a[j], c[j]);
+    const double fromCorner[] = {1 - share, share, 0};  // i, and on
+    return {fromCorner[(3 - i) % 3], fromCorner[(4 - i) % 3], fromCorner[2 - i]};
+  }
+  // The common zero of b - a and c - a is their cross product, up to scale.
+  const auto &a = value(v.functions[0]), &b = value(v.functions[1]), &c = value(v.functions[2]);
+  const Eigen::Vector3d p(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+  const Eigen::Vector3d q(c[0] - a[0], c[1] - a[1], c[2] - a[2]);
+  const Eigen::Vector3d zero = p.cross(q).cwiseMax(0);
+  const double sum = zero.sum();
+  // No scale left: three functions that are equal along a line, a tie that only the perturbation
+  // resolves. Any point of the triangle serves, the caller merges it with its neighbours.
+  return sum > 0 ? Eigen::Vector3d(zero / sum) : Eigen::Vector3d::Constant(1.0 / 3);
+}
+
+/// Whether f is less than the envelope at a vertex. f has a higher label than everything inserted
+/// so far, hence a tie means no.
+bool FaceEnvelope::isBelow(int f, const Vertex& v) const {
+  const auto &a = value(v.functions[0]), &c = value(f);
+  if (v.kind == Vertex::kCorner) return c[v.place] < a[v.place];
+  const auto& b = value(v.functions[1]);
+  if (v.kind == Vertex::kOnSide) {
+    const int i = v.place, j = (i + 1) % 3;
+    return orientation({a[i], a[j]}, {b[i], b[j]}, {c[i], c[j]}) < 0;
+  }
+  return orientation(a, b, value(v.functions[2]), c) < 0;
+}
+
+void FaceEnvelope::compute(std::span<const LabelFunction> functions) {
+  functions_ = functions;
+  vertices_.clear();
+  if (cells_.empty()) cells_.emplace_back();
+  cellCount_ = 1;
+  cells_[0].function = 0;
+  cells_[0].sides.clear();
+  for (int i = 0; i < 3; ++i) {
+    vertices_.push_back({Vertex::kCorner, i, {0, -1, -1}});
+    cells_[0].sides.push_back({i, across(i)});
+  }
+  for (int f = 1; f < static_cast<int>(functions.size()); ++f) insert(f);
+}
+
+/// The new vertex where f's cell cuts the side of `cell` that goes from `from` to `to`; one vertex
+/// for both cells of the side.
+int FaceEnvelope::cutVertex(const Cell& cell, const CellSide& from, const CellSide& to,
+                            bool toIsBelow, int f) {
+  const int other = from.across;
+  if (isTriangleSide(other)) {
+    const int before = toIsBelow ? cell.function : f, after = toIsBelow ? f : cell.function;
+    vertices_.push_back({Vertex::kOnSide, triangleSide(other), {before, after, -1}});
+    return static_cast<int>(vertices_.size()) - 1;
+  }
+  for (const Cut& cut : cuts_)
+    if (cut.from == to.vertex && cut.to == from.vertex) return cut.vertex;
+  // `cell` is on the left of the side and `other` on its right; f takes over ahead or behind.
+  if (toIsBelow)
+    vertices_.push_back({Vertex::kInside, -1, {f, cell.function, other}});
+  else
+    vertices_.push_back({Vertex::kInside, -1, {f, other, cell.function}});
+  const int vertex = static_cast<int>(vertices_.size()) - 1;
+  cuts_.push_back({from.vertex, to.vertex, vertex});
+  return vertex;
+}
+
+/// Adds one function: its cell is what it takes from the others. Each cell, convex, gives up one
+/// run of its vertices, and the cut closes both parts.
+void FaceEnvelope::insert(int f) {
+  const int vertexCount = static_cast<int>(vertices_.size());
+  below_.assign(vertexCount, 0);
+  bool any = false;
+  for (int c = 0; c < cellCount_; ++c)
+    for (const CellSide& side : cells_[c].sides)
+      if (!below_[side.vertex]) any |= below_[side.vertex] = isBelow(f, vertices_[side.vertex]);
+  if (!any) return;
+
+  links_.clear();
+  cuts_.clear();
+  int remaining = 0;
+  for (int c = 0; c < cellCount_; ++c) {
+    Cell& cell = cells_[c];
+    const int n = static_cast<int>(cell.sides.size());
+    kept_.clear();
+    int entry = -1, exit = -1;  // where the outline of the part given up starts and ends
+    for (int s = 0; s < n; ++s) {
+      const CellSide from = cell.sides[s], to = cell.sides[s + 1 < n ? s + 1 : 0];
+      const bool fromBelow = below_[from.vertex], toBelow = below_[to.vertex];
+      if (!fromBelow) kept_.push_back(from);
+      int start = from.vertex, end = to.vertex;
+      if (fromBelow != toBelow) {
+        const int cut = cutVertex(cell, from, to, toBelow, f);
+        if (toBelow) {
+          entry = start = cut;
+          kept_.push_back({cut, f});
+        } else {
+          exit = end = cut;
+          kept_.push_back({cut, from.across});
+        }
+      }
+      if ((fromBelow || toBelow) && isTriangleSide(from.across))
+        links_.push_back({start, end, from.across});
+    }
+    if (entry >= 0) links_.push_back({exit, entry, cell.function});
+    if (kept_.empty()) continue;
+    std::swap(cell.sides, kept_);
+    if (remaining != c) std::swap(cells_[remaining], cells_[c]);
+    ++remaining;
+  }
+
+  if (remaining == static_cast<int>(cells_.size())) cells_.emplace_back();
+  cellCount_ = remaining + 1;
+  Cell& cell = cells_[remaining];
+  cell.function = f;
+  cell.sides.clear();
+  int at = links_[0].from;
+  for (size_t i = 0; i < links_.size(); ++i) {
+    const auto link =
+        std::find_if(links_.begin(), links_.end(), [&](const Link& l) { return l.from == at; });
+    // Where two former cells met on a side of the triangle there is nothing any more.
+    const bool isGone = at < vertexCount && vertices_[at].kind == Vertex::kOnSide;
+    if (!isGone) cell.sides.push_back({at, link->across});
+    at = link->to;
+  }
+  for (int v = 0; v < 3; ++v)
+    if (below_[v]) vertices_[v].functions[0] = f;
+}
+
+}  // namespace gvd

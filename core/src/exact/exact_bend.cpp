@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "exact/exact_bend.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace gvd::exact {
+
+using Eigen::Vector2d;
+
+bool bendsPaths(const TriangleMesh& mesh, int vertex) {
+  // Angle sums carry rounding; what is flat within it needs no virtual source.
+  constexpr double kRounding = 1e-12, kPi = std::numbers::pi;
+  return mesh.angleSum(vertex) > (mesh.onBoundary(vertex) ? kPi - kRounding : 2 * kPi + kRounding);
+}
+
+void Bend::collectFan(int vertex) {
+  fan_.clear();
+  const int first = mesh_.outgoing(vertex);
+  int o = first;
+  do {
+    fan_.push_back(o);
+    o = mesh_.rotate(o);
+  } while (o >= 0 && o != first);
+  isClosed_ = o >= 0;
+}
+
+double Bend::oppositeLength(int outgoing) const {
+  return frames_[outgoing / 3].length[Frame::after(outgoing % 3)];
+}
+
+/// Where a ray from the vertex meets the opposite side, from the tip of the outgoing halfedge,
+/// which is the x axis.
+double Bend::meetOpposite(int outgoing, const Vector2d& direction) const {
+  const Frame& f = frames_[outgoing / 3];
+  const int i = outgoing % 3, j = Frame::after(i);
+  const double numerator = f.length[i] * direction.y();
+  const double denominator = direction.x() * f.sine[j] + direction.y() * f.cosine[j];
+  if (!(numerator > 0)) return 0;
+  return denominator * f.length[j] > numerator ? numerator / denominator : f.length[j];
+}
+
+/// Turns on from an angle, given by its cosine and sine, by the angles of the faces that follow.
+template <class OutgoingAt>
+Bend::Turn Bend::turnByPi(Vector2d turned, int steps, OutgoingAt outgoingAt) const {
+  for (int step = 1; step < steps; ++step) {
+    const int o = outgoingAt(step);
+    const double c = frames_[o / 3].cosine[o % 3], s = frames_[o / 3].sine[o % 3];
+    const Vector2d next(turned.x() * c - turned.y() * s, turned.y() * c + turned.x() * s);
+    if (next.y() < 0) return {step, {-turned.x(), turned.y()}};
+    turned = next;
+  }
+  return {};
+}
+
+std::span<const OppositeSide> Bend::sidesBehind(int vertex, int arrival, double crossing) {
+  collectFan(vertex);
+  sides_.clear();
+  if (arrival < 0) {
+    for (int o : fan_) sides_.push_back({o, 0, oppositeLength(o)});
+    return sides_;
+  }
+  const int n = static_cast<int>(fan_.size());
+  int in = 0;  // where the path comes from
+  while (fan_[in] / 3 != arrival / 3) ++in;
+  const auto leftwards = [&](int step) { return fan_[(in + step) % n]; };
+  const auto rightwards = [&](int step) { return fan_[(in - step + n) % n]; };
+
+  const Frame& frame = frames_[fan_[in] / 3];
+  const int i = fan_[in] % 3;
+  const double c = frame.cosine[i], s = frame.sine[i];
+  const double share = crossing / frame.length[Frame::after(i)];
+  const double toPrevious = share * frame.length[Frame::before(i)];
+  Vector2d back((1 - share) * frame.length[i] + toPrevious * c, toPrevious * s);
+  back.normalize();
+  const Turn left =
+      turnByPi({c * back.x() + s * back.y(), std::max(0.0, s * back.x() - c * back.y())},
+               isClosed_ ? n : n - in, leftwards);
+  const Turn right =
+      turnByPi({back.x(), std::max(0.0, back.y())}, isClosed_ ? n : in + 1, rightwards);
+  const auto from = [&](int step) {
+    return step == left.step ? meetOpposite(leftwards(step), left.rest) : 0;
+  };
+  const auto to = [&](int step) {  // measured from the other side of its face
+    const int o = rightwards(step);
+    if (step != right.step) return oppositeLength(o);
+    const double c = frames_[o / 3].cosine[o % 3], s = frames_[o / 3].sine[o % 3];
+    const Vector2d& rest = right.rest;
+    return meetOpposite(o, {c * rest.x() + s * rest.y(), s * rest.x() - c * rest.y()});
+  };
+  if (isClosed_) {
+    if (left.step < 0 || right.step < 0) return sides_;
+    for (int step = left.step; step <= n - right.step; ++step)
+      sides_.push_back({leftwards(step), from(step), to(n - step)});
+    return sides_;
+  }
+  if (left.step >= 0)
+    for (int step = left.step; step < n - in; ++step)
+      sides_.push_back({leftwards(step), from(step), oppositeLength(leftwards(step))});
+  if (right.step >= 0)
+    for (int step = right.step; step <= in; ++step)
+      sides_.push_back({rightwards(step), 0, to(step)});
+  return sides_;
+}
+
+}  // namespace gvd::exact

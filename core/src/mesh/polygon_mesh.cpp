@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "gvd/polygon_mesh.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+
+#include "mesh/convex_triangulation.h"
+
+namespace gvd {
+namespace {
+
+/// Halfedge h leaves corner h of the list of all faces' corners.
+class PolygonHalfedges {
+ public:
+  explicit PolygonHalfedges(const PolygonMesh& mesh)
+      : tail_(mesh.faces.points), next_(tail_.size()), previous_(tail_.size()) {
+    for (int f = 0; f < mesh.faces.size(); ++f) {
+      const int first = mesh.faces.offset[f], end = mesh.faces.offset[f + 1];
+      for (int h = first; h < end; ++h) {
+        next_[h] = h + 1 < end ? h + 1 : first;
+        previous_[next_[h]] = h;
+      }
+    }
+    findTwins();
+  }
+
+  int count() const { return static_cast<int>(tail_.size()); }
+  int tail(int h) const { return tail_[h]; }
+  int tip(int h) const { return tail_[next_[h]]; }
+  int twin(int h) const { return twin_[h]; }
+  int next(int h) const { return next_[h]; }
+  /// The next halfedge that leaves the same vertex, counterclockwise; -1 past the last.
+  int rotate(int h) const { return twin_[previous_[h]]; }
+  int rotateBack(int h) const { return twin_[h] < 0 ? -1 : next_[twin_[h]]; }
+  /// Whether no side goes to where it comes from, or is there twice in one direction.
+  bool isOriented() const { return isOriented_; }
+
+ private:
+  void findTwins() {
+    twin_.assign(tail_.size(), -1);
+    std::vector<std::pair<std::uint64_t, int>> sides;
+    const auto key = [](int from, int to) {
+      return static_cast<std::uint64_t>(from) << 32 | static_cast<std::uint32_t>(to);
+    };
+    for (int h = 0; h < count(); ++h) {
+      isOriented_ &= tail(h) != tip(h);
+      sides.push_back({key(tail(h), tip(h)), h});
+    }
+    std::sort(sides.begin(), sides.end());
+    for (size_t i = 1; i < sides.size(); ++i) isOriented_ &= sides[i].first != sides[i - 1].first;
+    for (int h = 0; h < count(); ++h) {
+      const std::pair<std::uint64_t, int> sought(key(tip(h), tail(h)), 0);
+      const auto other = std::lower_bound(sides.begin(), sides.end(), sought);
+      if (other != sides.end() && other->first == sought.first) twin_[h] = other->second;
+    }
+  }
+
+  const std::vector<int>& tail_;
+  std::vector<int> next_, previous_, twin_;
+  bool isOriented_ = true;
+};
+
+bool hasRepeatedCorner(const PolygonMesh& mesh) {
+  std::vector<int> corners;
+  for (int f = 0; f < mesh.faces.size(); ++f) {
+    corners.assign(mesh.faces[f].begin(), mesh.faces[f].end());
+    std::sort(corners.begin(), corners.end());
+    if (std::adjacent_find(corners.begin(), corners.end()) != corners.end()) return true;
+  }
+  return false;
+}
+
+/// Whether turning around each vertex, from one face to the next, meets all that it is a corner of.
+bool hasOneFanPerVertex(const PolygonHalfedges& halfedges, int vertexCount) {
+  std::vector<int> corners(vertexCount, 0), leaving(vertexCount, -1);
+  for (int h = 0; h < halfedges.count(); ++h) {
+    ++corners[halfedges.tail(h)];
+    leaving[halfedges.tail(h)] = h;
+  }
+  for (int v = 0; v < vertexCount; ++v) {
+    if (corners[v] == 0) continue;
+    int start = leaving[v];
+    for (int back = halfedges.rotateBack(start); back >= 0 && back != leaving[v];
+         back = halfedges.rotateBack(back))
+      start = back;
+    int met = 1;
+    for (int h = halfedges.rotate(start); h >= 0 && h != start; h = halfedges.rotate(h)) ++met;
+    if (met != corners[v]) return false;
+  }
+  return true;
+}
+
+int countComponents(const PolygonHalfedges& halfedges, int vertexCount) {
+  std::vector<int> parent(vertexCount);
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](int v) {
+    while (parent[v] != v) v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  std::vector<char> isUsed(vertexCount, false);
+  for (int h = 0; h < halfedges.count(); ++h) {
+    isUsed[halfedges.tail(h)] = true;
+    parent[root(halfedges.tail(h))] = root(halfedges.tip(h));
+  }
+  int count = 0;
+  for (int v = 0; v < vertexCount; ++v) count += isUsed[v] && parent[v] == v;
+  return count;
+}
+
+/// Of a manifold.
+int countBoundaryLoops(const PolygonHalfedges& halfedges) {
+  std::vector<char> isWalked(halfedges.count(), false);
+  int loops = 0;
+  for (int start = 0; start < halfedges.count(); ++start) {
+    if (halfedges.twin(start) >= 0 || isWalked[start]) continue;
+    ++loops;
+    for (int h = start; !isWalked[h];) {
+      isWalked[h] = true;
+      h = halfedges.next(h);
+      while (halfedges.twin(h) >= 0) h = halfedges.next(halfedges.twin(h));
+    }
+  }
+  return loops;
+}
+
+}  // namespace
+
+PolygonTriangles triangulate(const PolygonMesh& mesh) {
+  PolygonTriangles result;
+  ConvexTriangulation triangulation;
+  std::vector<Eigen::Vector2d> corners;
+  for (int f = 0; f < mesh.faces.size(); ++f) {
+    const auto polygon = mesh.faces[f];
+    if (polygon.size() < 3) continue;
+    const auto position = [&](size_t i) { return mesh.positions[polygon[i % polygon.size()]]; };
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+    for (size_t i = 0; i < polygon.size(); ++i)
+      normal += (position(i) - position(0)).cross(position(i + 1) - position(0));
+    const Eigen::Vector3d x = normal.unitOrthogonal(), y = normal.stableNormalized().cross(x);
+    corners.clear();
+    for (size_t i = 0; i < polygon.size(); ++i)
+      corners.push_back({x.dot(position(i)), y.dot(position(i))});
+    for (const auto& [a, b, c] : triangulation.compute(corners)) {
+      result.triangles.push_back({polygon[a], polygon[b], polygon[c]});
+      result.face.push_back(f);
+    }
+  }
+  return result;
+}
+
+PolygonTopology topologyOf(const PolygonMesh& mesh) {
+  const int vertexCount = static_cast<int>(mesh.points.size());
+  const PolygonHalfedges halfedges(mesh);
+  PolygonTopology topology;
+  std::vector<char> isUsed(vertexCount, false);
+  for (int h = 0; h < halfedges.count(); ++h) {
+    isUsed[halfedges.tail(h)] = true;
+    topology.edges += halfedges.twin(h) < h;
+  }
+  topology.vertices = static_cast<int>(std::count(isUsed.begin(), isUsed.end(), true));
+  topology.faces = mesh.faces.size();
+  topology.eulerCharacteristic = topology.vertices - topology.edges + topology.faces;
+  topology.components = countComponents(halfedges, vertexCount);
+  topology.isManifold = halfedges.isOriented() && !hasRepeatedCorner(mesh) &&
+                        hasOneFanPerVertex(halfedges, vertexCount);
+  if (!topology.isManifold) return topology;
+  topology.boundaryLoops = countBoundaryLoops(halfedges);
+  topology.genus =
+      (2 * topology.components - topology.boundaryLoops - topology.eulerCharacteristic) / 2;
+  return topology;
+}
+
+}  // namespace gvd

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: MIT
+// This work is based on:
+// Konrad Polthier, Markus Schmies. Straightest Geodesics on Polyhedral Surfaces. 1998
+#include "gvd/straightest.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "base/plane.h"
+
+namespace gvd {
+namespace {
+
+using Eigen::Vector2d;
+using std::numbers::pi;
+
+double angleOf(const Vector2d& v) { return std::atan2(v.y(), v.x()); }
+
+/// Walks from face to face. Where it is, is a point of a face; where to, a direction in the frame
+/// of one halfedge of that face (`TriangleMesh::Layout`). Nothing is ever divided by the height of
+/// a face, which may be zero: points within a face are found between those on its sides.
+class Walk {
+ public:
+  Walk(const TriangleMesh& mesh, const SurfacePoint& start, const Vector2d& move,
+       AtBoundary atBoundary)
+      : mesh_(mesh),
+        atBoundary_(atBoundary),
+        total_(move.norm()),
+        remaining_(total_),
+        halfedge_(3 * start.face),
+        bary_(start.bary) {
+    if (!(total_ > 0) || !std::isfinite(total_)) {
+      remaining_ = 0;
+      return;
+    }
+    direction_ = move / total_;
+    frame_ = turnedBackBy({1, 0}, direction_);
+    for (int i = 0; i < 3; ++i) {
+      if (bary_[i] < 1 - kSnap) continue;
+      startAtVertex(3 * start.face + i);
+      break;
+    }
+  }
+
+  StraightestGeodesic run() {
+    // In as many crossings as there are halfedges, a line that moves at all has left every star.
+    const int window = mesh_.halfedgeCount() + 16;
+    double before = kNever;
+    for (int crossings = 0; remaining_ > 0; ++crossings) {
+      if (crossings % window == 0) {
+        if (before - remaining_ < 0x1p-30 * total_) break;
+        before = remaining_;
+      }
+      if (isAlongEdge_)
+        goAlongEdge();
+      else
+        crossFace();
+    }
+    toFrame(3 * TriangleMesh::faceOf(halfedge_));
+    const Vector2d frame = total_ > 0 ? turnedBy(frame_, direction_).normalized() : Vector2d(1, 0);
+    return {{TriangleMesh::faceOf(halfedge_), bary_}, frame, walked_, metBoundary_};
+  }
+
+ private:
+  static constexpr double kSnap = 1e-12;  ///< of an edge, or of a radian
+  static constexpr double kNever = 1e300;
+
+  // --- Frames ---
+
+  /// The direction of a side of the current face in the frame of the current halfedge.
+  Vector2d axisOf(int side) const {
+    const TriangleMesh::Layout& l = mesh_.layout(halfedge_);
+    if (side == halfedge_) return {1, 0};
+    const Vector2d along = side == TriangleMesh::next(halfedge_) ? Vector2d(l.x - l.length, l.y)
+                                                                 : Vector2d(-l.x, -l.y);
+    return along / mesh_.length(side);
+  }
+
+  void toFrame(int side) {
+    if (side == halfedge_) return;
+    direction_ = turnedBackBy(direction_, axisOf(side)).normalized();
+    halfedge_ = side;
+  }
+
+  // --- Steps ---
+
+  /// Goes on by a length along a line to a point of the current face, or as far as the walk goes.
+  /// Returns whether that point has been reached.
+  bool advance(double length, const Eigen::Vector3d& to) {
+    if (length >= remaining_) {
+      bary_ += (remaining_ / length) * (to - bary_);
+      walked_ += remaining_;
+      remaining_ = 0;
+      return false;
+    }
+    bary_ = to;
+    walked_ += length;
+    remaining_ -= length;
+    return true;
+  }
+
+  void crossFace() {
+    const TriangleMesh::Layout& l = mesh_.layout(halfedge_);
+    const int first = halfedge_ % 3, second = (first + 1) % 3, third = (first + 2) % 3;
+    const std::array<Vector2d, 3> corners = {Vector2d(0, 0), Vector2d(l.length, 0),
+                                             Vector2d(l.x, l.y)};
+    const std::array<int, 3> sides = {halfedge_, TriangleMesh::next(halfedge_),
+                                      TriangleMesh::previous(halfedge_)};
+    const Vector2d here = bary_[second] * corners[1] + bary_[third] * corners[2];
+    std::array<double, 3> left;  // how far the corners are on the left of the line
+    for (int i = 0; i < 3; ++i) left[i] = cross(direction_, corners[i] - here);
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3;
+      if (!(left[i] <= 0 && left[j] > 0)) continue;  // the side where the line leaves the face
+      const double share = left[i] / (left[i] - left[j]);
+      if (share <= kSnap) return goToCorner(sides[i], corners[i] - here);
+      if (share >= 1 - kSnap) return goToCorner(sides[j], corners[j] - here);
+      const Vector2d there = corners[i] + share * (corners[j] - corners[i]);
+      Eigen::Vector3d bary = Eigen::Vector3d::Zero();
+      bary[sides[i] % 3] = 1 - share;
+      bary[sides[j] % 3] = share;
+      if (advance(std::max(0.0, (there - here).dot(direction_)), bary)) crossEdge(sides[i], share);
+      return;
+    }
+    // A face without area, along itself.
+    int ahead = 0;
+    for (int i = 1; i < 3; ++i)
+      if ((corners[i] - corners[ahead]).dot(direction_) > 0) ahead = i;
+    goToCorner(sides[ahead], corners[ahead] - here);
+  }
+
+  void goToCorner(int corner, const Vector2d& path) {
+    if (!advance(path.norm(), Eigen::Vector3d::Unit(corner % 3))) return;
+    toFrame(corner);
+    const double back = std::clamp(angleOf(-direction_), 0.0, mesh_.cornerAngle(corner));
+    passVertex(corner, back);
+  }
+
+  void crossEdge(int side, double share) {
+    toFrame(side);
+    const int twin = mesh_.twin(side);
+    if (twin < 0) {
+      metBoundary_ = true;
+      if (atBoundary_ == AtBoundary::kStop) {
+        remaining_ = 0;
+        return;
+      }
+      const bool forward = direction_.x() > 0;
+      turnTo({forward ? 1.0 : -1.0, 0}, std::abs(direction_.x()));
+      startAlongEdge(side, forward);
+      return;
+    }
+    halfedge_ = twin;
+    bary_.setZero();
+    bary_[twin % 3] = share;
+    bary_[(twin + 1) % 3] = 1 - share;
+    direction_ = -direction_;
+    direction_.y() = std::max(0.0, direction_.y());  // into the face, whatever rounding says
+  }
+
+  /// Turns the walk away from straight on, the frame excepted, and shortens the rest of it.
+  void turnTo(const Vector2d& direction, double factor) {
+    frame_ = turnedBackBy(turnedBy(frame_, direction_), direction);
+    direction_ = direction;
+    remaining_ *= factor;
+  }
+
+  void startAlongEdge(int side, bool forward) {
+    halfedge_ = side;
+    direction_ = {forward ? 1.0 : -1.0, 0};
+    isAlongEdge_ = true;
+  }
+
+  void goAlongEdge() {
+    isAlongEdge_ = false;
+    const bool forward = direction_.x() > 0;
+    const int from = halfedge_ % 3, to = (from + 1) % 3;
+    const int end = forward ? to : from;
+    const double length = mesh_.length(halfedge_) * (1 - bary_[end]);
+    if (!advance(length, Eigen::Vector3d::Unit(end))) return;
+    const int corner = forward ? TriangleMesh::next(halfedge_) : halfedge_;
+    passVertex(corner, forward ? mesh_.cornerAngle(corner) : 0);
+  }
+
+  // --- Vertices ---
+  // Angles are counted counterclockwise from TriangleMesh::outgoing.
+
+  double angleBefore(int corner) const {
+    double angle = 0;
+    for (int h = mesh_.outgoing(mesh_.tail(corner)); h != corner; h = mesh_.rotate(h))
+      angle += mesh_.cornerAngle(h);
+    return angle;
+  }
+
+  void startAtVertex(int corner) {
+    bary_ = Eigen::Vector3d::Unit(corner % 3);
+    toFrame(corner);
+    const int vertex = mesh_.tail(corner);
+    double angle = std::fmod(angleBefore(corner) + angleOf(direction_), 2 * pi);
+    if (angle < 0) angle += 2 * pi;
+    if (mesh_.onBoundary(vertex)) {
+      leaveBoundaryVertex(vertex, angle);
+    } else {
+      const double gap = 2 * pi - mesh_.angleSum(vertex);
+      leaveVertex(vertex, angle > 2 * pi - gap / 2 ? 0 : angle);
+    }
+  }
+
+  /// Comes to a vertex; behind is what lies at angle `back` from the corner's halfedge.
+  void passVertex(int corner, double back) {
+    const int vertex = mesh_.tail(corner);
+    const double from = angleBefore(corner) + back;
+    if (mesh_.onBoundary(vertex)) {
+      leaveBoundaryVertex(vertex, from + pi);
+    } else {
+      const double half = mesh_.angleSum(vertex) / 2;
+      leaveVertex(vertex, from < half ? from + half : from - half);
+    }
+  }
+
+  /// Straight on is at angle `straight`, or 2π less; both may be off the surface, or none.
+  void leaveBoundaryVertex(int vertex, double straight) {
+    const double sum = mesh_.angleSum(vertex);
+    if (straight <= sum + kSnap) return leaveVertex(vertex, std::min(straight, sum));
+    if (straight >= 2 * pi - kSnap) return leaveVertex(vertex, std::max(0.0, straight - 2 * pi));
+    metBoundary_ = true;
+    const bool toLast = straight - sum < 2 * pi - straight;
+    const double turn = toLast ? sum - straight : 2 * pi - straight;
+    const double factor = std::cos(turn);
+    if (atBoundary_ == AtBoundary::kStop || factor <= 0) {
+      remaining_ = 0;
+      return;
+    }
+    frame_ = turnedBackBy(frame_, unitVector(turn));
+    remaining_ *= factor;
+    leaveVertex(vertex, toLast ? sum : 0);
+  }
+
+  void leaveVertex(int vertex, double angle) {
+    int corner = mesh_.outgoing(vertex);
+    const int first = corner;
+    for (;;) {
+      const double own = mesh_.cornerAngle(corner);
+      const int next = mesh_.rotate(corner);
+      if (angle < own - kSnap || next < 0) break;
+      angle = std::max(0.0, angle - own);
+      corner = next;
+      if (corner == first) break;  // rounding: once around
+    }
+    bary_ = Eigen::Vector3d::Unit(corner % 3);
+    halfedge_ = corner;
+    if (angle <= kSnap) {
+      startAlongEdge(corner, true);
+    } else if (angle >= mesh_.cornerAngle(corner) - kSnap) {
+      startAlongEdge(TriangleMesh::previous(corner), false);
+    } else {
+      direction_ = unitVector(angle);
+    }
+  }
+
+  const TriangleMesh& mesh_;
+  const AtBoundary atBoundary_;
+  const double total_;
+  double remaining_;
+  double walked_ = 0;
+  bool metBoundary_ = false;
+  int halfedge_;  ///< of the current face, the frame of the direction
+  Eigen::Vector3d bary_;
+  Vector2d direction_ = {1, 0};
+  Vector2d frame_ = {1, 0};  ///< the start's x axis, seen with the direction as x axis
+  bool isAlongEdge_ = false;
+};
+
+}  // namespace
+
+StraightestGeodesic walkStraight(const TriangleMesh& mesh, const SurfacePoint& start,
+                                 const Eigen::Vector2d& move, AtBoundary atBoundary) {
+  return Walk(mesh, start, move, atBoundary).run();
+}
+
+}  // namespace gvd

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/triangle_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "mesh/nearest_on_triangle.h"
+
+namespace gvd {
+namespace {
+
+constexpr int kLeafSize = 4;
+
+Eigen::Vector3d sumOf(const TriangleTree::Triangle& t) { return t[0] + t[1] + t[2]; }
+
+}  // namespace
+
+TriangleTree::TriangleTree(std::vector<Triangle> triangles) : triangles_(std::move(triangles)) {
+  if (!triangles_.empty()) build(0, static_cast<int>(triangles_.size()));
+}
+
+/// Halves the triangles along the longest side of the box of their centres.
+int TriangleTree::build(int first, int last) {
+  const int node = static_cast<int>(nodes_.size());
+  nodes_.push_back({{}, first, last, -1});
+  Eigen::AlignedBox3d box, centres;
+  for (int i = first; i < last; ++i) {
+    for (const Eigen::Vector3d& corner : triangles_[i]) box.extend(corner);
+    centres.extend(sumOf(triangles_[i]));
+  }
+  nodes_[node].box = box;
+  if (last - first <= kLeafSize) return node;
+  Eigen::Index axis;
+  centres.sizes().maxCoeff(&axis);
+  const int middle = (first + last) / 2;
+  std::nth_element(
+      triangles_.begin() + first, triangles_.begin() + middle, triangles_.begin() + last,
+      [&](const Triangle& a, const Triangle& b) { return sumOf(a)[axis] < sumOf(b)[axis]; });
+  build(first, middle);
+  const int second = build(middle, last);
+  nodes_[node].second = second;
+  return node;
+}
+
+double TriangleTree::distance(const Eigen::Vector3d& p) const {
+  double least = std::numeric_limits<double>::infinity();  // squared
+  const auto toBox = [&](int node) { return nodes_[node].box.squaredExteriorDistance(p); };
+  std::vector<std::pair<double, int>> open;
+  if (!nodes_.empty()) open.push_back({toBox(0), 0});
+  while (!open.empty()) {
+    const auto [bound, index] = open.back();
+    open.pop_back();
+    if (bound >= least) continue;
+    const Node& node = nodes_[index];
+    if (node.second < 0) {
+      for (int i = node.first; i < node.last; ++i) {
+        const Triangle& t = triangles_[i];
+        const Eigen::Vector3d bary = nearestOnTriangle(p, t);
+        least =
+            std::min(least, (bary[0] * t[0] + bary[1] * t[1] + bary[2] * t[2] - p).squaredNorm());
+      }
+      continue;
+    }
+    std::pair<double, int> near(toBox(index + 1), index + 1), far(toBox(node.second), node.second);
+    if (far < near) std::swap(near, far);
+    open.push_back(far);
+    open.push_back(near);
+  }
+  return std::sqrt(least);
+}
+
+}  // namespace gvd

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "gvd/dual.h"
+
+#include <algorithm>
+
+#include "gvd/partition.h"
+#include "partition/dual_parts.h"
+
+namespace gvd {
+namespace {
+
+int addVertex(const TriangleMesh& mesh, const SurfacePoint& p, PolygonMesh& result) {
+  result.points.push_back(p);
+  result.positions.push_back(mesh.position(p));
+  return static_cast<int>(result.points.size()) - 1;
+}
+
+bool isRun(const RegionComplex::Border& border) {
+  return border.beyond == RegionComplex::kOutside && border.fromNode >= 0;
+}
+
+/// The point half way along a border, measured along it.
+SurfacePoint middle(const TriangleMesh& mesh, const Partition& p,
+                    const RegionComplex::Border& border) {
+  const auto length = [&](int h) {
+    const auto& triangle = p.triangles[h / 3];
+    return (p.positions[triangle[(h + 1) % 3]] - p.positions[triangle[h % 3]]).norm();
+  };
+  double rest = 0;
+  for (const int h : border.path) rest += length(h) / 2;
+  size_t i = 0;
+  for (; i + 1 < border.path.size() && rest > length(border.path[i]); ++i)
+    rest -= length(border.path[i]);
+  const int h = border.path[i];
+  const double whole = length(h), share = whole > 0 ? std::clamp(rest / whole, 0.0, 1.0) : 0.5;
+  const Eigen::Matrix3d corners = cornersInFace(mesh, p, h / 3);
+  return {p.triangleFace[h / 3],
+          (1 - share) * corners.col(h % 3) + share * corners.col((h + 1) % 3)};
+}
+
+}  // namespace
+
+PolygonMesh buildDual(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
+                      const Partition& partition, const RegionComplex& complex) {
+  PolygonMesh result;
+  for (size_t l = 0; l < sites.size(); ++l)
+    result.vertexLabel.push_back(addVertex(mesh, sites[l], result));
+  std::vector<int> vertexOfRun(complex.borders.size(), -1);
+  for (size_t b = 0; b < complex.borders.size(); ++b) {
+    const RegionComplex::Border& border = complex.borders[b];
+    if (!isRun(border)) continue;
+    vertexOfRun[b] = addVertex(mesh, middle(mesh, partition, border), result);
+    result.vertexLabel.push_back(border.label);
+  }
+  std::vector<int> polygon;
+  for (size_t n = 0; n < complex.nodes.size(); ++n) {
+    const RegionComplex::Node& node = complex.nodes[n];
+    polygon = complex.labelsAt(static_cast<int>(n));
+    if (node.isOnBoundary()) {
+      polygon.insert(polygon.begin(), vertexOfRun[node.borders.front()]);
+      polygon.push_back(vertexOfRun[node.arrivingRun]);
+    }
+    result.faces.add(polygon);
+  }
+  return result;
+}
+
+PolygonMesh dualMesh(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
+                     const Diagram& diagram) {
+  const Partition p = partition(mesh, diagram, {.leaveOutUnreachable = true});
+  return buildDual(mesh, sites, p, buildRegionComplex(p));
+}
+
+PolygonMesh regionMesh(const TriangleMesh& mesh, const Diagram& diagram) {
+  const Partition p = partition(mesh, diagram, {.leaveOutUnreachable = true});
+  const RegionComplex complex = buildRegionComplex(p);
+  PolygonMesh result;
+  for (const RegionComplex::Node& node : complex.nodes)
+    addVertex(mesh, p.points[node.vertex], result);
+  std::vector<int> polygon;
+  for (const RegionComplex::Loop& loop : complex.loops) {
+    polygon.clear();
+    for (int b = loop.firstBorder; b < loop.firstBorder + loop.borderCount; ++b) {
+      const RegionComplex::Border& border = complex.borders[b];
+      if (border.fromNode >= 0) polygon.push_back(border.fromNode);
+      if (isRun(border)) polygon.push_back(addVertex(mesh, middle(mesh, p, border), result));
+    }
+    if (polygon.empty()) continue;
+    result.faces.add(polygon);
+    result.faceLabel.push_back(loop.label);
+  }
+  return result;
+}
+
+}  // namespace gvd

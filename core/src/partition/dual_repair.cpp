@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "gvd/error.h"
+#include "partition/dual_parts.h"
+
+namespace gvd {
+namespace {
+
+class Doctor {
+ public:
+  Doctor(const TriangleMesh& mesh, const Diagram& diagram, const DistanceField& field)
+      : mesh_(mesh),
+        diagram_(diagram),
+        field_(field),
+        partition_(partition(mesh, diagram, {.leaveOutUnreachable = true})),
+        isTouched_(diagram.siteCount, false) {}
+
+  std::vector<SurfacePoint> newSites() {
+    const auto findings = inspect(mesh_, diagram_, partition_, buildRegionComplex(partition_));
+    std::vector<SurfacePoint> result;
+    for (const Finding& finding : findings) {
+      const Violation& v = finding.violation;
+      if (v.kind == Violation::kNoRegion || v.kind == Violation::kNoManifold)
+        throw Error(ErrorCode::kInvalidArgument, v.message);
+      if (v.kind == Violation::kUnreachable) {
+        if (result.empty()) result = unreachablePoints();
+        continue;
+      }
+      const bool isTouched = std::any_of(v.labels.begin(), v.labels.end(),
+                                         [&](int label) { return isTouched_[label]; });
+      if (isTouched) continue;
+      result.push_back(farthestPoint(finding));
+      for (const int label : v.labels) touch(label);
+    }
+    return result;
+  }
+
+ private:
+  void touch(int label) {
+    isTouched_[label] = true;
+    for (const auto& n : partition_.regions[label].neighbours) isTouched_[n.label] = true;
+  }
+
+  /// One in each component without a site.
+  std::vector<SurfacePoint> unreachablePoints() const {
+    std::vector<SurfacePoint> points;
+    std::set<int> components;
+    for (int f = 0; f < mesh_.faceCount(); ++f)
+      if (diagram_.faceLabel[f] == Diagram::kUnreachable &&
+          components.insert(mesh_.component(f)).second)
+        points.push_back({f, Eigen::Vector3d::Constant(1.0 / 3)});
+    return points;
+  }
+
+  double distanceAt(int vertex) const { return field_.nearest(partition_.points[vertex]).distance; }
+
+  SurfacePoint farthestPoint(const Finding& finding) const {
+    double most = -1;
+    int farthest = finding.vertices.front();
+    for (const int vertex : finding.vertices) {
+      const double distance = distanceAt(vertex);
+      if (distance <= most) continue;
+      most = distance;
+      farthest = vertex;
+    }
+    return partition_.points[farthest];
+  }
+
+  const TriangleMesh& mesh_;
+  const Diagram& diagram_;
+  const DistanceField& field_;
+  const Partition partition_;
+  std::vector<char> isTouched_;  ///< regions that a new site changes, or may
+};
+
+}  // namespace
+
+std::vector<SurfacePoint> repairingSites(const TriangleMesh& mesh, const Diagram& diagram,
+                                         const DistanceField& field) {
+  return Doctor(mesh, diagram, field).newSites();
+}
+
+RepairedSites repair(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric,
+                     const RepairOptions& options) {
+  RepairedSites result{{sites.begin(), sites.end()}, 0, {}};
+  for (;;) {
+    const auto propagation = propagate(mesh, result.sites, metric);
+    while (!propagation->step(100000)) {
+    }
+    const auto field = propagation->take();
+    result.diagram = traceDiagram(mesh, *field, static_cast<int>(result.sites.size()));
+    const auto added = repairingSites(mesh, result.diagram, *field);
+    if (added.empty()) return result;
+    if (result.added + static_cast<int>(added.size()) > options.maxAdded)
+      throw Error(ErrorCode::kInvalidArgument,
+                  "the dual is not valid with " + std::to_string(options.maxAdded) +
+                      (options.maxAdded == 1 ? " site" : " sites") +
+                      " more: " + findViolations(mesh, result.diagram).front().message);
+    result.sites.insert(result.sites.end(), added.begin(), added.end());
+    result.added += static_cast<int>(added.size());
+  }
+}
+
+}  // namespace gvd

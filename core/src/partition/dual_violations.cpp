@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+// This work is based on:
+// Herbert Edelsbrunner, Nimish Shah. Triangulating Topological Spaces. 1997
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "partition/dual_parts.h"
+
+namespace gvd {
+namespace {
+
+/// "2 outlines", "1 outline".
+std::string counted(int count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+/// "regions 1, 4 and 7".
+std::string regions(const std::vector<int>& labels) {
+  std::string list = labels.size() == 1 ? "region " : "regions ";
+  for (size_t i = 0; i < labels.size(); ++i)
+    list += (i == 0 ? "" : i + 1 < labels.size() ? ", " : " and ") + std::to_string(labels[i]);
+  return list;
+}
+
+class Inspector {
+ public:
+  Inspector(const TriangleMesh& mesh, const Diagram& diagram, const Partition& partition,
+            const RegionComplex& complex)
+      : mesh_(mesh), diagram_(diagram), partition_(partition), complex_(complex) {}
+
+  std::vector<Finding> inspect() {
+    inspectComponents();
+    for (const RegionPatch& region : partition_.regions) inspectRegion(region);
+    inspectPairs();
+    inspectTriples();
+    inspectBoundary();
+    if (found_.empty()) inspectDual();
+    std::stable_sort(found_.begin(), found_.end(), [](const Finding& a, const Finding& b) {
+      return std::tie(a.violation.kind, a.violation.labels) <
+             std::tie(b.violation.kind, b.violation.labels);
+    });
+    return std::move(found_);
+  }
+
+ private:
+  void add(Violation::Kind kind, std::vector<int> labels, std::string message,
+           std::vector<int> vertices = {}) {
+    found_.push_back({{kind, std::move(labels), std::move(message)}, std::move(vertices)});
+  }
+
+  std::vector<int> verticesOf(const RegionPatch& region) const {
+    std::vector<int> vertices;
+    for (int i = 0; i < region.triangleCount; ++i)
+      for (const int v : partition_.triangles[region.firstTriangle + i]) vertices.push_back(v);
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    return vertices;
+  }
+
+  void addVerticesOf(const RegionComplex::Border& border, std::vector<int>& vertices) const {
+    for (const int h : border.path) {
+      const auto& triangle = partition_.triangles[h / 3];
+      vertices.push_back(triangle[h % 3]);
+      vertices.push_back(triangle[(h + 1) % 3]);
+    }
+  }
+
+  void inspectComponents() {
+    std::set<int> unreachable;
+    for (int f = 0; f < mesh_.faceCount(); ++f)
+      if (diagram_.faceLabel[f] == Diagram::kUnreachable) unreachable.insert(mesh_.component(f));
+    for (const int component : unreachable)
+      add(Violation::kUnreachable, {},
+          "no site is on component " + std::to_string(component) + " of the mesh");
+  }
+
+  void inspectRegion(const RegionPatch& region) {
+    if (region.triangleCount == 0) {
+      add(Violation::kNoRegion, {region.label},
+          "site " + std::to_string(region.label) + " has no region: another site is at its place");
+      return;
+    }
+    const std::string name = regions({region.label});
+    if (region.components != 1 || region.loops != 1 || region.genus != 0)
+      add(Violation::kNoDisk, {region.label},
+          name + " is no disk: it has " + counted(region.components, "part") + ", " +
+              counted(region.loops, "outline") + " and genus " + std::to_string(region.genus),
+          verticesOf(region));
+    if (region.selfTouchings > 0)
+      add(Violation::kTouchesItself, {region.label},
+          name + " touches itself in " + counted(region.selfTouchings, "point"),
+          verticesOf(region));
+  }
+
+  /// The regions around a node in ascending order, each once.
+  std::vector<int> labelSet(int node) const {
+    std::vector<int> labels = complex_.labelsAt(node);
+    std::sort(labels.begin(), labels.end());
+    labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
+    return labels;
+  }
+
+  /// Where two regions meet: how often, and the vertices there.
+  struct Meeting {
+    int count = 0;
+    std::vector<int> vertices;
+  };
+  using Meetings = std::map<std::pair<int, int>, Meeting>;
+
+  void inspectPairs() {
+    Meetings meetings;
+    for (const RegionComplex::Border& border : complex_.borders) {
+      if (border.beyond < border.label) continue;  // the outside, or seen from the other side
+      Meeting& meeting = meetings[{border.label, border.beyond}];
+      ++meeting.count;
+      addVerticesOf(border, meeting.vertices);
+      if (border.fromNode >= 0) continue;
+      std::vector<int> vertices;
+      addVerticesOf(border, vertices);
+      add(Violation::kClosedBorder, {border.label, border.beyond},
+          regions({border.label, border.beyond}) + " meet along a closed curve",
+          std::move(vertices));
+    }
+    for (int n = 0; n < static_cast<int>(complex_.nodes.size()); ++n) countMeetingsIn(n, meetings);
+    for (const auto& [labels, meeting] : meetings)
+      if (meeting.count > 1)
+        add(Violation::kTwoMeetTwice, {labels.first, labels.second},
+            regions({labels.first, labels.second}) + " meet in " + std::to_string(meeting.count) +
+                " places",
+            meeting.vertices);
+  }
+
+  /// Regions that meet in a node, but in none of the arcs that end there.
+  void countMeetingsIn(int n, Meetings& meetings) const {
+    const auto around = complex_.labelsAt(n);
+    if (around.size() <= 3 && !complex_.nodes[n].isOnBoundary()) return;
+    std::set<std::pair<int, int>> inArcs;
+    for (size_t i = 0; i < around.size(); ++i) {
+      if (i + 1 == around.size() && complex_.nodes[n].isOnBoundary()) break;
+      inArcs.insert(std::minmax(around[i], around[(i + 1) % around.size()]));
+    }
+    const auto labels = labelSet(n);
+    for (size_t i = 0; i < labels.size(); ++i)
+      for (size_t k = i + 1; k < labels.size(); ++k)
+        if (!inArcs.contains({labels[i], labels[k]})) {
+          Meeting& meeting = meetings[{labels[i], labels[k]}];
+          ++meeting.count;
+          meeting.vertices.push_back(complex_.nodes[n].vertex);
+        }
+  }
+
+  /// Pairs of nodes, of those around each region, that have three regions in common.
+  void inspectTriples() {
+    std::vector<std::vector<int>> labels, nodes(diagram_.siteCount);
+    for (int n = 0; n < static_cast<int>(complex_.nodes.size()); ++n) {
+      labels.push_back(labelSet(n));
+      for (const int l : labels.back()) nodes[l].push_back(n);
+    }
+    std::map<std::vector<int>, std::vector<int>> found;  // regions → vertices
+    std::vector<int> common;
+    for (int l = 0; l < diagram_.siteCount; ++l)
+      for (size_t i = 0; i < nodes[l].size(); ++i)
+        for (size_t k = i + 1; k < nodes[l].size(); ++k) {
+          const auto &a = labels[nodes[l][i]], &b = labels[nodes[l][k]];
+          common.clear();
+          std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(common));
+          if (common.size() < 3 || common[0] != l) continue;
+          for (const int n : {nodes[l][i], nodes[l][k]})
+            found[common].push_back(complex_.nodes[n].vertex);
+        }
+    for (const auto& [three, vertices] : found)
+      add(Violation::kThreeMeetTwice, three,
+          regions(three) + " meet in more than one Voronoi point", vertices);
+  }
+
+  /// Follows each loop of the mesh boundary that has nodes from run to run.
+  void inspectBoundary() {
+    std::vector<char> isWalked(complex_.nodes.size(), false);
+    for (int start = 0; start < static_cast<int>(complex_.nodes.size()); ++start) {
+      if (isWalked[start] || !complex_.nodes[start].isOnBoundary()) continue;
+      std::vector<int> labels, vertices;
+      for (int n = start; !isWalked[n];) {
+        isWalked[n] = true;
+        const RegionComplex::Border& run = complex_.borders[complex_.nodes[n].borders.front()];
+        labels.push_back(run.label);
+        addVerticesOf(run, vertices);
+        n = run.toNode;
+      }
+      if (labels.size() >= 3) continue;
+      std::sort(labels.begin(), labels.end());
+      add(Violation::kFewRuns, labels, "a loop of the mesh boundary passes only " + regions(labels),
+          std::move(vertices));
+    }
+    for (const RegionComplex::Border& border : complex_.borders) {
+      if (border.beyond != RegionComplex::kOutside || border.fromNode >= 0) continue;
+      std::vector<int> vertices;
+      addVerticesOf(border, vertices);
+      add(Violation::kFewRuns, {border.label},
+          "a loop of the mesh boundary passes only " + regions({border.label}),
+          std::move(vertices));
+    }
+  }
+
+  void inspectDual() {
+    const std::vector<SurfacePoint> sites(diagram_.siteCount, {0, Eigen::Vector3d::Unit(0)});
+    const PolygonTopology dual = topologyOf(buildDual(mesh_, sites, partition_, complex_));
+    const MeshTopology& surface = mesh_.topology();
+    if (!dual.isManifold || dual.eulerCharacteristic != surface.eulerCharacteristic ||
+        dual.boundaryLoops != surface.boundaryLoops || dual.components != surface.components)
+      add(Violation::kNoManifold, {}, "the dual is no manifold of the surface's topology");
+  }
+
+  const TriangleMesh& mesh_;
+  const Diagram& diagram_;
+  const Partition& partition_;
+  const RegionComplex& complex_;
+  std::vector<Finding> found_;
+};
+
+}  // namespace
+
+std::vector<Finding> inspect(const TriangleMesh& mesh, const Diagram& diagram,
+                             const Partition& partition, const RegionComplex& complex) {
+  return Inspector(mesh, diagram, partition, complex).inspect();
+}
+
+std::vector<Violation> findViolations(const TriangleMesh& mesh, const Diagram& diagram) {
+  const Partition p = partition(mesh, diagram, {.leaveOutUnreachable = true});
+  std::vector<Violation> violations;
+  for (Finding& finding : inspect(mesh, diagram, p, buildRegionComplex(p)))
+    violations.push_back(std::move(finding.violation));
+  return violations;
+}
+
+}  // namespace gvd

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: MIT
+// This work is based on:
+// Yang Liu, Wenping Wang, Bruno Lévy, Feng Sun, Dong-Ming Yan, Lin Lu, Chenglei Yang. On Centroidal
+// Voronoi Tessellation: Energy Smoothness and Fast Computation. 2009
+#include "gvd/cvt.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "base/random.h"
+#include "gvd/error.h"
+#include "gvd/straightest.h"
+#include "tessellation/cvt_energy.h"
+#include "tessellation/density.h"
+#include "tessellation/lbfgs.h"
+
+namespace gvd {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+
+/// The vector with these components in a frame that has the given x axis.
+Vector2d fromFrame(const Vector2d& v, const Vector2d& axis) {
+  return {v.x() * axis.x() - v.y() * axis.y(), v.x() * axis.y() + v.y() * axis.x()};
+}
+
+/// The components of a vector in a frame that has the given x axis.
+Vector2d toFrame(const Vector2d& v, const Vector2d& axis) {
+  return {v.dot(axis), axis.x() * v.y() - axis.y() * v.x()};
+}
+
+void require(bool condition, const std::string& what) {
+  if (!condition) throw Error(ErrorCode::kInvalidArgument, what);
+}
+
+void validate(const TriangleMesh& mesh, size_t siteCount, const CvtOptions& options) {
+  require(siteCount > 0, "there is no site");
+  require(options.iterations >= 0,
+          "there cannot be " + std::to_string(options.iterations) + " iterations");
+  require(options.energyTolerance >= 0 && options.moveTolerance >= 0,
+          "a tolerance is negative or not a number");
+  if (!options.density.empty()) validateDensity(mesh, options.density);
+  for (const int label : options.fixedSites)
+    require(label >= 0 && label < static_cast<int>(siteCount),
+            "there is no site " + std::to_string(label) + " to be fixed");
+}
+
+/// At a vertex the angles do not add up to 2π and paths have no unique direction; beside it the
+/// logarithmic map, and with it the gradient, is that of any other place.
+SurfacePoint offVertex(SurfacePoint p) {
+  constexpr double kLeast = 1e-7;
+  int corner;
+  if (p.bary.maxCoeff(&corner) <= 1 - 2 * kLeast) return p;
+  p.bary = Eigen::Vector3d::Constant(kLeast);
+  p.bary[corner] = 1 - 2 * kLeast;
+  return p;
+}
+
+}  // namespace
+
+/// One diagram after the other, of trial sites: those a step away from the accepted ones. If the
+/// energy has fallen enough, they are accepted and the next direction is chosen; else the step is
+/// shortened, and if that is to no avail, Lloyd's takes its place.
+///
+/// Every site has a frame of its own that is carried along its moves in parallel. Gradients and
+/// steps are given in these, two components per site, so that those of former sites can be used
+/// with those of today (an isometric vector transport: Huang, Gallivan, Absil 2015).
+class Cvt::Solver {
+ public:
+  Solver(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, CvtOptions options)
+      : mesh_(mesh), options_(std::move(options)), isFixed_(sites.size(), false) {
+    validate(mesh, sites.size(), options_);
+    for (const int label : options_.fixedSites) isFixed_[label] = true;
+    trial_.sites.assign(sites.begin(), sites.end());
+    trial_.frames.assign(sites.size(), Vector2d(1, 0));
+    for (size_t l = 0; l < sites.size(); ++l)
+      if (!isFixed_[l]) trial_.sites[l] = offVertex(trial_.sites[l]);
+    propagation_ = propagateForCvt(mesh_, trial_.sites, options_.metric);
+  }
+
+  bool step(long budget) {
+    if (isDone_) return true;
+    if (!propagation_->step(budget)) return false;
+    evaluate();
+    if (!accepted_.distances) {
+      accept();
+    } else if (isLowEnough()) {
+      if (options_.method == CvtMethod::kLbfgs && !hasNewPlaces_)
+        memory_.learn(stepLength_ * direction_, trial_.gradient - accepted_.gradient);
+      ++iteration_.number;
+      accept();
+    } else {
+      retreat();
+      return isDone_;
+    }
+    return true;
+  }
+
+  bool isDone() const { return isDone_; }
+  const CvtIteration& iteration() const { return iteration_; }
+  std::span<const SurfacePoint> sites() const { return accepted_.sites; }
+  std::shared_ptr<const DistanceField> distances() const { return accepted_.distances; }
+  const Diagram& diagram() const { return accepted_.diagram; }
+
+ private:
+  /// Sites, and what they come to. The gradient is that of the energy, zero for fixed sites.
+  struct State {
+    std::vector<SurfacePoint> sites;
+    std::vector<Vector2d> frames;  ///< x axis of each site's own frame in that of its face
+    std::vector<double> moves;     ///< length of each site's last move
+    std::shared_ptr<const DistanceField> distances;
+    Diagram diagram;
+    CvtEnergy energy;
+    VectorXd gradient;
+  };
+
+  int siteCount() const { return static_cast<int>(isFixed_.size()); }
+
+  // --- One set of sites ---
+
+  void evaluate() {
+    trial_.distances = propagation_->take();
+    trial_.diagram = traceDiagram(mesh_, *trial_.distances, siteCount());
+    trial_.energy = integrateCvt(mesh_, *trial_.distances, trial_.diagram, options_.density);
+    trial_.gradient = VectorXd::Zero(2 * siteCount());
+    for (int l = 0; l < siteCount(); ++l)
+      if (!isFixed_[l])
+        trial_.gradient.segment<2>(2 * l) =
+            -2 * toFrame(trial_.energy.regions[l].moment, trial_.frames[l]);
+  }
+
+  /// Armijo's condition; an increase by rounding is none.
+  bool isLowEnough() const {
+    constexpr double kDecrease = 1e-4, kRounding = 1e-14;
+    const double before = accepted_.energy.energy;
+    return trial_.energy.energy <= before * (1 + kRounding) + kDecrease * stepLength_ * slope_;
+  }
+
+  void accept() {
+    const double before = accepted_.energy.energy;
+    const double fall = before - trial_.energy.energy;
+    const bool isFirst = !accepted_.distances;
+    std::swap(accepted_, trial_);
+    iteration_.energy = accepted_.energy.energy;
+    iteration_.largestMove =
+        isFirst ? 0 : *std::max_element(accepted_.moves.begin(), accepted_.moves.end());
+    if (!isFirst && !hasNewPlaces_)
+      isDone_ = fall <= options_.energyTolerance * before ||
+                iteration_.largestMove <= options_.moveTolerance;
+    isDone_ |= iteration_.number >= options_.iterations;
+    if (!isDone_) beginIteration();
+  }
+
+  // --- Where to ---
+
+  void beginIteration() {
+    findNewPlaces();
+    if (hasNewPlaces_) memory_.clear();
+    chooseDirection();
+    tryStep(1);
+  }
+
+  /// What Lloyd's step makes of the gradient -2 ∫ ρ u: the mean of u.
+  VectorXd inverseDiagonal() const {
+    VectorXd result = VectorXd::Zero(2 * siteCount());
+    for (int l = 0; l < siteCount(); ++l) {
+      const double mass = accepted_.energy.regions[l].mass;
+      if (mass > 0) result.segment<2>(2 * l).setConstant(1 / (2 * mass));
+    }
+    return result;
+  }
+
+  void chooseDirection() {
+    const VectorXd inverse = inverseDiagonal();
+    if (!memory_.empty()) {
+      direction_ = memory_.direction(accepted_.gradient, inverse);
+      limit(inverse);
+      slope_ = direction_.dot(accepted_.gradient);
+      if (slope_ < 0) return;
+      memory_.clear();
+    }
+    direction_ = -accepted_.gradient.cwiseProduct(inverse);
+    slope_ = direction_.dot(accepted_.gradient);
+  }
+
+  /// No site goes further than its region is wide, or twice as far as Lloyd's step, for what is
+  /// known about the energy ends there.
+  void limit(const VectorXd& inverse) {
+    for (int l = 0; l < siteCount(); ++l) {
+      const double lloyd =
+          accepted_.gradient.segment<2>(2 * l).cwiseProduct(inverse.segment<2>(2 * l)).norm();
+      const double radius = std::sqrt(accepted_.diagram.regionArea[l] / std::numbers::pi);
+      const double most = std::max(2 * lloyd, radius), length = direction_.segment<2>(2 * l).norm();
+      if (length > most) direction_.segment<2>(2 * l) *= most / length;
+    }
+  }
+
+  void tryStep(double stepLength) {
+    stepLength_ = stepLength;
+    trial_.sites.resize(siteCount());
+    trial_.frames.resize(siteCount());
+    trial_.moves.assign(siteCount(), 0.0);
+    for (int l = 0; l < siteCount(); ++l) {
+      trial_.sites[l] = accepted_.sites[l];
+      trial_.frames[l] = accepted_.frames[l];
+      if (newPlaces_[l].face >= 0)
+        trial_.sites[l] = newPlaces_[l];
+      else if (!isFixed_[l])
+        move(l, stepLength * direction_.segment<2>(2 * l));
+    }
+    propagation_ = propagateForCvt(mesh_, trial_.sites, options_.metric);
+  }
+
+  void move(int label, const Vector2d& step) {
+    const StraightestGeodesic way =
+        walkStraight(mesh_, accepted_.sites[label], fromFrame(step, accepted_.frames[label]),
+                     AtBoundary::kSlide);
+    trial_.sites[label] = offVertex(way.end);
+    trial_.frames[label] = fromFrame(accepted_.frames[label], way.frame).normalized();
+    trial_.moves[label] = way.length;
+  }
+
+  /// After a step that did not lower the energy enough: to where a parabola has its minimum, within
+  /// limits. After three attempts Lloyd's direction takes the place of the quasi-Newton one. Its
+  /// own first step would lower the energy if distances did not jump a little: after three attempts
+  /// what is left to be gained is less than that, and this ends.
+  void retreat() {
+    constexpr int kAttempts = 3;
+    if (++attempts_ >= kAttempts) {
+      if (memory_.empty()) {
+        isDone_ = true;
+        return;
+      }
+      memory_.clear();
+      attempts_ = 0;
+      chooseDirection();
+      return tryStep(1);
+    }
+    const double rise = trial_.energy.energy - accepted_.energy.energy - stepLength_ * slope_;
+    const double share = rise > 0 ? -slope_ * stepLength_ / (2 * rise) : 0.5;
+    tryStep(stepLength_ * std::clamp(share, 0.1, 0.5));
+  }
+
+  // --- Sites without region ---
+
+  /// New places for the sites whose regions have no mass: drawn from where the energy is, face by
+  /// face, for there a further site lowers it most.
+  void findNewPlaces() {
+    newPlaces_.assign(siteCount(), SurfacePoint());
+    hasNewPlaces_ = false;
+    attempts_ = 0;
+    std::vector<double> sums;
+    for (int l = 0; l < siteCount(); ++l) {
+      if (isFixed_[l] || accepted_.energy.regions[l].mass > 0) continue;
+      if (sums.empty()) sums = cumulative(accepted_.energy.faceEnergy);
+      if (!(sums.back() > 0)) return;
+      newPlaces_[l].face = drawIndex(random_, sums);
+      newPlaces_[l].bary = drawBarycentric(random_);
+      hasNewPlaces_ = true;
+    }
+  }
+
+  const TriangleMesh& mesh_;
+  const CvtOptions options_;
+  std::vector<char> isFixed_;
+  State accepted_, trial_;
+  std::unique_ptr<Propagation> propagation_;
+  CvtIteration iteration_;
+  bool isDone_ = false;
+
+  // Of the iteration at hand.
+  LbfgsMemory memory_;
+  VectorXd direction_;
+  double slope_ = 0;  ///< of the energy along the direction
+  double stepLength_ = 1;
+  int attempts_ = 0;
+  std::vector<SurfacePoint> newPlaces_;  ///< face -1: none
+  bool hasNewPlaces_ = false;
+  std::mt19937_64 random_{1};
+};
+
+Cvt::Cvt(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, CvtOptions options)
+    : solver_(std::make_unique<Solver>(mesh, sites, std::move(options))) {}
+Cvt::~Cvt() = default;
+Cvt::Cvt(Cvt&&) noexcept = default;
+Cvt& Cvt::operator=(Cvt&&) noexcept = default;
+
+bool Cvt::step(long budget) { return solver_->step(budget); }
+bool Cvt::isDone() const { return solver_->isDone(); }
+const CvtIteration& Cvt::iteration() const { return solver_->iteration(); }
+std::span<const SurfacePoint> Cvt::sites() const { return solver_->sites(); }
+std::shared_ptr<const DistanceField> Cvt::distances() const { return solver_->distances(); }
+const Diagram& Cvt::diagram() const { return solver_->diagram(); }
+
+}  // namespace gvd

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "tessellation/cvt_energy.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "distance/metric.h"
+#include "mesh/surface_geometry.h"
+
+namespace gvd {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+/// The polar coordinates of every label known at every vertex, as squared distances and vectors.
+class LogMaps {
+ public:
+  struct Value {
+    int label;
+    double squaredDistance;
+    Vector2d vector;
+  };
+
+  LogMaps(const TriangleMesh& mesh, const DistanceField& distances) {
+    offset_.reserve(mesh.vertexCount() + 1);
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+      for (const LabelledDistance& d : distances.at(v)) {
+        const Vector2d u = d.distance * distances.direction(d.label, v);
+        values_.push_back(
+            {d.label, d.distance * d.distance, u.allFinite() ? u : Vector2d(Vector2d::Zero())});
+      }
+      offset_.push_back(static_cast<int>(values_.size()));
+    }
+  }
+
+  /// Null if the label is not known at the vertex.
+  const Value* find(int vertex, int label) const {
+    const auto end = values_.begin() + offset_[vertex + 1];
+    const auto it = std::find_if(values_.begin() + offset_[vertex], end,
+                                 [&](const Value& value) { return value.label == label; });
+    return it == end ? nullptr : &*it;
+  }
+
+ private:
+  std::vector<int> offset_ = {0};
+  std::vector<Value> values_;
+};
+
+class Integrator {
+ public:
+  Integrator(const TriangleMesh& mesh, const DistanceField& distances, const Diagram& diagram,
+             std::span<const double> density)
+      : mesh_(mesh), diagram_(diagram), density_(density), logMaps_(mesh, distances) {
+    out_.faceEnergy.assign(mesh.faceCount(), 0.0);
+    out_.regions.resize(diagram.siteCount);
+  }
+
+  CvtEnergy integrate() {
+    for (int f = 0; f < mesh_.faceCount(); ++f)
+      if (diagram_.faceLabel[f] >= 0 && enterFace(f, diagram_.faceLabel[f]))
+        addTriangle(Matrix3d::Identity(), mesh_.faceArea(f));
+    for (int c = 0; c < diagram_.cells.size(); ++c) addCell(c);
+    for (const double energy : out_.faceEnergy) out_.energy += energy;
+    return std::move(out_);
+  }
+
+ private:
+  /// Prepares what is linear on a face for a label; false if the label is not known there.
+  bool enterFace(int face, int label) {
+    for (int i = 0; i < 3; ++i) {
+      const int v = mesh_.tail(3 * face + i);
+      const LogMaps::Value* value = logMaps_.find(v, label);
+      if (!value) return false;
+      squared_[i] = value->squaredDistance;
+      vectors_.col(i) = value->vector;
+      if (!density_.empty()) rho_[i] = density_[v];
+    }
+    face_ = face;
+    label_ = label;
+    sides_ = squaredSides(mesh_, face);
+    return true;
+  }
+
+  void addCell(int cell) {
+    const int face = diagram_.cellFace[cell];
+    if (!enterFace(face, diagram_.cellLabel[cell])) return;
+    const double faceArea = mesh_.faceArea(face);
+    const auto points = diagram_.cells[cell];
+    Matrix3d corners;
+    corners.col(0) = cornerAt(points[0]);
+    corners.col(2) = cornerAt(points[1]);
+    for (size_t i = 2; i < points.size(); ++i) {
+      corners.col(1) = corners.col(2);
+      corners.col(2) = cornerAt(points[i]);
+      const Vector3d p = corners.col(1) - corners.col(0), q = corners.col(2) - corners.col(0);
+      addTriangle(corners, std::max(0.0, p[0] * q[1] - p[1] * q[0]) * faceArea);
+    }
+  }
+
+  Vector3d cornerAt(int point) const { return baryInFace(mesh_, diagram_.points[point], face_); }
+
+  /// Adds the integrals over a triangle in the current face. Restricted to it, ρ and u are linear,
+  /// and d² is again the interpolant of its corner values less Σ cᵢ cⱼ |eᵢⱼ|², with the triangle's
+  /// own barycentric coordinates c and sides e. So its mean needs that of products of up to three
+  /// c only: of cᵢ 1/3, cᵢ cⱼ 1/12, cᵢ² 1/6, c₀ c₁ c₂ 1/60, cᵢ² cⱼ 1/30.
+  void addTriangle(const Matrix3d& corners, double area) {
+    const Vector3d rho = corners.transpose() * rho_;
+    const double rhoSum = rho.sum();
+    Vector3d squared = corners.transpose() * squared_;
+    Vector3d opposite;  // squared sides, by the corner opposite
+    for (int i = 0; i < 3; ++i) {
+      const Vector3d c = corners.col(i);
+      squared[i] -= c[0] * c[1] * sides_[0] + c[1] * c[2] * sides_[1] + c[2] * c[0] * sides_[2];
+      opposite[i] = squaredDistance(corners.col((i + 1) % 3), corners.col((i + 2) % 3), sides_);
+    }
+    const double linear = (rhoSum * squared.sum() + rho.dot(squared)) / 12;
+    const double bulge = (2 * rhoSum * opposite.sum() - rho.dot(opposite)) / 60;
+    out_.faceEnergy[face_] += area * (linear - bulge);
+    RegionMoments& region = out_.regions[label_];
+    region.mass += area * rhoSum / 3;
+    const Vector3d weights = (rho + Vector3d::Constant(rhoSum)) / 12;
+    region.moment += area * (vectors_ * (corners * weights));
+  }
+
+  const TriangleMesh& mesh_;
+  const Diagram& diagram_;
+  const std::span<const double> density_;
+  const LogMaps logMaps_;
+  CvtEnergy out_;
+
+  // Of the face and label at hand, by corner.
+  int face_ = -1, label_ = -1;
+  std::array<double, 3> sides_;
+  Vector3d squared_;
+  Eigen::Matrix<double, 2, 3> vectors_;
+  Vector3d rho_ = Vector3d::Ones();
+};
+
+}  // namespace
+
+std::unique_ptr<Propagation> propagateForCvt(const TriangleMesh& mesh,
+                                             std::span<const SurfacePoint> sites, Metric metric) {
+  return metric == Metric::kExact
+             ? propagateExact(mesh, sites, Spread::kAsNeeded)
+             : propagateDgpc(mesh, sites, Spread::kAsNeeded, Straightens::kEverywhere);
+}
+
+CvtEnergy integrateCvt(const TriangleMesh& mesh, const DistanceField& distances,
+                       const Diagram& diagram, std::span<const double> density) {
+  return Integrator(mesh, distances, diagram, density).integrate();
+}
+
+}  // namespace gvd
