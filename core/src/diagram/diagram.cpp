@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -15,6 +16,7 @@
 #include "diagram/face_complex.h"
 #include "diagram/face_envelope.h"
 #include "diagram/trace_faces.h"
+#include "distance/common_labels.h"
 #include "mesh/surface_geometry.h"
 
 namespace gvd {
@@ -204,27 +206,13 @@ class Tracer {
   /// The labels known at all three nodes of an element, without those that one owner of a node
   /// hides everywhere.
   void gatherFunctions(int element, int soleOwner) {
-    const auto a = complex_.labels(tail_[3 * element]);
-    const auto b = complex_.labels(tail_[3 * element + 1]);
-    const auto c = complex_.labels(tail_[3 * element + 2]);
+    const int* const node = &tail_[3 * element];
     functions_.clear();
-    for (auto i = a.begin(), j = b.begin(), k = c.begin();
-         i != a.end() && j != b.end() && k != c.end();) {
-      const int label = std::max({i->label, j->label, k->label});
-      if (i->label < label) {
-        ++i;
-      } else if (j->label < label) {
-        ++j;
-      } else if (k->label < label) {
-        ++k;
-      } else {
-        if (soleOwner < 0 || label == soleOwner)
-          functions_.push_back(
-              {label,
-               {i->distance * i->distance, j->distance * j->distance, k->distance * k->distance}});
-        ++i, ++j, ++k;
-      }
-    }
+    visitCommonLabels(complex_.labels(node[0]), complex_.labels(node[1]), complex_.labels(node[2]),
+                      [&](int label, const std::array<double, 3>& d) {
+                        if (soleOwner < 0 || label == soleOwner)
+                          functions_.push_back({label, {d[0] * d[0], d[1] * d[1], d[2] * d[2]}});
+                      });
     if (functions_.size() <= 3) return;
     std::array<const LabelFunction*, 3> owners;
     for (int i = 0; i < 3; ++i)

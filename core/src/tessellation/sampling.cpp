@@ -5,14 +5,17 @@
 #include "gvd/sampling.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <queue>
 #include <random>
+#include <span>
 #include <string>
 #include <utility>
 
 #include "base/random.h"
+#include "distance/common_labels.h"
 #include "distance/unfolding_sweep.h"
 #include "gvd/error.h"
 #include "gvd/geodesic.h"
@@ -110,30 +113,19 @@ class Disks {
 
  private:
   bool isFree(const SurfacePoint& p, double radius) const {
-    const auto& a = known_[mesh_.tail(3 * p.face)];
-    const auto& b = known_[mesh_.tail(3 * p.face + 1)];
-    const auto& c = known_[mesh_.tail(3 * p.face + 2)];
     const auto sides = squaredSides(mesh_, p.face);
     const double excess = p.bary[0] * p.bary[1] * sides[0] + p.bary[1] * p.bary[2] * sides[1] +
                           p.bary[2] * p.bary[0] * sides[2];
-    for (auto i = a.begin(), j = b.begin(), k = c.begin();
-         i != a.end() && j != b.end() && k != c.end();) {
-      const int label = std::max({i->label, j->label, k->label});
-      if (i->label < label) {
-        ++i;
-      } else if (j->label < label) {
-        ++j;
-      } else if (k->label < label) {
-        ++k;
-      } else {
-        const double squared = p.bary[0] * i->distance * i->distance +
-                               p.bary[1] * j->distance * j->distance +
-                               p.bary[2] * k->distance * k->distance - excess;
-        if (squared < radius * radius) return false;
-        ++i, ++j, ++k;
-      }
-    }
-    return true;
+    const auto knownAt = [&](int corner) -> std::span<const LabelledDistance> {
+      return known_[mesh_.tail(3 * p.face + corner)];
+    };
+    double least = kInfinity;
+    visitCommonLabels(knownAt(0), knownAt(1), knownAt(2),
+                      [&](int /*label*/, const std::array<double, 3>& d) {
+                        least = std::min(least, p.bary[0] * d[0] * d[0] + p.bary[1] * d[1] * d[1] +
+                                                    p.bary[2] * d[2] * d[2] - excess);
+                      });
+    return !(least < radius * radius);
   }
 
   const TriangleMesh& mesh_;
