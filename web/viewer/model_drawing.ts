@@ -237,7 +237,7 @@ export class ModelDrawing {
       this.#pointPlaces = points;
       this.#pointLabels = around;
     }
-    this.#voronoiPoints.set(this.#pointPlaces);
+    this.#voronoiPoints.set(inOrder(this.#pointPlaces));
     this.#showBisectors();
   }
 
@@ -259,6 +259,18 @@ export class ModelDrawing {
     this.#pointPlaces = all;
     this.#pointLabels = [...kept.map((i) => this.#pointLabels[i]), ...labels];
   }
+}
+
+/** Places by their coordinates: where points overlap, changes elsewhere leave the same one on top. */
+function inOrder(places: Float32Array): Float32Array {
+  const order = Array.from({ length: places.length / 3 }, (_, i) => i);
+  const difference = (i: number, j: number, axis: number) => places[3 * i + axis] - places[3 * j + axis];
+  order.sort((i, j) => difference(i, j, 0) || difference(i, j, 1) || difference(i, j, 2));
+  const result = new Float32Array(places.length);
+  order.forEach((from, to) => {
+    result.set(places.subarray(3 * from, 3 * from + 3), 3 * to);
+  });
+  return result;
 }
 
 function toned(diagram: DrawnDiagram, tones: Uint16Array): TonedDiagram {
