@@ -19,14 +19,16 @@
 #include "distance/site_frame.h"
 
 namespace gvd {
+namespace {
 
 using Eigen::Vector2d;
 
-class Continuation::Implementation {
+class Continuation {
  public:
-  explicit Implementation(DgpcField& field)
+  Continuation(DgpcField& field, Straightens straightens)
       : mesh_(field.mesh()),
         field_(field),
+        straightens_(straightens),
         scope_(mesh_.vertexCount(), Scope::kOutside),
         inScope_(mesh_.vertexCount()),
         sources_(mesh_.vertexCount()),
@@ -35,8 +37,8 @@ class Continuation::Implementation {
         queue_(mesh_.meanEdgeLength()),
         straightener_(field) {}
 
-  void runEverywhere(Straightens straightens) {
-    straightens_ = straightens;
+  /// Only once.
+  void runEverywhere() {
     scope_.assign(mesh_.vertexCount(), Scope::kInside);
     for (int label = 0; label < static_cast<int>(field_.sites().size()); ++label)
       if (field_.sites()[label].face >= 0) lookFromSite(label);
@@ -668,7 +670,7 @@ class Continuation::Implementation {
 
   const TriangleMesh& mesh_;
   DgpcField& field_;
-  Straightens straightens_ = Straightens::kBetweenRegions;
+  const Straightens straightens_;
   enum class Scope : char { kOutside, kTold, kInside };
   std::vector<Scope> scope_;     ///< per vertex
   IndexSet inScope_;             ///< not of a run everywhere
@@ -687,16 +689,23 @@ class Continuation::Implementation {
   std::vector<Vector2d> departures_;
 };
 
-Continuation::Continuation(DgpcField& field)
-    : implementation_(std::make_unique<Implementation>(field)) {}
+}  // namespace
 
-Continuation::~Continuation() = default;
-
-void Continuation::runEverywhere(Straightens straightens) {
-  implementation_->runEverywhere(straightens);
+void continueOverBorders(DgpcField& field, Straightens straightens) {
+  Continuation(field, straightens).runEverywhere();
 }
 
-LabelChange Continuation::runAround(std::span<const int> changed) {
+class ContinuationUpdates::Implementation : public Continuation {
+ public:
+  using Continuation::Continuation;
+};
+
+ContinuationUpdates::ContinuationUpdates(DgpcField& field)
+    : implementation_(std::make_unique<Implementation>(field, Straightens::kBetweenRegions)) {}
+
+ContinuationUpdates::~ContinuationUpdates() = default;
+
+LabelChange ContinuationUpdates::run(std::span<const int> changed) {
   return implementation_->runAround(changed);
 }
 

@@ -10,12 +10,6 @@
 
 namespace gvd {
 
-/// Where the labels of a field have changed.
-struct LabelChange {
-  std::vector<int> vertices;  ///< ascending
-  std::vector<int> labels;    ///< all that are or were known there, ascending
-};
-
 /// Adds to the nearest site of each vertex those other sites that a diagram needs to know there.
 ///
 /// To tell where in a face one region ends, the distances of both labels must be known at all its
@@ -27,19 +21,27 @@ struct LabelChange {
 /// Paths that bend are straightened there, those of owners too, or wherever it is asked for. A site
 /// may then be nearer to a vertex than the one that the sweep has found for it, and what a vertex
 /// knows is what counts: the sweep's is only where this starts.
-class Continuation {
+///
+/// Fills in the labels of all vertices of a field that knows the sites and what is nearest.
+void continueOverBorders(DgpcField& field, Straightens straightens);
+
+/// Where the labels of a field have changed.
+struct LabelChange {
+  std::vector<int> vertices;  ///< ascending
+  std::vector<int> labels;    ///< all that are or were known there, ascending
+};
+
+/// Keeps up to date what `continueOverBorders` has filled in, with paths straightened between
+/// regions only. Each time it takes time for what is near the change, and little for each site.
+class ContinuationUpdates {
  public:
-  /// Of a field that knows the sites and what is nearest; it must outlive this.
-  explicit Continuation(DgpcField& field);
-  ~Continuation();
+  /// The field must outlive this.
+  explicit ContinuationUpdates(DgpcField& field);
+  ~ContinuationUpdates();
 
-  /// Fills in the labels of all vertices.
-  void runEverywhere(Straightens straightens);
-
-  /// The same after the nearest site of some vertices, or how it is seen, has changed, or a site in
-  /// a face that they are corners of: brings up to date what follows from these, with straight
-  /// paths between regions. Takes time for what is near them, and little for each site.
-  LabelChange runAround(std::span<const int> changed);
+  /// Brings up to date what follows from a change: of the nearest site of some vertices, or how it
+  /// is seen, or of a site in a face that they are corners of.
+  LabelChange run(std::span<const int> changed);
 
  private:
   class Implementation;

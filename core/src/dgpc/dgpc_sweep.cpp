@@ -98,7 +98,7 @@ std::unique_ptr<DistanceField> DgpcSweep::take() {
   views_.resize(mesh_.vertexCount());
   auto field =
       std::make_unique<DgpcField>(mesh_, std::move(sites_), std::move(nearest), std::move(views_));
-  Continuation(*field).runEverywhere(straightens_);
+  continueOverBorders(*field, straightens_);
   return field;
 }
 

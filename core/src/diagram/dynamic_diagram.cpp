@@ -39,7 +39,7 @@ class DynamicDiagram::Implementation {
     field_ =
         std::make_unique<DgpcField>(mesh, std::vector<SurfacePoint>(sites.begin(), sites.end()),
                                     std::move(nearest), std::move(views));
-    Continuation(*field_).runEverywhere(Straightens::kBetweenRegions);
+    continueOverBorders(*field_, Straightens::kBetweenRegions);
     continuation_.emplace(*field_);
     tracer_.emplace(mesh, *field_, options);
     std::vector<int> faces(mesh.faceCount()), labels(sites.size());
@@ -83,7 +83,7 @@ class DynamicDiagram::Implementation {
       field_->setNearest(v, nearest, view);
     }
     makeSet(changed);
-    LabelChange labels = continuation_->runAround(changed);
+    LabelChange labels = continuation_->run(changed);
     labels.labels.push_back(label);
     makeSet(labels.labels);
     faces_.clear();
@@ -237,7 +237,7 @@ class DynamicDiagram::Implementation {
   DiagramOptions options_;
   DgpcSweep sweep_;
   std::unique_ptr<DgpcField> field_;
-  std::optional<Continuation> continuation_;
+  std::optional<ContinuationUpdates> continuation_;
   std::optional<PartialTracer> tracer_;
   DiagramPieces pieces_;
   // Ascending:
