@@ -16,8 +16,7 @@ namespace gvd {
 struct DiagramChange {
   /// The regions that may differ, ascending; among them those that have come or gone.
   std::vector<int> labels;
-  /// The faces that may differ, ascending: all that these regions have now or had before. In each
-  /// of them, all cells are given.
+  /// The faces that may differ, ascending. In each of them, all cells are given.
   std::vector<int> faces;
   /// What replaces all that there was of these labels and faces: the loops of the labels; segments
   /// (each with its whole arc), arcs and Voronoi points of which one of the labels is one; the
@@ -41,8 +40,8 @@ class DynamicDiagram {
   DynamicDiagram(DynamicDiagram&&) noexcept;
   DynamicDiagram& operator=(DynamicDiagram&&) noexcept;
 
-  /// Each of these takes about as long as the diagram of the labels in `DiagramChange::labels`, and
-  /// O(F) with little for each face. The new site gets `lowestFreeLabel()`.
+  /// Each of these takes about as long as the diagram of the labels in `DiagramChange::labels`,
+  /// however large the mesh is. The new site gets `lowestFreeLabel()`.
   DiagramChange insertSite(const SurfacePoint& site);
   /// Throws `Error(kInvalidArgument)` if no site has the label.
   DiagramChange removeSite(int label);

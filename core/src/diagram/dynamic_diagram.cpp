@@ -121,7 +121,8 @@ class DynamicDiagram::Implementation {
 
   /// Only in faces around the changed vertices, and by what the tracer completes in those beside
   /// them, can cells be others. Where points have become one, or had, a bisector may lie where a
-  /// third label has no width left: what is known there counts as changed too, in all its faces.
+  /// third label has no width left, and the order around the point follows from all labels there:
+  /// those known around such points count as changed too, and so do the faces.
   DiagramChange trace(const LabelChange& change) {
     IndexSet labels(labelCount(), change.labels);
     for (;;) {
