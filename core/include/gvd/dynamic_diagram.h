@@ -41,7 +41,8 @@ class DynamicDiagram {
   DynamicDiagram& operator=(DynamicDiagram&&) noexcept;
 
   /// Each of these takes about as long as the diagram of the labels in `DiagramChange::labels`,
-  /// however large the mesh is. The new site gets `lowestFreeLabel()`.
+  /// however large the mesh is; where ties are carried on behind saddles, a little for each vertex
+  /// more. The new site gets `lowestFreeLabel()`.
   DiagramChange insertSite(const SurfacePoint& site);
   /// Throws `Error(kInvalidArgument)` if no site has the label.
   DiagramChange removeSite(int label);

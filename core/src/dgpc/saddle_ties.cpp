@@ -118,10 +118,13 @@ bool SaddleTies::mayBeSource(double distance) const {
 /// nearest first, so that those that are sources themselves are told before they tell others.
 std::vector<int> SaddleTies::carry(std::vector<int> told) {
   std::sort(told.begin(), told.end());
+  std::vector<char> isTied(field_.sites().size());  // only what these labels own is told of them
+  for (const auto& [distance, v] : sources_)
+    for (const LabelledDistance& d : tiesAt(v)) isTied[d.label] = true;
   std::vector<std::pair<double, int>> vertices;
   for (int v = 0; v < mesh_.vertexCount(); ++v) {
-    const double distance = field_.nearest(v).distance;
-    if (field_.nearest(v).label >= 0 && distance > sources_.begin()->first &&
+    const auto [label, distance] = field_.nearest(v);
+    if (label >= 0 && isTied[label] && distance > sources_.begin()->first &&
         !std::binary_search(told.begin(), told.end(), v))
       vertices.push_back({distance, v});
   }
