@@ -231,8 +231,8 @@ TEST(DynamicDiagram, FollowsTiesFarBehindASaddle) {
   expectTies(64, 96);
 }
 
-/// Two pairs of sites 1e-13 apart. In the middle face the region of site 4 is a sliver whose
-/// corners rounding puts in one place, though no segment joins them.
+/// Two pairs of sites 1e-13 apart: in their face the region of site 3 is a sliver, two corners of
+/// which rounding puts in one place, though no segment joins them.
 TEST(DynamicDiagram, TellsPointsInOnePlaceApart) {
   const shapes::Shape shape{
       {0.6, 0, 4.8985871965894131e-17, -0.49999999999999972, 0.8660254037844386, -0.4,

@@ -241,10 +241,10 @@ class DynamicDiagram::Implementation {
   std::optional<ContinuationUpdates> continuation_;
   std::optional<PartialTracer> tracer_;
   DiagramPieces pieces_;
+  IndexSet faces_;  ///< those that are gathered at the time
   // Ascending:
   std::vector<int> mergedFaces_;     ///< where points have become one, and some where they had
   std::vector<int> completedFaces_;  ///< where the tracer had to add labels when all was traced
-  IndexSet faces_;                   ///< those that are gathered at the time
   /// Per label the faces with a corner where it and others are known.
   std::vector<std::vector<int>> sharedFaces_;
 };
