@@ -199,6 +199,10 @@ INSTANTIATE_TEST_SUITE_P(
                                shapes::joined(shapes::icosphere(1),
                                               shapes::moved(shapes::grid(4, 4, 0.3, 5), {5, 0, 0})),
                                5, 40, 0},
+                      // On each side of a plane of symmetry, as much is known, and in any order.
+                      EditCase{"icosphere", shapes::icosphere(3), 12, 40, 0},
+                      // Where paths of two labels bend at one vertex, they tie ever after.
+                      EditCase{"needles", shapes::torus(60, 6), 8, 40, 0},
                       EditCase{"moebius", shapes::moebiusStrip(14, 3), 7, 40, 0},
                       EditCase{"bumpyTorusDetail", shapes::bumpySurface(1, 5, 0.3, 3), 9, 25, 2},
                       EditCase{"gridDetail", shapes::grid(8, 6, 0.4, 1), 6, 25, 1}),

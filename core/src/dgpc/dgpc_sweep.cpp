@@ -12,13 +12,11 @@
 #include <numbers>
 #include <utility>
 
+#include "base/index_set.h"
 #include "base/prefetch.h"
 #include "base/tolerances.h"
-#include "dgpc/continuation.h"
-#include "dgpc/dgpc_field.h"
 #include "dgpc/straight_walk.h"
 #include "distance/edge_share.h"
-#include "distance/metric.h"
 #include "distance/site_frame.h"
 #include "mesh/surface_geometry.h"
 
@@ -26,18 +24,16 @@ namespace gvd {
 
 using Eigen::Vector2d;
 
-DgpcSweep::DgpcSweep(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Spread spread,
-                     Straightens straightens)
+DgpcSweep::DgpcSweep(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Spread spread)
     : mesh_(mesh),
       sites_(sites.begin(), sites.end()),
+      owner_(mesh.vertexCount(), -1),
+      meetsShadows_(sites.size()),
+      isEntangled_(sites.size()),
       spread_(spread),
-      straightens_(straightens),
       limits_(mesh.vertexCount()),
       isSharp_(mesh.vertexCount()),
-      meetsShadows_(sites.size()),
-      owner_(mesh.vertexCount(), -1),
-      queue_(mesh.meanEdgeLength()),
-      disturbed_(0) {
+      queue_(mesh.meanEdgeLength()) {
   for (int v = 0; v < mesh.vertexCount(); ++v) {
     limits_[v] = limitsViews(mesh, v);
     isSharp_[v] = castsShadow(mesh, v);
@@ -62,7 +58,9 @@ long DgpcSweep::drain(long budget) {
   for (; budget > 0 && !queue_.empty(); --budget) {
     const QueueItem item = queue_.pop();
     prefetchUpcoming();
-    if (item.distance == entries_[item.entry].distance) settle(item.entry);
+    if (item.distance != entries_[item.entry].distance) continue;
+    clock_ = std::max(clock_, item.distance);
+    settle(item.entry);
   }
   return budget;
 }
@@ -87,7 +85,7 @@ double DgpcSweep::progress() const {
              : std::min(1.0, static_cast<double>(reachedVertices_) / mesh_.vertexCount());
 }
 
-std::unique_ptr<DistanceField> DgpcSweep::take() {
+std::unique_ptr<DgpcField> DgpcSweep::take() {
   std::vector<LabelledDistance> nearest(mesh_.vertexCount());
   for (int v = 0; v < mesh_.vertexCount(); ++v) {
     const int entry = nearestEntry(v);
@@ -96,10 +94,8 @@ std::unique_ptr<DistanceField> DgpcSweep::take() {
     if (entry != v) views_[v] = views_[entry];
   }
   views_.resize(mesh_.vertexCount());
-  auto field =
-      std::make_unique<DgpcField>(mesh_, std::move(sites_), std::move(nearest), std::move(views_));
-  continueOverBorders(*field, straightens_);
-  return field;
+  return std::make_unique<DgpcField>(mesh_, std::move(sites_), std::move(nearest),
+                                     std::move(views_));
 }
 
 DgpcSweep::Nearest DgpcSweep::nearest(int vertex) const {
@@ -136,7 +132,6 @@ int DgpcSweep::nearestEntry(int vertex) const {
 }
 
 int DgpcSweep::add(int vertex, int label) {
-  if (!verticesOf_.empty()) verticesOf_[label].push_back(vertex);
   Entry& first = entries_[vertex];
   if (first.label < 0) {
     first.label = label;
@@ -157,27 +152,6 @@ int DgpcSweep::add(int vertex, int label) {
   return entry;
 }
 
-void DgpcSweep::remove(int entry) {
-  const int vertex = vertexOf(entry);
-  if (entry != vertex) {
-    int before = vertex;
-    while (entries_[before].next != entry) before = entries_[before].next;
-    entries_[before].next = entries_[entry].next;
-    release(entry);
-  } else if (const int next = entries_[entry].next; next >= 0) {
-    entries_[entry] = entries_[next];
-    views_[entry] = views_[next];
-    release(next);
-  } else {
-    entries_[entry] = {};
-  }
-}
-
-void DgpcSweep::release(int entry) {
-  entries_[entry] = {};
-  released_.push_back(entry);
-}
-
 int DgpcSweep::vertexOf(int entry) const {
   return entry < mesh_.vertexCount() ? entry : vertices_[entry - mesh_.vertexCount()];
 }
@@ -190,132 +164,34 @@ void DgpcSweep::offer(int vertex, int label, double distance, MakeView view) {
   if (entry < 0) entry = add(vertex, label);
   Entry& e = entries_[entry];
   if (!(distance < e.distance * (1 - kDistanceTolerance))) return;
-  if (isSharp_[vertex]) meetsShadows_[label] = true;
-  touch(vertex);
+  if (isSharp_[vertex]) meetsShadows_[label] = isEntangled_[label] = true;
+  if (distance < clock_) late_.push_back(entry);
+  if (notesAccepted_) accepted_.push_back(entry);
   e.distance = distance;
   views_[entry] = view();
   if (owner_[vertex] != label && distance < leastAt(vertex)) {
     if (owner_[vertex] < 0) ++reachedVertices_;
     owner_[vertex] = label;
   }
-  queue_.push({distance, entry, views_[entry].halfedge});
+  queue(entry);
 }
 
-void DgpcSweep::touch(int vertex) {
-  if (isTouched_.empty() || isTouched_[vertex]) return;
-  isTouched_[vertex] = true;
-  touched_.push_back(vertex);
+void DgpcSweep::queue(int entry) {
+  const Entry& e = entries_[entry];
+  queue_.push({e.distance, entry, e.label, views_[entry].halfedge});
 }
 
-std::vector<int> DgpcSweep::takeTouched() {
-  for (const int v : touched_) isTouched_[v] = false;
-  return std::exchange(touched_, {});
+/// Makes room for so many labels, without sites.
+void DgpcSweep::addLabels(int count) {
+  sites_.resize(count);
+  meetsShadows_.resize(count);
+  isEntangled_.resize(count);
 }
 
-// --- Sites ---
-
-/// What is known at a vertex depends on the order in which it came to be known: a vertex keeps one
-/// view, and whether a worse one was carried on before the better one came, others see. So labels
-/// that have been disturbed are swept anew, all of their way.
-void DgpcSweep::setSite(int label, const SurfacePoint& site) {
-  indexEntries();
-  if (label >= static_cast<int>(sites_.size())) {
-    sites_.resize(label + 1);
-    verticesOf_.resize(label + 1);
-    meetsShadows_.resize(label + 1);
-  }
-  disturbed_.clear();
-  for (const int v : verticesOf_[label]) disturbed_.add(v);
-  std::vector<Knowledge> former = {knowledgeOf(label)};
-  std::vector<int> anew = {label};
-  forget(label);
-  sites_[label] = site;
-  sweepAnew(anew);
-  for (const int v : verticesOf_[label]) disturbed_.add(v);
-  for (;;) {
-    const std::vector<int> added = labelsAround(disturbed_.list(), anew);
-    if (added.empty()) break;
-    for (const int l : added) former.push_back(knowledgeOf(l));
-    anew.insert(anew.end(), added.begin(), added.end());
-    makeSet(anew);
-    for (const int l : anew) forget(l);
-    sweepAnew(anew);
-    for (const Knowledge& k : former) disturbDifferences(k);
-  }
-  while (reachTheUnseen()) drain(std::numeric_limits<long>::max());
-}
-
-void DgpcSweep::sweepAnew(std::span<const int> labels) {
+/// For a sweep after one that is done.
+void DgpcSweep::startAnew() {
   queue_.restart();
-  for (const int l : labels)
-    if (sites_[l].face >= 0) seed(l);
-  drain(std::numeric_limits<long>::max());
-}
-
-/// Keeps note, from now on, of where labels are known.
-void DgpcSweep::indexEntries() {
-  if (!isTouched_.empty()) return;
-  isTouched_.resize(mesh_.vertexCount());
-  disturbed_ = IndexSet(mesh_.vertexCount());
-  isMarked_.resize(mesh_.vertexCount());
-  verticesOf_.resize(sites_.size());
-  for (int e = 0; e < static_cast<int>(entries_.size()); ++e)
-    if (entries_[e].label >= 0) verticesOf_[entries_[e].label].push_back(vertexOf(e));
-}
-
-DgpcSweep::Knowledge DgpcSweep::knowledgeOf(int label) const {
-  Knowledge knowledge{label, {}};
-  for (const int v : verticesOf_[label]) {
-    const int e = find(v, label);
-    knowledge.places.push_back({v, entries_[e].distance, views_[e]});
-  }
-  return knowledge;
-}
-
-/// Notes the vertices at which a label knows anything else than before.
-void DgpcSweep::disturbDifferences(const Knowledge& before) {
-  for (const auto& [vertex, distance, view] : before.places) {
-    const int e = find(vertex, before.label);
-    if (e < 0 || entries_[e].distance != distance || !(views_[e] == view)) disturbed_.add(vertex);
-    isMarked_[vertex] = true;
-  }
-  for (const int v : verticesOf_[before.label])
-    if (!isMarked_[v]) disturbed_.add(v);
-  for (const auto& place : before.places) isMarked_[place.vertex] = false;
-}
-
-/// The labels known at some vertices or next to them, without those given.
-std::vector<int> DgpcSweep::labelsAround(std::span<const int> vertices,
-                                         std::span<const int> without) const {
-  std::vector<char> isNoted(sites_.size());
-  for (const int label : without) isNoted[label] = true;
-  std::vector<int> labels;
-  const auto note = [&](int v) {
-    for (int e = v; e >= 0; e = entries_[e].next)
-      if (const int label = entries_[e].label; label >= 0 && !std::exchange(isNoted[label], true))
-        labels.push_back(label);
-  };
-  for (const int v : vertices) {
-    note(v);
-    mesh_.visitNeighbours(v, note);
-  }
-  return labels;
-}
-
-/// Takes away what a label knows.
-void DgpcSweep::forget(int label) {
-  for (const int v : verticesOf_[label]) {
-    touch(v);
-    remove(find(v, label));
-    if (owner_[v] != label) continue;
-    int nearest = v;
-    for (int e = v; e >= 0; e = entries_[e].next)
-      if (entries_[e].distance < entries_[nearest].distance) nearest = e;
-    owner_[v] = entries_[nearest].label;
-    if (owner_[v] < 0) --reachedVertices_;
-  }
-  verticesOf_[label].clear();
-  meetsShadows_[label] = false;
+  clock_ = 0;
 }
 
 /// The corners of a site's face see it directly. A site on an edge is seen from the other face
@@ -338,6 +214,9 @@ void DgpcSweep::settle(int entry) {
               .label = entries_[entry].label,
               .distance = entries_[entry].distance,
               .isLimit = false};
+  if (const int owner = owner_[from.vertex];
+      owner != from.label && isLeastAt(from.vertex, from.distance))
+    isEntangled_[from.label] = isEntangled_[owner] = true;
   if (from.view.halfedge < 0) {
     spreadFromSite(from.vertex, from.label);
     return;
@@ -362,7 +241,12 @@ void DgpcSweep::spreadFromSite(int vertex, int label) {
 /// A path that bends at a vertex goes on there as any other label's path would, so only the
 /// nearest label's can be of use.
 bool DgpcSweep::mayBend(int vertex, double distance) const {
-  return spread_ == Spread::kEverywhere || distance <= leastAt(vertex) * (1 + kDistanceTolerance);
+  return spread_ == Spread::kEverywhere || isLeastAt(vertex, distance);
+}
+
+/// Whether no label is nearer to a vertex, ties aside.
+bool DgpcSweep::isLeastAt(int vertex, double distance) const {
+  return distance <= leastAt(vertex) * (1 + kDistanceTolerance);
 }
 
 /// Whether another label is ahead of this one for good: at both ends of an edge it is nearer, or
@@ -514,17 +398,12 @@ bool DgpcSweep::reachTheUnseen() {
   for (const auto& [v, spoke] : edges) {
     const int entry = find(v, owner_[v]);
     const double distance = entries_[entry].distance;
+    isEntangled_[owner_[v]] = true;
     const View via = viewOverEnd(mesh_, spoke.halfedge, spoke.isFromTail, distance,
                                  views_[entry].departure(mesh_, distance));
     offer(spoke.neighbour, owner_[v], distance + spoke.length, [&] { return via; });
   }
   return !edges.empty();
-}
-
-std::unique_ptr<Propagation> propagateDgpc(const TriangleMesh& mesh,
-                                           std::span<const SurfacePoint> sites, Spread spread,
-                                           Straightens straightens) {
-  return std::make_unique<DgpcSweep>(mesh, sites, spread, straightens);
 }
 
 }  // namespace gvd

@@ -6,10 +6,9 @@
 #include <vector>
 
 #include "base/heap.h"
-#include "base/index_set.h"
+#include "dgpc/dgpc_field.h"
 #include "dgpc/dgpc_view.h"
 #include "dgpc/fan.h"
-#include "distance/metric.h"
 #include "gvd/geodesic.h"
 
 namespace gvd {
@@ -24,14 +23,15 @@ namespace gvd {
 /// of a ridge, and errs towards too long: what saddles and the boundary hide is cut off where the
 /// fans meet them. What lies beyond the fans may hide more; sharp saddles and holes do so by far,
 /// so labels that have come to one walk every line before they take it.
-class DgpcSweep final : public Propagation {
+class DgpcSweep {
  public:
-  DgpcSweep(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Spread spread,
-            Straightens straightens);
+  DgpcSweep(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Spread spread);
 
-  bool step(long budget) override;
-  double progress() const override;
-  std::unique_ptr<DistanceField> take() override;
+  /// As `Propagation` has them.
+  bool step(long budget);
+  double progress() const;
+  /// The nearest label of each vertex, and how it is seen; once all is done, and only once.
+  std::unique_ptr<DgpcField> take();
 
   // Of a sweep that is done, and until `take`:
 
@@ -43,15 +43,7 @@ class DgpcSweep final : public Propagation {
   };
   Nearest nearest(int vertex) const;
 
-  /// Puts the site of a label to another place, takes it away (face -1), or adds one: what is known
-  /// is then what a sweep of the present sites would find. Labels are numbers from 0. O(what is
-  /// known), with little for each, and a sweep of the label and of those around it.
-  void setSite(int label, const SurfacePoint& site);
-  /// The vertices of which the nearest label, or what it knows, may have changed since this was
-  /// called last, in no order.
-  std::vector<int> takeTouched();
-
- private:
+ protected:
   /// What one label knows at one vertex. Entry v is the first one of vertex v, further ones follow
   /// behind those of all vertices: most vertices need no more than the first. The view is kept
   /// apart: most entries are looked at, but not gone on from.
@@ -64,24 +56,45 @@ class DgpcSweep final : public Propagation {
   struct QueueItem {
     double distance;
     int entry;
-    int halfedge;  ///< of the entry's view, to ask ahead for what is there
-    /// By distance; then by entry, which makes the order total.
+    int label;
+    int halfedge;  ///< of the entry's view, also to ask ahead for what is there
+    /// By distance; then by what does not depend on which entries were made first: no two of a
+    /// label have the same halfedge.
     bool operator<(const QueueItem& other) const {
-      return distance < other.distance || (distance == other.distance && entry < other.entry);
+      if (distance != other.distance) return distance < other.distance;
+      return label != other.label ? label < other.label : halfedge < other.halfedge;
     }
   };
 
-  /// All that a label knows.
-  struct Knowledge {
-    struct Place {
-      int vertex;
-      double distance;
-      View view;
-    };
-    int label;
-    std::vector<Place> places;
-  };
+  int find(int vertex, int label) const;
+  double distanceAt(int vertex, int label) const;
+  int vertexOf(int entry) const;
+  void addLabels(int count);
+  void seed(int label);
+  void queue(int entry);
+  void startAnew();
+  long drain(long budget);
+  bool reachTheUnseen();
 
+  const TriangleMesh& mesh_;
+  std::vector<SurfacePoint> sites_;
+  std::vector<Entry> entries_;
+  std::vector<View> views_;         ///< of the entries
+  std::vector<int> vertices_;       ///< of the entries behind the first ones
+  std::vector<int> released_;       ///< entries behind the first ones that are free
+  std::vector<int> owner_;          ///< the nearest label of each vertex, -1 if none has come
+  int reachedVertices_ = 0;         ///< that have an owner
+  std::vector<char> meetsShadows_;  ///< per label, whether it has come to a sharp vertex
+  /// Per label, whether what it knows depends on more than on what has been nearer: on whether it
+  /// had met a shadow by then, on what nobody else sees, on which of two that tie came first.
+  std::vector<char> isEntangled_;
+  /// The entries that have improved when others had been settled that are further, several times.
+  std::vector<int> late_;
+  /// The entries that have taken an offer, several times; noted only if that is asked for.
+  std::vector<int> accepted_;
+  bool notesAccepted_ = false;
+
+ private:
   /// An entry that goes on to its neighbours.
   struct Origin {
     View view;
@@ -91,31 +104,16 @@ class DgpcSweep final : public Propagation {
     bool isLimit;  ///< whether it limits views past it
   };
 
-  int find(int vertex, int label) const;
-  double distanceAt(int vertex, int label) const;
   double leastAt(int vertex) const;
   int nearestEntry(int vertex) const;
   int add(int vertex, int label);
-  void remove(int entry);
-  void release(int entry);
-  int vertexOf(int entry) const;
   template <class MakeView>
   void offer(int vertex, int label, double distance, MakeView view);
-  void touch(int vertex);
-
-  void seed(int label);
-  void indexEntries();
-  Knowledge knowledgeOf(int label) const;
-  void forget(int label);
-  void sweepAnew(std::span<const int> labels);
-  std::vector<int> labelsAround(std::span<const int> vertices, std::span<const int> without) const;
-  void disturbDifferences(const Knowledge& before);
-
-  long drain(long budget);
   void prefetchUpcoming() const;
   void settle(int entry);
   void spreadFromSite(int vertex, int label);
   bool mayBend(int vertex, double distance) const;
+  bool isLeastAt(int vertex, double distance) const;
   bool isHidden(const Origin& from, int outer, const Eigen::Vector2d& toOuter) const;
   bool mayCross(const Origin& from, int outer, const Eigen::Vector2d& toOuter) const;
   bool isFutile(int vertex, int label, const Eigen::Vector2d& way, double before) const;
@@ -131,27 +129,12 @@ class DgpcSweep final : public Propagation {
              const Eigen::Vector2d& outerBound) const;
   template <Side side>
   void bend(const Origin& from, const FanFace& face, int at);
-  bool reachTheUnseen();
 
-  const TriangleMesh& mesh_;
-  std::vector<SurfacePoint> sites_;
   Spread spread_;
-  Straightens straightens_;
-  std::vector<char> limits_;        ///< limitsViews, per vertex
-  std::vector<char> isSharp_;       ///< castsShadow, per vertex
-  std::vector<char> meetsShadows_;  ///< per label, whether it has come to such a vertex
-  std::vector<Entry> entries_;
-  std::vector<View> views_;    ///< of the entries
-  std::vector<int> vertices_;  ///< of the entries behind the first ones
-  std::vector<int> released_;  ///< entries behind the first ones that are free
-  std::vector<int> owner_;     ///< the nearest label of each vertex, -1 if none has come
+  std::vector<char> limits_;   ///< limitsViews, per vertex
+  std::vector<char> isSharp_;  ///< castsShadow, per vertex
   SweepQueue<QueueItem> queue_;
-  int reachedVertices_ = 0;
-  // Empty before the first change of sites:
-  std::vector<std::vector<int>> verticesOf_;  ///< per label, where it is known
-  std::vector<char> isTouched_, isMarked_;    ///< per vertex
-  std::vector<int> touched_;
-  IndexSet disturbed_;  ///< the vertices where a change of sites has changed anything
+  double clock_ = 0;  ///< how far settling has come
 };
 
 }  // namespace gvd

@@ -2,7 +2,6 @@
 #include "gvd/dynamic_diagram.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -11,7 +10,7 @@
 #include "base/index_set.h"
 #include "dgpc/continuation.h"
 #include "dgpc/dgpc_field.h"
-#include "dgpc/dgpc_sweep.h"
+#include "dgpc/dynamic_sweep.h"
 #include "diagram/diagram_pieces.h"
 #include "diagram/trace_faces.h"
 #include "gvd/error.h"
@@ -24,11 +23,9 @@ class DynamicDiagram::Implementation {
                  const DiagramOptions& options)
       : mesh_(mesh),
         options_(options),
-        sweep_(mesh, sites, Spread::kAsNeeded, Straightens::kBetweenRegions),
+        sweep_(mesh, sites),
         pieces_(mesh.faceCount()),
         faces_(mesh.faceCount()) {
-    while (!sweep_.step(std::numeric_limits<long>::max())) {
-    }
     std::vector<LabelledDistance> nearest;
     std::vector<View> views;
     for (int v = 0; v < mesh.vertexCount(); ++v) {
@@ -236,7 +233,7 @@ class DynamicDiagram::Implementation {
 
   const TriangleMesh& mesh_;
   DiagramOptions options_;
-  DgpcSweep sweep_;
+  DynamicSweep sweep_;
   std::unique_ptr<DgpcField> field_;
   std::optional<ContinuationUpdates> continuation_;
   std::optional<PartialTracer> tracer_;
