@@ -486,6 +486,35 @@ TEST_P(Degenerate, SliverThatNeighboursDoNotKnowIsCompleted) {
                          {0, {0.37555409787694871, 0.13878240355523941, 0.48566349856781188}}});
 }
 
+TEST_P(Degenerate, NearestSiteIsKnownAtTheCornersAround) {
+  // Sites 1 and 2 are 1e-13 apart: they tie almost everywhere, but at vertex 2, where site 2 is
+  // nearer by just more than that. Vertex 4 is told of no more than site 2.
+  const auto mesh =
+      Shape{{3143.5931657749657, 2848.1954249291321, 3989.4103741438503, 5604.2056568982543,
+             2765.6879183665528, 4206.6248473271662, 5220.1450349309598, 2906.4694481133361,
+             4384.0239769186937, 4814.5897380122151, 3527.8169141236863, 6233.7382628299019,
+             5093.7962951532645, 3918.9323372937865, 6578.3346477749083, 6632.6323403390525,
+             2957.2289425417507, 5416.6668010861067, 6401.8100365571499, 3391.4374112406394,
+             5878.7806808697169, 6126.1986420149451, 3788.7680687097391, 7265.1174082035823,
+             5876.6368653654436, 4180.7484927744745, 7797.9444439755543},
+            {0, 1, 2, 3, 4, 2, 3, 2, 1, 5, 6, 7, 5, 7, 3, 5, 3, 1, 2, 4, 6, 7, 6, 8, 4, 8, 6}}
+          .mesh();
+  Sites sites = {{3, {0.74506801130388389, 0.12599745520001612, 0.12893453349609996}},
+                 {0, {0.20014365004055734, 0.081806872680733944, 0.71804947727870871}},
+                 {0, {0.20014365004047452, 0.081806872680816767, 0.71804947727870871}},
+                 {3, {0.34800058101319753, 0.44232603806748116, 0.20967338091932131}},
+                 {8, {0.50885405608547651, 0.34452899540614762, 0.14661694850837592}}};
+  for (SurfacePoint& site : sites) site = mesh.fromInput(site);
+  const auto field = checks::trace(mesh, sites, GetParam()).field;
+  for (int f = 0; f < mesh.faceCount(); ++f)
+    for (const double x : {0.1, 0.3, 0.5})
+      for (const double y : {0.1, 0.25, 0.4}) {
+        const SurfacePoint p{f, {x, y, 1 - x - y}};
+        const LabelledDistance nearest = field->nearest(p);
+        EXPECT_NEAR(field->distance(nearest.label, p), nearest.distance, 1e-9) << p.bary;
+      }
+}
+
 TEST_P(Degenerate, RegionOfNoWidthAlongAnEdgeJoinsNothing) {
   // The sites tie at the vertices 0 and 1. Ties go to site 0, and with them, but for its width, the
   // edge between them, which two parts of region 1 have on their sides.

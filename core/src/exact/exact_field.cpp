@@ -72,15 +72,27 @@ LabelledDistance Field::nearest(const SurfacePoint& p) const {
   });
   const double tie = best.distance * (1 + kDistanceTolerance);
   if (runnerUp > tie || best.label < 0) return best;
+  // What ties here may differ by more than rounding elsewhere, where only the nearer one is known.
+  bool isBestKnown = isKnownAround(p, best.label);
   visitPaths(p, [&](int label, double distance) {
-    if (distance <= tie && label < best.label) best.label = label;
+    if (distance > tie || label == best.label) return;
+    const bool isKnown = isKnownAround(p, label);
+    if (isKnown != isBestKnown ? !isKnown : label > best.label) return;
+    best.label = label;
+    isBestKnown = isKnown;
   });
   return best;
 }
 
-double Field::distance(int label, const SurfacePoint& p) const {
+/// Whether a label is known at all corners around a point, so that its distance there is.
+bool Field::isKnownAround(const SurfacePoint& p, int label) const {
   for (int i = 0; i < 3; ++i)
-    if (p.bary[i] > 0 && !isKnownAt(frames_[p.face].vertex[i], label)) return kInfinity;
+    if (p.bary[i] > 0 && !isKnownAt(frames_[p.face].vertex[i], label)) return false;
+  return true;
+}
+
+double Field::distance(int label, const SurfacePoint& p) const {
+  if (!isKnownAround(p, label)) return kInfinity;
   double least = kInfinity;
   visitPaths(p, [&](int pathLabel, double distance) {
     if (pathLabel == label) least = std::min(least, distance);

@@ -29,6 +29,7 @@ class Field final : public DistanceField {
 
  private:
   bool isKnownAt(int vertex, int label) const;
+  bool isKnownAround(const SurfacePoint& p, int label) const;
   /// Calls visit(label, length) for paths to a point that include the shortest of every label known
   /// there; the same ones, whichever face the point is given in.
   template <class Visit>
