@@ -9,6 +9,7 @@
 #include <memory>
 #include <vector>
 
+#include "distance/metric.h"
 #include "gvd/error.h"
 #include "gvd/sampling.h"
 #include "gvd/straightest.h"
@@ -27,6 +28,12 @@ std::unique_ptr<DistanceField> inSlices(const TriangleMesh& mesh,
     EXPECT_GE(propagation->progress(), progress);
     EXPECT_LE(propagation->progress(), 1);
     progress = propagation->progress();
+  }
+  return propagation->take();
+}
+
+std::unique_ptr<DistanceField> finished(const std::unique_ptr<Propagation>& propagation) {
+  while (!propagation->step(std::numeric_limits<long>::max())) {
   }
   return propagation->take();
 }
@@ -194,6 +201,19 @@ TEST(ExactDirections, DoNotDependOnOtherSites) {
       }
     }
   }
+}
+
+/// The geodesics of all vertices go around the same corners: what follows from one of those is
+/// found once, not for every vertex.
+TEST(Dgpc, StraightensPathsThatBendAgainAndAgain) {
+  const auto mesh = shapes::spiral(1000).mesh();
+  const std::vector<SurfacePoint> sites = {{0, Eigen::Vector3d::Constant(1.0 / 3)}};
+  const auto exact = finished(propagateExact(mesh, sites, Spread::kAsNeeded));
+  const auto dgpc =
+      finished(propagateDgpc(mesh, sites, Spread::kAsNeeded, Straightens::kEverywhere));
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+    ASSERT_NEAR(dgpc->at(v)[0].distance, exact->at(v)[0].distance, 1e-11 * exact->at(v)[0].distance)
+        << v;
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, Metrics, ::testing::Values(Metric::kDgpc, Metric::kExact),

@@ -281,6 +281,13 @@ Shape ell(int n) {
   return result;
 }
 
+Shape spiral(int n) {
+  return lattice(n, 3, [&](int i, int j) {
+    const double angle = 0.1 * i, radius = 5 + 0.3 * angle + 0.3 * j;
+    return Vector3d(radius * std::cos(angle), radius * std::sin(angle), 0);
+  });
+}
+
 // --- One special vertex --------------------------------------------------------------------------
 
 Shape vertexFan(int n, double angleSum) {

@@ -63,6 +63,10 @@ Shape gradedDisk(int rings, int spokes, double ratio);
 Shape annulus(int spokes, int rings);
 /// An L of three unit squares of n × n cells: plane, but not convex; (1,1) is its inner corner.
 Shape ell(int n);
+/// A band that winds around the origin in the plane, `n` quads long and three wide, a tenth of a
+/// radian each. It is simply connected: every path along it bends at its inner side, again and
+/// again.
+Shape spiral(int n);
 
 // --- One special vertex --------------------------------------------------------------------------
 

@@ -191,9 +191,11 @@ class Continuation {
     hosts_.clear();
     farHosts_.clear();
     looks_.clear();
+    straightener_.forget();
   }
 
   void findGuests() {
+    size_t straightened = hosts_.size();
     straightenPaths();
     for (size_t i = 0; i < looks_.size(); ++i) {
       const int halfedge = looks_[i].view.halfedge;
@@ -201,8 +203,12 @@ class Continuation {
           !isOutdone(halfedge, looks_[i].label))
         queueLook(static_cast<int>(i));
     }
-    lookThroughEdges();
-    for (int known = 0; completeFaces(known);) lookThroughEdges();
+    int known = 0;
+    do {
+      lookThroughEdges();
+      for (; straightened < hosts_.size(); ++straightened)
+        if (isTold(hosts_[straightened])) straightenOwner(hosts_[straightened]);
+    } while (completeFaces(known));
   }
 
   // --- What is known ---
@@ -472,19 +478,25 @@ class Continuation {
   void straightenPaths() {
     const std::vector<PathEnd> ends = bentPaths();
     for (const PathEnd& end : ends) {
-      const bool isOwner = end.guest < 0;
-      const View& view = isOwner ? field_.view(end.vertex) : guestViews_[end.guest];
+      if (end.guest < 0) {
+        straightenOwner(end.vertex);
+        continue;
+      }
+      View& view = guestViews_[end.guest];
       const auto path = straightener_.straighten(end.label, end.vertex, view);
       if (!path) continue;
-      if (isOwner) {
-        ownPath_[end.vertex] = static_cast<int>(ownPaths_.size());
-        ownPaths_.push_back({end.vertex, *path});
-      } else {
-        guests_[end.guest].distance = path->length;
-        guestViews_[end.guest].heading = path->departure;
-      }
+      guests_[end.guest].distance = path->length;
+      view.heading = path->departure;
     }
     lookAroundNewOwners(ends);
+  }
+
+  void straightenOwner(int vertex) {
+    if (ownPath_[vertex] >= 0 || owner(vertex) < 0 || !field_.view(vertex).isBent()) return;
+    const auto path = straightener_.straighten(owner(vertex), vertex, field_.view(vertex));
+    if (!path) return;
+    ownPath_[vertex] = static_cast<int>(ownPaths_.size());
+    ownPaths_.push_back({vertex, *path});
   }
 
   /// Where a geodesic has made a guest nearer than the owner, the guest's label may have something

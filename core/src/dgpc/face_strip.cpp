@@ -4,6 +4,7 @@
 // Surfaces. 2007
 #include "dgpc/face_strip.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -26,13 +27,22 @@ int outgoingOf(const TriangleMesh& mesh, int face, int vertex) {
   return h;
 }
 
+/// The angle of a halfedge at its tail, counterclockwise from the first one there.
+double angleOf(const TriangleMesh& mesh, int halfedge) {
+  double angle = 0;
+  for (int h = mesh.outgoing(mesh.tail(halfedge)); h != halfedge; h = mesh.rotate(h))
+    angle += mesh.cornerAngle(h);
+  return angle;
+}
+
 }  // namespace
 
 // --- Faces ---
 
-void FaceStrip::start(int face) {
+void FaceStrip::start(int face, std::span<const int> through) {
   lastFace_ = face;
   crossed_.clear();
+  for (const int h : through) goThrough(h);
 }
 
 void FaceStrip::goThrough(int halfedge) {
@@ -68,11 +78,17 @@ bool FaceStrip::turn(int vertex, int face) {
 
 std::optional<LocalGeodesic> FaceStrip::straighten(int vertex, const SurfacePoint& end) {
   constexpr int kMostFlips = 100;
-  const int endVertex = vertexAt(mesh_, end);
+  vertex_ = vertex;
+  endVertex_ = vertexAt(mesh_, end);
   for (int flips = 0; flips < kMostFlips; ++flips) {
-    trim(vertex, endVertex);
-    if (crossed_.empty()) return acrossOneFace(vertex, endVertex, end);
-    unfold(endVertex, end);
+    trim(vertex, endVertex_);
+    if (crossed_.empty()) {
+      bends_.clear();
+      const LocalGeodesic path = acrossOneFace(vertex, endVertex_, end);
+      length_ = path.length;
+      return path;
+    }
+    unfold(endVertex_, end);
     pullTight();
     // From the end, so that what comes before keeps its place. No two are in each other's way: the
     // path so far lies in the new strip as well.
@@ -176,14 +192,24 @@ bool FaceStrip::mayFlip(size_t bend) const {
   return std::abs(std::atan2(cross(in, out), in.dot(out))) > excess;
 }
 
+size_t FaceStrip::firstGate(const Bend& bend) const {
+  size_t gate = bend.gate;
+  while (gate > 0 && endAt(gate - 1, bend.side) == bend.vertex) --gate;
+  return gate;
+}
+
+size_t FaceStrip::lastGate(const Bend& bend) const {
+  size_t gate = bend.gate;
+  while (gate + 1 < crossed_.size() && endAt(gate + 1, bend.side) == bend.vertex) ++gate;
+  return gate;
+}
+
 /// Leads the strip around the other side of a vertex. False if the strip has come to pass it
 /// otherwise meanwhile.
 bool FaceStrip::flip(const Bend& bend) {
   const auto passes = [&](size_t gate) { return endAt(gate, bend.side) == bend.vertex; };
   if (bend.gate >= crossed_.size() || !passes(bend.gate)) return false;
-  size_t first = bend.gate, last = bend.gate;
-  while (first > 0 && passes(first - 1)) --first;
-  while (last + 1 < crossed_.size() && passes(last + 1)) ++last;
+  const size_t first = firstGate(bend), last = lastGate(bend);
   const int goal = TriangleMesh::faceOf(mesh_.twin(crossed_[last]));
   detour_.clear();
   int h = outgoingOf(mesh_, TriangleMesh::faceOf(crossed_[first]), bend.vertex);
@@ -202,17 +228,63 @@ bool FaceStrip::flip(const Bend& bend) {
   return true;
 }
 
-LocalGeodesic FaceStrip::path(const SurfacePoint& end) const {
-  double length = 0;
+const std::vector<FaceStrip::Piece>& FaceStrip::pieces() {
+  pieces_.clear();
+  if (bends_.empty()) {
+    const int face = crossed_.empty() ? lastFace_ : TriangleMesh::faceOf(crossed_.front());
+    pieces_.push_back({vertex_, face, crossed_, length_, 0});
+    return pieces_;
+  }
+  const std::span<const int> crossed = crossed_;
+  for (size_t i = 0; i <= bends_.size(); ++i) {
+    // Two bends may be the ends of one gate: between them, then, nothing is crossed.
+    const size_t begin = i > 0 ? lastGate(bends_[i - 1]) + 1 : 0;
+    const size_t end = i < bends_.size() ? firstGate(bends_[i]) : crossed_.size();
+    const size_t first = std::min(begin, end);
+    const int face = first < crossed_.size() ? TriangleMesh::faceOf(crossed_[first]) : lastFace_;
+    const Vector2d from = i > 0 ? bends_[i - 1].place : start_;
+    const Vector2d way = (i < bends_.size() ? bends_[i].place : end_) - from;
+    pieces_.push_back({i > 0 ? bends_[i - 1].vertex : vertex_, face,
+                       crossed.subspan(first, end - first), way.norm(),
+                       i > 0 ? angleBehind(bends_[i - 1], way) : 0});
+  }
+  return pieces_;
+}
+
+/// The angle of a direction at a bend, in the frame of the faces behind it.
+double FaceStrip::angleBehind(const Bend& bend, const Vector2d& direction) const {
+  const bool isLeft = bend.side == Side::kLeft;
+  const size_t gate = lastGate(bend);
+  const int outgoing = isLeft ? mesh_.twin(crossed_[gate]) : crossed_[gate];
+  const Vector2d along = placeAt(gate, isLeft ? Side::kRight : Side::kLeft) - bend.place;
+  return angleOf(mesh_, outgoing) + std::atan2(cross(along, direction), along.dot(direction));
+}
+
+double FaceStrip::angleAtEnd() const {
+  if (crossed_.empty()) {
+    const int outgoing = outgoingOf(mesh_, lastFace_, endVertex_);
+    const bool isAlong = mesh_.tip(outgoing) == vertex_;
+    return angleOf(mesh_, outgoing) + (isAlong ? 0 : mesh_.cornerAngle(outgoing));
+  }
+  const int entry = mesh_.twin(crossed_.back());
+  const Vector2d aside = gates_.back().left - end_;
+  const Vector2d back = (bends_.empty() ? start_ : bends_.back().place) - end_;
+  return angleOf(mesh_, TriangleMesh::previous(entry)) +
+         std::atan2(cross(aside, back), aside.dot(back));
+}
+
+LocalGeodesic FaceStrip::path(const SurfacePoint& end) {
+  length_ = 0;
   Vector2d before = start_;
   for (const Bend& bend : bends_) {
-    length += (bend.place - before).norm();
+    length_ += (bend.place - before).norm();
     before = bend.place;
   }
   const Vector2d back = before - end_;
+  length_ += back.norm();
   const int entry = mesh_.twin(crossed_.back());
   const Vector2d along = (gates_.back().right - gates_.back().left) / mesh_.length(entry);
-  return {length + back.norm(), inSiteFrame(mesh_, end, entry, turnedBackBy(back, along))};
+  return {length_, inSiteFrame(mesh_, end, entry, turnedBackBy(back, along))};
 }
 
 }  // namespace gvd

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "dgpc/path_straightening.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "base/plane.h"
@@ -15,6 +17,7 @@ namespace gvd {
 namespace {
 
 using Eigen::Vector2d;
+using std::numbers::pi;
 
 constexpr int kAtSite = -1;
 
@@ -22,20 +25,117 @@ constexpr int kAtSite = -1;
 /// the same vertex: rounding along a path stays far below, and edges are longer.
 constexpr double kSamePlace = 1e-6;
 
+/// So many halfedges may be kept, of all ways together. They can be found again.
+constexpr size_t kMostKept = 1 << 22;
+
 }  // namespace
 
 std::optional<LocalGeodesic> PathStraightener::straighten(int label, int vertex, const View& view) {
-  const SurfacePoint& site = field_.sites()[label];
-  // Most paths that bend may as well be straight, and to find that out takes less.
-  std::optional<LocalGeodesic> straight;
-  if (std::isfinite(view.detour))
-    straight = aim(view.halfedge, view.toSite - view.path(mesh_), site);
-  if (straight && straight->length <= view.distance(mesh_) * (1 + kDistanceTolerance))
-    return straight;
-  // A straight line that is longer leads around something else, or the view shows what is not so.
-  if (!followViews(label, vertex, view)) return straight;
-  const auto near = strip_.straighten(vertex, site);
-  return straight && !(near && near->length < straight->length) ? straight : near;
+  if (label != label_ || crossed_.size() > kMostKept) forget();
+  label_ = label;
+  int way = kNone;
+  if (field_.nearest(vertex).label == label) {
+    way = wayFrom(vertex);
+  } else {
+    const auto straight = findStraight(view);
+    if (straight && isNoLonger(*straight, view)) return straight;
+    way = findNear(label, vertex, view, straight);
+  }
+  return way == kNone ? std::nullopt : std::optional(ways_[way].path);
+}
+
+void PathStraightener::forget() {
+  for (const int v : found_) wayOf_[v] = kNotFound;
+  found_.clear();
+  ways_.clear();
+  crossed_.clear();
+}
+
+/// First finds those of the neighbours that it follows, the last one first: there may be many.
+int PathStraightener::wayFrom(int vertex) {
+  const auto note = [&](int at, int way) {
+    wayOf_[at] = way;
+    found_.push_back(at);
+  };
+  std::vector<std::pair<int, std::optional<LocalGeodesic>>> waiting;
+  for (int at = vertex; wayOf_[at] == kNotFound;) {
+    const View& view = field_.view(at);
+    const auto straight = findStraight(view);
+    if (straight && isNoLonger(*straight, view)) {
+      note(at, keepStraight(at, *straight, TriangleMesh::faceOf(view.halfedge)));
+      break;
+    }
+    waiting.emplace_back(at, straight);
+    const int edge = stepToOwner(label_, at);
+    if (edge < 0) break;
+    at = otherEnd(edge, at);
+  }
+  for (; !waiting.empty(); waiting.pop_back()) {
+    const auto& [at, straight] = waiting.back();
+    note(at, findNear(label_, at, field_.view(at), straight));
+  }
+  return wayOf_[vertex];
+}
+
+/// Keeps a straight line, through the faces that have just been walked through.
+int PathStraightener::keepStraight(int vertex, const LocalGeodesic& path, int face) {
+  const size_t begin = crossed_.size();
+  crossed_.insert(crossed_.end(), walkedThrough_.begin(), walkedThrough_.end());
+  ways_.push_back({path, vertex, 0, face, begin, crossed_.size(), kNone});
+  return static_cast<int>(ways_.size()) - 1;
+}
+
+/// Keeps the path of the strip, of which the end is where another way begins, or the site.
+int PathStraightener::keepPieces(const LocalGeodesic& path, int next) {
+  const auto& pieces = strip_.pieces();
+  LocalGeodesic rest = next == kNone ? LocalGeodesic{0, path.departure} : ways_[next].path;
+  for (size_t i = pieces.size(); i-- > 0;) {
+    const FaceStrip::Piece& piece = pieces[i];
+    const size_t begin = crossed_.size();
+    crossed_.insert(crossed_.end(), piece.crossed.begin(), piece.crossed.end());
+    rest.length += piece.length;
+    ways_.push_back(
+        {rest, piece.vertex, piece.angle, piece.firstFace, begin, crossed_.size(), next});
+    next = static_cast<int>(ways_.size()) - 1;
+  }
+  return next;
+}
+
+/// A straight line that is longer than the path of a view leads around something else, or the view
+/// shows what is not so.
+bool PathStraightener::isNoLonger(const LocalGeodesic& straight, const View& view) const {
+  return straight.length <= view.distance(mesh_) * (1 + kDistanceTolerance);
+}
+
+/// Whether a site is in the face of a halfedge, or on a corner of it.
+bool PathStraightener::isInFace(const SurfacePoint& site, int halfedge) const {
+  const int vertex = vertexAt(mesh_, site), face = TriangleMesh::faceOf(halfedge);
+  if (vertex < 0) return face == site.face;
+  return mesh_.tail(3 * face) == vertex || mesh_.tail(3 * face + 1) == vertex ||
+         mesh_.tail(3 * face + 2) == vertex;
+}
+
+/// The straight line to the site that a view shows, or, if it bends, would show if it did not.
+std::optional<LocalGeodesic> PathStraightener::findStraight(const View& view) {
+  const SurfacePoint& site = field_.sites()[label_];
+  if (view.halfedge < 0 || !std::isfinite(view.detour)) return std::nullopt;
+  if (!view.isBent() && isInFace(site, view.halfedge)) {
+    const Vector2d path = view.path(mesh_);
+    walkedThrough_.clear();
+    return LocalGeodesic{path.norm(), view.departure(mesh_, path.norm())};
+  }
+  const Vector2d toSite = view.isBent() ? view.toSite : Vector2d(0, 0);
+  return aim(view.halfedge, toSite - view.path(mesh_), site);
+}
+
+/// What follows from a neighbour's geodesic, or from a view; a straight line if that is shorter.
+int PathStraightener::findNear(int label, int vertex, const View& view,
+                               const std::optional<LocalGeodesic>& straight) {
+  int near = followNeighbour(label, vertex);
+  if (near == kNone) near = followView(label, vertex, view);
+  if (!straight || (near != kNone && ways_[near].path.length < straight->length)) return near;
+  const auto again = findStraight(view);  // for the faces that it runs through
+  return keepStraight(vertex, *again, TriangleMesh::faceOf(view.halfedge));
 }
 
 /// A straight line to the site from the apex of a halfedge: where the given one, in the halfedge's
@@ -50,7 +150,10 @@ std::optional<LocalGeodesic> PathStraightener::aim(int halfedge, Vector2d line,
                            : TriangleMesh::faceOf(entry) == site.face;
   };
   for (int i = 0; i < kMostAims; ++i) {
-    const auto end = walkStraight(mesh_, halfedge, line, AtVertex::kStop, isAtSite);
+    walkedThrough_.clear();
+    const auto end = walkStraight(
+        mesh_, halfedge, line, AtVertex::kStop,
+        [&](int through) { walkedThrough_.push_back(through); }, isAtSite);
     if (!end) return std::nullopt;
     const int k = end->entry % 3;
     line = siteVertex >= 0
@@ -66,35 +169,75 @@ std::optional<LocalGeodesic> PathStraightener::aim(int halfedge, Vector2d line,
   return std::nullopt;
 }
 
-/// Makes the strip that the path from a vertex back to the site runs through, as the views tell it;
-/// along edges where they tell nothing. False if there is no way.
-bool PathStraightener::followViews(int label, int vertex, const View& first) {
-  const SurfacePoint& site = field_.sites()[label];
-  const View* view = &first;
-  bool hasStarted = false;
-  const auto goOn = [&](int at, int face) {
-    if (std::exchange(hasStarted, true)) return strip_.turn(at, face);
+/// Over an edge to a neighbour of the label's own, and on as that one's way does.
+int PathStraightener::followNeighbour(int label, int vertex) {
+  const int edge = stepToOwner(label, vertex);
+  if (edge < 0) return kNone;
+  const int neighbour = otherEnd(edge, vertex), face = TriangleMesh::faceOf(edge);
+  if (neighbour == vertexAt(mesh_, field_.sites()[label])) {
     strip_.start(face);
-    return true;
-  };
-  for (int at = vertex; view->halfedge >= 0;) {
-    std::optional<int> source = lookBack(*view, site);
-    if (source) {
-      if (!goOn(at, TriangleMesh::faceOf(view->halfedge))) return false;
-      for (const int h : walkedThrough_) strip_.goThrough(h);
-    } else {
-      const int edge = stepToOwner(label, at);
-      if (edge < 0 || !goOn(at, TriangleMesh::faceOf(edge))) return false;
-      source = mesh_.tail(edge) == at ? mesh_.tip(edge) : mesh_.tail(edge);
-    }
-    if (*source == kAtSite) return true;
-    const LabelledDistance &here = field_.nearest(at), &there = field_.nearest(*source);
-    const bool isNearer = here.label != label || there.distance < here.distance;
-    if (there.label != label || !isNearer) return false;
-    at = *source;
-    view = &field_.view(at);
+    return pullTight(vertex, kNone);
   }
-  return hasStarted;
+  const int along = wayFrom(neighbour);
+  strip_.start(face);
+  return along != kNone && goAlong(along) ? pullTight(vertex, along) : kNone;
+}
+
+/// The same as far as a view shows the way, and on from where its path bends last.
+int PathStraightener::followView(int label, int vertex, const View& view) {
+  const auto source = lookBack(view, field_.sites()[label]);
+  if (!source) return kNone;
+  const std::vector<int> walkedThrough = walkedThrough_;
+  const int face = TriangleMesh::faceOf(view.halfedge);
+  if (!view.isBent()) {
+    strip_.start(face, walkedThrough);
+    return pullTight(vertex, kNone);
+  }
+  const LabelledDistance &here = field_.nearest(vertex), &there = field_.nearest(*source);
+  if (there.label != label || (here.label == label && !(there.distance < here.distance)))
+    return kNone;
+  const int along = wayFrom(*source);
+  strip_.start(face, walkedThrough);
+  return along != kNone && goAlong(along) ? pullTight(vertex, along) : kNone;
+}
+
+/// Leads the strip on along the piece that a way begins with, from the vertex where it begins, of
+/// which the last face has a corner.
+bool PathStraightener::goAlong(int way) {
+  const Way& w = ways_[way];
+  if (!strip_.turn(w.vertex, w.firstFace)) return false;
+  for (size_t i = w.begin; i < w.end; ++i) strip_.goThrough(crossed_[i]);
+  return true;
+}
+
+/// Keeps the geodesic that follows from the strip, and from the way whose first piece it ends with.
+/// What comes after that piece stays as it is, unless the path is shorter beside it.
+int PathStraightener::pullTight(int vertex, int along) {
+  const SurfacePoint& site = field_.sites()[label_];
+  for (;;) {
+    const int next = along == kNone ? kNone : ways_[along].next;
+    const auto path = strip_.straighten(vertex, next == kNone ? site : pointAt(ways_[next].vertex));
+    if (!path) return kNone;
+    if (next == kNone || isTight(next, strip_.angleAtEnd())) return keepPieces(*path, next);
+    if (!goAlong(next)) return kNone;
+    along = next;
+  }
+}
+
+/// Whether a path that comes to the beginning of a way at an angle there and goes on with it is no
+/// shorter on either side of the vertex: no angle between them is less than π.
+bool PathStraightener::isTight(int bend, double angle) const {
+  constexpr double kRounding = 1e-12;
+  const int vertex = ways_[bend].vertex;
+  const double between = std::abs(angle - ways_[bend].angle);
+  if (mesh_.onBoundary(vertex)) return between >= pi - kRounding;
+  const double all = mesh_.angleSum(vertex), onOneSide = std::fmod(between, all);
+  return std::min(onOneSide, all - onOneSide) >= pi - kRounding;
+}
+
+SurfacePoint PathStraightener::pointAt(int vertex) const {
+  const int h = mesh_.outgoing(vertex);
+  return {TriangleMesh::faceOf(h), Eigen::Vector3d::Unit(h % 3)};
 }
 
 /// A halfedge between a vertex and the neighbour over which a label comes to it the shortest way,
@@ -122,10 +265,15 @@ int PathStraightener::stepToOwner(int label, int vertex) const {
   return step;
 }
 
+int PathStraightener::otherEnd(int halfedge, int vertex) const {
+  return mesh_.tail(halfedge) == vertex ? mesh_.tip(halfedge) : mesh_.tail(halfedge);
+}
+
 /// Walks from the vertex of a view to the view's source. Returns the vertex there, or kAtSite in
 /// the face of the site; nothing if the line does not lead there, for views may be carried on
 /// beside a vertex that the line passes on the other side.
 std::optional<int> PathStraightener::lookBack(const View& view, const SurfacePoint& site) {
+  if (view.halfedge < 0) return std::nullopt;
   const int h = view.halfedge, siteVertex = vertexAt(mesh_, site);
   const Vector2d from = apexOf(mesh_, h);
   const bool isVertex = view.isBent() || siteVertex >= 0;

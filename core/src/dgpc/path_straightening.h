@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 #include <vector>
 
@@ -11,17 +12,26 @@ namespace gvd {
 
 /// Turns the paths by which vertices see sites into geodesics. Views err: a line of sight may leave
 /// the faces it was unfolded through, and where views end, paths bend whether or not they have to.
+///
+/// A vertex's geodesic is hardly another one than that of the neighbour over which the site is
+/// nearest. So it is led through the faces of that one, and pulled tight there; the first ones,
+/// which do not bend, along their views.
 class PathStraightener {
  public:
   explicit PathStraightener(const DgpcField& field)
-      : field_(field), mesh_(field.mesh()), strip_(field.mesh()) {}
+      : field_(field),
+        mesh_(field.mesh()),
+        strip_(field.mesh()),
+        wayOf_(mesh_.vertexCount(), kNotFound) {}
 
-  /// The geodesic that is found near the path by which a vertex sees the site of a label: of a
-  /// straight line to the site and, should that be none or longer than the view's path, what
-  /// follows from that path, the shorter. From where it bends, the path goes on by the views of the
-  /// label's own vertices: the result depends on these, the view and the mesh only. Nothing if the
-  /// views lead nowhere. O(faces on the way), a few times.
+  /// The geodesic that is found near the path by which a vertex sees the site of a label: what
+  /// follows from that of a neighbour and, should that be none or longer than the view's path, a
+  /// straight line to the site, the shorter. The result depends on the views of the label's own
+  /// vertices, on this one and the mesh only. Nothing if neither is found. O(faces on the way), a
+  /// few times; that for each neighbour on the way, too, unless the label was the same before.
   std::optional<LocalGeodesic> straighten(int label, int vertex, const View& view);
+  /// To be told when the field has changed.
+  void forget();
 
   /// The vertex where the path of a view to a site bends last, or the site's; negative if that is
   /// in a face. Nothing if the line from the view's vertex does not lead there. O(faces on the
@@ -29,14 +39,48 @@ class PathStraightener {
   std::optional<int> lookBack(const View& view, const SurfacePoint& site);
 
  private:
+  /// A geodesic from a vertex to the site: a piece that does not bend, and another way from where
+  /// that ends. So ways that bend at one vertex have in common what follows.
+  struct Way {
+    LocalGeodesic path;
+    int vertex;
+    double angle;       ///< where another way goes on with it (FaceStrip::Piece)
+    int firstFace;      ///< of the piece
+    size_t begin, end;  ///< in crossed_, the halfedges that the piece crosses
+    int next;           ///< -1: the piece ends at the site
+  };
+  static constexpr int kNone = -1;  ///< no way
+  static constexpr int kNotFound = -2;
+
+  int wayFrom(int vertex);
+  std::optional<LocalGeodesic> findStraight(const View& view);
+  int findNear(int label, int vertex, const View& view,
+               const std::optional<LocalGeodesic>& straight);
+  bool isNoLonger(const LocalGeodesic& straight, const View& view) const;
+  bool isInFace(const SurfacePoint& site, int halfedge) const;
   std::optional<LocalGeodesic> aim(int halfedge, Eigen::Vector2d line, const SurfacePoint& site);
-  bool followViews(int label, int vertex, const View& first);
+  int followNeighbour(int label, int vertex);
+  int followView(int label, int vertex, const View& view);
+  int pullTight(int vertex, int along);
+  bool isTight(int bend, double angle) const;
+  bool goAlong(int way);
+  int keepStraight(int vertex, const LocalGeodesic& path, int face);
+  int keepPieces(const LocalGeodesic& path, int next);
   int stepToOwner(int label, int vertex) const;
+  int otherEnd(int halfedge, int vertex) const;
+  SurfacePoint pointAt(int vertex) const;
 
   const DgpcField& field_;
   const TriangleMesh& mesh_;
   FaceStrip strip_;
   std::vector<int> walkedThrough_;  ///< halfedges
+
+  // Of the vertices that the label asked for last owns, as far as they have been needed:
+  int label_ = -1;
+  std::vector<int> wayOf_;  ///< per vertex
+  std::vector<int> found_;  ///< the vertices of which it has been looked for
+  std::vector<Way> ways_;
+  std::vector<int> crossed_;
 };
 
 }  // namespace gvd
