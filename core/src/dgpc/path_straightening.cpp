@@ -37,9 +37,8 @@ std::optional<LocalGeodesic> PathStraightener::straighten(int label, int vertex,
   if (field_.nearest(vertex).label == label) {
     way = wayFrom(vertex);
   } else {
-    const auto straight = findStraight(view);
-    if (straight && isNoLonger(*straight, view)) return straight;
-    way = findNear(label, vertex, view, straight);
+    way = findAhead(vertex, view);
+    if (!isNoLonger(way, view)) way = findNear(label, vertex, view, way);
   }
   return way == kNone ? std::nullopt : std::optional(ways_[way].path);
 }
@@ -57,22 +56,22 @@ int PathStraightener::wayFrom(int vertex) {
     wayOf_[at] = way;
     found_.push_back(at);
   };
-  std::vector<std::pair<int, std::optional<LocalGeodesic>>> waiting;
+  std::vector<std::pair<int, int>> waiting;  // with what has been found ahead
   for (int at = vertex; wayOf_[at] == kNotFound;) {
     const View& view = field_.view(at);
-    const auto straight = findStraight(view);
-    if (straight && isNoLonger(*straight, view)) {
-      note(at, keepStraight(at, *straight, TriangleMesh::faceOf(view.halfedge)));
+    const int ahead = findAhead(at, view);
+    if (isNoLonger(ahead, view)) {
+      note(at, ahead);
       break;
     }
-    waiting.emplace_back(at, straight);
+    waiting.emplace_back(at, ahead);
     const int edge = stepToOwner(label_, at);
     if (edge < 0) break;
     at = otherEnd(edge, at);
   }
   for (; !waiting.empty(); waiting.pop_back()) {
-    const auto& [at, straight] = waiting.back();
-    note(at, findNear(label_, at, field_.view(at), straight));
+    const auto [at, ahead] = waiting.back();
+    note(at, findNear(label_, at, field_.view(at), ahead));
   }
   return wayOf_[vertex];
 }
@@ -101,10 +100,10 @@ int PathStraightener::keepPieces(const LocalGeodesic& path, int next) {
   return next;
 }
 
-/// A straight line that is longer than the path of a view leads around something else, or the view
-/// shows what is not so.
-bool PathStraightener::isNoLonger(const LocalGeodesic& straight, const View& view) const {
-  return straight.length <= view.distance(mesh_) * (1 + kDistanceTolerance);
+/// A way that is longer than the path of a view leads around something else, or the view shows what
+/// is not so.
+bool PathStraightener::isNoLonger(int way, const View& view) const {
+  return way != kNone && ways_[way].path.length <= view.distance(mesh_) * (1 + kDistanceTolerance);
 }
 
 /// Whether a site is in the face of a halfedge, or on a corner of it.
@@ -115,36 +114,34 @@ bool PathStraightener::isInFace(const SurfacePoint& site, int halfedge) const {
          mesh_.tail(3 * face + 2) == vertex;
 }
 
-/// The straight line to the site that a view shows, or, if it bends, would show if it did not.
-std::optional<LocalGeodesic> PathStraightener::findStraight(const View& view) {
-  const SurfacePoint& site = field_.sites()[label_];
-  if (view.halfedge < 0 || !std::isfinite(view.detour)) return std::nullopt;
-  if (!view.isBent() && isInFace(site, view.halfedge)) {
-    const Vector2d path = view.path(mesh_);
+/// Looks straight ahead: to the site that a view shows, or, if it bends, would show if it did not.
+int PathStraightener::findAhead(int vertex, const View& view) {
+  if (view.halfedge < 0 || !std::isfinite(view.detour)) return kNone;
+  const Vector2d path = view.path(mesh_);
+  if (!view.isBent() && isInFace(field_.sites()[label_], view.halfedge)) {
     walkedThrough_.clear();
-    return LocalGeodesic{path.norm(), view.departure(mesh_, path.norm())};
+    return keepStraight(vertex, {path.norm(), view.departure(mesh_, path.norm())},
+                        TriangleMesh::faceOf(view.halfedge));
   }
-  const Vector2d toSite = view.isBent() ? view.toSite : Vector2d(0, 0);
-  return aim(view.halfedge, toSite - view.path(mesh_), site);
+  return aim(vertex, view.halfedge, view.isBent() ? Vector2d(view.toSite - path) : Vector2d(-path));
 }
 
-/// What follows from a neighbour's geodesic, or from a view; a straight line if that is shorter.
-int PathStraightener::findNear(int label, int vertex, const View& view,
-                               const std::optional<LocalGeodesic>& straight) {
+/// What follows from a neighbour's way, or from a view; what has been found ahead if that is
+/// shorter.
+int PathStraightener::findNear(int label, int vertex, const View& view, int ahead) {
   int near = followNeighbour(label, vertex);
   if (near == kNone) near = followView(label, vertex, view);
-  if (!straight || (near != kNone && ways_[near].path.length < straight->length)) return near;
-  const auto again = findStraight(view);  // for the faces that it runs through
-  return keepStraight(vertex, *again, TriangleMesh::faceOf(view.halfedge));
+  if (ahead == kNone || near == kNone) return std::max(ahead, near);
+  return ways_[near].path.length < ways_[ahead].path.length ? near : ahead;
 }
 
 /// A straight line to the site from the apex of a halfedge: where the given one, in the halfedge's
 /// frame, leads beside the site, it is drawn anew to where the site is seen from there.
-std::optional<LocalGeodesic> PathStraightener::aim(int halfedge, Vector2d line,
-                                                   const SurfacePoint& site) {
+int PathStraightener::aim(int vertex, int halfedge, Vector2d line) {
   constexpr int kMostAims = 4;
-  const int siteVertex = vertexAt(mesh_, site);
-  if (TriangleMesh::faceOf(halfedge) == site.face) return std::nullopt;
+  const SurfacePoint& site = field_.sites()[label_];
+  const int siteVertex = vertexAt(mesh_, site), face = TriangleMesh::faceOf(halfedge);
+  if (face == site.face) return kNone;
   const auto isAtSite = [&](int entry, const Vector2d&) {
     return siteVertex >= 0 ? mesh_.tail(TriangleMesh::previous(entry)) == siteVertex
                            : TriangleMesh::faceOf(entry) == site.face;
@@ -154,19 +151,19 @@ std::optional<LocalGeodesic> PathStraightener::aim(int halfedge, Vector2d line,
     const auto end = walkStraight(
         mesh_, halfedge, line, AtVertex::kStop,
         [&](int through) { walkedThrough_.push_back(through); }, isAtSite);
-    if (!end) return std::nullopt;
+    if (!end) return kNone;
     const int k = end->entry % 3;
     line = siteVertex >= 0
                ? end->apex
                : Vector2d(site.bary[k] * end->left + site.bary[(k + 1) % 3] * end->right +
                           site.bary[(k + 2) % 3] * end->apex);
-    if (isGrazing(end->leftBound, line) || isGrazing(end->rightBound, line)) return std::nullopt;
+    if (isGrazing(end->leftBound, line) || isGrazing(end->rightBound, line)) return kNone;
     if (!end->isInSight(line)) continue;
     const Vector2d along = (end->right - end->left) / mesh_.length(end->entry);
-    return LocalGeodesic{line.norm(),
-                         inSiteFrame(mesh_, site, end->entry, turnedBackBy(-line, along))};
+    const Vector2d departure = inSiteFrame(mesh_, site, end->entry, turnedBackBy(-line, along));
+    return keepStraight(vertex, {line.norm(), departure}, face);
   }
-  return std::nullopt;
+  return kNone;
 }
 
 /// Over an edge to a neighbour of the label's own, and on as that one's way does.

@@ -53,12 +53,11 @@ class PathStraightener {
   static constexpr int kNotFound = -2;
 
   int wayFrom(int vertex);
-  std::optional<LocalGeodesic> findStraight(const View& view);
-  int findNear(int label, int vertex, const View& view,
-               const std::optional<LocalGeodesic>& straight);
-  bool isNoLonger(const LocalGeodesic& straight, const View& view) const;
+  int findAhead(int vertex, const View& view);
+  int findNear(int label, int vertex, const View& view, int ahead);
+  bool isNoLonger(int way, const View& view) const;
   bool isInFace(const SurfacePoint& site, int halfedge) const;
-  std::optional<LocalGeodesic> aim(int halfedge, Eigen::Vector2d line, const SurfacePoint& site);
+  int aim(int vertex, int halfedge, Eigen::Vector2d line);
   int followNeighbour(int label, int vertex);
   int followView(int label, int vertex, const View& view);
   int pullTight(int vertex, int along);
