@@ -76,11 +76,9 @@ int PathStraightener::wayFrom(int vertex) {
   return wayOf_[vertex];
 }
 
-/// Keeps a straight line, through the faces that have just been walked through.
-int PathStraightener::keepStraight(int vertex, const LocalGeodesic& path, int face) {
-  const size_t begin = crossed_.size();
-  crossed_.insert(crossed_.end(), walkedThrough_.begin(), walkedThrough_.end());
-  ways_.push_back({path, vertex, 0, face, begin, crossed_.size(), kNone});
+int PathStraightener::keepStraight(int vertex, const LocalGeodesic& path, int face,
+                                   const Vector2d& line) {
+  ways_.push_back({path, vertex, 0, face, 0, 0, kNone, line});
   return static_cast<int>(ways_.size()) - 1;
 }
 
@@ -93,8 +91,8 @@ int PathStraightener::keepPieces(const LocalGeodesic& path, int next) {
     const size_t begin = crossed_.size();
     crossed_.insert(crossed_.end(), piece.crossed.begin(), piece.crossed.end());
     rest.length += piece.length;
-    ways_.push_back(
-        {rest, piece.vertex, piece.angle, piece.firstFace, begin, crossed_.size(), next});
+    ways_.push_back({rest, piece.vertex, piece.angle, piece.firstFace, begin, crossed_.size(), next,
+                     Vector2d(0, 0)});
     next = static_cast<int>(ways_.size()) - 1;
   }
   return next;
@@ -114,14 +112,22 @@ bool PathStraightener::isInFace(const SurfacePoint& site, int halfedge) const {
          mesh_.tail(3 * face + 2) == vertex;
 }
 
+/// Whether a walk has come to a site: to its face, or, if it is a vertex, to that.
+auto PathStraightener::isAt(const SurfacePoint& site) const {
+  return [&mesh = mesh_, vertex = vertexAt(mesh_, site), face = site.face](int entry,
+                                                                           const Vector2d&) {
+    return vertex >= 0 ? mesh.tail(TriangleMesh::previous(entry)) == vertex
+                       : TriangleMesh::faceOf(entry) == face;
+  };
+}
+
 /// Looks straight ahead: to the site that a view shows, or, if it bends, would show if it did not.
 int PathStraightener::findAhead(int vertex, const View& view) {
   if (view.halfedge < 0 || !std::isfinite(view.detour)) return kNone;
   const Vector2d path = view.path(mesh_);
   if (!view.isBent() && isInFace(field_.sites()[label_], view.halfedge)) {
-    walkedThrough_.clear();
     return keepStraight(vertex, {path.norm(), view.departure(mesh_, path.norm())},
-                        TriangleMesh::faceOf(view.halfedge));
+                        TriangleMesh::faceOf(view.halfedge), {0, 0});
   }
   return aim(vertex, view.halfedge, view.isBent() ? Vector2d(view.toSite - path) : Vector2d(-path));
 }
@@ -142,15 +148,9 @@ int PathStraightener::aim(int vertex, int halfedge, Vector2d line) {
   const SurfacePoint& site = field_.sites()[label_];
   const int siteVertex = vertexAt(mesh_, site), face = TriangleMesh::faceOf(halfedge);
   if (face == site.face) return kNone;
-  const auto isAtSite = [&](int entry, const Vector2d&) {
-    return siteVertex >= 0 ? mesh_.tail(TriangleMesh::previous(entry)) == siteVertex
-                           : TriangleMesh::faceOf(entry) == site.face;
-  };
   for (int i = 0; i < kMostAims; ++i) {
-    walkedThrough_.clear();
-    const auto end = walkStraight(
-        mesh_, halfedge, line, AtVertex::kStop,
-        [&](int through) { walkedThrough_.push_back(through); }, isAtSite);
+    const auto end =
+        walkStraight(mesh_, halfedge, line, AtVertex::kStop, isAt(field_.sites()[label_]));
     if (!end) return kNone;
     const int k = end->entry % 3;
     line = siteVertex >= 0
@@ -161,7 +161,7 @@ int PathStraightener::aim(int vertex, int halfedge, Vector2d line) {
     if (!end->isInSight(line)) continue;
     const Vector2d along = (end->right - end->left) / mesh_.length(end->entry);
     const Vector2d departure = inSiteFrame(mesh_, site, end->entry, turnedBackBy(-line, along));
-    return keepStraight(vertex, {line.norm(), departure}, face);
+    return keepStraight(vertex, {line.norm(), departure}, face, line);
   }
   return kNone;
 }
@@ -204,7 +204,13 @@ bool PathStraightener::goAlong(int way) {
   const Way& w = ways_[way];
   if (!strip_.turn(w.vertex, w.firstFace)) return false;
   for (size_t i = w.begin; i < w.end; ++i) strip_.goThrough(crossed_[i]);
-  return true;
+  if (w.line == Vector2d(0, 0)) return true;
+  int halfedge = 3 * w.firstFace;
+  while (mesh_.tail(TriangleMesh::previous(halfedge)) != w.vertex) ++halfedge;
+  return walkStraight(
+             mesh_, halfedge, w.line, AtVertex::kPass,
+             [&](int through) { strip_.goThrough(through); }, isAt(field_.sites()[label_]))
+      .has_value();
 }
 
 /// Keeps the geodesic that follows from the strip, and from the way whose first piece it ends with.

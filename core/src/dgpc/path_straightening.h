@@ -48,6 +48,9 @@ class PathStraightener {
     int firstFace;      ///< of the piece
     size_t begin, end;  ///< in crossed_, the halfedges that the piece crosses
     int next;           ///< -1: the piece ends at the site
+    /// Where no halfedges are kept: the straight line to the site, in the frame of the face's
+    /// halfedge that has the vertex as its apex; zero if it stays in the face.
+    Eigen::Vector2d line;
   };
   static constexpr int kNone = -1;  ///< no way
   static constexpr int kNotFound = -2;
@@ -63,7 +66,8 @@ class PathStraightener {
   int pullTight(int vertex, int along);
   bool isTight(int bend, double angle) const;
   bool goAlong(int way);
-  int keepStraight(int vertex, const LocalGeodesic& path, int face);
+  auto isAt(const SurfacePoint& site) const;
+  int keepStraight(int vertex, const LocalGeodesic& path, int face, const Eigen::Vector2d& line);
   int keepPieces(const LocalGeodesic& path, int next);
   int stepToOwner(int label, int vertex) const;
   int otherEnd(int halfedge, int vertex) const;
