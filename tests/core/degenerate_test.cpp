@@ -486,6 +486,45 @@ TEST_P(Degenerate, SliverThatNeighboursDoNotKnowIsCompleted) {
                          {0, {0.37555409787694871, 0.13878240355523941, 0.48566349856781188}}});
 }
 
+TEST_P(Degenerate, MeetingThatRoundsToACornerIsNotTheCorner) {
+  // Sites 0 and 1 are 1e-13 apart and tie at vertex 5, which site 2 owns. The three meet in a face
+  // beside it, but the place where they do is rounded to the vertex.
+  const Shape shape{{1,
+                     0,
+                     0,
+                     0.50000000000000011,
+                     0.8660254037844386,
+                     0,
+                     0.37500000000000011,
+                     0.649519052838329,
+                     0,
+                     0.75,
+                     0,
+                     0,
+                     0.25000000000000006,
+                     0.4330127018922193,
+                     0,
+                     0.5,
+                     0,
+                     0,
+                     -0.37500000000000033,
+                     -0.64951905283832878,
+                     0,
+                     0.37500000000000011,
+                     -0.649519052838329,
+                     0,
+                     0.25000000000000006,
+                     -0.4330127018922193,
+                     0},
+                    {0, 1, 2, 0, 2, 3, 3, 2, 4, 3, 4, 5, 6, 7, 8, 7, 3, 5, 7, 5, 8}};
+  const auto mesh = shape.mesh();
+  Sites sites = {{4, {0.0047256121233337067, 0.94892912812720809, 0.046345259749458245}},
+                 {4, {0.0047256121233212019, 0.94892912812722052, 0.046345259749458245}},
+                 {0, {0.26968914621540807, 0.45277087137517524, 0.27753998240941669}}};
+  for (SurfacePoint& site : sites) site = mesh.fromInput(site);
+  EXPECT_EQ(diagram(mesh, sites).voronoiPoints.size(), 1u);
+}
+
 TEST_P(Degenerate, NearestSiteIsKnownAtTheCornersAround) {
   // Sites 1 and 2 are 1e-13 apart: they tie almost everywhere, but at vertex 2, where site 2 is
   // nearer by just more than that. Vertex 4 is told of no more than site 2.

@@ -273,18 +273,19 @@ class Tracer {
     addAreas(mesh_.faceArea(face));
   }
 
-  /// Where slivers meet, an inner point may be where another one is that no segment joins it to:
-  /// they stay two points, and so have to be told apart by their places.
+  /// Where slivers meet, an inner point may be where another one is, or a corner, that no segment
+  /// joins it to: they stay two points, and so have to be told apart by their places.
   void tellApartInnerPoints() {
     for (size_t v = 0; v < corners_.size(); ++v) {
-      const int inner = corners_[v].point;
-      if (inner < 0 || envelope_.vertices()[v].kind != FaceEnvelope::Vertex::kInside) continue;
-      SurfacePoint& place = place_[inner];
+      Corner& inner = corners_[v];
+      if (inner.point < 0 || envelope_.vertices()[v].kind != FaceEnvelope::Vertex::kInside)
+        continue;
       for (const Corner& other : corners_) {
-        if (other.point < 0 || other.point == inner) continue;
-        const SurfacePoint& there = place_[other.point];
-        if (place.face == there.face && place.bary == there.bary)
-          place.bary[0] = std::nextafter(place.bary[0], 0.5);
+        if (other.point < 0 || other.point == inner.point || other.bary != inner.bary) continue;
+        Eigen::Index largest;
+        inner.bary.maxCoeff(&largest);
+        inner.bary[largest] = std::nextafter(inner.bary[largest], 0.0);
+        place_[inner.point].bary = inner.bary;
       }
     }
   }
