@@ -86,6 +86,47 @@ TEST(FaceStrip, GoesAroundAnInnerCornerOfTheBoundary) {
   }
 }
 
+/// Each piece of a path is a path of its own, straight and as long; two that meet leave no angle of
+/// less than π on the surface.
+TEST(FaceStrip, IsMadeOfStraightPieces) {
+  for (const Shape& shape : {ell(4), perforatedPlate(2), spiral(40), bumpySurface(2, 5, 0.4, 3)}) {
+    const TriangleMesh mesh = shape.mesh();
+    const SurfacePoint site = middleOf(0);
+    int bent = 0;
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+      FaceStrip strip = shortestStrip(mesh, v, site.face);
+      const auto path = strip.straighten(v, site);
+      ASSERT_TRUE(path);
+      const auto pieces = strip.pieces();
+      double length = 0;
+      for (size_t i = 0; i < pieces.size(); ++i) {
+        const FaceStrip::Piece& piece = pieces[i];
+        const bool isLast = i + 1 == pieces.size();
+        EXPECT_EQ(piece.vertex == v, i == 0);
+        ASSERT_TRUE(hasCorner(mesh, piece.firstFace, piece.vertex));
+        FaceStrip own(mesh);
+        own.start(piece.firstFace, piece.crossed);
+        const SurfacePoint end = isLast ? site : mesh.fromInputVertex(pieces[i + 1].vertex);
+        const auto straight = own.straighten(piece.vertex, end);
+        ASSERT_TRUE(straight);
+        EXPECT_EQ(own.pieces().size(), 1u);
+        EXPECT_NEAR(straight->length, piece.length, 1e-12);
+        length += piece.length;
+        if (isLast) continue;
+        ++bent;
+        const int bend = pieces[i + 1].vertex;
+        const double between = std::abs(own.angleAtEnd() - pieces[i + 1].angle);
+        EXPECT_GE(between, pi - 1e-9);
+        if (!mesh.onBoundary(bend)) {
+          EXPECT_LE(between, mesh.angleSum(bend) - pi + 1e-9);
+        }
+      }
+      EXPECT_NEAR(length, path->length, 1e-12 * path->length);
+    }
+    EXPECT_GT(bent, 0);
+  }
+}
+
 /// Opposite corners of a saddle see each other across its apex only.
 TEST(FaceStrip, BendsAtASaddle) {
   constexpr int kSpokes = 10;

@@ -38,7 +38,7 @@ std::optional<LocalGeodesic> PathStraightener::straighten(int label, int vertex,
     way = wayFrom(vertex);
   } else {
     way = findAhead(vertex, view);
-    if (!isNoLonger(way, view)) way = findNear(label, vertex, view, way);
+    if (!isNoLonger(way, view)) way = findNear(vertex, view, way);
   }
   return way == kNone ? std::nullopt : std::optional(ways_[way].path);
 }
@@ -65,13 +65,13 @@ int PathStraightener::wayFrom(int vertex) {
       break;
     }
     waiting.emplace_back(at, ahead);
-    const int edge = stepToOwner(label_, at);
+    const int edge = stepToOwner(at);
     if (edge < 0) break;
     at = otherEnd(edge, at);
   }
   for (; !waiting.empty(); waiting.pop_back()) {
     const auto [at, ahead] = waiting.back();
-    note(at, findNear(label_, at, field_.view(at), ahead));
+    note(at, findNear(at, field_.view(at), ahead));
   }
   return wayOf_[vertex];
 }
@@ -125,7 +125,7 @@ auto PathStraightener::isAt(const SurfacePoint& site) const {
 int PathStraightener::findAhead(int vertex, const View& view) {
   if (view.halfedge < 0 || !std::isfinite(view.detour)) return kNone;
   const Vector2d path = view.path(mesh_);
-  if (!view.isBent() && isInFace(field_.sites()[label_], view.halfedge)) {
+  if (!view.isBent() && isInFace(goal(), view.halfedge)) {
     return keepStraight(vertex, {path.norm(), view.departure(mesh_, path.norm())},
                         TriangleMesh::faceOf(view.halfedge), {0, 0});
   }
@@ -134,9 +134,9 @@ int PathStraightener::findAhead(int vertex, const View& view) {
 
 /// What follows from a neighbour's way, or from a view; what has been found ahead if that is
 /// shorter.
-int PathStraightener::findNear(int label, int vertex, const View& view, int ahead) {
-  int near = followNeighbour(label, vertex);
-  if (near == kNone) near = followView(label, vertex, view);
+int PathStraightener::findNear(int vertex, const View& view, int ahead) {
+  int near = followNeighbour(vertex);
+  if (near == kNone) near = followView(vertex, view);
   if (ahead == kNone || near == kNone) return std::max(ahead, near);
   return ways_[near].path.length < ways_[ahead].path.length ? near : ahead;
 }
@@ -145,12 +145,11 @@ int PathStraightener::findNear(int label, int vertex, const View& view, int ahea
 /// frame, leads beside the site, it is drawn anew to where the site is seen from there.
 int PathStraightener::aim(int vertex, int halfedge, Vector2d line) {
   constexpr int kMostAims = 4;
-  const SurfacePoint& site = field_.sites()[label_];
+  const SurfacePoint& site = goal();
   const int siteVertex = vertexAt(mesh_, site), face = TriangleMesh::faceOf(halfedge);
   if (face == site.face) return kNone;
   for (int i = 0; i < kMostAims; ++i) {
-    const auto end =
-        walkStraight(mesh_, halfedge, line, AtVertex::kStop, isAt(field_.sites()[label_]));
+    const auto end = walkStraight(mesh_, halfedge, line, AtVertex::kStop, isAt(site));
     if (!end) return kNone;
     const int k = end->entry % 3;
     line = siteVertex >= 0
@@ -167,11 +166,11 @@ int PathStraightener::aim(int vertex, int halfedge, Vector2d line) {
 }
 
 /// Over an edge to a neighbour of the label's own, and on as that one's way does.
-int PathStraightener::followNeighbour(int label, int vertex) {
-  const int edge = stepToOwner(label, vertex);
+int PathStraightener::followNeighbour(int vertex) {
+  const int edge = stepToOwner(vertex);
   if (edge < 0) return kNone;
   const int neighbour = otherEnd(edge, vertex), face = TriangleMesh::faceOf(edge);
-  if (neighbour == vertexAt(mesh_, field_.sites()[label])) {
+  if (neighbour == vertexAt(mesh_, goal())) {
     strip_.start(face);
     return pullTight(vertex, kNone);
   }
@@ -181,8 +180,8 @@ int PathStraightener::followNeighbour(int label, int vertex) {
 }
 
 /// The same as far as a view shows the way, and on from where its path bends last.
-int PathStraightener::followView(int label, int vertex, const View& view) {
-  const auto source = lookBack(view, field_.sites()[label]);
+int PathStraightener::followView(int vertex, const View& view) {
+  const auto source = lookBack(view, goal());
   if (!source) return kNone;
   const std::vector<int> walkedThrough = walkedThrough_;
   const int face = TriangleMesh::faceOf(view.halfedge);
@@ -191,7 +190,7 @@ int PathStraightener::followView(int label, int vertex, const View& view) {
     return pullTight(vertex, kNone);
   }
   const LabelledDistance &here = field_.nearest(vertex), &there = field_.nearest(*source);
-  if (there.label != label || (here.label == label && !(there.distance < here.distance)))
+  if (there.label != label_ || (here.label == label_ && !(there.distance < here.distance)))
     return kNone;
   const int along = wayFrom(*source);
   strip_.start(face, walkedThrough);
@@ -209,17 +208,17 @@ bool PathStraightener::goAlong(int way) {
   while (mesh_.tail(TriangleMesh::previous(halfedge)) != w.vertex) ++halfedge;
   return walkStraight(
              mesh_, halfedge, w.line, AtVertex::kPass,
-             [&](int through) { strip_.goThrough(through); }, isAt(field_.sites()[label_]))
+             [&](int through) { strip_.goThrough(through); }, isAt(goal()))
       .has_value();
 }
 
 /// Keeps the geodesic that follows from the strip, and from the way whose first piece it ends with.
 /// What comes after that piece stays as it is, unless the path is shorter beside it.
 int PathStraightener::pullTight(int vertex, int along) {
-  const SurfacePoint& site = field_.sites()[label_];
   for (;;) {
     const int next = along == kNone ? kNone : ways_[along].next;
-    const auto path = strip_.straighten(vertex, next == kNone ? site : pointAt(ways_[next].vertex));
+    const auto path =
+        strip_.straighten(vertex, next == kNone ? goal() : pointAt(ways_[next].vertex));
     if (!path) return kNone;
     if (next == kNone || isTight(next, strip_.angleAtEnd())) return keepPieces(*path, next);
     if (!goAlong(next)) return kNone;
@@ -243,17 +242,17 @@ SurfacePoint PathStraightener::pointAt(int vertex) const {
   return {TriangleMesh::faceOf(h), Eigen::Vector3d::Unit(h % 3)};
 }
 
-/// A halfedge between a vertex and the neighbour over which a label comes to it the shortest way,
-/// of those that the label owns and that are nearer to the site; -1 if there is none.
-int PathStraightener::stepToOwner(int label, int vertex) const {
-  const bool isOwner = field_.nearest(vertex).label == label;
+/// A halfedge between a vertex and the neighbour over which the label comes to it the shortest way,
+/// of those that it owns and that are nearer to the site; -1 if there is none.
+int PathStraightener::stepToOwner(int vertex) const {
+  const bool isOwner = field_.nearest(vertex).label == label_;
   const double distance = isOwner ? field_.nearest(vertex).distance : kInfinity;
   double least = kInfinity;
   int step = -1;
   const auto consider = [&](int halfedge, int neighbour) {
     const LabelledDistance& there = field_.nearest(neighbour);
     const double over = there.distance + mesh_.length(halfedge);
-    if (there.label != label || !(there.distance < distance) || !(over < least)) return;
+    if (there.label != label_ || !(there.distance < distance) || !(over < least)) return;
     least = over;
     step = halfedge;
   };

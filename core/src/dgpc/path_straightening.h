@@ -13,9 +13,9 @@ namespace gvd {
 /// Turns the paths by which vertices see sites into geodesics. Views err: a line of sight may leave
 /// the faces it was unfolded through, and where views end, paths bend whether or not they have to.
 ///
-/// A vertex's geodesic is hardly another one than that of the neighbour over which the site is
-/// nearest. So it is led through the faces of that one, and pulled tight there; the first ones,
-/// which do not bend, along their views.
+/// Most paths that bend may as well be straight, and to find that out takes little: that is tried
+/// first. Else, a vertex's geodesic hardly differs from that of the neighbour over which the site
+/// is nearest: it is led through the faces of that one and pulled tight there.
 class PathStraightener {
  public:
   explicit PathStraightener(const DgpcField& field)
@@ -24,9 +24,9 @@ class PathStraightener {
         strip_(field.mesh()),
         wayOf_(mesh_.vertexCount(), kNotFound) {}
 
-  /// The geodesic that is found near the path by which a vertex sees the site of a label: what
-  /// follows from that of a neighbour and, should that be none or longer than the view's path, a
-  /// straight line to the site, the shorter. The result depends on the views of the label's own
+  /// The geodesic that is found near the path by which a vertex sees the site of a label: a
+  /// straight line to the site or, should that be none or longer than the view's path, what follows
+  /// from that of a neighbour, the shorter. The result depends on the views of the label's own
   /// vertices, on this one and the mesh only. Nothing if neither is found. O(faces on the way), a
   /// few times; that for each neighbour on the way, too, unless the label was the same before.
   std::optional<LocalGeodesic> straighten(int label, int vertex, const View& view);
@@ -55,21 +55,22 @@ class PathStraightener {
   static constexpr int kNone = -1;  ///< no way
   static constexpr int kNotFound = -2;
 
+  const SurfacePoint& goal() const { return field_.sites()[label_]; }
   int wayFrom(int vertex);
   int findAhead(int vertex, const View& view);
-  int findNear(int label, int vertex, const View& view, int ahead);
+  int findNear(int vertex, const View& view, int ahead);
   bool isNoLonger(int way, const View& view) const;
   bool isInFace(const SurfacePoint& site, int halfedge) const;
   int aim(int vertex, int halfedge, Eigen::Vector2d line);
-  int followNeighbour(int label, int vertex);
-  int followView(int label, int vertex, const View& view);
+  int followNeighbour(int vertex);
+  int followView(int vertex, const View& view);
   int pullTight(int vertex, int along);
   bool isTight(int bend, double angle) const;
   bool goAlong(int way);
   auto isAt(const SurfacePoint& site) const;
   int keepStraight(int vertex, const LocalGeodesic& path, int face, const Eigen::Vector2d& line);
   int keepPieces(const LocalGeodesic& path, int next);
-  int stepToOwner(int label, int vertex) const;
+  int stepToOwner(int vertex) const;
   int otherEnd(int halfedge, int vertex) const;
   SurfacePoint pointAt(int vertex) const;
 
