@@ -491,6 +491,7 @@ class Continuation {
     lookAroundNewOwners(ends);
   }
 
+  /// The same for the path of a vertex's owner, if that has not been done.
   void straightenOwner(int vertex) {
     if (ownPath_[vertex] >= 0 || owner(vertex) < 0 || !field_.view(vertex).isBent()) return;
     const auto path = straightener_.straighten(owner(vertex), vertex, field_.view(vertex));

@@ -65,20 +65,14 @@ void DynamicSweep::list(int entry) {
 /// replayed that was not.
 bool DynamicSweep::findAffected() {
   const size_t undone = undone_.size(), settledAgain = settledAgain_.size();
-  for (const int label : labels_.sorted())
+  for (const int label : labels_.list())
     if (mustBeWhole(label)) undoAll(label);
   for (; read_ < changed_.size(); ++read_) {
     const int v = changed_[read_];
     const double change = changeAt_[v];
     readFrom(v, 0, change);
-    const int first = mesh_.outgoing(v);
-    int h = first;
-    do {
-      const int back = TriangleMesh::previous(h);
-      readFrom(mesh_.tip(h), mesh_.length(h), change);
-      if (mesh_.twin(back) < 0) readFrom(mesh_.tail(back), mesh_.length(back), change);
-      h = mesh_.twin(back);
-    } while (h >= 0 && h != first);
+    visitSpokes(mesh_, v,
+                [&](const Spoke& spoke) { readFrom(spoke.neighbour, spoke.length, change); });
   }
   return undone_.size() > undone || settledAgain_.size() > settledAgain;
 }
@@ -204,16 +198,16 @@ void DynamicSweep::noteDifferences() {
 /// Drops what is not known any more, and makes ready for the next change.
 void DynamicSweep::finish() {
   for (const int e : settledAgain_) state_[e] = State::kAsBefore;
-  std::vector<Undone> gone;
+  std::vector<std::pair<int, int>> gone;  // vertices, labels
   for (const Undone& u : undone_) {
     state_[u.entry] = State::kAsBefore;
     touched_.add(u.vertex);
-    if (entries_[u.entry].distance == kInfinity) gone.push_back(u);
+    if (entries_[u.entry].distance == kInfinity) gone.emplace_back(u.vertex, u.label);
   }
   IndexSet losing(static_cast<int>(sites_.size()));
-  for (const Undone& u : gone) {
-    remove(find(u.vertex, u.label));
-    losing.add(u.label);
+  for (const auto& [vertex, label] : gone) {
+    remove(find(vertex, label));
+    losing.add(label);
   }
   for (const int label : losing.list())
     std::erase_if(verticesOf_[label], [&](int v) { return find(v, label) < 0; });

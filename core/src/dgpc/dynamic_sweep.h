@@ -19,12 +19,14 @@ namespace gvd {
 /// there. If any of this has changed, the entry is settled again; what may have followed from it is
 /// undone first, and comes anew from what is left around. Where this changes more, all is replayed
 /// again with what that affects, until it does not.
-class DynamicSweep : public DgpcSweep {
+class DynamicSweep : private DgpcSweep {
  public:
+  using DgpcSweep::nearest;
+
   DynamicSweep(const TriangleMesh& mesh, std::span<const SurfacePoint> sites);
 
   /// Puts the site of a label to another place, takes it away (face -1), or adds one; labels are
-  /// numbers from 0. Sweeps this label twice, and of those around it what is affected.
+  /// numbers from 0. Sweeps this label twice or more, and of those around it what is affected.
   void setSite(int label, const SurfacePoint& site);
   /// The vertices of which the nearest label, or what it knows, may have changed since this was
   /// called last, in no order.
