@@ -216,6 +216,42 @@ TEST(Dgpc, StraightensPathsThatBendAgainAndAgain) {
         << v;
 }
 
+/// How far distances of the nearest sites and directions to them are off, on average.
+struct MeanErrors {
+  double distance = 0, direction = 0;
+};
+
+MeanErrors meanErrors(const TriangleMesh& mesh, const DistanceField& field,
+                      const DistanceField& exact) {
+  MeanErrors errors;
+  int count = 0;
+  for (int v = 0; v < mesh.vertexCount(); ++v) {
+    const auto found = field.at(v), expected = exact.at(v);
+    if (found.size() != 1 || expected.size() != 1) continue;
+    errors.distance += std::abs(found[0].distance / expected[0].distance - 1);
+    errors.direction +=
+        (field.direction(found[0].label, v) - exact.direction(found[0].label, v)).norm();
+    ++count;
+  }
+  return {errors.distance / count, errors.direction / count};
+}
+
+/// Inside regions, paths are unfolded from those of neighbours: not as exact as where regions meet,
+/// but far better than views are.
+TEST(Dgpc, StraightensInsides) {
+  const TriangleMesh mesh = shapes::torus(96, 48).mesh();
+  const auto sites = sampleUniform(mesh, 8, 1);
+  const auto exact = finished(propagateExact(mesh, sites, Spread::kAsNeeded));
+  const auto between = finished(propagateDgpc(mesh, sites, Spread::kAsNeeded));
+  const auto everywhere =
+      finished(propagateDgpc(mesh, sites, Spread::kAsNeeded, Straightens::kEverywhere));
+  const MeanErrors ofViews = meanErrors(mesh, *between, *exact);
+  const MeanErrors straightened = meanErrors(mesh, *everywhere, *exact);
+  EXPECT_LT(straightened.distance, ofViews.distance / 5);
+  EXPECT_LT(straightened.direction, ofViews.direction / 5);
+  EXPECT_LT(straightened.distance, 5e-4);
+}
+
 INSTANTIATE_TEST_SUITE_P(Both, Metrics, ::testing::Values(Metric::kDgpc, Metric::kExact),
                          [](const auto& info) {
                            return info.param == Metric::kDgpc ? "Dgpc" : "Exact";

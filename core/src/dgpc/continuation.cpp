@@ -25,10 +25,9 @@ using Eigen::Vector2d;
 
 class Continuation {
  public:
-  Continuation(DgpcField& field, Straightens straightens)
+  explicit Continuation(DgpcField& field)
       : mesh_(field.mesh()),
         field_(field),
-        straightens_(straightens),
         scope_(mesh_.vertexCount(), Scope::kOutside),
         inScope_(mesh_.vertexCount()),
         sources_(mesh_.vertexCount()),
@@ -49,9 +48,6 @@ class Continuation {
     findGuests();
     field_.reserve(hosts_.size() + guests_.size());
     for (const int host : hosts_) collect(host);
-    if (straightens_ == Straightens::kEverywhere)
-      for (int v = 0; v < mesh_.vertexCount(); ++v)
-        if (firstGuest_[v] < 0 && ownPath_[v] >= 0) collect(v);
     for (const int v : farHosts_) field_.setFarLabel(v, true);
     SaddleTies(field_, straightener_).carryEverywhere();
   }
@@ -525,9 +521,6 @@ class Continuation {
       for (int g = firstGuest_[host]; g >= 0; g = guests_[g].next)
         if (guestViews_[g].isBent()) ends.push_back({guests_[g].label, host, g});
     }
-    if (straightens_ == Straightens::kEverywhere)
-      for (int v = 0; v < mesh_.vertexCount(); ++v)
-        if (firstGuest_[v] < 0) addOwner(v);
     return sortedByLabel(ends, [](const PathEnd& end) { return end.label; });
   }
 
@@ -683,7 +676,6 @@ class Continuation {
 
   const TriangleMesh& mesh_;
   DgpcField& field_;
-  const Straightens straightens_;
   enum class Scope : char { kOutside, kTold, kInside };
   std::vector<Scope> scope_;     ///< per vertex
   IndexSet inScope_;             ///< not of a run everywhere
@@ -704,9 +696,7 @@ class Continuation {
 
 }  // namespace
 
-void continueOverBorders(DgpcField& field, Straightens straightens) {
-  Continuation(field, straightens).runEverywhere();
-}
+void continueOverBorders(DgpcField& field) { Continuation(field).runEverywhere(); }
 
 class ContinuationUpdates::Implementation : public Continuation {
  public:
@@ -714,7 +704,7 @@ class ContinuationUpdates::Implementation : public Continuation {
 };
 
 ContinuationUpdates::ContinuationUpdates(DgpcField& field)
-    : implementation_(std::make_unique<Implementation>(field, Straightens::kBetweenRegions)) {}
+    : implementation_(std::make_unique<Implementation>(field)) {}
 
 ContinuationUpdates::~ContinuationUpdates() = default;
 

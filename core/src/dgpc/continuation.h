@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "dgpc/dgpc_field.h"
-#include "distance/metric.h"
 
 namespace gvd {
 
@@ -18,12 +17,12 @@ namespace gvd {
 /// depends on no path outside of the region, and nothing need have spread there. Only where labels
 /// tie because their paths bend at the same vertex, all of them are told, however far behind it.
 ///
-/// Paths that bend are straightened there, those of owners too, or wherever it is asked for. A site
-/// may then be nearer to a vertex than the one that the sweep has found for it, and what a vertex
-/// knows is what counts: the sweep's is only where this starts.
+/// Paths that bend are straightened there, those of owners too. A site may then be nearer to a
+/// vertex than the one that the sweep has found for it, and what a vertex knows is what counts: the
+/// sweep's is only where this starts.
 ///
 /// Fills in the labels of all vertices of a field that knows the sites and what is nearest.
-void continueOverBorders(DgpcField& field, Straightens straightens);
+void continueOverBorders(DgpcField& field);
 
 /// Where the labels of a field have changed.
 struct LabelChange {
@@ -31,8 +30,8 @@ struct LabelChange {
   std::vector<int> labels;    ///< all that are or were known there, ascending
 };
 
-/// Keeps up to date what `continueOverBorders` has filled in, with paths straightened between
-/// regions only. Each time it takes time for what is near the change, and little for each site.
+/// Keeps up to date what `continueOverBorders` has filled in. Each time it takes time for what is
+/// near the change, and little for each site.
 class ContinuationUpdates {
  public:
   /// The field must outlive this.

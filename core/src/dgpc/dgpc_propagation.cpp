@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dgpc/continuation.h"
 #include "dgpc/dgpc_sweep.h"
+#include "dgpc/inside_straightening.h"
 #include "distance/metric.h"
 
 namespace gvd {
@@ -18,7 +19,8 @@ class DgpcPropagation final : public Propagation {
 
   std::unique_ptr<DistanceField> take() override {
     auto field = sweep_.take();
-    continueOverBorders(*field, straightens_);
+    continueOverBorders(*field);
+    if (straightens_ == Straightens::kEverywhere) straightenInsides(*field);
     return field;
   }
 

@@ -284,7 +284,7 @@ LocalGeodesic FaceStrip::path(const SurfacePoint& end) {
   length_ += back.norm();
   const int entry = mesh_.twin(crossed_.back());
   const Vector2d along = (gates_.back().right - gates_.back().left) / mesh_.length(entry);
-  return {length_, inSiteFrame(mesh_, end, entry, turnedBackBy(back, along))};
+  return {length_, inSiteFrame(mesh_, end, entry, turnedBackBy(back, along)), !bends_.empty()};
 }
 
 }  // namespace gvd

@@ -16,6 +16,7 @@ namespace gvd {
 struct LocalGeodesic {
   double length;
   Eigen::Vector2d departure;  ///< at its end, as `DistanceField::direction` gives it
+  bool bends = false;         ///< at vertices on the way
 };
 
 /// A sequence of faces, each of them entered through an edge of the one before.

@@ -91,6 +91,7 @@ int PathStraightener::keepPieces(const LocalGeodesic& path, int next) {
     const size_t begin = crossed_.size();
     crossed_.insert(crossed_.end(), piece.crossed.begin(), piece.crossed.end());
     rest.length += piece.length;
+    rest.bends = next != kNone;
     ways_.push_back({rest, piece.vertex, piece.angle, piece.firstFace, begin, crossed_.size(), next,
                      Vector2d(0, 0)});
     next = static_cast<int>(ways_.size()) - 1;

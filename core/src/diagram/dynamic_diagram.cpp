@@ -36,7 +36,7 @@ class DynamicDiagram::Implementation {
     field_ =
         std::make_unique<DgpcField>(mesh, std::vector<SurfacePoint>(sites.begin(), sites.end()),
                                     std::move(nearest), std::move(views));
-    continueOverBorders(*field_, Straightens::kBetweenRegions);
+    continueOverBorders(*field_);
     continuation_.emplace(*field_);
     tracer_.emplace(mesh, *field_, options);
     std::vector<int> faces(mesh.faceCount()), labels(sites.size());

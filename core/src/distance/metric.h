@@ -11,7 +11,7 @@ namespace gvd {
 /// Which paths DGPC turns into geodesics in the end.
 enum class Straightens {
   kBetweenRegions,  ///< those to where regions meet: a diagram depends on no others
-  kEverywhere,      ///< all: inside regions too, distances then do not jump where sites move
+  kEverywhere,      ///< inside regions too: distances then hardly jump where sites move
 };
 
 /// The two metrics behind `propagate`.

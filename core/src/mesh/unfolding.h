@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/plane.h"
 #include "gvd/triangle_mesh.h"
@@ -17,25 +18,37 @@ inline Eigen::Vector2d apexBeside(const TriangleMesh& mesh, int halfedge,
   return tail + turnedBy({l.x, l.y}, (tip - tail) * (2 * l.inverse));
 }
 
+/// Where a source is behind a halfedge, in the halfedge's frame, that has these distances, finite
+/// ones, from its two ends. Nothing if there is no such place.
+inline std::optional<Eigen::Vector2d> virtualSource(const TriangleMesh& mesh, int halfedge,
+                                                    double atTail, double atTip) {
+  constexpr double kRounding = 1e-12;
+  const TriangleMesh::Layout& l = mesh.layout(halfedge);
+  const double x = ((atTail - atTip) * (atTail + atTip) + l.length * l.length) * l.inverse;
+  const double squaredY = atTail * atTail - x * x;
+  if (!(squaredY > -kRounding * atTail * atTail)) return std::nullopt;
+  return Eigen::Vector2d(x, -std::sqrt(std::max(squaredY, 0.0)));
+}
+
+/// Whether a source behind a halfedge, in the halfedge's frame, sees the apex through it.
+inline bool seesApex(const TriangleMesh& mesh, int halfedge, const Eigen::Vector2d& source) {
+  constexpr double kRounding = 1e-12;
+  const TriangleMesh::Layout& l = mesh.layout(halfedge);
+  // Where the line between them crosses the halfedge's line, times their height.
+  const double across = source.x() * l.y - l.x * source.y(), height = l.y - source.y();
+  const double slack = kRounding * l.length * height;
+  return across >= -slack && across <= l.length * height + slack;
+}
+
 /// The distance of a halfedge's apex from those at the halfedge's two ends, infinite where not
 /// known: from the virtual source that these two put behind the halfedge if it sees the apex
 /// through it, else along an edge (Melvær & Reimers 2012).
 inline double unfold(const TriangleMesh& mesh, int halfedge, double atTail, double atTip) {
-  constexpr double kRounding = 1e-12;
-  const TriangleMesh::Layout& l = mesh.layout(halfedge);
   if (std::isfinite(atTail) && std::isfinite(atTip)) {
-    // The virtual source is at (x, -y), the apex at (l.x, l.y).
-    const double x = ((atTail - atTip) * (atTail + atTip) + l.length * l.length) * l.inverse;
-    const double squaredY = atTail * atTail - x * x;
-    if (squaredY > -kRounding * atTail * atTail) {
-      const double y = squaredY > 0 ? std::sqrt(squaredY) : 0;
-      // Where the line between them crosses the halfedge's line, times (y + l.y).
-      const double across = x * l.y + l.x * y, height = l.y + y;
-      const double slack = kRounding * l.length * height;
-      if (across >= -slack && across <= l.length * height + slack) {
-        return std::sqrt((l.x - x) * (l.x - x) + height * height);
-      }
-    }
+    const auto source = virtualSource(mesh, halfedge, atTail, atTip);
+    const TriangleMesh::Layout& l = mesh.layout(halfedge);
+    if (source && seesApex(mesh, halfedge, *source))
+      return (Eigen::Vector2d(l.x, l.y) - *source).norm();
   }
   return std::min(atTail + mesh.length(TriangleMesh::previous(halfedge)),
                   atTip + mesh.length(TriangleMesh::next(halfedge)));
