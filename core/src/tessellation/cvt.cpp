@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "base/plane.h"
 #include "base/random.h"
 #include "gvd/error.h"
 #include "gvd/straightest.h"
@@ -22,16 +23,6 @@ namespace {
 
 using Eigen::Vector2d;
 using Eigen::VectorXd;
-
-/// The vector with these components in a frame that has the given x axis.
-Vector2d fromFrame(const Vector2d& v, const Vector2d& axis) {
-  return {v.x() * axis.x() - v.y() * axis.y(), v.x() * axis.y() + v.y() * axis.x()};
-}
-
-/// The components of a vector in a frame that has the given x axis.
-Vector2d toFrame(const Vector2d& v, const Vector2d& axis) {
-  return {v.dot(axis), axis.x() * v.y() - axis.y() * v.x()};
-}
 
 void require(bool condition, const std::string& what) {
   if (!condition) throw Error(ErrorCode::kInvalidArgument, what);
@@ -130,7 +121,7 @@ class Cvt::Solver {
     for (int l = 0; l < siteCount(); ++l)
       if (!isFixed_[l])
         trial_.gradient.segment<2>(2 * l) =
-            -2 * toFrame(trial_.energy.regions[l].moment, trial_.frames[l]);
+            -2 * turnedBackBy(trial_.energy.regions[l].moment, trial_.frames[l]);
   }
 
   /// Armijo's condition; an increase by rounding is none.
@@ -216,11 +207,10 @@ class Cvt::Solver {
   }
 
   void move(int label, const Vector2d& step) {
-    const StraightestGeodesic way =
-        walkStraight(mesh_, accepted_.sites[label], fromFrame(step, accepted_.frames[label]),
-                     AtBoundary::kSlide);
+    const StraightestGeodesic way = walkStraight(
+        mesh_, accepted_.sites[label], turnedBy(step, accepted_.frames[label]), AtBoundary::kSlide);
     trial_.sites[label] = offVertex(way.end);
-    trial_.frames[label] = fromFrame(accepted_.frames[label], way.frame).normalized();
+    trial_.frames[label] = turnedBy(accepted_.frames[label], way.frame).normalized();
     trial_.moves[label] = way.length;
   }
 
