@@ -157,7 +157,7 @@ const tessellationColumns = {
   start: ({ energy }) => energy[0].toFixed(3),
   '10 iterations': ({ energy }) => energy[1].toFixed(3),
   '50 iterations': ({ energy }) => energy[2].toFixed(3),
-  'one iteration': ({ diagrams }) => `${diagrams.toFixed(1)} diagrams`,
+  'one iteration': ({ diagrams }) => `${diagrams.toFixed(2)} diagrams`,
 };
 
 const measured = (row, text) => (row.note ? undefined : text());

@@ -29,14 +29,19 @@ double energyOverHexagons(const TriangleMesh& mesh, std::span<const SurfacePoint
   return sum / reached / hexagons;
 }
 
+/// How long it takes to compute what one iteration more comes to.
+double iterationSeconds(Cvt& cvt) {
+  const double start = threadSeconds();
+  while (!cvt.step(std::numeric_limits<long>::max())) {
+  }
+  return threadSeconds() - start;
+}
+
 double diagramSeconds(const TriangleMesh& mesh, std::span<const SurfacePoint> sites) {
-  constexpr int kRuns = 3;
-  return timed(kRuns,
-               [&] {
-                 const auto field = distances(mesh, sites, Metric::kDgpc);
-                 return traceDiagram(mesh, *field, static_cast<int>(sites.size()));
-               })
-      .seconds;
+  const double start = threadSeconds();
+  const auto field = distances(mesh, sites, Metric::kDgpc);
+  traceDiagram(mesh, *field, static_cast<int>(sites.size()));
+  return threadSeconds() - start;
 }
 
 }  // namespace
@@ -48,18 +53,18 @@ TessellationScore measureTessellation(const TriangleMesh& mesh, std::span<const 
   options.method = method;
   options.iterations = kIterationsShown.back();
   Cvt cvt(mesh, sites, options);
-  double seconds = 0;
+  iterationSeconds(cvt);  // the initial sites
+  // A diagram after each iteration: the machine may be faster now and slower then.
+  double seconds = 0, secondsOfDiagrams = 0;
   for (size_t i = 0; i < kIterationsShown.size(); ++i) {
-    const double start = threadSeconds();
-    bool isReached = false;
-    while (!cvt.isDone() && !isReached)
-      isReached = cvt.step(std::numeric_limits<long>::max()) &&
-                  cvt.iteration().number >= kIterationsShown[i];
-    if (i > 0) seconds += threadSeconds() - start;
+    while (!cvt.isDone() && cvt.iteration().number < kIterationsShown[i]) {
+      const int before = cvt.iteration().number;
+      seconds += iterationSeconds(cvt);
+      if (cvt.iteration().number > before) secondsOfDiagrams += diagramSeconds(mesh, cvt.sites());
+    }
     score.energy[i] = energyOverHexagons(mesh, cvt.sites(), points);
   }
-  score.diagrams =
-      seconds / std::max(1, cvt.iteration().number) / diagramSeconds(mesh, cvt.sites());
+  score.diagrams = seconds / secondsOfDiagrams;
   return score;
 }
 

@@ -12,10 +12,10 @@ namespace gvd::bench {
 
 /// How good centroidal tessellations become, and what that takes.
 struct TessellationScore {
-  /// The energy ∫ d², d the exact distance, after 0, 10 and 50
-  /// iterations (or when there are no more), as multiples of the hexagonal one.
+  /// The energy ∫ d², d the exact distance, after 0, 10 and 50 iterations (or when there are no
+  /// more), as multiples of the hexagonal one.
   std::array<double, 3> energy;
-  double diagrams;  ///< time of an iteration, as a multiple of that of one diagram
+  double diagrams;  ///< time of an iteration, of what ends in vain too, in diagrams
 };
 inline constexpr std::array<int, 3> kIterationsShown = {0, 10, 50};
 

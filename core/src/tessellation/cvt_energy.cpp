@@ -26,6 +26,7 @@ class LogMaps {
 
   LogMaps(const TriangleMesh& mesh, const DistanceField& distances) {
     offset_.reserve(mesh.vertexCount() + 1);
+    values_.reserve(mesh.vertexCount());
     for (int v = 0; v < mesh.vertexCount(); ++v) {
       for (const LabelledDistance& d : distances.at(v)) {
         const Vector2d u = d.distance * distances.direction(d.label, v);
@@ -61,7 +62,7 @@ class Integrator {
   CvtEnergy integrate() {
     for (int f = 0; f < mesh_.faceCount(); ++f)
       if (diagram_.faceLabel[f] >= 0 && enterFace(f, diagram_.faceLabel[f]))
-        addTriangle(Matrix3d::Identity(), mesh_.faceArea(f));
+        add(mesh_.faceArea(f), rho_, squared_, {sides_[1], sides_[2], sides_[0]}, vectors_);
     for (int c = 0; c < diagram_.cells.size(); ++c) addCell(c);
     for (const double energy : out_.faceEnergy) out_.energy += energy;
     return std::move(out_);
@@ -102,13 +103,8 @@ class Integrator {
 
   Vector3d cornerAt(int point) const { return baryInFace(mesh_, diagram_.points[point], face_); }
 
-  /// Adds the integrals over a triangle in the current face. Restricted to it, ρ and u are linear,
-  /// and d² is again the interpolant of its corner values less Σ cᵢ cⱼ |eᵢⱼ|², with the triangle's
-  /// own barycentric coordinates c and sides e. So its mean needs that of products of up to three
-  /// c only: of cᵢ 1/3, cᵢ cⱼ 1/12, cᵢ² 1/6, c₀ c₁ c₂ 1/60, cᵢ² cⱼ 1/30.
+  /// Adds the integrals over a triangle in the current face.
   void addTriangle(const Matrix3d& corners, double area) {
-    const Vector3d rho = corners.transpose() * rho_;
-    const double rhoSum = rho.sum();
     Vector3d squared = corners.transpose() * squared_;
     Vector3d opposite;  // squared sides, by the corner opposite
     for (int i = 0; i < 3; ++i) {
@@ -116,13 +112,24 @@ class Integrator {
       squared[i] -= c[0] * c[1] * sides_[0] + c[1] * c[2] * sides_[1] + c[2] * c[0] * sides_[2];
       opposite[i] = squaredDistance(corners.col((i + 1) % 3), corners.col((i + 2) % 3), sides_);
     }
+    add(area, corners.transpose() * rho_, squared, opposite, vectors_ * corners);
+  }
+
+  /// The same, given ρ, d² and u at the triangle's corners and the squared sides opposite to them.
+  /// In the triangle, ρ and u are linear, and d² is the interpolant of its corner values less
+  /// Σ cᵢ cⱼ |eᵢⱼ|², with the triangle's own barycentric coordinates c and sides e. So its mean
+  /// needs that of products of up to three c only: of cᵢ 1/3, cᵢ cⱼ 1/12, cᵢ² 1/6, c₀ c₁ c₂ 1/60,
+  /// cᵢ² cⱼ 1/30.
+  void add(double area, const Vector3d& rho, const Vector3d& squared, const Vector3d& opposite,
+           const Eigen::Matrix<double, 2, 3>& vectors) {
+    const double rhoSum = rho.sum();
     const double linear = (rhoSum * squared.sum() + rho.dot(squared)) / 12;
     const double bulge = (2 * rhoSum * opposite.sum() - rho.dot(opposite)) / 60;
     out_.faceEnergy[face_] += area * (linear - bulge);
     RegionMoments& region = out_.regions[label_];
     region.mass += area * rhoSum / 3;
     const Vector3d weights = (rho + Vector3d::Constant(rhoSum)) / 12;
-    region.moment += area * (vectors_ * (corners * weights));
+    region.moment += area * (vectors * weights);
   }
 
   const TriangleMesh& mesh_;
