@@ -58,14 +58,14 @@ export function combinedChange(first: DiagramChange, second: DiagramChange): Dia
 }
 
 /**
- * Appends a change to a list. Those before of which it replaces everything are dropped, as often when a
- * site is dragged; it is combined with those that are no larger: the list stays short wherever changes are.
+ * Makes a list short to which changes have been appended one by one, with this between them: those before the
+ * last of which it replaces everything are dropped, as often when a site is dragged; those that are no larger
+ * are combined with it.
  */
-export function pushChange(changes: DiagramChange[], change: DiagramChange): void {
-  let last = change;
-  for (;;) {
-    const before = changes.at(-1);
-    if (!before) break;
+export function shortenChanges(changes: DiagramChange[]): void {
+  let last = changes.pop();
+  if (!last) return;
+  for (let before = changes.at(-1); before; before = changes.at(-1)) {
     if (!isReplaced(before, last)) {
       if (sizeOf(before) > 2 * sizeOf(last)) break;
       last = combinedChange(before, last);
@@ -259,7 +259,8 @@ class MergedPoints {
   readonly #face: number[] = [];
   readonly #bary: number[] = [];
   readonly #position: number[] = [];
-  readonly #shared = new Map<string, number>();
+  /** By face, the points that another source may have at the same place. */
+  readonly #shared = new Map<number, number[]>();
 
   /**
    * The merged index of a source's point, given when first asked for. Points at a place of the
@@ -274,10 +275,7 @@ class MergedPoints {
     return (point) => {
       if (merged[point] < 0) {
         const mayBeShared = !faces || faces.has(points.face[point]);
-        const key = mayBeShared ? placeKey(points, point) : undefined;
-        const known = key === undefined ? undefined : this.#shared.get(key);
-        merged[point] = known ?? this.#add(points, point);
-        if (key !== undefined) this.#shared.set(key, merged[point]);
+        merged[point] = mayBeShared ? this.#share(points, point) : this.#add(points, point);
       }
       return merged[point];
     };
@@ -291,6 +289,18 @@ class MergedPoints {
     };
   }
 
+  #share(points: DiagramData['points'], i: number): number {
+    const face = points.face[i];
+    let here = this.#shared.get(face);
+    if (!here) this.#shared.set(face, (here = []));
+    const [b0, b1] = [points.bary[3 * i], points.bary[3 * i + 1]];
+    const known = here.find((p) => this.#bary[3 * p] === b0 && this.#bary[3 * p + 1] === b1);
+    if (known !== undefined) return known;
+    const added = this.#add(points, i);
+    here.push(added);
+    return added;
+  }
+
   #add({ face, bary, position }: DiagramData['points'], i: number): number {
     for (let k = 3 * i; k < 3 * i + 3; ++k) {
       this.#bary.push(bary[k]);
@@ -298,10 +308,6 @@ class MergedPoints {
     }
     return this.#face.push(face[i]) - 1;
   }
-}
-
-function placeKey({ face, bary }: DiagramData['points'], i: number): string {
-  return `${face[i]} ${bary[3 * i]} ${bary[3 * i + 1]}`;
 }
 
 class ListsBuilder {

@@ -3,7 +3,7 @@
 // The objects that callers hold. They check what they are given, know whether they are still alive,
 // and leave the work to an engine: so all engines behave alike.
 
-import { changedData, changedSites, combinedChange, pushChange } from './change.js';
+import { changedData, changedSites, combinedChange, shortenChanges } from './change.js';
 import { regionsOf } from './region.js';
 import {
   toCount,
@@ -135,20 +135,21 @@ class EngineDiagram implements Diagram {
   insertSite(site: SurfacePointsInput): Promise<DiagramChange> {
     return this.#inTurn(async () => {
       const point = await resolvePoint(this.#kept, site);
-      return [await this.#kept.engine.insertSite(this.#kept.handle, point), point];
+      return [await this.#tidying(this.#kept.engine.insertSite(this.#kept.handle, point)), point];
     });
   }
 
   moveSite(label: number, site: SurfacePointsInput): Promise<DiagramChange> {
     return this.#inTurn(async () => {
       const point = await resolvePoint(this.#kept, site);
-      return [await this.#kept.engine.moveSite(this.#kept.handle, toLabel(label), point), point];
+      const answer = this.#kept.engine.moveSite(this.#kept.handle, toLabel(label), point);
+      return [await this.#tidying(answer), point];
     });
   }
 
   removeSite(label: number): Promise<DiagramChange> {
     return this.#inTurn(async () => [
-      await this.#kept.engine.removeSite(this.#kept.handle, toLabel(label)),
+      await this.#tidying(this.#kept.engine.removeSite(this.#kept.handle, toLabel(label))),
     ]);
   }
 
@@ -157,12 +158,18 @@ class EngineDiagram implements Diagram {
     const result = this.#lastChange.then(async () => {
       const [change, site] = await task();
       this.#sites = changedSites(this.#sites, change.label, site);
-      pushChange(this.#changes, change);
+      this.#changes.push(change);
       this.#regions = undefined;
       return change;
     });
     this.#lastChange = result.catch(() => undefined);
     return result;
+  }
+
+  /** While an engine computes a change, elsewhere perhaps, those before it are put in order. */
+  #tidying(answer: Promise<DiagramChange>): Promise<DiagramChange> {
+    shortenChanges(this.#changes);
+    return answer;
   }
 
   async locate(points: SurfacePointsInput): Promise<Located> {

@@ -12,7 +12,7 @@ import {
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
-import { type Keys, type KeyTest, RecordBuffer, wholeScene } from './record_buffer.js';
+import { type Keys, type Marks, RecordBuffer, wholeScene } from './record_buffer.js';
 import type { SceneMesh } from './scene_mesh.js';
 
 /** Of a side laid onto the surface, in radii of the model. */
@@ -45,8 +45,8 @@ export class FatLines {
   }
 
   /** Others instead of the segments that are gone. */
-  replace(isGone: KeyTest, ends: Float32Array, keys: Keys): void {
-    this.#segments.replace(isGone, keys, [ends]);
+  replace(gone: Marks, ends: Float32Array, keys: Keys): void {
+    this.#segments.replace(gone, keys, [ends]);
     this.#adopt();
   }
 

@@ -228,9 +228,7 @@ export class ModelDrawing {
     const points = places(part?.voronoiPoints.point);
     const around = part ? labelsAround(part) : [];
     if (isChanged) {
-      const isGone = (keys: Int32Array, at: number) =>
-        isChanged[keys[at]] > 0 || isChanged[keys[at + 1]] > 0;
-      this.#bisectors.replace(isGone, segments, between);
+      this.#bisectors.replace({ first: isChanged, second: isChanged }, segments, between);
       this.#keepPoints(isChanged, points, around);
     } else {
       this.#bisectors.set(segments, between);

@@ -19,8 +19,12 @@ const slack = 1.4;
 
 /** Two numbers per record that tell what it belongs to: `keys[2 * record]` and the one after. */
 export type Keys = Int32Array;
-/** Whether the record with the two keys from `keys[at]` on is meant. */
-export type KeyTest = (keys: Keys, at: number) => boolean;
+/** Records by their keys: those of which the first key, or the second, is marked by a 1. */
+export interface Marks {
+  readonly first?: Uint8Array;
+  readonly second?: Uint8Array;
+}
+export const noMarks = new Uint8Array();
 
 /**
  * Records of a fixed size, without order, that come and go: in buffers in which those that go make room
@@ -61,8 +65,8 @@ export class RecordBuffer {
   }
 
   /** Other records instead of those that are gone. O(count), with little for each. */
-  replace(isGone: KeyTest, keys: Keys, numbers: readonly ArrayLike<number>[]): void {
-    const holes = this.#recordsWhere(isGone);
+  replace(gone: Marks, keys: Keys, numbers: readonly ArrayLike<number>[]): void {
+    const holes = this.#marked(gone);
     const added = keys.length / 2;
     this.#reserve(this.#count - holes.length + added);
     const arrays = this.#buffers.map(({ array }) => array);
@@ -80,23 +84,28 @@ export class RecordBuffer {
 
   /** Writes the numbers in one of the buffers anew for the records that are meant. */
   rewrite(
-    isMeant: KeyTest,
+    meant: Marks,
     b: number,
     write: (keys: Keys, record: number, target: { [i: number]: number }, at: number) => void,
   ): void {
     const buffer = this.#buffers[b];
     const width = this.#width(buffer);
-    const records = this.#recordsWhere(isMeant);
+    const records = this.#marked(meant);
     for (const record of records) write(this.#keys, record, buffer.array, width * record);
     uploadRecords(buffer, records, width);
   }
 
-  /** Ascending. */
-  #recordsWhere(isMeant: KeyTest): number[] {
+  /** Ascending. Every change asks all records: hence a loop for each case, which reads no more than it must. */
+  #marked({ first, second }: Marks): number[] {
     const keys = this.#keys;
+    const end = 2 * this.#count;
     const records: number[] = [];
-    for (let record = 0; record < this.#count; ++record) {
-      if (isMeant(keys, 2 * record)) records.push(record);
+    if (first && second) {
+      for (let i = 0; i < end; i += 2) if (first[keys[i]] | second[keys[i + 1]]) records.push(i / 2);
+    } else if (first) {
+      for (let i = 0; i < end; i += 2) if (first[keys[i]]) records.push(i / 2);
+    } else if (second) {
+      for (let i = 0; i < end; i += 2) if (second[keys[i + 1]]) records.push(i / 2);
     }
     return records;
   }

@@ -10,7 +10,14 @@ import {
   MeshLambertMaterial,
 } from 'three';
 import { type Cells, type CellTriangles, cellTriangles } from './cell_triangles.js';
-import { type KeyTest, RecordBuffer, uploadAll, uploadRecords, wholeScene } from './record_buffer.js';
+import {
+  type Marks,
+  noMarks,
+  RecordBuffer,
+  uploadAll,
+  uploadRecords,
+  wholeScene,
+} from './record_buffer.js';
 import { toneColour } from './region_colours.js';
 import type { SceneMesh } from './scene_mesh.js';
 
@@ -129,11 +136,9 @@ export class RegionSurface {
       this.#writeFace(faces[i], part.faceLabel[i], colours);
     }
     this.#uploadFaces(faces);
-    this.#replaceParts((keys, at) => isChanged[keys[at]] > 0, this.#cut(part), colours);
+    this.#replaceParts({ first: isChanged }, this.#cut(part), colours);
     const isRecoloured = recoloured(before, diagram.tones);
-    if (isRecoloured.includes(1)) {
-      this.#recolour((_, label) => isRecoloured[label] > 0, colours);
-    }
+    if (isRecoloured.includes(1)) this.#recolour({ second: isRecoloured }, colours);
   }
 
   /** A tint per input vertex, -1 … 1, over the colours; undefined for none. Draws what differs. */
@@ -149,7 +154,7 @@ export class RegionSurface {
         : 0,
     );
     const diagram = this.#filled ? this.#diagram : undefined;
-    this.#recolour((face) => isMeant[face] > 0, new LabelColours(diagram?.tones));
+    this.#recolour({ first: isMeant }, new LabelColours(diagram?.tones));
   }
 
   dispose(): void {
@@ -170,24 +175,24 @@ export class RegionSurface {
     this.#replaceParts(undefined, this.#cut(data), colours);
   }
 
-  /** The faces, and the parts of faces, that have another colour though nothing else has changed. */
-  #recolour(isMeant: (face: number, label: number) => boolean, colours: LabelColours): void {
+  /**
+   * The faces, and the parts of faces, that have another colour though nothing else has changed: by face
+   * first, by label second.
+   */
+  #recolour(meant: Marks, colours: LabelColours): void {
+    const { first = noMarks, second = noMarks } = meant;
     const faces: number[] = [];
     const labels = this.#faceLabels;
     for (let face = 0; face < labels.length; ++face) {
-      if (!isMeant(face, labels[face])) continue;
+      if (!(first[face] > 0 || second[labels[face]] > 0)) continue;
       this.#writeFace(face, labels[face], colours);
       faces.push(face);
     }
     uploadRecords(this.#colour, faces, 9);
     const [position] = this.#triangles.buffers;
-    this.#triangles.rewrite(
-      (keys, at) => isMeant(keys[at], keys[at + 1]),
-      2,
-      (keys, record, target, at) => {
-        this.#writeColours(keys, record, position.array, colours, target, at);
-      },
-    );
+    this.#triangles.rewrite(meant, 2, (keys, record, target, at) => {
+      this.#writeColours(keys, record, position.array, colours, target, at);
+    });
   }
 
   #writeFace(face: number, label: number, colours: LabelColours): void {
@@ -213,7 +218,7 @@ export class RegionSurface {
 
   /** Others instead of those that are gone; of all if that is not given. */
   #replaceParts(
-    isGone: KeyTest | undefined,
+    gone: Marks | undefined,
     cells: CellTriangles | undefined,
     colours: LabelColours,
   ): void {
@@ -223,7 +228,7 @@ export class RegionSurface {
       this.#writeColours(keys, triangle, position, colours, colour, 9 * triangle);
     }
     const numbers = [position, normal, colour];
-    if (isGone) this.#triangles.replace(isGone, keys, numbers);
+    if (gone) this.#triangles.replace(gone, keys, numbers);
     else this.#triangles.set(keys, numbers);
     this.#adoptParts();
   }
