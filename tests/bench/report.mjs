@@ -100,7 +100,9 @@ const speedColumns = {
     measured(row, () => ratio(row.partition, row.distances + row.diagram)),
   // Where sites can be changed in place.
   'change/both': (row) =>
-    measured(row, () => row.change && fraction(row.change, row.distances + row.diagram)),
+    measured(row, () =>
+      row.change > 0 ? fraction(row.change, row.distances + row.diagram) : undefined,
+    ),
   memory: (row) => measured(row, () => `${Math.round(row.bytes / row.faces)} B/face`),
   'wasm/native': (row) => measured(row, () => ratio(row.wasm, row.distances + row.diagram)),
   note: ({ note, wasmNote }) => note ?? wasmNote,
