@@ -56,8 +56,9 @@ class InsideStraightening {
   std::vector<Inside> bentInsides() {
     std::vector<Inside> insides;
     for (int v = 0; v < mesh_.vertexCount(); ++v) {
-      if (field_.at(v).size() != 1 || !field_.view(v).isBent()) continue;
+      if (!field_.view(v).isBent()) continue;
       error_[v] = kNotToFollow;
+      if (field_.at(v).size() != 1) continue;
       insides.push_back({field_.nearest(v).label, field_.nearest(v).distance, v});
     }
     std::sort(insides.begin(), insides.end());
@@ -100,8 +101,8 @@ class InsideStraightening {
   const TriangleMesh& mesh_;
   DgpcField& field_;
   PathStraightener straightener_;
-  /// Of each vertex's distance, as a share of it; kNotToFollow where a path bends, for what is
-  /// behind the bend is seen from there, or has not been straightened.
+  /// Of each vertex's distance, as a share of it; kNotToFollow where a path bends, or may: what is
+  /// behind a bend is seen from there.
   std::vector<float> error_;
 };
 

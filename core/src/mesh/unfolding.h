@@ -18,25 +18,26 @@ inline Eigen::Vector2d apexBeside(const TriangleMesh& mesh, int halfedge,
   return tail + turnedBy({l.x, l.y}, (tip - tail) * (2 * l.inverse));
 }
 
+/// A place that rounding alone may have put beyond a halfedge or its line, as a share of lengths.
+inline constexpr double kUnfoldingRounding = 1e-12;
+
 /// Where a source is behind a halfedge, in the halfedge's frame, that has these distances, finite
 /// ones, from its two ends. Nothing if there is no such place.
 inline std::optional<Eigen::Vector2d> virtualSource(const TriangleMesh& mesh, int halfedge,
                                                     double atTail, double atTip) {
-  constexpr double kRounding = 1e-12;
   const TriangleMesh::Layout& l = mesh.layout(halfedge);
   const double x = ((atTail - atTip) * (atTail + atTip) + l.length * l.length) * l.inverse;
   const double squaredY = atTail * atTail - x * x;
-  if (!(squaredY > -kRounding * atTail * atTail)) return std::nullopt;
+  if (!(squaredY > -kUnfoldingRounding * atTail * atTail)) return std::nullopt;
   return Eigen::Vector2d(x, -std::sqrt(std::max(squaredY, 0.0)));
 }
 
 /// Whether a source behind a halfedge, in the halfedge's frame, sees the apex through it.
 inline bool seesApex(const TriangleMesh& mesh, int halfedge, const Eigen::Vector2d& source) {
-  constexpr double kRounding = 1e-12;
   const TriangleMesh::Layout& l = mesh.layout(halfedge);
   // Where the line between them crosses the halfedge's line, times their height.
   const double across = source.x() * l.y - l.x * source.y(), height = l.y - source.y();
-  const double slack = kRounding * l.length * height;
+  const double slack = kUnfoldingRounding * l.length * height;
   return across >= -slack && across <= l.length * height + slack;
 }
 
