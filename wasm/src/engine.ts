@@ -9,6 +9,7 @@ import {
 } from './core.js';
 import { GeodesicVoronoiError } from './errors.js';
 import { readGltf } from './gltf.js';
+import type { Triangles } from './triangles.js';
 import type {
   CvtState,
   DiagramChange,
@@ -30,14 +31,6 @@ import type {
 
 /** A mesh, a diagram or a tessellation that an engine keeps; never used twice, so a stale one is known as such. */
 export type Handle = number;
-
-export interface Triangles {
-  positions: Float64Array;
-  indices: Int32Array;
-  /** Per vertex, or empty; the core has no use for them. */
-  normals: Float64Array;
-  uvs: Float64Array;
-}
 
 export interface GltfFile {
   bytes: Uint8Array;

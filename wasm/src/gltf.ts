@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-import type { Triangles } from './engine.js';
+import type { Triangles } from './triangles.js';
 import type { GltfResources, MeshPart } from './types.js';
 import { WasmModule } from './wasm_module.js';
 

@@ -4,8 +4,9 @@
 // core to say.
 
 import { cvtMethods, metrics, samplings, type CvtSettings } from './core.js';
+import type { GltfFile } from './engine.js';
 import { GeodesicVoronoiError } from './errors.js';
-import type { GltfFile, Triangles } from './engine.js';
+import type { Triangles } from './triangles.js';
 import type {
   CvtOptions,
   GltfResources,

@@ -19,7 +19,8 @@ import {
   toTriangles,
 } from './input.js';
 import { GeodesicVoronoiError } from './errors.js';
-import type { AdvancedCvt, Engine, Handle, OpenedDiagram, OpenedMesh, Triangles } from './engine.js';
+import type { AdvancedCvt, Engine, Handle, OpenedDiagram, OpenedMesh } from './engine.js';
+import type { Triangles } from './triangles.js';
 import type {
   CvtOptions,
   CvtState,

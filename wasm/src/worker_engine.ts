@@ -10,9 +10,9 @@ import type {
   OpenedCvt,
   OpenedDiagram,
   OpenedMesh,
-  Triangles,
 } from './engine.js';
 import { GeodesicVoronoiError } from './errors.js';
+import type { Triangles } from './triangles.js';
 import type {
   DiagramChange,
   Located,
