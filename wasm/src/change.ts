@@ -58,9 +58,8 @@ export function combinedChange(first: DiagramChange, second: DiagramChange): Dia
 }
 
 /**
- * Makes a list short to which changes have been appended one by one, with this between them: those before the
- * last of which it replaces everything are dropped, as often when a site is dragged; those that are no larger
- * are combined with it.
+ * Shortens a list of changes, after each that has been appended. Those before it of which it replaces everything
+ * are dropped, as often when a site is dragged; it is combined with those that are no larger.
  */
 export function shortenChanges(changes: DiagramChange[]): void {
   let last = changes.pop();

@@ -31,9 +31,9 @@ class InsideStraightening {
     for (const Inside& inside : bentInsides()) {
       const auto [label, distance, v] = inside;
       if (const auto unfolded = unfoldFromNeighbours(v, label)) {
-        set(v, label, *unfolded);
+        set(v, label, unfolded->path, unfolded->error);
       } else if (const auto path = straightener_.straighten(label, v, field_.view(v))) {
-        set(v, label, {*path, path->bends ? kNotToFollow : 0});
+        set(v, label, *path, path->bends ? kNotToFollow : 0);
       }
     }
   }
@@ -65,10 +65,10 @@ class InsideStraightening {
     return insides;
   }
 
-  void set(int vertex, int label, const Unfolded& unfolded) {
-    const LabelledDistance distance{label, unfolded.path.length};
-    field_.setLabels(vertex, {&distance, 1}, {&unfolded.path.departure, 1});
-    error_[vertex] = unfolded.error;
+  void set(int vertex, int label, const LocalGeodesic& path, float error) {
+    const LabelledDistance distance{label, path.length};
+    field_.setLabels(vertex, {&distance, 1}, {&path.departure, 1});
+    error_[vertex] = error;
   }
 
   /// The path that follows from those of the ends of the edge through which a vertex sees the site.
