@@ -13,9 +13,18 @@ export const root = fileURLToPath(new URL('..', import.meta.url));
 /** The path of something in the repository. */
 export const at = (...path) => join(root, ...path);
 
+/** Where what goes on is told: a file descriptor. */
+let progress = 1;
+
+/** Tells what goes on on standard error from now on: standard output is for the script's result. */
+export function keepStandardOutput() {
+  progress = 2;
+}
+
 /** Runs a command in the repository and returns its exit status. */
 export function status(command, args, options = {}) {
-  const result = spawnSync(command, args, { cwd: root, stdio: 'inherit', ...options });
+  const stdio = ['inherit', progress, 'inherit'];
+  const result = spawnSync(command, args, { cwd: root, stdio, ...options });
   if (result.error) throw result.error;
   return result.status ?? 1;
 }
@@ -54,7 +63,7 @@ export function exists(path) {
 
 /** Says what comes next. */
 export function announce(text) {
-  console.log(`\n— ${text}`);
+  (progress === 1 ? console.log : console.error)(`\n— ${text}`);
 }
 
 /**
@@ -91,12 +100,12 @@ export function isScript(url) {
   return process.argv[1] === fileURLToPath(url);
 }
 
-/** Runs a script's main function; a failure is one line and status 1. */
+/** Runs a script's main function; a failure is one line and status 1, or what the error says. */
 export async function main(script) {
   try {
     await script();
   } catch (error) {
-    console.error(`\n${error.message}`);
-    process.exitCode = 1;
+    if (error.message) console.error(error.message);
+    process.exitCode = error.exitCode ?? 1;
   }
 }
