@@ -25,7 +25,9 @@ Score score(const DistanceField& field, std::span<const SurfacePoint> points,
       result.mislabelled += found.label != expected.label;
     }
     if (expected.label >= 0 && found.label >= 0 && expected.distance > 0) {
-      errors += std::abs(found.distance / expected.distance - 1);
+      const double error = std::abs(found.distance / expected.distance - 1);
+      errors += error;
+      result.largestError = std::max(result.largestError, error);
       ++distances;
     }
   }

@@ -22,6 +22,7 @@ struct Score {
   int points = 0;        ///< that count for labels: those with two sites as near are left out
   int mislabelled = 0;   ///< of them
   double meanError = 0;  ///< of the distances of all points that a site reaches, relative
+  double largestError = 0;
 
   double mislabelledShare() const { return points > 0 ? double(mislabelled) / points : 0; }
 };

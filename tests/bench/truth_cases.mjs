@@ -16,9 +16,11 @@ import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { basename, join, resolve } from 'node:path';
 import { gunzipSync } from 'node:zlib';
 
-/** Writes the cases of `folder` to another folder and returns the paths. */
-export function writeTruthCases(folder, target) {
-  const files = readdirSync(join(folder, 'cases')).filter((name) => name.endsWith('.json.gz'));
+/** Writes the cases of `folder` with `only` in their name to another folder; returns the paths. */
+export function writeTruthCases(folder, target, only = '') {
+  const files = readdirSync(join(folder, 'cases'))
+    .filter((name) => name.endsWith('.json.gz'))
+    .filter((name) => basename(name, '.json.gz').includes(only));
   return files.sort().map((file) => {
     const text = gunzipSync(readFileSync(join(folder, 'cases', file))).toString();
     const path = join(target, `${basename(file, '.json.gz')}.txt`);
@@ -28,10 +30,12 @@ export function writeTruthCases(folder, target) {
 }
 
 /** Initial sites of tessellations and points to measure them at, where the folder has such. */
-export function writeTessellations(folder, target) {
+export function writeTessellations(folder, target, only = '') {
   if (!existsSync(join(folder, 'cvt'))) return [];
   const read = (name) => JSON.parse(gunzipSync(readFileSync(join(folder, 'cvt', name))).toString());
-  const files = readdirSync(join(folder, 'cvt')).filter((name) => name.startsWith('init_'));
+  const files = readdirSync(join(folder, 'cvt'))
+    .filter((name) => name.startsWith('init_'))
+    .filter((name) => basename(name, '.json.gz').replace('init_', '').includes(only));
   return files.sort().map((file) => {
     const name = basename(file, '.json.gz').replace('init_', '');
     const { mesh, sites } = read(file);
