@@ -2,15 +2,25 @@
 //
 // npm run bench [-- OPTIONS]: the benchmark, natively and in WebAssembly; --help tells the options.
 
+import { bench } from '../tests/bench/bench.mjs';
+import { readOptions, usage } from '../tests/bench/options.mjs';
 import { buildPackage, buildWithCMake } from './build.mjs';
 import { setUp } from './setup.mjs';
-import { at, main, run } from './tasks.mjs';
+import { at, keepStandardOutput, main, step } from './tasks.mjs';
 
 await main(async () => {
+  const options = readOptions(process.argv.slice(2));
+  if (options.help) {
+    console.log(usage);
+    return;
+  }
+  // For what was measured, which may be read by a program.
+  keepStandardOutput();
   setUp('test');
-  buildWithCMake('build/native', { targets: ['gvd_bench'] });
-  await buildPackage();
-  const executable = at('build/native/tests/bench/gvd_bench');
-  const script = at('tests/bench/bench.mjs');
-  run(process.execPath, [script, '--executable', executable, ...process.argv.slice(2)]);
+  const executable = 'build/native/tests/bench/gvd_bench';
+  await step('Benchmark', { inputs: ['CMakeLists.txt', 'core', 'tests'], output: executable }, () =>
+    buildWithCMake('build/native', { targets: ['gvd_bench'] }),
+  );
+  if (options.wasm) await buildPackage();
+  await bench(options, at(executable));
 });

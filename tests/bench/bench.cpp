@@ -4,6 +4,7 @@
 // figures go to standard output as one JSON document, what is going on to standard error.
 
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <string>
 #include <utility>
@@ -30,6 +31,8 @@ class Bench {
   void run() {
     json_.beginObject();
     describe();
+    // What is wrong with a file is told before anything is measured.
+    for (const auto& path : options_.meshes) readGltfMesh(path);
     writeList("speed", "speed", [&] {
       forEachMesh(largeMeshes(), [&](const NamedMesh& mesh) { writeSpeed(mesh); });
     });
@@ -39,7 +42,7 @@ class Bench {
     });
     if (!hasOracle()) json_.text("accuracyNote", "built without CGAL");
     writeList("accuracy", "cases", [&] {
-      for (const auto& path : options_.cases) writeCase(readTruthCase(path));
+      forEachCase(options_.cases, [&](const TruthCase& truth) { writeCase(truth); });
     });
     writeList("convergence", "byDetail", [&] {
       forEachMesh(smallMeshes(), [&](const NamedMesh& mesh) { writeDetail(mesh); });
@@ -50,17 +53,18 @@ class Bench {
     writeList("cvt", "tessellations", [&] {
       if (options_.tessellations.empty())
         forEachMesh(smallMeshes(), [&](const NamedMesh& mesh) { writeTessellation(mesh); });
-      for (const auto& path : options_.tessellations) writeTessellation(readTruthCase(path));
+      forEachCase(options_.tessellations,
+                  [&](const TruthCase& start) { writeTessellation(start); });
     });
     json_.endObject();
   }
 
  private:
   void describe() {
-    json_.number("sites", options_.sites);
     json_.number("seed", static_cast<double>(options_.seed));
     json_.number("runs", options_.runs);
     json_.number("detail", options_.detail);
+    json_.number("subdivisions", options_.subdivisions);
   }
 
   /// A list, empty if its part is not asked for.
@@ -71,37 +75,69 @@ class Bench {
     json_.endList();
   }
 
-  /// The given meshes and the models.
+  /// Visits the given meshes, or the generated ones, as far as they are asked for.
   template <class Visit>
-  void forEachMesh(std::vector<NamedMesh> meshes, Visit visit) {
-    for (const auto& path : options_.models) meshes.push_back(modelMesh(path));
-    for (const NamedMesh& mesh : meshes)
-      if (mesh.name.find(options_.only) != std::string::npos) visit(mesh);
+  void forEachMesh(std::vector<NamedMesh> generated, Visit visit) {
+    std::vector<NamedMesh> meshes;
+    if (options_.meshes.empty() || options_.generated) meshes = std::move(generated);
+    for (const auto& path : options_.meshes) meshes.push_back(fileMesh(path));
+    for (NamedMesh& mesh : distinctlyNamed(std::move(meshes))) {
+      if (mesh.name.find(options_.only) == std::string::npos) continue;
+      if (options_.subdivisions > 0) {
+        mesh.make = [make = mesh.make, times = options_.subdivisions] {
+          return subdivided(make(), times);
+        };
+      }
+      visit(mesh);
+    }
+  }
+
+  template <class Visit>
+  void forEachCase(const std::vector<std::filesystem::path>& paths, Visit visit) {
+    for (const auto& path : paths)
+      if (path.stem().string().find(options_.only) != std::string::npos) visit(readTruthCase(path));
   }
 
   void writeSpeed(const NamedMesh& named) {
-    announce(named.name);
     const TriangleMesh mesh = named.make();
-    const auto sites = sampleUniform(mesh, options_.sites, options_.seed);
-    const SpeedOptions speedOptions{options_.runs, options_.detail};
-    json_.beginObject();
-    describe(named.name, mesh);
-    json_.number("dijkstra", dijkstraSeconds(mesh, sites, speedOptions));
-    forEachMetric([&](Metric metric) {
-      const Speed speed = measureSpeed(mesh, sites, metric, speedOptions);
-      json_.number("distances", speed.distances);
-      json_.number("diagram", speed.diagram);
-      json_.number("partition", speed.partition);
-      json_.number("change", speed.change);
-      json_.number("bytes", speed.bytes);
-    });
-    json_.endObject();
+    for (const int count : options_.sites) {
+      announce(named.name + ", " + std::to_string(mesh.faceCount()) + " faces, " +
+               std::to_string(count) + (count == 1 ? " site" : " sites"));
+      writeSpeed(named.name, mesh, sampleUniform(mesh, count, options_.seed));
+    }
     if (!options_.meshFolder.empty()) writeGlb(mesh, options_.meshFolder / (named.name + ".glb"));
+  }
+
+  void writeSpeed(const std::string& name, const TriangleMesh& mesh,
+                  const std::vector<SurfacePoint>& sites) {
+    const Speed speed =
+        measureSpeed(mesh, sites, options_.metrics, {options_.runs, options_.detail});
+    json_.beginObject();
+    describe(name, mesh);
+    json_.number("sites", static_cast<double>(sites.size()));
+    json_.number("dijkstra", speed.dijkstra);
+    json_.beginObject("metrics");
+    for (const MetricSpeed& metric : speed.metrics) {
+      json_.beginObject(metric.metric.name);
+      if (metric.note.empty()) {
+        json_.number("distances", metric.distances);
+        json_.number("diagram", metric.diagram);
+        json_.number("partition", metric.partition);
+        if (metric.change) json_.number("change", *metric.change);
+        json_.number("bytes", metric.bytes);
+        json_.number("bytesPerFace", metric.bytes / mesh.faceCount());
+      } else {
+        json_.text("note", metric.note);
+      }
+      json_.endObject();
+    }
+    json_.endObject();
+    json_.endObject();
   }
 
   void writeAccuracy(const NamedMesh& named) {
     const TriangleMesh mesh = named.make();
-    if (mesh.faceCount() > options_.oracleFaces) return;
+    if (isTooLarge(named.name, mesh)) return;
     announce(named.name + " and CGAL");
     const auto sites = sampleUniform(mesh, options_.oracleSites, options_.seed);
     const auto points = sampleUniform(mesh, options_.oraclePoints, options_.seed + 1);
@@ -113,11 +149,20 @@ class Bench {
     json_.endObject();
   }
 
+  /// To be compared with exact distances.
+  bool isTooLarge(const std::string& name, const TriangleMesh& mesh) {
+    if (mesh.faceCount() <= options_.oracleFaces) return false;
+    announce(name + " has more than " + std::to_string(options_.oracleFaces) +
+             " faces: left out here (--oracle-faces)");
+    return true;
+  }
+
   void writeCase(const TruthCase& truth) {
     announce(truth.name);
-    const TriangleMesh mesh = readGlb(truth.mesh);
+    const TriangleMesh mesh = readGltfMesh(truth.mesh);
     json_.beginObject();
-    describe(truth.name, mesh);
+    json_.text("case", truth.name);
+    describe(truth.mesh.stem().string(), mesh);
     json_.number("sites", static_cast<double>(truth.sites.size()));
     writeScores(mesh, ofMesh(mesh, truth.sites), ofMesh(mesh, truth.points), truth.nearest);
     json_.endObject();
@@ -130,13 +175,14 @@ class Bench {
       const Score result = score(*distances(mesh, sites, metric), points, truth);
       json_.number("mislabelled", result.mislabelledShare());
       json_.number("meanError", result.meanError);
+      json_.number("largestError", result.largestError);
     });
   }
 
   void writeDetail(const NamedMesh& named) {
     constexpr int kMostDetail = 4;
     const TriangleMesh mesh = named.make();
-    if (mesh.faceCount() > options_.oracleFaces) return;
+    if (isTooLarge(named.name, mesh)) return;
     announce(named.name + " in detail");
     const auto sites = sampleUniform(mesh, options_.oracleSites, options_.seed);
     const DetailStudy study(mesh, sites, options_.seed + 1);
@@ -166,13 +212,13 @@ class Bench {
   void writeTessellation(const NamedMesh& named) {
     constexpr int kPoints = 20'000;
     const TriangleMesh mesh = named.make();
-    if (mesh.faceCount() > options_.oracleFaces) return;
+    if (isTooLarge(named.name, mesh)) return;
     writeTessellation(named.name, mesh, sampleUniform(mesh, options_.oracleSites, options_.seed),
                       sampleUniform(mesh, kPoints, options_.seed + 1));
   }
 
   void writeTessellation(const TruthCase& start) {
-    const TriangleMesh mesh = readGlb(start.mesh);
+    const TriangleMesh mesh = readGltfMesh(start.mesh);
     writeTessellation(start.name, mesh, ofMesh(mesh, start.sites), ofMesh(mesh, start.points));
   }
 
@@ -199,7 +245,7 @@ class Bench {
   }
 
   void describe(const std::string& name, const TriangleMesh& mesh) {
-    json_.text("name", name);
+    json_.text("mesh", name);
     json_.number("faces", mesh.faceCount());
   }
 
@@ -207,7 +253,7 @@ class Bench {
   template <class Measure>
   void forEachMetric(Measure measure) {
     json_.beginObject("metrics");
-    for (const auto& [name, metric] : kMetrics) {
+    for (const auto& [name, metric] : options_.metrics) {
       json_.beginObject(name);
       try {
         measure(metric);
@@ -244,7 +290,7 @@ int main(int argc, char** argv) {
     const auto options = gvd::bench::parseOptions(arguments);
     gvd::bench::Bench(options, std::cout).run();
   } catch (const std::exception& error) {
-    std::cerr << "gvd_bench: " << error.what() << '\n';
-    return 1;
+    std::cerr << "bench: " << error.what() << '\n';
+    return 2;
   }
 }

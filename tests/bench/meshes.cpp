@@ -5,9 +5,13 @@
 #include <cstddef>
 #include <fstream>
 #include <iterator>
+#include <map>
+#include <span>
 #include <stdexcept>
+#include <utility>
 
 #include "glb_writer.h"
+#include "gvd/error.h"
 #include "gvd/gltf.h"
 #include "shapes.h"
 
@@ -41,9 +45,42 @@ Shape genus3(int n, int times) {
   return shape;
 }
 
+Shape toShape(const TriangleMesh& mesh) {
+  Shape shape;
+  for (int v = 0; v < mesh.vertexCount(); ++v) shape.addVertex(mesh.position(v));
+  shape.triangles.assign(mesh.tails().begin(), mesh.tails().end());
+  return shape;
+}
+
+/// Every face in four; the points halfway along edges displaced by up to `displacement` edges in x,
+/// y and z.
+Shape subdividedOnce(const TriangleMesh& mesh, double displacement, shapes::Random& random) {
+  Shape shape;
+  for (int v = 0; v < mesh.vertexCount(); ++v) shape.addVertex(mesh.position(v));
+  std::vector<int> middle(mesh.halfedgeCount());
+  for (int h = 0; h < mesh.halfedgeCount(); ++h) {
+    const int twin = mesh.twin(h);
+    if (twin >= 0 && twin < h) {
+      middle[h] = middle[twin];
+      continue;
+    }
+    const double most = displacement * mesh.length(h);
+    Eigen::Vector3d p = (mesh.position(mesh.tail(h)) + mesh.position(mesh.tip(h))) / 2;
+    for (double& x : p) x += random.uniform(-most, most);
+    middle[h] = shape.addVertex(p);
+  }
+  for (int h = 0; h < mesh.halfedgeCount(); h += 3) {
+    for (int i = h; i < h + 3; ++i)
+      shape.addTriangle(mesh.tail(i), middle[i], middle[TriangleMesh::previous(i)]);
+    shape.addTriangle(middle[h], middle[h + 1], middle[h + 2]);
+  }
+  return shape;
+}
+
 std::vector<std::byte> readFile(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw std::runtime_error("cannot read " + path.string());
+  if (!file || std::filesystem::is_directory(path))
+    throw std::runtime_error("cannot read " + path.string());
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   const auto bytes = std::as_bytes(std::span(text));
   return {bytes.begin(), bytes.end()};
@@ -74,13 +111,33 @@ std::vector<NamedMesh> smallMeshes() {
   };
 }
 
-NamedMesh modelMesh(const std::filesystem::path& glb) {
-  return {glb.stem().string(), [glb] { return readGlb(glb); }};
+NamedMesh fileMesh(const std::filesystem::path& gltf) {
+  return {gltf.stem().string(), [gltf] { return readGltfMesh(gltf); }};
 }
 
-TriangleMesh readGlb(const std::filesystem::path& glb) {
-  const GltfScene scene = readGltf(readFile(glb));
-  return TriangleMesh(scene.positions, scene.triangles);
+std::vector<NamedMesh> distinctlyNamed(std::vector<NamedMesh> meshes) {
+  std::map<std::string, int> uses;
+  for (NamedMesh& mesh : meshes)
+    if (const int use = ++uses[mesh.name]; use > 1)
+      mesh.name.append("-").append(std::to_string(use));
+  return meshes;
+}
+
+TriangleMesh subdivided(const TriangleMesh& mesh, int times) {
+  constexpr double kDisplacement = 0.05;
+  shapes::Random random(1);
+  Shape shape = toShape(mesh);
+  for (int i = 0; i < times; ++i) shape = subdividedOnce(shape.mesh(), kDisplacement, random);
+  return inSinglePrecision(std::move(shape));
+}
+
+TriangleMesh readGltfMesh(const std::filesystem::path& gltf) {
+  try {
+    const GltfScene scene = readGltf(readFile(gltf));
+    return TriangleMesh(scene.positions, scene.triangles);
+  } catch (const Error& error) {
+    throw Error(error.code(), gltf.string() + ": " + error.what());
+  }
 }
 
 void writeGlb(const TriangleMesh& mesh, const std::filesystem::path& glb) {

@@ -5,13 +5,14 @@
 #include <limits>
 #include <memory>
 #include <span>
+#include <string_view>
 
 #include "gvd/geodesic.h"
 
 namespace gvd::bench {
 
 struct NamedMetric {
-  const char* name;
+  std::string_view name;
   Metric metric;
 };
 inline constexpr std::array<NamedMetric, 2> kMetrics = {

@@ -7,16 +7,21 @@
 #include <string>
 #include <vector>
 
+#include "metrics.h"
+
 namespace gvd::bench {
 
-/// What gvd_bench is asked for: `--name value` each, `kUsage` says which.
+/// What gvd_bench is asked for: `kUsage` says how.
 struct Options {
-  int sites = 300;
+  std::vector<int> sites = {1, 10, 100, 300, 1000, 5000};  ///< speed is measured with each of them
   std::uint64_t seed = 1;
   int runs = 5;
   int detail = 0;
-  std::string only;  ///< measures the meshes with this in their name
-  std::vector<std::filesystem::path> models;
+  int subdivisions = 0;
+  std::vector<NamedMetric> metrics{kMetrics.begin(), kMetrics.end()};
+  std::string only;  ///< measures the meshes and cases with this in their name
+  std::vector<std::filesystem::path> meshes;
+  bool generated = false;  ///< the generated meshes too, although others are given
   std::vector<std::filesystem::path> cases;
   std::filesystem::path meshFolder;  ///< gets the meshes that speed was measured on; empty: none
   std::vector<std::filesystem::path> tessellations;

@@ -3,13 +3,13 @@
 // What was measured, as tables for people.
 
 export function report(measured) {
-  const { sites, runs, detail, cases, caseSummaries = [] } = measured;
+  const { runs, detail, cases, caseSummaries = [] } = measured;
+  const speed = measured.speed.flatMap(perMetric);
+  const ladder = (text) => [ladderColumns(speed, text), ladderRows(speed)];
   const sections = [
-    [
-      `Speed: ${sites} sites, detail ${detail}; CPU time of the fastest of ${runs}`,
-      speedColumns,
-      measured.speed.flatMap(perMetric),
-    ],
+    [`Speed: detail ${detail}; CPU time of the fastest of ${runs}`, speedColumns, speed],
+    ['Speed by number of sites: distances and diagram, over Dijkstra', ...ladder(overDijkstra)],
+    ['Changes by number of sites: one site moved to the next face', ...ladder(changeTime)],
     ['Accuracy: against CGAL', scoreColumns, measured.accuracy.flatMap(perMetric)],
     [
       'Accuracy: against the cases given',
@@ -33,7 +33,7 @@ export function report(measured) {
     ],
   ];
   const texts = sections
-    .filter(([, , rows]) => rows.length > 0)
+    .filter(([, columns, rows]) => columns && rows.length > 0)
     .map(([title, columns, rows]) => `${title}\n\n${table(columns, rows)}`);
   if (measured.accuracyNote) texts.push(`Accuracy: ${measured.accuracyNote}`);
   return texts.join('\n\n');
@@ -61,7 +61,7 @@ function withOrders(rows) {
 
 /** The mean and the worst of all cases, for each metric that has scores. */
 export function summaries(cases) {
-  const summary = (name, of) => {
+  const summary = (title, of) => {
     const metrics = {};
     for (const metric of Object.keys(cases[0].metrics)) {
       const scores = cases.map(({ metrics }) => metrics[metric]);
@@ -69,9 +69,10 @@ export function summaries(cases) {
       metrics[metric] = {
         mislabelled: of(scores.map(({ mislabelled }) => mislabelled)),
         meanError: of(scores.map(({ meanError }) => meanError)),
+        largestError: of(scores.map(({ largestError }) => largestError)),
       };
     }
-    return { name, metrics };
+    return { case: title, metrics };
   };
   return [
     summary('mean', (values) => values.reduce((sum, value) => sum + value) / values.length),
@@ -81,14 +82,15 @@ export function summaries(cases) {
 
 const milliseconds = (seconds) => `${(1000 * seconds).toFixed(1)} ms`;
 const ratio = (a, b) => (a === undefined ? undefined : `${(a / b).toFixed(2)} ×`);
-const fraction = (a, b) => `1/${Math.round(b / a)}`;
+const fraction = (a, b) => (2 * a < b ? `1/${Math.round(b / a)}` : ratio(a, b));
 const percent = (share) => `${(100 * share).toFixed(3)} %`;
 const smallPercent = (share) => `${(100 * share).toFixed(5)} %`;
 
 /** Titles, with what a row has there; undefined where it has nothing. */
 const speedColumns = {
-  mesh: ({ name }) => name,
+  mesh: ({ mesh }) => mesh,
   faces: ({ faces }) => faces,
+  sites: ({ sites }) => sites,
   Dijkstra: ({ dijkstra }) => milliseconds(dijkstra),
   metric: ({ metric }) => metric,
   distances: (row) => measured(row, () => milliseconds(row.distances)),
@@ -100,22 +102,55 @@ const speedColumns = {
     measured(row, () => ratio(row.partition, row.distances + row.diagram)),
   // Where sites can be changed in place.
   'change/both': (row) =>
-    measured(row, () =>
-      row.change > 0 ? fraction(row.change, row.distances + row.diagram) : undefined,
-    ),
-  memory: (row) => measured(row, () => `${Math.round(row.bytes / row.faces)} B/face`),
+    measured(row, () => row.change && fraction(row.change, row.distances + row.diagram)),
+  memory: (row) => measured(row, () => `${Math.round(row.bytesPerFace)} B/face`),
   'wasm/native': (row) => measured(row, () => ratio(row.wasm, row.distances + row.diagram)),
   note: ({ note, wasmNote }) => note ?? wasmNote,
 };
 
+const overDijkstra = (row) =>
+  measured(row, () => ratio(row.distances + row.diagram, row.dijkstra));
+const changeTime = (row) => measured(row, () => row.change && milliseconds(row.change));
+
+/** A row per mesh and metric, with the rows of all its numbers of sites. */
+function ladderRows(speed) {
+  const rows = new Map();
+  for (const row of speed) {
+    const { mesh, faces, metric } = row;
+    const key = JSON.stringify([mesh, metric]);
+    if (!rows.has(key)) rows.set(key, { mesh, faces, metric, bySites: {} });
+    rows.get(key).bySites[row.sites] = row;
+  }
+  return [...rows.values()];
+}
+
+/** A column per number of sites; none if nothing has a text there. */
+function ladderColumns(speed, text) {
+  const sites = [...new Set(speed.filter((row) => text(row)).map((row) => row.sites))];
+  if (sites.length === 0) return undefined;
+  return {
+    mesh: ({ mesh }) => mesh,
+    faces: ({ faces }) => faces,
+    metric: ({ metric }) => metric,
+    ...Object.fromEntries(
+      sites.map((count) => [
+        `${count} ${count === 1 ? 'site' : 'sites'}`,
+        ({ bySites }) => bySites[count] && text(bySites[count]),
+      ]),
+    ),
+  };
+}
+
 const scoreColumns = {
-  mesh: ({ name }) => name,
+  case: (row) => row.case,
+  mesh: ({ mesh }) => mesh,
   faces: ({ faces }) => faces,
   sites: ({ sites }) => sites,
   points: ({ points }) => points,
   metric: ({ metric }) => metric,
   mislabelled: (row) => measured(row, () => percent(row.mislabelled)),
   'mean error': (row) => measured(row, () => row.meanError.toExponential(2)),
+  'largest error': (row) => measured(row, () => row.largestError.toExponential(2)),
   note: ({ note }) => note,
 };
 
@@ -124,7 +159,7 @@ const order = (from, to, times = 1) =>
   from > 0 && to > 0 ? (Math.log2(from / to) / times).toFixed(1) : undefined;
 
 const detailColumns = {
-  mesh: ({ name }) => name,
+  mesh: ({ mesh }) => mesh,
   faces: ({ faces }) => faces,
   sites: ({ sites }) => sites,
   metric: ({ metric }) => metric,
@@ -152,7 +187,7 @@ const refinementColumns = {
 };
 
 const tessellationColumns = {
-  mesh: ({ name }) => name,
+  mesh: ({ mesh }) => mesh,
   faces: ({ faces }) => faces,
   sites: ({ sites }) => sites,
   method: ({ method }) => method,

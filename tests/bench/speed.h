@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "gvd/geodesic.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
+#include "metrics.h"
 
 namespace gvd::bench {
 
@@ -14,19 +18,26 @@ struct SpeedOptions {
   int detail = 0;
 };
 
-/// The time of the unit, in seconds: see `dijkstra`.
-double dijkstraSeconds(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
-                       const SpeedOptions& options);
-
-/// What one metric takes.
-struct Speed {
-  double distances;  ///< seconds from `propagate` to `take`
-  double diagram;    ///< seconds of `traceDiagram`
-  double partition;  ///< seconds of `partition`
-  double change;  ///< seconds for one site that moves to the next face, on average; 0 if it cannot
-  double bytes;  ///< the most that distances and diagram have allocated at a time, besides the mesh
+/// What one metric takes: times in seconds, of the fastest run.
+struct MetricSpeed {
+  NamedMetric metric;
+  double distances = kInfinity;  ///< from `propagate` to `take`
+  double diagram = kInfinity;    ///< `traceDiagram`
+  double partition = kInfinity;
+  /// A site that moves to the next face, the mean of up to 100; none where sites can't be moved.
+  std::optional<double> change;
+  double bytes = 0;  ///< the most that distances and diagram have allocated at a time
+  std::string note;  ///< why there are no times
 };
-Speed measureSpeed(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric,
-                   const SpeedOptions& options);
+
+struct Speed {
+  double dijkstra = kInfinity;  ///< the unit: see `dijkstra`
+  std::vector<MetricSpeed> metrics;
+};
+
+/// Takes turns: Dijkstra, one metric, Dijkstra, the other, and so on, `runs` times. So a machine
+/// that is slower for a while is slower for all of them, and their ratios hold.
+Speed measureSpeed(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
+                   std::span<const NamedMetric> metrics, const SpeedOptions& options);
 
 }  // namespace gvd::bench

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <ctime>
-#include <optional>
 #include <utility>
 
 namespace gvd::bench {
@@ -16,23 +15,16 @@ inline double threadSeconds() {
 
 template <class Result>
 struct Timed {
-  double seconds;  ///< of the fastest run
-  Result result;   ///< of the last one
+  double seconds;
+  Result result;
 };
 
-/// Runs `work` some times, freeing what it returned in between, off the clock.
+/// Runs `work` once.
 template <class Work>
-auto timed(int runs, Work work) {
-  std::optional<decltype(work())> result;
-  double best = 0;
-  for (int i = 0; i < runs; ++i) {
-    result.reset();
-    const double start = threadSeconds();
-    result.emplace(work());
-    const double seconds = threadSeconds() - start;
-    if (i == 0 || seconds < best) best = seconds;
-  }
-  return Timed<decltype(work())>{best, std::move(*result)};
+auto timed(Work work) {
+  const double start = threadSeconds();
+  auto result = work();
+  return Timed<decltype(work())>{threadSeconds() - start, std::move(result)};
 }
 
 }  // namespace gvd::bench

@@ -10,17 +10,20 @@ import { load } from 'geodesic-voronoi';
  * Adds `wasm`, the seconds of a diagram, to every metric of gvd_bench's `speed` that has times, or
  * `wasmNote`, why there are none. The meshes are in a folder, as GLBs.
  */
-export async function measureWasm({ speed, sites, seed, runs, detail }, folder) {
+export async function measureWasm({ speed, seed, runs, detail }, folder) {
   const gvd = await load();
-  for (const { name, metrics } of speed) {
+  for (const name of new Set(speed.map(({ mesh }) => mesh))) {
     const mesh = await gvd.mesh(readFileSync(join(folder, `${name}.glb`)));
-    const points = await mesh.sampleSites(sites, { seed });
-    for (const [metric, times] of Object.entries(metrics)) {
-      if (times.note) continue;
-      try {
-        times.wasm = await leastSeconds(runs, () => mesh.voronoi(points, { metric, detail }));
-      } catch (error) {
-        times.wasmNote = `WebAssembly: ${error.message}`;
+    for (const { sites, metrics } of speed.filter((entry) => entry.mesh === name)) {
+      console.error(`${name}, ${sites} ${sites === 1 ? 'site' : 'sites'}, in WebAssembly`);
+      const points = await mesh.sampleSites(sites, { seed });
+      for (const [metric, times] of Object.entries(metrics)) {
+        if (times.note) continue;
+        try {
+          times.wasm = await leastSeconds(runs, () => mesh.voronoi(points, { metric, detail }));
+        } catch (error) {
+          times.wasmNote = `WebAssembly: ${error.message}`;
+        }
       }
     }
     mesh.dispose();
