@@ -36,8 +36,8 @@ export function writeModels(folder) {
 }
 
 /**
- * The path of a glTF that needs no other file: `path`, or one of the same name in a new folder inside
- * `folder`, with the buffers in it.
+ * The path of a glTF that needs no other file: `path`, or one of the same name in a new folder
+ * inside `folder`, with the buffers in it.
  */
 export function selfContained(path, folder) {
   const bytes = readFileSync(path);
@@ -54,7 +54,9 @@ export function selfContained(path, folder) {
   );
   // What else is wrong with it, gvd_bench finds out, and says its name.
   if (outside.length === 0) return path;
-  for (const buffer of outside) buffer.uri = dataUri(join(dirname(path), decoded(buffer.uri)), path);
+  for (const buffer of outside) {
+    buffer.uri = dataUri(join(dirname(path), decoded(buffer.uri)), path);
+  }
   const copy = join(mkdtempSync(join(folder, 'mesh-')), basename(path));
   writeFileSync(copy, JSON.stringify(json));
   return copy;

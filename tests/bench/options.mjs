@@ -15,7 +15,7 @@ What to measure, and on what
   --mesh FILE        a glTF file (.glb or .gltf) instead of the meshes that are generated or come
                      with npm; may be repeated
   --subdivide N      every face in four, N times, new vertices displaced by a little noise (0)
-  --only TEXT        only meshes and cases with this in their name
+  --only TEXT        only meshes and cases with this in their name; if a case is called so, only it
   --truth FOLDER     compares with the exact answers there: truth_cases.mjs says how they look
 
 How
@@ -24,8 +24,8 @@ How
   --runs N           the fastest counts; Dijkstra's algorithm and the metrics take turns (5)
   --detail N         of the diagrams (0)
   --oracle-sites N, --oracle-points N, --oracle-faces N
-                     where distances are compared with CGAL's: sites (30) and points (1000) per mesh,
-                     faces of the largest mesh (6000)
+                     where distances are compared with CGAL's: sites (30) and points (1000) per
+                     mesh, faces of the largest mesh (6000)
   --wasm             times the same in WebAssembly too, under Node
 
 What to write: tables for people, or
@@ -36,8 +36,9 @@ What to write: tables for people, or
 The JSON has a list per part. That of speed has an entry per mesh and number of sites:
   mesh, faces, sites, dijkstra   the last one in seconds: the unit
   metrics.dgpc, metrics.exact    distances, diagram (tracing, with loops), partition, change (a site
-                                 that moves to the next face; where the metric allows that) and wasm
-                                 (distances and diagram; with --wasm) in seconds; bytes, bytesPerFace
+                                 that moves to the next face; where the metric allows that), and
+                                 with --wasm, wasm (distances and diagram there) in seconds;
+                                 bytes (the most allocated for both at a time), bytesPerFace
 
 The exit code is 2 if an option or a file is wrong.`;
 

@@ -16,15 +16,12 @@ import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { basename, join, resolve } from 'node:path';
 import { gunzipSync } from 'node:zlib';
 
-/** Writes the cases of `folder` with `only` in their name to another folder; returns the paths. */
+/** Writes the cases of `folder` that `only` chooses to another folder and returns the paths. */
 export function writeTruthCases(folder, target, only = '') {
-  const files = readdirSync(join(folder, 'cases'))
-    .filter((name) => name.endsWith('.json.gz'))
-    .filter((name) => basename(name, '.json.gz').includes(only));
-  return files.sort().map((file) => {
-    const text = gunzipSync(readFileSync(join(folder, 'cases', file))).toString();
-    const path = join(target, `${basename(file, '.json.gz')}.txt`);
-    writeFileSync(path, toText(basename(file, '.json.gz'), JSON.parse(text), folder));
+  return chosen(readdirSync(join(folder, 'cases')), '', only).map((name) => {
+    const text = gunzipSync(readFileSync(join(folder, 'cases', `${name}.json.gz`))).toString();
+    const path = join(target, `${name}.txt`);
+    writeFileSync(path, toText(name, JSON.parse(text), folder));
     return path;
   });
 }
@@ -33,12 +30,8 @@ export function writeTruthCases(folder, target, only = '') {
 export function writeTessellations(folder, target, only = '') {
   if (!existsSync(join(folder, 'cvt'))) return [];
   const read = (name) => JSON.parse(gunzipSync(readFileSync(join(folder, 'cvt', name))).toString());
-  const files = readdirSync(join(folder, 'cvt'))
-    .filter((name) => name.startsWith('init_'))
-    .filter((name) => basename(name, '.json.gz').replace('init_', '').includes(only));
-  return files.sort().map((file) => {
-    const name = basename(file, '.json.gz').replace('init_', '');
-    const { mesh, sites } = read(file);
+  return chosen(readdirSync(join(folder, 'cvt')), 'init_', only).map((name) => {
+    const { mesh, sites } = read(`init_${name}.json.gz`);
     const { points } = read(`samples_${basename(mesh, '.glb')}.json.gz`);
     const unknown = points.face.map(() => -1);
     const path = join(target, `${name}.txt`);
@@ -46,6 +39,15 @@ export function writeTessellations(folder, target, only = '') {
     writeFileSync(path, toText(name, { mesh, sites, points: known }, folder));
     return path;
   });
+}
+
+/** The one called `only`, or those with that in their name; sorted, without prefix and ending. */
+function chosen(files, prefix, only) {
+  const names = files
+    .filter((file) => file.startsWith(prefix) && file.endsWith('.json.gz'))
+    .map((file) => basename(file, '.json.gz').slice(prefix.length))
+    .sort();
+  return names.includes(only) ? [only] : names.filter((name) => name.includes(only));
 }
 
 function toText(name, { mesh, sites, points }, folder) {
