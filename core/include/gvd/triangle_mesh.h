@@ -116,6 +116,17 @@ class TriangleMesh {
     if (h < 0) visit(tail(last));
   }
 
+  /// Calls `visit` with every face around v.
+  template <class Visit>
+  void visitFaces(int v, Visit visit) const {
+    const int first = outgoing(v);
+    int h = first;
+    do {
+      visit(faceOf(h));
+      h = rotate(h);
+    } while (h >= 0 && h != first);
+  }
+
   Eigen::Vector3d position(int v) const { return positions_.col(v); }
   Eigen::Vector3d position(const SurfacePoint& p) const;
   /// The interior angle at corner h % 3 of face h / 3, from the edge lengths, in [0, π].

@@ -5,7 +5,7 @@
 
 namespace gvd {
 
-void equalizeTies(std::vector<LabelledDistance>& here) {
+void equalizeTies(std::span<LabelledDistance> here) {
   if (here.size() < 2) return;
   std::sort(here.begin(), here.end(), [](const LabelledDistance& a, const LabelledDistance& b) {
     return a.distance < b.distance || (a.distance == b.distance && a.label < b.label);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <vector>
+#include <span>
 
 #include "gvd/geodesic.h"
 
@@ -21,6 +21,6 @@ inline constexpr double kMaxPointError = 1e-9;
 /// Makes those distances at one place equal that are equal up to rounding, to the least of them.
 /// Every list that a diagram is traced from has passed here, so that later comparisons can be
 /// exact.
-void equalizeTies(std::vector<LabelledDistance>& here);
+void equalizeTies(std::span<LabelledDistance> here);
 
 }  // namespace gvd

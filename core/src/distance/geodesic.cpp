@@ -1,13 +1,43 @@
 // SPDX-License-Identifier: MIT
 #include "gvd/geodesic.h"
 
+#include <utility>
+
 #include "distance/metric.h"
+#include "distance/site_distances.h"
 #include "gvd/error.h"
 
 namespace gvd {
+namespace {
+
+class SitePropagation final : public Propagation {
+ public:
+  SitePropagation(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric,
+                  Spread spread)
+      : distances_(std::make_unique<SiteDistances>(mesh, metric, spread)) {
+    std::vector<SiteChange> changes;
+    for (const SurfacePoint& site : sites)
+      changes.push_back({static_cast<int>(changes.size()), site});
+    distances_->change(changes);
+  }
+
+  bool step(long budget) override { return distances_->step(budget); }
+  double progress() const override { return distances_->progress(); }
+  std::unique_ptr<DistanceField> take() override { return std::move(distances_); }
+
+ private:
+  std::unique_ptr<SiteDistances> distances_;
+};
+
+}  // namespace
 
 Eigen::Vector2d DistanceField::direction(int /*label*/, int /*vertex*/) const {
   return Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
+}
+
+std::unique_ptr<Propagation> propagateExact(const TriangleMesh& mesh,
+                                            std::span<const SurfacePoint> sites, Spread spread) {
+  return std::make_unique<SitePropagation>(mesh, sites, Metric::kExact, spread);
 }
 
 std::unique_ptr<Propagation> propagate(const TriangleMesh& mesh,

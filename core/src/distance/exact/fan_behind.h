@@ -5,14 +5,14 @@
 #include <span>
 #include <vector>
 
-#include "exact/exact_frame.h"
+#include "distance/face_layout.h"
 #include "gvd/triangle_mesh.h"
 
 namespace gvd::exact {
 
-/// Whether shortest paths may bend at a vertex: at saddles, and on the boundary where it is not
-/// convex.
-bool bendsPaths(const TriangleMesh& mesh, int vertex);
+/// Whether shortest paths may turn at a vertex: at saddle vertices, and on the boundary where it is
+/// not convex.
+bool isSaddle(const TriangleMesh& mesh, int vertex);
 
 /// A part of the side across from a vertex in a face around it.
 struct OppositeSide {
@@ -20,17 +20,17 @@ struct OppositeSide {
   double from, to;  ///< along the side, from the tip of that halfedge
 };
 
-/// How paths that have come to a vertex go on there as shortest ones: with angles of π at least on
-/// both sides (Mitchell et al. 1987, §3).
-class Bend {
+/// The fan behind a vertex: where shortest paths that come to the vertex go on from it as a virtual
+/// source, with angles of at least π on both sides (Mitchell et al. 1987, §3).
+class FanBehind {
  public:
-  Bend(const TriangleMesh& mesh, std::span<const Frame> frames) : mesh_(mesh), frames_(frames) {}
+  FanBehind(const TriangleMesh& mesh, std::span<const FaceLayout> faces)
+      : mesh_(mesh), faces_(faces) {}
 
-  /// The opposite sides, or parts of them, that the vertex is seen from as a virtual source.
-  /// `arrival` is the halfedge across which the path has entered its last face, of which the vertex
-  /// is the apex, and `crossing` the place on it; arrival -1: the path starts at the vertex, and
-  /// all around see it. Valid until the next call.
-  std::span<const OppositeSide> sidesBehind(int vertex, int arrival, double crossing);
+  /// The parts of the opposite sides that the vertex sees. The path to the vertex enters its last
+  /// face across the halfedge `arrival`, of which the vertex is the apex, at `crossing`. Arrival
+  /// -1: the path starts at the vertex, which sees all sides. Valid until the next call.
+  std::span<const OppositeSide> sides(int vertex, int arrival, double crossing);
 
  private:
   /// Where a turn by π ends: in the face met after so many steps, -1 if before; and the direction
@@ -47,7 +47,7 @@ class Bend {
   double meetOpposite(int outgoing, const Eigen::Vector2d& direction) const;
 
   const TriangleMesh& mesh_;
-  std::span<const Frame> frames_;
+  std::span<const FaceLayout> faces_;
   std::vector<int> fan_;  ///< halfedges that leave the vertex, counterclockwise
   bool isClosed_ = false;
   std::vector<OppositeSide> sides_;

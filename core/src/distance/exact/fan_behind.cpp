@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "exact/exact_bend.h"
+#include "distance/exact/fan_behind.h"
 
 #include <algorithm>
 #include <numbers>
@@ -8,13 +8,13 @@ namespace gvd::exact {
 
 using Eigen::Vector2d;
 
-bool bendsPaths(const TriangleMesh& mesh, int vertex) {
+bool isSaddle(const TriangleMesh& mesh, int vertex) {
   // Angle sums carry rounding; what is flat within it needs no virtual source.
   constexpr double kRounding = 1e-12, kPi = std::numbers::pi;
   return mesh.angleSum(vertex) > (mesh.onBoundary(vertex) ? kPi - kRounding : 2 * kPi + kRounding);
 }
 
-void Bend::collectFan(int vertex) {
+void FanBehind::collectFan(int vertex) {
   fan_.clear();
   const int first = mesh_.outgoing(vertex);
   int o = first;
@@ -25,15 +25,15 @@ void Bend::collectFan(int vertex) {
   isClosed_ = o >= 0;
 }
 
-double Bend::oppositeLength(int outgoing) const {
-  return frames_[outgoing / 3].length[Frame::after(outgoing % 3)];
+double FanBehind::oppositeLength(int outgoing) const {
+  return faces_[outgoing / 3].length[FaceLayout::after(outgoing % 3)];
 }
 
 /// Where a ray from the vertex meets the opposite side, from the tip of the outgoing halfedge,
 /// which is the x axis.
-double Bend::meetOpposite(int outgoing, const Vector2d& direction) const {
-  const Frame& f = frames_[outgoing / 3];
-  const int i = outgoing % 3, j = Frame::after(i);
+double FanBehind::meetOpposite(int outgoing, const Vector2d& direction) const {
+  const FaceLayout& f = faces_[outgoing / 3];
+  const int i = outgoing % 3, j = FaceLayout::after(i);
   const double numerator = f.length[i] * direction.y();
   const double denominator = direction.x() * f.sine[j] + direction.y() * f.cosine[j];
   if (!(numerator > 0)) return 0;
@@ -42,10 +42,10 @@ double Bend::meetOpposite(int outgoing, const Vector2d& direction) const {
 
 /// Turns on from an angle, given by its cosine and sine, by the angles of the faces that follow.
 template <class OutgoingAt>
-Bend::Turn Bend::turnByPi(Vector2d turned, int steps, OutgoingAt outgoingAt) const {
+FanBehind::Turn FanBehind::turnByPi(Vector2d turned, int steps, OutgoingAt outgoingAt) const {
   for (int step = 1; step < steps; ++step) {
     const int o = outgoingAt(step);
-    const double c = frames_[o / 3].cosine[o % 3], s = frames_[o / 3].sine[o % 3];
+    const double c = faces_[o / 3].cosine[o % 3], s = faces_[o / 3].sine[o % 3];
     const Vector2d next(turned.x() * c - turned.y() * s, turned.y() * c + turned.x() * s);
     if (next.y() < 0) return {step, {-turned.x(), turned.y()}};
     turned = next;
@@ -53,7 +53,7 @@ Bend::Turn Bend::turnByPi(Vector2d turned, int steps, OutgoingAt outgoingAt) con
   return {};
 }
 
-std::span<const OppositeSide> Bend::sidesBehind(int vertex, int arrival, double crossing) {
+std::span<const OppositeSide> FanBehind::sides(int vertex, int arrival, double crossing) {
   collectFan(vertex);
   sides_.clear();
   if (arrival < 0) {
@@ -66,12 +66,12 @@ std::span<const OppositeSide> Bend::sidesBehind(int vertex, int arrival, double 
   const auto leftwards = [&](int step) { return fan_[(in + step) % n]; };
   const auto rightwards = [&](int step) { return fan_[(in - step + n) % n]; };
 
-  const Frame& frame = frames_[fan_[in] / 3];
+  const FaceLayout& face = faces_[fan_[in] / 3];
   const int i = fan_[in] % 3;
-  const double c = frame.cosine[i], s = frame.sine[i];
-  const double share = crossing / frame.length[Frame::after(i)];
-  const double toPrevious = share * frame.length[Frame::before(i)];
-  Vector2d back((1 - share) * frame.length[i] + toPrevious * c, toPrevious * s);
+  const double c = face.cosine[i], s = face.sine[i];
+  const double share = crossing / face.length[FaceLayout::after(i)];
+  const double toPrevious = share * face.length[FaceLayout::before(i)];
+  Vector2d back((1 - share) * face.length[i] + toPrevious * c, toPrevious * s);
   back.normalize();
   const Turn left =
       turnByPi({c * back.x() + s * back.y(), std::max(0.0, s * back.x() - c * back.y())},
@@ -84,7 +84,7 @@ std::span<const OppositeSide> Bend::sidesBehind(int vertex, int arrival, double 
   const auto to = [&](int step) {  // measured from the other side of its face
     const int o = rightwards(step);
     if (step != right.step) return oppositeLength(o);
-    const double c = frames_[o / 3].cosine[o % 3], s = frames_[o / 3].sine[o % 3];
+    const double c = faces_[o / 3].cosine[o % 3], s = faces_[o / 3].sine[o % 3];
     const Vector2d& rest = right.rest;
     return meetOpposite(o, {c * rest.x() + s * rest.y(), s * rest.x() - c * rest.y()});
   };

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "distance/edge_bounds.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "distance/face_layout.h"
+#include "mesh/surface_geometry.h"
+
+namespace gvd {
+
+namespace {
+
+/// Calls `visit` with every neighbour of a vertex and the length of the edge to it.
+template <class Visit>
+void visitEdges(const TriangleMesh& mesh, int vertex, Visit visit) {
+  const int first = mesh.outgoing(vertex);
+  int h = first;
+  do {
+    visit(mesh.tip(h), mesh.length(h));
+    const int last = TriangleMesh::previous(h);
+    h = mesh.twin(last);
+    if (h < 0) visit(mesh.tail(last), mesh.length(last));
+  } while (h >= 0 && h != first);
+}
+
+}  // namespace
+
+EdgeBounds::EdgeBounds(const TriangleMesh& mesh, const SiteSet& sites)
+    : mesh_(mesh),
+      sites_(sites),
+      inverseWidth_(2 / mesh.meanEdgeLength()),
+      bounds_(mesh.vertexCount()),
+      isChanged_(mesh.vertexCount(), false),
+      isQueued_(mesh.vertexCount(), false) {}
+
+void EdgeBounds::insert(int label) {
+  const SurfacePoint& site = sites_[label];
+  offerFrom({label, site.bary}, site.face);
+  const int side = incidenceOf(site.bary).side;
+  if (side < 0 || mesh_.twin(3 * site.face + side) < 0) return;
+  const SurfacePoint across = acrossEdge(mesh_, site, 3 * site.face + side);
+  offerFrom({label, across.bary}, across.face);
+}
+
+void EdgeBounds::offerFrom(const FaceSite& site, int face) {
+  const auto sides = squaredSides(mesh_, face);
+  for (int i = 0; i < 3; ++i)
+    offer(mesh_.tail(3 * face + i), site.label,
+          std::sqrt(squaredDistance(site.bary, Eigen::Vector3d::Unit(i), sides)));
+}
+
+/// The vertices of a label are connected with its site by paths of its own. What is around them,
+/// vertices and sites, offers its bounds anew.
+void EdgeBounds::remove(int label, const SurfacePoint& site) {
+  std::vector<int> former;
+  const auto take = [&](int v) {
+    if (bounds_[v].label != label) return;
+    bounds_[v] = {};
+    noteChange(v);
+    former.push_back(v);
+  };
+  for (int h = 3 * site.face; h < 3 * site.face + 3; ++h) {
+    take(mesh_.tail(h));
+    if (mesh_.twin(h) >= 0) take(mesh_.tail(TriangleMesh::previous(mesh_.twin(h))));
+  }
+  for (size_t i = 0; i < former.size(); ++i) mesh_.visitNeighbours(former[i], take);
+  for (const int v : former) {
+    visitEdges(mesh_, v, [&](int neighbour, double length) {
+      const LabelledDistance& beyond = bounds_[neighbour];
+      if (beyond.label >= 0) offer(v, beyond.label, beyond.distance + length);
+    });
+    mesh_.visitFaces(v, [&](int face) {
+      for (const FaceSite& other : sites_.inFace(face)) offerFrom(other, face);
+    });
+  }
+}
+
+bool EdgeBounds::run(long& budget) {
+  for (; bucket_ < buckets_.size(); ++bucket_) {
+    while (!buckets_[bucket_].empty()) {
+      if (budget-- <= 0) return false;
+      const int v = buckets_[bucket_].back();
+      buckets_[bucket_].pop_back();
+      isQueued_[v] = false;
+      const LabelledDistance from = bounds_[v];
+      visitEdges(mesh_, v, [&](int neighbour, double length) {
+        offer(neighbour, from.label, from.distance + length);
+      });
+    }
+  }
+  bucket_ = 0;
+  return true;
+}
+
+void EdgeBounds::offer(int vertex, int label, double distance) {
+  LabelledDistance& bound = bounds_[vertex];
+  if (!(distance < bound.distance)) return;
+  bound = {label, distance};
+  noteChange(vertex);
+  if (isQueued_[vertex]) return;
+  isQueued_[vertex] = true;
+  const size_t b = std::max(bucket_, static_cast<size_t>(distance * inverseWidth_));
+  if (b >= buckets_.size()) buckets_.resize(b + 1);
+  buckets_[b].push_back(vertex);
+}
+
+void EdgeBounds::noteChange(int vertex) {
+  if (isChanged_[vertex]) return;
+  isChanged_[vertex] = true;
+  changed_.push_back(vertex);
+}
+
+void EdgeBounds::clearChanged() {
+  for (const int v : changed_) isChanged_[v] = false;
+  changed_.clear();
+}
+
+}  // namespace gvd

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+//
+// WindowSweep::require: a label goes on to vertices that it does not own.
+#include <algorithm>
+#include <utility>
+
+#include "distance/exact/window_sweep.h"
+
+namespace gvd::exact {
+
+void WindowSweep::require(int label, LabelWindows& state, std::span<const int> faces) {
+  begin(label, SpreadTo::kRequired, state);
+  load();
+  for (const int f : faces) requireCorners(f);
+  if (required_.empty()) return;
+
+  // First distances, so that hardly anything has to go on: by the windows that wait at a face with
+  // such a corner, by those that have crossed it where it has no other corner, and along its sides.
+  for (const WaitingWindow& w : state.waiting)
+    if (hasRequiredCorner(w.halfedge / 3)) offerToCorners(w.window, w.halfedge);
+  for (const CrossedHalfedge& c : state.crossed) {
+    const FaceLayout& face = faces_[c.halfedge / 3];
+    if (std::all_of(std::begin(face.vertex), std::end(face.vertex),
+                    [&](int v) { return isRequired(v) && vertices_[v].distance == kInfinity; }))
+      state.visitWindows(c.firstBlock, [&](const Window& w) { offerToCorners(w, c.halfedge); });
+  }
+  for (const int f : faces) offerAlongSides(f);
+  continueNeeded();
+  for (const int v : std::exchange(state.waitingSources, {})) queueSource(v);
+}
+
+/// Requires the distances at the corners of a face that are not final yet.
+void WindowSweep::requireCorners(int f) {
+  for (const int v : faces_[f].vertex) {
+    Vertex& own = vertices_[v];
+    if (own.epoch != epoch_) reach(v);
+    if (own.isFinal || own.required >= 0) continue;
+    own.required = required_.add(mesh_.position(v), own.distance, bounds_[v].distance);
+  }
+}
+
+bool WindowSweep::isRequired(int v) const {
+  return vertices_[v].epoch == epoch_ && vertices_[v].required >= 0;
+}
+
+bool WindowSweep::hasRequiredCorner(int f) const {
+  const FaceLayout& face = faces_[f];
+  return isRequired(face.vertex[0]) || isRequired(face.vertex[1]) || isRequired(face.vertex[2]);
+}
+
+void WindowSweep::offerRequired(int v, double distance, const LastPiece& piece) {
+  if (isRequired(v) && distance < vertices_[v].distance * (1 - kDistanceTolerance))
+    offer(v, distance, piece);
+}
+
+/// Offers the corners of a face the paths along its sides from other corners.
+void WindowSweep::offerAlongSides(int f) {
+  const FaceLayout& face = faces_[f];
+  for (int i = 0; i < 3; ++i) {
+    const int v = face.vertex[i];
+    const double distance = vertices_[v].distance;
+    // All neighbours of a site on a vertex know it.
+    if (distance == kInfinity || vertices_[v].piece.arrival < 0) continue;
+    const auto offerTo = [&](int corner, double length, int arrival, double crossing) {
+      const int to = face.vertex[corner];
+      if (isRequired(to) && distance + length < vertices_[to].distance * (1 - kDistanceTolerance))
+        offer(to, distance + length, {crossing, distance, directionAt(v), arrival});
+    };
+    const int j = FaceLayout::after(i), k = FaceLayout::before(i);
+    offerTo(j, face.length[i], 3 * f + k, face.length[k]);
+    offerTo(k, face.length[k], 3 * f + i, 0);
+  }
+}
+
+/// Offers the paths through a window to the required corners of its face: straight ones, or those that
+/// turn at the window's end.
+void WindowSweep::offerToCorners(const Window& w, int h) {
+  const FaceLayout& face = faces_[h / 3];
+  const int i = h % 3, j = FaceLayout::after(i), k = FaceLayout::before(i);
+  const double length = face.length[i];
+  if (isRequired(face.vertex[k])) {
+    const double px = face.apexX(i), py = face.apexY(i);
+    offerRequired(face.vertex[k], w.distance(px, py),
+                  {std::clamp(w.crossing(px, py), w.begin, w.end), w.sourceDistance, w.direction, h});
+  }
+  // Along the halfedge from an end of the window. A window that ends at the vertex has offered the
+  // straight path already, with the direction in which it arrives.
+  if (isRequired(face.vertex[i]) && w.begin > kGrazing * length)
+    offerRequired(face.vertex[i], w.distanceOnEdge(w.begin) + w.begin,
+                  {0, w.sourceDistance, w.direction, h - i + j});
+  if (isRequired(face.vertex[j]) && w.end < (1 - kGrazing) * length)
+    offerRequired(face.vertex[j], w.distanceOnEdge(w.end) + length - w.end,
+                  {face.length[k], w.sourceDistance, w.direction, h - i + k});
+}
+
+/// Whether windows at a halfedge can make a required distance less, but for those at the corners of
+/// the halfedge's face, to which they have offered their paths.
+template <class Windows>
+bool WindowSweep::canGain(int h, const Windows& windows) const {
+  const FaceLayout& face = faces_[h / 3];
+  const int i = h % 3, j = FaceLayout::after(i), k = FaceLayout::before(i);
+  const double length = face.length[i];
+  const double nearTail = bounds_[face.vertex[i]].distance;
+  const double nearTip = bounds_[face.vertex[j]].distance;
+  double begin = length, end = 0, least = kInfinity, excess = kInfinity;
+  windows([&](const Window& w) {
+    begin = std::min(begin, w.begin);
+    end = std::max(end, w.end);
+    least = std::min(least, w.least());
+    // The distance of the nearest label rises by no more than the way along the halfedge.
+    excess = std::min(excess, std::max(w.distanceOnEdge(w.end) - (nearTail + w.end),
+                                       w.distanceOnEdge(w.begin) - (nearTip + length - w.begin)));
+  });
+  const double middle = (begin + end) / 2, share = middle / length;
+  const Eigen::Vector3d place = (1 - share) * mesh_.position(face.vertex[i]) +
+                                share * mesh_.position(face.vertex[j]);
+  const auto index = [&](int v) { return isRequired(v) ? vertices_[v].required : -1; };
+  return required_.canGain(place, end - middle, least, excess,
+                           {index(face.vertex[i]), index(face.vertex[j]), index(face.vertex[k])});
+}
+
+/// Takes up those of the waiting windows that can make a required distance less.
+void WindowSweep::continueNeeded() {
+  std::vector<WaitingWindow>& waiting = state_->waiting;
+  size_t kept = 0;
+  for (size_t begin = 0, end; begin < waiting.size(); begin = end) {
+    const int h = waiting[begin].halfedge;
+    end = begin + 1;
+    while (end < waiting.size() && waiting[end].halfedge == h) ++end;
+    const auto windows = std::span(waiting).subspan(begin, end - begin);
+    if (!canGain(h, [&](auto visit) {
+          for (const WaitingWindow& w : windows) visit(w.window);
+        })) {
+      std::copy(windows.begin(), windows.end(), waiting.begin() + kept);
+      kept += windows.size();
+      continue;
+    }
+    const int first = static_cast<int>(state_->windows.size());
+    double least = kInfinity;
+    for (const WaitingWindow& w : windows) {
+      state_->windows.add(w.window);
+      least = std::min(least, w.window.least());
+    }
+    queueBatch(portalTo(h), first, least);
+  }
+  waiting.resize(kept);
+}
+
+/// Whether the batch at a halfedge can make a required distance less; if not, it waits.
+bool WindowSweep::isBatchNeeded(int h) {
+  const int firstBlock = waitingBlock_[h];
+  if (hasRequiredCorner(h / 3))
+    state_->visitWindows(firstBlock, [&](const Window& w) { offerToCorners(w, h); });
+  if (canGain(h, [&](auto visit) { state_->visitWindows(firstBlock, visit); })) return true;
+  state_->visitWindows(firstBlock,
+                       [&](const Window& w) { state_->waiting.push_back({w, h}); });
+  waitingBlock_[h] = -1;
+  return false;
+}
+
+}  // namespace gvd::exact

@@ -1,0 +1,375 @@
+// SPDX-License-Identifier: MIT
+// This work is based on:
+// Joseph Mitchell, David Mount, Christos Papadimitriou. The Discrete Geodesic Problem. 1987
+// Jindong Chen, Yijie Han. Shortest Paths on a Polyhedron. 1990
+// Chunxu Xu, Tuanfeng Wang, Yong-Jin Liu, Ligang Liu, Ying He. Fast Wavefront Propagation (FWP) for
+// Computing Exact Geodesic Distances on Meshes. 2015
+// Yipeng Qin, Xiaoguang Han, Hongchuan Yu, Yizhou Yu, Jianjun Zhang. Fast and Exact Discrete Geodesic
+// Computation Based on Triangle-Oriented Wavefront Propagation. 2016
+#include "distance/exact/window_sweep.h"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "base/prefetch.h"
+#include "distance/site_frame.h"
+
+namespace gvd::exact {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+/// Buckets of the queue per mean edge length: wide enough for most windows of a halfedge to cross in
+/// one batch, narrow enough for few to cross before the distances that trim them are known.
+constexpr double kBucketsPerEdge = 2;
+
+}  // namespace
+
+WindowSweep::WindowSweep(const TriangleMesh& mesh, std::span<const FaceLayout> faces,
+                         NearestBounds& bounds)
+    : mesh_(mesh),
+      faces_(faces),
+      bounds_(bounds),
+      bucketsPerUnit_(kBucketsPerEdge / mesh.meanEdgeLength()),
+      fan_(mesh, faces),
+      vertices_(mesh.vertexCount()),
+      waitingBlock_(mesh.halfedgeCount(), -1) {
+  for (int v = 0; v < mesh.vertexCount(); ++v) vertices_[v].isSaddle = isSaddle(mesh, v);
+}
+
+// --- One label ---------------------------------------------------------------------------------
+
+void WindowSweep::begin(int label, SpreadTo to, LabelWindows& state) {
+  label_ = label;
+  to_ = to;
+  state_ = &state;
+  ++epoch_;
+  required_.clear();
+}
+
+void WindowSweep::start(int label, const SurfacePoint& site, SpreadTo to, LabelWindows& state) {
+  begin(label, to, state);
+  site_ = site;
+  const Incidence place = incidenceOf(site.bary);
+  if (place.corner >= 0) {
+    offer(faces_[site.face].vertex[place.corner], 0, {0, 0, 0, -1});
+    return;
+  }
+  double angle = 0;  // of side i in the site's frame
+  for (int i = 0; i < 3; ++i) {
+    startAtSide(site, i, angle, i == place.side);
+    if (i == place.side && faces_[site.face].twin[i] >= 0) startAcross(site, i, angle + kPi);
+    angle += kPi - faces_[site.face].angle[FaceLayout::after(i)];
+  }
+}
+
+void WindowSweep::resume(int label, LabelWindows& state) {
+  begin(label, SpreadTo::kOwned, state);
+  load();
+  for (const WaitingWindow& w : std::exchange(state.waiting, {}))
+    addSingle(w.window, portalTo(w.halfedge));
+  for (const int v : std::exchange(state.waitingSources, {})) queueSource(v);
+}
+
+bool WindowSweep::run(long& budget) {
+  for (; bucket_ < buckets_.size(); ++bucket_, cursor_ = 0) {
+    while (cursor_ < buckets_[bucket_].size()) {
+      if (budget-- <= 0) return false;
+      const int item = buckets_[bucket_][cursor_++];
+      if (item >= 0)
+        crossFace(item);
+      else
+        becomeSource(-1 - item);
+    }
+    buckets_[bucket_].clear();
+  }
+  bucket_ = 0;
+  store();
+  return true;
+}
+
+/// Puts what the label knows at vertices into the working memory.
+void WindowSweep::load() {
+  for (size_t i = 0; i < state_->vertices.size(); ++i) {
+    const ReachedVertex& r = state_->vertices[i];
+    reached_.push_back(r.vertex);
+    vertices_[r.vertex] = {r.distance, state_->pieces[i], epoch_, -1,
+                           r.isFinal,  false,             vertices_[r.vertex].isSaddle};
+  }
+}
+
+/// Adds what the label has come to, to what is kept of it.
+void WindowSweep::store() {
+  state_->vertices.resize(reached_.size());
+  state_->pieces.resize(reached_.size());
+  for (size_t i = 0; i < reached_.size(); ++i) {
+    const Vertex& own = vertices_[reached_[i]];
+    state_->vertices[i] = {reached_[i], own.isFinal || own.required >= 0, own.distance};
+    state_->pieces[i] = own.piece;
+  }
+  state_->windows.shrinkToFit();
+  state_->blocks.shrinkToFit();
+  reached_.clear();
+}
+
+// --- The site and the vertices -----------------------------------------------------------------
+
+/// Lets a site see the corner across from side i of its face and, unless the site is on it, through
+/// the side. `angle` is that of the side in the site's frame.
+void WindowSweep::startAtSide(const SurfacePoint& site, int i, double angle, bool isOnSide) {
+  const FaceLayout& face = faces_[site.face];
+  const Eigen::Vector2d s = face.at(i, site.bary);
+  const Eigen::Vector2d toApex = Eigen::Vector2d(face.apexX(i), face.apexY(i)) - s;
+  const double below = toApex.y() > 0 ? s.x() - toApex.x() * (s.y() / toApex.y()) : s.x();
+  offer(face.vertex[FaceLayout::before(i)], toApex.norm(),
+        {std::clamp(below, 0.0, face.length[i]), 0, angle, 3 * site.face + i});
+  if (isOnSide || face.twin[i] < 0) return;
+  addSingle({.begin = 0,
+             .end = face.length[i],
+             .x = face.length[i] - s.x(),
+             .y = -s.y(),
+             .sourceDistance = 0,
+             .direction = angle + kPi},
+            portal(face.twin[i], face.length[i], endAt(face.vertex[FaceLayout::after(i)]),
+                   endAt(face.vertex[i])));
+}
+
+/// Starts a site on a side of its face in the face on the other side. `angle` is that of the twin.
+void WindowSweep::startAcross(const SurfacePoint& site, int side, double angle) {
+  const SurfacePoint across = acrossEdge(mesh_, site, 3 * site.face + side);
+  int i = faces_[site.face].twin[side] % 3;
+  for (int turn = 0; turn < 3; ++turn, i = FaceLayout::after(i)) {
+    startAtSide(across, i, angle, turn == 0);
+    angle += kPi - faces_[across.face].angle[FaceLayout::after(i)];
+  }
+}
+
+void WindowSweep::offer(int v, double distance, const LastPiece& piece) {
+  Vertex& own = vertices_[v];
+  if (own.epoch != epoch_) reach(v);
+  if (!(distance < own.distance)) return;
+  own.distance = distance;
+  own.piece = piece;
+  if (own.required >= 0) required_.shorten(own.required, distance);
+  lower(bounds_[v], label_, distance);
+  if (own.isSaddle || piece.arrival < 0) queueSource(v);
+}
+
+void WindowSweep::reach(int v) {
+  vertices_[v] = {kInfinity, {0, 0, 0, -1}, epoch_, -1, false, false, vertices_[v].isSaddle};
+  reached_.push_back(v);
+}
+
+/// The angle at which the path to a vertex leaves the site.
+double WindowSweep::directionAt(int v) const {
+  const LastPiece& piece = vertices_[v].piece;
+  if (piece.sourceDistance > 0 || piece.arrival < 0) return piece.direction;
+  const FaceLayout& face = faces_[piece.arrival / 3];
+  const int i = piece.arrival % 3;
+  return piece.direction + std::atan2(face.apexY(i), face.apexX(i) - piece.crossing);
+}
+
+// --- The queue ---------------------------------------------------------------------------------
+
+void WindowSweep::push(int item, double key) {
+  const size_t b = std::max(bucket_, static_cast<size_t>(key * bucketsPerUnit_));
+  if (b >= buckets_.size()) buckets_.resize(b + 1);
+  buckets_[b].push_back(item);
+}
+
+void WindowSweep::queueSource(int v) {
+  if (std::exchange(vertices_[v].isQueued, true)) return;
+  push(-1 - v, vertices_[v].distance);
+}
+
+/// Lets the windows from `first` on wait at a portal.
+void WindowSweep::queueBatch(const Portal& portal, int first, double key) {
+  const int count = static_cast<int>(state_->windows.size()) - first;
+  if (count == 0) return;
+  int& waiting = waitingBlock_[portal.halfedge];
+  if (waiting < 0) {
+    push(portal.halfedge, key);
+    prefetch(faces_[portal.halfedge / 3]);
+  }
+  state_->blocks.add({first, count, waiting});
+  waiting = static_cast<int>(state_->blocks.size()) - 1;
+}
+
+// --- Virtual sources ---------------------------------------------------------------------------
+
+void WindowSweep::becomeSource(int v) {
+  Vertex& own = vertices_[v];
+  own.isQueued = false;
+  if (!maySpreadFrom(v)) {
+    state_->waitingSources.push_back(v);
+    return;
+  }
+  const auto sides = fan_.sides(v, own.piece.arrival, own.piece.crossing);
+  if (sides.empty()) return;
+  const bool isSite = own.piece.arrival < 0;
+  const double direction = directionAt(v);
+  for (const OppositeSide& side : sides)
+    emit(v, side, isSite ? angleOfOutgoing(mesh_, site_, side.outgoing) : direction, isSite);
+}
+
+bool WindowSweep::maySpreadFrom(int v) const {
+  const Vertex& own = vertices_[v];
+  const double nearest = bounds_[v].distance;
+  if (to_ == SpreadTo::kEverywhere || isAtMost(own.distance, nearest)) return true;
+  return to_ == SpreadTo::kRequired &&
+         required_.canGain(mesh_.position(v), 0, own.distance, own.distance - nearest,
+                           {own.required, -1, -1});
+}
+
+/// Lets a vertex see through the opposite side in a face around it. `direction` is the angle at which
+/// the path to the vertex leaves the site, or, if the site is the vertex, that of the outgoing
+/// halfedge.
+void WindowSweep::emit(int v, const OppositeSide& side, double direction, bool isSite) {
+  const double distance = vertices_[v].distance;
+  const int o = side.outgoing, f = o / 3, i = o % 3;
+  const int j = FaceLayout::after(i), k = FaceLayout::before(i);
+  const FaceLayout& face = faces_[f];
+  const double length = face.length[j];
+  if (side.from <= kGrazing * length)
+    offer(face.vertex[j], distance + face.length[i],
+          {face.length[k], distance, isSite ? direction - kPi + face.angle[i] : direction,
+           3 * f + k});
+  if (side.to >= (1 - kGrazing) * length)
+    offer(face.vertex[k], distance + face.length[k], {0, distance, direction, o});
+  if (face.twin[j] < 0) return;
+  addSingle({.begin = length - side.to,
+             .end = length - side.from,
+             .x = length - face.length[i] * face.cosine[j],
+             .y = -face.length[i] * face.sine[j],
+             .sourceDistance = distance,
+             .direction = isSite ? direction - face.angle[j] : direction},
+            portal(face.twin[j], length, endAt(face.vertex[k]), endAt(face.vertex[j])));
+}
+
+void WindowSweep::addSingle(const Window& w, const Portal& portal) {
+  const int first = static_cast<int>(state_->windows.size());
+  Window& added = *state_->windows.room(1);
+  added = w;
+  if (keep(added, portal)) state_->windows.append(1);
+  queueBatch(portal, first, std::min({portal.own.atTail, portal.own.atTip, w.least()}));
+}
+
+// --- Crossing a face ---------------------------------------------------------------------------
+
+void WindowSweep::crossFace(int h) {
+  if (to_ == SpreadTo::kRequired && !isBatchNeeded(h)) return;
+  const int firstBlock = std::exchange(waitingBlock_[h], -1);
+  state_->crossed.push_back({h, firstBlock});
+  offerToApex(h, firstBlock);
+  const FaceLayout& face = faces_[h / 3];
+  const int i = h % 3, j = FaceLayout::after(i), k = FaceLayout::before(i);
+  const End tail = endAt(face.vertex[i]), tip = endAt(face.vertex[j]), apex = endAt(face.vertex[k]);
+  if (face.twin[k] >= 0)
+    crossSide<true>(h, firstBlock, portal(face.twin[k], face.length[k], tail, apex));
+  if (face.twin[j] >= 0)
+    crossSide<false>(h, firstBlock, portal(face.twin[j], face.length[j], apex, tip));
+}
+
+void WindowSweep::offerToApex(int h, int firstBlock) {
+  const FaceLayout& face = faces_[h / 3];
+  const int i = h % 3;
+  const double px = face.apexX(i), py = face.apexY(i), grazing = kGrazing * face.length[i];
+  const int apex = face.vertex[FaceLayout::before(i)];
+  crossings_.clear();
+  state_->visitWindows(firstBlock, [&](const Window& w) {
+    const double crossing = w.crossing(px, py);
+    crossings_.push_back(crossing);
+    if (crossing >= w.begin - grazing && crossing <= w.end + grazing)
+      offer(apex, w.distance(px, py), {crossing, w.sourceDistance, w.direction, h});
+  });
+}
+
+inline WindowSweep::End WindowSweep::endAt(int v) const {
+  return {v, distanceAt(v), bounds_[v].distance};
+}
+
+inline WindowSweep::Portal WindowSweep::portal(int h, double length, const End& tail,
+                                               const End& tip) const {
+  return {h,
+          length,
+          {tail.own, tip.own},
+          {tail.nearest, tip.nearest},
+          to_ == SpreadTo::kOwned && (tail.nearest < tail.own || tip.nearest < tip.own)};
+}
+
+WindowSweep::Portal WindowSweep::portalTo(int h) const {
+  const FaceLayout& face = faces_[h / 3];
+  const int i = h % 3;
+  return portal(h, face.length[i], endAt(face.vertex[i]),
+                endAt(face.vertex[FaceLayout::after(i)]));
+}
+
+/// Trims a child of the batch at hand. False if paths over the ends of its halfedge leave nothing of
+/// it; or if those of other labels do: then it waits.
+inline bool WindowSweep::keep(Window& w, const Portal& portal) {
+  w.y = std::min(w.y, -0x1p-52 * portal.length);
+  trim(w, portal.length, portal.own);
+  if (!(w.begin < w.end)) return false;
+  if (!portal.isContested) return true;
+  Window owned = w;
+  trim(owned, portal.length, portal.nearest);
+  if (owned.begin < owned.end) return true;
+  state_->waiting.push_back({w, portal.halfedge});
+  return false;
+}
+
+/// Whether a window over the apex is longer there than the label's distance.
+inline bool WindowSweep::isBeaten(const Window& w, double crossing, int h,
+                                  double apexDistance) const {
+  const FaceLayout& face = faces_[h / 3];
+  const int i = h % 3;
+  const double length = face.length[i], grazing = kGrazing * length;
+  if (crossing < w.begin - grazing || crossing > w.end + grazing) return false;
+  return w.distance(face.apexX(i), face.apexY(i)) >
+         apexDistance + kDistanceTolerance * (apexDistance + length);
+}
+
+/// Lets the batch at hand leave its face on the left or on the right of the apex.
+template <bool kLeft>
+void WindowSweep::crossSide(int h, int firstBlock, const Portal& portal) {
+  const FaceLayout& face = faces_[h / 3];
+  const int i = h % 3, j = FaceLayout::after(i), k = FaceLayout::before(i);
+  const double length = face.length[i], side = portal.length;
+  const double c = face.cosine[kLeft ? i : j], s = face.sine[kLeft ? i : j];
+  const double turn = kLeft ? face.angle[i] : -face.angle[j];
+  // Of the windows over the apex from the same halfedge only the shortest goes on on both sides of it
+  // (Chen & Han 1990).
+  const Vertex& apex = vertices_[face.vertex[k]];
+  const bool isApexFromHere = apex.epoch == epoch_ && apex.piece.arrival == h;
+
+  const int first = static_cast<int>(state_->windows.size());
+  state_->windows.room(crossings_.size());  // nothing moves while windows are read
+  const double* nextCrossing = crossings_.data();
+  state_->visitWindows(firstBlock, [&](const Window& w) {
+    const double crossing = *nextCrossing++;
+    if (kLeft ? !(crossing > w.begin) : !(crossing < w.end)) return;
+    if (isApexFromHere && (crossing < apex.piece.crossing) != kLeft &&
+        isBeaten(w, crossing, h, apex.distance))
+      return;
+    Window& child = *state_->windows.room(1);
+    if constexpr (kLeft) {
+      child.begin = meetSide(w.begin, w.x, w.y, c, s, side);
+      child.end = crossing < w.end ? side : meetSide(w.end, w.x, w.y, c, s, side);
+      child.x = w.x * c + w.y * s;
+      child.y = w.y * c - w.x * s;
+    } else {
+      const double x = length - w.x;
+      child.begin = crossing > w.begin ? 0 : side - meetSide(length - w.begin, x, w.y, c, s, side);
+      child.end = side - meetSide(length - w.end, x, w.y, c, s, side);
+      child.x = side - (x * c + w.y * s);
+      child.y = w.y * c - x * s;
+    }
+    child.sourceDistance = w.sourceDistance;
+    child.direction = w.sourceDistance > 0 ? w.direction : w.direction + turn;
+    if (keep(child, portal)) state_->windows.append(1);
+  });
+  queueBatch(portal, first, std::min(portal.own.atTail, portal.own.atTip));
+}
+
+}  // namespace gvd::exact

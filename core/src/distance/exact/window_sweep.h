@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "distance/exact/fan_behind.h"
+#include "distance/exact/label_windows.h"
+#include "distance/exact/required_vertices.h"
+#include "distance/face_layout.h"
+#include "distance/nearest_bounds.h"
+#include "gvd/surface_point.h"
+#include "gvd/triangle_mesh.h"
+
+namespace gvd::exact {
+
+/// How far a label spreads.
+enum class SpreadTo {
+  kOwned,       ///< as far as no other label is nearer
+  kRequired,    ///< as far as a required distance can still become less
+  kEverywhere,  ///< over the whole component
+};
+
+/// Spreads the windows of one label after another. The working memory has room for the whole mesh,
+/// but a label touches what it passes only, so that it stays in the cache.
+///
+/// Windows wait in batches at their halfedge. A batch crosses its face at once: first all windows
+/// offer their distances to the apex, then their children are trimmed by the label's distances at the
+/// ends of the sides that they leave through. Halfedges and virtual sources are queued by distance
+/// in buckets of half a mean edge (Xu et al. 2015, Fast Wavefront Propagation); what comes in the
+/// wrong order is corrected.
+///
+/// Where a label may not go on, its windows are kept waiting: a label is never stopped for good. That
+/// another label is nearer along a path up to some point, it is along the rest of it too, so what
+/// waits owns nothing beyond.
+class WindowSweep {
+ public:
+  /// `bounds` are read, and lowered by what the labels find.
+  WindowSweep(const TriangleMesh& mesh, std::span<const FaceLayout> faces, NearestBounds& bounds);
+
+  /// Begins with a label that has not spread yet.
+  void start(int label, const SurfacePoint& site, SpreadTo to, LabelWindows& state);
+  /// Begins with a label that is to go on where bounds have risen.
+  void resume(int label, LabelWindows& state);
+  /// Begins with a label that is to reach all corners of some faces.
+  void require(int label, LabelWindows& state, std::span<const int> faces);
+  /// Works on at most `budget` batches and lowers it by their number; true when the label is done,
+  /// and what it has come to is in its state.
+  bool run(long& budget);
+
+ private:
+  /// What the label at hand knows at a vertex.
+  struct alignas(64) Vertex {
+    double distance;
+    LastPiece piece;
+    int epoch = 0;  ///< of the label that this is about
+    int required;   ///< index in `required_`, -1
+    bool isFinal, isQueued;
+    bool isSaddle;  ///< of the mesh, whatever the label
+  };
+  /// A vertex as an end of portals: the distance of the label at hand, and of the nearest label.
+  struct End {
+    int vertex;
+    double own, nearest;
+  };
+  /// A side that windows leave a face through, as a halfedge of the face beyond.
+  struct Portal {
+    int halfedge;
+    double length;
+    EdgeDistances own, nearest;
+    bool isContested;  ///< whether another label is nearer at an end
+  };
+
+  void begin(int label, SpreadTo to, LabelWindows& state);
+  void load();
+  void store();
+
+  void startAtSide(const SurfacePoint& site, int side, double angle, bool isOnSide);
+  void startAcross(const SurfacePoint& site, int side, double angle);
+  void offer(int vertex, double distance, const LastPiece& piece);
+  void reach(int vertex);
+  double directionAt(int vertex) const;
+
+  void push(int item, double key);
+  void queueSource(int vertex);
+  void queueBatch(const Portal& portal, int first, double key);
+
+  void becomeSource(int vertex);
+  bool maySpreadFrom(int vertex) const;
+  void emit(int vertex, const OppositeSide& side, double direction, bool isSite);
+  void addSingle(const Window& w, const Portal& portal);
+
+  void crossFace(int halfedge);
+  void offerToApex(int halfedge, int firstBlock);
+  template <bool kLeft>
+  void crossSide(int halfedge, int firstBlock, const Portal& portal);
+  End endAt(int vertex) const;
+  Portal portal(int halfedge, double length, const End& tail, const End& tip) const;
+  Portal portalTo(int halfedge) const;
+  bool isBeaten(const Window& w, double crossing, int halfedge, double apexDistance) const;
+  bool keep(Window& w, const Portal& portal);
+
+  void requireCorners(int face);
+  bool isRequired(int vertex) const;
+  bool hasRequiredCorner(int face) const;
+  void offerRequired(int vertex, double distance, const LastPiece& piece);
+  void offerAlongSides(int face);
+  void offerToCorners(const Window& w, int halfedge);
+  template <class Windows>
+  bool canGain(int halfedge, const Windows& windows) const;
+  void continueNeeded();
+  bool isBatchNeeded(int halfedge);
+
+  double distanceAt(int v) const {
+    return vertices_[v].epoch == epoch_ ? vertices_[v].distance : kInfinity;
+  }
+
+  const TriangleMesh& mesh_;
+  const std::span<const FaceLayout> faces_;
+  NearestBounds& bounds_;
+  const double bucketsPerUnit_;
+  FanBehind fan_;
+
+  // The label at hand.
+  int label_ = -1;
+  SpreadTo to_ = SpreadTo::kOwned;
+  LabelWindows* state_ = nullptr;
+  SurfacePoint site_;
+  RequiredVertices required_;
+
+  // Working memory, of which a label leaves nothing behind but vertices of an old epoch.
+  int epoch_ = 0;
+  std::vector<Vertex> vertices_;
+  std::vector<int> waitingBlock_;  ///< per halfedge, the first of a list of blocks; -1
+  std::vector<int> reached_;
+  std::vector<double> crossings_;  ///< of the batch at hand, with the line to the apex
+  std::vector<std::vector<int>> buckets_;  ///< halfedges, and vertices v as -1 - v
+  size_t bucket_ = 0, cursor_ = 0;
+};
+
+}  // namespace gvd::exact

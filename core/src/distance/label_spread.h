@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "distance/label_distances.h"
+#include "gvd/surface_point.h"
+
+namespace gvd {
+
+/// How the labels spread from their sites: what the two metrics differ in. One label is worked on at
+/// a time: one of the first three functions begins, and `run` carries on until it is done.
+class LabelSpread {
+ public:
+  virtual ~LabelSpread() = default;
+
+  /// From the site, to where another label is nearer. Nothing must be known of the label.
+  virtual void start(int label) = 0;
+  /// On from where the label stopped, because bounds have risen.
+  virtual void resume(int label) = 0;
+  /// On to all corners of some faces, each of which the label owns some part of.
+  virtual void require(int label, std::span<const int> faces) = 0;
+  /// Works on at most `budget` units and lowers it by their number. True when the label is done.
+  virtual bool run(long& budget) = 0;
+  /// Forgets a label.
+  virtual void remove(int label) = 0;
+
+  /// The vertices that a label has reached. Their order stays, further ones come last.
+  virtual std::vector<ReachedVertex>& reached(int label) = 0;
+  virtual const std::vector<ReachedVertex>& reached(int label) const = 0;
+  /// Appends those faces that `isCandidate` of which the label owns some part inside, which its
+  /// distances at the corners need not show.
+  virtual void appendPartlyOwned(int label, const std::function<bool(int face)>& isCandidate,
+                                 std::vector<int>& faces) const = 0;
+  /// The distance of a label at a point that is no vertex, in a face at all corners of which it is
+  /// known.
+  virtual double distance(int label, const SurfacePoint& p) const = 0;
+  /// The direction at the site of the path to the vertex `reached(label)[index]`
+  /// (`DistanceField::direction`).
+  virtual Eigen::Vector2d direction(int label, int index) const = 0;
+};
+
+}  // namespace gvd

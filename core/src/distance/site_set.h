@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "distance/face_layout.h"
+#include "distance/small_lists.h"
+#include "gvd/surface_point.h"
+#include "gvd/triangle_mesh.h"
+
+namespace gvd {
+
+/// A site in a face or on one of its sides.
+struct FaceSite {
+  int label;
+  Eigen::Vector3d bary;
+};
+
+/// The sites by label, and those of each face. A site on an edge belongs to the faces on both
+/// sides; a site on a vertex to the face that it was given by.
+class SiteSet {
+ public:
+  explicit SiteSet(const TriangleMesh& mesh) : mesh_(mesh), inFace_(mesh.faceCount()) {}
+
+  /// One more than the largest label so far.
+  int labelCount() const { return static_cast<int>(points_.size()); }
+  bool contains(int label) const {
+    return label >= 0 && label < labelCount() && points_[label].face >= 0;
+  }
+  const SurfacePoint& operator[](int label) const { return points_[label]; }
+  /// The faces of which `inFace` has the label.
+  std::vector<int> facesOf(int label) const {
+    std::vector<int> faces;
+    visitFaces(points_[label], [&](const SurfacePoint& p) { faces.push_back(p.face); });
+    return faces;
+  }
+  std::span<const FaceSite> inFace(int face) const { return inFace_[face]; }
+
+  void insert(int label, const SurfacePoint& point);
+  void remove(int label);
+
+ private:
+  template <class Visit>
+  void visitFaces(const SurfacePoint& point, Visit visit) const {
+    visit(point);
+    const int side = incidenceOf(point.bary).side;
+    if (side >= 0 && mesh_.twin(3 * point.face + side) >= 0)
+      visit(acrossEdge(mesh_, point, 3 * point.face + side));
+  }
+
+  const TriangleMesh& mesh_;
+  std::vector<SurfacePoint> points_;  ///< face -1: there is no site with this label
+  SmallLists<FaceSite> inFace_;
+};
+
+}  // namespace gvd

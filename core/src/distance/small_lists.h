@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace gvd {
+
+/// A short list of items for each of many indices, all in one array. A list that grows beyond its
+/// room moves to a larger one (a power of two) and leaves its own to another list.
+template <class Item>
+class SmallLists {
+ public:
+  explicit SmallLists(int count = 0) : lists_(count) {}
+
+  std::span<const Item> operator[](int i) const {
+    return {items_.data() + lists_[i].first, lists_[i].size};
+  }
+  std::span<Item> operator[](int i) { return {items_.data() + lists_[i].first, lists_[i].size}; }
+  bool empty(int i) const { return lists_[i].size == 0; }
+
+  void clear(int i) { lists_[i].size = 0; }
+  /// Inserts before the item at `position`.
+  void insert(int i, size_t position, const Item& item) {
+    List& list = lists_[i];
+    if (list.size == list.capacity) grow(list);
+    const auto first = items_.begin() + list.first;
+    std::copy_backward(first + position, first + list.size, first + list.size + 1);
+    first[position] = item;
+    ++list.size;
+  }
+  void erase(int i, size_t position) {
+    List& list = lists_[i];
+    const auto first = items_.begin() + list.first;
+    std::copy(first + position + 1, first + list.size, first + position);
+    --list.size;
+  }
+  template <class Predicate>
+  void eraseIf(int i, Predicate predicate) {
+    const std::span<Item> list = (*this)[i];
+    const auto end = std::remove_if(list.begin(), list.end(), predicate);
+    lists_[i].size = static_cast<std::uint32_t>(end - list.begin());
+  }
+  void add(int i, const Item& item) { insert(i, lists_[i].size, item); }
+
+  size_t bytes() const { return lists_.size() * sizeof(List) + items_.size() * sizeof(Item); }
+
+ private:
+  struct List {
+    std::uint32_t first = 0;
+    std::uint32_t size = 0, capacity = 0;
+  };
+
+  void grow(List& list) {
+    const std::uint32_t capacity = list.capacity == 0 ? 1 : 2 * list.capacity;
+    std::vector<std::uint32_t>& free = free_[std::bit_width(capacity)];
+    std::uint32_t first;
+    if (free.empty()) {
+      first = static_cast<std::uint32_t>(items_.size());
+      items_.resize(items_.size() + capacity);
+    } else {
+      first = free.back();
+      free.pop_back();
+    }
+    std::copy_n(items_.begin() + list.first, list.size, items_.begin() + first);
+    if (list.capacity > 0) free_[std::bit_width(list.capacity)].push_back(list.first);
+    list.first = first;
+    list.capacity = capacity;
+  }
+
+  std::vector<List> lists_;
+  std::vector<Item> items_;
+  std::array<std::vector<std::uint32_t>, 33> free_;  ///< by the bits of their capacity
+};
+
+}  // namespace gvd
