@@ -185,7 +185,7 @@ constexpr std::array kMeshes = {
 /// Whether doubles tell the ends of all edges apart by more than the rounding of a position.
 bool hasVisibleEdges(const TriangleMesh& mesh) {
   for (int h = 0; h < mesh.halfedgeCount(); ++h)
-    if (mesh.length(h) < 1e-12 * mesh.diameter()) return false;
+    if (mesh.length(h) < 1e-12 * mesh.boundingDiagonal()) return false;
   return true;
 }
 

@@ -158,7 +158,7 @@ TEST(TriangleMesh, OfOneTriangle) {
   EXPECT_NEAR(mesh.cornerAngle(2), pi / 4, kEpsilon);
   EXPECT_EQ(mesh.faceArea(0), 0.5);
   EXPECT_EQ(mesh.area(), 0.5);
-  EXPECT_EQ(mesh.diameter(), std::sqrt(2.0));
+  EXPECT_EQ(mesh.boundingDiagonal(), std::sqrt(2.0));
   EXPECT_EQ(mesh.position({0, {0.5, 0.25, 0.25}}), Eigen::Vector3d(0.25, 0.25, 0));
 }
 
@@ -316,9 +316,9 @@ TEST(Area, IsTheSumOfTheFaces) {
   EXPECT_NEAR(shapes::perforatedPlate(1, 3).mesh().area(), 32, 1e-12);
 }
 
-TEST(Diameter, IsTheDiagonalOfTheBoundingBox) {
-  EXPECT_EQ(shapes::cube().mesh().diameter(), std::sqrt(3.0));
-  EXPECT_EQ(shapes::moved(shapes::cube(), {100, 0, 0}).mesh().diameter(), std::sqrt(3.0));
+TEST(BoundingDiagonal, IsThatOfTheBoundingBox) {
+  EXPECT_EQ(shapes::cube().mesh().boundingDiagonal(), std::sqrt(3.0));
+  EXPECT_EQ(shapes::moved(shapes::cube(), {100, 0, 0}).mesh().boundingDiagonal(), std::sqrt(3.0));
 }
 
 // --- Repairs, one small mesh each ----------------------------------------------------------------

@@ -16,15 +16,15 @@ namespace gvd {
 ///     input triangles = faces + non-finite + degenerate + duplicate
 ///     input vertices  = vertices - split + welded + isolated
 struct MeshRepairs {
-  int weldedVertices = 0;        ///< input vertices merged into an earlier one at the same position
-  int isolatedVertices = 0;      ///< input vertices at whose position no kept triangle has a corner
-  int nonFiniteTriangles = 0;    ///< dropped: a corner is NaN or infinite
-  int degenerateTriangles = 0;   ///< dropped: two corners at one position
-  int duplicateTriangles = 0;    ///< dropped: same three corners as an earlier triangle, either side
-  int nonManifoldEdges = 0;      ///< edges of three or more triangles, cut apart
-  int orientationCuts = 0;       ///< edges cut because no orientation fits both sides (Möbius strip)
-  int flippedTriangles = 0;      ///< turned over to agree with the majority of their component
-  int splitVertices = 0;         ///< vertices shared by several fans, one copy made per further fan
+  int weldedVertices = 0;       ///< input vertices merged into an earlier one at the same position
+  int isolatedVertices = 0;     ///< input vertices at whose position no kept triangle has a corner
+  int nonFiniteTriangles = 0;   ///< dropped: a corner is NaN or infinite
+  int degenerateTriangles = 0;  ///< dropped: two corners at one position
+  int duplicateTriangles = 0;   ///< dropped: same three corners as an earlier triangle, either side
+  int nonManifoldEdges = 0;     ///< edges of three or more triangles, cut apart
+  int orientationCuts = 0;   ///< edges cut because no orientation fits both sides (Möbius strip)
+  int flippedTriangles = 0;  ///< turned over to agree with the majority of their component
+  int splitVertices = 0;     ///< vertices shared by several fans, one copy made per further fan
 };
 
 /// Facts of topology, computed once with the mesh.
@@ -45,8 +45,8 @@ struct MeshTopology {
 ///
 ///     3f: a→b      3f+1: b→c      3f+2: c→a
 ///
-/// and corner i of face f is the tail of halfedge 3f+i. `twin` is the halfedge of the neighbour face
-/// that runs the other way, -1 on the boundary.
+/// and corner i of face f is the tail of halfedge 3f+i. `twin` is the halfedge of the neighbour
+/// face that runs the other way, -1 on the boundary.
 ///
 /// From any list of triangles to a manifold, in this order, each step counted in `repairs()`:
 ///  1. triangles with a non-finite corner are dropped;
@@ -60,14 +60,15 @@ struct MeshTopology {
 ///  6. a vertex whose triangles form several fans is split, one vertex per fan: no path passes
 ///     through it.
 ///
-/// Faces keep the order of the input, and so do vertices; the copies of split ones come last. A clean
-/// mesh keeps all its numbers. Where an edge was cut, two boundary edges may have the same two ends.
+/// Faces keep the order of the input, and so do vertices; the copies of split ones come last. A
+/// clean mesh keeps all its numbers. Where an edge was cut, two boundary edges may have the same
+/// two ends.
 class TriangleMesh {
  public:
   /// `positions`: x, y, z per vertex, any unit. `triangles`: three vertex indices each.
   /// Throws `Error(kInvalidMesh)` if an array's size is no multiple of three, an index is out of
-  /// range, no triangle is left after the repairs, or the square of the diameter is not a finite
-  /// number. O(n log n).
+  /// range, no triangle is left after the repairs, or the square of the bounding diagonal is not a
+  /// finite number. O(n log n).
   TriangleMesh(std::span<const double> positions, std::span<const int> triangles);
 
   int vertexCount() const { return static_cast<int>(vertexHalfedge_.size()); }
@@ -127,8 +128,8 @@ class TriangleMesh {
   double meanEdgeLength() const { return meanEdgeLength_; }
   /// The component of a face, numbered from 0 in order of the first face.
   int component(int f) const { return component_[f]; }
-  /// The diagonal of the bounding box.
-  double diameter() const;
+  /// The length of the diagonal of the bounding box. O(vertices).
+  double boundingDiagonal() const;
 
   /// The input triangle a face was made from, and whether it was turned over (corners 1 and 2
   /// swapped).
@@ -144,7 +145,8 @@ class TriangleMesh {
   /// A point given by an input triangle, in terms of this mesh. A point on a dropped triangle is
   /// found on the edge or vertex of a kept one. Barycentric coordinates may be off by up to 1e-6
   /// (they are clamped and normalised); throws `Error(kInvalidPoint)` naming the fault if they are
-  /// off by more or not finite, if the triangle does not exist, or if no kept triangle has the point.
+  /// off by more or not finite, if the triangle does not exist, or if no kept triangle has the
+  /// point.
   SurfacePoint fromInput(const SurfacePoint& p) const;
   /// The place of an input vertex; `Error(kInvalidPoint)` if it does not exist or is isolated. Of a
   /// split vertex, the fan of the first triangle that names this input vertex.

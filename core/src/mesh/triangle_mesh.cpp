@@ -23,8 +23,8 @@ using Corners = std::array<int, 3>;
 /// How far barycentric coordinates given from outside may be off.
 constexpr double kBarycentricTolerance = 1e-6;
 
-/// Squared lengths of a mesh of this diameter still are finite, and so are their sums.
-constexpr double kMaxDiameter = 0x1p500;
+/// Squared lengths of a mesh of this size still are finite, and so are their sums.
+constexpr double kMaxBoundingDiagonal = 0x1p500;
 
 // --- Small tools -------------------------------------------------------------------------------
 
@@ -507,7 +507,7 @@ void TriangleMesh::copyPositions(std::span<const double> positions) {
   for (int v = 0; v < vertexCount(); ++v) {
     positions_.col(v) = positionOf(positions, inputVertex_[v]);
   }
-  if (!(diameter() <= kMaxDiameter)) {
+  if (!(boundingDiagonal() <= kMaxBoundingDiagonal)) {
     rejectMesh("the positions are too far apart to measure distances");
   }
 }
@@ -561,7 +561,7 @@ Eigen::Vector3d TriangleMesh::position(const SurfacePoint& p) const {
   return sum;
 }
 
-double TriangleMesh::diameter() const {
+double TriangleMesh::boundingDiagonal() const {
   return lengthOf(positions_.rowwise().maxCoeff() - positions_.rowwise().minCoeff());
 }
 
