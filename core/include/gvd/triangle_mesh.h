@@ -156,7 +156,6 @@ class TriangleMesh {
   const MeshTopology& topology() const { return topology_; }
 
  private:
-  void splitFans(int inputVertexCount);
   void copyPositions(std::span<const double> positions);
   void measure();
   void countTopology(int components);
