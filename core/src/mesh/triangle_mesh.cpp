@@ -10,6 +10,7 @@
 #include "gvd/error.h"
 #include "mesh/input_map.h"
 #include "mesh/mesh_orientation.h"
+#include "mesh/mollification.h"
 #include "mesh/triangle_selection.h"
 
 namespace gvd {
@@ -18,49 +19,11 @@ namespace {
 /// How far barycentric coordinates given from outside may be off.
 constexpr double kBarycentricTolerance = 1e-6;
 
-/// Squared lengths of a mesh of this size still are finite, and so are their sums.
-constexpr double kMaxBoundingDiagonal = 0x1p500;
-
-// --- Measures ----------------------------------------------------------------------------------
-
-/// |v|, positive unless v is zero: components whose squares would underflow or overflow are scaled
-/// first.
-double lengthOf(const Eigen::Vector3d& v) {
-  const double largest = v.cwiseAbs().maxCoeff();
-  if (0x1p-400 < largest && largest < 0x1p400) return v.norm();
-  if (largest == 0) return 0;
-  return largest * (v / largest).norm();
-}
-
-/// The angle between the sides a and b of a triangle with third side c: accurate for needles and
-/// caps too (W. Kahan, "Miscalculating Area and Angles of a Needle-like Triangle"). Lengths that
-/// rounding made break the triangle inequality count as a flat triangle.
-double angleBetween(double a, double b, double c) {
-  if (a < b) std::swap(a, b);
-  const double mu = std::max(0.0, b >= c ? c - (a - b) : b - (a - c));
-  const double nu = std::max(0.0, (a - c) + b);
-  // Roots before products, which could underflow.
-  return 2 *
-         std::atan2(std::sqrt((a - b) + c) * std::sqrt(mu), std::sqrt(a + (b + c)) * std::sqrt(nu));
-}
-
-/// Lays a face out on each of its sides, whose lengths are known.
-void layOut(std::span<TriangleMesh::Layout, 3> sides) {
-  std::array<double, 3> lengths = {sides[0].length, sides[1].length, sides[2].length};
-  std::sort(lengths.begin(), lengths.end());
-  const auto [c, b, a] = lengths;
-  // 4·area = p·q, by Heron's formula in the order of Kahan: accurate for needles, where the
-  // difference of two squares would cancel, and where (a + b) - c would lose c.
-  const double p = std::sqrt(a + (b + c)) * std::sqrt(std::max(0.0, c - (a - b)));
-  const double q = std::sqrt(c + (a - b)) * std::sqrt(a + (b - c));
-  for (int i = 0; i < 3; ++i) {
-    TriangleMesh::Layout& side = sides[i];
-    const double toTip = sides[(i + 1) % 3].length, toTail = sides[(i + 2) % 3].length;
-    side.inverse = 1 / (2 * side.length);
-    side.x = (side.length + (toTail - toTip) / side.length * (toTail + toTip)) / 2;
-    side.y = p * side.inverse * q;
-  }
-}
+/// The products of four lengths that areas are made of neither overflow nor underflow between these
+/// limits, however thin the triangles: no edge is shorter than 2^-41 of the mean one, see
+/// `kMollificationMargin`.
+constexpr double kLongestDiagonal = 0x1p200;
+constexpr double kShortestMeanEdge = 0x1p-200;
 
 // --- Points from outside ------------------------------------------------------------------------
 
@@ -104,7 +67,7 @@ TriangleMesh::TriangleMesh(std::span<const double> positions, std::span<const in
   flipped_ = std::move(orientation.flipped);
   component_ = std::move(orientation.component);
   copyPositions(positions);
-  measure();
+  measureFaces();
   countTopology(orientation.components);
 
   faceOfInput_ = mapInputCorners(welded, selection.corners, std::move(selection.kept));
@@ -118,34 +81,66 @@ void TriangleMesh::copyPositions(std::span<const double> positions) {
     positions_.col(v) =
         Eigen::Vector3d::Map(&positions[3 * static_cast<std::size_t>(inputVertex_[v])]);
   }
-  if (!(boundingDiagonal() <= kMaxBoundingDiagonal)) {
+  if (!(boundingDiagonal() <= kLongestDiagonal)) {
     throw Error(ErrorCode::kInvalidMesh, "the positions are too far apart to measure distances");
   }
 }
 
-void TriangleMesh::measure() {
-  layout_.resize(halfedgeCount());
-  angle_.resize(halfedgeCount());
-  angleSum_.assign(vertexCount(), 0);
-  for (int h = 0; h < halfedgeCount(); ++h) {
-    // The same bits for both halfedges: a difference turned around changes its signs only.
-    layout_[h].length = lengthOf(position(tip(h)) - position(tail(h)));
-  }
-  for (int h = 0; h < halfedgeCount(); ++h) {
-    angle_[h] = angleBetween(length(h), length(previous(h)), length(next(h)));
-    angleSum_[tail(h)] += angle_[h];
-  }
-  for (int f = 0; f < faceCount(); ++f) {
-    layOut(std::span<Layout, 3>(&layout_[3 * f], 3));
-  }
+/// Step 7, and everything that follows from edge lengths.
+void TriangleMesh::measureFaces() {
+  // Coordinates are not centred first: their differences are as good as the input already, and
+  // centring would round it.
+  const auto triangle = [&](int f) {
+    return measureTriangle(
+        {position(tail_[3 * f]), position(tail_[3 * f + 1]), position(tail_[3 * f + 2])});
+  };
+  faces_.resize(faceCount());
   faceArea_.resize(faceCount());
+  cornerAngle_.resize(halfedgeCount());
+  std::vector<double> leastExcess(faceCount());
   for (int f = 0; f < faceCount(); ++f) {
-    const Eigen::Vector3d a = position(tail(3 * f));
-    const Eigen::Vector3d ab = position(tail(3 * f + 1)) - a, ac = position(tail(3 * f + 2)) - a;
-    faceArea_[f] = ab.cross(ac).norm() / 2;
-    area_ += faceArea_[f];
+    const IntrinsicTriangle t = triangle(f);
+    setFace(f, t);
+    leastExcess[f] = t.leastExcess();
+    for (const double length : t.lengths) meanEdgeLength_ += length / halfedgeCount();
   }
-  for (const Layout& layout : layout_) meanEdgeLength_ += layout.length / halfedgeCount();
+  if (!(meanEdgeLength_ >= kShortestMeanEdge)) {
+    throw Error(ErrorCode::kInvalidMesh,
+                "the positions are too close together to measure distances");
+  }
+
+  for (int f = 0; f < faceCount(); ++f) {
+    const double longest = *std::ranges::max_element(faces_[f].lengths);
+    const double missing = leastExcessWanted(longest, meanEdgeLength_) - leastExcess[f];
+    if (missing <= 0) continue;
+    ++repairs_.mollifiedTriangles;
+    repairs_.mollification = std::max(repairs_.mollification, missing);
+  }
+  if (repairs_.mollification > 0) {
+    for (int f = 0; f < faceCount(); ++f) {
+      setFace(f, lengthened(triangle(f), repairs_.mollification));
+    }
+    meanEdgeLength_ += repairs_.mollification;
+  }
+
+  angleSum_.assign(vertexCount(), 0);
+  for (int h = 0; h < halfedgeCount(); ++h) angleSum_[tail_[h]] += cornerAngle_[h];
+  for (const double area : faceArea_) area_ += area;
+}
+
+void TriangleMesh::setFace(int f, const IntrinsicTriangle& t) {
+  Face& face = faces_[f];
+  face.lengths = t.lengths;
+  for (int i = 0; i < 3; ++i) {
+    const int h = 3 * f + i;
+    const double product = t.lengths[i] * t.lengths[previous(i)];
+    face.cosines[i] = t.dots[i] / product;
+    face.sines[i] = t.twiceArea / product;
+    face.vertices[i] = tail_[h];
+    face.twins[i] = twin_[h];
+    cornerAngle_[h] = std::atan2(t.twiceArea, t.dots[i]);
+  }
+  faceArea_[f] = t.twiceArea / 2;
 }
 
 void TriangleMesh::countTopology(int components) {
@@ -173,7 +168,7 @@ Eigen::Vector3d TriangleMesh::position(const SurfacePoint& p) const {
 }
 
 double TriangleMesh::boundingDiagonal() const {
-  return lengthOf(positions_.rowwise().maxCoeff() - positions_.rowwise().minCoeff());
+  return (positions_.rowwise().maxCoeff() - positions_.rowwise().minCoeff()).norm();
 }
 
 // --- To and from the input ---------------------------------------------------------------------
