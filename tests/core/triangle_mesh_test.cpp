@@ -289,9 +289,9 @@ TEST(Layout, OfANeedleHasFullRelativePrecision) {
 TEST(CornerAngle, OfAFlatTriangleIsAlmostZeroOrPi) {
   const TriangleMesh mesh = triangleMesh({0, 0, 0}, {1, 0, 0}, {3, 0, 0});
   expectInvariants(mesh);
-  EXPECT_NEAR(mesh.cornerAngle(0), 0, 1e-5);
-  EXPECT_NEAR(mesh.cornerAngle(1), pi, 1e-5);
-  EXPECT_NEAR(mesh.cornerAngle(2), 0, 1e-5);
+  EXPECT_NEAR(mesh.cornerAngle(0), 0, 1e-4);
+  EXPECT_NEAR(mesh.cornerAngle(1), pi, 1e-4);
+  EXPECT_NEAR(mesh.cornerAngle(2), 0, 1e-4);
 }
 
 TEST(CornerAngle, OfTrianglesThatAreFlatButForRounding) {
@@ -434,7 +434,7 @@ TEST(Repairs, KeepTrianglesOfZeroAreaWithThreeCorners) {
   EXPECT_EQ(mesh.repairs().mollifiedTriangles, 1);
   EXPECT_EQ(repairCount(mesh.repairs()), 1);
   EXPECT_EQ(mesh.topology().components, 1);
-  EXPECT_NEAR(mesh.angleSum(3), 2 * pi, 1e-5) << "an inner vertex thanks to the cap";
+  EXPECT_NEAR(mesh.angleSum(3), 2 * pi, 1e-4) << "an inner vertex thanks to the cap";
 }
 
 TEST(Repairs, DropDuplicatesEitherSideUp) {

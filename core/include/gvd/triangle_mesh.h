@@ -66,15 +66,15 @@ struct MeshTopology {
 ///     through it;
 ///  7. if a triangle is flat (two sides hardly longer than the third) or tiny, all edges are
 ///     lengthened by one amount, the least for which in every triangle two sides exceed the third
-///     by 1e-12 of the mean edge, or of the triangle's longest side where that is longer:
+///     by 1e-11 of the mean edge, or of the triangle's longest side where that is longer:
 ///     intrinsic mollification (Sharp & Crane 2020, "A Laplacian for Nonmanifold Triangle Meshes",
 ///     section 4.5). So every face is a triangle, and nothing that is computed on the mesh needs a
 ///     tolerance for those that were none.
 ///
 /// Lengths, angles and areas are those of the *intrinsic* surface, which is made of triangles with
 /// these edge lengths. They are the positions' own, to the last bits, unless step 7 was needed:
-/// then each edge is longer by at most 1e-12 of the longest. A flat triangle, though, gets a height
-/// of about 7e-7 of its longest side if that is a mean edge (the square root of half the margin),
+/// then each edge is longer by at most 1e-11 of the longest. A flat triangle, though, gets a height
+/// of about 2e-6 of its longest side if that is a mean edge (the square root of half the margin),
 /// and distances across it differ by as much. Positions are never moved.
 ///
 /// Faces keep the order of the input, and so do vertices; the copies of split ones come last. A

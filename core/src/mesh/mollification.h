@@ -11,21 +11,23 @@
 namespace gvd {
 
 /// The least excess of two sides of a triangle over the third, as a share of the mean edge length,
-/// or of the triangle's longest side where that is longer: the rounding of a side of 10,000 mean
+/// or of the triangle's longest side where that is longer: the rounding of a side of 100,000 mean
 /// edges is no less than the share of one.
 ///
-/// Why 1e-12, where the paper, for Laplacians, takes 1e-5 of the mean:
+/// Why 1e-11, where the paper, for Laplacians, takes 1e-5 of the mean:
 ///  - Rounding moves an excess by up to 3.3e-16 (3 · 2^-53) of the longest side, so at the margin
-///    it still has three true digits.
-///  - A flat triangle of side c becomes one of height c · sqrt(margin / 2) = 7e-7 c. Distances
+///    it still has four true digits.
+///  - It is more than `kDistanceTolerance`, 4.5e-13, of a distance of twenty mean edges: there, the
+///    two ways past a flat triangle are no tie.
+///  - No edge is shorter than half the margin, so distances of 10,000 mean edges still tell its two
+///    ends apart.
+///  - A flat triangle of side c becomes one of height c · sqrt(margin / 2) = 2e-6 c. Distances
 ///    across it are off by as much. 1e-5 would make it 2e-3 c.
 ///  - The excess of a triangle with two angles of a degrees is a² · 1.5e-4 c, which reaches the
-///    margin at 8e-5 degrees: thinner than triangles of scans, and than almost all that the tests
-///    draw at random to compare distances at 1e-9 with those of other programs. At 1e-10, some of
-///    those would be mollified.
-///  - No edge is shorter than half the margin, so distances of up to 1000 mean edges still tell its
-///    two ends apart.
-inline constexpr double kMollificationMargin = 1e-12;
+///    margin at 3e-4 degrees: thinner than triangles of scans, and than almost all that the tests
+///    draw at random to compare distances at 1e-9 with those of other programs. At 1e-10, one in a
+///    hundred of those meshes would be mollified.
+inline constexpr double kMollificationMargin = 1e-11;
 
 /// A triangle by what does not depend on where it lies. Side i runs from corner i to the next.
 struct IntrinsicTriangle {

@@ -20,7 +20,7 @@ namespace {
 constexpr double kBarycentricTolerance = 1e-6;
 
 /// The products of four lengths that areas are made of neither overflow nor underflow between these
-/// limits, however thin the triangles: no edge is shorter than 2^-41 of the mean one, see
+/// limits, however thin the triangles: no edge is shorter than 2^-38 of the mean one, see
 /// `kMollificationMargin`.
 constexpr double kLongestDiagonal = 0x1p200;
 constexpr double kShortestMeanEdge = 0x1p-200;
