@@ -9,7 +9,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -37,7 +36,7 @@ Shape shapeOf(const std::vector<Vector3d>& positions, const std::vector<int>& tr
 
 // --- Flat and tiny faces, as they occur ----------------------------------------------------------
 
-/// Two triangles of one edge, and a third on the other side, with a vertex on the edge: the gap
+/// A triangle on one side of an edge, two on the other side that meet in the middle of it. The gap
 /// between them is filled by a face without height.
 Shape tJunction() {
   return shapeOf({{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, 0, 0}, {1, -1, 0}},
@@ -51,7 +50,7 @@ Shape fanOnALine() {
                  {0, 1, 2, 2, 3, 0, 1, 0, 3});
 }
 
-/// A square of three rows of vertices, all of them moved onto one line.
+/// A grid, all of its vertices moved onto one line.
 Shape gridOnALine() {
   Shape shape = shapes::grid(4, 4, 0.2, 1);
   for (int v = 0; v < shape.vertexCount(); ++v) {
@@ -116,7 +115,7 @@ Shape farFromOrigin() {
                        {0x1p40, -0x1p40, 0x1p40});
 }
 
-/// All but the third coordinate lost: every face on one line.
+/// Two of three coordinates lost by rounding: every face is on one line.
 Shape farAlongAPlane() {
   Shape shape = shapes::icosphere(1);
   for (int v = 0; v < shape.vertexCount(); ++v)
@@ -244,6 +243,28 @@ TEST_P(Mollification, IsAddedToEveryEdge) {
   for (int h = 0; h < mesh.halfedgeCount(); ++h) {
     EXPECT_EQ(mesh.length(h), (mesh.position(mesh.tip(h)) - mesh.position(mesh.tail(h))).norm() +
                                   mesh.repairs().mollification);
+  }
+}
+
+TEST_P(Mollification, MakesNoDistanceInAFaceShorter) {
+  const TriangleMesh mesh = GetParam().shape.mesh();
+  shapes::Random random(1);
+  const auto randomPoint = [&] {
+    const Vector3d bary(random.uniform(), random.uniform(), random.uniform());
+    return Vector3d(bary / bary.sum());
+  };
+  for (int f = 0; f < mesh.faceCount(); ++f) {
+    const TriangleMesh::Layout layout = mesh.layout(3 * f);
+    for (int i = 0; i < 10; ++i) {
+      const Vector3d p = randomPoint(), q = randomPoint(), d = q - p;
+      const double inSpace =
+          (d[1] * (mesh.position(mesh.tail(3 * f + 1)) - mesh.position(mesh.tail(3 * f))) +
+           d[2] * (mesh.position(mesh.tail(3 * f + 2)) - mesh.position(mesh.tail(3 * f))))
+              .norm();
+      const double along = std::hypot(d[1] * layout.length + d[2] * layout.x, d[2] * layout.y);
+      const auto& lengths = mesh.face(f).lengths;
+      EXPECT_GE(along, inSpace - 4 * kEpsilon * *std::ranges::max_element(lengths));
+    }
   }
 }
 

@@ -73,9 +73,10 @@ struct MeshTopology {
 ///
 /// Lengths, angles and areas are those of the *intrinsic* surface, which is made of triangles with
 /// these edge lengths. They are the positions' own, to the last bits, unless step 7 was needed:
-/// then each edge is longer by at most 1e-11 of the longest. A flat triangle, though, gets a height
-/// of about 2e-6 of its longest side if that is a mean edge (the square root of half the margin),
-/// and distances across it differ by as much. Positions are never moved.
+/// then each edge is longer by at most 1e-11 of the longest, and no distance is shorter. A flat
+/// triangle, though, gets a height of about 2e-6 of its longest side if that is a mean edge (the
+/// square root of half the margin), by which distances across it are longer. Positions are never
+/// moved.
 ///
 /// Faces keep the order of the input, and so do vertices; the copies of split ones come last. A
 /// clean mesh keeps all its numbers. Where an edge was cut, two boundary edges may have the same
