@@ -383,7 +383,8 @@ GVD_ABI MeshHandle* createMesh(const double* positions, std::size_t positionCoun
 
 GVD_ABI void freeMesh(MeshHandle* handle) { delete handle; }
 
-/// Counts (as `infoCounts` and `repairCounts` in `src/core.ts` name them), then area and diameter.
+/// Counts (as `infoCounts` and `repairCounts` in `src/core.ts` name them), then area and
+/// bounding diagonal.
 GVD_ABI Arrays* meshInfo(const MeshHandle* handle) {
   return guarded([&] {
     const TriangleMesh& mesh = *handle->mesh;
@@ -398,7 +399,7 @@ GVD_ABI Arrays* meshInfo(const MeshHandle* handle) {
         repairs.weldedVertices, repairs.isolatedVertices, repairs.nonFiniteTriangles,
         repairs.degenerateTriangles, repairs.duplicateTriangles, repairs.nonManifoldEdges,
         repairs.orientationCuts, repairs.flippedTriangles, repairs.splitVertices});
-    out->add(std::vector<double>{mesh.area(), mesh.diameter()});
+    out->add(std::vector<double>{mesh.area(), mesh.boundingDiagonal()});
     return out.release();
   });
 }

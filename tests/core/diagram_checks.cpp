@@ -205,9 +205,9 @@ AssertionResult checkNearestAtVertices(const TriangleMesh& mesh, const DistanceF
     for (const LabelledDistance& d : field.at(v))
       if (d.distance < least.distance) least = d;
     const auto nearest = field.nearest({TriangleMesh::faceOf(h), Eigen::Vector3d::Unit(h % 3)});
-    const bool isSame = least.label < 0
-                            ? nearest.label < 0
-                            : std::abs(nearest.distance - least.distance) <= 1e-7 * mesh.diameter();
+    const bool isSame = least.label < 0 ? nearest.label < 0
+                                        : std::abs(nearest.distance - least.distance) <=
+                                              1e-7 * mesh.boundingDiagonal();
     if (!isSame)
       return AssertionFailure() << "nearest at vertex " << v << " is " << nearest.label << " at "
                                 << nearest.distance << ", not " << least.label << " at "
@@ -218,7 +218,7 @@ AssertionResult checkNearestAtVertices(const TriangleMesh& mesh, const DistanceF
 
 AssertionResult checkExactDistances(const TriangleMesh& mesh, const DistanceField& field,
                                     std::span<const SurfacePoint> sites) {
-  const double tolerance = 1e-9 * mesh.diameter();
+  const double tolerance = 1e-9 * mesh.boundingDiagonal();
   for (int v = 0; v < mesh.vertexCount(); ++v)
     for (const LabelledDistance& d : field.at(v)) {
       const double straight = (mesh.position(v) - mesh.position(sites[d.label])).norm();
@@ -271,7 +271,7 @@ AssertionResult agreesWithField(const TriangleMesh& mesh, const Traced& traced,
 
 AssertionResult spreadsFarEnough(const TriangleMesh& mesh, const Traced& traced,
                                  const Traced& everywhere) {
-  const double tolerance = 1e-9 * mesh.diameter();
+  const double tolerance = 1e-9 * mesh.boundingDiagonal();
   for (const Part& part : reachedParts(mesh, traced.diagram)) {
     if (part.share() <= kSliver) continue;
     const SurfacePoint p{part.face, part.middle()};

@@ -101,9 +101,9 @@ AssertionResult isTheSurface(const TriangleMesh& mesh, const Partition& p) {
 }
 
 AssertionResult hasItsPlaces(const TriangleMesh& mesh, const Partition& p) {
-  const double near = 1e-8 * mesh.diameter();
+  const double near = 1e-8 * mesh.boundingDiagonal();
   for (size_t v = 0; v < p.points.size(); ++v)
-    if (!((mesh.position(p.points[v]) - p.positions[v]).norm() <= 1e-14 * mesh.diameter()))
+    if (!((mesh.position(p.points[v]) - p.positions[v]).norm() <= 1e-14 * mesh.boundingDiagonal()))
       return AssertionFailure() << "vertex " << v << " is not at its surface point";
   for (int t = 0; t < static_cast<int>(p.triangles.size()); ++t) {
     const Eigen::Matrix3d corners = cornersInFace(mesh, p, t);

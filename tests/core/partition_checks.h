@@ -15,7 +15,8 @@ namespace gvd::checks {
 ///  - twins run the other way;
 ///  - welded by the twins, the triangles are a manifold with the mesh's Euler characteristic,
 ///    boundary loops and components, and one vertex per point;
-///  - every vertex is at its surface point, seen from each of its triangles (1e-8 of the diameter);
+///  - every vertex is at its surface point, seen from each of its triangles (1e-8 of the bounding
+///  diagonal);
 ///  - the areas of the regions sum to the mesh's (1e-12 of it);
 ///  - what is told of each region is true of its triangles;
 ///  - borders are as long from both sides.

@@ -184,8 +184,9 @@ constexpr std::array kMeshes = {
 
 /// Whether doubles tell the ends of all edges apart by more than the rounding of a position.
 bool hasVisibleEdges(const TriangleMesh& mesh) {
-  for (int h = 0; h < mesh.halfedgeCount(); ++h)
-    if (mesh.length(h) < 1e-12 * mesh.diameter()) return false;
+  const double least = 1e-12 * mesh.boundingDiagonal();
+  for (int h = 0; h < mesh.halfedgeCount(); ++h)  // of positions: short edges have been lengthened
+    if ((mesh.position(mesh.tip(h)) - mesh.position(mesh.tail(h))).norm() < least) return false;
   return true;
 }
 

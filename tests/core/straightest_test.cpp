@@ -245,7 +245,8 @@ TEST(WalkStraight, EndsOnAnyMesh) {
 }
 
 TEST(WalkStraight, PassesThroughFacesWithoutArea) {
-  // The cap lies on the side 0-1 of the triangle; behind it are two more faces.
+  // The cap lies on the side 0-1 of the triangle; behind it is one more face. The cap has a height
+  // of some 1e-6 (mollification), which the walk needs to get through it.
   shapes::Shape shape = shapes::triangle();
   shape.addTriangle(1, 0, shape.addVertex({0.5, 0, 0}));
   shape.addTriangle(0, 3, shape.addVertex({0.25, -1, 0}));
@@ -254,7 +255,7 @@ TEST(WalkStraight, PassesThroughFacesWithoutArea) {
   const SurfacePoint start{0, Vector3d(0.5, 0.2, 0.3)};
   ASSERT_EQ(mesh.position(start), Vector3d(0.2, 0.3, 0));
   const auto way = walkStraight(mesh, start, components(mesh, 0, Vector3d(0, -0.5, 0)));
-  EXPECT_LT((mesh.position(way.end) - Vector3d(0.2, -0.2, 0)).norm(), 1e-12);
+  EXPECT_LT((mesh.position(way.end) - Vector3d(0.2, -0.2, 0)).norm(), 1e-5);
 }
 
 TEST(WalkStraight, GoesNowhereWithoutAFiniteMove) {

@@ -21,7 +21,7 @@ test('a mesh of arrays: counts, topology, measures', async () => {
   assert.equal(info.eulerCharacteristic, 2);
   assert.equal(info.genus, 0);
   assert.ok(Math.abs(info.area - 4 * Math.sqrt(3)) < 1e-12);
-  assert.ok(Math.abs(info.diameter - Math.sqrt(12)) < 1e-12);
+  assert.ok(Math.abs(info.boundingDiagonal - Math.sqrt(12)) < 1e-12);
   assert.deepEqual(info.notes, []);
   assert.ok(Object.values(info.repairs).every((count) => count === 0));
 });

@@ -200,8 +200,13 @@ export class Core {
       Int32Array,
       Float64Array,
     ];
-    const [area, diameter] = measures;
-    return { ...named(infoCounts, counts), area, diameter, repairs: named(repairCounts, repairs) };
+    const [area, boundingDiagonal] = measures;
+    return {
+      ...named(infoCounts, counts),
+      area,
+      boundingDiagonal,
+      repairs: named(repairCounts, repairs),
+    };
   }
 
   pointsAtVertices(owner: MeshPointer | VoronoiPointer, vertex: Int32Array): SurfacePoints {

@@ -52,8 +52,8 @@ export interface MeshInfo {
   eulerCharacteristic: number;
   genus: number;
   area: number;
-  /** Diagonal of the bounding box. */
-  diameter: number;
+  /** Length of the bounding box's diagonal. */
+  boundingDiagonal: number;
   repairs: MeshRepairs;
   /** What the glTF reader passed over, a sentence each. */
   notes: string[];

@@ -10,21 +10,25 @@
 
 namespace gvd {
 
-/// What `TriangleMesh` did to the input to make a manifold of it. Every count is zero for a clean
-/// mesh. The policy is written at `TriangleMesh`. The counts are complete:
+struct IntrinsicTriangle;
+
+/// What `TriangleMesh` did to the input to make a manifold of it, and triangles of all its faces.
+/// All is zero for a clean mesh. The policy is written at `TriangleMesh`. The counts are complete:
 ///
 ///     input triangles = faces + non-finite + degenerate + duplicate
 ///     input vertices  = vertices - split + welded + isolated
 struct MeshRepairs {
-  int weldedVertices = 0;        ///< input vertices merged into an earlier one at the same position
-  int isolatedVertices = 0;      ///< input vertices at whose position no kept triangle has a corner
-  int nonFiniteTriangles = 0;    ///< dropped: a corner is NaN or infinite
-  int degenerateTriangles = 0;   ///< dropped: two corners at one position
-  int duplicateTriangles = 0;    ///< dropped: same three corners as an earlier triangle, either side
-  int nonManifoldEdges = 0;      ///< edges of three or more triangles, cut apart
-  int orientationCuts = 0;       ///< edges cut because no orientation fits both sides (Möbius strip)
-  int flippedTriangles = 0;      ///< turned over to agree with the majority of their component
-  int splitVertices = 0;         ///< vertices shared by several fans, one copy made per further fan
+  int weldedVertices = 0;       ///< input vertices merged into an earlier one at the same position
+  int isolatedVertices = 0;     ///< input vertices at whose position no kept triangle has a corner
+  int nonFiniteTriangles = 0;   ///< dropped: a corner is NaN or infinite
+  int degenerateTriangles = 0;  ///< dropped: two corners at one position
+  int duplicateTriangles = 0;   ///< dropped: same three corners as an earlier triangle, either side
+  int nonManifoldEdges = 0;     ///< edges of three or more triangles, cut apart
+  int orientationCuts = 0;     ///< edges cut because no orientation fits both sides (Möbius strip)
+  int flippedTriangles = 0;    ///< turned over to agree with the majority of their component
+  int splitVertices = 0;       ///< vertices of several fans, one copy made per further fan
+  int mollifiedTriangles = 0;  ///< kept, but flat or tiny: for their sake all edges are longer
+  double mollification = 0;    ///< what every edge is longer by, in the unit of the positions
 };
 
 /// Facts of topology, computed once with the mesh.
@@ -45,29 +49,46 @@ struct MeshTopology {
 ///
 ///     3f: a→b      3f+1: b→c      3f+2: c→a
 ///
-/// and corner i of face f is the tail of halfedge 3f+i. `twin` is the halfedge of the neighbour face
-/// that runs the other way, -1 on the boundary.
+/// and corner i of face f is the tail of halfedge 3f+i. `twin` is the halfedge of the neighbour
+/// face that runs the other way, -1 on the boundary.
 ///
 /// From any list of triangles to a manifold, in this order, each step counted in `repairs()`:
 ///  1. triangles with a non-finite corner are dropped;
 ///  2. vertices at bit-equal positions (-0 = +0) are welded;
-///  3. triangles with two equal corners are dropped, as are those with the same three corners as an
+///  3. triangles with two equal corners are dropped: they have two positions or one, so nothing but
+///     an edge or a vertex of the surface is lost. So are those with the same three corners as an
 ///     earlier one (either orientation). Triangles of zero area with three distinct corners stay:
 ///     dropping one would tear its neighbours apart;
 ///  4. an edge of three or more triangles is cut: each keeps a boundary there;
 ///  5. each component is oriented, the majority of its triangles keeping theirs (on a draw, the
 ///     first triangle); an edge that cannot agree (non-orientable surface) is cut;
 ///  6. a vertex whose triangles form several fans is split, one vertex per fan: no path passes
-///     through it.
+///     through it;
+///  7. if a triangle is flat (two sides hardly longer than the third) or tiny, all edges are
+///     lengthened by one amount, the least for which in every triangle two sides exceed the third
+///     by 1e-11 of the mean edge, or of the triangle's longest side where that is longer:
+///     intrinsic mollification (Sharp & Crane 2020, "A Laplacian for Nonmanifold Triangle Meshes",
+///     section 4.5). So every face is a triangle, and nothing that is computed on the mesh needs a
+///     tolerance for those that were none.
 ///
-/// Faces keep the order of the input, and so do vertices; the copies of split ones come last. A clean
-/// mesh keeps all its numbers. Where an edge was cut, two boundary edges may have the same two ends.
+/// Lengths, angles and areas are those of the *intrinsic* surface, which is made of triangles with
+/// these edge lengths. They are the positions' own, to the last bits, unless step 7 was needed:
+/// then each edge is longer by at most 1e-11 of the longest, and no distance is shorter. A flat
+/// triangle, though, gets a height of about 2e-6 of its longest side if that is a mean edge (the
+/// square root of half the margin), by which distances across it are longer. Positions are never
+/// moved.
+///
+/// Faces keep the order of the input, and so do vertices; the copies of split ones come last. A
+/// clean mesh keeps all its numbers. Where an edge was cut, two boundary edges may have the same
+/// two ends.
 class TriangleMesh {
  public:
   /// `positions`: x, y, z per vertex, any unit. `triangles`: three vertex indices each.
   /// Throws `Error(kInvalidMesh)` if an array's size is no multiple of three, an index is out of
-  /// range, no triangle is left after the repairs, or the square of the diameter is not a finite
-  /// number. O(n log n).
+  /// range, or no triangle is left after the repairs; also if the bounding diagonal is longer than
+  /// 2^200 (1.6e60) or the mean edge shorter than 2^-200 (6e-61): between these limits, which all
+  /// numbers of single precision keep, no product of four lengths overflows or underflows. How far
+  /// the mesh is from the origin does not matter. O(n log n).
   TriangleMesh(std::span<const double> positions, std::span<const int> triangles);
 
   int vertexCount() const { return static_cast<int>(vertexHalfedge_.size()); }
@@ -81,16 +102,34 @@ class TriangleMesh {
   int tip(int h) const { return tail_[next(h)]; }
   int twin(int h) const { return twin_[h]; }
   /// Positive, and the same bits for both halfedges of an edge.
-  double length(int h) const { return layout_[h].length; }
+  double length(int h) const { return faces_[faceOf(h)].lengths[h % 3]; }
+
+  /// What unfolding needs of a face, in 96 bytes. Side i is halfedge 3f+i, from corner i to the
+  /// next.
+  struct alignas(32) Face {         // at most two cache lines
+    std::array<double, 3> lengths;  ///< of side i
+    std::array<double, 3> cosines;  ///< of the interior angle at corner i
+    std::array<double, 3> sines;    ///< positive, to full relative precision
+    std::array<int, 3> vertices;    ///< at corner i: `tail(3f+i)`
+    std::array<int, 3> twins;       ///< of side i: `twin(3f+i)`
+  };
+  const Face& face(int f) const { return faces_[f]; }
+
   /// The face of a halfedge laid out in the plane: the halfedge runs along the x axis from the
-  /// origin, the third corner, its *apex*, is at (x, y), y >= 0.
-  struct alignas(32) Layout {  // so that each is in one cache line
+  /// origin, the third corner, its *apex*, is at (x, y), y > 0.
+  struct Layout {
     double length;
     double inverse;  ///< 1 / (2 length): what unfolding divides by
     double x, y;
   };
-  const Layout& layout(int h) const { return layout_[h]; }
-  /// The same for all halfedges.
+  Layout layout(int h) const {
+    const Face& f = faces_[faceOf(h)];
+    const int i = h % 3;
+    const double length = f.lengths[i], toApex = f.lengths[previous(i)];
+    return {length, 1 / (2 * length), toApex * f.cosines[i], toApex * f.sines[i]};
+  }
+
+  /// `tail` and `twin` of all halfedges.
   std::span<const int> tails() const { return tail_; }
   std::span<const int> twins() const { return twin_; }
   /// Of each boundary loop the halfedge that leaves its lowest vertex; `outgoing(tip(h))` goes on.
@@ -129,17 +168,20 @@ class TriangleMesh {
 
   Eigen::Vector3d position(int v) const { return positions_.col(v); }
   Eigen::Vector3d position(const SurfacePoint& p) const;
-  /// The interior angle at corner h % 3 of face h / 3, from the edge lengths, in [0, π].
-  double cornerAngle(int h) const { return angle_[h]; }
+  /// The interior angle at corner h % 3 of face h / 3, in (0, π).
+  double cornerAngle(int h) const { return cornerAngle_[h]; }
   /// The sum of the corner angles at v: > 2π at an inner saddle vertex.
   double angleSum(int v) const { return angleSum_[v]; }
+  /// Positive, of the intrinsic triangle.
   double faceArea(int f) const { return faceArea_[f]; }
+  /// The sum of all `faceArea`.
   double area() const { return area_; }
+  /// The mean of `length` over all halfedges: an inner edge counts twice.
   double meanEdgeLength() const { return meanEdgeLength_; }
   /// The component of a face, numbered from 0 in order of the first face.
   int component(int f) const { return component_[f]; }
-  /// The diagonal of the bounding box.
-  double diameter() const;
+  /// The length of the bounding box's diagonal, of positions. O(vertices).
+  double boundingDiagonal() const;
 
   /// The input triangle a face was made from, and whether it was turned over (corners 1 and 2
   /// swapped).
@@ -155,7 +197,8 @@ class TriangleMesh {
   /// A point given by an input triangle, in terms of this mesh. A point on a dropped triangle is
   /// found on the edge or vertex of a kept one. Barycentric coordinates may be off by up to 1e-6
   /// (they are clamped and normalised); throws `Error(kInvalidPoint)` naming the fault if they are
-  /// off by more or not finite, if the triangle does not exist, or if no kept triangle has the point.
+  /// off by more or not finite, if the triangle does not exist, or if no kept triangle has the
+  /// point.
   SurfacePoint fromInput(const SurfacePoint& p) const;
   /// The place of an input vertex; `Error(kInvalidPoint)` if it does not exist or is isolated. Of a
   /// split vertex, the fan of the first triangle that names this input vertex.
@@ -165,15 +208,15 @@ class TriangleMesh {
   const MeshTopology& topology() const { return topology_; }
 
  private:
-  void splitFans(int inputVertexCount);
   void copyPositions(std::span<const double> positions);
-  void measure();
+  void measureFaces();
+  void setFace(int f, const IntrinsicTriangle& triangle);
   void countTopology(int components);
 
   Eigen::Matrix3Xd positions_;
   std::vector<int> tail_, twin_;
-  std::vector<Layout> layout_;
-  std::vector<double> angle_;
+  std::vector<Face> faces_;
+  std::vector<double> cornerAngle_;
   std::vector<int> vertexHalfedge_;
   std::vector<double> angleSum_;
   std::vector<double> faceArea_;

@@ -118,7 +118,7 @@ std::vector<double> curvatureDensity(const TriangleMesh& mesh,
 
   // Angles round: what is left of them on a flat surface is no curvature.
   constexpr double kFlat = 1e-9;
-  const double before = mean(areas, density), size = mesh.diameter();
+  const double before = mean(areas, density), size = mesh.boundingDiagonal();
   if (!(before * size * size > kFlat)) return std::vector<double>(density.size(), 1.0);
   for (double& rho : density) rho = (rho / before + options.floor) / (1 + options.floor);
   return density;

@@ -20,7 +20,7 @@ double angleOf(const Vector2d& v) { return std::atan2(v.y(), v.x()); }
 
 /// Walks from face to face. Where it is, is a point of a face; where to, a direction in the frame
 /// of one halfedge of that face (`TriangleMesh::Layout`). Nothing is ever divided by the height of
-/// a face, which may be zero: points within a face are found between those on its sides.
+/// a face, which may be tiny: points within a face are found between those on its sides.
 class Walk {
  public:
   Walk(const TriangleMesh& mesh, const SurfacePoint& start, const Vector2d& move,
@@ -124,7 +124,8 @@ class Walk {
       if (advance(std::max(0.0, (there - here).dot(direction_)), bary)) crossEdge(sides[i], share);
       return;
     }
-    // A face without area, along itself.
+    // By rounding all corners are on one side of the line: it leaves a thin face near the corner
+    // that is farthest ahead.
     int ahead = 0;
     for (int i = 1; i < 3; ++i)
       if ((corners[i] - corners[ahead]).dot(direction_) > 0) ahead = i;

@@ -52,7 +52,7 @@ async function info({ mesh: path, values }: Request<'info'>): Promise<void> {
   const facts = {
     ...mesh.info,
     area: scale * scale * mesh.info.area,
-    diameter: scale * mesh.info.diameter,
+    boundingDiagonal: scale * mesh.info.boundingDiagonal,
   };
   const json = { ...facts, parts: mesh.parts };
   await output.write(values.json ? `${JSON.stringify(json, null, 2)}\n` : meshReport(facts));
@@ -160,7 +160,7 @@ async function remesh({ mesh: path, values }: Request<'remesh'>): Promise<void> 
       `valence ${quality.minValence} to ${quality.maxValence}, ` +
       `${number(100 * quality.regularShare)} % have 6; ` +
       `Hausdorff distance ${number(scale * quality.hausdorff)} ` +
-      `(${number((100 * quality.hausdorff) / mesh.info.diameter)} % of the diameter)`,
+      `(${number((100 * quality.hausdorff) / mesh.info.boundingDiagonal)} % of the bounding diagonal)`,
   );
 }
 

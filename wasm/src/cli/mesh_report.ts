@@ -26,7 +26,7 @@ export function meshReport(facts: MeshInfo): string {
     ['genus', String(facts.genus)],
     ['Euler characteristic', String(facts.eulerCharacteristic)],
     ['area', number(facts.area)],
-    ['diameter', number(facts.diameter)],
+    ['bounding diagonal', number(facts.boundingDiagonal)],
   ];
   const lines = rows.map(([name, value]) => `${name.padEnd(22)}${value}`);
   for (const [name, text] of Object.entries(repairTexts)) {

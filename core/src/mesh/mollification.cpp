@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/mollification.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace gvd {
+namespace {
+
+// The next and the previous of three corners or sides.
+constexpr int after(int i) { return i == 2 ? 0 : i + 1; }
+constexpr int before(int i) { return i == 0 ? 2 : i - 1; }
+
+double perimeterOf(const std::array<double, 3>& lengths) {
+  return lengths[0] + lengths[1] + lengths[2];
+}
+
+}  // namespace
+
+IntrinsicTriangle measureTriangle(const std::array<Eigen::Vector3d, 3>& corners) {
+  IntrinsicTriangle t;
+  std::array<Eigen::Vector3d, 3> sides;
+  for (int i = 0; i < 3; ++i) {
+    sides[i] = corners[after(i)] - corners[i];
+    t.lengths[i] = sides[i].norm();
+  }
+  // From the two shorter sides: the rounding of the cross product grows with the factors.
+  const int longest = static_cast<int>(std::ranges::max_element(t.lengths) - t.lengths.begin());
+  t.twiceArea = sides[after(longest)].cross(sides[before(longest)]).norm();
+
+  const double perimeter = perimeterOf(t.lengths);
+  for (int i = 0; i < 3; ++i) {
+    t.dots[i] = -sides[i].dot(sides[before(i)]);
+    // (a + b)² - c² = (a + b - c) (a + b + c) = 2 (ab + a·b), and (ab + a·b) (ab - a·b) = |a×b|².
+    const double product = t.lengths[i] * t.lengths[before(i)];
+    const double sum =
+        t.dots[i] >= 0 ? product + t.dots[i] : t.twiceArea / (product - t.dots[i]) * t.twiceArea;
+    t.excess[i] = perimeter > 0 ? 2 * sum / perimeter : 0;
+  }
+  return t;
+}
+
+IntrinsicTriangle lengthened(const IntrinsicTriangle& triangle, double amount) {
+  if (amount == 0) return triangle;
+  IntrinsicTriangle t = triangle;
+  for (int i = 0; i < 3; ++i) {
+    t.lengths[i] += amount;
+    t.excess[i] += amount;
+    t.dots[i] += amount * (triangle.excess[i] + amount / 2);  // (a² + b² - c²) / 2
+  }
+  t.twiceArea =
+      std::sqrt(perimeterOf(t.lengths) * t.excess[0]) * std::sqrt(t.excess[1] * t.excess[2]) / 2;
+  return t;
+}
+
+}  // namespace gvd
