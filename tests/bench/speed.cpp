@@ -18,8 +18,7 @@ namespace {
 std::optional<DynamicDiagram> liveDiagram(const TriangleMesh& mesh,
                                           std::span<const SurfacePoint> sites, Metric metric,
                                           const DiagramOptions& options) {
-  if (metric != Metric::kDgpc) return {};
-  return DynamicDiagram(mesh, sites, options);
+  return DynamicDiagram(mesh, sites, metric, options);
 }
 
 /// A place in the next face; in the same one if no face lies beside it.

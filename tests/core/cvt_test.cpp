@@ -26,8 +26,8 @@ using std::numbers::pi;
 constexpr long kUnlimited = 1L << 40;
 
 CvtEnergy integrated(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
-                     std::span<const double> density = {}, Metric metric = Metric::kDgpc) {
-  const auto propagation = propagateForCvt(mesh, sites, metric);
+                     std::span<const double> density = {}, Metric metric = Metric::kExact) {
+  const auto propagation = propagate(mesh, sites, metric);
   while (!propagation->step(kUnlimited)) {
   }
   const auto distances = propagation->take();
@@ -183,7 +183,7 @@ INSTANTIATE_TEST_SUITE_P(Seeds, Square, ::testing::Range(0, 8));
 /// largest gradient.
 std::vector<double> gradientErrors(const TriangleMesh& mesh, const std::vector<SurfacePoint>& sites,
                                    double step, std::span<const double> density = {},
-                                   Metric metric = Metric::kDgpc) {
+                                   Metric metric = Metric::kExact) {
   const CvtEnergy energy = integrated(mesh, sites, density, metric);
   std::vector<double> errors;
   double largest = 0;

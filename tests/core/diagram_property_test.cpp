@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Every property of `diagram_checks.h` and of `partition_checks.h` on random degenerate cases, with
-// both metrics, and for DGPC of the diagram after its sites have changed:
+// both metrics, and of the diagram after its sites have changed:
 //
 //     diagram_property_test [--seed S] [--cases N]
 //
@@ -41,8 +41,9 @@ std::string_view nameOf(Metric metric) { return metric == Metric::kDgpc ? "dgpc"
 
 /// What is wrong with a diagram whose sites have changed: one has moved to the middle of a face,
 /// one has gone, and one has come to where another one is.
-std::string complaintAfterChanges(const TriangleMesh& mesh, std::span<const SurfacePoint> sites) {
-  DynamicDiagram dynamic(mesh, sites);
+std::string complaintAfterChanges(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
+                                  Metric metric) {
+  DynamicDiagram dynamic(mesh, sites, metric);
   const int count = static_cast<int>(sites.size());
   dynamic.moveSite(0, {mesh.faceCount() / 2, Eigen::Vector3d::Constant(1.0 / 3)});
   if (count > 2) dynamic.removeSite(count / 2);
@@ -63,7 +64,9 @@ std::string complaint(const RandomCase& c, Metric metric) {
       return "partition: " + std::string(result.message());
     if (const auto result = checks::agreesWithField(mesh, traced, sites, metric); !result)
       return result.message();
-    if (metric == Metric::kDgpc) return complaintAfterChanges(mesh, sites);
+    if (const std::string result = complaintAfterChanges(mesh, sites, metric); !result.empty())
+      return result;
+    if (metric == Metric::kDgpc) return {};
     const auto everywhere = checks::trace(mesh, sites, metric, 0, Spread::kEverywhere);
     if (const auto result = checks::spreadsFarEnough(mesh, traced, everywhere); !result)
       return result.message();

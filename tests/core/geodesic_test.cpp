@@ -9,7 +9,6 @@
 #include <memory>
 #include <vector>
 
-#include "distance/metric.h"
 #include "gvd/error.h"
 #include "gvd/sampling.h"
 #include "gvd/straightest.h"
@@ -28,12 +27,6 @@ std::unique_ptr<DistanceField> inSlices(const TriangleMesh& mesh,
     EXPECT_GE(propagation->progress(), progress);
     EXPECT_LE(propagation->progress(), 1);
     progress = propagation->progress();
-  }
-  return propagation->take();
-}
-
-std::unique_ptr<DistanceField> finished(const std::unique_ptr<Propagation>& propagation) {
-  while (!propagation->step(std::numeric_limits<long>::max())) {
   }
   return propagation->take();
 }
@@ -203,78 +196,10 @@ TEST(ExactDirections, DoNotDependOnOtherSites) {
   }
 }
 
-/// The geodesics of all vertices go around the same corners: what follows from one of those is
-/// found once, not for every vertex.
-TEST(Dgpc, StraightensPathsThatBendAgainAndAgain) {
-  const auto mesh = shapes::spiral(1000).mesh();
-  const std::vector<SurfacePoint> sites = {{0, Eigen::Vector3d::Constant(1.0 / 3)}};
-  const auto exact = finished(propagateExact(mesh, sites, Spread::kAsNeeded));
-  const auto dgpc =
-      finished(propagateDgpc(mesh, sites, Spread::kAsNeeded, Straightens::kEverywhere));
-  for (int v = 0; v < mesh.vertexCount(); ++v)
-    ASSERT_NEAR(dgpc->at(v)[0].distance, exact->at(v)[0].distance, 1e-11 * exact->at(v)[0].distance)
-        << v;
-}
-
-/// How far distances of the nearest sites and directions to them are off, on average.
-struct MeanErrors {
-  double distance = 0, direction = 0;
-};
-
-MeanErrors meanErrors(const TriangleMesh& mesh, const DistanceField& field,
-                      const DistanceField& exact) {
-  MeanErrors errors;
-  int count = 0;
-  for (int v = 0; v < mesh.vertexCount(); ++v) {
-    const auto found = field.at(v), expected = exact.at(v);
-    if (found.size() != 1 || expected.size() != 1) continue;
-    errors.distance += std::abs(found[0].distance / expected[0].distance - 1);
-    errors.direction +=
-        (field.direction(found[0].label, v) - exact.direction(found[0].label, v)).norm();
-    ++count;
-  }
-  return {errors.distance / count, errors.direction / count};
-}
-
-/// Inside regions, paths are unfolded from those of neighbours: not as exact as where regions meet,
-/// but far better than views are.
-TEST(Dgpc, StraightensInsides) {
-  const TriangleMesh mesh = shapes::torus(96, 48).mesh();
-  const auto sites = sampleUniform(mesh, 8, 1);
-  const auto exact = finished(propagateExact(mesh, sites, Spread::kAsNeeded));
-  const auto between = finished(propagateDgpc(mesh, sites, Spread::kAsNeeded));
-  const auto everywhere =
-      finished(propagateDgpc(mesh, sites, Spread::kAsNeeded, Straightens::kEverywhere));
-  const MeanErrors ofViews = meanErrors(mesh, *between, *exact);
-  const MeanErrors straightened = meanErrors(mesh, *everywhere, *exact);
-  EXPECT_LT(straightened.distance, ofViews.distance / 5);
-  EXPECT_LT(straightened.direction, ofViews.direction / 5);
-  EXPECT_LT(straightened.distance, 5e-4);
-}
-
 INSTANTIATE_TEST_SUITE_P(Both, Metrics, ::testing::Values(Metric::kDgpc, Metric::kExact),
                          [](const auto& info) {
                            return info.param == Metric::kDgpc ? "Dgpc" : "Exact";
                          });
-
-/// On machine parts a line of sight leaves the faces it was unfolded through, and saddles that lie
-/// beyond them come between: distances of 93 % too little came of that.
-TEST(Dgpc, GoesAroundWhatIsEnclosedBetweenPathAndLine) {
-  for (const int genus : {1, 2, 3}) {
-    const TriangleMesh mesh = shapes::subdivided(shapes::perforatedPlate(genus, 2)).mesh();
-    double sum = 0;
-    int count = 0;
-    for (int site = 0; site < mesh.vertexCount(); site += 23) {
-      const std::vector<SurfacePoint> sites = {mesh.fromInputVertex(site)};
-      const auto dgpc = inSlices(mesh, sites, Metric::kDgpc, 1L << 40);
-      const auto exact = inSlices(mesh, sites, Metric::kExact, 1L << 40);
-      for (int v = 0; v < mesh.vertexCount(); ++v, ++count)
-        if (const double distance = exact->at(v)[0].distance; distance > 0)
-          sum += std::abs(dgpc->at(v)[0].distance / distance - 1);
-    }
-    EXPECT_LT(sum / count, 2e-3) << "genus " << genus;
-  }
-}
 
 }  // namespace
 }  // namespace gvd

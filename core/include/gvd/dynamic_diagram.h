@@ -25,7 +25,7 @@ struct DiagramChange {
   Diagram part;
 };
 
-/// A diagram whose sites come, go and move (by DGPC). Only the surroundings of a change are
+/// A diagram whose sites come, go and move. Only the surroundings of a change are
 /// computed anew; what results is the diagram of the present sites: combinatorially, and to
 /// rounding in its numbers, the one that `propagate` and `traceDiagram` give.
 ///
@@ -35,7 +35,7 @@ class DynamicDiagram {
  public:
   /// The mesh must outlive this. Sites are in terms of the mesh's faces; there may be none.
   DynamicDiagram(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
-                 const DiagramOptions& options = {});
+                 Metric metric = Metric::kExact, const DiagramOptions& options = {});
   ~DynamicDiagram();
   DynamicDiagram(DynamicDiagram&&) noexcept;
   DynamicDiagram& operator=(DynamicDiagram&&) noexcept;

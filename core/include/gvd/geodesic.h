@@ -14,8 +14,8 @@ namespace gvd {
 
 /// How geodesic distance is measured.
 enum class Metric {
-  kDgpc,   ///< approximate, fast: label-correcting Euclidean unfolding (Melvær & Reimers 2012)
-  kExact,  ///< exact polyhedral distance: continuous Dijkstra over windows (Mitchell et al. 1987)
+  kExact,  ///< polyhedral distance, exact: continuous Dijkstra over windows (Mitchell et al. 1987)
+  kDgpc,   ///< approximate, quicker: unfolding from vertex to vertex (Melvær & Reimers 2012)
 };
 
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();

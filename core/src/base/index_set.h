@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -22,6 +23,12 @@ class IndexSet {
     isIn_[i] = true;
     list_.push_back(i);
     return true;
+  }
+  /// Makes it the set of all indices.
+  void addAll() {
+    std::fill(isIn_.begin(), isIn_.end(), true);
+    list_.resize(isIn_.size());
+    std::iota(list_.begin(), list_.end(), 0);
   }
   /// Takes all out, in time for what was in.
   void clear() {

@@ -4,9 +4,22 @@
 #include <algorithm>
 
 namespace gvd {
+namespace {
+
+/// Whether any two of them are equal up to rounding, but not equal.
+bool haveUnequalTies(std::span<const LabelledDistance> here) {
+  for (size_t i = 1; i < here.size(); ++i)
+    for (size_t j = 0; j < i; ++j) {
+      const auto [low, high] = std::minmax(here[i].distance, here[j].distance);
+      if (low != high && high <= low * (1 + kDistanceTolerance)) return true;
+    }
+  return false;
+}
+
+}  // namespace
 
 void equalizeTies(std::span<LabelledDistance> here) {
-  if (here.size() < 2) return;
+  if (!haveUnequalTies(here)) return;
   std::sort(here.begin(), here.end(), [](const LabelledDistance& a, const LabelledDistance& b) {
     return a.distance < b.distance || (a.distance == b.distance && a.label < b.label);
   });

@@ -2,130 +2,93 @@
 #include "gvd/dynamic_diagram.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
-#include <optional>
 #include <string>
 #include <utility>
 
 #include "base/index_set.h"
-#include "dgpc/continuation.h"
-#include "dgpc/dgpc_field.h"
-#include "dgpc/dynamic_sweep.h"
 #include "diagram/diagram_pieces.h"
 #include "diagram/trace_faces.h"
+#include "distance/site_distances.h"
 #include "gvd/error.h"
 
 namespace gvd {
 
 class DynamicDiagram::Implementation {
  public:
-  Implementation(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
+  Implementation(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric,
                  const DiagramOptions& options)
       : mesh_(mesh),
         options_(options),
-        sweep_(mesh, sites),
+        distances_(mesh, metric),
+        tracer_(mesh, distances_, options),
         pieces_(mesh.faceCount()),
         faces_(mesh.faceCount()) {
-    std::vector<LabelledDistance> nearest;
-    std::vector<View> views;
-    for (int v = 0; v < mesh.vertexCount(); ++v) {
-      auto [site, view] = sweep_.nearest(v);
-      nearest.push_back(site);
-      views.push_back(view);
-    }
-    field_ =
-        std::make_unique<DgpcField>(mesh, std::vector<SurfacePoint>(sites.begin(), sites.end()),
-                                    std::move(nearest), std::move(views));
-    continueOverBorders(*field_);
-    continuation_.emplace(*field_);
-    tracer_.emplace(mesh, *field_, options);
-    std::vector<int> faces(mesh.faceCount()), labels(sites.size());
-    std::iota(faces.begin(), faces.end(), 0);
-    std::iota(labels.begin(), labels.end(), 0);
-    noteShared(faces, labels);
+    std::vector<SiteChange> changes;
+    for (const SurfacePoint& site : sites)
+      changes.push_back({static_cast<int>(changes.size()), site});
+    update(changes);
+    noteMixed();
     replaceAll();
   }
 
-  int labelCount() const { return static_cast<int>(field_->sites().size()); }
-  const DgpcField& field() const { return *field_; }
+  int labelCount() const { return distances_.sites().labelCount(); }
+  const SiteDistances& distances() const { return distances_; }
   Diagram whole() const { return pieces_.whole(); }
 
-  bool hasSite(int label) const {
-    return label >= 0 && label < labelCount() && field_->sites()[label].face >= 0;
-  }
-
   void expectSite(int label) const {
-    if (!hasSite(label))
+    if (!distances_.sites().contains(label))
       throw Error(ErrorCode::kInvalidArgument, "there is no site " + std::to_string(label));
   }
 
   /// Takes the site of a label away if it has one, and puts it to another place if one is given.
   DiagramChange setSite(int label, const SurfacePoint& site) {
-    std::vector<int> changed;
-    const auto noteCorners = [&](const SurfacePoint& p) {
-      if (p.face < 0) return;
-      for (int i = 0; i < 3; ++i) changed.push_back(mesh_.tail(3 * p.face + i));
-    };
-    if (hasSite(label)) noteCorners(field_->sites()[label]);
-    noteCorners(site);
-    sweep_.setSite(label, site);
-    field_->setSite(label, site);
-    for (const int v : sweep_.takeTouched()) {
-      const auto [nearest, view] = sweep_.nearest(v);
-      const LabelledDistance& before = field_->nearest(v);
-      if (nearest.label == before.label && nearest.distance == before.distance &&
-          view == field_->view(v))
-        continue;
-      changed.push_back(v);
-      field_->setNearest(v, nearest, view);
-    }
-    makeSet(changed);
-    LabelChange labels = continuation_->run(changed);
-    labels.labels.push_back(label);
-    makeSet(labels.labels);
-    faces_.clear();
-    for (const int v : labels.vertices) addFacesAround(v);
-    noteShared(faces_.sorted(), labels.labels);
-    return trace(labels);
+    const SiteChange change = {label, site};
+    update({&change, 1});
+    noteMixed();
+    return trace();
   }
 
  private:
-  /// Keeps note of where some labels meet others, after what is known in some faces has changed;
-  /// both ascending.
-  void noteShared(std::span<const int> faces, std::span<const int> labels) {
-    sharedFaces_.resize(labelCount());
-    const std::vector<char> isOne = marks(labels);
-    std::vector<size_t> kept;
-    for (const int label : labels) {
-      std::erase_if(sharedFaces_[label], [&](int f) { return isOneOf(faces, f); });
-      kept.push_back(sharedFaces_[label].size());
+  void update(std::span<const SiteChange> changes) {
+    distances_.change(changes);
+    while (!distances_.step(std::numeric_limits<long>::max())) {
     }
+  }
+
+  /// Keeps note of where the changed labels meet others.
+  void noteMixed() {
+    mixedFaces_.resize(labelCount());
+    const std::vector<int>& labels = distances_.changedLabels();
+    const std::vector<char> isChanged = marks(labels);
+    std::vector<int> faces = distances_.changedFaces();
+    makeSet(faces);
+    for (const int label : labels)
+      std::erase_if(mixedFaces_[label], [&](int f) { return isOneOf(faces, f); });
     for (const int f : faces)
       for (int h = 3 * f; h < 3 * f + 3; ++h) {
-        const auto known = field_->at(mesh_.tail(h));
+        const auto known = distances_.at(mesh_.tail(h));
         if (known.size() < 2) continue;
         for (const LabelledDistance& d : known) {
-          if (!isOne[d.label]) continue;
-          std::vector<int>& shared = sharedFaces_[d.label];
-          if (shared.empty() || shared.back() != f) shared.push_back(f);
+          if (!isChanged[d.label]) continue;
+          std::vector<int>& mixed = mixedFaces_[d.label];
+          if (mixed.empty() || mixed.back() != f) mixed.push_back(f);
         }
       }
-    for (size_t i = 0; i < labels.size(); ++i) {
-      std::vector<int>& shared = sharedFaces_[labels[i]];
-      std::inplace_merge(shared.begin(), shared.begin() + kept[i], shared.end());
-    }
+    for (const int label : labels) makeSet(mixedFaces_[label]);
   }
 
   /// Only in faces around the changed vertices, and by what the tracer completes in those beside
   /// them, can cells be others. Where points have become one, or had, a bisector may lie where a
   /// third label has no width left, and the order around the point follows from all labels there:
   /// those known around such points count as changed too, and so do the faces.
-  DiagramChange trace(const LabelChange& change) {
-    IndexSet labels(labelCount(), change.labels);
+  DiagramChange trace() {
+    IndexSet labels(labelCount(), distances_.changedLabels());
     for (;;) {
       const std::vector<int> tracedLabels = labels.sorted();
       const std::vector<int> tracedFaces = facesWhereMet(tracedLabels);
-      TracedDiagram traced = tracer_->trace(tracedFaces, marks(tracedLabels));
+      TracedDiagram traced = tracer_.trace(tracedFaces, marks(tracedLabels));
       if (!traced.completedFaces.empty() || haveCommon(tracedFaces, completedFaces_))
         return replaceAll();
       std::vector<int> merged = traced.mergedFaces;
@@ -136,10 +99,7 @@ class DynamicDiagram::Implementation {
       if (labels.size() > static_cast<int>(tracedLabels.size())) continue;
 
       faces_.clear();
-      for (const int v : change.vertices) {
-        addFacesAround(v);
-        mesh_.visitNeighbours(v, [&](int neighbour) { addFacesAround(neighbour); });
-      }
+      for (const int f : distances_.changedFaces()) faces_.add(f);
       for (const int f : merged)
         for (int h = 3 * f; h < 3 * f + 3; ++h) addFacesAround(mesh_.tail(h));
       std::erase_if(mergedFaces_, [&](int f) { return isOneOf(tracedFaces, f); });
@@ -152,7 +112,7 @@ class DynamicDiagram::Implementation {
   /// Adds the labels that are known in a face or in one that has a corner in common with it.
   void addLabelsAround(int face, IndexSet& labels) const {
     const auto add = [&](int v) {
-      for (const LabelledDistance& d : field_->at(v)) labels.add(d.label);
+      for (const LabelledDistance& d : distances_.at(v)) labels.add(d.label);
     };
     for (int h = 3 * face; h < 3 * face + 3; ++h) {
       add(mesh_.tail(h));
@@ -171,7 +131,7 @@ class DynamicDiagram::Implementation {
 
   /// Traces all of the diagram.
   DiagramChange replaceAll() {
-    TracedDiagram traced = traceAll(mesh_, *field_, labelCount(), options_);
+    TracedDiagram traced = traceAll(mesh_, distances_, labelCount(), options_);
     mergedFaces_ = std::move(traced.mergedFaces);
     completedFaces_ = std::move(traced.completedFaces);
     makeSet(mergedFaces_);
@@ -196,7 +156,7 @@ class DynamicDiagram::Implementation {
   std::vector<int> facesWhereMet(std::span<const int> labels) const {
     std::vector<int> faces;
     for (const int label : labels)
-      faces.insert(faces.end(), sharedFaces_[label].begin(), sharedFaces_[label].end());
+      faces.insert(faces.end(), mixedFaces_[label].begin(), mixedFaces_[label].end());
     makeSet(faces);
     return faces;
   }
@@ -207,15 +167,15 @@ class DynamicDiagram::Implementation {
     DiagramChange change{labels, std::move(faces), {}};
     change.part = extract(traced, marks(labels), change.faces);
     for (const int f : change.faces) {
-      const int index = tracer_->faceIndex(f);
+      const int index = tracer_.faceIndex(f);
       change.part.faceLabel.push_back(index >= 0 ? traced.faceLabel[index]
-                                                 : field_->nearest(mesh_.tail(3 * f)).label);
+                                                 : nearestOf(distances_.at(mesh_.tail(3 * f))).label);
     }
     pieces_.replace(change);
     for (const int label : change.labels) {
       double area = traced.regionArea[label];
       for (const int f : pieces_.wholeFaces(label))
-        if (tracer_->faceIndex(f) < 0) area += mesh_.faceArea(f);
+        if (tracer_.faceIndex(f) < 0) area += mesh_.faceArea(f);
       change.part.regionArea.push_back(area);
       pieces_.setArea(label, area);
     }
@@ -233,22 +193,20 @@ class DynamicDiagram::Implementation {
 
   const TriangleMesh& mesh_;
   DiagramOptions options_;
-  DynamicSweep sweep_;
-  std::unique_ptr<DgpcField> field_;
-  std::optional<ContinuationUpdates> continuation_;
-  std::optional<PartialTracer> tracer_;
+  SiteDistances distances_;
+  PartialTracer tracer_;
   DiagramPieces pieces_;
   IndexSet faces_;  ///< those that are gathered at the time
   // Ascending:
   std::vector<int> mergedFaces_;     ///< where points have become one, and some where they had
   std::vector<int> completedFaces_;  ///< where the tracer had to add labels when all was traced
   /// Per label the faces with a corner where it and others are known.
-  std::vector<std::vector<int>> sharedFaces_;
+  std::vector<std::vector<int>> mixedFaces_;
 };
 
 DynamicDiagram::DynamicDiagram(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
-                               const DiagramOptions& options)
-    : implementation_(std::make_unique<Implementation>(mesh, sites, options)) {}
+                               Metric metric, const DiagramOptions& options)
+    : implementation_(std::make_unique<Implementation>(mesh, sites, metric, options)) {}
 
 DynamicDiagram::~DynamicDiagram() = default;
 DynamicDiagram::DynamicDiagram(DynamicDiagram&&) noexcept = default;
@@ -276,14 +234,16 @@ int DynamicDiagram::lowestFreeLabel() const {
 
 int DynamicDiagram::labelCount() const { return implementation_->labelCount(); }
 
-bool DynamicDiagram::hasSite(int label) const { return implementation_->hasSite(label); }
+bool DynamicDiagram::hasSite(int label) const {
+  return implementation_->distances().sites().contains(label);
+}
 
 const SurfacePoint& DynamicDiagram::site(int label) const {
   implementation_->expectSite(label);
-  return implementation_->field().sites()[label];
+  return implementation_->distances().sites()[label];
 }
 
-const DistanceField& DynamicDiagram::distances() const { return implementation_->field(); }
+const DistanceField& DynamicDiagram::distances() const { return implementation_->distances(); }
 
 Diagram DynamicDiagram::diagram() const { return implementation_->whole(); }
 

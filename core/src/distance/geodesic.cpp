@@ -3,7 +3,6 @@
 
 #include <utility>
 
-#include "distance/metric.h"
 #include "distance/site_distances.h"
 #include "gvd/error.h"
 
@@ -35,17 +34,11 @@ Eigen::Vector2d DistanceField::direction(int /*label*/, int /*vertex*/) const {
   return Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
 }
 
-std::unique_ptr<Propagation> propagateExact(const TriangleMesh& mesh,
-                                            std::span<const SurfacePoint> sites, Spread spread) {
-  return std::make_unique<SitePropagation>(mesh, sites, Metric::kExact, spread);
-}
-
 std::unique_ptr<Propagation> propagate(const TriangleMesh& mesh,
                                        std::span<const SurfacePoint> sites, Metric metric,
                                        Spread spread) {
   if (sites.empty()) throw Error(ErrorCode::kInvalidArgument, "there is no site");
-  return metric == Metric::kExact ? propagateExact(mesh, sites, spread)
-                                  : propagateDgpc(mesh, sites, spread);
+  return std::make_unique<SitePropagation>(mesh, sites, metric, spread);
 }
 
 }  // namespace gvd

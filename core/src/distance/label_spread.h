@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <functional>
+#include <Eigen/Core>
+#include <array>
 #include <span>
 #include <vector>
 
@@ -9,6 +10,8 @@
 #include "gvd/surface_point.h"
 
 namespace gvd {
+
+class FaceOwners;
 
 /// How the labels spread from their sites: what the two metrics differ in. One label is worked on at
 /// a time: one of the first three functions begins, and `run` carries on until it is done.
@@ -30,13 +33,22 @@ class LabelSpread {
   /// The vertices that a label has reached. Their order stays, further ones come last.
   virtual std::vector<ReachedVertex>& reached(int label) = 0;
   virtual const std::vector<ReachedVertex>& reached(int label) const = 0;
-  /// Appends those faces that `isCandidate` of which the label owns some part inside, which its
-  /// distances at the corners need not show.
-  virtual void appendPartlyOwned(int label, const std::function<bool(int face)>& isCandidate,
-                                 std::vector<int>& faces) const = 0;
-  /// The distance of a label at a point that is no vertex, in a face at all corners of which it is
-  /// known.
-  virtual double distance(int label, const SurfacePoint& p) const = 0;
+  /// The labels that have to start again because the bounds by paths along edges have changed.
+  virtual std::vector<int> outdated(std::span<const int> changedVertices) = 0;
+  /// Appends the labels that have reached a vertex, if those known at the vertices around it need not
+  /// be all that may own it in place of a label that goes.
+  virtual void appendReaching(int vertex, std::vector<int>& labels) = 0;
+  /// Appends labels, some several times, that may be nearest at some point of a face although they are
+  /// not known at its corners.
+  virtual void appendLabelsInside(int face, std::vector<int>& labels) const = 0;
+  /// Appends the faces, some several times, which the label has entered and owns some part of, but is
+  /// not an owner of yet.
+  virtual void appendEntered(int label, const FaceOwners& owners,
+                             std::vector<int>& faces) const = 0;
+  /// The distance of a label at a point that is no vertex, given its distances at the corners of the
+  /// face, infinity where it is not known.
+  virtual double distance(int label, const SurfacePoint& p,
+                          const std::array<double, 3>& atCorners) const = 0;
   /// The direction at the site of the path to the vertex `reached(label)[index]`
   /// (`DistanceField::direction`).
   virtual Eigen::Vector2d direction(int label, int index) const = 0;

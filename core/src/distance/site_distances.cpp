@@ -5,13 +5,20 @@
 #include <chrono>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
-#include "base/tolerances.h"
+#include "base/index_set.h"
+#include "distance/dgpc/unfolding_spread.h"
+#include "distance/edge_share.h"
 #include "distance/exact/window_spread.h"
-#include "distance/face_layout.h"
-#include "mesh/surface_geometry.h"
 
 namespace gvd {
+namespace {
+
+/// Faces or vertices that take about as long as one unit of the budget, a batch of windows.
+constexpr int kPerUnit = 32;
+
+}  // namespace
 
 SiteDistances::SiteDistances(const TriangleMesh& mesh, Metric metric, Spread spread)
     : mesh_(mesh),
@@ -19,30 +26,38 @@ SiteDistances::SiteDistances(const TriangleMesh& mesh, Metric metric, Spread spr
       sites_(mesh),
       edgeBounds_(mesh, sites_),
       bounds_(mesh.vertexCount()),
-      faceLabels_(mesh.faceCount()),
+      owners_(mesh, sites_, bounds_),
       lists_(mesh.vertexCount()),
-      records_(mesh.vertexCount()),
       affectedFaces_(mesh.faceCount()),
-      affectedVertices_(mesh.vertexCount()),
+      changedVertices_(mesh.vertexCount()),
       changedFaces_(mesh.faceCount()) {
-  static_cast<void>(metric);
-  spread_ = std::make_unique<exact::WindowSpread>(
-      mesh, sites_, bounds_,
-      isUnbounded_ ? exact::SpreadTo::kEverywhere : exact::SpreadTo::kOwned);
+  if (metric == Metric::kDgpc)
+    spread_ = std::make_unique<dgpc::UnfoldingSpread>(mesh, sites_, edgeBounds_, bounds_,
+                                                      isUnbounded_);
+  else
+    spread_ = std::make_unique<exact::WindowSpread>(
+        mesh, sites_, bounds_,
+        isUnbounded_ ? exact::SpreadTo::kEverywhere : exact::SpreadTo::kOwned);
 }
+
+// --- A change ----------------------------------------------------------------------------------
 
 void SiteDistances::change(std::span<const SiteChange> changes) {
   started_.clear();
   resumed_.clear();
   resetVertices_.clear();
   affectedFaces_.clear();
-  affectedVertices_.clear();
+  changedVertices_.clear();
   changedFaces_.clear();
   changedLabels_.clear();
-  requirements_.clear();
+  ties_.clear();
   for (const SiteChange& c : changes) {
     changedLabels_.push_back(c.label);
-    if (sites_.contains(c.label)) forget(c.label);
+    if (!sites_.contains(c.label)) continue;
+    forget(c.label);
+    const SurfacePoint site = sites_[c.label];
+    sites_.remove(c.label);
+    edgeBounds_.remove(c.label, site);
   }
   for (const SiteChange& c : changes) {
     if (c.site.face < 0) continue;
@@ -50,388 +65,428 @@ void SiteDistances::change(std::span<const SiteChange> changes) {
     edgeBounds_.insert(c.label);
     started_.push_back(c.label);
   }
-  // Labels near one another in succession, for what they touch is in the cache then.
-  std::sort(started_.begin(), started_.end(),
-            [&](int a, int b) { return std::pair(sites_[a].face, a) < std::pair(sites_[b].face, b); });
-  makeSet(resumed_);
-  std::erase_if(resumed_, [&](int label) { return !sites_.contains(label); });
-  std::erase_if(resumed_, [&](int label) {
-    return std::find(started_.begin(), started_.end(), label) != started_.end();
-  });
+  requirements_.clear();
+  isFirstRound_ = true;
   stage_ = Stage::kBounds;
   cursor_ = 0;
 }
 
-/// Takes a label away, and the vertices that it owns.
+/// Forgets what a label has found. The labels that were known there may have to go on.
 void SiteDistances::forget(int label) {
   for (const ReachedVertex& r : spread_->reached(label)) {
     if (!r.isFinal) continue;
-    const int v = r.vertex;
-    for (const LabelledDistance& d : lists_[v]) resumed_.push_back(d.label);
-    if (bounds_[v].label == label) {
-      bounds_[v] = {};
-      resetVertices_.push_back(v);
+    for (const LabelledDistance& d : lists_[r.vertex]) resumed_.push_back(d.label);
+    if (bounds_[r.vertex].label == label) {
+      spread_->appendReaching(r.vertex, resumed_);
+      bounds_[r.vertex] = {};
+      resetVertices_.push_back(r.vertex);
     }
-    mesh_.visitFaces(v, [&](int f) {
-      if (has(f, label)) affectedFaces_.add(f);
+    mesh_.visitFaces(r.vertex, [&](int f) {
+      if (owners_.has(f, label)) affectedFaces_.add(f);
     });
   }
   makeSet(resumed_);
   for (const int f : sites_.facesOf(label)) affectedFaces_.add(f);
-  const SurfacePoint site = sites_[label];
   spread_->remove(label);
-  sites_.remove(label);
-  edgeBounds_.remove(label, site);
 }
 
 bool SiteDistances::step(long budget) {
   while (stage_ != Stage::kDone) {
-    if (budget <= 0) return false;
-    const auto t0 = std::chrono::steady_clock::now(); const int st = (int)stage_;
-    switch (stage_) {
-      case Stage::kBounds:
-        if (!edgeBounds_.run(budget)) return false;
-        findBounds();
-        stage_ = Stage::kSpread;
-        break;
-      case Stage::kSpread:
-        if (!spread(budget)) return false;
-        stage_ = Stage::kOwners;
-        break;
-      case Stage::kOwners:
-        findOwners();
-        stage_ = Stage::kRequire;
-        break;
-      case Stage::kRequire:
-        if (!require(budget)) return false;
-        stage_ = Stage::kLists;
-        break;
-      case Stage::kLists:
-        listLabels();
-        stage_ = Stage::kClosure;
-        break;
-      case Stage::kClosure:
-        stage_ = close() ? Stage::kRequire : Stage::kDone;
-        break;
-      case Stage::kDone:
-        break;
-    }
-    cursor_ = 0;
+    const auto t0 = std::chrono::steady_clock::now();
+    const int st = (int)stage_;
+    const bool done = runStage(budget);
     times[st] += std::chrono::duration<double>(std::chrono::steady_clock::now() - t0).count();
+    if (!done) return false;
+    cursor_ = 0;
+    const bool mayReturn = stage_ == Stage::kClosure || stage_ == Stage::kInside;
+    if (mayReturn && !requirements_.empty()) {
+      stage_ = Stage::kRequire;
+      isFirstRound_ = false;
+    } else {
+      stage_ = static_cast<Stage>(static_cast<int>(stage_) + 1);
+    }
   }
   return true;
 }
 
-void SiteDistances::findBounds() {
-  for (const int v : edgeBounds_.changed())
-    if (bounds_[v].label < 0) bounds_[v].distance = edgeBounds_[v];
-  edgeBounds_.clearChanged();
-  for (const int v : resetVertices_) bounds_[v].distance = edgeBounds_[v];
-  for (const int label : resumed_)
-    for (const ReachedVertex& r : spread_->reached(label)) lower(bounds_[r.vertex], label, r.distance);
-}
-
-bool SiteDistances::spread(long& budget) {
-  for (; cursor_ < started_.size() + resumed_.size(); ++cursor_) {
-    const bool isNew = cursor_ < started_.size();
-    const int label = isNew ? started_[cursor_] : resumed_[cursor_ - started_.size()];
-    if (!isRunning_) {
-      if (isNew)
-        spread_->start(label);
-      else
-        spread_->resume(label);
-    }
-    isRunning_ = true;
-    if (!spread_->run(budget)) return false;
-    isRunning_ = false;
+bool SiteDistances::runStage(long& budget) {
+  switch (stage_) {
+    case Stage::kBounds:
+      return edgeBounds_.run(budget);
+    case Stage::kStart:
+      lowerBounds();
+      return true;
+    case Stage::kSpread:
+      return spread(budget);
+    case Stage::kFinal:
+      return markFinal(budget);
+    case Stage::kAffected:
+      findAffected();
+      return true;
+    case Stage::kCorners:
+      return findOwnersOfCorners(budget);
+    case Stage::kTies:
+      return findTies(budget);
+    case Stage::kRequire:
+      return require(budget);
+    case Stage::kCollect:
+      collectLists();
+      return true;
+    case Stage::kLists:
+      return listLabels(budget);
+    case Stage::kClosure:
+      return close(budget);
+    case Stage::kInside:
+      return findEntered(budget);
+    case Stage::kDone:
+      break;
   }
   return true;
 }
 
-bool SiteDistances::isOwnerOfAll(int face, int label) const {
-  const auto isOwner = [&](int h) { return bounds_[mesh_.tail(h)].label == label; };
-  return isOwner(3 * face) && isOwner(3 * face + 1) && isOwner(3 * face + 2);
-}
-
-bool SiteDistances::has(int face, int label) const {
-  for (const FaceLabel& l : faceLabels_[face])
-    if (l.label == label) return true;
-  return false;
-}
-
-/// Notes that a label owns part of a face, with the owners of its corners.
-void SiteDistances::addOwner(int face, int label) {
-  const bool isFirst = faceLabels_.empty(face);
-  const auto add = [&](int l) {
-    if (l < 0 || has(face, l)) return;
-    faceLabels_.add(face, {l, false});
-    requirements_.push_back({l, face});
-  };
-  if (isFirst)
-    for (int h = 3 * face; h < 3 * face + 3; ++h) add(bounds_[mesh_.tail(h)].label);
-  add(label);
-}
-
-void SiteDistances::findOwners() {
-  const auto isKnownAt = [&](int v, int label) {
-    for (const LabelledDistance& d : lists_[v])
-      if (d.label == label) return true;
-    return false;
-  };
-  static_cast<void>(isKnownAt);
-  for (const int v : resetVertices_) affectedVertices_.add(v);
-  for (const auto* labels : {&started_, &resumed_})
-    for (const int label : *labels) {
-      for (ReachedVertex& r : spread_->reached(label)) {
-        if (!isAtMost(r.distance, bounds_[r.vertex].distance)) continue;
-        r.isFinal = true;
-        affectedVertices_.add(r.vertex);
-      }
-    }
-  for (const int v : affectedVertices_.list())
-    mesh_.visitFaces(v, [&](int f) { affectedFaces_.add(f); });
-  // Labels that have come into faces of which others own all corners.
-  std::vector<int> faces;
-  for (const int label : started_)
-    spread_->appendPartlyOwned(
-        label, [&](int f) { return !affectedFaces_.contains(f); }, faces);
-  for (const int label : started_)
-    for (const int f : sites_.facesOf(label)) faces.push_back(f);
-  for (const int f : faces) affectedFaces_.add(f);
-
-  // The labels that may own part of the affected faces.
-  std::vector<int> candidates = started_;
-  candidates.insert(candidates.end(), resumed_.begin(), resumed_.end());
-  for (const int f : affectedFaces_.list()) {
-    faceLabels_.clear(f);
-    for (int h = 3 * f; h < 3 * f + 3; ++h) {
-      affectedVertices_.add(mesh_.tail(h));
-    }
-  }
-  for (const int v : affectedVertices_.list())
-    for (const LabelledDistance& d : lists_[v]) candidates.push_back(d.label);
-  makeSet(candidates);
-  std::erase_if(candidates, [&](int label) { return !sites_.contains(label); });
-  // Added labels of faces around depend on what is known in the affected ones.
-  for (size_t i = 0; i < affectedVertices_.list().size(); ++i)
-    mesh_.visitFaces(affectedVertices_.list()[i], [&](int f) {
-      if (affectedFaces_.contains(f)) return;
-      auto labels = faceLabels_[f];
-      if (std::none_of(labels.begin(), labels.end(), [](const FaceLabel& l) { return l.isByClosure; }))
-        return;
-      faceLabels_.eraseIf(f, [](const FaceLabel& l) { return l.isByClosure; });
-      for (int h = 3 * f; h < 3 * f + 3; ++h) affectedVertices_.add(mesh_.tail(h));
-    });
-
-  for (const int f : affectedFaces_.list()) {
-    const int label = bounds_[mesh_.tail(3 * f)].label;
-    if (!isOwnerOfAll(f, label)) addOwner(f, label);
-    for (const FaceSite& site : sites_.inFace(f))
-      if (!faceLabels_.empty(f) || !isOwnerOfAll(f, site.label)) addOwner(f, site.label);
-  }
-  for (const int label : candidates) {
-    for (const ReachedVertex& r : spread_->reached(label)) {
-      const LabelledDistance& nearest = bounds_[r.vertex];
-      if (nearest.label != label && isAtMost(r.distance, nearest.distance))
-        mesh_.visitFaces(r.vertex, [&](int f) {
-          if (affectedFaces_.contains(f)) addOwner(f, label);
-        });
-    }
-    faces.clear();
-    spread_->appendPartlyOwned(
-        label,
-        [&](int f) {
-          return affectedFaces_.contains(f) && !has(f, label) &&
-                 !(faceLabels_.empty(f) && isOwnerOfAll(f, label));
-        },
-        faces);
-    for (const int f : faces) addOwner(f, label);
-  }
-  if (isUnbounded_) requirements_.clear();
-}
-
-bool SiteDistances::require(long& budget) {
-  if (cursor_ == 0 && !isRunning_)
-    std::sort(requirements_.begin(), requirements_.end(),
-              [&](const Requirement& a, const Requirement& b) {
-                const int fa = sites_[a.label].face, fb = sites_[b.label].face;
-                return std::tie(fa, a.label) < std::tie(fb, b.label);
-              });
-  while (cursor_ < requirements_.size()) {
-    size_t end = cursor_;
-    const int label = requirements_[cursor_].label;
-    while (end < requirements_.size() && requirements_[end].label == label) ++end;
-    if (!isRunning_) {
-      std::vector<int> faces;
-      for (size_t i = cursor_; i < end; ++i) faces.push_back(requirements_[i].face);
-      spread_->require(label, faces);
-    }
-    isRunning_ = true;
-    if (!spread_->run(budget)) return false;
-    isRunning_ = false;
-    cursor_ = end;
-  }
-  return true;
-}
-
-void SiteDistances::listLabels() {
-  for (const Requirement& r : requirements_)
-    for (int h = 3 * r.face; h < 3 * r.face + 3; ++h) affectedVertices_.add(mesh_.tail(h));
-  requirements_.clear();
-  std::vector<int> labels;
-  for (const int v : affectedVertices_.list()) {
-    for (const LabelledDistance& d : lists_[v]) changedLabels_.push_back(d.label);
-    lists_.clear(v);
-    records_.clear(v);
-    if (bounds_[v].label >= 0) labels.push_back(bounds_[v].label);
-    mesh_.visitFaces(v, [&](int f) {
-      changedFaces_.add(f);
-      for (const FaceLabel& l : faceLabels_[f]) labels.push_back(l.label);
-    });
-  }
-  makeSet(labels);
-  if (isUnbounded_) labels = started_, makeSet(labels);
-  for (const int label : labels) {
-    const auto& reached = spread_->reached(label);
-    for (int i = 0; i < static_cast<int>(reached.size()); ++i) {
-      const int v = reached[i].vertex;
-      if (!affectedVertices_.contains(v)) continue;
-      bool isWanted = isUnbounded_;
-      if (!isWanted && reached[i].isFinal) {
-        isWanted = bounds_[v].label == label;
-        if (!isWanted) mesh_.visitFaces(v, [&](int f) { isWanted = isWanted || has(f, label); });
-      }
-      if (!isWanted) continue;
-      lists_.add(v, {label, reached[i].distance});
-      records_.add(v, i);
-    }
-  }
-  for (const int v : affectedVertices_.list())
-    if (lists_[v].size() > 1) equalizeTies(lists_[v]);
-  changedLabels_.insert(changedLabels_.end(), labels.begin(), labels.end());
-  makeSet(changedLabels_);
-}
-
-bool SiteDistances::close() {
-  if (isUnbounded_) return false;
-  std::vector<Requirement> found;
-  for (const int f : changedFaces_.list())
-    for (int h = 3 * f; h < 3 * f + 3; ++h) {
-      const auto atTail = lists_[mesh_.tail(h)], atTip = lists_[mesh_.tip(h)];
-      if (atTail.size() < 2 || atTip.size() < 2) continue;
-      const auto atApex = lists_[mesh_.tail(TriangleMesh::previous(h))];
-      for (const LabelledDistance& d : atTail) {
-        const auto isIt = [&](const LabelledDistance& other) { return other.label == d.label; };
-        if (std::any_of(atApex.begin(), atApex.end(), isIt)) continue;
-        const auto tip = std::find_if(atTip.begin(), atTip.end(), isIt);
-        if (tip == atTip.end() || has(f, d.label)) continue;
-        if (ownsPartOfEdge(d.label, h)) found.push_back({d.label, f});
-      }
-    }
-  for (const Requirement& r : found) {
-    if (has(r.face, r.label)) continue;
-    if (faceLabels_.empty(r.face))
-      faceLabels_.add(r.face, {bounds_[mesh_.tail(3 * r.face)].label, false});
-    faceLabels_.add(r.face, {r.label, true});
-    requirements_.push_back(r);
-  }
-  return !requirements_.empty();
-}
-
-bool SiteDistances::ownsPartOfEdge(int label, int h) const {
-  constexpr double kRounding = 1e-9;
-  const auto find = [&](int v, int l) {
-    for (const LabelledDistance& d : lists_[v])
-      if (d.label == l) return d.distance;
-    return kInfinity;
-  };
-  const int tail = mesh_.tail(h), tip = mesh_.tip(h);
-  const double atTail = find(tail, label), atTip = find(tip, label);
-  double from = 0, to = 1;
-  const auto yieldTo = [&](int other) {
-    if (other == label) return true;
-    const double otherAtTail = find(tail, other), otherAtTip = find(tip, other);
-    if (otherAtTail == kInfinity || otherAtTip == kInfinity) return true;
-    const double lagAtTail = (atTail - otherAtTail) * (atTail + otherAtTail);
-    const double lagAtTip = (atTip - otherAtTip) * (atTip + otherAtTip);
-    const bool isBehindAtTail = lagAtTail > 0 || (lagAtTail == 0 && other < label);
-    const bool isBehindAtTip = lagAtTip > 0 || (lagAtTip == 0 && other < label);
-    if (isBehindAtTail && isBehindAtTip) return false;
-    if (isBehindAtTail == isBehindAtTip) return true;
-    const double tie = lagAtTail / (lagAtTail - lagAtTip);
-    if (isBehindAtTail)
-      from = std::max(from, tie);
-    else
-      to = std::min(to, tie);
-    return from <= to + kRounding;
-  };
-  for (const int side : {h, mesh_.twin(h)}) {
-    if (side < 0) continue;
-    const int f = side / 3;
-    if (faceLabels_.empty(f) && !yieldTo(bounds_[tail].label)) return false;
-    for (const FaceLabel& l : faceLabels_[f])
-      if (!l.isByClosure && !yieldTo(l.label)) return false;
+/// Calls work(i), which returns the units that it took, for i from the cursor on up to `count`.
+template <class Work>
+bool SiteDistances::forEach(size_t count, long& budget, Work work) {
+  for (; cursor_ < count; ++cursor_) {
+    if (budget <= 0) return false;
+    budget -= work(cursor_);
   }
   return true;
 }
 
 double SiteDistances::progress() const {
+  const auto share = [&](size_t count) {
+    return count == 0 ? 1.0 : static_cast<double>(cursor_) / static_cast<double>(count);
+  };
+  if (stage_ < Stage::kSpread) return 0;
+  if (stage_ == Stage::kSpread) return 0.6 * share(started_.size() + resumed_.size());
+  if (stage_ < Stage::kRequire) return 0.6;
   if (stage_ == Stage::kDone) return 1;
-  const double labels = static_cast<double>(started_.size() + resumed_.size());
-  switch (stage_) {
-    case Stage::kBounds:
-      return 0;
-    case Stage::kSpread:
-      return 0.05 + 0.55 * static_cast<double>(cursor_) / labels;
-    case Stage::kRequire:
-      return 0.65 + 0.3 * static_cast<double>(cursor_) /
-                        static_cast<double>(std::max<size_t>(1, requirements_.size()));
-    default:
-      return 0.6;
-  }
+  if (stage_ == Stage::kRequire && isFirstRound_) return 0.6 + 0.3 * share(requirements_.size());
+  return isFirstRound_ ? 0.9 : 0.95;
 }
 
-LabelledDistance SiteDistances::nearest(const SurfacePoint& p) const {
-  const Incidence place = incidenceOf(p.bary);
-  if (place.corner >= 0) return nearestOf(at(mesh_.tail(3 * p.face + place.corner)));
-  LabelledDistance best;
-  const auto consider = [&](int label) { lower(best, label, distance(label, p)); };
-  if (faceLabels_.empty(p.face)) {
-    if (const int label = bounds_[mesh_.tail(3 * p.face)].label; label >= 0) consider(label);
+// --- Bounds and labels -------------------------------------------------------------------------
+
+/// Limits the distance of the nearest site by paths along edges, and by what labels that may go on
+/// know already.
+void SiteDistances::lowerBounds() {
+  if (!areAllNew())
+    for (const int label : spread_->outdated(edgeBounds_.changed())) {
+      forget(label);
+      started_.push_back(label);
+      changedLabels_.push_back(label);
+    }
+  // Labels near one another in succession, for what they touch is in the cache then.
+  std::sort(started_.begin(), started_.end(),
+            [&](int a, int b) { return std::pair(sites_[a].face, a) < std::pair(sites_[b].face, b); });
+  hasStarted_.assign(sites_.labelCount(), false);
+  for (const int label : started_) hasStarted_[label] = true;
+  makeSet(resumed_);
+  std::erase_if(resumed_, [&](int label) { return !sites_.contains(label) || hasStarted(label); });
+  for (const int v : edgeBounds_.changed())
+    if (bounds_[v].label < 0) bounds_[v].distance = edgeBounds_[v];
+  edgeBounds_.clearChanged();
+  for (const int v : resetVertices_) bounds_[v].distance = edgeBounds_[v];
+  for (const int label : resumed_)
+    for (const ReachedVertex& r : spread_->reached(label))
+      lower(bounds_[r.vertex], label, r.distance);
+}
+
+bool SiteDistances::spread(long& budget) {
+  for (; cursor_ < started_.size() + resumed_.size(); ++cursor_) {
+    if (!std::exchange(isLabelBegun_, true)) {
+      if (cursor_ < started_.size())
+        spread_->start(started_[cursor_]);
+      else
+        spread_->resume(resumed_[cursor_ - started_.size()]);
+    }
+    if (!spread_->run(budget)) return false;
+    isLabelBegun_ = false;
+  }
+  return true;
+}
+
+/// Marks the distances that are final because the label owns the vertex, and notes ties.
+bool SiteDistances::markFinal(long& budget) {
+  return forEach(started_.size() + resumed_.size(), budget, [&](size_t i) {
+    const int label = i < started_.size() ? started_[i] : resumed_[i - started_.size()];
+    std::vector<ReachedVertex>& reached = spread_->reached(label);
+    for (ReachedVertex& r : reached) {
+      const LabelledDistance& nearest = bounds_[r.vertex];
+      if (!isAtMost(r.distance, nearest.distance)) continue;
+      r.isFinal = true;
+      if (nearest.label != label) ties_.push_back({r.vertex, label});
+    }
+    return 1 + static_cast<long>(reached.size()) / kPerUnit;
+  });
+}
+
+// --- Owners ------------------------------------------------------------------------------------
+
+/// Finds the faces of which the owners may have changed: those around vertices that are or were owned
+/// by a label that has come or gone.
+void SiteDistances::findAffected() {
+  if (areAllNew()) {
+    affectedFaces_.addAll();
+    changedVertices_.addAll();
+    return;
+  }
+  const auto addFacesAround = [&](int v) {
+    mesh_.visitFaces(v, [&](int f) { affectedFaces_.add(f); });
+  };
+  for (const int v : resetVertices_) addFacesAround(v);
+  for (const int label : started_) {
+    for (const ReachedVertex& r : spread_->reached(label))
+      if (r.isFinal) addFacesAround(r.vertex);
+    for (const int f : sites_.facesOf(label)) affectedFaces_.add(f);
+  }
+  for (const int f : affectedFaces_.list())
+    for (int h = 3 * f; h < 3 * f + 3; ++h) changedVertices_.add(mesh_.tail(h));
+  resetInterpolatedAround();
+}
+
+/// Interpolation is done again around the affected faces, as far as it depends on what is known there.
+void SiteDistances::resetInterpolatedAround() {
+  for (int i = 0; i < changedVertices_.size(); ++i)
+    mesh_.visitFaces(changedVertices_.list()[i], [&](int f) {
+      if (affectedFaces_.contains(f) || !owners_.removeInterpolated(f)) return;
+      for (int h = 3 * f; h < 3 * f + 3; ++h) changedVertices_.add(mesh_.tail(h));
+    });
+}
+
+bool SiteDistances::findOwnersOfCorners(long& budget) {
+  const auto& faces = affectedFaces_.list();
+  return forEach(faces.size() / kPerUnit + 1, budget, [&](size_t i) {
+    const size_t end = std::min(faces.size(), (i + 1) * kPerUnit);
+    for (size_t f = i * kPerUnit; f < end; ++f) owners_.reset(faces[f], requirements_);
+    return 1;
+  });
+}
+
+/// Finds the labels that tie with the owner of a vertex: those that have spread now, and others that were
+/// known there.
+bool SiteDistances::findTies(long& budget) {
+  const auto& vertices = changedVertices_.list();
+  const auto add = [&](int vertex, int label) {
+    mesh_.visitFaces(vertex, [&](int f) {
+      if (affectedFaces_.contains(f)) owners_.add(f, label, false, requirements_);
+    });
+  };
+  return forEach(vertices.size() / kPerUnit + 1, budget, [&](size_t i) {
+    if (i == 0)
+      for (const auto& [vertex, label] : ties_) add(vertex, label);
+    const size_t end = std::min(vertices.size(), (i + 1) * kPerUnit);
+    for (size_t v = i * kPerUnit; v < end; ++v)
+      for (const LabelledDistance& d : lists_[vertices[v]]) {
+        const LabelledDistance& nearest = bounds_[vertices[v]];
+        if (d.label != nearest.label && sites_.contains(d.label) &&
+            isAtMost(d.distance, nearest.distance) && !hasStarted(d.label))
+          add(vertices[v], d.label);
+      }
+    return 1;
+  });
+}
+
+// --- Required distances ------------------------------------------------------------------------
+
+bool SiteDistances::require(long& budget) {
+  if (isUnbounded_) requirements_.clear();
+  if (cursor_ == 0 && !isLabelBegun_) sortRequirements();
+  while (cursor_ < requirements_.size()) {
+    const int label = requirements_[cursor_].label;
+    size_t end = cursor_;
+    while (end < requirements_.size() && requirements_[end].label == label) ++end;
+    if (!std::exchange(isLabelBegun_, true)) {
+      requiredFaces_.clear();
+      for (size_t i = cursor_; i < end; ++i) requiredFaces_.push_back(requirements_[i].face);
+      spread_->require(label, requiredFaces_);
+    }
+    if (!spread_->run(budget)) return false;
+    isLabelBegun_ = false;
+    cursor_ = end;
+  }
+  return true;
+}
+
+/// By label.
+void SiteDistances::sortRequirements() {
+  std::vector<int> offset(sites_.labelCount() + 1, 0);
+  for (const Requirement& r : requirements_) ++offset[r.label + 1];
+  std::partial_sum(offset.begin(), offset.end(), offset.begin());
+  std::vector<Requirement> sorted(requirements_.size());
+  for (const Requirement& r : requirements_) sorted[offset[r.label]++] = r;
+  requirements_.swap(sorted);
+}
+
+// --- Lists -------------------------------------------------------------------------------------
+
+/// Finds the vertices of which the lists have to be made again, and the labels in question.
+void SiteDistances::collectLists() {
+  for (const Requirement& r : requirements_)
+    for (int h = 3 * r.face; h < 3 * r.face + 3; ++h) changedVertices_.add(mesh_.tail(h));
+  requirements_.clear();
+  listed_.clear();
+  if (areAllNew()) {
+    listed_ = started_;
+    std::sort(listed_.begin(), listed_.end());
+    changedFaces_.addAll();
+    std::vector<int> counts(mesh_.vertexCount(), 0);
+    for (const int label : listed_)
+      for (const ReachedVertex& r : spread_->reached(label))
+        counts[r.vertex] += isUnbounded_ || r.isFinal;
+    lists_.allot(counts);
   } else {
-    for (const FaceLabel& l : faceLabels_[p.face])
-      if (!l.isByClosure) consider(l.label);
+    for (const int v : changedVertices_.list()) {
+      for (const LabelledDistance& d : lists_[v]) changedLabels_.push_back(d.label);
+      lists_.clear(v);
+      if (bounds_[v].label >= 0) listed_.push_back(bounds_[v].label);
+      mesh_.visitFaces(v, [&](int f) {
+        changedFaces_.add(f);
+        for (const FaceOwners::Owner& owner : owners_.several(f)) listed_.push_back(owner.label);
+      });
+    }
+    makeSet(listed_);
+  }
+  changedLabels_.insert(changedLabels_.end(), listed_.begin(), listed_.end());
+  makeSet(changedLabels_);
+}
+
+bool SiteDistances::listLabels(long& budget) {
+  // Where all is new, what is final is required now.
+  const bool isAllWanted = areAllNew();
+  if (!forEach(listed_.size(), budget, [&](size_t i) {
+        const int label = listed_[i];
+        const auto& reached = spread_->reached(label);
+        for (int r = 0; r < static_cast<int>(reached.size()); ++r) {
+          const auto& [vertex, isFinal, distance] = reached[r];
+          if ((isFinal && (isAllWanted || (changedVertices_.contains(vertex) &&
+                                           isKnownAround(vertex, label)))) ||
+              isUnbounded_)
+            lists_.add(vertex, {label, distance}, r);
+        }
+        return 1 + static_cast<long>(reached.size()) / kPerUnit;
+      }))
+    return false;
+  for (const int v : changedVertices_.list()) lists_.equalizeTies(v);
+  return true;
+}
+
+/// Whether a label owns part of a face around a vertex.
+bool SiteDistances::isKnownAround(int vertex, int label) const {
+  if (bounds_[vertex].label == label) return true;
+  bool isKnown = false;
+  mesh_.visitFaces(vertex, [&](int f) { isKnown = isKnown || owners_.has(f, label); });
+  return isKnown;
+}
+
+// --- Closure -----------------------------------------------------------------------------------
+
+/// A diagram takes squared distances as linear within a face, up to what all labels have in common.
+/// If by that a label owns part of an edge, the faces on both sides have to know it.
+bool SiteDistances::close(long& budget) {
+  if (isUnbounded_) return true;
+  const auto& faces = changedFaces_.list();
+  return forEach(faces.size() / kPerUnit + 1, budget, [&](size_t i) {
+    const size_t end = std::min(faces.size(), (i + 1) * kPerUnit);
+    for (size_t f = i * kPerUnit; f < end; ++f)
+      for (int h = 3 * faces[f]; h < 3 * faces[f] + 3; ++h) requireAcross(h);
+    return 1;
+  });
+}
+
+void SiteDistances::requireAcross(int h) {
+  const auto atTail = lists_[mesh_.tail(h)];
+  if (atTail.size() < 2 || lists_[mesh_.tip(h)].size() < 2) return;
+  const int apex = mesh_.tail(TriangleMesh::previous(h)), face = TriangleMesh::faceOf(h);
+  for (const LabelledDistance& d : atTail)
+    if (lists_.distance(apex, d.label) == kInfinity &&
+        lists_.distance(mesh_.tip(h), d.label) < kInfinity && ownsPartOfEdge(d.label, h))
+      owners_.add(face, d.label, true, requirements_);
+}
+
+/// Whether a label is least anywhere on an edge by interpolation, compared with the true owners of the
+/// faces beside it: so what is found does not depend on the order in which it is.
+bool SiteDistances::ownsPartOfEdge(int label, int h) const {
+  EdgeShare share(label, lists_.distance(mesh_.tail(h), label),
+                  lists_.distance(mesh_.tip(h), label));
+  const auto yieldTo = [&](int other) {
+    const double atTail = lists_.distance(mesh_.tail(h), other);
+    const double atTip = lists_.distance(mesh_.tip(h), other);
+    if (other != label && atTail < kInfinity && atTip < kInfinity)
+      share.yieldTo(other, atTail, atTip);
+  };
+  for (const int side : {h, mesh_.twin(h)}) {
+    if (side < 0) continue;
+    const int face = TriangleMesh::faceOf(side);
+    if (owners_.sole(face) >= 0) yieldTo(owners_.sole(face));
+    for (const FaceOwners::Owner& owner : owners_.several(face))
+      if (!owner.isInterpolated) yieldTo(owner.label);
+  }
+  return !share.isEmpty();
+}
+
+/// Finds labels that own part of a face though neither its corners nor interpolation show it: those
+/// that reach into it through a side.
+bool SiteDistances::findEntered(long& budget) {
+  if (isUnbounded_) return true;
+  std::vector<int> faces;
+  return forEach(listed_.size(), budget, [&](size_t i) {
+    const int label = listed_[i];
+    faces.clear();
+    spread_->appendEntered(label, owners_, faces);
+    for (const int f : faces)
+      if (changedFaces_.contains(f)) owners_.add(f, label, true, requirements_);
+    return 1 + static_cast<long>(spread_->reached(label).size()) / kPerUnit;
+  });
+}
+
+// --- Queries -----------------------------------------------------------------------------------
+
+LabelledDistance SiteDistances::nearest(const SurfacePoint& p) const {
+  for (int i = 0; i < 3; ++i)
+    if (p.bary[i] == 1) return nearestOf(at(mesh_.tail(3 * p.face + i)));
+  std::vector<int> labels;
+  for (int h = 3 * p.face; h < 3 * p.face + 3; ++h)
+    for (const LabelledDistance& d : at(mesh_.tail(h))) labels.push_back(d.label);
+  spread_->appendLabelsInside(p.face, labels);
+  makeSet(labels);
+  LabelledDistance best;
+  bool isBestKnown = false;
+  for (const int label : labels) {
+    const std::array<double, 3> atCorners = distancesAtCorners(p.face, label);
+    const double distance = spread_->distance(label, p, atCorners);
+    if (!(isAtMost(distance, best.distance) && distance < kInfinity)) continue;
+    bool isKnown = true;
+    for (int i = 0; i < 3; ++i) isKnown = isKnown && !(p.bary[i] > 0 && atCorners[i] == kInfinity);
+    // Of labels that tie, the lowest, but first those that are known around the point.
+    if (!isAtMost(best.distance, distance) || best.label < 0 || isKnown > isBestKnown) {
+      best.label = label;
+      isBestKnown = isKnown;
+    }
+    best.distance = std::min(best.distance, distance);
   }
   return best;
 }
 
+std::array<double, 3> SiteDistances::distancesAtCorners(int face, int label) const {
+  const auto& corners = mesh_.face(face).vertices;
+  return {lists_.distance(corners[0], label), lists_.distance(corners[1], label),
+          lists_.distance(corners[2], label)};
+}
+
 double SiteDistances::distance(int label, const SurfacePoint& p) const {
-  const auto valueAt = [&](int corner) {
-    for (const LabelledDistance& d : at(mesh_.tail(3 * p.face + corner)))
-      if (d.label == label) return d.distance;
-    return kInfinity;
-  };
-  const Incidence place = incidenceOf(p.bary);
-  if (place.corner >= 0) return valueAt(place.corner);
-  double least = kInfinity;
-  const auto sides = squaredSides(mesh_, p.face);
+  const std::array<double, 3> atCorners = distancesAtCorners(p.face, label);
   for (int i = 0; i < 3; ++i) {
-    const double atCorner = valueAt(i);
-    if (atCorner == kInfinity) {
-      if (p.bary[i] > 0) return kInfinity;
-      continue;
-    }
-    least = std::min(least, atCorner + std::sqrt(squaredDistance(
-                                           p.bary, Eigen::Vector3d::Unit(i), sides)));
+    if (p.bary[i] == 1) return atCorners[i];
+    if (p.bary[i] > 0 && atCorners[i] == kInfinity) return kInfinity;
   }
-  return std::min(least, spread_->distance(label, p));
+  return spread_->distance(label, p, atCorners);
 }
 
 Eigen::Vector2d SiteDistances::direction(int label, int vertex) const {
-  const auto known = at(vertex);
-  for (size_t i = 0; i < known.size(); ++i)
-    if (known[i].label == label) return spread_->direction(label, records_[vertex][i]);
-  return DistanceField::direction(label, vertex);
+  const int index = lists_.reachedIndex(vertex, label);
+  return index < 0 ? DistanceField::direction(label, vertex) : spread_->direction(label, index);
 }
 
 }  // namespace gvd

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
+#include <array>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "base/index_set.h"
 #include "distance/edge_bounds.h"
+#include "distance/face_owners.h"
+#include "distance/label_lists.h"
 #include "distance/label_spread.h"
 #include "distance/nearest_bounds.h"
 #include "distance/site_set.h"
-#include "distance/small_lists.h"
 #include "gvd/geodesic.h"
 #include "gvd/triangle_mesh.h"
 
@@ -31,7 +32,7 @@ struct SiteChange {
 ///    bounds, and lowers these. What a label finds does not depend on the others; they only stop
 ///    it. So after a change, new labels start, and those beside labels that have gone go on from where
 ///    they stopped.
-/// 3. *Owners*: the labels that own any point of a closed face.
+/// 3. *Owners*: the labels that own corners of a face, or have their site in it.
 /// 4. *Required distances*: each of them goes on to the corners of the face that it does not own.
 /// 5. *Lists* of the labels known at each vertex.
 /// 6. *Closure*: in a diagram distances are interpolated within a face. A label that is nearest
@@ -52,7 +53,7 @@ class SiteDistances final : public DistanceField {
   const std::vector<int>& changedLabels() const { return changedLabels_; }
 
   const SiteSet& sites() const { return sites_; }
-  std::vector<double> times = std::vector<double>(8);
+  std::vector<double> times = std::vector<double>(13);
 
   std::span<const LabelledDistance> at(int vertex) const override { return lists_[vertex]; }
   LabelledDistance nearest(const SurfacePoint& p) const override;
@@ -60,28 +61,47 @@ class SiteDistances final : public DistanceField {
   Eigen::Vector2d direction(int label, int vertex) const override;
 
  private:
-  enum class Stage { kBounds, kSpread, kOwners, kRequire, kLists, kClosure, kDone };
-  /// A label that owns part of a face, or is known at its corners to close the interpolation.
-  struct FaceLabel {
-    int label;
-    bool isByClosure;
-  };
-  struct Requirement {
-    int label, face;
+  /// The parts of a change, in order; the last three again while any distance is missing.
+  enum class Stage {
+    kBounds,
+    kStart,
+    kSpread,
+    kFinal,
+    kAffected,
+    kCorners,
+    kTies,
+    kRequire,
+    kCollect,
+    kLists,
+    kClosure,
+    kInside,
+    kDone
   };
 
   void forget(int label);
-  void findBounds();
-  bool spread(long& budget);
-  void findOwners();
-  bool require(long& budget);
-  void listLabels();
-  bool close();
+  bool runStage(long& budget);
+  template <class Work>
+  bool forEach(size_t count, long& budget, Work work);
 
-  bool isOwnerOfAll(int face, int label) const;
-  void addOwner(int face, int label);
-  bool has(int face, int label) const;
+  void lowerBounds();
+  bool spread(long& budget);
+  bool markFinal(long& budget);
+  void findAffected();
+  void resetInterpolatedAround();
+  bool findOwnersOfCorners(long& budget);
+  bool findTies(long& budget);
+  bool require(long& budget);
+  void sortRequirements();
+  void collectLists();
+  bool listLabels(long& budget);
+  bool close(long& budget);
+  void requireAcross(int halfedge);
+  bool findEntered(long& budget);
   bool ownsPartOfEdge(int label, int halfedge) const;
+  bool isKnownAround(int vertex, int label) const;
+  bool hasStarted(int label) const { return hasStarted_[label]; }
+  std::array<double, 3> distancesAtCorners(int face, int label) const;
+  bool areAllNew() const { return sites_.count() == static_cast<int>(started_.size()); }
 
   const TriangleMesh& mesh_;
   const bool isUnbounded_;
@@ -89,19 +109,28 @@ class SiteDistances final : public DistanceField {
   EdgeBounds edgeBounds_;
   NearestBounds bounds_;
   std::unique_ptr<LabelSpread> spread_;
-  SmallLists<FaceLabel> faceLabels_;  ///< empty: the owner of the corners owns all of the face
-  SmallLists<LabelledDistance> lists_;
-  SmallLists<int> records_;  ///< indices in LabelSpread::reached, as lists_
+  FaceOwners owners_;
+  LabelLists lists_;
 
   // The change at hand.
   Stage stage_ = Stage::kDone;
-  std::vector<int> started_, resumed_;
   size_t cursor_ = 0;
-  bool isRunning_ = false;
-  std::vector<int> resetVertices_;
-  IndexSet affectedFaces_, affectedVertices_, changedFaces_;
+  bool isLabelBegun_ = false;
+  bool isFirstRound_ = true;  ///< of the last stages
+  std::vector<int> started_, resumed_;
+  std::vector<char> hasStarted_;         ///< per label
+  std::vector<int> resetVertices_;       ///< those that labels which have gone owned
+  IndexSet affectedFaces_;               ///< those of which the owners may have changed
+  IndexSet changedVertices_;             ///< those at which the lists may have changed
+  IndexSet changedFaces_;                ///< those around them
   std::vector<int> changedLabels_;
-  std::vector<Requirement> requirements_;
+  struct Tie {
+    int vertex, label;
+  };
+  std::vector<Tie> ties_;                ///< labels that are as near as the owner of a vertex
+  std::vector<int> listed_;              ///< labels of the changed vertices
+  std::vector<Requirement> requirements_;  ///< by label
+  std::vector<int> requiredFaces_;
 };
 
 }  // namespace gvd

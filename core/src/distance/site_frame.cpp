@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "distance/site_frame.h"
 
-#include <cmath>
 #include <numbers>
-
-#include "base/plane.h"
-#include "mesh/surface_geometry.h"
 
 namespace gvd {
 
@@ -31,17 +27,6 @@ double angleOfOutgoing(const TriangleMesh& mesh, const SurfacePoint& site, int h
   for (; TriangleMesh::faceOf(h) != site.face; h = mesh.rotate(h)) angle -= mesh.cornerAngle(h);
   for (h = mesh.outgoing(vertex); h != halfedge; h = mesh.rotate(h)) angle += mesh.cornerAngle(h);
   return angle;
-}
-
-Vector2d inSiteFrame(const TriangleMesh& mesh, const SurfacePoint& site, int halfedge,
-                     const Vector2d& direction) {
-  if (!(direction.squaredNorm() > 0)) return {1, 0};
-  if (vertexAt(mesh, site) < 0)
-    return turnedBackBy(direction, firstSide(mesh, site.face, halfedge % 3)).normalized();
-  const TriangleMesh::Layout& l = mesh.layout(halfedge);
-  const Vector2d toTail(-l.x, -l.y);
-  return unitVector(angleOfOutgoing(mesh, site, TriangleMesh::previous(halfedge)) +
-                    std::atan2(cross(toTail, direction), toTail.dot(direction)));
 }
 
 }  // namespace gvd

@@ -17,9 +17,4 @@ Eigen::Vector2d firstSide(const TriangleMesh& mesh, int face, int i);
 /// The angle of a halfedge that leaves the vertex a site lies on.
 double angleOfOutgoing(const TriangleMesh& mesh, const SurfacePoint& site, int halfedge);
 
-/// A direction at a site, given in the frame of a halfedge of the site's face, or, where the site
-/// lies on a vertex, of one that has this vertex as its apex. A unit vector; (1, 0) for zero.
-Eigen::Vector2d inSiteFrame(const TriangleMesh& mesh, const SurfacePoint& site, int halfedge,
-                            const Eigen::Vector2d& direction);
-
 }  // namespace gvd

@@ -6,6 +6,7 @@ namespace gvd {
 void SiteSet::insert(int label, const SurfacePoint& point) {
   if (label >= labelCount()) points_.resize(label + 1);
   points_[label] = point;
+  ++count_;
   visitFaces(point, [&](const SurfacePoint& p) { inFace_.add(p.face, {label, p.bary}); });
 }
 
@@ -17,6 +18,7 @@ void SiteSet::remove(int label) {
     inFace_.erase(p.face, i);
   });
   points_[label] = {};
+  --count_;
 }
 
 }  // namespace gvd

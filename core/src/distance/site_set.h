@@ -24,6 +24,7 @@ class SiteSet {
 
   /// One more than the largest label so far.
   int labelCount() const { return static_cast<int>(points_.size()); }
+  int count() const { return count_; }
   bool contains(int label) const {
     return label >= 0 && label < labelCount() && points_[label].face >= 0;
   }
@@ -51,6 +52,7 @@ class SiteSet {
   const TriangleMesh& mesh_;
   std::vector<SurfacePoint> points_;  ///< face -1: there is no site with this label
   SmallLists<FaceSite> inFace_;
+  int count_ = 0;
 };
 
 }  // namespace gvd

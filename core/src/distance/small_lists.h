@@ -47,7 +47,16 @@ class SmallLists {
   }
   void add(int i, const Item& item) { insert(i, lists_[i].size, item); }
 
-  size_t bytes() const { return lists_.size() * sizeof(List) + items_.size() * sizeof(Item); }
+  /// Makes all lists empty, with room for `counts[i]` items in list i.
+  void allot(std::span<const int> counts) {
+    std::uint32_t first = 0;
+    for (size_t i = 0; i < counts.size(); ++i) {
+      lists_[i] = {first, 0, static_cast<std::uint32_t>(counts[i])};
+      first += counts[i];
+    }
+    items_.assign(first, Item());
+    for (auto& free : free_) free.clear();
+  }
 
  private:
   struct List {
@@ -56,7 +65,7 @@ class SmallLists {
   };
 
   void grow(List& list) {
-    const std::uint32_t capacity = list.capacity == 0 ? 1 : 2 * list.capacity;
+    const std::uint32_t capacity = std::bit_ceil(list.capacity + 1);
     std::vector<std::uint32_t>& free = free_[std::bit_width(capacity)];
     std::uint32_t first;
     if (free.empty()) {
@@ -67,7 +76,9 @@ class SmallLists {
       free.pop_back();
     }
     std::copy_n(items_.begin() + list.first, list.size, items_.begin() + first);
-    if (list.capacity > 0) free_[std::bit_width(list.capacity)].push_back(list.first);
+    // Room that is no power of two is lost: `allot` has given it, once.
+    if (std::has_single_bit(list.capacity))
+      free_[std::bit_width(list.capacity)].push_back(list.first);
     list.first = first;
     list.capacity = capacity;
   }

@@ -70,7 +70,7 @@ class Cvt::Solver {
     trial_.frames.assign(sites.size(), Vector2d(1, 0));
     for (size_t l = 0; l < sites.size(); ++l)
       if (!isFixed_[l]) trial_.sites[l] = offVertex(trial_.sites[l]);
-    propagation_ = propagateForCvt(mesh_, trial_.sites, options_.metric);
+    propagation_ = propagate(mesh_, trial_.sites, options_.metric);
   }
 
   bool step(long budget) {
@@ -203,7 +203,7 @@ class Cvt::Solver {
       else if (!isFixed_[l])
         move(l, stepLength * direction_.segment<2>(2 * l));
     }
-    propagation_ = propagateForCvt(mesh_, trial_.sites, options_.metric);
+    propagation_ = propagate(mesh_, trial_.sites, options_.metric);
   }
 
   void move(int label, const Vector2d& step) {

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include "distance/metric.h"
 #include "mesh/surface_geometry.h"
 
 namespace gvd {
@@ -147,13 +146,6 @@ class Integrator {
 };
 
 }  // namespace
-
-std::unique_ptr<Propagation> propagateForCvt(const TriangleMesh& mesh,
-                                             std::span<const SurfacePoint> sites, Metric metric) {
-  return metric == Metric::kExact
-             ? propagateExact(mesh, sites, Spread::kAsNeeded)
-             : propagateDgpc(mesh, sites, Spread::kAsNeeded, Straightens::kEverywhere);
-}
 
 CvtEnergy integrateCvt(const TriangleMesh& mesh, const DistanceField& distances,
                        const Diagram& diagram, std::span<const double> density) {

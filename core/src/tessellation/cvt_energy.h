@@ -27,11 +27,6 @@ struct CvtEnergy {
   std::vector<RegionMoments> regions;
 };
 
-/// Starts the distances to integrate over. With DGPC all paths are straightened, inside regions
-/// too: where sites move a little, the energy then hardly jumps.
-std::unique_ptr<Propagation> propagateForCvt(const TriangleMesh& mesh,
-                                             std::span<const SurfacePoint> sites, Metric metric);
-
 /// Integrates over the regions of a diagram traced with detail 0 from these distances, with the
 /// density ρ per vertex, linear in between; empty: 1. All integrals are exact for d² = Σ bᵢ Uᵢ² -
 /// Σ bᵢ bⱼ |eᵢⱼ|² and u = Σ bᵢ Uᵢ (cos θᵢ, sin θᵢ), U and θ the polar coordinates of the corners.

@@ -16,7 +16,7 @@
 
 #include "base/random.h"
 #include "distance/common_labels.h"
-#include "distance/unfolding_sweep.h"
+#include "distance/dgpc/unfolding_sweep.h"
 #include "gvd/error.h"
 #include "gvd/geodesic.h"
 #include "mesh/surface_geometry.h"
@@ -60,6 +60,13 @@ std::vector<double> longestEdges(const TriangleMesh& mesh) {
   return result;
 }
 
+template <class Spreads>
+void spreadFrom(dgpc::UnfoldingSweep& sweep, const SurfacePoint& site, Spreads spreads) {
+  long budget = std::numeric_limits<long>::max();
+  sweep.start(site);
+  sweep.run(spreads, budget);
+}
+
 /// The distance from every vertex to the nearest of the points so far, and the farthest vertex.
 class Farthest {
  public:
@@ -70,7 +77,7 @@ class Farthest {
 
   void add(const SurfacePoint& point) {
     // What a point owns is right if both ends of the edges that its paths cross are.
-    sweep_.run(point,
+    spreadFrom(sweep_, point,
                [&](int v, double distance) { return distance < least_[v] + longestEdge_[v]; });
     for (const int v : sweep_.reached()) least_[v] = std::min(least_[v], sweep_.distance(v));
   }
@@ -86,7 +93,7 @@ class Farthest {
   }
 
  private:
-  UnfoldingSweep sweep_;
+  dgpc::UnfoldingSweep sweep_;
   const std::vector<double> longestEdge_;
   std::vector<double> least_;
   std::priority_queue<std::pair<double, int>> queue_;  ///< vertices negated: the lowest first
@@ -106,7 +113,8 @@ class Disks {
     if (!isFree(p, radius)) return false;
     const int label = static_cast<int>(points_.size());
     points_.push_back(p);
-    sweep_.run(p, [&](int v, double distance) { return distance < radius + 2 * longestEdge_[v]; });
+    spreadFrom(sweep_, p,
+               [&](int v, double distance) { return distance < radius + 2 * longestEdge_[v]; });
     for (const int v : sweep_.reached()) known_[v].push_back({label, sweep_.distance(v)});
     return true;
   }
@@ -129,7 +137,7 @@ class Disks {
   }
 
   const TriangleMesh& mesh_;
-  UnfoldingSweep sweep_;
+  dgpc::UnfoldingSweep sweep_;
   const std::vector<double> longestEdge_;
   std::vector<std::vector<LabelledDistance>> known_;  ///< per vertex, ascending by label
   std::vector<SurfacePoint> points_;

@@ -26,18 +26,18 @@ void FanBehind::collectFan(int vertex) {
 }
 
 double FanBehind::oppositeLength(int outgoing) const {
-  return faces_[outgoing / 3].length[FaceLayout::after(outgoing % 3)];
+  return mesh_.face(outgoing / 3).lengths[cornerAfter(outgoing % 3)];
 }
 
 /// Where a ray from the vertex meets the opposite side, from the tip of the outgoing halfedge,
 /// which is the x axis.
 double FanBehind::meetOpposite(int outgoing, const Vector2d& direction) const {
-  const FaceLayout& f = faces_[outgoing / 3];
-  const int i = outgoing % 3, j = FaceLayout::after(i);
-  const double numerator = f.length[i] * direction.y();
-  const double denominator = direction.x() * f.sine[j] + direction.y() * f.cosine[j];
+  const TriangleMesh::Face& f = mesh_.face(outgoing / 3);
+  const int i = outgoing % 3, j = cornerAfter(i);
+  const double numerator = f.lengths[i] * direction.y();
+  const double denominator = direction.x() * f.sines[j] + direction.y() * f.cosines[j];
   if (!(numerator > 0)) return 0;
-  return denominator * f.length[j] > numerator ? numerator / denominator : f.length[j];
+  return denominator * f.lengths[j] > numerator ? numerator / denominator : f.lengths[j];
 }
 
 /// Turns on from an angle, given by its cosine and sine, by the angles of the faces that follow.
@@ -45,7 +45,7 @@ template <class OutgoingAt>
 FanBehind::Turn FanBehind::turnByPi(Vector2d turned, int steps, OutgoingAt outgoingAt) const {
   for (int step = 1; step < steps; ++step) {
     const int o = outgoingAt(step);
-    const double c = faces_[o / 3].cosine[o % 3], s = faces_[o / 3].sine[o % 3];
+    const double c = mesh_.face(o / 3).cosines[o % 3], s = mesh_.face(o / 3).sines[o % 3];
     const Vector2d next(turned.x() * c - turned.y() * s, turned.y() * c + turned.x() * s);
     if (next.y() < 0) return {step, {-turned.x(), turned.y()}};
     turned = next;
@@ -66,12 +66,12 @@ std::span<const OppositeSide> FanBehind::sides(int vertex, int arrival, double c
   const auto leftwards = [&](int step) { return fan_[(in + step) % n]; };
   const auto rightwards = [&](int step) { return fan_[(in - step + n) % n]; };
 
-  const FaceLayout& face = faces_[fan_[in] / 3];
+  const TriangleMesh::Face& face = mesh_.face(fan_[in] / 3);
   const int i = fan_[in] % 3;
-  const double c = face.cosine[i], s = face.sine[i];
-  const double share = crossing / face.length[FaceLayout::after(i)];
-  const double toPrevious = share * face.length[FaceLayout::before(i)];
-  Vector2d back((1 - share) * face.length[i] + toPrevious * c, toPrevious * s);
+  const double c = face.cosines[i], s = face.sines[i];
+  const double share = crossing / face.lengths[cornerAfter(i)];
+  const double toPrevious = share * face.lengths[cornerBefore(i)];
+  Vector2d back((1 - share) * face.lengths[i] + toPrevious * c, toPrevious * s);
   back.normalize();
   const Turn left =
       turnByPi({c * back.x() + s * back.y(), std::max(0.0, s * back.x() - c * back.y())},
@@ -84,7 +84,7 @@ std::span<const OppositeSide> FanBehind::sides(int vertex, int arrival, double c
   const auto to = [&](int step) {  // measured from the other side of its face
     const int o = rightwards(step);
     if (step != right.step) return oppositeLength(o);
-    const double c = faces_[o / 3].cosine[o % 3], s = faces_[o / 3].sine[o % 3];
+    const double c = mesh_.face(o / 3).cosines[o % 3], s = mesh_.face(o / 3).sines[o % 3];
     const Vector2d& rest = right.rest;
     return meetOpposite(o, {c * rest.x() + s * rest.y(), s * rest.x() - c * rest.y()});
   };

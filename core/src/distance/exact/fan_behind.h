@@ -24,8 +24,7 @@ struct OppositeSide {
 /// source, with angles of at least π on both sides (Mitchell et al. 1987, §3).
 class FanBehind {
  public:
-  FanBehind(const TriangleMesh& mesh, std::span<const FaceLayout> faces)
-      : mesh_(mesh), faces_(faces) {}
+  explicit FanBehind(const TriangleMesh& mesh) : mesh_(mesh) {}
 
   /// The parts of the opposite sides that the vertex sees. The path to the vertex enters its last
   /// face across the halfedge `arrival`, of which the vertex is the apex, at `crossing`. Arrival
@@ -47,7 +46,6 @@ class FanBehind {
   double meetOpposite(int outgoing, const Eigen::Vector2d& direction) const;
 
   const TriangleMesh& mesh_;
-  std::span<const FaceLayout> faces_;
   std::vector<int> fan_;  ///< halfedges that leave the vertex, counterclockwise
   bool isClosed_ = false;
   std::vector<OppositeSide> sides_;

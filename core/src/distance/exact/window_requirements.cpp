@@ -19,8 +19,8 @@ void WindowSweep::require(int label, LabelWindows& state, std::span<const int> f
   for (const WaitingWindow& w : state.waiting)
     if (hasRequiredCorner(w.halfedge / 3)) offerToCorners(w.window, w.halfedge);
   for (const CrossedHalfedge& c : state.crossed) {
-    const FaceLayout& face = faces_[c.halfedge / 3];
-    if (std::all_of(std::begin(face.vertex), std::end(face.vertex),
+    const TriangleMesh::Face& face = mesh_.face(c.halfedge / 3);
+    if (std::all_of(std::begin(face.vertices), std::end(face.vertices),
                     [&](int v) { return isRequired(v) && vertices_[v].distance == kInfinity; }))
       state.visitWindows(c.firstBlock, [&](const Window& w) { offerToCorners(w, c.halfedge); });
   }
@@ -31,7 +31,7 @@ void WindowSweep::require(int label, LabelWindows& state, std::span<const int> f
 
 /// Requires the distances at the corners of a face that are not final yet.
 void WindowSweep::requireCorners(int f) {
-  for (const int v : faces_[f].vertex) {
+  for (const int v : mesh_.face(f).vertices) {
     Vertex& own = vertices_[v];
     if (own.epoch != epoch_) reach(v);
     if (own.isFinal || own.required >= 0) continue;
@@ -44,8 +44,8 @@ bool WindowSweep::isRequired(int v) const {
 }
 
 bool WindowSweep::hasRequiredCorner(int f) const {
-  const FaceLayout& face = faces_[f];
-  return isRequired(face.vertex[0]) || isRequired(face.vertex[1]) || isRequired(face.vertex[2]);
+  const TriangleMesh::Face& face = mesh_.face(f);
+  return isRequired(face.vertices[0]) || isRequired(face.vertices[1]) || isRequired(face.vertices[2]);
 }
 
 void WindowSweep::offerRequired(int v, double distance, const LastPiece& piece) {
@@ -55,53 +55,53 @@ void WindowSweep::offerRequired(int v, double distance, const LastPiece& piece) 
 
 /// Offers the corners of a face the paths along its sides from other corners.
 void WindowSweep::offerAlongSides(int f) {
-  const FaceLayout& face = faces_[f];
+  const TriangleMesh::Face& face = mesh_.face(f);
   for (int i = 0; i < 3; ++i) {
-    const int v = face.vertex[i];
+    const int v = face.vertices[i];
     const double distance = vertices_[v].distance;
     // All neighbours of a site on a vertex know it.
     if (distance == kInfinity || vertices_[v].piece.arrival < 0) continue;
     const auto offerTo = [&](int corner, double length, int arrival, double crossing) {
-      const int to = face.vertex[corner];
+      const int to = face.vertices[corner];
       if (isRequired(to) && distance + length < vertices_[to].distance * (1 - kDistanceTolerance))
         offer(to, distance + length, {crossing, distance, directionAt(v), arrival});
     };
-    const int j = FaceLayout::after(i), k = FaceLayout::before(i);
-    offerTo(j, face.length[i], 3 * f + k, face.length[k]);
-    offerTo(k, face.length[k], 3 * f + i, 0);
+    const int j = cornerAfter(i), k = cornerBefore(i);
+    offerTo(j, face.lengths[i], 3 * f + k, face.lengths[k]);
+    offerTo(k, face.lengths[k], 3 * f + i, 0);
   }
 }
 
 /// Offers the paths through a window to the required corners of its face: straight ones, or those that
 /// turn at the window's end.
 void WindowSweep::offerToCorners(const Window& w, int h) {
-  const FaceLayout& face = faces_[h / 3];
-  const int i = h % 3, j = FaceLayout::after(i), k = FaceLayout::before(i);
-  const double length = face.length[i];
-  if (isRequired(face.vertex[k])) {
-    const double px = face.apexX(i), py = face.apexY(i);
-    offerRequired(face.vertex[k], w.distance(px, py),
-                  {std::clamp(w.crossing(px, py), w.begin, w.end), w.sourceDistance, w.direction, h});
+  const TriangleMesh::Face& face = mesh_.face(h / 3);
+  const int i = h % 3, j = cornerAfter(i), k = cornerBefore(i);
+  const double length = face.lengths[i];
+  if (isRequired(face.vertices[k])) {
+    const Eigen::Vector2d p = apexOf(face, i);
+    offerRequired(face.vertices[k], w.distance(p.x(), p.y()),
+                  {std::clamp(w.crossing(p.x(), p.y()), w.begin, w.end), w.sourceDistance, w.direction, h});
   }
   // Along the halfedge from an end of the window. A window that ends at the vertex has offered the
   // straight path already, with the direction in which it arrives.
-  if (isRequired(face.vertex[i]) && w.begin > kGrazing * length)
-    offerRequired(face.vertex[i], w.distanceOnEdge(w.begin) + w.begin,
+  if (isRequired(face.vertices[i]) && w.begin > kGrazing * length)
+    offerRequired(face.vertices[i], w.distanceOnEdge(w.begin) + w.begin,
                   {0, w.sourceDistance, w.direction, h - i + j});
-  if (isRequired(face.vertex[j]) && w.end < (1 - kGrazing) * length)
-    offerRequired(face.vertex[j], w.distanceOnEdge(w.end) + length - w.end,
-                  {face.length[k], w.sourceDistance, w.direction, h - i + k});
+  if (isRequired(face.vertices[j]) && w.end < (1 - kGrazing) * length)
+    offerRequired(face.vertices[j], w.distanceOnEdge(w.end) + length - w.end,
+                  {face.lengths[k], w.sourceDistance, w.direction, h - i + k});
 }
 
 /// Whether windows at a halfedge can make a required distance less, but for those at the corners of
 /// the halfedge's face, to which they have offered their paths.
 template <class Windows>
 bool WindowSweep::canGain(int h, const Windows& windows) const {
-  const FaceLayout& face = faces_[h / 3];
-  const int i = h % 3, j = FaceLayout::after(i), k = FaceLayout::before(i);
-  const double length = face.length[i];
-  const double nearTail = bounds_[face.vertex[i]].distance;
-  const double nearTip = bounds_[face.vertex[j]].distance;
+  const TriangleMesh::Face& face = mesh_.face(h / 3);
+  const int i = h % 3, j = cornerAfter(i), k = cornerBefore(i);
+  const double length = face.lengths[i];
+  const double nearTail = bounds_[face.vertices[i]].distance;
+  const double nearTip = bounds_[face.vertices[j]].distance;
   double begin = length, end = 0, least = kInfinity, excess = kInfinity;
   windows([&](const Window& w) {
     begin = std::min(begin, w.begin);
@@ -112,11 +112,11 @@ bool WindowSweep::canGain(int h, const Windows& windows) const {
                                        w.distanceOnEdge(w.begin) - (nearTip + length - w.begin)));
   });
   const double middle = (begin + end) / 2, share = middle / length;
-  const Eigen::Vector3d place = (1 - share) * mesh_.position(face.vertex[i]) +
-                                share * mesh_.position(face.vertex[j]);
+  const Eigen::Vector3d place = (1 - share) * mesh_.position(face.vertices[i]) +
+                                share * mesh_.position(face.vertices[j]);
   const auto index = [&](int v) { return isRequired(v) ? vertices_[v].required : -1; };
   return required_.canGain(place, end - middle, least, excess,
-                           {index(face.vertex[i]), index(face.vertex[j]), index(face.vertex[k])});
+                           {index(face.vertices[i]), index(face.vertices[j]), index(face.vertices[k])});
 }
 
 /// Takes up those of the waiting windows that can make a required distance less.

@@ -28,9 +28,12 @@ class WindowSpread final : public LabelSpread {
   const std::vector<ReachedVertex>& reached(int label) const override {
     return labels_[label].vertices;
   }
-  void appendPartlyOwned(int label, const std::function<bool(int face)>& isCandidate,
-                         std::vector<int>& faces) const override;
-  double distance(int label, const SurfacePoint& p) const override;
+  std::vector<int> outdated(std::span<const int> /*changedVertices*/) override { return {}; }
+  void appendReaching(int /*vertex*/, std::vector<int>& /*labels*/) override {}
+  void appendLabelsInside(int face, std::vector<int>& labels) const override;
+  void appendEntered(int label, const FaceOwners& owners, std::vector<int>& faces) const override;
+  double distance(int label, const SurfacePoint& p,
+                  const std::array<double, 3>& atCorners) const override;
   Eigen::Vector2d direction(int label, int index) const override;
 
  private:
@@ -41,12 +44,13 @@ class WindowSpread final : public LabelSpread {
     int next;
   };
   void addEntries(int label, size_t firstCrossed);
+  bool ownsPartOf(const Window& window, int label, int halfedge) const;
+  double leastOfOthers(int label, int halfedge, double at) const;
 
   const TriangleMesh& mesh_;
   const SiteSet& sites_;
   const NearestBounds& bounds_;
   const SpreadTo startTo_;
-  const std::vector<FaceLayout> faces_;
   WindowSweep sweep_;
   std::vector<LabelWindows> labels_;
   std::vector<int> firstEntry_;  ///< per halfedge, -1

@@ -26,13 +26,11 @@ constexpr double kBucketsPerEdge = 2;
 
 }  // namespace
 
-WindowSweep::WindowSweep(const TriangleMesh& mesh, std::span<const FaceLayout> faces,
-                         NearestBounds& bounds)
+WindowSweep::WindowSweep(const TriangleMesh& mesh, NearestBounds& bounds)
     : mesh_(mesh),
-      faces_(faces),
       bounds_(bounds),
       bucketsPerUnit_(kBucketsPerEdge / mesh.meanEdgeLength()),
-      fan_(mesh, faces),
+      fan_(mesh),
       vertices_(mesh.vertexCount()),
       waitingBlock_(mesh.halfedgeCount(), -1) {
   for (int v = 0; v < mesh.vertexCount(); ++v) vertices_[v].isSaddle = isSaddle(mesh, v);
@@ -53,14 +51,14 @@ void WindowSweep::start(int label, const SurfacePoint& site, SpreadTo to, LabelW
   site_ = site;
   const Incidence place = incidenceOf(site.bary);
   if (place.corner >= 0) {
-    offer(faces_[site.face].vertex[place.corner], 0, {0, 0, 0, -1});
+    offer(mesh_.face(site.face).vertices[place.corner], 0, {0, 0, 0, -1});
     return;
   }
   double angle = 0;  // of side i in the site's frame
   for (int i = 0; i < 3; ++i) {
     startAtSide(site, i, angle, i == place.side);
-    if (i == place.side && faces_[site.face].twin[i] >= 0) startAcross(site, i, angle + kPi);
-    angle += kPi - faces_[site.face].angle[FaceLayout::after(i)];
+    if (i == place.side && mesh_.face(site.face).twins[i] >= 0) startAcross(site, i, angle + kPi);
+    angle += kPi - mesh_.cornerAngle(3 * site.face + cornerAfter(i));
   }
 }
 
@@ -118,30 +116,30 @@ void WindowSweep::store() {
 /// Lets a site see the corner across from side i of its face and, unless the site is on it, through
 /// the side. `angle` is that of the side in the site's frame.
 void WindowSweep::startAtSide(const SurfacePoint& site, int i, double angle, bool isOnSide) {
-  const FaceLayout& face = faces_[site.face];
-  const Eigen::Vector2d s = face.at(i, site.bary);
-  const Eigen::Vector2d toApex = Eigen::Vector2d(face.apexX(i), face.apexY(i)) - s;
+  const TriangleMesh::Face& face = mesh_.face(site.face);
+  const Eigen::Vector2d s = layOut(face, i, site.bary);
+  const Eigen::Vector2d toApex = apexOf(face, i) - s;
   const double below = toApex.y() > 0 ? s.x() - toApex.x() * (s.y() / toApex.y()) : s.x();
-  offer(face.vertex[FaceLayout::before(i)], toApex.norm(),
-        {std::clamp(below, 0.0, face.length[i]), 0, angle, 3 * site.face + i});
-  if (isOnSide || face.twin[i] < 0) return;
+  offer(face.vertices[cornerBefore(i)], toApex.norm(),
+        {std::clamp(below, 0.0, face.lengths[i]), 0, angle, 3 * site.face + i});
+  if (isOnSide || face.twins[i] < 0) return;
   addSingle({.begin = 0,
-             .end = face.length[i],
-             .x = face.length[i] - s.x(),
+             .end = face.lengths[i],
+             .x = face.lengths[i] - s.x(),
              .y = -s.y(),
              .sourceDistance = 0,
              .direction = angle + kPi},
-            portal(face.twin[i], face.length[i], endAt(face.vertex[FaceLayout::after(i)]),
-                   endAt(face.vertex[i])));
+            portal(face.twins[i], face.lengths[i], endAt(face.vertices[cornerAfter(i)]),
+                   endAt(face.vertices[i])));
 }
 
 /// Starts a site on a side of its face in the face on the other side. `angle` is that of the twin.
 void WindowSweep::startAcross(const SurfacePoint& site, int side, double angle) {
   const SurfacePoint across = acrossEdge(mesh_, site, 3 * site.face + side);
-  int i = faces_[site.face].twin[side] % 3;
-  for (int turn = 0; turn < 3; ++turn, i = FaceLayout::after(i)) {
+  int i = mesh_.face(site.face).twins[side] % 3;
+  for (int turn = 0; turn < 3; ++turn, i = cornerAfter(i)) {
     startAtSide(across, i, angle, turn == 0);
-    angle += kPi - faces_[across.face].angle[FaceLayout::after(i)];
+    angle += kPi - mesh_.cornerAngle(3 * across.face + cornerAfter(i));
   }
 }
 
@@ -165,9 +163,10 @@ void WindowSweep::reach(int v) {
 double WindowSweep::directionAt(int v) const {
   const LastPiece& piece = vertices_[v].piece;
   if (piece.sourceDistance > 0 || piece.arrival < 0) return piece.direction;
-  const FaceLayout& face = faces_[piece.arrival / 3];
+  const TriangleMesh::Face& face = mesh_.face(piece.arrival / 3);
   const int i = piece.arrival % 3;
-  return piece.direction + std::atan2(face.apexY(i), face.apexX(i) - piece.crossing);
+  const Eigen::Vector2d apex = apexOf(face, i);
+  return piece.direction + std::atan2(apex.y(), apex.x() - piece.crossing);
 }
 
 // --- The queue ---------------------------------------------------------------------------------
@@ -190,7 +189,7 @@ void WindowSweep::queueBatch(const Portal& portal, int first, double key) {
   int& waiting = waitingBlock_[portal.halfedge];
   if (waiting < 0) {
     push(portal.halfedge, key);
-    prefetch(faces_[portal.halfedge / 3]);
+    prefetch(mesh_.face(portal.halfedge / 3));
   }
   state_->blocks.add({first, count, waiting});
   waiting = static_cast<int>(state_->blocks.size()) - 1;
@@ -228,23 +227,23 @@ bool WindowSweep::maySpreadFrom(int v) const {
 void WindowSweep::emit(int v, const OppositeSide& side, double direction, bool isSite) {
   const double distance = vertices_[v].distance;
   const int o = side.outgoing, f = o / 3, i = o % 3;
-  const int j = FaceLayout::after(i), k = FaceLayout::before(i);
-  const FaceLayout& face = faces_[f];
-  const double length = face.length[j];
+  const int j = cornerAfter(i), k = cornerBefore(i);
+  const TriangleMesh::Face& face = mesh_.face(f);
+  const double length = face.lengths[j];
   if (side.from <= kGrazing * length)
-    offer(face.vertex[j], distance + face.length[i],
-          {face.length[k], distance, isSite ? direction - kPi + face.angle[i] : direction,
+    offer(face.vertices[j], distance + face.lengths[i],
+          {face.lengths[k], distance, isSite ? direction - kPi + mesh_.cornerAngle(o) : direction,
            3 * f + k});
   if (side.to >= (1 - kGrazing) * length)
-    offer(face.vertex[k], distance + face.length[k], {0, distance, direction, o});
-  if (face.twin[j] < 0) return;
+    offer(face.vertices[k], distance + face.lengths[k], {0, distance, direction, o});
+  if (face.twins[j] < 0) return;
   addSingle({.begin = length - side.to,
              .end = length - side.from,
-             .x = length - face.length[i] * face.cosine[j],
-             .y = -face.length[i] * face.sine[j],
+             .x = length - face.lengths[i] * face.cosines[j],
+             .y = -face.lengths[i] * face.sines[j],
              .sourceDistance = distance,
-             .direction = isSite ? direction - face.angle[j] : direction},
-            portal(face.twin[j], length, endAt(face.vertex[k]), endAt(face.vertex[j])));
+             .direction = isSite ? direction - mesh_.cornerAngle(3 * f + j) : direction},
+            portal(face.twins[j], length, endAt(face.vertices[k]), endAt(face.vertices[j])));
 }
 
 void WindowSweep::addSingle(const Window& w, const Portal& portal) {
@@ -262,26 +261,27 @@ void WindowSweep::crossFace(int h) {
   const int firstBlock = std::exchange(waitingBlock_[h], -1);
   state_->crossed.push_back({h, firstBlock});
   offerToApex(h, firstBlock);
-  const FaceLayout& face = faces_[h / 3];
-  const int i = h % 3, j = FaceLayout::after(i), k = FaceLayout::before(i);
-  const End tail = endAt(face.vertex[i]), tip = endAt(face.vertex[j]), apex = endAt(face.vertex[k]);
-  if (face.twin[k] >= 0)
-    crossSide<true>(h, firstBlock, portal(face.twin[k], face.length[k], tail, apex));
-  if (face.twin[j] >= 0)
-    crossSide<false>(h, firstBlock, portal(face.twin[j], face.length[j], apex, tip));
+  const TriangleMesh::Face& face = mesh_.face(h / 3);
+  const int i = h % 3, j = cornerAfter(i), k = cornerBefore(i);
+  const End tail = endAt(face.vertices[i]), tip = endAt(face.vertices[j]), apex = endAt(face.vertices[k]);
+  if (face.twins[k] >= 0)
+    crossSide<true>(h, firstBlock, portal(face.twins[k], face.lengths[k], tail, apex));
+  if (face.twins[j] >= 0)
+    crossSide<false>(h, firstBlock, portal(face.twins[j], face.lengths[j], apex, tip));
 }
 
 void WindowSweep::offerToApex(int h, int firstBlock) {
-  const FaceLayout& face = faces_[h / 3];
+  const TriangleMesh::Face& face = mesh_.face(h / 3);
   const int i = h % 3;
-  const double px = face.apexX(i), py = face.apexY(i), grazing = kGrazing * face.length[i];
-  const int apex = face.vertex[FaceLayout::before(i)];
+  const Eigen::Vector2d p = apexOf(face, i);
+  const double grazing = kGrazing * face.lengths[i];
+  const int apex = face.vertices[cornerBefore(i)];
   crossings_.clear();
   state_->visitWindows(firstBlock, [&](const Window& w) {
-    const double crossing = w.crossing(px, py);
+    const double crossing = w.crossing(p.x(), p.y());
     crossings_.push_back(crossing);
     if (crossing >= w.begin - grazing && crossing <= w.end + grazing)
-      offer(apex, w.distance(px, py), {crossing, w.sourceDistance, w.direction, h});
+      offer(apex, w.distance(p.x(), p.y()), {crossing, w.sourceDistance, w.direction, h});
   });
 }
 
@@ -299,10 +299,10 @@ inline WindowSweep::Portal WindowSweep::portal(int h, double length, const End& 
 }
 
 WindowSweep::Portal WindowSweep::portalTo(int h) const {
-  const FaceLayout& face = faces_[h / 3];
+  const TriangleMesh::Face& face = mesh_.face(h / 3);
   const int i = h % 3;
-  return portal(h, face.length[i], endAt(face.vertex[i]),
-                endAt(face.vertex[FaceLayout::after(i)]));
+  return portal(h, face.lengths[i], endAt(face.vertices[i]),
+                endAt(face.vertices[cornerAfter(i)]));
 }
 
 /// Trims a child of the batch at hand. False if paths over the ends of its halfedge leave nothing of
@@ -322,25 +322,26 @@ inline bool WindowSweep::keep(Window& w, const Portal& portal) {
 /// Whether a window over the apex is longer there than the label's distance.
 inline bool WindowSweep::isBeaten(const Window& w, double crossing, int h,
                                   double apexDistance) const {
-  const FaceLayout& face = faces_[h / 3];
+  const TriangleMesh::Face& face = mesh_.face(h / 3);
   const int i = h % 3;
-  const double length = face.length[i], grazing = kGrazing * length;
+  const double length = face.lengths[i], grazing = kGrazing * length;
   if (crossing < w.begin - grazing || crossing > w.end + grazing) return false;
-  return w.distance(face.apexX(i), face.apexY(i)) >
+  const Eigen::Vector2d p = apexOf(face, i);
+  return w.distance(p.x(), p.y()) >
          apexDistance + kDistanceTolerance * (apexDistance + length);
 }
 
 /// Lets the batch at hand leave its face on the left or on the right of the apex.
 template <bool kLeft>
 void WindowSweep::crossSide(int h, int firstBlock, const Portal& portal) {
-  const FaceLayout& face = faces_[h / 3];
-  const int i = h % 3, j = FaceLayout::after(i), k = FaceLayout::before(i);
-  const double length = face.length[i], side = portal.length;
-  const double c = face.cosine[kLeft ? i : j], s = face.sine[kLeft ? i : j];
-  const double turn = kLeft ? face.angle[i] : -face.angle[j];
+  const TriangleMesh::Face& face = mesh_.face(h / 3);
+  const int i = h % 3, j = cornerAfter(i), k = cornerBefore(i);
+  const double length = face.lengths[i], side = portal.length;
+  const double c = face.cosines[kLeft ? i : j], s = face.sines[kLeft ? i : j];
+  const double turn = kLeft ? mesh_.cornerAngle(h) : -mesh_.cornerAngle(h - i + j);
   // Of the windows over the apex from the same halfedge only the shortest goes on on both sides of it
   // (Chen & Han 1990).
-  const Vertex& apex = vertices_[face.vertex[k]];
+  const Vertex& apex = vertices_[face.vertices[k]];
   const bool isApexFromHere = apex.epoch == epoch_ && apex.piece.arrival == h;
 
   const int first = static_cast<int>(state_->windows.size());

@@ -36,7 +36,7 @@ enum class SpreadTo {
 class WindowSweep {
  public:
   /// `bounds` are read, and lowered by what the labels find.
-  WindowSweep(const TriangleMesh& mesh, std::span<const FaceLayout> faces, NearestBounds& bounds);
+  WindowSweep(const TriangleMesh& mesh, NearestBounds& bounds);
 
   /// Begins with a label that has not spread yet.
   void start(int label, const SurfacePoint& site, SpreadTo to, LabelWindows& state);
@@ -116,7 +116,6 @@ class WindowSweep {
   }
 
   const TriangleMesh& mesh_;
-  const std::span<const FaceLayout> faces_;
   NearestBounds& bounds_;
   const double bucketsPerUnit_;
   FanBehind fan_;

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "distance/dgpc/unfolding_spread.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/index_set.h"
+#include "mesh/surface_geometry.h"
+
+namespace gvd::dgpc {
+
+UnfoldingSpread::UnfoldingSpread(const TriangleMesh& mesh, const SiteSet& sites,
+                                 const EdgeBounds& edgeBounds, NearestBounds& bounds,
+                                 bool isUnbounded)
+    : mesh_(mesh),
+      sites_(sites),
+      edgeBounds_(edgeBounds),
+      bounds_(bounds),
+      isUnbounded_(isUnbounded),
+      sweep_(mesh),
+      indexOf_(mesh.vertexCount(), -1),
+      reaching_(mesh.vertexCount()) {}
+
+void UnfoldingSpread::start(int label) {
+  if (label >= static_cast<int>(labels_.size())) labels_.resize(label + 1);
+  running_ = label;
+  sweep_.start(sites_[label]);
+}
+
+/// A label is never stopped by others: there is nothing to go on from.
+void UnfoldingSpread::resume(int /*label*/) {}
+
+bool UnfoldingSpread::run(long& budget) {
+  if (running_ < 0) return true;
+  const auto spreads = [&](int v, double distance) {
+    return isUnbounded_ || isAtMost(distance, edgeBounds_[v]);
+  };
+  if (!sweep_.run(spreads, budget)) return false;
+  store();
+  return true;
+}
+
+void UnfoldingSpread::store() {
+  const int label = std::exchange(running_, -1);
+  Label& known = labels_[label];
+  known.vertices.reserve(sweep_.reached().size());
+  known.directions.reserve(sweep_.reached().size());
+  for (const int v : sweep_.reached()) {
+    known.vertices.push_back({v, false, sweep_.distance(v)});
+    known.directions.push_back(sweep_.direction(v));
+    lower(bounds_[v], label, sweep_.distance(v));
+    if (isReachingKnown_) reaching_.add(v, label);
+  }
+}
+
+void UnfoldingSpread::remove(int label) {
+  if (isReachingKnown_)
+    for (const ReachedVertex& r : labels_[label].vertices)
+      reaching_.eraseIf(r.vertex, [&](int l) { return l == label; });
+  labels_[label] = {};
+}
+
+// --- Required distances ------------------------------------------------------------------------
+
+void UnfoldingSpread::require(int label, std::span<const int> faces) {
+  Label& known = labels_[label];
+  const int swept = static_cast<int>(known.vertices.size());
+  for (int i = 0; i < swept; ++i) indexOf_[known.vertices[i].vertex] = i;
+  for (const int f : faces)
+    for (const int v : mesh_.face(f).vertices) {
+      if (indexOf_[v] < 0) requireVertex(known, v);
+      known.vertices[indexOf_[v]].isFinal = true;
+    }
+  for (const ReachedVertex& r : known.vertices) indexOf_[r.vertex] = -1;
+}
+
+/// The distance at a vertex that the label has not come to: from the faces around it, as in the sweep.
+/// Another label owns the vertex, and remains nearer.
+void UnfoldingSpread::requireVertex(Label& known, int vertex) {
+  ReachedVertex required = {vertex, true, kInfinity};
+  Eigen::Vector2d direction(1, 0);
+  const auto offer = [&](double distance, int from) {
+    if (!(distance < required.distance)) return;
+    required.distance = distance;
+    direction = known.directions[from];
+  };
+  mesh_.visitFaces(vertex, [&](int f) {
+    const TriangleMesh::Face& face = mesh_.face(f);
+    const int k = face.vertices[0] == vertex ? 0 : face.vertices[1] == vertex ? 1 : 2;
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    const int tail = indexOf_[face.vertices[i]], tip = indexOf_[face.vertices[j]];
+    const double atTail = tail < 0 ? kInfinity : known.vertices[tail].distance;
+    const double atTip = tip < 0 ? kInfinity : known.vertices[tip].distance;
+    if (const auto unfolding = unfold(face, i, atTail, atTip))
+      offer(unfolding->toApex.norm(), atTail < atTip ? tail : tip);
+    if (tail >= 0) offer(atTail + face.lengths[k], tail);
+    if (tip >= 0) offer(atTip + face.lengths[j], tip);
+  });
+  required.distance =
+      std::max(required.distance, std::nextafter(bounds_[vertex].distance, kInfinity));
+  indexOf_[vertex] = static_cast<int>(known.vertices.size());
+  known.vertices.push_back(required);
+  known.directions.push_back(direction);
+}
+
+// --- Changes -----------------------------------------------------------------------------------
+
+void UnfoldingSpread::indexReaching() {
+  if (std::exchange(isReachingKnown_, true)) return;
+  for (int label = 0; label < static_cast<int>(labels_.size()); ++label)
+    for (const ReachedVertex& r : labels_[label].vertices) reaching_.add(r.vertex, label);
+}
+
+std::vector<int> UnfoldingSpread::outdated(std::span<const int> changedVertices) {
+  indexReaching();
+  std::vector<int> labels;
+  for (const int v : changedVertices) appendReaching(v, labels);
+  makeSet(labels);
+  return labels;
+}
+
+void UnfoldingSpread::appendReaching(int vertex, std::vector<int>& labels) {
+  indexReaching();
+  for (const int label : reaching_[vertex]) labels.push_back(label);
+}
+
+// --- Queries -----------------------------------------------------------------------------------
+
+// The distance at a point follows from those at the corners of its face: no more can be found inside.
+
+void UnfoldingSpread::appendLabelsInside(int /*face*/, std::vector<int>& /*labels*/) const {}
+
+void UnfoldingSpread::appendEntered(int /*label*/, const FaceOwners& /*owners*/,
+                                    std::vector<int>& /*faces*/) const {}
+
+double UnfoldingSpread::distance(int label, const SurfacePoint& p,
+                                 const std::array<double, 3>& atCorners) const {
+  const auto sides = squaredSides(mesh_, p.face);
+  for (const FaceSite& site : sites_.inFace(p.face))
+    if (site.label == label) return std::sqrt(squaredDistance(p.bary, site.bary, sides));
+  double squared = 0;
+  for (int i = 0; i < 3; ++i) {
+    if (p.bary[i] > 0 && atCorners[i] == kInfinity) return kInfinity;
+    if (p.bary[i] > 0) squared += p.bary[i] * atCorners[i] * atCorners[i];
+    squared -= p.bary[i] * p.bary[(i + 1) % 3] * sides[i];
+  }
+  return std::sqrt(std::max(squared, 0.0));
+}
+
+Eigen::Vector2d UnfoldingSpread::direction(int label, int index) const {
+  return labels_[label].directions[index];
+}
+
+}  // namespace gvd::dgpc

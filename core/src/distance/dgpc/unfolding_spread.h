@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "distance/dgpc/unfolding_sweep.h"
+#include "distance/edge_bounds.h"
+#include "distance/label_spread.h"
+#include "distance/nearest_bounds.h"
+#include "distance/site_set.h"
+#include "distance/small_lists.h"
+
+namespace gvd::dgpc {
+
+/// The approximate metric: geodesic polar coordinates. A label spreads from the vertices where its
+/// distance is not larger than a path along edges to some site, and nowhere else: so what it finds
+/// depends on the sites alone, not on the order in which labels spread.
+class UnfoldingSpread final : public LabelSpread {
+ public:
+  UnfoldingSpread(const TriangleMesh& mesh, const SiteSet& sites, const EdgeBounds& edgeBounds,
+                  NearestBounds& bounds, bool isUnbounded);
+
+  void start(int label) override;
+  void resume(int label) override;
+  void require(int label, std::span<const int> faces) override;
+  bool run(long& budget) override;
+  void remove(int label) override;
+
+  std::vector<ReachedVertex>& reached(int label) override { return labels_[label].vertices; }
+  const std::vector<ReachedVertex>& reached(int label) const override {
+    return labels_[label].vertices;
+  }
+  std::vector<int> outdated(std::span<const int> changedVertices) override;
+  void appendReaching(int vertex, std::vector<int>& labels) override;
+  void appendLabelsInside(int face, std::vector<int>& labels) const override;
+  void appendEntered(int label, const FaceOwners& owners, std::vector<int>& faces) const override;
+  double distance(int label, const SurfacePoint& p,
+                  const std::array<double, 3>& atCorners) const override;
+  Eigen::Vector2d direction(int label, int index) const override;
+
+ private:
+  struct Label {
+    std::vector<ReachedVertex> vertices;
+    std::vector<Eigen::Vector2d> directions;  ///< at the site, of each of these vertices
+  };
+  void store();
+  void requireVertex(Label& label, int vertex);
+  void indexReaching();
+
+  const TriangleMesh& mesh_;
+  const SiteSet& sites_;
+  const EdgeBounds& edgeBounds_;
+  NearestBounds& bounds_;
+  const bool isUnbounded_;
+  UnfoldingSweep sweep_;
+  std::vector<Label> labels_;
+  int running_ = -1;
+  std::vector<int> indexOf_;  ///< per vertex in the label at hand, -1
+  /// The labels that have reached each vertex; made when it is asked for first.
+  SmallLists<int> reaching_;
+  bool isReachingKnown_ = false;
+};
+
+}  // namespace gvd::dgpc

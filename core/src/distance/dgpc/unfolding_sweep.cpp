@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// This work is based on:
+// Eivind Lyche Melvær, Martin Reimers. Geodesic Polar Coordinates on Polygonal Meshes. 2012
+#include "distance/dgpc/unfolding_sweep.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/plane.h"
+#include "distance/face_layout.h"
+#include "distance/site_frame.h"
+
+namespace gvd::dgpc {
+
+using Eigen::Vector2d;
+
+void UnfoldingSweep::start(const SurfacePoint& site) {
+  ++epoch_;
+  reached_.clear();
+  const TriangleMesh::Face& face = mesh_.face(site.face);
+  const Incidence place = incidenceOf(site.bary);
+  if (place.corner >= 0) {
+    const int vertex = face.vertices[place.corner], first = mesh_.outgoing(vertex);
+    offer(vertex, 0, {1, 0});
+    int h = first;
+    do {
+      offer(mesh_.tip(h), mesh_.length(h), unitVector(angleOfOutgoing(mesh_, site, h)));
+      const int last = TriangleMesh::previous(h);
+      h = mesh_.twin(last);
+      if (h < 0) {  // the last side along the boundary leads here only
+        const int out = TriangleMesh::next(last);
+        offer(mesh_.tail(last), mesh_.length(last),
+              unitVector(angleOfOutgoing(mesh_, site, out) + mesh_.cornerAngle(out)));
+      }
+    } while (h >= 0 && h != first);
+    return;
+  }
+  startInFace(site, {1, 0});
+  const int side = place.side;
+  if (side < 0 || face.twins[side] < 0) return;
+  // The side in the site's frame; its twin runs the other way, and to the first side of that face.
+  const Vector2d along =
+      layOut(face, 0, Eigen::Vector3d::Unit(cornerAfter(side)) - Eigen::Vector3d::Unit(side)) /
+      face.lengths[side];
+  const int twin = face.twins[side];
+  startInFace(acrossEdge(mesh_, site, 3 * site.face + side),
+              turnedBy(-along, firstSide(mesh_, TriangleMesh::faceOf(twin), twin % 3)));
+}
+
+/// Gives the corners of a face their distances from a site in it. `firstSide` is the direction of the
+/// face's first side in the site's frame.
+void UnfoldingSweep::startInFace(const SurfacePoint& site, const Vector2d& firstSide) {
+  const TriangleMesh::Face& face = mesh_.face(site.face);
+  for (int i = 0; i < 3; ++i) {
+    const Vector2d way = layOut(face, 0, Eigen::Vector3d::Unit(i) - site.bary);
+    const double length = way.norm();
+    offer(face.vertices[i], length, turnedBy(way / length, firstSide));
+  }
+}
+
+bool UnfoldingSweep::offer(int v, double distance, const Vector2d& direction) {
+  Vertex& own = vertices_[v];
+  if (own.epoch != epoch_) {
+    own.epoch = epoch_;
+    own.distance = kInfinity;
+    reached_.push_back(v);
+  }
+  if (!(distance < own.distance * (1 - kDistanceTolerance))) return false;
+  own.distance = distance;
+  own.direction = direction;
+  queue_.push({distance, v});
+  return true;
+}
+
+/// Lets a vertex take part in the distances of its neighbours.
+void UnfoldingSweep::passOn(int v) {
+  const int first = mesh_.outgoing(v);
+  int h = first;
+  do {
+    const int last = TriangleMesh::previous(h);
+    unfoldAcross(h);
+    unfoldAcross(last);
+    h = mesh_.twin(last);
+  } while (h >= 0 && h != first);
+}
+
+/// Gives the apex of a halfedge the distance from the virtual source that the distances at the
+/// halfedge's ends put behind it, if that source sees the apex through the halfedge; otherwise the one
+/// along an edge.
+void UnfoldingSweep::unfoldAcross(int h) {
+  const TriangleMesh::Face& face = mesh_.face(TriangleMesh::faceOf(h));
+  const int i = h % 3, j = cornerAfter(i), k = cornerBefore(i);
+  const int tail = face.vertices[i], tip = face.vertices[j], apex = face.vertices[k];
+  const double atTail = distance(tail), atTip = distance(tip);
+  if (!(std::min(atTail, atTip) < distance(apex))) return;
+  const std::optional<Unfolding> unfolding = unfold(face, i, atTail, atTip);
+  if (unfolding) {
+    const double length = unfolding->toApex.norm();
+    if (length < distance(apex) * (1 - kDistanceTolerance))
+      offer(apex, length, directionToApex(*unfolding, tail, tip));
+  } else if (const double overTail = atTail + face.lengths[k], overTip = atTip + face.lengths[j];
+             overTail <= overTip) {
+    offer(apex, overTail, vertices_[tail].direction);
+  } else {
+    offer(apex, overTip, vertices_[tip].direction);
+  }
+}
+
+/// Between the directions of both ends of a halfedge, each turned by the angle under which the virtual
+/// source sees the apex beside it.
+Vector2d UnfoldingSweep::directionToApex(const Unfolding& u, int tail, int tip) const {
+  const auto turned = [&](int end, const Vector2d& toEnd) {
+    return turnedBy(vertices_[end].direction, turnedBackBy(u.toApex, toEnd).normalized());
+  };
+  // A source at an end has no direction there.
+  if (u.toTail.squaredNorm() == 0) return turned(tip, u.toTip);
+  if (u.toTip.squaredNorm() == 0) return turned(tail, u.toTail);
+  const double besideTail = cross(u.toApex, u.toTail), besideTip = cross(u.toTip, u.toApex);
+  const double sum = besideTail + besideTip;
+  const double share = sum > 0 ? std::clamp(besideTail / sum, 0.0, 1.0) : 0.5;
+  const Vector2d mean =
+      (1 - share) * turned(tail, u.toTail) + share * turned(tip, u.toTip);
+  return mean.squaredNorm() > 0 ? Vector2d(mean.normalized()) : turned(tail, u.toTail);
+}
+
+std::optional<Unfolding> unfold(const TriangleMesh::Face& face, int side, double atTail,
+                                double atTip) {
+  if (!(atTail < kInfinity && atTip < kInfinity)) return std::nullopt;
+  const double length = face.lengths[side];
+  const double x = ((atTail - atTip) * (atTail + atTip) + length * length) / (2 * length);
+  const double squaredY = atTail * atTail - x * x;
+  if (squaredY < -kUnfoldingRounding * atTail * atTail) return std::nullopt;
+  const Vector2d source(x, -std::sqrt(std::max(squaredY, 0.0)));
+  const Unfolding u = {-source, Vector2d(length, 0) - source, apexOf(face, side) - source};
+  // The line from the source to the apex crosses the halfedge's line between its ends.
+  const double slack = kUnfoldingRounding * length * u.toApex.y();
+  if (cross(u.toApex, u.toTail) < -slack || cross(u.toTip, u.toApex) < -slack) return std::nullopt;
+  return u;
+}
+
+}  // namespace gvd::dgpc

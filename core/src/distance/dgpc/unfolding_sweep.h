@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "base/heap.h"
+#include "base/tolerances.h"
+#include "gvd/geodesic.h"
+#include "gvd/surface_point.h"
+#include "gvd/triangle_mesh.h"
+
+namespace gvd::dgpc {
+
+/// A place that rounding alone may have put beyond a halfedge or its line, as a share of lengths.
+inline constexpr double kUnfoldingRounding = 1e-12;
+
+/// A virtual source, given by the ways from it to the corners of a face.
+struct Unfolding {
+  Eigen::Vector2d toTail, toTip, toApex;
+};
+
+/// The virtual source behind a side of a face that has these distances from its two ends, in the
+/// coordinates of the side; nothing unless it exists and sees the apex through the side.
+std::optional<Unfolding> unfold(const TriangleMesh::Face& face, int side, double atTail,
+                                double atTip);
+
+/// Geodesic polar coordinates of one site after another (Melvær & Reimers 2012): at each vertex a
+/// distance and the direction at the site. Both follow from those at two other corners of a face, by
+/// unfolding a virtual source, or else along an edge. A vertex that has passed its distance on may get
+/// a better one and pass that on again (label-correcting), which makes the distances exact in the
+/// plane where the way is free, obtuse triangles included. What one site costs depends on how far it
+/// spreads only.
+class UnfoldingSweep {
+ public:
+  explicit UnfoldingSweep(const TriangleMesh& mesh) : mesh_(mesh), vertices_(mesh.vertexCount()) {}
+
+  /// Begins with a site; what the last one has reached is forgotten.
+  void start(const SurfacePoint& site);
+  /// Passes on at most `budget` distances and lowers it by their number; a vertex does so where
+  /// spreads(vertex, distance). True when there is none left.
+  template <class Spreads>
+  bool run(Spreads spreads, long& budget);
+
+  /// The vertices that the site has reached; it may not have spread on from them.
+  const std::vector<int>& reached() const { return reached_; }
+  /// Infinite where the site has not come to.
+  double distance(int vertex) const {
+    return vertices_[vertex].epoch == epoch_ ? vertices_[vertex].distance : kInfinity;
+  }
+  /// The direction of the path at the site (`DistanceField::direction`), where the site has come to.
+  const Eigen::Vector2d& direction(int vertex) const { return vertices_[vertex].direction; }
+ private:
+  struct Vertex {
+    double distance;
+    Eigen::Vector2d direction;
+    int epoch = 0;  ///< of the site that this is about
+  };
+  struct Item {
+    double distance;
+    int vertex;
+    bool operator<(const Item& other) const {
+      return distance < other.distance || (distance == other.distance && vertex < other.vertex);
+    }
+  };
+
+  void startInFace(const SurfacePoint& site, const Eigen::Vector2d& firstSide);
+  bool offer(int vertex, double distance, const Eigen::Vector2d& direction);
+  void passOn(int vertex);
+  void unfoldAcross(int halfedge);
+  Eigen::Vector2d directionToApex(const Unfolding& unfolding, int tail, int tip) const;
+
+  const TriangleMesh& mesh_;
+  int epoch_ = 0;
+  std::vector<Vertex> vertices_;
+  std::vector<int> reached_;
+  QuaternaryHeap<Item> queue_;
+};
+
+template <class Spreads>
+bool UnfoldingSweep::run(Spreads spreads, long& budget) {
+  while (!queue_.empty()) {
+    if (budget <= 0) return false;
+    const Item item = queue_.top();
+    queue_.pop();
+    if (item.distance != vertices_[item.vertex].distance) continue;  // it has a better one by now
+    --budget;
+    if (spreads(item.vertex, item.distance)) passOn(item.vertex);
+  }
+  return true;
+}
+
+}  // namespace gvd::dgpc

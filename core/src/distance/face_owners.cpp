@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "distance/face_owners.h"
+
+#include <algorithm>
+
+namespace gvd {
+
+bool FaceOwners::has(int face, int label) const {
+  if (sole_[face] != kSeveral) return sole_[face] == label;
+  const auto owners = several_[face];
+  return std::any_of(owners.begin(), owners.end(),
+                     [&](const Owner& owner) { return owner.label == label; });
+}
+
+void FaceOwners::reset(int face, std::vector<Requirement>& found) {
+  several_.clear(face);
+  const auto ownerAt = [&](int corner) { return bounds_[mesh_.tail(3 * face + corner)].label; };
+  sole_[face] = ownerAt(0);
+  for (int i = 1; i < 3; ++i)
+    if (ownerAt(i) >= 0) add(face, ownerAt(i), false, found);
+  for (const FaceSite& site : sites_.inFace(face)) add(face, site.label, false, found);
+}
+
+void FaceOwners::add(int face, int label, bool isInterpolated, std::vector<Requirement>& found) {
+  if (has(face, label)) return;
+  if (sole_[face] != kSeveral) {
+    if (sole_[face] >= 0) {
+      several_.add(face, {sole_[face], false});
+      found.push_back({sole_[face], face});
+    }
+    sole_[face] = kSeveral;
+  }
+  several_.add(face, {label, isInterpolated});
+  found.push_back({label, face});
+}
+
+bool FaceOwners::removeInterpolated(int face) {
+  const size_t before = several_[face].size();
+  if (before == 0) return false;
+  several_.eraseIf(face, [](const Owner& owner) { return owner.isInterpolated; });
+  const auto owners = several_[face];
+  if (owners.size() == before) return false;
+  if (owners.size() == 1) {
+    sole_[face] = owners[0].label;
+    several_.clear(face);
+  }
+  return true;
+}
+
+}  // namespace gvd
