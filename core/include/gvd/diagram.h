@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -97,5 +98,27 @@ struct DiagramOptions {
 /// last bit; permuting the sites permutes the labels. O(F + M log M), M the number of points.
 Diagram traceDiagram(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,
                      const DiagramOptions& options = {});
+
+/// The same in slices, so that a caller keeps responding and can give up.
+class DiagramTracing {
+ public:
+  /// The mesh and the distances must outlive this.
+  DiagramTracing(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,
+                 const DiagramOptions& options = {});
+  ~DiagramTracing();
+  DiagramTracing(DiagramTracing&&) noexcept;
+  DiagramTracing& operator=(DiagramTracing&&) noexcept;
+
+  /// Does work for at most `budget` mixed faces, a microsecond or less each, or as much of another
+  /// kind; true when everything is done. What is not parted: one face, with all the sites in it; one
+  /// loop.
+  bool step(long budget);
+  /// The result; call once, after `step` returned true.
+  Diagram take();
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
 
 }  // namespace gvd
