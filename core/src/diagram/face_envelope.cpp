@@ -24,8 +24,10 @@ Eigen::Vector3d FaceEnvelope::bary(int vertex) const {
     const auto [low, high] = std::minmax(v.functions[0], v.functions[1]);
     const auto &a = value(low), &c = value(high);
     const double share = crossing(a[i], c[i], a[j], c[j]);
-    const double fromCorner[] = {1 - share, share, 0};  // i, and on
-    return {fromCorner[(3 - i) % 3], fromCorner[(4 - i) % 3], fromCorner[2 - i]};
+    Eigen::Vector3d point = Eigen::Vector3d::Zero();
+    point[i] = 1 - share;
+    point[j] = share;
+    return point;
   }
   // The common zero of b - a and c - a is their cross product, up to scale.
   const auto &a = value(v.functions[0]), &b = value(v.functions[1]), &c = value(v.functions[2]);
@@ -54,7 +56,7 @@ bool FaceEnvelope::isBelow(int f, const Vertex& v) const {
 void FaceEnvelope::compute(std::span<const LabelFunction> functions) {
   functions_ = functions;
   vertices_.clear();
-  if (cells_.empty()) cells_.emplace_back();
+  if (cells_.size() < 2) cells_.resize(2);
   cellCount_ = 1;
   cells_[0].function = 0;
   cells_[0].sides.clear();
@@ -62,7 +64,44 @@ void FaceEnvelope::compute(std::span<const LabelFunction> functions) {
     vertices_.push_back({Vertex::kCorner, i, {0, -1, -1}});
     cells_[0].sides.push_back({i, across(i)});
   }
-  for (int f = 1; f < static_cast<int>(functions.size()); ++f) insert(f);
+  const int count = static_cast<int>(functions.size());
+  int f = 1;
+  for (; f < count && cellCount_ == 1; ++f) insertInWhole(f);
+  for (; f < count; ++f) insert(f);
+}
+
+/// What `insert` does while one function has all of the triangle.
+void FaceEnvelope::insertInWhole(int f) {
+  const int owner = cells_[0].function;
+  const auto &a = value(owner), &c = value(f);
+  const std::array<bool, 3> isBelow = {c[0] < a[0], c[1] < a[1], c[2] < a[2]};
+  for (int v = 0; v < 3; ++v)
+    if (isBelow[v]) vertices_[v].functions[0] = f;
+  if (!isBelow[0] && !isBelow[1] && !isBelow[2]) return;
+  if (isBelow[0] && isBelow[1] && isBelow[2]) {
+    cells_[0].function = f;
+    return;
+  }
+  std::vector<CellSide>&kept = cells_[0].sides, &taken = cells_[1].sides;
+  kept.clear();
+  taken.clear();
+  for (int i = 0; i < 3; ++i) {
+    const bool toIsBelow = isBelow[i < 2 ? i + 1 : 0];
+    (isBelow[i] ? taken : kept).push_back({i, across(i)});
+    if (isBelow[i] == toIsBelow) continue;
+    const int cut = static_cast<int>(vertices_.size());
+    if (toIsBelow) {
+      vertices_.push_back({Vertex::kOnSide, i, {owner, f, -1}});
+      kept.push_back({cut, f});
+      taken.push_back({cut, across(i)});
+    } else {
+      vertices_.push_back({Vertex::kOnSide, i, {f, owner, -1}});
+      taken.push_back({cut, owner});
+      kept.push_back({cut, across(i)});
+    }
+  }
+  cells_[1].function = f;
+  cellCount_ = 2;
 }
 
 /// The new vertex where f's cell cuts the side of `cell` that goes from `from` to `to`; one vertex
@@ -87,16 +126,24 @@ int FaceEnvelope::cutVertex(const Cell& cell, const CellSide& from, const CellSi
   return vertex;
 }
 
+/// Sets `below_`; false if f is below the envelope nowhere.
+bool FaceEnvelope::findBelow(int f) {
+  constexpr char kUnknown = 2;
+  below_.assign(vertices_.size(), kUnknown);
+  bool any = false;
+  for (int c = 0; c < cellCount_; ++c)
+    for (const CellSide& side : cells_[c].sides) {
+      char& isBelowHere = below_[side.vertex];
+      if (isBelowHere == kUnknown) any |= isBelowHere = isBelow(f, vertices_[side.vertex]);
+    }
+  return any;
+}
+
 /// Adds one function: its cell is what it takes from the others. Each cell, convex, gives up one
 /// run of its vertices, and the cut closes both parts.
 void FaceEnvelope::insert(int f) {
   const int vertexCount = static_cast<int>(vertices_.size());
-  below_.assign(vertexCount, 0);
-  bool any = false;
-  for (int c = 0; c < cellCount_; ++c)
-    for (const CellSide& side : cells_[c].sides)
-      if (!below_[side.vertex]) any |= below_[side.vertex] = isBelow(f, vertices_[side.vertex]);
-  if (!any) return;
+  if (!findBelow(f)) return;
 
   links_.clear();
   cuts_.clear();
@@ -146,7 +193,7 @@ void FaceEnvelope::insert(int f) {
     at = link->to;
   }
   for (int v = 0; v < 3; ++v)
-    if (below_[v]) vertices_[v].functions[0] = f;
+    if (below_[v] == 1) vertices_[v].functions[0] = f;
 }
 
 }  // namespace gvd

@@ -64,6 +64,8 @@ class FaceEnvelope {
  private:
   const std::array<double, 3>& value(int function) const { return functions_[function].value; }
   bool isBelow(int f, const Vertex& v) const;
+  void insertInWhole(int f);
+  bool findBelow(int f);
   void insert(int f);
   int cutVertex(const Cell& cell, const CellSide& from, const CellSide& to, bool toIsBelow, int f);
 
