@@ -185,8 +185,9 @@ void ArcChaining::noteEnds(int segment) {
 /// Whether an arc goes on through a point.
 bool ArcChaining::passes(int point) const {
   const auto& [incoming, outgoing, degree] = ends_[point];
-  return degree == 2 && incoming >= 0 && outgoing >= 0 &&
-         out_.segments[incoming].labels == out_.segments[outgoing].labels;
+  if (degree != 2 || incoming < 0 || outgoing < 0) return false;
+  const auto &before = out_.segments[incoming].labels, &after = out_.segments[outgoing].labels;
+  return before[0] == after[0] && before[1] == after[1];
 }
 
 void ArcChaining::follow(int segment) {

@@ -18,6 +18,9 @@ namespace gvd {
 
 using Vertex = FaceEnvelope::Vertex;
 
+/// As a share of the longest side, a distance that is far beyond what points are merged at.
+constexpr double kPlainlyApart = 1000 * kMaxPointError;
+
 BisectorTracing::BisectorTracing(const FaceComplex& complex, int siteCount, NodePoints& nodePoints,
                                  BisectorGraph& graph)
     : mesh_(complex.mesh()),
@@ -235,18 +238,30 @@ int BisectorTracing::pointOnSide(const Element& element, const Vertex& v,
 void BisectorTracing::mergeOnSide(const Element& element, int side, int point, int others) {
   const double error = graph_.points[point].error;
   const SurfacePoint place = graph_.places[point];
-  for (const int corner : {side, (side + 1) % 3}) {
+  for (const int end : {0, 1}) {
+    const int corner = end == 0 ? side : (side + 1) % 3;
+    if (isApart(element, side, place.bary[end == 0 ? (side + 1) % 3 : side], 2 * error)) continue;
     const Eigen::Vector3d bary = Eigen::Vector3d::Unit(corner);
-    const Eigen::Vector3d end = complex_.faceBary(element.index, bary);
-    if (squaredDistance(place.bary, end, element.squaredLength) <= error * error)
+    const Eigen::Vector3d apart = place.bary - complex_.faceBary(element.index, bary);
+    if (squaredLength(apart, element.squaredLength) <= error * error)
       graph_.unite(point, pointOfNode(element, tail_[3 * element.index + corner], bary));
   }
-  for (int p = others; p >= 0; p = graph_.points[p].nextOnSide)
-    if (gap(graph_.places[p], place) <= graph_.points[p].error + error) graph_.unite(point, p);
+  for (int p = others; p >= 0; p = graph_.points[p].nextOnSide) {
+    const SurfacePoint& other = graph_.places[p];
+    if (other.face == place.face && isApart(element, side, other.bary[side] - place.bary[side],
+                                            kPlainlyApart * element.longest))
+      continue;
+    if ((mesh_.position(other) - mesh_.position(place)).norm() <= graph_.points[p].error + error)
+      graph_.unite(point, p);
+  }
 }
 
-double BisectorTracing::gap(const SurfacePoint& a, const SurfacePoint& b) const {
-  return (mesh_.position(a) - mesh_.position(b)).norm();
+/// Whether a share of a side is longer than some distance. A quick way out where points are not one,
+/// as mostly; false where that is not as simple.
+bool BisectorTracing::isApart(const Element& element, int side, double share,
+                              double distance) const {
+  return complex_.isWhole(element.index) &&
+         share * share * element.squaredLength[side] > distance * distance;
 }
 
 /// Where in `firstOnSide_` a side of an element is. Of two elements with points on their common side

@@ -54,7 +54,7 @@ class BisectorTracing {
   int pointAt(const Element& element, int vertex);
   int pointOnSide(const Element& element, const FaceEnvelope::Vertex& v, const SurfacePoint& place);
   void mergeOnSide(const Element& element, int side, int point, int others);
-  double gap(const SurfacePoint& a, const SurfacePoint& b) const;
+  bool isApart(const Element& element, int side, double share, double distance) const;
   int slotOf(const Element& element, int side) const;
   int pointOfNode(const Element& element, int node, const Eigen::Vector3d& bary);
   void addUnmatchedSide(const Element& element, int side, int vertex);

@@ -48,17 +48,16 @@ bool ownsPartOf(int label, double atTail, double atTip, Labels tail, Labels tip)
   return from <= to + kRounding;
 }
 
-/// What is known of one label at the nodes of an element, by corner; null where it is not known.
-struct Known {
-  int label;
-  std::array<const LabelledDistance*, 3> at;
-
-  bool isKnownAtBoth(int i, int j) const { return at[i] && at[j]; }
-  bool isBehindAt(int corner, const Known& other) const {
-    const double ours = at[corner]->distance, theirs = other.at[corner]->distance;
-    return isBehind(ours * ours - theirs * theirs, label, other.label);
-  }
-};
+/// Whether one of the owners is before a label at both ends of a side.
+bool isHidden(int label, double atTail, double atTip, Labels tail, Labels tip,
+              const std::array<int, 3>& owners) {
+  return std::any_of(owners.begin(), owners.end(), [&](int owner) {
+    const LabelledDistance *const from = find(tail, owner), *const to = find(tip, owner);
+    return from && to &&
+           isBehind(atTail * atTail - from->distance * from->distance, label, owner) &&
+           isBehind(atTip * atTip - to->distance * to->distance, label, owner);
+  });
+}
 
 }  // namespace
 
@@ -93,45 +92,28 @@ bool LabelCompletion::hasOwnLabels(int element) const {
 /// one of the owners at both.
 bool LabelCompletion::mayLackLabels(int element) const {
   const int* const node = &complex_.tails()[3 * element];
-  std::array<Labels, 3> lists;
-  std::array<const LabelledDistance*, 3> next;
-  std::array<Known, 3> owners{};
-  for (int i = 0; i < 3; ++i) {
-    lists[i] = complex_.labels(node[i]);
-    next[i] = lists[i].data();
-  }
-  for (int i = 0; i < 3; ++i) {
-    const int owner = complex_.owner(node[i]);
-    if (owner < 0) continue;
-    owners[i].label = owner;
-    for (int j = 0; j < 3; ++j) owners[i].at[j] = find(lists[j], owner);
-    if (!owners[i].at[0] || !owners[i].at[1] || !owners[i].at[2]) return true;
-  }
+  const Labels a = complex_.labels(node[0]), b = complex_.labels(node[1]),
+               c = complex_.labels(node[2]);
   constexpr int kNoLabel = std::numeric_limits<int>::max();
+  const std::array<int, 3> owners = {complex_.owner(node[0]), complex_.owner(node[1]),
+                                     complex_.owner(node[2])};
+  auto i = a.begin(), j = b.begin(), k = c.begin();
   for (;;) {
-    const auto labelAt = [&](int i) {
-      return next[i] == lists[i].data() + lists[i].size() ? kNoLabel : next[i]->label;
-    };
-    const std::array<int, 3> labels = {labelAt(0), labelAt(1), labelAt(2)};
-    const int label = std::min({labels[0], labels[1], labels[2]});
+    const int atA = i == a.end() ? kNoLabel : i->label;
+    const int atB = j == b.end() ? kNoLabel : j->label;
+    const int atC = k == c.end() ? kNoLabel : k->label;
+    const int label = std::min({atA, atB, atC});
     if (label == kNoLabel) return false;
-    Known known{label, {}};
-    int count = 0, unknownAt = 0;
-    for (int i = 0; i < 3; ++i) {
-      if (labels[i] == label) {
-        known.at[i] = next[i]++;
-        ++count;
-      } else {
-        unknownAt = i;
-      }
+    const bool isAtA = atA == label, isAtB = atB == label, isAtC = atC == label;
+    if (!(isAtA && isAtB && isAtC)) {
+      if (label == owners[0] || label == owners[1] || label == owners[2]) return true;
+      if (isAtA && isAtB && !isHidden(label, i->distance, j->distance, a, b, owners)) return true;
+      if (isAtB && isAtC && !isHidden(label, j->distance, k->distance, b, c, owners)) return true;
+      if (isAtC && isAtA && !isHidden(label, k->distance, i->distance, c, a, owners)) return true;
     }
-    if (count != 2) continue;
-    const int tail = (unknownAt + 1) % 3, tip = (unknownAt + 2) % 3;
-    const bool isHidden = std::any_of(owners.begin(), owners.end(), [&](const Known& owner) {
-      return owner.isKnownAtBoth(tail, tip) && known.isBehindAt(tail, owner) &&
-             known.isBehindAt(tip, owner);
-    });
-    if (!isHidden) return true;
+    i += isAtA;
+    j += isAtB;
+    k += isAtC;
   }
 }
 
