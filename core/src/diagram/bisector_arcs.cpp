@@ -96,8 +96,10 @@ void FinalSegments::addSegment(const Diagram::Segment& segment) {
   if (graph_.merging.isMerged(from) || graph_.merging.isMerged(to)) {
     stack(from, to, s.labels[0], s.labels[1], s.face);
   } else {
-    const int first = points_.number(from);
-    out_.segments[kept_++] = {{first, points_.number(to)}, s.labels, s.face, -1};
+    Diagram::Segment& kept = out_.segments[kept_++];
+    kept = s;
+    kept.points[0] = points_.number(from);
+    kept.points[1] = points_.number(to);
   }
 }
 

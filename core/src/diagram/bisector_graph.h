@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <vector>
 
@@ -62,9 +63,11 @@ struct BisectorGraph {
     return p.darts[p.labels[0] == label ? 0 : p.labels[1] == label ? 1 : 2];
   }
 
-  int addPoint(const SurfacePoint& place, double error, const std::array<int, 3>& labels);
+  int addPoint(int face, const Eigen::Vector3d& bary, double error, int labelA, int labelB,
+               int labelC);
   /// A point with the place of a node.
-  int addNode(const SurfacePoint& place) { return addPoint(place, 0, {-1, -1, -1}); }
+  int addNode(int face, const Eigen::Vector3d& bary) { return addPoint(face, bary, 0, -1, -1, -1); }
+  void addSegment(int from, int to, int left, int right, int face);
   /// Makes two points one. A node stands for all, so that a place on a vertex is exactly that; else
   /// the first, at a place on a side if there is one. Two nodes stay two, however near: region
   /// triangles have them as corners.

@@ -85,7 +85,7 @@ bool BisectorTracing::divideAll(long& budget) {
     --budget;
     const int stop = nextContested_ < contested.size() ? contested[nextContested_] : count;
     const int end = std::min(stop, next_ + static_cast<int>(kQuickRounds));
-    for (; next_ < end; ++next_) give(next_, complex_.owner(tail_[3 * next_]));
+    giveUpTo(end);
     if (next_ < stop || stop == count) continue;
     divideContested(next_++);
     ++nextContested_;
@@ -106,6 +106,27 @@ void BisectorTracing::divideContested(int element) {
   give(element, owner);
   if (owner >= 0 && complex_.isWhole(element) && isIndifferent(element, owner))
     graph_.indifferentFaces.push_back(complex_.face(element));
+}
+
+/// Gives elements to their sole owners.
+void BisectorTracing::giveUpTo(int end) {
+  if (!complex_.hasWholeFacesOnly()) {
+    for (; next_ < end; ++next_) give(next_, complex_.soleOwner(next_));
+    return;
+  }
+  int last = -1;  // many faces of one label follow each other
+  double area = 0;
+  for (; next_ < end; ++next_) {
+    const int owner = complex_.soleOwner(next_);
+    graph_.faceLabel[next_] = owner;
+    if (owner != last) {
+      if (last >= 0) graph_.regionArea[last] = area;
+      area = graph_.regionArea[owner];
+      last = owner;
+    }
+    area += mesh_.faceArea(complex_.face(next_));
+  }
+  if (last >= 0) graph_.regionArea[last] = area;
 }
 
 /// Gives all of an element to one label, or to none.
@@ -152,8 +173,10 @@ void BisectorTracing::gatherFunctions(int element, int soleOwner) {
   functions_.clear();
   visitCommonLabels(complex_.labels(node[0]), complex_.labels(node[1]), complex_.labels(node[2]),
                     [&](int label, const std::array<double, 3>& d) {
-                      if (soleOwner < 0 || label == soleOwner)
-                        functions_.push_back({label, {d[0] * d[0], d[1] * d[1], d[2] * d[2]}});
+                      if (soleOwner >= 0 && label != soleOwner) return;
+                      LabelFunction& f = functions_.emplace_back();
+                      f.label = label;
+                      for (int i = 0; i < 3; ++i) f.value[i] = d[i] * d[i];
                     });
   if (functions_.size() > 3) dropHiddenFunctions(element);
 }
@@ -185,7 +208,9 @@ void BisectorTracing::addPoints(const Element& element) {
     for (const auto& [vertex, across] : cell.sides) {
       Corner& corner = corners_[vertex];
       if (corner.point >= 0) continue;
-      corner.bary = complex_.faceBary(element.index, envelope_.bary(vertex));
+      envelope_.setBary(vertex, corner.bary);
+      if (!complex_.isWhole(element.index))
+        corner.bary = complex_.faceBary(element.index, corner.bary);
       corner.point = pointAt(element, vertex);
       hasInnerPoint |= envelope_.vertices()[vertex].kind == Vertex::kInside;
     }
@@ -210,46 +235,47 @@ void BisectorTracing::tellApartInnerPoints() {
 
 int BisectorTracing::pointAt(const Element& element, int vertex) {
   const Vertex& v = envelope_.vertices()[vertex];
+  const Eigen::Vector3d& bary = corners_[vertex].bary;
   if (v.kind == Vertex::kCorner)
-    return pointOfNode(element, tail_[3 * element.index + v.place], Eigen::Vector3d::Unit(v.place));
-  const SurfacePoint place{element.face, corners_[vertex].bary};
-  if (v.kind == Vertex::kOnSide) return pointOnSide(element, v, place);
+    return pointOfNode(element, tail_[3 * element.index + v.place], bary);
+  if (v.kind == Vertex::kOnSide) return pointOnSide(element, v, bary);
   graph_.innerPoints.push_back(static_cast<int>(graph_.points.size()));
-  return graph_.addPoint(place, insideError(v, element.longest),
-                         {label(v.functions[0]), label(v.functions[1]), label(v.functions[2])});
+  return graph_.addPoint(element.face, bary, insideError(v, element.longest), label(v.functions[0]),
+                         label(v.functions[1]), label(v.functions[2]));
 }
 
 /// The neighbour may have made the point already.
 int BisectorTracing::pointOnSide(const Element& element, const Vertex& v,
-                                 const SurfacePoint& place) {
+                                 const Eigen::Vector3d& bary) {
   const int a = label(v.functions[0]), b = label(v.functions[1]);
   int& first = firstOnSide_[slotOf(element, v.place)];
   for (int p = first; p >= 0; p = graph_.points[p].nextOnSide) {
     const auto& labels = graph_.points[p].labels;
     if ((labels[0] == a && labels[1] == b) || (labels[0] == b && labels[1] == a)) return p;
   }
-  const int point = graph_.addPoint(place, sideError(v, element.longest), {a, b, -1});
-  mergeOnSide(element, v.place, point, first);
+  const double error = sideError(v, element.longest);
+  const int point = graph_.addPoint(element.face, bary, error, a, b, -1);
+  mergeOnSide(element, v.place, point, first, bary);
   graph_.points[point].nextOnSide = std::exchange(first, point);
   return point;
 }
 
 /// The point may be no other than an end of the side, or another point there.
-void BisectorTracing::mergeOnSide(const Element& element, int side, int point, int others) {
+void BisectorTracing::mergeOnSide(const Element& element, int side, int point, int others,
+                                  const Eigen::Vector3d& bary) {
   const double error = graph_.points[point].error;
-  const SurfacePoint place = graph_.places[point];
   for (const int end : {0, 1}) {
     const int corner = end == 0 ? side : (side + 1) % 3;
-    if (isApart(element, side, place.bary[end == 0 ? (side + 1) % 3 : side], 2 * error)) continue;
-    const Eigen::Vector3d bary = Eigen::Vector3d::Unit(corner);
-    const Eigen::Vector3d apart = place.bary - complex_.faceBary(element.index, bary);
-    if (squaredLength(apart, element.squaredLength) <= error * error)
-      graph_.unite(point, pointOfNode(element, tail_[3 * element.index + corner], bary));
+    if (isApart(element, side, bary[end == 0 ? (side + 1) % 3 : side], 2 * error)) continue;
+    const Eigen::Vector3d unit = Eigen::Vector3d::Unit(corner);
+    const Eigen::Vector3d place = complex_.faceBary(element.index, unit);
+    if (squaredDistance(bary, place, element.squaredLength) <= error * error)
+      graph_.unite(point, pointOfNode(element, tail_[3 * element.index + corner], place));
   }
   for (int p = others; p >= 0; p = graph_.points[p].nextOnSide) {
-    const SurfacePoint& other = graph_.places[p];
-    if (other.face == place.face && isApart(element, side, other.bary[side] - place.bary[side],
-                                            kPlainlyApart * element.longest))
+    const SurfacePoint &other = graph_.places[p], &place = graph_.places[point];
+    if (other.face == element.face && isApart(element, side, other.bary[side] - bary[side],
+                                              kPlainlyApart * element.longest))
       continue;
     if ((mesh_.position(other) - mesh_.position(place)).norm() <= graph_.points[p].error + error)
       graph_.unite(point, p);
@@ -272,12 +298,11 @@ int BisectorTracing::slotOf(const Element& element, int side) const {
   return isLater ? element.firstSlot + side : 3 * mixedIndex_[neighbour] + twin % 3;
 }
 
-/// `bary` is in terms of the element.
+/// `bary` is in terms of the element's face.
 int BisectorTracing::pointOfNode(const Element& element, int node, const Eigen::Vector3d& bary) {
   if (const int known = nodePoints_[node]; known >= 0) return known;
   nodePoints_.note(node);
-  return nodePoints_[node] =
-             graph_.addNode({element.face, complex_.faceBary(element.index, bary)});
+  return nodePoints_[node] = graph_.addNode(element.face, bary);
 }
 
 /// The share of an edge by which an error of the functions moves a crossing, times the edge.
@@ -326,7 +351,7 @@ double BisectorTracing::addCell(const Element& element, const FaceEnvelope::Cell
     const double qx = to.bary[0] - origin[0], qy = to.bary[1] - origin[1];
     area += px * qy - py * qx;
     if (across > cell.function) {
-      addSegment(element, from, to, {label(cell.function), label(across)});
+      addSegment(element, from, to, label(cell.function), label(across));
     } else if (FaceEnvelope::isTriangleSide(across)) {
       const int side = FaceEnvelope::triangleSide(across);
       if (twin_[3 * element.index + side] < 0) addUnmatchedSide(element, side, vertex);
@@ -336,16 +361,17 @@ double BisectorTracing::addCell(const Element& element, const FaceEnvelope::Cell
 }
 
 void BisectorTracing::addSegment(const Element& element, const Corner& from, const Corner& to,
-                                 std::array<int, 2> labels) {
+                                 int left, int right) {
   const int dart = 2 * static_cast<int>(graph_.segments.size());
-  graph_.segments.push_back({{from.point, to.point}, labels, element.face, -1});
-  graph_.nextDart.insert(graph_.nextDart.end(), {-1, -1});
-  leave(from.point, labels[0], dart);
-  arrive(from.point, labels[1], dart + 1);
-  arrive(to.point, labels[0], dart);
-  leave(to.point, labels[1], dart + 1);
+  graph_.addSegment(from.point, to.point, left, right, element.face);
+  leave(from.point, left, dart);
+  arrive(from.point, right, dart + 1);
+  arrive(to.point, left, dart);
+  leave(to.point, right, dart + 1);
   const double error = graph_.points[from.point].error + graph_.points[to.point].error;
-  if (squaredDistance(from.bary, to.bary, element.squaredLength) <= error * error)
+  const Eigen::Vector3d way(from.bary[0] - to.bary[0], from.bary[1] - to.bary[1],
+                            from.bary[2] - to.bary[2]);
+  if (squaredLength(way, element.squaredLength) <= error * error)
     graph_.unite(from.point, to.point);
 }
 
@@ -374,6 +400,7 @@ void BisectorTracing::addUnmatchedSide(const Element& element, int side, int ver
     Eigen::Vector3d bary = Eigen::Vector3d::Zero();
     bary[side] = 1 - share;
     bary[(side + 1) % 3] = share;
+    bary = complex_.faceBary(element.index, bary);
     graph_.cells.points.push_back(pointOfNode(element, node, bary));
   }
 }

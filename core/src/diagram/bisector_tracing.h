@@ -40,6 +40,7 @@ class BisectorTracing {
   void noteMixed(int element);
   void reserve();
   bool divideAll(long& budget);
+  void giveUpTo(int end);
   void divideContested(int element);
   void give(int element, int owner);
   void divide(int element, int soleOwner, int firstSlot);
@@ -52,15 +53,16 @@ class BisectorTracing {
   void addAreas(double faceArea);
   void tellApartInnerPoints();
   int pointAt(const Element& element, int vertex);
-  int pointOnSide(const Element& element, const FaceEnvelope::Vertex& v, const SurfacePoint& place);
-  void mergeOnSide(const Element& element, int side, int point, int others);
+  int pointOnSide(const Element& element, const FaceEnvelope::Vertex& v, const Eigen::Vector3d& bary);
+  void mergeOnSide(const Element& element, int side, int point, int others,
+                   const Eigen::Vector3d& bary);
   bool isApart(const Element& element, int side, double share, double distance) const;
   int slotOf(const Element& element, int side) const;
   int pointOfNode(const Element& element, int node, const Eigen::Vector3d& bary);
   void addUnmatchedSide(const Element& element, int side, int vertex);
   void addBoundaryPoint(int h, int vertex);
-  void addSegment(const Element& element, const Corner& from, const Corner& to,
-                  std::array<int, 2> labels);
+  void addSegment(const Element& element, const Corner& from, const Corner& to, int left,
+                  int right);
   void leave(int point, int label, int dart);
   void arrive(int point, int label, int dart);
   double sideError(const FaceEnvelope::Vertex& v, double longest) const;

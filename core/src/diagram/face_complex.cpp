@@ -57,7 +57,7 @@ bool FaceComplex::runStage(long& budget) {
       return true;
     case Stage::kSplit:
       if (!loop_.run(unsplitCount_, budget, kSplitChecksPerUnit, [&](int e) {
-            if (soleOwner(e) == Diagram::kMixed) split(e);
+            if (commonOwner(e) == Diagram::kMixed) split(e);
           }))
         return false;
       enter(Stage::kFollow);
@@ -78,6 +78,7 @@ bool FaceComplex::runStage(long& budget) {
       enter(Stage::kContested);
       return true;
     case Stage::kContested:
+      soleOwner_.reserve(elementCount());
       if (!loop_.run(elementCount(), budget, kQuickRounds, [&](int e) { noteContested(e); }))
         return false;
       enter(Stage::kDone);
@@ -124,7 +125,7 @@ void FaceComplex::clear() {
     if (node < static_cast<int>(firstMidpoint_.size())) firstMidpoint_[node] = -1;
   }
   for (const int f : face_) indexInPart_[f] = -1;
-  for (auto* list : {&tail_, &twin_, &face_, &cornersOf_, &contested_, &lastOut_, &before_})
+  for (auto* list : {&tail_, &twin_, &face_, &cornersOf_, &soleOwner_, &contested_, &lastOut_, &before_})
     list->clear();
   corners_.clear();
   labelsOfMidpoints_.clear();
@@ -142,8 +143,10 @@ void FaceComplex::takeFace(int face) {
 void FaceComplex::noteContested(int element) {
   const int* const node = &tails()[3 * element];
   const Node &a = nodes_[node[0]], &b = nodes_[node[1]], &c = nodes_[node[2]];
-  const bool hasOneOwner = a.owner >= 0 && a.owner == b.owner && b.owner == c.owner;
-  if (!hasOneOwner || (a.hasTie && b.hasTie && c.hasTie)) contested_.push_back(element);
+  const bool hasOneOwner = a.owner == b.owner && b.owner == c.owner;
+  soleOwner_.push_back(hasOneOwner ? a.owner : Diagram::kMixed);
+  if (!hasOneOwner || a.owner < 0 || (a.hasTie && b.hasTie && c.hasTie))
+    contested_.push_back(element);
 }
 
 void FaceComplex::noteOwner(int node) {
@@ -182,7 +185,7 @@ void FaceComplex::addLabel(int node, LabelledDistance added) {
   here.insert(std::upper_bound(here.begin(), here.end(), added, isBefore), added);
 }
 
-int FaceComplex::soleOwner(int element) const {
+int FaceComplex::commonOwner(int element) const {
   const int* const node = &tails()[3 * element];
   const int owner = nodes_[node[0]].owner;
   return nodes_[node[1]].owner == owner && nodes_[node[2]].owner == owner ? owner : Diagram::kMixed;

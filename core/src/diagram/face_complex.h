@@ -74,8 +74,8 @@ class FaceComplex {
     double share;
   };
   std::vector<InnerNode> innerNodes(int h) const;
-  /// The label that owns all of an element: the owner of all its nodes; else -2.
-  int soleOwner(int element) const;
+  /// The label that owns all of an element: the owner of all its nodes; else -2, `Diagram::kMixed`.
+  int soleOwner(int element) const { return soleOwner_[element]; }
   /// The elements, ascending, of several regions or of none, and those with ties at all nodes: on
   /// all of these, two labels may tie.
   const std::vector<int>& contested() const { return contested_; }
@@ -102,6 +102,7 @@ class FaceComplex {
   void clear();
   const std::vector<LabelledDistance>& ownLabels(int node) const;
   void noteOwner(int node);
+  int commonOwner(int element) const;
   void noteContested(int element);
   bool follow(long& budget);
   bool mustSplit(int element) const;
@@ -130,6 +131,7 @@ class FaceComplex {
   bool hasChanged_ = false;  ///< in that round
 
   std::vector<Node> nodes_;
+  std::vector<int> soleOwner_;
   std::vector<int> contested_;
   bool isOwn_ = false;  ///< whether elements are kept here: they are not just the faces of the mesh
   std::vector<int> indexInPart_;  ///< per face of the mesh, -1 if it is not in; empty if all are

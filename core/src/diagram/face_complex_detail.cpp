@@ -32,7 +32,7 @@ bool FaceComplex::follow(long& budget) {
 /// Whether an element beside smaller ones would not agree with them: it has several owners, or some
 /// node on its sides has another one.
 bool FaceComplex::mustSplit(int element) const {
-  const int owner = soleOwner(element);
+  const int owner = commonOwner(element);
   for (int i = 0; i < 3; ++i) {
     const int a = tail_[3 * element + i], b = tail_[3 * element + (i + 1) % 3];
     if (owner == Diagram::kMixed ? middleOf(a, b) >= 0 : !isUniform(a, b, owner)) return true;

@@ -16,20 +16,23 @@ double crossing(double aFirst, double bFirst, double aSecond, double bSecond) {
   return span == 0 ? 0.5 : std::clamp(first / span, 0.0, 1.0);
 }
 
-Eigen::Vector3d FaceEnvelope::bary(int vertex) const {
+void FaceEnvelope::setBary(int vertex, Eigen::Vector3d& bary) const {
   const Vertex& v = vertices_[vertex];
-  if (v.kind == Vertex::kCorner) return Eigen::Vector3d::Unit(v.place);
+  if (v.kind == Vertex::kInside) return setInnerBary(v, bary);
+  const int i = v.place, j = i < 2 ? i + 1 : 0;
+  double share = 0;
   if (v.kind == Vertex::kOnSide) {
-    const int i = v.place, j = (i + 1) % 3;
     const auto [low, high] = std::minmax(v.functions[0], v.functions[1]);
     const auto &a = value(low), &c = value(high);
-    const double share = crossing(a[i], c[i], a[j], c[j]);
-    Eigen::Vector3d point = Eigen::Vector3d::Zero();
-    point[i] = 1 - share;
-    point[j] = share;
-    return point;
+    share = crossing(a[i], c[i], a[j], c[j]);
   }
-  // The common zero of b - a and c - a is their cross product, up to scale.
+  bary[i] = 1 - share;
+  bary[j] = share;
+  bary[3 - i - j] = 0;
+}
+
+/// The common zero of b - a and c - a is their cross product, up to scale.
+void FaceEnvelope::setInnerBary(const Vertex& v, Eigen::Vector3d& bary) const {
   const auto &a = value(v.functions[0]), &b = value(v.functions[1]), &c = value(v.functions[2]);
   const Eigen::Vector3d p(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
   const Eigen::Vector3d q(c[0] - a[0], c[1] - a[1], c[2] - a[2]);
@@ -37,7 +40,7 @@ Eigen::Vector3d FaceEnvelope::bary(int vertex) const {
   const double sum = zero.sum();
   // No scale left: three functions that are equal along a line, a tie that only the perturbation
   // resolves. Any point of the triangle serves, the caller merges it with its neighbours.
-  return sum > 0 ? Eigen::Vector3d(zero / sum) : Eigen::Vector3d::Constant(1.0 / 3);
+  for (int i = 0; i < 3; ++i) bary[i] = sum > 0 ? zero[i] / sum : 1.0 / 3;
 }
 
 /// Whether f is less than the envelope at a vertex. f has a higher label than everything inserted

@@ -58,11 +58,12 @@ class FaceEnvelope {
 
   const std::vector<Vertex>& vertices() const { return vertices_; }
   std::span<const Cell> cells() const { return {cells_.data(), static_cast<size_t>(cellCount_)}; }
-  /// Where a vertex lies.
-  Eigen::Vector3d bary(int vertex) const;
+  /// Sets `bary` to where a vertex lies.
+  void setBary(int vertex, Eigen::Vector3d& bary) const;
 
  private:
   const std::array<double, 3>& value(int function) const { return functions_[function].value; }
+  void setInnerBary(const Vertex& v, Eigen::Vector3d& bary) const;
   bool isBelow(int f, const Vertex& v) const;
   void insertInWhole(int f);
   bool findBelow(int f);

@@ -115,7 +115,7 @@ int RegionOutlines::vertexPoint(int vertex) {
   const int h = mesh_.outgoing(vertex);
   nodePoints_.note(vertex);
   return nodePoints_[vertex] =
-             graph_.addNode({TriangleMesh::faceOf(h), Eigen::Vector3d::Unit(h % 3)});
+             graph_.addNode(TriangleMesh::faceOf(h), Eigen::Vector3d::Unit(h % 3));
 }
 
 /// From a point where a region comes to the mesh boundary, forward along it to the next point where
