@@ -179,15 +179,15 @@ bool ArcChaining::runStage(long& budget) {
 
 void ArcChaining::noteEnds(int segment) {
   const auto [tail, tip] = out_.segments[segment].points;
-  ends_[tail].outgoing = ends_[tip].incoming = segment;
-  ++ends_[tail].degree;
-  ++ends_[tip].degree;
+  int &outgoing = ends_[tail].outgoing, &incoming = ends_[tip].incoming;
+  outgoing = outgoing == kNone ? segment : kSeveral;
+  incoming = incoming == kNone ? segment : kSeveral;
 }
 
 /// Whether an arc goes on through a point.
 bool ArcChaining::passes(int point) const {
-  const auto& [incoming, outgoing, degree] = ends_[point];
-  if (degree != 2 || incoming < 0 || outgoing < 0) return false;
+  const auto& [incoming, outgoing] = ends_[point];
+  if (incoming < 0 || outgoing < 0) return false;
   const auto &before = out_.segments[incoming].labels, &after = out_.segments[outgoing].labels;
   return before[0] == after[0] && before[1] == after[1];
 }

@@ -61,10 +61,11 @@ class ArcChaining {
   bool step(long& budget);
 
  private:
-  /// The segments at a point.
+  /// The segment that comes to a point and the one that leaves it, if there are no more.
   struct Ends {
-    int incoming = -1, outgoing = -1, degree = 0;
+    int incoming = kNone, outgoing = kNone;
   };
+  static constexpr int kNone = -1, kSeveral = -2;
   enum class Stage { kLists, kEnds, kOpen, kClosed, kDone } stage_ = Stage::kLists;
 
   bool runStage(long& budget);

@@ -170,14 +170,26 @@ void BisectorTracing::divide(int element, int soleOwner, int firstSlot) {
 /// everywhere.
 void BisectorTracing::gatherFunctions(int element, int soleOwner) {
   const int* const node = &tail_[3 * element];
-  functions_.clear();
-  visitCommonLabels(complex_.labels(node[0]), complex_.labels(node[1]), complex_.labels(node[2]),
-                    [&](int label, const std::array<double, 3>& d) {
-                      if (soleOwner >= 0 && label != soleOwner) return;
-                      LabelFunction& f = functions_.emplace_back();
-                      f.label = label;
-                      for (int i = 0; i < 3; ++i) f.value[i] = d[i] * d[i];
-                    });
+  const auto atA = complex_.labels(node[0]), atB = complex_.labels(node[1]),
+             atC = complex_.labels(node[2]);
+  // As `visitCommonLabels`, but without branches for a processor to guess wrong: each round writes a
+  // function, and the next one writes over it if it was not of all three nodes.
+  functions_.resize(std::min({atA.size(), atB.size(), atC.size()}) + 1);
+  LabelFunction* next = functions_.data();
+  for (auto a = atA.begin(), b = atB.begin(), c = atC.begin();
+       a != atA.end() && b != atB.end() && c != atC.end();) {
+    const int label = std::max({a->label, b->label, c->label});
+    const bool isCommon = (a->label == label) & (b->label == label) & (c->label == label);
+    next->label = label;
+    next->value[0] = a->distance * a->distance;
+    next->value[1] = b->distance * b->distance;
+    next->value[2] = c->distance * c->distance;
+    next += isCommon & ((soleOwner < 0) | (label == soleOwner));
+    a += isCommon | (a->label < label);
+    b += isCommon | (b->label < label);
+    c += isCommon | (c->label < label);
+  }
+  functions_.resize(next - functions_.data());
   if (functions_.size() > 3) dropHiddenFunctions(element);
 }
 

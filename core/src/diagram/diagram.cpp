@@ -71,7 +71,9 @@ class Tracing {
         return completion_->step(budget);
       case Stage::kGraph:
         if (!bisectors_) bisectors_.emplace(complex_, siteCount_, nodePoints_, graph_);
-        return bisectors_->step(budget);
+        if (!bisectors_->step(budget)) return false;
+        bisectors_.reset();
+        return true;
       case Stage::kOutlines:
         if (!outlines_) outlines_.emplace(mesh_, distances_, nodePoints_, isTraced_, graph_);
         return outlines_->step(budget);
