@@ -66,14 +66,16 @@ void BisectorTracing::noteMixed(int element) {
 /// where its bisectors meet, which counts where sites are as many as elements.
 void BisectorTracing::reserve() {
   const size_t mixed = mixedCount_, atSites = 6 * std::min(siteCount_, mixedCount_);
-  graph_.points.reserve(5 * mixed / 2 + atSites);
-  graph_.places.reserve(5 * mixed / 2 + atSites);
+  const size_t points = 5 * mixed / 2 + atSites + complex_.partialCount();
+  graph_.points.reserve(points);
+  graph_.places.reserve(points);
   graph_.segments.reserve(5 * mixed / 4 + atSites);
   graph_.nextDart.reserve(5 * mixed / 2 + 2 * atSites);
-  graph_.cells.offset.reserve(5 * mixed / 2 + atSites + 1);
-  graph_.cells.points.reserve(8 * mixed + 6 * atSites);
-  graph_.cellFace.reserve(5 * mixed / 2 + atSites);
-  graph_.cellLabel.reserve(5 * mixed / 2 + atSites);
+  const size_t cells = 5 * mixed / 2 + atSites + complex_.partialCount();
+  graph_.cells.offset.reserve(cells + 1);
+  graph_.cells.points.reserve(8 * mixed + 6 * atSites + 4 * complex_.partialCount());
+  graph_.cellFace.reserve(cells);
+  graph_.cellLabel.reserve(cells);
 }
 
 /// In order, so that areas are always summed in the same one.

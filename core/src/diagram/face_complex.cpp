@@ -32,7 +32,6 @@ bool FaceComplex::step(long& budget) {
 
 /// Works on the stage at hand, and enters the next one when this is done.
 bool FaceComplex::runStage(long& budget) {
-  constexpr long kSplitChecksPerUnit = 8;
   switch (stage_) {
     case Stage::kOwners:
       if (!loop_.run(mesh_.vertexCount(), budget, kQuickRounds, [&](int v) {
@@ -40,26 +39,21 @@ bool FaceComplex::runStage(long& budget) {
             noteOwner(v);
           }))
         return false;
-      enter(detail_ > 0 ? Stage::kTake : Stage::kContested);
+      enter(detail_ > 0 ? Stage::kCount : Stage::kContested);
+      return true;
+    case Stage::kCount:
+      if (!loop_.run(mesh_.faceCount(), budget, kQuickRounds,
+                     [&](int f) { mixedCount_ += commonOwner(f) == Diagram::kMixed; }))
+        return false;
+      enter(Stage::kTake);
       return true;
     case Stage::kTake:
-      if (!isOwn_) {
-        isOwn_ = true;
-        // Room for what splitting adds, lest all be copied: few faces are mixed in large meshes.
-        const size_t room = mesh_.faceCount() + mesh_.faceCount() / 2;
-        tail_.reserve(3 * room);
-        face_.reserve(room);
-        cornersOf_.reserve(room);
-      }
       if (!loop_.run(mesh_.faceCount(), budget, kQuickRounds, [&](int f) { takeFace(f); }))
         return false;
       enter(Stage::kSplit);
       return true;
     case Stage::kSplit:
-      if (!loop_.run(unsplitCount_, budget, kSplitChecksPerUnit, [&](int e) {
-            if (commonOwner(e) == Diagram::kMixed) split(e);
-          }))
-        return false;
+      if (!splitMixed(budget)) return false;
       enter(Stage::kFollow);
       return true;
     case Stage::kFollow:
@@ -91,6 +85,16 @@ bool FaceComplex::runStage(long& budget) {
 
 void FaceComplex::enter(Stage stage) {
   stage_ = stage;
+  nextSplit_ = 0;
+  if (stage == Stage::kTake) {
+    isOwn_ = true;
+    // Room for what splitting adds, lest all be copied: three elements for each that is split, of
+    // which there are twice as many in every level, and some around them.
+    const size_t splits = static_cast<size_t>(mixedCount_) << std::min(detail_, 8);
+    tail_.reserve(3 * (mesh_.faceCount() + 4 * splits));
+    face_.reserve(mesh_.faceCount() + 4 * splits);
+    cornersOf_.reserve(mesh_.faceCount() + 4 * splits);
+  }
   if (stage == Stage::kSplit) unsplitCount_ = static_cast<int>(face_.size());
   if (stage == Stage::kLink) {
     before_.reserve(tail_.size());
@@ -128,9 +132,9 @@ void FaceComplex::clear() {
   for (auto* list : {&tail_, &twin_, &face_, &cornersOf_, &soleOwner_, &contested_, &lastOut_, &before_})
     list->clear();
   corners_.clear();
-  labelsOfMidpoints_.clear();
-  labelsOfVertices_.clear();
+  addedLabels_.clear();
   midpoints_.clear();
+  labelChunks_.clear();
   level_ = 0;
 }
 
@@ -164,19 +168,13 @@ void FaceComplex::noteOwner(int node) {
   nodes_[node].hasTie = hasTie;
 }
 
-const std::vector<LabelledDistance>& FaceComplex::ownLabels(int node) const {
-  return node < mesh_.vertexCount() ? labelsOfVertices_.at(node)
-                                    : labelsOfMidpoints_[node - mesh_.vertexCount()];
-}
-
 void FaceComplex::addLabel(int node, LabelledDistance added) {
-  if (!hasOwnLabels(node)) {
-    const auto known = distances_.at(node);
-    labelsOfVertices_[node].assign(known.begin(), known.end());
-    nodes_[node].hasOwnLabels = true;
+  if (!hasAddedLabels(node)) {
+    const auto known = labels(node);
+    addedLabels_[node].assign(known.begin(), known.end());
+    nodes_[node].hasAddedLabels = true;
   }
-  const int vertices = mesh_.vertexCount();
-  auto& here = node < vertices ? labelsOfVertices_[node] : labelsOfMidpoints_[node - vertices];
+  std::vector<LabelledDistance>& here = addedLabels_[node];
   const auto isBefore = [](const auto& a, const auto& b) { return a.label < b.label; };
   const LabelledDistance owner{nodes_[node].owner, 0};
   const auto known = std::lower_bound(here.begin(), here.end(), owner, isBefore);

@@ -46,6 +46,8 @@ class FaceComplex {
   int faceCount() const { return isPart() ? partSize_ : mesh_.faceCount(); }
   int faceIndex(int face) const { return isPart() ? indexInPart_[face] : face; }
   int face(int element) const { return isOwn_ ? face_[element] : element; }
+  /// How many elements are a part of their face only.
+  int partialCount() const { return static_cast<int>(corners_.size()); }
   /// Whether every element is all of its face, so that they are in the order of their faces.
   bool hasWholeFacesOnly() const { return corners_.empty(); }
   /// Whether an element is all of its face.
@@ -56,10 +58,12 @@ class FaceComplex {
   }
 
   std::span<const LabelledDistance> labels(int node) const {
-    return hasOwnLabels(node) ? ownLabels(node) : distances_.at(node);
+    if (hasAddedLabels(node)) return addedLabels_.at(node);
+    const int midpoint = node - mesh_.vertexCount();
+    return midpoint < 0 ? distances_.at(node) : midpoints_[midpoint].labels;
   }
-  /// Whether the distance field does not hold all that is known at a node.
-  bool hasOwnLabels(int node) const { return nodes_[node].hasOwnLabels; }
+  /// Whether labels have been added at a node.
+  bool hasAddedLabels(int node) const { return nodes_[node].hasAddedLabels; }
   /// Adds a label that is not known at a node and does not own it: it stays behind the owner.
   void addLabel(int node, LabelledDistance added);
   /// The nearest label of a node, the lowest of those that tie; -1 if none is known.
@@ -82,17 +86,18 @@ class FaceComplex {
 
  private:
   /// In the order in which they are done; those for splitting elements only where `detail_` > 0.
-  enum class Stage { kOwners, kTake, kSplit, kFollow, kLink, kMatch, kContested, kDone };
+  enum class Stage { kOwners, kCount, kTake, kSplit, kFollow, kLink, kMatch, kContested, kDone };
   /// The label owners, and what else there is to know of a node, in one word: there are many.
   struct Node {
     int owner : 30 = -1;
     unsigned hasTie : 1 = false;
-    unsigned hasOwnLabels : 1 = false;
+    unsigned hasAddedLabels : 1 = false;
   };
   /// A node in the middle of a split side, in a list for the lower of the side's ends.
   struct Midpoint {
     int higherEnd;
-    int next;  ///< node, -1 for none
+    int next;                                  ///< node, -1 for none
+    std::span<const LabelledDistance> labels;  ///< in labelChunks_
   };
 
   bool isPart() const { return !indexInPart_.empty(); }
@@ -100,10 +105,10 @@ class FaceComplex {
   void enter(Stage stage);
   void takeFace(int face);
   void clear();
-  const std::vector<LabelledDistance>& ownLabels(int node) const;
   void noteOwner(int node);
   int commonOwner(int element) const;
   void noteContested(int element);
+  bool splitMixed(long& budget);
   bool follow(long& budget);
   bool mustSplit(int element) const;
   bool isUniform(int a, int b, int owner) const;
@@ -111,7 +116,8 @@ class FaceComplex {
   Eigen::Matrix3d cornersOf(int element) const;
   int midpoint(int element, int side);
   int middleOf(int a, int b) const;
-  std::vector<LabelledDistance> labelsAt(const SurfacePoint& p, int a, int b) const;
+  std::span<const LabelledDistance> labelsAt(const SurfacePoint& p, int a, int b);
+  std::span<const LabelledDistance> keep(std::span<const LabelledDistance> labels);
   void collectInnerNodes(int a, int b, double from, double to, std::vector<InnerNode>& nodes) const;
   int meshHalfedge(int h) const;
   bool isOnMeshBoundary(int h) const;
@@ -125,10 +131,11 @@ class FaceComplex {
 
   Stage stage_ = Stage::kOwners;
   SlicedLoop loop_;
-  int level_ = 0;           ///< of splitting
-  int unsplitCount_ = 0;    ///< elements before it
-  int followed_ = 0;        ///< elements in this round of `follow`
-  bool hasChanged_ = false;  ///< in that round
+  int mixedCount_ = 0;        ///< faces
+  int level_ = 0;             ///< of splitting
+  int unsplitCount_ = 0;      ///< elements before it
+  int nextSplit_ = 0;         ///< the element to be looked at next
+  bool hasChanged_ = false;   ///< in this round of `follow`
 
   std::vector<Node> nodes_;
   std::vector<int> soleOwner_;
@@ -139,10 +146,12 @@ class FaceComplex {
   std::vector<int> tail_, twin_, face_;
   std::vector<int> cornersOf_;  ///< in corners_, -1 for all of a face
   std::deque<Eigen::Matrix3d> corners_;
-  std::deque<std::vector<LabelledDistance>> labelsOfMidpoints_;
-  std::map<int, std::vector<LabelledDistance>> labelsOfVertices_;  ///< where some were added
-  std::vector<Midpoint> midpoints_;   ///< of the nodes after the vertices
-  std::vector<int> firstMidpoint_;    ///< per node, -1 for none
+  std::map<int, std::vector<LabelledDistance>> addedLabels_;  ///< all of nodes where some were added
+  std::deque<Midpoint> midpoints_;  ///< the nodes after the vertices
+  std::vector<int> firstMidpoint_;  ///< per node, -1 for none
+  /// The labels of midpoints, list after list, each in one chunk.
+  std::deque<std::vector<LabelledDistance>> labelChunks_;
+  std::vector<LabelledDistance> labelsAtHand_;
   std::vector<int> lastOut_, before_;  ///< lists of halfedges, per node and per halfedge
 };
 

@@ -10,23 +10,43 @@
 
 namespace gvd {
 
+/// How many elements it takes as long to look at as to split one.
+constexpr int kLooksPerSplit = 8;
+
+/// Splits what has several owners, but not what has just been split.
+bool FaceComplex::splitMixed(long& budget) {
+  while (nextSplit_ < unsplitCount_) {
+    if (budget <= 0) return false;
+    const int element = nextSplit_++;
+    if (commonOwner(element) == Diagram::kMixed) {
+      split(element);
+      --budget;
+    } else if (element % kLooksPerSplit == 0) {
+      --budget;
+    }
+  }
+  return true;
+}
+
 /// Splits what the new nodes of neighbours leave no choice about, round after round: an element that
 /// is split may have neighbours that were passed already.
 bool FaceComplex::follow(long& budget) {
-  constexpr int kChecksPerUnit = 8;
-  for (;;) {
-    for (; followed_ < static_cast<int>(face_.size()); ++followed_) {
-      if (followed_ % kChecksPerUnit == 0 && budget-- <= 0) {
-        budget = 0;
-        return false;
+  do {
+    hasChanged_ = hasChanged_ && nextSplit_ > 0;
+    while (nextSplit_ < static_cast<int>(face_.size())) {
+      if (budget <= 0) return false;
+      const int element = nextSplit_++;
+      if (mustSplit(element)) {
+        split(element);
+        hasChanged_ = true;
+        --budget;
+      } else if (element % kLooksPerSplit == 0) {
+        --budget;
       }
-      if (!mustSplit(followed_)) continue;
-      split(followed_);
-      hasChanged_ = true;
     }
-    followed_ = 0;
-    if (!std::exchange(hasChanged_, false)) return true;
-  }
+    nextSplit_ = 0;
+  } while (hasChanged_);
+  return true;
 }
 
 /// Whether an element beside smaller ones would not agree with them: it has several owners, or some
@@ -103,20 +123,19 @@ int FaceComplex::midpoint(int element, int side) {
   if (const int middle = middleOf(a, b); middle >= 0) return middle;
   const Eigen::Matrix3d corners = cornersOf(element);
   const SurfacePoint p{face_[element], (corners.col(side) + corners.col((side + 1) % 3)) / 2};
-  labelsOfMidpoints_.push_back(labelsAt(p, a, b));
   const int node = nodeCount();
-  nodes_.emplace_back();
-  nodes_[node].hasOwnLabels = true;
-  noteOwner(node);
   const auto [low, high] = std::minmax(a, b);
   if (low >= static_cast<int>(firstMidpoint_.size())) firstMidpoint_.resize(low + 1, -1);
-  midpoints_.push_back({high, std::exchange(firstMidpoint_[low], node)});
+  midpoints_.push_back({high, std::exchange(firstMidpoint_[low], node), labelsAt(p, a, b)});
+  nodes_.emplace_back();
+  noteOwner(node);
   return node;
 }
 
 /// The distances, at a point between two nodes, of the labels known at both.
-std::vector<LabelledDistance> FaceComplex::labelsAt(const SurfacePoint& p, int a, int b) const {
-  std::vector<LabelledDistance> here;
+std::span<const LabelledDistance> FaceComplex::labelsAt(const SurfacePoint& p, int a, int b) {
+  std::vector<LabelledDistance>& here = labelsAtHand_;
+  here.clear();
   const auto atA = labels(a), atB = labels(b);
   for (auto i = atA.begin(), j = atB.begin(); i != atA.end() && j != atB.end();) {
     if (i->label < j->label) {
@@ -130,7 +149,20 @@ std::vector<LabelledDistance> FaceComplex::labelsAt(const SurfacePoint& p, int a
     }
   }
   equalizeTies(here);
-  return here;
+  return keep(here);
+}
+
+/// A copy in memory that stays where it is.
+std::span<const LabelledDistance> FaceComplex::keep(std::span<const LabelledDistance> labels) {
+  constexpr size_t kChunk = 4096;
+  if (labelChunks_.empty() ||
+      labelChunks_.back().capacity() - labelChunks_.back().size() < labels.size()) {
+    labelChunks_.emplace_back();
+    labelChunks_.back().reserve(std::max(kChunk, labels.size()));
+  }
+  std::vector<LabelledDistance>& chunk = labelChunks_.back();
+  chunk.insert(chunk.end(), labels.begin(), labels.end());
+  return std::span(chunk).last(labels.size());
 }
 
 /// Puts a halfedge in the list of those that leave its tail.

@@ -73,7 +73,7 @@ bool LabelCompletion::step(long& budget) {
 }
 
 void LabelCompletion::complete(int element) {
-  if (!isFirstRound_ && !hasOwnLabels(element)) return;
+  if (!isFirstRound_ && !hasAddedLabels(element)) return;
   if (!mayLackLabels(element)) return;
   for (int side = 0; side < 3; ++side)
     if (completeAcross(element, side)) {
@@ -82,10 +82,10 @@ void LabelCompletion::complete(int element) {
     }
 }
 
-/// Whether labels may have been added at a node.
-bool LabelCompletion::hasOwnLabels(int element) const {
+/// Whether labels have been added at a node.
+bool LabelCompletion::hasAddedLabels(int element) const {
   const int* const node = &complex_.tails()[3 * element];
-  return std::any_of(node, node + 3, [&](int n) { return complex_.hasOwnLabels(n); });
+  return std::any_of(node, node + 3, [&](int n) { return complex_.hasAddedLabels(n); });
 }
 
 /// Whether an owner is not known at all nodes, or a label known at two of them is not plainly behind

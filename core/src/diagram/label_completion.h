@@ -26,7 +26,7 @@ class LabelCompletion {
   using Labels = std::span<const LabelledDistance>;
 
   void complete(int element);
-  bool hasOwnLabels(int element) const;
+  bool hasAddedLabels(int element) const;
   bool mayLackLabels(int element) const;
   bool completeAcross(int element, int side);
   double unfold(int element, int side, double atTail, double atTip) const;
