@@ -39,7 +39,9 @@ struct Diagram {
 
   int siteCount = 0;
 
-  /// Every point named below, each place once. `face` counts the mesh's faces.
+  /// Every point named below, each place once. `face` counts the mesh's faces. Where points have
+  /// become one on an edge or a vertex, the coordinates off it are exactly zero. The end of a segment
+  /// is named in terms of a face of one of the segments there.
   std::vector<SurfacePoint> points;
 
   /// A bisector segment, oriented forwards: the lower label `labels[0]` is on its left,
@@ -73,7 +75,8 @@ struct Diagram {
   std::vector<double> regionArea;  ///< per label; sums to the area that any site reaches
 
   /// Per mesh face: its label if one region owns all of it (a region triangle), else `kMixed` or
-  /// `kUnreachable`.
+  /// `kUnreachable`. A face of one region beside bisectors that meet on its side is mixed as well: its
+  /// only cell has their meeting as a corner.
   std::vector<int> faceLabel;
   /// Region triangles that two or more labels tie on; given to the lowest of them. They lie behind
   /// saddles and corners of the boundary at which the labels tie. Sites in one place tie on all of
