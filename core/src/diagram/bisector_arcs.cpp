@@ -142,7 +142,12 @@ void FinalSegments::noteNamed(const Diagram::Segment& segment) {
 
 void FinalSegments::nameInFaceOf(const Diagram::Segment& segment) {
   for (const int p : segment.points)
-    if (!isNamed_[p]) isNamed_[p] = renameInFace(mesh_, segment.face, out_.points[p]);
+    isNamed_[p] = isNamed_[p] || graph_.merging.anyMember(points_.root(p), [&](int member) {
+      SurfacePoint place = graph_.places[member];
+      if (place.face != segment.face && !renameInFace(mesh_, segment.face, place)) return false;
+      out_.points[p] = place;
+      return true;
+    });
 }
 
 // --- Arcs ----------------------------------------------------------------------------------------

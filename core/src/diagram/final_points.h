@@ -19,6 +19,7 @@ class FinalPoints {
   /// Before any point is named; true when there is room for all.
   bool prepare(long& budget) {
     places_.reserve(graph_.points.size());
+    roots_.reserve(graph_.points.size());
     return fillInSlices(index_, graph_.points.size(), -1, budget);
   }
 
@@ -28,13 +29,18 @@ class FinalPoints {
     if (index_[root] < 0) {
       index_[root] = static_cast<int>(places_.size());
       places_.push_back(graph_.places[root]);
+      roots_.push_back(root);
     }
     return index_[root];
   }
 
+  /// The point of the graph that has a number.
+  int root(int number) const { return roots_[number]; }
+
  private:
   BisectorGraph& graph_;
   std::vector<SurfacePoint>& places_;
+  std::vector<int> roots_;
   std::vector<int> index_;  ///< per point of the graph, -1 if nothing has named it yet
 };
 

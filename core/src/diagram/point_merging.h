@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -21,10 +22,23 @@ class PointMerging {
   void unite(int a, int b) {
     while (limit() <= std::max(a, b)) {
       parent_.push_back(limit());
+      nextMember_.push_back(limit() - 1);
       isMerged_.push_back(false);
     }
     parent_[b] = a;
+    std::swap(nextMember_[a], nextMember_[b]);
     isMerged_[a] = true;
+  }
+
+  /// Whether `isOne` of any of the points that a root stands for.
+  template <class Predicate>
+  bool anyMember(int root, Predicate isOne) const {
+    int point = root;
+    do {
+      if (isOne(point)) return true;
+      if (point < limit()) point = nextMember_[point];
+    } while (point != root);
+    return false;
   }
 
   bool isRoot(int point) const { return point >= limit() || parent_[point] == point; }
@@ -36,7 +50,8 @@ class PointMerging {
 
  private:
   std::vector<int> parent_;
-  std::vector<char> isMerged_;  ///< of roots
+  std::vector<int> nextMember_;  ///< rings of the points that are one
+  std::vector<char> isMerged_;   ///< of roots
 };
 
 }  // namespace gvd
