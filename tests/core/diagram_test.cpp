@@ -254,9 +254,9 @@ TEST(Diagram, InDetailStillLabelsFacesOfOneRegion) {
     const RandomCase c = randomCase(seed);
     const auto mesh = c.mesh();
     for (const int detail : {0, 1, 2})
-      EXPECT_EQ(mixedFacesOfOneRegion(
-                    mesh, trace(mesh, c.sitesOn(mesh), Metric::kDgpc, detail).diagram),
-                std::vector<int>())
+      EXPECT_EQ(
+          mixedFacesOfOneRegion(mesh, trace(mesh, c.sitesOn(mesh), Metric::kDgpc, detail).diagram),
+          std::vector<int>())
           << "seed " << seed << ", detail " << detail;
   }
 }

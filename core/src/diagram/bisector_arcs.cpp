@@ -74,14 +74,12 @@ bool FinalSegments::runStage(long& budget) {
       }
       return stacks_.empty();
     case Stage::kNamed:
-      return !graph_.merging.any() ||
-             (fillInSlices(isNamed_, out_.points.size(), '\0', budget) &&
-              loop_.run(out_.segments.size(), budget, kQuickRounds,
-                        [&](int s) { noteNamed(out_.segments[s]); }));
+      return !graph_.merging.any() || (fillInSlices(isNamed_, out_.points.size(), '\0', budget) &&
+                                       loop_.run(out_.segments.size(), budget, kQuickRounds,
+                                                 [&](int s) { noteNamed(out_.segments[s]); }));
     case Stage::kRename:
-      return !graph_.merging.any() ||
-             loop_.run(out_.segments.size(), budget, kQuickRounds,
-                       [&](int s) { nameInFaceOf(out_.segments[s]); });
+      return !graph_.merging.any() || loop_.run(out_.segments.size(), budget, kQuickRounds,
+                                                [&](int s) { nameInFaceOf(out_.segments[s]); });
     case Stage::kDone:
       break;
   }

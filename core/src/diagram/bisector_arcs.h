@@ -16,8 +16,8 @@ namespace gvd {
 
 /// Makes the bisector segments of a diagram from those of its graph. Segments that end at merged
 /// points may lie on top of each other, or on the boundary, with a region of no width between them;
-/// what remains there has the outermost labels. A point that lies on an edge or a vertex is named in
-/// terms of a face of one of its segments.
+/// what remains there has the outermost labels. A point that lies on an edge or a vertex is named
+/// in terms of a face of one of its segments.
 class FinalSegments {
  public:
   /// Takes the segments out of the graph.
@@ -54,7 +54,8 @@ class FinalSegments {
   std::vector<char> isNamed_;  ///< per point: in terms of a face of one of its segments
 };
 
-/// Chains the segments of a diagram to arcs through the points where exactly two of one bisector meet.
+/// Chains the segments of a diagram to arcs through the points where exactly two of one bisector
+/// meet.
 class ArcChaining {
  public:
   explicit ArcChaining(Diagram& diagram) : out_(diagram) {}

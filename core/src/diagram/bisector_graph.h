@@ -11,17 +11,18 @@
 
 namespace gvd {
 
-/// The bisectors of a diagram as a graph, all ties broken: three segments meet at every inner point,
-/// two at every crossing of an element's side, one at a crossing of the mesh boundary. Seen from a
-/// region, every segment is a *dart* that has the region on its left: dart 2s of the lower label of
-/// segment s, which runs forwards, and dart 2s + 1 of the higher one. At each point at most one dart
-/// of a region comes and one leaves, so following darts, and the mesh boundary in between, closes
-/// the region's loops without a choice to make.
+/// The bisectors of a diagram as a graph, all ties broken: three segments meet at every inner
+/// point, two at every crossing of an element's side, one at a crossing of the mesh boundary. Seen
+/// from a region, every segment is a *dart* that has the region on its left: dart 2s of the lower
+/// label of segment s, which runs forwards, and dart 2s + 1 of the higher one. At each point at
+/// most one dart of a region comes and one leaves, so following darts, and the mesh boundary in
+/// between, closes the region's loops without a choice to make.
 ///
 /// As doubles see it, some of its points are one: those whose error bounds overlap. That yields the
 /// Voronoi points of higher degree, those on edges and vertices, and bisectors along edges.
 struct BisectorGraph {
-  /// A point where bisectors meet or cross a side, or a node that the mesh boundary or a cell passes.
+  /// A point where bisectors meet or cross a side, or a node that the mesh boundary or a cell
+  /// passes.
   struct Point {
     double error;               ///< bound on how far rounding has moved it
     std::array<int, 3> labels;  ///< of the regions that meet here, -1 for none; a node has none
@@ -74,8 +75,8 @@ struct BisectorGraph {
   void unite(int a, int b);
 };
 
-/// The points of the graph at nodes, -1 where there is none (yet). Of a caller that traces again and
-/// again, who then need not make the list anew.
+/// The points of the graph at nodes, -1 where there is none (yet). Of a caller that traces again
+/// and again, who then need not make the list anew.
 class NodePoints {
  public:
   /// Of at least `count` nodes; true when the list is that long.

@@ -62,8 +62,8 @@ void BisectorTracing::noteMixed(int element) {
   if (complex_.soleOwner(element) == Diagram::kMixed) mixedIndex_[element] = mixedCount_++;
 }
 
-/// Room for what is usually needed: most mixed elements have two cells; every site adds some corners
-/// where its bisectors meet, which counts where sites are as many as elements.
+/// Room for what is usually needed: most mixed elements have two cells; every site adds some
+/// corners where its bisectors meet, which counts where sites are as many as elements.
 void BisectorTracing::reserve() {
   const size_t mixed = mixedCount_, atSites = 6 * std::min(siteCount_, mixedCount_);
   const size_t points = 5 * mixed / 2 + atSites + complex_.partialCount();
@@ -174,8 +174,8 @@ void BisectorTracing::gatherFunctions(int element, int soleOwner) {
   const int* const node = &tail_[3 * element];
   const auto atA = complex_.labels(node[0]), atB = complex_.labels(node[1]),
              atC = complex_.labels(node[2]);
-  // As `visitCommonLabels`, but without branches for a processor to guess wrong: each round writes a
-  // function, and the next one writes over it if it was not of all three nodes.
+  // As `visitCommonLabels`, but without branches for a processor to guess wrong: each round writes
+  // a function, and the next one writes over it if it was not of all three nodes.
   functions_.resize(std::min({atA.size(), atB.size(), atC.size()}) + 1);
   LabelFunction* next = functions_.data();
   for (auto a = atA.begin(), b = atB.begin(), c = atC.begin();
@@ -205,8 +205,8 @@ void BisectorTracing::dropHiddenFunctions(int element) {
     return std::any_of(owners.begin(), owners.end(), [&](const LabelFunction& owner) {
       bool isHidden = owner.label != f.label;
       for (int i = 0; i < 3; ++i)
-        isHidden &= owner.value[i] < f.value[i] ||
-                    (owner.value[i] == f.value[i] && owner.label < f.label);
+        isHidden &=
+            owner.value[i] < f.value[i] || (owner.value[i] == f.value[i] && owner.label < f.label);
       return isHidden;
     });
   });
@@ -288,24 +288,24 @@ void BisectorTracing::mergeOnSide(const Element& element, int side, int point, i
   }
   for (int p = others; p >= 0; p = graph_.points[p].nextOnSide) {
     const SurfacePoint &other = graph_.places[p], &place = graph_.places[point];
-    if (other.face == element.face && isApart(element, side, other.bary[side] - bary[side],
-                                              kPlainlyApart * element.longest))
+    if (other.face == element.face &&
+        isApart(element, side, other.bary[side] - bary[side], kPlainlyApart * element.longest))
       continue;
     if ((mesh_.position(other) - mesh_.position(place)).norm() <= graph_.points[p].error + error)
       graph_.unite(point, p);
   }
 }
 
-/// Whether a share of a side is longer than some distance. A quick way out where points are not one,
-/// as mostly; false where that is not as simple.
+/// Whether a share of a side is longer than some distance. A quick way out where points are not
+/// one, as mostly; false where that is not as simple.
 bool BisectorTracing::isApart(const Element& element, int side, double share,
                               double distance) const {
   return complex_.isWhole(element.index) &&
          share * share * element.squaredLength[side] > distance * distance;
 }
 
-/// Where in `firstOnSide_` a side of an element is. Of two elements with points on their common side
-/// both are mixed, for the owners of its ends are not the same.
+/// Where in `firstOnSide_` a side of an element is. Of two elements with points on their common
+/// side both are mixed, for the owners of its ends are not the same.
 int BisectorTracing::slotOf(const Element& element, int side) const {
   const int twin = twin_[3 * element.index + side], neighbour = twin / 3;
   const bool isLater = twin < 0 || neighbour > element.index || mixedIndex_[neighbour] < 0;

@@ -53,7 +53,8 @@ class BisectorTracing {
   void addAreas(double faceArea);
   void tellApartInnerPoints();
   int pointAt(const Element& element, int vertex);
-  int pointOnSide(const Element& element, const FaceEnvelope::Vertex& v, const Eigen::Vector3d& bary);
+  int pointOnSide(const Element& element, const FaceEnvelope::Vertex& v,
+                  const Eigen::Vector3d& bary);
   void mergeOnSide(const Element& element, int side, int point, int others,
                    const Eigen::Vector3d& bary);
   bool isApart(const Element& element, int side, double share, double distance) const;
@@ -82,8 +83,8 @@ class BisectorTracing {
   int next_ = 0;  ///< element
   int siteCount_, mixedCount_ = 0;
   std::vector<int> mixedIndex_;  ///< per element, -1 if it has one owner or none
-  /// Per side of mixed elements, the first in a list of points of the graph, -1 for none. A side that
-  /// two have in common is the one of that with the lower index.
+  /// Per side of mixed elements, the first in a list of points of the graph, -1 for none. A side
+  /// that two have in common is the one of that with the lower index.
   std::vector<int> firstOnSide_;
 
   // For the element at hand.

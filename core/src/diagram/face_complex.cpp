@@ -129,7 +129,8 @@ void FaceComplex::clear() {
     if (node < static_cast<int>(firstMidpoint_.size())) firstMidpoint_[node] = -1;
   }
   for (const int f : face_) indexInPart_[f] = -1;
-  for (auto* list : {&tail_, &twin_, &face_, &cornersOf_, &soleOwner_, &contested_, &lastOut_, &before_})
+  for (auto* list :
+       {&tail_, &twin_, &face_, &cornersOf_, &soleOwner_, &contested_, &lastOut_, &before_})
     list->clear();
   corners_.clear();
   addedLabels_.clear();

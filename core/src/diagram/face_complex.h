@@ -131,11 +131,11 @@ class FaceComplex {
 
   Stage stage_ = Stage::kOwners;
   SlicedLoop loop_;
-  int mixedCount_ = 0;        ///< faces
-  int level_ = 0;             ///< of splitting
-  int unsplitCount_ = 0;      ///< elements before it
-  int nextSplit_ = 0;         ///< the element to be looked at next
-  bool hasChanged_ = false;   ///< in this round of `follow`
+  int mixedCount_ = 0;       ///< faces
+  int level_ = 0;            ///< of splitting
+  int unsplitCount_ = 0;     ///< elements before it
+  int nextSplit_ = 0;        ///< the element to be looked at next
+  bool hasChanged_ = false;  ///< in this round of `follow`
 
   std::vector<Node> nodes_;
   std::vector<int> soleOwner_;
@@ -146,7 +146,8 @@ class FaceComplex {
   std::vector<int> tail_, twin_, face_;
   std::vector<int> cornersOf_;  ///< in corners_, -1 for all of a face
   std::deque<Eigen::Matrix3d> corners_;
-  std::map<int, std::vector<LabelledDistance>> addedLabels_;  ///< all of nodes where some were added
+  std::map<int, std::vector<LabelledDistance>>
+      addedLabels_;                 ///< all of nodes where some were added
   std::deque<Midpoint> midpoints_;  ///< the nodes after the vertices
   std::vector<int> firstMidpoint_;  ///< per node, -1 for none
   /// The labels of midpoints, list after list, each in one chunk.

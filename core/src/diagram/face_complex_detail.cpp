@@ -28,8 +28,8 @@ bool FaceComplex::splitMixed(long& budget) {
   return true;
 }
 
-/// Splits what the new nodes of neighbours leave no choice about, round after round: an element that
-/// is split may have neighbours that were passed already.
+/// Splits what the new nodes of neighbours leave no choice about, round after round: an element
+/// that is split may have neighbours that were passed already.
 bool FaceComplex::follow(long& budget) {
   do {
     hasChanged_ = hasChanged_ && nextSplit_ > 0;

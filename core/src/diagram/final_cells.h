@@ -11,9 +11,9 @@
 
 namespace gvd {
 
-/// Makes the cells of a diagram from those of its graph, ascending by face. Cells that merging points
-/// has left no width go. A face of which all that is left is one region's, with no points on its
-/// outline but nodes, is a region triangle after all.
+/// Makes the cells of a diagram from those of its graph, ascending by face. Cells that merging
+/// points has left no width go. A face of which all that is left is one region's, with no points on
+/// its outline but nodes, is a region triangle after all.
 class FinalCells {
  public:
   /// Takes the cells out of the graph, and the labels of faces.

@@ -9,8 +9,8 @@
 
 namespace gvd {
 
-/// The points of a diagram: those of its graph that something names, merged ones as one, numbered as
-/// they are named first.
+/// The points of a diagram: those of its graph that something names, merged ones as one, numbered
+/// as they are named first.
 class FinalPoints {
  public:
   FinalPoints(BisectorGraph& graph, std::vector<SurfacePoint>& places)

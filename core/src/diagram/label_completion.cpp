@@ -88,8 +88,8 @@ bool LabelCompletion::hasAddedLabels(int element) const {
   return std::any_of(node, node + 3, [&](int n) { return complex_.hasAddedLabels(n); });
 }
 
-/// Whether an owner is not known at all nodes, or a label known at two of them is not plainly behind
-/// one of the owners at both.
+/// Whether an owner is not known at all nodes, or a label known at two of them is not plainly
+/// behind one of the owners at both.
 bool LabelCompletion::mayLackLabels(int element) const {
   const int* const node = &complex_.tails()[3 * element];
   const Labels a = complex_.labels(node[0]), b = complex_.labels(node[1]),

@@ -12,8 +12,8 @@ namespace gvd {
 /// Adds labels to a complex where an element's third node lacks one that owns part of the side
 /// across: of slivers that rounding makes or breaks, no distance field can promise that, nor at the
 /// nodes between its vertices. A label added may now own part of another side, hence elements where
-/// some were added are looked at again until none is. An element of one owner lacks none: where that
-/// one is least at all nodes, it is everywhere.
+/// some were added are looked at again until none is. An element of one owner lacks none: where
+/// that one is least at all nodes, it is everywhere.
 class LabelCompletion {
  public:
   explicit LabelCompletion(FaceComplex& complex) : complex_(complex) {}

@@ -7,8 +7,8 @@
 
 namespace gvd {
 
-/// Which points are one: a union-find structure over points by number (Tarjan 1975). Takes memory up
-/// to the last point that is one with another only, for mostly there are few or none.
+/// Which points are one: a union-find structure over points by number (Tarjan 1975). Takes memory
+/// up to the last point that is one with another only, for mostly there are few or none.
 class PointMerging {
  public:
   /// The point that stands for all that are one with `point`.

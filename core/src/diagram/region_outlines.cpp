@@ -67,8 +67,8 @@ void RegionOutlines::orderBoundary() {
   std::stable_sort(boundary.begin(), boundary.end(),
                    [&](const auto& a, const auto& b) { return part(a) < part(b); });
   for (auto first = boundary.begin(); first != boundary.end();) {
-    const auto last = std::find_if(
-        first, boundary.end(), [&](const auto& b) { return part(b) != part(*first); });
+    const auto last =
+        std::find_if(first, boundary.end(), [&](const auto& b) { return part(b) != part(*first); });
     chain({&*first, static_cast<size_t>(last - first)});
     first = last;
   }
@@ -87,14 +87,13 @@ void RegionOutlines::chain(std::span<BisectorGraph::BoundaryPoint> points) {
   std::iter_swap(points.begin(), std::find_if(points.begin(), points.end(), isFirst));
   for (size_t i = 1; i < points.size(); ++i)
     std::iter_swap(points.begin() + i,
-                   std::find_if(points.begin() + i, points.end(), [&](const auto& p) {
-                     return p.before == points[i - 1].after;
-                   }));
+                   std::find_if(points.begin() + i, points.end(),
+                                [&](const auto& p) { return p.before == points[i - 1].after; }));
 }
 
 int RegionOutlines::boundaryIndexOf(int point) const {
-  const auto place = std::lower_bound(boundaryIndex_.begin(), boundaryIndex_.end(),
-                                      std::array<int, 2>{point, 0});
+  const auto place =
+      std::lower_bound(boundaryIndex_.begin(), boundaryIndex_.end(), std::array<int, 2>{point, 0});
   if (place == boundaryIndex_.end() || (*place)[0] != point)
     throw std::logic_error("a region's outline ends inside the mesh");
   return (*place)[1];
@@ -127,7 +126,8 @@ int RegionOutlines::followBoundary(int point, int label, Visit visit) {
   int halfedge = boundary[start].halfedge;
   visit(point, TriangleMesh::faceOf(halfedge), true);
   int index = start + 1;
-  if (index == static_cast<int>(boundary.size()) || boundary[index].halfedge != halfedge) index = -1;
+  if (index == static_cast<int>(boundary.size()) || boundary[index].halfedge != halfedge)
+    index = -1;
   while (index < 0) {
     const int vertex = mesh_.tip(halfedge);
     halfedge = mesh_.outgoing(vertex);
@@ -147,17 +147,18 @@ bool RegionOutlines::traceRings(long& budget) {
       budget = 0;
       return false;
     }
-    if (!isVisited_[nextDart_] && isTraced(graph_.labelOf(nextDart_)))
-      traceRing(nextDart_, budget);
+    if (!isVisited_[nextDart_] && isTraced(graph_.labelOf(nextDart_))) traceRing(nextDart_, budget);
   }
   return true;
 }
 
 void RegionOutlines::traceRing(int start, long& budget) {
-  addRing(graph_.labelOf(start), [&](auto visit) { walkRing(start, visit); }, budget);
+  addRing(
+      graph_.labelOf(start), [&](auto visit) { walkRing(start, visit); }, budget);
 }
 
-/// Calls visit(point, face, isOnBoundary) with what each step of a ring starts from and goes through.
+/// Calls visit(point, face, isOnBoundary) with what each step of a ring starts from and goes
+/// through.
 template <class Visit>
 void RegionOutlines::walkRing(int start, Visit visit) {
   const int label = graph_.labelOf(start);
@@ -207,8 +208,8 @@ void RegionOutlines::traceUnbroken(int start, int owner, long& budget) {
   addRing(owner, walk, budget);
 }
 
-/// Adds the ring that `walk` visits, as an outline if it has no merged points; else it is walked again
-/// as steps.
+/// Adds the ring that `walk` visits, as an outline if it has no merged points; else it is walked
+/// again as steps.
 template <class Walk>
 void RegionOutlines::addRing(int label, Walk walk, long& budget) {
   const int ring = ringCount_++, first = static_cast<int>(points_.size());
@@ -234,8 +235,8 @@ void RegionOutlines::addRing(int label, Walk walk, long& budget) {
 
 void RegionOutlines::addStep(int label, int point, int face, bool isOnBoundary) {
   const int s = static_cast<int>(steps_.size());
-  steps_.push_back({label, ringCount_ - 1, graph_.merging.root(point), face, s - 1, s + 1,
-                    isOnBoundary, false});
+  steps_.push_back(
+      {label, ringCount_ - 1, graph_.merging.root(point), face, s - 1, s + 1, isOnBoundary, false});
 }
 
 /// Makes a ring of the steps since the first one.

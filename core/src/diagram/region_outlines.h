@@ -14,9 +14,9 @@
 
 namespace gvd {
 
-/// The roots of two points of the graph, ascending, and the face that a straight line between them is
-/// in, -1 if it does not matter: between merged points, what is in two faces is along their edge.
-/// Lines of the same place lie on top of each other.
+/// The roots of two points of the graph, ascending, and the face that a straight line between them
+/// is in, -1 if it does not matter: between merged points, what is in two faces is along their
+/// edge. Lines of the same place lie on top of each other.
 using PlaceOfLine = std::array<int, 3>;
 PlaceOfLine placeOfLine(const BisectorGraph& graph, int from, int to, int face);
 
@@ -24,8 +24,8 @@ PlaceOfLine placeOfLine(const BisectorGraph& graph, int from, int to, int face);
 /// boundary, without what merging points has shrunk to nothing.
 ///
 /// A ring without merged points is an outline as it is. The others become *steps* first, of which
-/// those of no length go, and those that the region takes in both directions: it has no width there.
-/// That may join two rings, or part one in two.
+/// those of no length go, and those that the region takes in both directions: it has no width
+/// there. That may join two rings, or part one in two.
 class RegionOutlines {
  public:
   /// Of the labels for which `isTraced`, one per label, says so; of all if it is empty. Adds points

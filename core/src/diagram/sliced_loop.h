@@ -10,8 +10,8 @@ namespace gvd {
 /// A loop over the indices from 0 to below a count that stops where a budget is used up, and goes
 /// on from there when it is called again.
 ///
-/// A budget is what a caller lets one step do. Its unit is a microsecond or less: dividing one mixed
-/// face, or `perUnit` rounds of a loop that does little in each.
+/// A budget is what a caller lets one step do. Its unit is a microsecond or less: dividing one
+/// mixed face, or `perUnit` rounds of a loop that does little in each.
 class SlicedLoop {
  public:
   /// Calls `body` with the indices. Returns true when it has been called with all of them; the next

@@ -76,8 +76,8 @@ void VoronoiPoints::addMerged(int point) {
   add(point, std::move(labels));
 }
 
-/// Counterclockwise: each sector starts where the one before it ends. On the mesh boundary the first
-/// one starts where none ends.
+/// Counterclockwise: each sector starts where the one before it ends. On the mesh boundary the
+/// first one starts where none ends.
 void VoronoiPoints::orderAround(std::span<Sector> sectors) {
   auto start = std::find_if(sectors.begin(), sectors.end(), [&](const Sector& s) {
     return std::none_of(sectors.begin(), sectors.end(),
@@ -99,8 +99,8 @@ void VoronoiPoints::orderAround(std::span<Sector> sectors) {
   }
 }
 
-/// Where a region comes to a point twice, between others that only it keeps apart, its loops pair the
-/// sides of its two sectors the wrong way: the sectors form two rounds instead of one.
+/// Where a region comes to a point twice, between others that only it keeps apart, its loops pair
+/// the sides of its two sectors the wrong way: the sectors form two rounds instead of one.
 bool VoronoiPoints::joinRounds(std::span<Sector> chained, std::span<Sector> others) {
   for (Sector& a : chained)
     for (Sector& b : others)
