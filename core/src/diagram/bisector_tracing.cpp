@@ -201,15 +201,20 @@ void BisectorTracing::dropHiddenFunctions(int element) {
     owners[i] = *std::find_if(functions_.begin(), functions_.end(), [&](const LabelFunction& f) {
       return f.label == complex_.owner(tail_[3 * element + i]);
     });
-  std::erase_if(functions_, [&](const LabelFunction& f) {
-    return std::any_of(owners.begin(), owners.end(), [&](const LabelFunction& owner) {
-      bool isHidden = owner.label != f.label;
+  LabelFunction* kept = functions_.data();
+  for (const LabelFunction& f : functions_) {
+    bool isHidden = false;  // by one owner at all nodes; without branches as above
+    for (const LabelFunction& owner : owners) {
+      const bool isLower = owner.label < f.label;
+      bool isBehind = owner.label != f.label;
       for (int i = 0; i < 3; ++i)
-        isHidden &=
-            owner.value[i] < f.value[i] || (owner.value[i] == f.value[i] && owner.label < f.label);
-      return isHidden;
-    });
-  });
+        isBehind &= (owner.value[i] < f.value[i]) | ((owner.value[i] == f.value[i]) & isLower);
+      isHidden |= isBehind;
+    }
+    *kept = f;
+    kept += !isHidden;
+  }
+  functions_.resize(kept - functions_.data());
 }
 
 // --- Points --------------------------------------------------------------------------------------
