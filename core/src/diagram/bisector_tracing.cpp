@@ -163,7 +163,7 @@ void BisectorTracing::divide(int element, int soleOwner, int firstSlot) {
   const int face = complex_.face(element);
   const auto squared = squaredSides(mesh_, face);
   const double longest = std::sqrt(std::max({squared[0], squared[1], squared[2]}));
-  const Element here{element, face, firstSlot, squared, longest};
+  const Element here{element, face, complex_.isWhole(element), firstSlot, squared, longest};
   addPoints(here);
   addCells(here);
 }
@@ -228,8 +228,7 @@ void BisectorTracing::addPoints(const Element& element) {
       Corner& corner = corners_[vertex];
       if (corner.point >= 0) continue;
       envelope_.setBary(vertex, corner.bary);
-      if (!complex_.isWhole(element.index))
-        corner.bary = complex_.faceBary(element.index, corner.bary);
+      if (!element.isWhole) corner.bary = complex_.faceBary(element.index, corner.bary);
       corner.point = pointAt(element, vertex);
       hasInnerPoint |= envelope_.vertices()[vertex].kind == Vertex::kInside;
     }
@@ -305,8 +304,7 @@ void BisectorTracing::mergeOnSide(const Element& element, int side, int point, i
 /// one, as mostly; false where that is not as simple.
 bool BisectorTracing::isApart(const Element& element, int side, double share,
                               double distance) const {
-  return complex_.isWhole(element.index) &&
-         share * share * element.squaredLength[side] > distance * distance;
+  return element.isWhole && share * share * element.squaredLength[side] > distance * distance;
 }
 
 /// Where in `firstOnSide_` a side of an element is. Of two elements with points on their common

@@ -31,6 +31,7 @@ class BisectorTracing {
   /// The element at hand.
   struct Element {
     int index, face;
+    bool isWhole;                         ///< it is all of its face
     int firstSlot;                        ///< of its sides in firstOnSide_
     std::array<double, 3> squaredLength;  ///< of the face's sides
     double longest;                       ///< of these sides
