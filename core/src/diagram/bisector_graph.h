@@ -69,6 +69,12 @@ struct BisectorGraph {
   /// A point with the place of a node.
   int addNode(int face, const Eigen::Vector3d& bary) { return addPoint(face, bary, 0, -1, -1, -1); }
   void addSegment(int from, int to, int left, int right, int face);
+  /// Makes a cell of the points added to `cells` since the last one.
+  void closeCell(int face, int label) {
+    cells.offset.push_back(static_cast<int>(cells.points.size()));
+    cellFace.push_back(face);
+    cellLabel.push_back(label);
+  }
   /// Makes two points one. A node stands for all, so that a place on a vertex is exactly that; else
   /// the first, at a place on a side if there is one. Two nodes stay two, however near: region
   /// triangles have them as corners.

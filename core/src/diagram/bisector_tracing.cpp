@@ -159,11 +159,13 @@ bool BisectorTracing::isIndifferent(int element, int owner) const {
 
 void BisectorTracing::divide(int element, int soleOwner, int firstSlot) {
   gatherFunctions(element, soleOwner);
-  envelope_.compute(functions_);
+  const FaceEnvelope::Cut* const cut = envelope_.compute(functions_);
   const int face = complex_.face(element);
   const auto squared = squaredSides(mesh_, face);
   const double longest = std::sqrt(std::max({squared[0], squared[1], squared[2]}));
   const Element here{element, face, complex_.isWhole(element), firstSlot, squared, longest};
+  if (cut && here.isWhole && !hasUnmatchedSide(element)) return addCut(here, *cut);
+  if (cut) envelope_.build(*cut);
   addPoints(here);
   addCells(here);
 }
@@ -347,11 +349,9 @@ void BisectorTracing::addCells(const Element& element) {
   cellAreas_.clear();
   for (const FaceEnvelope::Cell& cell : envelope_.cells()) {
     cellAreas_.push_back(addCell(element, cell));
-    graph_.cells.offset.push_back(static_cast<int>(graph_.cells.points.size()));
-    graph_.cellFace.push_back(element.face);
-    graph_.cellLabel.push_back(label(cell.function));
+    graph_.closeCell(element.face, label(cell.function));
   }
-  addAreas(mesh_.faceArea(element.face));
+  addAreas(cellAreas_, mesh_.faceArea(element.face));
 }
 
 /// Returns its area as a share of the face.
@@ -433,14 +433,15 @@ void BisectorTracing::addBoundaryPoint(int h, int vertex) {
                              label(v.functions[0]), label(v.functions[1])});
 }
 
-/// Adds the areas of an element's cells, given as shares of its face, to those of the regions.
-/// Rounding may have turned a sliver over; what it has less than nothing is the largest cell's.
-void BisectorTracing::addAreas(double faceArea) {
-  const auto largest = std::max_element(cellAreas_.begin(), cellAreas_.end());
-  for (double& area : cellAreas_)
+/// Adds the areas of the last cells, which are an element's, given as shares of its face, to those
+/// of the regions. Rounding may have turned a sliver over; what it has less than nothing is the
+/// largest cell's.
+void BisectorTracing::addAreas(std::span<double> areas, double faceArea) {
+  const auto largest = std::max_element(areas.begin(), areas.end());
+  for (double& area : areas)
     if (area < 0) *largest += std::exchange(area, 0.0);
-  for (size_t c = 0; c < cellAreas_.size(); ++c)
-    graph_.regionArea[label(envelope_.cells()[c].function)] += cellAreas_[c] * faceArea;
+  const auto labels = std::span(graph_.cellLabel).last(areas.size());
+  for (size_t c = 0; c < areas.size(); ++c) graph_.regionArea[labels[c]] += areas[c] * faceArea;
 }
 
 }  // namespace gvd

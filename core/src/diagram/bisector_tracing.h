@@ -51,7 +51,9 @@ class BisectorTracing {
   void addPoints(const Element& element);
   void addCells(const Element& element);
   double addCell(const Element& element, const FaceEnvelope::Cell& cell);
-  void addAreas(double faceArea);
+  void addAreas(std::span<double> areas, double faceArea);
+  bool hasUnmatchedSide(int element) const;
+  void addCut(const Element& element, const FaceEnvelope::Cut& cut);
   void tellApartInnerPoints();
   int pointAt(const Element& element, int vertex);
   int pointOnSide(const Element& element, const FaceEnvelope::Vertex& v,

@@ -56,55 +56,70 @@ bool FaceEnvelope::isBelow(int f, const Vertex& v) const {
   return orientation(a, b, value(v.functions[2]), c) < 0;
 }
 
-void FaceEnvelope::compute(std::span<const LabelFunction> functions) {
+const FaceEnvelope::Cut* FaceEnvelope::compute(std::span<const LabelFunction> functions) {
   functions_ = functions;
-  vertices_.clear();
-  if (cells_.size() < 2) cells_.resize(2);
-  cellCount_ = 1;
-  cells_[0].function = 0;
-  cells_[0].sides.clear();
-  for (int i = 0; i < 3; ++i) {
-    vertices_.push_back({Vertex::kCorner, i, {0, -1, -1}});
-    cells_[0].sides.push_back({i, across(i)});
-  }
   const int count = static_cast<int>(functions.size());
+  cut_ = {0, -1, {}};
   int f = 1;
-  for (; f < count && cellCount_ == 1; ++f) insertInWhole(f);
+  while (f < count && !cutsWhole(f)) ++f;
+  if (f < count) {
+    do ++f;
+    while (f < count && !isBelowCut(f));
+    if (f == count) return &cut_;
+  }
+  build(cut_);
   for (; f < count; ++f) insert(f);
+  return nullptr;
 }
 
-/// What `insert` does while one function has all of the triangle.
-void FaceEnvelope::insertInWhole(int f) {
-  const int owner = cells_[0].function;
-  const auto &a = value(owner), &c = value(f);
+/// Sets `cut_` while one function, `cut_.low`, has all of the triangle: f may be the next one that
+/// has, or take a part.
+bool FaceEnvelope::cutsWhole(int f) {
+  const auto &a = value(cut_.low), &c = value(f);
   const std::array<bool, 3> isBelow = {c[0] < a[0], c[1] < a[1], c[2] < a[2]};
-  for (int v = 0; v < 3; ++v)
-    if (isBelow[v]) vertices_[v].functions[0] = f;
-  if (!isBelow[0] && !isBelow[1] && !isBelow[2]) return;
-  if (isBelow[0] && isBelow[1] && isBelow[2]) {
-    cells_[0].function = f;
-    return;
+  const int count = isBelow[0] + isBelow[1] + isBelow[2];
+  if (count == 0) return false;
+  if (count == 3) {
+    cut_.low = f;
+    return false;
   }
-  std::vector<CellSide>&kept = cells_[0].sides, &taken = cells_[1].sides;
-  kept.clear();
-  taken.clear();
+  cut_.high = f;
+  cut_.isHigh = isBelow;
+  return true;
+}
+
+/// Whether f is less than the envelope anywhere, of which `cut_` is all so far.
+bool FaceEnvelope::isBelowCut(int f) const {
+  bool isBelowAnywhere = false;
   for (int i = 0; i < 3; ++i) {
-    const bool toIsBelow = isBelow[i < 2 ? i + 1 : 0];
-    (isBelow[i] ? taken : kept).push_back({i, across(i)});
-    if (isBelow[i] == toIsBelow) continue;
-    const int cut = static_cast<int>(vertices_.size());
-    if (toIsBelow) {
-      vertices_.push_back({Vertex::kOnSide, i, {owner, f, -1}});
-      kept.push_back({cut, f});
-      taken.push_back({cut, across(i)});
-    } else {
-      vertices_.push_back({Vertex::kOnSide, i, {f, owner, -1}});
-      taken.push_back({cut, owner});
-      kept.push_back({cut, across(i)});
-    }
+    const int here = cut_.functionAt(i), next = cut_.functionAt(i < 2 ? i + 1 : 0);
+    isBelowAnywhere |= value(f)[i] < value(here)[i];
+    if (here != next) isBelowAnywhere |= isBelow(f, {Vertex::kOnSide, i, {here, next, -1}});
   }
-  cells_[1].function = f;
-  cellCount_ = 2;
+  return isBelowAnywhere;
+}
+
+void FaceEnvelope::build(const Cut& cut) {
+  if (cells_.size() < 2) cells_.resize(2);
+  cellCount_ = cut.high < 0 ? 1 : 2;
+  cells_[0].function = cut.low;
+  cells_[1].function = cut.high;
+  std::vector<CellSide>&low = cells_[0].sides, &high = cells_[1].sides;
+  low.clear();
+  high.clear();
+  vertices_.clear();
+  for (int i = 0; i < 3; ++i)
+    vertices_.push_back({Vertex::kCorner, i, {cut.functionAt(i), -1, -1}});
+  for (int i = 0; i < 3; ++i) {
+    const bool isHigh = cut.isHigh[i], nextIsHigh = cut.isHigh[i < 2 ? i + 1 : 0];
+    (isHigh ? high : low).push_back({i, across(i)});
+    if (isHigh == nextIsHigh) continue;
+    const int vertex = static_cast<int>(vertices_.size());
+    const int before = isHigh ? cut.high : cut.low, after = isHigh ? cut.low : cut.high;
+    vertices_.push_back({Vertex::kOnSide, i, {before, after, -1}});
+    (isHigh ? high : low).push_back({vertex, after});
+    (isHigh ? low : high).push_back({vertex, across(i)});
+  }
 }
 
 /// The new vertex where f's cell cuts the side of `cell` that goes from `from` to `to`; one vertex
@@ -117,7 +132,7 @@ int FaceEnvelope::cutVertex(const Cell& cell, const CellSide& from, const CellSi
     vertices_.push_back({Vertex::kOnSide, triangleSide(other), {before, after, -1}});
     return static_cast<int>(vertices_.size()) - 1;
   }
-  for (const Cut& cut : cuts_)
+  for (const CutSide& cut : cuts_)
     if (cut.from == to.vertex && cut.to == from.vertex) return cut.vertex;
   // `cell` is on the left of the side and `other` on its right; f takes over ahead or behind.
   if (toIsBelow)
