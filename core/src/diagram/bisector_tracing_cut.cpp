@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Elements with a straight cut between two cells, as most mixed ones are: what
 // `BisectorTracing::addPoints` and `addCells` do for any number of cells, from a table instead of
-// lists. That takes half the time.
+// lists: an eighth less time for all of the tracing where sites are many.
 #include <array>
 
 #include "diagram/bisector_tracing.h"
