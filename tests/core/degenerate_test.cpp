@@ -642,6 +642,19 @@ TEST_P(Degenerate, CornersOfACubeMeetInTheMiddleOfItsSquares) {
   expectAreas(mesh, d, std::vector<double>(8, 1.0 / 8));
 }
 
+TEST_P(Degenerate, VoronoiPointOnAnEdgeIsExactlyOnIt) {
+  for (const Shape& shape : {shapes::cube(), shapes::subdivided(shapes::cube())}) {
+    const auto mesh = shape.mesh();
+    for (const int detail : {0, 1}) {
+      const Diagram d = checks::trace(mesh, atAllVertices(mesh), GetParam(), detail).diagram;
+      EXPECT_TRUE(isConsistent(mesh, d, detail)) << "named in faces of their segments";
+      ASSERT_FALSE(d.voronoiPoints.empty());
+      for (const auto& v : d.voronoiPoints)
+        EXPECT_EQ(d.points[v.point].bary.minCoeff(), 0) << d.points[v.point].bary.transpose();
+    }
+  }
+}
+
 TEST_P(Degenerate, VerticesOfASolidMeetInTheMiddleOfItsFaces) {
   for (const Shape& shape : {shapes::tetrahedron(), shapes::octahedron(), shapes::icosphere(0)}) {
     const auto mesh = shape.mesh();

@@ -24,6 +24,16 @@ AssertionResult checkPoints(const TriangleMesh& mesh, const Diagram& d) {
         !(std::abs(p.bary.sum() - 1) < 1e-12))
       return AssertionFailure() << "a point is off the surface: face " << p.face << ", "
                                 << p.bary.transpose();
+  std::vector<char> hasSegment(d.points.size()), isInFaceOfOne(d.points.size());
+  for (const Diagram::Segment& s : d.segments)
+    for (const int p : s.points) {
+      hasSegment[p] = true;
+      isInFaceOfOne[p] |= d.points[p].face == s.face;
+    }
+  for (size_t p = 0; p < d.points.size(); ++p)
+    if (hasSegment[p] && !isInFaceOfOne[p])
+      return AssertionFailure() << "point " << p << " is named in face " << d.points[p].face
+                                << ", where none of its segments is";
   return AssertionSuccess();
 }
 

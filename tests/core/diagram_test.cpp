@@ -11,6 +11,7 @@
 
 #include "diagram_checks.h"
 #include "gvd/sampling.h"
+#include "random_case.h"
 #include "shapes.h"
 
 namespace gvd {
@@ -184,6 +185,80 @@ TEST(Diagram, HandlesManySitesInOneFace) {
   const Diagram d = trace(mesh, sites).diagram;
   EXPECT_TRUE(isConsistent(mesh, d));
   for (const double area : d.regionArea) EXPECT_GT(area, 0);
+}
+
+/// Whether every number of two diagrams is the same.
+bool areIdentical(const Diagram& a, const Diagram& b) {
+  const auto isSamePoint = [](const SurfacePoint& p, const SurfacePoint& q) {
+    return p.face == q.face && p.bary == q.bary;
+  };
+  const auto isSameSegment = [](const Diagram::Segment& s, const Diagram::Segment& t) {
+    return s.points == t.points && s.labels == t.labels && s.face == t.face && s.arc == t.arc;
+  };
+  const auto isSameMeeting = [](const Diagram::VoronoiPoint& v, const Diagram::VoronoiPoint& w) {
+    return v.point == w.point && v.labels == w.labels;
+  };
+  const auto areSameLists = [](const PointLists& l, const PointLists& m) {
+    return l.offset == m.offset && l.points == m.points;
+  };
+  return std::ranges::equal(a.points, b.points, isSamePoint) &&
+         std::ranges::equal(a.segments, b.segments, isSameSegment) &&
+         std::ranges::equal(a.voronoiPoints, b.voronoiPoints, isSameMeeting) &&
+         areSameLists(a.arcs, b.arcs) && a.arcLabels == b.arcLabels &&
+         areSameLists(a.loops, b.loops) && a.loopLabel == b.loopLabel &&
+         a.regionArea == b.regionArea && a.faceLabel == b.faceLabel &&
+         a.indifferentFaces == b.indifferentFaces && areSameLists(a.cells, b.cells) &&
+         a.cellFace == b.cellFace && a.cellLabel == b.cellLabel && a.siteCount == b.siteCount;
+}
+
+TEST(Diagram, IsTheSameInSlices) {
+  for (int seed = 0; seed < 60; ++seed) {
+    const RandomCase c = randomCase(seed);
+    const auto mesh = c.mesh();
+    const auto sites = c.sitesOn(mesh);
+    const int count = static_cast<int>(sites.size());
+    const auto traced = trace(mesh, sites);
+    for (const int detail : {0, 1, 2})
+      for (const long budget : {1, 7, 100}) {
+        DiagramTracing tracing(mesh, *traced.field, count, {.detail = detail});
+        while (!tracing.step(budget)) {
+        }
+        EXPECT_TRUE(areIdentical(tracing.take(),
+                                 traceDiagram(mesh, *traced.field, count, {.detail = detail})))
+            << "seed " << seed << ", detail " << detail << ", budget " << budget;
+      }
+  }
+}
+
+/// The mixed faces of which all cells have one label and no bisector ends on their outline.
+std::vector<int> mixedFacesOfOneRegion(const TriangleMesh& mesh, const Diagram& d) {
+  std::vector<char> endsSegment(d.points.size());
+  for (const auto& s : d.segments)
+    for (const int p : s.points) endsSegment[p] = d.points[p].bary.maxCoeff() < 1;
+  std::vector<int> first(mesh.faceCount(), -1);
+  std::vector<char> isDivided(mesh.faceCount());
+  for (int i = 0; i < d.cells.size(); ++i) {
+    int& label = first[d.cellFace[i]];
+    if (label < 0) label = d.cellLabel[i];
+    isDivided[d.cellFace[i]] |= label != d.cellLabel[i];
+    for (const int p : d.cells[i]) isDivided[d.cellFace[i]] |= endsSegment[p];
+  }
+  std::vector<int> faces;
+  for (int f = 0; f < mesh.faceCount(); ++f)
+    if (d.faceLabel[f] == Diagram::kMixed && !isDivided[f]) faces.push_back(f);
+  return faces;
+}
+
+TEST(Diagram, InDetailStillLabelsFacesOfOneRegion) {
+  for (int seed = 0; seed < 100; ++seed) {
+    const RandomCase c = randomCase(seed);
+    const auto mesh = c.mesh();
+    for (const int detail : {0, 1, 2})
+      EXPECT_EQ(
+          mixedFacesOfOneRegion(mesh, trace(mesh, c.sitesOn(mesh), Metric::kDgpc, detail).diagram),
+          std::vector<int>())
+          << "seed " << seed << ", detail " << detail;
+  }
 }
 
 TEST(Diagram, KeepsRegionsConsistentWithDetail) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -11,7 +12,8 @@
 
 namespace gvd {
 
-/// A list of lists of point indices in one array: list i is `points[offset[i]] … points[offset[i+1] - 1]`.
+/// A list of lists of point indices in one array: list i is `points[offset[i]] … points[offset[i+1]
+/// - 1]`.
 struct PointLists {
   std::vector<int> offset = {0};
   std::vector<int> points;
@@ -28,17 +30,19 @@ struct PointLists {
 
 /// The geodesic Voronoi diagram of a mesh (Melvær & Reimers 2014), traced.
 ///
-/// Words: a *bisector segment* is a straight piece of a bisector inside one face; an *arc* a maximal
-/// chain of segments of the same two labels between Voronoi points, ends on the mesh boundary, or
-/// closed; a *Voronoi point* is equidistant from three or more sites; a *loop* is a closed outline of
-/// a region. "Left" is as seen with the faces counterclockwise.
+/// Words: a *bisector segment* is a straight piece of a bisector inside one face; an *arc* a
+/// maximal chain of segments of the same two labels between Voronoi points, ends on the mesh
+/// boundary, or closed; a *Voronoi point* is equidistant from three or more sites; a *loop* is a
+/// closed outline of a region. "Left" is as seen with the faces counterclockwise.
 struct Diagram {
   static constexpr int kUnreachable = -1;  ///< label of what no site reaches
   static constexpr int kMixed = -2;        ///< faceLabel of a face with several regions
 
   int siteCount = 0;
 
-  /// Every point named below, each place once. `face` counts the mesh's faces.
+  /// Every point named below, each place once. `face` counts the mesh's faces. Where points have
+  /// become one on an edge or a vertex, the coordinates off it are exactly zero. The end of a
+  /// segment is named in terms of a face of one of the segments there.
   std::vector<SurfacePoint> points;
 
   /// A bisector segment, oriented forwards: the lower label `labels[0]` is on its left,
@@ -72,7 +76,8 @@ struct Diagram {
   std::vector<double> regionArea;  ///< per label; sums to the area that any site reaches
 
   /// Per mesh face: its label if one region owns all of it (a region triangle), else `kMixed` or
-  /// `kUnreachable`.
+  /// `kUnreachable`. A face of one region beside bisectors that meet on its side is mixed as well:
+  /// its only cell has their meeting as a corner.
   std::vector<int> faceLabel;
   /// Region triangles that two or more labels tie on; given to the lowest of them. They lie behind
   /// saddles and corners of the boundary at which the labels tie. Sites in one place tie on all of
@@ -97,5 +102,27 @@ struct DiagramOptions {
 /// last bit; permuting the sites permutes the labels. O(F + M log M), M the number of points.
 Diagram traceDiagram(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,
                      const DiagramOptions& options = {});
+
+/// The same in slices, so that a caller keeps responding and can give up.
+class DiagramTracing {
+ public:
+  /// The mesh and the distances must outlive this.
+  DiagramTracing(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,
+                 const DiagramOptions& options = {});
+  ~DiagramTracing();
+  DiagramTracing(DiagramTracing&&) noexcept;
+  DiagramTracing& operator=(DiagramTracing&&) noexcept;
+
+  /// Does work for at most `budget` mixed faces, a microsecond or less each, or as much of another
+  /// kind; true when everything is done. What is not parted: one face, with all the sites in it;
+  /// one loop.
+  bool step(long budget);
+  /// The result; call once, after `step` returned true.
+  Diagram take();
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
 
 }  // namespace gvd

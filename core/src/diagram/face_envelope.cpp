@@ -16,18 +16,23 @@ double crossing(double aFirst, double bFirst, double aSecond, double bSecond) {
   return span == 0 ? 0.5 : std::clamp(first / span, 0.0, 1.0);
 }
 
-Eigen::Vector3d FaceEnvelope::bary(int vertex) const {
+void FaceEnvelope::setBary(int vertex, Eigen::Vector3d& bary) const {
   const Vertex& v = vertices_[vertex];
-  if (v.kind == Vertex::kCorner) return Eigen::Vector3d::Unit(v.place);
+  if (v.kind == Vertex::kInside) return setInnerBary(v, bary);
+  const int i = v.place, j = i < 2 ? i + 1 : 0;
+  double share = 0;
   if (v.kind == Vertex::kOnSide) {
-    const int i = v.place, j = (i + 1) % 3;
     const auto [low, high] = std::minmax(v.functions[0], v.functions[1]);
     const auto &a = value(low), &c = value(high);
-    const double share = crossing(a[i], c[i], a[j], c[j]);
-    const double fromCorner[] = {1 - share, share, 0};  // i, and on
-    return {fromCorner[(3 - i) % 3], fromCorner[(4 - i) % 3], fromCorner[2 - i]};
+    share = crossing(a[i], c[i], a[j], c[j]);
   }
-  // The common zero of b - a and c - a is their cross product, up to scale.
+  bary[i] = 1 - share;
+  bary[j] = share;
+  bary[3 - i - j] = 0;
+}
+
+/// The common zero of b - a and c - a is their cross product, up to scale.
+void FaceEnvelope::setInnerBary(const Vertex& v, Eigen::Vector3d& bary) const {
   const auto &a = value(v.functions[0]), &b = value(v.functions[1]), &c = value(v.functions[2]);
   const Eigen::Vector3d p(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
   const Eigen::Vector3d q(c[0] - a[0], c[1] - a[1], c[2] - a[2]);
@@ -35,7 +40,7 @@ Eigen::Vector3d FaceEnvelope::bary(int vertex) const {
   const double sum = zero.sum();
   // No scale left: three functions that are equal along a line, a tie that only the perturbation
   // resolves. Any point of the triangle serves, the caller merges it with its neighbours.
-  return sum > 0 ? Eigen::Vector3d(zero / sum) : Eigen::Vector3d::Constant(1.0 / 3);
+  for (int i = 0; i < 3; ++i) bary[i] = sum > 0 ? zero[i] / sum : 1.0 / 3;
 }
 
 /// Whether f is less than the envelope at a vertex. f has a higher label than everything inserted
@@ -51,18 +56,70 @@ bool FaceEnvelope::isBelow(int f, const Vertex& v) const {
   return orientation(a, b, value(v.functions[2]), c) < 0;
 }
 
-void FaceEnvelope::compute(std::span<const LabelFunction> functions) {
+const FaceEnvelope::Cut* FaceEnvelope::compute(std::span<const LabelFunction> functions) {
   functions_ = functions;
-  vertices_.clear();
-  if (cells_.empty()) cells_.emplace_back();
-  cellCount_ = 1;
-  cells_[0].function = 0;
-  cells_[0].sides.clear();
-  for (int i = 0; i < 3; ++i) {
-    vertices_.push_back({Vertex::kCorner, i, {0, -1, -1}});
-    cells_[0].sides.push_back({i, across(i)});
+  const int count = static_cast<int>(functions.size());
+  cut_ = {0, -1, {}};
+  int f = 1;
+  while (f < count && !cutsWhole(f)) ++f;
+  if (f < count) {
+    do ++f;
+    while (f < count && !isBelowCut(f));
+    if (f == count) return &cut_;
   }
-  for (int f = 1; f < static_cast<int>(functions.size()); ++f) insert(f);
+  build(cut_);
+  for (; f < count; ++f) insert(f);
+  return nullptr;
+}
+
+/// Sets `cut_` while one function, `cut_.low`, has all of the triangle: f may be the next one that
+/// has, or take a part.
+bool FaceEnvelope::cutsWhole(int f) {
+  const auto &a = value(cut_.low), &c = value(f);
+  const std::array<bool, 3> isBelow = {c[0] < a[0], c[1] < a[1], c[2] < a[2]};
+  const int count = isBelow[0] + isBelow[1] + isBelow[2];
+  if (count == 0) return false;
+  if (count == 3) {
+    cut_.low = f;
+    return false;
+  }
+  cut_.high = f;
+  cut_.isHigh = isBelow;
+  return true;
+}
+
+/// Whether f is less than the envelope anywhere, of which `cut_` is all so far.
+bool FaceEnvelope::isBelowCut(int f) const {
+  bool isBelowAnywhere = false;
+  for (int i = 0; i < 3; ++i) {
+    const int here = cut_.functionAt(i), next = cut_.functionAt(i < 2 ? i + 1 : 0);
+    isBelowAnywhere |= value(f)[i] < value(here)[i];
+    if (here != next) isBelowAnywhere |= isBelow(f, {Vertex::kOnSide, i, {here, next, -1}});
+  }
+  return isBelowAnywhere;
+}
+
+void FaceEnvelope::build(const Cut& cut) {
+  if (cells_.size() < 2) cells_.resize(2);
+  cellCount_ = cut.high < 0 ? 1 : 2;
+  cells_[0].function = cut.low;
+  cells_[1].function = cut.high;
+  std::vector<CellSide>&low = cells_[0].sides, &high = cells_[1].sides;
+  low.clear();
+  high.clear();
+  vertices_.clear();
+  for (int i = 0; i < 3; ++i)
+    vertices_.push_back({Vertex::kCorner, i, {cut.functionAt(i), -1, -1}});
+  for (int i = 0; i < 3; ++i) {
+    const bool isHigh = cut.isHigh[i], nextIsHigh = cut.isHigh[i < 2 ? i + 1 : 0];
+    (isHigh ? high : low).push_back({i, across(i)});
+    if (isHigh == nextIsHigh) continue;
+    const int vertex = static_cast<int>(vertices_.size());
+    const int before = isHigh ? cut.high : cut.low, after = isHigh ? cut.low : cut.high;
+    vertices_.push_back({Vertex::kOnSide, i, {before, after, -1}});
+    (isHigh ? high : low).push_back({vertex, after});
+    (isHigh ? low : high).push_back({vertex, across(i)});
+  }
 }
 
 /// The new vertex where f's cell cuts the side of `cell` that goes from `from` to `to`; one vertex
@@ -75,7 +132,7 @@ int FaceEnvelope::cutVertex(const Cell& cell, const CellSide& from, const CellSi
     vertices_.push_back({Vertex::kOnSide, triangleSide(other), {before, after, -1}});
     return static_cast<int>(vertices_.size()) - 1;
   }
-  for (const Cut& cut : cuts_)
+  for (const CutSide& cut : cuts_)
     if (cut.from == to.vertex && cut.to == from.vertex) return cut.vertex;
   // `cell` is on the left of the side and `other` on its right; f takes over ahead or behind.
   if (toIsBelow)
@@ -87,16 +144,24 @@ int FaceEnvelope::cutVertex(const Cell& cell, const CellSide& from, const CellSi
   return vertex;
 }
 
+/// Sets `below_`; false if f is below the envelope nowhere.
+bool FaceEnvelope::findBelow(int f) {
+  constexpr char kUnknown = 2;
+  below_.assign(vertices_.size(), kUnknown);
+  bool any = false;
+  for (int c = 0; c < cellCount_; ++c)
+    for (const CellSide& side : cells_[c].sides) {
+      char& isBelowHere = below_[side.vertex];
+      if (isBelowHere == kUnknown) any |= isBelowHere = isBelow(f, vertices_[side.vertex]);
+    }
+  return any;
+}
+
 /// Adds one function: its cell is what it takes from the others. Each cell, convex, gives up one
 /// run of its vertices, and the cut closes both parts.
 void FaceEnvelope::insert(int f) {
   const int vertexCount = static_cast<int>(vertices_.size());
-  below_.assign(vertexCount, 0);
-  bool any = false;
-  for (int c = 0; c < cellCount_; ++c)
-    for (const CellSide& side : cells_[c].sides)
-      if (!below_[side.vertex]) any |= below_[side.vertex] = isBelow(f, vertices_[side.vertex]);
-  if (!any) return;
+  if (!findBelow(f)) return;
 
   links_.clear();
   cuts_.clear();
@@ -146,7 +211,7 @@ void FaceEnvelope::insert(int f) {
     at = link->to;
   }
   for (int v = 0; v < 3; ++v)
-    if (below_[v]) vertices_[v].functions[0] = f;
+    if (below_[v] == 1) vertices_[v].functions[0] = f;
 }
 
 }  // namespace gvd

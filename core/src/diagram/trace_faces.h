@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "diagram/bisector_tracing.h"
 #include "diagram/face_complex.h"
 #include "gvd/diagram.h"
 #include "gvd/geodesic.h"
@@ -48,7 +49,7 @@ class PartialTracer {
   const DistanceField& distances_;
   DiagramOptions options_;
   FaceComplex complex_;
-  std::vector<int> pointOfNode_;  ///< of the tracer, which leaves it as it was: -1 for all nodes
+  NodePoints nodePoints_;
 };
 
 }  // namespace gvd

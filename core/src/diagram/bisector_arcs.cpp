@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+#include "diagram/bisector_arcs.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "mesh/surface_geometry.h"
+
+namespace gvd {
+namespace {
+
+/// Whether two faces share the edge or vertex that a point of the first one lies on.
+bool shareFeature(const TriangleMesh& mesh, const SurfacePoint& p, int face) {
+  if (vertexAt(mesh, p) >= 0) return true;
+  for (int i = 0; i < 3; ++i) {
+    const int twin = mesh.twin(3 * p.face + (i + 1) % 3);  // the side across from corner i
+    if (p.bary[i] == 0 && twin >= 0 && TriangleMesh::faceOf(twin) == face) return true;
+  }
+  return false;
+}
+
+/// Expresses a point on an edge or vertex in terms of another face there; false if it is not one.
+bool renameInFace(const TriangleMesh& mesh, int face, SurfacePoint& p) {
+  if (!shareFeature(mesh, p, face)) return false;
+  SurfacePoint renamed{face, Eigen::Vector3d::Zero()};
+  for (int i = 0; i < 3; ++i) {
+    if (p.bary[i] == 0) continue;
+    const int* const tails = &mesh.tails()[3 * face];
+    const auto corner = std::find(tails, tails + 3, mesh.tail(3 * p.face + i)) - tails;
+    if (corner == 3) return false;
+    renamed.bary[corner] = p.bary[i];
+  }
+  p = renamed;
+  return true;
+}
+
+}  // namespace
+
+// --- Segments ------------------------------------------------------------------------------------
+
+FinalSegments::FinalSegments(const TriangleMesh& mesh, BisectorGraph& graph,
+                             std::span<const RegionOutlines::BoundaryStep> boundarySteps,
+                             FinalPoints& points, Diagram& diagram)
+    : mesh_(mesh), graph_(graph), boundarySteps_(boundarySteps), points_(points), out_(diagram) {
+  out_.segments = std::move(graph.segments);
+}
+
+bool FinalSegments::step(long& budget) {
+  while (stage_ != Stage::kDone) {
+    if (!runStage(budget)) return false;
+    stage_ = static_cast<Stage>(static_cast<int>(stage_) + 1);
+  }
+  return true;
+}
+
+bool FinalSegments::runStage(long& budget) {
+  constexpr long kSegmentsPerUnit = 8;
+  switch (stage_) {
+    case Stage::kSegments:
+      if (!loop_.run(out_.segments.size(), budget, kSegmentsPerUnit,
+                     [&](int s) { addSegment(out_.segments[s]); }))
+        return false;
+      out_.segments.resize(kept_);
+      return true;
+    case Stage::kBoundary:
+      return loop_.run(boundarySteps_.size(), budget, 1, [&](int i) {
+        const RegionOutlines::BoundaryStep& step = boundarySteps_[i];
+        if (step.from != step.to) stack(step.from, step.to, step.label, -1, step.face);
+      });
+    case Stage::kStacks:
+      for (; !stacks_.empty() && budget > 0; --budget) {
+        const auto lowest = stacks_.extract(stacks_.begin());
+        addStack(lowest.key(), lowest.mapped());
+      }
+      return stacks_.empty();
+    case Stage::kNamed:
+      return !graph_.merging.any() || (fillInSlices(isNamed_, out_.points.size(), '\0', budget) &&
+                                       loop_.run(out_.segments.size(), budget, kQuickRounds,
+                                                 [&](int s) { noteNamed(out_.segments[s]); }));
+    case Stage::kRename:
+      return !graph_.merging.any() || loop_.run(out_.segments.size(), budget, kQuickRounds,
+                                                [&](int s) { nameInFaceOf(out_.segments[s]); });
+    case Stage::kDone:
+      break;
+  }
+  return true;
+}
+
+/// Puts a segment in the place of one before it, or stacks it up with others.
+void FinalSegments::addSegment(const Diagram::Segment& segment) {
+  const Diagram::Segment s = segment;
+  const int from = graph_.merging.root(s.points[0]), to = graph_.merging.root(s.points[1]);
+  if (from == to) return;
+  if (graph_.merging.isMerged(from) || graph_.merging.isMerged(to)) {
+    stack(from, to, s.labels[0], s.labels[1], s.face);
+  } else {
+    Diagram::Segment& kept = out_.segments[kept_++];
+    kept = s;
+    kept.points[0] = points_.number(from);
+    kept.points[1] = points_.number(to);
+  }
+}
+
+/// `right` is -1 on the mesh boundary.
+void FinalSegments::stack(int from, int to, int left, int right, int face) {
+  const bool isSwapped = to < from;
+  Stack& stack = stacks_[placeOfLine(graph_, from, to, face)];
+  (isSwapped ? stack.right : stack.left).push_back(left);
+  if (right >= 0) (isSwapped ? stack.left : stack.right).push_back(right);
+  stack.face = face;
+}
+
+void FinalSegments::addStack(const PlaceOfLine& place, Stack& stack) {
+  cancelLabels(stack);
+  if (stack.left.empty() || stack.right.empty()) return;
+  const int left = stack.left.front(), right = stack.right.front();
+  const int first = points_.number(place[0]), second = points_.number(place[1]);
+  if (left < right)
+    out_.segments.push_back({{first, second}, {left, right}, stack.face, -1});
+  else
+    out_.segments.push_back({{second, first}, {right, left}, stack.face, -1});
+}
+
+/// A label on both sides has no width between them.
+void FinalSegments::cancelLabels(Stack& stack) {
+  for (auto label = stack.left.begin(); label != stack.left.end();) {
+    const auto same = std::find(stack.right.begin(), stack.right.end(), *label);
+    if (same == stack.right.end()) {
+      ++label;
+    } else {
+      stack.right.erase(same);
+      label = stack.left.erase(label);
+    }
+  }
+}
+
+void FinalSegments::noteNamed(const Diagram::Segment& segment) {
+  for (const int p : segment.points) isNamed_[p] |= out_.points[p].face == segment.face;
+}
+
+void FinalSegments::nameInFaceOf(const Diagram::Segment& segment) {
+  for (const int p : segment.points)
+    isNamed_[p] = isNamed_[p] || graph_.merging.anyMember(points_.root(p), [&](int member) {
+      SurfacePoint place = graph_.places[member];
+      if (place.face != segment.face && !renameInFace(mesh_, segment.face, place)) return false;
+      out_.points[p] = place;
+      return true;
+    });
+}
+
+// --- Arcs ----------------------------------------------------------------------------------------
+
+bool ArcChaining::step(long& budget) {
+  while (stage_ != Stage::kDone) {
+    if (!runStage(budget)) return false;
+    stage_ = static_cast<Stage>(static_cast<int>(stage_) + 1);
+  }
+  return true;
+}
+
+bool ArcChaining::runStage(long& budget) {
+  const size_t count = out_.segments.size();
+  switch (stage_) {
+    case Stage::kLists:
+      out_.arcs.points.reserve(count + count / 2);
+      return fillInSlices(ends_, out_.points.size(), Ends(), budget);
+    case Stage::kEnds:
+      return loop_.run(count, budget, kQuickRounds, [&](int s) { noteEnds(s); });
+    case Stage::kOpen:
+      return loop_.run(count, budget, kQuickRounds, [&](int s) {
+        if (!passes(out_.segments[s].points[0])) follow(s);
+      });
+    case Stage::kClosed:
+      return loop_.run(count, budget, kQuickRounds, [&](int s) {
+        if (out_.segments[s].arc < 0) follow(s);
+      });
+    case Stage::kDone:
+      break;
+  }
+  return true;
+}
+
+void ArcChaining::noteEnds(int segment) {
+  const auto [tail, tip] = out_.segments[segment].points;
+  int &outgoing = ends_[tail].outgoing, &incoming = ends_[tip].incoming;
+  outgoing = outgoing == kNone ? segment : kSeveral;
+  incoming = incoming == kNone ? segment : kSeveral;
+}
+
+/// Whether an arc goes on through a point.
+bool ArcChaining::passes(int point) const {
+  const auto& [incoming, outgoing] = ends_[point];
+  if (incoming < 0 || outgoing < 0) return false;
+  const auto &before = out_.segments[incoming].labels, &after = out_.segments[outgoing].labels;
+  return before[0] == after[0] && before[1] == after[1];
+}
+
+void ArcChaining::follow(int segment) {
+  const int arc = out_.arcs.size();
+  std::vector<int>& points = out_.arcs.points;
+  out_.arcLabels.push_back(out_.segments[segment].labels);
+  points.push_back(out_.segments[segment].points[0]);
+  for (;;) {
+    Diagram::Segment& s = out_.segments[segment];
+    s.arc = arc;
+    points.push_back(s.points[1]);
+    if (!passes(s.points[1])) break;
+    segment = ends_[s.points[1]].outgoing;
+    if (out_.segments[segment].arc >= 0) break;
+  }
+  out_.arcs.offset.push_back(static_cast<int>(points.size()));
+}
+
+}  // namespace gvd

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <map>
+#include <span>
+#include <vector>
+
+#include "diagram/bisector_graph.h"
+#include "diagram/final_points.h"
+#include "diagram/region_outlines.h"
+#include "diagram/sliced_loop.h"
+#include "gvd/diagram.h"
+
+namespace gvd {
+
+/// Makes the bisector segments of a diagram from those of its graph. Segments that end at merged
+/// points may lie on top of each other, or on the boundary, with a region of no width between them;
+/// what remains there has the outermost labels. A point that lies on an edge or a vertex is named
+/// in terms of a face of one of its segments.
+class FinalSegments {
+ public:
+  /// Takes the segments out of the graph.
+  FinalSegments(const TriangleMesh& mesh, BisectorGraph& graph,
+                std::span<const RegionOutlines::BoundaryStep> boundarySteps, FinalPoints& points,
+                Diagram& diagram);
+  bool step(long& budget);
+
+ private:
+  /// The labels on both sides of lines in one place, going from the lower point to the higher one.
+  struct Stack {
+    std::vector<int> left, right;
+    int face;
+  };
+  enum class Stage { kSegments, kBoundary, kStacks, kNamed, kRename, kDone };
+
+  bool runStage(long& budget);
+  void addSegment(const Diagram::Segment& segment);
+  void stack(int from, int to, int left, int right, int face);
+  void addStack(const PlaceOfLine& place, Stack& stack);
+  static void cancelLabels(Stack& stack);
+  void noteNamed(const Diagram::Segment& segment);
+  void nameInFaceOf(const Diagram::Segment& segment);
+
+  const TriangleMesh& mesh_;
+  BisectorGraph& graph_;
+  const std::span<const RegionOutlines::BoundaryStep> boundarySteps_;
+  FinalPoints& points_;
+  Diagram& out_;
+  Stage stage_ = Stage::kSegments;
+  SlicedLoop loop_;
+  size_t kept_ = 0;
+  std::map<PlaceOfLine, Stack> stacks_;
+  std::vector<char> isNamed_;  ///< per point: in terms of a face of one of its segments
+};
+
+/// Chains the segments of a diagram to arcs through the points where exactly two of one bisector
+/// meet.
+class ArcChaining {
+ public:
+  explicit ArcChaining(Diagram& diagram) : out_(diagram) {}
+  bool step(long& budget);
+
+ private:
+  /// The segment that comes to a point and the one that leaves it, if there are no more.
+  struct Ends {
+    int incoming = kNone, outgoing = kNone;
+  };
+  static constexpr int kNone = -1, kSeveral = -2;
+  enum class Stage { kLists, kEnds, kOpen, kClosed, kDone } stage_ = Stage::kLists;
+
+  bool runStage(long& budget);
+  void noteEnds(int segment);
+  bool passes(int point) const;
+  void follow(int segment);
+
+  Diagram& out_;
+  SlicedLoop loop_;
+  std::vector<Ends> ends_;  ///< per point
+};
+
+}  // namespace gvd

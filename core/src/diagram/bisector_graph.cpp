@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include "diagram/bisector_graph.h"
+
+#include <utility>
+
+namespace gvd {
+namespace {
+
+bool isOnSide(const SurfacePoint& p) { return p.bary.minCoeff() == 0; }
+
+}  // namespace
+
+void BisectorGraph::unite(int a, int b) {
+  a = merging.root(a);
+  b = merging.root(b);
+  if (a == b || (isNode(a) && isNode(b))) return;
+  if (isNode(b) || (!isNode(a) && b < a)) std::swap(a, b);
+  mergedFaces.insert(mergedFaces.end(), {places[a].face, places[b].face});
+  if (!isOnSide(places[a]) && isOnSide(places[b])) places[a] = places[b];
+  merging.unite(a, b);
+}
+
+}  // namespace gvd

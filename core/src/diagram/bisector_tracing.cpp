@@ -1,0 +1,447 @@
+// SPDX-License-Identifier: MIT
+// This work is based on:
+// Eivind Lyche Melvær, Martin Reimers. Approximating Geodesic Voronoi Diagrams on Triangulated
+// Surfaces. 2014
+#include "diagram/bisector_tracing.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/prefetch.h"
+#include "base/tolerances.h"
+#include "distance/common_labels.h"
+#include "mesh/surface_geometry.h"
+
+namespace gvd {
+
+using Vertex = FaceEnvelope::Vertex;
+
+/// As a share of the longest side, a distance that is far beyond what points are merged at.
+constexpr double kPlainlyApart = 1000 * kMaxPointError;
+
+BisectorTracing::BisectorTracing(const FaceComplex& complex, int siteCount, NodePoints& nodePoints,
+                                 BisectorGraph& graph)
+    : mesh_(complex.mesh()),
+      complex_(complex),
+      tail_(complex.tails()),
+      twin_(complex.twins()),
+      nodePoints_(nodePoints),
+      graph_(graph),
+      siteCount_(siteCount) {}
+
+bool BisectorTracing::step(long& budget) {
+  const std::vector<int>& contested = complex_.contested();
+  if (stage_ == Stage::kLists) {
+    if (!fillLists(budget)) return false;
+    stage_ = Stage::kNoteMixed;
+  }
+  if (stage_ == Stage::kNoteMixed) {
+    if (!loop_.run(contested.size(), budget, kQuickRounds, [&](int i) { noteMixed(contested[i]); }))
+      return false;
+    reserve();
+    stage_ = Stage::kDivide;
+  }
+  if (stage_ == Stage::kDivide) {
+    if (!fillInSlices(firstOnSide_, 3 * mixedCount_, -1, budget) || !divideAll(budget))
+      return false;
+    stage_ = Stage::kDone;
+  }
+  return true;
+}
+
+bool BisectorTracing::fillLists(long& budget) {
+  return nodePoints_.resize(complex_.nodeCount(), budget) &&
+         fillInSlices(mixedIndex_, complex_.elementCount(), -1, budget) &&
+         fillInSlices(graph_.regionArea, siteCount_, 0.0, budget) &&
+         fillInSlices(graph_.faceLabel, complex_.faceCount(), Diagram::kMixed, budget);
+}
+
+void BisectorTracing::noteMixed(int element) {
+  if (complex_.soleOwner(element) == Diagram::kMixed) mixedIndex_[element] = mixedCount_++;
+}
+
+/// Room for what is usually needed: most mixed elements have two cells; every site adds some
+/// corners where its bisectors meet, which counts where sites are as many as elements.
+void BisectorTracing::reserve() {
+  const size_t mixed = mixedCount_, atSites = 6 * std::min(siteCount_, mixedCount_);
+  const size_t points = 5 * mixed / 2 + atSites + complex_.partialCount();
+  graph_.points.reserve(points);
+  graph_.places.reserve(points);
+  graph_.segments.reserve(5 * mixed / 4 + atSites);
+  graph_.nextDart.reserve(5 * mixed / 2 + 2 * atSites);
+  const size_t cells = 5 * mixed / 2 + atSites + complex_.partialCount();
+  graph_.cells.offset.reserve(cells + 1);
+  graph_.cells.points.reserve(8 * mixed + 6 * atSites + 4 * complex_.partialCount());
+  graph_.cellFace.reserve(cells);
+  graph_.cellLabel.reserve(cells);
+}
+
+/// In order, so that areas are always summed in the same one.
+bool BisectorTracing::divideAll(long& budget) {
+  const std::vector<int>& contested = complex_.contested();
+  const int count = complex_.elementCount();
+  while (next_ < count) {
+    if (budget <= 0) return false;
+    --budget;
+    const int stop = nextContested_ < contested.size() ? contested[nextContested_] : count;
+    const int end = std::min(stop, next_ + static_cast<int>(kQuickRounds));
+    giveUpTo(end);
+    if (next_ < stop || stop == count) continue;
+    divideContested(next_++);
+    ++nextContested_;
+  }
+  return true;
+}
+
+void BisectorTracing::divideContested(int element) {
+  constexpr size_t kAhead = 6;
+  const std::vector<int>& contested = complex_.contested();
+  if (nextContested_ + kAhead < contested.size()) {
+    const int h = 3 * complex_.face(contested[nextContested_ + kAhead]);
+    prefetch(mesh_.layout(h));
+    prefetch(mesh_.layout(h + 2));
+  }
+  const int owner = complex_.soleOwner(element);
+  if (owner == Diagram::kMixed) return divide(element, owner, 3 * mixedIndex_[element]);
+  give(element, owner);
+  if (owner >= 0 && complex_.isWhole(element) && isIndifferent(element, owner))
+    graph_.indifferentFaces.push_back(complex_.face(element));
+}
+
+/// Gives elements to their sole owners.
+void BisectorTracing::giveUpTo(int end) {
+  if (!complex_.hasWholeFacesOnly()) {
+    for (; next_ < end; ++next_) give(next_, complex_.soleOwner(next_));
+    return;
+  }
+  int last = -1;  // many faces of one label follow each other
+  double area = 0;
+  for (; next_ < end; ++next_) {
+    const int owner = complex_.soleOwner(next_);
+    graph_.faceLabel[next_] = owner;
+    if (owner != last) {
+      if (last >= 0) graph_.regionArea[last] = area;
+      area = graph_.regionArea[owner];
+      last = owner;
+    }
+    area += mesh_.faceArea(complex_.face(next_));
+  }
+  if (last >= 0) graph_.regionArea[last] = area;
+}
+
+/// Gives all of an element to one label, or to none.
+void BisectorTracing::give(int element, int owner) {
+  if (!complex_.isWhole(element)) return divide(element, owner, -1);
+  const int face = complex_.face(element);
+  graph_.faceLabel[complex_.faceIndex(face)] = owner;
+  if (owner >= 0) graph_.regionArea[owner] += mesh_.faceArea(face);
+}
+
+/// Whether some other label ties with the owner at all three nodes.
+bool BisectorTracing::isIndifferent(int element, int owner) const {
+  const int* const node = &tail_[3 * element];
+  for (int i = 0; i < 3; ++i)
+    if (!complex_.hasTie(node[i])) return false;
+  bool isTie = false;
+  std::array<double, 3> least{};
+  const auto visit = [&](auto of) {
+    visitCommonLabels(complex_.labels(node[0]), complex_.labels(node[1]), complex_.labels(node[2]),
+                      of);
+  };
+  visit([&](int label, const std::array<double, 3>& d) {
+    if (label == owner) least = d;
+  });
+  visit([&](int label, const std::array<double, 3>& d) { isTie |= label != owner && d == least; });
+  return isTie;
+}
+
+void BisectorTracing::divide(int element, int soleOwner, int firstSlot) {
+  gatherFunctions(element, soleOwner);
+  const FaceEnvelope::Cut* const cut = envelope_.compute(functions_);
+  const int face = complex_.face(element);
+  const auto squared = squaredSides(mesh_, face);
+  const double longest = std::sqrt(std::max({squared[0], squared[1], squared[2]}));
+  const Element here{element, face, complex_.isWhole(element), firstSlot, squared, longest};
+  if (cut && here.isWhole && !hasUnmatchedSide(element)) return addCut(here, *cut);
+  if (cut) envelope_.build(*cut);
+  addPoints(here);
+  addCells(here);
+}
+
+/// The labels known at all three nodes of an element, without those that one owner of a node hides
+/// everywhere.
+void BisectorTracing::gatherFunctions(int element, int soleOwner) {
+  const int* const node = &tail_[3 * element];
+  const auto atA = complex_.labels(node[0]), atB = complex_.labels(node[1]),
+             atC = complex_.labels(node[2]);
+  // As `visitCommonLabels`, but without branches for a processor to guess wrong: each round writes
+  // a function, and the next one writes over it if it was not of all three nodes.
+  functions_.resize(std::min({atA.size(), atB.size(), atC.size()}) + 1);
+  LabelFunction* next = functions_.data();
+  for (auto a = atA.begin(), b = atB.begin(), c = atC.begin();
+       a != atA.end() && b != atB.end() && c != atC.end();) {
+    const int label = std::max({a->label, b->label, c->label});
+    const bool isCommon = (a->label == label) & (b->label == label) & (c->label == label);
+    next->label = label;
+    next->value[0] = a->distance * a->distance;
+    next->value[1] = b->distance * b->distance;
+    next->value[2] = c->distance * c->distance;
+    next += isCommon & ((soleOwner < 0) | (label == soleOwner));
+    a += isCommon | (a->label < label);
+    b += isCommon | (b->label < label);
+    c += isCommon | (c->label < label);
+  }
+  functions_.resize(next - functions_.data());
+  if (functions_.size() > 3) dropHiddenFunctions(element);
+}
+
+void BisectorTracing::dropHiddenFunctions(int element) {
+  std::array<LabelFunction, 3> owners;
+  for (int i = 0; i < 3; ++i)
+    owners[i] = *std::find_if(functions_.begin(), functions_.end(), [&](const LabelFunction& f) {
+      return f.label == complex_.owner(tail_[3 * element + i]);
+    });
+  LabelFunction* kept = functions_.data();
+  for (const LabelFunction& f : functions_) {
+    bool isHidden = false;  // by one owner at all nodes; without branches as above
+    for (const LabelFunction& owner : owners) {
+      const bool isLower = owner.label < f.label;
+      bool isBehind = owner.label != f.label;
+      for (int i = 0; i < 3; ++i)
+        isBehind &= (owner.value[i] < f.value[i]) | ((owner.value[i] == f.value[i]) & isLower);
+      isHidden |= isBehind;
+    }
+    *kept = f;
+    kept += !isHidden;
+  }
+  functions_.resize(kept - functions_.data());
+}
+
+// --- Points --------------------------------------------------------------------------------------
+
+void BisectorTracing::addPoints(const Element& element) {
+  corners_.resize(envelope_.vertices().size());
+  for (Corner& corner : corners_) corner.point = -1;
+  bool hasInnerPoint = false;
+  for (const FaceEnvelope::Cell& cell : envelope_.cells())
+    for (const auto& [vertex, across] : cell.sides) {
+      Corner& corner = corners_[vertex];
+      if (corner.point >= 0) continue;
+      envelope_.setBary(vertex, corner.bary);
+      if (!element.isWhole) corner.bary = complex_.faceBary(element.index, corner.bary);
+      corner.point = pointAt(element, vertex);
+      hasInnerPoint |= envelope_.vertices()[vertex].kind == Vertex::kInside;
+    }
+  if (hasInnerPoint) tellApartInnerPoints();
+}
+
+/// Where slivers meet, an inner point may be where another one is, or a corner, that no segment
+/// joins it to: they stay two points, and so have to be told apart by their places.
+void BisectorTracing::tellApartInnerPoints() {
+  for (size_t v = 0; v < corners_.size(); ++v) {
+    Corner& inner = corners_[v];
+    if (inner.point < 0 || envelope_.vertices()[v].kind != Vertex::kInside) continue;
+    for (const Corner& other : corners_) {
+      if (other.point < 0 || other.point == inner.point || other.bary != inner.bary) continue;
+      Eigen::Index largest;
+      inner.bary.maxCoeff(&largest);
+      inner.bary[largest] = std::nextafter(inner.bary[largest], 0.0);
+      graph_.places[inner.point].bary = inner.bary;
+    }
+  }
+}
+
+int BisectorTracing::pointAt(const Element& element, int vertex) {
+  const Vertex& v = envelope_.vertices()[vertex];
+  const Eigen::Vector3d& bary = corners_[vertex].bary;
+  if (v.kind == Vertex::kCorner)
+    return pointOfNode(element, tail_[3 * element.index + v.place], bary);
+  if (v.kind == Vertex::kOnSide) return pointOnSide(element, v, bary);
+  graph_.innerPoints.push_back(static_cast<int>(graph_.points.size()));
+  return graph_.addPoint(element.face, bary, insideError(v, element.longest), label(v.functions[0]),
+                         label(v.functions[1]), label(v.functions[2]));
+}
+
+/// The neighbour may have made the point already.
+int BisectorTracing::pointOnSide(const Element& element, const Vertex& v,
+                                 const Eigen::Vector3d& bary) {
+  const int a = label(v.functions[0]), b = label(v.functions[1]);
+  int& first = firstOnSide_[slotOf(element, v.place)];
+  for (int p = first; p >= 0; p = graph_.points[p].nextOnSide) {
+    const auto& labels = graph_.points[p].labels;
+    if ((labels[0] == a && labels[1] == b) || (labels[0] == b && labels[1] == a)) return p;
+  }
+  const double error = sideError(v, element.longest);
+  const int point = graph_.addPoint(element.face, bary, error, a, b, -1);
+  mergeOnSide(element, v.place, point, first, bary);
+  graph_.points[point].nextOnSide = std::exchange(first, point);
+  return point;
+}
+
+/// The point may be no other than an end of the side, or another point there.
+void BisectorTracing::mergeOnSide(const Element& element, int side, int point, int others,
+                                  const Eigen::Vector3d& bary) {
+  const double error = graph_.points[point].error;
+  for (const int end : {0, 1}) {
+    const int corner = end == 0 ? side : (side + 1) % 3;
+    if (isApart(element, side, bary[end == 0 ? (side + 1) % 3 : side], 2 * error)) continue;
+    const Eigen::Vector3d unit = Eigen::Vector3d::Unit(corner);
+    const Eigen::Vector3d place = complex_.faceBary(element.index, unit);
+    if (squaredDistance(bary, place, element.squaredLength) <= error * error)
+      graph_.unite(point, pointOfNode(element, tail_[3 * element.index + corner], place));
+  }
+  for (int p = others; p >= 0; p = graph_.points[p].nextOnSide) {
+    const SurfacePoint &other = graph_.places[p], &place = graph_.places[point];
+    if (other.face == element.face &&
+        isApart(element, side, other.bary[side] - bary[side], kPlainlyApart * element.longest))
+      continue;
+    if ((mesh_.position(other) - mesh_.position(place)).norm() <= graph_.points[p].error + error)
+      graph_.unite(point, p);
+  }
+}
+
+/// Whether a share of a side is longer than some distance. A quick way out where points are not
+/// one, as mostly; false where that is not as simple.
+bool BisectorTracing::isApart(const Element& element, int side, double share,
+                              double distance) const {
+  return element.isWhole && share * share * element.squaredLength[side] > distance * distance;
+}
+
+/// Where in `firstOnSide_` a side of an element is. Of two elements with points on their common
+/// side both are mixed, for the owners of its ends are not the same.
+int BisectorTracing::slotOf(const Element& element, int side) const {
+  const int twin = twin_[3 * element.index + side], neighbour = twin / 3;
+  const bool isLater = twin < 0 || neighbour > element.index || mixedIndex_[neighbour] < 0;
+  return isLater ? element.firstSlot + side : 3 * mixedIndex_[neighbour] + twin % 3;
+}
+
+/// `bary` is in terms of the element's face.
+int BisectorTracing::pointOfNode(const Element& element, int node, const Eigen::Vector3d& bary) {
+  if (const int known = nodePoints_[node]; known >= 0) return known;
+  nodePoints_.note(node);
+  return nodePoints_[node] = graph_.addNode(element.face, bary);
+}
+
+/// The share of an edge by which an error of the functions moves a crossing, times the edge.
+double BisectorTracing::sideError(const Vertex& v, double longest) const {
+  const int i = v.place, j = (i + 1) % 3;
+  const auto &a = value(v.functions[0]), &b = value(v.functions[1]);
+  const double noise = 2 * kDistanceTolerance * std::max({a[i], a[j], b[i], b[j]});
+  const double slope = std::abs((a[i] - b[i]) - (a[j] - b[j]));
+  return longest * (noise < kMaxPointError * slope ? noise / slope : kMaxPointError);
+}
+
+double BisectorTracing::insideError(const Vertex& v, double longest) const {
+  const auto &a = value(v.functions[0]), &b = value(v.functions[1]), &c = value(v.functions[2]);
+  const Eigen::Vector3d p(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+  const Eigen::Vector3d q(c[0] - a[0], c[1] - a[1], c[2] - a[2]);
+  const double noise =
+      2 * kDistanceTolerance * std::max({a[0], a[1], a[2]}) * (p.lpNorm<1>() + q.lpNorm<1>());
+  const double slope = p.cross(q).lpNorm<1>();
+  return longest * (noise < kMaxPointError * slope ? noise / slope : kMaxPointError);
+}
+
+// --- Cells and segments --------------------------------------------------------------------------
+
+void BisectorTracing::addCells(const Element& element) {
+  cellAreas_.clear();
+  for (const FaceEnvelope::Cell& cell : envelope_.cells()) {
+    cellAreas_.push_back(addCell(element, cell));
+    graph_.closeCell(element.face, label(cell.function));
+  }
+  addAreas(cellAreas_, mesh_.faceArea(element.face));
+}
+
+/// Returns its area as a share of the face.
+double BisectorTracing::addCell(const Element& element, const FaceEnvelope::Cell& cell) {
+  const size_t n = cell.sides.size();
+  const Eigen::Vector3d& origin = corners_[cell.sides[0].vertex].bary;
+  double area = 0;
+  for (size_t i = 0; i < n; ++i) {
+    const auto [vertex, across] = cell.sides[i];
+    const Corner& from = corners_[vertex];
+    const Corner& to = corners_[cell.sides[i + 1 < n ? i + 1 : 0].vertex];
+    graph_.cells.points.push_back(from.point);
+    const double px = from.bary[0] - origin[0], py = from.bary[1] - origin[1];
+    const double qx = to.bary[0] - origin[0], qy = to.bary[1] - origin[1];
+    area += px * qy - py * qx;
+    if (across > cell.function) {
+      addSegment(element, from, to, label(cell.function), label(across));
+    } else if (FaceEnvelope::isTriangleSide(across)) {
+      const int side = FaceEnvelope::triangleSide(across);
+      if (twin_[3 * element.index + side] < 0) addUnmatchedSide(element, side, vertex);
+    }
+  }
+  return area;
+}
+
+void BisectorTracing::addSegment(const Element& element, const Corner& from, const Corner& to,
+                                 int left, int right) {
+  const int dart = 2 * static_cast<int>(graph_.segments.size());
+  graph_.addSegment(from.point, to.point, left, right, element.face);
+  leave(from.point, left, dart);
+  arrive(from.point, right, dart + 1);
+  arrive(to.point, left, dart);
+  leave(to.point, right, dart + 1);
+  const double error = graph_.points[from.point].error + graph_.points[to.point].error;
+  const Eigen::Vector3d way(from.bary[0] - to.bary[0], from.bary[1] - to.bary[1],
+                            from.bary[2] - to.bary[2]);
+  if (squaredLength(way, element.squaredLength) <= error * error)
+    graph_.unite(from.point, to.point);
+}
+
+/// A dart of a region leaves a point: the one that comes there, if it is known, goes on with it.
+void BisectorTracing::leave(int point, int label, int dart) {
+  int& other = graph_.dartAt(point, label);
+  if (other < 0)
+    other = dart;
+  else
+    graph_.nextDart[other] = dart;
+}
+
+void BisectorTracing::arrive(int point, int label, int dart) {
+  int& other = graph_.dartAt(point, label);
+  if (other < 0)
+    other = dart;
+  else
+    graph_.nextDart[dart] = other;
+}
+
+/// Goes on with a cell along a side without twin, past the corners of smaller elements there: one
+/// label owns all of it.
+void BisectorTracing::addUnmatchedSide(const Element& element, int side, int vertex) {
+  addBoundaryPoint(3 * element.index + side, vertex);
+  for (const auto& [node, share] : complex_.innerNodes(3 * element.index + side)) {
+    Eigen::Vector3d bary = Eigen::Vector3d::Zero();
+    bary[side] = 1 - share;
+    bary[(side + 1) % 3] = share;
+    bary = complex_.faceBary(element.index, bary);
+    graph_.cells.points.push_back(pointOfNode(element, node, bary));
+  }
+}
+
+/// Notes where a piece of the mesh boundary that a cell owns starts.
+void BisectorTracing::addBoundaryPoint(int h, int vertex) {
+  const int boundary = complex_.boundaryHalfedge(h);
+  if (boundary < 0) return;
+  const Vertex& v = envelope_.vertices()[vertex];
+  if (v.kind != Vertex::kOnSide) return;
+  const Eigen::Vector3d start = complex_.faceBary(h / 3, Eigen::Vector3d::Unit(h % 3));
+  graph_.boundary.push_back({boundary, start[(boundary + 1) % 3], corners_[vertex].point,
+                             label(v.functions[0]), label(v.functions[1])});
+}
+
+/// Adds the areas of the last cells, which are an element's, given as shares of its face, to those
+/// of the regions. Rounding may have turned a sliver over; what it has less than nothing is the
+/// largest cell's.
+void BisectorTracing::addAreas(std::span<double> areas, double faceArea) {
+  const auto largest = std::max_element(areas.begin(), areas.end());
+  for (double& area : areas)
+    if (area < 0) *largest += std::exchange(area, 0.0);
+  const auto labels = std::span(graph_.cellLabel).last(areas.size());
+  for (size_t c = 0; c < areas.size(); ++c) graph_.regionArea[labels[c]] += areas[c] * faceArea;
+}
+
+}  // namespace gvd

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "diagram/final_cells.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace gvd {
+
+FinalCells::FinalCells(const FaceComplex& complex, BisectorGraph& graph, FinalPoints& points,
+                       Diagram& diagram)
+    : complex_(complex),
+      graph_(graph),
+      points_(points),
+      out_(diagram),
+      stage_(complex.hasWholeFacesOnly() ? Stage::kCollect : Stage::kLists) {
+  out_.faceLabel = std::move(graph.faceLabel);
+  if (stage_ != Stage::kCollect) return;
+  out_.cells = std::move(graph.cells);
+  out_.cellFace = std::move(graph.cellFace);
+  out_.cellLabel = std::move(graph.cellLabel);
+}
+
+bool FinalCells::step(long& budget) {
+  while (stage_ != Stage::kDone) {
+    if (!runStage(budget)) return false;
+    stage_ = static_cast<Stage>(static_cast<int>(stage_) + 1);
+  }
+  return true;
+}
+
+bool FinalCells::runStage(long& budget) {
+  const int count = graph_.cells.size();
+  switch (stage_) {
+    case Stage::kLists:
+      nextOfFace_.reserve(count);
+      out_.cells.offset.reserve(count + 1);
+      out_.cells.points.reserve(graph_.cells.points.size());
+      out_.cellFace.reserve(count);
+      out_.cellLabel.reserve(count);
+      return fillInSlices(firstOfFace_, complex_.faceCount(), -1, budget);
+    case Stage::kFaces:
+      return loop_.run(count, budget, kQuickRounds, [&](int i) { linkCell(count - 1 - i); });
+    case Stage::kOrder:
+      return loop_.run(firstOfFace_.size(), budget, 1, [&](int f) { copyCellsOf(f); });
+    case Stage::kCollect:
+      return collect(budget);
+    case Stage::kDone:
+      break;
+  }
+  return true;
+}
+
+/// Puts a cell in front of those of its face that come after it. The cells come last first.
+void FinalCells::linkCell(int cell) {
+  const int face = complex_.faceIndex(graph_.cellFace[cell]);
+  nextOfFace_.push_back(std::exchange(firstOfFace_[face], cell));
+}
+
+void FinalCells::copyCellsOf(int faceIndex) {
+  const int count = graph_.cells.size();
+  for (int c = firstOfFace_[faceIndex]; c >= 0; c = nextOfFace_[count - 1 - c]) {
+    out_.cells.add(graph_.cells[c]);
+    out_.cellFace.push_back(graph_.cellFace[c]);
+    out_.cellLabel.push_back(graph_.cellLabel[c]);
+  }
+}
+
+bool FinalCells::collect(long& budget) {
+  if (!graph_.merging.any() && complex_.hasWholeFacesOnly())  // all are as they were
+    return loop_.run(out_.cells.points.size(), budget, kQuickRounds,
+                     [&](int i) { out_.cells.points[i] = points_.number(out_.cells.points[i]); });
+  const int count = out_.cells.size();
+  for (; read_ < count && budget > 0; --budget) collectFace();
+  if (read_ < count) return false;
+  out_.cells.offset.resize(written_ + 1);
+  out_.cells.points.resize(pointsWritten_);
+  out_.cellFace.resize(written_);
+  out_.cellLabel.resize(written_);
+  return true;
+}
+
+/// Puts what is left of a face's cells behind those of the faces before it.
+void FinalCells::collectFace() {
+  const int count = out_.cells.size(), face = out_.cellFace[read_];
+  const int firstCell = written_, firstPoint = pointsWritten_;
+  for (; read_ < count && out_.cellFace[read_] == face; ++read_) {
+    const int end = out_.cells.offset[read_ + 1];
+    addFinalPoints(read_, std::exchange(readBegin_, end), end);
+  }
+  if (isRegionTriangle(firstCell, firstPoint)) {
+    out_.faceLabel[complex_.faceIndex(face)] = out_.cellLabel[firstCell];
+    written_ = firstCell;
+    pointsWritten_ = firstPoint;
+  }
+  for (int i = firstPoint; i < pointsWritten_; ++i)
+    out_.cells.points[i] = points_.number(out_.cells.points[i]);
+}
+
+/// Adds what is left of a cell, if it has any width.
+void FinalCells::addFinalPoints(int cell, int begin, int end) {
+  std::vector<int>& points = out_.cells.points;
+  const int first = pointsWritten_;
+  int last = first;
+  for (int i = begin; i < end; ++i) {
+    const int p = graph_.merging.root(points[i]);
+    if (last == first || points[last - 1] != p) points[last++] = p;
+  }
+  while (last > first + 1 && points[first] == points[last - 1]) --last;
+  if (last < first + 3) return;
+  pointsWritten_ = last;
+  out_.cellFace[written_] = out_.cellFace[cell];
+  out_.cellLabel[written_] = out_.cellLabel[cell];
+  out_.cells.offset[++written_] = last;
+}
+
+bool FinalCells::isRegionTriangle(int firstCell, int firstPoint) const {
+  if (written_ == firstCell) return false;
+  const auto label = out_.cellLabel.begin(), points = out_.cells.points.begin();
+  return std::all_of(label + firstCell, label + written_,
+                     [&](int l) { return l == label[firstCell]; }) &&
+         std::all_of(points + firstPoint, points + pointsWritten_,
+                     [&](int p) { return graph_.isNode(p); });
+}
+
+}  // namespace gvd

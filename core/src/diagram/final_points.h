@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "diagram/bisector_graph.h"
+#include "diagram/sliced_loop.h"
+#include "gvd/surface_point.h"
+
+namespace gvd {
+
+/// The points of a diagram: those of its graph that something names, merged ones as one, numbered
+/// as they are named first.
+class FinalPoints {
+ public:
+  FinalPoints(BisectorGraph& graph, std::vector<SurfacePoint>& places)
+      : graph_(graph), places_(places) {}
+
+  /// Before any point is named; true when there is room for all.
+  bool prepare(long& budget) {
+    places_.reserve(graph_.points.size());
+    roots_.reserve(graph_.points.size());
+    return fillInSlices(index_, graph_.points.size(), -1, budget);
+  }
+
+  /// The number of a point of the graph.
+  int number(int point) {
+    const int root = graph_.merging.root(point);
+    if (index_[root] < 0) {
+      index_[root] = static_cast<int>(places_.size());
+      places_.push_back(graph_.places[root]);
+      roots_.push_back(root);
+    }
+    return index_[root];
+  }
+
+  /// The point of the graph that has a number.
+  int root(int number) const { return roots_[number]; }
+
+ private:
+  BisectorGraph& graph_;
+  std::vector<SurfacePoint>& places_;
+  std::vector<int> roots_;
+  std::vector<int> index_;  ///< per point of the graph, -1 if nothing has named it yet
+};
+
+}  // namespace gvd

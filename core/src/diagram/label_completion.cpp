@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "diagram/label_completion.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "mesh/surface_geometry.h"
+
+namespace gvd {
+namespace {
+
+using Labels = std::span<const LabelledDistance>;
+
+/// The lists are short.
+const LabelledDistance* find(Labels labels, int label) {
+  for (const LabelledDistance& d : labels)
+    if (d.label >= label) return d.label == label ? &d : nullptr;
+  return nullptr;
+}
+
+/// Whether a label is farther than another one where the difference of their squared distances is
+/// `lag`; ties go to the lower label.
+bool isBehind(double lag, int label, int other) { return lag > 0 || (lag == 0 && other < label); }
+
+/// Whether a label is least anywhere on a side, given what is known at its ends: by the squares
+/// that the diagram is traced from, so that no more than the places of ties is rounded.
+bool ownsPartOf(int label, double atTail, double atTip, Labels tail, Labels tip) {
+  constexpr double kRounding = 1e-14;
+  double from = 0, to = 1;
+  for (const LabelledDistance& other : tail) {
+    const LabelledDistance* const otherAtTip = find(tip, other.label);
+    if (!otherAtTip || other.label == label) continue;
+    const double lagAtTail = atTail * atTail - other.distance * other.distance;
+    const double lagAtTip = atTip * atTip - otherAtTip->distance * otherAtTip->distance;
+    const bool isBehindAtTail = isBehind(lagAtTail, label, other.label);
+    const bool isBehindAtTip = isBehind(lagAtTip, label, other.label);
+    if (isBehindAtTail && isBehindAtTip) return false;
+    if (isBehindAtTail == isBehindAtTip) continue;
+    const double tie = lagAtTail / (lagAtTail - lagAtTip);
+    if (isBehindAtTail)
+      from = std::max(from, tie);
+    else
+      to = std::min(to, tie);
+  }
+  return from <= to + kRounding;
+}
+
+/// Whether one of the owners is before a label at both ends of a side.
+bool isHidden(int label, double atTail, double atTip, Labels tail, Labels tip,
+              const std::array<int, 3>& owners) {
+  return std::any_of(owners.begin(), owners.end(), [&](int owner) {
+    const LabelledDistance *const from = find(tail, owner), *const to = find(tip, owner);
+    return from && to &&
+           isBehind(atTail * atTail - from->distance * from->distance, label, owner) &&
+           isBehind(atTip * atTip - to->distance * to->distance, label, owner);
+  });
+}
+
+}  // namespace
+
+bool LabelCompletion::step(long& budget) {
+  constexpr long kElementsPerUnit = 8;
+  const std::vector<int>& contested = complex_.contested();
+  while (loop_.run(contested.size(), budget, kElementsPerUnit,
+                   [&](int i) { complete(contested[i]); })) {
+    isFirstRound_ = false;
+    if (!std::exchange(hasChanged_, false)) return true;
+  }
+  return false;
+}
+
+void LabelCompletion::complete(int element) {
+  if (!isFirstRound_ && !hasAddedLabels(element)) return;
+  if (!mayLackLabels(element)) return;
+  for (int side = 0; side < 3; ++side)
+    if (completeAcross(element, side)) {
+      faces_.push_back(complex_.face(element));
+      hasChanged_ = true;
+    }
+}
+
+/// Whether labels have been added at a node.
+bool LabelCompletion::hasAddedLabels(int element) const {
+  const int* const node = &complex_.tails()[3 * element];
+  return std::any_of(node, node + 3, [&](int n) { return complex_.hasAddedLabels(n); });
+}
+
+/// Whether an owner is not known at all nodes, or a label known at two of them is not plainly
+/// behind one of the owners at both.
+bool LabelCompletion::mayLackLabels(int element) const {
+  const int* const node = &complex_.tails()[3 * element];
+  const Labels a = complex_.labels(node[0]), b = complex_.labels(node[1]),
+               c = complex_.labels(node[2]);
+  constexpr int kNoLabel = std::numeric_limits<int>::max();
+  const std::array<int, 3> owners = {complex_.owner(node[0]), complex_.owner(node[1]),
+                                     complex_.owner(node[2])};
+  auto i = a.begin(), j = b.begin(), k = c.begin();
+  for (;;) {
+    const int atA = i == a.end() ? kNoLabel : i->label;
+    const int atB = j == b.end() ? kNoLabel : j->label;
+    const int atC = k == c.end() ? kNoLabel : k->label;
+    const int label = std::min({atA, atB, atC});
+    if (label == kNoLabel) return false;
+    const bool isAtA = atA == label, isAtB = atB == label, isAtC = atC == label;
+    if (!(isAtA && isAtB && isAtC)) {
+      if (label == owners[0] || label == owners[1] || label == owners[2]) return true;
+      if (isAtA && isAtB && !isHidden(label, i->distance, j->distance, a, b, owners)) return true;
+      if (isAtB && isAtC && !isHidden(label, j->distance, k->distance, b, c, owners)) return true;
+      if (isAtC && isAtA && !isHidden(label, k->distance, i->distance, c, a, owners)) return true;
+    }
+    i += isAtA;
+    j += isAtB;
+    k += isAtC;
+  }
+}
+
+bool LabelCompletion::completeAcross(int element, int side) {
+  const std::span<const int> tails = complex_.tails();
+  const int i = 3 * element + side;
+  const int tail = tails[i], tip = tails[TriangleMesh::next(i)];
+  const int apex = tails[TriangleMesh::previous(i)];
+  bool changed = false;
+  const Labels atTail = complex_.labels(tail);
+  Labels atTip = complex_.labels(tip), atApex = complex_.labels(apex);
+  if (const int owner = complex_.owner(tail); owner >= 0 && !find(atTip, owner)) {
+    const double distance = find(atTail, owner)->distance;
+    complex_.addLabel(tip, {owner, distance + std::sqrt(squaredLength(element, side, side + 1))});
+    atTip = complex_.labels(tip);
+    changed = true;
+  }
+  for (const LabelledDistance& d : atTail) {
+    if (find(atApex, d.label)) continue;
+    const LabelledDistance* const other = find(atTip, d.label);
+    if (!other || !ownsPartOf(d.label, d.distance, other->distance, atTail, atTip)) continue;
+    complex_.addLabel(apex, {d.label, unfold(element, side, d.distance, other->distance)});
+    atApex = complex_.labels(apex);
+    changed = true;
+  }
+  return changed;
+}
+
+/// The distance of an element's third node from where the distances at the ends of a side put the
+/// source in the plane.
+double LabelCompletion::unfold(int element, int side, double atTail, double atTip) const {
+  const double squared = squaredLength(element, side, side + 1);
+  const double fromTail = squaredLength(element, side, side + 2);
+  const double fromTip = squaredLength(element, side + 1, side + 2);
+  const double length = std::sqrt(squared);
+  const double sourceX = (atTail * atTail - atTip * atTip + squared) / (2 * length);
+  const double apexX = (fromTail - fromTip + squared) / (2 * length);
+  const double sourceY = std::sqrt(std::max(0.0, atTail * atTail - sourceX * sourceX));
+  const double apexY = std::sqrt(std::max(0.0, fromTail - apexX * apexX));
+  const double x = apexX - sourceX, y = apexY + sourceY;
+  return std::sqrt(x * x + y * y);
+}
+
+/// Between two corners of an element, counted on from 0 to 2.
+double LabelCompletion::squaredLength(int element, int from, int to) const {
+  return squaredDistance(complex_.faceBary(element, Eigen::Vector3d::Unit(from % 3)),
+                         complex_.faceBary(element, Eigen::Vector3d::Unit(to % 3)),
+                         squaredSides(complex_.mesh(), complex_.face(element)));
+}
+
+}  // namespace gvd

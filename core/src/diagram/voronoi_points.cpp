@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "diagram/voronoi_points.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace gvd {
+
+bool VoronoiPoints::step(long& budget) {
+  while (stage_ != Stage::kDone) {
+    if (!runStage(budget)) return false;
+    stage_ = static_cast<Stage>(static_cast<int>(stage_) + 1);
+  }
+  return true;
+}
+
+bool VoronoiPoints::runStage(long& budget) {
+  constexpr long kPointsPerUnit = 4;
+  const int merged = graph_.merging.limit();
+  switch (stage_) {
+    case Stage::kLists:
+      out_.voronoiPoints.reserve(graph_.innerPoints.size());
+      return fillInSlices(lists_, merged, SectorList(), budget);
+    case Stage::kSectors:
+      return merged == 0 ||
+             loop_.run(outlines_.size(), budget, 1, [&](int o) { collectSectors(o); });
+    case Stage::kPoints:
+      return loop_.run(graph_.innerPoints.size(), budget, kPointsPerUnit,
+                       [&](int i) { addInner(graph_.innerPoints[i]); });
+    case Stage::kLastPoints:
+      for (; nextMerged_ < merged && budget > 0; --budget) addMergedBefore(nextMerged_ + 1);
+      return nextMerged_ == merged;
+    case Stage::kDone:
+      break;
+  }
+  return true;
+}
+
+void VoronoiPoints::collectSectors(int outline) {
+  const std::span<const int> points = outlines_.points(outline);
+  const size_t n = points.size();
+  for (size_t i = 0; i < n; ++i) {
+    if (!graph_.merging.isMerged(points[i])) continue;
+    SectorList& list = lists_[points[i]];
+    const int sector = static_cast<int>(sectors_.size());
+    sectors_.push_back({outlines_.label(outline), points[i > 0 ? i - 1 : n - 1],
+                        points[i + 1 < n ? i + 1 : 0], -1});
+    (list.last < 0 ? list.first : sectors_[list.last].next) = sector;
+    list.last = sector;
+  }
+}
+
+void VoronoiPoints::addInner(int point) {
+  if (!graph_.merging.isRoot(point) || graph_.merging.isMerged(point)) return;
+  addMergedBefore(point);
+  const auto& labels = graph_.points[point].labels;
+  add(point, {labels.begin(), labels.end()});
+}
+
+void VoronoiPoints::addMergedBefore(int point) {
+  for (const int end = std::min(point, graph_.merging.limit()); nextMerged_ < end; ++nextMerged_)
+    if (lists_[nextMerged_].first >= 0) addMerged(nextMerged_);
+}
+
+void VoronoiPoints::addMerged(int point) {
+  std::vector<Sector> sectors;
+  int distinct = 0;  // the outlines, and so the sectors, are ascending by label
+  for (int s = lists_[point].first; s >= 0; s = sectors_[s].next) {
+    if (sectors.empty() || sectors.back().label != sectors_[s].label) ++distinct;
+    sectors.push_back(sectors_[s]);
+  }
+  if (distinct < 3) return;
+  orderAround(sectors);
+  std::vector<int> labels;
+  for (const Sector& s : sectors) labels.push_back(s.label);
+  add(point, std::move(labels));
+}
+
+/// Counterclockwise: each sector starts where the one before it ends. On the mesh boundary the
+/// first one starts where none ends.
+void VoronoiPoints::orderAround(std::span<Sector> sectors) {
+  auto start = std::find_if(sectors.begin(), sectors.end(), [&](const Sector& s) {
+    return std::none_of(sectors.begin(), sectors.end(),
+                        [&](const Sector& other) { return other.before == s.after; });
+  });
+  if (start == sectors.end()) start = sectors.begin();
+  std::swap(*start, sectors.front());
+  size_t joinsLeft = sectors.size();  // there are not more rounds than sectors
+  for (size_t i = 1; i < sectors.size(); ++i) {
+    const auto next = std::find_if(sectors.begin() + i, sectors.end(), [&](const Sector& s) {
+      return s.after == sectors[i - 1].before;
+    });
+    if (next != sectors.end()) {
+      std::swap(*next, sectors[i]);
+    } else if (joinsLeft > 0 && joinRounds(sectors.first(i), sectors.subspan(i))) {
+      --joinsLeft;
+      i = 0;
+    }
+  }
+}
+
+/// Where a region comes to a point twice, between others that only it keeps apart, its loops pair
+/// the sides of its two sectors the wrong way: the sectors form two rounds instead of one.
+bool VoronoiPoints::joinRounds(std::span<Sector> chained, std::span<Sector> others) {
+  for (Sector& a : chained)
+    for (Sector& b : others)
+      if (a.label == b.label) {
+        std::swap(a.before, b.before);
+        return true;
+      }
+  return false;
+}
+
+/// `labels` are counterclockwise.
+void VoronoiPoints::add(int point, std::vector<int> labels) {
+  std::rotate(labels.begin(), std::min_element(labels.begin(), labels.end()), labels.end());
+  out_.voronoiPoints.push_back({points_.number(point), std::move(labels)});
+}
+
+}  // namespace gvd

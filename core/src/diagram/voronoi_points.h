@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "diagram/bisector_graph.h"
+#include "diagram/final_points.h"
+#include "diagram/region_outlines.h"
+#include "diagram/sliced_loop.h"
+#include "gvd/diagram.h"
+
+namespace gvd {
+
+/// Collects the Voronoi points of a diagram, in order of the graph's points. Where three regions of
+/// the exact graph meet, there is no more to say; where points have become one, the outlines tell
+/// who is around.
+class VoronoiPoints {
+ public:
+  VoronoiPoints(BisectorGraph& graph, const RegionOutlines& outlines, FinalPoints& points,
+                Diagram& diagram)
+      : graph_(graph), outlines_(outlines), points_(points), out_(diagram) {}
+  bool step(long& budget);
+
+ private:
+  /// A region's outline that comes to a point from `before` and leaves it to `after` covers the
+  /// sector counterclockwise from `after` to `before`.
+  struct Sector {
+    int label, before, after;
+    int next;  ///< at the same point, -1 for none
+  };
+  /// The list of sectors at a merged point, -1 for none.
+  struct SectorList {
+    int first = -1, last = -1;
+  };
+  enum class Stage { kLists, kSectors, kPoints, kLastPoints, kDone } stage_ = Stage::kLists;
+
+  bool runStage(long& budget);
+  void collectSectors(int outline);
+  void addMergedBefore(int point);
+  void addMerged(int point);
+  void addInner(int point);
+  void add(int point, std::vector<int> labels);
+  static void orderAround(std::span<Sector> sectors);
+  static bool joinRounds(std::span<Sector> chained, std::span<Sector> others);
+
+  BisectorGraph& graph_;
+  const RegionOutlines& outlines_;
+  FinalPoints& points_;
+  Diagram& out_;
+  SlicedLoop loop_;
+  std::vector<SectorList> lists_;  ///< per point up to the last merged one
+  std::vector<Sector> sectors_;
+  int nextMerged_ = 0;
+};
+
+}  // namespace gvd
