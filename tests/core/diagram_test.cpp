@@ -40,7 +40,7 @@ TEST_P(RandomMeshes, GiveTheDiagramOfBruteForce) {
   const int count = std::min(most, randomSiteCount(mesh, GetParam()));
   const auto sites = sampleUniform(mesh, count, GetParam());
   const auto traced = trace(mesh, sites);
-  const auto expected = trace(mesh, sites, Metric::kDgpc, 0, Spread::kEverywhere);
+  const auto expected = trace(mesh, sites, Metric::kExact, 0, Spread::kEverywhere);
   EXPECT_TRUE(areSame(mesh, expected.diagram, traced.diagram, identity(count), 1e-11));
 }
 

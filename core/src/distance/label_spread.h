@@ -11,8 +11,6 @@
 
 namespace gvd {
 
-class FaceOwners;
-
 /// How the labels spread from their sites: what the two metrics differ in. One label is worked on at
 /// a time: one of the first three functions begins, and `run` carries on until it is done.
 class LabelSpread {
@@ -41,10 +39,6 @@ class LabelSpread {
   /// Appends labels, some several times, that may be nearest at some point of a face although they are
   /// not known at its corners.
   virtual void appendLabelsInside(int face, std::vector<int>& labels) const = 0;
-  /// Appends the faces, some several times, which the label has entered and owns some part of, but is
-  /// not an owner of yet.
-  virtual void appendEntered(int label, const FaceOwners& owners,
-                             std::vector<int>& faces) const = 0;
   /// The distance of a label at a point that is no vertex, given its distances at the corners of the
   /// face, infinity where it is not known.
   virtual double distance(int label, const SurfacePoint& p,

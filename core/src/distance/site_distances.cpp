@@ -2,7 +2,6 @@
 #include "distance/site_distances.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -92,21 +91,21 @@ void SiteDistances::forget(int label) {
 
 bool SiteDistances::step(long budget) {
   while (stage_ != Stage::kDone) {
-    const auto t0 = std::chrono::steady_clock::now();
-    const int st = (int)stage_;
-    const bool done = runStage(budget);
-    times[st] += std::chrono::duration<double>(std::chrono::steady_clock::now() - t0).count();
-    if (!done) return false;
+    if (!runStage(budget)) return false;
     cursor_ = 0;
-    const bool mayReturn = stage_ == Stage::kClosure || stage_ == Stage::kInside;
-    if (mayReturn && !requirements_.empty()) {
-      stage_ = Stage::kRequire;
-      isFirstRound_ = false;
-    } else {
-      stage_ = static_cast<Stage>(static_cast<int>(stage_) + 1);
-    }
+    stage_ = nextStage();
   }
   return true;
+}
+
+SiteDistances::Stage SiteDistances::nextStage() {
+  if (stage_ == Stage::kRequire && !isFirstRound_) return Stage::kExtend;
+  if (stage_ == Stage::kLists) return Stage::kClosure;
+  if (stage_ == Stage::kClosure) {
+    isFirstRound_ = false;
+    return requirements_.empty() ? Stage::kDone : Stage::kRequire;
+  }
+  return static_cast<Stage>(static_cast<int>(stage_) + 1);
 }
 
 bool SiteDistances::runStage(long& budget) {
@@ -134,10 +133,11 @@ bool SiteDistances::runStage(long& budget) {
       return true;
     case Stage::kLists:
       return listLabels(budget);
+    case Stage::kExtend:
+      extendLists();
+      return true;
     case Stage::kClosure:
       return close(budget);
-    case Stage::kInside:
-      return findEntered(budget);
     case Stage::kDone:
       break;
   }
@@ -321,10 +321,8 @@ void SiteDistances::sortRequirements() {
 
 // --- Lists -------------------------------------------------------------------------------------
 
-/// Finds the vertices of which the lists have to be made again, and the labels in question.
+/// Finds the vertices of which the lists have to be made anew, and the labels in question.
 void SiteDistances::collectLists() {
-  for (const Requirement& r : requirements_)
-    for (int h = 3 * r.face; h < 3 * r.face + 3; ++h) changedVertices_.add(mesh_.tail(h));
   requirements_.clear();
   listed_.clear();
   if (areAllNew()) {
@@ -350,6 +348,7 @@ void SiteDistances::collectLists() {
   }
   changedLabels_.insert(changedLabels_.end(), listed_.begin(), listed_.end());
   makeSet(changedLabels_);
+  openFaces_ = changedFaces_.list();
 }
 
 bool SiteDistances::listLabels(long& budget) {
@@ -363,13 +362,48 @@ bool SiteDistances::listLabels(long& budget) {
           if ((isFinal && (isAllWanted || (changedVertices_.contains(vertex) &&
                                            isKnownAround(vertex, label)))) ||
               isUnbounded_)
-            lists_.add(vertex, {label, distance}, r);
+            list(label, r);
         }
         return 1 + static_cast<long>(reached.size()) / kPerUnit;
       }))
     return false;
   for (const int v : changedVertices_.list()) lists_.equalizeTies(v);
   return true;
+}
+
+/// Adds a label to the list of a vertex that it has reached.
+void SiteDistances::list(int label, int reachedIndex) {
+  const auto& [vertex, isFinal, distance] = spread_->reached(label)[reachedIndex];
+  // An approximation of a required distance may be too short: the owner remains nearer.
+  const double nearest = bounds_[vertex].distance;
+  const double listed = distance < nearest ? std::nextafter(nearest, kInfinity) : distance;
+  lists_.add(vertex, {label, listed}, reachedIndex);
+}
+
+/// Adds what the last round of the closure has required. The faces around are open again.
+void SiteDistances::extendLists() {
+  openFaces_.clear();
+  std::vector<int> vertices;
+  for (size_t begin = 0, end; begin < requirements_.size(); begin = end) {
+    const int label = requirements_[begin].label;
+    vertices.clear();
+    for (end = begin; end < requirements_.size() && requirements_[end].label == label; ++end)
+      for (const int v : mesh_.face(requirements_[end].face).vertices)
+        if (lists_.distance(v, label) == kInfinity) vertices.push_back(v);
+    makeSet(vertices);
+    const auto& reached = spread_->reached(label);
+    for (int r = 0; r < static_cast<int>(reached.size()); ++r)
+      if (std::binary_search(vertices.begin(), vertices.end(), reached[r].vertex)) list(label, r);
+    for (const int v : vertices) {
+      lists_.equalizeTies(v);
+      mesh_.visitFaces(v, [&](int f) { openFaces_.push_back(f); });
+      for (const LabelledDistance& d : lists_[v]) changedLabels_.push_back(d.label);
+    }
+  }
+  requirements_.clear();
+  makeSet(openFaces_);
+  makeSet(changedLabels_);
+  for (const int f : openFaces_) changedFaces_.add(f);
 }
 
 /// Whether a label owns part of a face around a vertex.
@@ -386,23 +420,33 @@ bool SiteDistances::isKnownAround(int vertex, int label) const {
 /// If by that a label owns part of an edge, the faces on both sides have to know it.
 bool SiteDistances::close(long& budget) {
   if (isUnbounded_) return true;
-  const auto& faces = changedFaces_.list();
-  return forEach(faces.size() / kPerUnit + 1, budget, [&](size_t i) {
-    const size_t end = std::min(faces.size(), (i + 1) * kPerUnit);
+  return forEach(openFaces_.size() / kPerUnit + 1, budget, [&](size_t i) {
+    const size_t end = std::min(openFaces_.size(), (i + 1) * kPerUnit);
     for (size_t f = i * kPerUnit; f < end; ++f)
-      for (int h = 3 * faces[f]; h < 3 * faces[f] + 3; ++h) requireAcross(h);
+      for (int h = 3 * openFaces_[f]; h < 3 * openFaces_[f] + 3; ++h) requireAcross(h);
     return 1;
   });
 }
 
+/// Requires, at the apex of a halfedge, the labels that own part of the halfedge.
 void SiteDistances::requireAcross(int h) {
-  const auto atTail = lists_[mesh_.tail(h)];
-  if (atTail.size() < 2 || lists_[mesh_.tip(h)].size() < 2) return;
-  const int apex = mesh_.tail(TriangleMesh::previous(h)), face = TriangleMesh::faceOf(h);
-  for (const LabelledDistance& d : atTail)
-    if (lists_.distance(apex, d.label) == kInfinity &&
-        lists_.distance(mesh_.tip(h), d.label) < kInfinity && ownsPartOfEdge(d.label, h))
-      owners_.add(face, d.label, true, requirements_);
+  const int tail = mesh_.tail(h), tip = mesh_.tip(h);
+  const auto atTail = lists_[tail], atTip = lists_[tip];
+  if (atTail.size() < 2 || atTip.size() < 2) return;
+  const auto atApex = lists_[mesh_.tail(TriangleMesh::previous(h))];
+  const int owner = bounds_[tail].label;
+  const double ownerAtTail = bounds_[tail].distance, ownerAtTip = lists_.distance(tip, owner);
+  auto there = atTip.begin(), across = atApex.begin();
+  for (const LabelledDistance& d : atTail) {
+    while (there != atTip.end() && there->label < d.label) ++there;
+    while (across != atApex.end() && across->label < d.label) ++across;
+    if (there == atTip.end()) return;
+    if (there->label != d.label || (across != atApex.end() && across->label == d.label)) continue;
+    // Most labels are farther than one owner at both ends.
+    if (d.distance > ownerAtTail && there->distance > ownerAtTip) continue;
+    if (ownsPartOfEdge(d.label, h))
+      owners_.add(TriangleMesh::faceOf(h), d.label, true, requirements_);
+  }
 }
 
 /// Whether a label is least anywhere on an edge by interpolation, compared with the true owners of the
@@ -424,21 +468,6 @@ bool SiteDistances::ownsPartOfEdge(int label, int h) const {
       if (!owner.isInterpolated) yieldTo(owner.label);
   }
   return !share.isEmpty();
-}
-
-/// Finds labels that own part of a face though neither its corners nor interpolation show it: those
-/// that reach into it through a side.
-bool SiteDistances::findEntered(long& budget) {
-  if (isUnbounded_) return true;
-  std::vector<int> faces;
-  return forEach(listed_.size(), budget, [&](size_t i) {
-    const int label = listed_[i];
-    faces.clear();
-    spread_->appendEntered(label, owners_, faces);
-    for (const int f : faces)
-      if (changedFaces_.contains(f)) owners_.add(f, label, true, requirements_);
-    return 1 + static_cast<long>(spread_->reached(label).size()) / kPerUnit;
-  });
 }
 
 // --- Queries -----------------------------------------------------------------------------------

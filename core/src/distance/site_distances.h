@@ -53,7 +53,6 @@ class SiteDistances final : public DistanceField {
   const std::vector<int>& changedLabels() const { return changedLabels_; }
 
   const SiteSet& sites() const { return sites_; }
-  std::vector<double> times = std::vector<double>(13);
 
   std::span<const LabelledDistance> at(int vertex) const override { return lists_[vertex]; }
   LabelledDistance nearest(const SurfacePoint& p) const override;
@@ -73,13 +72,14 @@ class SiteDistances final : public DistanceField {
     kRequire,
     kCollect,
     kLists,
+    kExtend,
     kClosure,
-    kInside,
     kDone
   };
 
   void forget(int label);
   bool runStage(long& budget);
+  Stage nextStage();
   template <class Work>
   bool forEach(size_t count, long& budget, Work work);
 
@@ -94,9 +94,10 @@ class SiteDistances final : public DistanceField {
   void sortRequirements();
   void collectLists();
   bool listLabels(long& budget);
+  void list(int label, int reachedIndex);
+  void extendLists();
   bool close(long& budget);
   void requireAcross(int halfedge);
-  bool findEntered(long& budget);
   bool ownsPartOfEdge(int label, int halfedge) const;
   bool isKnownAround(int vertex, int label) const;
   bool hasStarted(int label) const { return hasStarted_[label]; }
@@ -128,6 +129,7 @@ class SiteDistances final : public DistanceField {
     int vertex, label;
   };
   std::vector<Tie> ties_;                ///< labels that are as near as the owner of a vertex
+  std::vector<int> openFaces_;           ///< those to look at for the closure
   std::vector<int> listed_;              ///< labels of the changed vertices
   std::vector<Requirement> requirements_;  ///< by label
   std::vector<int> requiredFaces_;

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
+#include <vector>
 
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
@@ -32,6 +34,14 @@ inline double squaredLength(const Eigen::Vector3d& difference, const std::array<
 inline double squaredDistance(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                               const std::array<double, 3>& sides) {
   return squaredLength(a - b, sides);
+}
+
+/// The longest edge at each vertex.
+inline std::vector<double> longestEdges(const TriangleMesh& mesh) {
+  std::vector<double> result(mesh.vertexCount(), 0.0);
+  for (int h = 0; h < mesh.halfedgeCount(); ++h)
+    for (const int v : {mesh.tail(h), mesh.tip(h)}) result[v] = std::max(result[v], mesh.length(h));
+  return result;
 }
 
 /// The vertex that a point lies on, -1 if on none.

@@ -52,14 +52,6 @@ SurfacePoint atVertex(const TriangleMesh& mesh, int vertex) {
   return {TriangleMesh::faceOf(h), Eigen::Vector3d::Unit(h % 3)};
 }
 
-/// The longest edge at each vertex.
-std::vector<double> longestEdges(const TriangleMesh& mesh) {
-  std::vector<double> result(mesh.vertexCount(), 0.0);
-  for (int h = 0; h < mesh.halfedgeCount(); ++h)
-    for (const int v : {mesh.tail(h), mesh.tip(h)}) result[v] = std::max(result[v], mesh.length(h));
-  return result;
-}
-
 template <class Spreads>
 void spreadFrom(dgpc::UnfoldingSweep& sweep, const SurfacePoint& site, Spreads spreads) {
   long budget = std::numeric_limits<long>::max();

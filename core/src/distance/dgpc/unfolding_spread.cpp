@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/index_set.h"
+#include "distance/face_layout.h"
 #include "mesh/surface_geometry.h"
 
 namespace gvd::dgpc {
@@ -18,6 +19,7 @@ UnfoldingSpread::UnfoldingSpread(const TriangleMesh& mesh, const SiteSet& sites,
       edgeBounds_(edgeBounds),
       bounds_(bounds),
       isUnbounded_(isUnbounded),
+      longestEdge_(longestEdges(mesh)),
       sweep_(mesh),
       indexOf_(mesh.vertexCount(), -1),
       reaching_(mesh.vertexCount()) {}
@@ -34,7 +36,7 @@ void UnfoldingSpread::resume(int /*label*/) {}
 bool UnfoldingSpread::run(long& budget) {
   if (running_ < 0) return true;
   const auto spreads = [&](int v, double distance) {
-    return isUnbounded_ || isAtMost(distance, edgeBounds_[v]);
+    return isUnbounded_ || distance <= edgeBounds_[v] + longestEdge_[v];
   };
   if (!sweep_.run(spreads, budget)) return false;
   store();
@@ -52,6 +54,7 @@ void UnfoldingSpread::store() {
     lower(bounds_[v], label, sweep_.distance(v));
     if (isReachingKnown_) reaching_.add(v, label);
   }
+  known.sweptCount = static_cast<int>(known.vertices.size());
 }
 
 void UnfoldingSpread::remove(int label) {
@@ -65,21 +68,27 @@ void UnfoldingSpread::remove(int label) {
 
 void UnfoldingSpread::require(int label, std::span<const int> faces) {
   Label& known = labels_[label];
-  const int swept = static_cast<int>(known.vertices.size());
-  for (int i = 0; i < swept; ++i) indexOf_[known.vertices[i].vertex] = i;
+  for (size_t i = 0; i < known.vertices.size(); ++i)
+    indexOf_[known.vertices[i].vertex] = static_cast<int>(i);
   for (const int f : faces)
     for (const int v : mesh_.face(f).vertices) {
-      if (indexOf_[v] < 0) requireVertex(known, v);
+      if (indexOf_[v] < 0) {
+        requireVertex(known, v);
+        indexOf_[v] = static_cast<int>(known.vertices.size()) - 1;
+      }
       known.vertices[indexOf_[v]].isFinal = true;
     }
   for (const ReachedVertex& r : known.vertices) indexOf_[r.vertex] = -1;
 }
 
-/// The distance at a vertex that the label has not come to: from the faces around it, as in the sweep.
-/// Another label owns the vertex, and remains nearer.
-void UnfoldingSpread::requireVertex(Label& known, int vertex) {
+/// Adds a vertex that the label has not come to. Its distance follows from those around it as in the
+/// sweep; from those that the sweep has found, so that it does not matter what else is required.
+void UnfoldingSpread::requireVertex(Label& known, int vertex) const {
   ReachedVertex required = {vertex, true, kInfinity};
   Eigen::Vector2d direction(1, 0);
+  const auto sweptAt = [&](int v) {
+    return indexOf_[v] < known.sweptCount ? indexOf_[v] : -1;
+  };
   const auto offer = [&](double distance, int from) {
     if (!(distance < required.distance)) return;
     required.distance = distance;
@@ -88,8 +97,8 @@ void UnfoldingSpread::requireVertex(Label& known, int vertex) {
   mesh_.visitFaces(vertex, [&](int f) {
     const TriangleMesh::Face& face = mesh_.face(f);
     const int k = face.vertices[0] == vertex ? 0 : face.vertices[1] == vertex ? 1 : 2;
-    const int i = (k + 1) % 3, j = (k + 2) % 3;
-    const int tail = indexOf_[face.vertices[i]], tip = indexOf_[face.vertices[j]];
+    const int i = cornerAfter(k), j = cornerBefore(k);
+    const int tail = sweptAt(face.vertices[i]), tip = sweptAt(face.vertices[j]);
     const double atTail = tail < 0 ? kInfinity : known.vertices[tail].distance;
     const double atTip = tip < 0 ? kInfinity : known.vertices[tip].distance;
     if (const auto unfolding = unfold(face, i, atTail, atTip))
@@ -97,9 +106,6 @@ void UnfoldingSpread::requireVertex(Label& known, int vertex) {
     if (tail >= 0) offer(atTail + face.lengths[k], tail);
     if (tip >= 0) offer(atTip + face.lengths[j], tip);
   });
-  required.distance =
-      std::max(required.distance, std::nextafter(bounds_[vertex].distance, kInfinity));
-  indexOf_[vertex] = static_cast<int>(known.vertices.size());
   known.vertices.push_back(required);
   known.directions.push_back(direction);
 }
@@ -127,12 +133,8 @@ void UnfoldingSpread::appendReaching(int vertex, std::vector<int>& labels) {
 
 // --- Queries -----------------------------------------------------------------------------------
 
-// The distance at a point follows from those at the corners of its face: no more can be found inside.
-
+/// There are none: the distance at a point follows from those at the corners of its face.
 void UnfoldingSpread::appendLabelsInside(int /*face*/, std::vector<int>& /*labels*/) const {}
-
-void UnfoldingSpread::appendEntered(int /*label*/, const FaceOwners& /*owners*/,
-                                    std::vector<int>& /*faces*/) const {}
 
 double UnfoldingSpread::distance(int label, const SurfacePoint& p,
                                  const std::array<double, 3>& atCorners) const {

@@ -14,9 +14,10 @@
 
 namespace gvd::dgpc {
 
-/// The approximate metric: geodesic polar coordinates. A label spreads from the vertices where its
-/// distance is not larger than a path along edges to some site, and nowhere else: so what it finds
-/// depends on the sites alone, not on the order in which labels spread.
+/// The approximate metric: geodesic polar coordinates. A label spreads from the vertices where it is not
+/// farther than the shortest path along edges to any site, by more than the longest edge there: the
+/// shortest path to what a label owns may cross edges of which other labels own both ends. So what a
+/// label finds depends on the sites alone, not on the order in which labels spread.
 class UnfoldingSpread final : public LabelSpread {
  public:
   UnfoldingSpread(const TriangleMesh& mesh, const SiteSet& sites, const EdgeBounds& edgeBounds,
@@ -35,7 +36,6 @@ class UnfoldingSpread final : public LabelSpread {
   std::vector<int> outdated(std::span<const int> changedVertices) override;
   void appendReaching(int vertex, std::vector<int>& labels) override;
   void appendLabelsInside(int face, std::vector<int>& labels) const override;
-  void appendEntered(int label, const FaceOwners& owners, std::vector<int>& faces) const override;
   double distance(int label, const SurfacePoint& p,
                   const std::array<double, 3>& atCorners) const override;
   Eigen::Vector2d direction(int label, int index) const override;
@@ -44,9 +44,10 @@ class UnfoldingSpread final : public LabelSpread {
   struct Label {
     std::vector<ReachedVertex> vertices;
     std::vector<Eigen::Vector2d> directions;  ///< at the site, of each of these vertices
+    int sweptCount = 0;                       ///< the first of them; others were required
   };
   void store();
-  void requireVertex(Label& label, int vertex);
+  void requireVertex(Label& label, int vertex) const;
   void indexReaching();
 
   const TriangleMesh& mesh_;
@@ -54,6 +55,7 @@ class UnfoldingSpread final : public LabelSpread {
   const EdgeBounds& edgeBounds_;
   NearestBounds& bounds_;
   const bool isUnbounded_;
+  const std::vector<double> longestEdge_;  ///< at each vertex
   UnfoldingSweep sweep_;
   std::vector<Label> labels_;
   int running_ = -1;

@@ -78,17 +78,24 @@ void WindowSweep::offerToCorners(const Window& w, int h) {
   const TriangleMesh::Face& face = mesh_.face(h / 3);
   const int i = h % 3, j = cornerAfter(i), k = cornerBefore(i);
   const double length = face.lengths[i];
+  const double grazing = kGrazing * length;
   if (isRequired(face.vertices[k])) {
     const Eigen::Vector2d p = apexOf(face, i);
-    offerRequired(face.vertices[k], w.distance(p.x(), p.y()),
-                  {std::clamp(w.crossing(p.x(), p.y()), w.begin, w.end), w.sourceDistance, w.direction, h});
+    const double straight = w.crossing(p.x(), p.y());
+    const double crossing = std::clamp(straight, w.begin, w.end);
+    // A path that turns at a vertex is offered by that vertex, with the direction of the path to it.
+    const bool turnsAtVertex =
+        crossing != straight && (crossing < grazing || crossing > length - grazing);
+    if (!turnsAtVertex)
+      offerRequired(face.vertices[k], w.distance(p.x(), p.y()),
+                    {crossing, w.sourceDistance, w.direction, h});
   }
   // Along the halfedge from an end of the window. A window that ends at the vertex has offered the
   // straight path already, with the direction in which it arrives.
-  if (isRequired(face.vertices[i]) && w.begin > kGrazing * length)
+  if (isRequired(face.vertices[i]) && w.begin > grazing)
     offerRequired(face.vertices[i], w.distanceOnEdge(w.begin) + w.begin,
                   {0, w.sourceDistance, w.direction, h - i + j});
-  if (isRequired(face.vertices[j]) && w.end < (1 - kGrazing) * length)
+  if (isRequired(face.vertices[j]) && w.end < length - grazing)
     offerRequired(face.vertices[j], w.distanceOnEdge(w.end) + length - w.end,
                   {face.lengths[k], w.sourceDistance, w.direction, h - i + k});
 }

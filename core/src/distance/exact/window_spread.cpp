@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "base/plane.h"
-#include "distance/face_owners.h"
 namespace gvd::exact {
 
 WindowSpread::WindowSpread(const TriangleMesh& mesh, const SiteSet& sites, NearestBounds& bounds,
@@ -75,81 +74,6 @@ void WindowSpread::appendLabelsInside(int face, std::vector<int>& labels) const 
   for (int h = 3 * face; h < 3 * face + 3; ++h)
     for (int e = firstEntry_[h]; e >= 0; e = entries_[e].next) labels.push_back(entries_[e].label);
   for (const FaceSite& site : sites_.inFace(face)) labels.push_back(site.label);
-}
-
-void WindowSpread::appendEntered(int label, const FaceOwners& owners,
-                                 std::vector<int>& faces) const {
-  const LabelWindows& known = labels_[label];
-  for (const CrossedHalfedge& c : known.crossed) {
-    const int f = c.halfedge / 3;
-    if (owners.has(f, label)) continue;
-    bool ownsPart = false;
-    known.visitWindows(c.firstBlock, [&](const Window& w) {
-      ownsPart = ownsPart || ownsPartOf(w, label, c.halfedge);
-    });
-    if (ownsPart) faces.push_back(f);
-  }
-}
-
-/// Whether a label is nearer than all others somewhere on one of its windows. Along an edge distances are
-/// 1-Lipschitz: where another label is ahead by more than the width of an interval, it is so on all
-/// of it. Parts that are narrower than a share of the edge may be missed: a diagram with straight
-/// bisectors shows nothing of them.
-bool WindowSpread::ownsPartOf(const Window& window, int label, int h) const {
-  constexpr double kNarrowest = 1e-3, kRounding = 1e-9;
-  const TriangleMesh::Face& face = mesh_.face(h / 3);
-  const int i = h % 3;
-  const double length = face.lengths[i];
-  Window w = window;
-  trim(w, length, {bounds_[face.vertices[i]].distance,
-                   bounds_[face.vertices[cornerAfter(i)]].distance});
-  struct Interval {
-    double begin, end;
-  };
-  std::vector<Interval> intervals = {{w.begin, w.end}};
-  while (!intervals.empty()) {
-    const auto [begin, end] = intervals.back();
-    intervals.pop_back();
-    if (!(end - begin > kNarrowest * length)) continue;
-    const double middle = (begin + end) / 2;
-    const double lead = leastOfOthers(label, h, middle) - w.distanceOnEdge(middle);
-    if (lead > kRounding * length) return true;
-    if (lead + (end - begin) <= kRounding * length) continue;
-    intervals.push_back({begin, middle});
-    intervals.push_back({middle, end});
-  }
-  return false;
-}
-
-/// The least distance of all labels but one at a place on a halfedge.
-double WindowSpread::leastOfOthers(int label, int h, double at) const {
-  double least = kInfinity;
-  const auto consider = [&](int halfedge, double place) {
-    const int f = halfedge / 3, i = halfedge % 3;
-    const TriangleMesh::Face& face = mesh_.face(f);
-    Eigen::Vector3d bary = Eigen::Vector3d::Zero();
-    bary[cornerAfter(i)] = place / face.lengths[i];
-    bary[i] = 1 - bary[cornerAfter(i)];
-    for (int k = 0; k < 3; ++k) {
-      const LabelledDistance& nearest = bounds_[face.vertices[k]];
-      if (nearest.label != label)
-        least = std::min(least, nearest.distance +
-                                    layOut(face, 0, bary - Eigen::Vector3d::Unit(k)).norm());
-    }
-    for (int side = 0; side < 3; ++side)
-      for (int e = firstEntry_[3 * f + side]; e >= 0; e = entries_[e].next) {
-        if (entries_[e].label == label) continue;
-        const Eigen::Vector2d q = layOut(face, side, bary);
-        labels_[entries_[e].label].visitWindows(entries_[e].firstBlock, [&](const Window& w) {
-          least = std::min(least, w.distance(q.x(), q.y()));
-        });
-      }
-    for (const FaceSite& site : sites_.inFace(f))
-      if (site.label != label) least = std::min(least, layOut(face, 0, bary - site.bary).norm());
-  };
-  consider(h, at);
-  if (const int twin = mesh_.twin(h); twin >= 0) consider(twin, mesh_.length(h) - at);
-  return least;
 }
 
 double WindowSpread::distance(int label, const SurfacePoint& p,

@@ -31,7 +31,6 @@ class WindowSpread final : public LabelSpread {
   std::vector<int> outdated(std::span<const int> /*changedVertices*/) override { return {}; }
   void appendReaching(int /*vertex*/, std::vector<int>& /*labels*/) override {}
   void appendLabelsInside(int face, std::vector<int>& labels) const override;
-  void appendEntered(int label, const FaceOwners& owners, std::vector<int>& faces) const override;
   double distance(int label, const SurfacePoint& p,
                   const std::array<double, 3>& atCorners) const override;
   Eigen::Vector2d direction(int label, int index) const override;
@@ -44,8 +43,6 @@ class WindowSpread final : public LabelSpread {
     int next;
   };
   void addEntries(int label, size_t firstCrossed);
-  bool ownsPartOf(const Window& window, int label, int halfedge) const;
-  double leastOfOthers(int label, int halfedge, double at) const;
 
   const TriangleMesh& mesh_;
   const SiteSet& sites_;
