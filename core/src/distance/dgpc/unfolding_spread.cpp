@@ -101,8 +101,9 @@ void UnfoldingSpread::requireVertex(Label& known, int vertex) const {
     const int tail = sweptAt(face.vertices[i]), tip = sweptAt(face.vertices[j]);
     const double atTail = tail < 0 ? kInfinity : known.vertices[tail].distance;
     const double atTip = tip < 0 ? kInfinity : known.vertices[tip].distance;
-    if (const auto unfolding = unfold(face, i, atTail, atTip))
-      offer(unfolding->toApex.norm(), atTail < atTip ? tail : tip);
+    if (tail >= 0 && tip >= 0)
+      if (const auto unfolding = unfold(face, i, atTail, atTip))
+        offer(unfolding->toApex.norm(), atTail < atTip ? tail : tip);
     if (tail >= 0) offer(atTail + face.lengths[k], tail);
     if (tip >= 0) offer(atTip + face.lengths[j], tip);
   });

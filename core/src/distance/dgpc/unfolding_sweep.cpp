@@ -3,11 +3,6 @@
 // Eivind Lyche Melvær, Martin Reimers. Geodesic Polar Coordinates on Polygonal Meshes. 2012
 #include "distance/dgpc/unfolding_sweep.h"
 
-#include <algorithm>
-#include <cmath>
-
-#include "base/plane.h"
-#include "distance/face_layout.h"
 #include "distance/site_frame.h"
 
 namespace gvd::dgpc {
@@ -58,18 +53,21 @@ void UnfoldingSweep::startInFace(const SurfacePoint& site, const Vector2d& first
   }
 }
 
-bool UnfoldingSweep::offer(int v, double distance, const Vector2d& direction) {
+void UnfoldingSweep::offer(int v, double distance, const Vector2d& direction) {
   Vertex& own = vertices_[v];
   if (own.epoch != epoch_) {
     own.epoch = epoch_;
     own.distance = kInfinity;
     reached_.push_back(v);
   }
-  if (!(distance < own.distance * (1 - kDistanceTolerance))) return false;
+  if (!(distance < own.distance * (1 - kDistanceTolerance))) return;
   own.distance = distance;
   own.direction = direction;
-  queue_.push({distance, v});
-  return true;
+  own.isQueued = true;
+  // Where it is queued already, that is later: what is met first counts.
+  const size_t b = std::max(bucket_, static_cast<size_t>(distance * bucketsPerUnit_));
+  if (b >= buckets_.size()) buckets_.resize(b + 1);
+  buckets_[b].push_back(v);
 }
 
 /// Lets a vertex take part in the distances of its neighbours.
@@ -93,17 +91,19 @@ void UnfoldingSweep::unfoldAcross(int h) {
   const int tail = face.vertices[i], tip = face.vertices[j], apex = face.vertices[k];
   const double atTail = distance(tail), atTip = distance(tip);
   if (!(std::min(atTail, atTip) < distance(apex))) return;
-  const std::optional<Unfolding> unfolding = unfold(face, i, atTail, atTip);
-  if (unfolding) {
-    const double length = unfolding->toApex.norm();
-    if (length < distance(apex) * (1 - kDistanceTolerance))
-      offer(apex, length, directionToApex(*unfolding, tail, tip));
-  } else if (const double overTail = atTail + face.lengths[k], overTip = atTip + face.lengths[j];
-             overTail <= overTip) {
+  if (atTail < kInfinity && atTip < kInfinity)
+    if (const auto unfolding = unfold(face, i, atTail, atTip)) {
+      const double limit = distance(apex) * (1 - kDistanceTolerance);
+      const double squared = unfolding->toApex.squaredNorm();
+      if (squared < limit * limit)
+        offer(apex, std::sqrt(squared), directionToApex(*unfolding, tail, tip));
+      return;
+    }
+  const double overTail = atTail + face.lengths[k], overTip = atTip + face.lengths[j];
+  if (overTail <= overTip)
     offer(apex, overTail, vertices_[tail].direction);
-  } else {
+  else
     offer(apex, overTip, vertices_[tip].direction);
-  }
 }
 
 /// Between the directions of both ends of a halfedge, each turned by the angle under which the virtual
@@ -121,21 +121,6 @@ Vector2d UnfoldingSweep::directionToApex(const Unfolding& u, int tail, int tip) 
   const Vector2d mean =
       (1 - share) * turned(tail, u.toTail) + share * turned(tip, u.toTip);
   return mean.squaredNorm() > 0 ? Vector2d(mean.normalized()) : turned(tail, u.toTail);
-}
-
-std::optional<Unfolding> unfold(const TriangleMesh::Face& face, int side, double atTail,
-                                double atTip) {
-  if (!(atTail < kInfinity && atTip < kInfinity)) return std::nullopt;
-  const double length = face.lengths[side];
-  const double x = ((atTail - atTip) * (atTail + atTip) + length * length) / (2 * length);
-  const double squaredY = atTail * atTail - x * x;
-  if (squaredY < -kUnfoldingRounding * atTail * atTail) return std::nullopt;
-  const Vector2d source(x, -std::sqrt(std::max(squaredY, 0.0)));
-  const Unfolding u = {-source, Vector2d(length, 0) - source, apexOf(face, side) - source};
-  // The line from the source to the apex crosses the halfedge's line between its ends.
-  const double slack = kUnfoldingRounding * length * u.toApex.y();
-  if (cross(u.toApex, u.toTail) < -slack || cross(u.toTip, u.toApex) < -slack) return std::nullopt;
-  return u;
 }
 
 }  // namespace gvd::dgpc

@@ -2,11 +2,15 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
-#include "base/heap.h"
+#include "base/plane.h"
 #include "base/tolerances.h"
+#include "distance/face_layout.h"
 #include "gvd/geodesic.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
@@ -21,10 +25,21 @@ struct Unfolding {
   Eigen::Vector2d toTail, toTip, toApex;
 };
 
-/// The virtual source behind a side of a face that has these distances from its two ends, in the
-/// coordinates of the side; nothing unless it exists and sees the apex through the side.
-std::optional<Unfolding> unfold(const TriangleMesh::Face& face, int side, double atTail,
-                                double atTip);
+/// The virtual source behind a side of a face that has these distances, finite ones, from its two ends,
+/// in the coordinates of the side; nothing unless it exists and sees the apex through the side.
+inline std::optional<Unfolding> unfold(const TriangleMesh::Face& face, int side, double atTail,
+                                       double atTip) {
+  const double length = face.lengths[side];
+  const double x = ((atTail - atTip) * (atTail + atTip) + length * length) / (2 * length);
+  const double squaredY = atTail * atTail - x * x;
+  if (squaredY < -kUnfoldingRounding * atTail * atTail) return std::nullopt;
+  const Eigen::Vector2d source(x, -std::sqrt(std::max(squaredY, 0.0)));
+  const Unfolding u = {-source, Eigen::Vector2d(length, 0) - source, apexOf(face, side) - source};
+  // The line from the source to the apex crosses the side's line between its ends.
+  const double slack = kUnfoldingRounding * length * u.toApex.y();
+  if (cross(u.toApex, u.toTail) < -slack || cross(u.toTip, u.toApex) < -slack) return std::nullopt;
+  return u;
+}
 
 /// Geodesic polar coordinates of one site after another (Melvær & Reimers 2012): at each vertex a
 /// distance and the direction at the site. Both follow from those at two other corners of a face, by
@@ -34,7 +49,10 @@ std::optional<Unfolding> unfold(const TriangleMesh::Face& face, int side, double
 /// spreads only.
 class UnfoldingSweep {
  public:
-  explicit UnfoldingSweep(const TriangleMesh& mesh) : mesh_(mesh), vertices_(mesh.vertexCount()) {}
+  explicit UnfoldingSweep(const TriangleMesh& mesh)
+      : mesh_(mesh),
+        bucketsPerUnit_(kBucketsPerEdge / mesh.meanEdgeLength()),
+        vertices_(mesh.vertexCount()) {}
 
   /// Begins with a site; what the last one has reached is forgotten.
   void start(const SurfacePoint& site);
@@ -52,42 +70,45 @@ class UnfoldingSweep {
   /// The direction of the path at the site (`DistanceField::direction`), where the site has come to.
   const Eigen::Vector2d& direction(int vertex) const { return vertices_[vertex].direction; }
  private:
+  /// Buckets of the queue per mean edge: what is passed on in the wrong order within a bucket is
+  /// passed on again.
+  static constexpr double kBucketsPerEdge = 16;
+
   struct Vertex {
     double distance;
     Eigen::Vector2d direction;
     int epoch = 0;  ///< of the site that this is about
-  };
-  struct Item {
-    double distance;
-    int vertex;
-    bool operator<(const Item& other) const {
-      return distance < other.distance || (distance == other.distance && vertex < other.vertex);
-    }
+    bool isQueued;
   };
 
   void startInFace(const SurfacePoint& site, const Eigen::Vector2d& firstSide);
-  bool offer(int vertex, double distance, const Eigen::Vector2d& direction);
+  void offer(int vertex, double distance, const Eigen::Vector2d& direction);
   void passOn(int vertex);
   void unfoldAcross(int halfedge);
   Eigen::Vector2d directionToApex(const Unfolding& unfolding, int tail, int tip) const;
 
   const TriangleMesh& mesh_;
+  const double bucketsPerUnit_;
   int epoch_ = 0;
   std::vector<Vertex> vertices_;
   std::vector<int> reached_;
-  QuaternaryHeap<Item> queue_;
+  std::vector<std::vector<int>> buckets_;  ///< vertices by distance
+  size_t bucket_ = 0, cursor_ = 0;
 };
 
 template <class Spreads>
 bool UnfoldingSweep::run(Spreads spreads, long& budget) {
-  while (!queue_.empty()) {
-    if (budget <= 0) return false;
-    const Item item = queue_.top();
-    queue_.pop();
-    if (item.distance != vertices_[item.vertex].distance) continue;  // it has a better one by now
-    --budget;
-    if (spreads(item.vertex, item.distance)) passOn(item.vertex);
+  for (; bucket_ < buckets_.size(); ++bucket_, cursor_ = 0) {
+    while (cursor_ < buckets_[bucket_].size()) {
+      if (budget <= 0) return false;
+      const int v = buckets_[bucket_][cursor_++];
+      if (!std::exchange(vertices_[v].isQueued, false)) continue;
+      --budget;
+      if (spreads(v, vertices_[v].distance)) passOn(v);
+    }
+    buckets_[bucket_].clear();
   }
+  bucket_ = 0;
   return true;
 }
 
