@@ -47,8 +47,9 @@ class GrowingArray {
     ++size_;
   }
   void truncate(size_t size) { size_ = size; }
-  void shrinkToFit() {
-    if (size_ < capacity_) allocate(size_);
+  /// Gives back room but for an eighth.
+  void shrink() {
+    if (const size_t wanted = size_ + size_ / 8; wanted < capacity_) allocate(wanted);
   }
 
  private:

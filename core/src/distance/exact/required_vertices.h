@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -13,7 +14,9 @@ namespace gvd::exact {
 /// label's windows go on only as far as they can still shorten one of these distances.
 class RequiredVertices {
  public:
-  void clear() { *this = {}; }
+  void clear() {
+    for (auto* values : {&x_, &y_, &z_, &bound_, &nearest_}) values->clear();
+  }
   bool empty() const { return bound_.empty(); }
   int size() const { return static_cast<int>(bound_.size()); }
 
@@ -27,8 +30,24 @@ class RequiredVertices {
     bound_.push_back(bound * (1 - kDistanceTolerance));
     return size() - 1;
   }
+  /// By how much a path that can gain anything is longer than the nearest label's, at most.
+  double mostExcess() const {
+    double most = 0;
+    for (int i = 0; i < size(); ++i) most = std::max(most, bound_[i] - nearest_[i]);
+    return most;
+  }
   void shorten(int index, double bound) { bound_[index] = bound * (1 - kDistanceTolerance); }
 
+  /// Whether paths with a length of at least `length` up to points at most `radius` from `place`
+  /// can become the shortest to a required vertex, as far as the straight line in space tells.
+  bool isNear(const Eigen::Vector3d& place, double radius, double length) const {
+    for (int i = 0; i < size(); ++i) {
+      const double rest = bound_[i] - length + radius;
+      const double dx = x_[i] - place.x(), dy = y_[i] - place.y(), dz = z_[i] - place.z();
+      if (rest > 0 && dx * dx + dy * dy + dz * dz < rest * rest) return true;
+    }
+    return false;
+  }
   /// Whether paths with a length of at least `length` up to points at most `radius` from `place`
   /// can become the shortest to a required vertex. Neither can a path be shorter than the straight
   /// line in space, nor can it lose its `excess` on the way: the amount by which it is longer than

@@ -16,17 +16,39 @@ void WindowSweep::require(int label, LabelWindows& state, std::span<const int> f
 
   // First distances, so that hardly anything has to go on: by the windows that wait at a face with
   // such a corner, by those that have crossed it where it has no other corner, and along its sides.
-  for (const WaitingWindow& w : state.waiting)
-    if (hasRequiredCorner(w.halfedge / 3)) offerToCorners(w.window, w.halfedge);
-  for (const CrossedHalfedge& c : state.crossed) {
-    const TriangleMesh::Face& face = mesh_.face(c.halfedge / 3);
-    if (std::all_of(std::begin(face.vertices), std::end(face.vertices),
-                    [&](int v) { return isRequired(v) && vertices_[v].distance == kInfinity; }))
-      state.visitWindows(c.firstBlock, [&](const Window& w) { offerToCorners(w, c.halfedge); });
-  }
+  visitWaiting([&](int h, std::span<const WaitingWindow> windows) {
+    if (!hasRequiredCorner(h / 3)) return;
+    for (const WaitingWindow& w : windows) offerToCorners(w.window, h);
+  });
+  if (hasUnreachedFace(faces))
+    for (const CrossedHalfedge& c : state.crossed)
+      if (isUnreached(c.halfedge / 3))
+        state.visitWindows(c.firstBlock, [&](const Window& w) { offerToCorners(w, c.halfedge); });
   for (const int f : faces) offerAlongSides(f);
   continueNeeded();
   for (const int v : std::exchange(state.waitingSources, {})) queueSource(v);
+}
+
+/// Calls `visit` with the windows that wait at one halfedge after another.
+template <class Visit>
+void WindowSweep::visitWaiting(Visit visit) const {
+  const std::span<const WaitingWindow> waiting = state_->waiting;
+  for (size_t begin = 0, end; begin < waiting.size(); begin = end) {
+    const int h = waiting[begin].halfedge;
+    for (end = begin + 1; end < waiting.size() && waiting[end].halfedge == h;) ++end;
+    visit(h, waiting.subspan(begin, end - begin));
+  }
+}
+
+/// Whether the label knows none of the corners of a face.
+bool WindowSweep::isUnreached(int f) const {
+  const auto& corners = mesh_.face(f).vertices;
+  return std::all_of(corners.begin(), corners.end(),
+                     [&](int v) { return isRequired(v) && vertices_[v].distance == kInfinity; });
+}
+
+bool WindowSweep::hasUnreachedFace(std::span<const int> faces) const {
+  return std::any_of(faces.begin(), faces.end(), [&](int f) { return isUnreached(f); });
 }
 
 /// Requires the distances at the corners of a face that are not final yet.
@@ -100,6 +122,16 @@ void WindowSweep::offerToCorners(const Window& w, int h) {
                   {face.lengths[k], w.sourceDistance, w.direction, h - i + k});
 }
 
+/// Whether any path over a halfedge can make a required distance less, by the distances of the nearest
+/// label, which no label's are less than.
+bool WindowSweep::isNearRequired(int h) const {
+  const TriangleMesh::Face& face = mesh_.face(h / 3);
+  const int tail = face.vertices[h % 3], tip = face.vertices[cornerAfter(h % 3)];
+  const double length = face.lengths[h % 3];
+  const double least = (bounds_[tail].distance + bounds_[tip].distance - length) / 2;
+  return required_.isNear(mesh_.position(tail), length, least);
+}
+
 /// Whether windows at a halfedge can make a required distance less, but for those at the corners of
 /// the halfedge's face, to which they have offered their paths.
 template <class Windows>
@@ -109,15 +141,19 @@ bool WindowSweep::canGain(int h, const Windows& windows) const {
   const double length = face.lengths[i];
   const double nearTail = bounds_[face.vertices[i]].distance;
   const double nearTip = bounds_[face.vertices[j]].distance;
+  const double mostExcess = required_.mostExcess();
   double begin = length, end = 0, least = kInfinity, excess = kInfinity;
   windows([&](const Window& w) {
+    // The distance of the nearest label rises by no more than the way along the halfedge.
+    const double beyond = std::max(w.distanceOnEdge(w.end) - (nearTail + w.end),
+                                   w.distanceOnEdge(w.begin) - (nearTip + length - w.begin));
+    if (beyond >= mostExcess) return;
+    excess = std::min(excess, beyond);
     begin = std::min(begin, w.begin);
     end = std::max(end, w.end);
     least = std::min(least, w.least());
-    // The distance of the nearest label rises by no more than the way along the halfedge.
-    excess = std::min(excess, std::max(w.distanceOnEdge(w.end) - (nearTail + w.end),
-                                       w.distanceOnEdge(w.begin) - (nearTip + length - w.begin)));
   });
+  if (!(excess < mostExcess)) return false;
   const double middle = (begin + end) / 2, share = middle / length;
   const Eigen::Vector3d place = (1 - share) * mesh_.position(face.vertices[i]) +
                                 share * mesh_.position(face.vertices[j]);
@@ -128,19 +164,14 @@ bool WindowSweep::canGain(int h, const Windows& windows) const {
 
 /// Takes up those of the waiting windows that can make a required distance less.
 void WindowSweep::continueNeeded() {
-  std::vector<WaitingWindow>& waiting = state_->waiting;
   size_t kept = 0;
-  for (size_t begin = 0, end; begin < waiting.size(); begin = end) {
-    const int h = waiting[begin].halfedge;
-    end = begin + 1;
-    while (end < waiting.size() && waiting[end].halfedge == h) ++end;
-    const auto windows = std::span(waiting).subspan(begin, end - begin);
-    if (!canGain(h, [&](auto visit) {
+  visitWaiting([&](int h, std::span<const WaitingWindow> windows) {
+    if (!isNearRequired(h) || !canGain(h, [&](auto visit) {
           for (const WaitingWindow& w : windows) visit(w.window);
         })) {
-      std::copy(windows.begin(), windows.end(), waiting.begin() + kept);
+      std::copy(windows.begin(), windows.end(), state_->waiting.begin() + kept);
       kept += windows.size();
-      continue;
+      return;
     }
     const int first = static_cast<int>(state_->windows.size());
     double least = kInfinity;
@@ -149,8 +180,8 @@ void WindowSweep::continueNeeded() {
       least = std::min(least, w.window.least());
     }
     queueBatch(portalTo(h), first, least);
-  }
-  waiting.resize(kept);
+  });
+  state_->waiting.resize(kept);
 }
 
 /// Whether the batch at a halfedge can make a required distance less; if not, it waits.

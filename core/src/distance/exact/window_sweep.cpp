@@ -106,8 +106,8 @@ void WindowSweep::store() {
     state_->vertices[i] = {reached_[i], own.isFinal || own.required >= 0, own.distance};
     state_->pieces[i] = own.piece;
   }
-  state_->windows.shrinkToFit();
-  state_->blocks.shrinkToFit();
+  state_->windows.shrink();
+  state_->blocks.shrink();
   reached_.clear();
 }
 

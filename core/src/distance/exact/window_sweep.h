@@ -108,6 +108,11 @@ class WindowSweep {
   void offerToCorners(const Window& w, int halfedge);
   template <class Windows>
   bool canGain(int halfedge, const Windows& windows) const;
+  template <class Visit>
+  void visitWaiting(Visit visit) const;
+  bool isUnreached(int face) const;
+  bool isNearRequired(int halfedge) const;
+  bool hasUnreachedFace(std::span<const int> faces) const;
   void continueNeeded();
   bool isBatchNeeded(int halfedge);
 
