@@ -215,14 +215,14 @@ class Cvt::Solver {
   }
 
   /// After a step that did not lower the energy enough: to where a parabola has its minimum, within
-  /// limits. After three attempts Lloyd's direction takes the place of the quasi-Newton one. Its
-  /// own first step would lower the energy if energy and gradient were those of exact distances:
-  /// after three attempts what is left to be gained is less than what they err by, and this ends.
-  /// Where the gradient promises next to nothing, one attempt each is enough.
+  /// limits. After three attempts Lloyd's direction takes the place of the quasi-Newton one. Its own
+  /// first step lowers the energy, as far as that and the gradient are exact: after three attempts
+  /// what is left to be gained is less than what they err by, and this ends. Where the gradient
+  /// promises no more than rounding, one attempt each is enough.
   void retreat() {
     constexpr int kAttempts = 3;
-    constexpr double kNextToNothing = 1e-4;  // of the energy; measured: they err by about as much
-    const bool isWorthwhile = -slope_ / 2 > kNextToNothing * accepted_.energy.energy;
+    constexpr double kRounding = 1e-13;  // of the energy
+    const bool isWorthwhile = -slope_ / 2 > kRounding * accepted_.energy.energy;
     if (++attempts_ >= kAttempts || !isWorthwhile) {
       if (memory_.empty()) {
         isDone_ = true;
