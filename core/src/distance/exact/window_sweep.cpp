@@ -49,6 +49,8 @@ void WindowSweep::begin(int label, SpreadTo to, LabelWindows& state) {
 void WindowSweep::start(int label, const SurfacePoint& site, SpreadTo to, LabelWindows& state) {
   begin(label, to, state);
   site_ = site;
+  state.windows.room(windowCount_);
+  state.blocks.room(blockCount_);
   const Incidence place = incidenceOf(site.bary);
   if (place.corner >= 0) {
     offer(mesh_.face(site.face).vertices[place.corner], 0, {0, 0, 0, -1});
@@ -106,6 +108,8 @@ void WindowSweep::store() {
     state_->vertices[i] = {reached_[i], own.isFinal || own.required >= 0, own.distance};
     state_->pieces[i] = own.piece;
   }
+  windowCount_ = state_->windows.size();
+  blockCount_ = state_->blocks.size();
   state_->windows.shrink();
   state_->blocks.shrink();
   reached_.clear();

@@ -140,6 +140,7 @@ class WindowSweep {
   std::vector<double> crossings_;  ///< of the batch at hand, with the line to the apex
   std::vector<std::vector<int>> buckets_;  ///< halfedges, and vertices v as -1 - v
   size_t bucket_ = 0, cursor_ = 0;
+  size_t windowCount_ = 0, blockCount_ = 0;  ///< of the last label; the next one has about as many
 };
 
 }  // namespace gvd::exact
