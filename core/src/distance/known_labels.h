@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/index_set.h"
+#include "distance/face_owners.h"
+#include "distance/label_lists.h"
+#include "distance/label_spread.h"
+#include "distance/nearest_bounds.h"
+#include "distance/site_set.h"
+#include "gvd/triangle_mesh.h"
+
+namespace gvd {
+
+/// Which labels are known at each vertex. After labels have spread:
+///
+/// 1. *Owners*: the labels that own corners of a face, ties included, or have their site in it.
+/// 2. *Required distances*: each owner of a face goes on to those of its corners that it does not own.
+/// 3. *Lists* of the labels known at each vertex, by the owners of the faces around it.
+/// 4. *Closure*: a diagram interpolates between the corners of a face. A label that is nearest
+///    somewhere on an edge by that has to be known in the faces on both sides (back to 2).
+///
+/// All of this follows from the distances of the labels, whatever changes have led to them.
+class KnownLabels {
+ public:
+  KnownLabels(const TriangleMesh& mesh, const SiteSet& sites, const NearestBounds& bounds,
+              LabelSpread& spread, bool isUnbounded);
+
+  std::span<const LabelledDistance> operator[](int vertex) const { return lists_[vertex]; }
+  /// The distance of a label, infinity if it is not known.
+  double distance(int vertex, int label) const { return lists_.distance(vertex, label); }
+  /// The index in `LabelSpread::reached(label)` of the vertex, -1 if the label is not known.
+  int reachedIndex(int vertex, int label) const { return lists_.reachedIndex(vertex, label); }
+
+  /// Begins a change, during which labels may `leave` before they are forgotten.
+  void beginChange();
+  void leave(int label);
+  /// Begins to find what is known, now that labels have spread: some from the start, some on from
+  /// where they were; and the owners of some vertices had left. These lists must last until the end.
+  void start(std::span<const int> started, std::span<const int> resumed,
+             std::span<const int> resetVertices);
+  /// Works on at most `budget` units and lowers it by their number; true when all is known.
+  bool step(long& budget);
+  double progress() const;
+
+  /// The faces and the labels that the change may have altered: all others are known at the same
+  /// vertices as before, with the same distances.
+  const std::vector<int>& changedFaces() const { return changedFaces_.list(); }
+  const std::vector<int>& changedLabels() const { return changedLabels_; }
+
+ private:
+  enum class Stage {
+    kFinal,
+    kAffected,
+    kCorners,
+    kTies,
+    kRequire,
+    kCollect,
+    kLists,
+    kExtend,
+    kClosure,
+    kDone
+  };
+  /// A label that is as near to a vertex as its owner.
+  struct Tie {
+    int vertex, label;
+  };
+
+  bool runStage(long& budget);
+  Stage nextStage();
+  template <class Work>
+  bool forEach(size_t count, long& budget, Work work);
+
+  bool markFinal(long& budget);
+  void findAffected();
+  void resetInterpolatedAround();
+  bool findOwnersOfCorners(long& budget);
+  bool findTies(long& budget);
+  bool require(long& budget);
+  void sortRequirements();
+  void collectLists();
+  bool listLabels(long& budget);
+  void list(int label, int reachedIndex);
+  void extendLists();
+  bool close(long& budget);
+  void requireAcross(int halfedge);
+  bool ownsPartOfEdge(int label, int halfedge) const;
+  bool isKnownAround(int vertex, int label) const;
+  bool areAllNew() const { return sites_.count() == static_cast<int>(started_.size()); }
+
+  const TriangleMesh& mesh_;
+  const SiteSet& sites_;
+  const NearestBounds& bounds_;
+  LabelSpread& spread_;
+  const bool isUnbounded_;
+  FaceOwners owners_;
+  LabelLists lists_;
+
+  // The change at hand.
+  std::span<const int> started_, resumed_, resetVertices_;
+  std::vector<char> hasStarted_;  ///< per label
+  Stage stage_ = Stage::kDone;
+  size_t cursor_ = 0;
+  bool isLabelBegun_ = false;
+  bool isFirstRound_ = true;  ///< from the requirements to the closure
+  std::vector<Tie> ties_;
+  IndexSet affectedFaces_;    ///< those of which the owners may have changed
+  IndexSet changedVertices_;  ///< those of which the lists may have changed
+  IndexSet changedFaces_;     ///< those around them
+  std::vector<int> changedLabels_;
+  std::vector<Requirement> requirements_;  ///< by label
+  std::vector<int> requiredFaces_;         ///< of the label at hand
+  std::vector<int> listed_;                ///< the labels that may be known at the changed vertices
+  std::vector<int> openFaces_;             ///< those where the closure may find something
+};
+
+}  // namespace gvd
