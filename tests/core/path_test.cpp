@@ -72,7 +72,9 @@ void expectPolyline(const TriangleMesh& mesh, const Path& path, const SurfacePoi
                     const SurfacePoint& site) {
   ASSERT_FALSE(path.empty());
   EXPECT_TRUE(isSame(path.front(), from));
-  if (path.size() > 1) EXPECT_TRUE(isSame(path.back(), site));
+  if (path.size() > 1) {
+    EXPECT_TRUE(isSame(path.back(), site));
+  }
   EXPECT_LT(lengthOf(mesh, path), kInfinity);
   for (size_t i = 1; i < path.size(); ++i) EXPECT_GT(lengthOf(mesh, {&path[i - 1], 2}), 0);
   for (size_t i = 1; i + 1 < path.size(); ++i) {
@@ -106,6 +108,7 @@ int checkExact(const TriangleMesh& mesh, const std::vector<SurfacePoint>& sites,
 struct Lengths {
   double relative = 0;  ///< of | length - distance | / distance
   int count = 0;
+  double worst = 0;
 };
 
 void addApproximate(const TriangleMesh& mesh, const std::vector<SurfacePoint>& sites,
@@ -115,10 +118,13 @@ void addApproximate(const TriangleMesh& mesh, const std::vector<SurfacePoint>& s
     const LabelledDistance nearest = field->nearest(p);
     if (nearest.label < 0) continue;
     const Path path = field->path(nearest.label, p);
+    if (path.empty()) printf("DBG face %d: %g %g %g label %d dist %g %g\n", p.face, p.bary[0],p.bary[1],p.bary[2], nearest.label, nearest.distance, field->distance(nearest.label,p));
+    if (path.empty()) for (int i=0;i<3;++i) { printf(" corner:"); for (auto& d: field->at(mesh.tail(3*p.face+i))) printf(" %d:%g", d.label,d.distance); puts(""); }
     expectPolyline(mesh, path, p, sites[nearest.label]);
     if (!(nearest.distance > 1e-9)) continue;
     lengths.relative += std::abs(lengthOf(mesh, path) - nearest.distance) / nearest.distance;
     ++lengths.count;
+    lengths.worst = std::max(lengths.worst, std::abs(lengthOf(mesh, path) - nearest.distance) / nearest.distance);
   }
 }
 
@@ -159,7 +165,7 @@ TEST(ExactPath, IsAsLongAsTheDistanceInDegenerateCases) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const RandomCase random = randomCase(seed);
     const TriangleMesh mesh = random.mesh();
-    checkExact(mesh, random.sitesOf(mesh), pointsOf(mesh, 20, seed));
+    checkExact(mesh, random.sitesOn(mesh), pointsOf(mesh, 20, seed));
   }
 }
 
@@ -318,6 +324,7 @@ TEST(ApproximatePath, IsAboutAsLongAsTheDistance) {
   }
   EXPECT_GT(all.count, 5000);
   EXPECT_LT(all.relative / all.count, 0.1);
+  RecordProperty("worst", std::to_string(all.worst));
   RecordProperty("mean", std::to_string(all.relative / all.count));
 }
 
@@ -327,7 +334,7 @@ TEST(ApproximatePath, IsAPathInDegenerateCases) {
     const RandomCase random = randomCase(seed);
     const TriangleMesh mesh = random.mesh();
     Lengths lengths;
-    addApproximate(mesh, random.sitesOf(mesh), pointsOf(mesh, 20, seed), lengths);
+    addApproximate(mesh, random.sitesOn(mesh), pointsOf(mesh, 20, seed), lengths);
   }
 }
 

@@ -62,7 +62,7 @@ class DistanceField {
   /// the path turns at or passes, the site as it was given. Crossings have an exact zero, vertices
   /// are unit vectors; each is named in a face that the path runs through. Two points in succession
   /// have a face in common, in which the path between them is straight. One point if `p` is at the
-  /// site; empty where `distance` is infinite. With the exact metric the path is as long as the
+  /// site; empty where `distance` is infinite and the site is not the nearest one. With the exact metric the path is as long as the
   /// distance (`lengthOf`). With DGPC it follows from the distances at vertices, which never
   /// promise that there is a path of that very length. O(vertices) to begin with, then
   /// O(faces around the points of the path).

@@ -60,15 +60,20 @@ void PathPoints::add(const SurfacePoint& p) {
 }
 
 bool PathPoints::endAtSite() {
-  bool isBeside = false;
-  visitPlaces(mesh_, last(), [&](const SurfacePoint& p) { isBeside |= hasSite(p.face); });
-  if (!isBeside) return false;
+  if (!isBesideSite(last())) return false;
   // The site as it was given, also if a point at its place has been named in another face.
   if (points_.size() > 1 && lengthBetween(mesh_, last(), site_) == 0) points_.pop_back();
   add(site_);
   return true;
 }
 
+bool PathPoints::isBesideSite(const SurfacePoint& p) const {
+  bool isBeside = false;
+  visitPlaces(mesh_, p, [&](const SurfacePoint& place) { isBeside |= hasSite(place.face); });
+  return isBeside;
+}
+
+/// Whether a face has the site in it, on a side or at a corner.
 bool PathPoints::hasSite(int face) const {
   if (siteVertex_ < 0) return face == siteFaces_[0] || face == siteFaces_[1];
   const auto& corners = mesh_.face(face).vertices;

@@ -49,8 +49,8 @@ class PathPoints {
   /// Ends the path if the last point and the site have a face in common, which the piece between
   /// them runs through: nothing is shorter than a straight line.
   bool endAtSite();
-  /// Whether a face has the site in it, on a side or at a corner.
-  bool hasSite(int face) const;
+  /// Whether a point and the site have a face in common.
+  bool isBesideSite(const SurfacePoint& p) const;
 
   size_t size() const { return points_.size(); }
   /// Takes back all points but the first ones.
@@ -58,6 +58,8 @@ class PathPoints {
   std::vector<SurfacePoint> take() { return std::move(points_); }
 
  private:
+  bool hasSite(int face) const;
+
   const TriangleMesh& mesh_;
   const SurfacePoint site_;
   int siteVertex_ = -1;

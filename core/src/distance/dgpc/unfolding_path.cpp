@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <unordered_map>
 
 #include "distance/dgpc/unfolding_spread.h"
 #include "distance/face_layout.h"
@@ -23,16 +24,12 @@ UnfoldingPath::UnfoldingPath(const TriangleMesh& mesh, const SurfacePoint& site,
 
 std::vector<SurfacePoint> UnfoldingPath::from(const SurfacePoint& p) {
   points_.add(p);
-  const int start = vertexAt(mesh_, p);
-  if (start >= 0) bound_ = distances_[start];
+  if (const int vertex = vertexAt(mesh_, p); vertex >= 0) bound_ = distances_[vertex];
   while (!points_.endAtSite()) {
     const size_t size = points_.size();
     if (goStraight()) continue;
     points_.shrinkTo(size);
-    if (goOverVertex()) continue;
-    // A required distance may be less than all around it. Only the first vertex can have one.
-    if (size > 1 || start < 0 || distances_[start] == kInfinity) return {};
-    distances_[start] = bound_ = kInfinity;
+    if (!goOverVertex() && !goAlongEdges()) return {};
   }
   return points_.take();
 }
@@ -41,7 +38,10 @@ std::vector<SurfacePoint> UnfoldingPath::from(const SurfacePoint& p) {
 bool UnfoldingPath::goStraight() {
   double before = kInfinity;
   for (int crossed = 0; crossed <= mesh_.faceCount(); ++crossed) {
-    const Step step = best(true);
+    Step step = nearestCorner();
+    visitPlaces(mesh_, points_.last(), [&](const SurfacePoint& place) {
+      for (int i = 0; i < 3; ++i) offerSide(place, i, step);
+    });
     if (!(step.distance < before)) return false;
     before = step.distance;
     points_.add(step.to);
@@ -50,39 +50,59 @@ bool UnfoldingPath::goStraight() {
       bound_ = distances_[vertex];
       return true;
     }
-    bool isBeside = false;
-    visitPlaces(mesh_, step.to,
-                [&](const SurfacePoint& place) { isBeside |= points_.hasSite(place.face); });
-    if (isBeside) return true;
+    if (points_.isBesideSite(step.to)) return true;
   }
   return false;
 }
 
 bool UnfoldingPath::goOverVertex() {
-  const Step step = best(false);
+  const Step step = nearestCorner();
   if (step.distance == kInfinity) return false;
   points_.add(step.to);
   bound_ = distances_[vertexAt(mesh_, step.to)];
   return true;
 }
 
-/// The next step by which the last point is nearest: to a corner, or across a side.
-UnfoldingPath::Step UnfoldingPath::best(bool mayCross) const {
-  Step best;
+/// Goes by the fewest edges to a vertex that is nearer, or beside the site: an unfolded distance may be
+/// less than all those around it.
+bool UnfoldingPath::goAlongEdges() {
+  std::unordered_map<int, int> cameFrom;  // vertex by vertex; -1: from the last point
+  std::vector<int> queue;
+  const auto meet = [&](int vertex, int from) {
+    if (cameFrom.try_emplace(vertex, from).second) queue.push_back(vertex);
+  };
   visitPlaces(mesh_, points_.last(), [&](const SurfacePoint& place) {
-    for (int i = 0; i < 3; ++i) offerCorner(place, i, best);
-    for (int i = 0; i < 3 && mayCross; ++i) offerSide(place, i, best);
+    for (const int vertex : mesh_.face(place.face).vertices) meet(vertex, -1);
   });
-  return best;
+  for (size_t i = 0; i < queue.size(); ++i) {
+    int vertex = queue[i];
+    if (distances_[vertex] < bound_ || points_.isBesideSite(pointAtVertex(mesh_, vertex))) {
+      bound_ = std::min(bound_, distances_[vertex]);
+      std::vector<int> vertices;
+      for (; vertex >= 0; vertex = cameFrom[vertex]) vertices.push_back(vertex);
+      for (; !vertices.empty(); vertices.pop_back())
+        points_.add(pointAtVertex(mesh_, vertices.back()));
+      return true;
+    }
+    mesh_.visitNeighbours(vertex, [&](int neighbour) { meet(neighbour, vertex); });
+  }
+  return false;
 }
 
-void UnfoldingPath::offerCorner(const SurfacePoint& place, int corner, Step& best) const {
-  const TriangleMesh::Face& face = mesh_.face(place.face);
-  const double distance = distances_[face.vertices[corner]];
-  if (!(distance < bound_) || place.bary[corner] == 1) return;
-  const Eigen::Vector3d there = Eigen::Vector3d::Unit(corner);
-  const double length = distance + layOut(face, 0, there - place.bary).norm();
-  if (length < best.distance) best = {length, {place.face, there}};
+/// The vertex over which the path from the last point is shortest, of those in the same faces.
+UnfoldingPath::Step UnfoldingPath::nearestCorner() const {
+  Step best;
+  visitPlaces(mesh_, points_.last(), [&](const SurfacePoint& place) {
+    const TriangleMesh::Face& face = mesh_.face(place.face);
+    for (int i = 0; i < 3; ++i) {
+      const double distance = distances_[face.vertices[i]];
+      if (!(distance < bound_) || place.bary[i] == 1) continue;
+      const Eigen::Vector3d corner = Eigen::Vector3d::Unit(i);
+      const double length = distance + layOut(face, 0, corner - place.bary).norm();
+      if (length < best.distance) best = {length, {place.face, corner}};
+    }
+  });
+  return best;
 }
 
 /// The virtual source behind a side that the point is not on, if the point is seen through the side.

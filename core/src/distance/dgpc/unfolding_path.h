@@ -34,9 +34,9 @@ class UnfoldingPath {
 
   bool goStraight();
   bool goOverVertex();
-  Step best(bool mayCross) const;
+  bool goAlongEdges();
+  Step nearestCorner() const;
   void offerSide(const SurfacePoint& place, int side, Step& best) const;
-  void offerCorner(const SurfacePoint& place, int corner, Step& best) const;
 
   const TriangleMesh& mesh_;
   PathPoints points_;
