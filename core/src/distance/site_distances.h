@@ -52,6 +52,7 @@ class SiteDistances final : public DistanceField {
   LabelledDistance nearest(const SurfacePoint& p) const override;
   double distance(int label, const SurfacePoint& p) const override;
   Eigen::Vector2d direction(int label, int vertex) const override;
+  std::vector<SurfacePoint> path(int label, const SurfacePoint& p) const override;
 
  private:
   enum class Stage { kBounds, kSpread, kKnown, kDone };

@@ -25,16 +25,24 @@ struct Unfolding {
   Eigen::Vector2d toTail, toTip, toApex;
 };
 
+/// The virtual source behind a halfedge of a length, from the ends of which it has these distances,
+/// finite ones, in the coordinates of the halfedge (y <= 0); nothing if there is none.
+inline std::optional<Eigen::Vector2d> virtualSource(double length, double atTail, double atTip) {
+  const double x = ((atTail - atTip) * (atTail + atTip) + length * length) / (2 * length);
+  const double squaredY = atTail * atTail - x * x;
+  if (squaredY < -kUnfoldingRounding * atTail * atTail) return std::nullopt;
+  return Eigen::Vector2d(x, -std::sqrt(std::max(squaredY, 0.0)));
+}
+
 /// The virtual source behind a side of a face that has these distances, finite ones, from its two ends,
 /// in the coordinates of the side; nothing unless it exists and sees the apex through the side.
 inline std::optional<Unfolding> unfold(const TriangleMesh::Face& face, int side, double atTail,
                                        double atTip) {
   const double length = face.lengths[side];
-  const double x = ((atTail - atTip) * (atTail + atTip) + length * length) / (2 * length);
-  const double squaredY = atTail * atTail - x * x;
-  if (squaredY < -kUnfoldingRounding * atTail * atTail) return std::nullopt;
-  const Eigen::Vector2d source(x, -std::sqrt(std::max(squaredY, 0.0)));
-  const Unfolding u = {-source, Eigen::Vector2d(length, 0) - source, apexOf(face, side) - source};
+  const auto source = virtualSource(length, atTail, atTip);
+  if (!source) return std::nullopt;
+  const Unfolding u = {-*source, Eigen::Vector2d(length, 0) - *source,
+                       apexOf(face, side) - *source};
   // The line from the source to the apex crosses the side's line between its ends.
   const double slack = kUnfoldingRounding * length * u.toApex.y();
   if (cross(u.toApex, u.toTail) < -slack || cross(u.toTip, u.toApex) < -slack) return std::nullopt;
