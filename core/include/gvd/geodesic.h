@@ -26,6 +26,12 @@ struct LabelledDistance {
   double distance = kInfinity;  ///< in the mesh's units
 };
 
+/// A point of the surface, and the label of which the distance is asked for there.
+struct LabelledPoint {
+  int label;
+  SurfacePoint point;
+};
+
 /// The nearest of some sites, the first of those that tie; label -1 if there is none.
 inline LabelledDistance nearestOf(std::span<const LabelledDistance> sites) {
   LabelledDistance nearest;
@@ -49,6 +55,10 @@ class DistanceField {
   virtual LabelledDistance nearest(const SurfacePoint& p) const = 0;
   /// The distance of one site at a point; infinity where it is not known.
   virtual double distance(int label, const SurfacePoint& p) const = 0;
+  /// The distances of labels at many points. Where another site is nearer, `distance` may be too
+  /// long with the exact metric; here the site is carried on to the point first, for all points of
+  /// one label at once.
+  virtual std::vector<double> distancesAt(std::span<const LabelledPoint> points) const;
   /// The direction in which the shortest path from a site to a vertex leaves the site, as a unit
   /// vector: together with the distance, geodesic polar coordinates. It is also what moving the site
   /// that way takes off the distance, which counts where the two differ: with DGPC, at a vertex that

@@ -22,6 +22,7 @@ constexpr int kPerUnit = 32;
 SiteDistances::SiteDistances(const TriangleMesh& mesh, Metric metric, Spread spread)
     : mesh_(mesh),
       isUnbounded_(spread == Spread::kEverywhere),
+      isExact_(metric == Metric::kExact),
       sites_(mesh),
       edgeBounds_(mesh, sites_),
       bounds_(mesh.vertexCount()),
@@ -511,6 +512,42 @@ double SiteDistances::distance(int label, const SurfacePoint& p) const {
     if (p.bary[i] > 0 && atCorners[i] == kInfinity) return kInfinity;
   }
   return spread_->distance(label, p, atCorners);
+}
+
+std::vector<double> SiteDistances::distancesAt(std::span<const LabelledPoint> points) const {
+  std::vector<double> distances = DistanceField::distancesAt(points);
+  if (isUnbounded_ || !isExact_) return distances;
+  // Those of which the label is not the nearest one.
+  struct Open {
+    int index;
+    double nearest;
+  };
+  std::vector<Open> open;
+  const LabelledPoint* last = nullptr;
+  double nearestThere = kInfinity;
+  for (int i = 0; i < static_cast<int>(points.size()); ++i) {
+    const SurfacePoint& p = points[i].point;
+    if (!last || last->point.face != p.face || last->point.bary != p.bary)
+      nearestThere = nearest(p).distance;
+    last = &points[i];
+    if (p.bary.maxCoeff() < 1 && distances[i] < kInfinity && !isAtMost(distances[i], nearestThere))
+      open.push_back({i, nearestThere});
+  }
+  std::stable_sort(open.begin(), open.end(), [&](const Open& a, const Open& b) {
+    return points[a.index].label < points[b.index].label;
+  });
+  std::vector<RequiredPoint> required;
+  for (size_t begin = 0, end; begin < open.size(); begin = end) {
+    const int label = points[open[begin].index].label;
+    required.clear();
+    for (end = begin; end < open.size() && points[open[end].index].label == label; ++end) {
+      const auto& [index, nearest] = open[end];
+      required.push_back({points[index].point, distances[index], nearest});
+    }
+    spread_->require(label, required);
+    for (size_t i = begin; i < end; ++i) distances[open[i].index] = required[i - begin].distance;
+  }
+  return distances;
 }
 
 Eigen::Vector2d SiteDistances::direction(int label, int vertex) const {

@@ -57,6 +57,7 @@ class SiteDistances final : public DistanceField {
   std::span<const LabelledDistance> at(int vertex) const override { return lists_[vertex]; }
   LabelledDistance nearest(const SurfacePoint& p) const override;
   double distance(int label, const SurfacePoint& p) const override;
+  std::vector<double> distancesAt(std::span<const LabelledPoint> points) const override;
   Eigen::Vector2d direction(int label, int vertex) const override;
 
  private:
@@ -106,6 +107,7 @@ class SiteDistances final : public DistanceField {
 
   const TriangleMesh& mesh_;
   const bool isUnbounded_;
+  const bool isExact_;
   SiteSet sites_;
   EdgeBounds edgeBounds_;
   NearestBounds bounds_;
