@@ -70,9 +70,9 @@ void FaceComplex::splitBatch(long& budget) {
     midpoint.labels = keep(labelsAtHand_);
     noteOwner(node);
   }
+  budget -= static_cast<long>(batch_.size() + required_.size());
   required_.clear();
   for (const int element : batch_) split(element);
-  budget -= static_cast<long>(batch_.size());
   batch_.clear();
 }
 

@@ -12,6 +12,7 @@
 #include "distance/label_lists.h"
 #include "distance/label_spread.h"
 #include "distance/nearest_bounds.h"
+#include "distance/point_distances.h"
 #include "distance/site_set.h"
 #include "gvd/geodesic.h"
 #include "gvd/triangle_mesh.h"
@@ -102,6 +103,7 @@ class SiteDistances final : public DistanceField {
   bool ownsPartOfEdge(int label, int halfedge) const;
   bool isKnownAround(int vertex, int label) const;
   bool hasStarted(int label) const { return hasStarted_[label]; }
+  SurfacePoint unique(const SurfacePoint& p) const;
   std::array<double, 3> distancesAtCorners(int face, int label) const;
   bool areAllNew() const { return sites_.count() == static_cast<int>(started_.size()); }
 
@@ -114,6 +116,7 @@ class SiteDistances final : public DistanceField {
   std::unique_ptr<LabelSpread> spread_;
   FaceOwners owners_;
   LabelLists lists_;
+  mutable PointDistances found_;
 
   // The change at hand.
   Stage stage_ = Stage::kDone;
