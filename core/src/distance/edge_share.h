@@ -3,32 +3,25 @@
 
 #include <algorithm>
 
-#include "base/tolerances.h"
-
 namespace gvd {
 
-/// Whether one label has a place before another one: it is nearer, or as near and lower.
-inline bool isAhead(int label, double distance, int other, double otherDistance) {
-  return distance < otherDistance * (1 - kDistanceTolerance) ||
-         (label < other && distance <= otherDistance * (1 + kDistanceTolerance));
-}
-
 /// What other labels leave of an edge to one label, of which the distances at both ends are known.
-/// Squared distances are compared: along an edge they are linear, up to what is the same for all.
+/// Squared distances are compared: along an edge they are linear, up to what is the same for all. Ties go
+/// to the lower label; they are equal exactly (`equalizeTies`).
 class EdgeShare {
  public:
   EdgeShare(int label, double atTail, double atTip)
       : label_(label), atTail_(atTail), atTip_(atTip) {}
 
   void yieldTo(int other, double otherAtTail, double otherAtTip) {
-    const bool isAheadAtTail = isAhead(other, otherAtTail, label_, atTail_);
-    const bool isAheadAtTip = isAhead(other, otherAtTip, label_, atTip_);
-    if (isAheadAtTail && isAheadAtTip) from_ = 2;
-    if (isAheadAtTail == isAheadAtTip) return;
+    const bool isBehindAtTail = isBehind(atTail_, other, otherAtTail);
+    const bool isBehindAtTip = isBehind(atTip_, other, otherAtTip);
+    if (isBehindAtTail && isBehindAtTip) from_ = 2;
+    if (isBehindAtTail == isBehindAtTip) return;
     const double leadAtTail = (otherAtTail - atTail_) * (otherAtTail + atTail_);
     const double leadAtTip = (otherAtTip - atTip_) * (otherAtTip + atTip_);
     const double tie = leadAtTail / (leadAtTail - leadAtTip);
-    if (isAheadAtTail)
+    if (isBehindAtTail)
       from_ = std::max(from_, tie);
     else
       to_ = std::min(to_, tie);
@@ -39,6 +32,10 @@ class EdgeShare {
 
  private:
   static constexpr double kRounding = 1e-9;
+
+  bool isBehind(double own, int other, double distance) const {
+    return distance < own || (distance == own && other < label_);
+  }
 
   int label_;
   double atTail_, atTip_;
