@@ -40,12 +40,11 @@ inline LabelledDistance nearestOf(std::span<const LabelledDistance> sites) {
   return nearest;
 }
 
-/// Distances of all sites, each known as far as the Voronoi diagram needs it: if a site is nearest
-/// at any point of a closed face, its distance is known at all three corners of that face. With
-/// DGPC, the distance at a corner that another site owns is the one at which the site appears from
-/// the corners it owns, or, if that path bends, the length of the geodesic near it; not that of a path
-/// outside of its region.
-/// Ties go to the lower label everywhere.
+/// Distances of all sites, each known as far as the Voronoi diagram needs it: at all three corners
+/// of a face if the site is nearest at one of them or lies in the face, or if it is nearest
+/// somewhere on a side when squared distances are interpolated linearly along it, as a diagram
+/// does. With DGPC, a distance at a corner that another site owns follows from the vertices around
+/// it, if the site is not carried on as far. Ties go to the lower label everywhere.
 class DistanceField {
  public:
   virtual ~DistanceField() = default;
