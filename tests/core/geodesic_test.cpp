@@ -68,6 +68,40 @@ TEST_P(Metrics, ReachEveryVertexOfAComponentWithASite) {
   }
 }
 
+/// On edges, where a label is known at both ends, whichever label is nearer in between; and inside
+/// faces.
+TEST(Distances, AtPointsAreThoseOfBruteForce) {
+  for (int seed = 0; seed < 100; ++seed) {
+    const TriangleMesh mesh = shapes::randomMesh(seed);
+    const auto sites = sampleUniform(mesh, std::min(20, shapes::randomSiteCount(mesh, seed)), seed);
+    const auto field = inSlices(mesh, sites, Metric::kExact, 1000);
+    const auto brute = propagate(mesh, sites, Metric::kExact, Spread::kEverywhere);
+    while (!brute->step(1000)) {
+    }
+    const auto expected = brute->take();
+    const auto isKnown = [&](int v, int label) {
+      return std::ranges::any_of(field->at(v), [&](auto& d) { return d.label == label; });
+    };
+    std::vector<LabelledPoint> points;
+    for (int h = 0; h < mesh.halfedgeCount(); ++h)
+      for (const LabelledDistance& d : field->at(mesh.tail(h))) {
+        if (!isKnown(mesh.tip(h), d.label)) continue;
+        SurfacePoint p{TriangleMesh::faceOf(h), Eigen::Vector3d::Zero()};
+        p.bary[h % 3] = 0.25;
+        p.bary[(h + 1) % 3] = 0.75;
+        points.push_back({d.label, p});
+        if (isKnown(mesh.tail(TriangleMesh::previous(h)), d.label))
+          points.push_back({d.label, {p.face, {0.2, 0.3, 0.5}}});
+      }
+    const auto found = field->distancesAt(points);
+    for (size_t i = 0; i < points.size(); ++i)
+      ASSERT_NEAR(found[i], expected->distance(points[i].label, points[i].point),
+                  1e-12 * mesh.boundingDiagonal())
+          << "seed " << seed;
+    EXPECT_EQ(field->distancesAt(points), found) << "asked again, seed " << seed;
+  }
+}
+
 TEST_P(Metrics, KnowTheStraightLineInASitesFace) {
   const auto mesh = shapes::icosphere(1).mesh();
   const std::vector<SurfacePoint> sites = {{3, {0.2, 0.3, 0.5}}};

@@ -81,7 +81,7 @@ struct Diagram {
   std::vector<int> faceLabel;
   /// Region triangles that two or more labels tie on; given to the lowest of them. They lie behind
   /// saddles and corners of the boundary at which the labels tie. Sites in one place tie on all of
-  /// their region, but with DGPC that is told at most next to them.
+  /// their region.
   std::vector<int> indifferentFaces;
 
   /// The parts of mixed faces: convex polygons, counterclockwise, ascending by face. A point on the

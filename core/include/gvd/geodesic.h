@@ -26,6 +26,12 @@ struct LabelledDistance {
   double distance = kInfinity;  ///< in the mesh's units
 };
 
+/// A point of the surface, and the label of which the distance is asked for there.
+struct LabelledPoint {
+  int label;
+  SurfacePoint point;
+};
+
 /// The nearest of some sites, the first of those that tie; label -1 if there is none.
 inline LabelledDistance nearestOf(std::span<const LabelledDistance> sites) {
   LabelledDistance nearest;
@@ -34,12 +40,11 @@ inline LabelledDistance nearestOf(std::span<const LabelledDistance> sites) {
   return nearest;
 }
 
-/// Distances of all sites, each known as far as the Voronoi diagram needs it: if a site is nearest
-/// at any point of a closed face, its distance is known at all three corners of that face. With
-/// DGPC, the distance at a corner that another site owns is the one at which the site appears from
-/// the corners it owns, or, if that path bends, the length of the geodesic near it; not that of a path
-/// outside of its region.
-/// Ties go to the lower label everywhere.
+/// Distances of all sites, each known as far as the Voronoi diagram needs it: at all three corners
+/// of a face if the site is nearest at one of them or lies in the face, or if it is nearest
+/// somewhere on a side when squared distances are interpolated linearly along it, as a diagram
+/// does. With DGPC, a distance at a corner that another site owns follows from the vertices around
+/// it, if the site is not carried on as far. Ties go to the lower label everywhere.
 class DistanceField {
  public:
   virtual ~DistanceField() = default;
@@ -49,6 +54,10 @@ class DistanceField {
   virtual LabelledDistance nearest(const SurfacePoint& p) const = 0;
   /// The distance of one site at a point; infinity where it is not known.
   virtual double distance(int label, const SurfacePoint& p) const = 0;
+  /// The distances of labels at many points. Where another site is nearer, `distance` may be too
+  /// long with the exact metric; here the site is carried on to the point first, for all points of
+  /// one label at once.
+  virtual std::vector<double> distancesAt(std::span<const LabelledPoint> points) const;
   /// The direction in which the shortest path from a site to a vertex leaves the site, as a unit
   /// vector: together with the distance, geodesic polar coordinates. It is also what moving the site
   /// that way takes off the distance, which counts where the two differ: with DGPC, at a vertex that

@@ -44,7 +44,8 @@ class Tracing {
     out_.regionArea = std::move(graph_.regionArea);
     out_.indifferentFaces = std::move(graph_.indifferentFaces);
     nodePoints_.clear();
-    return {std::move(out_), std::move(graph_.mergedFaces), completion_->takeFaces()};
+    return {std::move(out_), std::move(graph_.mergedFaces),
+            completion_ ? completion_->takeFaces() : std::vector<int>()};
   }
 
  private:
@@ -67,6 +68,7 @@ class Tracing {
       case Stage::kComplex:
         return complex_.step(budget);
       case Stage::kCompletion:
+        if (complex_.hasWholeFacesOnly()) return true;
         if (!completion_) completion_.emplace(complex_);
         return completion_->step(budget);
       case Stage::kGraph:

@@ -97,6 +97,7 @@ class FaceComplex {
   struct Midpoint {
     int higherEnd;
     int next;                                  ///< node, -1 for none
+    int commonCount;                           ///< of labels known at both ends of the side
     std::span<const LabelledDistance> labels;  ///< in labelChunks_
   };
 
@@ -114,9 +115,9 @@ class FaceComplex {
   bool isUniform(int a, int b, int owner) const;
   void split(int element);
   Eigen::Matrix3d cornersOf(int element) const;
-  int midpoint(int element, int side);
+  void splitBatch(long& budget);
+  void addMidpoint(int element, int side);
   int middleOf(int a, int b) const;
-  std::span<const LabelledDistance> labelsAt(const SurfacePoint& p, int a, int b);
   std::span<const LabelledDistance> keep(std::span<const LabelledDistance> labels);
   void collectInnerNodes(int a, int b, double from, double to, std::vector<InnerNode>& nodes) const;
   int meshHalfedge(int h) const;
@@ -131,11 +132,13 @@ class FaceComplex {
 
   Stage stage_ = Stage::kOwners;
   SlicedLoop loop_;
-  int mixedCount_ = 0;       ///< faces
-  int level_ = 0;            ///< of splitting
-  int unsplitCount_ = 0;     ///< elements before it
-  int nextSplit_ = 0;        ///< the element to be looked at next
-  bool hasChanged_ = false;  ///< in this round of `follow`
+  int mixedCount_ = 0;                   ///< faces
+  int level_ = 0;                        ///< of splitting
+  int unsplitCount_ = 0;                 ///< elements before it
+  int nextSplit_ = 0;                    ///< the element to be looked at next
+  bool hasChanged_ = false;              ///< in this round of `follow`
+  std::vector<int> batch_;               ///< elements to be split next
+  std::vector<LabelledPoint> required_;  ///< labels at their new nodes
 
   std::vector<Node> nodes_;
   std::vector<int> soleOwner_;

@@ -10,21 +10,26 @@
 
 namespace gvd {
 
+namespace {
+
 /// How many elements it takes as long to look at as to split one.
 constexpr int kLooksPerSplit = 8;
+/// Elements that are split at once, for it takes a while to let a label go on to new nodes, but
+/// hardly longer for many of them.
+constexpr size_t kBatch = 256;
+
+}  // namespace
 
 /// Splits what has several owners, but not what has just been split.
 bool FaceComplex::splitMixed(long& budget) {
   while (nextSplit_ < unsplitCount_) {
     if (budget <= 0) return false;
     const int element = nextSplit_++;
-    if (commonOwner(element) == Diagram::kMixed) {
-      split(element);
-      --budget;
-    } else if (element % kLooksPerSplit == 0) {
-      --budget;
-    }
+    if (commonOwner(element) == Diagram::kMixed) batch_.push_back(element);
+    if (element % kLooksPerSplit == 0) --budget;
+    if (batch_.size() == kBatch) splitBatch(budget);
   }
+  splitBatch(budget);
   return true;
 }
 
@@ -36,17 +41,39 @@ bool FaceComplex::follow(long& budget) {
     while (nextSplit_ < static_cast<int>(face_.size())) {
       if (budget <= 0) return false;
       const int element = nextSplit_++;
-      if (mustSplit(element)) {
-        split(element);
-        hasChanged_ = true;
-        --budget;
-      } else if (element % kLooksPerSplit == 0) {
-        --budget;
+      if (mustSplit(element)) batch_.push_back(element);
+      if (element % kLooksPerSplit == 0) --budget;
+      if (batch_.size() == kBatch || nextSplit_ == static_cast<int>(face_.size())) {
+        hasChanged_ = hasChanged_ || !batch_.empty();
+        splitBatch(budget);
       }
     }
     nextSplit_ = 0;
   } while (hasChanged_);
   return true;
+}
+
+/// Splits the elements of the batch, after finding the distances at all their new nodes.
+void FaceComplex::splitBatch(long& budget) {
+  const int firstNew = nodeCount();
+  for (const int element : batch_)
+    for (int side = 0; side < 3; ++side) addMidpoint(element, side);
+  const std::vector<double> distances = distances_.distancesAt(required_);
+  auto distance = distances.begin();
+  auto point = required_.begin();
+  for (int node = firstNew; node < nodeCount(); ++node) {
+    labelsAtHand_.clear();
+    Midpoint& midpoint = midpoints_[node - mesh_.vertexCount()];
+    for (int i = 0; i < midpoint.commonCount; ++i, ++point, ++distance)
+      if (*distance < kInfinity) labelsAtHand_.push_back({point->label, *distance});
+    equalizeTies(labelsAtHand_);
+    midpoint.labels = keep(labelsAtHand_);
+    noteOwner(node);
+  }
+  budget -= static_cast<long>(batch_.size() + required_.size());
+  required_.clear();
+  for (const int element : batch_) split(element);
+  batch_.clear();
 }
 
 /// Whether an element beside smaller ones would not agree with them: it has several owners, or some
@@ -79,7 +106,7 @@ void FaceComplex::split(int element) {
   std::array<int, 3> node, middle;
   for (int i = 0; i < 3; ++i) {
     node[i] = tail_[3 * element + i];
-    middle[i] = midpoint(element, i);
+    middle[i] = middleOf(node[i], tail_[3 * element + (i + 1) % 3]);
   }
   Eigen::Matrix3d middles;
   for (int i = 0; i < 3; ++i) middles.col(i) = (corners.col(i) + corners.col((i + 1) % 3)) / 2;
@@ -116,26 +143,17 @@ int FaceComplex::middleOf(int a, int b) const {
   return middle;
 }
 
-/// The node in the middle of a side, made if there is none yet, with the distances of the labels
-/// known at both ends.
-int FaceComplex::midpoint(int element, int side) {
+/// Adds the node in the middle of a side if there is none yet, and requires there the distances of
+/// the labels known at both ends.
+void FaceComplex::addMidpoint(int element, int side) {
   const int a = tail_[3 * element + side], b = tail_[3 * element + (side + 1) % 3];
-  if (const int middle = middleOf(a, b); middle >= 0) return middle;
+  if (middleOf(a, b) >= 0) return;
   const Eigen::Matrix3d corners = cornersOf(element);
   const SurfacePoint p{face_[element], (corners.col(side) + corners.col((side + 1) % 3)) / 2};
   const int node = nodeCount();
   const auto [low, high] = std::minmax(a, b);
   if (low >= static_cast<int>(firstMidpoint_.size())) firstMidpoint_.resize(low + 1, -1);
-  midpoints_.push_back({high, std::exchange(firstMidpoint_[low], node), labelsAt(p, a, b)});
-  nodes_.emplace_back();
-  noteOwner(node);
-  return node;
-}
-
-/// The distances, at a point between two nodes, of the labels known at both.
-std::span<const LabelledDistance> FaceComplex::labelsAt(const SurfacePoint& p, int a, int b) {
-  std::vector<LabelledDistance>& here = labelsAtHand_;
-  here.clear();
+  const size_t requiredBefore = required_.size();
   const auto atA = labels(a), atB = labels(b);
   for (auto i = atA.begin(), j = atB.begin(); i != atA.end() && j != atB.end();) {
     if (i->label < j->label) {
@@ -143,13 +161,13 @@ std::span<const LabelledDistance> FaceComplex::labelsAt(const SurfacePoint& p, i
     } else if (j->label < i->label) {
       ++j;
     } else {
-      const double distance = distances_.distance(i->label, p);
-      if (distance < kInfinity) here.push_back({i->label, distance});
+      required_.push_back({i->label, p});
       ++i, ++j;
     }
   }
-  equalizeTies(here);
-  return keep(here);
+  const int commonCount = static_cast<int>(required_.size() - requiredBefore);
+  midpoints_.push_back({high, std::exchange(firstMidpoint_[low], node), commonCount, {}});
+  nodes_.emplace_back();
 }
 
 /// A copy in memory that stays where it is.

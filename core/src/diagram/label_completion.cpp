@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "distance/edge_share.h"
 #include "mesh/surface_geometry.h"
 
 namespace gvd {
@@ -21,41 +22,26 @@ const LabelledDistance* find(Labels labels, int label) {
   return nullptr;
 }
 
-/// Whether a label is farther than another one where the difference of their squared distances is
-/// `lag`; ties go to the lower label.
-bool isBehind(double lag, int label, int other) { return lag > 0 || (lag == 0 && other < label); }
-
-/// Whether a label is least anywhere on a side, given what is known at its ends: by the squares
-/// that the diagram is traced from, so that no more than the places of ties is rounded.
+/// Whether a label is least anywhere on a side, given what is known at its ends.
 bool ownsPartOf(int label, double atTail, double atTip, Labels tail, Labels tip) {
-  constexpr double kRounding = 1e-14;
-  double from = 0, to = 1;
+  EdgeShare share(label, atTail, atTip);
   for (const LabelledDistance& other : tail) {
     const LabelledDistance* const otherAtTip = find(tip, other.label);
-    if (!otherAtTip || other.label == label) continue;
-    const double lagAtTail = atTail * atTail - other.distance * other.distance;
-    const double lagAtTip = atTip * atTip - otherAtTip->distance * otherAtTip->distance;
-    const bool isBehindAtTail = isBehind(lagAtTail, label, other.label);
-    const bool isBehindAtTip = isBehind(lagAtTip, label, other.label);
-    if (isBehindAtTail && isBehindAtTip) return false;
-    if (isBehindAtTail == isBehindAtTip) continue;
-    const double tie = lagAtTail / (lagAtTail - lagAtTip);
-    if (isBehindAtTail)
-      from = std::max(from, tie);
-    else
-      to = std::min(to, tie);
+    if (otherAtTip && other.label != label)
+      share.yieldTo(other.label, other.distance, otherAtTip->distance);
   }
-  return from <= to + kRounding;
+  return !share.isEmpty();
 }
 
 /// Whether one of the owners is before a label at both ends of a side.
 bool isHidden(int label, double atTail, double atTip, Labels tail, Labels tip,
               const std::array<int, 3>& owners) {
+  const auto isBefore = [&](const LabelledDistance& owner, double distance) {
+    return owner.distance < distance || (owner.distance == distance && owner.label < label);
+  };
   return std::any_of(owners.begin(), owners.end(), [&](int owner) {
     const LabelledDistance *const from = find(tail, owner), *const to = find(tip, owner);
-    return from && to &&
-           isBehind(atTail * atTail - from->distance * from->distance, label, owner) &&
-           isBehind(atTip * atTip - to->distance * to->distance, label, owner);
+    return from && to && isBefore(*from, atTail) && isBefore(*to, atTip);
   });
 }
 

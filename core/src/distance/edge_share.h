@@ -3,32 +3,26 @@
 
 #include <algorithm>
 
-#include "base/tolerances.h"
-
 namespace gvd {
-
-/// Whether one label has a place before another one: it is nearer, or as near and lower.
-inline bool isAhead(int label, double distance, int other, double otherDistance) {
-  return distance < otherDistance * (1 - kDistanceTolerance) ||
-         (label < other && distance <= otherDistance * (1 + kDistanceTolerance));
-}
 
 /// What other labels leave of an edge to one label, of which the distances at both ends are known.
 /// Squared distances are compared: along an edge they are linear, up to what is the same for all.
+/// They are rounded as those that a diagram is traced from, which takes the rounded ones for exact.
+/// Ties go to the lower label.
 class EdgeShare {
  public:
   EdgeShare(int label, double atTail, double atTip)
-      : label_(label), atTail_(atTail), atTip_(atTip) {}
+      : label_(label), atTail_(atTail * atTail), atTip_(atTip * atTip) {}
 
   void yieldTo(int other, double otherAtTail, double otherAtTip) {
-    const bool isAheadAtTail = isAhead(other, otherAtTail, label_, atTail_);
-    const bool isAheadAtTip = isAhead(other, otherAtTip, label_, atTip_);
-    if (isAheadAtTail && isAheadAtTip) from_ = 2;
-    if (isAheadAtTail == isAheadAtTip) return;
-    const double leadAtTail = (otherAtTail - atTail_) * (otherAtTail + atTail_);
-    const double leadAtTip = (otherAtTip - atTip_) * (otherAtTip + atTip_);
-    const double tie = leadAtTail / (leadAtTail - leadAtTip);
-    if (isAheadAtTail)
+    const double lagAtTail = atTail_ - otherAtTail * otherAtTail;
+    const double lagAtTip = atTip_ - otherAtTip * otherAtTip;
+    const bool isBehindAtTail = isBehind(lagAtTail, other);
+    const bool isBehindAtTip = isBehind(lagAtTip, other);
+    if (isBehindAtTail && isBehindAtTip) from_ = 2;
+    if (isBehindAtTail == isBehindAtTip) return;
+    const double tie = lagAtTail / (lagAtTail - lagAtTip);
+    if (isBehindAtTail)
       from_ = std::max(from_, tie);
     else
       to_ = std::min(to_, tie);
@@ -38,10 +32,13 @@ class EdgeShare {
   bool isEmpty() const { return from_ > to_ + kRounding; }
 
  private:
-  static constexpr double kRounding = 1e-9;
+  /// Differences of near numbers are exact, so only the quotient of two lags is rounded.
+  static constexpr double kRounding = 1e-14;
+
+  bool isBehind(double lag, int other) const { return lag > 0 || (lag == 0 && other < label_); }
 
   int label_;
-  double atTail_, atTip_;
+  double atTail_, atTip_;     ///< squared
   double from_ = 0, to_ = 1;  ///< as shares of the edge
 };
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "distance/label_distances.h"
+#include "distance/required_point.h"
 #include "gvd/surface_point.h"
 
 namespace gvd {
@@ -23,6 +24,9 @@ class LabelSpread {
   virtual void resume(int label) = 0;
   /// On to all corners of some faces, each of which the label owns some part of.
   virtual void require(int label, std::span<const int> faces) = 0;
+  /// Goes on to some points that are no vertices, and lowers the distances given with them to what
+  /// the label finds. Not to be continued by `run`.
+  virtual void require(int label, std::span<RequiredPoint> points) = 0;
   /// Works on at most `budget` units and lowers it by their number. True when the label is done.
   virtual bool run(long& budget) = 0;
   /// Forgets a label.

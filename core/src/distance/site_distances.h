@@ -10,6 +10,7 @@
 #include "distance/known_labels.h"
 #include "distance/label_spread.h"
 #include "distance/nearest_bounds.h"
+#include "distance/point_distances.h"
 #include "distance/site_set.h"
 #include "gvd/geodesic.h"
 #include "gvd/triangle_mesh.h"
@@ -51,6 +52,7 @@ class SiteDistances final : public DistanceField {
   std::span<const LabelledDistance> at(int vertex) const override { return known_[vertex]; }
   LabelledDistance nearest(const SurfacePoint& p) const override;
   double distance(int label, const SurfacePoint& p) const override;
+  std::vector<double> distancesAt(std::span<const LabelledPoint> points) const override;
   Eigen::Vector2d direction(int label, int vertex) const override;
   std::vector<SurfacePoint> path(int label, const SurfacePoint& p) const override;
 
@@ -60,14 +62,17 @@ class SiteDistances final : public DistanceField {
   void forget(int label);
   void lowerBounds();
   bool spread(long& budget);
+  SurfacePoint unique(const SurfacePoint& p) const;
   std::array<double, 3> distancesAtCorners(int face, int label) const;
 
   const TriangleMesh& mesh_;
+  /// Whether the distance of a label at a point may be an upper bound, for the label was stopped.
+  const bool hasOpenDistances_;
   SiteSet sites_;
   EdgeBounds edgeBounds_;
   NearestBounds bounds_;
   std::unique_ptr<LabelSpread> spread_;
-  KnownLabels known_;
+  SurfacePoint unique(const SurfacePoint& p) const;
 
   // The change at hand.
   Stage stage_ = Stage::kDone;

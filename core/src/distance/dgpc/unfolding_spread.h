@@ -26,6 +26,8 @@ class UnfoldingSpread final : public LabelSpread {
   void start(int label) override;
   void resume(int label) override;
   void require(int label, std::span<const int> faces) override;
+  /// The distance at a point follows from those at the corners of its face.
+  void require(int /*label*/, std::span<RequiredPoint> /*points*/) override {}
   bool run(long& budget) override;
   void remove(int label) override;
 

@@ -91,14 +91,13 @@ void UnfoldingSweep::unfoldAcross(int h) {
   const int tail = face.vertices[i], tip = face.vertices[j], apex = face.vertices[k];
   const double atTail = distance(tail), atTip = distance(tip);
   if (!(std::min(atTail, atTip) < distance(apex))) return;
-  if (atTail < kInfinity && atTip < kInfinity)
-    if (const auto unfolding = unfold(face, i, atTail, atTip)) {
-      const double limit = distance(apex) * (1 - kDistanceTolerance);
-      const double squared = unfolding->toApex.squaredNorm();
-      if (squared < limit * limit)
-        offer(apex, std::sqrt(squared), directionToApex(*unfolding, tail, tip));
-      return;
-    }
+  if (const auto unfolding = unfold(face, i, atTail, atTip)) {
+    const double limit = distance(apex) * (1 - kDistanceTolerance);
+    const double squared = unfolding->toApex.squaredNorm();
+    if (squared < limit * limit)
+      offer(apex, std::sqrt(squared), directionToApex(*unfolding, tail, tip));
+    return;
+  }
   const double overTail = atTail + face.lengths[k], overTip = atTip + face.lengths[j];
   if (overTail <= overTip)
     offer(apex, overTail, vertices_[tail].direction);

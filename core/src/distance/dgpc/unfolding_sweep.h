@@ -25,16 +25,17 @@ struct Unfolding {
   Eigen::Vector2d toTail, toTip, toApex;
 };
 
-/// The virtual source behind a halfedge of a length, from the ends of which it has these distances,
-/// finite ones, in the coordinates of the halfedge (y <= 0); nothing if there is none.
+/// The virtual source behind a halfedge of a length, from the ends of which it has these distances, in
+/// the coordinates of the halfedge (y <= 0); nothing if there is none.
 inline std::optional<Eigen::Vector2d> virtualSource(double length, double atTail, double atTip) {
+  if (!(atTail < kInfinity && atTip < kInfinity)) return std::nullopt;
   const double x = ((atTail - atTip) * (atTail + atTip) + length * length) / (2 * length);
   const double squaredY = atTail * atTail - x * x;
   if (squaredY < -kUnfoldingRounding * atTail * atTail) return std::nullopt;
   return Eigen::Vector2d(x, -std::sqrt(std::max(squaredY, 0.0)));
 }
 
-/// The virtual source behind a side of a face that has these distances, finite ones, from its two ends,
+/// The virtual source behind a side of a face that has these distances from its two ends,
 /// in the coordinates of the side; nothing unless it exists and sees the apex through the side.
 inline std::optional<Unfolding> unfold(const TriangleMesh::Face& face, int side, double atTail,
                                        double atTip) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// WindowSweep::require: a label goes on to vertices that it does not own.
+// WindowSweep::require: a label goes on to vertices or other points that it does not own.
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "distance/exact/window_sweep.h"
@@ -122,6 +123,68 @@ void WindowSweep::offerToCorners(const Window& w, int h) {
                   {face.lengths[k], w.sourceDistance, w.direction, h - i + k});
 }
 
+// --- Points --------------------------------------------------------------------------------------
+
+void WindowSweep::require(int label, LabelWindows& state, std::span<const RequiredPoint> points) {
+  begin(label, SpreadTo::kRequired, state);
+  load();
+  pointDistances_.clear();
+  for (const RequiredPoint& required : points) {
+    const SurfacePoint& p = required.point;
+    const int index = required_.add(mesh_.position(p), required.distance, required.nearest);
+    pointDistances_.push_back(required.distance);
+    addPoint(p, index);
+    if (const int side = incidenceOf(p.bary).side; side >= 0 && mesh_.face(p.face).twins[side] >= 0)
+      addPoint(acrossEdge(mesh_, p, 3 * p.face + side), index);
+  }
+  std::sort(points_.begin(), points_.end(), [](const PointInFace& a, const PointInFace& b) {
+    return std::tie(a.face, a.index) < std::tie(b.face, b.index);
+  });
+  for (const WaitingWindow& w : state.waiting) offerToPoints(w.window, w.halfedge);
+  continueNeeded();
+  for (const int v : std::exchange(state.waitingSources, {})) queueSource(v);
+}
+
+/// Adds a required point in a face, and offers it the paths that are straight from a corner.
+void WindowSweep::addPoint(const SurfacePoint& p, int index) {
+  points_.push_back({p.face, p.bary, index});
+  const TriangleMesh::Face& face = mesh_.face(p.face);
+  for (int i = 0; i < 3; ++i)
+    offerToPoint(index, distanceAt(face.vertices[i]) +
+                            layOut(face, 0, p.bary - Eigen::Vector3d::Unit(i)).norm());
+}
+
+std::span<const WindowSweep::PointInFace> WindowSweep::pointsIn(int f) const {
+  const auto [first, last] =
+      std::equal_range(points_.begin(), points_.end(), PointInFace{f, {}, 0},
+                       [](const PointInFace& a, const PointInFace& b) { return a.face < b.face; });
+  return {first, last};
+}
+
+void WindowSweep::offerToPoint(int index, double distance) {
+  if (!(distance < pointDistances_[index])) return;
+  pointDistances_[index] = distance;
+  required_.shorten(index, distance);
+}
+
+/// Offers the paths through a window to the required points of its face.
+void WindowSweep::offerToPoints(const Window& w, int h) {
+  for (const PointInFace& p : pointsIn(h / 3)) {
+    const Eigen::Vector2d q = layOut(mesh_.face(h / 3), h % 3, p.bary);
+    offerToPoint(p.index, w.distance(q.x(), q.y()));
+  }
+}
+
+/// Offers the straight paths from a corner of a face to its required points.
+void WindowSweep::offerToPointsFrom(int v, int corner, int f) {
+  for (const PointInFace& p : pointsIn(f))
+    offerToPoint(p.index,
+                 vertices_[v].distance +
+                     layOut(mesh_.face(f), 0, p.bary - Eigen::Vector3d::Unit(corner)).norm());
+}
+
+// --- What goes on --------------------------------------------------------------------------------
+
 /// Whether any path over a halfedge can make a required distance less, by the distances of the nearest
 /// label, which no label's are less than.
 bool WindowSweep::isNearRequired(int h) const {
@@ -132,10 +195,21 @@ bool WindowSweep::isNearRequired(int h) const {
   return required_.isNear(mesh_.position(tail), length, least);
 }
 
-/// Whether windows at a halfedge can make a required distance less, but for those at the corners of
-/// the halfedge's face, to which they have offered their paths.
+/// Whether windows at a halfedge can make a required distance less, but for those in the halfedge's
+/// face, to which they have offered their paths.
 template <class Windows>
-bool WindowSweep::canGain(int h, const Windows& windows) const {
+bool WindowSweep::canGain(int h, const Windows& windows) {
+  const auto here = pointsIn(h / 3);
+  if (here.empty()) return canGainBeyond(h, windows);
+  pointBounds_.clear();
+  for (const PointInFace& p : here) pointBounds_.push_back(required_.exclude(p.index));
+  const bool isGain = canGainBeyond(h, windows);
+  for (size_t i = 0; i < here.size(); ++i) required_.setBound(here[i].index, pointBounds_[i]);
+  return isGain;
+}
+
+template <class Windows>
+bool WindowSweep::canGainBeyond(int h, const Windows& windows) const {
   const TriangleMesh::Face& face = mesh_.face(h / 3);
   const int i = h % 3, j = cornerAfter(i), k = cornerBefore(i);
   const double length = face.lengths[i];
@@ -189,6 +263,8 @@ bool WindowSweep::isBatchNeeded(int h) {
   const int firstBlock = waitingBlock_[h];
   if (hasRequiredCorner(h / 3))
     state_->visitWindows(firstBlock, [&](const Window& w) { offerToCorners(w, h); });
+  if (!pointsIn(h / 3).empty())
+    state_->visitWindows(firstBlock, [&](const Window& w) { offerToPoints(w, h); });
   if (canGain(h, [&](auto visit) { state_->visitWindows(firstBlock, visit); })) return true;
   state_->visitWindows(firstBlock,
                        [&](const Window& w) { state_->waiting.push_back({w, h}); });

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/plane.h"
 namespace gvd::exact {
@@ -33,6 +34,17 @@ void WindowSpread::require(int label, std::span<const int> faces) {
   label_ = label;
   crossedBefore_ = labels_[label].crossed.size();
   sweep_.require(label, labels_[label], faces);
+}
+
+void WindowSpread::require(int label, std::span<RequiredPoint> points) {
+  LabelWindows& windows = labels_[label];
+  const size_t crossedBefore = windows.crossed.size();
+  sweep_.require(label, windows, points);
+  long unlimited = std::numeric_limits<long>::max();
+  sweep_.run(unlimited);
+  addEntries(label, crossedBefore);
+  for (size_t i = 0; i < points.size(); ++i)
+    points[i].distance = sweep_.distanceAtPoint(static_cast<int>(i));
 }
 
 bool WindowSpread::run(long& budget) {

@@ -21,6 +21,7 @@ class WindowSpread final : public LabelSpread {
   void start(int label) override;
   void resume(int label) override;
   void require(int label, std::span<const int> faces) override;
+  void require(int label, std::span<RequiredPoint> points) override;
   bool run(long& budget) override;
   void remove(int label) override;
 

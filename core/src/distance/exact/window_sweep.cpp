@@ -44,6 +44,7 @@ void WindowSweep::begin(int label, SpreadTo to, LabelWindows& state) {
   state_ = &state;
   ++epoch_;
   required_.clear();
+  points_.clear();
 }
 
 void WindowSweep::start(int label, const SurfacePoint& site, SpreadTo to, LabelWindows& state) {
@@ -154,7 +155,7 @@ void WindowSweep::offer(int v, double distance, const LastPiece& piece) {
   own.distance = distance;
   own.piece = piece;
   if (own.required >= 0) required_.shorten(own.required, distance);
-  lower(bounds_[v], label_, distance);
+  if (points_.empty()) lower(bounds_[v], label_, distance);
   if (own.isSaddle || piece.arrival < 0) queueSource(v);
 }
 
@@ -234,6 +235,7 @@ void WindowSweep::emit(int v, const OppositeSide& side, double direction, bool i
   const int j = cornerAfter(i), k = cornerBefore(i);
   const TriangleMesh::Face& face = mesh_.face(f);
   const double length = face.lengths[j];
+  if (!points_.empty()) offerToPointsFrom(v, i, f);
   if (side.from <= kGrazing * length)
     offer(face.vertices[j], distance + face.lengths[i],
           {face.lengths[k], distance, isSite ? direction - kPi + mesh_.cornerAngle(o) : direction,

@@ -6,9 +6,10 @@
 
 #include "distance/exact/fan_behind.h"
 #include "distance/exact/label_windows.h"
-#include "distance/exact/required_vertices.h"
+#include "distance/exact/required_places.h"
 #include "distance/face_layout.h"
 #include "distance/nearest_bounds.h"
+#include "distance/required_point.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
 
@@ -44,6 +45,10 @@ class WindowSweep {
   void resume(int label, LabelWindows& state);
   /// Begins with a label that is to reach all corners of some faces.
   void require(int label, LabelWindows& state, std::span<const int> faces);
+  /// Begins with a label that is to find its distances at some points. Bounds remain as they are.
+  void require(int label, LabelWindows& state, std::span<const RequiredPoint> points);
+  /// The distance at one of these points; for use before the next label begins.
+  double distanceAtPoint(int index) const { return pointDistances_[index]; }
   /// Works on at most `budget` batches and lowers it by their number; true when the label is done,
   /// and what it has come to is in its state.
   bool run(long& budget);
@@ -57,6 +62,12 @@ class WindowSweep {
     int required;   ///< index in `required_`, -1
     bool isFinal, isQueued;
     bool isSaddle;  ///< of the mesh, whatever the label
+  };
+  /// A required point in a face. Points on an edge are in the faces on both sides.
+  struct PointInFace {
+    int face;
+    Eigen::Vector3d bary;
+    int index;  ///< in `pointDistances_` and `required_`
   };
   /// A vertex as an end of portals: the distance of the label at hand, and of the nearest label.
   struct End {
@@ -101,18 +112,25 @@ class WindowSweep {
   bool keep(Window& w, const Portal& portal);
 
   void requireCorners(int face);
+  void addPoint(const SurfacePoint& point, int index);
+  std::span<const PointInFace> pointsIn(int face) const;
+  void offerToPoint(int index, double distance);
+  void offerToPoints(const Window& w, int halfedge);
+  void offerToPointsFrom(int vertex, int corner, int face);
   bool isRequired(int vertex) const;
   bool hasRequiredCorner(int face) const;
   void offerRequired(int vertex, double distance, const LastPiece& piece);
   void offerAlongSides(int face);
   void offerToCorners(const Window& w, int halfedge);
-  template <class Windows>
-  bool canGain(int halfedge, const Windows& windows) const;
   template <class Visit>
   void visitWaiting(Visit visit) const;
   bool isUnreached(int face) const;
   bool isNearRequired(int halfedge) const;
   bool hasUnreachedFace(std::span<const int> faces) const;
+  template <class Windows>
+  bool canGain(int halfedge, const Windows& windows);
+  template <class Windows>
+  bool canGainBeyond(int halfedge, const Windows& windows) const;
   void continueNeeded();
   bool isBatchNeeded(int halfedge);
 
@@ -130,7 +148,10 @@ class WindowSweep {
   SpreadTo to_ = SpreadTo::kOwned;
   LabelWindows* state_ = nullptr;
   SurfacePoint site_;
-  RequiredVertices required_;
+  RequiredPlaces required_;
+  std::vector<PointInFace> points_;  ///< by face
+  std::vector<double> pointDistances_;
+  std::vector<double> pointBounds_;  ///< of those in the face at hand
 
   // Working memory, of which a label leaves nothing behind but vertices of an old epoch.
   int epoch_ = 0;

@@ -4,15 +4,17 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "base/tolerances.h"
 
 namespace gvd::exact {
 
-/// The vertices at which the distance of a label is required although another label is nearer. The
-/// label's windows go on only as far as they can still shorten one of these distances.
-class RequiredVertices {
+/// The vertices or other points at which the distance of a label is required although another label
+/// is nearer. The label's windows go on only as far as they can still shorten one of these
+/// distances.
+class RequiredPlaces {
  public:
   void clear() {
     for (auto* values : {&x_, &y_, &z_, &bound_, &nearest_}) values->clear();
@@ -21,7 +23,7 @@ class RequiredVertices {
   int size() const { return static_cast<int>(bound_.size()); }
 
   /// `bound` is the label's distance as far as it is known, `nearest` the least of all labels'.
-  /// Returns the index of the vertex.
+  /// Returns the index of the place.
   int add(const Eigen::Vector3d& position, double bound, double nearest) {
     x_.push_back(position.x());
     y_.push_back(position.y());
@@ -37,9 +39,12 @@ class RequiredVertices {
     return most;
   }
   void shorten(int index, double bound) { bound_[index] = bound * (1 - kDistanceTolerance); }
+  /// Lets a place not count until its bound is set again; returns its bound.
+  double exclude(int index) { return std::exchange(bound_[index], 0); }
+  void setBound(int index, double bound) { bound_[index] = bound; }
 
   /// Whether paths with a length of at least `length` up to points at most `radius` from `place`
-  /// can become the shortest to a required vertex, as far as the straight line in space tells.
+  /// can become the shortest to a required place, as far as the straight line in space tells.
   bool isNear(const Eigen::Vector3d& place, double radius, double length) const {
     for (int i = 0; i < size(); ++i) {
       const double rest = bound_[i] - length + radius;
@@ -49,7 +54,7 @@ class RequiredVertices {
     return false;
   }
   /// Whether paths with a length of at least `length` up to points at most `radius` from `place`
-  /// can become the shortest to a required vertex. Neither can a path be shorter than the straight
+  /// can become the shortest to a required place. Neither can a path be shorter than the straight
   /// line in space, nor can it lose its `excess` on the way: the amount by which it is longer than
   /// that of the nearest label.
   /// `without` are the indices of vertices that do not count, -1 for none.
