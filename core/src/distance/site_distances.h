@@ -72,7 +72,8 @@ class SiteDistances final : public DistanceField {
   EdgeBounds edgeBounds_;
   NearestBounds bounds_;
   std::unique_ptr<LabelSpread> spread_;
-  SurfacePoint unique(const SurfacePoint& p) const;
+  KnownLabels known_;
+  mutable PointDistances found_;
 
   // The change at hand.
   Stage stage_ = Stage::kDone;
