@@ -58,6 +58,13 @@ class DistanceField {
   /// counterclockwise. (1, 0) at the site itself; not a number where it is not known. O(1) with
   /// DGPC; with the exact metric, O(faces that the path crosses).
   virtual Eigen::Vector2d direction(int label, int vertex) const;
+  /// The shortest path from p to the site of a label: p first, then the crossings of edges in order,
+  /// each named in a face that the path runs through next or before, and the saddle vertices at which
+  /// it turns; the site last. Empty if the label is not known at p.
+  virtual std::vector<SurfacePoint> path(int label, const SurfacePoint& p) const {
+    (void)label, (void)p;
+    return {};
+  }
 };
 
 /// A propagation that can be done in slices, so that a caller keeps responding and can give up.
