@@ -267,11 +267,28 @@ const cases = Object.keys(triangulations).flatMap((triangulation, i) =>
   })),
 );
 
+/** The diagram of these sites, made at once or of most of them with the rest put in afterwards. */
+async function diagramOf(mesh, { face, bary }, isLive, options) {
+  if (!isLive) return mesh.voronoi({ face, bary }, options);
+  const first = Math.max(Math.ceil(face.length / 2), face.length - 10);
+  const diagram = await mesh.voronoi(
+    { face: face.slice(0, first), bary: bary.slice(0, 3 * first) },
+    options,
+  );
+  for (let i = first; i < face.length; ++i)
+    await diagram.insertSite({ face: [face[i]], bary: bary.slice(3 * i, 3 * i + 3) });
+  return diagram;
+}
+
+const kinds = ['exact', 'dgpc'].flatMap((metric) =>
+  [false, true].map((isLive) => ({ metric, isLive })),
+);
+
 for (const { triangulation, siteCount, domain: name, sites: kind, turned, detail, seed } of cases) {
   const space = turned ? ', turned in space' : '';
   const split = detail > 0 ? `, detail ${detail}` : '';
   const title = `${name} in ${triangulation}, ${siteCount} ${kind} sites${space}${split}`;
-  test(`the diagram is Euclidean: ${title}`, { timeout: 60_000 }, async ({ signal }) => {
+  test(`the diagram is Euclidean: ${title}`, { timeout: 60_000 }, async (t) => {
     const random = randomNumbers(seed);
     const domain = domains[name];
     const plane = triangulate(domain, triangulations[triangulation], random);
@@ -282,10 +299,14 @@ for (const { triangulation, siteCount, domain: name, sites: kind, turned, detail
     });
     const given = await sitesOf[kind](mesh, siteCount, random);
     const sites = positionsOf(plane, given);
-    const diagram = await mesh.voronoi(given, { detail, signal });
     const expected = euclideanDiagram(sites, domain);
-    checkAreas(diagram.data.regionArea, expected.areas, domain[0] * domain[1]);
-    checkVoronoiPoints(diagram.data, expected.voronoiPoints, place, domain);
-    await checkDistances(plane, diagram, sites, domain, random);
+    for (const { metric, isLive } of kinds) {
+      await t.test(`${metric}${isLive ? ', live' : ''}`, async () => {
+        const diagram = await diagramOf(mesh, given, isLive, { metric, detail, signal: t.signal });
+        checkAreas(diagram.data.regionArea, expected.areas, domain[0] * domain[1]);
+        checkVoronoiPoints(diagram.data, expected.voronoiPoints, place, domain);
+        await checkDistances(plane, diagram, sites, domain, random);
+      });
+    }
   });
 }

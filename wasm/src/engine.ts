@@ -128,7 +128,7 @@ export interface EngineSources {
 /** How long a slice of work may keep its thread from anything else. */
 const sliceMilliseconds = 12;
 /** Units of work between two looks at the clock: well below a slice, well above its price. */
-const unitsPerStep = 1024;
+const unitsPerStep = 256;
 /** About the distances' part of the time that a diagram takes; tracing it is the rest. */
 const distancesShare = 0.9;
 
