@@ -504,8 +504,8 @@ GVD_ABI Arrays* distancesAtVertices(const VoronoiHandle* voronoi) {
   });
 }
 
-/// face, bary, position of the shortest path from a point to its nearest site; nothing if no site
-/// reaches the point.
+/// face, bary, position of the points of the shortest path from a point to its nearest site, then its
+/// length; no points and infinity if no site reaches it.
 GVD_ABI Arrays* pathToSite(const VoronoiHandle* voronoi, int face, double b0, double b1,
                            double b2) {
   return guarded([&] {
@@ -518,6 +518,7 @@ GVD_ABI Arrays* pathToSite(const VoronoiHandle* voronoi, int face, double b0, do
     auto out = std::make_unique<Arrays>();
     addPoints(*out, mesh, path);
     out->add(positionsOf(mesh, path));
+    out->add(std::vector<double>{path.empty() ? kInfinity : lengthOf(mesh, path)});
     return out.release();
   });
 }

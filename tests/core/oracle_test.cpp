@@ -140,6 +140,23 @@ TEST_P(RandomMeshes, KnowTheOraclesDistancesAtVertices) {
   }
 }
 
+TEST_P(RandomMeshes, HavePathsAsLongAsTheOraclesDistances) {
+  for (int i = 0; i < static_cast<int>(points_.size()); ++i) {
+    const double distance = least(i);
+    if (distance == kInfinity) continue;
+    const auto path = field_->path(field_->nearest(points_[i]).label, points_[i]);
+    EXPECT_NEAR(lengthOf(mesh_, path), distance, kTolerance * distance) << "point " << i;
+  }
+  for (int v = 0; v < mesh_.vertexCount(); ++v) {
+    for (const LabelledDistance& known : field_->at(v)) {
+      const double distance = expectedAtVertices_[known.label][v];
+      const auto path = field_->path(known.label, vertexPoint(mesh_, v));
+      EXPECT_NEAR(lengthOf(mesh_, path), distance, kTolerance * distance)
+          << "site " << known.label << ", vertex " << v;
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomMeshes, ::testing::Range(0, 120));
 
 }  // namespace

@@ -257,7 +257,11 @@ test('path as JSON and OBJ', () => {
   assert.equal(path.points.position[0], 100);
   succeeds('path shape.glb --from sites.json --to to.json -o p.obj');
   const obj = read('p.obj').split('\n');
-  assert.equal(obj.filter((line) => line.startsWith('l ')).length, 2);
+  assert.equal(obj.filter((line) => line.startsWith('l ')).length, 1);
+  assert.deepEqual(
+    obj.filter((line) => line.startsWith('p ')),
+    ['p 4'],
+  );
   assert.equal(obj.filter((line) => line.startsWith('v ')).length, 3 + 1);
 });
 

@@ -128,7 +128,8 @@ for (const metric of ['exact', 'dgpc']) describe(`sites that come, go and move, 
     const before = diagram.data;
     const { label, labels, faces, part } = await diagram.moveSite(3, { vertex: [200] });
     assert.equal(label, 3);
-    assert.ok(labels.includes(3) && labels.length < 100);
+    // With dgpc, all labels that spread near paths along edges that have changed start anew.
+    assert.ok(labels.includes(3) && labels.length < (metric === 'exact' ? 50 : 150));
     assert.equal(part.faceLabel.length, faces.length);
     assert.equal(part.regionArea.length, labels.length);
     const changed = new Set(faces);

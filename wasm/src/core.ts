@@ -10,11 +10,11 @@ import type {
   Metric,
   Partition,
   PartitionOptions,
-  PlacedPoints,
   PolygonMesh,
   PolygonTopology,
   RemeshQuality,
   Sampling,
+  SurfacePath,
   SurfacePoints,
   VertexDistances,
   Violation,
@@ -260,12 +260,12 @@ export class Core {
   }
 
   /** From a point to its nearest site, by distances that are done. */
-  pathToSite(voronoi: VoronoiPointer, from: SurfacePoints): PlacedPoints {
+  pathToSite(voronoi: VoronoiPointer, from: SurfacePoints): SurfacePath {
     const [b0, b1, b2] = from.bary;
-    const [face, bary, position] = this.#wasm.arrays((core) =>
+    const [face, bary, position, [length]] = this.#wasm.arrays((core) =>
       core.pathToSite(voronoi, from.face[0], b0, b1, b2),
-    ) as [Int32Array, Float64Array, Float64Array];
-    return { face, bary, position };
+    ) as [Int32Array, Float64Array, Float64Array, Float64Array];
+    return { points: { face, bary, position }, length };
   }
 
   /** Begins the diagram of distances that are done. */

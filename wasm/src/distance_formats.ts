@@ -106,7 +106,7 @@ export function pathsJson(paths: readonly SurfacePath[], scale = 1): PathsJson {
   };
 }
 
-/** A polyline per path, in a group each. */
+/** A polyline per path, in a group each; a point where the path has no length. */
 export function pathsObj(paths: readonly SurfacePath[], scale = 1): string {
   const lines = ['# Shortest paths'];
   let count = 0;
@@ -116,7 +116,8 @@ export function pathsObj(paths: readonly SurfacePath[], scale = 1): string {
       const place = position.subarray(k, k + 3);
       lines.push(`v ${Array.from(place, (x) => scale * x).join(' ')}`);
     }
-    lines.push(`g path_${i}`, `l ${Array.from(face, () => ++count).join(' ')}`);
+    const element = face.length > 1 ? 'l' : 'p';
+    lines.push(`g path_${i}`, `${element} ${Array.from(face, () => ++count).join(' ')}`);
   });
   return `${lines.join('\n')}\n`;
 }

@@ -21,10 +21,10 @@ import type {
   Metric,
   Partition,
   PartitionOptions,
-  PlacedPoints,
   PolygonMesh,
   RemeshQuality,
   Sampling,
+  SurfacePath,
   SurfacePoints,
   TaskOptions,
   VertexDistances,
@@ -97,9 +97,9 @@ export interface Engine {
     from: SurfacePoints,
     to: SurfacePoints,
     task: TaskOptions,
-  ): Promise<PlacedPoints>;
+  ): Promise<SurfacePath>;
   /** `from` is one point, from which the path leads to its site. */
-  pathToSite(diagram: Handle, from: SurfacePoints): Promise<PlacedPoints>;
+  pathToSite(diagram: Handle, from: SurfacePoints): Promise<SurfacePath>;
   /** `site` is one point. */
   insertSite(diagram: Handle, site: SurfacePoints): Promise<DiagramChange>;
   moveSite(diagram: Handle, label: number, site: SurfacePoints): Promise<DiagramChange>;
@@ -237,7 +237,7 @@ export class LocalEngine implements Engine {
     from: SurfacePoints,
     to: SurfacePoints,
     task: TaskOptions,
-  ): Promise<PlacedPoints> {
+  ): Promise<SurfacePath> {
     const voronoi = await this.#spread(mesh, to, 'exact', task);
     const core = this.#open();
     try {
@@ -247,7 +247,7 @@ export class LocalEngine implements Engine {
     }
   }
 
-  async pathToSite(diagram: Handle, from: SurfacePoints): Promise<PlacedPoints> {
+  async pathToSite(diagram: Handle, from: SurfacePoints): Promise<SurfacePath> {
     return this.#open().pathToSite(pointerOf(this.#diagrams, diagram), from);
   }
 

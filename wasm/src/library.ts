@@ -41,7 +41,6 @@ import type {
   Metric,
   Partition,
   PartitionOptions,
-  PlacedPoints,
   PolygonMesh,
   Region,
   RemeshQuality,
@@ -181,7 +180,7 @@ class EngineDiagram implements Diagram {
 
   async path(point: SurfacePointsInput): Promise<SurfacePath> {
     const from = await resolvePoint(this.#kept, 'point', point);
-    return pathAlong(await this.#kept.engine.pathToSite(this.#kept.handle, from));
+    return this.#kept.engine.pathToSite(this.#kept.handle, from);
   }
 
   async partition(options: PartitionOptions = {}): Promise<Partition> {
@@ -321,7 +320,7 @@ class EngineMesh implements Mesh {
     const start = await resolvePoint(this.#kept, 'from', from);
     const end = await resolvePoint(this.#kept, 'to', to);
     const { engine, handle } = this.#kept;
-    return pathAlong(await engine.path(handle, start, end, { onProgress, signal }));
+    return engine.path(handle, start, end, { onProgress, signal });
   }
 
   async *cvt(
@@ -387,17 +386,6 @@ export class Library implements GeodesicVoronoi {
   [disposeSymbol](): void {
     this.dispose();
   }
-}
-
-/** A path by its points; Infinity for the length of one that there is not. */
-function pathAlong(points: PlacedPoints): SurfacePath {
-  const { position } = points;
-  let length = points.face.length > 0 ? 0 : Infinity;
-  for (let i = 3; i < position.length; i += 3) {
-    const step = [0, 1, 2].map((axis) => position[i + axis] - position[i - 3 + axis]);
-    length += Math.hypot(...step);
-  }
-  return { points, length };
 }
 
 /** One point, given as a list. */

@@ -159,11 +159,15 @@ export interface DistancesOptions extends TaskOptions {
 /** A path on the surface; without points, and of length Infinity, if there is none. */
 export interface SurfacePath {
   /**
-   * The start, the crossings of edges in order, each in terms of a triangle that the path runs through
-   * next or before, with the vertices at which it turns, and the end. Straight in between.
+   * The start, the crossings of edges and the vertices that the path meets, and the end; one point if the
+   * two are one. Each is in terms of a triangle that the path runs through, and between two of them it is
+   * straight, within a triangle.
    */
   points: PlacedPoints;
-  /** In the input's units. */
+  /**
+   * In the input's units. With the metric 'exact' this is the distance; that of 'dgpc' may be a little
+   * more or less.
+   */
   length: number;
 }
 

@@ -19,10 +19,10 @@ import type {
   Metric,
   Partition,
   PartitionOptions,
-  PlacedPoints,
   PolygonMesh,
   RemeshQuality,
   Sampling,
+  SurfacePath,
   SurfacePoints,
   TaskOptions,
   VertexDistances,
@@ -111,11 +111,11 @@ export class WorkerEngine implements Engine {
     from: SurfacePoints,
     to: SurfacePoints,
     task: TaskOptions,
-  ): Promise<PlacedPoints> {
+  ): Promise<SurfacePath> {
     return this.#request('path', [mesh, from, to], task);
   }
 
-  pathToSite(diagram: Handle, from: SurfacePoints): Promise<PlacedPoints> {
+  pathToSite(diagram: Handle, from: SurfacePoints): Promise<SurfacePath> {
     return this.#request('pathToSite', [diagram, from]);
   }
 

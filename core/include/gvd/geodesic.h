@@ -58,14 +58,20 @@ class DistanceField {
   /// counterclockwise. (1, 0) at the site itself; not a number where it is not known. O(1) with
   /// DGPC; with the exact metric, O(faces that the path crosses).
   virtual Eigen::Vector2d direction(int label, int vertex) const;
-  /// The shortest path from p to the site of a label: p first, then the crossings of edges in order,
-  /// each named in a face that the path runs through next or before, and the saddle vertices at which
-  /// it turns; the site last. Empty if the label is not known at p.
-  virtual std::vector<SurfacePoint> path(int label, const SurfacePoint& p) const {
-    (void)label, (void)p;
-    return {};
-  }
+  /// The shortest path from a point to a site: the point, every crossing of an edge, every vertex that
+  /// the path turns at or passes, the site as it was given. Crossings have an exact zero, vertices
+  /// are unit vectors; each is named in a face that the path runs through. Two points in succession
+  /// have a face in common, in which the path between them is straight. One point if `p` is at the
+  /// site; empty where `distance` is infinite and the site is not the nearest one. With the exact metric the path is as long as the
+  /// distance (`lengthOf`). With DGPC it follows from the distances at vertices, which never
+  /// promise that there is a path of that very length. O(vertices) to begin with, then
+  /// O(faces around the points of the path).
+  virtual std::vector<SurfacePoint> path(int label, const SurfacePoint& p) const;
 };
+
+/// The length of a path of straight pieces within faces, by the intrinsic lengths of edges; infinity
+/// if two points in succession have no face in common.
+double lengthOf(const TriangleMesh& mesh, std::span<const SurfacePoint> path);
 
 /// A propagation that can be done in slices, so that a caller keeps responding and can give up.
 class Propagation {

@@ -34,6 +34,10 @@ Eigen::Vector2d DistanceField::direction(int /*label*/, int /*vertex*/) const {
   return Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
 }
 
+std::vector<SurfacePoint> DistanceField::path(int /*label*/, const SurfacePoint& /*p*/) const {
+  return {};
+}
+
 std::unique_ptr<Propagation> propagate(const TriangleMesh& mesh,
                                        std::span<const SurfacePoint> sites, Metric metric,
                                        Spread spread) {

@@ -46,6 +46,8 @@ class LabelSpread {
   /// The direction at the site of the path to the vertex `reached(label)[index]`
   /// (`DistanceField::direction`).
   virtual Eigen::Vector2d direction(int label, int index) const = 0;
+  /// The path from a point where the label is known to its site (`DistanceField::path`).
+  virtual std::vector<SurfacePoint> path(int label, const SurfacePoint& p) const = 0;
 };
 
 }  // namespace gvd

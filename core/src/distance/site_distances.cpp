@@ -518,4 +518,9 @@ Eigen::Vector2d SiteDistances::direction(int label, int vertex) const {
   return index < 0 ? DistanceField::direction(label, vertex) : spread_->direction(label, index);
 }
 
+std::vector<SurfacePoint> SiteDistances::path(int label, const SurfacePoint& p) const {
+  if (!(distance(label, p) < kInfinity) && nearest(p).label != label) return {};
+  return spread_->path(label, p);
+}
+
 }  // namespace gvd

@@ -58,6 +58,7 @@ class SiteDistances final : public DistanceField {
   LabelledDistance nearest(const SurfacePoint& p) const override;
   double distance(int label, const SurfacePoint& p) const override;
   Eigen::Vector2d direction(int label, int vertex) const override;
+  std::vector<SurfacePoint> path(int label, const SurfacePoint& p) const override;
 
  private:
   /// The parts of a change, in order; the last three again while any distance is missing.

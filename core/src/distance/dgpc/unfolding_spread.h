@@ -39,6 +39,7 @@ class UnfoldingSpread final : public LabelSpread {
   double distance(int label, const SurfacePoint& p,
                   const std::array<double, 3>& atCorners) const override;
   Eigen::Vector2d direction(int label, int index) const override;
+  std::vector<SurfacePoint> path(int label, const SurfacePoint& p) const override;
 
  private:
   struct Label {

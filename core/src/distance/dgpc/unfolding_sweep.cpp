@@ -123,15 +123,20 @@ Vector2d UnfoldingSweep::directionToApex(const Unfolding& u, int tail, int tip) 
   return mean.squaredNorm() > 0 ? Vector2d(mean.normalized()) : turned(tail, u.toTail);
 }
 
-std::optional<Unfolding> unfold(const TriangleMesh::Face& face, int side, double atTail,
-                                double atTip) {
+std::optional<Vector2d> virtualSource(double length, double atTail, double atTip) {
   if (!(atTail < kInfinity && atTip < kInfinity)) return std::nullopt;
-  const double length = face.lengths[side];
   const double x = ((atTail - atTip) * (atTail + atTip) + length * length) / (2 * length);
   const double squaredY = atTail * atTail - x * x;
   if (squaredY < -kUnfoldingRounding * atTail * atTail) return std::nullopt;
-  const Vector2d source(x, -std::sqrt(std::max(squaredY, 0.0)));
-  const Unfolding u = {-source, Vector2d(length, 0) - source, apexOf(face, side) - source};
+  return Vector2d(x, -std::sqrt(std::max(squaredY, 0.0)));
+}
+
+std::optional<Unfolding> unfold(const TriangleMesh::Face& face, int side, double atTail,
+                                double atTip) {
+  const double length = face.lengths[side];
+  const std::optional<Vector2d> source = virtualSource(length, atTail, atTip);
+  if (!source) return std::nullopt;
+  const Unfolding u = {-*source, Vector2d(length, 0) - *source, apexOf(face, side) - *source};
   // The line from the source to the apex crosses the halfedge's line between its ends.
   const double slack = kUnfoldingRounding * length * u.toApex.y();
   if (cross(u.toApex, u.toTail) < -slack || cross(u.toTip, u.toApex) < -slack) return std::nullopt;

@@ -21,6 +21,10 @@ struct Unfolding {
   Eigen::Vector2d toTail, toTip, toApex;
 };
 
+/// The virtual source behind a halfedge of a length, from the ends of which it has these distances, in
+/// the coordinates of the halfedge (y <= 0); nothing if there is none.
+std::optional<Eigen::Vector2d> virtualSource(double length, double atTail, double atTip);
+
 /// The virtual source behind a side of a face that has these distances from its two ends, in the
 /// coordinates of the side; nothing unless it exists and sees the apex through the side.
 std::optional<Unfolding> unfold(const TriangleMesh::Face& face, int side, double atTail,

@@ -34,6 +34,7 @@ class WindowSpread final : public LabelSpread {
   double distance(int label, const SurfacePoint& p,
                   const std::array<double, 3>& atCorners) const override;
   Eigen::Vector2d direction(int label, int index) const override;
+  std::vector<SurfacePoint> path(int label, const SurfacePoint& p) const override;
 
  private:
   /// Windows of a label at a halfedge, in a list of those of all labels there.

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "distance/label_distances.h"
+#include "distance/path_points.h"
+#include "gvd/geodesic.h"
+#include "gvd/surface_point.h"
+#include "gvd/triangle_mesh.h"
+
+namespace gvd::dgpc {
+
+/// A path from a point back to the site of a label, near the shortest one. At every point the distances
+/// at the ends of the sides around it put virtual sources behind these, by unfolding as in the
+/// sweep; the path heads for the nearest one, or along an edge for a vertex, up to the side or the
+/// vertex, and looks again. What it estimates of the distance falls with every point. Where it does
+/// not, or nothing is in sight, the path goes on over a vertex; those come ever nearer to the site.
+class UnfoldingPath {
+ public:
+  UnfoldingPath(const TriangleMesh& mesh, const SurfacePoint& site,
+                std::span<const ReachedVertex> reached);
+
+  /// Empty if no path has been found.
+  std::vector<SurfacePoint> from(const SurfacePoint& p);
+
+ private:
+  /// Where to go next, and the distance from the site that this makes of the point at hand.
+  struct Step {
+    double distance = kInfinity;
+    SurfacePoint to;
+  };
+
+  bool goStraight();
+  bool goOverVertex();
+  bool goAlongEdges();
+  Step nearestCorner() const;
+  void offerSide(const SurfacePoint& place, int side, Step& best) const;
+
+  const TriangleMesh& mesh_;
+  PathPoints points_;
+  std::vector<double> distances_;  ///< at vertices, infinity where the label has not come to
+  double bound_ = kInfinity;       ///< the distance at the last vertex of the path
+};
+
+}  // namespace gvd::dgpc

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// This work is based on:
+// Joseph Mitchell, David Mount, Christos Papadimitriou. The Discrete Geodesic Problem. 1987
+#include "distance/exact/window_path.h"
+
+#include <algorithm>
+
+#include "base/plane.h"
+#include "distance/exact/window_spread.h"
+#include "distance/face_layout.h"
+#include "mesh/surface_geometry.h"
+
+namespace gvd::exact {
+namespace {
+
+using Eigen::Vector2d;
+
+/// A path over a vertex is as short as the straight line beside the vertex if it is longer by no more
+/// than this share: a hundredth of what tests ask for, some 10^4 times the rounding of distances.
+constexpr double kSameLength = 1e-11;
+/// How far a virtual source, unfolded face by face, may be from its vertex, as a share of the way
+/// to it. That the distances agree, too, decides.
+constexpr double kSourceError = 1e-6;
+
+}  // namespace
+
+WindowPath::WindowPath(const TriangleMesh& mesh, const SurfacePoint& site,
+                       const LabelWindows& label)
+    : mesh_(mesh), label_(label), points_(mesh, site), index_(mesh.vertexCount(), -1) {
+  for (size_t i = 0; i < label.vertices.size(); ++i)
+    index_[label.vertices[i].vertex] = static_cast<int>(i);
+}
+
+// --- The beginning -----------------------------------------------------------------------------
+
+void WindowPath::start(const SurfacePoint& p) {
+  points_.add(p);
+  visitPlaces(mesh_, p, [&](const SurfacePoint& place) {
+    for (int i = 0; i < 3; ++i) {
+      const Vector2d way = layOut(mesh_.face(place.face), 0, place.bary - Eigen::Vector3d::Unit(i));
+      least_ = std::min(least_, distanceAt(mesh_.tail(3 * place.face + i)) + way.norm());
+    }
+  });
+}
+
+void WindowPath::offer(const Window& w, int halfedge, const SurfacePoint& place) {
+  const Vector2d p = layOut(mesh_.face(place.face), halfedge % 3, place.bary);
+  const double distance = w.distance(p.x(), p.y());
+  if (!(distance < least_)) return;
+  least_ = distance;
+  first_ = {halfedge, std::clamp(w.crossing(p.x(), p.y()), w.begin, w.end), {w.x, w.y},
+            w.sourceDistance};
+}
+
+std::vector<SurfacePoint> WindowPath::take() {
+  int vertex = vertexAt(mesh_, points_.last());
+  if (vertex < 0) {
+    if (points_.endAtSite()) return points_.take();
+    vertex = first_.halfedge >= 0 ? follow(first_) : nearestVertex();
+  }
+  while (vertex >= 0) {
+    points_.add(pointAtVertex(mesh_, vertex));
+    if (points_.endAtSite()) return points_.take();
+    if (index_[vertex] < 0) return {};
+    bound_ = distanceAt(vertex);
+    vertex = follow(lineFrom(vertex));
+  }
+  if (vertex == kLost) return {};
+  return points_.take();
+}
+
+/// The last piece of the path to a vertex. Its face does not have the site.
+WindowPath::Line WindowPath::lineFrom(int vertex) const {
+  const LastPiece& piece = label_.pieces[index_[vertex]];
+  const TriangleMesh::Face& face = mesh_.face(piece.arrival / 3);
+  const int i = piece.arrival % 3;
+  const Vector2d apex = apexOf(face, i);
+  const Vector2d crossing(std::clamp(piece.crossing, 0.0, face.lengths[i]), 0);
+  const double length = distanceAt(vertex) - piece.sourceDistance;
+  return {piece.arrival, crossing.x(), apex + (crossing - apex).normalized() * length,
+          piece.sourceDistance};
+}
+
+// --- A straight line ---------------------------------------------------------------------------
+
+/// Adds the points of a line up to the vertex at which it ends, which is returned, or up to the site.
+/// A line that misses its source by rounding ends at a vertex beside it.
+int WindowPath::follow(Line line) {
+  for (int crossed = 0; crossed <= mesh_.faceCount(); ++crossed) {
+    points_.add(pointOnHalfedge(mesh_, line.halfedge, line.along));
+    const int passed = vertexAt(mesh_, points_.last());
+    if (passed >= 0 && leadsOn(passed, line.distance())) return passed;
+    if (points_.endAtSite()) return kAtSite;
+    if (!enterFace(line)) break;
+    if (const int source = sourceAt(line); source >= 0) return source;
+    if (!crossFace(line)) break;
+  }
+  return nearestVertex();
+}
+
+/// Turns to the face behind the halfedge: its source lies at y > 0 then.
+bool WindowPath::enterFace(Line& line) const {
+  const int twin = mesh_.twin(line.halfedge);
+  if (twin < 0) return false;
+  const double length = mesh_.length(line.halfedge);
+  line.halfedge = twin;
+  line.along = length - line.along;
+  line.source = Vector2d(length, 0) - line.source;
+  return true;
+}
+
+/// The apex of the face that a line has entered, if the line ends there; else -1.
+int WindowPath::sourceAt(const Line& line) const {
+  const TriangleMesh::Face& face = mesh_.face(line.halfedge / 3);
+  const int i = line.halfedge % 3;
+  const Vector2d from(line.along, 0), apex = apexOf(face, i);
+  if ((line.source - apex).norm() > kSourceError * (line.source - from).norm()) return -1;
+  const int vertex = face.vertices[cornerBefore(i)];
+  return leadsOn(vertex, line.distance() - (apex - from).norm()) ? vertex : -1;
+}
+
+/// Goes on to the side by which a line leaves the face that it has entered; false if it ends there.
+/// The line is aimed at its source anew in each face, so that it stays within the faces it has met,
+/// should rounding put it on the wrong side of a vertex.
+bool WindowPath::crossFace(Line& line) const {
+  const TriangleMesh::Face& face = mesh_.face(line.halfedge / 3);
+  const int i = line.halfedge % 3;
+  const Vector2d tail(0, 0), tip(face.lengths[i], 0), apex = apexOf(face, i);
+  const Vector2d from(line.along, 0);
+  const bool isLeft = cross(apex - from, line.source - from) > 0;
+  const int side = isLeft ? cornerBefore(i) : cornerAfter(i);
+  const Vector2d origin = isLeft ? apex : tip;
+  const double length = face.lengths[side];
+  const Vector2d axis = ((isLeft ? tail : apex) - origin) / length;
+  const Vector2d here = turnedBackBy(from - origin, axis);
+  const Vector2d source = turnedBackBy(line.source - origin, axis);
+  if (!(source.y() < 0)) return false;
+  const double height = std::max(here.y(), 0.0);
+  const double crossing = here.x() + (source.x() - here.x()) * (height / (height - source.y()));
+  line.halfedge = 3 * (line.halfedge / 3) + side;
+  line.along = std::clamp(crossing, 0.0, length);
+  line.source = source;
+  return true;
+}
+
+/// Whether the path may go on from a vertex that is so far from the site along the line.
+bool WindowPath::leadsOn(int vertex, double distance) const {
+  const double known = distanceAt(vertex);
+  return known < bound_ && known <= distance + kSameLength * least_;
+}
+
+/// The vertex over which the path from its last point is shortest, of those in the same faces.
+int WindowPath::nearestVertex() const {
+  int nearest = kLost;
+  double least = kInfinity;
+  visitPlaces(mesh_, points_.last(), [&](const SurfacePoint& place) {
+    for (int i = 0; i < 3; ++i) {
+      const int vertex = mesh_.tail(3 * place.face + i);
+      const Vector2d way = layOut(mesh_.face(place.face), 0, place.bary - Eigen::Vector3d::Unit(i));
+      const double distance = distanceAt(vertex) + way.norm();
+      if (!(distanceAt(vertex) < bound_ && distance < least)) continue;
+      least = distance;
+      nearest = vertex;
+    }
+  });
+  return nearest;
+}
+
+// --- The path of a label -----------------------------------------------------------------------
+
+std::vector<SurfacePoint> WindowSpread::path(int label, const SurfacePoint& p) const {
+  WindowPath path(mesh_, sites_[label], labels_[label]);
+  path.start(p);
+  visitPlaces(mesh_, p, [&](const SurfacePoint& place) {
+    for (int i = 0; i < 3; ++i) {
+      if (place.bary[cornerBefore(i)] == 0) continue;  // on the side: the face beyond tells
+      for (int e = firstEntry_[3 * place.face + i]; e >= 0; e = entries_[e].next)
+        if (entries_[e].label == label)
+          labels_[label].visitWindows(entries_[e].firstBlock, [&](const Window& w) {
+            path.offer(w, 3 * place.face + i, place);
+          });
+    }
+  });
+  return path.take();
+}
+
+}  // namespace gvd::exact

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "distance/exact/label_windows.h"
+#include "distance/path_points.h"
+#include "gvd/surface_point.h"
+#include "gvd/triangle_mesh.h"
+
+namespace gvd::exact {
+
+/// The shortest path from a point back to the site of a label (Mitchell et al. 1987, §3.5). Nothing
+/// points backwards: between the vertices at which it turns the path is a straight line of the
+/// unfolded faces, of which the virtual source is known, and which is followed from face to face.
+class WindowPath {
+ public:
+  WindowPath(const TriangleMesh& mesh, const SurfacePoint& site, const LabelWindows& label);
+
+  /// Begins the path at a point.
+  void start(const SurfacePoint& p);
+  /// Offers a window of a face that the point lies in; `place` is the point in terms of that face.
+  void offer(const Window& w, int halfedge, const SurfacePoint& place);
+  /// The path by the best of the windows offered, of the corners around the point, and of the
+  /// straight line in a face. Empty if none leads to the site.
+  std::vector<SurfacePoint> take();
+
+ private:
+  /// What is left of a straight line: from a point of a halfedge to a virtual source, in the
+  /// coordinates of the halfedge, behind which (y < 0) the source lies.
+  struct Line {
+    int halfedge = -1;
+    double along;  ///< the point, from the halfedge's tail
+    Eigen::Vector2d source;
+    double sourceDistance;
+
+    double distance() const {
+      return sourceDistance + (source - Eigen::Vector2d(along, 0)).norm();
+    }
+  };
+  /// What following a line comes to, unless it is a vertex.
+  enum : int { kAtSite = -1, kLost = -2 };
+
+  int follow(Line line);
+  Line lineFrom(int vertex) const;
+  bool enterFace(Line& line) const;
+  bool crossFace(Line& line) const;
+  int sourceAt(const Line& line) const;
+  bool leadsOn(int vertex, double distance) const;
+  int nearestVertex() const;
+
+  double distanceAt(int vertex) const {
+    return index_[vertex] < 0 ? kInfinity : label_.vertices[index_[vertex]].distance;
+  }
+
+  const TriangleMesh& mesh_;
+  const LabelWindows& label_;
+  PathPoints points_;
+  std::vector<int> index_;  ///< of each vertex among those that the label has reached, -1
+  /// The vertices at which the path turns or passes come ever nearer to the site: it ends.
+  double bound_ = kInfinity;
+  // The best beginning.
+  double least_ = kInfinity;
+  Line first_;
+};
+
+}  // namespace gvd::exact

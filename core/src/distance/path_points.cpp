@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "distance/path_points.h"
+
+#include <algorithm>
+
+#include "gvd/geodesic.h"
+#include "mesh/surface_geometry.h"
+
+namespace gvd {
+namespace {
+
+/// What is closer to a vertex than this share of an edge is at the vertex: some thousand times the
+/// rounding of a coordinate.
+constexpr double kSnap = 1e-12;
+
+}  // namespace
+
+SurfacePoint pointAtVertex(const TriangleMesh& mesh, int vertex) {
+  const int h = mesh.outgoing(vertex);
+  return {TriangleMesh::faceOf(h), Eigen::Vector3d::Unit(h % 3)};
+}
+
+SurfacePoint pointOnHalfedge(const TriangleMesh& mesh, int halfedge, double along) {
+  const int i = halfedge % 3;
+  double share = along / mesh.length(halfedge);
+  if (!(share > kSnap)) share = 0;
+  if (!(share < 1 - kSnap)) share = 1;
+  SurfacePoint p{TriangleMesh::faceOf(halfedge), Eigen::Vector3d::Zero()};
+  p.bary[i] = 1 - share;
+  p.bary[cornerAfter(i)] = share;
+  return p;
+}
+
+double lengthBetween(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b) {
+  double least = kInfinity;
+  visitPlaces(mesh, a, [&](const SurfacePoint& from) {
+    visitPlaces(mesh, b, [&](const SurfacePoint& to) {
+      if (from.face == to.face)
+        least = std::min(least, layOut(mesh.face(from.face), 0, to.bary - from.bary).norm());
+    });
+  });
+  return least;
+}
+
+double lengthOf(const TriangleMesh& mesh, std::span<const SurfacePoint> path) {
+  double length = 0;
+  for (size_t i = 1; i < path.size(); ++i) length += lengthBetween(mesh, path[i - 1], path[i]);
+  return length;
+}
+
+PathPoints::PathPoints(const TriangleMesh& mesh, const SurfacePoint& site)
+    : mesh_(mesh), site_(site), siteVertex_(vertexAt(mesh, site)) {
+  int count = 0;
+  if (siteVertex_ < 0)
+    visitPlaces(mesh, site, [&](const SurfacePoint& place) { siteFaces_[count++] = place.face; });
+}
+
+void PathPoints::add(const SurfacePoint& p) {
+  if (points_.empty() || lengthBetween(mesh_, points_.back(), p) > 0) points_.push_back(p);
+}
+
+bool PathPoints::endAtSite() {
+  if (!isBesideSite(last())) return false;
+  // The site as it was given, also if a point at its place has been named in another face.
+  if (points_.size() > 1 && lengthBetween(mesh_, last(), site_) == 0) points_.pop_back();
+  add(site_);
+  return true;
+}
+
+bool PathPoints::isBesideSite(const SurfacePoint& p) const {
+  bool isBeside = false;
+  visitPlaces(mesh_, p, [&](const SurfacePoint& place) { isBeside |= hasSite(place.face); });
+  return isBeside;
+}
+
+/// Whether a face has the site in it, on a side or at a corner.
+bool PathPoints::hasSite(int face) const {
+  if (siteVertex_ < 0) return face == siteFaces_[0] || face == siteFaces_[1];
+  const auto& corners = mesh_.face(face).vertices;
+  return std::find(corners.begin(), corners.end(), siteVertex_) != corners.end();
+}
+
+}  // namespace gvd

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "distance/face_layout.h"
+#include "gvd/surface_point.h"
+#include "gvd/triangle_mesh.h"
+
+namespace gvd {
+
+// What paths along the surface are made of, whatever the metric.
+
+/// Calls `visit` with a point in terms of every face that has it.
+template <class Visit>
+void visitPlaces(const TriangleMesh& mesh, const SurfacePoint& p, Visit visit) {
+  const Incidence place = incidenceOf(p.bary);
+  if (place.corner >= 0) {
+    const int first = mesh.outgoing(mesh.tail(3 * p.face + place.corner));
+    int h = first;
+    do {
+      visit(SurfacePoint{TriangleMesh::faceOf(h), Eigen::Vector3d::Unit(h % 3)});
+      h = mesh.rotate(h);
+    } while (h >= 0 && h != first);
+    return;
+  }
+  visit(p);
+  const int h = 3 * p.face + place.side;
+  if (place.side >= 0 && mesh.twin(h) >= 0) visit(acrossEdge(mesh, p, h));
+}
+
+/// A vertex, named in one of the faces around it.
+SurfacePoint pointAtVertex(const TriangleMesh& mesh, int vertex);
+
+/// A point of a halfedge, so far from its tail, named in the halfedge's face. What is beside an end
+/// by rounding only is the vertex itself.
+SurfacePoint pointOnHalfedge(const TriangleMesh& mesh, int halfedge, double along);
+
+/// The length of the straight piece between two points of one face; infinity if no face has both.
+double lengthBetween(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b);
+
+/// A path in the making, which ends at a site. A point at the place of the one before is left out.
+class PathPoints {
+ public:
+  PathPoints(const TriangleMesh& mesh, const SurfacePoint& site);
+
+  void add(const SurfacePoint& p);
+  const SurfacePoint& last() const { return points_.back(); }
+  /// Ends the path if the last point and the site have a face in common, which the piece between
+  /// them runs through: nothing is shorter than a straight line.
+  bool endAtSite();
+  /// Whether a point and the site have a face in common.
+  bool isBesideSite(const SurfacePoint& p) const;
+
+  size_t size() const { return points_.size(); }
+  /// Takes back all points but the first ones.
+  void shrinkTo(size_t size) { points_.resize(size); }
+  std::vector<SurfacePoint> take() { return std::move(points_); }
+
+ private:
+  bool hasSite(int face) const;
+
+  const TriangleMesh& mesh_;
+  const SurfacePoint site_;
+  int siteVertex_ = -1;
+  int siteFaces_[2] = {-1, -1};  ///< unless the site is a vertex
+  std::vector<SurfacePoint> points_;
+};
+
+}  // namespace gvd

@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: MIT
+//
+// Paths to sites. That the distances are right is tested elsewhere; here, that the paths are as long.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gvd/geodesic.h"
+#include "gvd/sampling.h"
+#include "mechanical_shapes.h"
+#include "random_case.h"
+#include "shapes.h"
+
+namespace gvd {
+namespace {
+
+constexpr double kTolerance = 1e-9;
+
+using Path = std::vector<SurfacePoint>;
+
+std::unique_ptr<DistanceField> fieldOf(const TriangleMesh& mesh,
+                                       const std::vector<SurfacePoint>& sites, Metric metric) {
+  const auto propagation = propagate(mesh, sites, metric);
+  while (!propagation->step(std::numeric_limits<long>::max())) {
+  }
+  return propagation->take();
+}
+
+SurfacePoint atVertex(const TriangleMesh& mesh, int v) {
+  const int h = mesh.outgoing(v);
+  return {TriangleMesh::faceOf(h), Eigen::Vector3d::Unit(h % 3)};
+}
+
+/// The vertices and random points, in faces and on edges.
+std::vector<SurfacePoint> pointsOf(const TriangleMesh& mesh, int count, int seed) {
+  std::vector<SurfacePoint> points = sampleUniform(mesh, count, seed);
+  for (int i = 0; i < count; i += 3) {
+    points[i].bary[i / 3 % 3] = 0;
+    points[i].bary /= points[i].bary.sum();
+  }
+  for (int v = 0; v < mesh.vertexCount(); ++v) points.push_back(atVertex(mesh, v));
+  return points;
+}
+
+/// In faces, on edges and at vertices.
+std::vector<SurfacePoint> sitesOf(const TriangleMesh& mesh, int count, int seed) {
+  std::vector<SurfacePoint> sites = sampleUniform(mesh, count, seed);
+  for (int i = 0; i < count; ++i) {
+    if ((seed + i) % 3 == 1) {
+      sites[i].bary[i % 3] = 0;
+      sites[i].bary /= sites[i].bary.sum();
+    } else if ((seed + i) % 3 == 2) {
+      sites[i].bary = Eigen::Vector3d::Unit(i % 3);
+    }
+  }
+  return sites;
+}
+
+bool isSame(const SurfacePoint& a, const SurfacePoint& b) {
+  return a.face == b.face && a.bary == b.bary;
+}
+
+/// Whether a path begins and ends where it should, all between are crossings or vertices, and none is
+/// met twice in succession. That points in succession share a face shows in a finite length.
+void expectPolyline(const TriangleMesh& mesh, const Path& path, const SurfacePoint& from,
+                    const SurfacePoint& site) {
+  ASSERT_FALSE(path.empty());
+  EXPECT_TRUE(isSame(path.front(), from));
+  if (path.size() > 1) {
+    EXPECT_TRUE(isSame(path.back(), site));
+  }
+  EXPECT_LT(lengthOf(mesh, path), kInfinity);
+  for (size_t i = 1; i < path.size(); ++i) EXPECT_GT(lengthOf(mesh, {&path[i - 1], 2}), 0);
+  for (size_t i = 1; i + 1 < path.size(); ++i) {
+    EXPECT_LE(path[i].bary.minCoeff(), 0);
+    EXPECT_GE(path[i].bary.minCoeff(), 0);
+    EXPECT_NEAR(path[i].bary.sum(), 1, 1e-15);
+  }
+}
+
+/// Checks the exact paths of all points to their nearest sites. Returns how many there are.
+int checkExact(const TriangleMesh& mesh, const std::vector<SurfacePoint>& sites,
+               const std::vector<SurfacePoint>& points) {
+  const auto field = fieldOf(mesh, sites, Metric::kExact);
+  int count = 0;
+  for (const SurfacePoint& p : points) {
+    const LabelledDistance nearest = field->nearest(p);
+    if (nearest.label < 0) {
+      EXPECT_TRUE(field->path(0, p).empty());
+      continue;
+    }
+    ++count;
+    const Path path = field->path(nearest.label, p);
+    expectPolyline(mesh, path, p, sites[nearest.label]);
+    EXPECT_NEAR(lengthOf(mesh, path), nearest.distance, kTolerance * nearest.distance)
+        << "from face " << p.face << ", " << p.bary.transpose();
+  }
+  return count;
+}
+
+/// Sums over paths of DGPC.
+struct Lengths {
+  double relative = 0;  ///< of | length - distance | / distance
+  int count = 0;
+  double worst = 0;
+};
+
+void addApproximate(const TriangleMesh& mesh, const std::vector<SurfacePoint>& sites,
+                    const std::vector<SurfacePoint>& points, Lengths& lengths) {
+  const auto field = fieldOf(mesh, sites, Metric::kDgpc);
+  for (const SurfacePoint& p : points) {
+    const LabelledDistance nearest = field->nearest(p);
+    if (nearest.label < 0) continue;
+    const Path path = field->path(nearest.label, p);
+    if (path.empty()) printf("DBG face %d: %g %g %g label %d dist %g %g\n", p.face, p.bary[0],p.bary[1],p.bary[2], nearest.label, nearest.distance, field->distance(nearest.label,p));
+    if (path.empty()) for (int i=0;i<3;++i) { printf(" corner:"); for (auto& d: field->at(mesh.tail(3*p.face+i))) printf(" %d:%g", d.label,d.distance); puts(""); }
+    expectPolyline(mesh, path, p, sites[nearest.label]);
+    if (!(nearest.distance > 1e-9)) continue;
+    lengths.relative += std::abs(lengthOf(mesh, path) - nearest.distance) / nearest.distance;
+    ++lengths.count;
+    lengths.worst = std::max(lengths.worst, std::abs(lengthOf(mesh, path) - nearest.distance) / nearest.distance);
+  }
+}
+
+/// Saddles, inner corners, boundaries with holes, closed surfaces, much refined and thin faces.
+std::vector<TriangleMesh> meshes() {
+  std::vector<TriangleMesh> result = {
+      shapes::subdivided(shapes::subdivided(shapes::vertexFan(8, 8.5))).mesh(),
+      shapes::ell(3).mesh(),
+      shapes::spiral(30).mesh(),
+      shapes::annulus(12, 3).mesh(),
+      shapes::gradedDisk(20, 8, 0.5).mesh(),
+      shapes::withoutRandomFaces(shapes::icosphere(2), 40, 5).mesh(),
+      shapes::perforatedPlate(3, 2).mesh(),
+      shapes::bumpySurface(2, 2, 0.5, 7).mesh(),
+      shapes::torus(16, 10).mesh(),
+      shapes::cube().mesh(),
+      shapes::cylinder(9, 5).mesh()};
+  for (int seed = 0; seed < 60; ++seed) result.push_back(shapes::randomMesh(seed));
+  return result;
+}
+
+TEST(ExactPath, IsAsLongAsTheDistance) {
+  int seed = 0;
+  for (const TriangleMesh& mesh : meshes()) {
+    SCOPED_TRACE("mesh " + std::to_string(seed));
+    for (const int count : {1, 5}) {
+      const int checked =
+          checkExact(mesh, sitesOf(mesh, count, seed), pointsOf(mesh, 60, seed + 100));
+      EXPECT_GT(checked, 0);
+    }
+    ++seed;
+  }
+}
+
+/// Symmetric, folded, of needles, of loose triangles; sites on top of each other.
+TEST(ExactPath, IsAsLongAsTheDistanceInDegenerateCases) {
+  for (int seed = 0; seed < 400; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const RandomCase random = randomCase(seed);
+    const TriangleMesh mesh = random.mesh();
+    checkExact(mesh, random.sitesOn(mesh), pointsOf(mesh, 20, seed));
+  }
+}
+
+TEST(ExactPath, IsAsLongAsTheDistanceOnMechanicalParts) {
+  for (const auto& part : shapes::mechanicalShapes()) {
+    SCOPED_TRACE(part.name);
+    const TriangleMesh mesh = part.shape.mesh();
+    if (mesh.faceCount() > 4000) continue;
+    checkExact(mesh, sitesOf(mesh, 3, 1), pointsOf(mesh, 60, 2));
+  }
+}
+
+/// Also to sites that are not the nearest, as far as they are known.
+TEST(ExactPath, LeadsToEveryKnownSite) {
+  for (int seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const TriangleMesh mesh = shapes::randomMesh(seed);
+    const auto sites = sitesOf(mesh, 6, seed);
+    const auto field = fieldOf(mesh, sites, Metric::kExact);
+    for (int v = 0; v < mesh.vertexCount(); ++v)
+      for (const LabelledDistance& known : field->at(v)) {
+        const Path path = field->path(known.label, atVertex(mesh, v));
+        expectPolyline(mesh, path, atVertex(mesh, v), sites[known.label]);
+        EXPECT_NEAR(lengthOf(mesh, path), known.distance, kTolerance * known.distance);
+      }
+  }
+}
+
+TEST(ExactPath, TurnsAtTheInnerCornerOfAnL) {
+  for (int n = 1; n < 6; ++n) {
+    const TriangleMesh mesh = shapes::ell(n).mesh();
+    const auto vertexAt = [&](double x, double y) {
+      for (int v = 0; v < mesh.vertexCount(); ++v)
+        if ((mesh.position(v) - Eigen::Vector3d(x, y, 0)).norm() < 1e-12) return v;
+      return -1;
+    };
+    for (const auto& [from, to] : {std::pair(std::array{2.0, 1.0}, std::array{1.0, 2.0}),
+                                   std::pair(std::array{2.0, 0.0}, std::array{0.0, 2.0})}) {
+      const int a = vertexAt(from[0], from[1]), b = vertexAt(to[0], to[1]);
+      ASSERT_TRUE(a >= 0 && b >= 0);
+      const auto field = fieldOf(mesh, {atVertex(mesh, b)}, Metric::kExact);
+      const Path path = field->path(0, atVertex(mesh, a));
+      const double expected = from[1] == 1 ? 2 : 2 * std::sqrt(2.0);
+      EXPECT_NEAR(lengthOf(mesh, path), expected, 1e-14);
+      const int corner = vertexAt(1, 1);
+      EXPECT_TRUE(std::any_of(path.begin(), path.end(), [&](const SurfacePoint& p) {
+        for (int i = 0; i < 3; ++i)
+          if (p.bary[i] == 1 && mesh.tail(3 * p.face + i) == corner) return true;
+        return false;
+      }));
+    }
+  }
+}
+
+TEST(ExactPath, CrossesTheEdgesOfACube) {
+  const TriangleMesh mesh = shapes::cube().mesh();
+  // From the middle of one face to that of a neighbour: straight across the middle of their edge.
+  const auto middles = [&](int axis, double side) {
+    std::vector<SurfacePoint> points;
+    for (int f = 0; f < mesh.faceCount(); ++f)
+      for (int i = 0; i < 3; ++i) {
+        SurfacePoint p{f, Eigen::Vector3d(0.5, 0.5, 0.5)};
+        p.bary[i] = 0;
+        Eigen::Vector3d middle(0.5, 0.5, 0.5);
+        middle[axis] = side;
+        if ((mesh.position(p) - middle).norm() < 1e-12) points.push_back(p);
+      }
+    return points;
+  };
+  const std::vector<SurfacePoint> top = middles(2, 1), beside = middles(0, 1);
+  ASSERT_EQ(top.size(), 2u);  // on the diagonal of the square, named in both faces
+  ASSERT_EQ(beside.size(), 2u);
+  for (const SurfacePoint& site : top) {
+    const auto field = fieldOf(mesh, {site}, Metric::kExact);
+    for (const SurfacePoint& p : beside) {
+      const Path path = field->path(0, p);
+      expectPolyline(mesh, path, p, site);
+      ASSERT_EQ(path.size(), 3u);
+      EXPECT_NEAR((mesh.position(path[1]) - Eigen::Vector3d(1, 0.5, 1)).norm(), 0, 1e-15);
+      EXPECT_NEAR(lengthOf(mesh, path), 1, 1e-15);
+    }
+  }
+}
+
+class PathByBoth : public ::testing::TestWithParam<Metric> {};
+
+TEST_P(PathByBoth, IsStraightInTheSitesFace) {
+  const TriangleMesh mesh = shapes::icosphere(1).mesh();
+  const SurfacePoint site{3, {0.2, 0.3, 0.5}};
+  const auto field = fieldOf(mesh, {site}, GetParam());
+  for (const Eigen::Vector3d& bary :
+       {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0.5, 0.5, 0), Eigen::Vector3d(0.1, 0.2, 0.7)}) {
+    const Path path = field->path(0, {3, bary});
+    ASSERT_EQ(path.size(), 2u);
+    EXPECT_TRUE(isSame(path[0], {3, bary}));
+    EXPECT_TRUE(isSame(path[1], site));
+  }
+}
+
+/// Whichever face names them.
+TEST_P(PathByBoth, IsOnePointAtTheSite) {
+  const TriangleMesh mesh = shapes::grid(3, 3).mesh();
+  for (const SurfacePoint& site :
+       {SurfacePoint{4, {0.2, 0.3, 0.5}}, SurfacePoint{4, {0.25, 0.75, 0}},
+        SurfacePoint{4, {0, 0.5, 0.5}}, SurfacePoint{4, {0.25, 0, 0.75}},
+        SurfacePoint{4, {1, 0, 0}}}) {
+    const auto field = fieldOf(mesh, {site}, GetParam());
+    const Path path = field->path(0, site);
+    ASSERT_EQ(path.size(), 1u);
+    EXPECT_TRUE(isSame(path[0], site));
+    for (int h = 0; h < mesh.halfedgeCount(); ++h) {
+      SurfacePoint p{TriangleMesh::faceOf(h), Eigen::Vector3d::Zero()};
+      const Eigen::Vector3d place = mesh.position(site);
+      const double length = mesh.length(h);
+      const double share = (place - mesh.position(mesh.tail(h))).norm() / length;
+      p.bary[h % 3] = 1 - share;
+      p.bary[(h + 1) % 3] = share;
+      if (share > 1 || (mesh.position(p) - place).norm() > 1e-12) continue;
+      EXPECT_LT(lengthOf(mesh, field->path(0, p)), 1e-12);
+    }
+  }
+}
+
+TEST_P(PathByBoth, IsEmptyWhereTheSiteIsNotKnown) {
+  const TriangleMesh mesh =
+      shapes::joined(shapes::cube(), shapes::moved(shapes::cube(), {9, 0, 0})).mesh();
+  const auto field = fieldOf(mesh, {{0, {1, 0, 0}}}, GetParam());
+  EXPECT_TRUE(field->path(0, {mesh.faceCount() - 1, {0, 0, 1}}).empty());
+  EXPECT_TRUE(field->path(0, {mesh.faceCount() - 1, {0.2, 0.2, 0.6}}).empty());
+  EXPECT_TRUE(field->path(1, {0, {0.2, 0.2, 0.6}}).empty());
+}
+
+TEST_P(PathByBoth, IsStraightInThePlane) {
+  const TriangleMesh mesh = shapes::grid(12, 9, 0.2, 3).mesh();
+  for (const SurfacePoint& site : sitesOf(mesh, 9, 4)) {
+    const auto field = fieldOf(mesh, {site}, GetParam());
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+      const Path path = field->path(0, atVertex(mesh, v));
+      expectPolyline(mesh, path, atVertex(mesh, v), site);
+      const double expected = (mesh.position(v) - mesh.position(site)).norm();
+      EXPECT_NEAR(lengthOf(mesh, path), expected, 1e-7 * expected);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, PathByBoth, ::testing::Values(Metric::kExact, Metric::kDgpc));
+
+TEST(ApproximatePath, IsAboutAsLongAsTheDistance) {
+  int seed = 0;
+  Lengths all;
+  for (const TriangleMesh& mesh : meshes()) {
+    SCOPED_TRACE("mesh " + std::to_string(seed));
+    for (const int count : {1, 5})
+      addApproximate(mesh, sitesOf(mesh, count, seed), pointsOf(mesh, 60, seed + 100), all);
+    ++seed;
+  }
+  EXPECT_GT(all.count, 5000);
+  EXPECT_LT(all.relative / all.count, 0.1);
+  RecordProperty("worst", std::to_string(all.worst));
+  RecordProperty("mean", std::to_string(all.relative / all.count));
+}
+
+TEST(ApproximatePath, IsAPathInDegenerateCases) {
+  for (int seed = 0; seed < 400; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const RandomCase random = randomCase(seed);
+    const TriangleMesh mesh = random.mesh();
+    Lengths lengths;
+    addApproximate(mesh, random.sitesOn(mesh), pointsOf(mesh, 20, seed), lengths);
+  }
+}
+
+TEST(PathLength, IsInfiniteWhereNoFaceIsShared) {
+  const TriangleMesh mesh = shapes::cube().mesh();
+  const std::vector<SurfacePoint> apart = {{0, {0.3, 0.3, 0.4}}, {11, {0.3, 0.3, 0.4}}};
+  EXPECT_EQ(lengthOf(mesh, apart), kInfinity);
+  EXPECT_EQ(lengthOf(mesh, {}), 0);
+}
+
+}  // namespace
+}  // namespace gvd
