@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // In the plane exact distances leave nothing to approximate: however a convex domain is triangulated,
-// the diagram is the Euclidean one, clipped, made at once or site by site. d3-delaunay knows which sites are neighbours there, and where the Voronoi
-// points are.
+// the diagram is the Euclidean one, clipped, made at once or site by site. d3-delaunay knows which
+// sites are neighbours there, and where the Voronoi points are. DGPC comes close.
 
 import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
