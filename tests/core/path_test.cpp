@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Paths to sites. That the distances are right is tested elsewhere; here, that the paths are as long.
+// Paths to sites. That the distances are right is tested elsewhere; here, that the paths are as
+// long.
 
 #include <gtest/gtest.h>
 
@@ -66,8 +67,8 @@ bool isSame(const SurfacePoint& a, const SurfacePoint& b) {
   return a.face == b.face && a.bary == b.bary;
 }
 
-/// Whether a path begins and ends where it should, all between are crossings or vertices, and none is
-/// met twice in succession. That points in succession share a face shows in a finite length.
+/// Whether a path begins and ends where it should, all between are crossings or vertices, and none
+/// is met twice in succession. That points in succession share a face shows in a finite length.
 void expectPolyline(const TriangleMesh& mesh, const Path& path, const SurfacePoint& from,
                     const SurfacePoint& site) {
   ASSERT_FALSE(path.empty());
@@ -108,7 +109,6 @@ int checkExact(const TriangleMesh& mesh, const std::vector<SurfacePoint>& sites,
 struct Lengths {
   double relative = 0;  ///< of | length - distance | / distance
   int count = 0;
-  double worst = 0;
 };
 
 void addApproximate(const TriangleMesh& mesh, const std::vector<SurfacePoint>& sites,
@@ -118,13 +118,10 @@ void addApproximate(const TriangleMesh& mesh, const std::vector<SurfacePoint>& s
     const LabelledDistance nearest = field->nearest(p);
     if (nearest.label < 0) continue;
     const Path path = field->path(nearest.label, p);
-    if (path.empty()) printf("DBG face %d: %g %g %g label %d dist %g %g\n", p.face, p.bary[0],p.bary[1],p.bary[2], nearest.label, nearest.distance, field->distance(nearest.label,p));
-    if (path.empty()) for (int i=0;i<3;++i) { printf(" corner:"); for (auto& d: field->at(mesh.tail(3*p.face+i))) printf(" %d:%g", d.label,d.distance); puts(""); }
     expectPolyline(mesh, path, p, sites[nearest.label]);
     if (!(nearest.distance > 1e-9)) continue;
     lengths.relative += std::abs(lengthOf(mesh, path) - nearest.distance) / nearest.distance;
     ++lengths.count;
-    lengths.worst = std::max(lengths.worst, std::abs(lengthOf(mesh, path) - nearest.distance) / nearest.distance);
   }
 }
 
@@ -268,10 +265,9 @@ TEST_P(PathByBoth, IsStraightInTheSitesFace) {
 /// Whichever face names them.
 TEST_P(PathByBoth, IsOnePointAtTheSite) {
   const TriangleMesh mesh = shapes::grid(3, 3).mesh();
-  for (const SurfacePoint& site :
-       {SurfacePoint{4, {0.2, 0.3, 0.5}}, SurfacePoint{4, {0.25, 0.75, 0}},
-        SurfacePoint{4, {0, 0.5, 0.5}}, SurfacePoint{4, {0.25, 0, 0.75}},
-        SurfacePoint{4, {1, 0, 0}}}) {
+  for (const SurfacePoint& site : {SurfacePoint{4, {0.2, 0.3, 0.5}},
+                                   SurfacePoint{4, {0.25, 0.75, 0}}, SurfacePoint{4, {0, 0.5, 0.5}},
+                                   SurfacePoint{4, {0.25, 0, 0.75}}, SurfacePoint{4, {1, 0, 0}}}) {
     const auto field = fieldOf(mesh, {site}, GetParam());
     const Path path = field->path(0, site);
     ASSERT_EQ(path.size(), 1u);
@@ -295,6 +291,7 @@ TEST_P(PathByBoth, IsEmptyWhereTheSiteIsNotKnown) {
   const auto field = fieldOf(mesh, {{0, {1, 0, 0}}}, GetParam());
   EXPECT_TRUE(field->path(0, {mesh.faceCount() - 1, {0, 0, 1}}).empty());
   EXPECT_TRUE(field->path(0, {mesh.faceCount() - 1, {0.2, 0.2, 0.6}}).empty());
+  EXPECT_TRUE(field->path(-1, {mesh.faceCount() - 1, {0.2, 0.2, 0.6}}).empty());
   EXPECT_TRUE(field->path(1, {0, {0.2, 0.2, 0.6}}).empty());
 }
 
@@ -323,9 +320,7 @@ TEST(ApproximatePath, IsAboutAsLongAsTheDistance) {
     ++seed;
   }
   EXPECT_GT(all.count, 5000);
-  EXPECT_LT(all.relative / all.count, 0.1);
-  RecordProperty("worst", std::to_string(all.worst));
-  RecordProperty("mean", std::to_string(all.relative / all.count));
+  EXPECT_LT(all.relative / all.count, 0.03);  // 0.013 as measured
 }
 
 TEST(ApproximatePath, IsAPathInDegenerateCases) {

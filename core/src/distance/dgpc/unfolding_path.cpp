@@ -36,14 +36,18 @@ std::vector<SurfacePoint> UnfoldingPath::from(const SurfacePoint& p) {
 
 /// Goes on up to a nearer vertex, or to a face that has the site. False if neither is met.
 bool UnfoldingPath::goStraight() {
-  double before = kInfinity;
+  Step step;
   for (int crossed = 0; crossed <= mesh_.faceCount(); ++crossed) {
-    Step step = nearestCorner();
-    visitPlaces(mesh_, points_.last(), [&](const SurfacePoint& place) {
-      for (int i = 0; i < 3; ++i) offerSide(place, i, step);
-    });
-    if (!(step.distance < before)) return false;
-    before = step.distance;
+    const Step next = best();
+    if (next.distance < step.distance) {
+      step = next;
+    } else {  // Distances disagree here: straight on.
+      StraightLine& line = step.line;
+      if (line.halfedge < 0) return false;
+      step.distance = line.length();
+      if (!line.enterFace(mesh_) || !line.crossFace(mesh_)) return false;
+      step.to = pointOnHalfedge(mesh_, line.halfedge, line.along);
+    }
     points_.add(step.to);
     const int vertex = vertexAt(mesh_, step.to);
     if (vertex >= 0 && distances_[vertex] < bound_) {
@@ -55,6 +59,15 @@ bool UnfoldingPath::goStraight() {
   return false;
 }
 
+/// The step by which the last point is nearest: to a corner, or across a side.
+UnfoldingPath::Step UnfoldingPath::best() const {
+  Step best = nearestCorner();
+  visitPlaces(mesh_, points_.last(), [&](const SurfacePoint& place) {
+    for (int i = 0; i < 3; ++i) offerSide(place, i, best);
+  });
+  return best;
+}
+
 bool UnfoldingPath::goOverVertex() {
   const Step step = nearestCorner();
   if (step.distance == kInfinity) return false;
@@ -63,8 +76,8 @@ bool UnfoldingPath::goOverVertex() {
   return true;
 }
 
-/// Goes by the fewest edges to a vertex that is nearer, or beside the site: an unfolded distance may be
-/// less than all those around it.
+/// Goes by the fewest edges to a vertex that is nearer, or beside the site: an unfolded distance
+/// may be less than all those around it.
 bool UnfoldingPath::goAlongEdges() {
   std::unordered_map<int, int> cameFrom;  // vertex by vertex; -1: from the last point
   std::vector<int> queue;
@@ -99,13 +112,14 @@ UnfoldingPath::Step UnfoldingPath::nearestCorner() const {
       if (!(distance < bound_) || place.bary[i] == 1) continue;
       const Eigen::Vector3d corner = Eigen::Vector3d::Unit(i);
       const double length = distance + layOut(face, 0, corner - place.bary).norm();
-      if (length < best.distance) best = {length, {place.face, corner}};
+      if (length < best.distance) best = {length, {place.face, corner}, {}};
     }
   });
   return best;
 }
 
-/// The virtual source behind a side that the point is not on, if the point is seen through the side.
+/// The virtual source behind a side that the point is not on, if the point is seen through the
+/// side.
 void UnfoldingPath::offerSide(const SurfacePoint& place, int side, Step& best) const {
   const TriangleMesh::Face& face = mesh_.face(place.face);
   if (place.bary[cornerBefore(side)] == 0 || face.twins[side] < 0) return;
@@ -118,8 +132,9 @@ void UnfoldingPath::offerSide(const SurfacePoint& place, int side, Step& best) c
   const double slack = kUnfoldingRounding * face.lengths[side];
   if (!(along >= -slack && along <= face.lengths[side] + slack)) return;
   const double distance = way.norm();
-  if (distance < best.distance)
-    best = {distance, pointOnHalfedge(mesh_, 3 * place.face + side, along)};
+  if (!(distance < best.distance)) return;
+  const int h = 3 * place.face + side;
+  best = {distance, pointOnHalfedge(mesh_, h, along), {h, along, *source}};
 }
 
 // --- The path of a label -----------------------------------------------------------------------

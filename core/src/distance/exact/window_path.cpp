@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "base/plane.h"
 #include "distance/exact/window_spread.h"
 #include "distance/face_layout.h"
 #include "mesh/surface_geometry.h"
@@ -15,8 +14,9 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// A path over a vertex is as short as the straight line beside the vertex if it is longer by no more
-/// than this share: a hundredth of what tests ask for, some 10^4 times the rounding of distances.
+/// A path over a vertex is as short as the straight line beside the vertex if it is longer by no
+/// more than this share: a hundredth of what tests ask for, some 10^4 times the rounding of
+/// distances.
 constexpr double kSameLength = 1e-11;
 /// How far a virtual source, unfolded face by face, may be from its vertex, as a share of the way
 /// to it. That the distances agree, too, decides.
@@ -48,99 +48,66 @@ void WindowPath::offer(const Window& w, int halfedge, const SurfacePoint& place)
   const double distance = w.distance(p.x(), p.y());
   if (!(distance < least_)) return;
   least_ = distance;
-  first_ = {halfedge, std::clamp(w.crossing(p.x(), p.y()), w.begin, w.end), {w.x, w.y},
-            w.sourceDistance};
+  const double crossing = std::clamp(w.crossing(p.x(), p.y()), w.begin, w.end);
+  first_ = {{halfedge, crossing, {w.x, w.y}}, w.sourceDistance};
 }
 
 std::vector<SurfacePoint> WindowPath::take() {
   int vertex = vertexAt(mesh_, points_.last());
   if (vertex < 0) {
     if (points_.endAtSite()) return points_.take();
-    vertex = first_.halfedge >= 0 ? follow(first_) : nearestVertex();
+    vertex = first_.line.halfedge >= 0 ? follow(first_) : nearestVertex();
   }
   while (vertex >= 0) {
     points_.add(pointAtVertex(mesh_, vertex));
     if (points_.endAtSite()) return points_.take();
     if (index_[vertex] < 0) return {};
     bound_ = distanceAt(vertex);
-    vertex = follow(lineFrom(vertex));
+    vertex = follow(lastPiece(vertex));
   }
   if (vertex == kLost) return {};
   return points_.take();
 }
 
 /// The last piece of the path to a vertex. Its face does not have the site.
-WindowPath::Line WindowPath::lineFrom(int vertex) const {
-  const LastPiece& piece = label_.pieces[index_[vertex]];
-  const TriangleMesh::Face& face = mesh_.face(piece.arrival / 3);
-  const int i = piece.arrival % 3;
+WindowPath::Piece WindowPath::lastPiece(int vertex) const {
+  const LastPiece& last = label_.pieces[index_[vertex]];
+  const TriangleMesh::Face& face = mesh_.face(last.arrival / 3);
+  const int i = last.arrival % 3;
   const Vector2d apex = apexOf(face, i);
-  const Vector2d crossing(std::clamp(piece.crossing, 0.0, face.lengths[i]), 0);
-  const double length = distanceAt(vertex) - piece.sourceDistance;
-  return {piece.arrival, crossing.x(), apex + (crossing - apex).normalized() * length,
-          piece.sourceDistance};
+  const Vector2d crossing(std::clamp(last.crossing, 0.0, face.lengths[i]), 0);
+  const double length = distanceAt(vertex) - last.sourceDistance;
+  const Vector2d source = apex + (crossing - apex).normalized() * length;
+  return {{last.arrival, crossing.x(), source}, last.sourceDistance};
 }
 
 // --- A straight line ---------------------------------------------------------------------------
 
-/// Adds the points of a line up to the vertex at which it ends, which is returned, or up to the site.
-/// A line that misses its source by rounding ends at a vertex beside it.
-int WindowPath::follow(Line line) {
+/// Adds the points of a line up to the vertex at which it ends, which is returned, or up to the
+/// site. A line that misses its source by rounding ends at a vertex beside it.
+int WindowPath::follow(Piece piece) {
+  StraightLine& line = piece.line;
   for (int crossed = 0; crossed <= mesh_.faceCount(); ++crossed) {
     points_.add(pointOnHalfedge(mesh_, line.halfedge, line.along));
     const int passed = vertexAt(mesh_, points_.last());
-    if (passed >= 0 && leadsOn(passed, line.distance())) return passed;
+    if (passed >= 0 && leadsOn(passed, piece.sourceDistance + line.length())) return passed;
     if (points_.endAtSite()) return kAtSite;
-    if (!enterFace(line)) break;
-    if (const int source = sourceAt(line); source >= 0) return source;
-    if (!crossFace(line)) break;
+    if (!line.enterFace(mesh_)) break;
+    if (const int source = sourceAt(piece); source >= 0) return source;
+    if (!line.crossFace(mesh_)) break;
   }
   return nearestVertex();
 }
 
-/// Turns to the face behind the halfedge: its source lies at y > 0 then.
-bool WindowPath::enterFace(Line& line) const {
-  const int twin = mesh_.twin(line.halfedge);
-  if (twin < 0) return false;
-  const double length = mesh_.length(line.halfedge);
-  line.halfedge = twin;
-  line.along = length - line.along;
-  line.source = Vector2d(length, 0) - line.source;
-  return true;
-}
-
 /// The apex of the face that a line has entered, if the line ends there; else -1.
-int WindowPath::sourceAt(const Line& line) const {
+int WindowPath::sourceAt(const Piece& piece) const {
+  const StraightLine& line = piece.line;
   const TriangleMesh::Face& face = mesh_.face(line.halfedge / 3);
   const int i = line.halfedge % 3;
   const Vector2d from(line.along, 0), apex = apexOf(face, i);
-  if ((line.source - apex).norm() > kSourceError * (line.source - from).norm()) return -1;
+  if ((line.source - apex).norm() > kSourceError * line.length()) return -1;
   const int vertex = face.vertices[cornerBefore(i)];
-  return leadsOn(vertex, line.distance() - (apex - from).norm()) ? vertex : -1;
-}
-
-/// Goes on to the side by which a line leaves the face that it has entered; false if it ends there.
-/// The line is aimed at its source anew in each face, so that it stays within the faces it has met,
-/// should rounding put it on the wrong side of a vertex.
-bool WindowPath::crossFace(Line& line) const {
-  const TriangleMesh::Face& face = mesh_.face(line.halfedge / 3);
-  const int i = line.halfedge % 3;
-  const Vector2d tail(0, 0), tip(face.lengths[i], 0), apex = apexOf(face, i);
-  const Vector2d from(line.along, 0);
-  const bool isLeft = cross(apex - from, line.source - from) > 0;
-  const int side = isLeft ? cornerBefore(i) : cornerAfter(i);
-  const Vector2d origin = isLeft ? apex : tip;
-  const double length = face.lengths[side];
-  const Vector2d axis = ((isLeft ? tail : apex) - origin) / length;
-  const Vector2d here = turnedBackBy(from - origin, axis);
-  const Vector2d source = turnedBackBy(line.source - origin, axis);
-  if (!(source.y() < 0)) return false;
-  const double height = std::max(here.y(), 0.0);
-  const double crossing = here.x() + (source.x() - here.x()) * (height / (height - source.y()));
-  line.halfedge = 3 * (line.halfedge / 3) + side;
-  line.along = std::clamp(crossing, 0.0, length);
-  line.source = source;
-  return true;
+  return leadsOn(vertex, piece.sourceDistance + line.length() - (apex - from).norm()) ? vertex : -1;
 }
 
 /// Whether the path may go on from a vertex that is so far from the site along the line.

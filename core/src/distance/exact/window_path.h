@@ -6,6 +6,7 @@
 
 #include "distance/exact/label_windows.h"
 #include "distance/path_points.h"
+#include "distance/straight_line.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
 
@@ -27,26 +28,17 @@ class WindowPath {
   std::vector<SurfacePoint> take();
 
  private:
-  /// What is left of a straight line: from a point of a halfedge to a virtual source, in the
-  /// coordinates of the halfedge, behind which (y < 0) the source lies.
-  struct Line {
-    int halfedge = -1;
-    double along;  ///< the point, from the halfedge's tail
-    Eigen::Vector2d source;
+  /// What is left of a straight piece of the path.
+  struct Piece {
+    StraightLine line;
     double sourceDistance;
-
-    double distance() const {
-      return sourceDistance + (source - Eigen::Vector2d(along, 0)).norm();
-    }
   };
-  /// What following a line comes to, unless it is a vertex.
+  /// What following a piece comes to, unless it is a vertex.
   enum : int { kAtSite = -1, kLost = -2 };
 
-  int follow(Line line);
-  Line lineFrom(int vertex) const;
-  bool enterFace(Line& line) const;
-  bool crossFace(Line& line) const;
-  int sourceAt(const Line& line) const;
+  int follow(Piece piece);
+  Piece lastPiece(int vertex) const;
+  int sourceAt(const Piece& piece) const;
   bool leadsOn(int vertex, double distance) const;
   int nearestVertex() const;
 
@@ -62,7 +54,7 @@ class WindowPath {
   double bound_ = kInfinity;
   // The best beginning.
   double least_ = kInfinity;
-  Line first_;
+  Piece first_;
 };
 
 }  // namespace gvd::exact

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include "gvd/triangle_mesh.h"
+
+namespace gvd {
+
+/// What is left of a straight line of the unfolded faces: from a point of a halfedge to a virtual
+/// source, in the coordinates of the halfedge. The line is about to leave the halfedge's face, so
+/// the source lies at y <= 0.
+struct StraightLine {
+  int halfedge = -1;
+  double along = 0;  ///< the point, from the halfedge's tail
+  Eigen::Vector2d source = {0, 0};
+
+  double length() const { return (source - Eigen::Vector2d(along, 0)).norm(); }
+
+  /// Turns to the face behind the halfedge: the source lies at y >= 0 then. False at the boundary.
+  bool enterFace(const TriangleMesh& mesh);
+  /// Goes on to the side by which the line leaves the face that it has entered; false if it ends
+  /// there. The line is aimed at its source anew in each face, so that it stays within the faces it
+  /// has met, should rounding put it on the wrong side of a vertex.
+  bool crossFace(const TriangleMesh& mesh);
+};
+
+}  // namespace gvd
