@@ -149,7 +149,7 @@ test('PLY and GLB hold the mesh with its distances, JSON the arrays', async () =
   json.direction.forEach((x, i) => assert.equal(x ?? NaN, direction[i]));
 });
 
-test('a path is as long as its distance, runs through the faces it names, and bends nowhere else', async () => {
+test('a path is as long as its distance, and crosses edges on its way', async () => {
   const mesh = await gvd.mesh(bumpySphere(16, 24));
   const points = await mesh.sampleSites(24, { seed: 2 });
   for (let i = 0; i < 12; ++i) {
@@ -163,6 +163,12 @@ test('a path is as long as its distance, runs through the faces it names, and be
     assert.equal(bary.length, 3 * face.length);
     const end = face.length - 1;
     assert.equal(face[0], from.face[0]);
+    let length = 0;
+    for (let p = 1; p <= end; ++p) {
+      const step = [0, 1, 2].map((k) => position[3 * p + k] - position[3 * p - 3 + k]);
+      length += Math.hypot(...step);
+    }
+    near(length, path.length, 1e-9 * length, 'in space');
     for (let k = 0; k < 3; ++k) {
       near(position[k], placeOf(mesh, from)[k]);
       near(position[3 * end + k], placeOf(mesh, to)[k]);
