@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -48,6 +49,7 @@ struct VoronoiHandle {
   DiagramOptions options;
   std::unique_ptr<Propagation> propagation;        // until it is done
   std::shared_ptr<const DistanceField> distances;  // from then on
+  std::optional<DiagramTracing> tracing;           // while it goes on
   std::optional<Diagram> diagram;                  // once it is traced
   std::unique_ptr<DynamicDiagram> dynamic;         // instead, once sites have changed
 
@@ -63,6 +65,8 @@ struct CvtHandle {
 };
 static_assert(std::is_standard_layout_v<CvtHandle>);
 
+/// In the order of `metrics` in `src/core.ts`.
+constexpr std::array kMetrics = {Metric::kExact, Metric::kDgpc};
 /// In the order of `samplings` in `src/core.ts`.
 enum Sampling { kRandom, kFarthest, kPoisson };
 
@@ -130,6 +134,17 @@ void addPoints(Arrays& out, const TriangleMesh& mesh, std::span<const SurfacePoi
   }
   out.add(std::move(face));
   out.add(std::move(bary));
+}
+
+/// The vertex at the place of an input vertex, -1 if that is isolated.
+int vertexOfInput(const TriangleMesh& mesh, int inputVertex) {
+  try {
+    const SurfacePoint place = mesh.fromInputVertex(inputVertex);
+    for (int i = 0; i < 3; ++i)
+      if (place.bary[i] == 1) return mesh.tail(3 * place.face + i);
+  } catch (const Error&) {
+  }
+  return -1;
 }
 
 std::vector<double> positionsOf(const TriangleMesh& mesh, std::span<const SurfacePoint> points) {
@@ -222,12 +237,9 @@ std::unique_ptr<Arrays> flatten(const TriangleMesh& mesh, Diagram diagram) {
 
 /// The diagram of which sites can change; made when the first one does.
 DynamicDiagram& dynamicOf(VoronoiHandle& voronoi) {
-  if (voronoi.metric != Metric::kDgpc)
-    throw Error(ErrorCode::kInvalidArgument,
-                "sites can be changed with the metric dgpc only; compute another diagram");
   if (!voronoi.dynamic) {
-    voronoi.dynamic =
-        std::make_unique<DynamicDiagram>(*voronoi.surface.mesh, voronoi.sites, voronoi.options);
+    voronoi.dynamic = std::make_unique<DynamicDiagram>(*voronoi.surface.mesh, voronoi.sites,
+                                                       voronoi.metric, voronoi.options);
     voronoi.distances.reset();
     voronoi.diagram.reset();
   }
@@ -383,8 +395,8 @@ GVD_ABI MeshHandle* createMesh(const double* positions, std::size_t positionCoun
 
 GVD_ABI void freeMesh(MeshHandle* handle) { delete handle; }
 
-/// Counts (as `infoCounts` and `repairCounts` in `src/core.ts` name them), then area and
-/// bounding diagonal.
+/// Counts (as `infoCounts` and `repairCounts` in `src/core.ts` name them), then area, bounding
+/// diagonal and mollification.
 GVD_ABI Arrays* meshInfo(const MeshHandle* handle) {
   return guarded([&] {
     const TriangleMesh& mesh = *handle->mesh;
@@ -398,8 +410,10 @@ GVD_ABI Arrays* meshInfo(const MeshHandle* handle) {
     out->add(std::vector<int>{
         repairs.weldedVertices, repairs.isolatedVertices, repairs.nonFiniteTriangles,
         repairs.degenerateTriangles, repairs.duplicateTriangles, repairs.nonManifoldEdges,
-        repairs.orientationCuts, repairs.flippedTriangles, repairs.splitVertices});
-    out->add(std::vector<double>{mesh.area(), mesh.boundingDiagonal()});
+        repairs.orientationCuts, repairs.flippedTriangles, repairs.splitVertices,
+        repairs.mollifiedTriangles});
+    out->add(
+        std::vector<double>{mesh.area(), mesh.boundingDiagonal(), repairs.mollification});
     return out.release();
   });
 }
@@ -437,7 +451,7 @@ GVD_ABI VoronoiHandle* startVoronoi(const MeshHandle* handle, const int* face, c
     auto voronoi = std::make_unique<VoronoiHandle>();
     voronoi->surface = *handle;
     voronoi->sites = sitesFromInput(mesh, face, bary, count);
-    voronoi->metric = static_cast<Metric>(metric);
+    voronoi->metric = kMetrics.at(metric);
     voronoi->propagation = propagate(mesh, voronoi->sites, voronoi->metric);
     return voronoi.release();
   });
@@ -446,7 +460,8 @@ GVD_ABI VoronoiHandle* startVoronoi(const MeshHandle* handle, const int* face, c
 /// How a slice of work ended; zero when it failed, as with every function here.
 enum SliceEnd { kFailed = 0, kMoreToDo = 1, kDone = 2 };
 
-GVD_ABI SliceEnd stepVoronoi(VoronoiHandle* voronoi, int budget) {
+/// Works on the distances.
+GVD_ABI SliceEnd stepDistances(VoronoiHandle* voronoi, int budget) {
   return guarded([&] {
     if (!voronoi->propagation->step(budget)) return kMoreToDo;
     voronoi->distances = voronoi->propagation->take();
@@ -455,22 +470,86 @@ GVD_ABI SliceEnd stepVoronoi(VoronoiHandle* voronoi, int budget) {
   });
 }
 
+/// Of the distances.
 GVD_ABI double voronoiProgress(const VoronoiHandle* voronoi) {
   return voronoi->propagation ? voronoi->propagation->progress() : 1;
 }
 
-/// The diagram, see `flatten`. Only after `stepVoronoi` said it is done.
-GVD_ABI Arrays* traceVoronoi(VoronoiHandle* voronoi, int detail) {
+/// label, distance, direction per input vertex. This and what follows only after `stepDistances`
+/// said it is done.
+GVD_ABI Arrays* distancesAtVertices(const VoronoiHandle* voronoi) {
   return guarded([&] {
     const TriangleMesh& mesh = *voronoi->surface.mesh;
-    voronoi->options = {.detail = detail};
-    voronoi->diagram = traceDiagram(mesh, *voronoi->distances,
-                                    static_cast<int>(voronoi->sites.size()), voronoi->options);
-    return flatten(mesh, *voronoi->diagram).release();
+    const DistanceField& field = voronoi->field();
+    const int count = mesh.inputVertexCount();
+    std::vector<int> label(count, -1);
+    std::vector<double> distance(count, kInfinity);
+    std::vector<double> direction(2 * count, std::numeric_limits<double>::quiet_NaN());
+    for (int i = 0; i < count; ++i) {
+      const int vertex = vertexOfInput(mesh, i);
+      if (vertex < 0) continue;
+      const LabelledDistance nearest = nearestOf(field.at(vertex));
+      if (nearest.label < 0) continue;
+      label[i] = nearest.label;
+      distance[i] = nearest.distance;
+      const Eigen::Vector2d towards = field.direction(nearest.label, vertex);
+      direction[2 * i] = towards.x();
+      direction[2 * i + 1] = towards.y();
+    }
+    auto out = std::make_unique<Arrays>();
+    out->add(std::move(label));
+    out->add(std::move(distance));
+    out->add(std::move(direction));
+    return out.release();
   });
 }
 
-/// The partition, see `flatten`. This and what follows only after `traceVoronoi`.
+/// face, bary, position of the points of the shortest path from a point to its nearest site, then its
+/// length; no points and infinity if no site reaches it.
+GVD_ABI Arrays* pathToSite(const VoronoiHandle* voronoi, int face, double b0, double b1,
+                           double b2) {
+  return guarded([&] {
+    const TriangleMesh& mesh = *voronoi->surface.mesh;
+    const DistanceField& field = voronoi->field();
+    const SurfacePoint from = mesh.fromInput({face, {b0, b1, b2}});
+    const int label = field.nearest(from).label;
+    std::vector<SurfacePoint> path;
+    if (label >= 0) path = field.path(label, from);
+    auto out = std::make_unique<Arrays>();
+    addPoints(*out, mesh, path);
+    out->add(positionsOf(mesh, path));
+    out->add(std::vector<double>{path.empty() ? kInfinity : lengthOf(mesh, path)});
+    return out.release();
+  });
+}
+
+/// Begins the diagram.
+GVD_ABI SliceEnd startTracing(VoronoiHandle* voronoi, int detail) {
+  return guarded([&] {
+    voronoi->options = {.detail = detail};
+    voronoi->tracing.emplace(*voronoi->surface.mesh, *voronoi->distances,
+                             static_cast<int>(voronoi->sites.size()), voronoi->options);
+    return kMoreToDo;
+  });
+}
+
+/// Works on the diagram.
+GVD_ABI SliceEnd stepTracing(VoronoiHandle* voronoi, int budget) {
+  return guarded([&] {
+    if (!voronoi->tracing->step(budget)) return kMoreToDo;
+    voronoi->diagram = voronoi->tracing->take();
+    voronoi->tracing.reset();
+    return kDone;
+  });
+}
+
+/// The diagram, see `flatten`. This and what follows only after `stepTracing` said it is done.
+GVD_ABI Arrays* voronoiDiagram(const VoronoiHandle* voronoi) {
+  return guarded(
+      [&] { return flatten(*voronoi->surface.mesh, *voronoi->diagram).release(); });
+}
+
+/// The partition, see `flatten`.
 GVD_ABI Arrays* partitionVoronoi(const VoronoiHandle* voronoi, int leaveOutIndifferent,
                                  int leaveOutUnreachable) {
   return guarded([&] {
@@ -539,15 +618,7 @@ GVD_ABI Arrays* repairingSites(const VoronoiHandle* voronoi) {
   });
 }
 
-/// Does ahead what the first change of a site would take long for; the result says nothing.
-GVD_ABI SliceEnd prepareChanges(VoronoiHandle* voronoi) {
-  return guarded([&] {
-    dynamicOf(*voronoi);
-    return kDone;
-  });
-}
-
-/// Inserts a site, see `flatten`. These three only after `traceVoronoi`.
+/// Inserts a site, see `flatten`. The first change makes the diagram anew, as one that can change.
 GVD_ABI Arrays* insertSite(VoronoiHandle* voronoi, int face, double b0, double b1, double b2) {
   return guarded([&] {
     const TriangleMesh& mesh = *voronoi->surface.mesh;
@@ -573,7 +644,7 @@ GVD_ABI Arrays* removeSite(VoronoiHandle* voronoi, int label) {
   });
 }
 
-/// label, distance per point. Only after `stepVoronoi` said it is done.
+/// label, distance per point.
 GVD_ABI Arrays* locate(const VoronoiHandle* voronoi, const int* face, const double* bary,
                        std::size_t count) {
   return guarded([&] {
@@ -606,7 +677,7 @@ GVD_ABI CvtHandle* startCvt(const MeshHandle* handle, const int* face, const dou
     const TriangleMesh& mesh = *handle->mesh;
     CvtOptions options;
     options.method = static_cast<CvtMethod>(method);
-    options.metric = static_cast<Metric>(metric);
+    options.metric = kMetrics.at(metric);
     options.iterations = iterations;
     options.energyTolerance = energyTolerance;
     options.moveTolerance = moveTolerance;
@@ -644,7 +715,7 @@ GVD_ABI Arrays* cvtDiagram(const CvtHandle* cvt) {
   return guarded([&] { return flatten(*cvt->surface.mesh, cvt->cvt->diagram()).release(); });
 }
 
-/// The same diagram as an object, for what `traceVoronoi` is needed for otherwise.
+/// The same diagram as an object, for what needs `stepTracing` otherwise.
 GVD_ABI VoronoiHandle* cvtVoronoi(const CvtHandle* handle) {
   return guarded([&] {
     const Cvt& cvt = *handle->cvt;

@@ -291,6 +291,7 @@ TEST_P(PathByBoth, IsEmptyWhereTheSiteIsNotKnown) {
   const auto field = fieldOf(mesh, {{0, {1, 0, 0}}}, GetParam());
   EXPECT_TRUE(field->path(0, {mesh.faceCount() - 1, {0, 0, 1}}).empty());
   EXPECT_TRUE(field->path(0, {mesh.faceCount() - 1, {0.2, 0.2, 0.6}}).empty());
+  EXPECT_TRUE(field->path(-1, {mesh.faceCount() - 1, {0.2, 0.2, 0.6}}).empty());
   EXPECT_TRUE(field->path(1, {0, {0.2, 0.2, 0.6}}).empty());
 }
 

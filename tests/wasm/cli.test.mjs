@@ -6,6 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, beforeEach, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
+import { assertValidGlb, readPly } from './files.mjs';
 import { apart, glb, gltf, grid, octahedron } from './meshes.mjs';
 
 const main = fileURLToPath(new URL('../../dist/cli/main.js', import.meta.url));
@@ -55,7 +56,8 @@ function fails(status, args, message, input) {
 
 test('--help and --version', () => {
   const overview = succeeds('--help').stdout;
-  for (const command of ['info', 'diagram', 'locate', 'cvt', 'partition', 'dual', 'remesh']) {
+  const analyses = ['info', 'diagram', 'locate', 'distances', 'path'];
+  for (const command of [...analyses, 'cvt', 'partition', 'dual', 'remesh']) {
     assert.match(overview, new RegExp(`^  ${command} `, 'm'));
     assert.match(
       succeeds(`${command} --help`).stdout,
@@ -96,6 +98,7 @@ test('diagram as JSON, to a file or to standard output', () => {
   const json = JSON.parse(read('d.json'));
   assert.equal(json.regions.length, 5);
   assert.equal(json.sites.face.length, 5);
+  assert.deepEqual([json.metric, json.scale, json.unit], ['exact', 1, 'm']);
   const again = succeeds('diagram shape.glb --sites 5 --seed 7 -o -');
   assert.equal(again.stdout, read('d.json'));
   assert.equal(again.stderr, '');
@@ -218,6 +221,59 @@ test('locate gives null for what no site reaches', () => {
   assert.ok(distance[1] > 1);
 });
 
+test('distances as JSON, PLY and GLB', async () => {
+  const { stderr } = succeeds('distances two.glb --sites sites.json -o d.json --units 2');
+  assert.match(stderr, /^6 of 10 vertices reached, the farthest at [\d.]+\n$/);
+  const { label, distance, direction } = JSON.parse(read('d.json'));
+  assert.deepEqual([label[0], label[3], label[6]], [0, 1, -1]);
+  assert.deepEqual([distance[0], distance[3], distance[6]], [0, 0, null]);
+  assert.ok(Math.abs(distance[1] - 2 * Math.SQRT2) < 1e-12);
+  assert.ok(Math.abs(Math.hypot(direction[2], direction[3]) - 1) < 1e-12);
+  assert.equal(direction[12], null);
+  assert.equal(direction.length, 20);
+  succeeds('distances two.glb --sites d.json --metric dgpc -o d.ply');
+  const { vertex, face } = readPly(readFileSync(join(folder, 'd.ply')));
+  assert.equal(face.length, 10);
+  assert.deepEqual(vertex.map((row) => row.label), label);
+  assert.equal(vertex[6].distance, Infinity);
+  succeeds('distances two.glb --sites d.json -o d.glb');
+  await assertValidGlb(new Uint8Array(readFileSync(join(folder, 'd.glb'))));
+});
+
+test('path as JSON and OBJ', () => {
+  const { stderr } = succeeds('path shape.glb --from points.json --to sites.json -o p.json');
+  assert.match(stderr, /^2 paths, of length /);
+  const { paths } = JSON.parse(read('p.json'));
+  assert.deepEqual(
+    paths.map(({ length }) => length),
+    [0, 0],
+  );
+  write('from.json', '{"vertex": [0]}');
+  write('to.json', '{"vertex": [3]}');
+  succeeds('path shape.glb --from from.json --to to.json --units cm -o p.json');
+  const [path] = JSON.parse(read('p.json')).paths;
+  // Over two faces, as straight as in the plane.
+  assert.ok(Math.abs(path.length - 100 * Math.sqrt(6)) < 1e-9);
+  assert.equal(path.points.face.length, 3);
+  assert.equal(path.points.position[0], 100);
+  succeeds('path shape.glb --from sites.json --to to.json -o p.obj');
+  const obj = read('p.obj').split('\n');
+  assert.equal(obj.filter((line) => line.startsWith('l ')).length, 1);
+  assert.deepEqual(
+    obj.filter((line) => line.startsWith('p ')),
+    ['p 4'],
+  );
+  assert.equal(obj.filter((line) => line.startsWith('v ')).length, 3 + 1);
+});
+
+test('no path leads to another component', () => {
+  write('from.json', '{"vertex": [6]}');
+  write('to.json', '{"vertex": [0]}');
+  const { stdout } = succeeds('path two.glb --from from.json --to to.json');
+  const none = { face: [], bary: [], position: [] };
+  assert.deepEqual(JSON.parse(stdout), { paths: [{ points: none, length: null }] });
+});
+
 test('- is standard input, for one file', () => {
   const bytes = glb(octahedron());
   assert.match(succeeds('info -', bytes).stdout, /triangles +8/);
@@ -261,10 +317,10 @@ test('a wrong command line: status 2', () => {
   fails(2, 'diagram shape.glb --sites 3 --seed -1', /--seed/);
   fails(2, 'diagram shape.glb --sites 3 --seed=-1', /--seed/);
   fails(2, 'diagram shape.glb --sites 3 --detail 11', /--detail/);
-  fails(2, 'diagram shape.glb --sites 3 --metric euclid', /euclid.*dgpc, exact/);
+  fails(2, 'diagram shape.glb --sites 3 --metric euclid', /euclid.*exact, dgpc/);
   fails(2, 'diagram shape.glb --sites 3 --sampling blue', /blue.*random, farthest, poisson/);
   fails(2, 'cvt shape.glb --sites 3 --method newton', /newton.*lloyd, lbfgs/);
-  fails(2, 'cvt shape.glb --sites 3 --metric far', /far.*dgpc, exact/);
+  fails(2, 'cvt shape.glb --sites 3 --metric far', /far.*exact, dgpc/);
   fails(2, 'cvt shape.glb --sites 3 --iterations -1', /--iterations/);
   fails(2, 'cvt shape.glb', /--sites is missing/);
   fails(2, 'diagram shape.glb --sites 3 -o d.stl', /d\.stl.*\.json, \.obj, \.glb/);
@@ -273,6 +329,11 @@ test('a wrong command line: status 2', () => {
   fails(2, 'dual shape.glb --sites 3 --detail 2', /--detail/);
   fails(2, 'remesh shape.glb', /--sites is missing/);
   fails(2, 'locate shape.glb --sites 3', /--points/);
+  fails(2, 'distances shape.glb', /--sites is missing/);
+  fails(2, 'distances shape.glb --sites 3 -o d.obj', /d\.obj.*\.json, \.ply, \.glb/);
+  fails(2, 'distances shape.glb --sites 3 --detail 1', /--detail/);
+  fails(2, 'path shape.glb --from sites.json', /--to is missing/);
+  fails(2, 'path shape.glb --from sites.json --to sites.json -o p.glb', /p\.glb.*\.json, \.obj/);
 });
 
 test('bad input: status 1, one line, no file', () => {
@@ -288,6 +349,9 @@ test('bad input: status 1, one line, no file', () => {
   fails(1, 'diagram shape.glb --sites sites.txt -o d.json', /sites\.txt is not JSON/);
   fails(1, 'diagram shape.glb --sites many.json -o d.json', /many\.json/);
   fails(1, 'diagram shape.glb --sites outside.json -o d.json', /8/);
+  write('three.json', '{"vertex": [0, 1, 2]}');
+  fails(1, 'path shape.glb --from three.json --to sites.json -o p.json', /3 points.*2 to end/);
+  fails(1, 'path shape.glb --from outside.json --to three.json -o p.json', /1 points.*3 to end/);
   fails(1, 'diagram shape.glb --sites 3 -o nowhere/d.json', /nowhere.*no such file or folder/);
   mkdirSync(join(folder, 'taken.json'));
   fails(1, 'diagram shape.glb --sites 3 -o taken.json', /taken\.json.*folder/);

@@ -68,6 +68,30 @@ test('violations are named with their regions', async () => {
   ]);
 });
 
+test('an edge of a dual that is no manifold counts once', async () => {
+  // Opposite sites of a band: regions meet twice, so the dual's sides run there and back again.
+  const mesh = await gvd.mesh(octahedron());
+  let found = 0;
+  for (let seed = 1; seed <= 20; ++seed) {
+    const diagram = await mesh.voronoi(await mesh.sampleSites(4, { seed }));
+    for (const primal of [false, true]) {
+      const { faces, topology } = await diagram.dual({ primal });
+      const edges = new Set(
+        listsOf(faces).flatMap((list) =>
+          list.map((from, i) => [from, list[(i + 1) % list.length]].sort((a, b) => a - b).join()),
+        ),
+      );
+      assert.equal(topology.edges, edges.size);
+      assert.equal(
+        topology.eulerCharacteristic,
+        topology.vertices - topology.edges + topology.faces,
+      );
+      found += !topology.isManifold;
+    }
+  }
+  assert.ok(found > 0);
+});
+
 test('repair keeps the sites, adds some, and leaves what is valid alone', async () => {
   const mesh = await gvd.mesh(octahedron());
   const diagram = await mesh.voronoi({ vertex: [0, 3] });

@@ -5,10 +5,11 @@ import { diagramGlb, diagramJson, diagramObj, load } from 'geodesic-voronoi';
 import { grid } from './meshes.mjs';
 
 let diagram;
+let mesh;
 let single;
 before(async () => {
   const gvd = await load();
-  const mesh = await gvd.mesh(grid(5));
+  mesh = await gvd.mesh(grid(5));
   diagram = await mesh.voronoi(await mesh.sampleSites(6));
   single = await mesh.voronoi({ vertex: [0] });
 });
@@ -35,19 +36,35 @@ function near(actual, expected, tolerance) {
 test('JSON holds the diagram in plain arrays', () => {
   const json = JSON.parse(JSON.stringify(diagramJson(diagram)));
   const { data, regions } = diagram;
-  assert.equal(json.metric, 'dgpc');
+  assert.equal(json.metric, 'exact');
+  assert.equal(json.scale, 1);
   assert.deepEqual(json.sites.bary, [...diagram.sites.bary]);
-  assert.deepEqual(json.points.position, [...data.points.position]);
   assert.deepEqual(json.faceLabel, [...data.faceLabel]);
-  assert.deepEqual(json.regions[2], {
-    area: regions[2].area,
-    loops: regions[2].loops.map((loop) => [...loop]),
-    neighbours: regions[2].neighbours,
-  });
+  assert.deepEqual(json.indifferentFaces, [...data.indifferentFaces]);
+  // Points are numbered anew: by where they are, they are the same.
+  const placesOf = (position) => (list) =>
+    [...list].map((point) => position.slice(3 * point, 3 * point + 3).join());
+  const written = placesOf(json.points.position);
+  const known = placesOf([...data.points.position]);
+  const { loops, ...region } = json.regions[2];
+  assert.deepEqual(region, { area: regions[2].area, neighbours: regions[2].neighbours });
+  assert.deepEqual(loops.map(written), regions[2].loops.map(known));
   assert.equal(json.arcs.length, data.arcs.offset.length - 1);
   assert.deepEqual(
-    json.arcs.flatMap(({ points }) => points),
-    [...data.arcs.points],
+    json.arcs.flatMap(({ points }) => written(points)),
+    known(data.arcs.points),
+  );
+  assert.deepEqual(
+    json.voronoiPoints.flatMap(({ point }) => written([point])),
+    known(data.voronoiPoints.point),
+  );
+  assert.deepEqual(
+    json.cells.flatMap(({ points }) => written(points)),
+    known(data.cells.points),
+  );
+  assert.deepEqual(
+    json.cells.map(({ face, label }) => [face, label]),
+    Array.from(data.cells.face, (face, i) => [face, data.cells.label[i]]),
   );
   assert.deepEqual(
     json.arcs.flatMap(({ labels }) => labels),
@@ -59,9 +76,39 @@ test('JSON holds the diagram in plain arrays', () => {
   );
 });
 
-test('JSON scales lengths and areas', () => {
-  const json = diagramJson(diagram, 1000);
-  json.points.position.forEach((x, i) => near(x, 1000 * diagram.data.points.position[i], 1e-9));
+test('JSON names the face of every piece of a bisector, and every point is named', async () => {
+  for (const detail of [0, 2]) {
+    const fine = await mesh.voronoi(diagram.sites, { detail });
+    await fine.insertSite({ vertex: [14] });
+    const json = diagramJson(fine);
+    const named = new Set(json.voronoiPoints.map(({ point }) => point));
+    for (const list of [...json.arcs, ...json.cells]) for (const p of list.points) named.add(p);
+    for (const { loops } of json.regions) for (const p of loops.flat()) named.add(p);
+    assert.deepEqual(
+      [...named].sort((a, b) => a - b),
+      [...json.points.face.keys()],
+    );
+    const cellsOf = new Map();
+    for (const cell of json.cells) cellsOf.set(cell.face, [...(cellsOf.get(cell.face) ?? []), cell]);
+    for (const { labels, points, faces } of json.arcs) {
+      assert.equal(faces.length, points.length - 1);
+      faces.forEach((face, i) => {
+        const here = cellsOf.get(face).filter(({ points: corners }) =>
+          [points[i], points[i + 1]].every((point) => corners.includes(point)),
+        );
+        for (const label of labels) assert.ok(here.some((cell) => cell.label === label));
+      });
+    }
+    json.faceLabel.forEach((label, face) => assert.equal(label === -2, cellsOf.has(face)));
+    fine.dispose();
+  }
+});
+
+test('JSON scales lengths and areas, and says so', () => {
+  const json = diagramJson(diagram, 1000, 'mm');
+  assert.deepEqual([json.scale, json.unit], [1000, 'mm']);
+  const { position } = diagramJson(diagram).points;
+  json.points.position.forEach((x, i) => near(x, 1000 * position[i], 1e-9));
   near(json.regions[0].area, 1e6 * diagram.regions[0].area, 1e-6);
 });
 

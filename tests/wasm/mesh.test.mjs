@@ -52,6 +52,18 @@ test('repairs are counted by name', async () => {
   assert.equal(mesh.info.inputFaces, 10);
 });
 
+test('mollification is told: what flat triangles cost all edges', async () => {
+  const { positions, indices } = grid(2);
+  // A corner in the middle of a side of its triangle.
+  const mesh = await gvd.mesh({
+    positions: [...positions, 0.25, 0, 0],
+    indices: [...indices, 1, 0, 9],
+  });
+  const { mollifiedTriangles, mollification } = mesh.info.repairs;
+  assert.equal(mollifiedTriangles, 1);
+  assert.ok(mollification > 0 && mollification < 1e-10);
+});
+
 test('a GLB comes in world space, with its parts', async () => {
   const mesh = await gvd.mesh(glb(octahedron(), { translation: [10, 0, 0] }));
   assert.equal(mesh.positions[0], 11);

@@ -56,6 +56,8 @@ test('a worker answers as the calling thread does', async (t) => {
       const shares = [];
       const diagram = await mesh.voronoi(sites, { onProgress: (share) => shares.push(share) });
       const located = await diagram.locate({ vertex: [0, 10, 20] });
+      const distances = await mesh.distances(sites, { metric: 'dgpc' });
+      const paths = [await mesh.path({ vertex: [0] }, { vertex: [20] }), await diagram.path({ vertex: [9] })];
       const parts = await diagram.partition();
       const valid = await diagram.repair({ onProgress: (share) => shares.push(share) });
       const duals = [await valid.dual(), await valid.dual({ primal: true })];
@@ -66,7 +68,7 @@ test('a worker answers as the calling thread does', async (t) => {
       const { metric, data } = diagram;
       const last = shares.at(-1);
       const input = { info, positions, indices, normals, uvs, parts: mesh.parts };
-      return { input, sites, metric, data, located, parts, duals, facts, states, last };
+      return { input, sites, metric, data, located, distances, paths, parts, duals, facts, states, last };
     }),
   );
   assert.deepEqual(answers[0], answers[1]);

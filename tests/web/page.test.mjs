@@ -263,21 +263,24 @@ suite('the page', () => {
   });
 
   test('the distance is chosen; a choice that is cancelled is taken back', async () => {
-    const exact = await viewer.after('diagram', () => viewer.page.getByText('Exact').click());
-    assert.equal(exact.metric, 'exact');
-    assert.equal(exact.regions, 60);
+    assert.equal(await viewer.page.locator('input[value="exact"]').isChecked(), true);
+    assert.equal(await viewer.evaluate(({ diagram }) => diagram.metric), 'exact');
+    const fast = await viewer.after('diagram', () => viewer.page.getByText('Fast').click());
+    assert.equal(fast.metric, 'dgpc');
+    assert.equal(fast.regions, 60);
     const finer = await viewer.after('diagram', () => viewer.page.selectOption('#detail', '2'));
     assert.equal(finer.detail, 2);
-    assert.ok(finer.segments > exact.segments, 'more segments, each shorter');
+    assert.equal(finer.metric, 'dgpc');
+    assert.ok(finer.segments > fast.segments, 'more segments, each shorter');
 
     await viewer.evaluate(async (viewer) => {
-      viewer.setAttribute('metric', 'dgpc');
+      viewer.setAttribute('metric', 'exact');
       await null; // Attributes take effect together, after the code that sets them.
       viewer.cancel();
     });
     await viewer.settled();
-    assert.equal(await viewer.page.locator('input[value="exact"]').isChecked(), true);
-    assert.equal(await viewer.evaluate(({ diagram }) => diagram.metric), 'exact');
+    assert.equal(await viewer.page.locator('input[value="dgpc"]').isChecked(), true);
+    assert.equal(await viewer.evaluate(({ diagram }) => diagram.metric), 'dgpc');
   });
 
   test('the pointer reads region, area and distance', async () => {

@@ -146,6 +146,27 @@ export function pointVertices(
   return { points, ...columnsOf(source, rows) };
 }
 
+/** The vertices of the input themselves. */
+export function inputVertices({ positions, normals, uvs }: AttributeSource): FileVertices {
+  const points = Int32Array.from({ length: positions.length / 3 }, (_, i) => i);
+  return {
+    points,
+    ...(normals.length > 0 && { normals: unitVectors(normals) }),
+    ...(uvs.length > 0 && { uvs: Float32Array.from(uvs, (x) => (Number.isFinite(x) ? x : 0)) }),
+  };
+}
+
+function unitVectors(vectors: Float64Array): Float32Array {
+  const units = new Float32Array(vectors.length);
+  for (let i = 0; i < vectors.length; i += 3) {
+    const vector = vectors.subarray(i, i + 3);
+    const length = Math.hypot(...vector);
+    const isDirection = length > 0 && length < Infinity;
+    units.set(isDirection ? vector.map((x) => x / length) : [0, 0, 1], i);
+  }
+  return units;
+}
+
 /** One list after the other, all with or all without each attribute. */
 export function joined(lists: FileVertices[]): FileVertices {
   const concat = <List extends Int32Array | Float32Array>(

@@ -14,7 +14,9 @@ import type {
   PolygonTopology,
   RemeshQuality,
   Sampling,
+  SurfacePath,
   SurfacePoints,
+  VertexDistances,
   Violation,
   ViolationKind,
 } from './types.js';
@@ -34,10 +36,13 @@ interface CoreFunctions {
   pointsAtVertices(owner: number, vertex: number, count: number): number;
   sampleSites(mesh: number, count: number, sampling: number, seed: number): number;
   startVoronoi(mesh: number, face: number, bary: number, count: number, metric: number): number;
-  stepVoronoi(voronoi: number, budget: number): number;
+  stepDistances(voronoi: number, budget: number): number;
   voronoiProgress(voronoi: number): number;
-  traceVoronoi(voronoi: number, detail: number): number;
-  prepareChanges(voronoi: number): number;
+  distancesAtVertices(voronoi: number): number;
+  pathToSite(voronoi: number, face: number, b0: number, b1: number, b2: number): number;
+  startTracing(voronoi: number, detail: number): number;
+  stepTracing(voronoi: number, budget: number): number;
+  voronoiDiagram(voronoi: number): number;
   insertSite(voronoi: number, face: number, b0: number, b1: number, b2: number): number;
   moveSite(
     voronoi: number,
@@ -81,8 +86,8 @@ interface CoreFunctions {
   freeCvt(cvt: number): void;
 }
 
-/** In the order of `gvd::Metric`. */
-export const metrics: readonly Metric[] = ['dgpc', 'exact'];
+/** In the order of `kMetrics` in `bindings.cpp`; the first one is the default. */
+export const metrics: readonly Metric[] = ['exact', 'dgpc'];
 /** In the order of `gvd::CvtMethod`. */
 export const cvtMethods: readonly CvtMethod[] = ['lloyd', 'lbfgs'];
 /** In the order of `Sampling` in `bindings.cpp`. */
@@ -139,6 +144,7 @@ const repairCounts = [
   'orientationCuts',
   'flippedTriangles',
   'splitVertices',
+  'mollifiedTriangles',
 ] as const satisfies (keyof MeshRepairs)[];
 
 /** After `isManifold`. */
@@ -200,12 +206,12 @@ export class Core {
       Int32Array,
       Float64Array,
     ];
-    const [area, boundingDiagonal] = measures;
+    const [area, boundingDiagonal, mollification] = measures;
     return {
       ...named(infoCounts, counts),
       area,
       boundingDiagonal,
-      repairs: named(repairCounts, repairs),
+      repairs: { ...named(repairCounts, repairs), mollification },
     };
   }
 
@@ -235,23 +241,46 @@ export class Core {
     ) as VoronoiPointer;
   }
 
-  /** Works on at most `budget` queue entries; true when the distances are done. */
-  stepVoronoi(voronoi: VoronoiPointer, budget: number): boolean {
-    return this.#wasm.call((core) => core.stepVoronoi(voronoi, budget)) === sliceDone;
+  /** Works on at most `budget` units; true when the distances are done. */
+  stepDistances(voronoi: VoronoiPointer, budget: number): boolean {
+    return this.#wasm.call((core) => core.stepDistances(voronoi, budget)) === sliceDone;
   }
 
-  /** The share of the propagation done, 0 … 1. */
+  /** The share of the distances done, 0 … 1. */
   voronoiProgress(voronoi: VoronoiPointer): number {
     return this.#wasm.run((core) => core.voronoiProgress(voronoi)) ?? 0;
   }
 
-  /** The diagram of distances that are done. */
-  traceVoronoi(voronoi: VoronoiPointer, detail: number): Omit<DiagramData, 'siteCount'> {
-    return diagramData(this.#wasm.arrays((core) => core.traceVoronoi(voronoi, detail)));
+  /** Of distances that are done. */
+  distancesAtVertices(voronoi: VoronoiPointer): VertexDistances {
+    const [label, distance, direction] = this.#wasm.arrays((core) =>
+      core.distancesAtVertices(voronoi),
+    ) as [Int32Array, Float64Array, Float64Array];
+    return { label, distance, direction };
   }
 
-  prepareChanges(voronoi: VoronoiPointer): void {
-    this.#wasm.call((core) => core.prepareChanges(voronoi));
+  /** From a point to its nearest site, by distances that are done. */
+  pathToSite(voronoi: VoronoiPointer, from: SurfacePoints): SurfacePath {
+    const [b0, b1, b2] = from.bary;
+    const [face, bary, position, [length]] = this.#wasm.arrays((core) =>
+      core.pathToSite(voronoi, from.face[0], b0, b1, b2),
+    ) as [Int32Array, Float64Array, Float64Array, Float64Array];
+    return { points: { face, bary, position }, length };
+  }
+
+  /** Begins the diagram of distances that are done. */
+  startTracing(voronoi: VoronoiPointer, detail: number): void {
+    this.#wasm.call((core) => core.startTracing(voronoi, detail));
+  }
+
+  /** Works on at most `budget` faces; true when the diagram is done. */
+  stepTracing(voronoi: VoronoiPointer, budget: number): boolean {
+    return this.#wasm.call((core) => core.stepTracing(voronoi, budget)) === sliceDone;
+  }
+
+  /** The diagram that is done. */
+  voronoiDiagram(voronoi: VoronoiPointer): Omit<DiagramData, 'siteCount'> {
+    return diagramData(this.#wasm.arrays((core) => core.voronoiDiagram(voronoi)));
   }
 
   insertSite(voronoi: VoronoiPointer, site: SurfacePoints): DiagramChange {

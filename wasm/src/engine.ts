@@ -24,8 +24,10 @@ import type {
   PolygonMesh,
   RemeshQuality,
   Sampling,
+  SurfacePath,
   SurfacePoints,
   TaskOptions,
+  VertexDistances,
   Violation,
 } from './types.js';
 
@@ -82,7 +84,22 @@ export interface Engine {
     options: { metric: Metric; detail: number },
     task: TaskOptions,
   ): Promise<OpenedDiagram>;
-  prepareChanges(diagram: Handle): Promise<void>;
+  /** Distances alone, without a diagram. */
+  distances(
+    mesh: Handle,
+    sites: SurfacePoints,
+    metric: Metric,
+    task: TaskOptions,
+  ): Promise<VertexDistances>;
+  /** `from` and `to` are one point each. */
+  path(
+    mesh: Handle,
+    from: SurfacePoints,
+    to: SurfacePoints,
+    task: TaskOptions,
+  ): Promise<SurfacePath>;
+  /** `from` is one point, from which the path leads to its site. */
+  pathToSite(diagram: Handle, from: SurfacePoints): Promise<SurfacePath>;
   /** `site` is one point. */
   insertSite(diagram: Handle, site: SurfacePoints): Promise<DiagramChange>;
   moveSite(diagram: Handle, label: number, site: SurfacePoints): Promise<DiagramChange>;
@@ -110,10 +127,10 @@ export interface EngineSources {
 
 /** How long a slice of work may keep its thread from anything else. */
 const sliceMilliseconds = 12;
-/** Queue entries between two looks at the clock: well below a slice, well above its price. */
-const entriesPerStep = 1024;
-/** About the propagation's part of the time that a diagram takes; tracing it is the rest. */
-const propagationShare = 0.5;
+/** Units of work between two looks at the clock: well below a slice, well above its price. */
+const unitsPerStep = 256;
+/** About the distances' part of the time that a diagram takes; tracing it is the rest. */
+const distancesShare = 0.9;
 
 /** The library on the thread that calls it. */
 export class LocalEngine implements Engine {
@@ -182,17 +199,74 @@ export class LocalEngine implements Engine {
     { metric, detail }: { metric: Metric; detail: number },
     task: TaskOptions,
   ): Promise<OpenedDiagram> {
-    task.signal?.throwIfAborted();
+    const { signal, onProgress } = task;
+    const voronoi = await this.#spread(owner, sites, metric, {
+      signal,
+      onProgress: (share) => onProgress?.(distancesShare * share),
+    });
+    const core = this.#open();
+    try {
+      core.startTracing(voronoi, detail);
+      await this.#inSlices(() => core.stepTracing(voronoi, unitsPerStep), { signal });
+      const data = { siteCount: sites.face.length, ...core.voronoiDiagram(voronoi) };
+      onProgress?.(1);
+      return { handle: this.#keep(this.#diagrams, voronoi), data };
+    } catch (error) {
+      core.freeVoronoi(voronoi);
+      throw error;
+    }
+  }
+
+  async distances(
+    mesh: Handle,
+    sites: SurfacePoints,
+    metric: Metric,
+    task: TaskOptions,
+  ): Promise<VertexDistances> {
+    const voronoi = await this.#spread(mesh, sites, metric, task);
+    const core = this.#open();
+    try {
+      return core.distancesAtVertices(voronoi);
+    } finally {
+      core.freeVoronoi(voronoi);
+    }
+  }
+
+  async path(
+    mesh: Handle,
+    from: SurfacePoints,
+    to: SurfacePoints,
+    task: TaskOptions,
+  ): Promise<SurfacePath> {
+    const voronoi = await this.#spread(mesh, to, 'exact', task);
+    const core = this.#open();
+    try {
+      return core.pathToSite(voronoi, from);
+    } finally {
+      core.freeVoronoi(voronoi);
+    }
+  }
+
+  async pathToSite(diagram: Handle, from: SurfacePoints): Promise<SurfacePath> {
+    return this.#open().pathToSite(pointerOf(this.#diagrams, diagram), from);
+  }
+
+  /** The distances of sites; whoever gets them frees them. */
+  async #spread(
+    owner: Handle,
+    sites: SurfacePoints,
+    metric: Metric,
+    { signal, onProgress }: TaskOptions,
+  ): Promise<VoronoiPointer> {
+    signal?.throwIfAborted();
     const core = this.#open();
     const voronoi = core.startVoronoi(this.#surface(owner), sites, metric);
     try {
-      await this.#inSlices(() => core.stepVoronoi(voronoi, entriesPerStep), {
-        signal: task.signal,
-        onProgress: () => task.onProgress?.(propagationShare * core.voronoiProgress(voronoi)),
+      await this.#inSlices(() => core.stepDistances(voronoi, unitsPerStep), {
+        signal,
+        onProgress: () => onProgress?.(core.voronoiProgress(voronoi)),
       });
-      const data = { siteCount: sites.face.length, ...core.traceVoronoi(voronoi, detail) };
-      task.onProgress?.(1);
-      return { handle: this.#keep(this.#diagrams, voronoi), data };
+      return voronoi;
     } catch (error) {
       core.freeVoronoi(voronoi);
       throw error;
@@ -213,7 +287,7 @@ export class LocalEngine implements Engine {
     const core = this.#open();
     if (this.#finished.has(handle)) return undefined;
     const cvt = () => pointerOf(this.#cvts, handle); // it may be closed between slices
-    await this.#inSlices(() => core.stepCvt(cvt(), entriesPerStep), { signal });
+    await this.#inSlices(() => core.stepCvt(cvt(), unitsPerStep), { signal });
     const { isLast, ...state } = core.cvtIteration(cvt());
     if (isLast) this.#finished.add(handle);
     if (form === 'bare') return state;
@@ -241,10 +315,6 @@ export class LocalEngine implements Engine {
       signal?.throwIfAborted();
       this.#open();
     }
-  }
-
-  async prepareChanges(diagram: Handle): Promise<void> {
-    this.#open().prepareChanges(pointerOf(this.#diagrams, diagram));
   }
 
   async insertSite(diagram: Handle, site: SurfacePoints): Promise<DiagramChange> {

@@ -3,7 +3,7 @@
 // A diagram as a file. `scale` is what lengths are multiplied with on the way out.
 
 import { GlbBuilder } from './glb.js';
-import type { Diagram, DiagramData, SurfacePoints } from './types.js';
+import type { Diagram, DiagramData, PlacedPoints, SurfacePoints } from './types.js';
 
 /** The JSON form of a list of points. */
 export interface SurfacePointsJson {
@@ -11,39 +11,59 @@ export interface SurfacePointsJson {
   bary: number[];
 }
 
-/** The JSON form of a diagram; every index in `loops` and `points` counts the points. */
+/** The JSON form of a list of points with where they are. */
+export type PlacedPointsJson = SurfacePointsJson & { position: number[] };
+
+/** The JSON form of a diagram; every index in `loops`, `points` and `point` counts the points. */
 export interface DiagramJson {
   metric: string;
+  /** What lengths of the input are multiplied with here, and the unit that they are in then, if known. */
+  scale: number;
+  unit?: string;
   sites: SurfacePointsJson;
-  points: SurfacePointsJson & { position: number[] };
+  /** Those that are named below, each place once. */
+  points: PlacedPointsJson;
   regions: { area: number; loops: number[][]; neighbours: number[] }[];
-  /** The bisectors, in maximal chains between Voronoi points; the lower label is on the left. */
-  arcs: { labels: number[]; points: number[] }[];
+  /**
+   * The bisectors, in maximal chains between Voronoi points; the lower label is on the left. From
+   * point i to i + 1 they run through face i.
+   */
+  arcs: { labels: number[]; points: number[]; faces: number[] }[];
   voronoiPoints: { point: number; labels: number[] }[];
-  /** As in `DiagramData`. */
+  /** As in `DiagramData`, and what follows too. */
   faceLabel: number[];
+  indifferentFaces: number[];
+  cells: { face: number; label: number; points: number[] }[];
 }
 
 export function diagramJson(
   { metric, sites, data, regions }: Pick<Diagram, 'metric' | 'sites' | 'data' | 'regions'>,
   scale = 1,
+  unit?: string,
 ): DiagramJson {
-  const { points, arcs, voronoiPoints } = data;
+  const { points, arcs, voronoiPoints, loops, cells } = data;
+  const named = [loops.points, arcs.points, voronoiPoints.point, cells.points];
+  const { used, number } = compact(named, points.face.length);
+  const numbers = (list: Int32Array) => Array.from(list, (point) => number[point]);
+  const arcFaces = facesOfArcs(data);
   return {
     metric,
+    scale,
+    ...(unit !== undefined && { unit }),
     sites: pointsJson(sites),
-    points: { ...pointsJson(points), position: Array.from(points.position, (x) => scale * x) },
+    points: placedPointsJson(pointsAt(points, used), scale),
     regions: regions.map(({ area, loops, neighbours }) => ({
       area: scale * scale * area,
-      loops: loops.map((loop) => [...loop]),
+      loops: loops.map(numbers),
       neighbours,
     })),
     arcs: Array.from({ length: arcs.labels.length / 2 }, (_, i) => ({
       labels: [...arcs.labels.subarray(2 * i, 2 * i + 2)],
-      points: [...arcs.points.subarray(arcs.offset[i], arcs.offset[i + 1])],
+      points: numbers(arcs.points.subarray(arcs.offset[i], arcs.offset[i + 1])),
+      faces: arcFaces[i],
     })),
     voronoiPoints: Array.from(voronoiPoints.point, (point, i) => ({
-      point,
+      point: number[point],
       labels: [
         ...voronoiPoints.labels.subarray(
           voronoiPoints.labelOffset[i],
@@ -52,6 +72,46 @@ export function diagramJson(
       ],
     })),
     faceLabel: [...data.faceLabel],
+    indifferentFaces: [...data.indifferentFaces],
+    cells: Array.from(cells.face, (face, i) => ({
+      face,
+      label: cells.label[i],
+      points: numbers(cells.points.subarray(cells.offset[i], cells.offset[i + 1])),
+    })),
+  };
+}
+
+/** Per arc the faces of its segments, along the arc. */
+function facesOfArcs({ segments, arcs }: DiagramData): number[][] {
+  const faceOf = Array.from(
+    { length: arcs.labels.length / 2 },
+    () => new Map<string, number>(),
+  );
+  segments.face.forEach((face, s) => {
+    const [tail, tip] = segments.points.subarray(2 * s, 2 * s + 2);
+    faceOf[segments.arc[s]].set(`${tail} ${tip}`, face);
+  });
+  return faceOf.map((faces, i) =>
+    Array.from(arcs.points.subarray(arcs.offset[i], arcs.offset[i + 1] - 1), (tail, k) =>
+      faces.get(`${tail} ${arcs.points[arcs.offset[i] + k + 1]}`)!,
+    ),
+  );
+}
+
+export function placedPointsJson(points: PlacedPoints, scale: number): PlacedPointsJson {
+  return { ...pointsJson(points), position: Array.from(points.position, (x) => scale * x) };
+}
+
+function pointsAt({ face, bary, position }: PlacedPoints, indices: Uint32Array): PlacedPoints {
+  const triples = (values: Float64Array) =>
+    Float64Array.from(
+      { length: 3 * indices.length },
+      (_, i) => values[3 * indices[Math.floor(i / 3)] + (i % 3)],
+    );
+  return {
+    face: Int32Array.from(indices, (i) => face[i]),
+    bary: triples(bary),
+    position: triples(position),
   };
 }
 
@@ -61,7 +121,7 @@ export function pointsJson({ face, bary }: SurfacePoints): SurfacePointsJson {
 
 /** The bisectors as Wavefront OBJ: a polyline per arc, in a group that names its two labels. */
 export function diagramObj({ points, arcs }: DiagramData, scale = 1): string {
-  const { used, numbers } = compact(arcs.points, points.face.length);
+  const { used, number } = compact([arcs.points], points.face.length);
   const lines = ['# Bisectors of a geodesic Voronoi diagram'];
   for (const point of used) {
     const position = points.position.subarray(3 * point, 3 * point + 3);
@@ -69,15 +129,18 @@ export function diagramObj({ points, arcs }: DiagramData, scale = 1): string {
   }
   for (let i = 0; i + 1 < arcs.offset.length; ++i) {
     const [left, right] = arcs.labels.subarray(2 * i);
-    const chain = numbers.subarray(arcs.offset[i], arcs.offset[i + 1]);
-    lines.push(`g bisector_${left}_${right}`, `l ${Array.from(chain, (n) => n + 1).join(' ')}`);
+    const chain = Array.from(
+      arcs.points.subarray(arcs.offset[i], arcs.offset[i + 1]),
+      (point) => number[point] + 1,
+    );
+    lines.push(`g bisector_${left}_${right}`, `l ${chain.join(' ')}`);
   }
   return `${lines.join('\n')}\n`;
 }
 
 /** The bisectors as GLB: one primitive of line segments. */
 export function diagramGlb({ points, segments }: DiagramData, scale = 1): Uint8Array<ArrayBuffer> {
-  const { used, numbers } = compact(segments.points, points.face.length);
+  const { used, number } = compact([segments.points], points.face.length);
   const positions = new Float32Array(3 * used.length);
   used.forEach((point, i) => {
     for (let k = 0; k < 3; ++k) positions[3 * i + k] = scale * points.position[3 * point + k];
@@ -88,7 +151,7 @@ export function diagramGlb({ points, segments }: DiagramData, scale = 1): Uint8A
   const lines = 1;
   const primitive = {
     attributes: { POSITION: file.attribute(positions, 'VEC3') },
-    indices: file.indices(numbers),
+    indices: file.indices(Uint32Array.from(segments.points, (point) => number[point])),
     mode: lines,
   };
   return file.finish({
@@ -99,15 +162,17 @@ export function diagramGlb({ points, segments }: DiagramData, scale = 1): Uint8A
   });
 }
 
-/** The points that a list names, ascending, and the list in terms of them. */
+/** The points that lists name, ascending, and by point its place among them. */
 function compact(
-  list: Int32Array,
+  lists: readonly Int32Array[],
   pointCount: number,
-): { used: Uint32Array; numbers: Uint32Array<ArrayBuffer> } {
+): { used: Uint32Array; number: Uint32Array } {
+  const isUsed = new Uint8Array(pointCount);
+  for (const list of lists) for (const point of list) isUsed[point] = 1;
+  const used = Uint32Array.from(isUsed.keys()).filter((point) => isUsed[point] === 1);
   const number = new Uint32Array(pointCount);
-  const used = new Uint32Array(new Set(list)).sort();
   used.forEach((point, i) => {
     number[point] = i;
   });
-  return { used, numbers: Uint32Array.from(list, (point) => number[point]) };
+  return { used, number };
 }

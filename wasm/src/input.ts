@@ -86,7 +86,7 @@ export function toSampling(sampling: Sampling): Sampling {
 /** Whether density and fixed sites fit mesh and sites is for the core to say. */
 export function toCvtSettings({
   method = 'lbfgs',
-  metric = 'dgpc',
+  metric = metrics[0],
   iterations = 50,
   energyTolerance = 0,
   moveTolerance = 0,

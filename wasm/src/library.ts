@@ -4,6 +4,7 @@
 // and leave the work to an engine: so all engines behave alike.
 
 import { changedData, changedSites, combinedChange, shortenChanges } from './change.js';
+import { metrics } from './core.js';
 import { regionsOf } from './region.js';
 import {
   toCount,
@@ -27,6 +28,8 @@ import type {
   Diagram,
   DiagramChange,
   DiagramData,
+  Distances,
+  DistancesOptions,
   DualOptions,
   GeodesicVoronoi,
   GltfResources,
@@ -43,6 +46,7 @@ import type {
   RemeshQuality,
   RepairOptions,
   Sampling,
+  SurfacePath,
   SurfacePoints,
   SurfacePointsInput,
   TaskOptions,
@@ -129,20 +133,16 @@ class EngineDiagram implements Diagram {
     return (this.#regions ??= regionsOf(this.data));
   }
 
-  async prepareChanges(): Promise<void> {
-    await this.#kept.engine.prepareChanges(this.#kept.handle);
-  }
-
   insertSite(site: SurfacePointsInput): Promise<DiagramChange> {
     return this.#inTurn(async () => {
-      const point = await resolvePoint(this.#kept, site);
+      const point = await resolvePoint(this.#kept, 'site', site);
       return [await this.#tidying(this.#kept.engine.insertSite(this.#kept.handle, point)), point];
     });
   }
 
   moveSite(label: number, site: SurfacePointsInput): Promise<DiagramChange> {
     return this.#inTurn(async () => {
-      const point = await resolvePoint(this.#kept, site);
+      const point = await resolvePoint(this.#kept, 'site', site);
       const answer = this.#kept.engine.moveSite(this.#kept.handle, toLabel(label), point);
       return [await this.#tidying(answer), point];
     });
@@ -176,6 +176,11 @@ class EngineDiagram implements Diagram {
   async locate(points: SurfacePointsInput): Promise<Located> {
     const resolved = await resolvePoints(this.#kept, 'points', points);
     return this.#kept.engine.locate(this.#kept.handle, resolved);
+  }
+
+  async path(point: SurfacePointsInput): Promise<SurfacePath> {
+    const from = await resolvePoint(this.#kept, 'point', point);
+    return this.#kept.engine.pathToSite(this.#kept.handle, from);
   }
 
   async partition(options: PartitionOptions = {}): Promise<Partition> {
@@ -288,12 +293,34 @@ class EngineMesh implements Mesh {
   }
 
   async voronoi(sites: SurfacePointsInput, options: VoronoiOptions = {}): Promise<Diagram> {
-    const { metric = 'dgpc', detail = 0, onProgress, signal } = options;
+    const { metric = metrics[0], detail = 0, onProgress, signal } = options;
     const form = { metric: toMetric(metric), detail: toDetail(detail) };
     const points = await resolvePoints(this.#kept, 'sites', sites);
     const { engine, handle } = this.#kept;
     const opened = await engine.openDiagram(handle, points, form, { onProgress, signal });
     return new EngineDiagram(engine, form, points, opened);
+  }
+
+  async distances(
+    sites: SurfacePointsInput,
+    { metric = metrics[0], onProgress, signal }: DistancesOptions = {},
+  ): Promise<Distances> {
+    const form = toMetric(metric);
+    const points = await resolvePoints(this.#kept, 'sites', sites);
+    const { engine, handle } = this.#kept;
+    const known = await engine.distances(handle, points, form, { onProgress, signal });
+    return { metric: form, sites: points, ...known };
+  }
+
+  async path(
+    from: SurfacePointsInput,
+    to: SurfacePointsInput,
+    { onProgress, signal }: TaskOptions = {},
+  ): Promise<SurfacePath> {
+    const start = await resolvePoint(this.#kept, 'from', from);
+    const end = await resolvePoint(this.#kept, 'to', to);
+    const { engine, handle } = this.#kept;
+    return engine.path(handle, start, end, { onProgress, signal });
   }
 
   async *cvt(
@@ -362,12 +389,16 @@ export class Library implements GeodesicVoronoi {
 }
 
 /** One point, given as a list. */
-async function resolvePoint(owner: Kept, point: SurfacePointsInput): Promise<SurfacePoints> {
-  const points = await resolvePoints(owner, 'site', point);
+async function resolvePoint(
+  owner: Kept,
+  name: string,
+  point: SurfacePointsInput,
+): Promise<SurfacePoints> {
+  const points = await resolvePoints(owner, name, point);
   if (points.face.length !== 1) {
     throw new GeodesicVoronoiError(
       'invalid-argument',
-      `site is a list of ${points.face.length} points where one is needed`,
+      `${name} is a list of ${points.face.length} points where one is needed`,
     );
   }
   return points;

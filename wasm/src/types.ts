@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// <reference lib="esnext.disposable" preserve="true" />
 
-/** Approximate and fast, or exact polyhedral distance. */
-export type Metric = 'dgpc' | 'exact';
+/** Polyhedral distance, exact, which is the default; or approximate and quicker. */
+export type Metric = 'exact' | 'dgpc';
 
 /** How the sites of a centroidal tessellation are found: quasi-Newton steps take fewer iterations. */
 export type CvtMethod = 'lloyd' | 'lbfgs';
@@ -22,11 +22,17 @@ export interface SurfacePoints {
   bary: Float64Array;
 }
 
+/** Points with where they are in space: x, y, z each. */
+export type PlacedPoints = SurfacePoints & { position: Float64Array };
+
 /** What functions take as a list of points: faces with barycentric coordinates, or input vertices. */
 export type SurfacePointsInput =
   { face: ArrayLike<number>; bary: ArrayLike<number> } | { vertex: ArrayLike<number> };
 
-/** What the mesh builder did to the input to make a manifold of it; all zero for a clean mesh. */
+/**
+ * What the mesh builder did to the input to make a manifold of it, and triangles of all its faces;
+ * all zero for a clean mesh. `core/include/gvd/triangle_mesh.h` holds the policy.
+ */
 export interface MeshRepairs {
   weldedVertices: number;
   isolatedVertices: number;
@@ -37,6 +43,10 @@ export interface MeshRepairs {
   orientationCuts: number;
   flippedTriangles: number;
   splitVertices: number;
+  /** Kept, but flat or tiny: for their sake all edges count as longer. */
+  mollifiedTriangles: number;
+  /** What every edge counts as longer by, in the input's units. */
+  mollification: number;
 }
 
 export interface MeshInfo {
@@ -74,7 +84,7 @@ export interface PointLists {
 export interface DiagramData {
   siteCount: number;
   /** Every point named below, each place once. */
-  points: SurfacePoints & { position: Float64Array };
+  points: PlacedPoints;
   /** Bisector segments: two points, the label on the left (the lower) and on the right, the face. */
   segments: { points: Int32Array; labels: Int32Array; face: Int32Array; arc: Int32Array };
   /** Maximal chains of segments of two labels between Voronoi points; two labels per arc. */
@@ -115,6 +125,52 @@ export interface DiagramChange {
   part: Omit<DiagramData, 'siteCount'>;
 }
 
+/**
+ * The distances of the nearest sites, per input vertex. A vertex that belongs to no triangle is out of
+ * reach; one at which several parts of the surface touch counts to the first triangle that names it.
+ */
+export interface VertexDistances {
+  /** The nearest site, the first one of those that tie; -1 if none reaches the vertex. */
+  label: Int32Array;
+  /** In the input's units; Infinity if no site reaches the vertex. */
+  distance: Float64Array;
+  /**
+   * Two numbers each: the direction in which the shortest path leaves the site, as a unit vector; NaN
+   * if there is none. With the distance, this is the logarithmic map. The x axis is the first side of
+   * the site's triangle (corner 0 to 1; to corner 2 if the mesh builder turned it over), the y axis lies
+   * to its left; triangles beside a site on an edge or vertex are unfolded counterclockwise. (1, 0)
+   * at the site itself.
+   */
+  direction: Float64Array;
+}
+
+/** Distances with what they are of. */
+export interface Distances extends VertexDistances {
+  metric: Metric;
+  /** Also of sites that were given as vertices, the triangles that directions refer to. */
+  sites: SurfacePoints;
+}
+
+export interface DistancesOptions extends TaskOptions {
+  /** Default 'exact'. */
+  metric?: Metric;
+}
+
+/** A path on the surface; without points, and of length Infinity, if there is none. */
+export interface SurfacePath {
+  /**
+   * The start, the crossings of edges and the vertices that the path meets, and the end; one point if the
+   * two are one. Each is in terms of a triangle that the path runs through, and between two of them it is
+   * straight, within a triangle.
+   */
+  points: PlacedPoints;
+  /**
+   * In the input's units. With the metric 'exact' this is the distance; that of 'dgpc' may be a little
+   * more or less.
+   */
+  length: number;
+}
+
 export interface Located {
   /** Nearest site per point, -1 if none reaches it. */
   label: Int32Array;
@@ -130,6 +186,7 @@ export interface TaskOptions {
 }
 
 export interface VoronoiOptions extends TaskOptions {
+  /** Default 'exact'. */
   metric?: Metric;
   /** How many times faces with several regions are split in four. Default 0. */
   detail?: number;
@@ -148,7 +205,7 @@ export interface PartitionOptions {
  * `core/include/gvd/partition.h` holds the definitions.
  */
 export interface Partition {
-  points: SurfacePoints & { position: Float64Array };
+  points: PlacedPoints;
   /**
    * Three points each, ascending by label, what no site reaches (-1) last. `face` is the input
    * triangle each is part of, and `bary` its corners in terms of it, nine numbers each: what belongs
@@ -192,7 +249,7 @@ export interface DualOptions {
  * the mesh boundary. Counterclockwise as the surface is, sides straight in space.
  */
 export interface PolygonMesh {
-  points: SurfacePoints & { position: Float64Array };
+  points: PlacedPoints;
   faces: PointLists;
   /** Per point of a dual, its region: point i is site i, those after are on the boundary. */
   vertexLabel: Int32Array;
@@ -259,7 +316,7 @@ export interface RepairOptions extends TaskOptions {
 export interface CvtOptions {
   /** Default 'lbfgs'. */
   method?: CvtMethod;
-  /** Of the distances; default 'dgpc'. */
+  /** Of the distances; default 'exact'. */
   metric?: Metric;
   /** At most; default 50. */
   iterations?: number;
@@ -330,9 +387,8 @@ export interface Region {
 }
 
 /**
- * A diagram. Sites can come, go and move if the metric is 'dgpc': only the surroundings are computed
- * anew, and only what has changed is handed over. The first change takes as long as the diagram did,
- * unless that was prepared.
+ * A diagram. Sites can come, go and move: only the surroundings are computed anew, and only what has
+ * changed is handed over. The first change costs about a diagram more: one that can change is made.
  * Calls are carried out in their order; `sites`, `data` and `regions` are those after the last one
  * that has resolved.
  */
@@ -342,8 +398,6 @@ export interface Diagram extends Disposable {
   readonly sites: SurfacePoints;
   readonly data: DiagramData;
   readonly regions: readonly Region[];
-  /** Does ahead what the first change takes long for. */
-  prepareChanges(): Promise<void>;
   /** Adds a site, given as a list of one; it gets the lowest label that is free. */
   insertSite(site: SurfacePointsInput): Promise<DiagramChange>;
   moveSite(label: number, site: SurfacePointsInput): Promise<DiagramChange>;
@@ -352,7 +406,13 @@ export interface Diagram extends Disposable {
    * have no site do not count any more.
    */
   removeSite(label: number): Promise<DiagramChange>;
+  /**
+   * The nearest site by distance. Beside a bisector that may be the site beyond it: regions, as they
+   * are drawn, end at bisectors that are straight within each triangle, or part of one (`detail`).
+   */
   locate(points: SurfacePointsInput): Promise<Located>;
+  /** The shortest path from a point, given as a list of one, to its nearest site. */
+  path(point: SurfacePointsInput): Promise<SurfacePath>;
   /** The mesh cut into the regions. */
   partition(options?: PartitionOptions): Promise<Partition>;
   /**
@@ -392,6 +452,14 @@ export interface Mesh extends Disposable {
     options?: { seed?: number; sampling?: Sampling },
   ): Promise<SurfacePoints>;
   voronoi(sites: SurfacePointsInput, options?: VoronoiOptions): Promise<Diagram>;
+  /** The nearest site of every input vertex, how far it is, and in which direction from the site. */
+  distances(sites: SurfacePointsInput, options?: DistancesOptions): Promise<Distances>;
+  /** The shortest path between two points, given as a list of one each; exact. */
+  path(
+    from: SurfacePointsInput,
+    to: SurfacePointsInput,
+    options?: TaskOptions,
+  ): Promise<SurfacePath>;
   /**
    * Moves sites to the centroids of their regions: a state per iteration, the first that of the
    * sites given. Leaving the loop ends it.

@@ -22,8 +22,10 @@ import type {
   PolygonMesh,
   RemeshQuality,
   Sampling,
+  SurfacePath,
   SurfacePoints,
   TaskOptions,
+  VertexDistances,
   Violation,
 } from './types.js';
 import type { EngineCall, Loaded, Reply, Request, WorkerPort } from './worker_protocol.js';
@@ -95,8 +97,26 @@ export class WorkerEngine implements Engine {
     return this.#request('openDiagram', [owner, sites, options], task);
   }
 
-  prepareChanges(diagram: Handle): Promise<void> {
-    return this.#request('prepareChanges', [diagram]);
+  distances(
+    mesh: Handle,
+    sites: SurfacePoints,
+    metric: Metric,
+    task: TaskOptions,
+  ): Promise<VertexDistances> {
+    return this.#request('distances', [mesh, sites, metric], task);
+  }
+
+  path(
+    mesh: Handle,
+    from: SurfacePoints,
+    to: SurfacePoints,
+    task: TaskOptions,
+  ): Promise<SurfacePath> {
+    return this.#request('path', [mesh, from, to], task);
+  }
+
+  pathToSite(diagram: Handle, from: SurfacePoints): Promise<SurfacePath> {
+    return this.#request('pathToSite', [diagram, from]);
   }
 
   insertSite(diagram: Handle, site: SurfacePoints): Promise<DiagramChange> {

@@ -28,7 +28,7 @@ function factsOf(info: MeshInfo): [string, string][] {
 }
 
 function sentencesOf(repairs: MeshRepairs): string[] {
-  const texts: Record<keyof MeshRepairs, (n: number) => string> = {
+  const texts: Record<Exclude<keyof MeshRepairs, 'mollification'>, (n: number) => string> = {
     weldedVertices: (n) => `${counted(n, 'vertex', 'vertices')} welded.`,
     isolatedVertices: (n) => `${counted(n, 'vertex', 'vertices')} unused.`,
     nonFiniteTriangles: (n) => `${counted(n, 'triangle')} with impossible coordinates dropped.`,
@@ -38,8 +38,10 @@ function sentencesOf(repairs: MeshRepairs): string[] {
     orientationCuts: (n) => `${counted(n, 'edge')} cut, since no orientation fits both sides.`,
     flippedTriangles: (n) => `${counted(n, 'triangle')} turned over.`,
     splitVertices: (n) => `${counted(n, 'vertex', 'vertices')} split.`,
+    mollifiedTriangles: (n) =>
+      `${counted(n, 'flat or tiny triangle')}: for distances, all edges are longer by ${measure(repairs.mollification)}.`,
   };
-  const made = (Object.keys(texts) as (keyof MeshRepairs)[]).filter((key) => repairs[key] > 0);
+  const made = (Object.keys(texts) as (keyof typeof texts)[]).filter((key) => repairs[key] > 0);
   return made.length > 0 ? made.map((key) => texts[key](repairs[key])) : ['No repairs needed.'];
 }
 

@@ -88,7 +88,7 @@ function setUpDistance(viewer: GeodesicVoronoiElement): void {
 
   // The viewer goes back to what it shows if the choice fails or is cancelled.
   new MutationObserver(() => {
-    const metric = viewer.getAttribute('metric') ?? 'dgpc';
+    const metric = viewer.getAttribute('metric') ?? 'exact';
     for (const radio of radios) radio.checked = radio.value === metric;
     detail.value = viewer.getAttribute('detail') ?? '0';
   }).observe(viewer, { attributeFilter: ['metric', 'detail'] });

@@ -137,7 +137,7 @@ const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
  * it, Delete removes it.
  *
  * Attributes: `src` (address of a .glb or .gltf), `alt`, `sites` (how many are scattered on a new
- * model), their `seed` and `sampling` (random, farthest, poisson), `metric` (dgpc, exact), `detail` (0 …), `layers` (what is shown, separated
+ * model), their `seed` and `sampling` (random, farthest, poisson), `metric` (exact, dgpc), `detail` (0 …), `layers` (what is shown, separated
  * by spaces: regions, bisectors, sites, voronoi-points, dual, wireframe), `exploded` (0 … 1: how far
  * the regions are apart; then there is nothing to edit), `cvt-method` (lbfgs, lloyd),
  * `cvt-iterations`, `cvt-tolerance` (ends when an iteration lowers the energy by no more than this share;
@@ -490,7 +490,6 @@ export class GeodesicVoronoiElement extends Base {
       select: (site) => {
         this.#selected = site;
         this.#showSites();
-        this.#session?.expectMove();
       },
       beginStroke: (x, y) => this.#isPainting && this.#dab(stage.toDevice(x, y)),
       stroke: (x, y) => this.#dab(stage.toDevice(x, y)),
@@ -591,7 +590,7 @@ export class GeodesicVoronoiElement extends Base {
   #configure(): void {
     this.#session?.configure({
       // What is no metric is for the library to refuse, which names those there are.
-      metric: (this.getAttribute('metric') ?? 'dgpc') as Metric,
+      metric: (this.getAttribute('metric') ?? 'exact') as Metric,
       detail: numberOf(this.getAttribute('detail'), 0),
     });
   }
@@ -831,7 +830,6 @@ export class GeodesicVoronoiElement extends Base {
     const { stage, canvas, hover } = this.#required();
     const hit = this.#pick(stage.toDevice(x, y));
     const overSite = hit && !this.#isPainting && this.#siteAt(x, y, 10) !== undefined;
-    if (overSite) this.#session?.expectMove();
     canvas.style.cursor = overSite ? 'grab' : hit ? 'crosshair' : '';
     hover.moveTo(hit);
     this.#showBrush(hit);

@@ -100,14 +100,12 @@ export class Session {
   readonly #listener: SessionListener;
   readonly #history = new SiteHistory();
   readonly #task = new LatestTask<Job>((job, signal) => this.#compute(job, signal));
-  #settings: DiagramSettings = { metric: 'dgpc', detail: 0 };
+  #settings: DiagramSettings = { metric: 'exact', detail: 0 };
   #library: Promise<GeodesicVoronoi> | undefined;
   #opening: AbortController | undefined;
   #mesh: Mesh | undefined;
   #shown: ShownDiagram | undefined;
   #move: { id: number; recorded: boolean } | undefined;
-  /** The diagram that is prepared to be changed. */
-  #prepared: Diagram | undefined;
   #cvt: CvtRun | undefined;
   #cvtStatus: CvtStatus = 'idle';
   #scattering: Scattering | undefined;
@@ -219,15 +217,6 @@ export class Session {
   removeSite(id: number): void {
     const rest = without(this.sites, id);
     if (rest !== this.sites) this.#record(rest);
-  }
-
-  /** A site may be moved soon: what the diagram's first change takes long for is done ahead. */
-  expectMove(): void {
-    const diagram = this.#shown?.diagram;
-    if (this.#status !== 'ready' || diagram?.metric !== 'dgpc' || diagram === this.#prepared) return;
-    this.#prepared = diagram;
-    // If it fails, so does the first change, which is then what has failed.
-    diagram.prepareChanges().catch(() => {});
   }
 
   /** Moves a site; all moves until `endMove` are one step to undo. */
@@ -445,16 +434,14 @@ export class Session {
   }
 
   /**
-   * Makes the diagram that is shown the one asked for, where a step or two do: the work of a few regions
-   * (except for the first time). It is too short to be given up half-way. Undefined if there are no such
-   * steps or one failed.
+   * Makes the diagram that is shown the one asked for, where a step or two do: the work of a few regions,
+   * the first time that of a diagram. It is too short to be given up half-way. Undefined if there are no
+   * such steps or one failed.
    */
   async #changeShown({ sites, metric, detail }: Job): Promise<DiagramChange[] | undefined> {
     const shown = this.#shown;
     const diagram = shown?.diagram;
-    if (!diagram || metric !== 'dgpc' || shown.metric !== metric || shown.detail !== detail) {
-      return undefined;
-    }
+    if (!diagram || shown.metric !== metric || shown.detail !== detail) return undefined;
     const steps = sites.length > 0 && stepsBetween(shown.sites, sites);
     if (!steps) return undefined;
     try {
@@ -486,7 +473,7 @@ export class Session {
 
   #newCvt(mesh: Mesh, settings: CvtSettings): CvtRun {
     return new CvtRun(mesh, this.sites, settings, this.#cut, {
-      iterated: (picture) => this.#showIteration(picture, settings.metric ?? 'dgpc'),
+      iterated: (picture) => this.#showIteration(picture, settings.metric ?? 'exact'),
       paused: () => this.#rest(),
       failed: (error) => {
         this.#stopCvt();

@@ -242,6 +242,7 @@ Eigen::Vector2d SiteDistances::direction(int label, int vertex) const {
 }
 
 std::vector<SurfacePoint> SiteDistances::path(int label, const SurfacePoint& p) const {
+  if (!sites_.contains(label)) return {};
   if (!(distance(label, p) < kInfinity) && nearest(p).label != label) return {};
   return spread_->path(label, p);
 }

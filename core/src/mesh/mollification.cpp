@@ -26,7 +26,8 @@ IntrinsicTriangle measureTriangle(const std::array<Eigen::Vector3d, 3>& corners)
     t.lengths[i] = sides[i].norm();
   }
   // From the two shorter sides: the rounding of the cross product grows with the factors.
-  const int longest = static_cast<int>(std::ranges::max_element(t.lengths) - t.lengths.begin());
+  const auto longestSide = std::max_element(t.lengths.begin(), t.lengths.end());
+  const int longest = static_cast<int>(longestSide - t.lengths.begin());
   t.twiceArea = sides[after(longest)].cross(sides[before(longest)]).norm();
 
   const double perimeter = perimeterOf(t.lengths);

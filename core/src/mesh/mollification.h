@@ -36,7 +36,7 @@ struct IntrinsicTriangle {
   std::array<double, 3> excess;   ///< at corner i: how much longer its two sides are than the third
   double twiceArea;
 
-  double leastExcess() const { return *std::ranges::min_element(excess); }
+  double leastExcess() const { return *std::min_element(excess.begin(), excess.end()); }
 };
 
 /// Of three points in space. Lengths have the same bits whichever way a side runs. Excess and area

@@ -93,6 +93,15 @@ bool hasOneFanPerVertex(const PolygonHalfedges& halfedges, int vertexCount) {
   return true;
 }
 
+/// Pairs of vertices that sides join, each once, however many sides do.
+int countEdges(const PolygonHalfedges& halfedges) {
+  std::vector<std::pair<int, int>> edges;
+  for (int h = 0; h < halfedges.count(); ++h)
+    edges.push_back(std::minmax({halfedges.tail(h), halfedges.tip(h)}));
+  std::sort(edges.begin(), edges.end());
+  return static_cast<int>(std::unique(edges.begin(), edges.end()) - edges.begin());
+}
+
 int countComponents(const PolygonHalfedges& halfedges, int vertexCount) {
   std::vector<int> parent(vertexCount);
   std::iota(parent.begin(), parent.end(), 0);
@@ -156,10 +165,8 @@ PolygonTopology topologyOf(const PolygonMesh& mesh) {
   const PolygonHalfedges halfedges(mesh);
   PolygonTopology topology;
   std::vector<char> isUsed(vertexCount, false);
-  for (int h = 0; h < halfedges.count(); ++h) {
-    isUsed[halfedges.tail(h)] = true;
-    topology.edges += halfedges.twin(h) < h;
-  }
+  for (int h = 0; h < halfedges.count(); ++h) isUsed[halfedges.tail(h)] = true;
+  topology.edges = countEdges(halfedges);
   topology.vertices = static_cast<int>(std::count(isUsed.begin(), isUsed.end(), true));
   topology.faces = mesh.faces.size();
   topology.eulerCharacteristic = topology.vertices - topology.edges + topology.faces;

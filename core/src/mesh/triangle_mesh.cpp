@@ -110,7 +110,7 @@ void TriangleMesh::measureFaces() {
   }
 
   for (int f = 0; f < faceCount(); ++f) {
-    const double longest = *std::ranges::max_element(faces_[f].lengths);
+    const double longest = *std::max_element(faces_[f].lengths.begin(), faces_[f].lengths.end());
     const double missing = leastExcessWanted(longest, meanEdgeLength_) - leastExcess[f];
     if (missing <= 0) continue;
     ++repairs_.mollifiedTriangles;

@@ -6,9 +6,16 @@ import type {
   Mesh,
   Metric,
   PolygonMesh,
+  SurfacePath,
   SurfacePointsInput,
 } from '../types.js';
-import { toDiagramEncoder, toPartitionEncoder, toPolygonEncoder } from './encoders.js';
+import {
+  toDiagramEncoder,
+  toDistancesEncoder,
+  toPartitionEncoder,
+  toPathsEncoder,
+  toPolygonEncoder,
+} from './encoders.js';
 import { FileError, Output, readModel, readPoints } from './files.js';
 import { meshReport } from './mesh_report.js';
 import type { CommandName, Invocation, Values } from './options.js';
@@ -27,6 +34,10 @@ export function execute(invocation: Invocation): Promise<void> {
       return diagram(invocation);
     case 'locate':
       return locate(invocation);
+    case 'distances':
+      return distances(invocation);
+    case 'path':
+      return path(invocation);
     case 'cvt':
       return cvt(invocation);
     case 'partition':
@@ -53,6 +64,10 @@ async function info({ mesh: path, values }: Request<'info'>): Promise<void> {
     ...mesh.info,
     area: scale * scale * mesh.info.area,
     boundingDiagonal: scale * mesh.info.boundingDiagonal,
+    repairs: {
+      ...mesh.info.repairs,
+      mollification: scale * mesh.info.repairs.mollification,
+    },
   };
   const json = { ...facts, parts: mesh.parts };
   await output.write(values.json ? `${JSON.stringify(json, null, 2)}\n` : meshReport(facts));
@@ -86,6 +101,59 @@ async function locate({ mesh: path, values }: Request<'locate'>): Promise<void> 
       // JSON has no infinity: what no site reaches is null.
       distance: Array.from(distance, (d) => (d === Infinity ? null : scale * d)),
     })}\n`,
+  );
+}
+
+async function distances({ mesh: path, values }: Request<'distances'>): Promise<void> {
+  const scale = values.units;
+  const encode = toDistancesEncoder(values);
+  const output = await Output.open(values.output);
+  const { mesh, sites } = await openWithSites(path, values);
+  const { metric } = values;
+  const distances = await withProgress(values, (onProgress) =>
+    mesh.distances(sites, { metric, onProgress }),
+  );
+  await output.write(encode({ mesh, distances }, scale));
+  const reached = distances.distance.filter((d) => d < Infinity);
+  const farthest = reached.reduce((most, d) => Math.max(most, d), 0);
+  summarise(
+    output,
+    values,
+    `${reached.length} of ${distances.label.length} vertices reached, ` +
+      `the farthest at ${(scale * farthest).toPrecision(6)}`,
+  );
+}
+
+async function path({ mesh: model, values }: Request<'path'>): Promise<void> {
+  const scale = values.units;
+  const encode = toPathsEncoder(values);
+  const output = await Output.open(values.output);
+  const starts = singlePoints(await readPoints(values.from));
+  const ends = singlePoints(await readPoints(values.to));
+  if (ends.length !== 1 && ends.length !== starts.length) {
+    throw new FileError(
+      `there are ${starts.length} points to start at, but ${ends.length} to end at: give as many, or one`,
+    );
+  }
+  const mesh = await openMesh(model);
+  const paths = await withProgress(values, async (onProgress) => {
+    const toOneEnd = ends.length === 1 ? await mesh.voronoi(ends[0]) : undefined;
+    const found: SurfacePath[] = [];
+    for (const [i, start] of starts.entries()) {
+      found.push(await (toOneEnd?.path(start) ?? mesh.path(start, ends[i])));
+      onProgress(found.length / starts.length);
+    }
+    return found;
+  });
+  await output.write(encode(paths, scale));
+  const lengths = paths.map(({ length }) => scale * length);
+  const shortest = lengths.reduce((least, length) => Math.min(least, length), Infinity);
+  const longest = lengths.reduce((most, length) => Math.max(most, length), 0);
+  summarise(
+    output,
+    values,
+    `${paths.length} ${paths.length === 1 ? 'path' : 'paths'}, of length ` +
+      [...new Set([shortest, longest])].map((length) => length.toPrecision(6)).join(' to '),
   );
 }
 
@@ -216,6 +284,15 @@ async function tessellate(
     onProgress(iterations > 0 ? state.iteration / iterations : 1);
   }
   return states;
+}
+
+/** The points of a list, as lists of one. */
+function singlePoints(points: SurfacePointsInput): SurfacePointsInput[] {
+  if ('vertex' in points) return Array.from(points.vertex, (vertex) => ({ vertex: [vertex] }));
+  return Array.from(points.face, (face, i) => ({
+    face: [face],
+    bary: Array.from({ length: 3 }, (_, k) => points.bary[3 * i + k]),
+  }));
 }
 
 /** A line about a result that went to a file. */

@@ -4,19 +4,22 @@
 
 import { extname } from 'node:path';
 import { diagramGlb, diagramJson, diagramObj, pointsJson } from '../formats.js';
+import { distancesGlb, distancesJson, distancesPly, pathsJson, pathsObj } from '../distance_formats.js';
 import { partitionGlb, partitionJson, partitionObj, partitionPly } from '../partition_formats.js';
 import { polygonGlb, polygonJson, polygonObj, polygonPly } from '../polygon_formats.js';
 import type {
   Diagram,
+  Distances,
   Mesh,
   Partition,
   PolygonMesh,
   RemeshQuality,
+  SurfacePath,
   SurfacePoints,
   Violation,
 } from '../types.js';
 import { standard, type Values } from './options.js';
-import { listed, UsageError } from './values.js';
+import { listed, unitOf, UsageError } from './values.js';
 
 /** Where the result goes, and whether it is JSON whatever that is called. */
 type Target = Pick<Values, 'output' | 'json'>;
@@ -42,9 +45,35 @@ const text = (json: object): string => `${JSON.stringify(json)}\n`;
 export function toDiagramEncoder(target: Target): Encoder<Diagram> {
   return encoderOf(
     {
-      '.json': (diagram, scale) => text(diagramJson(diagram, scale)),
+      '.json': (diagram, scale) => text(diagramJson(diagram, scale, unitOf(scale))),
       '.obj': ({ data }, scale) => diagramObj(data, scale),
       '.glb': ({ data }, scale) => diagramGlb(data, scale),
+    },
+    target,
+  );
+}
+
+interface DistancesResult {
+  mesh: Mesh;
+  distances: Distances;
+}
+
+export function toDistancesEncoder(target: Target): Encoder<DistancesResult> {
+  return encoderOf(
+    {
+      '.json': ({ distances }, scale) => text(distancesJson(distances, scale)),
+      '.ply': ({ mesh, distances }, scale) => distancesPly(mesh, distances, scale),
+      '.glb': ({ mesh, distances }, scale) => distancesGlb(mesh, distances, scale),
+    },
+    target,
+  );
+}
+
+export function toPathsEncoder(target: Target): Encoder<SurfacePath[]> {
+  return encoderOf(
+    {
+      '.json': (paths, scale) => text(pathsJson(paths, scale)),
+      '.obj': (paths, scale) => pathsObj(paths, scale),
     },
     target,
   );

@@ -2,7 +2,7 @@
 import type { MeshInfo, MeshRepairs } from '../types.js';
 
 /** What each repair did, after its count. */
-const repairTexts: Record<keyof MeshRepairs, string> = {
+const repairTexts: Record<Exclude<keyof MeshRepairs, 'mollification'>, string> = {
   weldedVertices: 'vertices welded to others at their place',
   isolatedVertices: 'vertices without a triangle',
   nonFiniteTriangles: 'triangles with a corner that is not finite, dropped',
@@ -12,6 +12,7 @@ const repairTexts: Record<keyof MeshRepairs, string> = {
   orientationCuts: 'edges cut because the surface has one side only',
   flippedTriangles: 'triangles turned over to agree with their neighbours',
   splitVertices: 'vertices split that joined separate fans of triangles',
+  mollifiedTriangles: 'triangles flat or tiny: for distances, all edges are longer',
 };
 
 /** The facts of a mesh, a line each, for people. */
@@ -33,6 +34,8 @@ export function meshReport(facts: MeshInfo): string {
     const count = facts.repairs[name as keyof MeshRepairs];
     if (count > 0) lines.push(`repair: ${count} ${text}`);
   }
+  const { mollification } = facts.repairs;
+  if (mollification > 0) lines[lines.length - 1] += ` by ${number(mollification)}`;
   for (const note of facts.notes) lines.push(`note: ${note}`);
   return `${lines.join('\n')}\n`;
 }

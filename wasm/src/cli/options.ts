@@ -41,6 +41,12 @@ const options = {
     help: 'Number of sites to sample, or a JSON file of them',
   },
   points: { value: 'FILE', parse: path, help: 'JSON file of the points to locate' },
+  from: { value: 'FILE', parse: path, help: 'JSON file of the points at which paths start' },
+  to: {
+    value: 'FILE',
+    parse: path,
+    help: 'JSON file of the points at which they end: as many, or one for all',
+  },
   iterations: {
     value: 'N',
     parse: integer(0, maxCount),
@@ -60,7 +66,7 @@ const options = {
     help: 'Of a .glb: regions: a node with a primitive for each; features: one mesh with region ids (EXT_mesh_features)',
   },
   holes: {
-    help: 'Leave holes where regions tie on whole triangles, instead of giving these to the lowest; for sites in one place, with --metric exact only',
+    help: 'Leave holes where regions tie on whole triangles, instead of giving these to the lowest',
   },
   repair: { help: 'Add sites until the dual is valid' },
   primal: { help: 'The regions as polygons, instead of the dual' },
@@ -79,8 +85,8 @@ const options = {
   metric: {
     value: 'METRIC',
     parse: oneOf(metrics),
-    default: 'dgpc',
-    help: 'dgpc: approximate, fast; exact',
+    default: metrics[0],
+    help: 'exact: polyhedral distance; dgpc: approximate, quicker',
   },
   detail: {
     value: 'N',
@@ -142,6 +148,16 @@ export const commands = {
     result: '{"label": […], "distance": […]}; -1 and null for a point that no site reaches.',
     options: [...ofSites, 'points', 'metric', 'progress', ...ofOutput],
   },
+  distances: {
+    summary: 'The nearest site of every vertex of a mesh, its distance and direction',
+    result: `By FILE's ending: .json {"label": […], "distance": […], "direction": […]} (-1 and null where no site reaches), .ply (properties of the vertices), .glb (attributes _LABEL and _DISTANCE, -1 where no site reaches).`,
+    options: [...ofSites, 'metric', 'progress', ...ofOutput],
+  },
+  path: {
+    summary: 'Shortest paths between points on a mesh',
+    result: `By FILE's ending: .json {"paths": [{"points", "length"}, …]} (no points and null where there is none), .obj (a polyline each).`,
+    options: ['from', 'to', 'progress', ...ofOutput],
+  },
   cvt: {
     summary: 'Sites at the centroids of their regions: a centroidal Voronoi tessellation',
     result:
@@ -198,7 +214,8 @@ export function parseCommandLine(args: string[], version: string): Invocation | 
     );
   }
   const [mesh] = positionals;
-  if ([mesh, texts.sites, texts.points].filter((path) => path === standard).length > 1) {
+  const { sites, points, from, to } = texts;
+  if ([mesh, sites, points, from, to].filter((path) => path === standard).length > 1) {
     throw new UsageError('only one file can be standard input');
   }
   const values = commands[command].options.map((name) => [name, valueOf(name, texts[name])]);

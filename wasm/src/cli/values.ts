@@ -52,6 +52,11 @@ const unitScale: Record<string, number> = {
 
 export const units: readonly string[] = Object.keys(unitScale);
 
+/** The unit that lengths in metres are in when they have been multiplied with a factor, if it has a name. */
+export function unitOf(factor: number): string | undefined {
+  return units.find((unit) => unitScale[unit] === factor);
+}
+
 /** What lengths in metres are multiplied with. */
 export const scale: Parser<number> = (text, option) => {
   const value = Object.hasOwn(unitScale, text) ? unitScale[text] : Number(text);

@@ -16,9 +16,9 @@ namespace gvd::dgpc {
 /// A path from a point back to the site of a label, near the shortest one. At every point the
 /// distances at the ends of the sides around it put virtual sources behind these, by unfolding as
 /// in the sweep; the path heads for the nearest one, or along an edge for a vertex, up to the side
-/// or the vertex, and looks again. What it estimates of the distance falls with every point. Where
-/// it does not, or nothing is in sight, the path goes on over a vertex; those come ever nearer to
-/// the site.
+/// or the vertex, and looks again. What it estimates of the distance falls with every point; where
+/// it would not, the path keeps to its straight line. Where that leads nowhere, the path goes on
+/// over a vertex. Vertices come ever nearer to the site, so it never loops.
 class UnfoldingPath {
  public:
   UnfoldingPath(const TriangleMesh& mesh, const SurfacePoint& site,

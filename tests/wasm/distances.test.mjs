@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+//
+// Distances per vertex and paths: that they arrive in terms of the input, agree with the diagram, and
+// that others can read the files. That they are right is for the tests of the core to say.
+
+import assert from 'node:assert/strict';
+import { before, describe, test } from 'node:test';
+import {
+  distancesGlb,
+  distancesJson,
+  distancesPly,
+  load,
+  pathsJson,
+  pathsObj,
+} from 'geodesic-voronoi';
+import { assertValidGlb, readPly, threeMeshes } from './files.mjs';
+import { apart, bumpySphere, grid, octahedron, withFlipped } from './meshes.mjs';
+
+let gvd;
+before(async () => {
+  gvd = await load();
+});
+
+function near(actual, expected, tolerance = 1e-9, what = '') {
+  assert.ok(Math.abs(actual - expected) <= tolerance, `${what} ${actual} is not ${expected}`);
+}
+
+const single = ({ face, bary }, i) => ({ face: [face[i]], bary: bary.slice(3 * i, 3 * i + 3) });
+
+/** The first side of a triangle and what lies to its left, as unit vectors; in the plane z = 0. */
+function frameOf({ positions, indices }, face) {
+  const [a, b] = [0, 1].map((k) => 3 * indices[3 * face + k]);
+  const [x, y] = [positions[b] - positions[a], positions[b + 1] - positions[a + 1]];
+  const length = Math.hypot(x, y);
+  return [x / length, y / length];
+}
+
+for (const metric of ['exact', 'dgpc'])
+  describe(`distances, ${metric}`, () => {
+    test('are those of the diagram at the vertices', async () => {
+      const mesh = await gvd.mesh(bumpySphere(16, 24));
+      const sites = await mesh.sampleSites(12);
+      const shares = [];
+      const { label, distance, direction, ...rest } = await mesh.distances(sites, {
+        metric,
+        onProgress: (share) => shares.push(share),
+      });
+      assert.equal(shares.at(-1), 1);
+      assert.deepEqual(rest, { metric, sites });
+      const count = mesh.positions.length / 3;
+      assert.equal(label.length, count);
+      assert.equal(direction.length, 2 * count);
+      const diagram = await mesh.voronoi(sites, { metric });
+      const located = await diagram.locate({ vertex: [...label.keys()] });
+      assert.deepEqual(label, located.label);
+      distance.forEach((d, v) => near(d, located.distance[v]));
+      for (let v = 0; v < count; ++v) near(Math.hypot(direction[2 * v], direction[2 * v + 1]), 1);
+    });
+
+    test('in the plane, distance and direction lead from the site to the vertex', async () => {
+      const mesh = await gvd.mesh(grid(7));
+      const sites = await mesh.sampleSites(9, { seed: 4 });
+      const places = Array.from(sites.face, (face, i) =>
+        [0, 1].map((axis) =>
+          [0, 1, 2].reduce(
+            (sum, c) =>
+              sum + sites.bary[3 * i + c] * mesh.positions[3 * mesh.indices[3 * face + c] + axis],
+            0,
+          ),
+        ),
+      );
+      const { label, distance, direction } = await mesh.distances(sites, { metric });
+      label.forEach((site, v) => {
+        const [x, y] = frameOf(mesh, sites.face[site]);
+        const [along, across] = [direction[2 * v], direction[2 * v + 1]];
+        near(places[site][0] + distance[v] * (along * x - across * y), mesh.positions[3 * v]);
+        near(places[site][1] + distance[v] * (along * y + across * x), mesh.positions[3 * v + 1]);
+      });
+    });
+
+    test('what is out of reach, isolated, at the same place', async () => {
+      const { positions, indices } = apart(octahedron(), grid(1));
+      const mesh = await gvd.mesh({
+        positions: [...positions, 9, 9, 9, ...positions.slice(3, 6)],
+        indices: [...indices.slice(0, -6), ...indices.slice(-6)],
+      });
+      const { label, distance, direction } = await mesh.distances({ vertex: [0, 3] }, { metric });
+      assert.deepEqual([...label], [0, 0, 0, 1, 0, 0, -1, -1, -1, -1, -1, 0]);
+      assert.deepEqual([...distance.subarray(6, 11)], new Array(5).fill(Infinity));
+      assert.ok(direction.subarray(12, 22).every(Number.isNaN));
+      assert.equal(distance[11], distance[1]);
+      assert.deepEqual(direction.slice(22), direction.slice(2, 4));
+      assert.deepEqual([distance[0], distance[3]], [0, 0]);
+      assert.deepEqual([...direction.subarray(0, 2)], [1, 0]);
+    });
+  });
+
+test('distances can be refused and given up', async () => {
+  const mesh = await gvd.mesh(grid(60));
+  const sites = await mesh.sampleSites(50);
+  const refused = (code) => ({ name: 'GeodesicVoronoiError', code });
+  await assert.rejects(mesh.distances(sites, { metric: 'far' }), refused('invalid-argument'));
+  await assert.rejects(mesh.distances({ vertex: [] }), refused('invalid-argument'));
+  await assert.rejects(mesh.distances({ vertex: [1e6] }), refused('invalid-point'));
+  const controller = new AbortController();
+  const onProgress = () => controller.abort(new Error('enough'));
+  await assert.rejects(
+    mesh.distances(sites, { signal: controller.signal, onProgress }),
+    /enough/,
+  );
+  assert.equal((await mesh.distances(sites)).label.length, 61 * 61);
+});
+
+test('PLY and GLB hold the mesh with its distances, JSON the arrays', async () => {
+  const shape = apart(octahedron(), grid(2));
+  const mesh = await gvd.mesh({
+    positions: [...shape.positions, NaN, 0, 0],
+    indices: [...shape.indices, 0, 1, 15],
+    normals: [...shape.positions.map((x, i) => 2 * x * (i < 18)), 0, 0, 0],
+    uvs: new Array(32).fill(0.5),
+  });
+  const distances = await mesh.distances({ vertex: [0, 5] });
+  const { label, distance, direction } = distances;
+
+  const { vertex, face } = readPly(distancesPly(mesh, distances, 3));
+  assert.equal(face.length, mesh.indices.length / 3);
+  vertex.forEach((row, v) => {
+    assert.equal(row.label, label[v]);
+    assert.equal(row.distance, 3 * distance[v]);
+    assert.deepEqual([row.direction_x, row.direction_y], [...direction.subarray(2 * v, 2 * v + 2)]);
+    assert.deepEqual(row.x, 3 * mesh.positions[3 * v]);
+  });
+
+  const bytes = distancesGlb(mesh, distances, 3);
+  await assertValidGlb(bytes);
+  const [{ geometry }] = await threeMeshes(bytes);
+  assert.equal(geometry.index.count, mesh.indices.length - 3, 'without what is not finite');
+  const attribute = (name) => [...geometry.attributes[name].array];
+  assert.deepEqual(attribute('_label'), [...label]);
+  assert.deepEqual(
+    attribute('_distance'),
+    Array.from(distance, (d) => (d === Infinity ? -1 : Math.fround(3 * d))),
+  );
+  assert.equal(geometry.attributes.normal.count, vertex.length);
+
+  const json = JSON.parse(JSON.stringify(distancesJson(distances, 3)));
+  assert.deepEqual(json.label, [...label]);
+  json.distance.forEach((d, v) => assert.equal(d ?? Infinity, 3 * distance[v]));
+  json.direction.forEach((x, i) => assert.equal(x ?? NaN, direction[i]));
+});
+
+test('a path is as long as its distance, and crosses edges on its way', async () => {
+  const mesh = await gvd.mesh(bumpySphere(16, 24));
+  const points = await mesh.sampleSites(24, { seed: 2 });
+  for (let i = 0; i < 12; ++i) {
+    const [from, to] = [single(points, i), single(points, 12 + i)];
+    const path = await mesh.path(from, to);
+    const diagram = await mesh.voronoi(to);
+    const { distance } = await diagram.locate(from);
+    near(path.length, distance[0], 1e-9 * distance[0], 'length');
+    assert.deepEqual(await diagram.path(from), path);
+    const { face, bary, position } = path.points;
+    assert.equal(bary.length, 3 * face.length);
+    const end = face.length - 1;
+    assert.equal(face[0], from.face[0]);
+    let length = 0;
+    for (let p = 1; p <= end; ++p) {
+      const step = [0, 1, 2].map((k) => position[3 * p + k] - position[3 * p - 3 + k]);
+      length += Math.hypot(...step);
+    }
+    near(length, path.length, 1e-9 * length, 'in space');
+    for (let k = 0; k < 3; ++k) {
+      near(position[k], placeOf(mesh, from)[k]);
+      near(position[3 * end + k], placeOf(mesh, to)[k]);
+    }
+    for (let p = 1; p < end; ++p)
+      assert.ok([...bary.subarray(3 * p, 3 * p + 3)].includes(0), 'on an edge');
+    diagram.dispose();
+  }
+});
+
+function placeOf({ positions, indices }, { face: [face], bary }) {
+  return [0, 1, 2].map((axis) =>
+    [0, 1, 2].reduce((sum, c) => sum + bary[c] * positions[3 * indices[3 * face + c] + axis], 0),
+  );
+}
+
+test('a path leads from a point to its own site, also after changes', async () => {
+  for (const metric of ['exact', 'dgpc']) {
+    const mesh = await gvd.mesh(withFlipped(grid(6), 17));
+    const diagram = await mesh.voronoi({ vertex: [0, 48] }, { metric });
+    const check = async (vertex, expected, length) => {
+      const path = await diagram.path({ vertex: [vertex] });
+      near(path.length, length);
+      const end = path.points.position.slice(-3);
+      [0, 1, 2].forEach((k) => near(end[k], mesh.positions[3 * expected + k]));
+    };
+    await check(1, 0, 1 / 6);
+    await check(40, 48, Math.SQRT2 / 6);
+    await diagram.moveSite(1, { vertex: [6] });
+    await check(13, 6, 1 / 6);
+    await check(0, 0, 0);
+  }
+});
+
+test('without a path there are no points, and its length is Infinity', async () => {
+  const mesh = await gvd.mesh(apart(octahedron(), grid(1)));
+  const { points, length } = await mesh.path({ vertex: [0] }, { vertex: [7] });
+  assert.equal(length, Infinity);
+  assert.deepEqual([points.face.length, points.bary.length, points.position.length], [0, 0, 0]);
+  assert.equal(pathsJson([{ points, length }]).paths[0].length, null);
+  assert.doesNotMatch(pathsObj([{ points, length }]), /^[vl] /m);
+  const fails = (code, message) => ({ name: 'GeodesicVoronoiError', code, message });
+  const two = { vertex: [0, 1] };
+  await assert.rejects(mesh.path(two, { vertex: [0] }), fails('invalid-argument', /from.*2 points/));
+  await assert.rejects(mesh.path({ vertex: [0] }, two), fails('invalid-argument', /to.*2 points/));
+  await assert.rejects(mesh.path({ vertex: [99] }, { vertex: [0] }), fails('invalid-point', /99/));
+});

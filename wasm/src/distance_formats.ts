@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+//
+// Distances per vertex, and paths, as files. `scale` is what lengths are multiplied with on the way
+// out.
+
+import { inputVertices, type AttributeSource } from './attributes.js';
+import { glbAttributes, plyColumns } from './file_vertices.js';
+import { placedPointsJson, pointsJson, type PlacedPointsJson, type SurfacePointsJson } from './formats.js';
+import { GlbBuilder } from './glb.js';
+import { ply } from './ply.js';
+import type { Distances, SurfacePath, VertexDistances } from './types.js';
+
+/** The JSON form of distances: one entry per input vertex, two in `direction`. */
+export interface DistancesJson {
+  metric: string;
+  sites: SurfacePointsJson;
+  /** -1 where no site reaches. */
+  label: number[];
+  /** null where no site reaches, as in `direction`. */
+  distance: (number | null)[];
+  direction: (number | null)[];
+}
+
+export function distancesJson(
+  { metric, sites, label, distance, direction }: Distances,
+  scale = 1,
+): DistancesJson {
+  // JSON has neither infinity nor NaN.
+  const finite = (x: number) => (Number.isFinite(x) ? x : null);
+  return {
+    metric,
+    sites: pointsJson(sites),
+    label: [...label],
+    distance: Array.from(distance, (d) => finite(scale * d)),
+    direction: Array.from(direction, finite),
+  };
+}
+
+/** The input's vertices and triangles, with properties label, distance, direction_x and direction_y. */
+export function distancesPly(
+  mesh: AttributeSource,
+  { label, distance, direction }: VertexDistances,
+  scale = 1,
+): Uint8Array<ArrayBuffer> {
+  return ply(
+    'Geodesic distances',
+    [
+      ...plyColumns(mesh.positions, inputVertices(mesh), scale),
+      { names: ['label'], type: 'int', values: label },
+      { names: ['distance'], type: 'double', values: distance.map((d) => scale * d) },
+      { names: ['direction_x', 'direction_y'], type: 'double', values: direction },
+    ],
+    {
+      offset: Int32Array.from({ length: mesh.indices.length / 3 + 1 }, (_, f) => 3 * f),
+      points: mesh.indices,
+    },
+    [],
+  );
+}
+
+/**
+ * The input's vertices, and its triangles but for those with a corner that is not finite, with the
+ * attributes `_LABEL` and `_DISTANCE`, both -1 where no site reaches: glTF has no infinity, and wants
+ * attributes of applications to be floats or short integers.
+ */
+export function distancesGlb(
+  mesh: AttributeSource,
+  { label, distance }: VertexDistances,
+  scale = 1,
+): Uint8Array<ArrayBuffer> {
+  const isFinite = (vertex: number) =>
+    mesh.positions.subarray(3 * vertex, 3 * vertex + 3).every(Number.isFinite);
+  const triangles = Array.from({ length: mesh.indices.length / 3 }, (_, f) =>
+    mesh.indices.subarray(3 * f, 3 * f + 3),
+  ).filter((corners) => corners.every(isFinite));
+  const positions = mesh.positions.map((x) => (Number.isFinite(x) ? x : 0));
+  const known = distance.map((d) => (d === Infinity ? -1 : scale * d));
+  const file = new GlbBuilder();
+  const primitive = {
+    attributes: {
+      ...glbAttributes(file, positions, inputVertices(mesh), scale),
+      _LABEL: file.attribute(Float32Array.from(label), 'SCALAR'),
+      _DISTANCE: file.attribute(Float32Array.from(known), 'SCALAR'),
+    },
+    indices: file.indices(Uint32Array.from(triangles.flatMap((corners) => [...corners]))),
+  };
+  return file.finish({
+    scene: 0,
+    scenes: [{ nodes: [0] }],
+    nodes: [{ name: 'distances', mesh: 0 }],
+    meshes: [{ name: 'distances', primitives: [primitive] }],
+  });
+}
+
+/** The JSON form of paths; without points, and of length null, where there is none. */
+export interface PathsJson {
+  paths: { points: PlacedPointsJson; length: number | null }[];
+}
+
+export function pathsJson(paths: readonly SurfacePath[], scale = 1): PathsJson {
+  return {
+    paths: paths.map(({ points, length }) => ({
+      points: placedPointsJson(points, scale),
+      length: length === Infinity ? null : scale * length,
+    })),
+  };
+}
+
+/** A polyline per path, in a group each; a point where the path has no length. */
+export function pathsObj(paths: readonly SurfacePath[], scale = 1): string {
+  const lines = ['# Shortest paths'];
+  let count = 0;
+  paths.forEach(({ points: { face, position } }, i) => {
+    if (face.length === 0) return;
+    for (let k = 0; k < position.length; k += 3) {
+      const place = position.subarray(k, k + 3);
+      lines.push(`v ${Array.from(place, (x) => scale * x).join(' ')}`);
+    }
+    const element = face.length > 1 ? 'l' : 'p';
+    lines.push(`g path_${i}`, `${element} ${Array.from(face, () => ++count).join(' ')}`);
+  });
+  return `${lines.join('\n')}\n`;
+}
