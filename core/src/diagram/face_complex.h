@@ -18,7 +18,8 @@ namespace gvd {
 /// *nodes*, the labels with their distances. The first nodes are the vertices of the mesh.
 ///
 /// Two elements with a common side agree on who owns which part of it if a label that is least
-/// anywhere on a side is known at all three nodes of both: see `LabelCompletion`.
+/// anywhere on a side is known at all three nodes of both: faces have that from the distances,
+/// smaller elements from `LabelCompletion`.
 class FaceComplex {
  public:
   /// Of all faces, once `step` has returned true. Those of several regions are split `detail` times

@@ -36,12 +36,12 @@ bool ownsPartOf(int label, double atTail, double atTip, Labels tail, Labels tip)
 /// Whether one of the owners is before a label at both ends of a side.
 bool isHidden(int label, double atTail, double atTip, Labels tail, Labels tip,
               const std::array<int, 3>& owners) {
-  const auto isBefore = [&](const LabelledDistance& owner, double distance) {
-    return owner.distance < distance || (owner.distance == distance && owner.label < label);
-  };
   return std::any_of(owners.begin(), owners.end(), [&](int owner) {
     const LabelledDistance *const from = find(tail, owner), *const to = find(tip, owner);
-    return from && to && isBefore(*from, atTail) && isBefore(*to, atTip);
+    if (!from || !to || owner == label) return false;
+    EdgeShare share(label, atTail, atTip);
+    share.yieldTo(owner, from->distance, to->distance);
+    return share.isEmpty();
   });
 }
 

@@ -9,11 +9,12 @@
 
 namespace gvd {
 
-/// Adds labels to a complex where an element's third node lacks one that owns part of the side
-/// across: of slivers that rounding makes or breaks, no distance field can promise that, nor at the
-/// nodes between its vertices. A label added may now own part of another side, hence elements where
-/// some were added are looked at again until none is. An element of one owner lacks none: where
-/// that one is least at all nodes, it is everywhere.
+/// Adds labels to a refined complex where an element's third node lacks one that owns part of the
+/// side across. At its vertices a distance field promises that none is lacking (`DistanceField`),
+/// but not at the nodes in between, at which those labels are known that are known at both ends of
+/// a side. A label added may now own part of another side, hence elements where some were added are
+/// looked at again until none is. An element of one owner lacks none: where that one is least at
+/// all nodes, it is everywhere.
 class LabelCompletion {
  public:
   explicit LabelCompletion(FaceComplex& complex) : complex_(complex) {}

@@ -21,8 +21,9 @@ struct TracedDiagram {
   /// order of labels around such a point follows from the loops of all of them, which must be
   /// traced as well.
   std::vector<int> mergedFaces;
-  /// The faces for which the tracer had to add labels to those that the distance field knows at
-  /// their corners. There these do not tell which regions meet, and no part is certain.
+  /// The faces of a refined diagram for which the tracer had to add labels to those known at their
+  /// nodes. There the distances at the corners do not tell which regions meet, and no part is
+  /// certain.
   std::vector<int> completedFaces;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <bit>
+#include <Eigen/Core>
 #include <cstdint>
 #include <unordered_map>
 #include <vector>
@@ -36,7 +36,7 @@ class PointDistances {
     size_t operator()(const SurfacePoint& p) const {
       auto hash = static_cast<std::uint64_t>(p.face);
       for (int i = 0; i < 2; ++i)
-        hash = (hash ^ std::bit_cast<std::uint64_t>(p.bary[i])) * 0x9e3779b97f4a7c15u;
+        hash = (hash ^ Eigen::numext::bit_cast<std::uint64_t>(p.bary[i])) * 0x9e3779b97f4a7c15u;
       return static_cast<size_t>(hash ^ hash >> 32);
     }
   };

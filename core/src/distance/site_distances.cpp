@@ -7,7 +7,6 @@
 #include "base/index_set.h"
 #include "distance/dgpc/unfolding_spread.h"
 #include "distance/exact/window_spread.h"
-#include "distance/face_layout.h"
 
 namespace gvd {
 namespace {
@@ -180,60 +179,6 @@ double SiteDistances::distance(int label, const SurfacePoint& p) const {
     if (p.bary[i] > 0 && atCorners[i] == kInfinity) return kInfinity;
   }
   return spread_->distance(label, p, atCorners);
-}
-
-/// A point on an edge in terms of the same face, wherever it comes from.
-SurfacePoint SiteDistances::unique(const SurfacePoint& p) const {
-  const int side = incidenceOf(p.bary).side;
-  if (side < 0 || mesh_.twin(3 * p.face + side) < 0) return p;
-  const SurfacePoint across = acrossEdge(mesh_, p, 3 * p.face + side);
-  return across.face < p.face ? across : p;
-}
-
-std::vector<double> SiteDistances::distancesAt(std::span<const LabelledPoint> points) const {
-  std::vector<double> distances;
-  distances.reserve(points.size());
-  struct Open {
-    LabelledPoint at;
-    int index;
-    double nearest;
-  };
-  std::vector<Open> open;
-  SurfacePoint last;
-  double nearestThere = kInfinity;
-  for (const auto& [label, point] : points) {
-    const LabelledPoint p = {label, unique(point)};
-    distances.push_back(found_.find(p));
-    if (distances.back() < kInfinity) continue;
-    distances.back() = distance(label, p.point);
-    if (!hasOpenDistances_ || distances.back() == kInfinity) continue;
-    if (p.point.bary.maxCoeff() == 1) continue;  // final already
-    if (last.face != p.point.face || last.bary != p.point.bary) {
-      nearestThere = nearest(p.point).distance;
-      last = p.point;
-    }
-    open.push_back({p, static_cast<int>(distances.size()) - 1, nearestThere});
-  }
-  std::stable_sort(open.begin(), open.end(),
-                   [](const Open& a, const Open& b) { return a.at.label < b.at.label; });
-  std::vector<RequiredPoint> required;
-  std::vector<double*> answers;
-  for (size_t begin = 0, end; begin < open.size(); begin = end) {
-    const int label = open[begin].at.label;
-    required.clear();
-    answers.clear();
-    for (end = begin; end < open.size() && open[end].at.label == label; ++end) {
-      double& known = distances[open[end].index];
-      // The nearest label has come to what it owns.
-      if (isAtMost(known, open[end].nearest)) continue;
-      required.push_back({open[end].at.point, known, open[end].nearest});
-      answers.push_back(&known);
-    }
-    if (!required.empty()) spread_->require(label, required);
-    for (size_t i = 0; i < required.size(); ++i) *answers[i] = required[i].distance;
-  }
-  for (const Open& o : open) found_.add(o.at, distances[o.index]);
-  return distances;
 }
 
 Eigen::Vector2d SiteDistances::direction(int label, int vertex) const {

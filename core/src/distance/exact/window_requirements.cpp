@@ -158,7 +158,7 @@ std::span<const WindowSweep::PointInFace> WindowSweep::pointsIn(int f) const {
   const auto [first, last] =
       std::equal_range(points_.begin(), points_.end(), PointInFace{f, {}, 0},
                        [](const PointInFace& a, const PointInFace& b) { return a.face < b.face; });
-  return {first, last};
+  return std::span(points_).subspan(first - points_.begin(), last - first);
 }
 
 void WindowSweep::offerToPoint(int index, double distance) {
