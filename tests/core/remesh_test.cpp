@@ -119,7 +119,7 @@ TEST(RemeshQuality, OfACentroidalTessellationIsHigh) {
   while (!cvt.isDone())
     while (!cvt.step(100000)) {
     }
-  const RepairedSites valid = repair(mesh, cvt.sites(), Metric::kDgpc);
+  const RepairedSites valid = repair(mesh, cvt.sites(), Metric::kExact);
   const RemeshQuality quality = measureQuality(mesh, dualMesh(mesh, valid.sites, valid.diagram));
   EXPECT_EQ(quality.triangles, 2 * static_cast<int>(valid.sites.size()) - 4);
   EXPECT_GT(quality.minAngle, 30);
@@ -130,7 +130,7 @@ TEST(RemeshQuality, OfACentroidalTessellationIsHigh) {
 
 TEST(Triangulate, KeepsSidesAndTurnsNoTriangleOver) {
   const TriangleMesh mesh = shapes::bumpySurface(1, 3, 0.1, 1).mesh();
-  const RepairedSites valid = repair(mesh, sampleFarthest(mesh, 60, 1), Metric::kDgpc);
+  const RepairedSites valid = repair(mesh, sampleFarthest(mesh, 60, 1), Metric::kExact);
   for (const PolygonMesh& polygons :
        {dualMesh(mesh, valid.sites, valid.diagram), regionMesh(mesh, valid.diagram)}) {
     const PolygonTriangles cut = triangulate(polygons);

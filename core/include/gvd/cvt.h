@@ -52,8 +52,7 @@ struct CvtIteration {
 /// no site reaches does not count. A site without region (it coincides with another one, or ρ is
 /// zero there) is set anew to a place drawn where the energy is; a site on a vertex is moved off it
 /// by 1e-7 of a side, to where directions are unique. Fixed sites are left alone in both cases.
-/// Deterministic. An iteration costs one diagram, with DGPC one of which distances inside regions
-/// are straightened like those where they meet, and its integrals; more where a step is shortened.
+/// Deterministic. An iteration costs one diagram and its integrals; more where a step is shortened.
 ///
 /// Sources: Qiang Du, Vance Faber, Max Gunzburger. Centroidal Voronoi Tessellations: Applications
 /// and Algorithms. 1999. Yang Liu et al. On Centroidal Voronoi Tessellation: Energy Smoothness and

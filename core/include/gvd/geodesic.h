@@ -59,22 +59,20 @@ class DistanceField {
   /// one label at once.
   virtual std::vector<double> distancesAt(std::span<const LabelledPoint> points) const;
   /// The direction in which the shortest path from a site to a vertex leaves the site, as a unit
-  /// vector: together with the distance, geodesic polar coordinates. It is also what moving the site
-  /// that way takes off the distance, which counts where the two differ: with DGPC, at a vertex that
-  /// another site owns, the distance may follow from several paths, and this is their mean, shorter
-  /// than 1 by what the surface is curved there. The x axis is the first side of the site's face, the
-  /// y axis lies to its left; faces beside a site on an edge or vertex are unfolded
-  /// counterclockwise. (1, 0) at the site itself; not a number where it is not known. O(1) with
-  /// DGPC; with the exact metric, O(faces that the path crosses).
+  /// vector: together with the distance, geodesic polar coordinates (the logarithmic map). With the
+  /// exact metric it is also the negative gradient of the distance with respect to the site. The
+  /// x axis is the first side of the site's face, the y axis lies to its left; faces beside a site on
+  /// an edge or vertex are unfolded counterclockwise. (1, 0) at the site itself; not a number where
+  /// it is not known. O(1).
   virtual Eigen::Vector2d direction(int label, int vertex) const;
   /// The shortest path from a point to a site: the point, every crossing of an edge, every vertex that
   /// the path turns at or passes, the site as it was given. Crossings have an exact zero, vertices
   /// are unit vectors; each is named in a face that the path runs through. Two points in succession
   /// have a face in common, in which the path between them is straight. One point if `p` is at the
-  /// site; empty where `distance` is infinite and the site is not the nearest one. With the exact metric the path is as long as the
-  /// distance (`lengthOf`). With DGPC it follows from the distances at vertices, which never
-  /// promise that there is a path of that very length. O(vertices) to begin with, then
-  /// O(faces around the points of the path).
+  /// site; empty where `distance` is infinite and the site is not the nearest one. With the exact
+  /// metric the path is as long as the distance (`lengthOf`). With DGPC it follows from the distances
+  /// at vertices, which do not promise that there is a path of that very length. O(vertices) to
+  /// begin with, then O(faces around the points of the path).
   virtual std::vector<SurfacePoint> path(int label, const SurfacePoint& p) const;
 };
 

@@ -2,8 +2,22 @@
 #include "distance/site_set.h"
 
 namespace gvd {
+namespace {
 
-void SiteSet::insert(int label, const SurfacePoint& point) {
+/// A site that is off an edge or vertex by less than rounding is on it: the faces beside it would see it
+/// on the wrong side.
+SurfacePoint onEdgeOrVertex(SurfacePoint p) {
+  constexpr double kRounding = 0x1p-44;  // some hundred times that of a coordinate
+  if (!(p.bary.array() > 0 && p.bary.array() < kRounding).any()) return p;
+  p.bary = (p.bary.array() < kRounding).select(0, p.bary).eval();
+  p.bary /= p.bary.sum();
+  return p;
+}
+
+}  // namespace
+
+void SiteSet::insert(int label, const SurfacePoint& given) {
+  const SurfacePoint point = onEdgeOrVertex(given);
   if (label >= labelCount()) points_.resize(label + 1);
   points_[label] = point;
   ++count_;
