@@ -10,9 +10,6 @@
 namespace gvd::gltf {
 namespace {
 
-/// No accessor has more elements than the corners of as many triangles as a scene may have.
-constexpr std::uint64_t kMaxElements = 3 * (std::uint64_t{1} << 24);
-
 template <class T>
 double load(const std::byte* bytes) {
   T value;
@@ -30,6 +27,8 @@ constexpr ComponentType kFloat = {5126, 4, load<float>, 0};
 constexpr ComponentType kIndexTypes[] = {kUint8, kUint16, kUint32};
 /// The integers are those of KHR_mesh_quantization.
 constexpr ComponentType kPositionTypes[] = {kInt8, kUint8, kInt16, kUint16, kFloat};
+constexpr ComponentType kRotationTypes[] = {kInt8, kInt16, kFloat};
+constexpr ComponentType kFloatOnly[] = {kFloat};
 
 const ComponentType& componentType(int id, const Format& format, const std::string& owner) {
   for (const ComponentType& type : format.allowed) {
@@ -45,23 +44,27 @@ const Format kIndices = {"vertex indices", ElementType::kScalar, 1, kIndexTypes}
 const Format kPositions = {"positions", ElementType::kVec3, 3, kPositionTypes};
 const Format kNormals = {"normals", ElementType::kVec3, 3, kPositionTypes};
 const Format kUvs = {"texture coordinates", ElementType::kVec2, 2, kPositionTypes};
+const Format kDisplacements = {"morph targets", ElementType::kVec3, 3, kPositionTypes};
+const Format kTranslations = {"translations", ElementType::kVec3, 3, kFloatOnly};
+const Format kRotations = {"rotations", ElementType::kVec4, 4, kRotationTypes};
+const Format kScales = {"scales", ElementType::kVec3, 3, kFloatOnly};
 
 AccessorReader::AccessorReader(const Document& document, Buffers buffers)
     : document_(document), buffers_(std::move(buffers)) {}
 
+const Accessor& AccessorReader::at(int index, const std::string& owner) const {
+  requireIndex(index, document_.accessors.size(), "accessor", owner);
+  return document_.accessors[index];
+}
+
 std::vector<double> AccessorReader::read(int index, const Format& format,
                                          const std::string& owner) {
-  requireIndex(index, document_.accessors.size(), "accessor", owner);
-  const Accessor& accessor = document_.accessors[index];
+  const Accessor& accessor = at(index, owner);
   const std::string name = "accessor " + std::to_string(index);
   if (accessor.type != format.type) reject(name + " has the wrong type for " + format.what);
   const ComponentType& type = componentType(accessor.componentType, format, name);
-  if (accessor.count > kMaxElements) {
-    reject(name + " has " + number(accessor.count) + " elements, which is too many");
-  }
 
   const bool normalized = accessor.normalized && type.largest > 0;
-  const std::uint64_t size = format.components * type.size;
   std::vector<double> values;
   const auto store = [&](std::uint64_t element, const std::byte* bytes) {
     for (std::uint64_t c = 0; c < format.components; ++c) {
@@ -72,23 +75,27 @@ std::vector<double> AccessorReader::read(int index, const Format& format,
     }
   };
   if (accessor.elements) {
-    const Elements source = elements(*accessor.elements, accessor.count, size, name);
+    const Elements source =
+        elements(*accessor.elements, accessor.count, type, format.components, name);
     values.resize(accessor.count * format.components);
     for (std::uint64_t i = 0; i < accessor.count; ++i) store(i, source.at(i));
   } else {
     values.resize(accessor.count * format.components);
   }
-  if (accessor.sparse) forEachSparse(accessor, size, "the sparse part of " + name, store);
+  if (accessor.sparse) {
+    forEachSparse(accessor, type, format.components, "the sparse part of " + name, store);
+  }
   return values;
 }
 
 template <class Store>
-void AccessorReader::forEachSparse(const Accessor& accessor, std::uint64_t size,
-                                   const std::string& name, Store store) {
+void AccessorReader::forEachSparse(const Accessor& accessor, const ComponentType& valueType,
+                                   std::uint64_t components, const std::string& name, Store store) {
   const SparseElements& sparse = *accessor.sparse;
+  if (sparse.count > accessor.count) reject(name + " has more elements than the accessor itself");
   const ComponentType& type = componentType(sparse.indices.componentType, kIndices, name);
-  const Elements places = elements(sparse.indices, sparse.count, type.size, name);
-  const Elements source = elements(sparse.values, sparse.count, size, name);
+  const Elements places = elements(sparse.indices, sparse.count, type, 1, name);
+  const Elements source = elements(sparse.values, sparse.count, valueType, components, name);
   for (std::uint64_t i = 0; i < sparse.count; ++i) {
     const auto place = static_cast<std::uint64_t>(type.load(places.at(i)));
     if (place >= accessor.count) reject(name + " has the index " + number(place) + " past its end");
@@ -97,7 +104,9 @@ void AccessorReader::forEachSparse(const Accessor& accessor, std::uint64_t size,
 }
 
 AccessorReader::Elements AccessorReader::elements(const ElementRange& range, std::uint64_t count,
-                                                  std::uint64_t size, const std::string& owner) {
+                                                  const ComponentType& type,
+                                                  std::uint64_t components,
+                                                  const std::string& owner) {
   requireIndex(range.bufferView, document_.bufferViews.size(), "buffer view", owner);
   const BufferView& view = document_.bufferViews[range.bufferView];
   const std::string name = "buffer view " + std::to_string(range.bufferView);
@@ -105,6 +114,7 @@ AccessorReader::Elements AccessorReader::elements(const ElementRange& range, std
   if (view.byteOffset > buffer.size() || view.byteLength > buffer.size() - view.byteOffset) {
     reject(name + " reaches past the end of buffer " + std::to_string(view.buffer));
   }
+  const std::uint64_t size = components * type.size;
   const std::uint64_t stride = view.byteStride == 0 ? size : view.byteStride;
   if (stride < size) reject(name + " has a byteStride less than the elements of " + owner);
   // The sum offset + stride·(count - 1) + size could overflow; these differences cannot.
@@ -112,6 +122,11 @@ AccessorReader::Elements AccessorReader::elements(const ElementRange& range, std
   const bool fits = count == 0 || (offset <= length && size <= length - offset &&
                                    count - 1 <= (length - offset - size) / stride);
   if (!fits) reject(owner + " reaches past the end of " + name);
+  if (const std::uint64_t first = view.byteOffset + offset; first % type.size != 0) {
+    reject(owner + " begins at byte " + number(first) +
+           " of its buffer, which is not a multiple of " + number(type.size) +
+           ", the size of its numbers");
+  }
   return {buffer.data() + view.byteOffset + (count == 0 ? 0 : offset), stride};
 }
 

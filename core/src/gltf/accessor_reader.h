@@ -28,13 +28,17 @@ struct Format {
   std::span<const ComponentType> allowed;
 };
 
-extern const Format kIndices, kPositions, kNormals, kUvs;
+extern const Format kIndices, kPositions, kNormals, kUvs, kDisplacements;
+/// Of EXT_mesh_gpu_instancing.
+extern const Format kTranslations, kRotations, kScales;
 
 /// Reads the numbers of accessors. All bytes are reached through `elements`, which checks the range
 /// once for all elements.
 class AccessorReader {
  public:
   AccessorReader(const Document& document, Buffers buffers);
+
+  const Accessor& at(int index, const std::string& owner) const;
 
   /// All numbers of an accessor that `owner` names, element by element: those of its buffer view,
   /// or zeros, then the sparse ones in their places.
@@ -48,14 +52,14 @@ class AccessorReader {
     const std::byte* at(std::uint64_t i) const { return first + i * stride; }
   };
 
-  /// `count` elements of `size` bytes; `owner` names them.
-  Elements elements(const ElementRange& range, std::uint64_t count, std::uint64_t size,
-                    const std::string& owner);
+  /// `count` elements of `components` numbers; `owner` names them.
+  Elements elements(const ElementRange& range, std::uint64_t count, const ComponentType& type,
+                    std::uint64_t components, const std::string& owner);
 
-  /// Calls store(place, bytes) for every sparse element of `size` bytes.
+  /// Calls store(place, bytes) for every sparse element.
   template <class Store>
-  void forEachSparse(const Accessor& accessor, std::uint64_t size, const std::string& name,
-                     Store store);
+  void forEachSparse(const Accessor& accessor, const ComponentType& valueType,
+                     std::uint64_t components, const std::string& name, Store store);
 
   const Document& document_;
   Buffers buffers_;

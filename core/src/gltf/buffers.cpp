@@ -25,7 +25,7 @@ Bytes Buffers::at(int index, const std::string& owner) {
 
 Bytes Buffers::load(Buffer& buffer, int index) {
   const std::string name = "buffer " + std::to_string(index);
-  if (!buffer.object.byteLength) reject(name + " has no valid byteLength");
+  if (!buffer.object.byteLength) reject(name + " has no byteLength");
   const std::uint64_t length = *buffer.object.byteLength;
   const Bytes bytes = content(buffer, index, name);
   if (length > bytes.size()) {
@@ -37,15 +37,21 @@ Bytes Buffers::load(Buffer& buffer, int index) {
 Bytes Buffers::content(Buffer& buffer, int index, const std::string& name) {
   if (!buffer.object.uri) {
     if (index == 0 && bin_) return *bin_;
+    if (!buffer.object.compression.empty()) {
+      reject(name + " stands for data compressed with " + buffer.object.compression +
+             ", which has to be decompressed before it is read here");
+    }
     reject(name + " has no uri, and there is no binary chunk for it");
   }
   const std::string& uri = *buffer.object.uri;
   if (isDataUri(uri)) {
     buffer.decoded = dataUriContent(uri, name);
+    buffer.object.uri.reset();
     return std::as_bytes(std::span(buffer.decoded));
   }
+  const std::string path = percentDecoded(uri);
   for (const GltfResource& resource : resources_) {
-    if (percentDecoded(resource.uri) == percentDecoded(uri)) return resource.bytes;
+    if (percentDecoded(resource.uri) == path) return resource.bytes;
   }
   reject(name + " is in the file \"" + uri + "\", which is missing");
 }

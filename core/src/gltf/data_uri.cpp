@@ -82,9 +82,11 @@ bool isDataUri(std::string_view uri) {
 std::string dataUriContent(std::string_view uri, const std::string& owner) {
   const std::size_t comma = uri.find(',');
   if (comma == std::string_view::npos) reject(owner + " has a data URI without content");
-  std::string content = percentDecoded(uri.substr(comma + 1));
-  if (!uri.substr(0, comma).ends_with(";base64")) return content;
-  std::optional<std::string> decoded = base64Decoded(content);
+  const std::string_view content = uri.substr(comma + 1);
+  if (!uri.substr(0, comma).ends_with(";base64")) return percentDecoded(content);
+  const bool isEscaped = content.find('%') != std::string_view::npos;
+  std::optional<std::string> decoded =
+      isEscaped ? base64Decoded(percentDecoded(content)) : base64Decoded(content);
   if (!decoded) reject(owner + " has a data URI that is not base64");
   return *std::move(decoded);
 }

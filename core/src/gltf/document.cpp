@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "gltf/gltf_error.h"
+#include "gltf/gltf_json.h"
 
 #define TINYGLTF_IMPLEMENTATION
 #define TINYGLTF_NO_FS
@@ -57,7 +58,7 @@ ElementType elementType(int type) {
   }
 }
 
-Accessor converted(const tinygltf::Accessor& from, int index) {
+Accessor converted(const tinygltf::Accessor& from) {
   Accessor to;
   to.type = elementType(from.type);
   to.componentType = from.componentType;
@@ -66,10 +67,7 @@ Accessor converted(const tinygltf::Accessor& from, int index) {
   if (from.bufferView != -1) to.elements = {from.bufferView, from.byteOffset, from.componentType};
   if (!from.sparse.isSparse) return to;
   const auto& sparse = from.sparse;
-  if (sparse.count < 0 || sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0) {
-    reject("the sparse part of accessor " + std::to_string(index) +
-           " has a negative count or offset");
-  }
+  // tinygltf keeps these in an int, which wraps from 2^31 on.
   const auto offset = [](int x) { return static_cast<std::uint32_t>(x); };
   to.sparse = {
       offset(sparse.count),
@@ -82,7 +80,10 @@ Primitive converted(tinygltf::Primitive& from) {
   Primitive to;
   to.mode = from.mode;
   to.attributes = std::move(from.attributes);
-  to.indices = optionalIndex(from.indices);
+  if (const auto indices = to.attributes.find(kIndicesAttribute); indices != to.attributes.end()) {
+    to.indices = indices->second;
+    to.attributes.erase(indices);
+  }
   to.targets = std::move(from.targets);
   for (const auto& [extension, value] : from.extensions) {
     if (extension.find("compression") != std::string::npos) to.compression = extension;
@@ -90,9 +91,19 @@ Primitive converted(tinygltf::Primitive& from) {
   return to;
 }
 
+/// Every part of a scene has a copy of its name.
+std::string shortened(std::string name) {
+  constexpr std::size_t kMost = 256;
+  if (name.size() <= kMost) return name;
+  std::size_t end = kMost;
+  while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0) == 0x80) --end;  // UTF-8
+  return name.substr(0, end);
+}
+
 Mesh converted(tinygltf::Mesh& from) {
   Mesh to;
-  to.name = std::move(from.name);
+  to.name = shortened(std::move(from.name));
+  to.weights = std::move(from.weights);
   for (tinygltf::Primitive& primitive : from.primitives) {
     to.primitives.push_back(converted(primitive));
   }
@@ -101,11 +112,18 @@ Mesh converted(tinygltf::Mesh& from) {
 
 Node converted(tinygltf::Node& from) {
   Node to;
-  to.name = std::move(from.name);
+  to.name = shortened(std::move(from.name));
   to.children = std::move(from.children);
   to.mesh = optionalIndex(from.mesh);
   to.isSkinned = from.skin >= 0;
-  to.isInstanced = from.extensions.count("EXT_mesh_gpu_instancing") > 0;
+  to.weights = std::move(from.weights);
+  const auto instancing = from.extensions.find("EXT_mesh_gpu_instancing");
+  if (instancing != from.extensions.end() && instancing->second.Has("attributes")) {
+    const tinygltf::Value& attributes = instancing->second.Get("attributes");
+    for (const std::string& semantic : attributes.Keys()) {
+      to.instances[semantic] = attributes.Get(semantic).GetNumberAsInt();
+    }
+  }
   to.matrix = std::move(from.matrix);
   to.translation = std::move(from.translation);
   to.rotation = std::move(from.rotation);
@@ -123,8 +141,7 @@ Document parseDocument(const std::string& text) {
         {view.buffer, view.byteOffset, view.byteLength, view.byteStride});
   }
   for (const tinygltf::Accessor& accessor : model.accessors) {
-    const int index = static_cast<int>(document.accessors.size());
-    document.accessors.push_back(converted(accessor, index));
+    document.accessors.push_back(converted(accessor));
   }
   for (tinygltf::Mesh& mesh : model.meshes) document.meshes.push_back(converted(mesh));
   for (tinygltf::Node& node : model.nodes) document.nodes.push_back(converted(node));

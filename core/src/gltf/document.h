@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The objects of a glTF that triangles are made of. Indices, offsets and counts are as the file
-// writes them: whoever follows one checks it first.
+// The objects of a glTF that triangles are made of. Their values keep the rules of json_rules.h,
+// but an index may lead nowhere and a range past its end: whoever follows one checks it first.
 #pragma once
 
 #include <cstddef>
@@ -58,6 +58,7 @@ struct Primitive {
 struct Mesh {
   std::string name;
   std::vector<Primitive> primitives;
+  std::vector<double> weights;  ///< of morph targets; those that are absent are 0
 };
 
 struct Node {
@@ -65,7 +66,8 @@ struct Node {
   std::vector<int> children;
   std::optional<int> mesh;
   bool isSkinned = false;
-  bool isInstanced = false;                                  ///< by EXT_mesh_gpu_instancing
+  std::vector<double> weights;  ///< instead of the mesh's, unless empty
+  Attributes instances;         ///< of EXT_mesh_gpu_instancing
   std::vector<double> matrix, translation, rotation, scale;  ///< empty where the file has none
 };
 

@@ -28,10 +28,6 @@ namespace gvd {
 namespace gltf {
 namespace {
 
-/// Vertices, and triangles, of a scene: a small file can ask for any number of them. As surfaces,
-/// more would not fit into the 4 GB of a WebAssembly memory.
-constexpr std::uint64_t kMaxElements = std::uint64_t{1} << 24;
-
 /// The cofactors of a matrix turn normals as it turns surfaces, singular or not.
 void transformNormals(const Eigen::Matrix3d& m, std::vector<double>& normals) {
   Eigen::Matrix3d cofactors;
@@ -44,72 +40,96 @@ void transformNormals(const Eigen::Matrix3d& m, std::vector<double>& normals) {
   }
 }
 
+/// The work that a scene asks for; refuses what is beyond the limits before any of it is done.
+class SceneSize {
+ public:
+  explicit SceneSize(const GltfLimits& limits) : limits_(limits) {}
+
+  void add(const PrimitiveSize& primitive) {
+    add(vertices_, primitive.vertices, limits_.maxVertices, "vertices", "maxVertices");
+    add(triangles_, primitive.triangles, limits_.maxTriangles, "triangles", "maxTriangles");
+    add(zeroElements_, primitive.zeroElements, limits_.maxZeroElements,
+        "elements in accessors without a buffer view", "maxZeroElements");
+  }
+
+  std::uint64_t vertices() const { return vertices_; }
+  std::uint64_t triangles() const { return triangles_; }
+
+ private:
+  static void add(std::uint64_t& sum, std::uint64_t count, std::uint64_t limit, const char* what,
+                  const char* name) {
+    constexpr std::uint64_t kMost = INT32_MAX / 3;  // corners are numbered by `int`
+    sum += count;
+    if (sum > limit)
+      reject("the scene has more than " + number(limit) + ' ' + what + toRaise(name));
+    if (sum > kMost) reject("the scene has more than " + number(kMost) + ' ' + what);
+  }
+
+  const GltfLimits& limits_;
+  std::uint64_t vertices_ = 0, triangles_ = 0, zeroElements_ = 0;
+};
+
 class SceneBuilder {
  public:
-  SceneBuilder(const Document& document, Buffers buffers)
-      : document_(document), accessors_(document, std::move(buffers)) {}
+  SceneBuilder(const Document& document, Buffers buffers, const GltfLimits& limits)
+      : document_(document), accessors_(document, std::move(buffers)), limits_(limits) {}
 
   GltfScene build() {
-    for (const PlacedMesh& placed : placedMeshes(document_)) addMesh(placed);
-    note(linePrimitives_, "primitives of points or lines were passed over");
-    note(emptyPrimitives_, "primitives without positions were passed over");
-    note(badAttributes_, "normals or texture coordinates that cannot be read were passed over");
-    note(skins_, "meshes with a skin were taken unposed");
-    note(morphs_, "primitives with morph targets were taken without them");
-    note(instances_, "nodes with instances were taken once");
-    if (scene_.triangles.empty()) {
-      std::string why = "the scene has no triangles";
-      for (const std::string& text : scene_.notes) why += "; " + text;
-      reject(why);
+    const std::vector<PlacedMesh> meshes = placedMeshes(document_, accessors_, limits_);
+    SceneSize size(limits_);
+    forEachPrimitive(meshes, [&](const Placed& placed) {
+      const PrimitiveKind kind = kindOf(placed.primitive, placed.name);
+      linePrimitives_ += kind == PrimitiveKind::kPointsOrLines;
+      emptyPrimitives_ += kind == PrimitiveKind::kWithoutPositions;
+      if (kind != PrimitiveKind::kTriangles) return;
+      morphs_ += !placed.primitive.targets.empty();
+      PrimitiveSize primitive = sizeOf(placed.primitive, placed.weights, accessors_, placed.name);
+      if (placed.at.isFreeInstance) primitive.zeroElements += primitive.vertices;
+      size.add(primitive);
+    });
+    for (const PlacedMesh& mesh : meshes) {
+      skins_ += mesh.node >= 0 && document_.nodes[mesh.node].isSkinned;
     }
-    if (hasNormals_) scene_.normals.resize(scene_.positions.size());
-    if (hasUvs_) scene_.uvs.resize(scene_.positions.size() / 3 * 2);
-    return std::move(scene_);
+    scene_.positions.reserve(3 * size.vertices());
+    scene_.triangles.reserve(3 * size.triangles());
+    forEachPrimitive(meshes, [&](const Placed& placed) {
+      if (kindOf(placed.primitive, placed.name) == PrimitiveKind::kTriangles) add(placed);
+    });
+    return finished();
   }
 
  private:
-  void addMesh(const PlacedMesh& placed) {
-    if (placed.node >= 0) {
-      skins_ += document_.nodes[placed.node].isSkinned;
-      instances_ += document_.nodes[placed.node].isInstanced;
+  struct Placed {
+    const PlacedMesh& at;
+    int index;
+    const Primitive& primitive;
+    std::span<const double> weights;
+    std::string name;
+  };
+
+  template <class Use>
+  void forEachPrimitive(std::span<const PlacedMesh> meshes, Use use) const {
+    for (const PlacedMesh& at : meshes) {
+      const Mesh& mesh = document_.meshes[at.mesh];
+      std::span<const double> weights = mesh.weights;
+      if (at.node >= 0 && !document_.nodes[at.node].weights.empty()) {
+        weights = document_.nodes[at.node].weights;
+      }
+      for (int p = 0; p < static_cast<int>(mesh.primitives.size()); ++p) {
+        use(Placed{at, p, mesh.primitives[p], weights,
+                   "primitive " + std::to_string(p) + " of mesh " + std::to_string(at.mesh)});
+      }
     }
-    const int count = static_cast<int>(document_.meshes[placed.mesh].primitives.size());
-    for (int p = 0; p < count; ++p) addPrimitive(placed, p);
   }
 
-  void addPrimitive(const PlacedMesh& placed, int primitiveIndex) {
-    const Mesh& mesh = document_.meshes[placed.mesh];
-    const Primitive& primitive = mesh.primitives[primitiveIndex];
-    const std::string name =
-        "primitive " + std::to_string(primitiveIndex) + " of mesh " + std::to_string(placed.mesh);
-    if (!makesTriangles(primitive, name)) {
-      ++linePrimitives_;
-      return;
-    }
-    const auto position = primitive.attributes.find("POSITION");
-    if (position == primitive.attributes.end()) {
-      ++emptyPrimitives_;
-      return;
-    }
-    morphs_ += !primitive.targets.empty();
-    requireIndex(position->second, document_.accessors.size(), "accessor", name);
-    const Accessor& positions = document_.accessors[position->second];
-    requireUncompressed(primitive, positions, name);
-    requireRoom(scene_.positions.size() / 3 + positions.count);
-
-    GltfScene::Part part{placed.node, placed.mesh, primitiveIndex, triangleCount(), 0, mesh.name};
-    if (placed.node >= 0 && !document_.nodes[placed.node].name.empty()) {
-      part.name = document_.nodes[placed.node].name;
-    }
-    append(readTriangles(primitive, accessors_, name), placed.transform);
+  void add(const Placed& placed) {
+    const auto& [meshIndex, node, transform, isFreeInstance] = placed.at;
+    GltfScene::Part part{node, meshIndex, placed.index, triangleCount(), 0, {}};
+    part.name = node >= 0 && !document_.nodes[node].name.empty() ? document_.nodes[node].name
+                                                                 : document_.meshes[meshIndex].name;
+    append(readTriangles(placed.primitive, placed.weights, accessors_, placed.name), transform);
     part.triangleCount = triangleCount() - part.firstTriangle;
     if (part.triangleCount > 0) scene_.parts.push_back(std::move(part));
-    requireRoom(scene_.triangles.size() / 3);
-  }
-
-  static void requireRoom(std::uint64_t elements) {
-    if (elements <= kMaxElements) return;
-    reject("the scene has more than " + number(kMaxElements) + " vertices or triangles");
   }
 
   void append(PrimitiveTriangles primitive, const Eigen::Affine3d& transform) {
@@ -129,6 +149,7 @@ class SceneBuilder {
     if (!primitive.normals.empty()) {
       transformNormals(transform.linear(), primitive.normals);
       hasNormals_ = true;
+      scene_.normals.reserve(scene_.positions.capacity());
       scene_.normals.resize(3 * firstVertex);
       scene_.normals.insert(scene_.normals.end(), primitive.normals.begin(),
                             primitive.normals.end());
@@ -138,9 +159,26 @@ class SceneBuilder {
         if (!std::isfinite(x)) x = 0;
       }
       hasUvs_ = true;
+      scene_.uvs.reserve(scene_.positions.capacity() / 3 * 2);
       scene_.uvs.resize(2 * firstVertex);
       scene_.uvs.insert(scene_.uvs.end(), primitive.uvs.begin(), primitive.uvs.end());
     }
+  }
+
+  GltfScene finished() {
+    note(linePrimitives_, "primitives of points or lines were passed over");
+    note(emptyPrimitives_, "primitives without positions were passed over");
+    note(badAttributes_, "normals or texture coordinates that cannot be read were passed over");
+    note(skins_, "meshes with a skin were taken unposed");
+    note(morphs_, "primitives with morph targets were taken with their default weights");
+    if (scene_.triangles.empty()) {
+      std::string why = "the scene has no triangles";
+      for (const std::string& text : scene_.notes) why += "; " + text;
+      reject(why);
+    }
+    if (hasNormals_) scene_.normals.resize(scene_.positions.size());
+    if (hasUvs_) scene_.uvs.resize(scene_.positions.size() / 3 * 2);
+    return std::move(scene_);
   }
 
   int triangleCount() const { return static_cast<int>(scene_.triangles.size() / 3); }
@@ -151,8 +189,9 @@ class SceneBuilder {
 
   const Document& document_;
   AccessorReader accessors_;
+  const GltfLimits& limits_;
   GltfScene scene_;
-  int linePrimitives_ = 0, emptyPrimitives_ = 0, skins_ = 0, morphs_ = 0, instances_ = 0;
+  int linePrimitives_ = 0, emptyPrimitives_ = 0, skins_ = 0, morphs_ = 0;
   int badAttributes_ = 0;
   bool hasNormals_ = false, hasUvs_ = false;
 };
@@ -160,12 +199,13 @@ class SceneBuilder {
 }  // namespace
 }  // namespace gltf
 
-GltfScene readGltf(std::span<const std::byte> bytes, std::span<const GltfResource> resources) {
+GltfScene readGltf(std::span<const std::byte> bytes, std::span<const GltfResource> resources,
+                   const GltfLimits& limits) {
   const gltf::Container container = gltf::openContainer(bytes);
-  gltf::GltfJson json = gltf::readJson(container.json);
+  gltf::GltfJson json = gltf::readJson(container.json, limits);
   const gltf::Document document = gltf::parseDocument(json.text);
   gltf::Buffers buffers(std::move(json.buffers), container.bin, resources);
-  return gltf::SceneBuilder(document, std::move(buffers)).build();
+  return gltf::SceneBuilder(document, std::move(buffers), limits).build();
 }
 
 }  // namespace gvd

@@ -2,63 +2,14 @@
 #include "gltf/gltf_json.h"
 
 #include <utility>
-#if __has_include(<nlohmann/json.hpp>)
-#include <nlohmann/json.hpp>
-#else  // beside tinygltf
-#include <json.hpp>
-#endif
 
 #include "gltf/gltf_error.h"
+#include "gltf/json_filter.h"
 
 namespace gvd::gltf {
 namespace {
 
 using nlohmann::json;
-
-/// tinygltf descends into `extras` and `extensions` recursively; real files nest a dozen levels.
-constexpr int kMaxJsonDepth = 128;
-
-void requireShallow(std::string_view text) {
-  int depth = 0;
-  bool inString = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (inString) {
-      if (c == '\\') ++i;
-      if (c == '"') inString = false;
-    } else if (c == '"') {
-      inString = true;
-    } else if (c == '{' || c == '[') {
-      if (++depth > kMaxJsonDepth) {
-        reject("the JSON is nested more than " + number(kMaxJsonDepth) + " levels deep");
-      }
-    } else if (c == '}' || c == ']') {
-      --depth;
-    }
-  }
-}
-
-json parseJson(std::string_view text) {
-  requireShallow(text);
-  try {
-    return json::parse(text);
-  } catch (const json::parse_error& error) {
-    reject("the JSON is malformed at byte " + number(error.byte));
-  } catch (const json::out_of_range&) {
-    reject("the JSON has a number that is too large");
-  }
-}
-
-/// The part of a document that triangles need.
-json trimmed(json document) {
-  json needed = json::object();
-  for (const char* key : {"asset", "extensionsRequired", "scene", "scenes", "nodes", "meshes",
-                          "accessors", "bufferViews", "buffers"}) {
-    const auto member = document.find(key);
-    if (member != document.end()) needed[key] = std::move(*member);
-  }
-  return needed;
-}
 
 void requireVersion2(const json& document) {
   const json asset = document.value("asset", json());
@@ -71,11 +22,11 @@ void requireVersion2(const json& document) {
   }
 }
 
-/// Whether triangles can be read without knowing the extension.
-bool isHarmless(const std::string& extension) {
-  for (const char* prefix :
-       {"KHR_mesh_quantization", "KHR_materials_", "KHR_texture_", "EXT_texture_", "MSFT_texture_",
-        "KHR_lights_", "EXT_lights_", "KHR_animation_", "KHR_xmp"}) {
+/// Whether triangles can be read: the extension is known here, or leaves them alone.
+bool isReadable(const std::string& extension) {
+  for (const char* prefix : {"KHR_mesh_quantization", "EXT_mesh_gpu_instancing", "KHR_materials_",
+                             "KHR_texture_", "EXT_texture_", "MSFT_texture_", "KHR_lights_",
+                             "EXT_lights_", "KHR_animation_", "KHR_xmp"}) {
     if (extension.starts_with(prefix)) return true;
   }
   return false;
@@ -85,8 +36,8 @@ void requireKnownExtensions(const json& document) {
   const auto list = document.find("extensionsRequired");
   if (list == document.end()) return;
   for (const json& entry : *list) {
-    const std::string extension = entry.is_string() ? entry.get<std::string>() : entry.dump();
-    if (isHarmless(extension)) continue;
+    const std::string& extension = entry.get_ref<const std::string&>();
+    if (isReadable(extension)) continue;
     const bool compression = extension.find("compression") != std::string::npos;
     reject("the glTF requires the extension " + extension +
            (compression ? ", which has to be decompressed before it is read here"
@@ -102,23 +53,42 @@ std::vector<BufferObject> takeBuffers(json& document) {
   for (json& object : *list) {
     BufferObject& buffer = buffers.emplace_back();
     const auto uri = object.find("uri"), length = object.find("byteLength");
-    if (uri != object.end() && uri->is_string())
-      buffer.uri = std::move(uri->get_ref<std::string&>());
-    if (length != object.end() && length->is_number_unsigned()) {
-      buffer.byteLength = length->get<std::uint64_t>();
+    if (uri != object.end()) buffer.uri = std::move(uri->get_ref<std::string&>());
+    if (length != object.end()) buffer.byteLength = length->get<std::uint64_t>();
+    const auto extensions = object.find("extensions");
+    if (extensions != object.end() && !extensions->empty()) {
+      buffer.compression = extensions->begin().key();
     }
   }
   document.erase(list);
   return buffers;
 }
 
+void moveIndicesToAttributes(json& document) {
+  const auto meshes = document.find("meshes");
+  if (meshes == document.end()) return;
+  for (json& mesh : *meshes) {
+    const auto primitives = mesh.find("primitives");
+    if (primitives == mesh.end()) continue;
+    for (json& primitive : *primitives) {
+      const auto indices = primitive.find("indices"), attributes = primitive.find("attributes");
+      if (indices == primitive.end() || attributes == primitive.end()) continue;
+      (*attributes)[kIndicesAttribute] = std::move(*indices);
+      primitive.erase(indices);
+    }
+  }
+}
+
 }  // namespace
 
-GltfJson readJson(std::string_view text) {
-  json document = trimmed(parseJson(text));
+GltfJson readJson(std::string_view text, const GltfLimits& limits) {
+  auto [document, fault] = filterJson(text, limits);
+  // A file of another version, or with an extension that is required, may well break the rules.
   requireVersion2(document);
   requireKnownExtensions(document);
+  if (!fault.empty()) reject(fault);
   std::vector<BufferObject> buffers = takeBuffers(document);
+  moveIndicesToAttributes(document);
   return {document.dump(-1, ' ', false, json::error_handler_t::replace), std::move(buffers)};
 }
 

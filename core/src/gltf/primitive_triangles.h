@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,15 +19,24 @@ struct PrimitiveTriangles {
   int badAttributes = 0;             ///< normals or texture coordinates that cannot be read
 };
 
-/// Whether the mode of a primitive makes triangles; refuses modes that do not exist.
-bool makesTriangles(const Primitive& primitive, const std::string& name);
+enum class PrimitiveKind { kTriangles, kPointsOrLines, kWithoutPositions };
 
-/// A primitive with positions that makes triangles.
-PrimitiveTriangles readTriangles(const Primitive& primitive, AccessorReader& accessors,
-                                 const std::string& name);
+/// Refuses modes that do not exist.
+PrimitiveKind kindOf(const Primitive& primitive, const std::string& name);
 
-/// Without the extension that decompresses them, a compressed primitive's positions are zeros.
-void requireUncompressed(const Primitive& primitive, const Accessor& positions,
-                         const std::string& name);
+/// What reading a primitive of triangles takes, by what its accessors say.
+struct PrimitiveSize {
+  std::uint64_t vertices = 0;  ///< and again for each morph target that is applied
+  std::uint64_t triangles = 0;
+  std::uint64_t zeroElements = 0;  ///< of accessors without a buffer view
+};
+
+/// Refuses a primitive that is compressed: without the extension its positions are zeros.
+PrimitiveSize sizeOf(const Primitive& primitive, std::span<const double> weights,
+                     const AccessorReader& accessors, const std::string& name);
+
+/// Reads a primitive of triangles; `weights` are those of its morph targets.
+PrimitiveTriangles readTriangles(const Primitive& primitive, std::span<const double> weights,
+                                 AccessorReader& accessors, const std::string& name);
 
 }  // namespace gvd::gltf
