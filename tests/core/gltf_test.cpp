@@ -293,7 +293,7 @@ TEST(ReadGltf, RepeatsTheMeshOfANodeWithInstances) {
   EXPECT_EQ(errorOf(file.glb()), "node 0 has instances whose accessors differ in count");
   file.accessors[scales] = R"({"bufferView":0,"componentType":5126,"count":1e6,"type":"VEC3"})";
   EXPECT_EQ(errorOf(file.glb()),
-            "the scene has more than 262144 meshes, primitives and morph targets, instances "
+            "the scene has more than 262144 primitives and morph targets, instances "
             "included; raise GltfLimits::maxObjects to read it");
 }
 
@@ -843,13 +843,13 @@ TEST(ReadGltfErrors, LimitWhatASmallFileCanAskFor) {
             }),
             zeros);
   EXPECT_EQ(errorAfter([](GlbWriter& file) {
-              const int moves = file.addAccessor(-1, kFloat, 262000, "VEC3");
+              const int moves = file.addAccessor(-1, kFloat, 262145, "VEC3");
               file.addPositions(std::vector<float>(30));
               file.meshes[0] = R"({"primitives":[)" + GlbWriter::primitive(moves + 1) + "]}";
               file.nodes[0] = R"({"mesh":0,"extensions":{"EXT_mesh_gpu_instancing":{"attributes":{)"
                               R"("TRANSLATION":1}}}})";
             }),
-            more("262144 meshes, primitives and morph targets, instances included", "maxObjects"));
+            more("262144 primitives and morph targets, instances included", "maxObjects"));
   EXPECT_EQ(errorAfter([](GlbWriter& file) {
               const int moves = file.addAccessor(-1, kFloat, 130000, "VEC3");
               file.addPositions(std::vector<float>(30));
@@ -877,7 +877,7 @@ TEST(ReadGltfErrors, LimitWhatASmallFileCanAskFor) {
                   R"({"primitives":[)" + primitive + "{}]}],\"weights\":[" + weights + "]}";
               for (int n = 1; n < 60; ++n) file.addNode(R"("mesh":0)");
             }),
-            more("262144 meshes, primitives and morph targets, instances included", "maxObjects"));
+            more("262144 primitives and morph targets, instances included", "maxObjects"));
 }
 
 TEST(ReadGltfErrors, LimitTheJson) {
@@ -893,8 +893,16 @@ TEST(ReadGltfErrors, LimitTheJson) {
   EXPECT_EQ(errorOf(start + R"("nodes":)" + repeated("{}", 1000000) + '}'), tooManyObjects);
   EXPECT_EQ(errorOf(start + R"("meshes":[{"primitives":)" + repeated("{}", 1000000) + "}]}"),
             tooManyObjects);
-  EXPECT_EQ(errorOf(start + R"("scenes":[{"nodes":)" + repeated("0", 9000000) + "}]}"),
-            "the JSON has more than 8388608 values; raise GltfLimits::maxObjects to read it");
+  EXPECT_EQ(
+      errorOf(start + R"("scenes":[{"nodes":)" + repeated("0", 9000000) + "}]}"),
+      "the glTF has more than 8388608 elements of arrays; raise GltfLimits::maxObjects to read it");
+  EXPECT_EQ(errorOf(start + R"("accessors":)" +
+                    repeated(R"({"count":1,"type":"VEC3","byteOffset":0,"normalized":true,)"
+                             R"("sparse":{"count":0,"indices":{"byteOffset":0},"values":{}}})",
+                             250000) +
+                    '}'),
+            "the glTF has more than 2097152 members of objects; raise GltfLimits::maxObjects to "
+            "read it");
   EXPECT_EQ(errorOf(start + R"("scenes":[{"nodes":)" + repeated("0", 8000000) +
                     R"(}],"nodes":[{}],"scene":0})"),
             "node 0 is in the scene twice");
@@ -929,7 +937,7 @@ TEST(ReadGltfErrors, EndWhereLimitsAreRaised) {
             "the scene has more than 5 vertices; raise GltfLimits::maxVertices to read it");
   EXPECT_EQ(error({.maxTriangles = 1}),
             "the scene has more than 1 triangles; raise GltfLimits::maxTriangles to read it");
-  EXPECT_EQ(error({.maxObjects = 7, .maxVertices = 6, .maxTriangles = 2, .maxZeroElements = 0}),
+  EXPECT_EQ(error({.maxObjects = 8, .maxVertices = 6, .maxTriangles = 2, .maxZeroElements = 0}),
             "none");
 }
 

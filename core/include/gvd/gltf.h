@@ -38,8 +38,8 @@ struct GltfResource {
 /// before the work is done; the message names the limit.
 struct GltfLimits {
   std::size_t maxJsonBytes = std::size_t{1} << 29;
-  /// Nodes, meshes, primitives, accessors, buffer views, … together; also the meshes, primitives
-  /// and morph targets of all nodes together, instances of EXT_mesh_gpu_instancing included.
+  /// Nodes, meshes, primitives, accessors, buffer views, … together; also the primitives and morph
+  /// targets of all nodes together, instances of EXT_mesh_gpu_instancing included.
   std::size_t maxObjects = std::size_t{1} << 18;
   /// Of all nodes and instances together; each active morph target counts its vertices again. As
   /// surfaces, more than these would not fit into the 4 GB of a WebAssembly memory.

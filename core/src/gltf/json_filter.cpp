@@ -17,8 +17,10 @@ using nlohmann::json;
 /// Real files nest a dozen levels.
 constexpr int kMaxDepth = 128;
 
-/// A node with a name, a matrix, a mesh and children has 21.
-constexpr std::uint64_t kMaxValuesPerObject = 32;
+/// On average. An accessor has five members, and six more if it is sparse; each takes 100 bytes.
+constexpr std::uint64_t kMaxMembersPerObject = 8;
+/// On average. A node with a matrix and children has seventeen or more; each takes 16 bytes.
+constexpr std::uint64_t kMaxElementsPerObject = 32;
 
 /// Receives the events of nlohmann's SAX parser. A value without a rule is skipped, and so is one
 /// that breaks its rule, which makes a fault.
@@ -128,15 +130,20 @@ class JsonFilter {
   }
 
   json& add(json value) {
-    if (++values_ > kMaxValuesPerObject * limits_.maxObjects) {
-      gltf::reject("the JSON has more than " + number(kMaxValuesPerObject * limits_.maxObjects) +
-                   " values" + toRaise("maxObjects"));
-    }
     if (levels_.empty()) return document_ = std::move(value);
     const Level& level = levels_.back();
-    if (level.rule->kind == JsonKind::kObject) return (*level.value)[key_] = std::move(value);
+    if (level.rule->kind == JsonKind::kObject) {
+      count(members_, kMaxMembersPerObject * limits_.maxObjects, "members of objects");
+      return (*level.value)[key_] = std::move(value);
+    }
+    count(elements_, kMaxElementsPerObject * limits_.maxObjects, "elements of arrays");
     level.value->push_back(std::move(value));
     return level.value->back();
+  }
+
+  static void count(std::uint64_t& sum, std::uint64_t most, const char* what) {
+    if (++sum <= most) return;
+    gltf::reject("the glTF has more than " + number(most) + ' ' + what + toRaise("maxObjects"));
   }
 
   bool open(JsonKind kind, const char* what) {
@@ -149,10 +156,8 @@ class JsonFilter {
       ++skippedLevels_;
       return true;
     }
-    if (kind == JsonKind::kObject && rule->path.ends_with("[]") &&
-        ++objects_ > limits_.maxObjects) {
-      gltf::reject("the glTF has more than " + number(limits_.maxObjects) +
-                   " nodes, meshes, accessors and other objects" + toRaise("maxObjects"));
+    if (kind == JsonKind::kObject && rule->path.ends_with("[]")) {
+      count(objects_, limits_.maxObjects, "nodes, meshes, accessors and other objects");
     }
     json& value = add(kind == JsonKind::kObject ? json::object() : json::array());
     levels_.push_back({rule, &value});
@@ -201,7 +206,7 @@ class JsonFilter {
   std::size_t skippedLevels_ = 0;
   std::string key_;   ///< of the member that is read
   std::string path_;  ///< of the value that is read, kept for its memory
-  std::uint64_t objects_ = 0, values_ = 0;
+  std::uint64_t objects_ = 0, members_ = 0, elements_ = 0;
 };
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace {
 
 [[noreturn]] void rejectForPrimitives(std::size_t most) {
   reject("the scene has more than " + number(most) +
-         " meshes, primitives and morph targets, instances included" + toRaise("maxObjects"));
+         " primitives and morph targets, instances included" + toRaise("maxObjects"));
 }
 
 std::vector<int> rootNodes(const Document& document) {
@@ -94,8 +94,9 @@ class SceneWalk {
         most_(limits.maxObjects),
         reached_(document.nodes.size(), false) {
     for (const Mesh& mesh : document.meshes) {
-      std::size_t& objects = objectsIn_.emplace_back(1);
+      std::size_t objects = 0;
       for (const Primitive& primitive : mesh.primitives) objects += 1 + primitive.targets.size();
+      objectsIn_.push_back(std::max<std::size_t>(objects, 1));
     }
   }
 
@@ -159,7 +160,7 @@ class SceneWalk {
   std::vector<char> reached_;
   std::vector<Visit> stack_;
   std::vector<PlacedMesh> placed_;
-  std::vector<std::size_t> objectsIn_;  ///< a mesh, its primitives and their morph targets
+  std::vector<std::size_t> objectsIn_;  ///< a mesh's primitives and morph targets
   std::size_t objects_ = 0;
 };
 
