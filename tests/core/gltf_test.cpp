@@ -218,15 +218,106 @@ TEST(ReadGltf, WalksAHierarchyAsDeepAsItIs) {
   EXPECT_EQ(readGltf(file.glb()).positions[0], kDepth);
 }
 
-TEST(ReadGltf, NotesWhatItDoesNotApply) {
+TEST(ReadGltf, IgnoresTheTransformOfASkinnedNode) {
+  GlbWriter file = triangleFile();
+  file.nodes[0] = R"({"mesh":0,"skin":0,"scale":[1,1,-7],"children":[1]})";
+  file.addNode(R"("mesh":0)");
+  file.addNode(R"("translation":[9,9,9],"children":[0])");
+  const GltfScene scene = readGltf(file.glb());
+  EXPECT_EQ(scene.positions, (Positions{0, 0, 0, 1, 0, 0, 0, 1, 0, 9, 9, 9, 10, 9, 9, 9, 10, 9}))
+      << "its children's counts, though";
+  EXPECT_EQ(scene.triangles, (Triangles{0, 1, 2, 3, 5, 4}));
+  EXPECT_EQ(scene.notes, (std::vector<std::string>{"meshes with a skin were taken unposed (1)"}));
+}
+
+TEST(ReadGltf, AppliesMorphTargetsWithTheirDefaultWeights) {
   GlbWriter file;
-  file.addMesh({R"({"attributes":{"POSITION":0},"targets":[{"POSITION":0}]})"});
   file.addPositions(kTriangle);
-  file.addNode(R"("mesh":0,"skin":0,"extensions":{"EXT_mesh_gpu_instancing":{"attributes":{}}})");
+  file.addPositions({0, 0, 1, 0, 0, 1, 0, 0, 1});
+  file.addPositions({4, 0, 0, 0, 0, 0, 0, 0, 0});
+  const std::string primitive =
+      R"({"attributes":{"POSITION":0},"targets":[{"POSITION":1},{"NORMAL":2,"POSITION":2},{}]})";
+  const auto read = [&](const std::string& ofMesh, const std::string& ofNode) {
+    file.meshes = {"{\"primitives\":[" + primitive + ']' + ofMesh + '}'};
+    file.nodes = {"{\"mesh\":0" + ofNode + '}'};
+    return readGltf(file.glb()).positions;
+  };
+  const Positions unchanged(kTriangle.begin(), kTriangle.end());
+  EXPECT_EQ(read("", ""), unchanged);
+  EXPECT_EQ(read(R"(,"weights":[0,0.5,1])", ""), (Positions{2, 0, 0, 1, 0, 0, 0, 1, 0}));
+  EXPECT_EQ(read(R"(,"weights":[3])", ""), (Positions{0, 0, 3, 1, 0, 3, 0, 1, 3}));
+  EXPECT_EQ(read(R"(,"weights":[3,3,3])", R"(,"weights":[-1,0,0])"),
+            (Positions{0, 0, -1, 1, 0, -1, 0, 1, -1}))
+      << "the node's weights come first";
   EXPECT_EQ(readGltf(file.glb()).notes,
-            (std::vector<std::string>{"meshes with a skin were taken unposed (1)",
-                                      "primitives with morph targets were taken without them (1)",
-                                      "nodes with instances were taken once (1)"}));
+            (std::vector<std::string>{
+                "primitives with morph targets were taken with their default weights (1)"}));
+  // What has the weight 0 is not missed.
+  file.accessors[2] = R"({"bufferView":77,"componentType":5126,"count":3,"type":"VEC3"})";
+  EXPECT_EQ(read("", ""), unchanged);
+  file.accessors[2] = R"({"bufferView":2,"componentType":5126,"count":2,"type":"VEC3"})";
+  file.meshes = {"{\"primitives\":[" + primitive + R"(],"weights":[0,1]})"};
+  EXPECT_EQ(errorOf(file.glb()),
+            "primitive 0 of mesh 0 has 2 elements of morph targets, but there are 3 positions");
+}
+
+TEST(ReadGltf, AppliesMorphTargetsToNormals) {
+  GlbWriter file;
+  file.addPositions(kTriangle);
+  file.addPositions({0, 0, 1, 0, 0, 1, 0, 0, 1});
+  file.addPositions({3, 0, 3, 0, 0, 0, 0, 0, -2});
+  file.addMesh({R"({"attributes":{"POSITION":0,"NORMAL":1},"targets":[{"NORMAL":2}]})"},
+               R"(,"weights":[1])");
+  EXPECT_EQ(readGltf(file.glb()).normals, (Positions{0.6, 0, 0.8, 0, 0, 1, 0, 0, -1}));
+}
+
+TEST(ReadGltf, RepeatsTheMeshOfANodeWithInstances) {
+  GlbWriter file = triangleFile();
+  const int moves = file.addPositions({0, 0, 0, 5, 0, 0});
+  const int turns =
+      file.addAccessor(file.addView(std::vector<std::int8_t>{0, 0, 0, 127, 0, 0, 127, 0}), kByte, 2,
+                       "VEC4", R"(,"normalized":true)");
+  const int scales = file.addPositions({1, 1, 1, 2, 2, -2});
+  file.nodes[0] = R"({"mesh":0,"translation":[0,0,1],"extensions":{"EXT_mesh_gpu_instancing":{)"
+                  R"("attributes":{"TRANSLATION":)" +
+                  std::to_string(moves) + R"(,"ROTATION":)" + std::to_string(turns) +
+                  R"(,"SCALE":)" + std::to_string(scales) + R"(,"_COLOR":99}}}})";
+  file.more = R"(,"extensionsRequired":["EXT_mesh_gpu_instancing"])";
+  const GltfScene scene = readGltf(file.glb());
+  EXPECT_EQ(scene.positions, (Positions{0, 0, 1, 1, 0, 1, 0, 1, 1, 5, 0, 1, 3, 0, 1, 5, -2, 1}));
+  EXPECT_EQ(scene.triangles, (Triangles{0, 1, 2, 3, 5, 4}));
+  EXPECT_EQ(scene.parts.size(), 2u);
+  EXPECT_TRUE(scene.notes.empty());
+
+  file.accessors[scales] = R"({"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"})";
+  EXPECT_EQ(errorOf(file.glb()), "node 0 has instances whose accessors differ in count");
+  file.accessors[scales] = R"({"bufferView":0,"componentType":5126,"count":1e6,"type":"VEC3"})";
+  EXPECT_EQ(errorOf(file.glb()),
+            "the scene has more than 262144 primitives and morph targets, instances "
+            "included; raise GltfLimits::maxObjects to read it");
+}
+
+TEST(ReadGltf, CutsNamesThatAreLong) {
+  GlbWriter file = triangleFile();
+  std::string name(255, 'a');
+  file.nodes[0] = R"({"mesh":0,"name":")" + name + "\xC3\xA4" + std::string(5000, 'b') + "\"}";
+  EXPECT_EQ(readGltf(file.glb()).parts[0].name, name);
+}
+
+TEST(ReadGltf, TakesWholeNumbersHoweverTheyAreWritten) {
+  GlbWriter file = triangleFile();
+  file.nodes[0] = R"({"mesh":0.0,"scale":[1.0,1e0,1]})";
+  file.accessors[0] = R"({"bufferView":0,"componentType":5126,"count":0.3e1,"type":"VEC3"})";
+  file.bufferViews[0] = R"({"buffer":0e5,"byteLength":36.0,"byteStride":0})";
+  EXPECT_EQ(readGltf(file.glb()).triangles, (Triangles{0, 1, 2}));
+}
+
+TEST(ReadGltf, SkipsWhatTrianglesDoNotNeedWhateverItIs) {
+  GlbWriter file = triangleFile();
+  file.nodes[0] = R"({"mesh":0,"camera":-7,"extras":{"mesh":-1,"nodes[]":[{}]},"nodes[].mesh":-1,)"
+                  R"("extensions":{"EXT_other":{"attributes":{"TRANSLATION":-1}}}})";
+  file.more = R"(,"nodes[]":3,"":[[{"":null}]],"materials":-1,"extensions":[-1.5])";
+  EXPECT_EQ(readGltf(file.glb()).triangles, (Triangles{0, 1, 2}));
 }
 
 TEST(ReadGltf, IsNotKeptFromTrianglesByBrokenThingsBesideThem) {
@@ -316,6 +407,17 @@ TEST(ReadGltf, TakesAnAccessorWithoutBufferViewForZeros) {
   GlbWriter file;
   EXPECT_EQ(readPrimitive(file, file.addAccessor(-1, kFloat, 3, "VEC3")).positions,
             Positions(9, 0.0));
+}
+
+TEST(ReadGltf, ReadsSparseIndices) {
+  GlbWriter file;
+  file.addPositions(kTriangle);
+  const int places = file.addView(std::vector<std::uint8_t>{1, 2});
+  const int indices = file.addAccessor(
+      -1, kUnsignedByte, 3, "SCALAR",
+      R"(,"sparse":{"count":2,"indices":{"bufferView":)" + std::to_string(places) +
+          R"(,"componentType":5121},"values":{"bufferView":)" + std::to_string(places) + "}}");
+  EXPECT_EQ(readPrimitive(file, 0, indices).triangles, (Triangles{0, 1, 2}));
 }
 
 TEST(ReadGltf, ReadsQuantizedPositions) {
@@ -499,8 +601,20 @@ TEST(ReadGltfErrors, NameMissingBuffers) {
   EXPECT_EQ(errorAfter([](GlbWriter& f) { f.buffers = R"({"byteLength":37})"; }),
             "buffer 0 should have 37 bytes but has 36");
   EXPECT_EQ(errorAfter([](GlbWriter& f) { f.buffers = R"({"byteLength":-1})"; }),
-            "buffer 0 has no valid byteLength");
-  EXPECT_EQ(errorAfter([](GlbWriter& f) { f.buffers = "7"; }), "buffer 0 has no valid byteLength");
+            "buffers[0].byteLength is -1; it must be a whole number from 0 to 4294967295");
+  EXPECT_EQ(errorAfter([](GlbWriter& f) { f.buffers = "{}"; }), "buffer 0 has no byteLength");
+  EXPECT_EQ(errorAfter([](GlbWriter& f) { f.buffers = "7"; }),
+            "buffers[0] is 7; it must be an object");
+}
+
+TEST(ReadGltfErrors, NameABufferThatStandsForCompressedData) {
+  EXPECT_EQ(errorAfter([](GlbWriter& file) {
+              file.buffers = R"({"byteLength":36},{"byteLength":36,"extensions":{)"
+                             R"("EXT_meshopt_compression":{"fallback":true}}})";
+              file.bufferViews[0] = R"({"buffer":1,"byteLength":36})";
+            }),
+            "buffer 1 stands for data compressed with EXT_meshopt_compression, which has to be "
+            "decompressed before it is read here");
 }
 
 TEST(ReadGltfErrors, GiveTheBinaryChunkToTheFirstBufferOnly) {
@@ -519,7 +633,7 @@ TEST(ReadGltfErrors, NameBytesOutOfBounds) {
   EXPECT_EQ(view(R"("byteLength":37)"), "buffer view 0 reaches past the end of buffer 0");
   EXPECT_EQ(view(R"("byteLength":36,"byteOffset":1)"),
             "buffer view 0 reaches past the end of buffer 0");
-  EXPECT_EQ(view(R"("byteLength":36,"byteOffset":18446744073709551615)"),
+  EXPECT_EQ(view(R"("byteLength":36,"byteOffset":4294967295)"),
             "buffer view 0 reaches past the end of buffer 0");
   EXPECT_EQ(view(R"("byteLength":35)"), "accessor 0 reaches past the end of buffer view 0");
   EXPECT_EQ(view(R"("byteLength":36,"byteStride":16)"),
@@ -535,33 +649,296 @@ TEST(ReadGltfErrors, NameBytesOutOfBounds) {
   EXPECT_EQ(accessor(R"("count":4)"), "accessor 0 reaches past the end of buffer view 0");
   EXPECT_EQ(accessor(R"("count":3,"byteOffset":4)"),
             "accessor 0 reaches past the end of buffer view 0");
-  EXPECT_EQ(accessor(R"("count":3,"byteOffset":18446744073709551612)"),
+  EXPECT_EQ(accessor(R"("count":3,"byteOffset":4294967292)"),
             "accessor 0 reaches past the end of buffer view 0");
   EXPECT_EQ(accessor(R"("count":1000000)"), "accessor 0 reaches past the end of buffer view 0");
-  EXPECT_EQ(accessor(R"("count":9223372036854775808)"),
-            "the scene has more than 16777216 vertices or triangles");
+  EXPECT_EQ(accessor(R"("count":4294967295)"),
+            "the scene has more than 16777216 vertices; raise GltfLimits::maxVertices to read it");
+}
+
+TEST(ReadGltfErrors, NameNumbersThatAreNotWhatTheyMustBe) {
+  struct Case {
+    const char* path;
+    const char* range;
+    std::function<void(GlbWriter&, const std::string&)> set;
+  };
+  const char* index = "a whole number from 0 to 2147483647";
+  const char* size = "a whole number from 0 to 4294967295";
+  const auto sparse = [](const std::string& count, const std::string& ofIndices,
+                         const std::string& ofValues) {
+    return R"({"componentType":5126,"count":3,"type":"VEC3","sparse":{"count":)" + count +
+           R"(,"indices":{"bufferView":0,"componentType":5121)" + ofIndices +
+           R"(},"values":{"bufferView":0)" + ofValues + "}}}";
+  };
+  const Case cases[] = {
+      {"scene", index, [](GlbWriter& f, const std::string& x) { f.more = ",\"scene\":" + x; }},
+      {"scenes[0].nodes[1]", index,
+       [](GlbWriter& f, const std::string& x) { f.scenes = {"{\"nodes\":[0," + x + "]}"}; }},
+      {"nodes[0].mesh", index,
+       [](GlbWriter& f, const std::string& x) { f.nodes[0] = "{\"mesh\":" + x + '}'; }},
+      {"nodes[0].skin", index,
+       [](GlbWriter& f, const std::string& x) { f.nodes[0] = "{\"mesh\":0,\"skin\":" + x + '}'; }},
+      {"nodes[1].children[0]", index,
+       [](GlbWriter& f, const std::string& x) { f.addNode("\"children\":[" + x + ']'); }},
+      {"nodes[0].extensions.EXT_mesh_gpu_instancing.attributes.SCALE", index,
+       [](GlbWriter& f, const std::string& x) {
+         f.nodes[0] =
+             R"({"extensions":{"EXT_mesh_gpu_instancing":{"attributes":{"SCALE":)" + x + "}}}}";
+       }},
+      {"meshes[0].primitives[0].attributes.POSITION", index,
+       [](GlbWriter& f, const std::string& x) {
+         f.meshes[0] = R"({"primitives":[{"attributes":{"POSITION":)" + x + "}}]}";
+       }},
+      {"meshes[0].primitives[0].indices", index,
+       [](GlbWriter& f, const std::string& x) {
+         f.meshes[0] = R"({"primitives":[{"attributes":{"POSITION":0},"indices":)" + x + "}]}";
+       }},
+      {"meshes[0].primitives[0].mode", index,
+       [](GlbWriter& f, const std::string& x) {
+         f.meshes[0] = R"({"primitives":[{"attributes":{"POSITION":0},"mode":)" + x + "}]}";
+       }},
+      {"meshes[0].primitives[0].targets[0].POSITION", index,
+       [](GlbWriter& f, const std::string& x) {
+         f.meshes[0] =
+             R"({"primitives":[{"attributes":{"POSITION":0},"targets":[{"POSITION":)" + x + "}]}]}";
+       }},
+      {"accessors[0].bufferView", index,
+       [](GlbWriter& f, const std::string& x) {
+         f.accessors[0] =
+             R"({"componentType":5126,"count":3,"type":"VEC3","bufferView":)" + x + '}';
+       }},
+      {"accessors[0].componentType", index,
+       [](GlbWriter& f, const std::string& x) {
+         f.accessors[0] = R"({"bufferView":0,"count":3,"type":"VEC3","componentType":)" + x + '}';
+       }},
+      {"accessors[0].byteOffset", size,
+       [](GlbWriter& f, const std::string& x) {
+         f.accessors[0] =
+             R"({"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","byteOffset":)" + x +
+             '}';
+       }},
+      {"accessors[0].count", size,
+       [](GlbWriter& f, const std::string& x) {
+         f.accessors[0] =
+             R"({"bufferView":0,"componentType":5126,"type":"VEC3","count":)" + x + '}';
+       }},
+      {"accessors[0].sparse.count", size,
+       [&](GlbWriter& f, const std::string& x) { f.accessors[0] = sparse(x, "", ""); }},
+      {"accessors[0].sparse.indices.byteOffset", size,
+       [&](GlbWriter& f, const std::string& x) {
+         f.accessors[0] = sparse("1", ",\"byteOffset\":" + x, "");
+       }},
+      {"accessors[0].sparse.values.byteOffset", size,
+       [&](GlbWriter& f, const std::string& x) {
+         f.accessors[0] = sparse("1", "", ",\"byteOffset\":" + x);
+       }},
+      {"accessors[0].sparse.values.bufferView", index,
+       [&](GlbWriter& f, const std::string& x) {
+         f.accessors[0] = sparse("1", "", ",\"bufferView\":" + x);
+       }},
+      {"bufferViews[0].buffer", index,
+       [](GlbWriter& f, const std::string& x) {
+         f.bufferViews[0] = R"({"byteLength":36,"buffer":)" + x + '}';
+       }},
+      {"bufferViews[0].byteOffset", size,
+       [](GlbWriter& f, const std::string& x) {
+         f.bufferViews[0] = R"({"buffer":0,"byteLength":36,"byteOffset":)" + x + '}';
+       }},
+      {"bufferViews[0].byteLength", size,
+       [](GlbWriter& f, const std::string& x) {
+         f.bufferViews[0] = R"({"buffer":0,"byteLength":)" + x + '}';
+       }},
+      {"buffers[0].byteLength", size,
+       [](GlbWriter& f, const std::string& x) { f.buffers = "{\"byteLength\":" + x + '}'; }},
+  };
+  for (const Case& c : cases) {
+    for (const char* value : {"-1", "-4", "4294967296", "9007199254740992", "18446744073709551615",
+                              "18446744073709551616", "0.5", "-0.25", "1e300", "null", "true"}) {
+      EXPECT_EQ(errorAfter([&](GlbWriter& file) { c.set(file, value); }),
+                std::string(c.path) + " is " + value + "; it must be " + c.range);
+    }
+    EXPECT_EQ(errorAfter([&](GlbWriter& file) { c.set(file, "\"1\""); }),
+              std::string(c.path) + " is a string; it must be " + c.range);
+    EXPECT_EQ(errorAfter([&](GlbWriter& file) { c.set(file, "[0]"); }),
+              std::string(c.path) + " is an array; it must be " + c.range);
+  }
+}
+
+TEST(ReadGltfErrors, NameAStrideThatIsNone) {
+  for (const char* stride : {"2", "11", "-12", "1000000000", "256", "4.5"}) {
+    EXPECT_EQ(errorAfter([&](GlbWriter& file) {
+                file.bufferViews[0] =
+                    std::string(R"({"buffer":0,"byteLength":36,"byteStride":)") + stride + '}';
+              }),
+              std::string("bufferViews[0].byteStride is ") + stride +
+                  "; it must be a multiple of 4 from 0 to 252");
+  }
+}
+
+TEST(ReadGltfErrors, NameValuesOfAnotherKind) {
+  EXPECT_EQ(errorOf(R"({"asset":{"version":"2.0"},"nodes":{}})"),
+            "nodes is an object; it must be an array");
+  EXPECT_EQ(errorOf(R"({"asset":{"version":"2.0"},"nodes":[{},[]]})"),
+            "nodes[1] is an array; it must be an object");
+  EXPECT_EQ(errorOf(R"({"asset":{"version":"2.0"},"nodes":[{"matrix":"no"}]})"),
+            "nodes[0].matrix is a string; it must be an array");
+  EXPECT_EQ(errorOf(R"({"asset":{"version":"2.0"},"nodes":[{},{"scale":[1,null,1]}]})"),
+            "nodes[1].scale[1] is null; it must be a number");
+  EXPECT_EQ(errorOf(R"({"asset":{"version":"2.0"},"accessors":[{"normalized":1}]})"),
+            "accessors[0].normalized is 1; it must be true or false");
+  EXPECT_EQ(errorOf(R"({"asset":{"version":"1.0"},"nodes":{},"scene":"main"})"),
+            R"(this is glTF version "1.0"; only version 2.0 is read)")
+      << "which is what explains the rest";
+}
+
+TEST(ReadGltfErrors, NameNumbersThatAreMisaligned) {
+  const auto error = [](int ofView, int ofAccessor) {
+    return errorAfter([&](GlbWriter& file) {
+      file.addPositions(kTriangle);
+      file.bufferViews[0] =
+          R"({"buffer":0,"byteLength":40,"byteOffset":)" + std::to_string(ofView) + '}';
+      file.accessors[0] =
+          R"({"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","byteOffset":)" +
+          std::to_string(ofAccessor) + '}';
+    });
+  };
+  EXPECT_EQ(error(0, 2),
+            "accessor 0 begins at byte 2 of its buffer, which is not a multiple of 4, the size of "
+            "its numbers");
+  EXPECT_EQ(error(1, 0),
+            "accessor 0 begins at byte 1 of its buffer, which is not a multiple of 4, the size of "
+            "its numbers");
 }
 
 TEST(ReadGltfErrors, LimitWhatASmallFileCanAskFor) {
-  const std::string tooMany = "the scene has more than 16777216 vertices or triangles";
+  const auto more = [](const char* than, const char* limit) {
+    return "the scene has more than " + std::string(than) + "; raise GltfLimits::" + limit +
+           " to read it";
+  };
   EXPECT_EQ(errorAfter([](GlbWriter& file) {
               file.accessors[0] = R"({"componentType":5126,"count":1000000000,"type":"VEC3"})";
             }),
-            tooMany);
+            more("16777216 vertices", "maxVertices"));
   EXPECT_EQ(errorAfter([](GlbWriter& file) {
-              const int rest = file.addAccessor(-1, kFloat, (1 << 24) - 2, "VEC3");
-              file.addMesh({GlbWriter::primitive(rest)});
-              file.addNode(R"("mesh":1)");
+              file.accessors[0] = R"({"componentType":5126,"count":50000000,"type":"VEC3"})";
+              for (int n = 1; n < 5000; ++n) file.addNode(R"("mesh":0)");
             }),
-            tooMany)
-      << "together with the first triangle's three";
+            more("16777216 vertices", "maxVertices"))
+      << "5,000 times 50 M zeros";
+  const std::string zeros =
+      more("1048576 elements in accessors without a buffer view", "maxZeroElements");
+  EXPECT_EQ(errorAfter([](GlbWriter& file) {
+              file.accessors[0] = R"({"componentType":5126,"count":1048577,"type":"VEC3"})";
+            }),
+            zeros);
+  EXPECT_EQ(errorAfter([](GlbWriter& file) {
+              file.accessors[0] = R"({"componentType":5126,"count":1048576,"type":"VEC3"})";
+              file.addNode(R"("mesh":0)");
+            }),
+            zeros)
+      << "two nodes together";
+  EXPECT_EQ(errorAfter([](GlbWriter& file) {
+              const int indices = file.addAccessor(-1, kUnsignedByte, 1048577, "SCALAR");
+              file.meshes[0] = R"({"primitives":[)" + GlbWriter::primitive(0, indices) + "]}";
+            }),
+            zeros);
+  EXPECT_EQ(errorAfter([](GlbWriter& file) {
+              const int moves = file.addAccessor(-1, kFloat, 262145, "VEC3");
+              file.addPositions(std::vector<float>(30));
+              file.meshes[0] = R"({"primitives":[)" + GlbWriter::primitive(moves + 1) + "]}";
+              file.nodes[0] = R"({"mesh":0,"extensions":{"EXT_mesh_gpu_instancing":{"attributes":{)"
+                              R"("TRANSLATION":1}}}})";
+            }),
+            more("262144 primitives and morph targets, instances included", "maxObjects"));
+  EXPECT_EQ(errorAfter([](GlbWriter& file) {
+              const int moves = file.addAccessor(-1, kFloat, 130000, "VEC3");
+              file.addPositions(std::vector<float>(30));
+              file.meshes[0] = R"({"primitives":[)" + GlbWriter::primitive(moves + 1) + "]}";
+              file.nodes[0] = R"({"mesh":0,"extensions":{"EXT_mesh_gpu_instancing":{"attributes":{)"
+                              R"("TRANSLATION":1}}}})";
+            }),
+            zeros)
+      << "ten vertices in 130,000 places that cost nothing";
   EXPECT_EQ(errorAfter([](GlbWriter& file) {
               const int indices = file.addIndices<std::uint8_t>(kUnsignedByte, {0, 1, 2});
               file.accessors[indices] =
                   R"({"bufferView":0,"componentType":5121,"count":1000000000,"type":"SCALAR"})";
               file.meshes[0] = R"({"primitives":[)" + GlbWriter::primitive(0, indices) + "]}";
             }),
-            "accessor 1 has 1000000000 elements, which is too many");
+            more("16777216 triangles", "maxTriangles"));
+  EXPECT_EQ(errorAfter([](GlbWriter& file) {
+              std::string primitive = R"({"attributes":{"POSITION":0},"targets":[)";
+              std::string weights = "1";
+              for (int t = 0; t < 99999; ++t) {
+                primitive += R"({"POSITION":0},)";
+                weights += ",1";
+              }
+              file.meshes[0] =
+                  R"({"primitives":[)" + primitive + "{}]}],\"weights\":[" + weights + "]}";
+              for (int n = 1; n < 60; ++n) file.addNode(R"("mesh":0)");
+            }),
+            more("262144 primitives and morph targets, instances included", "maxObjects"));
+}
+
+TEST(ReadGltfErrors, LimitTheJson) {
+  const std::string start = R"({"asset":{"version":"2.0"},)";
+  const auto repeated = [](const std::string& text, int count) {
+    std::string all;
+    for (int i = 0; i < count; ++i) all += text + ',';
+    return '[' + all + text + ']';
+  };
+  const std::string tooManyObjects =
+      "the glTF has more than 262144 nodes, meshes, accessors and other objects; raise "
+      "GltfLimits::maxObjects to read it";
+  EXPECT_EQ(errorOf(start + R"("nodes":)" + repeated("{}", 1000000) + '}'), tooManyObjects);
+  EXPECT_EQ(errorOf(start + R"("meshes":[{"primitives":)" + repeated("{}", 1000000) + "}]}"),
+            tooManyObjects);
+  EXPECT_EQ(
+      errorOf(start + R"("scenes":[{"nodes":)" + repeated("0", 9000000) + "}]}"),
+      "the glTF has more than 8388608 elements of arrays; raise GltfLimits::maxObjects to read it");
+  EXPECT_EQ(errorOf(start + R"("accessors":)" +
+                    repeated(R"({"count":1,"type":"VEC3","byteOffset":0,"normalized":true,)"
+                             R"("sparse":{"count":0,"indices":{"byteOffset":0},"values":{}}})",
+                             250000) +
+                    '}'),
+            "the glTF has more than 2097152 members of objects; raise GltfLimits::maxObjects to "
+            "read it");
+  EXPECT_EQ(errorOf(start + R"("scenes":[{"nodes":)" + repeated("0", 8000000) +
+                    R"(}],"nodes":[{}],"scene":0})"),
+            "node 0 is in the scene twice");
+
+  GlbWriter file = triangleFile();
+  file.more =
+      R"(,"materials":)" + repeated("{}", 3000000) + R"(,"extras":)" + repeated("[]", 10000);
+  EXPECT_EQ(readGltf(file.glb()).triangles, kOneTriangle) << "what is skipped costs nothing";
+}
+
+TEST(ReadGltfErrors, EndWhereLimitsAreRaised) {
+  GlbWriter file = triangleFile();
+  file.addNode(R"("mesh":0)");
+  const ByteVector bytes = file.glb();
+  const auto error = [&](const GltfLimits& limits) -> std::string {
+    try {
+      readGltf(bytes, {}, limits);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  EXPECT_EQ(error({.maxJsonBytes = 100}),
+            "the JSON has " +
+                std::to_string(file.json().size() + (4 - file.json().size() % 4) % 4) +
+                " bytes, more than 100; raise "
+                "GltfLimits::maxJsonBytes to read it");
+  EXPECT_EQ(error({.maxObjects = 5}),
+            "the glTF has more than 5 nodes, meshes, accessors and other objects; raise "
+            "GltfLimits::maxObjects to read it");
+  EXPECT_EQ(error({.maxVertices = 5}),
+            "the scene has more than 5 vertices; raise GltfLimits::maxVertices to read it");
+  EXPECT_EQ(error({.maxTriangles = 1}),
+            "the scene has more than 1 triangles; raise GltfLimits::maxTriangles to read it");
+  EXPECT_EQ(error({.maxObjects = 8, .maxVertices = 6, .maxTriangles = 2, .maxZeroElements = 0}),
+            "none");
 }
 
 TEST(ReadGltfErrors, NameBrokenSparseAccessors) {
@@ -578,10 +955,8 @@ TEST(ReadGltfErrors, NameBrokenSparseAccessors) {
             "the sparse part of accessor 0 has the index 3 past its end");
   EXPECT_EQ(error("2", indices, R"("bufferView":0)"),
             "the sparse part of accessor 0 reaches past the end of buffer view 1");
-  EXPECT_EQ(error("-1", indices, R"("bufferView":0)"),
-            "the sparse part of accessor 0 has a negative count or offset");
-  EXPECT_EQ(error("1", indices, R"("bufferView":0,"byteOffset":-4)"),
-            "the sparse part of accessor 0 has a negative count or offset");
+  EXPECT_EQ(error("4", indices, R"("bufferView":0)"),
+            "the sparse part of accessor 0 has more elements than the accessor itself");
   EXPECT_EQ(error("1", R"("bufferView":1,"componentType":5126)", R"("bufferView":0)"),
             "the sparse part of accessor 0 has component type 5126, which vertex indices cannot "
             "have");
@@ -592,16 +967,18 @@ TEST(ReadGltfErrors, NameBrokenSparseAccessors) {
 TEST(ReadGltfErrors, NameObjectsThatDoNotExist) {
   EXPECT_EQ(errorAfter([](GlbWriter& f) { f.bufferViews[0] = R"({"buffer":3,"byteLength":36})"; }),
             "buffer view 0 names buffer 3, but the glTF has 1");
-  EXPECT_EQ(errorAfter([](GlbWriter& f) { f.bufferViews[0] = R"({"buffer":-1,"byteLength":36})"; }),
-            "buffer view 0 names buffer -1, but the glTF has 1");
   EXPECT_EQ(errorAfter([](GlbWriter& f) { f.bufferViews.clear(); }),
             "accessor 0 names buffer view 0, but the glTF has 0");
   EXPECT_EQ(errorAfter([](GlbWriter& f) {
               f.meshes[0] = R"({"primitives":[)" + GlbWriter::primitive(5) + "]}";
             }),
             "primitive 0 of mesh 0 names accessor 5, but the glTF has 1");
-  EXPECT_EQ(errorAfter([](GlbWriter& f) { f.nodes[0] = R"({"mesh":-2})"; }),
-            "node 0 names mesh -2, but the glTF has 1");
+  EXPECT_EQ(errorAfter([](GlbWriter& f) {
+              f.meshes[0] = R"({"primitives":[)" + GlbWriter::primitive(0, 5) + "]}";
+            }),
+            "primitive 0 of mesh 0 names accessor 5, but the glTF has 1");
+  EXPECT_EQ(errorAfter([](GlbWriter& f) { f.nodes[0] = R"({"mesh":2147483647})"; }),
+            "node 0 names mesh 2147483647, but the glTF has 1");
   EXPECT_EQ(errorAfter([](GlbWriter& f) { f.nodes[0] = R"({"children":[9]})"; }),
             "node 0 names node 9, but the glTF has 1");
   EXPECT_EQ(errorAfter([](GlbWriter& f) { f.more = R"(,"scene":0)"; }),
@@ -645,10 +1022,10 @@ TEST(ReadGltfErrors, NameBrokenTransforms) {
   const auto error = [](const std::string& member) {
     return errorAfter([&](GlbWriter& file) { file.nodes[0] = "{\"mesh\":0," + member + "}"; });
   };
-  EXPECT_EQ(error(R"("matrix":[1,0,0])"), "node 0 has a matrix that is not 16 finite numbers");
-  EXPECT_EQ(error(R"("scale":[1,1])"), "node 0 has a scale that is not 3 finite numbers");
+  EXPECT_EQ(error(R"("matrix":[1,0,0])"), "nodes[0].matrix has 3 elements; it must have 16");
+  EXPECT_EQ(error(R"("scale":[1,1])"), "nodes[0].scale has 2 elements; it must have 3");
   EXPECT_EQ(error(R"("translation":[1,2,3,4])"),
-            "node 0 has a translation that is not 3 finite numbers");
+            "nodes[0].translation has 4 elements; it must have 3");
   EXPECT_EQ(error(R"("rotation":[0,0,0,0])"), "node 0 has a rotation of zeros");
 }
 

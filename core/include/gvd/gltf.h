@@ -34,15 +34,36 @@ struct GltfResource {
   std::span<const std::byte> bytes;
 };
 
-/// Reads GLB or glTF JSON (buffers embedded, as data: URIs, or from `resources`; no file is opened).
+/// What a file may ask for, so that a small one cannot take all memory or hours. All are checked
+/// before the work is done; the message names the limit.
+struct GltfLimits {
+  std::size_t maxJsonBytes = std::size_t{1} << 29;
+  /// Nodes, meshes, primitives, accessors, buffer views, … together; also the primitives and morph
+  /// targets of all nodes together, instances of EXT_mesh_gpu_instancing included.
+  std::size_t maxObjects = std::size_t{1} << 18;
+  /// Of all nodes and instances together; each active morph target counts its vertices again. As
+  /// surfaces, more than these would not fit into the 4 GB of a WebAssembly memory.
+  std::size_t maxVertices = std::size_t{1} << 24;
+  std::size_t maxTriangles = std::size_t{1} << 24;
+  /// Of accessors without a buffer view, which cost a file nothing: counted as the vertices are. So
+  /// are the vertices of instances that have no buffer view either.
+  std::size_t maxZeroElements = std::size_t{1} << 20;
+};
+
+/// Reads GLB or glTF JSON (buffers embedded, as data: URIs, or from `resources`; no file is
+/// opened).
 ///
 /// Takes every triangle primitive (lists, strips, fans; any index type or none) of the default
 /// scene, else of all root nodes, else (there are no nodes) of all meshes: depth first, primitives
 /// in order, each node's world transform applied; a mirroring one swaps the second and third corner
-/// of the triangles. Every primitive brings all of its positions, every triangle counts: the faces
-/// of the scene are numbered the way an independent reader of the file would number them. Normals
-/// and texture coordinates that cannot be read are passed over.
+/// of the triangles. A node with EXT_mesh_gpu_instancing has its mesh once per instance. Morph
+/// targets are applied with their default weights. A mesh with a skin is taken as it is bound,
+/// without the transform of its node, as the specification says. Every primitive brings all of its
+/// positions, every triangle counts: the faces of the scene are numbered the way an independent
+/// reader of the file would number them. Normals and texture coordinates that cannot be read are
+/// passed over, and no buffer is missed that no triangle needs.
 /// Throws `Error(kInvalidGltf)` with a sentence that names the offending object and its index.
-GltfScene readGltf(std::span<const std::byte> bytes, std::span<const GltfResource> resources = {});
+GltfScene readGltf(std::span<const std::byte> bytes, std::span<const GltfResource> resources = {},
+                   const GltfLimits& limits = {});
 
 }  // namespace gvd

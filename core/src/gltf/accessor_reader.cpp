@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "gltf/accessor_reader.h"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+#include "gltf/gltf_error.h"
+
+namespace gvd::gltf {
+namespace {
+
+template <class T>
+double load(const std::byte* bytes) {
+  T value;
+  std::memcpy(&value, bytes, sizeof value);
+  return value;
+}
+
+constexpr ComponentType kInt8 = {5120, 1, load<std::int8_t>, 127};
+constexpr ComponentType kUint8 = {5121, 1, load<std::uint8_t>, 255};
+constexpr ComponentType kInt16 = {5122, 2, load<std::int16_t>, 32767};
+constexpr ComponentType kUint16 = {5123, 2, load<std::uint16_t>, 65535};
+constexpr ComponentType kUint32 = {5125, 4, load<std::uint32_t>, 4294967295};
+constexpr ComponentType kFloat = {5126, 4, load<float>, 0};
+
+constexpr ComponentType kIndexTypes[] = {kUint8, kUint16, kUint32};
+/// The integers are those of KHR_mesh_quantization.
+constexpr ComponentType kPositionTypes[] = {kInt8, kUint8, kInt16, kUint16, kFloat};
+constexpr ComponentType kRotationTypes[] = {kInt8, kInt16, kFloat};
+constexpr ComponentType kFloatOnly[] = {kFloat};
+
+const ComponentType& componentType(int id, const Format& format, const std::string& owner) {
+  for (const ComponentType& type : format.allowed) {
+    if (type.id == id) return type;
+  }
+  reject(owner + " has component type " + std::to_string(id) + ", which " + format.what +
+         " cannot have");
+}
+
+}  // namespace
+
+const Format kIndices = {"vertex indices", ElementType::kScalar, 1, kIndexTypes};
+const Format kPositions = {"positions", ElementType::kVec3, 3, kPositionTypes};
+const Format kNormals = {"normals", ElementType::kVec3, 3, kPositionTypes};
+const Format kUvs = {"texture coordinates", ElementType::kVec2, 2, kPositionTypes};
+const Format kDisplacements = {"morph targets", ElementType::kVec3, 3, kPositionTypes};
+const Format kTranslations = {"translations", ElementType::kVec3, 3, kFloatOnly};
+const Format kRotations = {"rotations", ElementType::kVec4, 4, kRotationTypes};
+const Format kScales = {"scales", ElementType::kVec3, 3, kFloatOnly};
+
+AccessorReader::AccessorReader(const Document& document, Buffers buffers)
+    : document_(document), buffers_(std::move(buffers)) {}
+
+const Accessor& AccessorReader::at(int index, const std::string& owner) const {
+  requireIndex(index, document_.accessors.size(), "accessor", owner);
+  return document_.accessors[index];
+}
+
+std::vector<double> AccessorReader::read(int index, const Format& format,
+                                         const std::string& owner) {
+  const Accessor& accessor = at(index, owner);
+  const std::string name = "accessor " + std::to_string(index);
+  if (accessor.type != format.type) reject(name + " has the wrong type for " + format.what);
+  const ComponentType& type = componentType(accessor.componentType, format, name);
+
+  const bool normalized = accessor.normalized && type.largest > 0;
+  std::vector<double> values;
+  const auto store = [&](std::uint64_t element, const std::byte* bytes) {
+    for (std::uint64_t c = 0; c < format.components; ++c) {
+      const double value = type.load(bytes + c * type.size);
+      // The least of the signed integers stands for -1 as the next one does.
+      values[element * format.components + c] =
+          normalized ? std::max(value / type.largest, -1.0) : value;
+    }
+  };
+  if (accessor.elements) {
+    const Elements source =
+        elements(*accessor.elements, accessor.count, type, format.components, name);
+    values.resize(accessor.count * format.components);
+    for (std::uint64_t i = 0; i < accessor.count; ++i) store(i, source.at(i));
+  } else {
+    values.resize(accessor.count * format.components);
+  }
+  if (accessor.sparse) {
+    forEachSparse(accessor, type, format.components, "the sparse part of " + name, store);
+  }
+  return values;
+}
+
+template <class Store>
+void AccessorReader::forEachSparse(const Accessor& accessor, const ComponentType& valueType,
+                                   std::uint64_t components, const std::string& name, Store store) {
+  const SparseElements& sparse = *accessor.sparse;
+  if (sparse.count > accessor.count) reject(name + " has more elements than the accessor itself");
+  const ComponentType& type = componentType(sparse.indices.componentType, kIndices, name);
+  const Elements places = elements(sparse.indices, sparse.count, type, 1, name);
+  const Elements source = elements(sparse.values, sparse.count, valueType, components, name);
+  for (std::uint64_t i = 0; i < sparse.count; ++i) {
+    const auto place = static_cast<std::uint64_t>(type.load(places.at(i)));
+    if (place >= accessor.count) reject(name + " has the index " + number(place) + " past its end");
+    store(place, source.at(i));
+  }
+}
+
+AccessorReader::Elements AccessorReader::elements(const ElementRange& range, std::uint64_t count,
+                                                  const ComponentType& type,
+                                                  std::uint64_t components,
+                                                  const std::string& owner) {
+  requireIndex(range.bufferView, document_.bufferViews.size(), "buffer view", owner);
+  const BufferView& view = document_.bufferViews[range.bufferView];
+  const std::string name = "buffer view " + std::to_string(range.bufferView);
+  const Bytes buffer = buffers_.at(view.buffer, name);
+  if (view.byteOffset > buffer.size() || view.byteLength > buffer.size() - view.byteOffset) {
+    reject(name + " reaches past the end of buffer " + std::to_string(view.buffer));
+  }
+  const std::uint64_t size = components * type.size;
+  const std::uint64_t stride = view.byteStride == 0 ? size : view.byteStride;
+  if (stride < size) reject(name + " has a byteStride less than the elements of " + owner);
+  // The sum offset + stride·(count - 1) + size could overflow; these differences cannot.
+  const std::uint64_t offset = range.byteOffset, length = view.byteLength;
+  const bool fits = count == 0 || (offset <= length && size <= length - offset &&
+                                   count - 1 <= (length - offset - size) / stride);
+  if (!fits) reject(owner + " reaches past the end of " + name);
+  if (const std::uint64_t first = view.byteOffset + offset; first % type.size != 0) {
+    reject(owner + " begins at byte " + number(first) +
+           " of its buffer, which is not a multiple of " + number(type.size) +
+           ", the size of its numbers");
+  }
+  return {buffer.data() + view.byteOffset + (count == 0 ? 0 : offset), stride};
+}
+
+}  // namespace gvd::gltf

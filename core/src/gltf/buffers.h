@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "gltf/glb_container.h"
+#include "gltf/gltf_json.h"
+#include "gvd/gltf.h"
+
+namespace gvd::gltf {
+
+/// The buffers of a document. Each is found when it is first asked for, since a file may name
+/// buffers that no triangle needs.
+class Buffers {
+ public:
+  Buffers(std::vector<BufferObject> objects, std::optional<Bytes> bin,
+          std::span<const GltfResource> resources);
+
+  /// The `byteLength` bytes of a buffer that `owner` names.
+  Bytes at(int index, const std::string& owner);
+
+ private:
+  struct Buffer {
+    BufferObject object;
+    std::string decoded;  ///< the content of a data URI
+    std::optional<Bytes> bytes;
+  };
+
+  Bytes load(Buffer& buffer, int index);
+  Bytes content(Buffer& buffer, int index, const std::string& name);
+
+  std::optional<Bytes> bin_;
+  std::span<const GltfResource> resources_;
+  std::vector<Buffer> buffers_;
+};
+
+}  // namespace gvd::gltf

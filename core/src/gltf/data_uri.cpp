@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "gltf/data_uri.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "gltf/gltf_error.h"
+
+namespace gvd::gltf {
+namespace {
+
+int hexDigit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  return -1;
+}
+
+}  // namespace
+
+std::string percentDecoded(std::string_view text) {
+  std::string decoded;
+  decoded.reserve(text.size());
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const int high = i + 2 < text.size() && text[i] == '%' ? hexDigit(text[i + 1]) : -1;
+    const int low = high >= 0 ? hexDigit(text[i + 2]) : -1;
+    if (low >= 0) {
+      decoded += static_cast<char>(16 * high + low);
+      i += 2;
+    } else {
+      decoded += text[i];
+    }
+  }
+  return decoded;
+}
+
+namespace {
+
+/// The value of each base64 digit, -1 for other characters.
+constexpr std::array<signed char, 256> kBase64Value = [] {
+  std::array<signed char, 256> values{};
+  values.fill(-1);
+  constexpr std::string_view kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  for (std::size_t i = 0; i < kDigits.size(); ++i) {
+    values[static_cast<unsigned char>(kDigits[i])] = static_cast<signed char>(i);
+  }
+  return values;
+}();
+
+/// Padding may be missing; white space may stand anywhere.
+std::optional<std::string> base64Decoded(std::string_view text) {
+  std::string decoded;
+  decoded.reserve(text.size() / 4 * 3 + 3);
+  std::uint32_t bits = 0;
+  int bitCount = 0;
+  for (const char c : text.substr(0, text.find('='))) {
+    if (c == ' ' || c == '\t' || c == '\r' || c == '\n') continue;
+    const int value = kBase64Value[static_cast<unsigned char>(c)];
+    if (value < 0) return std::nullopt;
+    bits = bits << 6 | static_cast<std::uint32_t>(value);
+    bitCount += 6;
+    if (bitCount < 8) continue;
+    bitCount -= 8;
+    decoded += static_cast<char>(bits >> bitCount & 0xFF);
+  }
+  return decoded;
+}
+
+}  // namespace
+
+bool isDataUri(std::string_view uri) {
+  constexpr std::string_view kScheme = "data:";
+  return uri.size() >= kScheme.size() &&
+         std::equal(kScheme.begin(), kScheme.end(), uri.begin(),
+                    [](char a, char b) { return a == (b | 0x20) || a == b; });
+}
+
+std::string dataUriContent(std::string_view uri, const std::string& owner) {
+  const std::size_t comma = uri.find(',');
+  if (comma == std::string_view::npos) reject(owner + " has a data URI without content");
+  const std::string_view content = uri.substr(comma + 1);
+  if (!uri.substr(0, comma).ends_with(";base64")) return percentDecoded(content);
+  const bool isEscaped = content.find('%') != std::string_view::npos;
+  std::optional<std::string> decoded =
+      isEscaped ? base64Decoded(percentDecoded(content)) : base64Decoded(content);
+  if (!decoded) reject(owner + " has a data URI that is not base64");
+  return *std::move(decoded);
+}
+
+}  // namespace gvd::gltf

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+//
+// The objects of a glTF that triangles are made of. Their values keep the rules of json_rules.h,
+// but an index may lead nowhere and a range past its end: whoever follows one checks it first.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gvd::gltf {
+
+struct BufferView {
+  int buffer = -1;
+  std::uint64_t byteOffset = 0, byteLength = 0;
+  std::uint64_t byteStride = 0;  ///< 0: the elements follow one another
+};
+
+enum class ElementType { kScalar, kVec2, kVec3, kVec4, kMatrix };
+
+/// Places in a buffer view that hold the numbers of an accessor.
+struct ElementRange {
+  int bufferView = -1;
+  std::uint64_t byteOffset = 0;
+  int componentType = 0;  ///< the number that glTF gives it
+};
+
+struct SparseElements {
+  std::uint64_t count = 0;
+  ElementRange indices, values;
+};
+
+struct Accessor {
+  ElementType type = ElementType::kScalar;
+  int componentType = 0;
+  bool normalized = false;
+  std::uint64_t count = 0;
+  std::optional<ElementRange> elements;  ///< none: all are zero
+  std::optional<SparseElements> sparse;
+};
+
+using Attributes = std::map<std::string, int>;  ///< accessors by semantic
+
+/// The values of `Primitive::mode`.
+enum Mode { kPoints = 0, kTriangleList = 4, kTriangleStrip = 5, kTriangleFan = 6 };
+
+struct Primitive {
+  int mode = kTriangleList;
+  Attributes attributes;
+  std::optional<int> indices;
+  std::vector<Attributes> targets;
+  std::string compression;  ///< the extension that it is compressed with, else empty
+};
+
+struct Mesh {
+  std::string name;
+  std::vector<Primitive> primitives;
+  std::vector<double> weights;  ///< of morph targets; those that are absent are 0
+};
+
+struct Node {
+  std::string name;
+  std::vector<int> children;
+  std::optional<int> mesh;
+  bool isSkinned = false;
+  std::vector<double> weights;  ///< instead of the mesh's, unless empty
+  Attributes instances;         ///< of EXT_mesh_gpu_instancing
+  std::vector<double> matrix, translation, rotation, scale;  ///< empty where the file has none
+};
+
+struct Document {
+  std::vector<BufferView> bufferViews;
+  std::vector<Accessor> accessors;
+  std::vector<Mesh> meshes;
+  std::vector<Node> nodes;
+  std::vector<std::vector<int>> scenes;  ///< the root nodes of each
+  std::optional<int> defaultScene;
+};
+
+/// `text`: as `readJson` leaves it.
+Document parseDocument(const std::string& text);
+
+/// Refuses an index of "accessor", "mesh", … (`what`) that `owner` has if there is no such object.
+void requireIndex(int index, std::size_t count, const std::string& what, const std::string& owner);
+
+}  // namespace gvd::gltf

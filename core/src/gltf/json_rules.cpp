@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "gltf/json_rules.h"
+
+#include <unordered_map>
+
+#include "gltf/gltf_error.h"
+
+namespace gvd::gltf {
+namespace {
+
+using enum JsonKind;
+constexpr JsonKind kWhole = kWholeNumber;
+
+/// An index is an `int` wherever it goes from here.
+constexpr std::uint64_t kMostIndex = INT32_MAX;
+/// Offsets and counts: more would be cut off where a `size_t` has 32 bits, as in WebAssembly.
+constexpr std::uint64_t kMostBytes = UINT32_MAX;
+
+constexpr JsonRule kRules[] = {
+    {"", kObject},
+    {"asset", kObject},
+    {"asset.version", kText},
+    {"asset.minVersion", kText},
+    {"extensionsRequired", kArray},
+    {"extensionsRequired[]", kText},
+    {"scene", kWhole, 0, kMostIndex},
+    {"scenes", kArray},
+    {"scenes[]", kObject},
+    {"scenes[].nodes", kArray},
+    {"scenes[].nodes[]", kWhole, 0, kMostIndex},
+
+    {"nodes", kArray},
+    {"nodes[]", kObject},
+    {"nodes[].name", kText},
+    {"nodes[].mesh", kWhole, 0, kMostIndex},
+    {"nodes[].skin", kWhole, 0, kMostIndex},
+    {"nodes[].children", kArray},
+    {"nodes[].children[]", kWhole, 0, kMostIndex},
+    {"nodes[].matrix", kArray, 16, 16},
+    {"nodes[].matrix[]", kNumber},
+    {"nodes[].translation", kArray, 3, 3},
+    {"nodes[].translation[]", kNumber},
+    {"nodes[].rotation", kArray, 4, 4},
+    {"nodes[].rotation[]", kNumber},
+    {"nodes[].scale", kArray, 3, 3},
+    {"nodes[].scale[]", kNumber},
+    {"nodes[].weights", kArray},
+    {"nodes[].weights[]", kNumber},
+    {"nodes[].extensions", kObject},
+    {"nodes[].extensions.EXT_mesh_gpu_instancing", kObject},
+    {"nodes[].extensions.EXT_mesh_gpu_instancing.attributes", kObject},
+    {"nodes[].extensions.EXT_mesh_gpu_instancing.attributes.TRANSLATION", kWhole, 0, kMostIndex},
+    {"nodes[].extensions.EXT_mesh_gpu_instancing.attributes.ROTATION", kWhole, 0, kMostIndex},
+    {"nodes[].extensions.EXT_mesh_gpu_instancing.attributes.SCALE", kWhole, 0, kMostIndex},
+
+    {"meshes", kArray},
+    {"meshes[]", kObject},
+    {"meshes[].name", kText},
+    {"meshes[].weights", kArray},
+    {"meshes[].weights[]", kNumber},
+    {"meshes[].primitives", kArray},
+    {"meshes[].primitives[]", kObject},
+    {"meshes[].primitives[].mode", kWhole, 0, kMostIndex},
+    {"meshes[].primitives[].indices", kWhole, 0, kMostIndex},
+    {"meshes[].primitives[].attributes", kObject},
+    {"meshes[].primitives[].attributes.POSITION", kWhole, 0, kMostIndex},
+    {"meshes[].primitives[].attributes.NORMAL", kWhole, 0, kMostIndex},
+    {"meshes[].primitives[].attributes.TEXCOORD_0", kWhole, 0, kMostIndex},
+    {"meshes[].primitives[].targets", kArray},
+    {"meshes[].primitives[].targets[]", kObject},
+    {"meshes[].primitives[].targets[].POSITION", kWhole, 0, kMostIndex},
+    {"meshes[].primitives[].targets[].NORMAL", kWhole, 0, kMostIndex},
+    {"meshes[].primitives[].extensions", kObject},
+    {"meshes[].primitives[].extensions.KHR_draco_mesh_compression", kObject},
+
+    {"accessors", kArray},
+    {"accessors[]", kObject},
+    {"accessors[].bufferView", kWhole, 0, kMostIndex},
+    {"accessors[].byteOffset", kWhole, 0, kMostBytes},
+    {"accessors[].componentType", kWhole, 0, kMostIndex},
+    {"accessors[].count", kWhole, 0, kMostBytes},
+    {"accessors[].type", kText},
+    {"accessors[].normalized", kBoolean},
+    {"accessors[].sparse", kObject},
+    {"accessors[].sparse.count", kWhole, 0, kMostBytes},
+    {"accessors[].sparse.indices", kObject},
+    {"accessors[].sparse.indices.bufferView", kWhole, 0, kMostIndex},
+    {"accessors[].sparse.indices.byteOffset", kWhole, 0, kMostBytes},
+    {"accessors[].sparse.indices.componentType", kWhole, 0, kMostIndex},
+    {"accessors[].sparse.values", kObject},
+    {"accessors[].sparse.values.bufferView", kWhole, 0, kMostIndex},
+    {"accessors[].sparse.values.byteOffset", kWhole, 0, kMostBytes},
+
+    {"bufferViews", kArray},
+    {"bufferViews[]", kObject},
+    {"bufferViews[].buffer", kWhole, 0, kMostIndex},
+    {"bufferViews[].byteOffset", kWhole, 0, kMostBytes},
+    {"bufferViews[].byteLength", kWhole, 0, kMostBytes},
+    // 0, which some exporters write, stands for none.
+    {"bufferViews[].byteStride", kWhole, 0, 252, 4},
+
+    {"buffers", kArray},
+    {"buffers[]", kObject},
+    {"buffers[].uri", kText},
+    {"buffers[].byteLength", kWhole, 0, kMostBytes},
+    {"buffers[].extensions", kObject},
+    {"buffers[].extensions.EXT_meshopt_compression", kObject},
+    {"buffers[].extensions.KHR_meshopt_compression", kObject},
+};
+
+}  // namespace
+
+const JsonRule* findRule(std::string_view path) {
+  static const auto rules = [] {
+    std::unordered_map<std::string_view, const JsonRule*> byPath;
+    for (const JsonRule& rule : kRules) byPath[rule.path] = &rule;
+    return byPath;
+  }();
+  const auto found = rules.find(path);
+  return found == rules.end() ? nullptr : found->second;
+}
+
+std::string expectation(const JsonRule& rule) {
+  switch (rule.kind) {
+    case kObject:
+      return "an object";
+    case kArray:
+      return "an array";
+    case kNumber:
+      return "a number";
+    case kText:
+      return "a string";
+    case kBoolean:
+      return "true or false";
+    case kWholeNumber:
+      break;
+  }
+  return (rule.multipleOf == 1 ? "a whole number" : "a multiple of " + number(rule.multipleOf)) +
+         " from " + number(rule.least) + " to " + number(rule.most);
+}
+
+}  // namespace gvd::gltf
