@@ -7,6 +7,10 @@
 #include <cstdlib>
 #include <new>
 
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
 namespace {
 
 std::size_t allocated = 0, most = 0;  // one thread allocates
@@ -50,8 +54,23 @@ void operator delete(void* memory, std::size_t, std::align_val_t alignment) noex
 }
 
 namespace gvd::bench {
+namespace {
 
-MemoryWatch::MemoryWatch() : before_(allocated) { most = allocated; }
-std::size_t MemoryWatch::peak() const { return most - before_; }
+/// What is allocated now by any means: arrays that grow by `realloc` do not pass here.
+std::size_t inUse() {
+#if defined(__GLIBC__)
+  const auto info = mallinfo2();
+  return info.uordblks + info.hblkhd;
+#else
+  return allocated;
+#endif
+}
+
+}  // namespace
+
+MemoryWatch::MemoryWatch() : before_(allocated), inUseBefore_(inUse()) { most = allocated; }
+std::size_t MemoryWatch::peak() const {
+  return std::max(most - before_, inUse() - std::min(inUse(), inUseBefore_));
+}
 
 }  // namespace gvd::bench

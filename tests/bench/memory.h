@@ -5,16 +5,16 @@
 
 namespace gvd::bench {
 
-/// What is allocated by `operator new`, counted from the construction of this object; one at a
-/// time.
+/// What is allocated, counted from the construction of this object; one at a time.
 class MemoryWatch {
  public:
   MemoryWatch();
-  /// The most that was allocated at any time since, less what was allocated before; in bytes.
+  /// In bytes, less what was allocated before: the most that `operator new` gave at any time since, or
+  /// what is in use now by any means, if that is more.
   std::size_t peak() const;
 
  private:
-  std::size_t before_;
+  std::size_t before_, inUseBefore_;
 };
 
 }  // namespace gvd::bench

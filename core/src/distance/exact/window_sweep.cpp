@@ -113,6 +113,8 @@ void WindowSweep::store() {
   blockCount_ = state_->blocks.size();
   state_->windows.shrink();
   state_->blocks.shrink();
+  state_->crossed.shrink_to_fit();
+  state_->waiting.shrink_to_fit();
   reached_.clear();
 }
 
