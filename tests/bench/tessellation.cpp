@@ -39,7 +39,7 @@ double iterationSeconds(Cvt& cvt) {
 
 double diagramSeconds(const TriangleMesh& mesh, std::span<const SurfacePoint> sites) {
   const double start = threadSeconds();
-  const auto field = distances(mesh, sites, Metric::kDgpc);
+  const auto field = distances(mesh, sites, Metric::kExact);
   traceDiagram(mesh, *field, static_cast<int>(sites.size()));
   return threadSeconds() - start;
 }
