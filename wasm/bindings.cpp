@@ -407,13 +407,12 @@ GVD_ABI Arrays* meshInfo(const MeshHandle* handle) {
                               mesh.inputVertexCount(), mesh.inputFaceCount(), topology.components,
                               topology.boundaryLoops, topology.eulerCharacteristic,
                               topology.genus});
-    out->add(std::vector<int>{
-        repairs.weldedVertices, repairs.isolatedVertices, repairs.nonFiniteTriangles,
-        repairs.degenerateTriangles, repairs.duplicateTriangles, repairs.nonManifoldEdges,
-        repairs.orientationCuts, repairs.flippedTriangles, repairs.splitVertices,
-        repairs.mollifiedTriangles});
-    out->add(
-        std::vector<double>{mesh.area(), mesh.boundingDiagonal(), repairs.mollification});
+    out->add(std::vector<int>{repairs.weldedVertices, repairs.isolatedVertices,
+                              repairs.nonFiniteTriangles, repairs.degenerateTriangles,
+                              repairs.duplicateTriangles, repairs.nonManifoldEdges,
+                              repairs.orientationCuts, repairs.flippedTriangles,
+                              repairs.splitVertices, repairs.mollifiedTriangles});
+    out->add(std::vector<double>{mesh.area(), mesh.boundingDiagonal(), repairs.mollification});
     return out.release();
   });
 }
@@ -504,8 +503,8 @@ GVD_ABI Arrays* distancesAtVertices(const VoronoiHandle* voronoi) {
   });
 }
 
-/// face, bary, position of the points of the shortest path from a point to its nearest site, then its
-/// length; no points and infinity if no site reaches it.
+/// face, bary, position of the points of the shortest path from a point to its nearest site, then
+/// its length; no points and infinity if no site reaches it.
 GVD_ABI Arrays* pathToSite(const VoronoiHandle* voronoi, int face, double b0, double b1,
                            double b2) {
   return guarded([&] {
@@ -545,8 +544,7 @@ GVD_ABI SliceEnd stepTracing(VoronoiHandle* voronoi, int budget) {
 
 /// The diagram, see `flatten`. This and what follows only after `stepTracing` said it is done.
 GVD_ABI Arrays* voronoiDiagram(const VoronoiHandle* voronoi) {
-  return guarded(
-      [&] { return flatten(*voronoi->surface.mesh, *voronoi->diagram).release(); });
+  return guarded([&] { return flatten(*voronoi->surface.mesh, *voronoi->diagram).release(); });
 }
 
 /// The partition, see `flatten`.

@@ -9,8 +9,8 @@ namespace gvd::bench {
 class MemoryWatch {
  public:
   MemoryWatch();
-  /// In bytes, less what was allocated before: the most that `operator new` gave at any time since, or
-  /// what is in use now by any means, if that is more.
+  /// In bytes, less what was allocated before: the most that `operator new` gave at any time since,
+  /// or what is in use now by any means, if that is more.
   std::size_t peak() const;
 
  private:

@@ -29,7 +29,8 @@ Traced trace(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
 ///    higher one, and every other step of a loop runs along the mesh boundary;
 ///  - the cells and region triangles, where detail is 0, form a closed complex: each of their sides
 ///    is used once in each direction, except along the mesh boundary, and V - E + F is the mesh's;
-///  - every point is on the surface, and if a segment ends there, in a face of one of these; every arc is a chain of its segments, every Voronoi point has
+///  - every point is on the surface, and if a segment ends there, in a face of one of these; every
+///  arc is a chain of its segments, every Voronoi point has
 ///    three or more labels.
 ::testing::AssertionResult isConsistent(const TriangleMesh& mesh, const Diagram& diagram,
                                         int detail = 0);

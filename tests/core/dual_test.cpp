@@ -103,8 +103,8 @@ TEST_P(DualOfRandomMeshes, IsTheSurfaceUnlessItSaysWhyNot) {
 TEST_P(DualOfRandomMeshes, IsTheSurfaceAfterRepair) {
   const auto mesh = shapes::randomMesh(GetParam());
   const auto sites = sampleFarthest(mesh, 1 + GetParam() % 12, GetParam());
-  // On coarse curved meshes straight bisectors may show a region in several parts, however many sites
-  // are added.
+  // On coarse curved meshes straight bisectors may show a region in several parts, however many
+  // sites are added.
   constexpr int kCoarse = 150, kMostAdded = 150;
   RepairedSites repaired;
   try {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <numbers>
-#include <sstream>
 #include <random>
+#include <sstream>
 #include <vector>
 
 #include "diagram_checks.h"
@@ -188,16 +188,13 @@ class EditSequences : public ::testing::TestWithParam<EditCase> {
       DynamicDiagram dynamic(mesh, random.points(count), metric, {.detail = detail});
       for (int i = 0; i < edits; ++i) {
         random.edit(dynamic, count);
-        ASSERT_TRUE(isUpToDate(mesh, dynamic, metric, detail))
-            << "seed " << seed << ", edit " << i;
+        ASSERT_TRUE(isUpToDate(mesh, dynamic, metric, detail)) << "seed " << seed << ", edit " << i;
       }
     }
   }
 };
 
-TEST_P(EditSequences, EndInTheExactDiagramOfTheSites) {
-  endInTheDiagramOfTheSites(Metric::kExact);
-}
+TEST_P(EditSequences, EndInTheExactDiagramOfTheSites) { endInTheDiagramOfTheSites(Metric::kExact); }
 
 TEST_P(EditSequences, EndInTheApproximateDiagramOfTheSites) {
   endInTheDiagramOfTheSites(Metric::kDgpc);

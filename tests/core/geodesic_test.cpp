@@ -147,7 +147,8 @@ TEST_P(Metrics, PointStraightAtVerticesOfThePlane) {
         const Eigen::Vector2d d = field->direction(0, v);
         const Eigen::Vector2d inPlane(axis.x() * d.x() - axis.y() * d.y(),
                                       axis.y() * d.x() + axis.x() * d.y());
-        // An unfolded source that lies on the line of an edge is known to the root of rounding only.
+        // An unfolded source that lies on the line of an edge is known to the root of rounding
+        // only.
         EXPECT_LT((inPlane - way.normalized()).norm(), GetParam() == Metric::kDgpc ? 1e-8 : 1e-9)
             << "site in face " << face << " at " << bary.transpose() << ", vertex " << v;
         ++checked;

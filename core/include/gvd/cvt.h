@@ -21,7 +21,7 @@ enum class CvtMethod {
 struct CvtOptions {
   CvtMethod method = CvtMethod::kLbfgs;
   Metric metric = Metric::kExact;  ///< of the distances
-  int iterations = 50;            ///< at most
+  int iterations = 50;             ///< at most
   /// Done when an iteration has lowered the energy by no more than this share of it.
   double energyTolerance = 0;
   /// Done when no site has moved by more than this, in the mesh's units.

@@ -61,23 +61,23 @@ class DistanceField {
   /// The direction in which the shortest path from a site to a vertex leaves the site, as a unit
   /// vector: together with the distance, geodesic polar coordinates (the logarithmic map). With the
   /// exact metric it is also the negative gradient of the distance with respect to the site. The
-  /// x axis is the first side of the site's face, the y axis lies to its left; faces beside a site on
-  /// an edge or vertex are unfolded counterclockwise. (1, 0) at the site itself; not a number where
-  /// it is not known. O(1).
+  /// x axis is the first side of the site's face, the y axis lies to its left; faces beside a site
+  /// on an edge or vertex are unfolded counterclockwise. (1, 0) at the site itself; not a number
+  /// where it is not known. O(1).
   virtual Eigen::Vector2d direction(int label, int vertex) const;
-  /// The shortest path from a point to a site: the point, every crossing of an edge, every vertex that
-  /// the path turns at or passes, the site as it was given. Crossings have an exact zero, vertices
-  /// are unit vectors; each is named in a face that the path runs through. Two points in succession
-  /// have a face in common, in which the path between them is straight. One point if `p` is at the
-  /// site; empty where `distance` is infinite and the site is not the nearest one. With the exact
-  /// metric the path is as long as the distance (`lengthOf`). With DGPC it follows from the distances
-  /// at vertices, which do not promise that there is a path of that very length. O(vertices) to
-  /// begin with, then O(faces around the points of the path).
+  /// The shortest path from a point to a site: the point, every crossing of an edge, every vertex
+  /// that the path turns at or passes, the site as it was given. Crossings have an exact zero,
+  /// vertices are unit vectors; each is named in a face that the path runs through. Two points in
+  /// succession have a face in common, in which the path between them is straight. One point if `p`
+  /// is at the site; empty where `distance` is infinite and the site is not the nearest one. With
+  /// the exact metric the path is as long as the distance (`lengthOf`). With DGPC it follows from
+  /// the distances at vertices, which do not promise that there is a path of that very length.
+  /// O(vertices) to begin with, then O(faces around the points of the path).
   virtual std::vector<SurfacePoint> path(int label, const SurfacePoint& p) const;
 };
 
-/// The length of a path of straight pieces within faces, by the intrinsic lengths of edges; infinity
-/// if two points in succession have no face in common.
+/// The length of a path of straight pieces within faces, by the intrinsic lengths of edges;
+/// infinity if two points in succession have no face in common.
 double lengthOf(const TriangleMesh& mesh, std::span<const SurfacePoint> path);
 
 /// A propagation that can be done in slices, so that a caller keeps responding and can give up.

@@ -12,8 +12,8 @@
 
 namespace gvd {
 
-/// An array that grows at its end. Unlike `std::vector` it grows by `realloc`, which moves large arrays
-/// without copying them, and can be written to beyond its end.
+/// An array that grows at its end. Unlike `std::vector` it grows by `realloc`, which moves large
+/// arrays without copying them, and can be written to beyond its end.
 template <class Item>
 class GrowingArray {
   static_assert(std::is_trivially_copyable_v<Item>);
@@ -34,8 +34,8 @@ class GrowingArray {
     return {items_.get() + first, count};
   }
 
-  /// Room for `count` more items, where they may be written before `append` adds them. Good until the
-  /// next call.
+  /// Room for `count` more items, where they may be written before `append` adds them. Good until
+  /// the next call.
   Item* room(size_t count) {
     if (size_ + count > capacity_) allocate(std::max(size_ + count, capacity_ + capacity_ / 2));
     return items_.get() + size_;

@@ -168,8 +168,8 @@ class DynamicDiagram::Implementation {
     change.part = extract(traced, marks(labels), change.faces);
     for (const int f : change.faces) {
       const int index = tracer_.faceIndex(f);
-      change.part.faceLabel.push_back(index >= 0 ? traced.faceLabel[index]
-                                                 : nearestOf(distances_.at(mesh_.tail(3 * f))).label);
+      change.part.faceLabel.push_back(
+          index >= 0 ? traced.faceLabel[index] : nearestOf(distances_.at(mesh_.tail(3 * f))).label);
     }
     pieces_.replace(change);
     for (const int label : change.labels) {

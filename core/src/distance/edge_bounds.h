@@ -4,15 +4,15 @@
 #include <cstddef>
 #include <vector>
 
-#include "gvd/geodesic.h"
 #include "distance/site_set.h"
+#include "gvd/geodesic.h"
 #include "gvd/triangle_mesh.h"
 
 namespace gvd {
 
-/// The lengths of the shortest paths along edges from every vertex to a site (Dijkstra, multi-source),
-/// kept up to date while sites come and go: upper bounds on the distance of the nearest site. Which
-/// changes have led to the present sites makes no difference.
+/// The lengths of the shortest paths along edges from every vertex to a site (Dijkstra,
+/// multi-source), kept up to date while sites come and go: upper bounds on the distance of the
+/// nearest site. Which changes have led to the present sites makes no difference.
 class EdgeBounds {
  public:
   EdgeBounds(const TriangleMesh& mesh, const SiteSet& sites);

@@ -8,8 +8,8 @@
 
 namespace gvd {
 
-// A face laid out in the plane. Side i runs from corner i to the next one. The coordinates of side i:
-// the origin is corner i, the x axis runs along the side, the face lies at y >= 0.
+// A face laid out in the plane. Side i runs from corner i to the next one. The coordinates of side
+// i: the origin is corner i, the x axis runs along the side, the face lies at y >= 0.
 
 constexpr int cornerAfter(int i) { return i == 2 ? 0 : i + 1; }
 constexpr int cornerBefore(int i) { return i == 0 ? 2 : i - 1; }

@@ -145,8 +145,8 @@ bool KnownLabels::markFinal(long& budget) {
 
 // --- Owners ------------------------------------------------------------------------------------
 
-/// Finds the faces of which the owners may have changed: those around vertices that are or were owned
-/// by a label that has come or gone.
+/// Finds the faces of which the owners may have changed: those around vertices that are or were
+/// owned by a label that has come or gone.
 void KnownLabels::findAffected() {
   if (areAllNew()) {
     affectedFaces_.addAll();
@@ -167,7 +167,8 @@ void KnownLabels::findAffected() {
   resetInterpolatedAround();
 }
 
-/// Interpolation is done again around the affected faces, as far as it depends on what is known there.
+/// Interpolation is done again around the affected faces, as far as it depends on what is known
+/// there.
 void KnownLabels::resetInterpolatedAround() {
   for (int i = 0; i < changedVertices_.size(); ++i)
     mesh_.visitFaces(changedVertices_.list()[i], [&](int f) {
@@ -185,8 +186,8 @@ bool KnownLabels::findOwnersOfCorners(long& budget) {
   });
 }
 
-/// Finds the labels that tie with the owner of a vertex: those that have spread now, and others that were
-/// known there.
+/// Finds the labels that tie with the owner of a vertex: those that have spread now, and others
+/// that were known there.
 bool KnownLabels::findTies(long& budget) {
   const auto& vertices = changedVertices_.list();
   const auto add = [&](int vertex, int label) {
@@ -280,8 +281,8 @@ bool KnownLabels::listLabels(long& budget) {
         const auto& reached = spread_.reached(label);
         for (int r = 0; r < static_cast<int>(reached.size()); ++r) {
           const auto& [vertex, isFinal, distance] = reached[r];
-          if ((isFinal && (isAllWanted || (changedVertices_.contains(vertex) &&
-                                           isKnownAround(vertex, label)))) ||
+          if ((isFinal && (isAllWanted ||
+                           (changedVertices_.contains(vertex) && isKnownAround(vertex, label)))) ||
               isUnbounded_)
             list(label, r);
         }
@@ -370,8 +371,8 @@ void KnownLabels::requireAcross(int h) {
   }
 }
 
-/// Whether a label is least anywhere on an edge by interpolation, compared with the true owners of the
-/// faces beside it: so what is found does not depend on the order in which it is.
+/// Whether a label is least anywhere on an edge by interpolation, compared with the true owners of
+/// the faces beside it: so what is found does not depend on the order in which it is.
 bool KnownLabels::ownsPartOfEdge(int label, int h) const {
   EdgeShare share(label, lists_.distance(mesh_.tail(h), label),
                   lists_.distance(mesh_.tip(h), label));

@@ -17,7 +17,8 @@ namespace gvd {
 /// Which labels are known at each vertex. After labels have spread:
 ///
 /// 1. *Owners*: the labels that own corners of a face, ties included, or have their site in it.
-/// 2. *Required distances*: each owner of a face goes on to those of its corners that it does not own.
+/// 2. *Required distances*: each owner of a face goes on to those of its corners that it does not
+/// own.
 /// 3. *Lists* of the labels known at each vertex, by the owners of the faces around it.
 /// 4. *Closure*: a diagram interpolates between the corners of a face. A label that is nearest
 ///    somewhere on an edge by that has to be known in the faces on both sides (back to 2).
@@ -38,7 +39,8 @@ class KnownLabels {
   void beginChange();
   void leave(int label);
   /// Begins to find what is known, now that labels have spread: some from the start, some on from
-  /// where they were; and the owners of some vertices had left. These lists must last until the end.
+  /// where they were; and the owners of some vertices had left. These lists must last until the
+  /// end.
   void start(std::span<const int> started, std::span<const int> resumed,
              std::span<const int> resetVertices);
   /// Works on at most `budget` units and lowers it by their number; true when all is known.

@@ -12,8 +12,8 @@
 
 namespace gvd {
 
-/// How the labels spread from their sites: what the two metrics differ in. One label is worked on at
-/// a time: one of the first three functions begins, and `run` carries on until it is done.
+/// How the labels spread from their sites: what the two metrics differ in. One label is worked on
+/// at a time: one of the first three functions begins, and `run` carries on until it is done.
 class LabelSpread {
  public:
   virtual ~LabelSpread() = default;
@@ -37,14 +37,14 @@ class LabelSpread {
   virtual const std::vector<ReachedVertex>& reached(int label) const = 0;
   /// The labels that have to start again because the bounds by paths along edges have changed.
   virtual std::vector<int> outdated(std::span<const int> changedVertices) = 0;
-  /// Appends the labels that have reached a vertex, if those known at the vertices around it need not
-  /// be all that may own it in place of a label that goes.
+  /// Appends the labels that have reached a vertex, if those known at the vertices around it need
+  /// not be all that may own it in place of a label that goes.
   virtual void appendReaching(int vertex, std::vector<int>& labels) = 0;
-  /// Appends labels, some several times, that may be nearest at some point of a face although they are
-  /// not known at its corners.
+  /// Appends labels, some several times, that may be nearest at some point of a face although they
+  /// are not known at its corners.
   virtual void appendLabelsInside(int face, std::vector<int>& labels) const = 0;
-  /// The distance of a label at a point that is no vertex, given its distances at the corners of the
-  /// face, infinity where it is not known.
+  /// The distance of a label at a point that is no vertex, given its distances at the corners of
+  /// the face, infinity where it is not known.
   virtual double distance(int label, const SurfacePoint& p,
                           const std::array<double, 3>& atCorners) const = 0;
   /// The direction at the site of the path to the vertex `reached(label)[index]`

@@ -9,8 +9,8 @@
 
 namespace gvd {
 
-/// The least distance known at each vertex, an upper bound on that of the nearest site, and the label
-/// that it belongs to; -1 while it is but a bound (the length of a path along edges).
+/// The least distance known at each vertex, an upper bound on that of the nearest site, and the
+/// label that it belongs to; -1 while it is but a bound (the length of a path along edges).
 using NearestBounds = std::vector<LabelledDistance>;
 
 /// Whether a distance is not larger than another one by more than rounding.

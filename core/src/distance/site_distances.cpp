@@ -108,13 +108,13 @@ void SiteDistances::lowerBounds() {
       started_.push_back(label);
     }
   // Labels near one another in succession, for what they touch is in the cache then.
-  std::sort(started_.begin(), started_.end(),
-            [&](int a, int b) { return std::pair(sites_[a].face, a) < std::pair(sites_[b].face, b); });
+  std::sort(started_.begin(), started_.end(), [&](int a, int b) {
+    return std::pair(sites_[a].face, a) < std::pair(sites_[b].face, b);
+  });
   std::vector<char> hasStarted(sites_.labelCount(), false);
   for (const int label : started_) hasStarted[label] = true;
   makeSet(resumed_);
-  std::erase_if(resumed_,
-                [&](int label) { return !sites_.contains(label) || hasStarted[label]; });
+  std::erase_if(resumed_, [&](int label) { return !sites_.contains(label) || hasStarted[label]; });
   for (const int v : edgeBounds_.changed())
     if (bounds_[v].label < 0) bounds_[v].distance = edgeBounds_[v];
   edgeBounds_.clearChanged();

@@ -29,8 +29,8 @@ struct SiteChange {
 /// 1. *Bounds*: paths along edges limit the distance of the nearest site at every vertex.
 /// 2. *Spread*: one label after another spreads from its site, to where it is not nearer than the
 ///    bounds, and lowers these. What a label finds does not depend on the others; they only stop
-///    it. So after a change, new labels start, and those beside labels that have gone go on from where
-///    they stopped.
+///    it. So after a change, new labels start, and those beside labels that have gone go on from
+///    where they stopped.
 /// 3. `KnownLabels`: distances that a diagram needs beyond those.
 class SiteDistances final : public DistanceField {
  public:

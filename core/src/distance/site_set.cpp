@@ -4,8 +4,8 @@
 namespace gvd {
 namespace {
 
-/// A site that is off an edge or vertex by less than rounding is on it: the faces beside it would see it
-/// on the wrong side.
+/// A site that is off an edge or vertex by less than rounding is on it: the faces beside it would
+/// see it on the wrong side.
 SurfacePoint onEdgeOrVertex(SurfacePoint p) {
   constexpr double kRounding = 0x1p-44;  // some hundred times that of a coordinate
   if (!(p.bary.array() > 0 && p.bary.array() < kRounding).any()) return p;

@@ -215,10 +215,10 @@ class Cvt::Solver {
   }
 
   /// After a step that did not lower the energy enough: to where a parabola has its minimum, within
-  /// limits. After three attempts Lloyd's direction takes the place of the quasi-Newton one. Its own
-  /// first step lowers the energy, as far as that and the gradient are exact: after three attempts
-  /// what is left to be gained is less than what they err by, and this ends. Where the gradient
-  /// promises no more than rounding, one attempt each is enough.
+  /// limits. After three attempts Lloyd's direction takes the place of the quasi-Newton one. Its
+  /// own first step lowers the energy, as far as that and the gradient are exact: after three
+  /// attempts what is left to be gained is less than what they err by, and this ends. Where the
+  /// gradient promises no more than rounding, one attempt each is enough.
   void retreat() {
     constexpr int kAttempts = 3;
     constexpr double kRounding = 1e-13;  // of the energy

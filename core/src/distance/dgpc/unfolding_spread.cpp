@@ -81,14 +81,13 @@ void UnfoldingSpread::require(int label, std::span<const int> faces) {
   for (const ReachedVertex& r : known.vertices) indexOf_[r.vertex] = -1;
 }
 
-/// Adds a vertex that the label has not come to. Its distance follows from those around it as in the
-/// sweep; from those that the sweep has found, so that it does not matter what else is required.
+/// Adds a vertex that the label has not come to. Its distance follows from those around it as in
+/// the sweep; from those that the sweep has found, so that it does not matter what else is
+/// required.
 void UnfoldingSpread::requireVertex(Label& known, int vertex) const {
   ReachedVertex required = {vertex, true, kInfinity};
   Eigen::Vector2d direction(1, 0);
-  const auto sweptAt = [&](int v) {
-    return indexOf_[v] < known.sweptCount ? indexOf_[v] : -1;
-  };
+  const auto sweptAt = [&](int v) { return indexOf_[v] < known.sweptCount ? indexOf_[v] : -1; };
   const auto offer = [&](double distance, int from) {
     if (!(distance < required.distance)) return;
     required.distance = distance;

@@ -14,10 +14,10 @@
 
 namespace gvd::dgpc {
 
-/// The approximate metric: geodesic polar coordinates. A label spreads from the vertices where it is not
-/// farther than the shortest path along edges to any site, by more than the longest edge there: the
-/// shortest path to what a label owns may cross edges of which other labels own both ends. So what a
-/// label finds depends on the sites alone, not on the order in which labels spread.
+/// The approximate metric: geodesic polar coordinates. A label spreads from the vertices where it
+/// is not farther than the shortest path along edges to any site, by more than the longest edge
+/// there: the shortest path to what a label owns may cross edges of which other labels own both
+/// ends. So what a label finds depends on the sites alone, not on the order in which labels spread.
 class UnfoldingSpread final : public LabelSpread {
  public:
   UnfoldingSpread(const TriangleMesh& mesh, const SiteSet& sites, const EdgeBounds& edgeBounds,

@@ -42,8 +42,8 @@ void UnfoldingSweep::start(const SurfacePoint& site) {
               turnedBy(-along, firstSide(mesh_, TriangleMesh::faceOf(twin), twin % 3)));
 }
 
-/// Gives the corners of a face their distances from a site in it. `firstSide` is the direction of the
-/// face's first side in the site's frame.
+/// Gives the corners of a face their distances from a site in it. `firstSide` is the direction of
+/// the face's first side in the site's frame.
 void UnfoldingSweep::startInFace(const SurfacePoint& site, const Vector2d& firstSide) {
   const TriangleMesh::Face& face = mesh_.face(site.face);
   for (int i = 0; i < 3; ++i) {
@@ -83,8 +83,8 @@ void UnfoldingSweep::passOn(int v) {
 }
 
 /// Gives the apex of a halfedge the distance from the virtual source that the distances at the
-/// halfedge's ends put behind it, if that source sees the apex through the halfedge; otherwise the one
-/// along an edge.
+/// halfedge's ends put behind it, if that source sees the apex through the halfedge; otherwise the
+/// one along an edge.
 void UnfoldingSweep::unfoldAcross(int h) {
   const TriangleMesh::Face& face = mesh_.face(TriangleMesh::faceOf(h));
   const int i = h % 3, j = cornerAfter(i), k = cornerBefore(i);
@@ -105,8 +105,8 @@ void UnfoldingSweep::unfoldAcross(int h) {
     offer(apex, overTip, vertices_[tip].direction);
 }
 
-/// Between the directions of both ends of a halfedge, each turned by the angle under which the virtual
-/// source sees the apex beside it.
+/// Between the directions of both ends of a halfedge, each turned by the angle under which the
+/// virtual source sees the apex beside it.
 Vector2d UnfoldingSweep::directionToApex(const Unfolding& u, int tail, int tip) const {
   const auto turned = [&](int end, const Vector2d& toEnd) {
     return turnedBy(vertices_[end].direction, turnedBackBy(u.toApex, toEnd).normalized());
@@ -117,8 +117,7 @@ Vector2d UnfoldingSweep::directionToApex(const Unfolding& u, int tail, int tip) 
   const double besideTail = cross(u.toApex, u.toTail), besideTip = cross(u.toTip, u.toApex);
   const double sum = besideTail + besideTip;
   const double share = sum > 0 ? std::clamp(besideTail / sum, 0.0, 1.0) : 0.5;
-  const Vector2d mean =
-      (1 - share) * turned(tail, u.toTail) + share * turned(tip, u.toTip);
+  const Vector2d mean = (1 - share) * turned(tail, u.toTail) + share * turned(tip, u.toTip);
   return mean.squaredNorm() > 0 ? Vector2d(mean.normalized()) : turned(tail, u.toTail);
 }
 

@@ -25,8 +25,8 @@ struct Unfolding {
   Eigen::Vector2d toTail, toTip, toApex;
 };
 
-/// The virtual source behind a halfedge of a length, from the ends of which it has these distances, in
-/// the coordinates of the halfedge (y <= 0); nothing if there is none.
+/// The virtual source behind a halfedge of a length, from the ends of which it has these distances,
+/// in the coordinates of the halfedge (y <= 0); nothing if there is none.
 inline std::optional<Eigen::Vector2d> virtualSource(double length, double atTail, double atTip) {
   if (!(atTail < kInfinity && atTip < kInfinity)) return std::nullopt;
   const double x = ((atTail - atTip) * (atTail + atTip) + length * length) / (2 * length);
@@ -51,11 +51,11 @@ inline std::optional<Unfolding> unfold(const TriangleMesh::Face& face, int side,
 }
 
 /// Geodesic polar coordinates of one site after another (Melvær & Reimers 2012): at each vertex a
-/// distance and the direction at the site. Both follow from those at two other corners of a face, by
-/// unfolding a virtual source, or else along an edge. A vertex that has passed its distance on may get
-/// a better one and pass that on again (label-correcting), which makes the distances exact in the
-/// plane where the way is free, obtuse triangles included. What one site costs depends on how far it
-/// spreads only.
+/// distance and the direction at the site. Both follow from those at two other corners of a face,
+/// by unfolding a virtual source, or else along an edge. A vertex that has passed its distance on
+/// may get a better one and pass that on again (label-correcting), which makes the distances exact
+/// in the plane where the way is free, obtuse triangles included. What one site costs depends on
+/// how far it spreads only.
 class UnfoldingSweep {
  public:
   explicit UnfoldingSweep(const TriangleMesh& mesh)
@@ -76,8 +76,10 @@ class UnfoldingSweep {
   double distance(int vertex) const {
     return vertices_[vertex].epoch == epoch_ ? vertices_[vertex].distance : kInfinity;
   }
-  /// The direction of the path at the site (`DistanceField::direction`), where the site has come to.
+  /// The direction of the path at the site (`DistanceField::direction`), where the site has come
+  /// to.
   const Eigen::Vector2d& direction(int vertex) const { return vertices_[vertex].direction; }
+
  private:
   /// Buckets of the queue per mean edge: what is passed on in the wrong order within a bucket is
   /// passed on again.

@@ -16,8 +16,8 @@ struct LastPiece {
   /// If the path runs straight, the angle of `arrival` in the site's frame; otherwise the angle at
   /// which the path leaves the site.
   double direction;
-  /// The halfedge across which the path enters its last face, of which the vertex is the apex; -1 if
-  /// the path starts at the vertex.
+  /// The halfedge across which the path enters its last face, of which the vertex is the apex; -1
+  /// if the path starts at the vertex.
   int arrival;
 };
 

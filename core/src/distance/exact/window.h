@@ -89,10 +89,9 @@ struct EdgeDistances {
 /// is not less than its end then.
 inline void trim(Window& w, double length, const EdgeDistances& known) {
   const double height2 = w.y * w.y;
-  w.begin =
-      std::max(w.begin, reachOfVertex(known.atTail, w.sourceDistance, w.x, height2, length));
-  w.end = std::min(w.end, length - reachOfVertex(known.atTip, w.sourceDistance, length - w.x,
-                                                 height2, length));
+  w.begin = std::max(w.begin, reachOfVertex(known.atTail, w.sourceDistance, w.x, height2, length));
+  w.end = std::min(
+      w.end, length - reachOfVertex(known.atTip, w.sourceDistance, length - w.x, height2, length));
 }
 
 }  // namespace gvd::exact

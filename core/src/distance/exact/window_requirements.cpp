@@ -68,7 +68,8 @@ bool WindowSweep::isRequired(int v) const {
 
 bool WindowSweep::hasRequiredCorner(int f) const {
   const TriangleMesh::Face& face = mesh_.face(f);
-  return isRequired(face.vertices[0]) || isRequired(face.vertices[1]) || isRequired(face.vertices[2]);
+  return isRequired(face.vertices[0]) || isRequired(face.vertices[1]) ||
+         isRequired(face.vertices[2]);
 }
 
 void WindowSweep::offerRequired(int v, double distance, const LastPiece& piece) {
@@ -95,8 +96,8 @@ void WindowSweep::offerAlongSides(int f) {
   }
 }
 
-/// Offers the paths through a window to the required corners of its face: straight ones, or those that
-/// turn at the window's end.
+/// Offers the paths through a window to the required corners of its face: straight ones, or those
+/// that turn at the window's end.
 void WindowSweep::offerToCorners(const Window& w, int h) {
   const TriangleMesh::Face& face = mesh_.face(h / 3);
   const int i = h % 3, j = cornerAfter(i), k = cornerBefore(i);
@@ -106,7 +107,8 @@ void WindowSweep::offerToCorners(const Window& w, int h) {
     const Eigen::Vector2d p = apexOf(face, i);
     const double straight = w.crossing(p.x(), p.y());
     const double crossing = std::clamp(straight, w.begin, w.end);
-    // A path that turns at a vertex is offered by that vertex, with the direction of the path to it.
+    // A path that turns at a vertex is offered by that vertex, with the direction of the path to
+    // it.
     const bool turnsAtVertex =
         crossing != straight && (crossing < grazing || crossing > length - grazing);
     if (!turnsAtVertex)
@@ -185,8 +187,8 @@ void WindowSweep::offerToPointsFrom(int v, int corner, int f) {
 
 // --- What goes on --------------------------------------------------------------------------------
 
-/// Whether any path over a halfedge can make a required distance less, by the distances of the nearest
-/// label, which no label's are less than.
+/// Whether any path over a halfedge can make a required distance less, by the distances of the
+/// nearest label, which no label's are less than.
 bool WindowSweep::isNearRequired(int h) const {
   const TriangleMesh::Face& face = mesh_.face(h / 3);
   const int tail = face.vertices[h % 3], tip = face.vertices[cornerAfter(h % 3)];
@@ -229,11 +231,12 @@ bool WindowSweep::canGainBeyond(int h, const Windows& windows) const {
   });
   if (!(excess < mostExcess)) return false;
   const double middle = (begin + end) / 2, share = middle / length;
-  const Eigen::Vector3d place = (1 - share) * mesh_.position(face.vertices[i]) +
-                                share * mesh_.position(face.vertices[j]);
+  const Eigen::Vector3d place =
+      (1 - share) * mesh_.position(face.vertices[i]) + share * mesh_.position(face.vertices[j]);
   const auto index = [&](int v) { return isRequired(v) ? vertices_[v].required : -1; };
-  return required_.canGain(place, end - middle, least, excess,
-                           {index(face.vertices[i]), index(face.vertices[j]), index(face.vertices[k])});
+  return required_.canGain(
+      place, end - middle, least, excess,
+      {index(face.vertices[i]), index(face.vertices[j]), index(face.vertices[k])});
 }
 
 /// Takes up those of the waiting windows that can make a required distance less.
@@ -266,8 +269,7 @@ bool WindowSweep::isBatchNeeded(int h) {
   if (!pointsIn(h / 3).empty())
     state_->visitWindows(firstBlock, [&](const Window& w) { offerToPoints(w, h); });
   if (canGain(h, [&](auto visit) { state_->visitWindows(firstBlock, visit); })) return true;
-  state_->visitWindows(firstBlock,
-                       [&](const Window& w) { state_->waiting.push_back({w, h}); });
+  state_->visitWindows(firstBlock, [&](const Window& w) { state_->waiting.push_back({w, h}); });
   waitingBlock_[h] = -1;
   return false;
 }

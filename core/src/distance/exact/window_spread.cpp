@@ -93,8 +93,8 @@ double WindowSpread::distance(int label, const SurfacePoint& p,
   double least = kInfinity;
   const TriangleMesh::Face& face = mesh_.face(p.face);
   for (int i = 0; i < 3; ++i) {
-    least = std::min(least,
-                     atCorners[i] + layOut(face, 0, p.bary - Eigen::Vector3d::Unit(i)).norm());
+    least =
+        std::min(least, atCorners[i] + layOut(face, 0, p.bary - Eigen::Vector3d::Unit(i)).norm());
     for (int e = firstEntry_[3 * p.face + i]; e >= 0; e = entries_[e].next) {
       if (entries_[e].label != label) continue;
       const Eigen::Vector2d q = layOut(face, i, p.bary);

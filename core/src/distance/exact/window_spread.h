@@ -11,8 +11,8 @@
 
 namespace gvd::exact {
 
-/// The exact metric: polyhedral distance by windows (Mitchell et al. 1987). Keeps the windows of all
-/// labels, from which the distance follows at every point of the surface.
+/// The exact metric: polyhedral distance by windows (Mitchell et al. 1987). Keeps the windows of
+/// all labels, from which the distance follows at every point of the surface.
 class WindowSpread final : public LabelSpread {
  public:
   WindowSpread(const TriangleMesh& mesh, const SiteSet& sites, NearestBounds& bounds,

@@ -4,8 +4,8 @@
 // Jindong Chen, Yijie Han. Shortest Paths on a Polyhedron. 1990
 // Chunxu Xu, Tuanfeng Wang, Yong-Jin Liu, Ligang Liu, Ying He. Fast Wavefront Propagation (FWP) for
 // Computing Exact Geodesic Distances on Meshes. 2015
-// Yipeng Qin, Xiaoguang Han, Hongchuan Yu, Yizhou Yu, Jianjun Zhang. Fast and Exact Discrete Geodesic
-// Computation Based on Triangle-Oriented Wavefront Propagation. 2016
+// Yipeng Qin, Xiaoguang Han, Hongchuan Yu, Yizhou Yu, Jianjun Zhang. Fast and Exact Discrete
+// Geodesic Computation Based on Triangle-Oriented Wavefront Propagation. 2016
 #include "distance/exact/window_sweep.h"
 
 #include <cmath>
@@ -20,8 +20,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Buckets of the queue per mean edge length: wide enough for most windows of a halfedge to cross in
-/// one batch, narrow enough for few to cross before the distances that trim them are known.
+/// Buckets of the queue per mean edge length: wide enough for most windows of a halfedge to cross
+/// in one batch, narrow enough for few to cross before the distances that trim them are known.
 constexpr double kBucketsPerEdge = 2;
 
 }  // namespace
@@ -95,8 +95,8 @@ void WindowSweep::load() {
   for (size_t i = 0; i < state_->vertices.size(); ++i) {
     const ReachedVertex& r = state_->vertices[i];
     reached_.push_back(r.vertex);
-    vertices_[r.vertex] = {r.distance, state_->pieces[i], epoch_, -1,
-                           r.isFinal,  false,             vertices_[r.vertex].isSaddle};
+    vertices_[r.vertex] = {r.distance, state_->pieces[i],           epoch_, -1, r.isFinal,
+                           false,      vertices_[r.vertex].isSaddle};
   }
 }
 
@@ -228,9 +228,9 @@ bool WindowSweep::maySpreadFrom(int v) const {
                            {own.required, -1, -1});
 }
 
-/// Lets a vertex see through the opposite side in a face around it. `direction` is the angle at which
-/// the path to the vertex leaves the site, or, if the site is the vertex, that of the outgoing
-/// halfedge.
+/// Lets a vertex see through the opposite side in a face around it. `direction` is the angle at
+/// which the path to the vertex leaves the site, or, if the site is the vertex, that of the
+/// outgoing halfedge.
 void WindowSweep::emit(int v, const OppositeSide& side, double direction, bool isSite) {
   const double distance = vertices_[v].distance;
   const int o = side.outgoing, f = o / 3, i = o % 3;
@@ -271,7 +271,8 @@ void WindowSweep::crossFace(int h) {
   offerToApex(h, firstBlock);
   const TriangleMesh::Face& face = mesh_.face(h / 3);
   const int i = h % 3, j = cornerAfter(i), k = cornerBefore(i);
-  const End tail = endAt(face.vertices[i]), tip = endAt(face.vertices[j]), apex = endAt(face.vertices[k]);
+  const End tail = endAt(face.vertices[i]), tip = endAt(face.vertices[j]),
+            apex = endAt(face.vertices[k]);
   if (face.twins[k] >= 0)
     crossSide<true>(h, firstBlock, portal(face.twins[k], face.lengths[k], tail, apex));
   if (face.twins[j] >= 0)
@@ -309,12 +310,11 @@ inline WindowSweep::Portal WindowSweep::portal(int h, double length, const End& 
 WindowSweep::Portal WindowSweep::portalTo(int h) const {
   const TriangleMesh::Face& face = mesh_.face(h / 3);
   const int i = h % 3;
-  return portal(h, face.lengths[i], endAt(face.vertices[i]),
-                endAt(face.vertices[cornerAfter(i)]));
+  return portal(h, face.lengths[i], endAt(face.vertices[i]), endAt(face.vertices[cornerAfter(i)]));
 }
 
-/// Trims a child of the batch at hand. False if paths over the ends of its halfedge leave nothing of
-/// it; or if those of other labels do: then it waits.
+/// Trims a child of the batch at hand. False if paths over the ends of its halfedge leave nothing
+/// of it; or if those of other labels do: then it waits.
 inline bool WindowSweep::keep(Window& w, const Portal& portal) {
   w.y = std::min(w.y, -0x1p-52 * portal.length);
   trim(w, portal.length, portal.own);
@@ -335,8 +335,7 @@ inline bool WindowSweep::isBeaten(const Window& w, double crossing, int h,
   const double length = face.lengths[i], grazing = kGrazing * length;
   if (crossing < w.begin - grazing || crossing > w.end + grazing) return false;
   const Eigen::Vector2d p = apexOf(face, i);
-  return w.distance(p.x(), p.y()) >
-         apexDistance + kDistanceTolerance * (apexDistance + length);
+  return w.distance(p.x(), p.y()) > apexDistance + kDistanceTolerance * (apexDistance + length);
 }
 
 /// Lets the batch at hand leave its face on the left or on the right of the apex.
@@ -347,8 +346,8 @@ void WindowSweep::crossSide(int h, int firstBlock, const Portal& portal) {
   const double length = face.lengths[i], side = portal.length;
   const double c = face.cosines[kLeft ? i : j], s = face.sines[kLeft ? i : j];
   const double turn = kLeft ? mesh_.cornerAngle(h) : -mesh_.cornerAngle(h - i + j);
-  // Of the windows over the apex from the same halfedge only the shortest goes on on both sides of it
-  // (Chen & Han 1990).
+  // Of the windows over the apex from the same halfedge only the shortest goes on on both sides of
+  // it (Chen & Han 1990).
   const Vertex& apex = vertices_[face.vertices[k]];
   const bool isApexFromHere = apex.epoch == epoch_ && apex.piece.arrival == h;
 

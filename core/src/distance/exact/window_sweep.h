@@ -26,14 +26,14 @@ enum class SpreadTo {
 /// but a label touches what it passes only, so that it stays in the cache.
 ///
 /// Windows wait in batches at their halfedge. A batch crosses its face at once: first all windows
-/// offer their distances to the apex, then their children are trimmed by the label's distances at the
-/// ends of the sides that they leave through. Halfedges and virtual sources are queued by distance
-/// in buckets of half a mean edge (Xu et al. 2015, Fast Wavefront Propagation); what comes in the
-/// wrong order is corrected.
+/// offer their distances to the apex, then their children are trimmed by the label's distances at
+/// the ends of the sides that they leave through. Halfedges and virtual sources are queued by
+/// distance in buckets of half a mean edge (Xu et al. 2015, Fast Wavefront Propagation); what comes
+/// in the wrong order is corrected.
 ///
-/// Where a label may not go on, its windows are kept waiting: a label is never stopped for good. That
-/// another label is nearer along a path up to some point, it is along the rest of it too, so what
-/// waits owns nothing beyond.
+/// Where a label may not go on, its windows are kept waiting: a label is never stopped for good.
+/// That another label is nearer along a path up to some point, it is along the rest of it too, so
+/// what waits owns nothing beyond.
 class WindowSweep {
  public:
   /// `bounds` are read, and lowered by what the labels find.
@@ -158,7 +158,7 @@ class WindowSweep {
   std::vector<Vertex> vertices_;
   std::vector<int> waitingBlock_;  ///< per halfedge, the first of a list of blocks; -1
   std::vector<int> reached_;
-  std::vector<double> crossings_;  ///< of the batch at hand, with the line to the apex
+  std::vector<double> crossings_;          ///< of the batch at hand, with the line to the apex
   std::vector<std::vector<int>> buckets_;  ///< halfedges, and vertices v as -1 - v
   size_t bucket_ = 0, cursor_ = 0;
   size_t windowCount_ = 0, blockCount_ = 0;  ///< of the last label; the next one has about as many
