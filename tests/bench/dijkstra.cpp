@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dijkstra.h"
 
-#include "base/heap.h"
+#include "quaternary_heap.h"
 
 namespace gvd::bench {
 namespace {
