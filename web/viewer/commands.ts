@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+import { Vector2 } from 'three';
+import type { Viewer } from './viewer.js';
 
 /** What the viewer does at a key. */
 export type Command =
@@ -17,6 +19,29 @@ export type Command =
   | 'turn-down'
   | 'nearer'
   | 'farther';
+
+/** Steps of the keys, in radians and as a factor. */
+const turnStep = Math.PI / 24;
+const dollyStep = 1.15;
+
+const actions: Readonly<Record<Command, (viewer: Viewer) => void>> = {
+  undo: ({ session }) => session.undo(),
+  redo: ({ session }) => session.redo(),
+  remove: (viewer) => viewer.removeSite(viewer.selected),
+  refit: (viewer) => viewer.refit(),
+  cancel: (viewer) => viewer.cancel(),
+  place: ({ tools }) => tools.useAt(new Vector2(0, 0)),
+  'play-cvt': (viewer) =>
+    viewer.session.cvtStatus === 'running' ? viewer.session.pauseCvt() : viewer.playCvt(),
+  'next-site': (viewer) => viewer.selectNext(1),
+  'previous-site': (viewer) => viewer.selectNext(-1),
+  'turn-left': ({ stage }) => stage.orbit(-turnStep, 0),
+  'turn-right': ({ stage }) => stage.orbit(turnStep, 0),
+  'turn-up': ({ stage }) => stage.orbit(0, turnStep),
+  'turn-down': ({ stage }) => stage.orbit(0, -turnStep),
+  nearer: ({ stage }) => stage.dolly(1 / dollyStep),
+  farther: ({ stage }) => stage.dolly(dollyStep),
+};
 
 const ofKey: Readonly<Record<string, Command>> = {
   Delete: 'remove',
@@ -44,4 +69,8 @@ export function commandOf(event: KeyboardEvent): Command | undefined {
     return key === 'y' ? 'redo' : undefined;
   }
   return ofKey[key];
+}
+
+export function perform(command: Command, viewer: Viewer): void {
+  actions[command](viewer);
 }

@@ -85,6 +85,11 @@ export class CvtRun {
     return this.#done;
   }
 
+  get status(): 'running' | 'paused' | 'done' {
+    if (this.playing) return 'running';
+    return this.#done ? 'done' : 'paused';
+  }
+
   get latest(): CvtPicture | undefined {
     return this.#latest;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import type { Diagram } from 'geodesic-voronoi';
-import type { ShownDiagram } from './session.js';
+import type { ShownDiagram } from './shown_diagram.js';
 
 /** Something that is computed from the diagram that is shown, as long as it is wanted. */
 export class Derived<Result> {

@@ -39,7 +39,9 @@ export class Hover {
 
   async #ask(hit: SurfaceHit | undefined): Promise<void> {
     const { shown } = this.#session;
-    const located = hit && (await this.#session.locate({ face: [hit.face], bary: hit.bary }));
+    // A diagram may be replaced while it is asked; the next answer is about its successor.
+    const located =
+      hit && (await shown?.diagram?.locate({ face: [hit.face], bary: hit.bary }).catch(() => undefined));
     // The pointer or the diagram has moved on: its own answer follows.
     if (hit !== this.#hit || shown !== this.#session.shown) return;
     if (!hit || !located) {

@@ -1,94 +1,28 @@
 // SPDX-License-Identifier: MIT
 import {
-  type CvtState,
-  type Diagram,
-  type DiagramChange,
   type DiagramData,
   type GeodesicVoronoi,
   loadWorker,
-  type Located,
   type Mesh,
   type Metric,
-  type Sampling,
-  type SurfacePointsInput,
 } from 'geodesic-voronoi';
 import type { CellTriangles } from './cell_triangles.js';
 import { type CvtPicture, CvtRun, type CvtSettings } from './cvt_run.js';
 import { DiagramSummary } from './diagram_summary.js';
+import { sentence } from './failure.js';
 import { LatestTask } from './latest_task.js';
-import type { ModelFiles } from './model_files.js';
+import { openMesh, type Reader, scatterSites } from './mesh_opening.js';
+import type { CvtStatus, Scattering, SessionListener, Status } from './session_listener.js';
 import {
-  placeOf,
-  SiteHistory,
-  type SitePlace,
-  type Sites,
-  surfacePointsOf,
-  type Tints,
-} from './site_history.js';
-import { type SiteStep, stepsBetween, without } from './site_step.js';
-
-export type Status = 'empty' | 'loading' | 'computing' | 'iterating' | 'ready';
-
-/**
- * Where a centroidal tessellation of the present sites stands: 'idle' if none has begun, 'done' if
- * no iteration lowers the energy any more.
- */
-export type CvtStatus = 'idle' | 'running' | 'paused' | 'done';
-
-/** How sites are scattered. */
-export interface Scattering {
-  count: number;
-  seed: number;
-  sampling?: Sampling;
-}
-
-export interface DiagramSettings {
-  metric: Metric;
-  detail: number;
-}
-
-/** A diagram with what it was made from. Its labels are the indices of the sites. */
-export interface ShownDiagram extends DiagramSettings {
-  sites: Sites;
-  /** Without sites there is none. */
-  summary: DiagramSummary | undefined;
-  /** All of it, put together when asked for if the diagram has been changed: not for every step of a drag. */
-  readonly data: DiagramData | undefined;
-  diagram: Diagram | undefined;
-}
-
-/** What helps to draw a diagram. */
-export interface Drawable {
-  /** The diagram drawn before has become this one by these. */
-  changes?: readonly DiagramChange[];
-  /** Its cells, if they have been cut already. */
-  cells?: CellTriangles;
-}
-
-/** Told what changed, after it did. */
-export interface SessionListener {
-  modelChanged(mesh: Mesh, name: string): void;
-  sitesChanged(sites: Sites): void;
-  /** By undoing or redoing; after a failure too. */
-  densityChanged(tints: Tints): void;
-  diagramChanged(shown: ShownDiagram, milliseconds: number, how: Drawable): void;
-  /** Sites and diagram are those of an iteration. */
-  cvtIterated(shown: ShownDiagram, state: CvtState, how: Drawable): void;
-  /** Iterations have been paused: the one that is shown is the diagram of the sites as any other. */
-  cvtRested(shown: ShownDiagram, milliseconds: number): void;
-  cvtStatusChanged(status: CvtStatus): void;
-  /** After a failure or a cancel: the settings are again those of the diagram that is shown. */
-  settingsRestored(settings: DiagramSettings): void;
-  statusChanged(status: Status): void;
-  progressed(share: number): void;
-  /** Whatever failed, the model, the sites and the diagram are those from before. */
-  failed(error: unknown): void;
-}
-
-type Reader = (signal: AbortSignal, onProgress: (share: number) => void) => Promise<ModelFiles>;
-interface Job extends DiagramSettings {
-  sites: Sites;
-}
+  changeDiagram,
+  computeDiagram,
+  type DiagramRequest,
+  type DiagramSettings,
+  shownDiagram,
+  type ShownDiagram,
+} from './shown_diagram.js';
+import { placeOf, SiteHistory, type SitePlace, type Sites, type Tints } from './site_history.js';
+import { without } from './site_step.js';
 
 /**
  * One model with its sites and their diagram, computed in a worker that starts with the first model.
@@ -99,7 +33,9 @@ export class Session {
   readonly #cut: (data: DiagramData) => Promise<CellTriangles | undefined>;
   readonly #listener: SessionListener;
   readonly #history = new SiteHistory();
-  readonly #task = new LatestTask<Job>((job, signal) => this.#compute(job, signal));
+  readonly #task = new LatestTask<DiagramRequest>((wanted, signal) =>
+    this.#compute(wanted, signal),
+  );
   #settings: DiagramSettings = { metric: 'exact', detail: 0 };
   #library: Promise<GeodesicVoronoi> | undefined;
   #opening: AbortController | undefined;
@@ -152,19 +88,15 @@ export class Session {
     this.#opening = opening;
     this.#updateStatus();
     const { signal } = opening;
-    let mesh: Mesh | undefined;
     try {
       const library = await this.#loadedLibrary();
-      const { name, bytes, resources } = await read(signal, (share) => this.#listener.progressed(share));
-      mesh = await library.mesh(bytes, { resources }).catch((error) => {
-        throw sentence(`${name} cannot be opened`, error);
+      const { mesh, name, sites } = await openMesh(library, read, scattering, {
+        signal,
+        onProgress: (share) => this.#listener.progressed(share),
       });
-      const sites = await scattered(mesh, scattering);
-      signal.throwIfAborted();
       this.#adopt(mesh, name, this.#history.createAll(sites));
       return true;
     } catch (error) {
-      if (mesh !== this.#mesh) mesh?.dispose();
       if (!signal.aborted) this.#fail(error);
       return false;
     } finally {
@@ -192,7 +124,7 @@ export class Session {
     // Whether nothing newer has been asked for, nor this been given up.
     const isWanted = () => mesh === this.#mesh && this.#scattering === scattering;
     try {
-      const sites = await scattered(mesh, scattering);
+      const sites = await scatterSites(mesh, scattering);
       if (isWanted()) this.#record(this.#history.createAll(sites));
     } catch (error) {
       if (isWanted()) this.#fail(error);
@@ -270,11 +202,6 @@ export class Session {
     return this.#cvtStatus;
   }
 
-  /** The last iteration of the sites there are. */
-  get cvtState(): CvtState | undefined {
-    return this.#cvt?.latest?.state;
-  }
-
   /** Goes on to the next multiple of so many iterations. */
   playCvt(iterations: number, settings: CvtSettings): void {
     this.#playCvt(settings, (done) => (Math.floor(done / iterations) + 1) * iterations);
@@ -306,16 +233,6 @@ export class Session {
     if (this.#cvt?.playing) this.#cvt.pause();
     else this.#task.cancel();
     this.#updateStatus();
-  }
-
-  /** Region and distance by the diagram that is shown; undefined if there is none. */
-  async locate(points: SurfacePointsInput): Promise<Located | undefined> {
-    try {
-      return await this.#shown?.diagram?.locate(points);
-    } catch {
-      // The diagram was replaced meanwhile; the next answer is about its successor.
-      return undefined;
-    }
   }
 
   dispose(): void {
@@ -375,13 +292,16 @@ export class Session {
     this.#task.request({ ...this.#settings, sites: this.sites }, options);
   }
 
-  async #compute(job: Job, signal: AbortSignal): Promise<void> {
+  async #compute(wanted: DiagramRequest, signal: AbortSignal): Promise<void> {
     const mesh = this.#mesh;
     const before = this.#shown;
     const start = performance.now();
     try {
-      const changes = await this.#changeShown(job);
-      const diagram = changes ? before?.diagram : await this.#computeAnew(mesh, job, signal);
+      const changes = await changeDiagram(before, wanted);
+      const onProgress = (share: number) => this.#listener.progressed(share);
+      const diagram = changes
+        ? before?.diagram
+        : await computeDiagram(mesh, wanted, { signal, onProgress });
       const milliseconds = performance.now() - start;
       const isAnew = diagram && !changes && mesh === this.#mesh;
       const cells = isAnew ? await this.#cut(diagram.data) : undefined;
@@ -395,16 +315,9 @@ export class Session {
         signal.throwIfAborted();
       }
       const summary = changes
-        ? changes.reduce((sum, change) => sum?.after(change, job.sites.length), before?.summary)
+        ? changes.reduce((sum, change) => sum?.after(change, wanted.sites.length), before?.summary)
         : diagram && DiagramSummary.of(diagram.data);
-      const shown: ShownDiagram = {
-        ...job,
-        summary,
-        diagram,
-        get data() {
-          return diagram?.data;
-        },
-      };
+      const shown = shownDiagram(wanted, diagram, summary);
       this.#show(shown);
       this.#listener.diagramChanged(shown, milliseconds, { changes, cells });
     } catch (error) {
@@ -416,38 +329,6 @@ export class Session {
     } finally {
       this.#computing = this.#task.superseded;
       this.#updateStatus();
-    }
-  }
-
-  async #computeAnew(
-    mesh: Mesh | undefined,
-    { sites, metric, detail }: Job,
-    signal: AbortSignal,
-  ): Promise<Diagram | undefined> {
-    if (sites.length === 0) return undefined;
-    return mesh?.voronoi(surfacePointsOf(sites), {
-      metric,
-      detail,
-      signal,
-      onProgress: (share) => this.#listener.progressed(share),
-    });
-  }
-
-  /**
-   * Makes the diagram that is shown the one asked for, where a step or two do: the work of a few regions,
-   * the first time that of a diagram. It is too short to be given up half-way. Undefined if there are no
-   * such steps or one failed.
-   */
-  async #changeShown({ sites, metric, detail }: Job): Promise<DiagramChange[] | undefined> {
-    const shown = this.#shown;
-    const diagram = shown?.diagram;
-    if (!diagram || shown.metric !== metric || shown.detail !== detail) return undefined;
-    const steps = sites.length > 0 && stepsBetween(shown.sites, sites);
-    if (!steps) return undefined;
-    try {
-      return await Promise.all(steps.map((step) => takeStep(diagram, step)));
-    } catch {
-      return undefined; // computed anew, it works or says why not
     }
   }
 
@@ -490,16 +371,8 @@ export class Session {
       else this.#history.revise(sites);
       this.#listener.sitesChanged(sites);
     }
-    const shown: ShownDiagram = {
-      sites: this.sites,
-      metric,
-      detail: 0,
-      summary: state.data && DiagramSummary.of(state.data),
-      get data() {
-        return state.diagram?.data;
-      },
-      diagram: state.diagram,
-    };
+    const summary = state.data && DiagramSummary.of(state.data);
+    const shown = shownDiagram({ sites: this.sites, metric, detail: 0 }, state.diagram, summary);
     this.#show(shown);
     this.#listener.cvtIterated(shown, state, { cells });
   }
@@ -563,33 +436,10 @@ export class Session {
       this.#status = status;
       this.#listener.statusChanged(status);
     }
-    const cvtStatus = cvtStatusOf(this.#cvt);
+    const cvtStatus = this.#cvt?.status ?? 'idle';
     if (cvtStatus !== this.#cvtStatus) {
       this.#cvtStatus = cvtStatus;
       this.#listener.cvtStatusChanged(cvtStatus);
     }
   }
-}
-
-function cvtStatusOf(run: CvtRun | undefined): CvtStatus {
-  if (!run) return 'idle';
-  if (run.playing) return 'running';
-  return run.done ? 'done' : 'paused';
-}
-
-function takeStep(diagram: Diagram, step: SiteStep): Promise<DiagramChange> {
-  if (step.kind === 'remove') return diagram.removeSite(step.index);
-  const place = surfacePointsOf([step.site]);
-  if (step.kind === 'insert') return diagram.insertSite(place);
-  return diagram.moveSite(step.index, place);
-}
-
-async function scattered(mesh: Mesh, { count, seed, sampling }: Scattering) {
-  return count > 0 ? mesh.sampleSites(count, { seed, sampling }) : { face: [], bary: [] };
-}
-
-/** What happened and, from the library, why. */
-function sentence(what: string, cause: unknown): Error {
-  const why = cause instanceof Error ? cause.message : String(cause);
-  return new Error(`${what}: ${why.replace(/\.$/, '')}.`, { cause });
 }

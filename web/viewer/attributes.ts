@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+//
+// The element's attributes as values, with what holds where they are not given.
+
+import type { CvtMethod, Metric, Sampling } from 'geodesic-voronoi';
+import type { CvtSettings } from './cvt_run.js';
+import type { Brush } from './density_paint.js';
+import { type Layer, layers } from './model_drawing.js';
+import type { Scattering } from './session_listener.js';
+import type { DiagramSettings } from './shown_diagram.js';
+
+const defaultLayers: readonly Layer[] = ['regions', 'bisectors', 'sites'];
+
+/** Read anew each time: whoever asks gets what holds now. */
+export class Attributes {
+  readonly #element: HTMLElement;
+
+  constructor(element: HTMLElement) {
+    this.#element = element;
+  }
+
+  get label(): string {
+    return this.#text('alt') || 'A surface with its geodesic Voronoi diagram';
+  }
+
+  get layers(): readonly Layer[] {
+    const names = this.#text('layers');
+    if (names === undefined) return defaultLayers;
+    const wanted = new Set(names.split(/\s+/));
+    return layers.filter((layer) => wanted.has(layer));
+  }
+
+  /** 0 … 1. */
+  get exploded(): number {
+    return Math.min(1, Math.max(0, this.#number('exploded', 0)));
+  }
+
+  get diagram(): DiagramSettings {
+    return {
+      // What is no metric is for the library to refuse, which names those there are.
+      metric: (this.#text('metric') ?? 'exact') as Metric,
+      detail: this.#number('detail', 0),
+    };
+  }
+
+  set diagram({ metric, detail }: DiagramSettings) {
+    this.#element.setAttribute('metric', metric);
+    this.#element.setAttribute('detail', String(detail));
+  }
+
+  get scattering(): Scattering {
+    return {
+      count: this.#number('sites', 0),
+      seed: this.#number('seed', 1),
+      sampling: (this.#text('sampling') ?? 'random') as Sampling,
+    };
+  }
+
+  get cvt(): CvtSettings {
+    return {
+      method: (this.#text('cvt-method') ?? 'lbfgs') as CvtMethod,
+      energyTolerance: Math.max(0, this.#number('cvt-tolerance', 0)),
+    };
+  }
+
+  get cvtIterations(): number {
+    return Math.max(1, Math.round(this.#number('cvt-iterations', 50)));
+  }
+
+  get isPainting(): boolean {
+    return this.#text('tool') === 'density';
+  }
+
+  get brush(): Brush {
+    return {
+      radius: this.#number('brush-size', 20) / 100,
+      density: this.#number('brush-density', 100),
+    };
+  }
+
+  #text(name: string): string | undefined {
+    return this.#element.getAttribute(name) ?? undefined;
+  }
+
+  #number(name: string, otherwise: number): number {
+    const text = this.#text(name)?.trim();
+    const number = text ? Number(text) : NaN;
+    return Number.isFinite(number) ? number : otherwise;
+  }
+}

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+//
+// From a model's files to its mesh with sites scattered on it.
+
+import type { GeodesicVoronoi, Mesh, SurfacePoints } from 'geodesic-voronoi';
+import { sentence } from './failure.js';
+import type { ModelFiles } from './model_files.js';
+import type { Scattering } from './session_listener.js';
+
+/** Reads a model's files. */
+export type Reader = (
+  signal: AbortSignal,
+  onProgress: (share: number) => void,
+) => Promise<ModelFiles>;
+
+interface OpenedMesh {
+  mesh: Mesh;
+  name: string;
+  sites: PointList;
+}
+
+type PointList = SurfacePoints | { face: number[]; bary: number[] };
+
+/** All of it or nothing: if anything fails, or is given up, nothing is left open. */
+export async function openMesh(
+  library: GeodesicVoronoi,
+  read: Reader,
+  scattering: Scattering,
+  { signal, onProgress }: { signal: AbortSignal; onProgress: (share: number) => void },
+): Promise<OpenedMesh> {
+  const { name, bytes, resources } = await read(signal, onProgress);
+  const mesh = await library.mesh(bytes, { resources }).catch((error) => {
+    throw sentence(`${name} cannot be opened`, error);
+  });
+  try {
+    const sites = await scatterSites(mesh, scattering);
+    signal.throwIfAborted();
+    return { mesh, name, sites };
+  } catch (error) {
+    mesh.dispose();
+    throw error;
+  }
+}
+
+export async function scatterSites(
+  mesh: Mesh,
+  { count, seed, sampling }: Scattering,
+): Promise<PointList> {
+  return count > 0 ? mesh.sampleSites(count, { seed, sampling }) : { face: [], bary: [] };
+}

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+//
+// How the diagram that is shown comes about: by a few steps from the one before, or anew.
+
+import type { Diagram, DiagramChange, DiagramData, Mesh, Metric, TaskOptions } from 'geodesic-voronoi';
+import type { DiagramSummary } from './diagram_summary.js';
+import { type Sites, surfacePointsOf } from './site_history.js';
+import { type SiteStep, stepsBetween } from './site_step.js';
+
+export interface DiagramSettings {
+  metric: Metric;
+  detail: number;
+}
+
+/** What a diagram is made from. */
+export interface DiagramRequest extends DiagramSettings {
+  sites: Sites;
+}
+
+/** A diagram with what it was made from. Its labels are the indices of the sites. */
+export interface ShownDiagram extends DiagramRequest {
+  /** Without sites there is none. */
+  summary: DiagramSummary | undefined;
+  /** All of it, put together when asked for if the diagram has been changed: not for every step of a drag. */
+  readonly data: DiagramData | undefined;
+  diagram: Diagram | undefined;
+}
+
+export function shownDiagram(
+  { sites, metric, detail }: DiagramRequest,
+  diagram: Diagram | undefined,
+  summary: DiagramSummary | undefined,
+): ShownDiagram {
+  return {
+    sites,
+    metric,
+    detail,
+    summary,
+    diagram,
+    get data() {
+      return diagram?.data;
+    },
+  };
+}
+
+/** Without sites there is none. */
+export async function computeDiagram(
+  mesh: Mesh | undefined,
+  { sites, metric, detail }: DiagramRequest,
+  task: TaskOptions,
+): Promise<Diagram | undefined> {
+  if (sites.length === 0) return undefined;
+  return mesh?.voronoi(surfacePointsOf(sites), { metric, detail, ...task });
+}
+
+/**
+ * Makes the diagram that is shown the one asked for, where a step or two do: the work of a few regions,
+ * the first time that of a diagram. It is too short to be given up half-way. Undefined if there are no
+ * such steps or one failed.
+ */
+export async function changeDiagram(
+  shown: ShownDiagram | undefined,
+  { sites, metric, detail }: DiagramRequest,
+): Promise<DiagramChange[] | undefined> {
+  const diagram = shown?.diagram;
+  if (!diagram || shown.metric !== metric || shown.detail !== detail) return undefined;
+  const steps = sites.length > 0 && stepsBetween(shown.sites, sites);
+  if (!steps) return undefined;
+  try {
+    return await Promise.all(steps.map((step) => takeStep(diagram, step)));
+  } catch {
+    return undefined; // computed anew, it works or says why not
+  }
+}
+
+function takeStep(diagram: Diagram, step: SiteStep): Promise<DiagramChange> {
+  if (step.kind === 'remove') return diagram.removeSite(step.index);
+  const place = surfacePointsOf([step.site]);
+  if (step.kind === 'insert') return diagram.insertSite(place);
+  return diagram.moveSite(step.index, place);
+}

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+import type { Vector2 } from 'three';
+import type { Attributes } from './attributes.js';
+import { brushRing } from './brush_ring.js';
+import type { Hover } from './hover.js';
+import type { OpenModel } from './open_model.js';
+import type { SurfaceHit } from './picking.js';
+import type { GestureTarget } from './pointer_gestures.js';
+import type { Session } from './session.js';
+import type { SitePlace } from './site_history.js';
+import type { Stage } from './stage.js';
+
+/** What the tools work on, and whom they tell. */
+export interface Workpiece {
+  readonly stage: Stage;
+  readonly session: Session;
+  readonly hover: Hover;
+  readonly attributes: Attributes;
+  readonly model: OpenModel | undefined;
+  addSite(place: SitePlace): void;
+  /** By its identity. */
+  select(site: number): void;
+  /** What has been painted since the last time is a step now. */
+  recordDensity(): void;
+}
+
+/** What the pointer does on the surface: it adds, drags and removes sites, paints density and asks. */
+export class SurfaceTools implements GestureTarget {
+  readonly #work: Workpiece;
+
+  constructor(work: Workpiece) {
+    this.#work = work;
+  }
+
+  /** The surface there, in device coordinates; while the regions are apart there is none to edit. */
+  pick(device: Vector2): SurfaceHit | undefined {
+    const { attributes, model, stage } = this.#work;
+    return attributes.exploded > 0 ? undefined : model?.picker.pick(device, stage.camera);
+  }
+
+  /** Adds a site there, or a dab of density. */
+  useAt(device: Vector2): void {
+    if (this.#work.attributes.isPainting) {
+      if (this.#dab(device)) this.#work.recordDensity();
+      return;
+    }
+    const hit = this.pick(device);
+    if (hit) this.#work.addSite(hit);
+  }
+
+  siteAt(x: number, y: number, reach: number): number | undefined {
+    const { attributes, model, session, stage } = this.#work;
+    if (!model || !attributes.layers.includes('sites') || attributes.exploded > 0) return undefined;
+    const { drawing, picker } = model;
+    const toClient = stage.projection();
+    let nearest: number | undefined;
+    let nearestDistance = reach;
+    session.sites.forEach(({ id }, i) => {
+      const place = drawing.sitePlace(i);
+      const client = toClient(place);
+      if (!client) return;
+      const distance = Math.hypot(client.x - x, client.y - y);
+      if (distance > nearestDistance || picker.hides(place, stage.camera)) return;
+      nearest = id;
+      nearestDistance = distance;
+    });
+    return nearest;
+  }
+
+  select(site: number): void {
+    this.#work.select(site);
+  }
+
+  beginStroke(x: number, y: number): boolean {
+    return this.#work.attributes.isPainting && this.#dab(this.#work.stage.toDevice(x, y));
+  }
+
+  stroke(x: number, y: number): void {
+    this.#dab(this.#work.stage.toDevice(x, y));
+  }
+
+  endStroke(): void {
+    this.#work.recordDensity();
+  }
+
+  move(site: number, x: number, y: number): void {
+    const { session, stage } = this.#work;
+    stage.canvas.style.cursor = 'grabbing';
+    const hit = this.pick(stage.toDevice(x, y));
+    // Beside the model the site waits where it was last.
+    if (hit) session.moveSite(site, hit);
+  }
+
+  endMove(): void {
+    this.#work.session.endMove();
+  }
+
+  cancelMove(): void {
+    this.#work.session.cancelMove();
+  }
+
+  remove(site: number): void {
+    this.#work.session.removeSite(site);
+  }
+
+  click(x: number, y: number): void {
+    this.useAt(this.#work.stage.toDevice(x, y));
+  }
+
+  hover(x: number, y: number): void {
+    const { attributes, hover, stage } = this.#work;
+    const hit = this.pick(stage.toDevice(x, y));
+    const isOverSite = hit && !attributes.isPainting && this.siteAt(x, y, 10) !== undefined;
+    stage.canvas.style.cursor = isOverSite ? 'grab' : hit ? 'crosshair' : '';
+    hover.moveTo(hit);
+    this.#showBrush(hit);
+  }
+
+  leave(): void {
+    this.#work.hover.moveTo(undefined);
+    this.#showBrush(undefined);
+  }
+
+  /** Paints density there; returns whether there is any surface. */
+  #dab(device: Vector2): boolean {
+    const { attributes, model, stage } = this.#work;
+    const hit = this.pick(device);
+    if (!hit || !model) return false;
+    model.paint.dab(hit, attributes.brush);
+    model.drawing.setTints(model.paint.tints);
+    this.#showBrush(hit);
+    stage.invalidate();
+    return true;
+  }
+
+  /** The outline of what the brush reaches there; none beside the surface. */
+  #showBrush(hit: SurfaceHit | undefined): void {
+    const { attributes, model, stage } = this.#work;
+    if (!model) return;
+    const { drawing, picker } = model;
+    const ring =
+      hit && attributes.isPainting
+        ? brushRing(drawing.mesh, hit, attributes.brush.radius, (place) => picker.nearest(place))
+        : new Float32Array();
+    if (drawing.setBrush(ring)) stage.invalidate();
+  }
+}

@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: MIT
+import type { DiagramData, Mesh, Partition, PolygonMesh, Violation } from 'geodesic-voronoi';
+import type { Attributes } from './attributes.js';
+import { commandOf, perform } from './commands.js';
+import { Derived } from './derived.js';
+import type { Emit } from './events.js';
+import { widestSpread } from './exploded_parts.js';
+import { hexagonEnergy, rootDensityIntegral } from './hexagon_energy.js';
+import { Hover, type HoveredPoint } from './hover.js';
+import type { Reader } from './mesh_opening.js';
+import type { DrawnDiagram } from './model_drawing.js';
+import { OpenModel } from './open_model.js';
+import { PointerGestures } from './pointer_gestures.js';
+import { Session } from './session.js';
+import type { Drawable, SessionListener } from './session_listener.js';
+import type { ShownDiagram } from './shown_diagram.js';
+import type { SitePlace } from './site_history.js';
+import { Stage } from './stage.js';
+import { SurfaceTools, type Workpiece } from './surface_tools.js';
+
+/** As it was when it last came to rest. */
+interface Density {
+  perVertex: Float64Array;
+  /** ∫ √ρ. */
+  rootIntegral: number;
+}
+
+/** The session's model, sites and diagram on the stage, with the tools to edit them: what fills an element. */
+export class Viewer implements Workpiece {
+  readonly attributes: Attributes;
+  readonly stage: Stage;
+  readonly session: Session;
+  readonly hover: Hover;
+  readonly tools: SurfaceTools;
+  readonly #emit: Emit;
+  readonly #gestures: PointerGestures;
+  readonly #resizing: ResizeObserver;
+  #model: OpenModel | undefined;
+  #density: Density | undefined;
+  #selected: number | undefined;
+  readonly #dual = new Derived(
+    async (diagram) => ({ dual: await diagram.dual(), violations: await diagram.violations() }),
+    (result) => this.#showDual(result),
+  );
+  readonly #parts = new Derived(
+    (diagram) => diagram.partition(),
+    (parts) => this.#showParts(parts),
+  );
+
+  /** Throws if there is no WebGL 2. */
+  constructor(canvas: HTMLCanvasElement, attributes: Attributes, emit: Emit) {
+    this.attributes = attributes;
+    this.#emit = emit;
+    this.tools = new SurfaceTools(this);
+    this.#gestures = new PointerGestures(canvas, this.tools);
+    this.stage = new Stage(canvas);
+    this.session = new Session(
+      async (data) => this.#model?.cells.build(data),
+      this.#sessionListener(),
+    );
+    this.hover = new Hover(this.session, (point) => this.#tellHovered(point));
+    this.#resizing = new ResizeObserver(() =>
+      this.stage.resize(canvas.clientWidth, canvas.clientHeight),
+    );
+    this.#resizing.observe(canvas);
+    canvas.addEventListener('keydown', (event) => {
+      const command = commandOf(event);
+      if (command === undefined) return;
+      event.preventDefault();
+      perform(command, this);
+    });
+    this.configure();
+  }
+
+  get model(): OpenModel | undefined {
+    return this.#model;
+  }
+
+  /** Per input vertex, as it was when it last came to rest; undefined if it is 1 everywhere. */
+  get density(): Float64Array | undefined {
+    return this.#density?.perVertex;
+  }
+
+  set density(density: ArrayLike<number> | undefined) {
+    if (!this.#model) return;
+    this.#model.paint.density = density;
+    this.recordDensity();
+  }
+
+  /** Its index, -1 for none. */
+  get selected(): number {
+    return this.session.sites.findIndex((site) => site.id === this.#selected);
+  }
+
+  set selected(index: number) {
+    this.select(this.session.sites[index]?.id);
+  }
+
+  open(read: Reader): Promise<boolean> {
+    return this.session.open(read, this.attributes.scattering);
+  }
+
+  /** Metric and detail are those of the attributes now. */
+  configure(): void {
+    this.session.configure(this.attributes.diagram);
+  }
+
+  select(site: number | undefined): void {
+    this.#selected = site;
+    this.#showSites();
+  }
+
+  selectNext(step: 1 | -1): void {
+    const count = this.session.sites.length;
+    if (count === 0) return;
+    const { selected } = this;
+    if (selected < 0) this.selected = step > 0 ? 0 : count - 1;
+    else this.selected = (selected + step + count) % count;
+  }
+
+  addSite(place: SitePlace): void {
+    if (!this.session.mesh) return;
+    this.#selected = this.session.addSite(place);
+    this.#showSites();
+  }
+
+  moveSite(index: number, place: SitePlace): void {
+    const site = this.session.sites[index];
+    if (!site) return;
+    this.session.moveSite(site.id, place);
+    this.session.endMove();
+  }
+
+  removeSite(index: number): void {
+    const site = this.session.sites[index];
+    if (site) this.session.removeSite(site.id);
+  }
+
+  /** Where a site is drawn on the page; undefined if it is behind the surface. */
+  sitePosition(index: number): { x: number; y: number } | undefined {
+    if (!this.#model || !this.session.sites[index]) return undefined;
+    const place = this.#model.drawing.sitePlace(index);
+    const client = this.stage.projection()(place);
+    return client && !this.#model.picker.hides(place, this.stage.camera) ? client : undefined;
+  }
+
+  /** A tessellation that plays goes on with the density that is painted now. */
+  recordDensity(): void {
+    const isPlaying = this.session.cvtStatus === 'running';
+    this.session.recordDensity(this.#model?.paint.tints?.slice());
+    this.#adoptDensity();
+    if (isPlaying) this.playCvt();
+  }
+
+  playCvt(): void {
+    const { cvt, cvtIterations } = this.attributes;
+    this.session.playCvt(cvtIterations, { ...cvt, density: this.density });
+  }
+
+  stepCvt(): void {
+    this.session.stepCvt({ ...this.attributes.cvt, density: this.density });
+  }
+
+  refit(): void {
+    if (this.#model) this.stage.frame(this.#model.drawing.mesh.positions);
+  }
+
+  cancel(): void {
+    if (this.#gestures.dragging) this.#gestures.cancel();
+    else this.session.cancel();
+  }
+
+  showLayers(): void {
+    this.#model?.drawing.show(new Set(this.attributes.layers));
+    this.stage.invalidate();
+    this.#derive();
+  }
+
+  explode(): void {
+    const { exploded } = this.attributes;
+    this.#derive();
+    this.#model?.drawing.spread(exploded);
+    this.stage.reach = 1 + widestSpread * exploded;
+    this.stage.invalidate();
+  }
+
+  dispose(): void {
+    this.#resizing.disconnect();
+    this.#gestures.dispose();
+    this.session.dispose();
+    this.#model?.dispose();
+    this.#model = undefined;
+    this.stage.dispose();
+  }
+
+  #sessionListener(): SessionListener {
+    return {
+      modelChanged: (mesh, name) => {
+        this.#showModel(mesh);
+        this.#emit('load', { name, info: mesh.info, parts: mesh.parts });
+      },
+      sitesChanged: () => this.#showSites(),
+      densityChanged: (tints) => {
+        if (this.#model) this.#model.paint.tints = tints;
+        this.#adoptDensity();
+      },
+      diagramChanged: (shown, milliseconds, how) => {
+        this.#showDiagram(shown, how);
+        this.#tellDiagram(shown, milliseconds);
+      },
+      cvtRested: (shown, milliseconds) => {
+        this.#derive();
+        this.#tellDiagram(shown, milliseconds);
+      },
+      cvtIterated: (shown, { iteration, energy, largestMove }, how) => {
+        this.#showDiagram(shown, how);
+        const least = shown.summary && hexagonEnergy(shown.summary, this.#density?.rootIntegral);
+        const relativeEnergy = energy / (least ?? NaN);
+        this.#emit('cvt-iteration', { iteration, energy, relativeEnergy, largestMove });
+      },
+      cvtStatusChanged: (status) => this.#emit('cvt-change', { status }),
+      settingsRestored: (settings) => {
+        this.attributes.diagram = settings;
+      },
+      statusChanged: (status) => this.#emit('status-change', { status }),
+      progressed: (share) => this.#emit('progress', { share }),
+      failed: (cause) => {
+        const message = cause instanceof Error ? cause.message : String(cause);
+        this.#emit('error', { type: 'loadfailure', message, cause });
+      },
+    };
+  }
+
+  #showModel(mesh: Mesh): void {
+    this.#gestures.cancel();
+    this.hover.moveTo(undefined);
+    if (this.#model) {
+      this.stage.remove(this.#model.drawing.object);
+      this.#model.dispose();
+    }
+    this.#model = new OpenModel(mesh);
+    this.#adoptDensity();
+    this.stage.add(this.#model.drawing.object);
+    this.showLayers();
+    this.refit();
+    // The first drawing compiles shaders, which takes longer than many a diagram. Done now, it is not
+    // counted as the diagram's time.
+    this.stage.draw();
+  }
+
+  /** Asks for what is shown of the diagram besides itself; not for that of every iteration. */
+  #derive(): void {
+    const { layers, exploded } = this.attributes;
+    const shown = this.session.cvtStatus === 'running' ? undefined : this.session.shown;
+    void this.#dual.update(layers.includes('dual') ? shown : undefined);
+    void this.#parts.update(exploded > 0 ? shown : undefined);
+  }
+
+  #showDual(result: { dual: PolygonMesh; violations: Violation[] } | undefined): void {
+    if (!this.#model) return;
+    const { drawing, picker } = this.#model;
+    drawing.setDual(result?.dual, (place) => picker.nearest(place));
+    this.stage.invalidate();
+    const polygons = (result?.dual.faces.offset.length ?? 0) - 1;
+    this.#emit('dual', result ? { polygons, violations: result.violations } : null);
+  }
+
+  #showParts(parts: Partition | undefined): void {
+    this.#model?.drawing.setParts(parts);
+    this.explode();
+    const triangles = parts?.triangles.label.length ?? 0;
+    this.#emit('exploded', parts ? { regions: parts.regions.area.length, triangles } : null);
+  }
+
+  #showSites(): void {
+    if (!this.#model) return;
+    const { selected, session } = this;
+    this.#model.drawing.setSites(session.sites, selected);
+    this.stage.invalidate();
+    this.#emit('sites-change', {
+      count: session.sites.length,
+      selected,
+      canUndo: session.canUndo,
+      canRedo: session.canRedo,
+    });
+  }
+
+  #showDiagram(shown: ShownDiagram, { changes, cells }: Drawable): void {
+    const drawn = drawnDiagram(shown);
+    const drawing = this.#model?.drawing;
+    if (drawn && changes) for (const change of changes) drawing?.changeDiagram(change, drawn);
+    else drawing?.setDiagram(drawn, cells);
+    this.stage.invalidate();
+    this.hover.refresh();
+    this.#derive();
+  }
+
+  #tellDiagram({ sites, summary, metric, detail }: ShownDiagram, milliseconds: number): void {
+    this.#emit('diagram', {
+      sites: sites.length,
+      regions: summary?.regionCount ?? 0,
+      segments: summary?.segmentCount ?? 0,
+      arcs: summary?.arcCount ?? 0,
+      voronoiPoints: summary?.voronoiPointCount ?? 0,
+      metric,
+      detail,
+      milliseconds,
+    });
+  }
+
+  #adoptDensity(): void {
+    const { mesh } = this.session;
+    if (!this.#model || !mesh) return;
+    const { paint, drawing } = this.#model;
+    const perVertex = paint.density;
+    this.#density = perVertex && {
+      perVertex,
+      rootIntegral: rootDensityIntegral(mesh, perVertex),
+    };
+    drawing.setTints(paint.tints);
+    this.stage.invalidate();
+    this.#emit('density-change', { isUniform: perVertex === undefined });
+  }
+
+  #tellHovered(point: HoveredPoint | undefined): void {
+    const { drawing } = this.#model ?? {};
+    const region = point?.region ?? -1;
+    if (drawing?.outline(region)) this.stage.invalidate();
+    this.#emit('hover', point ? { ...point, colour: drawing?.regionColour(region) } : null);
+  }
+}
+
+function drawnDiagram(shown: ShownDiagram): DrawnDiagram | undefined {
+  const { sites, summary } = shown;
+  return (
+    summary && {
+      summary,
+      siteIds: sites.map(({ id }) => id),
+      get data() {
+        return shown.data as DiagramData;
+      },
+    }
+  );
+}
