@@ -21,6 +21,7 @@ const mediaTypes = {
   '.js': 'text/javascript',
   '.svg': 'image/svg+xml',
   '.wasm': 'application/wasm',
+  '.webp': 'image/webp',
 };
 
 /** A software renderer, and nothing on the network but the page. Slow machines are given time. */
@@ -58,13 +59,19 @@ async function serve() {
   return { address: `http://127.0.0.1:${server.address().port}/`, close: () => server.close() };
 }
 
+/** With its random sites: without a hash, the page would make them even. */
+const firstModel = '#v=1&model=bunny.glb&sites=60&seed=4';
+
 /** A browser and a server for all tests of a file. */
 export async function startBrowser() {
   const server = await serve();
   const browser = await chromium.launch(options);
   return {
-    /** The page in a window of its own; `prepare` may change it before anything is loaded. */
-    async open({ prepare, ...context } = {}) {
+    /**
+     * The page in a window of its own, with the sample and the sites that the hash asks for;
+     * `prepare` may change it before anything is loaded.
+     */
+    async open({ prepare, hash = firstModel, ...context } = {}) {
       const page = await browser.newPage({
         viewport: { width: 800, height: 420 },
         // A camera that glides on draws frame after frame, seconds each here.
@@ -74,7 +81,7 @@ export async function startBrowser() {
       page.setDefaultTimeout(120_000);
       const viewer = new ViewerPage(page);
       await prepare?.(page);
-      await page.goto(server.address);
+      await page.goto(server.address + hash);
       return viewer;
     },
     async stop() {

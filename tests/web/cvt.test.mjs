@@ -57,7 +57,7 @@ suite('the centroidal tessellation', () => {
     const [first, last] = [all[0], all.at(-1)];
     assert.ok(last.energy < 0.75 * first.energy, `from ${first.energy} to ${last.energy}`);
     assert.ok(last.relativeEnergy > 0.8 && last.relativeEnergy < 1.4, `${last.relativeEnergy}`);
-    assert.equal(await text('#cvt-state'), 'Paused');
+    assert.equal(await text('#cvt-state'), 'Finished 6 iterations');
     assert.equal(await text('#cvt-iteration'), '6');
     assert.equal(await text('#cvt-energy'), `${last.relativeEnergy.toFixed(4)} × hexagons`);
     const points = await viewer.page.locator('#cvt-curve polyline').getAttribute('points');
@@ -112,7 +112,7 @@ suite('the centroidal tessellation', () => {
     assert.ok(all.length < 50, `${all.length} iterations`);
     const gains = all.slice(1).map(({ energy }, i) => 1 - energy / all[i].energy);
     assert.ok(gains.slice(0, -1).every((gain) => gain > 0.01) && gains.at(-1) <= 0.01, `${gains}`);
-    assert.equal(await text('#cvt-state'), 'No further improvement');
+    assert.equal(await text('#cvt-state'), 'Converged: gains below 1 %');
   });
 
   test('an edit by hand ends it and is a step of its own', async () => {
@@ -304,7 +304,7 @@ suite('the centroidal tessellation', () => {
     const scatter = (sampling) =>
       viewer.after('diagram', async () => {
         await viewer.page.selectOption('#sampling', sampling);
-        await press('#scatter button');
+        await press('#scatter [type=submit]');
       });
     const lists = [];
     for (const sampling of ['farthest', 'poisson', 'random']) {

@@ -13,6 +13,10 @@ after(() => browser.stop());
 
 const file = (name, content) => ({ name, mimeType: '', buffer: Buffer.from(content) });
 const text = (viewer, selector) => viewer.page.locator(selector).textContent();
+/** What is read out waits a moment for the last of several changes. */
+const status = (viewer, pattern) =>
+  viewer.page.locator('#status').filter({ hasText: pattern }).waitFor();
+const group = (viewer, title) => viewer.page.getByRole('heading', { name: title, exact: true });
 
 suite('the page', () => {
   let viewer;
@@ -46,7 +50,7 @@ suite('the page', () => {
 
   test('opens with a sample model and its diagram', async () => {
     assert.equal(await viewer.regionCount(), 60);
-    assert.match(await text(viewer, '#status'), /^60 regions, \d+ bisector arcs, \d+ Voronoi points in /);
+    await status(viewer, /^60 regions, \d+ bisector arcs, \d+ Voronoi points in /);
     assert.match(await text(viewer, '#report'), /Triangles3,674.*Components1.*Boundary loops0.*Genus0/);
     assert.match(await text(viewer, '#credit'), /Stanford/);
     assert.equal(await viewer.page.locator('#samples').inputValue(), 'bunny.glb');
@@ -240,13 +244,13 @@ suite('the page', () => {
     const before = await viewer.sites();
     await viewer.page.fill('#count', '7');
     await viewer.page.fill('#seed', '3');
-    const scattered = await viewer.after('diagram', () => viewer.page.click('#scatter button'));
+    const scattered = await viewer.after('diagram', () => viewer.page.click('#scatter [type=submit]'));
     assert.equal(scattered.sites, 7);
     const first = await viewer.sites();
     await viewer.after('diagram', () => viewer.page.click('#clear'));
     assert.equal(await viewer.siteCount(), 0);
-    assert.match(await text(viewer, '#status'), /^No sites yet/);
-    await viewer.after('diagram', () => viewer.page.click('#scatter button'));
+    await status(viewer, /^No sites yet/);
+    await viewer.after('diagram', () => viewer.page.click('#scatter [type=submit]'));
     assert.deepEqual(await viewer.sites(), first);
     for (const _ of [1, 2, 3]) await viewer.after('diagram', () => press('Control+z'));
     assert.deepEqual(await viewer.sites(), before);
@@ -265,6 +269,7 @@ suite('the page', () => {
   test('the distance is chosen; a choice that is cancelled is taken back', async () => {
     assert.equal(await viewer.page.locator('input[value="exact"]').isChecked(), true);
     assert.equal(await viewer.evaluate(({ diagram }) => diagram.metric), 'exact');
+    await group(viewer, 'Distance').click();
     const fast = await viewer.after('diagram', () => viewer.page.getByText('Fast').click());
     assert.equal(fast.metric, 'dgpc');
     assert.equal(fast.regions, 60);
@@ -298,6 +303,7 @@ suite('the page', () => {
   });
 
   async function download(button) {
+    await viewer.page.click('#download-button');
     const [file] = await Promise.all([
       viewer.page.waitForEvent('download'),
       viewer.page.click(button),
@@ -353,14 +359,14 @@ suite('the page', () => {
   });
 
   test('sites, diagram, bisectors and picture can be taken away', async () => {
-    const sites = await download('#download-sites');
+    const sites = await download('#download-sites-json');
     assert.equal(sites.name, 'bunny-sites.json');
     assert.deepEqual(JSON.parse(sites.content), await viewer.sites());
-    const diagram = await download('#download-diagram');
+    const diagram = await download('#download-diagram-json');
     assert.equal(JSON.parse(diagram.content).regions.length, 60);
-    const bisectors = await download('#download-bisectors');
+    const bisectors = await download('#download-bisectors-glb');
     assert.equal(bisectors.content.subarray(0, 4).toString(), 'glTF');
-    const picture = await download('#download-picture');
+    const picture = await download('#download-picture-1x');
     assert.equal(picture.content.subarray(1, 4).toString(), 'PNG');
   });
 
@@ -413,13 +419,30 @@ test('without WebGL 2 the page says so', async () => {
   await viewer.close();
 });
 
-test('on a phone the controls are a sheet that closes', async () => {
-  const viewer = await browser.open({ viewport: { width: 360, height: 560 }, hasTouch: true });
+test('on a phone the controls are a sheet that taps and swipes open', async () => {
+  const viewer = await browser.open({ viewport: { width: 390, height: 640 }, hasTouch: true });
   await viewer.settled();
+  const isOpen = () => viewer.page.locator('#panel').isVisible();
   const box = await viewer.page.locator('geodesic-voronoi').boundingBox();
-  assert.ok(box.width === 360 && box.height > 200, 'the view has the width and most of the height');
-  await viewer.page.click('#sheet');
-  assert.equal(await viewer.page.locator('#panel').isVisible(), false);
+  assert.ok(box.width === 390 && box.height > 300, 'the view has the width and most of the height');
+  assert.equal(await isOpen(), false);
+  await viewer.page.tap('#sheet');
+  assert.equal(await isOpen(), true);
+
+  const { x, y, width } = await viewer.page.locator('#sheet').boundingBox();
+  const swipe = async (from, to) => {
+    await viewer.page.mouse.move(x + width / 2, from);
+    await viewer.page.mouse.down();
+    await viewer.page.mouse.move(x + width / 2, to, { steps: 3 });
+    await viewer.page.mouse.up();
+  };
+  await swipe(y + 20, y + 90);
+  assert.equal(await isOpen(), false);
+  const closed = await viewer.page.locator('#sheet').boundingBox();
+  await swipe(closed.y + 20, closed.y - 60);
+  assert.equal(await isOpen(), true);
+  await viewer.page.tap('#sheet');
+
   const place = await viewer.freePlace();
   const added = await viewer.after('diagram', () => viewer.page.touchscreen.tap(place.x, place.y));
   assert.equal(added.regions, 61);

@@ -7,10 +7,12 @@ export function setUpDensityControls(viewer: GeodesicVoronoiElement): void {
   const paint = byId('density-paint', HTMLInputElement);
   const settings = byId('density-settings', HTMLElement);
   const hint = byId('hint', HTMLElement);
+  const caption = byId('caption', HTMLElement);
   const ofSites = hint.textContent;
   paint.addEventListener('change', () => {
     viewer.setAttribute('tool', paint.checked ? 'density' : 'sites');
     settings.hidden = !paint.checked;
+    if (paint.checked) caption.hidden = false;
     hint.textContent = paint.checked
       ? 'Drag on the model to paint, beside it to turn it.'
       : ofSites;

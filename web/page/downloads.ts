@@ -1,86 +1,80 @@
 // SPDX-License-Identifier: MIT
-import {
-  type Diagram,
-  diagramGlb,
-  diagramJson,
-  partitionGlb,
-  partitionObj,
-  partitionPly,
-  type PolygonFileOptions,
-  polygonGlb,
-  polygonObj,
-  polygonPly,
-} from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
-import { listen, onClick } from './dom.js';
+import { byId, listen } from './dom.js';
+import { showError } from './feedback.js';
 
-type Content = string | Uint8Array;
-type Encoder = (diagram: Diagram, options: PolygonFileOptions) => Promise<Content>;
-
-/** What can be had as a mesh in several formats: by its name, then by its ending. */
-const meshes: Record<string, Record<string, Encoder>> = {
-  parts: {
-    glb: async (diagram, options) => partitionGlb(await diagram.partition(), options),
-    obj: async (diagram, options) => partitionObj(await diagram.partition(), options),
-    ply: async (diagram, options) => partitionPly(await diagram.partition(), options),
-  },
-  polygons: polygonEncoders(true),
-  dual: polygonEncoders(false),
-};
-
-function polygonEncoders(primal: boolean): Record<string, Encoder> {
-  return {
-    glb: async (diagram, options) => polygonGlb(await diagram.dual({ primal }), options),
-    obj: async (diagram, options) => polygonObj(await diagram.dual({ primal }), options),
-    ply: async (diagram, options) => polygonPly(await diagram.dual({ primal }), options),
-  };
+/** A row of the menu: what can be had, and in which formats. */
+interface Row {
+  title: string;
+  hint: string;
+  /** Of the files: model-name.format. */
+  name: string;
+  formats: readonly string[];
 }
 
-const mediaTypes: Record<string, string> = {
-  glb: 'model/gltf-binary',
-  obj: 'model/obj',
-  ply: 'application/octet-stream',
-};
+const rows: readonly Row[] = [
+  { title: 'Picture', hint: 'The view, as large as it is or larger', name: 'picture', formats: ['1×', '2×', '3×', '4×'] },
+  { title: 'Outlines', hint: 'What is seen of the bisectors, as lines', name: 'outlines', formats: ['svg'] },
+  { title: 'Sites', hint: 'Can be dropped on this page again', name: 'sites', formats: ['json'] },
+  { title: 'Diagram', hint: 'Regions, outlines, bisectors, Voronoi points', name: 'diagram', formats: ['json'] },
+  { title: 'Bisectors', hint: 'As lines in space', name: 'bisectors', formats: ['glb', 'obj'] },
+  { title: 'Regions as meshes', hint: 'The model, cut along the bisectors', name: 'parts', formats: ['glb', 'obj', 'ply'] },
+  { title: 'Regions as polygons', hint: 'One flat polygon per region', name: 'polygons', formats: ['glb', 'obj', 'ply'] },
+  { title: 'Dual', hint: 'A vertex per site, a polygon per Voronoi point', name: 'dual', formats: ['glb', 'obj', 'ply'] },
+];
 
-/** Files to take away, named after the model. */
+/** One menu of files to take away, named after the model. */
 export function setUpDownloads(viewer: GeodesicVoronoiElement): void {
+  const menu = byId('download', HTMLElement);
   let model = 'model';
   listen(viewer, 'load', ({ name }) => {
     model = name.replace(/\.[^.]*$/, '') || 'model';
   });
-  const json = (value: unknown) => new Blob([JSON.stringify(value)], { type: 'application/json' });
 
-  const ofDiagram = [
-    onClick('download-diagram', () => {
-      if (viewer.diagram) save(json(diagramJson(viewer.diagram)), `${model}-diagram.json`);
-    }),
-    onClick('download-bisectors', () => {
-      if (!viewer.diagram) return;
-      const bytes = diagramGlb(viewer.diagram.data) as Uint8Array<ArrayBuffer>;
-      save(new Blob([bytes], { type: 'model/gltf-binary' }), `${model}-bisectors.glb`);
-    }),
-  ];
-  for (const [name, encoders] of Object.entries(meshes)) {
-    for (const [ending, encode] of Object.entries(encoders)) {
-      const button = onClick(`download-${name}-${ending}`, async () => {
-        if (!viewer.diagram) return;
-        const content = await encode(viewer.diagram, { mesh: viewer.mesh });
-        const type = mediaTypes[ending];
-        save(new Blob([content as BlobPart], { type }), `${model}-${name}.${ending}`);
-      });
-      ofDiagram.push(button);
+  const download = async ({ name }: Row, format: string) => {
+    try {
+      // What writes files is fetched when somebody wants one.
+      const { fileOf } = await import('./exports.js');
+      const file = await fileOf(viewer, name, format);
+      save(file.blob, `${model}-${name}.${file.ending}`);
+      menu.hidePopover();
+    } catch (error) {
+      showError(`The file cannot be made: ${(error as Error).message}.`);
     }
-  }
-  onClick('download-sites', () => {
-    const { face, bary } = viewer.sites;
-    save(json({ face: [...face], bary: [...bary] }), `${model}-sites.json`);
-  });
-  onClick('download-picture', async () => save(await viewer.toBlob(), `${model}.png`));
-  const update = () => {
-    for (const button of ofDiagram) button.disabled = viewer.diagram === undefined;
   };
+  menu.append(...rows.map((row) => rowOf(row, (format) => void download(row, format))));
+
+  const update = () => {
+    for (const button of menu.querySelectorAll('button')) {
+      button.disabled = button.dataset.name !== 'picture' && viewer.diagram === undefined;
+    }
+  };
+  menu.addEventListener('toggle', update);
   listen(viewer, 'diagram', update);
-  listen(viewer, 'cvt-iteration', update);
+}
+
+function rowOf(row: Row, choose: (format: string) => void): HTMLElement {
+  const element = document.createElement('div');
+  element.className = 'menu-row';
+  element.role = 'group';
+  element.ariaLabel = row.title;
+  const title = document.createElement('p');
+  title.textContent = row.title;
+  const hint = document.createElement('small');
+  hint.textContent = row.hint;
+  title.append(hint);
+  const buttons = row.formats.map((format) => {
+    const button = document.createElement('button');
+    button.type = 'button';
+    button.id = `download-${row.name}-${format.replace('×', 'x')}`;
+    button.dataset.name = row.name;
+    button.textContent = format.toUpperCase();
+    button.ariaLabel = `${row.title}, ${format.toUpperCase()}`;
+    button.addEventListener('click', () => choose(format));
+    return button;
+  });
+  element.append(title, ...buttons);
+  return element;
 }
 
 function save(blob: Blob, name: string): void {

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: MIT
 
+//
+// The energy by iteration as a small drawing. The axis of energies is logarithmic: with a painted
+// density they begin far above the end, where the differences that count are small.
+
 const svg = 'http://www.w3.org/2000/svg';
 
 /** In units of the drawing, which is as wide as the panel. */
 const width = 284;
-const height = 112;
+const height = 104;
 const plot = { left: 38, right: width - 6, top: 8, bottom: height - 20 };
 
 /** Fewer would be a line too steep to read. */
 const fewestIterations = 10;
 
-/** The energy by iteration as a small drawing; 1 is that of regular hexagons in the plane. */
+/** Energies are multiples of that of regular hexagons in the plane. */
 export class EnergyCurve {
   readonly #drawing: SVGElement;
   readonly #energies: number[] = [];
@@ -39,19 +43,23 @@ export class EnergyCurve {
     const lowest = Math.min(1, ...energies.slice(-1));
     const highest = energies[0] > lowest ? energies[0] : lowest + 1;
     const x = (i: number) => plot.left + ((plot.right - plot.left) * i) / lastIteration;
-    const y = (energy: number) =>
-      plot.bottom + ((plot.top - plot.bottom) * (energy - lowest)) / (highest - lowest);
+    const scale = (plot.top - plot.bottom) / Math.log(highest / lowest);
+    const y = (energy: number) => plot.bottom + scale * Math.log(energy / lowest);
 
     const parts = [
       line('axis', plot.left, plot.bottom, plot.right, plot.bottom),
       line('axis', plot.left, plot.top, plot.left, plot.bottom),
       text('start', plot.left, plot.bottom + 14, '0'),
       text('end', plot.right, plot.bottom + 14, `${lastIteration} iterations`),
+      text('start', plot.left + 6, plot.top + 8, 'energy (log)'),
     ];
     if (last >= 0) {
       parts.push(
         line('hexagons', plot.left, y(1), plot.right, y(1)),
         text('end', plot.left - 6, y(highest) + 6, highest.toFixed(2)),
+        ...ticksWithin(1.1 * lowest, highest / 1.1).map((tick) =>
+          text('end', plot.left - 6, y(tick) + 4, String(tick)),
+        ),
         text('end', plot.left - 6, y(1) + 4, '1'),
         make('polyline', { points: energies.map((e, i) => `${x(i)},${y(e)}`).join(' ') }),
         make('circle', { cx: x(last), cy: y(energies[last]), r: 3 }),
@@ -59,6 +67,12 @@ export class EnergyCurve {
     }
     this.#drawing.replaceChildren(...parts);
   }
+}
+
+/** Round numbers to be written beside the axis, few enough to be read. */
+function ticksWithin(from: number, to: number): number[] {
+  const steps = to / from > 8 ? [1, 10, 100, 1000] : [1.2, 1.5, 2, 3, 5, 10];
+  return steps.filter((tick) => tick > Math.max(from, 1.1) && tick < to);
 }
 
 function descriptionOf(energies: readonly number[]): string {

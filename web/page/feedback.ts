@@ -5,19 +5,51 @@ import { counted, duration, measure } from './numbers.js';
 
 /** Work that is done sooner shows no progress bar: it would only flicker. */
 const patienceMilliseconds = 300;
+/** What is read out waits for the last of several changes. */
+const statusMilliseconds = 250;
 
-/** What the page says back: the status line, progress, errors, and what is under the pointer. */
+/** What the page says back: the status line, progress, errors, times, and what is under the pointer. */
 export function setUpFeedback(viewer: GeodesicVoronoiElement): void {
   setUpStatus(viewer);
   setUpProgress(viewer);
   setUpErrors(viewer);
   setUpReadout(viewer);
+  setUpTimes(viewer);
+  onClick('note-close', hideNote);
+  listen(viewer, 'load', hideNote);
+}
+
+/** Something to know that is no error, with something to do about it. */
+export function showNote(sentence: string, action?: { title: string; act: () => void }): void {
+  byId('note-text', HTMLElement).textContent = sentence;
+  const button = byId('note-action', HTMLButtonElement);
+  button.hidden = action === undefined;
+  button.textContent = action?.title ?? '';
+  button.onclick = () => {
+    hideNote();
+    action?.act();
+  };
+  byId('note', HTMLElement).hidden = false;
+}
+
+function hideNote(): void {
+  byId('note', HTMLElement).hidden = true;
+}
+
+/** Something failed, in a sentence. */
+export function showError(sentence: string): void {
+  byId('error-text', HTMLElement).textContent = sentence;
+  byId('error', HTMLElement).hidden = false;
 }
 
 function setUpStatus(viewer: GeodesicVoronoiElement): void {
   const status = byId('status', HTMLElement);
+  let waiting = 0;
   listen(viewer, 'diagram', (diagram) => {
-    status.textContent = sentenceOf(diagram);
+    clearTimeout(waiting);
+    waiting = window.setTimeout(() => {
+      status.textContent = sentenceOf(diagram);
+    }, statusMilliseconds);
   });
 }
 
@@ -35,17 +67,19 @@ function setUpProgress(viewer: GeodesicVoronoiElement): void {
   const box = byId('progress', HTMLElement);
   const label = byId('progress-label', HTMLElement);
   const bar = byId('progress-bar', HTMLProgressElement);
-  onClick('cancel', () => viewer.cancel());
+  const cancel = onClick('cancel', () => viewer.cancel());
   let waiting = 0;
   listen(viewer, 'status-change', ({ status }) => {
     clearTimeout(waiting);
     const busy = status === 'loading' || status === 'computing';
     if (!busy) {
       box.hidden = true;
+      cancel.hidden = false;
       return;
     }
     label.textContent = status === 'loading' ? 'Opening the model' : 'Computing the diagram';
-    bar.removeAttribute('value');
+    // What is on the way when the page opens goes on with what has come already.
+    if (!cancel.hidden) bar.removeAttribute('value');
     waiting = window.setTimeout(() => {
       box.hidden = false;
     }, patienceMilliseconds);
@@ -56,15 +90,13 @@ function setUpProgress(viewer: GeodesicVoronoiElement): void {
 }
 
 function setUpErrors(viewer: GeodesicVoronoiElement): void {
-  const box = byId('error', HTMLElement);
-  const text = byId('error-text', HTMLElement);
   const close = () => {
-    box.hidden = true;
+    byId('error', HTMLElement).hidden = true;
   };
   onClick('error-close', close);
   listen(viewer, 'error', ({ message }) => {
-    text.textContent = message;
-    box.hidden = false;
+    byId('progress', HTMLElement).hidden = true;
+    showError(message);
   });
   listen(viewer, 'load', close);
 }
@@ -81,5 +113,28 @@ function setUpReadout(viewer: GeodesicVoronoiElement): void {
       point.region < 0
         ? 'No site reaches this part'
         : `Region ${point.region + 1} · area ${measure(point.area)} · ${measure(point.distance)} from its site`;
+  });
+}
+
+/** How long each stage took, the last time. */
+function setUpTimes(viewer: GeodesicVoronoiElement): void {
+  const opening = byId('time-open', HTMLElement);
+  const diagram = byId('time-diagram', HTMLElement);
+  const drawing = byId('time-draw', HTMLElement);
+  let start = performance.now();
+  listen(viewer, 'status-change', ({ status }) => {
+    if (status === 'loading') start = performance.now();
+  });
+  listen(viewer, 'load', () => {
+    opening.textContent = duration(performance.now() - start);
+  });
+  listen(viewer, 'diagram', ({ milliseconds }) => {
+    diagram.textContent = duration(milliseconds);
+    const drawn = performance.now();
+    requestAnimationFrame(() =>
+      setTimeout(() => {
+        drawing.textContent = duration(performance.now() - drawn);
+      }),
+    );
   });
 }

@@ -5,6 +5,9 @@ import { byId, onClick } from './dom.js';
 /** What keys do anywhere in the page; with the view in focus the viewer itself hears them all. */
 const everywhere: ReadonlySet<Command> = new Set(['undo', 'redo', 'remove', 'refit', 'cancel']);
 
+/** Keys that press a button of the toolbar. */
+const ofButtons: Readonly<Record<string, string>> = { u: 'up', h: 'hide-panel' };
+
 export function setUpKeyboard(viewer: GeodesicVoronoiElement): void {
   const help = byId('help', HTMLDialogElement);
   const showHelp = () => help.showModal();
@@ -18,6 +21,11 @@ export function setUpKeyboard(viewer: GeodesicVoronoiElement): void {
     if (event.defaultPrevented || help.open || isTyping(event)) return;
     if (event.key === '?') {
       showHelp();
+      return;
+    }
+    const button = ofButtons[event.key.toLowerCase()];
+    if (button && !event.ctrlKey && !event.metaKey && !event.altKey) {
+      byId(button, HTMLButtonElement).click();
       return;
     }
     const command = commandOf(event);

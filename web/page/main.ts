@@ -1,25 +1,38 @@
 // SPDX-License-Identifier: MIT
+//
+// The demo around the element: every file here sets up one part of the page.
+
 import { GeodesicVoronoiElement } from '../viewer/element.js';
+import { setUpAnnouncements } from './announcements.js';
 import { setUpCvtControls } from './cvt_controls.js';
 import { setUpDensityControls } from './density_controls.js';
 import { byId } from './dom.js';
 import { setUpDownloads } from './downloads.js';
 import { setUpFeedback } from './feedback.js';
+import { setUpFirstSight } from './first_sight.js';
 import { setUpKeyboard } from './keyboard.js';
 import { setUpMeshReport } from './mesh_report.js';
 import { setUpModelChoice } from './model_choice.js';
+import { setUpShare } from './share.js';
 import { setUpSheet } from './sheet.js';
 import { setUpSiteControls } from './site_controls.js';
+import { setUpSizeWarning } from './size_warning.js';
+import { setUpToolbar } from './toolbar.js';
 import { setUpViewControls } from './view_controls.js';
 
 const viewer = byId('viewer', GeodesicVoronoiElement);
+setUpFeedback(viewer);
+setUpSizeWarning(viewer);
 setUpModelChoice(viewer);
 setUpMeshReport(viewer);
+setUpFirstSight(viewer);
 setUpSiteControls(viewer);
 setUpCvtControls(viewer);
 setUpDensityControls(viewer);
 setUpViewControls(viewer);
-setUpFeedback(viewer);
 setUpDownloads(viewer);
+setUpShare(viewer);
+setUpToolbar(viewer);
 setUpKeyboard(viewer);
+setUpAnnouncements(viewer);
 setUpSheet();

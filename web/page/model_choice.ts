@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { byId, listen, onClick } from './dom.js';
+import { openSites } from './sites_file.js';
 import samples from './samples.json' with { type: 'json' };
 
 /** How a model gets into the page: the menu of samples, the file picker, and dropping files on it. */
@@ -15,7 +16,9 @@ function setUpMenu(viewer: GeodesicVoronoiElement): void {
   const credit = byId('credit', HTMLElement);
   const ownFile = new Option('', '');
   ownFile.hidden = true;
-  menu.append(ownFile, ...samples.map(({ title, file }) => new Option(title, file)));
+  menu.replaceChildren(ownFile, ...samples.map(({ title, file }) => new Option(title, file)));
+
+  menu.disabled = false;
 
   let current = '';
   const choose = () => {
@@ -34,11 +37,17 @@ function setUpMenu(viewer: GeodesicVoronoiElement): void {
   });
 }
 
+/** Sites for the model there is, or a model. */
+function openFiles(viewer: GeodesicVoronoiElement, files: readonly File[]): Promise<unknown> {
+  const isSites = files.length === 1 && /\.json$/i.test(files[0].name);
+  return isSites ? openSites(viewer, files[0]) : viewer.loadFiles(files);
+}
+
 function setUpPicker(viewer: GeodesicVoronoiElement): void {
   const input = byId('files', HTMLInputElement);
-  onClick('open', () => input.click());
+  onClick('open', () => input.click()).disabled = false;
   input.addEventListener('change', () => {
-    if (input.files?.length) void viewer.loadFiles([...input.files]);
+    if (input.files?.length) void openFiles(viewer, [...input.files]);
     // The same file may be chosen again.
     input.value = '';
   });
@@ -60,6 +69,6 @@ function setUpDrop(viewer: GeodesicVoronoiElement): void {
     overlay.hidden = true;
     if (!carriesFiles(event)) return;
     event.preventDefault();
-    void viewer.loadFiles([...(event.dataTransfer?.files ?? [])]);
+    void openFiles(viewer, [...(event.dataTransfer?.files ?? [])]);
   });
 }

@@ -2,13 +2,24 @@
 import type { Sampling } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { byId, listen, onClick } from './dom.js';
-import { measure } from './numbers.js';
+import { showNote } from './feedback.js';
+import { counted, integer, measure } from './numbers.js';
 
-/** Scattering, undoing, removing, and the list of sites. */
+/** Scattering, removing, and the list of sites. */
 export function setUpSiteControls(viewer: GeodesicVoronoiElement): void {
   setUpScatter(viewer);
   setUpEditing(viewer);
   setUpList(viewer);
+}
+
+/** Points that are as far apart as possible are vertices, of which a model may have too few. */
+function tellOfFewer(viewer: GeodesicVoronoiElement, wanted: number): void {
+  const { length } = viewer.sites.face;
+  if (length === 0 || length >= wanted) return;
+  showNote(
+    `${counted(length, 'site')} instead of ${integer(wanted)}: places as far apart as possible are ` +
+      `vertices, and this model has ${integer(length)}. Random placement has no such limit.`,
+  );
 }
 
 function setUpScatter(viewer: GeodesicVoronoiElement): void {
@@ -17,11 +28,20 @@ function setUpScatter(viewer: GeodesicVoronoiElement): void {
   const seed = byId('seed', HTMLInputElement);
   const sampling = byId('sampling', HTMLSelectElement);
   const fields = { sites: count, seed, sampling };
-  for (const [name, field] of Object.entries(fields)) {
-    field.value = viewer.getAttribute(name) ?? field.value;
-  }
+  const adopt = () => {
+    for (const [name, field] of Object.entries(fields)) {
+      field.value = viewer.getAttribute(name) ?? field.value;
+    }
+  };
+  adopt();
+  // A link that was opened says how its sites were placed.
+  listen(viewer, 'load', adopt);
   form.addEventListener('submit', (event) => {
     event.preventDefault();
+    if (sampling.value === 'farthest') {
+      const wanted = count.valueAsNumber;
+      viewer.addEventListener('diagram', () => tellOfFewer(viewer, wanted), { once: true });
+    }
     // The attributes also hold for the next model. The viewer scatters when they change.
     let isNew = false;
     for (const [name, field] of Object.entries(fields)) {
@@ -34,15 +54,11 @@ function setUpScatter(viewer: GeodesicVoronoiElement): void {
 }
 
 function setUpEditing(viewer: GeodesicVoronoiElement): void {
-  const undo = onClick('undo', () => viewer.undo());
-  const redo = onClick('redo', () => viewer.redo());
   const remove = onClick('remove', () => viewer.removeSite(viewer.selected));
   const clear = onClick('clear', () => {
     viewer.sites = { face: [], bary: [] };
   });
-  listen(viewer, 'sites-change', ({ count, selected, canUndo, canRedo }) => {
-    undo.disabled = !canUndo;
-    redo.disabled = !canRedo;
+  listen(viewer, 'sites-change', ({ count, selected }) => {
     remove.disabled = selected < 0;
     clear.disabled = count === 0;
   });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { type GeodesicVoronoiElement, type Layer, layers } from '../viewer/element.js';
 import { byId, listen, onClick } from './dom.js';
+import { showNote } from './feedback.js';
 
 const layerTitles: Record<Layer, string> = {
   regions: 'Regions',
@@ -76,6 +77,18 @@ function setUpExploded(viewer: GeodesicVoronoiElement): void {
   };
   listen(viewer, 'diagram', update);
   listen(viewer, 'cvt-iteration', update);
+  // Playing puts them together.
+  new MutationObserver(() => {
+    const value = String(Math.round(100 * viewer.exploded));
+    if (slider.value !== value) slider.value = value;
+  }).observe(viewer, { attributeFilter: ['exploded'] });
+  // Why a click there does nothing.
+  const together = { title: 'Put them together', act: () => (viewer.exploded = 0) };
+  viewer.addEventListener('click', () => {
+    if (viewer.exploded > 0) {
+      showNote('Regions that are pulled apart cannot be edited.', together);
+    }
+  });
 }
 
 function setUpDistance(viewer: GeodesicVoronoiElement): void {

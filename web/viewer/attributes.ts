@@ -8,6 +8,7 @@ import type { Brush } from './density_paint.js';
 import { type Layer, layers } from './model_drawing.js';
 import type { Scattering } from './session_listener.js';
 import type { DiagramSettings } from './shown_diagram.js';
+import type { UpAxis } from './stage.js';
 
 const defaultLayers: readonly Layer[] = ['regions', 'bisectors', 'sites'];
 
@@ -33,6 +34,11 @@ export class Attributes {
   /** 0 … 1. */
   get exploded(): number {
     return Math.min(1, Math.max(0, this.#number('exploded', 0)));
+  }
+
+  get up(): UpAxis {
+    const axis = this.#text('up');
+    return axis === 'x' || axis === 'z' ? axis : 'y';
   }
 
   get diagram(): DiagramSettings {

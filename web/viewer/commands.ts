@@ -18,11 +18,17 @@ export type Command =
   | 'turn-up'
   | 'turn-down'
   | 'nearer'
-  | 'farther';
+  | 'farther'
+  | 'move-left'
+  | 'move-right'
+  | 'move-up'
+  | 'move-down';
 
 /** Steps of the keys, in radians and as a factor. */
 const turnStep = Math.PI / 24;
 const dollyStep = 1.15;
+/** In CSS pixels. */
+const moveStep = 8;
 
 const actions: Readonly<Record<Command, (viewer: Viewer) => void>> = {
   undo: ({ session }) => session.undo(),
@@ -41,6 +47,10 @@ const actions: Readonly<Record<Command, (viewer: Viewer) => void>> = {
   'turn-down': ({ stage }) => stage.orbit(0, -turnStep),
   nearer: ({ stage }) => stage.dolly(1 / dollyStep),
   farther: ({ stage }) => stage.dolly(dollyStep),
+  'move-left': (viewer) => viewer.nudge(-moveStep, 0),
+  'move-right': (viewer) => viewer.nudge(moveStep, 0),
+  'move-up': (viewer) => viewer.nudge(0, -moveStep),
+  'move-down': (viewer) => viewer.nudge(0, moveStep),
 };
 
 const ofKey: Readonly<Record<string, Command>> = {
@@ -61,6 +71,13 @@ const ofKey: Readonly<Record<string, Command>> = {
   '-': 'farther',
 };
 
+const ofShiftedKey: Readonly<Record<string, Command>> = {
+  ArrowLeft: 'move-left',
+  ArrowRight: 'move-right',
+  ArrowUp: 'move-up',
+  ArrowDown: 'move-down',
+};
+
 export function commandOf(event: KeyboardEvent): Command | undefined {
   const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
   if (event.altKey) return undefined;
@@ -68,6 +85,7 @@ export function commandOf(event: KeyboardEvent): Command | undefined {
     if (key === 'z') return event.shiftKey ? 'redo' : 'undo';
     return key === 'y' ? 'redo' : undefined;
   }
+  if (event.shiftKey && key.startsWith('Arrow')) return ofShiftedKey[key];
   return ofKey[key];
 }
 

@@ -28,7 +28,7 @@ const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
  * Attributes: `src` (address of a .glb or .gltf), `alt`, `sites` (how many are scattered on a new
  * model), their `seed` and `sampling` (random, farthest, poisson), `metric` (exact, dgpc), `detail` (0 …), `layers` (what is shown, separated
  * by spaces: regions, bisectors, sites, voronoi-points, dual, wireframe), `exploded` (0 … 1: how far
- * the regions are apart; then there is nothing to edit), `cvt-method` (lbfgs, lloyd),
+ * the regions are apart; then there is nothing to edit), `up` (x, y, z: the model's axis that points up), `cvt-method` (lbfgs, lloyd),
  * `cvt-iterations`, `cvt-tolerance` (ends when an iteration lowers the energy by no more than this share;
  * default 0), `tool` (sites, density: what a press on the surface does), `brush-size` (in
  * hundredths of the model's radius), `brush-density`. `status` tells what it does.
@@ -46,6 +46,7 @@ export class GeodesicVoronoiElement extends Base {
     'detail',
     'layers',
     'exploded',
+    'up',
   ];
 
   readonly #attributes = new Attributes(this);
@@ -138,19 +139,10 @@ export class GeodesicVoronoiElement extends Base {
     return this.#open(() => readModelFiles(list));
   }
 
-  /** A picture of the view. */
-  toBlob(type = 'image/png', quality?: number): Promise<Blob> {
-    return new Promise((resolve, reject) => {
-      if (!this.#viewer) throw new Error('The element is not in a document.');
-      const { stage } = this.#viewer;
-      // The canvas keeps its picture until this task ends.
-      stage.draw();
-      stage.canvas.toBlob(
-        (blob) => (blob ? resolve(blob) : reject(new Error('The picture cannot be made.'))),
-        type,
-        quality,
-      );
-    });
+  /** A picture of the view, so many times as large. */
+  async toBlob(type = 'image/png', quality?: number, scale = 1): Promise<Blob> {
+    if (!this.#viewer) throw new Error('The element is not in a document.');
+    return this.#viewer.stage.toBlob(scale, type, quality);
   }
 
   // --- Sites ----------------------------------------------------------------------------------
@@ -161,7 +153,7 @@ export class GeodesicVoronoiElement extends Base {
   }
 
   set sites(sites: { face: ArrayLike<number>; bary: ArrayLike<number> }) {
-    this.#session?.replaceSites(sites);
+    this.#viewer?.replaceSites(sites);
   }
 
   /**
@@ -174,7 +166,7 @@ export class GeodesicVoronoiElement extends Base {
 
   /** Sites in new places instead of those there are. */
   async scatter(count: number, seed = 1, sampling: Sampling = 'random'): Promise<void> {
-    await this.#session?.scatter({ count, seed, sampling });
+    await this.#viewer?.scatter({ count, seed, sampling });
   }
 
   addSite(place: SitePlace): void {
@@ -232,12 +224,12 @@ export class GeodesicVoronoiElement extends Base {
 
   /**
    * Moves the sites to the centroids of their regions until the number of iterations is a multiple of
-   * `cvt-iterations`, and goes on where it was paused. All of it is one step to undo; any other change of
-   * the sites, and another `cvt-method`, `cvt-tolerance` or `metric`, ends it: the next one begins with the
-   * sites as they are then.
+   * this one (`cvt-iterations` if it is not given), and goes on where it was paused. All of it is one step
+   * to undo. Sites that are added, moved or removed meanwhile are a step of their own, and it goes on with
+   * them; undoing, and another `cvt-method`, `cvt-tolerance` or `metric`, end it.
    */
-  playCvt(): void {
-    this.#viewer?.playCvt();
+  playCvt(iterations?: number): void {
+    this.#viewer?.playCvt(iterations);
   }
 
   /** One iteration. */
@@ -282,6 +274,25 @@ export class GeodesicVoronoiElement extends Base {
 
   set exploded(share: number) {
     this.setAttribute('exploded', String(share));
+  }
+
+  /** Where the camera is, to be set again; empty if there is none. */
+  get view(): string {
+    return this.#viewer?.stage.view.map((x) => Number(x.toFixed(3))).join(' ') ?? '';
+  }
+
+  set view(view: string) {
+    const numbers = view.trim().split(/\s+/).map(Number);
+    const isView = numbers.length === 6 && numbers.every(Number.isFinite);
+    if (isView && this.#viewer) this.#viewer.stage.view = numbers;
+  }
+
+  /**
+   * Where points of the surface (x, y, z triples in the model's units) are seen, in CSS pixels from the
+   * view's corner; undefined for those that the surface hides.
+   */
+  project(positions: ArrayLike<number>): ({ x: number; y: number } | undefined)[] {
+    return this.#viewer?.project(positions) ?? [];
   }
 
   /** Moves the camera so that the model fills the view. */
@@ -332,10 +343,11 @@ export class GeodesicVoronoiElement extends Base {
     if (changed.has('alt')) viewer.stage.canvas.ariaLabel = this.#attributes.label;
     if (changed.has('layers')) viewer.showLayers();
     if (changed.has('exploded')) viewer.explode();
+    if (changed.has('up')) viewer.stage.up = this.#attributes.up;
     if (changed.has('metric') || changed.has('detail')) viewer.configure();
     if (changed.has('src') && this.src) void this.load(this.src);
     else if (['sites', 'seed', 'sampling'].some((name) => changed.has(name))) {
-      void viewer.session.scatter(this.#attributes.scattering);
+      void viewer.scatter(this.#attributes.scattering);
     }
   }
 }

@@ -55,7 +55,8 @@ export class PointerGestures {
     listen('pointermove', (event) => this.#moveTo(event));
     listen('pointerup', (event) => this.#up(event));
     listen('pointercancel', () => this.cancel());
-    listen('pointerleave', () => this.#target.leave());
+    // A finger leaves when it is lifted: what it pointed at is still to be read.
+    listen('pointerleave', ({ pointerType }) => pointerType !== 'touch' && this.#target.leave());
     listen('contextmenu', (event) => event.preventDefault());
   }
 
@@ -84,6 +85,7 @@ export class PointerGestures {
     const { clientX: x, clientY: y, pointerId: pointer } = event;
     const site = isPlain(event) ? this.#grasped(x, y, reachOf(event)) : undefined;
     this.#press = { pointer, x, y, site, moved: false };
+    if (event.pointerType === 'touch') this.#target.hover(x, y);
     if (site === undefined) return;
 
     event.stopImmediatePropagation();
@@ -116,6 +118,7 @@ export class PointerGestures {
     clearTimeout(this.#longPress);
     if (press.site === 'brush') this.#target.stroke(x, y);
     else if (press.site !== undefined) this.#target.move(press.site, x, y);
+    else this.#target.hover(x, y);
   }
 
   #up(event: PointerEvent): void {

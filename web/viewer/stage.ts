@@ -4,6 +4,7 @@ import {
   HemisphereLight,
   type Object3D,
   PerspectiveCamera,
+  Quaternion,
   Scene,
   Spherical,
   Vector2,
@@ -15,8 +16,16 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 const fieldOfView = 32;
 /** Room around a framed model, as a share of the view. */
 const margin = 0.12;
-/** Where a framed model is looked at from. */
+/** Where a framed model is looked at from, if y points up. */
 const firstDirection = new Vector3(0.45, 0.4, 1).normalize();
+
+/** The axis of the model that points up on the screen. */
+export type UpAxis = 'x' | 'y' | 'z';
+const axes: Readonly<Record<UpAxis, Vector3>> = {
+  x: new Vector3(1, 0, 0),
+  y: new Vector3(0, 1, 0),
+  z: new Vector3(0, 0, 1),
+};
 
 /**
  * The scene with its camera, lights and controls on one canvas. It draws when something changed and
@@ -28,24 +37,56 @@ export class Stage {
   readonly camera = new PerspectiveCamera(fieldOfView, 1, 0.01, 10);
   readonly #renderer: WebGLRenderer;
   readonly #scene = new Scene();
-  readonly #controls: OrbitControls;
+  /** From a scene whose y axis points up to this one. */
+  readonly #upright = new Quaternion();
+  #controls: OrbitControls;
+  /** What was framed last. */
+  #points: Float32Array = new Float32Array();
+  #isFramed = false;
+  readonly #moved: () => void;
+  #hasMoved = false;
   #drawing = 0;
 
-  /** Throws if there is no WebGL 2. */
-  constructor(canvas: HTMLCanvasElement) {
+  /** `moved` is called when the camera has moved, once per drawing. Throws if there is no WebGL 2. */
+  constructor(canvas: HTMLCanvasElement, moved: () => void) {
+    this.#moved = moved;
     this.#renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
     this.#renderer.setClearAlpha(0);
     this.#scene.add(this.camera);
     this.#addLights();
 
-    this.#controls = new OrbitControls(this.camera, canvas);
-    this.#controls.enableDamping = !matchMedia('(prefers-reduced-motion: reduce)').matches;
-    this.#controls.dampingFactor = 0.2;
-    this.#controls.zoomToCursor = true;
-    this.#controls.minDistance = 0.02;
-    this.#controls.maxDistance = 40;
-    this.#controls.addEventListener('change', () => this.invalidate());
+    this.#controls = this.#newControls();
     canvas.addEventListener('webglcontextrestored', () => this.invalidate());
+  }
+
+  /** Turns the scene so that this axis points up, and frames it anew. */
+  set up(axis: UpAxis) {
+    if (this.camera.up.equals(axes[axis])) return;
+    this.camera.up.copy(axes[axis]);
+    this.#upright.setFromUnitVectors(axes.y, axes[axis]);
+    // They adopt the camera's upward direction when they are made.
+    this.#controls.dispose();
+    this.#controls = this.#newControls();
+    this.frame(this.#points);
+  }
+
+  /** Where the camera is and what it looks at: six numbers, to be set again. */
+  get view(): readonly number[] {
+    return [...this.camera.position.toArray(), ...this.#controls.target.toArray()];
+  }
+
+  set view([x, y, z, ...target]: readonly number[]) {
+    this.#stopGliding();
+    this.camera.position.set(x, y, z);
+    this.#controls.target.fromArray(target);
+    this.#controls.update();
+    this.#isFramed = false;
+    this.invalidate();
+  }
+
+  /** Whether the camera stands as `frame` left it. */
+  get isFramed(): boolean {
+    return this.#isFramed;
   }
 
   get canvas(): HTMLCanvasElement {
@@ -59,6 +100,8 @@ export class Stage {
       // While the controls glide they change the camera, which calls for the next drawing.
       this.#controls.update();
       this.draw();
+      if (this.#hasMoved) this.#moved();
+      this.#hasMoved = false;
     });
   }
 
@@ -67,14 +110,36 @@ export class Stage {
     this.#renderer.render(this.#scene, this.camera);
   }
 
-  /** In CSS pixels. Draws at once: a resized canvas is empty. */
+  /** In CSS pixels. Draws at once: a resized canvas is empty. What filled the view fills it again. */
   resize(width: number, height: number): void {
     if (width === 0 || height === 0) return;
     this.#renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.#renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
+    if (this.#isFramed) this.frame(this.#points);
     this.draw();
+  }
+
+  /** The view as a picture, so many times as large. */
+  toBlob(scale: number, type: string, quality?: number): Promise<Blob> {
+    const { width, height } = this.canvas;
+    const ratio = this.#renderer.getPixelRatio();
+    const { maxTextureSize } = this.#renderer.capabilities;
+    const largest = maxTextureSize / Math.max(width, height, 1);
+    this.#renderer.setPixelRatio(ratio * Math.min(scale, largest));
+    this.draw();
+    // The canvas keeps its picture until this task ends, and gives it away as it is now.
+    const blob = new Promise<Blob>((resolve, reject) => {
+      this.canvas.toBlob(
+        (blob) => (blob ? resolve(blob) : reject(new Error('The picture cannot be made.'))),
+        type,
+        quality,
+      );
+    });
+    this.#renderer.setPixelRatio(ratio);
+    this.draw();
+    return blob;
   }
 
   add(object: Object3D): void {
@@ -87,10 +152,10 @@ export class Stage {
     this.invalidate();
   }
 
-  /** Looks at the origin so that all these points (x, y, z triples) just fit into the view. */
+  /** Looks at the origin so that all these points (x, y, z triples), `reach` times as far, just fit. */
   frame(points: Float32Array): void {
-    const back = firstDirection;
-    const right = new Vector3(0, 1, 0).cross(back).normalize();
+    const back = firstDirection.clone().applyQuaternion(this.#upright);
+    const right = this.camera.up.clone().cross(back).normalize();
     const up = back.clone().cross(right);
     const halfHeight = Math.tan((fieldOfView * Math.PI) / 360) * (1 - margin);
     const halfWidth = halfHeight * this.camera.aspect;
@@ -105,7 +170,19 @@ export class Stage {
     }
     this.#stopGliding();
     this.#controls.target.set(0, 0, 0);
-    this.camera.position.copy(back).multiplyScalar(distance || 3);
+    this.camera.position.copy(back).multiplyScalar(this.reach * (distance || 3));
+    this.#controls.update();
+    this.#points = points;
+    this.#isFramed = true;
+    this.invalidate();
+  }
+
+  /** Turns the camera to look against a direction of the scene, as far from its target as before. */
+  lookAgainst(direction: Vector3): void {
+    const { target } = this.#controls;
+    const distance = this.camera.position.distanceTo(target);
+    this.#stopGliding();
+    this.camera.position.copy(direction).setLength(distance).add(target);
     this.#controls.update();
     this.invalidate();
   }
@@ -113,11 +190,14 @@ export class Stage {
   /** Turns the camera around what it looks at, in radians. */
   orbit(right: number, up: number): void {
     const { target } = this.#controls;
-    const place = new Spherical().setFromVector3(this.camera.position.clone().sub(target));
+    const back = this.camera.position.clone().sub(target);
+    const place = new Spherical().setFromVector3(
+      back.applyQuaternion(this.#upright.clone().invert()),
+    );
     place.theta += right;
     place.phi -= up;
     place.makeSafe();
-    this.camera.position.setFromSpherical(place).add(target);
+    this.camera.position.setFromSpherical(place).applyQuaternion(this.#upright).add(target);
     this.#controls.update();
     this.invalidate();
   }
@@ -163,6 +243,21 @@ export class Stage {
     this.#renderer.dispose();
     // Browsers allow few contexts at a time and collect them late.
     this.#renderer.forceContextLoss();
+  }
+
+  #newControls(): OrbitControls {
+    const controls = new OrbitControls(this.camera, this.canvas);
+    controls.enableDamping = !matchMedia('(prefers-reduced-motion: reduce)').matches;
+    controls.dampingFactor = 0.2;
+    controls.zoomToCursor = true;
+    controls.minDistance = 0.02;
+    controls.maxDistance = 40;
+    controls.addEventListener('change', () => {
+      this.#isFramed = false;
+      this.#hasMoved = true;
+      this.invalidate();
+    });
+    return controls;
   }
 
   /** What the controls still mean to add to the camera is dropped. */

@@ -20,6 +20,9 @@ export interface Workpiece {
   addSite(place: SitePlace): void;
   /** By its identity. */
   select(site: number): void;
+  /** Changes the sites; a tessellation that plays goes on with them. */
+  edit(change: () => void): void;
+  playCvt(): void;
   /** What has been painted since the last time is a step now. */
   recordDensity(): void;
 }
@@ -27,6 +30,10 @@ export interface Workpiece {
 /** What the pointer does on the surface: it adds, drags and removes sites, paints density and asks. */
 export class SurfaceTools implements GestureTarget {
   readonly #work: Workpiece;
+  /** Where the pointer was last, on the page. */
+  #pointer: { x: number; y: number } | undefined;
+  /** Whether a tessellation goes on when the drag ends. */
+  #playsOn = false;
 
   constructor(work: Workpiece) {
     this.#work = work;
@@ -87,27 +94,44 @@ export class SurfaceTools implements GestureTarget {
     const { session, stage } = this.#work;
     stage.canvas.style.cursor = 'grabbing';
     const hit = this.pick(stage.toDevice(x, y));
+    this.#pointer = { x, y };
     // Beside the model the site waits where it was last.
-    if (hit) session.moveSite(site, hit);
+    if (!hit) return;
+    this.#playsOn ||= session.cvtStatus === 'running';
+    session.moveSite(site, hit);
+    this.#work.hover.moveTo(hit);
   }
 
   endMove(): void {
     this.#work.session.endMove();
+    this.#playOn();
   }
 
   cancelMove(): void {
     this.#work.session.cancelMove();
+    this.#playOn();
+  }
+
+  #playOn(): void {
+    if (this.#playsOn) this.#work.playCvt();
+    this.#playsOn = false;
   }
 
   remove(site: number): void {
-    this.#work.session.removeSite(site);
+    this.#work.edit(() => this.#work.session.removeSite(site));
   }
 
   click(x: number, y: number): void {
     this.useAt(this.#work.stage.toDevice(x, y));
   }
 
+  /** The camera has moved, and other surface is under the pointer. */
+  follow(): void {
+    if (this.#pointer) this.hover(this.#pointer.x, this.#pointer.y);
+  }
+
   hover(x: number, y: number): void {
+    this.#pointer = { x, y };
     const { attributes, hover, stage } = this.#work;
     const hit = this.pick(stage.toDevice(x, y));
     const isOverSite = hit && !attributes.isPainting && this.siteAt(x, y, 10) !== undefined;
@@ -117,6 +141,7 @@ export class SurfaceTools implements GestureTarget {
   }
 
   leave(): void {
+    this.#pointer = undefined;
     this.#work.hover.moveTo(undefined);
     this.#showBrush(undefined);
   }

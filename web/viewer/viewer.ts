@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 import type { DiagramData, Mesh, Partition, PolygonMesh, Violation } from 'geodesic-voronoi';
+import { Vector3 } from 'three';
 import type { Attributes } from './attributes.js';
 import { commandOf, perform } from './commands.js';
 import { Derived } from './derived.js';
@@ -12,7 +13,7 @@ import type { DrawnDiagram } from './model_drawing.js';
 import { OpenModel } from './open_model.js';
 import { PointerGestures } from './pointer_gestures.js';
 import { Session } from './session.js';
-import type { Drawable, SessionListener } from './session_listener.js';
+import type { Drawable, Scattering, SessionListener } from './session_listener.js';
 import type { ShownDiagram } from './shown_diagram.js';
 import type { SitePlace } from './site_history.js';
 import { Stage } from './stage.js';
@@ -53,7 +54,8 @@ export class Viewer implements Workpiece {
     this.#emit = emit;
     this.tools = new SurfaceTools(this);
     this.#gestures = new PointerGestures(canvas, this.tools);
-    this.stage = new Stage(canvas);
+    this.stage = new Stage(canvas, () => this.tools.follow());
+    this.stage.up = attributes.up;
     this.session = new Session(
       async (data) => this.#model?.cells.build(data),
       this.#sessionListener(),
@@ -92,8 +94,14 @@ export class Viewer implements Workpiece {
     return this.session.sites.findIndex((site) => site.id === this.#selected);
   }
 
+  /** One that is not seen turns into view. */
   set selected(index: number) {
     this.select(this.session.sites[index]?.id);
+    const site = this.session.sites[index];
+    if (!this.#model || !site || this.sitePosition(index)) return;
+    const normal = new Float32Array(3);
+    this.#model.drawing.mesh.writeNormal(site.face, site.bary, normal, 0);
+    this.stage.lookAgainst(new Vector3().fromArray(normal));
   }
 
   open(read: Reader): Promise<boolean> {
@@ -120,20 +128,50 @@ export class Viewer implements Workpiece {
 
   addSite(place: SitePlace): void {
     if (!this.session.mesh) return;
-    this.#selected = this.session.addSite(place);
+    this.edit(() => {
+      this.#selected = this.session.addSite(place);
+    });
     this.#showSites();
   }
 
   moveSite(index: number, place: SitePlace): void {
     const site = this.session.sites[index];
     if (!site) return;
-    this.session.moveSite(site.id, place);
-    this.session.endMove();
+    this.edit(() => {
+      this.session.moveSite(site.id, place);
+      this.session.endMove();
+    });
   }
 
   removeSite(index: number): void {
     const site = this.session.sites[index];
-    if (site) this.session.removeSite(site.id);
+    if (site) this.edit(() => this.session.removeSite(site.id));
+  }
+
+  replaceSites(sites: { face: ArrayLike<number>; bary: ArrayLike<number> }): void {
+    this.edit(() => this.session.replaceSites(sites));
+  }
+
+  async scatter(scattering: Scattering): Promise<void> {
+    const isPlaying = this.session.cvtStatus === 'running';
+    await this.session.scatter(scattering);
+    if (isPlaying) this.playCvt();
+  }
+
+  /** Changes sites or density; a tessellation that plays goes on with them as they are then. */
+  edit(change: () => void): void {
+    const isPlaying = this.session.cvtStatus === 'running';
+    change();
+    if (isPlaying) this.playCvt();
+  }
+
+  /** Moves the chosen site so many CSS pixels over the view; it stays where there is no surface. */
+  nudge(right: number, down: number): void {
+    const { selected } = this;
+    const from = this.sitePosition(selected);
+    if (!from) return;
+    const place = this.tools.pick(this.stage.toDevice(from.x + right, from.y + down));
+    if (place) this.moveSite(selected, place);
   }
 
   /** Where a site is drawn on the page; undefined if it is behind the surface. */
@@ -144,17 +182,30 @@ export class Viewer implements Workpiece {
     return client && !this.#model.picker.hides(place, this.stage.camera) ? client : undefined;
   }
 
-  /** A tessellation that plays goes on with the density that is painted now. */
-  recordDensity(): void {
-    const isPlaying = this.session.cvtStatus === 'running';
-    this.session.recordDensity(this.#model?.paint.tints?.slice());
-    this.#adoptDensity();
-    if (isPlaying) this.playCvt();
+  /** See `GeodesicVoronoiElement.project`. */
+  project(positions: ArrayLike<number>): ({ x: number; y: number } | undefined)[] {
+    if (!this.#model) return [];
+    const { drawing, picker } = this.#model;
+    const places = drawing.mesh.frame.toScene(positions);
+    const toClient = this.stage.projection();
+    const { left, top } = this.stage.canvas.getBoundingClientRect();
+    return Array.from({ length: places.length / 3 }, (_, i) => {
+      const place = new Vector3().fromArray(places, 3 * i);
+      const client = toClient(place);
+      if (!client || picker.hides(place, this.stage.camera)) return undefined;
+      return { x: client.x - left, y: client.y - top };
+    });
   }
 
-  playCvt(): void {
-    const { cvt, cvtIterations } = this.attributes;
-    this.session.playCvt(cvtIterations, { ...cvt, density: this.density });
+  recordDensity(): void {
+    this.edit(() => {
+      this.session.recordDensity(this.#model?.paint.tints?.slice());
+      this.#adoptDensity();
+    });
+  }
+
+  playCvt(iterations = this.attributes.cvtIterations): void {
+    this.session.playCvt(iterations, { ...this.attributes.cvt, density: this.density });
   }
 
   stepCvt(): void {
@@ -180,7 +231,9 @@ export class Viewer implements Workpiece {
     const { exploded } = this.attributes;
     this.#derive();
     this.#model?.drawing.spread(exploded);
+    const { isFramed } = this.stage;
     this.stage.reach = 1 + widestSpread * exploded;
+    if (isFramed) this.refit();
     this.stage.invalidate();
   }
 
@@ -276,6 +329,7 @@ export class Viewer implements Workpiece {
     if (!this.#model) return;
     const { selected, session } = this;
     this.#model.drawing.setSites(session.sites, selected);
+    this.stage.canvas.ariaLabel = this.#label;
     this.stage.invalidate();
     this.#emit('sites-change', {
       count: session.sites.length,
@@ -283,6 +337,15 @@ export class Viewer implements Workpiece {
       canUndo: session.canUndo,
       canRedo: session.canRedo,
     });
+  }
+
+  /** What the view is, and which of its regions is chosen. */
+  get #label(): string {
+    const { selected, session } = this;
+    const { label } = this.attributes;
+    return selected < 0
+      ? label
+      : `${label}; site ${selected + 1} of ${session.sites.length} is chosen`;
   }
 
   #showDiagram(shown: ShownDiagram, { changes, cells }: Drawable): void {

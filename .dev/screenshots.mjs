@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+//
+// node .dev/screenshots.mjs [name …]: pictures of the page in all its states, for people to look at, in
+// build/screenshots (or only the states with these names); `poster` makes web/page/poster.webp anew.
+
+import { mkdirSync, writeFileSync } from 'node:fs';
+import { startBrowser } from '../tests/web/browser.mjs';
+import { at, main } from './tasks.mjs';
+
+const folder = at('build', 'screenshots');
+const sizes = [
+  { width: 390, height: 844 },
+  { width: 1280, height: 720 },
+  { width: 1440, height: 900 },
+];
+const schemes = ['light', 'dark'];
+
+const click = (selector) => (viewer) => viewer.page.click(selector);
+const evaluate = (f) => async (viewer) => {
+  await viewer.evaluate(f);
+  await viewer.settled();
+};
+const openSheet = async ({ page }) => {
+  if ((await page.getAttribute('#sheet', 'aria-expanded')) === 'false') await page.click('#sheet');
+};
+
+/** What is done to the page, by the name of the picture. */
+const states = {
+  even: () => {},
+  random: (viewer) => viewer.after('diagram', () => viewer.page.click('#undo')),
+  controls: openSheet,
+  'all-controls': async (viewer) => {
+    await openSheet(viewer);
+    await viewer.page.evaluate(() => {
+      for (const group of document.querySelectorAll('#panel details')) group.open = true;
+    });
+  },
+  chosen: evaluate((viewer) => {
+    viewer.selected = 12;
+  }),
+  layers: evaluate((viewer) => {
+    viewer.layers = ['regions', 'bisectors', 'sites', 'voronoi-points', 'dual', 'wireframe'];
+  }),
+  exploded: (viewer) => viewer.after('exploded', () => viewer.evaluate((v) => (v.exploded = 0.6))),
+  download: click('#download-button'),
+  share: click('#share-button'),
+  help: click('#help-button'),
+  error: (viewer) =>
+    viewer.after('error', () =>
+      viewer.page.setInputFiles('#files', [{ name: 'a.txt', mimeType: '', buffer: Buffer.from('a') }]),
+    ),
+};
+
+/** Opens as it does for everybody, and waits until the regions are even. */
+async function opened(browser, context) {
+  const viewer = await browser.open({ hash: '', ...context });
+  await viewer.page.waitForFunction(() => !document.querySelector('#undo').disabled);
+  await viewer.settled();
+  return viewer;
+}
+
+async function takeAll(browser, names) {
+  mkdirSync(folder, { recursive: true });
+  for (const viewport of sizes) {
+    for (const colorScheme of schemes) {
+      for (const name of names) {
+        const viewer = await opened(browser, { viewport, colorScheme, hasTouch: viewport.width < 500 });
+        await states[name](viewer);
+        await viewer.page.waitForTimeout(400); // the status line waits a moment
+        const path = `${folder}/${name}-${viewport.width}-${colorScheme}.png`;
+        await viewer.page.screenshot({ path });
+        await viewer.close();
+        console.log(path);
+      }
+    }
+  }
+}
+
+/** What is seen first, as small as it may be, without its background. */
+async function makePoster(browser) {
+  const viewer = await browser.open({
+    viewport: { width: 640 + 320, height: 640 + 52 },
+    hash: '#v=1&model=bunny.glb&sites=60&seed=4',
+  });
+  await viewer.settled();
+  const address = await viewer.evaluate(async (viewer) => {
+    viewer.style.cssText = 'width: 640px; height: 640px';
+    await new Promise((resolve) => setTimeout(resolve, 500));
+    const blob = await viewer.toBlob('image/webp', 0.7);
+    return new Promise((resolve) => {
+      const reader = new FileReader();
+      reader.onload = () => resolve(reader.result);
+      reader.readAsDataURL(blob);
+    });
+  });
+  const bytes = Buffer.from(address.split(',')[1], 'base64');
+  writeFileSync(at('web', 'page', 'poster.webp'), bytes);
+  console.log(`web/page/poster.webp: ${bytes.length} bytes`);
+  await viewer.close();
+}
+
+await main(async () => {
+  const names = process.argv.slice(2);
+  const browser = await startBrowser();
+  try {
+    if (names.includes('poster')) await makePoster(browser);
+    else await takeAll(browser, names.length > 0 ? names : Object.keys(states));
+  } finally {
+    await browser.stop();
+  }
+});

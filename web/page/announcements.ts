@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+import type { GeodesicVoronoiElement } from '../viewer/element.js';
+import { byId, listen } from './dom.js';
+import { integer, measure } from './numbers.js';
+
+/** Says which site is chosen, for those who do not see it: when the choice or its region changes. */
+export function setUpAnnouncements(viewer: GeodesicVoronoiElement): void {
+  const announcement = byId('announcement', HTMLElement);
+  let chosen = -1;
+  const tell = () => {
+    const area = viewer.regionAreas[chosen];
+    const region = area === undefined ? '' : `, region of area ${measure(area)}`;
+    const count = integer(viewer.sites.face.length);
+    announcement.textContent = chosen < 0 ? '' : `Site ${chosen + 1} of ${count} chosen${region}`;
+  };
+  listen(viewer, 'sites-change', ({ selected }) => {
+    if (selected === chosen) return;
+    chosen = selected;
+    tell();
+  });
+  listen(viewer, 'diagram', tell);
+}

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+//
+// What the page opens with: a model whose random regions become even ones, once.
+
+import type { GeodesicVoronoiElement } from '../viewer/element.js';
+import { byId, listen } from './dom.js';
+import { isPageState, readPageState } from './page_state.js';
+
+const model = './samples/bunny.glb';
+const iterations = 30;
+
+/** A link that was shared opens with what it tells; else a sample plays once. */
+export function setUpFirstSight(viewer: GeodesicVoronoiElement): void {
+  enableWithModel(viewer);
+  endCaption(viewer);
+  viewer.src = model;
+  if (isPageState(location.hash)) readPageState(viewer, location.hash);
+  else viewer.addEventListener('diagram', () => void evenOut(viewer), { once: true });
+}
+
+/** Controls are disabled until there is something for them to do. */
+function enableWithModel(viewer: GeodesicVoronoiElement): void {
+  const groups = ['toolbar', 'lead', 'panel'].map((id) => byId(id, HTMLFieldSetElement));
+  const buttons = ['share-button', 'download-button'].map((id) => byId(id, HTMLButtonElement));
+  listen(viewer, 'load', () => {
+    for (const group of [...groups, ...buttons]) group.disabled = false;
+  });
+}
+
+/** The sentence on the view has done its work when somebody edits. */
+function endCaption(viewer: GeodesicVoronoiElement): void {
+  const caption = byId('caption', HTMLElement);
+  listen(viewer, 'sites-change', ({ selected }) => {
+    if (selected >= 0) caption.hidden = true;
+  });
+}
+
+/**
+ * Plays, or computes the same without showing what lies between for those who want no motion. One step
+ * to undo either way.
+ */
+async function evenOut(viewer: GeodesicVoronoiElement): Promise<void> {
+  if (!matchMedia('(prefers-reduced-motion: reduce)').matches) {
+    viewer.playCvt(iterations);
+    return;
+  }
+  const { mesh, diagram, sites } = viewer;
+  if (!mesh) return;
+  let even = sites;
+  for await (const state of mesh.cvt(sites, { iterations })) even = state.sites;
+  // Whoever has changed something meanwhile keeps it.
+  if (mesh === viewer.mesh && diagram === viewer.diagram) viewer.sites = even;
+}

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+//
+// What a shared link tells after its #: v=1, the sample, how sites were placed and where they are, the
+// distance, and the view.
+
+import type { SurfacePoints } from 'geodesic-voronoi';
+import type { GeodesicVoronoiElement } from '../viewer/element.js';
+import samples from './samples.json' with { type: 'json' };
+
+const version = '1';
+/** More of them would make an address that some programs cut off. */
+const mostSites = 2000;
+/** Barycentric coordinates are kept as 16-bit fractions. */
+const unit = 65535;
+const bytesPerSite = 8;
+
+/** The viewer's attributes that a link keeps. */
+const attributes = ['sites', 'seed', 'sampling', 'metric', 'detail', 'up', 'view'] as const;
+
+/** Whether an address's hash is one that `pageState` wrote. */
+export function isPageState(hash: string): boolean {
+  return parametersOf(hash).has('v');
+}
+
+/** The hash that brings this back; `model` is the file of a sample, empty for a file of one's own. */
+export function pageState(viewer: GeodesicVoronoiElement, model: string): string {
+  const parameters = new URLSearchParams({ v: version });
+  if (model) parameters.set('model', model);
+  for (const name of attributes) {
+    const value = name === 'view' ? viewer.view : viewer.getAttribute(name);
+    if (value) parameters.set(name, value);
+  }
+  const { sites } = viewer;
+  if (sites.face.length <= mostSites) parameters.set('at', encodeSites(sites));
+  return `#${parameters}`;
+}
+
+/**
+ * Brings back what a link tells. What a link of another version tells is not known, nor what is no
+ * sample: then it is as without a link.
+ */
+export function readPageState(viewer: GeodesicVoronoiElement, hash: string): void {
+  const parameters = parametersOf(hash);
+  if (parameters.get('v') !== version) return;
+  for (const name of attributes) {
+    const value = parameters.get(name);
+    if (value && name !== 'view') viewer.setAttribute(name, value);
+  }
+  const model = parameters.get('model');
+  if (!samples.some(({ file }) => file === model)) return;
+  viewer.src = `./samples/${model}`;
+  const at = parameters.get('at');
+  const view = parameters.get('view');
+  viewer.addEventListener(
+    'load',
+    () => {
+      if (at) viewer.sites = decodeSites(at);
+      if (view) viewer.view = view;
+    },
+    { once: true },
+  );
+}
+
+function parametersOf(hash: string): URLSearchParams {
+  return new URLSearchParams(hash.replace(/^#/, ''));
+}
+
+function encodeSites({ face, bary }: SurfacePoints): string {
+  const bytes = new DataView(new ArrayBuffer(bytesPerSite * face.length));
+  face.forEach((f, i) => {
+    bytes.setUint32(bytesPerSite * i, f);
+    for (const k of [0, 1]) {
+      bytes.setUint16(bytesPerSite * i + 4 + 2 * k, Math.round(unit * bary[3 * i + k]));
+    }
+  });
+  const text = String.fromCharCode(...new Uint8Array(bytes.buffer));
+  return btoa(text).replace(/\+/g, '-').replace(/\//g, '_').replace(/=+$/, '');
+}
+
+function decodeSites(text: string): SurfacePoints {
+  const binary = atob(text.replace(/-/g, '+').replace(/_/g, '/'));
+  const bytes = new DataView(Uint8Array.from(binary, (c) => c.charCodeAt(0)).buffer);
+  const count = Math.floor(bytes.byteLength / bytesPerSite);
+  const face = new Int32Array(count);
+  const bary = new Float64Array(3 * count);
+  for (let i = 0; i < count; ++i) {
+    face[i] = bytes.getUint32(bytesPerSite * i);
+    const [a, b] = [0, 1].map((k) => bytes.getUint16(bytesPerSite * i + 4 + 2 * k) / unit);
+    bary.set([a, b, Math.max(0, 1 - a - b)], 3 * i);
+  }
+  return { face, bary };
+}
