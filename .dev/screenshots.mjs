@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // node .dev/screenshots.mjs [name …]: pictures of the page in all its states, for people to look at, in
-// build/screenshots (or only the states with these names); `poster` makes web/page/poster.webp anew.
+// build/screenshots, or only of the states, widths and schemes named; `poster` makes web/page/poster.webp anew.
 
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { startBrowser } from '../tests/web/browser.mjs';
@@ -53,17 +53,21 @@ const states = {
 
 /** Opens as it does for everybody, and waits until the regions are even. */
 async function opened(browser, context) {
-  const viewer = await browser.open({ hash: '', ...context });
-  await viewer.page.waitForFunction(() => !document.querySelector('#undo').disabled);
+  const viewer = await browser.open({ hash: '', reducedMotion: 'no-preference', ...context });
+  await viewer.page.locator('#cvt-state', { hasText: 'Finished' }).waitFor({ state: 'attached' });
   await viewer.settled();
   return viewer;
 }
 
+/** Those of a list that were asked for; all of them if none was. */
+const chosen = (all, names) => (all.some((x) => names.includes(x)) ? all.filter((x) => names.includes(x)) : all);
+
 async function takeAll(browser, names) {
   mkdirSync(folder, { recursive: true });
-  for (const viewport of sizes) {
-    for (const colorScheme of schemes) {
-      for (const name of names) {
+  const widths = chosen(sizes.map(({ width }) => String(width)), names);
+  for (const viewport of sizes.filter(({ width }) => widths.includes(String(width)))) {
+    for (const colorScheme of chosen(schemes, names)) {
+      for (const name of chosen(Object.keys(states), names)) {
         const viewer = await opened(browser, { viewport, colorScheme, hasTouch: viewport.width < 500 });
         await states[name](viewer);
         await viewer.page.waitForTimeout(400); // the status line waits a moment
@@ -104,7 +108,7 @@ await main(async () => {
   const browser = await startBrowser();
   try {
     if (names.includes('poster')) await makePoster(browser);
-    else await takeAll(browser, names.length > 0 ? names : Object.keys(states));
+    else await takeAll(browser, names);
   } finally {
     await browser.stop();
   }

@@ -73,7 +73,7 @@ function setUpReadings(viewer: GeodesicVoronoiElement): void {
   });
   const sentence = (status: CvtStatus): string => {
     const tolerance = Number(viewer.getAttribute('cvt-tolerance') ?? 0);
-    const planned = Number(viewer.getAttribute('cvt-iterations') ?? 50);
+    const planned = Number(viewer.getAttribute('cvt-iterations'));
     switch (status) {
       case 'idle':
         return 'Not begun';

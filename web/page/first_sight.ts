@@ -7,7 +7,6 @@ import { byId, listen } from './dom.js';
 import { isPageState, readPageState } from './page_state.js';
 
 const model = './samples/bunny.glb';
-const iterations = 30;
 
 /** A link that was shared opens with what it tells; else a sample plays once. */
 export function setUpFirstSight(viewer: GeodesicVoronoiElement): void {
@@ -41,11 +40,12 @@ function endCaption(viewer: GeodesicVoronoiElement): void {
  */
 async function evenOut(viewer: GeodesicVoronoiElement): Promise<void> {
   if (!matchMedia('(prefers-reduced-motion: reduce)').matches) {
-    viewer.playCvt(iterations);
+    viewer.playCvt();
     return;
   }
   const { mesh, diagram, sites } = viewer;
   if (!mesh) return;
+  const iterations = Number(viewer.getAttribute('cvt-iterations'));
   let even = sites;
   for await (const state of mesh.cvt(sites, { iterations })) even = state.sites;
   // Whoever has changed something meanwhile keeps it.

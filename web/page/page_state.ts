@@ -5,6 +5,7 @@
 
 import type { SurfacePoints } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
+import { showError } from './feedback.js';
 import samples from './samples.json' with { type: 'json' };
 
 const version = '1';
@@ -54,11 +55,22 @@ export function readPageState(viewer: GeodesicVoronoiElement, hash: string): voi
   viewer.addEventListener(
     'load',
     () => {
-      if (at) viewer.sites = decodeSites(at);
+      if (at) showSites(viewer, at);
       if (view) viewer.view = view;
     },
     { once: true },
   );
+}
+
+function showSites(viewer: GeodesicVoronoiElement, text: string): void {
+  try {
+    const sites = decodeSites(text);
+    const faces = viewer.info?.faces ?? 0;
+    if (sites.face.some((face) => face >= faces)) throw new RangeError();
+    viewer.sites = sites;
+  } catch {
+    showError('The link is damaged: its sites cannot be read. Others have been placed.');
+  }
 }
 
 function parametersOf(hash: string): URLSearchParams {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
+import { codeOf, originOf } from './code_forms.js';
 import { byId, listen, onClick } from './dom.js';
 import { pageState } from './page_state.js';
 import samples from './samples.json' with { type: 'json' };
@@ -23,7 +24,9 @@ export function setUpShare(viewer: GeodesicVoronoiElement): void {
     note.textContent = isSample
       ? 'Whoever opens the link sees this model, these sites and this view.'
       : `The link does not hold ${model}: whoever opens it has to open that file, too.`;
-    code.textContent = codeOf(viewer, model, chosen());
+    void originOf(viewer).then((origin) => {
+      code.textContent = codeOf(viewer, model, origin, chosen());
+    });
   };
   const chosen = () =>
     menu.querySelector<HTMLInputElement>('input[name="code"]:checked')?.value ?? 'script';
@@ -52,49 +55,3 @@ function copyOnClick(id: string, text: () => string): void {
   });
 }
 
-/** What the page has been told, for another place. Sites that were moved by hand are a file's matter. */
-function codeOf(viewer: GeodesicVoronoiElement, file: string, form: string): string {
-  const value = (name: string, otherwise: string) => viewer.getAttribute(name) ?? otherwise;
-  const count = value('sites', '60');
-  const seed = value('seed', '1');
-  const sampling = value('sampling', 'random');
-  const metric = value('metric', 'exact');
-  const detail = value('detail', '0');
-  const isEven = viewer.cvtStatus !== 'idle';
-  const iterations = value('cvt-iterations', '50');
-  switch (form) {
-    case 'element':
-      return [
-        '<script type="module">',
-        "  import 'geodesic-voronoi/element';",
-        '</script>',
-        `<geodesic-voronoi src="${file}" sites="${count}" seed="${seed}"`,
-        `  sampling="${sampling}" metric="${metric}" detail="${detail}"></geodesic-voronoi>`,
-      ].join('\n');
-    case 'command':
-      return [
-        `geodesic-voronoi ${isEven ? 'cvt' : 'diagram'} ${file} \\`,
-        `  --sites ${count} --seed ${seed} --sampling ${sampling} \\`,
-        isEven
-          ? `  --metric ${metric} --iterations ${iterations} -o sites.json`
-          : `  --metric ${metric} --detail ${detail} -o diagram.json`,
-      ].join('\n');
-    default:
-      return [
-        "import { load } from 'geodesic-voronoi';",
-        '',
-        'const library = await load();',
-        `const bytes = await (await fetch('${file}')).arrayBuffer();`,
-        'const mesh = await library.mesh(new Uint8Array(bytes));',
-        `${isEven ? 'let' : 'const'} sites = await mesh.sampleSites(${count}, { seed: ${seed}, sampling: '${sampling}' });`,
-        ...(isEven
-          ? [
-              `for await (const state of mesh.cvt(sites, { iterations: ${iterations}, metric: '${metric}' })) {`,
-              '  sites = state.sites;',
-              '}',
-            ]
-          : []),
-        `const diagram = await mesh.voronoi(sites, { metric: '${metric}', detail: ${detail} });`,
-      ].join('\n');
-  }
-}

@@ -224,12 +224,12 @@ export class GeodesicVoronoiElement extends Base {
 
   /**
    * Moves the sites to the centroids of their regions until the number of iterations is a multiple of
-   * this one (`cvt-iterations` if it is not given), and goes on where it was paused. All of it is one step
-   * to undo. Sites that are added, moved or removed meanwhile are a step of their own, and it goes on with
-   * them; undoing, and another `cvt-method`, `cvt-tolerance` or `metric`, end it.
+   * `cvt-iterations`, and goes on where it was paused. All of it is one step to undo. Sites that are
+   * added, moved or removed meanwhile are a step of their own, and it goes on with them; undoing, and
+   * another `cvt-method`, `cvt-tolerance` or `metric`, end it.
    */
-  playCvt(iterations?: number): void {
-    this.#viewer?.playCvt(iterations);
+  playCvt(): void {
+    this.#viewer?.playCvt();
   }
 
   /** One iteration. */

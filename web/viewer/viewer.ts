@@ -204,8 +204,9 @@ export class Viewer implements Workpiece {
     });
   }
 
-  playCvt(iterations = this.attributes.cvtIterations): void {
-    this.session.playCvt(iterations, { ...this.attributes.cvt, density: this.density });
+  playCvt(): void {
+    const { cvt, cvtIterations } = this.attributes;
+    this.session.playCvt(cvtIterations, { ...cvt, density: this.density });
   }
 
   stepCvt(): void {
