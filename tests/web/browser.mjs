@@ -168,7 +168,8 @@ export class ViewerPage {
           const isInside = [0, step, -step].every(
             (d) => viewer.surfaceFromPoint(x + d, y) && viewer.surfaceFromPoint(x, y + d),
           );
-          if (!isInside) continue;
+          // Buttons lie on the view.
+          if (!isInside || document.elementFromPoint(x, y) !== viewer) continue;
           const distance = Math.min(...sites.map((site) => Math.hypot(site.x - x, site.y - y)), 60);
           if (!best || distance > best.distance) best = { x, y, distance };
         }

@@ -49,7 +49,7 @@ export function setUpDownloads(viewer: GeodesicVoronoiElement): void {
       button.disabled = button.dataset.name !== 'picture' && viewer.diagram === undefined;
     }
   };
-  menu.addEventListener('toggle', update);
+  menu.addEventListener('beforetoggle', update);
   listen(viewer, 'diagram', update);
 }
 

@@ -30,7 +30,7 @@ export function setUpShare(viewer: GeodesicVoronoiElement): void {
   };
   const chosen = () =>
     menu.querySelector<HTMLInputElement>('input[name="code"]:checked')?.value ?? 'script';
-  menu.addEventListener('toggle', (event) => {
+  menu.addEventListener('beforetoggle', (event) => {
     if ((event as ToggleEvent).newState === 'open') fill();
   });
   for (const radio of menu.querySelectorAll('input[name="code"]')) {

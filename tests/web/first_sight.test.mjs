@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+//
+// What somebody sees who opens the page, with a link or without one.
+
+import assert from 'node:assert/strict';
+import { after, before, suite, test } from 'node:test';
+import { startBrowser } from './browser.mjs';
+
+suite('first sight', () => {
+  let browser;
+  before(async () => {
+    browser = await startBrowser();
+  });
+  after(() => browser.stop());
+
+  const isDisabled = (viewer, selector) => viewer.page.locator(selector).isDisabled();
+  const state = (viewer, text) =>
+    viewer.page.locator('#cvt-state', { hasText: text }).waitFor({ state: 'attached' });
+
+  test('random regions become even ones, once, and undoing brings them back', async () => {
+    const viewer = await browser.open({
+      hash: '',
+      reducedMotion: 'no-preference',
+      viewport: { width: 700, height: 320 },
+    });
+    await state(viewer, 'Finished 30 iterations');
+    await viewer.settled();
+    const areas = () => viewer.evaluate(({ regionAreas }) => [...regionAreas].sort((a, b) => a - b));
+    const even = await areas();
+    assert.ok(even.at(-1) / even[0] < 3, `areas from ${even[0]} to ${even.at(-1)}`);
+    assert.match(await viewer.page.locator('#caption').textContent(), /Each colour is .+ Click the model/s);
+
+    await viewer.after('diagram', () => viewer.page.click('#undo'));
+    const random = await areas();
+    assert.ok(random.at(-1) / random[0] > 4, `areas from ${random[0]} to ${random.at(-1)}`);
+    assert.equal(await isDisabled(viewer, '#undo'), true, 'all of it is one step');
+    assert.equal(await viewer.evaluate(({ cvtStatus }) => cvtStatus), 'idle', 'it does not begin again');
+    await viewer.close();
+  });
+
+  test('nothing can be pressed before it works; who wants no motion sees none', async () => {
+    let release;
+    const released = new Promise((resolve) => (release = resolve));
+    const viewer = await browser.open({
+      hash: '',
+      prepare: (page) =>
+        page.route('**/bunny.glb', async (route) => {
+          await released;
+          await route.continue();
+        }),
+    });
+    for (const selector of ['#cvt-play', '#scatter [type=submit]', '#fit', '#download-button']) {
+      assert.equal(await isDisabled(viewer, selector), true, `${selector} waits for the model`);
+    }
+    assert.equal(await viewer.page.locator('#poster').isVisible(), true);
+    assert.equal(await viewer.page.locator('#progress').isVisible(), true);
+    await viewer.evaluate((viewer) => {
+      viewer.iterations = 0;
+      viewer.addEventListener('cvt-iteration', () => ++viewer.iterations);
+    });
+    release();
+    await viewer.page.locator('#undo:enabled').waitFor();
+    await viewer.settled();
+    assert.equal(await viewer.evaluate(({ iterations }) => iterations), 0);
+    const areas = await viewer.evaluate(({ regionAreas }) => [...regionAreas].sort((a, b) => a - b));
+    assert.ok(areas.at(-1) / areas[0] < 3, 'they are even all the same');
+    assert.equal(await isDisabled(viewer, '#cvt-play'), false);
+    assert.deepEqual(viewer.complaints, []);
+    await viewer.close();
+  });
+
+  test('a link brings model, sites and view back; a damaged one is told of', async () => {
+    const first = await browser.open({ hash: '#v=1&model=torus.glb&sites=12&seed=3' });
+    await first.settled();
+    assert.equal(await first.siteCount(), 12);
+    const place = await first.freePlace();
+    await first.after('diagram', () => first.page.mouse.click(place.x, place.y));
+    await first.page.locator('geodesic-voronoi canvas').focus();
+    await first.page.keyboard.press('ArrowRight');
+    await first.page.click('#share-button');
+    const link = await first.page.locator('#share-link').inputValue();
+    const { x, y } = await first.sitePosition(12);
+    await first.page.locator('#code', { hasText: "fetch('sites.json')" }).waitFor();
+    await first.page.getByText('Command', { exact: true }).click();
+    await first.page.locator('#code', { hasText: 'geodesic-voronoi diagram torus.glb' }).waitFor();
+    await first.close();
+
+    const second = await browser.open({ hash: new URL(link).hash });
+    await second.page.waitForFunction(
+      () => document.querySelector('geodesic-voronoi').sites.face.length === 13,
+    );
+    await second.settled();
+    const same = await second.sitePosition(12);
+    assert.ok(Math.hypot(same.x - x, same.y - y) < 1, `${same.x} ${same.y}, not ${x} ${y}`);
+    assert.equal(await second.page.locator('#samples').inputValue(), 'torus.glb');
+    assert.deepEqual(second.complaints, []);
+    await second.close();
+
+    const damaged = await browser.open({ hash: `${new URL(link).hash.split('&at=')[0]}&at=AAAA////` });
+    await damaged.page.locator('#error-text', { hasText: 'The link is damaged' }).waitFor();
+    await damaged.settled();
+    assert.equal(await damaged.siteCount(), 12);
+    await damaged.close();
+  });
+});

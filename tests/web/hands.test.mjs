@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+//
+// Editing and looking, as a person does it: by the toolbar, by keys, while a tessellation plays.
+
+import assert from 'node:assert/strict';
+import { after, afterEach, before, beforeEach, suite, test } from 'node:test';
+import { startBrowser } from './browser.mjs';
+
+suite('hands', () => {
+  let browser;
+  let viewer;
+  before(async () => {
+    browser = await startBrowser();
+  });
+  after(() => browser.stop());
+  beforeEach(async () => {
+    viewer = await browser.open({ viewport: { width: 800, height: 420 } });
+    await viewer.settled();
+  });
+  afterEach(async () => {
+    assert.deepEqual(viewer.complaints, []);
+    await viewer.close();
+  });
+
+  const press = (key) => viewer.page.keyboard.press(key);
+  const focus = () => viewer.page.locator('geodesic-voronoi canvas').focus();
+  const changedSince = async (picture) =>
+    (await viewer.difference(picture, await viewer.picture())).count;
+
+  test('the toolbar fits the model, turns another axis up, and makes room for the view', async () => {
+    const upright = await viewer.picture();
+    await viewer.page.click('#up');
+    assert.equal(await viewer.page.getAttribute('#up', 'aria-label'), 'Upward axis: Z');
+    assert.ok((await changedSince(upright)) > 500, 'it lies on its side');
+    await press('u');
+    await press('u');
+    assert.equal(await viewer.page.getAttribute('#up', 'aria-label'), 'Upward axis: Y');
+    assert.equal(await changedSince(upright), 0);
+
+    await focus();
+    await press('ArrowRight');
+    await press('+');
+    assert.ok((await changedSince(upright)) > 500);
+    await viewer.page.click('#fit');
+    assert.equal(await changedSince(upright), 0);
+
+    const covered = await viewer.coverage(upright);
+    const wide = await viewer.page.locator('geodesic-voronoi').boundingBox();
+    await viewer.page.setViewportSize({ width: 800, height: 760 });
+    await viewer.page.waitForFunction(
+      (height) => document.querySelector('geodesic-voronoi').clientHeight > height,
+      wide.height,
+    );
+    const grown = await viewer.coverage(await viewer.picture());
+    assert.ok(grown > 0.7 * covered, `it fills the view again: ${grown}, ${covered} before`);
+  });
+
+  test('an edit while a tessellation plays is a step of its own, and it goes on', async () => {
+    const before = await viewer.sites();
+    await viewer.evaluate((viewer) => viewer.setAttribute('cvt-iterations', 500));
+    const reached = (iteration) =>
+      viewer.after('cvt-iteration', () =>
+        viewer.page.waitForFunction(
+          (iteration) =>
+            Number(document.querySelector('#cvt-iteration').textContent) >= iteration,
+          iteration,
+        ),
+      );
+    viewer.settled = async () => {};
+    await viewer.page.evaluate(() => document.querySelector('#cvt-play').click());
+    await reached(2);
+    await viewer.evaluate((viewer) => viewer.addSite({ face: 5, bary: [0.2, 0.3, 0.5] }));
+    assert.equal(await viewer.evaluate(({ cvtStatus }) => cvtStatus), 'running');
+    await reached(2);
+    assert.equal(await viewer.siteCount(), 61);
+    await viewer.evaluate((viewer) => viewer.removeSite(3));
+    await reached(2);
+    assert.equal(await viewer.siteCount(), 60);
+    await viewer.page.evaluate(() => document.querySelector('#cvt-play').click());
+    await viewer.page.locator('#cvt-state', { hasText: 'Paused' }).waitFor();
+    // Played, removed, played, added, played.
+    for (const count of [60, 61, 61, 60, 60]) {
+      await viewer.evaluate((viewer) => viewer.undo());
+      assert.equal(await viewer.siteCount(), count);
+    }
+    assert.deepEqual(await viewer.sites(), before);
+    assert.equal(await viewer.page.locator('#undo').isDisabled(), true);
+  });
+
+  test('a site that is chosen turns into view, is told of, and moves by keys', async () => {
+    const hidden = await viewer.evaluate((viewer) =>
+      [...viewer.sites.face.keys()].find((i) => !viewer.sitePosition(i)),
+    );
+    await viewer.evaluate((viewer, hidden) => (viewer.selected = hidden), hidden);
+    assert.ok(await viewer.sitePosition(hidden), 'it is seen now');
+    const told = new RegExp(`Site ${hidden + 1} of 60 chosen, region of area`);
+    await viewer.page.locator('#announcement', { hasText: told }).waitFor({ state: 'attached' });
+    const label = await viewer.page.locator('geodesic-voronoi canvas').getAttribute('aria-label');
+    assert.match(label, new RegExp(`site ${hidden + 1} of 60 is chosen`));
+
+    await focus();
+    const from = await viewer.sitePosition(hidden);
+    await viewer.after('diagram', () => press('Shift+ArrowRight'));
+    const to = await viewer.sitePosition(hidden);
+    assert.ok(Math.abs(to.x - from.x - 8) < 1 && Math.abs(to.y - from.y) < 1, `${to.x - from.x}`);
+  });
+
+  test('what is under the pointer is told again when the model turns or a site is dragged', async () => {
+    const place = await viewer.freePlace();
+    await viewer.after('diagram', () => viewer.page.mouse.click(place.x, place.y));
+    await viewer.after('hover', () => viewer.page.mouse.move(place.x + 1, place.y));
+    await viewer.page.mouse.down();
+    const dragged = await viewer.after('hover', () =>
+      viewer.page.mouse.move(place.x + 10, place.y + 6),
+    );
+    assert.equal(dragged.region, 60, 'the region that is dragged');
+    await viewer.page.mouse.up();
+    await viewer.settled();
+    await viewer.after('hover', () => viewer.page.mouse.wheel(0, -200));
+  });
+
+  test('regions that are apart fill the view, say why they cannot be edited, and come together to play', async () => {
+    await viewer.after('exploded', () => viewer.page.locator('#exploded').fill('80'));
+    const edge = await viewer.evaluate(async (viewer) => {
+      const bitmap = await createImageBitmap(await viewer.toBlob());
+      const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
+      context.drawImage(bitmap, 0, 0);
+      const { data } = context.getImageData(0, 0, bitmap.width, 2);
+      return data.filter((alpha, i) => i % 4 === 3 && alpha > 0).length;
+    });
+    assert.equal(edge, 0, 'nothing is cut off at the top');
+    const { x, y, width, height } = await viewer.page.locator('geodesic-voronoi').boundingBox();
+    await viewer.page.mouse.click(x + width / 2, y + height / 2);
+    await viewer.page.locator('#note-text', { hasText: 'cannot be edited' }).waitFor();
+    assert.equal(await viewer.siteCount(), 60);
+    await viewer.page.evaluate(() => document.querySelector('#cvt-step').click());
+    await viewer.page.locator('#cvt-iteration', { hasText: '1' }).waitFor();
+    assert.equal(await viewer.page.locator('#exploded').inputValue(), '0');
+    await viewer.settled();
+  });
+
+  test('too few vertices for places far apart, and a model that will not fit, are told of', async () => {
+    await viewer.page.fill('#count', '3000');
+    await viewer.page.selectOption('#sampling', 'farthest');
+    await viewer.after('diagram', () => viewer.page.click('#scatter [type=submit]'));
+    await viewer.page.locator('#note-text', { hasText: 'sites instead of 3,000' }).waitFor();
+
+    const info = await viewer.evaluate(({ info }) => info);
+    const detail = { name: 'large.glb', info: { ...info, faces: 2_000_000 }, parts: [] };
+    await viewer.after('diagram', () =>
+      viewer.evaluate(
+        (viewer, detail) => viewer.dispatchEvent(new CustomEvent('load', { detail })),
+        detail,
+      ),
+    );
+    await viewer.page.locator('#note-text', { hasText: '1.6 GB' }).waitFor();
+    assert.equal(await viewer.evaluate(({ diagram }) => diagram.metric), 'dgpc');
+    const exact = await viewer.after('diagram', () => viewer.page.click('#note-action'));
+    assert.equal(exact.metric, 'exact');
+  });
+});
