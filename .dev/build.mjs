@@ -2,9 +2,10 @@
 //
 // npm run build: the package in dist/ and the page in build/page; with `package`, dist/ alone.
 
-import { copyFileSync, rmSync } from 'node:fs';
+import { copyFileSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import { basename } from 'node:path';
+import { gzipSync } from 'node:zlib';
 import { setUp } from './setup.mjs';
 import { at, exists, isScript, main, run, step } from './tasks.mjs';
 
@@ -49,8 +50,30 @@ export async function buildPage() {
     () => {
       run(tool('tsc'), ['-p', 'web/page']);
       run(tool('vite'), ['build', 'web/page']);
+      checkPageSize();
     },
   );
+}
+
+/** What the page fetches until the first diagram is seen, the model aside: compressed, in kilobytes. */
+const mostKilobytes = { scripts: 215, all: 590 };
+
+/** Prints it, and fails if it is more than that. */
+function checkPageSize() {
+  const sizes = readdirSync(at('build/page/assets'))
+    // Fetched when somebody downloads something.
+    .filter((name) => !name.startsWith('exports-'))
+    .map((name) => ({ name, path: at('build/page/assets', name) }))
+    .concat({ name: 'index.html', path: at('build/page/index.html') })
+    .map(({ name, path }) => ({ name, size: gzipSync(readFileSync(path), { level: 9 }).length / 1000 }));
+  const sum = (list) => list.reduce((total, { size }) => total + size, 0);
+  const scripts = sum(sizes.filter(({ name }) => !name.endsWith('.wasm')));
+  const all = sum(sizes);
+  for (const { name, size } of sizes) console.log(`${size.toFixed(1).padStart(8)} KB  ${name}`);
+  console.log(`${all.toFixed(1).padStart(8)} KB  until the first diagram, ${scripts.toFixed(1)} of it scripts and styles`);
+  if (scripts > mostKilobytes.scripts || all > mostKilobytes.all) {
+    throw new Error(`That is more than ${mostKilobytes.scripts} KB of scripts or ${mostKilobytes.all} KB in all.`);
+  }
 }
 
 if (isScript(import.meta.url)) {

@@ -83,14 +83,14 @@ async function takeAll(browser, names) {
 /** What is seen first, as small as it may be, without its background. */
 async function makePoster(browser) {
   const viewer = await browser.open({
-    viewport: { width: 640 + 320, height: 640 + 52 },
+    viewport: { width: 480 + 320, height: 480 + 52 },
     hash: '#v=1&model=bunny.glb&sites=60&seed=4',
   });
   await viewer.settled();
   const address = await viewer.evaluate(async (viewer) => {
-    viewer.style.cssText = 'width: 640px; height: 640px';
+    viewer.style.cssText = 'width: 480px; height: 480px';
     await new Promise((resolve) => setTimeout(resolve, 500));
-    const blob = await viewer.toBlob('image/webp', 0.7);
+    const blob = await viewer.toBlob('image/webp', 0.6);
     return new Promise((resolve) => {
       const reader = new FileReader();
       reader.onload = () => resolve(reader.result);

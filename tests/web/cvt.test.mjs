@@ -83,7 +83,7 @@ suite('the centroidal tessellation', () => {
     assert.equal(await text('#cvt-play'), 'Pause');
     await viewer.after('diagram', () => press('#cvt-play'));
     const paused = (await iterations()).at(-1).iteration;
-    assert.ok(paused < 50);
+    assert.ok(paused < 30);
     assert.equal(await viewer.evaluate(({ cvtStatus }) => cvtStatus), 'paused');
     assert.equal(await viewer.regionCount(), 60);
 
@@ -109,27 +109,10 @@ suite('the centroidal tessellation', () => {
     await viewer.page.selectOption('#cvt-tolerance', '0.01');
     await viewer.after('diagram', () => press('#cvt-play'));
     const all = await iterations();
-    assert.ok(all.length < 50, `${all.length} iterations`);
+    assert.ok(all.length < 30, `${all.length} iterations`);
     const gains = all.slice(1).map(({ energy }, i) => 1 - energy / all[i].energy);
     assert.ok(gains.slice(0, -1).every((gain) => gain > 0.01) && gains.at(-1) <= 0.01, `${gains}`);
     assert.equal(await text('#cvt-state'), 'Converged: gains below 1 %');
-  });
-
-  test('an edit by hand ends it and is a step of its own', async () => {
-    const before = await viewer.sites();
-    await press('#cvt-play');
-    await reached(1);
-    const added = await viewer.after('diagram', () =>
-      viewer.evaluate((viewer) => viewer.addSite({ face: 5, bary: [0.2, 0.3, 0.5] })),
-    );
-    assert.equal(added.regions, 61);
-    assert.equal(await viewer.evaluate(({ cvtStatus }) => cvtStatus), 'idle');
-    const { face } = await viewer.sites();
-    assert.equal(face[60], 5);
-    await viewer.after('diagram', () => press('#undo'));
-    assert.notDeepEqual(await viewer.sites(), before, 'the sites as they were when it ended');
-    await viewer.after('diagram', () => press('#undo'));
-    assert.deepEqual(await viewer.sites(), before);
   });
 
   test('regions become small where density is painted', async () => {

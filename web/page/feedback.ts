@@ -78,14 +78,14 @@ function setUpProgress(viewer: GeodesicVoronoiElement): void {
       return;
     }
     label.textContent = status === 'loading' ? 'Opening the model' : 'Computing the diagram';
-    // What is on the way when the page opens goes on with what has come already.
+    // What comes first is counted by `early.ts`.
     if (!cancel.hidden) bar.removeAttribute('value');
     waiting = window.setTimeout(() => {
       box.hidden = false;
     }, patienceMilliseconds);
   });
   listen(viewer, 'progress', ({ share }) => {
-    bar.value = share;
+    if (!cancel.hidden) bar.value = share;
   });
 }
 

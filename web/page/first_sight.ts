@@ -4,15 +4,15 @@
 
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { byId, listen } from './dom.js';
+import { modelOf } from './first_model.js';
 import { isPageState, readPageState } from './page_state.js';
 
-const model = './samples/bunny.glb';
 
 /** A link that was shared opens with what it tells; else a sample plays once. */
 export function setUpFirstSight(viewer: GeodesicVoronoiElement): void {
   enableWithModel(viewer);
   endCaption(viewer);
-  viewer.src = model;
+  viewer.src = modelOf(location.hash);
   if (isPageState(location.hash)) readPageState(viewer, location.hash);
   else viewer.addEventListener('diagram', () => void evenOut(viewer), { once: true });
 }

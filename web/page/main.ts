@@ -20,19 +20,21 @@ import { setUpSizeWarning } from './size_warning.js';
 import { setUpToolbar } from './toolbar.js';
 import { setUpViewControls } from './view_controls.js';
 
-const viewer = byId('viewer', GeodesicVoronoiElement);
-setUpFeedback(viewer);
-setUpSizeWarning(viewer);
-setUpModelChoice(viewer);
-setUpMeshReport(viewer);
-setUpFirstSight(viewer);
-setUpSiteControls(viewer);
-setUpCvtControls(viewer);
-setUpDensityControls(viewer);
-setUpViewControls(viewer);
-setUpDownloads(viewer);
-setUpShare(viewer);
-setUpToolbar(viewer);
-setUpKeyboard(viewer);
-setUpAnnouncements(viewer);
-setUpSheet();
+export function setUpPage(): void {
+  const viewer = byId('viewer', GeodesicVoronoiElement);
+  setUpFeedback(viewer);
+  setUpSizeWarning(viewer);
+  setUpModelChoice(viewer);
+  setUpMeshReport(viewer);
+  setUpFirstSight(viewer);
+  setUpSiteControls(viewer);
+  setUpCvtControls(viewer);
+  setUpDensityControls(viewer);
+  setUpViewControls(viewer);
+  setUpDownloads(viewer);
+  setUpShare(viewer);
+  setUpToolbar(viewer);
+  setUpKeyboard(viewer);
+  setUpAnnouncements(viewer);
+  setUpSheet();
+}

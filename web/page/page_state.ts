@@ -6,7 +6,6 @@
 import type { SurfacePoints } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { showError } from './feedback.js';
-import samples from './samples.json' with { type: 'json' };
 
 const version = '1';
 /** More of them would make an address that some programs cut off. */
@@ -36,10 +35,7 @@ export function pageState(viewer: GeodesicVoronoiElement, model: string): string
   return `#${parameters}`;
 }
 
-/**
- * Brings back what a link tells. What a link of another version tells is not known, nor what is no
- * sample: then it is as without a link.
- */
+/** Brings back what a link tells of its model. What one of another version tells is not known. */
 export function readPageState(viewer: GeodesicVoronoiElement, hash: string): void {
   const parameters = parametersOf(hash);
   if (parameters.get('v') !== version) return;
@@ -47,10 +43,8 @@ export function readPageState(viewer: GeodesicVoronoiElement, hash: string): voi
     const value = parameters.get(name);
     if (value && name !== 'view') viewer.setAttribute(name, value);
   }
-  const model = parameters.get('model');
-  if (!samples.some(({ file }) => file === model)) return;
-  viewer.src = `./samples/${model}`;
-  const at = parameters.get('at');
+  // Sites on a file of somebody's own are nothing without it.
+  const at = parameters.has('model') ? parameters.get('at') : null;
   const view = parameters.get('view');
   viewer.addEventListener(
     'load',

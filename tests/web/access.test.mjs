@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+//
+// The page by axe-core, at the sizes and in the colours that people use.
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { after, before, suite, test } from 'node:test';
+import { startBrowser } from './browser.mjs';
+
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+
+suite('access', () => {
+  let browser;
+  before(async () => {
+    browser = await startBrowser();
+  });
+  after(() => browser.stop());
+
+  const violations = (page) =>
+    page.evaluate(async () => {
+      const { violations } = await window.axe.run();
+      return violations.flatMap(({ id, nodes }) => nodes.map(({ target }) => `${id}: ${target}`));
+    });
+  const openEverything = (page) =>
+    page.evaluate(() => {
+      for (const group of document.querySelectorAll('details')) group.open = true;
+      document.querySelector('#panel').hidden = false;
+    });
+
+  test('axe finds nothing at any size, in light, dark and the system’s colours', async () => {
+    const viewer = await browser.open({ viewport: { width: 1280, height: 720 } });
+    const { page } = viewer;
+    await viewer.settled();
+    await page.evaluate(axe);
+    await openEverything(page);
+    const colours = [
+      { colorScheme: 'light', forcedColors: 'none' },
+      { colorScheme: 'dark', forcedColors: 'none' },
+      { colorScheme: 'light', forcedColors: 'active' },
+    ];
+    for (const width of [1280, 768, 390]) {
+      await page.setViewportSize({ width, height: 720 });
+      await openEverything(page);
+      for (const media of colours) {
+        await page.emulateMedia(media);
+        assert.deepEqual(await violations(page), [], `${width} ${JSON.stringify(media)}`);
+      }
+    }
+    await page.emulateMedia({ colorScheme: 'light', forcedColors: 'none' });
+    await page.setViewportSize({ width: 1280, height: 720 });
+    for (const menu of ['download', 'share']) {
+      await page.click(`#${menu}-button`);
+      assert.deepEqual(await violations(page), [], menu);
+      await page.keyboard.press('Escape');
+    }
+    await page.click('#help-button');
+    assert.deepEqual(await violations(page), [], 'help');
+    await viewer.close();
+  });
+
+  test('on a phone everything to press is 44 pixels high, and a tap reads a region', async () => {
+    const viewer = await browser.open({ viewport: { width: 390, height: 640 }, hasTouch: true });
+    const { page } = viewer;
+    await viewer.settled();
+    await openEverything(page);
+    const small = await page.evaluate(() =>
+      [...document.querySelectorAll('button, select, input, summary, .chips span, .segments span')]
+        .filter((element) => !element.matches('.chips input, .segments input'))
+        .map((element) => ({ name: element.id || element.textContent, box: element.getBoundingClientRect() }))
+        .filter(({ box }) => box.height > 0 && Math.round(box.height) < 44)
+        .map(({ name, box }) => `${name}: ${box.height}`),
+    );
+    assert.deepEqual(small, []);
+    await page.evaluate(() => {
+      document.querySelector('#panel').hidden = true;
+    });
+    const place = await viewer.freePlace();
+    await viewer.after('diagram', () => page.touchscreen.tap(place.x, place.y));
+    await page.locator('#readout-text', { hasText: 'Region 61' }).waitFor();
+    await viewer.close();
+  });
+
+  test('what is chosen is seen in the system’s colours', async () => {
+    const viewer = await browser.open({ forcedColors: 'active' });
+    await viewer.settled();
+    const [on, off] = await viewer.page.evaluate(() =>
+      [':checked', ':not(:checked)'].map((state) => {
+        const chip = document.querySelector(`#layers input${state} + span`);
+        return getComputedStyle(chip).backgroundColor;
+      }),
+    );
+    assert.notEqual(on, off);
+    await viewer.close();
+  });
+});
