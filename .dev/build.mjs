@@ -56,7 +56,7 @@ export async function buildPage() {
 }
 
 /** What the page fetches until the first diagram is seen, the model aside: compressed, in kilobytes. */
-const mostKilobytes = { scripts: 215, all: 590 };
+const mostKilobytes = { page: 230, all: 590 };
 
 /** Prints it, and fails if it is more than that. */
 function checkPageSize() {
@@ -67,12 +67,12 @@ function checkPageSize() {
     .concat({ name: 'index.html', path: at('build/page/index.html') })
     .map(({ name, path }) => ({ name, size: gzipSync(readFileSync(path), { level: 9 }).length / 1000 }));
   const sum = (list) => list.reduce((total, { size }) => total + size, 0);
-  const scripts = sum(sizes.filter(({ name }) => !name.endsWith('.wasm')));
+  const page = sum(sizes.filter(({ name }) => !name.endsWith('.wasm')));
   const all = sum(sizes);
   for (const { name, size } of sizes) console.log(`${size.toFixed(1).padStart(8)} KB  ${name}`);
-  console.log(`${all.toFixed(1).padStart(8)} KB  until the first diagram, ${scripts.toFixed(1)} of it scripts and styles`);
-  if (scripts > mostKilobytes.scripts || all > mostKilobytes.all) {
-    throw new Error(`That is more than ${mostKilobytes.scripts} KB of scripts or ${mostKilobytes.all} KB in all.`);
+  console.log(`${all.toFixed(1).padStart(8)} KB  until the first diagram, ${page.toFixed(1)} of it the page itself`);
+  if (page > mostKilobytes.page || all > mostKilobytes.all) {
+    throw new Error(`That is more than ${mostKilobytes.page} KB for the page itself or ${mostKilobytes.all} KB in all.`);
   }
 }
 

@@ -77,7 +77,7 @@ suite('access', () => {
     });
     const place = await viewer.freePlace();
     await viewer.after('diagram', () => page.touchscreen.tap(place.x, place.y));
-    await page.locator('#readout-text', { hasText: 'Region 61' }).waitFor();
+    await page.locator('#readout-text', { hasText: 'Region 60' }).waitFor();
     await viewer.close();
   });
 

@@ -93,10 +93,10 @@ suite('hands', () => {
     );
     await viewer.evaluate((viewer, hidden) => (viewer.selected = hidden), hidden);
     assert.ok(await viewer.sitePosition(hidden), 'it is seen now');
-    const told = new RegExp(`Site ${hidden + 1} of 60 chosen, region of area`);
+    const told = new RegExp(`Site ${hidden} chosen, of 60, region of area`);
     await viewer.page.locator('#announcement', { hasText: told }).waitFor({ state: 'attached' });
     const label = await viewer.page.locator('geodesic-voronoi canvas').getAttribute('aria-label');
-    assert.match(label, new RegExp(`site ${hidden + 1} of 60 is chosen`));
+    assert.match(label, new RegExp(`site ${hidden} is chosen, of 60`));
 
     await focus();
     const from = await viewer.sitePosition(hidden);

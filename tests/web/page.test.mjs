@@ -298,7 +298,7 @@ suite('the page', () => {
     assert.ok(hovered.distance < 0.1 * Math.sqrt(hovered.area), `${hovered.distance} from the site`);
     assert.match(
       (await text(viewer, '#readout')).trim(),
-      new RegExp(`^Region ${first + 1} · area \\S+ · \\S+ from its site$`),
+      new RegExp(`^Region ${first} · area \\S+ · \\S+ from its site$`),
     );
   });
 

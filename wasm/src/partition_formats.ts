@@ -22,6 +22,8 @@ export interface PartitionGlbOptions extends PartitionFileOptions {
    * EXT_mesh_features has them. Default 'regions'.
    */
   layout?: PartitionLayout;
+  /** Of a region, as linear RGB; by default hues that differ for any first few of them. */
+  colourOf?: (label: number) => readonly number[];
 }
 
 export const partitionLayouts = ['regions', 'features'] as const;
@@ -103,7 +105,7 @@ export function partitionGlb(
 
 function regionsGlb(
   partition: Partition,
-  { mesh, scale = 1 }: PartitionFileOptions,
+  { mesh, scale = 1, colourOf = hueOf }: PartitionGlbOptions,
 ): Uint8Array<ArrayBuffer> {
   const file = new GlbBuilder();
   const parts = partsOf(partition).map(({ label, first, last }, i) => {
@@ -136,7 +138,7 @@ function regionsGlb(
 
 function featuresGlb(
   partition: Partition,
-  { mesh, scale = 1 }: PartitionFileOptions,
+  { mesh, scale = 1, colourOf = hueOf }: PartitionGlbOptions,
 ): Uint8Array<ArrayBuffer> {
   const siteCount = partition.regions.area.length;
   const file = new GlbBuilder();
@@ -243,7 +245,7 @@ function nameOf(label: number): string {
 }
 
 /** Hues that follow each other by the golden ratio, so that any first few differ; as linear RGB. */
-function colourOf(label: number): number[] {
+function hueOf(label: number): number[] {
   if (label < 0) return [0.2, 0.2, 0.2];
   const hue = (label * 0.618033988749895) % 1;
   return [5, 3, 1].map((n) => {

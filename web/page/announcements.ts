@@ -11,7 +11,7 @@ export function setUpAnnouncements(viewer: GeodesicVoronoiElement): void {
     const area = viewer.regionAreas[chosen];
     const region = area === undefined ? '' : `, region of area ${measure(area)}`;
     const count = integer(viewer.sites.face.length);
-    announcement.textContent = chosen < 0 ? '' : `Site ${chosen + 1} of ${count} chosen${region}`;
+    announcement.textContent = chosen < 0 ? '' : `Site ${chosen} chosen, of ${count}${region}`;
   };
   listen(viewer, 'sites-change', ({ selected }) => {
     if (selected === chosen) return;

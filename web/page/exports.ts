@@ -33,7 +33,11 @@ const encoders: Record<string, Record<string, Encoder>> = {
   diagram: { json: (diagram) => JSON.stringify(diagramJson(diagram)) },
   bisectors: { glb: ({ data }) => diagramGlb(data), obj: ({ data }) => diagramObj(data) },
   parts: {
-    glb: async (diagram, options) => partitionGlb(await diagram.partition(), options),
+    glb: async (diagram, options, viewer) =>
+      partitionGlb(await diagram.partition(), {
+        ...options,
+        colourOf: (label) => linear(viewer.regionColour(label)),
+      }),
     obj: async (diagram, options) => partitionObj(await diagram.partition(), options),
     ply: async (diagram, options) => partitionPly(await diagram.partition(), options),
   },
@@ -47,6 +51,17 @@ function polygonEncoders(primal: boolean): Record<string, Encoder> {
     obj: async (diagram, options) => polygonObj(await diagram.dual({ primal }), options),
     ply: async (diagram, options) => polygonPly(await diagram.dual({ primal }), options),
   };
+}
+
+/** Of a colour as CSS has it: rgb(r, g, b), or #rrggbb. */
+function linear(colour = 'rgb(120, 120, 120)'): number[] {
+  const numbers = colour.startsWith('#')
+    ? [1, 3, 5].map((i) => parseInt(colour.slice(i, i + 2), 16))
+    : (colour.match(/\d+/g) ?? []).slice(0, 3).map(Number);
+  return numbers.map((x) => {
+    const c = x / 255;
+    return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
+  });
 }
 
 const mediaTypes: Record<string, string> = {

@@ -112,7 +112,7 @@ function setUpReadout(viewer: GeodesicVoronoiElement): void {
     text.textContent =
       point.region < 0
         ? 'No site reaches this part'
-        : `Region ${point.region + 1} · area ${measure(point.area)} · ${measure(point.distance)} from its site`;
+        : `Region ${point.region} · area ${measure(point.area)} · ${measure(point.distance)} from its site`;
   });
 }
 

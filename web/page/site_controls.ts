@@ -78,7 +78,7 @@ function setUpList(viewer: GeodesicVoronoiElement): void {
     list.length = Math.min(list.length, areas.length);
     areas.forEach((area, i) => {
       if (i < list.length && area === shown[i]) return;
-      const text = `Site ${i + 1}, region of area ${measure(area)}`;
+      const text = `Site ${i}, region of area ${measure(area)}`;
       if (i < list.length) list.options[i].text = text;
       else list.add(new Option(text));
     });

@@ -204,6 +204,11 @@ export class GeodesicVoronoiElement extends Base {
     return this.#session?.shown?.summary?.regionArea.slice() ?? new Float64Array();
   }
 
+  /** The colour that a region is drawn in, as CSS has it. */
+  regionColour(label: number): string | undefined {
+    return this.#viewer?.model?.drawing.regionColour(label);
+  }
+
   /** Where a site is drawn on the page; undefined if it is behind the surface. */
   sitePosition(index: number): { x: number; y: number } | undefined {
     return this.#viewer?.sitePosition(index);

@@ -346,7 +346,7 @@ export class Viewer implements Workpiece {
     const { label } = this.attributes;
     return selected < 0
       ? label
-      : `${label}; site ${selected + 1} of ${session.sites.length} is chosen`;
+      : `${label}; site ${selected} is chosen, of ${session.sites.length}`;
   }
 
   #showDiagram(shown: ShownDiagram, { changes, cells }: Drawable): void {
