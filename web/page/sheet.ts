@@ -21,26 +21,34 @@ export function setUpSheet(): void {
   show(!narrow.matches);
 }
 
-/** Calls back when a finger has gone up or down over one of these. */
+/** Calls back when a press on one of these goes up or down; it is no click then. */
 function setUpSwipe(elements: readonly HTMLElement[], swiped: (up: boolean) => void): void {
+  let isSwipe = false;
   for (const element of elements) {
-    let start: number | undefined;
-    element.addEventListener('pointerdown', ({ clientY }) => {
-      start = clientY;
+    element.addEventListener('pointerdown', ({ clientY: start }) => {
+      isSwipe = false;
+      const pressing = new AbortController();
+      const { signal } = pressing;
+      const follow = ({ clientY }: PointerEvent) => {
+        if (Math.abs(clientY - start) < swipeDistance) return;
+        isSwipe = true;
+        pressing.abort();
+        swiped(clientY < start);
+      };
+      // The pointer may leave what it began on.
+      addEventListener('pointermove', follow, { signal });
+      for (const end of ['pointerup', 'pointercancel']) {
+        addEventListener(end, () => pressing.abort(), { signal });
+      }
     });
-    element.addEventListener('pointerup', ({ clientY }) => {
-      const distance = clientY - (start ?? clientY);
-      start = undefined;
-      if (Math.abs(distance) < swipeDistance) return;
-      swiped(distance < 0);
-      // It ends on what it began on, which is no click then.
-      element.addEventListener('click', (event) => event.stopImmediatePropagation(), {
-        capture: true,
-        once: true,
-      });
-    });
-    element.addEventListener('pointercancel', () => {
-      start = undefined;
-    });
+    element.addEventListener(
+      'click',
+      (event) => {
+        // A click by the keyboard has no detail.
+        if (isSwipe && event.detail > 0) event.stopImmediatePropagation();
+        isSwipe = false;
+      },
+      { capture: true },
+    );
   }
 }
