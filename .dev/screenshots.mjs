@@ -84,7 +84,7 @@ async function takeAll(browser, names) {
 async function makePoster(browser) {
   const viewer = await browser.open({
     viewport: { width: 480 + 320, height: 480 + 52 },
-    hash: '#v=1&model=bunny.glb&sites=60&seed=4',
+    hash: '#v=1&sites=60&seed=4',
   });
   await viewer.settled();
   const address = await viewer.evaluate(async (viewer) => {
