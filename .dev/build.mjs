@@ -65,14 +65,19 @@ function checkPageSize() {
     .filter((name) => !name.startsWith('exports-'))
     .map((name) => ({ name, path: at('build/page/assets', name) }))
     .concat({ name: 'index.html', path: at('build/page/index.html') })
-    .map(({ name, path }) => ({ name, size: gzipSync(readFileSync(path), { level: 9 }).length / 1000 }));
+    .map(({ name, path }) => {
+      const size = gzipSync(readFileSync(path), { level: 9 }).length / 1000;
+      return { name, size };
+    });
   const sum = (list) => list.reduce((total, { size }) => total + size, 0);
   const page = sum(sizes.filter(({ name }) => !name.endsWith('.wasm')));
   const all = sum(sizes);
-  for (const { name, size } of sizes) console.log(`${size.toFixed(1).padStart(8)} KB  ${name}`);
-  console.log(`${all.toFixed(1).padStart(8)} KB  until the first diagram, ${page.toFixed(1)} of it the page itself`);
+  const tell = (size, what) => console.log(`${size.toFixed(1).padStart(8)} KB  ${what}`);
+  for (const { name, size } of sizes) tell(size, name);
+  tell(all, `until the first diagram, ${page.toFixed(1)} of it the page itself`);
   if (page > mostKilobytes.page || all > mostKilobytes.all) {
-    throw new Error(`That is more than ${mostKilobytes.page} KB for the page itself or ${mostKilobytes.all} KB in all.`);
+    const most = `${mostKilobytes.page} KB for the page itself or ${mostKilobytes.all} KB in all`;
+    throw new Error(`That is more than ${most}.`);
   }
 }
 

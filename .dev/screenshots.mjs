@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // node .dev/screenshots.mjs [name …]: pictures of the page in all its states, for people to look at, in
-// build/screenshots, or only of the states, widths and schemes named; `poster` makes web/page/poster.webp anew.
+// build/screenshots, or only of the states, widths and schemes named; `poster` makes web/page/poster.webp.
 
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { startBrowser } from '../tests/web/browser.mjs';
@@ -60,7 +60,10 @@ async function opened(browser, context) {
 }
 
 /** Those of a list that were asked for; all of them if none was. */
-const chosen = (all, names) => (all.some((x) => names.includes(x)) ? all.filter((x) => names.includes(x)) : all);
+const chosen = (all, names) => {
+  const those = all.filter((each) => names.includes(each));
+  return those.length > 0 ? those : all;
+};
 
 async function takeAll(browser, names) {
   mkdirSync(folder, { recursive: true });

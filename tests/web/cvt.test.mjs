@@ -17,6 +17,7 @@ suite('the centroidal tessellation', () => {
     viewer = await browser.open();
     await viewer.settled();
     await viewer.evaluate((viewer) => {
+      for (const group of document.querySelectorAll('#panel details')) group.open = true;
       viewer.iterations = [];
       viewer.addEventListener('cvt-iteration', ({ detail }) => viewer.iterations.push(detail));
     });

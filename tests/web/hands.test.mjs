@@ -119,7 +119,7 @@ suite('hands', () => {
     await viewer.after('hover', () => viewer.page.mouse.wheel(0, -200));
   });
 
-  test('regions that are apart fill the view, say why they cannot be edited, and come together to play', async () => {
+  test('regions that are apart fill the view, are not edited, and come together to play', async () => {
     await viewer.after('exploded', () => viewer.page.locator('#exploded').fill('80'));
     const edge = await viewer.evaluate(async (viewer) => {
       const bitmap = await createImageBitmap(await viewer.toBlob());

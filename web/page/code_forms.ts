@@ -56,7 +56,10 @@ function scriptOf(viewer: GeodesicVoronoiElement, file: string, origin: Origin):
       `const settings = { iterations: ${iterations}, metric: '${metric}' };`,
       'for await (const state of mesh.cvt(sites, settings)) sites = state.sites;',
     ],
-    edited: ["// From this page's menu of downloads.", "const sites = await (await fetch('sites.json')).json();"],
+    edited: [
+      "// From this page's menu of downloads.",
+      "const sites = await (await fetch('sites.json')).json();",
+    ],
   };
   return [
     "import { load } from 'geodesic-voronoi';",

@@ -12,15 +12,47 @@ interface Row {
   formats: readonly string[];
 }
 
+const meshFormats = ['glb', 'obj', 'ply'];
+
 const rows: readonly Row[] = [
-  { title: 'Picture', hint: 'The view, as large as it is or larger', name: 'picture', formats: ['1×', '2×', '3×', '4×'] },
-  { title: 'Outlines', hint: 'What is seen of the bisectors, as lines', name: 'outlines', formats: ['svg'] },
+  {
+    title: 'Picture',
+    hint: 'The view, as large as it is or larger',
+    name: 'picture',
+    formats: ['1×', '2×', '3×', '4×'],
+  },
+  {
+    title: 'Outlines',
+    hint: 'What is seen of the bisectors, as lines',
+    name: 'outlines',
+    formats: ['svg'],
+  },
   { title: 'Sites', hint: 'Can be dropped on this page again', name: 'sites', formats: ['json'] },
-  { title: 'Diagram', hint: 'Regions, outlines, bisectors, Voronoi points', name: 'diagram', formats: ['json'] },
+  {
+    title: 'Diagram',
+    hint: 'Regions, outlines, bisectors, Voronoi points',
+    name: 'diagram',
+    formats: ['json'],
+  },
   { title: 'Bisectors', hint: 'As lines in space', name: 'bisectors', formats: ['glb', 'obj'] },
-  { title: 'Regions as meshes', hint: 'The model, cut along the bisectors', name: 'parts', formats: ['glb', 'obj', 'ply'] },
-  { title: 'Regions as polygons', hint: 'One flat polygon per region', name: 'polygons', formats: ['glb', 'obj', 'ply'] },
-  { title: 'Dual', hint: 'A vertex per site, a polygon per Voronoi point', name: 'dual', formats: ['glb', 'obj', 'ply'] },
+  {
+    title: 'Regions as meshes',
+    hint: 'The model, cut along the bisectors',
+    name: 'parts',
+    formats: meshFormats,
+  },
+  {
+    title: 'Regions as polygons',
+    hint: 'One flat polygon per region',
+    name: 'polygons',
+    formats: meshFormats,
+  },
+  {
+    title: 'Dual',
+    hint: 'A vertex per site, a polygon per Voronoi point',
+    name: 'dual',
+    formats: meshFormats,
+  },
 ];
 
 /** One menu of files to take away, named after the model. */

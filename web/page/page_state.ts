@@ -86,7 +86,8 @@ function encodeSites({ face, bary }: SurfacePoints): string {
 function decodeSites(text: string): SurfacePoints {
   const binary = atob(text.replace(/-/g, '+').replace(/_/g, '/'));
   const bytes = new DataView(Uint8Array.from(binary, (c) => c.charCodeAt(0)).buffer);
-  const count = Math.floor(bytes.byteLength / bytesPerSite);
+  const count = bytes.byteLength / bytesPerSite;
+  if (!Number.isInteger(count)) throw new RangeError();
   const face = new Int32Array(count);
   const bary = new Float64Array(3 * count);
   for (let i = 0; i < count; ++i) {
