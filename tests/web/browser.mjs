@@ -38,6 +38,17 @@ const options = {
   timeout: 120_000,
 };
 
+/** Keeps, in the page, the WebGL contexts that are made. */
+function recordContexts() {
+  window.contexts = [];
+  const { getContext } = HTMLCanvasElement.prototype;
+  HTMLCanvasElement.prototype.getContext = function (type, ...options) {
+    const context = getContext.call(this, type, ...options);
+    if (context && type.startsWith('webgl')) window.contexts.push(context);
+    return context;
+  };
+}
+
 /** Serves the page on a free port; `close()` ends it. */
 async function serve() {
   const server = createServer(async (request, response) => {
@@ -73,6 +84,7 @@ export async function startBrowser() {
       });
       page.setDefaultTimeout(120_000);
       const viewer = new ViewerPage(page);
+      await page.addInitScript(recordContexts);
       await prepare?.(page);
       await page.goto(server.address);
       return viewer;

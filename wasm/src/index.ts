@@ -2,7 +2,7 @@
 //
 // geodesic-voronoi in a page or a worker. Importing it does nothing; `node.ts` is its face in Node.
 
-import { compileFromWeb, type WasmSource } from './compile.js';
+import { compile, compileFromWeb, type WasmSource } from './compile.js';
 import { GeodesicVoronoiError } from './errors.js';
 import { Library } from './library.js';
 import { loadLocal, sourcesOf, type LoadOptions } from './load.js';
@@ -25,12 +25,27 @@ export function load(options: LoadOptions = {}): Promise<GeodesicVoronoi> {
   return loadLocal(options, compileFromWeb);
 }
 
+/** Both modules, compiled: with them as options, any number of workers start without compiling again. */
+export async function compileModules(
+  options: LoadOptions = {},
+): Promise<Record<keyof LoadOptions, WebAssembly.Module>> {
+  const sources = sourcesOf(options);
+  const [wasm, gltfWasm] = await Promise.all([
+    compile(sources.wasm, compileFromWeb),
+    compile(sources.gltfWasm, compileFromWeb),
+  ]);
+  return { wasm, gltfWasm };
+}
+
 /** The library in a module worker of its own; `dispose()` ends it. */
 export async function loadWorker(options: LoadOptions = {}): Promise<GeodesicVoronoi> {
   if (typeof Worker === 'undefined') {
     throw new GeodesicVoronoiError('load-failed', 'there are no module workers here: use load()');
   }
-  const worker = new Worker(new URL('./worker.js', import.meta.url), { type: 'module' });
+  const worker = new Worker(new URL('./worker.js', import.meta.url), {
+    type: 'module',
+    name: 'geodesic-voronoi',
+  });
   const { wasm, gltfWasm } = sourcesOf(options);
   return new Library(
     await WorkerEngine.start(worker, { wasm: absolute(wasm), gltfWasm: absolute(gltfWasm) }),

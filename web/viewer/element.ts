@@ -58,7 +58,16 @@ export class GeodesicVoronoiElement extends Base {
     const { canvas, message } = fillShadow(this);
     canvas.ariaLabel = this.#attributes.label;
     try {
-      this.#viewer = new Viewer(canvas, this.#attributes, (type, detail) => this.#emit(type, detail));
+      this.#viewer = new Viewer(canvas, this.#attributes, (type, detail) => this.#emit(type, detail), {
+        contextLost: () => {
+          message.textContent = 'The graphics card has dropped this view; it returns when it can.';
+          message.hidden = false;
+          this.#emit('error', { type: 'webglcontextlost', message: message.textContent });
+        },
+        contextRestored: () => {
+          message.hidden = true;
+        },
+      });
       message.hidden = true;
     } catch (cause) {
       message.textContent = 'This view needs WebGL 2, which this browser does not offer.';
@@ -67,16 +76,6 @@ export class GeodesicVoronoiElement extends Base {
       this.#emit('error', { type: 'nowebgl', message: message.textContent, cause });
       return;
     }
-    canvas.addEventListener('webglcontextlost', () => {
-      // Leaving the document gives the context up too.
-      if (this.#viewer?.stage.canvas !== canvas) return;
-      message.textContent = 'The graphics card has dropped this view; it returns when it can.';
-      message.hidden = false;
-      this.#emit('error', { type: 'webglcontextlost', message: message.textContent });
-    });
-    canvas.addEventListener('webglcontextrestored', () => {
-      message.hidden = true;
-    });
     // All attributes are looked at here; what changes from now on is another matter.
     this.#changedAttributes.clear();
     this.setAttribute('status', 'empty');

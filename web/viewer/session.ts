@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: MIT
-import {
-  type DiagramData,
-  type GeodesicVoronoi,
-  loadWorker,
-  type Mesh,
-  type Metric,
-} from 'geodesic-voronoi';
+import type { DiagramData, Mesh, Metric } from 'geodesic-voronoi';
 import type { CellTriangles } from './cell_triangles.js';
 import { type CvtPicture, CvtRun, type CvtSettings } from './cvt_run.js';
 import { DiagramSummary } from './diagram_summary.js';
 import { sentence } from './failure.js';
 import { LatestTask } from './latest_task.js';
+import { LibraryLease } from './library_pool.js';
 import { openMesh, type Reader, scatterSites } from './mesh_opening.js';
 import type { CvtStatus, Scattering, SessionListener, Status } from './session_listener.js';
 import {
@@ -25,7 +20,7 @@ import { placeOf, SiteHistory, type SitePlace, type Sites, type Tints } from './
 import { without } from './site_step.js';
 
 /**
- * One model with its sites and their diagram, computed in a worker that starts with the first model.
+ * One model with its sites and their diagram, computed in a worker that is asked for with the first model.
  * Sites change at once; the diagram follows, and if it cannot, the sites return to those of the
  * diagram there is. Where one site has moved, come or gone, only its surroundings are computed.
  */
@@ -37,7 +32,7 @@ export class Session {
     this.#compute(wanted, signal),
   );
   #settings: DiagramSettings = { metric: 'exact', detail: 0 };
-  #library: Promise<GeodesicVoronoi> | undefined;
+  #lease: LibraryLease | undefined;
   #opening: AbortController | undefined;
   #mesh: Mesh | undefined;
   #shown: ShownDiagram | undefined;
@@ -89,7 +84,8 @@ export class Session {
     this.#updateStatus();
     const { signal } = opening;
     try {
-      const library = await this.#loadedLibrary();
+      this.#lease ??= new LibraryLease();
+      const library = await this.#lease.library;
       const { mesh, name, sites } = await openMesh(library, read, scattering, {
         signal,
         onProgress: (share) => this.#listener.progressed(share),
@@ -238,15 +234,12 @@ export class Session {
   dispose(): void {
     this.#stopCvt();
     this.cancel();
-    this.#mesh = undefined;
+    this.#shown?.diagram?.dispose();
     this.#shown = undefined;
-    this.#library?.then((library) => library.dispose()).catch(() => {});
-    this.#library = undefined;
-  }
-
-  #loadedLibrary(): Promise<GeodesicVoronoi> {
-    this.#library ??= loadWorker();
-    return this.#library;
+    this.#mesh?.dispose();
+    this.#mesh = undefined;
+    this.#lease?.release();
+    this.#lease = undefined;
   }
 
   #adopt(mesh: Mesh, name: string, sites: Sites): void {
@@ -418,7 +411,10 @@ export class Session {
   #fail(error: unknown): void {
     // A library that has stopped answers nothing any more; the next model starts another.
     const { code } = ((error as Error).cause ?? error) as { code?: unknown };
-    if (code === 'internal' || code === 'load-failed') this.#library = undefined;
+    if (code === 'internal' || code === 'load-failed') {
+      this.#lease?.discard();
+      this.#lease = undefined;
+    }
     this.#listener.failed(error);
   }
 

@@ -2,15 +2,16 @@
 import {
   DirectionalLight,
   HemisphereLight,
+  type Mesh,
   type Object3D,
   PerspectiveCamera,
   Scene,
   Spherical,
   Vector2,
   Vector3,
-  WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { type ContextListener, SharedRenderer } from './shared_renderer.js';
 
 const fieldOfView = 32;
 /** Room around a framed model, as a share of the view. */
@@ -20,21 +21,36 @@ const firstDirection = new Vector3(0.45, 0.4, 1).normalize();
 
 /**
  * The scene with its camera, lights and controls on one canvas. It draws when something changed and
- * not otherwise. What stands in it lies within the unit sphere (`ModelFrame`), or within `reach`.
+ * is in view, and not otherwise. What stands in it lies within the unit sphere (`ModelFrame`), or within `reach`.
  */
 export class Stage {
   /** The radius around the origin that what stands in it takes. */
   reach = 1;
   readonly camera = new PerspectiveCamera(fieldOfView, 1, 0.01, 10);
-  readonly #renderer: WebGLRenderer;
+  readonly canvas: HTMLCanvasElement;
+  readonly #renderer: SharedRenderer;
+  readonly #contextListener: ContextListener;
+  readonly #picture: CanvasRenderingContext2D;
   readonly #scene = new Scene();
   readonly #controls: OrbitControls;
+  /** In CSS pixels. */
+  #size = { width: 0, height: 0 };
   #drawing = 0;
+  #isInView = true;
+  #isOutdated = false;
 
   /** Throws if there is no WebGL 2. */
-  constructor(canvas: HTMLCanvasElement) {
-    this.#renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
-    this.#renderer.setClearAlpha(0);
+  constructor(canvas: HTMLCanvasElement, listener: ContextListener) {
+    this.canvas = canvas;
+    this.#contextListener = {
+      contextLost: () => listener.contextLost(),
+      contextRestored: () => {
+        listener.contextRestored();
+        this.invalidate();
+      },
+    };
+    this.#renderer = SharedRenderer.take(this.#contextListener);
+    this.#picture = canvas.getContext('2d') as CanvasRenderingContext2D;
     this.#scene.add(this.camera);
     this.#addLights();
 
@@ -45,15 +61,25 @@ export class Stage {
     this.#controls.minDistance = 0.02;
     this.#controls.maxDistance = 40;
     this.#controls.addEventListener('change', () => this.invalidate());
-    canvas.addEventListener('webglcontextrestored', () => this.invalidate());
   }
 
-  get canvas(): HTMLCanvasElement {
-    return this.#renderer.domElement;
+  /** Out of view nothing is drawn, and what the graphics card has of the scene is freed. */
+  set inView(isInView: boolean) {
+    if (isInView === this.#isInView) return;
+    this.#isInView = isInView;
+    if (!isInView) {
+      this.#scene.traverse((object) => (object as Partial<Mesh>).geometry?.dispose());
+    } else if (this.#isOutdated) {
+      this.invalidate();
+    }
   }
 
   /** Draws soon: once, however often it is called before. */
   invalidate(): void {
+    if (!this.#isInView) {
+      this.#isOutdated = true;
+      return;
+    }
     this.#drawing ||= requestAnimationFrame(() => {
       this.#drawing = 0;
       // While the controls glide they change the camera, which calls for the next drawing.
@@ -63,15 +89,24 @@ export class Stage {
   }
 
   draw(): void {
+    this.#isOutdated = false;
+    if (this.#size.width === 0) return;
     this.#fitDepthRange();
-    this.#renderer.render(this.#scene, this.camera);
+    this.#renderer.draw(
+      {
+        scene: this.#scene,
+        camera: this.camera,
+        ...this.#size,
+        pixelRatio: Math.min(devicePixelRatio, 2),
+      },
+      this.#picture,
+    );
   }
 
-  /** In CSS pixels. Draws at once: a resized canvas is empty. */
+  /** In CSS pixels. Draws at once: the canvas stretches what was drawn before. */
   resize(width: number, height: number): void {
     if (width === 0 || height === 0) return;
-    this.#renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
-    this.#renderer.setSize(width, height, false);
+    this.#size = { width, height };
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
     this.draw();
@@ -160,9 +195,7 @@ export class Stage {
   dispose(): void {
     cancelAnimationFrame(this.#drawing);
     this.#controls.dispose();
-    this.#renderer.dispose();
-    // Browsers allow few contexts at a time and collect them late.
-    this.#renderer.forceContextLoss();
+    this.#renderer.return(this.#contextListener);
   }
 
   /** What the controls still mean to add to the camera is dropped. */

@@ -15,6 +15,7 @@ import { Session } from './session.js';
 import type { Drawable, SessionListener } from './session_listener.js';
 import type { ShownDiagram } from './shown_diagram.js';
 import type { SitePlace } from './site_history.js';
+import type { ContextListener } from './shared_renderer.js';
 import { Stage } from './stage.js';
 import { SurfaceTools, type Workpiece } from './surface_tools.js';
 
@@ -48,12 +49,17 @@ export class Viewer implements Workpiece {
   );
 
   /** Throws if there is no WebGL 2. */
-  constructor(canvas: HTMLCanvasElement, attributes: Attributes, emit: Emit) {
+  constructor(
+    canvas: HTMLCanvasElement,
+    attributes: Attributes,
+    emit: Emit,
+    contextListener: ContextListener,
+  ) {
     this.attributes = attributes;
     this.#emit = emit;
     this.tools = new SurfaceTools(this);
     this.#gestures = new PointerGestures(canvas, this.tools);
-    this.stage = new Stage(canvas);
+    this.stage = new Stage(canvas, contextListener);
     this.session = new Session(
       async (data) => this.#model?.cells.build(data),
       this.#sessionListener(),
