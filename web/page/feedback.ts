@@ -50,8 +50,8 @@ function setUpProgress(viewer: GeodesicVoronoiElement): void {
       box.hidden = false;
     }, patienceMilliseconds);
   });
-  listen(viewer, 'progress', ({ share }) => {
-    bar.value = share;
+  listen(viewer, 'progress', ({ totalProgress }) => {
+    bar.value = totalProgress;
   });
 }
 

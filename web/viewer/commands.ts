@@ -43,6 +43,17 @@ const actions: Readonly<Record<Command, (viewer: Viewer) => void>> = {
   farther: ({ stage }) => stage.dolly(dollyStep),
 };
 
+/** Those that change nothing but the view. */
+const ofView: ReadonlySet<Command> = new Set<Command>([
+  'refit',
+  'turn-left',
+  'turn-right',
+  'turn-up',
+  'turn-down',
+  'nearer',
+  'farther',
+]);
+
 const ofKey: Readonly<Record<string, Command>> = {
   Delete: 'remove',
   Backspace: 'remove',
@@ -69,6 +80,10 @@ export function commandOf(event: KeyboardEvent): Command | undefined {
     return key === 'y' ? 'redo' : undefined;
   }
   return ofKey[key];
+}
+
+export function isOfView(command: Command): boolean {
+  return ofView.has(command);
 }
 
 export function perform(command: Command, viewer: Viewer): void {

@@ -41,6 +41,7 @@ export class Session {
   #cvtStatus: CvtStatus = 'idle';
   #scattering: Scattering | undefined;
   #computing = false;
+  #hasFailed = false;
   #status: Status = 'empty';
 
   /** `cut` makes the cells of a diagram of the present model ready to be drawn. */
@@ -81,6 +82,7 @@ export class Session {
     this.#opening?.abort();
     const opening = new AbortController();
     this.#opening = opening;
+    this.#hasFailed = false;
     this.#updateStatus();
     const { signal } = opening;
     try {
@@ -93,7 +95,10 @@ export class Session {
       this.#adopt(mesh, name, this.#history.createAll(sites));
       return true;
     } catch (error) {
-      if (!signal.aborted) this.#fail(error);
+      if (!signal.aborted) {
+        this.#hasFailed = true;
+        this.#fail(error);
+      }
       return false;
     } finally {
       if (this.#opening === opening) {
@@ -427,7 +432,9 @@ export class Session {
           ? 'computing'
           : this.#mesh
             ? 'ready'
-            : 'empty';
+            : this.#hasFailed
+              ? 'failed'
+              : 'empty';
     if (status !== this.#status) {
       this.#status = status;
       this.#listener.statusChanged(status);

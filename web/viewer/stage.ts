@@ -11,6 +11,7 @@ import {
   Vector3,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import type { CameraOrbit } from './camera_orbit.js';
 import { type ContextListener, SharedRenderer } from './shared_renderer.js';
 
 const fieldOfView = 32;
@@ -18,6 +19,10 @@ const fieldOfView = 32;
 const margin = 0.12;
 /** Where a framed model is looked at from. */
 const firstDirection = new Vector3(0.45, 0.4, 1).normalize();
+
+export interface StageListener extends ContextListener {
+  cameraMoved(): void;
+}
 
 /**
  * The scene with its camera, lights and controls on one canvas. It draws when something changed and
@@ -36,11 +41,13 @@ export class Stage {
   /** In CSS pixels. */
   #size = { width: 0, height: 0 };
   #drawing = 0;
+  /** From which what was framed last fills the view. */
+  #framingDistance = 3;
   #isInView = true;
   #isOutdated = false;
 
   /** Throws if there is no WebGL 2. */
-  constructor(canvas: HTMLCanvasElement, listener: ContextListener) {
+  constructor(canvas: HTMLCanvasElement, listener: StageListener) {
     this.canvas = canvas;
     this.#contextListener = {
       contextLost: () => listener.contextLost(),
@@ -60,7 +67,10 @@ export class Stage {
     this.#controls.zoomToCursor = true;
     this.#controls.minDistance = 0.02;
     this.#controls.maxDistance = 40;
-    this.#controls.addEventListener('change', () => this.invalidate());
+    this.#controls.addEventListener('change', () => {
+      listener.cameraMoved();
+      this.invalidate();
+    });
   }
 
   /** Out of view nothing is drawn, and what the graphics card has of the scene is freed. */
@@ -140,7 +150,24 @@ export class Stage {
     }
     this.#stopGliding();
     this.#controls.target.set(0, 0, 0);
-    this.camera.position.copy(back).multiplyScalar(distance || 3);
+    this.#framingDistance = distance || 3;
+    this.camera.position.copy(back).multiplyScalar(this.#framingDistance);
+    this.#controls.update();
+    this.invalidate();
+  }
+
+  /** Where the camera is around what it looks at; set, it looks at the origin. */
+  get cameraOrbit(): CameraOrbit {
+    const back = this.camera.position.clone().sub(this.#controls.target);
+    const { theta, phi, radius } = new Spherical().setFromVector3(back);
+    return { theta, phi, radius: radius / this.#framingDistance };
+  }
+
+  set cameraOrbit({ theta, phi, radius }: CameraOrbit) {
+    const place = new Spherical(radius * this.#framingDistance, phi, theta).makeSafe();
+    this.#stopGliding();
+    this.#controls.target.set(0, 0, 0);
+    this.camera.position.setFromSpherical(place);
     this.#controls.update();
     this.invalidate();
   }

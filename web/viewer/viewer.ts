@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 import type { DiagramData, Mesh, Partition, PolygonMesh, Violation } from 'geodesic-voronoi';
 import type { Attributes } from './attributes.js';
-import { commandOf, perform } from './commands.js';
+import { formatCameraOrbit } from './camera_orbit.js';
+import { commandOf, isOfView, perform } from './commands.js';
 import { Derived } from './derived.js';
 import type { Emit } from './events.js';
 import { widestSpread } from './exploded_parts.js';
@@ -10,6 +11,7 @@ import { Hover, type HoveredPoint } from './hover.js';
 import type { Reader } from './mesh_opening.js';
 import type { DrawnDiagram } from './model_drawing.js';
 import { OpenModel } from './open_model.js';
+import { PageScrolling } from './page_scrolling.js';
 import { PointerGestures } from './pointer_gestures.js';
 import { Session } from './session.js';
 import type { Drawable, SessionListener } from './session_listener.js';
@@ -26,6 +28,13 @@ interface Density {
   rootIntegral: number;
 }
 
+/** What the viewer wants of the element that it fills. */
+export interface ViewerHost extends ContextListener {
+  readonly attributes: Attributes;
+  readonly emit: Emit;
+  hint(sentence: string): void;
+}
+
 /** The session's model, sites and diagram on the stage, with the tools to edit them: what fills an element. */
 export class Viewer implements Workpiece {
   readonly attributes: Attributes;
@@ -33,6 +42,7 @@ export class Viewer implements Workpiece {
   readonly session: Session;
   readonly hover: Hover;
   readonly tools: SurfaceTools;
+  readonly scrolling: PageScrolling;
   readonly #emit: Emit;
   readonly #gestures: PointerGestures;
   readonly #resizing: ResizeObserver;
@@ -51,27 +61,36 @@ export class Viewer implements Workpiece {
   /** Throws if there is no WebGL 2. */
   constructor(
     canvas: HTMLCanvasElement,
-    attributes: Attributes,
-    emit: Emit,
-    contextListener: ContextListener,
+    host: ViewerHost,
   ) {
-    this.attributes = attributes;
-    this.#emit = emit;
+    this.attributes = host.attributes;
+    this.#emit = host.emit;
     this.tools = new SurfaceTools(this);
     this.#gestures = new PointerGestures(canvas, this.tools);
-    this.stage = new Stage(canvas, contextListener);
+    this.scrolling = new PageScrolling(
+      canvas,
+      () => this.attributes.touchAction,
+      (sentence) => host.hint(sentence),
+    );
+    this.stage = new Stage(canvas, {
+      contextLost: () => host.contextLost(),
+      contextRestored: () => host.contextRestored(),
+      cameraMoved: () =>
+        this.#emit('camera-change', { orbit: formatCameraOrbit(this.stage.cameraOrbit) }),
+    });
     this.session = new Session(
       async (data) => this.#model?.cells.build(data),
       this.#sessionListener(),
     );
     this.hover = new Hover(this.session, (point) => this.#tellHovered(point));
-    this.#resizing = new ResizeObserver(() =>
-      this.stage.resize(canvas.clientWidth, canvas.clientHeight),
-    );
+    this.#resizing = new ResizeObserver(() => {
+      this.stage.resize(canvas.clientWidth, canvas.clientHeight);
+      this.scrolling.update();
+    });
     this.#resizing.observe(canvas);
     canvas.addEventListener('keydown', (event) => {
       const command = commandOf(event);
-      if (command === undefined) return;
+      if (command === undefined || !(this.attributes.interactive.edit || isOfView(command))) return;
       event.preventDefault();
       perform(command, this);
     });
@@ -171,6 +190,12 @@ export class Viewer implements Workpiece {
     if (this.#model) this.stage.frame(this.#model.drawing.mesh.positions);
   }
 
+  /** The camera goes where the attribute says, if it does. */
+  orbit(): void {
+    const { cameraOrbit } = this.attributes;
+    if (cameraOrbit) this.stage.cameraOrbit = cameraOrbit;
+  }
+
   cancel(): void {
     if (this.#gestures.dragging) this.#gestures.cancel();
     else this.session.cancel();
@@ -192,6 +217,7 @@ export class Viewer implements Workpiece {
 
   dispose(): void {
     this.#resizing.disconnect();
+    this.scrolling.dispose();
     this.#gestures.dispose();
     this.session.dispose();
     this.#model?.dispose();
@@ -203,6 +229,7 @@ export class Viewer implements Workpiece {
     return {
       modelChanged: (mesh, name) => {
         this.#showModel(mesh);
+        this.#emit('progress', { totalProgress: 1, reason: 'loading' });
         this.#emit('load', { name, info: mesh.info, parts: mesh.parts });
       },
       sitesChanged: () => this.#showSites(),
@@ -229,7 +256,10 @@ export class Viewer implements Workpiece {
         this.attributes.diagram = settings;
       },
       statusChanged: (status) => this.#emit('status-change', { status }),
-      progressed: (share) => this.#emit('progress', { share }),
+      progressed: (totalProgress) => {
+        const reason = this.session.status === 'loading' ? 'loading' : 'computing';
+        this.#emit('progress', { totalProgress, reason });
+      },
       failed: (cause) => {
         const message = cause instanceof Error ? cause.message : String(cause);
         this.#emit('error', { type: 'loadfailure', message, cause });
@@ -249,6 +279,7 @@ export class Viewer implements Workpiece {
     this.stage.add(this.#model.drawing.object);
     this.showLayers();
     this.refit();
+    this.orbit();
     // The first drawing compiles shaders, which takes longer than many a diagram. Done now, it is not
     // counted as the diagram's time.
     this.stage.draw();
