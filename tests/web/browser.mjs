@@ -9,7 +9,12 @@ import { extname } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 
-const folder = new URL('../../build/page/', import.meta.url);
+/** Where files come from, by the beginning of their path. */
+const folders = {
+  '/package/': new URL('../../dist/', import.meta.url),
+  '/modules/': new URL('../../node_modules/', import.meta.url),
+  '/': new URL('../../build/page/', import.meta.url),
+};
 
 /** As strict as the package says it can be. */
 const policy = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'";
@@ -49,16 +54,17 @@ function recordContexts() {
   };
 }
 
-/** Serves the page on a free port; `close()` ends it. */
-async function serve() {
+/** Serves the page, the package, and documents by their path, on a free port; `close()` ends it. */
+async function serve(documents) {
   const server = createServer(async (request, response) => {
     const path = decodeURIComponent(new URL(request.url, 'http://page').pathname);
-    const file = new URL(`.${path === '/' ? '/index.html' : path}`, folder);
+    const start = Object.keys(folders).find((start) => path.startsWith(start));
+    const file = new URL(path === '/' ? 'index.html' : path.slice(start.length), folders[start]);
     try {
-      const content = await readFile(fileURLToPath(file));
+      const content = documents[path]?.html ?? (await readFile(fileURLToPath(file)));
       response.writeHead(200, {
         'Content-Type': mediaTypes[extname(file.pathname)] ?? 'application/octet-stream',
-        'Content-Security-Policy': policy,
+        'Content-Security-Policy': documents[path]?.policy ?? policy,
       });
       response.end(content);
     } catch {
@@ -69,13 +75,16 @@ async function serve() {
   return { address: `http://127.0.0.1:${server.address().port}/`, close: () => server.close() };
 }
 
-/** A browser and a server for all tests of a file. */
-export async function startBrowser() {
-  const server = await serve();
+/**
+ * A browser and a server for all tests of a file. `documents` are pages besides the one that is built:
+ * their `html`, and their `policy` if it is another.
+ */
+export async function startBrowser(documents = {}) {
+  const server = await serve(documents);
   const browser = await chromium.launch(options);
   return {
     /** The page in a window of its own; `prepare` may change it before anything is loaded. */
-    async open({ prepare, ...context } = {}) {
+    async open({ prepare, path = '', ...context } = {}) {
       const page = await browser.newPage({
         viewport: { width: 800, height: 420 },
         // A camera that glides on draws frame after frame, seconds each here.
@@ -86,7 +95,7 @@ export async function startBrowser() {
       const viewer = new ViewerPage(page);
       await page.addInitScript(recordContexts);
       await prepare?.(page);
-      await page.goto(server.address);
+      await page.goto(server.address + path);
       return viewer;
     },
     async stop() {
