@@ -4,7 +4,7 @@ import { spawnSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { GeodesicVoronoiError, load, loadWorker } from 'geodesic-voronoi';
+import { compileModules, GeodesicVoronoiError, load, loadWorker } from 'geodesic-voronoi';
 import { octahedron } from './meshes.mjs';
 
 const dist = new URL('../../dist/', import.meta.url);
@@ -53,6 +53,13 @@ test('gltf.wasm is loaded with the first glTF, not before', async () => {
   const gvd = await load({ gltfWasm: './nowhere.wasm' });
   await gvd.mesh(octahedron());
   await assert.rejects(gvd.mesh(new Uint8Array(100)), failsToLoad(/nowhere\.wasm/));
+});
+
+test('what is compiled once is enough for any number of libraries', async () => {
+  const modules = await compileModules();
+  assert.ok(Object.values(modules).every((module) => module instanceof WebAssembly.Module));
+  const libraries = await Promise.all([load(modules), load(modules)]);
+  for (const library of libraries) await library.mesh(octahedron());
 });
 
 test('GeodesicVoronoiError is an Error with a code', () => {

@@ -272,9 +272,11 @@ suite('the page around it', () => {
     const session = await viewer.page.context().newCDPSession(viewer.page);
     const touch = (type, ...touchPoints) =>
       session.send('Input.dispatchTouchEvent', { type, touchPoints });
+    // Beside the site that the tap adds: that would be dragged.
     const swipe = async () => {
-      await touch('touchStart', { x, y });
-      for (let way = 10; way <= 80; way += 10) await touch('touchMove', { x, y: y - way });
+      const at = (y) => ({ x: x - 100, y });
+      await touch('touchStart', at(y));
+      for (let way = 10; way <= 80; way += 10) await touch('touchMove', at(y - way));
       await touch('touchEnd');
     };
     await swipe();
@@ -398,11 +400,21 @@ suite('attributes and events', () => {
       }),
     );
     assert.equal(moved.orbit, '30deg 75deg 120%');
-    const blob = await viewer.evaluate(async (viewer) => {
-      const { type, size } = await viewer.toBlob();
-      return { type, size };
+  });
+
+  test('a picture of it can be had, larger too', async (context) => {
+    const viewer = await opened(context, 'one.html');
+    await viewer.settled();
+    const pictures = await viewer.evaluate(async (viewer) => {
+      const size = async (blob) => {
+        const { width, height } = await createImageBitmap(blob);
+        return { type: blob.type, width, height };
+      };
+      return [await size(await viewer.toBlob()), await size(await viewer.toBlob('image/webp', 0.9, 3))];
     });
-    assert.equal(blob.type, 'image/png');
-    assert.ok(blob.size > 1000);
+    assert.deepEqual(pictures, [
+      { type: 'image/png', width: 300, height: 200 },
+      { type: 'image/webp', width: 900, height: 600 },
+    ]);
   });
 });

@@ -2,15 +2,15 @@
 //
 // geodesic-voronoi in a page or a worker. Importing it does nothing; `node.ts` is its face in Node.
 
-import { compile, compileFromWeb, type WasmSource } from './compile.js';
+import { compileFromWeb, type WasmSource } from './compile.js';
 import { GeodesicVoronoiError } from './errors.js';
 import { Library } from './library.js';
-import { loadLocal, sourcesOf, type LoadOptions } from './load.js';
+import { compileSources, loadLocal, sourcesOf, type LoadOptions, type Modules } from './load.js';
 import type { GeodesicVoronoi } from './types.js';
 import { WorkerEngine } from './worker_engine.js';
 
 export type * from './types.js';
-export type { LoadOptions, WasmSource };
+export type { LoadOptions, Modules, WasmSource };
 export { GeodesicVoronoiError };
 export { gltfResourceUris } from './gltf.js';
 export { diagramGlb, diagramJson, diagramObj } from './formats.js';
@@ -26,15 +26,8 @@ export function load(options: LoadOptions = {}): Promise<GeodesicVoronoi> {
 }
 
 /** Both modules, compiled: with them as options, any number of workers start without compiling again. */
-export async function compileModules(
-  options: LoadOptions = {},
-): Promise<Record<keyof LoadOptions, WebAssembly.Module>> {
-  const sources = sourcesOf(options);
-  const [wasm, gltfWasm] = await Promise.all([
-    compile(sources.wasm, compileFromWeb),
-    compile(sources.gltfWasm, compileFromWeb),
-  ]);
-  return { wasm, gltfWasm };
+export function compileModules(options: LoadOptions = {}): Promise<Modules> {
+  return compileSources(options, compileFromWeb);
 }
 
 /** The library in a module worker of its own; `dispose()` ends it. */

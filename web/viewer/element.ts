@@ -116,19 +116,10 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     return this.#open(() => readModelFiles(list));
   }
 
-  /** A picture of the view. */
-  toBlob(type = 'image/png', quality?: number): Promise<Blob> {
-    return new Promise((resolve, reject) => {
-      if (!this.#viewer) throw new Error('The element is not in a document.');
-      const { stage } = this.#viewer;
-      // The canvas keeps its picture until this task ends.
-      stage.draw();
-      stage.canvas.toBlob(
-        (blob) => (blob ? resolve(blob) : reject(new Error('The picture cannot be made.'))),
-        type,
-        quality,
-      );
-    });
+  /** A picture of the view, so many times as large. */
+  async toBlob(type = 'image/png', quality?: number, scale = 1): Promise<Blob> {
+    if (!this.#viewer) throw new Error('There is no view: the element is in no document, or far from view.');
+    return this.#viewer.stage.toBlob(scale, type, quality);
   }
 
   // --- Sites ----------------------------------------------------------------------------------

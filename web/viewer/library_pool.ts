@@ -2,7 +2,7 @@
 //
 // The libraries that all elements of a page share: a few workers, one compiled module.
 
-import { compileModules, type GeodesicVoronoi, loadWorker } from 'geodesic-voronoi';
+import { compileModules, type GeodesicVoronoi, loadWorker, type Modules } from 'geodesic-voronoi';
 
 /** Leaves a core to the page. */
 const mostWorkers = Math.min(4, Math.max(1, (globalThis.navigator?.hardwareConcurrency ?? 2) - 1));
@@ -13,7 +13,7 @@ interface Shared {
 }
 
 const pool = new Set<Shared>();
-let modules: ReturnType<typeof compileModules> | undefined;
+let modules: Promise<Modules> | undefined;
 
 /** A library, until it is given back; its last user's return ends its worker. */
 export class LibraryLease {

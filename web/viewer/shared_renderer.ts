@@ -47,6 +47,11 @@ export class SharedRenderer {
     this.#renderer.setClearAlpha(0);
   }
 
+  /** The largest width and height of what is drawn. */
+  get largestSize(): number {
+    return this.#renderer.capabilities.maxTextureSize;
+  }
+
   /** Draws onto a canvas, which takes the picture's size. */
   draw({ scene, camera, width, height, pixelRatio }: Picture, target: CanvasRenderingContext2D): void {
     const renderer = this.#renderer;

@@ -98,19 +98,38 @@ export class Stage {
     });
   }
 
-  draw(): void {
+  /** So many times as large as it is shown. */
+  draw(scale = 1): void {
     this.#isOutdated = false;
-    if (this.#size.width === 0) return;
+    const { width, height } = this.#size;
+    if (width === 0) return;
     this.#fitDepthRange();
+    const largest = this.#renderer.largestSize / Math.max(width, height);
     this.#renderer.draw(
       {
         scene: this.#scene,
         camera: this.camera,
-        ...this.#size,
-        pixelRatio: Math.min(devicePixelRatio, 2),
+        width,
+        height,
+        pixelRatio: Math.min(scale * Math.min(devicePixelRatio, 2), largest),
       },
       this.#picture,
     );
+  }
+
+  /** The view as a picture, so many times as large as it is shown. */
+  toBlob(scale: number, type: string, quality?: number): Promise<Blob> {
+    this.draw(scale);
+    // It is of what the canvas shows now.
+    const blob = new Promise<Blob>((resolve, reject) => {
+      this.canvas.toBlob(
+        (blob) => (blob ? resolve(blob) : reject(new Error('The picture cannot be made.'))),
+        type,
+        quality,
+      );
+    });
+    this.draw();
+    return blob;
   }
 
   /** In CSS pixels. Draws at once: the canvas stretches what was drawn before. */
