@@ -10,7 +10,7 @@ export interface CameraOrbit {
   radius: number;
 }
 
-/** Like `30deg 75deg 105%`; angles may be in `rad` too, and the distance `auto`. Undefined if it is not. */
+/** Like `30deg 75deg 105%`, angles also in `rad`, the distance also `auto`; undefined if it is not. */
 export function parseCameraOrbit(text: string): CameraOrbit | undefined {
   const [theta, phi, radius, ...rest] = text.trim().split(/\s+/);
   const orbit = {

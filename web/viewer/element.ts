@@ -118,7 +118,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
 
   /** A picture of the view, so many times as large. */
   async toBlob(type = 'image/png', quality?: number, scale = 1): Promise<Blob> {
-    if (!this.#viewer) throw new Error('There is no view: the element is in no document, or far from view.');
+    if (!this.#viewer) throw new Error('The element is in no document, or has not been in view.');
     return this.#viewer.stage.toBlob(scale, type, quality);
   }
 
@@ -235,7 +235,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
 
   // --- View -----------------------------------------------------------------------------------
 
-  /** Where the camera is, as in `camera-orbit`: its angles, and its distance in shares of that which frames. */
+  /** Where the camera is, as in `camera-orbit`. */
   get cameraOrbit(): string {
     return this.#viewer ? formatCameraOrbit(this.#viewer.stage.cameraOrbit) : '';
   }

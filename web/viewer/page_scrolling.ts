@@ -48,7 +48,9 @@ export class PageScrolling {
     listen('pointercancel', ({ pointerType }) => {
       if (pointerType === 'touch') hint('Tap the model, or use two fingers');
     });
-    for (const type of ['focus', 'blur', 'pointerenter'] as const) listen(type, () => this.update());
+    listen('focus', () => this.update());
+    listen('blur', () => this.update());
+    listen('pointerenter', () => this.update());
     this.update();
   }
 

@@ -53,7 +53,8 @@ export class SharedRenderer {
   }
 
   /** Draws onto a canvas, which takes the picture's size. */
-  draw({ scene, camera, width, height, pixelRatio }: Picture, target: CanvasRenderingContext2D): void {
+  draw(picture: Picture, target: CanvasRenderingContext2D): void {
+    const { scene, camera, width, height, pixelRatio } = picture;
     const renderer = this.#renderer;
     // What was drawn last stays to be seen.
     if (renderer.getContext().isContextLost()) return;

@@ -26,7 +26,8 @@ export interface StageListener extends ContextListener {
 
 /**
  * The scene with its camera, lights and controls on one canvas. It draws when something changed and
- * is in view, and not otherwise. What stands in it lies within the unit sphere (`ModelFrame`), or within `reach`.
+ * is in view, and not otherwise. What stands in it lies within the unit sphere (`ModelFrame`), or
+ * within `reach`.
  */
 export class Stage {
   /** The radius around the origin that what stands in it takes. */

@@ -35,7 +35,7 @@ export interface ViewerHost extends ContextListener {
   hint(sentence: string): void;
 }
 
-/** The session's model, sites and diagram on the stage, with the tools to edit them: what fills an element. */
+/** The session's model, sites and diagram on the stage, and the tools to edit them: it fills an element. */
 export class Viewer implements Workpiece {
   readonly attributes: Attributes;
   readonly stage: Stage;
@@ -59,10 +59,7 @@ export class Viewer implements Workpiece {
   );
 
   /** Throws if there is no WebGL 2. */
-  constructor(
-    canvas: HTMLCanvasElement,
-    host: ViewerHost,
-  ) {
+  constructor(canvas: HTMLCanvasElement, host: ViewerHost) {
     this.attributes = host.attributes;
     this.#emit = host.emit;
     this.tools = new SurfaceTools(this);
