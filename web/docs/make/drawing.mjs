@@ -21,7 +21,7 @@ const style = `
   .thin { fill: none; stroke: #5b6672; stroke-width: .8 } .grid { fill: none; stroke: #5b667240; stroke-width: .8 }
   .path { fill: none; stroke: #d6336c; stroke-width: 2.4; stroke-linejoin: round; stroke-linecap: round }
   .strip { fill: #d6336c24; stroke: #d6336c; stroke-width: .8 }
-  .site { fill: #1f2933; stroke: #fff; stroke-width: 1.5 } .point { fill: #fff; stroke: #1f2933; stroke-width: 1.5 }
+  .bar { fill: none; stroke-width: 7; stroke-linecap: round } .site { fill: #1f2933; stroke: #fff; stroke-width: 1.5 } .point { fill: #fff; stroke: #1f2933; stroke-width: 1.5 }
   @media (prefers-color-scheme: dark) {
     text { fill: #e7eaee } .soft { fill: #9aa5b1 }
     .surface { fill: #2a3038; stroke: #46505c } .base { fill: #2a3038; stroke: #ff7aa8 } .thin { stroke: #9aa5b1 } .thin.on { stroke: #5b6672 } .grid { stroke: #9aa5b140 }
