@@ -30,7 +30,12 @@ export async function buildDocs() {
       const { writePages } = await make('pages');
       writePages(at(output), (target) => hasDoxygen || !target.includes('cpp'));
       const typedoc = [at(reference, 'node_modules/.bin/typedoc'), at('node_modules/.bin/typedoc')];
-      const options = ['--options', `${reference}/typedoc.json`, '--tsconfig', `${reference}/tsconfig.json`];
+      const options = [
+        '--options',
+        `${reference}/typedoc.json`,
+        '--tsconfig',
+        `${reference}/tsconfig.json`,
+      ];
       run(typedoc.find(exists), [...options, '--logLevel', 'Warn']);
       if (hasDoxygen) run('doxygen', [`${reference}/Doxyfile`]);
     },

@@ -20,7 +20,8 @@ for (const source of markdownFiles) {
       const target = path ? join(dirname(source), path) : source;
       if (isReference(target)) continue;
       assert.ok(existsSync(join(root, target)), `${href}: there is no ${target}`);
-      if (anchor) assert.ok(outlineOf(textOf(target)).anchors.includes(anchor), `${href}: no such heading`);
+      if (anchor)
+        assert.ok(outlineOf(textOf(target)).anchors.includes(anchor), `${href}: no such heading`);
     }
   });
 }

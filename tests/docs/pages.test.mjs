@@ -23,7 +23,11 @@ before(async () => {
   browser = await chromium.launch({
     executablePath: process.env.CHROME_PATH ?? '/usr/bin/chromium',
     chromiumSandbox: false,
-    args: ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-background-networking'],
+    args: [
+      '--use-angle=swiftshader',
+      '--enable-unsafe-swiftshader',
+      '--disable-background-networking',
+    ],
     timeout: 120_000,
   });
 });
@@ -36,7 +40,10 @@ after(async () => {
 /** Opens a page and waits until its element is at rest. */
 async function open(html) {
   writeFileSync(join(folder, 'index.html'), html);
-  const page = await browser.newPage({ viewport: { width: 500, height: 400 }, reducedMotion: 'reduce' });
+  const page = await browser.newPage({
+    viewport: { width: 500, height: 400 },
+    reducedMotion: 'reduce',
+  });
   page.setDefaultTimeout(120_000);
   const complaints = [];
   page.on('pageerror', (error) => complaints.push(String(error)));

@@ -59,10 +59,19 @@ test('the readme installs what package.json is called', () => {
 });
 
 const examples = {
-  'even-sampling.mjs': { args: ['model.glb', '40'], says: /^40 points; the largest region has 1\.\d+ ×/ },
+  'even-sampling.mjs': {
+    args: ['model.glb', '40'],
+    says: /^40 points; the largest region has 1\.\d+ ×/,
+  },
   'base-mesh.mjs': { args: [], says: /meet in 2 places[^]* polygons, genus 1$/m },
-  'feature-ids.mjs': { args: ['model.glb', '7'], says: /^(region \d: area [\d.]+, perimeter [\d.]+\n){7}$/ },
-  'log-map.mjs': { args: ['model.glb'], says: /^farthest: vertex \d+ at \(-?\d+\.\d+, -?\d+\.\d+\)$/m },
+  'feature-ids.mjs': {
+    args: ['model.glb', '7'],
+    says: /^(region \d: area [\d.]+, perimeter [\d.]+\n){7}$/,
+  },
+  'log-map.mjs': {
+    args: ['model.glb'],
+    says: /^farthest: vertex \d+ at \(-?\d+\.\d+, -?\d+\.\d+\)$/m,
+  },
 };
 for (const [name, { args, says }] of Object.entries(examples)) {
   test(`example ${name}`, () => {

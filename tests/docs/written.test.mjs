@@ -21,7 +21,8 @@ function assertWritten(path, text) {
 
 test('the figures of how it works', async () => {
   const figures = await makeFigures();
-  for (const [name, text] of Object.entries(figures)) assertWritten(`web/docs/figures/${name}`, text);
+  for (const [name, text] of Object.entries(figures))
+    assertWritten(`web/docs/figures/${name}`, text);
   assert.deepEqual(readdirSync(join(root, 'web/docs/figures')).sort(), Object.keys(figures).sort());
 });
 
@@ -32,7 +33,8 @@ suite('from one run of the benchmark', () => {
     }
   });
   for (const path of ['README.md', 'web/docs/performance.md']) {
-    test(`the tables of ${path}`, () => assertWritten(path, withTables(textOf(path), measured, peers)));
+    test(`the tables of ${path}`, () =>
+      assertWritten(path, withTables(textOf(path), measured, peers)));
   }
 });
 

@@ -29,5 +29,7 @@ await writeFile(output, `${header}${places.map((place) => place.join(' ')).join(
 
 const areas = state.data.regionArea;
 const spread = Math.max(...areas) / Math.min(...areas);
-console.log(`${places.length} points; the largest region has ${spread.toFixed(2)} × the smallest's area`);
+console.log(
+  `${places.length} points; the largest region has ${spread.toFixed(2)} × the smallest's area`,
+);
 gvd.dispose();

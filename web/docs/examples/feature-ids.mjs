@@ -16,6 +16,8 @@ await writeFile(output, partitionGlb(parts, { mesh, layout: 'features' }));
 
 parts.regions.area.forEach((area, label) => {
   const perimeter = parts.regions.perimeter[label];
-  console.log(`region ${label}: area ${area.toPrecision(4)}, perimeter ${perimeter.toPrecision(4)}`);
+  console.log(
+    `region ${label}: area ${area.toPrecision(4)}, perimeter ${perimeter.toPrecision(4)}`,
+  );
 });
 gvd.dispose();

@@ -17,5 +17,7 @@ await writeFile(output, distancesPly(mesh, map));
 // Distance times direction are coordinates in the tangent plane of the point.
 const [u, v] = [0, 1].map((k) => Array.from(map.distance, (d, i) => d * map.direction[2 * i + k]));
 const farthest = map.distance.indexOf(Math.max(...map.distance.filter(Number.isFinite)));
-console.log(`farthest: vertex ${farthest} at (${u[farthest].toFixed(4)}, ${v[farthest].toFixed(4)})`);
+console.log(
+  `farthest: vertex ${farthest} at (${u[farthest].toFixed(4)}, ${v[farthest].toFixed(4)})`,
+);
 gvd.dispose();

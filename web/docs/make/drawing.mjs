@@ -7,7 +7,10 @@
 const number = (x) => String(Number(x.toFixed(1)));
 const place = ({ x, y }) => `${number(x)},${number(y)}`;
 const escaped = (text) =>
-  String(text).replace(/[&<>"]/g, (c) => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' })[c]);
+  String(text).replace(
+    /[&<>"]/g,
+    (c) => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' })[c],
+  );
 
 /** Colours by class, in light and in dark: an SVG in a page follows the reader's preference. */
 const style = `
@@ -66,7 +69,9 @@ export class Drawing {
   }
 
   text({ x, y }, text, className = '') {
-    this.add(`<text class="${className}" x="${number(x)}" y="${number(y)}">${escaped(text)}</text>`);
+    this.add(
+      `<text class="${className}" x="${number(x)}" y="${number(y)}">${escaped(text)}</text>`,
+    );
   }
 
   toString() {

@@ -4,7 +4,7 @@
 // distances that decide.
 
 import { Drawing, pairsOf } from './drawing.mjs';
-import { inPlane, unfoldStrip } from './unfolding.mjs';
+import { baryIn, fitter, inPlane, unfoldStrip } from './unfolding.mjs';
 
 const colours = ['#2b6a99', '#b4630a', '#3c8d40'];
 
@@ -21,7 +21,7 @@ export async function envelopeFigure({ mesh }) {
   const squared = await squaredDistances(mesh, sites, labels);
   const shown = { mesh, data, face, cells, labels, squared };
   drawFace(drawing, shown, { x: 30, y: 30, width: 300, height: 230 });
-  await drawSide(drawing, shown, sites, { x: 410, y: 30, width: 320, height: 200 });
+  drawSide(drawing, shown, { x: 410, y: 30, width: 320, height: 200 });
   return drawing;
 }
 
@@ -39,14 +39,17 @@ async function squaredDistances(mesh, { face, bary }, labels) {
   for (const label of labels) {
     const site = { face: [face[label]], bary: bary.slice(3 * label, 3 * label + 3) };
     const { distance } = await mesh.distances(site);
-    squared.set(label, distance.map((d) => d * d));
+    squared.set(
+      label,
+      distance.map((d) => d * d),
+    );
   }
   return squared;
 }
 
 function drawFace(drawing, { mesh, data, face, cells, labels }, box) {
   const [laid] = unfoldStrip(mesh, [face]);
-  const fit = fitter(laid.corners, box);
+  const fit = fitter(laid.corners, laid.corners.slice(0, 2), box);
   for (const cell of cells) {
     const { offset, points, label } = data.cells;
     const corners = [...points.slice(offset[cell], offset[cell + 1])].map((point) =>
@@ -55,7 +58,11 @@ function drawFace(drawing, { mesh, data, face, cells, labels }, box) {
     const colour = colours[labels.indexOf(label[cell])];
     drawing.polygon(corners, 'line', `${colour}40`);
     const middle = (axis) => corners.reduce((sum, p) => sum + p[axis], 0) / corners.length;
-    drawing.text({ x: middle('x'), y: middle('y') + 4 }, `region ${label[cell]}`, 'middle small on');
+    drawing.text(
+      { x: middle('x'), y: middle('y') + 4 },
+      `region ${label[cell]}`,
+      'middle small on',
+    );
   }
   ['i', 'j', 'k'].forEach((name, i) => {
     const { x, y } = fit(laid.corners[i]);
@@ -65,9 +72,13 @@ function drawFace(drawing, { mesh, data, face, cells, labels }, box) {
 }
 
 /** Along the side with most regions: linear interpolants straight, true squared distances dotted. */
-async function drawSide(drawing, { mesh, face, labels, squared }, sites, box) {
+function drawSide(drawing, { mesh, face, labels, squared }, box) {
   const corners = [...mesh.indices.slice(3 * face, 3 * face + 3)];
-  const side = [0, 1, 2].find((i) => nearest(squared, labels, corners[i]) !== nearest(squared, labels, corners[(i + 1) % 3])) ?? 0;
+  const side =
+    [0, 1, 2].find(
+      (i) =>
+        nearest(squared, labels, corners[i]) !== nearest(squared, labels, corners[(i + 1) % 3]),
+    ) ?? 0;
   const [a, b] = [corners[side], corners[(side + 1) % 3]];
   const values = labels.flatMap((label) => [squared.get(label)[a], squared.get(label)[b]]);
   const [least, most] = [0.9 * Math.min(...values), 1.02 * Math.max(...values)];
@@ -80,7 +91,10 @@ async function drawSide(drawing, { mesh, face, labels, squared }, sites, box) {
   drawing.polyline([place(0, most), place(0, least), place(1, least), place(1, most)], 'thin');
   const steps = Array.from({ length: 101 }, (_, i) => i / 100);
   const envelope = (t) => Math.min(...labels.map((label) => linear(label, t)));
-  drawing.polyline(steps.map((t) => place(t, envelope(t))), 'line');
+  drawing.polyline(
+    steps.map((t) => place(t, envelope(t))),
+    'line',
+  );
   for (const [i, label] of labels.entries()) {
     drawing.polyline([place(0, linear(label, 0)), place(1, linear(label, 1))], 'thin', colours[i]);
     const end = place(1, linear(label, 1));
@@ -95,8 +109,16 @@ async function drawSide(drawing, { mesh, face, labels, squared }, sites, box) {
   }
   const names = ['i', 'j', 'k'];
   drawing.text({ x: box.x, y: box.y + box.height + 18 }, names[side], 'middle');
-  drawing.text({ x: box.x + box.width, y: box.y + box.height + 18 }, names[(side + 1) % 3], 'middle');
-  drawing.text({ x: box.x, y: box.y - 10 }, 'squared distance, linear along the side', 'small soft');
+  drawing.text(
+    { x: box.x + box.width, y: box.y + box.height + 18 },
+    names[(side + 1) % 3],
+    'middle',
+  );
+  drawing.text(
+    { x: box.x, y: box.y - 10 },
+    'squared distance, linear along the side',
+    'small soft',
+  );
 }
 
 /** Equation 3 of Melvær & Reimers 2014: t = a / (a - b), a and b the differences of the squares. */
@@ -106,21 +128,6 @@ function crossing(one, other, linear) {
 }
 
 const nearest = (squared, labels, vertex) =>
-  labels.reduce((best, label) => (squared.get(label)[vertex] < squared.get(best)[vertex] ? label : best));
-
-function baryIn(mesh, { face, bary }, point, other) {
-  const weights = new Map(
-    [0, 1, 2].map((k) => [mesh.indices[3 * face[point] + k], bary[3 * point + k]]),
+  labels.reduce((best, label) =>
+    squared.get(label)[vertex] < squared.get(best)[vertex] ? label : best,
   );
-  return [0, 1, 2].map((k) => weights.get(mesh.indices[3 * other + k]) ?? 0);
-}
-
-function fitter(places, box) {
-  const [xs, ys] = ['x', 'y'].map((axis) => places.map((place) => place[axis]));
-  const [x0, x1, y0, y1] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
-  const scale = Math.min(box.width / (x1 - x0), box.height / (y1 - y0));
-  return ({ x, y }) => ({
-    x: box.x + box.width / 2 + scale * (x - (x0 + x1) / 2),
-    y: box.y + box.height / 2 - scale * (y - (y0 + y1) / 2),
-  });
-}

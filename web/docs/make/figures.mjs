@@ -8,7 +8,7 @@ import { RegionColours, toneColour } from '../../../dist/viewer/region_colours.j
 import { torus } from '../../page/sample_shapes.mjs';
 import { Drawing, pairsOf, View } from './drawing.mjs';
 import { envelopeFigure } from './envelope_figure.mjs';
-import { inPlane, unfoldStrip } from './unfolding.mjs';
+import { baryIn, fitter, inPlane, unfoldStrip } from './unfolding.mjs';
 
 const look = { turn: 0.6, tilt: 0.75 };
 const [width, height] = [760, 340];
@@ -53,12 +53,15 @@ async function unfoldingFigure({ mesh, look }) {
   drawing.polyline(placesOf(view, points.position), 'path');
 
   const laid = unfoldStrip(mesh, faces);
-  const flat = points.face.reduce((places, face, i) => {
+  const flat = [...points.face.keys()].map((i) => {
     const cell = laid[faces.indexOf(strip[Math.min(i, strip.length - 1)])];
-    places.push(inPlane(cell, baryIn(mesh, points, i, cell.face)));
-    return places;
-  }, []);
-  const fit = fitter([...laid.flatMap(({ corners }) => corners)], flat, right);
+    return inPlane(cell, baryIn(mesh, points, i, cell.face));
+  });
+  const fit = fitter(
+    laid.flatMap(({ corners }) => corners),
+    flat,
+    right,
+  );
   for (const { corners } of laid) drawing.polygon(corners.map(fit), 'strip');
   drawing.polyline(flat.map(fit), 'path');
   for (const end of [flat[0], flat.at(-1)]) drawing.circle(fit(end), 5, 'site');
@@ -80,7 +83,11 @@ async function virtualSourceFigure(gvd) {
   const site = { vertex: [nearestVertex(mesh, [0.13, 0.37, 0])] };
   drawSurface(drawing, view);
   drawIsolines(drawing, view, mesh, (await mesh.distances(site)).distance, 0.06);
-  for (const target of [[1.9, 0.62, 0], [2, 0.3, 0], [1.4, 0.05, 0]]) {
+  for (const target of [
+    [1.9, 0.62, 0],
+    [2, 0.3, 0],
+    [1.4, 0.05, 0],
+  ]) {
     const { points } = await mesh.path(site, { vertex: [nearestVertex(mesh, target)] });
     drawing.polyline(placesOf(view, points.position), 'path');
   }
@@ -93,7 +100,10 @@ async function bisectorFigure({ mesh, look }) {
   const drawing = new Drawing(width, height, {
     title: 'Distances of two sites, and the bisector where they are equal',
   });
-  const targets = [[-0.6, 0.4, 0.9], [1, 0.4, 0.3]];
+  const targets = [
+    [-0.6, 0.4, 0.9],
+    [1, 0.4, 0.3],
+  ];
   const sites = { vertex: targets.map((target) => nearestVertex(mesh, target)) };
   const view = new View(mesh, { ...look, box: left });
   drawSurface(drawing, view);
@@ -142,18 +152,25 @@ async function outlinesFigure({ mesh, look }) {
 /** The same sites, bisectors straight in each face and in parts of it. */
 async function detailFigure(gvd) {
   const drawing = new Drawing(width, height, {
-    title: 'A coarse torus: one straight segment per face, and faces on bisectors split three times',
+    title:
+      'A coarse torus: one straight segment per face, and faces on bisectors split three times',
   });
   const mesh = await gvd.mesh(torus(9, 5));
   const sites = await mesh.sampleSites(9, { seed: 3, sampling: 'poisson' });
   const colours = new RegionColours();
-  for (const [detail, box] of [[0, left], [3, right]]) {
+  for (const [detail, box] of [
+    [0, left],
+    [3, right],
+  ]) {
     const view = new View(mesh, { ...look, box });
     const diagram = await mesh.voronoi(sites, { detail });
     drawRegions(drawing, view, diagram, colours);
     drawBisectors(drawing, view, diagram);
     diagram.dispose();
-    drawing.segments(view.facesInOrder().flatMap((f) => sidesOf(view.corners(f))), 'grid');
+    drawing.segments(
+      view.facesInOrder().flatMap((f) => sidesOf(view.corners(f))),
+      'grid',
+    );
   }
   return drawing;
 }
@@ -196,7 +213,10 @@ async function cvtFigure({ mesh, look }) {
     states.push(state);
   }
   const colours = new RegionColours();
-  for (const [state, box] of [[states[0], left], [states.at(-1), right]]) {
+  for (const [state, box] of [
+    [states[0], left],
+    [states.at(-1), right],
+  ]) {
     const view = new View(mesh, { ...look, box });
     drawRegions(drawing, view, state.diagram, colours);
     drawBisectors(drawing, view, state.diagram);
@@ -277,7 +297,9 @@ function drawIsolines(drawing, view, mesh, distance, step, { pieces, className }
     const blend = (bary, of) => bary.reduce((sum, weight, i) => sum + weight * of(i), 0);
     const at = corners.map((bary) => blend(bary, (i) => distance[vertices[i]]));
     const places = corners.map((bary) =>
-      Object.fromEntries(['x', 'y', 'depth'].map((axis) => [axis, blend(bary, (i) => sides[i][axis])])),
+      Object.fromEntries(
+        ['x', 'y', 'depth'].map((axis) => [axis, blend(bary, (i) => sides[i][axis])]),
+      ),
     );
     for (let k = Math.ceil(Math.min(...at) / step); k * step < Math.max(...at); ++k) {
       const crossings = at.flatMap((a, i) => {
@@ -291,7 +313,11 @@ function drawIsolines(drawing, view, mesh, distance, step, { pieces, className }
   drawing.segments(view.seen(pairs), className ?? 'thin');
 }
 
-const unitBary = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+const unitBary = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+];
 
 function wholeFaces(view) {
   return view.facesInOrder().map((face) => ({ face, corners: unitBary }));
@@ -328,7 +354,9 @@ function placesOf(view, positions) {
 /** The region of which most of the outline is seen. */
 function mostSeen(view, { data, regions }) {
   const hidden = ({ loops }) =>
-    loops.flatMap((loop) => [...loop]).filter((point) => !view.sees(view.place(data.points.position, point))).length;
+    loops
+      .flatMap((loop) => [...loop])
+      .filter((point) => !view.sees(view.place(data.points.position, point))).length;
   return [...regions].sort((a, b) => hidden(a) - hidden(b))[0];
 }
 
@@ -344,31 +372,6 @@ function commonFace(mesh, points, i, j) {
     if ([...wanted].every((v) => corners.includes(v))) return f;
   }
   throw new Error(`points ${i} and ${j} of a path have no face in common`);
-}
-
-/** The barycentric coordinates of point i of a path in terms of another face that it is on. */
-function baryIn(mesh, { face, bary }, i, other) {
-  const weights = new Map([0, 1, 2].map((k) => [mesh.indices[3 * face[i] + k], bary[3 * i + k]]));
-  return [0, 1, 2].map((k) => weights.get(mesh.indices[3 * other + k]) ?? 0);
-}
-
-/** Puts places of the plane into a box, turned so that the first and the last of `along` lie level. */
-function fitter(places, along, box) {
-  const [from, to] = [along[0], along.at(-1)];
-  const length = Math.hypot(to.x - from.x, to.y - from.y);
-  const [cos, sin] = [(to.x - from.x) / length, (to.y - from.y) / length];
-  const turned = ({ x, y }) => ({ x: cos * x + sin * y, y: sin * x - cos * y });
-  const all = places.map(turned);
-  const [xs, ys] = [all.map(({ x }) => x), all.map(({ y }) => y)];
-  const [x0, x1, y0, y1] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
-  const scale = Math.min(box.width / (x1 - x0), box.height / (y1 - y0));
-  return (place) => {
-    const { x, y } = turned(place);
-    return {
-      x: box.x + box.width / 2 + scale * (x - (x0 + x1) / 2),
-      y: box.y + box.height / 2 + scale * (y - (y0 + y1) / 2),
-    };
-  };
 }
 
 function nearestVertex({ positions }, target) {

@@ -47,7 +47,15 @@ const tables = {
         power(score.largestError),
       ]),
     );
-    const titles = ['mesh', 'faces', 'sites', 'metric', 'mislabelled', 'mean error', 'largest error'];
+    const titles = [
+      'mesh',
+      'faces',
+      'sites',
+      'metric',
+      'mislabelled',
+      'mean error',
+      'largest error',
+    ];
     return table(titles, rows, 4);
   },
 
@@ -57,11 +65,20 @@ const tables = {
     const own = ['exact', 'dgpc'].map((metric) => {
       const scores = known.map(({ metrics }) => metrics[metric].mislabelled);
       const errors = known.map(({ metrics }) => metrics[metric].meanError);
-      return [`\`${metric}\``, percent(mean(scores)), percent(Math.max(...scores)), power(mean(errors))];
+      return [
+        `\`${metric}\``,
+        percent(mean(scores)),
+        percent(Math.max(...scores)),
+        power(mean(errors)),
+      ];
     });
     const title = cases.length > 0 ? `${cases.length} cases of scanned meshes` : 'small meshes';
     const others = peers.mislabelled.map(({ name, mean, worst }) => [name, mean, worst, '']);
-    return table([title, 'points given to the wrong site', 'in the worst case', 'mean error'], [...own, ...others], 1);
+    return table(
+      [title, 'points given to the wrong site', 'in the worst case', 'mean error'],
+      [...own, ...others],
+      1,
+    );
   },
 
   'speed-by-sites'({ speed }, peers) {
@@ -87,7 +104,15 @@ const tables = {
       Math.round(exact.bytesPerFace),
       Math.round(dgpc.bytesPerFace),
     ]);
-    const titles = ['faces', 'Dijkstra', '`exact`', '`dgpc`', 'one site moved', 'bytes per face, `exact`', '`dgpc`'];
+    const titles = [
+      'faces',
+      'Dijkstra',
+      '`exact`',
+      '`dgpc`',
+      'one site moved',
+      'bytes per face, `exact`',
+      '`dgpc`',
+    ];
     return table(titles, rows, 0);
   },
 
@@ -104,7 +129,16 @@ const tables = {
         wasm ? times(wasm / (distances + diagram)) : '',
       ]),
     );
-    const titles = ['mesh', 'faces', 'sites', 'metric', 'distances', 'diagram', 'over Dijkstra', 'WebAssembly over native'];
+    const titles = [
+      'mesh',
+      'faces',
+      'sites',
+      'metric',
+      'distances',
+      'diagram',
+      'over Dijkstra',
+      'WebAssembly over native',
+    ];
     return table(titles, rows, 4);
   },
 
@@ -130,23 +164,46 @@ const tables = {
       percent(dgpc.mislabelled),
       power(dgpc.meanError),
     ]);
-    return table(['faces', '`exact`: mislabelled', 'mean error', '`dgpc`: mislabelled', 'mean error'], rows, 0);
+    return table(
+      ['faces', '`exact`: mislabelled', 'mean error', '`dgpc`: mislabelled', 'mean error'],
+      rows,
+      0,
+    );
   },
 
   cvt({ tessellations }, peers) {
     const sorted = [...tessellations].sort((a, b) => a.sites - b.sites);
     const rows = sorted.map(({ mesh, sites, methods: { lbfgs, lloyd } }) => {
       const others = peers.cvt.energy[mesh] ?? [];
-      const energies = [lbfgs.energy[0], lbfgs.energy[1], lbfgs.energy[2], lloyd.energy[2], others[1], others[2]];
-      return [mesh.replace(`_${sites}`, ''), sites, ...energies.map((energy) => energy?.toFixed(3) ?? '')];
+      const energies = [
+        lbfgs.energy[0],
+        lbfgs.energy[1],
+        lbfgs.energy[2],
+        lloyd.energy[2],
+        others[1],
+        others[2],
+      ];
+      return [
+        mesh.replace(`_${sites}`, ''),
+        sites,
+        ...energies.map((energy) => energy?.toFixed(3) ?? ''),
+      ];
     });
     const { name } = peers.cvt;
-    const titles = ['mesh', 'sites', 'start', '10 iterations', '50', 'Lloyd, 50', `${name}, 10`, `${name}, 50`];
+    const titles = [
+      'mesh',
+      'sites',
+      'start',
+      '10 iterations',
+      '50',
+      'Lloyd, 50',
+      `${name}, 10`,
+      `${name}, 50`,
+    ];
     return table(titles, rows, 1);
   },
 
-  peers: (_, peers) =>
-    peers.speed.map(({ name, mesh }) => `- ${name}: ${mesh}.`).join('\n'),
+  peers: (_, peers) => peers.speed.map(({ name, mesh }) => `- ${name}: ${mesh}.`).join('\n'),
 };
 
 // --- Plots ------------------------------------------------------------------------------------------
@@ -178,7 +235,11 @@ function plotByFaces({ size }) {
   const series = [
     { name: 'exact', points: line(({ metrics }) => both(metrics.exact)), colour: colours.exact },
     { name: 'dgpc', points: line(({ metrics }) => both(metrics.dgpc)), colour: colours.dgpc },
-    { name: 'Dijkstra’s algorithm', points: line(({ dijkstra }) => dijkstra), colour: colours.dijkstra },
+    {
+      name: 'Dijkstra’s algorithm',
+      points: line(({ dijkstra }) => dijkstra),
+      colour: colours.dijkstra,
+    },
     {
       name: 'one site moved (exact)',
       points: line(({ metrics }) => metrics.exact.change),
@@ -195,7 +256,9 @@ function plotByFaces({ size }) {
 }
 
 function plotByDetail({ byDetail }) {
-  const chosen = byDetail.filter(({ metrics }) => metrics.exact.mislabelled.every((share) => share > 0));
+  const chosen = byDetail.filter(({ metrics }) =>
+    metrics.exact.mislabelled.every((share) => share > 0),
+  );
   const palette = [colours.exact, colours.dgpc, ...colours.peers, colours.dijkstra];
   const series = chosen.map(({ mesh, metrics }, i) => ({
     name: mesh,
@@ -205,8 +268,17 @@ function plotByDetail({ byDetail }) {
   const range = decades(series);
   return plot({
     title: 'Area given to another site than the nearest one, exact distances',
-    x: { name: 'parts of a side: 2 to the detail', range: [0.9, 18], ticks: [1, 2, 4, 8, 16], show: String },
-    y: { range, ticks: ticksOf(range), show: (share) => `${Number((100 * share).toPrecision(1))} %` },
+    x: {
+      name: 'parts of a side: 2 to the detail',
+      range: [0.9, 18],
+      ticks: [1, 2, 4, 8, 16],
+      show: String,
+    },
+    y: {
+      range,
+      ticks: ticksOf(range),
+      show: (share) => `${Number((100 * share).toPrecision(1))} %`,
+    },
     series,
   });
 }
@@ -225,14 +297,25 @@ function overMeshes(speed, sites, of) {
 }
 
 const overDijkstra = (speed, metric, sites) =>
-  overMeshes(speed, sites, ({ dijkstra, metrics: { [metric]: entry } }) => (entry.distances + entry.diagram) / dijkstra);
+  overMeshes(
+    speed,
+    sites,
+    ({ dijkstra, metrics: { [metric]: entry } }) => (entry.distances + entry.diagram) / dijkstra,
+  );
 
 const moveShare = (speed, sites) =>
-  overMeshes(speed, sites, ({ metrics: { exact } }) => exact.change / (exact.distances + exact.diagram));
+  overMeshes(
+    speed,
+    sites,
+    ({ metrics: { exact } }) => exact.change / (exact.distances + exact.diagram),
+  );
 
 function decades(series) {
   const values = series.flatMap(({ points }) => points.map(([, y]) => y));
-  return [10 ** Math.floor(Math.log10(Math.min(...values))), 10 ** Math.ceil(Math.log10(Math.max(...values)))];
+  return [
+    10 ** Math.floor(Math.log10(Math.min(...values))),
+    10 ** Math.ceil(Math.log10(Math.max(...values))),
+  ];
 }
 
 function ticksOf([low, high]) {
@@ -244,13 +327,20 @@ function ticksOf([low, high]) {
 // --- Texts ------------------------------------------------------------------------------------------
 
 const count = (n) => String(n).replace(/\B(?=(\d{3})+$)/g, ',');
-const short = (n) => (n >= 1e6 ? `${(n / 1e6).toFixed(1)}M` : n >= 1000 ? `${Math.round(n / 1000)}k` : String(n));
+const short = (n) =>
+  n >= 1e6 ? `${(n / 1e6).toFixed(1)}M` : n >= 1000 ? `${Math.round(n / 1000)}k` : String(n);
 const percent = (share, digits = 3) => `${(100 * share).toFixed(digits)} %`;
-const power = (x) => x.toExponential(1).replace(/e([+-])(\d+)/, (_, sign, n) => `e${sign === '-' ? '-' : ''}${n}`);
+const power = (x) =>
+  x.toExponential(1).replace(/e([+-])(\d+)/, (_, sign, n) => `e${sign === '-' ? '-' : ''}${n}`);
 const times = (x) => (x === undefined ? undefined : `${x.toFixed(1)} ×`);
-const fraction = (x) => (x === undefined ? undefined : x > 0.6 ? 'all anew' : `1/${Math.round(1 / x)}`);
+const fraction = (x) =>
+  x === undefined ? undefined : x > 0.6 ? 'all anew' : `1/${Math.round(1 / x)}`;
 const seconds = (s) =>
-  s >= 1 ? `${Number(s.toPrecision(2))} s` : s >= 1e-3 ? `${Number((1e3 * s).toPrecision(2))} ms` : `${Number((1e6 * s).toPrecision(2))} µs`;
+  s >= 1
+    ? `${Number(s.toPrecision(2))} s`
+    : s >= 1e-3
+      ? `${Number((1e3 * s).toPrecision(2))} ms`
+      : `${Number((1e6 * s).toPrecision(2))} µs`;
 
 /** Columns from `firstNumber` on are aligned to the right. */
 function table(titles, rows, firstNumber) {

@@ -18,7 +18,11 @@ export const documents = [
   { source: here('../gallery.md'), target: 'gallery.html', title: 'Gallery' },
   { source: here('../performance.md'), target: 'performance.html', title: 'Accuracy and speed' },
   { source: here('../glossary.md'), target: 'glossary.html', title: 'Glossary' },
-  { source: here('../../../.github/CONTRIBUTING.md'), target: 'contributing.html', title: 'Contributing' },
+  {
+    source: here('../../../.github/CONTRIBUTING.md'),
+    target: 'contributing.html',
+    title: 'Contributing',
+  },
   { source: here('../changelog.md'), target: 'changelog.html', title: 'Changes' },
 ];
 /** Made by other tools, into the same folder. */
@@ -52,7 +56,8 @@ export function outlineOf(text) {
   marked.walkTokens(marked.lexer(text), (token) => {
     if (token.type === 'heading') anchors.push(anchorOf(plainText(token)));
     if (token.type === 'link' || token.type === 'image') links.push(token.href);
-    if (token.type === 'html') links.push(...[...token.text.matchAll(/(?:src|href)="([^"]+)"/g)].map(([, href]) => href));
+    if (token.type === 'html')
+      links.push(...[...token.text.matchAll(/(?:src|href)="([^"]+)"/g)].map(([, href]) => href));
   });
   return { anchors, links };
 }
@@ -77,7 +82,9 @@ function pageOf({ source, target, title }, navigation) {
       paragraph(token) {
         const example = exampleOf(token, source);
         const text = `<p>${this.parser.parseInline(token.tokens)}</p>\n`;
-        return example === undefined ? text : `${text}<pre><code>${escaped(example)}</code></pre>\n`;
+        return example === undefined
+          ? text
+          : `${text}<pre><code>${escaped(example)}</code></pre>\n`;
       },
     },
     walkTokens(token) {
@@ -93,7 +100,9 @@ function pageOf({ source, target, title }, navigation) {
 function exampleOf({ tokens }, source) {
   if (tokens.length !== 1 || tokens[0].type !== 'link') return undefined;
   const href = tokens[0].href;
-  return href.startsWith('examples/') ? readFileSync(join(dirname(source), href), 'utf8') : undefined;
+  return href.startsWith('examples/')
+    ? readFileSync(join(dirname(source), href), 'utf8')
+    : undefined;
 }
 
 /** Where a link of a document leads among the pages. */

@@ -21,7 +21,11 @@ export async function takePictures(folder) {
   const browser = await chromium.launch({
     executablePath: process.env.CHROME_PATH ?? '/usr/bin/chromium',
     chromiumSandbox: false,
-    args: ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-background-networking'],
+    args: [
+      '--use-angle=swiftshader',
+      '--enable-unsafe-swiftshader',
+      '--disable-background-networking',
+    ],
     timeout: 120_000,
   });
   try {
@@ -44,7 +48,12 @@ export async function takePictures(folder) {
           { src: 'bunny.glb', sites: await random('bunny.glb', 70), name: 'random sites' },
           { src: 'bunny.glb', sites: await even('bunny.glb', 70), name: 'at centroids' },
           { src: 'bunny.glb', sites: await even('bunny.glb', 70), name: 'parts', exploded: 0.12 },
-          { src: 'bunny.glb', sites: await even('bunny.glb', 70), name: 'dual', layers: 'dual sites' },
+          {
+            src: 'bunny.glb',
+            sites: await even('bunny.glb', 70),
+            name: 'dual',
+            layers: 'dual sites',
+          },
         ],
       },
     };
@@ -64,7 +73,8 @@ async function evenSites(gvd, path, count) {
   const mesh = await gvd.mesh(readFileSync(path));
   let last;
   const options = { iterations: 40 };
-  for await (const { sites } of mesh.cvt(await mesh.sampleSites(count, { seed: 4 }), options)) last = sites;
+  for await (const { sites } of mesh.cvt(await mesh.sampleSites(count, { seed: 4 }), options))
+    last = sites;
   mesh.dispose();
   return plain(last);
 }
@@ -80,7 +90,10 @@ const plain = ({ face, bary }) => ({ face: [...face], bary: [...bary] });
 
 function pageOf({ views }) {
   const elements = views.map(({ src, name, exploded, layers }) => {
-    const attributes = [`src="${src}"`, `layers="${layers ?? (views.length < 4 ? 'regions bisectors' : 'regions bisectors sites')}"`];
+    const attributes = [
+      `src="${src}"`,
+      `layers="${layers ?? (views.length < 4 ? 'regions bisectors' : 'regions bisectors sites')}"`,
+    ];
     if (exploded) attributes.push(`exploded="${exploded}"`);
     return `<figure><geodesic-voronoi ${attributes.join(' ')}></geodesic-voronoi><figcaption>${name ?? ''}</figcaption></figure>`;
   });
@@ -101,7 +114,12 @@ ${elements.join('\n')}`;
 
 /** The page as it is when all views have drawn, as WebP. */
 async function photograph(browser, address, { size, views }) {
-  const page = await browser.newPage({ viewport: size, deviceScaleFactor: 1.5, reducedMotion: 'reduce', colorScheme: 'dark' });
+  const page = await browser.newPage({
+    viewport: size,
+    deviceScaleFactor: 1.5,
+    reducedMotion: 'reduce',
+    colorScheme: 'dark',
+  });
   page.setDefaultTimeout(120_000);
   await page.goto(address);
   const settled = () =>
@@ -109,12 +127,17 @@ async function photograph(browser, address, { size, views }) {
       [...document.querySelectorAll('geodesic-voronoi')].every(({ status }) => status === 'ready'),
     );
   await settled();
-  await page.evaluate((lists) => {
-    document.querySelectorAll('geodesic-voronoi').forEach((viewer, i) => {
-      viewer.drawn = new Promise((resolve) => viewer.addEventListener('diagram', resolve, { once: true }));
-      viewer.sites = lists[i];
-    });
-  }, views.map(({ sites }) => sites));
+  await page.evaluate(
+    (lists) => {
+      document.querySelectorAll('geodesic-voronoi').forEach((viewer, i) => {
+        viewer.drawn = new Promise((resolve) =>
+          viewer.addEventListener('diagram', resolve, { once: true }),
+        );
+        viewer.sites = lists[i];
+      });
+    },
+    views.map(({ sites }) => sites),
+  );
   await page.evaluate(() =>
     Promise.all([...document.querySelectorAll('geodesic-voronoi')].map(({ drawn }) => drawn)),
   );
@@ -123,7 +146,9 @@ async function photograph(browser, address, { size, views }) {
   await page.waitForTimeout(4000);
   const png = (await page.screenshot()).toString('base64');
   const webp = await page.evaluate(async (png) => {
-    const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${png}`)).blob());
+    const image = await createImageBitmap(
+      await (await fetch(`data:image/png;base64,${png}`)).blob(),
+    );
     const canvas = new OffscreenCanvas(image.width, image.height);
     canvas.getContext('2d').drawImage(image, 0, 0);
     const bytes = new Uint8Array(

@@ -21,12 +21,28 @@ export function plot({ title, x, y, series }) {
   drawing.text({ x: area.left, y: 20 }, title);
   for (const tick of y.ticks) {
     const level = toY(tick);
-    drawing.segments([[{ x: area.left, y: level }, { x: area.right, y: level }]], 'grid');
+    drawing.segments(
+      [
+        [
+          { x: area.left, y: level },
+          { x: area.right, y: level },
+        ],
+      ],
+      'grid',
+    );
     drawing.text({ x: area.left - 8, y: level + 4 }, y.show(tick), 'small soft end');
   }
   for (const tick of x.ticks) {
     const along = toX(tick);
-    drawing.segments([[{ x: along, y: area.bottom }, { x: along, y: area.top }]], 'grid');
+    drawing.segments(
+      [
+        [
+          { x: along, y: area.bottom },
+          { x: along, y: area.top },
+        ],
+      ],
+      'grid',
+    );
     drawing.text({ x: along, y: area.bottom + 18 }, x.show(tick), 'small soft middle');
   }
   drawing.text({ x: (area.left + area.right) / 2, y: area.bottom + 40 }, x.name, 'small middle');
@@ -53,7 +69,16 @@ function drawLine(drawing, points, toX, toY, colour) {
 function drawBars(drawing, points, toX, toY, colour) {
   for (const [a, [low, high]] of points) {
     const x = toX(a);
-    drawing.segments([[{ x, y: toY(low) + 3 }, { x, y: toY(high) - 3 }]], 'bar', colour);
+    drawing.segments(
+      [
+        [
+          { x, y: toY(low) + 3 },
+          { x, y: toY(high) - 3 },
+        ],
+      ],
+      'bar',
+      colour,
+    );
   }
 }
 

@@ -25,7 +25,10 @@ export function unfoldStrip({ positions, indices }, faces) {
     }
     const apex = vertices(f).findIndex((v) => !known.has(v));
     const [from, to] = [vertices(f)[(apex + 1) % 3], vertices(f)[(apex + 2) % 3]];
-    known.set(vertices(f)[apex], apexOf(positions, vertices(f)[apex], [from, known.get(from)], [to, known.get(to)]));
+    known.set(
+      vertices(f)[apex],
+      apexOf(positions, vertices(f)[apex], [from, known.get(from)], [to, known.get(to)]),
+    );
     laid.push({ face: f, vertices: vertices(f), corners: vertices(f).map((v) => known.get(v)) });
   }
   return laid;
@@ -46,5 +49,33 @@ export function inPlane({ corners }, bary) {
   return {
     x: corners.reduce((sum, corner, i) => sum + bary[i] * corner.x, 0),
     y: corners.reduce((sum, corner, i) => sum + bary[i] * corner.y, 0),
+  };
+}
+
+/** The barycentric coordinates of point i of a list in terms of another face that it is on. */
+export function baryIn(mesh, { face, bary }, i, other) {
+  const weights = new Map([0, 1, 2].map((k) => [mesh.indices[3 * face[i] + k], bary[3 * i + k]]));
+  return [0, 1, 2].map((k) => weights.get(mesh.indices[3 * other + k]) ?? 0);
+}
+
+/**
+ * Puts places of the plane into a box of the page, whose y axis points down; turned so that the first
+ * and the last of `along` lie level.
+ */
+export function fitter(places, along, box) {
+  const [from, to] = [along[0], along.at(-1)];
+  const length = Math.hypot(to.x - from.x, to.y - from.y);
+  const [cos, sin] = [(to.x - from.x) / length, (to.y - from.y) / length];
+  const turned = ({ x, y }) => ({ x: cos * x + sin * y, y: sin * x - cos * y });
+  const all = places.map(turned);
+  const [xs, ys] = [all.map(({ x }) => x), all.map(({ y }) => y)];
+  const [x0, x1, y0, y1] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
+  const scale = Math.min(box.width / (x1 - x0), box.height / (y1 - y0));
+  return (place) => {
+    const { x, y } = turned(place);
+    return {
+      x: box.x + box.width / 2 + scale * (x - (x0 + x1) / 2),
+      y: box.y + box.height / 2 + scale * (y - (y0 + y1) / 2),
+    };
   };
 }
