@@ -7,9 +7,9 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { load } from 'geodesic-voronoi';
-import { LocalEngine } from '../../dist/engine.js';
+import { LocalEngine } from '../../dist/local_engine.js';
 import { Library } from '../../dist/library.js';
-import { WorkerEngine } from '../../dist/worker_engine.js';
+import { startWorkerEngine } from '../../dist/worker_engine.js';
 import { serve } from '../../dist/worker_server.js';
 import { glb, grid, octahedron } from './meshes.mjs';
 
@@ -38,7 +38,7 @@ function fakeWorker(loadEngine) {
 async function loadThroughChannel(t) {
   let engine;
   const { worker, sent } = fakeWorker(async (from) => (engine = await LocalEngine.load(from)));
-  const library = new Library(await WorkerEngine.start(worker, sources()));
+  const library = new Library(await startWorkerEngine(worker, sources()));
   t.after(() => library.dispose());
   return { library, worker, sent, engine: () => engine };
 }
@@ -163,12 +163,12 @@ test('disposing frees on the far side, and ends what waits', async (t) => {
 
 test('a worker that does not load, or stops, says so', async (t) => {
   const silent = { onmessage: null, onerror: null, postMessage() {}, terminate() {} };
-  const starting = WorkerEngine.start(silent, sources());
+  const starting = startWorkerEngine(silent, sources());
   silent.onerror({ message: '' });
   await assert.rejects(starting, fails('load-failed', /script/));
 
   const { worker } = fakeWorker((from) => LocalEngine.load(from));
-  const broken = WorkerEngine.start(worker, { ...sources(), wasm: new Uint8Array(10) });
+  const broken = startWorkerEngine(worker, { ...sources(), wasm: new Uint8Array(10) });
   await assert.rejects(broken, fails('load-failed', /magic/));
 
   const { library, worker: running } = await loadThroughChannel(t);

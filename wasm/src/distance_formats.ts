@@ -8,7 +8,7 @@ import { glbAttributes, plyColumns } from './file_vertices.js';
 import { placedPointsJson, pointsJson, type PlacedPointsJson, type SurfacePointsJson } from './formats.js';
 import { GlbBuilder } from './glb.js';
 import { ply } from './ply.js';
-import type { Distances, SurfacePath, VertexDistances } from './types.js';
+import type { Distances, SurfacePath, VertexDistances } from './results.js';
 
 /** The JSON form of distances: one entry per input vertex, two in `direction`. */
 export interface DistancesJson {

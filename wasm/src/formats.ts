@@ -3,7 +3,8 @@
 // A diagram as a file. `scale` is what lengths are multiplied with on the way out.
 
 import { GlbBuilder } from './glb.js';
-import type { Diagram, DiagramData, PlacedPoints, SurfacePoints } from './types.js';
+import type { DiagramData, PlacedPoints, SurfacePoints } from './results.js';
+import type { Diagram } from './types.js';
 
 /** The JSON form of a list of points. */
 export interface SurfacePointsJson {

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
+//
+// How the library is loaded; where files are read from is for `index.ts` and `node.ts` to say.
+
+import { toOptions } from './checks.js';
 import type { CompileAddress, WasmSource } from './compile.js';
-import { LocalEngine, type EngineSources } from './engine.js';
+import type { EngineSources } from './engine.js';
 import { Library } from './library.js';
+import { LocalEngine } from './local_engine.js';
 import type { GeodesicVoronoi } from './types.js';
 
 export interface LoadOptions {
@@ -12,15 +17,16 @@ export interface LoadOptions {
 }
 
 /** Where the modules are. The addresses are written so that bundlers see them. */
-export function sourcesOf(options: LoadOptions): EngineSources {
+export function sourcesOf(options: LoadOptions | undefined): EngineSources {
+  const { wasm, gltfWasm } = toOptions(options);
   return {
-    wasm: options.wasm ?? new URL('./core.wasm', import.meta.url),
-    gltfWasm: options.gltfWasm ?? new URL('./gltf.wasm', import.meta.url),
+    wasm: wasm ?? new URL('./core.wasm', import.meta.url),
+    gltfWasm: gltfWasm ?? new URL('./gltf.wasm', import.meta.url),
   };
 }
 
 export async function loadLocal(
-  options: LoadOptions,
+  options: LoadOptions | undefined,
   compileAddress: CompileAddress,
 ): Promise<GeodesicVoronoi> {
   return new Library(await LocalEngine.load(sourcesOf(options), compileAddress));

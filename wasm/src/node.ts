@@ -11,7 +11,7 @@ import type { GeodesicVoronoi } from './types.js';
 export * from './index.js';
 
 /** The library on the calling thread. Long work is done in slices of about 12 ms. */
-export function load(options: LoadOptions = {}): Promise<GeodesicVoronoi> {
+export function load(options?: LoadOptions): Promise<GeodesicVoronoi> {
   return loadLocal(options, compileFromDisk);
 }
 

@@ -8,7 +8,7 @@ import { glbAttributes, objCorner, objLines, plyColumns } from './file_vertices.
 import { pointsJson, type SurfacePointsJson } from './formats.js';
 import { GlbBuilder } from './glb.js';
 import { ply } from './ply.js';
-import type { Partition, SurfacePoints } from './types.js';
+import type { Partition, SurfacePoints } from './results.js';
 
 export interface PartitionFileOptions {
   mesh?: AttributeSource;

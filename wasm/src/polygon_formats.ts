@@ -8,7 +8,7 @@ import { glbAttributes, objCorner, objLines, plyColumns } from './file_vertices.
 import { pointsJson, type SurfacePointsJson } from './formats.js';
 import { GlbBuilder } from './glb.js';
 import { ply, type PlyColumns } from './ply.js';
-import type { PolygonMesh, PolygonTopology } from './types.js';
+import type { PolygonMesh, PolygonTopology } from './results.js';
 
 export interface PolygonFileOptions {
   mesh?: AttributeSource;

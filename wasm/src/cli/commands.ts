@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { load } from '../node.js';
-import type {
-  CvtState,
-  Diagram,
-  Mesh,
-  Metric,
-  PolygonMesh,
-  SurfacePath,
-  SurfacePointsInput,
-} from '../types.js';
+import type { Metric, PolygonMesh, SurfacePath } from '../results.js';
+import type { CvtState, Diagram, Mesh, SurfacePointsInput } from '../types.js';
 import {
   toDiagramEncoder,
   toDistancesEncoder,

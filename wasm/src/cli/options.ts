@@ -4,9 +4,9 @@
 // says of it.
 
 import { parseArgs } from 'node:util';
-import { cvtMethods, metrics, samplings } from '../core.js';
 import { maxCount, maxDetail } from '../input.js';
 import { partitionLayouts } from '../partition_formats.js';
+import { cvtMethods, metrics, samplings } from '../results.js';
 import {
   integer,
   listed,
