@@ -139,6 +139,39 @@ test('a diagram that is done before its abortion arrives is freed', async (t) =>
   assert.ok(sent.some((message) => 'close' in message));
 });
 
+test('the worker forwards any function of the engine, of which it knows none', async (t) => {
+  const engine = { version: '1', close() {}, dispose() {} };
+  const rows = new Float64Array(3);
+  engine.twice = async (x, { onProgress }) => {
+    onProgress(0.5);
+    return { twice: 2 * x, both: [rows.subarray(0, 1), rows.subarray(1)] };
+  };
+  const { worker } = fakeWorker(async () => engine);
+  const remote = await startWorkerEngine(worker, sources());
+  t.after(() => remote.dispose());
+  const shares = [];
+  const { twice, both } = await remote.twice(21, { onProgress: (share) => shares.push(share) });
+  assert.equal(twice, 42);
+  assert.equal(both[1].length, 2);
+  assert.deepEqual(shares, [0.5]);
+  await assert.rejects(remote.thrice(1, {}), fails('internal', /thrice|not a function/));
+});
+
+test('a change of a diagram that has begun is carried out on both sides', async (t) => {
+  const { library } = await loadThroughChannel(t);
+  const mesh = await library.mesh(octahedron());
+  const diagram = await mesh.voronoi({ vertex: [0, 1] });
+  const controller = new AbortController();
+  const change = diagram.insertSite(
+    { vertex: [2] },
+    { signal: controller.signal, onProgress: () => controller.abort() },
+  );
+  assert.equal((await change).label, 2);
+  assert.equal(diagram.sites.face.length, 3);
+  await assert.rejects(diagram.removeSite(0, { signal: controller.signal }), { name: 'AbortError' });
+  assert.deepEqual([...(await diagram.locate({ vertex: [0, 2] })).label], [0, 2]);
+});
+
 test('what a listener throws ends the task', async (t) => {
   const { library } = await loadThroughChannel(t);
   const mesh = await library.mesh(octahedron());

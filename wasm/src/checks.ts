@@ -2,6 +2,7 @@
 //
 // Checks of what callers pass. Each names the argument, says what it is, and what it should be.
 
+import type { AttributeSource } from './attributes.js';
 import { invalidArgument } from './errors.js';
 import type { TaskOptions } from './types.js';
 
@@ -76,12 +77,35 @@ function isBigInts(values: unknown): boolean {
   return values instanceof BigInt64Array || values instanceof BigUint64Array;
 }
 
-/** An object that has fields: something that this library gave out, as a rule. */
-export function requireFields(name: string, value: unknown, fields: readonly string[]): void {
-  const missing = isObject(value) ? fields.find((field) => !(field in value)) : fields[0];
-  if (missing === undefined) return;
-  const why = isObject(value) ? `has no ${missing}` : `is ${show(value)}, not an object`;
-  throw invalidArgument(`${name} ${why}`);
+/** Something that this library gave out: at least an object with its fields. */
+export function toResult<Result extends object>(
+  name: string,
+  value: Result,
+  ...fields: (keyof Result & string)[]
+): Result {
+  if (!isObject(value)) throw invalidArgument(`${name} is ${show(value)}, not an object`);
+  const missing = fields.find((field) => !isObject(value[field]));
+  if (missing === undefined) return value;
+  throw invalidArgument(`${name}.${missing} is ${show(value[missing])}, not an object`);
+}
+
+/** What lengths are multiplied with. */
+export function toScale(scale: number): number {
+  if (Number.isFinite(scale) && scale > 0) return scale;
+  throw invalidArgument(`scale is ${show(scale)}, not a positive number`);
+}
+
+/** The options of a file's writer. */
+export function toFileOptions<Options extends { mesh?: AttributeSource; scale?: number }>(
+  options: Options | undefined,
+): Options & { scale: number } {
+  const { mesh, scale = 1 } = toOptions(options);
+  if (mesh !== undefined) toAttributeSource(mesh);
+  return { ...(options as Options), scale: toScale(scale) };
+}
+
+export function toAttributeSource(mesh: AttributeSource): AttributeSource {
+  return toResult('mesh', mesh, 'positions', 'indices', 'normals', 'uvs');
 }
 
 export function requireBytes(name: string, bytes: Uint8Array): void {

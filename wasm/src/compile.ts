@@ -25,7 +25,8 @@ export async function compile(
   try {
     if (isAddress(source)) return await compileAddress(source);
     if (isResponse(source)) return await compileResponse(source);
-    if (isBytes(source)) return await WebAssembly.compile(source as BufferSource);
+    const bytes = bytesOf(source);
+    if (bytes) return await WebAssembly.compile(bytes);
   } catch (cause) {
     const what = isAddress(source) ? String(source) : 'the WebAssembly module';
     const why = cause instanceof Error ? cause.message : String(cause);
@@ -56,6 +57,8 @@ export function isResponse(source: unknown): source is Response {
   return typeof Response !== 'undefined' && source instanceof Response;
 }
 
-function isBytes(source: unknown): source is ArrayBuffer | ArrayBufferView {
-  return source instanceof ArrayBuffer || ArrayBuffer.isView(source);
+function bytesOf(source: unknown): Uint8Array<ArrayBuffer> | undefined {
+  if (source instanceof ArrayBuffer) return new Uint8Array(source);
+  if (!ArrayBuffer.isView(source)) return undefined;
+  return new Uint8Array(source.buffer as ArrayBuffer, source.byteOffset, source.byteLength);
 }

@@ -84,11 +84,7 @@ export class EngineDiagram implements Diagram {
     });
   }
 
-  moveSite(
-    label: number,
-    site: SurfacePointsInput,
-    options?: TaskOptions,
-  ): Promise<DiagramChange> {
+  moveSite(label: number, site: SurfacePointsInput, options?: TaskOptions): Promise<DiagramChange> {
     return this.#inTurn(options, async (change) => {
       const point = await this.#kept.point('site', site);
       return [await change('moveSite', toLabel(label), point.face, point.bary), point];
@@ -202,9 +198,7 @@ export class EngineDiagram implements Diagram {
     const { face, bary } = this.sites;
     if (face.length + added.face.length > most) {
       const [{ message }] = await this.violations({ signal });
-      throw invalidArgument(
-        `the dual is not valid with as many sites as may be added: ${message}`,
-      );
+      throw invalidArgument(`the dual is not valid with as many sites as may be added: ${message}`);
     }
     return {
       face: Int32Array.from([...face, ...added.face]),

@@ -16,7 +16,13 @@ export type { ErrorCode, LoadOptions, WasmSource };
 export { GeodesicVoronoiError };
 export { gltfResourceUris } from './gltf.js';
 export { diagramGlb, diagramJson, diagramObj } from './formats.js';
-export { distancesGlb, distancesJson, distancesPly, pathsJson, pathsObj } from './distance_formats.js';
+export {
+  distancesGlb,
+  distancesJson,
+  distancesPly,
+  pathsJson,
+  pathsObj,
+} from './distance_formats.js';
 export type { PartitionFileOptions, PartitionGlbOptions } from './partition_formats.js';
 export type { PolygonFileOptions } from './polygon_formats.js';
 export { partitionGlb, partitionJson, partitionObj, partitionPly } from './partition_formats.js';

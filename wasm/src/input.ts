@@ -3,15 +3,7 @@
 // What callers pass, checked in form and copied. Whether it makes sense on the surface is for the
 // core to say.
 
-import {
-  isObject,
-  requireBytes,
-  show,
-  toFloat64,
-  toInt32,
-  toInteger,
-  toOneOf,
-} from './checks.js';
+import { isObject, requireBytes, show, toFloat64, toInt32, toInteger, toOneOf } from './checks.js';
 import type { CvtSettings, GltfFile } from './engine.js';
 import { invalidArgument } from './errors.js';
 import {
@@ -39,6 +31,9 @@ export const maxDetail = 10;
 /** The core counts in 32 bits. */
 export const maxCount = 2 ** 31 - 1;
 
+/** Of a limit of the glTF reader: its memory has no more bytes than this. */
+export const maxLimit = 2 ** 32 - 1;
+
 export function toTriangles(source: MeshSource, options: MeshOptions): Triangles | GltfFile {
   if (source instanceof Uint8Array) return toGltfFile(source, options);
   if (source instanceof ArrayBuffer) return toGltfFile(new Uint8Array(source), options);
@@ -56,16 +51,14 @@ export function toTriangles(source: MeshSource, options: MeshOptions): Triangles
   );
 }
 
-function toGltfFile(
-  bytes: Uint8Array,
-  { resources = {}, limits = {} }: MeshOptions,
-): GltfFile {
+function toGltfFile(bytes: Uint8Array, { resources = {}, limits = {} }: MeshOptions): GltfFile {
   return { bytes, resources: toResources(resources), limits: toLimits(limits) };
 }
 
 function toResources(resources: GltfResources): GltfResources {
   if (!isObject(resources)) throw invalidArgument(`resources is ${show(resources)}, not an object`);
-  for (const [uri, bytes] of Object.entries(resources)) requireBytes(`resources[${show(uri)}]`, bytes);
+  for (const [uri, bytes] of Object.entries(resources))
+    requireBytes(`resources[${show(uri)}]`, bytes);
   return resources;
 }
 
@@ -73,7 +66,7 @@ function toLimits(limits: GltfLimits): GltfLimits {
   if (!isObject(limits)) throw invalidArgument(`limits is ${show(limits)}, not an object`);
   for (const [name, most] of Object.entries(limits)) {
     toOneOf('the name of a limit', name, gltfLimitNames);
-    toInteger(`limits.${name}`, most, 0, 2 ** 32 - 1);
+    toInteger(`limits.${name}`, most, 0, maxLimit);
   }
   return limits;
 }
@@ -99,11 +92,7 @@ export function toPoints(
 }
 
 /** Numbers per vertex, or none. */
-function toAttribute(
-  name: string,
-  values: ArrayLike<number> = [],
-  expected: number,
-): Float64Array {
+function toAttribute(name: string, values: ArrayLike<number> = [], expected: number): Float64Array {
   const numbers = toFloat64(name, values);
   if (numbers.length === 0 || numbers.length === expected) return numbers;
   throw invalidArgument(`${name} has ${numbers.length} numbers, not ${expected}`);

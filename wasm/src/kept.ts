@@ -11,8 +11,7 @@ import type { SurfacePointsInput, TaskOptions } from './types.js';
 import type { Argument } from './wasm_module.js';
 
 /** `Symbol.dispose`, also where the runtime does not know it yet. */
-export const disposeSymbol: typeof Symbol.dispose =
-  Symbol.dispose ?? Symbol.for('Symbol.dispose');
+export const disposeSymbol: typeof Symbol.dispose = Symbol.dispose ?? Symbol.for('Symbol.dispose');
 
 /** Frees what an object kept in its engine if nobody disposed it before it was collected. */
 const backstop = new FinalizationRegistry<{ engine: Engine; handle: Handle }>(
@@ -41,11 +40,7 @@ export class Kept {
   }
 
   /** Calls a function of core.wasm on this object. */
-  async call<Result>(
-    name: string,
-    args: readonly Argument[],
-    task: TaskOptions,
-  ): Promise<Result> {
+  async call<Result>(name: string, args: readonly Argument[], task: TaskOptions): Promise<Result> {
     return this.engine.call(name, this.handle, args, task);
   }
 

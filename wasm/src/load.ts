@@ -18,11 +18,11 @@ export interface LoadOptions {
 
 /** Where the modules are. The addresses are written so that bundlers see them. */
 export function sourcesOf(options: LoadOptions | undefined): EngineSources {
-  const { wasm, gltfWasm } = toOptions(options);
-  return {
-    wasm: wasm ?? new URL('./core.wasm', import.meta.url),
-    gltfWasm: gltfWasm ?? new URL('./gltf.wasm', import.meta.url),
-  };
+  const {
+    wasm = new URL('./core.wasm', import.meta.url),
+    gltfWasm = new URL('./gltf.wasm', import.meta.url),
+  } = toOptions(options);
+  return { wasm, gltfWasm };
 }
 
 export async function loadLocal(

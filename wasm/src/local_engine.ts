@@ -93,7 +93,9 @@ export class LocalEngine implements Engine {
     { signal, onProgress }: TaskOptions,
   ): Promise<OpenedMesh> {
     signal?.throwIfAborted();
-    const opened = await ('positions' in source ? this.#openTriangles(source) : this.#openGltf(source));
+    const opened = await ('positions' in source
+      ? this.#openTriangles(source)
+      : this.#openGltf(source));
     onProgress?.(1);
     return opened;
   }
