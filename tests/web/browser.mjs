@@ -24,7 +24,7 @@ const mediaTypes = {
 };
 
 /** A software renderer, and nothing on the network but the page. Slow machines are given time. */
-const options = {
+export const browserOptions = {
   executablePath: process.env.CHROME_PATH ?? '/usr/bin/chromium',
   chromiumSandbox: false,
   args: [
@@ -61,7 +61,7 @@ async function serve() {
 /** A browser and a server for all tests of a file. */
 export async function startBrowser() {
   const server = await serve();
-  const browser = await chromium.launch(options);
+  const browser = await chromium.launch(browserOptions);
   return {
     /** The page in a window of its own; `prepare` may change it before anything is loaded. */
     async open({ prepare, ...context } = {}) {
