@@ -18,7 +18,7 @@ test('load() finds its modules beside itself and knows the version of the packag
   assert.equal((await load()).version, version);
 });
 
-test('load() takes a URL, a path, bytes or a module', async () => {
+test('load() takes a URL, a path, bytes, what a server answered, or a module', async () => {
   const module = await WebAssembly.compile(coreBytes);
   const arrayBuffer = Uint8Array.from(coreBytes).buffer;
   for (const wasm of [
@@ -27,6 +27,9 @@ test('load() takes a URL, a path, bytes or a module', async () => {
     fileURLToPath(coreUrl),
     coreBytes,
     arrayBuffer,
+    new DataView(arrayBuffer),
+    new Response(coreBytes),
+    new Response(coreBytes, { headers: { 'Content-Type': 'application/wasm' } }),
     module,
   ]) {
     const gvd = await load({ wasm });
@@ -73,7 +76,7 @@ test('nothing that a browser loads imports anything of Node', () => {
   const visit = (url) => {
     if (seen.has(url.href)) return;
     seen.add(url.href);
-    for (const [, name] of readFileSync(url, 'utf8').matchAll(/(?:from|import) '([^']+)'/g)) {
+    for (const [, name] of readFileSync(url, 'utf8').matchAll(/^(?:import|export) .*'([^']+)';$/gm)) {
       assert.match(name, /^\.\//, `${url.pathname} imports ${name}`);
       visit(new URL(name, url));
     }

@@ -29,7 +29,7 @@ const mediaTypes = {
 };
 
 /** A software renderer, and nothing on the network but the page. Slow machines are given time. */
-const options = {
+export const browserOptions = {
   executablePath: process.env.CHROME_PATH ?? '/usr/bin/chromium',
   chromiumSandbox: false,
   args: [
@@ -81,7 +81,7 @@ async function serve(documents) {
  */
 export async function startBrowser(documents = {}) {
   const server = await serve(documents);
-  const browser = await chromium.launch(options);
+  const browser = await chromium.launch(browserOptions);
   return {
     /** The page in a window of its own; `prepare` may change it before anything is loaded. */
     async open({ prepare, path = '', ...context } = {}) {
