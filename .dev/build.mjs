@@ -25,7 +25,7 @@ export function buildWithCMake(
   run('cmake', ['--build', folder, '--parallel', String(availableParallelism()), ...selection]);
 }
 
-/** dist/: the JavaScript with the WebAssembly modules beside it, and the viewer. */
+/** dist/: the JavaScript with the WebAssembly modules beside it, the viewer, and all of it in one file. */
 export async function buildPackage() {
   const modules = wasmModules.map((name) => `build/wasm/wasm/${name}.wasm`);
   const sources = ['CMakeLists.txt', 'core', 'wasm', 'package.json'];
@@ -39,6 +39,7 @@ export async function buildPackage() {
     run(tool('tsc'), ['-p', 'wasm']);
     run(tool('tsc'), ['-p', 'web/viewer']);
     for (const module of modules) copyFileSync(at(module), at('dist', basename(module)));
+    run(tool('rolldown'), ['--config', 'web/viewer/standalone.config.mjs']);
   });
 }
 

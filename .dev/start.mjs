@@ -4,6 +4,7 @@
 
 import { parseArgs } from 'node:util';
 import { buildPackage, buildPage } from './build.mjs';
+import { buildDocs } from './docs.mjs';
 import { setUp } from './setup.mjs';
 import { at, main } from './tasks.mjs';
 
@@ -17,6 +18,7 @@ await main(async () => {
   setUp('build');
   await buildPackage();
   await buildPage();
+  await buildDocs();
 
   const { preview } = await import('vite');
   const server = await preview({

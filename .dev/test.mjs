@@ -6,6 +6,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import { buildPackage, buildPage, buildWithCMake } from './build.mjs';
+import { buildDocs } from './docs.mjs';
 import { chromium, setUp } from './setup.mjs';
 import { announce, at, main, runShowing } from './tasks.mjs';
 
@@ -29,6 +30,17 @@ const runners = [
     prepare: buildPage,
     // One file at a time: each has a browser of its own.
     command: () => nodeTest('tests/web', 1),
+    closing: nodeTestClosing,
+  },
+  {
+    // Their code, their links, and what scripts wrote into them.
+    name: 'docs',
+    prepare: async () => {
+      await buildPackage();
+      await buildPage();
+      await buildDocs();
+    },
+    command: () => nodeTest('tests/docs', 1),
     closing: nodeTestClosing,
   },
   {

@@ -1,93 +1,147 @@
 // SPDX-License-Identifier: MIT
+//
+// What every module of ours shares at its border with JavaScript: how arguments come in, how
+// results and errors go out. `src/wasm_module.ts` is the other side.
+//
+// The C++ functions themselves are the one table of what there is. JavaScript calls them by their
+// names, with as many arguments as they have; results and enumerators cross with their names. So no
+// order of functions, of arrays or of enumerators is written down anywhere else.
 #pragma once
 
 #include <emscripten/em_macros.h>
 
+#include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <exception>
+#include <list>
 #include <new>
+#include <span>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "gvd/error.h"
 
-/// A C function that JavaScript calls. `src/wasm_module.ts` is the other side.
+/// A C function that JavaScript calls.
 #define GVD_ABI extern "C" EMSCRIPTEN_KEEPALIVE
 
-/// What every module of ours shares at its border with JavaScript. Arguments are numbers and
-/// pointers to arrays that the caller allocated; a result that is more than one number is an
-/// `Arrays`. An exception never crosses: a function that fails returns 0 (a null pointer), the
-/// error is kept for the caller to read, and the instance stays usable.
 namespace gvd::abi {
 
-/// What failed, as a number; `errorCodes` in `src/wasm_module.ts` names them.
-enum class Failure {
-  kNone = 0,
-  kInvalidMesh,
-  kInvalidGltf,
-  kInvalidPoint,
-  kInvalidArgument,
-  kOutOfMemory,
-  kInternal,
+/// An array that JavaScript has copied into this memory for the length of a call. Passed by
+/// reference: each argument is one number on the other side.
+template <class T>
+struct Array {
+  const T* data;
+  std::size_t size;
+
+  std::span<const T> span() const { return {data, size}; }
 };
+using Ints = const Array<int>&;
+using Doubles = const Array<double>&;
+using Bytes = const Array<std::byte>&;
+using Text = const Array<char>&;
 
-void setFailure(Failure failure, const char* message);
+inline std::string_view toView(Text text) { return {text.data, text.size}; }
 
-/// Runs `f`; when it throws, keeps the error for the caller and returns a zero of f's type.
-template <class F>
-auto guarded(F&& f) -> decltype(f()) {
-  setFailure(Failure::kNone, "");
-  try {
-    return f();
-  } catch (const Error& error) {
-    // Failure lists the codes of gvd::ErrorCode in their order, after kNone.
-    setFailure(static_cast<Failure>(static_cast<int>(error.code()) + 1), error.what());
-  } catch (const std::bad_alloc&) {
-    setFailure(Failure::kOutOfMemory, "");
-  } catch (const std::length_error&) {  // more elements than an address space has bytes
-    setFailure(Failure::kOutOfMemory, "");
-  } catch (const std::exception& error) {
-    setFailure(Failure::kInternal, error.what());
-  } catch (...) {
-    setFailure(Failure::kInternal, "something was thrown that is no exception");
-  }
-  return {};
-}
-
-/// An ordered list of arrays on their way out; the caller copies them and frees the whole.
-class Arrays {
+/// A result: named values, of which JavaScript makes an object. A dot in a name leads into an
+/// object inside: `points.face`.
+class Record {
  public:
-  enum class Type : std::uint32_t { kInt32, kFloat64, kText };
+  void add(const char* name, std::vector<int> values);
+  void add(const char* name, std::vector<double> values);
+  void add(const char* name, std::string utf8);
+  void add(const char* name, const char* utf8) { add(name, std::string(utf8)); }
+  void add(const char* name, std::vector<std::string> texts);
+  void add(const char* name, double number);
+  void add(const char* name, int number) { add(name, static_cast<double>(number)); }
+  void add(const char* name, bool truth);
+  /// The values of another record, as an object inside.
+  void add(const char* name, Record inner);
+  /// The values of another record beside these.
+  void add(Record others);
 
-  /// One row of the table that JavaScript reads.
+  enum class Type : std::uint32_t { kInts, kDoubles, kText, kNumber, kBoolean, kTexts };
+
+  /// One row of the table that JavaScript reads. A number or a boolean is a double in memory.
+  /// `kTexts` is an empty list, and the texts of that name which follow are its elements.
   struct Row {
+    Array<char> name;
     const void* data;
     std::uint32_t length;
     Type type;
   };
-  static_assert(sizeof(void*) != 4 || sizeof(Row) == 12);
+  static_assert(sizeof(void*) != 4 || sizeof(Row) == 20);
 
-  void add(std::vector<int> values) { keep(std::move(values), Type::kInt32); }
-  void add(std::vector<double> values) { keep(std::move(values), Type::kFloat64); }
-  void add(std::string utf8) { keep(std::move(utf8), Type::kText); }
-
-  const std::vector<Row>& rows() const { return rows_; }
+  /// Valid as long as this record is, and nothing is added.
+  std::vector<Row> rows() const;
 
  private:
-  template <class Values>
-  void keep(Values&& values, Type type) {
-    const auto& kept = std::get<std::decay_t<Values>>(values_.emplace_back(std::move(values)));
-    rows_.push_back({kept.data(), static_cast<std::uint32_t>(kept.size()), type});
-  }
-
-  // A deque: its elements stay where they are, and with them a short string's characters.
-  std::deque<std::variant<std::vector<int>, std::vector<double>, std::string>> values_;
-  std::vector<Row> rows_;
+  using Values = std::variant<std::vector<int>, std::vector<double>, std::string>;
+  struct Entry {
+    std::string name;
+    Type type;
+    Values values;
+  };
+  // A list: joining two leaves everything where it is.
+  std::list<Entry> entries_;
 };
+
+/// A record on its way out, until JavaScript has copied and freed it.
+struct Answer {
+  Record record;
+  std::vector<Record::Row> rows = record.rows();
+};
+
+/// Keeps the error that is being handled, for JavaScript to read after the call.
+void keepError();
+void clearError();
+
+/// Runs `f`; when it throws, keeps the error and returns a zero of f's type. An exception never
+/// crosses, and the instance stays usable.
+template <class F>
+auto guarded(F&& f) -> decltype(f()) {
+  clearError();
+  try {
+    return f();
+  } catch (...) {
+    keepError();
+  }
+  return {};
+}
+
+/// Runs `f`, which returns a `Record`.
+template <class F>
+Answer* answer(F&& f) {
+  return guarded([&] { return new Answer{f()}; });
+}
+
+/// An enumerator and its name in JavaScript.
+template <class Enum>
+struct Named {
+  const char* name;
+  Enum value;
+};
+
+/// The enumerator of a name; `what` says what it is for, if there is none.
+template <class Enum, std::size_t n>
+Enum valueOf(const Named<Enum> (&table)[n], const char* what, std::string_view name) {
+  std::string names;
+  for (const Named<Enum>& entry : table) {
+    if (entry.name == name) return entry.value;
+    names.append(names.empty() ? "" : ", ").append(entry.name);
+  }
+  throw Error(ErrorCode::kInvalidArgument,
+              std::string(what) + " is \"" + std::string(name) + "\", not one of " + names);
+}
+
+template <class Enum, std::size_t n>
+const char* nameOf(const Named<Enum> (&table)[n], Enum value) {
+  for (const Named<Enum>& entry : table)
+    if (entry.value == value) return entry.name;
+  throw std::logic_error("an enumerator has no name");
+}
 
 }  // namespace gvd::abi

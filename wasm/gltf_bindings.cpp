@@ -5,6 +5,7 @@
 
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "abi.h"
@@ -13,13 +14,21 @@
 namespace gvd::abi {
 namespace {
 
-/// A file that the glTF names: its URI and its content, as JavaScript laid them out.
-struct ResourceRow {
-  const char* uri;
-  std::size_t uriLength;
-  const std::byte* bytes;
-  std::size_t byteLength;
-};
+/// The limits, in which values replace those that are named. The names are those of `GltfLimits`.
+GltfLimits toLimits(std::span<const Array<char>> names, std::span<const double> values) {
+  using Limit = std::size_t GltfLimits::*;
+  constexpr Named<Limit> kLimits[] = {
+      {"maxJsonBytes", &GltfLimits::maxJsonBytes},
+      {"maxObjects", &GltfLimits::maxObjects},
+      {"maxVertices", &GltfLimits::maxVertices},
+      {"maxTriangles", &GltfLimits::maxTriangles},
+      {"maxZeroElements", &GltfLimits::maxZeroElements},
+  };
+  GltfLimits limits;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    limits.*valueOf(kLimits, "limit", toView(names[i])) = static_cast<std::size_t>(values[i]);
+  return limits;
+}
 
 /// Five numbers per part: node, mesh, primitive, first triangle, triangle count.
 std::vector<int> partNumbers(std::span<const GltfScene::Part> parts) {
@@ -34,24 +43,28 @@ std::vector<int> partNumbers(std::span<const GltfScene::Part> parts) {
 
 }  // namespace
 
-/// positions, triangles, normals, uvs, part numbers, then a text per part (its name) and per note.
-GVD_ABI Arrays* readGltfScene(const std::byte* bytes, std::size_t byteLength,
-                              const ResourceRow* rows, std::size_t rowCount) {
-  return guarded([&] {
+/// `uris[i]` names the file that `files[i]` is the content of; `limitNames[i]` is set to
+/// `limitValues[i]`.
+GVD_ABI Answer* readGltfScene(Bytes bytes, const Array<Array<char>>& uris,
+                              const Array<Array<std::byte>>& files,
+                              const Array<Array<char>>& limitNames, Doubles limitValues) {
+  return answer([&] {
     std::vector<GltfResource> resources;
-    for (const ResourceRow& row : std::span(rows, rowCount)) {
-      resources.push_back({std::string(row.uri, row.uriLength), {row.bytes, row.byteLength}});
-    }
-    GltfScene scene = readGltf({bytes, byteLength}, resources);
-    auto out = std::make_unique<Arrays>();
-    out->add(std::move(scene.positions));
-    out->add(std::move(scene.triangles));
-    out->add(std::move(scene.normals));
-    out->add(std::move(scene.uvs));
-    out->add(partNumbers(scene.parts));
-    for (GltfScene::Part& part : scene.parts) out->add(std::move(part.name));
-    for (std::string& note : scene.notes) out->add(std::move(note));
-    return out.release();
+    for (std::size_t i = 0; i < uris.size; ++i)
+      resources.push_back({std::string(toView(uris.data[i])), files.data[i].span()});
+    GltfScene scene =
+        readGltf(bytes.span(), resources, toLimits(limitNames.span(), limitValues.span()));
+    std::vector<std::string> names;
+    for (GltfScene::Part& part : scene.parts) names.push_back(std::move(part.name));
+    Record out;
+    out.add("positions", std::move(scene.positions));
+    out.add("indices", std::move(scene.triangles));
+    out.add("normals", std::move(scene.normals));
+    out.add("uvs", std::move(scene.uvs));
+    out.add("partNumbers", partNumbers(scene.parts));
+    out.add("partNames", std::move(names));
+    out.add("notes", std::move(scene.notes));
+    return out;
   });
 }
 

@@ -36,6 +36,9 @@ class Bench {
     writeList("speed", "speed", [&] {
       forEachMesh(largeMeshes(), [&](const NamedMesh& mesh) { writeSpeed(mesh); });
     });
+    writeList("size", "size", [&] {
+      forEachNamed(sizeLadder(), [&](const NamedMesh& mesh) { writeSizeStep(mesh); });
+    });
     writeList("accuracy", "accuracy", [&] {
       if (hasOracle())
         forEachMesh(smallMeshes(), [&](const NamedMesh& mesh) { writeAccuracy(mesh); });
@@ -81,7 +84,12 @@ class Bench {
     std::vector<NamedMesh> meshes;
     if (options_.meshes.empty() || options_.generated) meshes = std::move(generated);
     for (const auto& path : options_.meshes) meshes.push_back(fileMesh(path));
-    for (NamedMesh& mesh : distinctlyNamed(std::move(meshes))) {
+    forEachNamed(distinctlyNamed(std::move(meshes)), visit);
+  }
+
+  template <class Visit>
+  void forEachNamed(std::vector<NamedMesh> meshes, Visit visit) {
+    for (NamedMesh& mesh : meshes) {
       if (mesh.name.find(options_.only) == std::string::npos) continue;
       if (options_.subdivisions > 0) {
         mesh.make = [make = mesh.make, times = options_.subdivisions] {
@@ -106,6 +114,13 @@ class Bench {
       writeSpeed(named.name, mesh, sampleUniform(mesh, count, options_.seed));
     }
     if (!options_.meshFolder.empty()) writeGlb(mesh, options_.meshFolder / (named.name + ".glb"));
+  }
+
+  void writeSizeStep(const NamedMesh& named) {
+    constexpr int kSites = 300;
+    const TriangleMesh mesh = named.make();
+    announce(named.name + ", " + std::to_string(mesh.faceCount()) + " faces");
+    writeSpeed(named.name, mesh, sampleUniform(mesh, kSites, options_.seed));
   }
 
   void writeSpeed(const std::string& name, const TriangleMesh& mesh,

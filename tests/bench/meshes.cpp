@@ -96,6 +96,14 @@ std::vector<NamedMesh> largeMeshes() {
   };
 }
 
+std::vector<NamedMesh> sizeLadder() {
+  std::vector<NamedMesh> meshes;
+  for (const int subdivisions : {3, 4, 5, 6, 7, 8})
+    meshes.push_back({"bumpy-sphere-" + std::to_string(subdivisions),
+                      [subdivisions] { return inSinglePrecision(bumpySphere(subdivisions)); }});
+  return meshes;
+}
+
 std::vector<NamedMesh> smallMeshes() {
   return {
       {"bumpy-sphere-small", [] { return inSinglePrecision(bumpySphere(4)); }},

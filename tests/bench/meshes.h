@@ -18,6 +18,8 @@ struct NamedMesh {
 
 /// Around 100,000 faces each, drawn by formulas.
 std::vector<NamedMesh> largeMeshes();
+/// One shape from coarse to fine, each with four times the faces of the one before.
+std::vector<NamedMesh> sizeLadder();
 /// At most 6,000 faces each: shapes like the large ones, coarser, and bad triangles.
 std::vector<NamedMesh> smallMeshes();
 /// Of a glTF file, named like the file.

@@ -52,7 +52,7 @@ const char* const kUsage =
     "  --runs N            the fastest counts (5)\n"
     "  --detail N          of the diagrams (0)\n"
     "  --metric NAME       only dgpc or exact; both\n"
-    "  --part NAME         only speed, accuracy, convergence or cvt; all\n"
+    "  --part NAME         only speed, size, accuracy, convergence or cvt; all\n"
     "  --only TEXT         only meshes and cases with this in their name\n"
     "  --case FILE         exact answers to compare with, as truth_cases.mjs writes them; may be\n"
     "                      repeated\n"

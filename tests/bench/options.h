@@ -25,7 +25,7 @@ struct Options {
   std::vector<std::filesystem::path> cases;
   std::filesystem::path meshFolder;  ///< gets the meshes that speed was measured on; empty: none
   std::vector<std::filesystem::path> tessellations;
-  std::set<std::string> parts = {"speed", "accuracy", "convergence", "cvt"};
+  std::set<std::string> parts = {"speed", "size", "accuracy", "convergence", "cvt"};
   int oracleSites = 30;
   int oraclePoints = 1000;
   int oracleFaces = 6000;

@@ -10,7 +10,7 @@ export const usage = `Usage: npm run bench [-- OPTIONS]
        npm run --silent bench -- OPTIONS --json   (without npm's own lines on standard output)
 
 What to measure, and on what
-  --part NAME        only speed, accuracy, convergence or cvt
+  --part NAME        only speed, size, accuracy, convergence or cvt
   --metric NAME      only dgpc or exact
   --mesh FILE        a glTF file (.glb or .gltf) instead of the meshes that are generated or come
                      with npm; may be repeated
@@ -33,7 +33,8 @@ What to write: tables for people, or
   -o, --output FILE  writes there instead of to standard output
   --help             writes this
 
-The JSON has a list per part. That of speed has an entry per mesh and number of sites:
+The JSON has a list per part. That of speed has an entry per mesh and number of sites, that of size
+(one shape with 300 sites, finer and finer) one per mesh:
   mesh, faces, sites, dijkstra   the last one in seconds: the unit
   metrics.dgpc, metrics.exact    distances, diagram (tracing, with loops), partition, change (a site
                                  that moves to the next face; where the metric allows that), and
@@ -47,7 +48,7 @@ export class UsageError extends Error {
   exitCode = 2;
 }
 
-const parts = ['speed', 'accuracy', 'convergence', 'cvt'];
+const parts = ['speed', 'size', 'accuracy', 'convergence', 'cvt'];
 const metrics = ['dgpc', 'exact'];
 
 /** Those that gvd_bench takes too, with what must hold of their values. */

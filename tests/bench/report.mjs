@@ -10,6 +10,7 @@ export function report(measured) {
     [`Speed: detail ${detail}; CPU time of the fastest of ${runs}`, speedColumns, speed],
     ['Speed by number of sites: distances and diagram, over Dijkstra', ...ladder(overDijkstra)],
     ['Changes by number of sites: one site moved to the next face', ...ladder(changeTime)],
+    ['Speed by number of faces', speedColumns, measured.size.flatMap(perMetric)],
     ['Accuracy: against CGAL', scoreColumns, measured.accuracy.flatMap(perMetric)],
     [
       'Accuracy: against the cases given',

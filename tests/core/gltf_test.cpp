@@ -294,7 +294,7 @@ TEST(ReadGltf, RepeatsTheMeshOfANodeWithInstances) {
   file.accessors[scales] = R"({"bufferView":0,"componentType":5126,"count":1e6,"type":"VEC3"})";
   EXPECT_EQ(errorOf(file.glb()),
             "the scene has more than 262144 primitives and morph targets, instances "
-            "included; raise GltfLimits::maxObjects to read it");
+            "included; raise the limit maxObjects to read it");
 }
 
 TEST(ReadGltf, CutsNamesThatAreLong) {
@@ -653,7 +653,7 @@ TEST(ReadGltfErrors, NameBytesOutOfBounds) {
             "accessor 0 reaches past the end of buffer view 0");
   EXPECT_EQ(accessor(R"("count":1000000)"), "accessor 0 reaches past the end of buffer view 0");
   EXPECT_EQ(accessor(R"("count":4294967295)"),
-            "the scene has more than 16777216 vertices; raise GltfLimits::maxVertices to read it");
+            "the scene has more than 16777216 vertices; raise the limit maxVertices to read it");
 }
 
 TEST(ReadGltfErrors, NameNumbersThatAreNotWhatTheyMustBe) {
@@ -812,7 +812,7 @@ TEST(ReadGltfErrors, NameNumbersThatAreMisaligned) {
 
 TEST(ReadGltfErrors, LimitWhatASmallFileCanAskFor) {
   const auto more = [](const char* than, const char* limit) {
-    return "the scene has more than " + std::string(than) + "; raise GltfLimits::" + limit +
+    return "the scene has more than " + std::string(than) + "; raise the limit " + limit +
            " to read it";
   };
   EXPECT_EQ(errorAfter([](GlbWriter& file) {
@@ -889,19 +889,19 @@ TEST(ReadGltfErrors, LimitTheJson) {
   };
   const std::string tooManyObjects =
       "the glTF has more than 262144 nodes, meshes, accessors and other objects; raise "
-      "GltfLimits::maxObjects to read it";
+      "the limit maxObjects to read it";
   EXPECT_EQ(errorOf(start + R"("nodes":)" + repeated("{}", 1000000) + '}'), tooManyObjects);
   EXPECT_EQ(errorOf(start + R"("meshes":[{"primitives":)" + repeated("{}", 1000000) + "}]}"),
             tooManyObjects);
   EXPECT_EQ(
       errorOf(start + R"("scenes":[{"nodes":)" + repeated("0", 9000000) + "}]}"),
-      "the glTF has more than 8388608 elements of arrays; raise GltfLimits::maxObjects to read it");
+      "the glTF has more than 8388608 elements of arrays; raise the limit maxObjects to read it");
   EXPECT_EQ(errorOf(start + R"("accessors":)" +
                     repeated(R"({"count":1,"type":"VEC3","byteOffset":0,"normalized":true,)"
                              R"("sparse":{"count":0,"indices":{"byteOffset":0},"values":{}}})",
                              250000) +
                     '}'),
-            "the glTF has more than 2097152 members of objects; raise GltfLimits::maxObjects to "
+            "the glTF has more than 2097152 members of objects; raise the limit maxObjects to "
             "read it");
   EXPECT_EQ(errorOf(start + R"("scenes":[{"nodes":)" + repeated("0", 8000000) +
                     R"(}],"nodes":[{}],"scene":0})"),
@@ -929,14 +929,14 @@ TEST(ReadGltfErrors, EndWhereLimitsAreRaised) {
             "the JSON has " +
                 std::to_string(file.json().size() + (4 - file.json().size() % 4) % 4) +
                 " bytes, more than 100; raise "
-                "GltfLimits::maxJsonBytes to read it");
+                "the limit maxJsonBytes to read it");
   EXPECT_EQ(error({.maxObjects = 5}),
             "the glTF has more than 5 nodes, meshes, accessors and other objects; raise "
-            "GltfLimits::maxObjects to read it");
+            "the limit maxObjects to read it");
   EXPECT_EQ(error({.maxVertices = 5}),
-            "the scene has more than 5 vertices; raise GltfLimits::maxVertices to read it");
+            "the scene has more than 5 vertices; raise the limit maxVertices to read it");
   EXPECT_EQ(error({.maxTriangles = 1}),
-            "the scene has more than 1 triangles; raise GltfLimits::maxTriangles to read it");
+            "the scene has more than 1 triangles; raise the limit maxTriangles to read it");
   EXPECT_EQ(error({.maxObjects = 8, .maxVertices = 6, .maxTriangles = 2, .maxZeroElements = 0}),
             "none");
 }

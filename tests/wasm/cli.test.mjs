@@ -92,6 +92,13 @@ test('--units: a unit of length, or a factor', () => {
   }
 });
 
+test('--limits: what a glTF may ask for', () => {
+  fails(1, 'info shape.glb --limits maxTriangles=7', /raise the limit maxTriangles/);
+  succeeds('info shape.glb --limits maxTriangles=8,maxVertices=6');
+  for (const limits of ['triangles=7', 'maxTriangles', 'maxTriangles=', 'maxTriangles=-1', '7'])
+    fails(2, `info shape.glb --limits=${limits}`, /--limits/);
+});
+
 test('diagram as JSON, to a file or to standard output', () => {
   const { stderr } = succeeds('diagram shape.glb --sites 5 --seed 7 -o d.json');
   assert.match(stderr, /^5 regions, \d+ bisector arcs, \d+ Voronoi points\n$/);

@@ -4,7 +4,7 @@ import { spawnSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { GeodesicVoronoiError, load, loadWorker } from 'geodesic-voronoi';
+import { compileModules, GeodesicVoronoiError, load, loadWorker } from 'geodesic-voronoi';
 import { octahedron } from './meshes.mjs';
 
 const dist = new URL('../../dist/', import.meta.url);
@@ -18,7 +18,7 @@ test('load() finds its modules beside itself and knows the version of the packag
   assert.equal((await load()).version, version);
 });
 
-test('load() takes a URL, a path, bytes or a module', async () => {
+test('load() takes a URL, a path, bytes, what a server answered, or a module', async () => {
   const module = await WebAssembly.compile(coreBytes);
   const arrayBuffer = Uint8Array.from(coreBytes).buffer;
   for (const wasm of [
@@ -27,6 +27,9 @@ test('load() takes a URL, a path, bytes or a module', async () => {
     fileURLToPath(coreUrl),
     coreBytes,
     arrayBuffer,
+    new DataView(arrayBuffer),
+    new Response(coreBytes),
+    new Response(coreBytes, { headers: { 'Content-Type': 'application/wasm' } }),
     module,
   ]) {
     const gvd = await load({ wasm });
@@ -55,6 +58,13 @@ test('gltf.wasm is loaded with the first glTF, not before', async () => {
   await assert.rejects(gvd.mesh(new Uint8Array(100)), failsToLoad(/nowhere\.wasm/));
 });
 
+test('what is compiled once is enough for any number of libraries', async () => {
+  const modules = await compileModules();
+  assert.ok(Object.values(modules).every((module) => module instanceof WebAssembly.Module));
+  const libraries = await Promise.all([load(modules), load(modules)]);
+  for (const library of libraries) await library.mesh(octahedron());
+});
+
 test('GeodesicVoronoiError is an Error with a code', () => {
   const error = new GeodesicVoronoiError('internal', 'why');
   assert.ok(error instanceof Error);
@@ -66,7 +76,7 @@ test('nothing that a browser loads imports anything of Node', () => {
   const visit = (url) => {
     if (seen.has(url.href)) return;
     seen.add(url.href);
-    for (const [, name] of readFileSync(url, 'utf8').matchAll(/(?:from|import) '([^']+)'/g)) {
+    for (const [, name] of readFileSync(url, 'utf8').matchAll(/^(?:import|export) .*'([^']+)';$/gm)) {
       assert.match(name, /^\.\//, `${url.pathname} imports ${name}`);
       visit(new URL(name, url));
     }

@@ -123,6 +123,17 @@ test('a mesh that cannot be made says why', async () => {
   }
 });
 
+test('limits of a glTF can be lowered and raised; the error names the one to raise', async () => {
+  const bytes = glb(octahedron());
+  await assert.rejects(
+    gvd.mesh(bytes, { limits: { maxTriangles: 7 } }),
+    fails('invalid-gltf', /more than 7 triangles; raise the limit maxTriangles/),
+  );
+  const limits = { maxJsonBytes: 2 ** 20, maxObjects: 100, maxVertices: 6, maxTriangles: 8 };
+  const mesh = await gvd.mesh(bytes, { limits: { ...limits, maxZeroElements: 0 } });
+  assert.equal(mesh.info.faces, 8);
+});
+
 test('after a mesh that failed the library still works', async () => {
   await assert.rejects(gvd.mesh(new Uint8Array(100)));
   await assert.rejects(gvd.mesh({ positions: [], indices: [] }));

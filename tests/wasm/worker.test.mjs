@@ -7,9 +7,9 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { load } from 'geodesic-voronoi';
-import { LocalEngine } from '../../dist/engine.js';
+import { LocalEngine } from '../../dist/local_engine.js';
 import { Library } from '../../dist/library.js';
-import { WorkerEngine } from '../../dist/worker_engine.js';
+import { startWorkerEngine } from '../../dist/worker_engine.js';
 import { serve } from '../../dist/worker_server.js';
 import { glb, grid, octahedron } from './meshes.mjs';
 
@@ -38,7 +38,7 @@ function fakeWorker(loadEngine) {
 async function loadThroughChannel(t) {
   let engine;
   const { worker, sent } = fakeWorker(async (from) => (engine = await LocalEngine.load(from)));
-  const library = new Library(await WorkerEngine.start(worker, sources()));
+  const library = new Library(await startWorkerEngine(worker, sources()));
   t.after(() => library.dispose());
   return { library, worker, sent, engine: () => engine };
 }
@@ -139,6 +139,39 @@ test('a diagram that is done before its abortion arrives is freed', async (t) =>
   assert.ok(sent.some((message) => 'close' in message));
 });
 
+test('the worker forwards any function of the engine, of which it knows none', async (t) => {
+  const engine = { version: '1', close() {}, dispose() {} };
+  const rows = new Float64Array(3);
+  engine.twice = async (x, { onProgress }) => {
+    onProgress(0.5);
+    return { twice: 2 * x, both: [rows.subarray(0, 1), rows.subarray(1)] };
+  };
+  const { worker } = fakeWorker(async () => engine);
+  const remote = await startWorkerEngine(worker, sources());
+  t.after(() => remote.dispose());
+  const shares = [];
+  const { twice, both } = await remote.twice(21, { onProgress: (share) => shares.push(share) });
+  assert.equal(twice, 42);
+  assert.equal(both[1].length, 2);
+  assert.deepEqual(shares, [0.5]);
+  await assert.rejects(remote.thrice(1, {}), fails('internal', /thrice|not a function/));
+});
+
+test('a change of a diagram that has begun is carried out on both sides', async (t) => {
+  const { library } = await loadThroughChannel(t);
+  const mesh = await library.mesh(octahedron());
+  const diagram = await mesh.voronoi({ vertex: [0, 1] });
+  const controller = new AbortController();
+  const change = diagram.insertSite(
+    { vertex: [2] },
+    { signal: controller.signal, onProgress: () => controller.abort() },
+  );
+  assert.equal((await change).label, 2);
+  assert.equal(diagram.sites.face.length, 3);
+  await assert.rejects(diagram.removeSite(0, { signal: controller.signal }), { name: 'AbortError' });
+  assert.deepEqual([...(await diagram.locate({ vertex: [0, 2] })).label], [0, 2]);
+});
+
 test('what a listener throws ends the task', async (t) => {
   const { library } = await loadThroughChannel(t);
   const mesh = await library.mesh(octahedron());
@@ -163,12 +196,12 @@ test('disposing frees on the far side, and ends what waits', async (t) => {
 
 test('a worker that does not load, or stops, says so', async (t) => {
   const silent = { onmessage: null, onerror: null, postMessage() {}, terminate() {} };
-  const starting = WorkerEngine.start(silent, sources());
+  const starting = startWorkerEngine(silent, sources());
   silent.onerror({ message: '' });
   await assert.rejects(starting, fails('load-failed', /script/));
 
   const { worker } = fakeWorker((from) => LocalEngine.load(from));
-  const broken = WorkerEngine.start(worker, { ...sources(), wasm: new Uint8Array(10) });
+  const broken = startWorkerEngine(worker, { ...sources(), wasm: new Uint8Array(10) });
   await assert.rejects(broken, fails('load-failed', /magic/));
 
   const { library, worker: running } = await loadThroughChannel(t);

@@ -9,7 +9,12 @@ import { extname } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 
-const folder = new URL('../../build/page/', import.meta.url);
+/** Where files come from, by the beginning of their path. */
+const folders = {
+  '/package/': new URL('../../dist/', import.meta.url),
+  '/modules/': new URL('../../node_modules/', import.meta.url),
+  '/': new URL('../../build/page/', import.meta.url),
+};
 
 /** As strict as the package says it can be. */
 const policy = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'";
@@ -25,7 +30,7 @@ const mediaTypes = {
 };
 
 /** A software renderer, and nothing on the network but the page. Slow machines are given time. */
-const options = {
+export const browserOptions = {
   executablePath: process.env.CHROME_PATH ?? '/usr/bin/chromium',
   chromiumSandbox: false,
   args: [
@@ -39,16 +44,28 @@ const options = {
   timeout: 120_000,
 };
 
-/** Serves the page on a free port; `close()` ends it. */
-async function serve() {
+/** Keeps, in the page, the WebGL contexts that are made. */
+function recordContexts() {
+  window.contexts = [];
+  const { getContext } = HTMLCanvasElement.prototype;
+  HTMLCanvasElement.prototype.getContext = function (type, ...options) {
+    const context = getContext.call(this, type, ...options);
+    if (context && type.startsWith('webgl')) window.contexts.push(context);
+    return context;
+  };
+}
+
+/** Serves the page, the package, and documents by their path, on a free port; `close()` ends it. */
+async function serve(documents) {
   const server = createServer(async (request, response) => {
     const path = decodeURIComponent(new URL(request.url, 'http://page').pathname);
-    const file = new URL(`.${path === '/' ? '/index.html' : path}`, folder);
+    const start = Object.keys(folders).find((start) => path.startsWith(start));
+    const file = new URL(path === '/' ? 'index.html' : path.slice(start.length), folders[start]);
     try {
-      const content = await readFile(fileURLToPath(file));
+      const content = documents[path]?.html ?? (await readFile(fileURLToPath(file)));
       response.writeHead(200, {
         'Content-Type': mediaTypes[extname(file.pathname)] ?? 'application/octet-stream',
-        'Content-Security-Policy': policy,
+        'Content-Security-Policy': documents[path]?.policy ?? policy,
       });
       response.end(content);
     } catch {
@@ -62,16 +79,19 @@ async function serve() {
 /** With its random sites: without a hash, the page would make them even. */
 const firstModel = '#v=1&model=bunny.glb&sites=60&seed=4';
 
-/** A browser and a server for all tests of a file. */
-export async function startBrowser() {
-  const server = await serve();
-  const browser = await chromium.launch(options);
+/**
+ * A browser and a server for all tests of a file. `documents` are pages besides the one that is built:
+ * their `html`, and their `policy` if it is another.
+ */
+export async function startBrowser(documents = {}) {
+  const server = await serve(documents);
+  const browser = await chromium.launch(browserOptions);
   return {
     /**
-     * The page in a window of its own, with the sample and the sites that the hash asks for;
-     * `prepare` may change it before anything is loaded.
+     * The page, with the sample and the sites that the hash asks for, or a document, in a window of its
+     * own; `prepare` may change it before anything is loaded.
      */
-    async open({ prepare, hash = firstModel, ...context } = {}) {
+    async open({ prepare, path = '', hash = path ? '' : firstModel, ...context } = {}) {
       const page = await browser.newPage({
         viewport: { width: 800, height: 420 },
         // A camera that glides on draws frame after frame, seconds each here.
@@ -80,8 +100,9 @@ export async function startBrowser() {
       });
       page.setDefaultTimeout(120_000);
       const viewer = new ViewerPage(page);
+      await page.addInitScript(recordContexts);
       await prepare?.(page);
-      await page.goto(server.address + hash);
+      await page.goto(server.address + path + hash);
       return viewer;
     },
     async stop() {

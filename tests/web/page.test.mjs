@@ -372,8 +372,7 @@ suite('the page', () => {
     const message = viewer.page.locator('geodesic-voronoi [role=alert]');
     const lost = await viewer.after('error', () =>
       viewer.evaluate((viewer) => {
-        const context = viewer.shadowRoot.querySelector('canvas').getContext('webgl2');
-        viewer.loss = context.getExtension('WEBGL_lose_context');
+        viewer.loss = window.contexts[0].getExtension('WEBGL_lose_context');
         viewer.loss.loseContext();
       }),
     );

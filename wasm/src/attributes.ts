@@ -2,7 +2,8 @@
 //
 // What the input says of its vertices (normals, texture coordinates), at points of the surface.
 
-import type { Mesh, Partition } from './types.js';
+import type { Partition } from './results.js';
+import type { Mesh } from './types.js';
 
 /** The mesh that a partition or a dual came from, or as much of it as writers need. */
 export type AttributeSource = Pick<Mesh, 'positions' | 'indices' | 'normals' | 'uvs'>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-import type { DiagramChange, DiagramData, PointLists, SurfacePoints } from './types.js';
+import type { DiagramChange, DiagramData, PointLists, SurfacePoints } from './results.js';
 
 /**
  * The sites after a change: `site` is where the one of `label` is now, undefined if it is gone. Labels at

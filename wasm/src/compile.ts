@@ -1,33 +1,64 @@
 // SPDX-License-Identifier: MIT
-import { GeodesicVoronoiError } from './errors.js';
+//
+// The WebAssembly modules, from wherever they are.
 
-/** Where a WebAssembly module comes from: an address, its bytes, or the module itself. */
-export type WasmSource = URL | string | ArrayBuffer | Uint8Array | WebAssembly.Module;
+import { show } from './checks.js';
+import { GeodesicVoronoiError, invalidArgument } from './errors.js';
+
+/**
+ * Where a WebAssembly module comes from: its address, its bytes (any typed array, also a `Buffer`),
+ * what the server answered, or the module itself.
+ */
+export type WasmSource =
+  URL | string | ArrayBuffer | ArrayBufferView | Response | WebAssembly.Module;
 
 /** Compiles the module at an address; how depends on where the library runs. */
 export type CompileAddress = (address: URL | string) => Promise<WebAssembly.Module>;
 
-/** The module of a source; 'load-failed' if it is not to be had. */
+/** The module of a source; 'load-failed' if it is not to be had. `name` is the option's, for errors. */
 export async function compile(
+  name: string,
   source: WasmSource,
   compileAddress: CompileAddress,
 ): Promise<WebAssembly.Module> {
   if (source instanceof WebAssembly.Module) return source;
-  const isAddress = typeof source === 'string' || source instanceof URL;
   try {
-    return await (isAddress ? compileAddress(source) : WebAssembly.compile(source as BufferSource));
+    if (isAddress(source)) return await compileAddress(source);
+    if (isResponse(source)) return await compileResponse(source);
+    const bytes = bytesOf(source);
+    if (bytes) return await WebAssembly.compile(bytes);
   } catch (cause) {
-    const what = isAddress ? String(source) : 'the WebAssembly module';
+    const what = isAddress(source) ? String(source) : 'the WebAssembly module';
     const why = cause instanceof Error ? cause.message : String(cause);
     throw new GeodesicVoronoiError('load-failed', `${what} cannot be loaded: ${why}`, { cause });
   }
+  throw invalidArgument(
+    `${name} is ${show(source)}, not an address, bytes, a Response or a WebAssembly.Module`,
+  );
 }
 
 export async function compileFromWeb(address: URL | string): Promise<WebAssembly.Module> {
-  const response = await fetch(address);
+  return compileResponse(await fetch(address));
+}
+
+async function compileResponse(response: Response): Promise<WebAssembly.Module> {
   if (!response.ok) throw new Error(`the server answers ${response.status} ${response.statusText}`);
   // Compiling while it arrives is refused for any other media type, and some servers know none.
   return response.headers.get('Content-Type')?.startsWith('application/wasm')
     ? WebAssembly.compileStreaming(response)
     : WebAssembly.compile(await response.arrayBuffer());
+}
+
+export function isAddress(source: unknown): source is URL | string {
+  return typeof source === 'string' || source instanceof URL;
+}
+
+export function isResponse(source: unknown): source is Response {
+  return typeof Response !== 'undefined' && source instanceof Response;
+}
+
+function bytesOf(source: unknown): Uint8Array<ArrayBuffer> | undefined {
+  if (source instanceof ArrayBuffer) return new Uint8Array(source);
+  if (!ArrayBuffer.isView(source)) return undefined;
+  return new Uint8Array(source.buffer as ArrayBuffer, source.byteOffset, source.byteLength);
 }

@@ -4,11 +4,13 @@
 // out.
 
 import { inputVertices, type AttributeSource } from './attributes.js';
+import { show, toAttributeSource, toResult, toScale } from './checks.js';
+import { invalidArgument } from './errors.js';
 import { glbAttributes, plyColumns } from './file_vertices.js';
 import { placedPointsJson, pointsJson, type PlacedPointsJson, type SurfacePointsJson } from './formats.js';
 import { GlbBuilder } from './glb.js';
 import { ply } from './ply.js';
-import type { Distances, SurfacePath, VertexDistances } from './types.js';
+import type { Distances, SurfacePath, VertexDistances } from './results.js';
 
 /** The JSON form of distances: one entry per input vertex, two in `direction`. */
 export interface DistancesJson {
@@ -21,10 +23,16 @@ export interface DistancesJson {
   direction: (number | null)[];
 }
 
-export function distancesJson(
-  { metric, sites, label, distance, direction }: Distances,
-  scale = 1,
-): DistancesJson {
+export function distancesJson(distances: Distances, scale = 1): DistancesJson {
+  const { metric, sites, label, distance, direction } = toResult(
+    'distances',
+    distances,
+    'sites',
+    'label',
+    'distance',
+    'direction',
+  );
+  toScale(scale);
   // JSON has neither infinity nor NaN.
   const finite = (x: number) => (Number.isFinite(x) ? x : null);
   return {
@@ -39,9 +47,18 @@ export function distancesJson(
 /** The input's vertices and triangles, with properties label, distance, direction_x and direction_y. */
 export function distancesPly(
   mesh: AttributeSource,
-  { label, distance, direction }: VertexDistances,
+  distances: VertexDistances,
   scale = 1,
 ): Uint8Array<ArrayBuffer> {
+  toAttributeSource(mesh);
+  const { label, distance, direction } = toResult(
+    'distances',
+    distances,
+    'label',
+    'distance',
+    'direction',
+  );
+  toScale(scale);
   return ply(
     'Geodesic distances',
     [
@@ -65,9 +82,12 @@ export function distancesPly(
  */
 export function distancesGlb(
   mesh: AttributeSource,
-  { label, distance }: VertexDistances,
+  distances: VertexDistances,
   scale = 1,
 ): Uint8Array<ArrayBuffer> {
+  toAttributeSource(mesh);
+  const { label, distance } = toResult('distances', distances, 'label', 'distance');
+  toScale(scale);
   const isFinite = (vertex: number) =>
     mesh.positions.subarray(3 * vertex, 3 * vertex + 3).every(Number.isFinite);
   const triangles = Array.from({ length: mesh.indices.length / 3 }, (_, f) =>
@@ -98,6 +118,8 @@ export interface PathsJson {
 }
 
 export function pathsJson(paths: readonly SurfacePath[], scale = 1): PathsJson {
+  requirePaths(paths);
+  toScale(scale);
   return {
     paths: paths.map(({ points, length }) => ({
       points: placedPointsJson(points, scale),
@@ -108,6 +130,8 @@ export function pathsJson(paths: readonly SurfacePath[], scale = 1): PathsJson {
 
 /** A polyline per path, in a group each; a point where the path has no length. */
 export function pathsObj(paths: readonly SurfacePath[], scale = 1): string {
+  requirePaths(paths);
+  toScale(scale);
   const lines = ['# Shortest paths'];
   let count = 0;
   paths.forEach(({ points: { face, position } }, i) => {
@@ -120,4 +144,9 @@ export function pathsObj(paths: readonly SurfacePath[], scale = 1): string {
     lines.push(`g path_${i}`, `${element} ${Array.from(face, () => ++count).join(' ')}`);
   });
   return `${lines.join('\n')}\n`;
+}
+
+function requirePaths(paths: readonly SurfacePath[]): void {
+  if (!Array.isArray(paths)) throw invalidArgument(`paths is ${show(paths)}, not an array`);
+  paths.forEach((path, i) => toResult(`paths[${i}]`, path, 'points'));
 }

@@ -1,5 +1,25 @@
 // SPDX-License-Identifier: MIT
-import type { ErrorCode } from './types.js';
+//
+// The one class of errors that this library throws.
+
+/** What went wrong, for programs. */
+export type ErrorCode =
+  /** The triangles cannot be made into a surface. */
+  | 'invalid-mesh'
+  /** The bytes are not a glTF that this library reads. */
+  | 'invalid-gltf'
+  /** A site or another point is not on the surface. */
+  | 'invalid-point'
+  /** An argument is of the wrong kind, or makes no sense for this object. */
+  | 'invalid-argument'
+  /** The object has been disposed, or the library that it is of. */
+  | 'disposed'
+  /** There is not enough memory; the library is still usable. */
+  | 'out-of-memory'
+  /** A WebAssembly module or the worker cannot be loaded. */
+  | 'load-failed'
+  /** A fault of this library, or its worker has stopped; load it again. */
+  | 'internal';
 
 /**
  * What this library throws: `code` for programs; `message` for people, one sentence without its
@@ -19,4 +39,8 @@ export function outOfMemory(cause?: unknown): GeodesicVoronoiError {
   return new GeodesicVoronoiError('out-of-memory', 'there is not enough memory for this', {
     cause,
   });
+}
+
+export function invalidArgument(message: string): GeodesicVoronoiError {
+  return new GeodesicVoronoiError('invalid-argument', message);
 }

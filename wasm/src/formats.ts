@@ -2,8 +2,10 @@
 //
 // A diagram as a file. `scale` is what lengths are multiplied with on the way out.
 
+import { toResult, toScale } from './checks.js';
 import { GlbBuilder } from './glb.js';
-import type { Diagram, DiagramData, PlacedPoints, SurfacePoints } from './types.js';
+import type { DiagramData, PlacedPoints, SurfacePoints } from './results.js';
+import type { Diagram } from './types.js';
 
 /** The JSON form of a list of points. */
 export interface SurfacePointsJson {
@@ -37,10 +39,12 @@ export interface DiagramJson {
 }
 
 export function diagramJson(
-  { metric, sites, data, regions }: Pick<Diagram, 'metric' | 'sites' | 'data' | 'regions'>,
+  diagram: Pick<Diagram, 'metric' | 'sites' | 'data' | 'regions'>,
   scale = 1,
   unit?: string,
 ): DiagramJson {
+  const { metric, sites, data, regions } = toResult('diagram', diagram, 'sites', 'data', 'regions');
+  toScale(scale);
   const { points, arcs, voronoiPoints, loops, cells } = data;
   const named = [loops.points, arcs.points, voronoiPoints.point, cells.points];
   const { used, number } = compact(named, points.face.length);
@@ -120,7 +124,9 @@ export function pointsJson({ face, bary }: SurfacePoints): SurfacePointsJson {
 }
 
 /** The bisectors as Wavefront OBJ: a polyline per arc, in a group that names its two labels. */
-export function diagramObj({ points, arcs }: DiagramData, scale = 1): string {
+export function diagramObj(data: DiagramData, scale = 1): string {
+  const { points, arcs } = toResult('data', data, 'points', 'arcs');
+  toScale(scale);
   const { used, number } = compact([arcs.points], points.face.length);
   const lines = ['# Bisectors of a geodesic Voronoi diagram'];
   for (const point of used) {
@@ -139,7 +145,9 @@ export function diagramObj({ points, arcs }: DiagramData, scale = 1): string {
 }
 
 /** The bisectors as GLB: one primitive of line segments. */
-export function diagramGlb({ points, segments }: DiagramData, scale = 1): Uint8Array<ArrayBuffer> {
+export function diagramGlb(data: DiagramData, scale = 1): Uint8Array<ArrayBuffer> {
+  const { points, segments } = toResult('data', data, 'points', 'segments');
+  toScale(scale);
   const { used, number } = compact([segments.points], points.face.length);
   const positions = new Float32Array(3 * used.length);
   used.forEach((point, i) => {

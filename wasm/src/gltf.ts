@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: MIT
-import type { Triangles } from './triangles.js';
-import type { GltfResources, MeshPart } from './types.js';
-import { WasmModule } from './wasm_module.js';
+//
+// glTF files, read by gltf.wasm.
 
-interface GltfFunctions {
-  readGltfScene(
-    bytes: number,
-    byteLength: number,
-    resources: number,
-    resourceCount: number,
-  ): number;
-}
+import { requireBytes } from './checks.js';
+import type { GltfFile } from './engine.js';
+import type { MeshPart } from './results.js';
+import type { Triangles } from './triangles.js';
+import { WasmModule } from './wasm_module.js';
 
 /** The triangles of a glTF scene in world space. */
 export interface GltfScene extends Triangles {
@@ -18,37 +14,31 @@ export interface GltfScene extends Triangles {
   notes: string[];
 }
 
+/** `GltfScene` as gltf.wasm lists it: five numbers per part. */
+type GltfArrays = Omit<GltfScene, 'parts'> & { partNumbers: Int32Array; partNames: string[] };
+
 /**
  * Reads GLB or glTF. An instance of its own per file: the memory it took goes with it, and no file
  * can spoil the reading of the next.
  */
 export async function readGltf(
   module: WebAssembly.Module,
-  bytes: Uint8Array,
-  resources: GltfResources,
+  { bytes, resources, limits }: GltfFile,
 ): Promise<GltfScene> {
-  const wasm = await WasmModule.instantiate<GltfFunctions>(module);
-  const utf8 = new TextEncoder();
-  const entries = Object.entries(resources);
-  const [positions, indices, normals, uvs, numbers, ...texts] = wasm.arrays((gltf, copyIn) => {
-    const rows = entries.flatMap(([name, content]) => {
-      const uri = utf8.encode(name);
-      return [copyIn(uri), uri.length, copyIn(content), content.length];
-    });
-    return gltf.readGltfScene(
-      copyIn(bytes),
-      bytes.length,
-      copyIn(Uint32Array.from(rows)),
-      entries.length,
-    );
-  }) as [Float64Array, Int32Array, Float64Array, Float64Array, Int32Array, ...string[]];
-
-  const partCount = numbers.length / 5;
-  const parts = texts.slice(0, partCount).map((name, i) => {
-    const [node, mesh, primitive, firstTriangle, triangleCount] = numbers.subarray(5 * i);
+  const wasm = await WasmModule.instantiate(module);
+  const { partNumbers, partNames, ...scene } = wasm.answer<GltfArrays>(
+    'readGltfScene',
+    bytes,
+    Object.keys(resources),
+    Object.values(resources),
+    Object.keys(limits),
+    Float64Array.from(Object.values(limits)),
+  );
+  const parts = partNames.map((name, i) => {
+    const [node, mesh, primitive, firstTriangle, triangleCount] = partNumbers.subarray(5 * i);
     return { name, node, mesh, primitive, firstTriangle, triangleCount };
   });
-  return { positions, indices, normals, uvs, parts, notes: texts.slice(partCount) };
+  return { ...scene, parts };
 }
 
 /**
@@ -56,6 +46,7 @@ export async function readGltf(
  * as it writes them. What cannot be read names none; `mesh()` says what is wrong with it.
  */
 export function gltfResourceUris(bytes: Uint8Array): string[] {
+  requireBytes('bytes', bytes);
   let uris: unknown[];
   try {
     const { buffers = [] } = JSON.parse(new TextDecoder().decode(jsonOf(bytes)));

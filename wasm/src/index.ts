@@ -2,43 +2,88 @@
 //
 // geodesic-voronoi in a page or a worker. Importing it does nothing; `node.ts` is its face in Node.
 
-import { compileFromWeb, type WasmSource } from './compile.js';
-import { GeodesicVoronoiError } from './errors.js';
+import { isObject, show, toOptions } from './checks.js';
+import { compile, compileFromWeb, isAddress, isResponse, type WasmSource } from './compile.js';
+import { GeodesicVoronoiError, invalidArgument, type ErrorCode } from './errors.js';
 import { Library } from './library.js';
-import { loadLocal, sourcesOf, type LoadOptions } from './load.js';
+import { compileSources, loadLocal, sourcesOf, type LoadOptions, type Modules } from './load.js';
 import type { GeodesicVoronoi } from './types.js';
-import { WorkerEngine } from './worker_engine.js';
+import { startWorkerEngine } from './worker_engine.js';
 
+export type * from './results.js';
 export type * from './types.js';
-export type { LoadOptions, WasmSource };
+export type { ErrorCode, LoadOptions, Modules, WasmSource };
 export { GeodesicVoronoiError };
 export { gltfResourceUris } from './gltf.js';
 export { diagramGlb, diagramJson, diagramObj } from './formats.js';
-export { distancesGlb, distancesJson, distancesPly, pathsJson, pathsObj } from './distance_formats.js';
+export {
+  distancesGlb,
+  distancesJson,
+  distancesPly,
+  pathsJson,
+  pathsObj,
+} from './distance_formats.js';
 export type { PartitionFileOptions, PartitionGlbOptions } from './partition_formats.js';
 export type { PolygonFileOptions } from './polygon_formats.js';
 export { partitionGlb, partitionJson, partitionObj, partitionPly } from './partition_formats.js';
 export { polygonGlb, polygonJson, polygonObj, polygonPly } from './polygon_formats.js';
 
 /** The library on the calling thread. Long work is done in slices of about 12 ms. */
-export function load(options: LoadOptions = {}): Promise<GeodesicVoronoi> {
+export function load(options?: LoadOptions): Promise<GeodesicVoronoi> {
   return loadLocal(options, compileFromWeb);
 }
 
-/** The library in a module worker of its own; `dispose()` ends it. */
-export async function loadWorker(options: LoadOptions = {}): Promise<GeodesicVoronoi> {
-  if (typeof Worker === 'undefined') {
-    throw new GeodesicVoronoiError('load-failed', 'there are no module workers here: use load()');
-  }
-  const worker = new Worker(new URL('./worker.js', import.meta.url), { type: 'module' });
-  const { wasm, gltfWasm } = sourcesOf(options);
-  return new Library(
-    await WorkerEngine.start(worker, { wasm: absolute(wasm), gltfWasm: absolute(gltfWasm) }),
-  );
+/** Both modules, compiled: with them as options, any number of workers start without compiling again. */
+export function compileModules(options?: LoadOptions): Promise<Modules> {
+  return compileSources(options, compileFromWeb);
 }
 
-/** An address as the page means it: the worker's own base is another. */
-function absolute(source: WasmSource): WasmSource {
-  const isAddress = typeof source === 'string' || source instanceof URL;
-  return isAddress ? new URL(source, globalThis.document?.baseURI ?? location.href).href : source;
+export interface LoadWorkerOptions extends LoadOptions {
+  /**
+   * A module worker that runs `geodesic-voronoi/worker`, or the address of that script; by default the
+   * one beside this file.
+   */
+  worker?: Worker | URL | string;
+}
+
+/**
+ * The library in a module worker of its own; `dispose()` ends it.
+ *
+ * Vite, webpack and Rollup find the worker's script and the modules by themselves. A bundler that does
+ * not know `new URL(…, import.meta.url)`, as esbuild, is told where they are. Its entry points
+ * are the app and `geodesic-voronoi/worker`, as a script of its own, and the modules are copied
+ * (`geodesic-voronoi/core.wasm` and `geodesic-voronoi/gltf.wasm`, with esbuild's loader `file`):
+ *
+ *     import wasm from 'geodesic-voronoi/core.wasm';
+ *     import gltfWasm from 'geodesic-voronoi/gltf.wasm';
+ *     const gvd = await loadWorker({ worker: '/worker.js', wasm, gltfWasm });
+ */
+export async function loadWorker(options?: LoadWorkerOptions): Promise<GeodesicVoronoi> {
+  const { wasm, gltfWasm } = sourcesOf(options);
+  const worker = toWorker(toOptions(options).worker);
+  const sources = {
+    wasm: await toPost('wasm', wasm),
+    gltfWasm: await toPost('gltfWasm', gltfWasm),
+  };
+  return new Library(await startWorkerEngine(worker, sources));
+}
+
+function toWorker(worker: LoadWorkerOptions['worker']): Worker {
+  if (isObject(worker) && 'postMessage' in worker && 'terminate' in worker) return worker;
+  if (worker !== undefined && !isAddress(worker))
+    throw invalidArgument(`worker is ${show(worker)}, neither a Worker nor an address`);
+  if (typeof Worker === 'undefined')
+    throw new GeodesicVoronoiError('load-failed', 'there are no module workers here: use load()');
+  return worker === undefined
+    ? new Worker(new URL('./worker.js', import.meta.url), {
+        type: 'module',
+        name: 'geodesic-voronoi',
+      })
+    : new Worker(worker, { type: 'module', name: 'geodesic-voronoi' });
+}
+
+/** A source as it can be posted: an address as the page means it, since the worker's base is another. */
+async function toPost(name: string, source: WasmSource): Promise<WasmSource> {
+  if (isAddress(source)) return new URL(source, globalThis.document?.baseURI ?? location.href).href;
+  return isResponse(source) ? compile(name, source, compileFromWeb) : source;
 }

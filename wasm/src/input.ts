@@ -3,19 +3,26 @@
 // What callers pass, checked in form and copied. Whether it makes sense on the surface is for the
 // core to say.
 
-import { cvtMethods, metrics, samplings, type CvtSettings } from './core.js';
-import type { GltfFile } from './engine.js';
-import { GeodesicVoronoiError } from './errors.js';
+import { isObject, requireBytes, show, toFloat64, toInt32, toInteger, toOneOf } from './checks.js';
+import type { CvtSettings, GltfFile } from './engine.js';
+import { invalidArgument } from './errors.js';
+import {
+  cvtMethods,
+  metrics,
+  samplings,
+  type Metric,
+  type Sampling,
+  type SurfacePoints,
+} from './results.js';
 import type { Triangles } from './triangles.js';
-import type {
-  CvtOptions,
-  GltfResources,
-  MeshSource,
-  Metric,
-  PartitionOptions,
-  Sampling,
-  SurfacePoints,
-  SurfacePointsInput,
+import {
+  gltfLimitNames,
+  type CvtOptions,
+  type GltfLimits,
+  type GltfResources,
+  type MeshOptions,
+  type MeshSource,
+  type SurfacePointsInput,
 } from './types.js';
 
 /** Each level doubles the segments; ten of them turn a face into a million. */
@@ -24,12 +31,12 @@ export const maxDetail = 10;
 /** The core counts in 32 bits. */
 export const maxCount = 2 ** 31 - 1;
 
-export function toTriangles(
-  source: MeshSource,
-  resources: GltfResources = {},
-): Triangles | GltfFile {
-  if (source instanceof Uint8Array) return { bytes: source, resources };
-  if (source instanceof ArrayBuffer) return { bytes: new Uint8Array(source), resources };
+/** Of a limit of the glTF reader: its memory has no more bytes than this. */
+export const maxLimit = 2 ** 32 - 1;
+
+export function toTriangles(source: MeshSource, options: MeshOptions): Triangles | GltfFile {
+  if (source instanceof Uint8Array) return toGltfFile(source, options);
+  if (source instanceof ArrayBuffer) return toGltfFile(new Uint8Array(source), options);
   if (isObject(source) && 'positions' in source && 'indices' in source) {
     const positions = toFloat64('positions', source.positions);
     return {
@@ -42,6 +49,26 @@ export function toTriangles(
   throw invalidArgument(
     'a mesh is made from the bytes of a glTF file or from {positions, indices}',
   );
+}
+
+function toGltfFile(bytes: Uint8Array, { resources = {}, limits = {} }: MeshOptions): GltfFile {
+  return { bytes, resources: toResources(resources), limits: toLimits(limits) };
+}
+
+function toResources(resources: GltfResources): GltfResources {
+  if (!isObject(resources)) throw invalidArgument(`resources is ${show(resources)}, not an object`);
+  for (const [uri, bytes] of Object.entries(resources))
+    requireBytes(`resources[${show(uri)}]`, bytes);
+  return resources;
+}
+
+function toLimits(limits: GltfLimits): GltfLimits {
+  if (!isObject(limits)) throw invalidArgument(`limits is ${show(limits)}, not an object`);
+  for (const [name, most] of Object.entries(limits)) {
+    toOneOf('the name of a limit', name, gltfLimitNames);
+    toInteger(`limits.${name}`, most, 0, maxLimit);
+  }
+  return limits;
 }
 
 /** A list of points, as faces and coordinates of the same length or as vertices. */
@@ -65,11 +92,7 @@ export function toPoints(
 }
 
 /** Numbers per vertex, or none. */
-function toAttribute(
-  name: string,
-  values: ArrayLike<number> = [],
-  expected: number,
-): Float64Array {
+function toAttribute(name: string, values: ArrayLike<number> = [], expected: number): Float64Array {
   const numbers = toFloat64(name, values);
   if (numbers.length === 0 || numbers.length === expected) return numbers;
   throw invalidArgument(`${name} has ${numbers.length} numbers, not ${expected}`);
@@ -109,18 +132,6 @@ function toTolerance(name: string, value: number): number {
   throw invalidArgument(`${name} is ${show(value)}, not a number from 0`);
 }
 
-function toOneOf<Name extends string>(what: string, name: Name, names: readonly Name[]): Name {
-  if (names.includes(name)) return name;
-  throw invalidArgument(`${what} is ${show(name)}, not one of ${names.join(', ')}`);
-}
-
-export function toPartitionOptions({
-  leaveOutIndifferent = false,
-  leaveOutUnreachable = false,
-}: PartitionOptions): Required<PartitionOptions> {
-  return { leaveOutIndifferent, leaveOutUnreachable };
-}
-
 export function toMaxAdded(maxAdded: number): number {
   return toInteger('maxAdded', maxAdded, 0, maxCount);
 }
@@ -139,43 +150,4 @@ export function toLabel(label: number): number {
 
 export function toSeed(seed: number): number {
   return toInteger('seed', seed, 0, Number.MAX_SAFE_INTEGER);
-}
-
-function toInteger(name: string, value: number, least: number, most: number): number {
-  if (Number.isInteger(value) && value >= least && value <= most) return value;
-  throw invalidArgument(`${name} is ${show(value)}, not an integer from ${least} to ${most}`);
-}
-
-function toFloat64(name: string, values: ArrayLike<number>): Float64Array {
-  requireList(name, values);
-  return new Float64Array(values);
-}
-
-function toInt32(name: string, values: ArrayLike<number>): Int32Array {
-  requireList(name, values);
-  const integers = new Int32Array(values);
-  for (let i = 0; i < integers.length; ++i) {
-    if (integers[i] !== values[i]) {
-      throw invalidArgument(`${name}[${i}] is ${show(values[i])}, not an index`);
-    }
-  }
-  return integers;
-}
-
-function requireList(name: string, values: unknown): void {
-  const isList = Array.isArray(values) || (ArrayBuffer.isView(values) && 'length' in values);
-  if (!isList) throw invalidArgument(`${name} is ${show(values)}, not an array of numbers`);
-}
-
-function isObject(value: unknown): value is object {
-  return typeof value === 'object' && value !== null;
-}
-
-function show(value: unknown): string {
-  if (typeof value === 'string') return JSON.stringify(value);
-  return isObject(value) ? `of type ${value.constructor?.name ?? 'object'}` : String(value);
-}
-
-function invalidArgument(message: string): GeodesicVoronoiError {
-  return new GeodesicVoronoiError('invalid-argument', message);
 }

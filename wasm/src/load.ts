@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
-import type { CompileAddress, WasmSource } from './compile.js';
-import { LocalEngine, type EngineSources } from './engine.js';
+//
+// How the library is loaded; where files are read from is for `index.ts` and `node.ts` to say.
+
+import { toOptions } from './checks.js';
+import { compile, type CompileAddress, type WasmSource } from './compile.js';
+import type { EngineSources } from './engine.js';
 import { Library } from './library.js';
+import { LocalEngine } from './local_engine.js';
 import type { GeodesicVoronoi } from './types.js';
 
 export interface LoadOptions {
@@ -11,16 +16,32 @@ export interface LoadOptions {
   gltfWasm?: WasmSource;
 }
 
+/** Both modules, compiled: options of `load` and `loadWorker`. */
+export type Modules = Record<keyof LoadOptions, WebAssembly.Module>;
+
 /** Where the modules are. The addresses are written so that bundlers see them. */
-export function sourcesOf(options: LoadOptions): EngineSources {
-  return {
-    wasm: options.wasm ?? new URL('./core.wasm', import.meta.url),
-    gltfWasm: options.gltfWasm ?? new URL('./gltf.wasm', import.meta.url),
-  };
+export function sourcesOf(options: LoadOptions | undefined): EngineSources {
+  const {
+    wasm = new URL('./core.wasm', import.meta.url),
+    gltfWasm = new URL('./gltf.wasm', import.meta.url),
+  } = toOptions(options);
+  return { wasm, gltfWasm };
+}
+
+export async function compileSources(
+  options: LoadOptions | undefined,
+  compileAddress: CompileAddress,
+): Promise<Modules> {
+  const sources = sourcesOf(options);
+  const [wasm, gltfWasm] = await Promise.all([
+    compile('wasm', sources.wasm, compileAddress),
+    compile('gltfWasm', sources.gltfWasm, compileAddress),
+  ]);
+  return { wasm, gltfWasm };
 }
 
 export async function loadLocal(
-  options: LoadOptions,
+  options: LoadOptions | undefined,
   compileAddress: CompileAddress,
 ): Promise<GeodesicVoronoi> {
   return new Library(await LocalEngine.load(sourcesOf(options), compileAddress));

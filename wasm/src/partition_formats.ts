@@ -4,11 +4,12 @@
 // is what lengths are multiplied with on the way out.
 
 import { joined, partitionVertices, type AttributeSource } from './attributes.js';
+import { toFileOptions, toOneOf, toResult, toScale } from './checks.js';
 import { glbAttributes, objCorner, objLines, plyColumns } from './file_vertices.js';
 import { pointsJson, type SurfacePointsJson } from './formats.js';
 import { GlbBuilder } from './glb.js';
 import { ply } from './ply.js';
-import type { Partition, SurfacePoints } from './types.js';
+import type { Partition, SurfacePoints } from './results.js';
 
 export interface PartitionFileOptions {
   mesh?: AttributeSource;
@@ -54,10 +55,13 @@ export interface PartitionJson {
 }
 
 export function partitionJson(
-  { points, triangles, regions }: Partition,
+  partition: Partition,
   sites: SurfacePoints,
   scale = 1,
 ): PartitionJson {
+  const { points, triangles, regions } = toPartition(partition);
+  toResult('sites', sites, 'face', 'bary');
+  toScale(scale);
   const { neighbours, nearCentroid, triangleOffset } = regions;
   return {
     sites: pointsJson(sites),
@@ -96,11 +100,14 @@ export function partitionJson(
 
 export function partitionGlb(
   partition: Partition,
-  { layout = 'regions', ...options }: PartitionGlbOptions = {},
+  options?: PartitionGlbOptions,
 ): Uint8Array<ArrayBuffer> {
+  toPartition(partition);
+  const { layout = 'regions', ...form } = toFileOptions(options);
+  toOneOf('layout', layout, partitionLayouts);
   if (partition.triangles.label.length === 0)
     return new GlbBuilder().finish({ scene: 0, scenes: [{}] }); // glTF has no empty primitive
-  return layout === 'regions' ? regionsGlb(partition, options) : featuresGlb(partition, options);
+  return layout === 'regions' ? regionsGlb(partition, form) : featuresGlb(partition, form);
 }
 
 function regionsGlb(
@@ -193,8 +200,10 @@ function featuresGlb(
 /** A group per region; all vertices are shared. */
 export function partitionObj(
   partition: Partition,
-  { mesh, scale = 1 }: PartitionFileOptions = {},
+  options?: PartitionFileOptions,
 ): string {
+  toPartition(partition);
+  const { mesh, scale } = toFileOptions(options);
   const { vertices, corners } = partitionVertices(partition, mesh);
   const lines = objLines(partition.points.position, vertices, scale);
   const corner = (c: number) => objCorner(vertices, partition.triangles.points[c], corners[c]);
@@ -209,8 +218,10 @@ export function partitionObj(
 /** Every face with its label, -1 where no site reaches. */
 export function partitionPly(
   partition: Partition,
-  { mesh, scale = 1 }: PartitionFileOptions = {},
+  options?: PartitionFileOptions,
 ): Uint8Array<ArrayBuffer> {
+  toPartition(partition);
+  const { mesh, scale } = toFileOptions(options);
   const { vertices, corners } = partitionVertices(partition, mesh);
   const offset = Int32Array.from(
     { length: partition.triangles.label.length + 1 },
@@ -260,4 +271,8 @@ function material(name: string, baseColorFactor: number[]): object {
     pbrMetallicRoughness: { baseColorFactor, metallicFactor: 0, roughnessFactor: 0.8 },
     doubleSided: true,
   };
+}
+
+function toPartition(partition: Partition): Partition {
+  return toResult('partition', partition, 'points', 'triangles', 'regions');
 }

@@ -4,11 +4,12 @@
 // interpolate; `scale` is what lengths are multiplied with on the way out.
 
 import { pointVertices, type AttributeSource } from './attributes.js';
+import { toFileOptions, toResult, toScale } from './checks.js';
 import { glbAttributes, objCorner, objLines, plyColumns } from './file_vertices.js';
 import { pointsJson, type SurfacePointsJson } from './formats.js';
 import { GlbBuilder } from './glb.js';
 import { ply, type PlyColumns } from './ply.js';
-import type { PolygonMesh, PolygonTopology } from './types.js';
+import type { PolygonMesh, PolygonTopology } from './results.js';
 
 export interface PolygonFileOptions {
   mesh?: AttributeSource;
@@ -24,10 +25,9 @@ export interface PolygonMeshJson {
   topology: PolygonTopology;
 }
 
-export function polygonJson(
-  { points, faces, vertexLabel, faceLabel, topology }: PolygonMesh,
-  scale = 1,
-): PolygonMeshJson {
+export function polygonJson(polygons: PolygonMesh, scale = 1): PolygonMeshJson {
+  const { points, faces, vertexLabel, faceLabel, topology } = toPolygons(polygons);
+  toScale(scale);
   return {
     points: { ...pointsJson(points), position: Array.from(points.position, (x) => scale * x) },
     faces: Array.from({ length: faces.offset.length - 1 }, (_, f) => [
@@ -41,9 +41,11 @@ export function polygonJson(
 
 /** The polygons cut into triangles: one primitive. */
 export function polygonGlb(
-  { points, triangles }: PolygonMesh,
-  { mesh, scale = 1 }: PolygonFileOptions = {},
+  polygons: PolygonMesh,
+  options?: PolygonFileOptions,
 ): Uint8Array<ArrayBuffer> {
+  const { points, triangles } = toPolygons(polygons);
+  const { mesh, scale } = toFileOptions(options);
   const file = new GlbBuilder();
   // glTF has no empty primitive.
   if (triangles.face.length === 0) return file.finish({ scene: 0, scenes: [{}] });
@@ -62,9 +64,10 @@ export function polygonGlb(
 /** Polygons; those of regions in a group each. */
 export function polygonObj(
   polygons: PolygonMesh,
-  { mesh, scale = 1 }: PolygonFileOptions = {},
+  options?: PolygonFileOptions,
 ): string {
-  const { points } = polygons;
+  const { points } = toPolygons(polygons);
+  const { mesh, scale } = toFileOptions(options);
   const { faces, faceLabel } = withArea(polygons);
   const vertices = pointVertices(points, mesh);
   const lines = objLines(points.position, vertices, scale);
@@ -79,9 +82,10 @@ export function polygonObj(
 /** Polygons; with the region of each vertex of a dual, or of each face that is a region. */
 export function polygonPly(
   polygons: PolygonMesh,
-  { mesh, scale = 1 }: PolygonFileOptions = {},
+  options?: PolygonFileOptions,
 ): Uint8Array<ArrayBuffer> {
-  const { points, vertexLabel } = polygons;
+  const { points, vertexLabel } = toPolygons(polygons);
+  const { mesh, scale } = toFileOptions(options);
   const { faces, faceLabel } = withArea(polygons);
   const labels = (values: Int32Array): PlyColumns[] =>
     values.length > 0 ? [{ names: ['label'], type: 'int', values }] : [];
@@ -112,4 +116,17 @@ function withArea({ faces, faceLabel }: PolygonMesh): Pick<PolygonMesh, 'faces' 
     },
     faceLabel: faceLabel.length > 0 ? Int32Array.from(kept, (f) => faceLabel[f]) : faceLabel,
   };
+}
+
+function toPolygons(polygons: PolygonMesh): PolygonMesh {
+  return toResult(
+    'polygons',
+    polygons,
+    'points',
+    'faces',
+    'vertexLabel',
+    'faceLabel',
+    'triangles',
+    'topology',
+  );
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-import type { DiagramData, Region } from './types.js';
+import type { DiagramData } from './results.js';
+import type { Region } from './types.js';
 
 /** What regions share: where each one's loops begin, and who its neighbours are. */
 interface RegionIndex {

@@ -1,38 +1,29 @@
 // SPDX-License-Identifier: MIT
-import { GeodesicVoronoiError, outOfMemory } from './errors.js';
-import type { ErrorCode } from './types.js';
+//
+// Calls of our WebAssembly modules: plain values and arrays in, copies out, failures as errors. The
+// C++ functions say what there is, see `abi.h`; nothing here knows any of them but those of `abi.cpp`.
 
-/** The functions that every module of ours exports: `abi.h`. Pointers are numbers. */
-interface Abi {
+import { GeodesicVoronoiError, outOfMemory, type ErrorCode } from './errors.js';
+
+/** What a function takes: a string as UTF-8, an array as a copy for the length of the call. */
+export type Argument = number | boolean | Memory;
+type Memory = string | Int32Array | Float64Array | Uint8Array | readonly Memory[];
+
+/** The functions that every module of ours exports, see `abi.cpp`; all others are called by name. */
+interface Exports {
   memory: WebAssembly.Memory;
   _initialize(): void;
   allocate(bytes: number): number;
   release(pointer: number): void;
   errorCode(): number;
   errorMessage(): number;
-  errorMessageLength(): number;
-  arrayCount(arrays: number): number;
-  arrayRows(arrays: number): number;
-  freeArrays(arrays: number): void;
+  answerRowCount(answer: number): number;
+  answerRows(answer: number): number;
+  freeAnswer(answer: number): void;
 }
 
-export type WasmArray = Int32Array | Float64Array | string;
-
-/** Copies an array into the module's memory for the length of one call; returns its address. */
-export type CopyIn = (array: Int32Array | Uint32Array | Float64Array | Uint8Array) => number;
-
-/** `Failure` of `abi.h`, in its order. */
-const errorCodes: readonly ErrorCode[] = [
-  'internal', // no failure
-  'invalid-mesh',
-  'invalid-gltf',
-  'invalid-point',
-  'invalid-argument',
-  'out-of-memory',
-  'internal',
-];
-
-const utf8 = new TextDecoder();
+const encoder = new TextEncoder();
+const decoder = new TextDecoder();
 
 /**
  * What a standalone module asks of its host. Ours read no files, no environment and no clock: what
@@ -80,21 +71,20 @@ function importsFor(
   return imports;
 }
 
-/** An instance of one of our modules: calls with arrays in and arrays out, failures as errors. */
-export class WasmModule<Functions> {
-  readonly #exports: Abi & Functions;
+export class WasmModule {
+  readonly #exports: Exports;
   #stopped = false;
 
-  private constructor(exports: Abi & Functions) {
+  private constructor(exports: Exports) {
     this.#exports = exports;
   }
 
-  static async instantiate<Functions>(module: WebAssembly.Module): Promise<WasmModule<Functions>> {
+  static async instantiate(module: WebAssembly.Module): Promise<WasmModule> {
     const imports = importsFor(module, () => exports.memory);
-    let exports: Abi & Functions;
+    let exports: Exports;
     try {
       const instance = await WebAssembly.instantiate(module, imports);
-      exports = instance.exports as unknown as Abi & Functions;
+      exports = instance.exports as unknown as Exports;
       exports._initialize();
     } catch (cause) {
       throw new GeodesicVoronoiError(
@@ -106,24 +96,18 @@ export class WasmModule<Functions> {
     return new WasmModule(exports);
   }
 
-  /**
-   * Calls a function of the module; 0 is its failure and becomes an error. What `copyIn` copied is
-   * released afterwards.
-   */
-  call(f: (functions: Functions, copyIn: CopyIn) => number): number {
+  /** Calls a function that returns an address or another number; 0 is its failure, an error here. */
+  call(name: string, ...args: readonly Argument[]): number {
     if (this.#stopped) {
       throw new GeodesicVoronoiError(
         'internal',
         'the library has stopped after a fault: load it again',
       );
     }
+    const f = this.#function(name, args.length);
     const copies: number[] = [];
     try {
-      const result = f(this.#exports, (array) => {
-        const pointer = this.#copyIn(array);
-        copies.push(pointer);
-        return pointer;
-      });
+      const result = f(...args.map((argument) => this.#toNumber(argument, copies)));
       if (result === 0) throw this.#failure();
       return result;
     } catch (error) {
@@ -133,34 +117,59 @@ export class WasmModule<Functions> {
     }
   }
 
-  /** Like `call`, of a function that returns `Arrays`: copies of them, in their order. */
-  arrays(f: (functions: Functions, copyIn: CopyIn) => number): WasmArray[] {
-    const arrays = this.call(f);
+  /** Calls a function that returns an `Answer`: a copy of it as an object. */
+  answer<Result>(name: string, ...args: readonly Argument[]): Result {
+    const answer = this.call(name, ...args);
     try {
-      return this.#copyOut(arrays);
+      return this.#copyOut(answer) as Result;
     } catch (cause) {
       throw outOfMemory(cause);
     } finally {
-      this.#exports.freeArrays(arrays);
+      this.#exports.freeAnswer(answer);
     }
   }
 
   /** Calls a function that cannot fail. After a fault nothing is called: there is nothing to free. */
-  run<T>(f: (functions: Functions) => T): T | undefined {
-    return this.#stopped ? undefined : f(this.#exports);
+  run(name: string, ...args: readonly number[]): number | undefined {
+    return this.#stopped ? undefined : this.#function(name, args.length)(...args);
   }
 
-  /** A text that the module holds, ended by a zero. */
-  text(f: (functions: Functions) => number): string {
-    const bytes = new Uint8Array(this.#exports.memory.buffer);
-    const start = f(this.#exports) >>> 0;
-    return utf8.decode(bytes.subarray(start, bytes.indexOf(0, start)));
+  /** Calls a function that returns a text. */
+  text(name: string): string {
+    return this.#textAt(this.#function(name, 0)());
   }
 
-  #copyIn(array: Int32Array | Uint32Array | Float64Array | Uint8Array): number {
+  /** The two sides are checked against each other here: a function with so many parameters. */
+  #function(name: string, parameters: number): (...args: number[]) => number {
+    const f = (this.#exports as unknown as Record<string, unknown>)[name];
+    if (typeof f === 'function' && f.length === parameters) return f as () => number;
+    throw new GeodesicVoronoiError(
+      'internal',
+      `the WebAssembly module has no function ${name} of ${parameters} parameters: ` +
+        'it is not of the same version as the JavaScript',
+    );
+  }
+
+  /** Arrays are passed by the address of an `Array` of `abi.h`: where it is and how long. */
+  #toNumber(argument: Argument, copies: number[]): number {
+    if (typeof argument === 'number' || typeof argument === 'boolean') return Number(argument);
+    return this.#copyIn(Uint32Array.from(this.#arrayOf(argument, copies)), copies);
+  }
+
+  #arrayOf(memory: Memory, copies: number[]): [address: number, length: number] {
+    if (Array.isArray(memory)) {
+      const rows = (memory as Memory[]).flatMap((each) => this.#arrayOf(each, copies));
+      return [this.#copyIn(Uint32Array.from(rows), copies), memory.length];
+    }
+    const array = typeof memory === 'string' ? encoder.encode(memory) : (memory as Uint8Array);
+    return [this.#copyIn(array, copies), array.length];
+  }
+
+  #copyIn(array: Uint8Array | Uint32Array, copies: number[]): number {
     if (array.length === 0) return 0;
     const pointer = this.#exports.allocate(array.byteLength) >>> 0;
     if (pointer === 0) throw outOfMemory();
+    copies.push(pointer);
     // The memory's buffer is asked for anew each time: growing replaces it.
     new Uint8Array(this.#exports.memory.buffer, pointer, array.byteLength).set(
       new Uint8Array(array.buffer, array.byteOffset, array.byteLength),
@@ -168,29 +177,31 @@ export class WasmModule<Functions> {
     return pointer;
   }
 
-  #copyOut(arrays: number): WasmArray[] {
+  /** The object of an `Answer`, from the rows of its `Record`. */
+  #copyOut(answer: number): object {
     const { buffer } = this.#exports.memory;
-    const count = this.#exports.arrayCount(arrays);
-    const rows = new Uint32Array(buffer, this.#exports.arrayRows(arrays) >>> 0, 3 * count);
-    return Array.from({ length: count }, (_, i) => {
-      const [address, length, type] = rows.subarray(3 * i);
-      if (type === 0) return copyOf(Int32Array, buffer, address, length);
-      if (type === 1) return copyOf(Float64Array, buffer, address, length);
-      return utf8.decode(new Uint8Array(buffer, address, length));
-    });
+    const count = this.#exports.answerRowCount(answer);
+    const rows = new Uint32Array(buffer, this.#exports.answerRows(answer) >>> 0, 5 * count);
+    const result = {};
+    for (let i = 0; i < count; ++i) {
+      const [nameAddress, nameLength, address, length, type] = rows.subarray(5 * i);
+      const name = decoder.decode(new Uint8Array(buffer, nameAddress, nameLength));
+      setValue(result, name, valueAt(buffer, address, length, type));
+    }
+    return result;
   }
 
   #failure(): GeodesicVoronoiError {
-    const code = errorCodes[this.#exports.errorCode()] ?? 'internal';
+    const code = this.#textAt(this.#exports.errorCode()) as ErrorCode;
     if (code === 'out-of-memory') return outOfMemory();
-    const message = utf8.decode(
-      new Uint8Array(
-        this.#exports.memory.buffer,
-        this.#exports.errorMessage() >>> 0,
-        this.#exports.errorMessageLength(),
-      ),
-    );
-    return new GeodesicVoronoiError(code, message);
+    return new GeodesicVoronoiError(code, this.#textAt(this.#exports.errorMessage()));
+  }
+
+  /** A text that ends with a zero. */
+  #textAt(address: number): string {
+    const bytes = new Uint8Array(this.#exports.memory.buffer);
+    const start = address >>> 0;
+    return decoder.decode(bytes.subarray(start, bytes.indexOf(0, start)));
   }
 
   /** A trap leaves the module's memory in an unknown state: nothing may be called any more. */
@@ -203,16 +214,27 @@ export class WasmModule<Functions> {
   }
 }
 
-function copyOf<T>(
-  type: new (
-    buffer: ArrayBuffer | SharedArrayBuffer,
-    offset: number,
-    length: number,
-  ) => { slice(): T },
-  buffer: ArrayBuffer,
-  address: number,
-  length: number,
-): T {
-  // An empty vector has no address worth the name.
-  return new type(buffer, length === 0 ? 0 : address, length).slice();
+/** Sets what a dotted name leads to; where that is a list, the value is its next element. */
+function setValue(object: object, dotted: string, value: unknown): void {
+  const path = dotted.split('.');
+  const last = path.pop()!;
+  let inner = object as Record<string, any>;
+  for (const name of path) inner = inner[name] ??= {};
+  if (Array.isArray(inner[last])) inner[last].push(value);
+  else inner[last] = value;
+}
+
+/** A copy of a value, by its type as `Record` of `abi.h` numbers them. */
+function valueAt(buffer: ArrayBuffer, address: number, length: number, type: number): unknown {
+  const at = length === 0 ? 0 : address; // an empty vector has no address worth the name
+  const doubles = () => new Float64Array(buffer, at, length).slice();
+  const readers = [
+    () => new Int32Array(buffer, at, length).slice(),
+    doubles,
+    () => decoder.decode(new Uint8Array(buffer, at, length)),
+    () => doubles()[0],
+    () => doubles()[0] === 1,
+    () => [],
+  ];
+  return readers[type]();
 }

@@ -1,34 +1,47 @@
 // SPDX-License-Identifier: MIT
-import type { CvtSettings } from './core.js';
-import type {
-  AdvancedCvt,
-  CvtForm,
-  Engine,
-  EngineSources,
-  GltfFile,
-  Handle,
-  OpenedCvt,
-  OpenedDiagram,
-  OpenedMesh,
-} from './engine.js';
+//
+// An engine in a worker: every function of it is a message there and one back. Which functions there
+// are, nothing here knows. The far side is `worker_server.ts`.
+
+import type { Engine, EngineSources, Handle } from './engine.js';
 import { GeodesicVoronoiError } from './errors.js';
-import type { Triangles } from './triangles.js';
-import type {
-  DiagramChange,
-  Located,
-  Metric,
-  Partition,
-  PartitionOptions,
-  PolygonMesh,
-  RemeshQuality,
-  Sampling,
-  SurfacePath,
-  SurfacePoints,
-  TaskOptions,
-  VertexDistances,
-  Violation,
-} from './types.js';
-import type { EngineCall, Loaded, Reply, Request, WorkerPort } from './worker_protocol.js';
+import type { TaskOptions } from './types.js';
+import type { Loaded, Port, Reply, Request } from './worker_server.js';
+
+/** A `Worker`, seen from outside. */
+export interface WorkerPort extends Port {
+  onerror: ((event: ErrorEvent) => void) | null;
+  terminate(): void;
+}
+
+/** Loads the library in a worker; disposing the engine ends that. */
+export async function startWorkerEngine(
+  worker: WorkerPort,
+  sources: EngineSources,
+): Promise<Engine> {
+  const connection = new Connection(worker);
+  try {
+    return engineOver(connection, await connection.load(sources));
+  } catch (error) {
+    connection.close('disposed', 'the library has not been loaded');
+    throw error;
+  }
+}
+
+function engineOver(connection: Connection, { version }: Loaded): Engine {
+  const own = {
+    version,
+    close: (object: Handle) => connection.post({ close: object }),
+    dispose: () => connection.close('disposed', 'the library has been disposed'),
+    then: undefined, // else whoever awaits an engine would take it for a promise
+  };
+  return new Proxy(own, {
+    get: (_, name) =>
+      name in own
+        ? Reflect.get(own, name)
+        : (...args: unknown[]) => connection.call(String(name), args.slice(0, -1), args.at(-1)!),
+  }) as unknown as Engine;
+}
 
 /** A request that is not answered yet. */
 interface Pending {
@@ -37,141 +50,39 @@ interface Pending {
   onProgress?(share: number): void;
 }
 
-/** An engine in a worker: `worker_server.ts` answers there. */
-export class WorkerEngine implements Engine {
+class Connection {
   readonly #worker: WorkerPort;
   readonly #pending = new Map<number, Pending>();
-  #version = '';
+  #isLoaded = false;
   #lastId = 0;
   #closed: GeodesicVoronoiError | undefined;
 
-  private constructor(worker: WorkerPort) {
+  constructor(worker: WorkerPort) {
     this.#worker = worker;
     worker.onmessage = ({ data }: { data: Reply }) => this.#receive(data);
     worker.onerror = ({ message }) => {
-      this.#close(
-        this.#version ? 'internal' : 'load-failed',
+      this.close(
+        this.#isLoaded ? 'internal' : 'load-failed',
         `the worker has stopped: ${message || 'its script cannot be loaded'}`,
       );
     };
   }
 
-  static async start(worker: WorkerPort, sources: EngineSources): Promise<WorkerEngine> {
-    const engine = new WorkerEngine(worker);
-    try {
-      engine.#version = (await engine.#request<Loaded>('load', [sources])).version;
-      return engine;
-    } catch (error) {
-      engine.dispose();
-      throw error;
-    }
+  async load(sources: EngineSources): Promise<Loaded> {
+    const loaded = await this.#request((id) => ({ id, load: sources }), {});
+    this.#isLoaded = true;
+    return loaded as Loaded;
   }
 
-  get version(): string {
-    return this.#version;
+  call(name: string, args: readonly unknown[], task: TaskOptions): Promise<unknown> {
+    return this.#request((id) => ({ id, call: name, args }), task);
   }
 
-  openMesh(source: Triangles | GltfFile): Promise<OpenedMesh> {
-    return this.#request('openMesh', [source]);
+  post(message: Request): void {
+    if (!this.#closed) this.#worker.postMessage(message);
   }
 
-  pointsAtVertices(owner: Handle, vertex: Int32Array): Promise<SurfacePoints> {
-    return this.#request('pointsAtVertices', [owner, vertex]);
-  }
-
-  sampleSites(
-    mesh: Handle,
-    count: number,
-    sampling: Sampling,
-    seed: number,
-  ): Promise<SurfacePoints> {
-    return this.#request('sampleSites', [mesh, count, sampling, seed]);
-  }
-
-  openDiagram(
-    owner: Handle,
-    sites: SurfacePoints,
-    options: { metric: Metric; detail: number },
-    task: TaskOptions,
-  ): Promise<OpenedDiagram> {
-    return this.#request('openDiagram', [owner, sites, options], task);
-  }
-
-  distances(
-    mesh: Handle,
-    sites: SurfacePoints,
-    metric: Metric,
-    task: TaskOptions,
-  ): Promise<VertexDistances> {
-    return this.#request('distances', [mesh, sites, metric], task);
-  }
-
-  path(
-    mesh: Handle,
-    from: SurfacePoints,
-    to: SurfacePoints,
-    task: TaskOptions,
-  ): Promise<SurfacePath> {
-    return this.#request('path', [mesh, from, to], task);
-  }
-
-  pathToSite(diagram: Handle, from: SurfacePoints): Promise<SurfacePath> {
-    return this.#request('pathToSite', [diagram, from]);
-  }
-
-  insertSite(diagram: Handle, site: SurfacePoints): Promise<DiagramChange> {
-    return this.#request('insertSite', [diagram, site]);
-  }
-
-  moveSite(diagram: Handle, label: number, site: SurfacePoints): Promise<DiagramChange> {
-    return this.#request('moveSite', [diagram, label, site]);
-  }
-
-  removeSite(diagram: Handle, label: number): Promise<DiagramChange> {
-    return this.#request('removeSite', [diagram, label]);
-  }
-
-  locate(diagram: Handle, points: SurfacePoints): Promise<Located> {
-    return this.#request('locate', [diagram, points]);
-  }
-
-  partition(diagram: Handle, options: Required<PartitionOptions>): Promise<Partition> {
-    return this.#request('partition', [diagram, options]);
-  }
-
-  dual(diagram: Handle, primal: boolean): Promise<PolygonMesh> {
-    return this.#request('dual', [diagram, primal]);
-  }
-
-  violations(diagram: Handle): Promise<Violation[]> {
-    return this.#request('violations', [diagram]);
-  }
-
-  quality(diagram: Handle): Promise<RemeshQuality> {
-    return this.#request('quality', [diagram]);
-  }
-
-  repairingSites(diagram: Handle): Promise<SurfacePoints> {
-    return this.#request('repairingSites', [diagram]);
-  }
-
-  openCvt(mesh: Handle, sites: SurfacePoints, settings: CvtSettings): Promise<OpenedCvt> {
-    return this.#request('openCvt', [mesh, sites, settings]);
-  }
-
-  advanceCvt(cvt: Handle, form: CvtForm, task: TaskOptions): Promise<AdvancedCvt | undefined> {
-    return this.#request('advanceCvt', [cvt, form], task);
-  }
-
-  close(handle: Handle): void {
-    if (!this.#closed) this.#post({ close: handle });
-  }
-
-  dispose(): void {
-    this.#close('disposed', 'the library has been disposed');
-  }
-
-  #close(...reason: ConstructorParameters<typeof GeodesicVoronoiError>): void {
+  close(...reason: ConstructorParameters<typeof GeodesicVoronoiError>): void {
     if (this.#closed) return;
     this.#closed = new GeodesicVoronoiError(...reason);
     this.#worker.terminate();
@@ -179,32 +90,23 @@ export class WorkerEngine implements Engine {
     this.#pending.clear();
   }
 
-  #post(message: Request): void {
-    this.#worker.postMessage(message);
-  }
-
-  async #request<Result>(
-    call: EngineCall | 'load',
-    args: unknown[],
-    { signal, onProgress }: TaskOptions = {},
-  ): Promise<Result> {
+  async #request(
+    message: (id: number) => Request,
+    { signal, onProgress }: TaskOptions,
+  ): Promise<unknown> {
     if (this.#closed) throw this.#closed;
     signal?.throwIfAborted();
     const id = ++this.#lastId;
     let abandon = () => {};
     try {
-      return await new Promise<Result>((resolve, reject) => {
+      return await new Promise((resolve, reject) => {
         abandon = () => {
           this.#abandon(id);
           reject(signal?.reason);
         };
         signal?.addEventListener('abort', abandon);
-        this.#pending.set(id, {
-          resolve: resolve as (result: unknown) => void,
-          reject,
-          onProgress,
-        });
-        this.#post({ id, call, args } as Request);
+        this.#pending.set(id, { resolve, reject, onProgress });
+        this.post(message(id));
       });
     } finally {
       signal?.removeEventListener('abort', abandon);
@@ -216,11 +118,11 @@ export class WorkerEngine implements Engine {
     this.#pending.set(id, {
       resolve: (late) => {
         const handle = (late as { handle?: Handle } | undefined)?.handle;
-        if (handle !== undefined) this.close(handle);
+        if (handle !== undefined) this.post({ close: handle });
       },
       reject: () => {},
     });
-    this.#post({ abort: id });
+    this.post({ abort: id });
   }
 
   #receive(reply: Reply): void {

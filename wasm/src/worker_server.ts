@@ -1,60 +1,80 @@
 // SPDX-License-Identifier: MIT
-import type { Engine, EngineSources } from './engine.js';
-import { GeodesicVoronoiError } from './errors.js';
-import type { TaskOptions } from './types.js';
-import type { Loaded, Port, Reply, Request } from './worker_protocol.js';
+//
+// The far side of a worker: answers the calls that come through a port with an engine of its own. The
+// other side is `worker_engine.ts`.
 
-/** Answers the requests that come through a port with an engine of its own. */
+import type { Engine, EngineSources, Handle } from './engine.js';
+import { GeodesicVoronoiError, type ErrorCode } from './errors.js';
+
+/** What the page sends. The first message loads; `abort` names an earlier `id`. */
+export type Request =
+  | { id: number; load: EngineSources }
+  /** A function of the engine by its name, without the last argument: the options of the task. */
+  | { id: number; call: string; args: readonly unknown[] }
+  | { abort: number }
+  | { close: Handle };
+
+/** What the worker sends: for every `id` any number of shares done, then one result or error. */
+export type Reply =
+  | { id: number; progress: number }
+  | { id: number; result: unknown }
+  | { id: number; error: { code: ErrorCode; message: string } };
+
+/** The result of loading. */
+export type Loaded = Pick<Engine, 'version'>;
+
+/** A worker's own scope, seen from inside. */
+export interface Port {
+  postMessage(message: unknown, transfer?: Transferable[]): void;
+  onmessage: ((event: MessageEvent) => void) | null;
+}
+
 export function serve(port: Port, loadEngine: (sources: EngineSources) => Promise<Engine>): void {
   let loading: Promise<Engine>;
   const tasks = new Map<number, AbortController>();
 
-  const reply = (message: Reply) => port.postMessage(message, buffersOf(message));
+  const reply = (message: Reply) => port.postMessage(message, [...buffersOf(message)]);
 
-  const perform = async (
-    request: Extract<Request, { call: unknown }>,
-    task: TaskOptions,
-  ): Promise<unknown> => {
-    if (request.call === 'load') {
-      loading = loadEngine(...request.args);
-      const { version } = await loading;
-      return { version } satisfies Loaded;
-    }
-    const engine = (await loading) as unknown as Record<string, (...args: unknown[]) => unknown>;
-    return engine[request.call](...request.args, task);
+  const load = async (sources: EngineSources): Promise<Loaded> => {
+    loading = loadEngine(sources);
+    return { version: (await loading).version };
   };
 
-  const answer = async (request: Extract<Request, { call: unknown }>): Promise<void> => {
-    const { id } = request;
+  const perform = async (id: number, name: string, args: readonly unknown[]): Promise<unknown> => {
     const controller = new AbortController();
     tasks.set(id, controller);
     const task = {
       signal: controller.signal,
       onProgress: (progress: number) => reply({ id, progress }),
     };
+    const engine = (await loading) as unknown as Record<string, (...args: unknown[]) => unknown>;
+    return engine[name](...args, task);
+  };
+
+  const answer = async (id: number, result: Promise<unknown>): Promise<void> => {
     try {
-      reply({ id, result: await perform(request, task) });
+      reply({ id, result: await result });
     } catch (error) {
       const code = error instanceof GeodesicVoronoiError ? error.code : 'internal';
-      reply({
-        id,
-        error: { code, message: error instanceof Error ? error.message : String(error) },
-      });
+      const message = error instanceof Error ? error.message : String(error);
+      reply({ id, error: { code, message } });
     } finally {
       tasks.delete(id);
     }
   };
 
   port.onmessage = ({ data }: { data: Request }) => {
-    if ('call' in data) void answer(data);
+    if ('load' in data) void answer(data.id, load(data.load));
+    else if ('call' in data) void answer(data.id, perform(data.id, data.call, data.args));
     else if ('abort' in data) tasks.get(data.abort)?.abort();
     else void loading.then((engine) => engine.close(data.close));
   };
 }
 
 /** The buffers of all arrays in a message. Results are copies already: they move, not copied again. */
-function buffersOf(value: unknown): ArrayBuffer[] {
-  if (ArrayBuffer.isView(value)) return [value.buffer as ArrayBuffer];
-  if (typeof value !== 'object' || value === null) return [];
-  return Object.values(value).flatMap(buffersOf);
+function buffersOf(value: unknown, found = new Set<ArrayBuffer>()): Set<ArrayBuffer> {
+  if (ArrayBuffer.isView(value)) found.add(value.buffer as ArrayBuffer);
+  else if (typeof value === 'object' && value !== null)
+    for (const inner of Object.values(value)) buffersOf(inner, found);
+  return found;
 }

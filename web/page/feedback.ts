@@ -84,8 +84,8 @@ function setUpProgress(viewer: GeodesicVoronoiElement): void {
       box.hidden = false;
     }, patienceMilliseconds);
   });
-  listen(viewer, 'progress', ({ share }) => {
-    if (!cancel.hidden) bar.value = share;
+  listen(viewer, 'progress', ({ totalProgress }) => {
+    if (!cancel.hidden) bar.value = totalProgress;
   });
 }
 

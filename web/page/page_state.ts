@@ -15,7 +15,7 @@ const unit = 65535;
 const bytesPerSite = 8;
 
 /** The viewer's attributes that a link keeps. */
-const attributes = ['sites', 'seed', 'sampling', 'metric', 'detail', 'up', 'view'] as const;
+const attributes = ['sites', 'seed', 'sampling', 'metric', 'detail', 'up', 'camera-orbit'] as const;
 
 /** Whether an address's hash is one that `pageState` wrote. */
 export function isPageState(hash: string): boolean {
@@ -27,7 +27,7 @@ export function pageState(viewer: GeodesicVoronoiElement, model: string): string
   const parameters = new URLSearchParams({ v: version });
   if (model) parameters.set('model', model);
   for (const name of attributes) {
-    const value = name === 'view' ? viewer.view : viewer.getAttribute(name);
+    const value = name === 'camera-orbit' ? viewer.cameraOrbit : viewer.getAttribute(name);
     if (value) parameters.set(name, value);
   }
   const { sites } = viewer;
@@ -41,16 +41,16 @@ export function readPageState(viewer: GeodesicVoronoiElement, hash: string): voi
   if (parameters.get('v') !== version) return;
   for (const name of attributes) {
     const value = parameters.get(name);
-    if (value && name !== 'view') viewer.setAttribute(name, value);
+    if (value) viewer.setAttribute(name, value);
   }
   // Sites on a file of somebody's own are nothing without it.
   const at = parameters.has('model') ? parameters.get('at') : null;
-  const view = parameters.get('view');
   viewer.addEventListener(
     'load',
     () => {
       if (at) showSites(viewer, at);
-      if (view) viewer.view = view;
+      // It is of this model alone.
+      viewer.removeAttribute('camera-orbit');
     },
     { once: true },
   );

@@ -3,6 +3,7 @@
 // The element's attributes as values, with what holds where they are not given.
 
 import type { CvtMethod, Metric, Sampling } from 'geodesic-voronoi';
+import { type CameraOrbit, parseCameraOrbit } from './camera_orbit.js';
 import type { CvtSettings } from './cvt_run.js';
 import type { Brush } from './density_paint.js';
 import { type Layer, layers } from './model_drawing.js';
@@ -22,6 +23,31 @@ export class Attributes {
 
   get label(): string {
     return this.#text('alt') || 'A surface with its geodesic Voronoi diagram';
+  }
+
+  /** Whether nothing is fetched, nor anything drawn, before the element is near the view. */
+  get isLazy(): boolean {
+    return this.#text('loading') === 'lazy';
+  }
+
+  /** Whether the poster stays until the page dismisses it. */
+  get isRevealedByHand(): boolean {
+    return this.#text('reveal') === 'manual';
+  }
+
+  /** Whether there is anything to do with pointer and keys, and whether it changes sites and density. */
+  get interactive(): { camera: boolean; edit: boolean } {
+    const text = this.#text('interactive');
+    return { camera: text !== 'none', edit: text !== 'none' && text !== 'camera' };
+  }
+
+  get touchAction(): string | undefined {
+    return this.#text('touch-action');
+  }
+
+  /** Undefined where it is none. */
+  get cameraOrbit(): CameraOrbit | undefined {
+    return parseCameraOrbit(this.#text('camera-orbit') ?? '');
   }
 
   get layers(): readonly Layer[] {

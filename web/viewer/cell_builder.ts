@@ -1,24 +1,31 @@
 // SPDX-License-Identifier: MIT
 import type { DiagramData, Mesh } from 'geodesic-voronoi';
 import type { Cells, CellTriangles } from './cell_triangles.js';
+import { PortedWorker } from './ported_worker.js';
 
 /** First the mesh, then the cells of one diagram after the other. */
 export type CellRequest = Pick<Mesh, 'positions' | 'indices'> | Cells;
 
+const worker = new PortedWorker(
+  () =>
+    new Worker(new URL('./cell_worker.js', import.meta.url), {
+      type: 'module',
+      name: 'geodesic-voronoi-drawing',
+    }),
+);
+
 /**
- * Cuts the cells of a mesh's diagrams into triangles in a worker of its own: most of the work of drawing
- * a diagram, which would keep the page from answering.
+ * Cuts the cells of a mesh's diagrams into triangles in a worker, one for all elements: most of the work
+ * of drawing a diagram, which would keep the page from answering.
  */
 export class CellBuilder {
-  readonly #worker: Worker;
+  readonly #port = worker.open(() => this.dispose());
   #isOver = false;
   /** Of the requests that are not answered, in their order. */
   readonly #waiting: ((result: CellTriangles | undefined) => void)[] = [];
 
   constructor({ positions, indices }: Pick<Mesh, 'positions' | 'indices'>) {
-    this.#worker = new Worker(new URL('./cell_worker.js', import.meta.url), { type: 'module' });
-    this.#worker.onmessage = ({ data }) => this.#waiting.shift()?.(data);
-    this.#worker.onerror = () => this.dispose();
+    this.#port.onmessage = ({ data }) => this.#waiting.shift()?.(data);
     this.#post({ positions, indices });
   }
 
@@ -34,11 +41,11 @@ export class CellBuilder {
 
   dispose(): void {
     this.#isOver = true;
-    this.#worker.terminate();
+    worker.close(this.#port);
     for (const resolve of this.#waiting.splice(0)) resolve(undefined);
   }
 
   #post(request: CellRequest): void {
-    this.#worker.postMessage(request);
+    this.#port.postMessage(request);
   }
 }

@@ -53,6 +53,17 @@ const actions: Readonly<Record<Command, (viewer: Viewer) => void>> = {
   'move-down': (viewer) => viewer.nudge(0, moveStep),
 };
 
+/** Those that change nothing but the view. */
+const ofView: ReadonlySet<Command> = new Set<Command>([
+  'refit',
+  'turn-left',
+  'turn-right',
+  'turn-up',
+  'turn-down',
+  'nearer',
+  'farther',
+]);
+
 const ofKey: Readonly<Record<string, Command>> = {
   Delete: 'remove',
   Backspace: 'remove',
@@ -87,6 +98,10 @@ export function commandOf(event: KeyboardEvent): Command | undefined {
   }
   if (event.shiftKey && key.startsWith('Arrow')) return ofShiftedKey[key];
   return ofKey[key];
+}
+
+export function isOfView(command: Command): boolean {
+  return ofView.has(command);
 }
 
 export function perform(command: Command, viewer: Viewer): void {

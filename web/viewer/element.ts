@@ -3,42 +3,43 @@
 // Importing this file defines <geodesic-voronoi>. Where there is no DOM it defines nothing and does no harm.
 
 import type { Diagram, Mesh, MeshInfo, Sampling, SurfacePoints } from 'geodesic-voronoi';
-import { Attributes } from './attributes.js';
+import { formatCameraOrbit } from './camera_orbit.js';
 import { type Command, commandOf, perform } from './commands.js';
-import { fillShadow } from './element_template.js';
-import type { CvtIteration, ViewerEvents } from './events.js';
+import { ElementShadow } from './element_shadow.js';
+import type { CvtIteration, ViewerEventMap, ViewerEvents } from './events.js';
 import type { HoveredPoint } from './hover.js';
 import type { Reader } from './mesh_opening.js';
 import { type Layer, layers } from './model_drawing.js';
 import { fetchModelFiles, readModelFiles } from './model_files.js';
+import { watchNearness } from './nearness.js';
+import { ReflectingElement } from './reflecting_element.js';
 import type { CvtStatus, Status } from './session_listener.js';
 import { type SitePlace, surfacePointsOf } from './site_history.js';
 import type { Session } from './session.js';
 import { Viewer } from './viewer.js';
 
-export type { Command, CvtIteration, CvtStatus, HoveredPoint, Layer, SitePlace, Status, ViewerEvents };
+export type { Command, CvtIteration, CvtStatus, HoveredPoint, Layer, SitePlace, Status };
+export type { ViewerEventMap, ViewerEvents };
 export { commandOf, layers };
-
-const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
 
 /**
  * A model with its geodesic Voronoi diagram, to look at and to edit: a click adds a site, a drag moves
  * it, Delete removes it.
  *
- * Attributes: `src` (address of a .glb or .gltf), `alt`, `sites` (how many are scattered on a new
- * model), their `seed` and `sampling` (random, farthest, poisson), `metric` (exact, dgpc), `detail` (0 …), `layers` (what is shown, separated
- * by spaces: regions, bisectors, sites, voronoi-points, dual, wireframe), `exploded` (0 … 1: how far
- * the regions are apart; then there is nothing to edit), `up` (x, y, z: the model's axis that points up), `cvt-method` (lbfgs, lloyd),
- * `cvt-iterations`, `cvt-tolerance` (ends when an iteration lowers the energy by no more than this share;
- * default 0), `tool` (sites, density: what a press on the surface does), `brush-size` (in
- * hundredths of the model's radius), `brush-density`. `status` tells what it does.
- * Slot `poster`: shown until there is a model, and if there can be none. A model opened from a file is
- * gone when the element leaves its document; that of `src` is there again when it returns.
+ * web/docs/element.md has the tables of its attributes, properties, events, slots, parts and variables.
+ * A model opened from a file is gone when the element leaves its document; that of `src` is there again
+ * when it returns.
  */
-export class GeodesicVoronoiElement extends Base {
+export class GeodesicVoronoiElement extends ReflectingElement {
   static readonly observedAttributes = [
     'src',
     'alt',
+    'poster',
+    'loading',
+    'reveal',
+    'interactive',
+    'touch-action',
+    'camera-orbit',
     'sites',
     'seed',
     'sampling',
@@ -49,39 +50,31 @@ export class GeodesicVoronoiElement extends Base {
     'up',
   ];
 
-  readonly #attributes = new Attributes(this);
   readonly #changedAttributes = new Set<string>();
   /** There while the element is in a document. */
+  #shadow: ElementShadow | undefined;
+  /** There while the element is in a document and, if it is lazy, has been near the view. */
   #viewer: Viewer | undefined;
+  #stopWatching = () => {};
+  #isDismissed = false;
+
+  constructor() {
+    super();
+    this.#reflectEvents();
+  }
 
   connectedCallback(): void {
-    if (this.#viewer) return;
-    const { canvas, message } = fillShadow(this);
-    canvas.ariaLabel = this.#attributes.label;
-    try {
-      this.#viewer = new Viewer(canvas, this.#attributes, (type, detail) => this.#emit(type, detail));
-      message.hidden = true;
-    } catch (cause) {
-      message.textContent = 'This view needs WebGL 2, which this browser does not offer.';
-      message.hidden = false;
-      this.setAttribute('status', 'failed');
-      this.#emit('error', { type: 'nowebgl', message: message.textContent, cause });
-      return;
-    }
-    canvas.addEventListener('webglcontextlost', () => {
-      // Leaving the document gives the context up too.
-      if (this.#viewer?.stage.canvas !== canvas) return;
-      message.textContent = 'The graphics card has dropped this view; it returns when it can.';
-      message.hidden = false;
-      this.#emit('error', { type: 'webglcontextlost', message: message.textContent });
-    });
-    canvas.addEventListener('webglcontextrestored', () => {
-      message.hidden = true;
+    if (this.#shadow) return;
+    this.#shadow = new ElementShadow(this);
+    this.#describe();
+    this.#stopWatching = watchNearness(this, (isNear) => {
+      if (isNear) this.#start();
+      if (this.#viewer) this.#viewer.stage.inView = isNear;
     });
     // All attributes are looked at here; what changes from now on is another matter.
     this.#changedAttributes.clear();
     this.setAttribute('status', 'empty');
-    if (this.src) void this.load(this.src);
+    if (this.loading === 'eager') this.#start();
   }
 
   disconnectedCallback(): void {
@@ -99,29 +92,14 @@ export class GeodesicVoronoiElement extends Base {
 
   // --- Models ---------------------------------------------------------------------------------
 
-  get src(): string {
-    return this.getAttribute('src') ?? '';
-  }
-
-  set src(address: string) {
-    this.setAttribute('src', address);
-  }
-
-  get alt(): string {
-    return this.getAttribute('alt') ?? '';
-  }
-
-  set alt(text: string) {
-    this.setAttribute('alt', text);
-  }
-
-  get status(): Status | 'failed' {
-    return (this.getAttribute('status') ?? 'empty') as Status | 'failed';
-  }
-
   /** The model as the library has it; gone with the next `load` event. */
   get mesh(): Mesh | undefined {
     return this.#session?.mesh;
+  }
+
+  /** Whether there is a model. */
+  get loaded(): boolean {
+    return this.mesh !== undefined;
   }
 
   get info(): MeshInfo | undefined {
@@ -141,7 +119,7 @@ export class GeodesicVoronoiElement extends Base {
 
   /** A picture of the view, so many times as large. */
   async toBlob(type = 'image/png', quality?: number, scale = 1): Promise<Blob> {
-    if (!this.#viewer) throw new Error('The element is not in a document.');
+    if (!this.#viewer) throw new Error('The element is in no document, or has not been in view.');
     return this.#viewer.stage.toBlob(scale, type, quality);
   }
 
@@ -263,33 +241,24 @@ export class GeodesicVoronoiElement extends Base {
 
   // --- View -----------------------------------------------------------------------------------
 
-  /** What is shown. */
-  get layers(): readonly Layer[] {
-    return this.#attributes.layers;
+  /** Where the camera is, as in `camera-orbit`. */
+  get cameraOrbit(): string {
+    return this.#viewer ? formatCameraOrbit(this.#viewer.stage.cameraOrbit) : '';
   }
 
-  set layers(shown: readonly Layer[]) {
-    this.setAttribute('layers', shown.join(' '));
+  set cameraOrbit(orbit: string) {
+    this.setAttribute('camera-orbit', orbit);
   }
 
-  /** How far the regions are apart, 0 … 1. */
-  get exploded(): number {
-    return this.#attributes.exploded;
+  /** Shows the model, if there is one, where `reveal` is 'manual'. */
+  dismissPoster(): void {
+    this.#isDismissed = true;
+    this.#showPoster();
   }
 
-  set exploded(share: number) {
-    this.setAttribute('exploded', String(share));
-  }
-
-  /** Where the camera is, to be set again; empty if there is none. */
-  get view(): string {
-    return this.#viewer?.stage.view.map((x) => Number(x.toFixed(3))).join(' ') ?? '';
-  }
-
-  set view(view: string) {
-    const numbers = view.trim().split(/\s+/).map(Number);
-    const isView = numbers.length === 6 && numbers.every(Number.isFinite);
-    if (isView && this.#viewer) this.#viewer.stage.view = numbers;
+  showPoster(): void {
+    this.#isDismissed = false;
+    this.#showPoster();
   }
 
   /**
@@ -320,39 +289,113 @@ export class GeodesicVoronoiElement extends Base {
     return this.#viewer?.session;
   }
 
-  #open(read: Reader): Promise<boolean> {
-    return this.#viewer?.open(read) ?? Promise.resolve(false);
+  async #open(read: Reader): Promise<boolean> {
+    return this.#started()?.open(read) ?? false;
   }
 
-  #emit<Type extends keyof ViewerEvents>(type: Type, detail: ViewerEvents[Type]): void {
-    if (type === 'status-change') {
-      this.setAttribute('status', (detail as ViewerEvents['status-change']).status);
+  /** The viewer, made now if there is none yet; undefined outside of documents and without WebGL 2. */
+  #started(): Viewer | undefined {
+    const shadow = this.#shadow;
+    if (this.#viewer || !shadow || shadow.message) return this.#viewer;
+    const emit = <Type extends keyof ViewerEvents>(type: Type, detail: ViewerEvents[Type]) => {
+      this.dispatchEvent(new CustomEvent(type, { detail }));
+    };
+    const fail = (type: ViewerEvents['error']['type'], message: string, cause?: unknown) => {
+      shadow.message = message;
+      emit('error', { type, message, cause });
+    };
+    try {
+      this.#viewer = new Viewer(shadow.canvas, {
+        attributes: this.attributeValues,
+        emit,
+        hint: (sentence) => shadow.hint(sentence),
+        contextLost: () =>
+          fail(
+            'webglcontextlost',
+            'The graphics card has dropped this view; it returns when it can.',
+          ),
+        contextRestored: () => {
+          shadow.message = undefined;
+        },
+      });
+    } catch (cause) {
+      this.setAttribute('status', 'failed');
+      fail('nowebgl', 'This view needs WebGL 2, which this browser does not offer.', cause);
     }
-    this.dispatchEvent(new CustomEvent(type, { detail }));
+    return this.#viewer;
+  }
+
+  #start(): void {
+    if (!this.#viewer && this.#started() && this.src) void this.load(this.src);
   }
 
   #disconnect(): void {
-    if (!this.#viewer) return;
-    const viewer = this.#viewer;
+    this.#stopWatching();
+    this.#viewer?.dispose();
     this.#viewer = undefined;
-    viewer.dispose();
-    this.shadowRoot?.replaceChildren();
+    this.#shadow?.dispose();
+    this.#shadow = undefined;
+    this.#isDismissed = false;
     this.removeAttribute('status');
+  }
+
+  /** What the events tell is seen in the element too. */
+  #reflectEvents(): void {
+    this.addEventListener('status-change', ({ detail: { status } }) => {
+      this.setAttribute('status', status);
+      const isBusy = status === 'loading' || status === 'computing';
+      if (this.#shadow) this.#shadow.progress = isBusy ? 0 : undefined;
+    });
+    this.addEventListener('progress', ({ detail: { totalProgress } }) => {
+      if (this.#shadow) this.#shadow.progress = totalProgress;
+    });
+    this.addEventListener('sites-change', () => this.#describe());
+    this.addEventListener('load', () => {
+      if (this.#shadow) this.#shadow.message = undefined;
+      this.#showPoster();
+    });
+    // With a model, that stays to be seen, and the page tells what has failed.
+    this.addEventListener('error', ({ detail: { type, message } }) => {
+      if (type === 'loadfailure' && this.#shadow && !this.loaded) this.#shadow.message = message;
+    });
+  }
+
+  #showPoster(): void {
+    if (!this.#shadow) return;
+    const { showsPoster } = this.#shadow;
+    const isRevealed = this.reveal === 'auto' || this.#isDismissed;
+    this.#shadow.showsPoster = !(this.loaded && isRevealed);
+    if (showsPoster && !this.#shadow.showsPoster) {
+      this.dispatchEvent(new CustomEvent('poster-dismissed', { detail: null }));
+    }
+  }
+
+  #describe(): void {
+    if (!this.#shadow) return;
+    const { label } = this.attributeValues;
+    const choice = `; site ${this.selected} is chosen, of ${this.sites.face.length}`;
+    const full = this.selected < 0 ? label : label + choice;
+    this.#shadow.describe(full, this.interactive !== 'none');
+    this.#shadow.poster = this.poster;
   }
 
   #applyAttributes(): void {
     const changed = new Set(this.#changedAttributes);
     this.#changedAttributes.clear();
+    this.#describe();
+    this.#showPoster();
+    if (changed.has('loading') && this.loading === 'eager') this.#start();
     const viewer = this.#viewer;
     if (!viewer) return;
-    if (changed.has('alt')) viewer.stage.canvas.ariaLabel = this.#attributes.label;
+    if (changed.has('touch-action')) viewer.scrolling.update();
+    if (changed.has('camera-orbit')) viewer.orbit();
     if (changed.has('layers')) viewer.showLayers();
     if (changed.has('exploded')) viewer.explode();
-    if (changed.has('up')) viewer.stage.up = this.#attributes.up;
+    if (changed.has('up')) viewer.stage.up = this.attributeValues.up;
     if (changed.has('metric') || changed.has('detail')) viewer.configure();
     if (changed.has('src') && this.src) void this.load(this.src);
     else if (['sites', 'seed', 'sampling'].some((name) => changed.has(name))) {
-      void viewer.scatter(this.#attributes.scattering);
+      void viewer.scatter(this.attributeValues.scattering);
     }
   }
 }

@@ -51,12 +51,19 @@ export interface ViewerEvents {
   'cvt-change': { status: CvtStatus };
   /** The density was painted, set or cleared. */
   'density-change': { isUniform: boolean };
-  /** The share done, 0 … 1, of what `status` says is under way. */
-  progress: { share: number };
+  /** The share done, 0 … 1, of what is under way. */
+  progress: { totalProgress: number; reason: 'loading' | 'computing' };
+  /** The camera has moved; the orbit as `cameraOrbit` has it. */
+  'camera-change': { orbit: string };
+  /** The poster is shown no more. */
+  'poster-dismissed': null;
   'status-change': { status: Status };
   /** What lies under the pointer, and its region's colour as CSS has it; null if nothing does. */
   hover: (HoveredPoint & { colour: string | undefined }) | null;
 }
+
+/** What listeners to the element get. */
+export type ViewerEventMap = { [Type in keyof ViewerEvents]: CustomEvent<ViewerEvents[Type]> };
 
 /** Dispatches an event. */
 export type Emit = <Type extends keyof ViewerEvents>(type: Type, detail: ViewerEvents[Type]) => void;

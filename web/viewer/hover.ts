@@ -40,8 +40,8 @@ export class Hover {
   async #ask(hit: SurfaceHit | undefined): Promise<void> {
     const { shown } = this.#session;
     // A diagram may be replaced while it is asked; the next answer is about its successor.
-    const located =
-      hit && (await shown?.diagram?.locate({ face: [hit.face], bary: hit.bary }).catch(() => undefined));
+    const point = hit && { face: [hit.face], bary: hit.bary };
+    const located = point && (await shown?.diagram?.locate(point).catch(() => undefined));
     // The pointer or the diagram has moved on: its own answer follows.
     if (hit !== this.#hit || shown !== this.#session.shown) return;
     if (!hit || !located) {

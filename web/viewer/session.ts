@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: MIT
-import {
-  type DiagramData,
-  type GeodesicVoronoi,
-  loadWorker,
-  type Mesh,
-  type Metric,
-} from 'geodesic-voronoi';
+import type { DiagramData, Mesh, Metric } from 'geodesic-voronoi';
 import type { CellTriangles } from './cell_triangles.js';
 import { type CvtPicture, CvtRun, type CvtSettings } from './cvt_run.js';
 import { DiagramSummary } from './diagram_summary.js';
 import { sentence } from './failure.js';
 import { LatestTask } from './latest_task.js';
+import { LibraryLease } from './library_pool.js';
 import { openMesh, type Reader, scatterSites } from './mesh_opening.js';
 import type { CvtStatus, Scattering, SessionListener, Status } from './session_listener.js';
 import {
@@ -25,7 +20,7 @@ import { placeOf, SiteHistory, type SitePlace, type Sites, type Tints } from './
 import { without } from './site_step.js';
 
 /**
- * One model with its sites and their diagram, computed in a worker that starts with the first model.
+ * One model with its sites and their diagram, computed in a worker that is asked for with the first model.
  * Sites change at once; the diagram follows, and if it cannot, the sites return to those of the
  * diagram there is. Where one site has moved, come or gone, only its surroundings are computed.
  */
@@ -37,7 +32,7 @@ export class Session {
     this.#compute(wanted, signal),
   );
   #settings: DiagramSettings = { metric: 'exact', detail: 0 };
-  #library: Promise<GeodesicVoronoi> | undefined;
+  #lease: LibraryLease | undefined;
   #opening: AbortController | undefined;
   #mesh: Mesh | undefined;
   #shown: ShownDiagram | undefined;
@@ -46,6 +41,7 @@ export class Session {
   #cvtStatus: CvtStatus = 'idle';
   #scattering: Scattering | undefined;
   #computing = false;
+  #hasFailed = false;
   #status: Status = 'empty';
 
   /** `cut` makes the cells of a diagram of the present model ready to be drawn. */
@@ -86,10 +82,12 @@ export class Session {
     this.#opening?.abort();
     const opening = new AbortController();
     this.#opening = opening;
+    this.#hasFailed = false;
     this.#updateStatus();
     const { signal } = opening;
     try {
-      const library = await this.#loadedLibrary();
+      this.#lease ??= new LibraryLease();
+      const library = await this.#lease.library;
       const { mesh, name, sites } = await openMesh(library, read, scattering, {
         signal,
         onProgress: (share) => this.#listener.progressed(share),
@@ -97,7 +95,10 @@ export class Session {
       this.#adopt(mesh, name, this.#history.createAll(sites));
       return true;
     } catch (error) {
-      if (!signal.aborted) this.#fail(error);
+      if (!signal.aborted) {
+        this.#hasFailed = true;
+        this.#fail(error);
+      }
       return false;
     } finally {
       if (this.#opening === opening) {
@@ -238,15 +239,12 @@ export class Session {
   dispose(): void {
     this.#stopCvt();
     this.cancel();
-    this.#mesh = undefined;
+    this.#shown?.diagram?.dispose();
     this.#shown = undefined;
-    this.#library?.then((library) => library.dispose()).catch(() => {});
-    this.#library = undefined;
-  }
-
-  #loadedLibrary(): Promise<GeodesicVoronoi> {
-    this.#library ??= loadWorker();
-    return this.#library;
+    this.#mesh?.dispose();
+    this.#mesh = undefined;
+    this.#lease?.release();
+    this.#lease = undefined;
   }
 
   #adopt(mesh: Mesh, name: string, sites: Sites): void {
@@ -418,7 +416,10 @@ export class Session {
   #fail(error: unknown): void {
     // A library that has stopped answers nothing any more; the next model starts another.
     const { code } = ((error as Error).cause ?? error) as { code?: unknown };
-    if (code === 'internal' || code === 'load-failed') this.#library = undefined;
+    if (code === 'internal' || code === 'load-failed') {
+      this.#lease?.discard();
+      this.#lease = undefined;
+    }
     this.#listener.failed(error);
   }
 
@@ -431,7 +432,9 @@ export class Session {
           ? 'computing'
           : this.#mesh
             ? 'ready'
-            : 'empty';
+            : this.#hasFailed
+              ? 'failed'
+              : 'empty';
     if (status !== this.#status) {
       this.#status = status;
       this.#listener.statusChanged(status);

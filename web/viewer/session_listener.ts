@@ -7,7 +7,8 @@ import type { CellTriangles } from './cell_triangles.js';
 import type { DiagramSettings, ShownDiagram } from './shown_diagram.js';
 import type { Sites, Tints } from './site_history.js';
 
-export type Status = 'empty' | 'loading' | 'computing' | 'iterating' | 'ready';
+/** 'failed': the first model could not be opened; there is none. */
+export type Status = 'empty' | 'loading' | 'computing' | 'iterating' | 'ready' | 'failed';
 
 /**
  * Where a centroidal tessellation of the present sites stands: 'idle' if none has begun, 'done' if

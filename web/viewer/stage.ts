@@ -2,6 +2,7 @@
 import {
   DirectionalLight,
   HemisphereLight,
+  type Mesh,
   type Object3D,
   PerspectiveCamera,
   Quaternion,
@@ -9,9 +10,10 @@ import {
   Spherical,
   Vector2,
   Vector3,
-  WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import type { CameraOrbit } from './camera_orbit.js';
+import { type ContextListener, SharedRenderer } from './shared_renderer.js';
 
 const fieldOfView = 32;
 /** Room around a framed model, as a share of the view. */
@@ -27,36 +29,55 @@ const axes: Readonly<Record<UpAxis, Vector3>> = {
   z: new Vector3(0, 0, 1),
 };
 
+export interface StageListener extends ContextListener {
+  cameraMoved(): void;
+}
+
 /**
  * The scene with its camera, lights and controls on one canvas. It draws when something changed and
- * not otherwise. What stands in it lies within the unit sphere (`ModelFrame`), or within `reach`.
+ * is in view, and not otherwise. What stands in it lies within the unit sphere (`ModelFrame`), or
+ * within `reach`.
  */
 export class Stage {
   /** The radius around the origin that what stands in it takes. */
   reach = 1;
   readonly camera = new PerspectiveCamera(fieldOfView, 1, 0.01, 10);
-  readonly #renderer: WebGLRenderer;
+  readonly canvas: HTMLCanvasElement;
+  readonly #renderer: SharedRenderer;
+  readonly #contextListener: ContextListener;
+  readonly #picture: CanvasRenderingContext2D;
   readonly #scene = new Scene();
+  readonly #listener: StageListener;
   /** From a scene whose y axis points up to this one. */
   readonly #upright = new Quaternion();
   #controls: OrbitControls;
+  /** In CSS pixels. */
+  #size = { width: 0, height: 0 };
   /** What was framed last. */
   #points: Float32Array = new Float32Array();
   #isFramed = false;
-  readonly #moved: () => void;
-  #hasMoved = false;
   #drawing = 0;
+  /** From which what was framed last fills the view. */
+  #framingDistance = 3;
+  #isInView = true;
+  #isOutdated = false;
 
-  /** `moved` is called when the camera has moved, once per drawing. Throws if there is no WebGL 2. */
-  constructor(canvas: HTMLCanvasElement, moved: () => void) {
-    this.#moved = moved;
-    this.#renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
-    this.#renderer.setClearAlpha(0);
+  /** Throws if there is no WebGL 2. */
+  constructor(canvas: HTMLCanvasElement, listener: StageListener) {
+    this.canvas = canvas;
+    this.#listener = listener;
+    this.#contextListener = {
+      contextLost: () => listener.contextLost(),
+      contextRestored: () => {
+        listener.contextRestored();
+        this.invalidate();
+      },
+    };
+    this.#renderer = SharedRenderer.take(this.#contextListener);
+    this.#picture = canvas.getContext('2d') as CanvasRenderingContext2D;
     this.#scene.add(this.camera);
     this.#addLights();
-
     this.#controls = this.#newControls();
-    canvas.addEventListener('webglcontextrestored', () => this.invalidate());
   }
 
   /** Turns the scene so that this axis points up, and frames it anew. */
@@ -70,66 +91,59 @@ export class Stage {
     this.frame(this.#points);
   }
 
-  /** Where the camera is and what it looks at: six numbers, to be set again. */
-  get view(): readonly number[] {
-    return [...this.camera.position.toArray(), ...this.#controls.target.toArray()];
-  }
-
-  set view([x, y, z, ...target]: readonly number[]) {
-    this.#stopGliding();
-    this.camera.position.set(x, y, z);
-    this.#controls.target.fromArray(target);
-    this.#controls.update();
-    this.#isFramed = false;
-    this.invalidate();
-  }
-
   /** Whether the camera stands as `frame` left it. */
   get isFramed(): boolean {
     return this.#isFramed;
   }
 
-  get canvas(): HTMLCanvasElement {
-    return this.#renderer.domElement;
+  /** Out of view nothing is drawn, and what the graphics card has of the scene is freed. */
+  set inView(isInView: boolean) {
+    if (isInView === this.#isInView) return;
+    this.#isInView = isInView;
+    if (!isInView) {
+      this.#scene.traverse((object) => (object as Partial<Mesh>).geometry?.dispose());
+    } else if (this.#isOutdated) {
+      this.invalidate();
+    }
   }
 
   /** Draws soon: once, however often it is called before. */
   invalidate(): void {
+    if (!this.#isInView) {
+      this.#isOutdated = true;
+      return;
+    }
     this.#drawing ||= requestAnimationFrame(() => {
       this.#drawing = 0;
       // While the controls glide they change the camera, which calls for the next drawing.
       this.#controls.update();
       this.draw();
-      if (this.#hasMoved) this.#moved();
-      this.#hasMoved = false;
     });
   }
 
-  draw(): void {
+  /** So many times as large as it is shown. */
+  draw(scale = 1): void {
+    this.#isOutdated = false;
+    const { width, height } = this.#size;
+    if (width === 0) return;
     this.#fitDepthRange();
-    this.#renderer.render(this.#scene, this.camera);
+    const largest = this.#renderer.largestSize / Math.max(width, height);
+    this.#renderer.draw(
+      {
+        scene: this.#scene,
+        camera: this.camera,
+        width,
+        height,
+        pixelRatio: Math.min(scale * Math.min(devicePixelRatio, 2), largest),
+      },
+      this.#picture,
+    );
   }
 
-  /** In CSS pixels. Draws at once: a resized canvas is empty. What filled the view fills it again. */
-  resize(width: number, height: number): void {
-    if (width === 0 || height === 0) return;
-    this.#renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
-    this.#renderer.setSize(width, height, false);
-    this.camera.aspect = width / height;
-    this.camera.updateProjectionMatrix();
-    if (this.#isFramed) this.frame(this.#points);
-    this.draw();
-  }
-
-  /** The view as a picture, so many times as large. */
+  /** The view as a picture, so many times as large as it is shown. */
   toBlob(scale: number, type: string, quality?: number): Promise<Blob> {
-    const { width, height } = this.canvas;
-    const ratio = this.#renderer.getPixelRatio();
-    const { maxTextureSize } = this.#renderer.capabilities;
-    const largest = maxTextureSize / Math.max(width, height, 1);
-    this.#renderer.setPixelRatio(ratio * Math.min(scale, largest));
-    this.draw();
-    // The canvas keeps its picture until this task ends, and gives it away as it is now.
+    this.draw(scale);
+    // It is of what the canvas shows now.
     const blob = new Promise<Blob>((resolve, reject) => {
       this.canvas.toBlob(
         (blob) => (blob ? resolve(blob) : reject(new Error('The picture cannot be made.'))),
@@ -137,9 +151,22 @@ export class Stage {
         quality,
       );
     });
-    this.#renderer.setPixelRatio(ratio);
     this.draw();
     return blob;
+  }
+
+  /**
+   * In CSS pixels. Draws at once: the canvas stretches what was drawn before. What filled the view fills
+   * it again.
+   */
+  resize(width: number, height: number): void {
+    if (width === 0 || height === 0) return;
+    this.#size = { width, height };
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    if (this.#isFramed) this.frame(this.#points);
+    else this.#framingDistance = this.#distanceToFit();
+    this.draw();
   }
 
   add(object: Object3D): void {
@@ -154,7 +181,26 @@ export class Stage {
 
   /** Looks at the origin so that all these points (x, y, z triples), `reach` times as far, just fit. */
   frame(points: Float32Array): void {
-    const back = firstDirection.clone().applyQuaternion(this.#upright);
+    this.#points = points;
+    this.#framingDistance = this.#distanceToFit();
+    this.#stopGliding();
+    this.#controls.target.set(0, 0, 0);
+    this.camera.position
+      .copy(this.#firstDirection)
+      .multiplyScalar(this.reach * this.#framingDistance);
+    this.#controls.update();
+    this.#isFramed = true;
+    this.invalidate();
+  }
+
+  get #firstDirection(): Vector3 {
+    return firstDirection.clone().applyQuaternion(this.#upright);
+  }
+
+  /** From the first direction, so that the points to be framed fill the view. */
+  #distanceToFit(): number {
+    const points = this.#points;
+    const back = this.#firstDirection;
     const right = this.camera.up.clone().cross(back).normalize();
     const up = back.clone().cross(right);
     const halfHeight = Math.tan((fieldOfView * Math.PI) / 360) * (1 - margin);
@@ -168,13 +214,7 @@ export class Stage {
         Math.max(Math.abs(point.dot(right)) / halfWidth, Math.abs(point.dot(up)) / halfHeight);
       if (needed > distance && needed < Infinity) distance = needed;
     }
-    this.#stopGliding();
-    this.#controls.target.set(0, 0, 0);
-    this.camera.position.copy(back).multiplyScalar(this.reach * (distance || 3));
-    this.#controls.update();
-    this.#points = points;
-    this.#isFramed = true;
-    this.invalidate();
+    return distance || 3;
   }
 
   /** Turns the camera to look against a direction of the scene, as far from its target as before. */
@@ -187,19 +227,25 @@ export class Stage {
     this.invalidate();
   }
 
+  /** Where the camera is around what it looks at. */
+  get cameraOrbit(): CameraOrbit {
+    const { theta, phi, radius } = this.#placeAround();
+    const target = this.#controls.target.toArray();
+    return { theta, phi, radius: radius / this.#framingDistance, target };
+  }
+
+  set cameraOrbit({ theta, phi, radius, target }: CameraOrbit) {
+    this.#stopGliding();
+    this.#controls.target.fromArray(target);
+    this.#placeAt(new Spherical(radius * this.#framingDistance, phi, theta));
+  }
+
   /** Turns the camera around what it looks at, in radians. */
   orbit(right: number, up: number): void {
-    const { target } = this.#controls;
-    const back = this.camera.position.clone().sub(target);
-    const place = new Spherical().setFromVector3(
-      back.applyQuaternion(this.#upright.clone().invert()),
-    );
+    const place = this.#placeAround();
     place.theta += right;
     place.phi -= up;
-    place.makeSafe();
-    this.camera.position.setFromSpherical(place).applyQuaternion(this.#upright).add(target);
-    this.#controls.update();
-    this.invalidate();
+    this.#placeAt(place);
   }
 
   /** Changes the distance to what the camera looks at by a factor. */
@@ -240,9 +286,22 @@ export class Stage {
   dispose(): void {
     cancelAnimationFrame(this.#drawing);
     this.#controls.dispose();
-    this.#renderer.dispose();
-    // Browsers allow few contexts at a time and collect them late.
-    this.#renderer.forceContextLoss();
+    this.#renderer.return(this.#contextListener);
+  }
+
+  /** Where the camera is around what it looks at, as if y pointed up. */
+  #placeAround(): Spherical {
+    const back = this.camera.position.clone().sub(this.#controls.target);
+    return new Spherical().setFromVector3(back.applyQuaternion(this.#upright.clone().invert()));
+  }
+
+  #placeAt(place: Spherical): void {
+    this.camera.position
+      .setFromSpherical(place.makeSafe())
+      .applyQuaternion(this.#upright)
+      .add(this.#controls.target);
+    this.#controls.update();
+    this.invalidate();
   }
 
   #newControls(): OrbitControls {
@@ -254,7 +313,8 @@ export class Stage {
     controls.maxDistance = 40;
     controls.addEventListener('change', () => {
       this.#isFramed = false;
-      this.#hasMoved = true;
+      this.camera.updateMatrixWorld();
+      this.#listener.cameraMoved();
       this.invalidate();
     });
     return controls;

@@ -57,7 +57,8 @@ export class SurfaceTools implements GestureTarget {
 
   siteAt(x: number, y: number, reach: number): number | undefined {
     const { attributes, model, session, stage } = this.#work;
-    if (!model || !attributes.layers.includes('sites') || attributes.exploded > 0) return undefined;
+    const { layers, exploded, interactive } = attributes;
+    if (!model || !layers.includes('sites') || exploded > 0 || !interactive.edit) return undefined;
     const { drawing, picker } = model;
     const toClient = stage.projection();
     let nearest: number | undefined;
@@ -79,7 +80,8 @@ export class SurfaceTools implements GestureTarget {
   }
 
   beginStroke(x: number, y: number): boolean {
-    return this.#work.attributes.isPainting && this.#dab(this.#work.stage.toDevice(x, y));
+    const { attributes, stage } = this.#work;
+    return attributes.interactive.edit && attributes.isPainting && this.#dab(stage.toDevice(x, y));
   }
 
   stroke(x: number, y: number): void {
@@ -122,7 +124,8 @@ export class SurfaceTools implements GestureTarget {
   }
 
   click(x: number, y: number): void {
-    this.useAt(this.#work.stage.toDevice(x, y));
+    const { attributes, stage } = this.#work;
+    if (attributes.interactive.edit) this.useAt(stage.toDevice(x, y));
   }
 
   /** The camera has moved, and other surface is under the pointer. */
@@ -135,7 +138,8 @@ export class SurfaceTools implements GestureTarget {
     const { attributes, hover, stage } = this.#work;
     const hit = this.pick(stage.toDevice(x, y));
     const isOverSite = hit && !attributes.isPainting && this.siteAt(x, y, 10) !== undefined;
-    stage.canvas.style.cursor = isOverSite ? 'grab' : hit ? 'crosshair' : '';
+    const overSurface = attributes.interactive.edit ? 'crosshair' : '';
+    stage.canvas.style.cursor = isOverSite ? 'grab' : hit ? overSurface : '';
     hover.moveTo(hit);
     this.#showBrush(hit);
   }

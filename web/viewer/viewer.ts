@@ -2,7 +2,8 @@
 import type { DiagramData, Mesh, Partition, PolygonMesh, Violation } from 'geodesic-voronoi';
 import { Vector3 } from 'three';
 import type { Attributes } from './attributes.js';
-import { commandOf, perform } from './commands.js';
+import { formatCameraOrbit } from './camera_orbit.js';
+import { commandOf, isOfView, perform } from './commands.js';
 import { Derived } from './derived.js';
 import type { Emit } from './events.js';
 import { widestSpread } from './exploded_parts.js';
@@ -11,11 +12,13 @@ import { Hover, type HoveredPoint } from './hover.js';
 import type { Reader } from './mesh_opening.js';
 import type { DrawnDiagram } from './model_drawing.js';
 import { OpenModel } from './open_model.js';
+import { PageScrolling } from './page_scrolling.js';
 import { PointerGestures } from './pointer_gestures.js';
 import { Session } from './session.js';
 import type { Drawable, Scattering, SessionListener } from './session_listener.js';
 import type { ShownDiagram } from './shown_diagram.js';
 import type { SitePlace } from './site_history.js';
+import type { ContextListener } from './shared_renderer.js';
 import { Stage } from './stage.js';
 import { SurfaceTools, type Workpiece } from './surface_tools.js';
 
@@ -26,13 +29,21 @@ interface Density {
   rootIntegral: number;
 }
 
-/** The session's model, sites and diagram on the stage, with the tools to edit them: what fills an element. */
+/** What the viewer wants of the element that it fills. */
+export interface ViewerHost extends ContextListener {
+  readonly attributes: Attributes;
+  readonly emit: Emit;
+  hint(sentence: string): void;
+}
+
+/** The session's model, sites and diagram on the stage, and the tools to edit them: it fills an element. */
 export class Viewer implements Workpiece {
   readonly attributes: Attributes;
   readonly stage: Stage;
   readonly session: Session;
   readonly hover: Hover;
   readonly tools: SurfaceTools;
+  readonly scrolling: PageScrolling;
   readonly #emit: Emit;
   readonly #gestures: PointerGestures;
   readonly #resizing: ResizeObserver;
@@ -49,25 +60,38 @@ export class Viewer implements Workpiece {
   );
 
   /** Throws if there is no WebGL 2. */
-  constructor(canvas: HTMLCanvasElement, attributes: Attributes, emit: Emit) {
-    this.attributes = attributes;
-    this.#emit = emit;
+  constructor(canvas: HTMLCanvasElement, host: ViewerHost) {
+    this.attributes = host.attributes;
+    this.#emit = host.emit;
     this.tools = new SurfaceTools(this);
     this.#gestures = new PointerGestures(canvas, this.tools);
-    this.stage = new Stage(canvas, () => this.tools.follow());
-    this.stage.up = attributes.up;
+    this.scrolling = new PageScrolling(
+      canvas,
+      () => this.attributes.touchAction,
+      (sentence) => host.hint(sentence),
+    );
+    this.stage = new Stage(canvas, {
+      contextLost: () => host.contextLost(),
+      contextRestored: () => host.contextRestored(),
+      cameraMoved: () => {
+        this.tools.follow();
+        this.#emit('camera-change', { orbit: formatCameraOrbit(this.stage.cameraOrbit) });
+      },
+    });
+    this.stage.up = this.attributes.up;
     this.session = new Session(
       async (data) => this.#model?.cells.build(data),
       this.#sessionListener(),
     );
     this.hover = new Hover(this.session, (point) => this.#tellHovered(point));
-    this.#resizing = new ResizeObserver(() =>
-      this.stage.resize(canvas.clientWidth, canvas.clientHeight),
-    );
+    this.#resizing = new ResizeObserver(() => {
+      this.stage.resize(canvas.clientWidth, canvas.clientHeight);
+      this.scrolling.update();
+    });
     this.#resizing.observe(canvas);
     canvas.addEventListener('keydown', (event) => {
       const command = commandOf(event);
-      if (command === undefined) return;
+      if (command === undefined || !(this.attributes.interactive.edit || isOfView(command))) return;
       event.preventDefault();
       perform(command, this);
     });
@@ -217,6 +241,12 @@ export class Viewer implements Workpiece {
     if (this.#model) this.stage.frame(this.#model.drawing.mesh.positions);
   }
 
+  /** The camera goes where the attribute says, if it does. */
+  orbit(): void {
+    const { cameraOrbit } = this.attributes;
+    if (cameraOrbit) this.stage.cameraOrbit = cameraOrbit;
+  }
+
   cancel(): void {
     if (this.#gestures.dragging) this.#gestures.cancel();
     else this.session.cancel();
@@ -240,6 +270,7 @@ export class Viewer implements Workpiece {
 
   dispose(): void {
     this.#resizing.disconnect();
+    this.scrolling.dispose();
     this.#gestures.dispose();
     this.session.dispose();
     this.#model?.dispose();
@@ -251,6 +282,7 @@ export class Viewer implements Workpiece {
     return {
       modelChanged: (mesh, name) => {
         this.#showModel(mesh);
+        this.#emit('progress', { totalProgress: 1, reason: 'loading' });
         this.#emit('load', { name, info: mesh.info, parts: mesh.parts });
       },
       sitesChanged: () => this.#showSites(),
@@ -277,7 +309,10 @@ export class Viewer implements Workpiece {
         this.attributes.diagram = settings;
       },
       statusChanged: (status) => this.#emit('status-change', { status }),
-      progressed: (share) => this.#emit('progress', { share }),
+      progressed: (totalProgress) => {
+        const reason = this.session.status === 'loading' ? 'loading' : 'computing';
+        this.#emit('progress', { totalProgress, reason });
+      },
       failed: (cause) => {
         const message = cause instanceof Error ? cause.message : String(cause);
         this.#emit('error', { type: 'loadfailure', message, cause });
@@ -297,6 +332,7 @@ export class Viewer implements Workpiece {
     this.stage.add(this.#model.drawing.object);
     this.showLayers();
     this.refit();
+    this.orbit();
     // The first drawing compiles shaders, which takes longer than many a diagram. Done now, it is not
     // counted as the diagram's time.
     this.stage.draw();
@@ -330,7 +366,6 @@ export class Viewer implements Workpiece {
     if (!this.#model) return;
     const { selected, session } = this;
     this.#model.drawing.setSites(session.sites, selected);
-    this.stage.canvas.ariaLabel = this.#label;
     this.stage.invalidate();
     this.#emit('sites-change', {
       count: session.sites.length,
@@ -338,15 +373,6 @@ export class Viewer implements Workpiece {
       canUndo: session.canUndo,
       canRedo: session.canRedo,
     });
-  }
-
-  /** What the view is, and which of its regions is chosen. */
-  get #label(): string {
-    const { selected, session } = this;
-    const { label } = this.attributes;
-    return selected < 0
-      ? label
-      : `${label}; site ${selected} is chosen, of ${session.sites.length}`;
   }
 
   #showDiagram(shown: ShownDiagram, { changes, cells }: Drawable): void {

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+/// \file
+/// Curvature at vertices, and densities that follow it: for samplings and tessellations that are
+/// finer where the surface bends more.
 #pragma once
 
 #include <vector>
@@ -16,15 +19,15 @@ struct VertexCurvatures {
   std::vector<double> mean;
 };
 
-/// Boundary vertices, where neither formula holds, get the mean of their inner neighbours, or zero
-/// if there is none; so do vertices without area. O(F).
+/// The curvatures at all vertices. Boundary vertices, where neither formula holds, get the mean of
+/// their inner neighbours, or zero if there is none; so do vertices without area. O(F).
 /// Source: Mark Meyer, Mathieu Desbrun, Peter Schröder, Alan Barr. Discrete Differential-Geometry
 /// Operators for Triangulated 2-Manifolds. 2003.
 VertexCurvatures vertexCurvatures(const TriangleMesh& mesh);
 
 struct CurvatureDensityOptions {
-  /// How often the squared curvature is averaged with that around: the noise of one vertex is
-  /// spread over about as many edges as the square root of this.
+  /// How often the squared curvature at each vertex is averaged with that of its neighbours. The
+  /// noise of one vertex is spread over as many edges as the square root of this.
   int smoothing = 4;
   /// The least density as a share of its mean: so that flat parts get sites too. Positive.
   double floor = 0.1;

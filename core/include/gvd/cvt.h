@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+/// \file
+/// Centroidal Voronoi tessellations: sites that move until each is at the centroid of its region.
 #pragma once
 
 #include <memory>
@@ -47,12 +49,16 @@ struct CvtIteration {
 ///     while (!cvt.isDone())
 ///       if (cvt.step(100000)) show(cvt.iteration().energy, cvt.diagram());
 ///
-/// The energy never rises by more than rounding: a step that does not lower it is shortened, at
-/// last the iteration ends. It is integrated over the regions as traced, cut faces included. What
-/// no site reaches does not count. A site without region (it coincides with another one, or ρ is
-/// zero there) is set anew to a place drawn where the energy is; a site on a vertex is moved off it
-/// by 1e-7 of a side, to where directions are unique. Fixed sites are left alone in both cases.
-/// Deterministic. An iteration costs one diagram and its integrals; more where a step is shortened.
+/// The energy never rises by more than rounding: a step that does not lower it is shortened, and if
+/// no length helps, the tessellation is done. The energy is integrated over the regions as traced,
+/// the cells of mixed faces included; components without a site do not count.
+///
+/// Two kinds of sites cannot be moved by a gradient, and are moved otherwise, unless they are
+/// fixed. A site without region (it coincides with another one, or ρ is zero around it) is placed
+/// anew, at a random point, drawn with a probability in proportion to the energy there. A site on a
+/// vertex is moved off it by 1e-7 of a side: at a vertex, directions are not unique.
+///
+/// Deterministic. An iteration costs one diagram and its integrals, more where a step is shortened.
 ///
 /// Sources: Qiang Du, Vance Faber, Max Gunzburger. Centroidal Voronoi Tessellations: Applications
 /// and Algorithms. 1999. Yang Liu et al. On Centroidal Voronoi Tessellation: Energy Smoothness and
@@ -66,16 +72,17 @@ class Cvt {
   Cvt(Cvt&&) noexcept;
   Cvt& operator=(Cvt&&) noexcept;
 
-  /// Works on at most `budget` queue entries of the distances, and when these are done, traces the
-  /// diagram and integrates at one go. True when this has finished an iteration (the first time:
-  /// number 0), which the functions below then describe, or everything.
+  /// Works on at most `budget` queue entries of the distances; once these are done, it traces the
+  /// diagram and integrates the energy in the same call. True when an iteration has ended (the
+  /// first one is number 0: the initial sites), which the functions below then describe, or when
+  /// everything is done.
   bool step(long budget);
   bool isDone() const;
 
   /// Of the last iteration finished; valid after `step` has returned true for the first time.
   const CvtIteration& iteration() const;
   std::span<const SurfacePoint> sites() const;
-  /// What is kept of it stays as it is when further iterations follow.
+  /// Whoever keeps the pointer keeps these distances: further iterations make new ones.
   std::shared_ptr<const DistanceField> distances() const;
   const Diagram& diagram() const;
 

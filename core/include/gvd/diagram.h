@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+/// \file
+/// The geodesic Voronoi diagram: points, bisector segments, arcs, Voronoi points, outlines and
+/// cells in flat arrays, and how they are traced from distances (geodesic.h).
 #pragma once
 
 #include <array>
@@ -12,8 +15,8 @@
 
 namespace gvd {
 
-/// A list of lists of point indices in one array: list i is `points[offset[i]] … points[offset[i+1]
-/// - 1]`.
+/// A list of lists of point indices in one array: list i has those from `points[offset[i]]` to
+/// `points[offset[i + 1] - 1]`.
 struct PointLists {
   std::vector<int> offset = {0};
   std::vector<int> points;
@@ -40,9 +43,10 @@ struct Diagram {
 
   int siteCount = 0;
 
-  /// Every point named below, each place once. `face` counts the mesh's faces. Where points have
-  /// become one on an edge or a vertex, the coordinates off it are exactly zero. The end of a
-  /// segment is named in terms of a face of one of the segments there.
+  /// Every point that the lists below refer to, each place once. `face` counts the mesh's faces.
+  /// Points that rounding cannot tell apart are one point; if it lies on an edge or a vertex, its
+  /// coordinates off that are exactly zero. A point at which segments end is given in a face of one
+  /// of these segments.
   std::vector<SurfacePoint> points;
 
   /// A bisector segment, oriented forwards: the lower label `labels[0]` is on its left,
@@ -76,17 +80,20 @@ struct Diagram {
   std::vector<double> regionArea;  ///< per label; sums to the area that any site reaches
 
   /// Per mesh face: its label if one region owns all of it (a region triangle), else `kMixed` or
-  /// `kUnreachable`. A face of one region beside bisectors that meet on its side is mixed as well:
-  /// its only cell has their meeting as a corner.
+  /// `kUnreachable`. If bisectors in the neighbour faces meet on the side of a face, the face is
+  /// mixed even if one region owns all of it: it has one cell then, with the meeting point as a
+  /// corner.
   std::vector<int> faceLabel;
-  /// Region triangles that two or more labels tie on; given to the lowest of them. They lie behind
-  /// saddles and corners of the boundary at which the labels tie. Sites in one place tie on all of
-  /// their region.
+  /// Region triangles on all of which two or more labels tie; they are given to the lowest of these
+  /// labels. They lie behind saddle vertices and boundary corners that are as far from several
+  /// sites, for the shortest paths of all of these go on alike from there. Sites at the same place
+  /// tie on all of their region.
   std::vector<int> indifferentFaces;
 
   /// The parts of mixed faces: convex polygons, counterclockwise, ascending by face. A point on the
-  /// outline of several cells is a corner of all of them, so angles may be straight; region
-  /// triangles alone do not name the points that a neighbour of more detail has on their sides.
+  /// outline of several cells is a corner of all of them, so angles may be straight. Not so with
+  /// region triangles: the points that cells beside them have on a common side, which `detail`
+  /// makes, are corners of these cells only.
   PointLists cells;
   std::vector<int> cellFace;
   std::vector<int> cellLabel;
@@ -113,9 +120,9 @@ class DiagramTracing {
   DiagramTracing(DiagramTracing&&) noexcept;
   DiagramTracing& operator=(DiagramTracing&&) noexcept;
 
-  /// Does work for at most `budget` mixed faces, a microsecond or less each, or as much of another
-  /// kind; true when everything is done. What is not parted: one face, with all the sites in it;
-  /// one loop.
+  /// Works on at most `budget` mixed faces, each of which takes about a microsecond, or does as
+  /// much work of another kind; true when everything is done. A single face (with all the sites in
+  /// it) and a single loop are never divided, so a step may take longer by one of these.
   bool step(long budget);
   /// The result; call once, after `step` returned true.
   Diagram take();

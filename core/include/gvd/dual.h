@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+/// \file
+/// The dual of a diagram, a polygonal base mesh; the conditions under which it has the topology of
+/// the surface; and its repair by further sites.
 #pragma once
 
 #include <span>
@@ -17,12 +20,12 @@ namespace gvd {
 /// degree d is a d-gon of the sites around it; where no three sites are equidistant by chance, a
 /// geodesic Delaunay triangulation.
 ///
-/// On the mesh boundary, the outside takes part as if each *run* of a region along it had a site
-/// beyond: in the middle of each run is one more vertex (of the region's label, after all sites),
-/// and where an arc of A and B ends on the boundary is a quadrangle of these two sites and the
-/// middles of their runs (a (d+2)-gon where d - 1 arcs end). So the dual reaches the boundary
-/// wherever the surface has one, with one side per place where arcs end, and its own boundary
-/// vertices lie on it. A boundary that only one region touches gets nothing.
+/// Without more, the dual would end at the outermost sites. So every *run*, a piece of the mesh
+/// boundary in one region, gets a vertex of its own: in its middle, with the region's label,
+/// numbered after all sites. Where an arc between the regions of A and B ends on the boundary, the
+/// dual has a quadrangle of the two sites and the middles of their two runs; where d - 1 arcs end
+/// in one point, a (d+2)-gon. So the boundary of the dual lies along that of the mesh. A boundary
+/// loop that only one region touches gets nothing.
 ///
 /// Sites without region, or whose region meets no three others, are in no face. The dual is a
 /// manifold with the topology of the surface if `findViolations` has none.
@@ -38,9 +41,9 @@ PolygonMesh dualMesh(const TriangleMesh& mesh, std::span<const SurfacePoint> sit
 /// none at all: it is left out then. Costs as much as `partition`.
 PolygonMesh regionMesh(const TriangleMesh& mesh, const Diagram& diagram);
 
-/// A reason why a dual is no faithful picture of the surface: something that keeps the regions from
-/// having the *closed ball property* (Edelsbrunner & Shah): every region is a disk, any two meet in
-/// one arc or one point if at all, any three in one point.
+/// A reason why a dual does not have the topology of the surface: something that keeps the regions
+/// from having the *closed ball property* (Edelsbrunner & Shah 1997): every region is a disk, any
+/// two that meet do so in one arc or one point, any three in one point.
 struct Violation {
   enum Kind {
     kUnreachable,     ///< a component of the mesh has no site; no labels
@@ -64,13 +67,14 @@ struct Violation {
 /// points. Source: Herbert Edelsbrunner, Nimish Shah. Triangulating Topological Spaces. 1997.
 std::vector<Violation> findViolations(const TriangleMesh& mesh, const Diagram& diagram);
 
-/// One round of `repair`: where more sites help. One place for each violation, unless a region
-/// concerned has had a neighbour changed by another: where the regions concerned are farthest from
-/// all sites; and one in each component without a site. None if there are no violations.
+/// One round of `repair`: the sites to add. For each violation that is the point, of those at which
+/// the violation can be seen, that is farthest from all sites; and in each component without a site
+/// one point. A violation is left to the next round if a region concerned is next to a region that
+/// gets a new site in this one: it may be gone then. Empty if there are no violations.
 ///
 /// `field` holds the distances that the diagram was traced from. Costs as much as `findViolations`.
-/// Throws `Error(kInvalidArgument)`, naming the violation, where no site helps: another one has no
-/// region.
+/// Throws `Error(kInvalidArgument)`, naming the violation, if further sites do not help: a site has
+/// no region because another one is at its place.
 std::vector<SurfacePoint> repairingSites(const TriangleMesh& mesh, const Diagram& diagram,
                                          const DistanceField& field);
 

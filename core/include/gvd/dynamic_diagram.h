@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+/// \file
+/// A diagram whose sites are inserted, moved and removed, at the cost of their surroundings.
 #pragma once
 
 #include <memory>
@@ -18,16 +20,20 @@ struct DiagramChange {
   std::vector<int> labels;
   /// The faces that may differ, ascending. In each of them, all cells are given.
   std::vector<int> faces;
-  /// What replaces all that there was of these labels and faces: the loops of the labels; segments
-  /// (each with its whole arc), arcs and Voronoi points of which one of the labels is one; the
-  /// cells and the indifferent ones of the faces. Points are numbered anew. `faceLabel` is given
-  /// per entry of `faces`, `regionArea` per entry of `labels`.
+  /// What takes the place of everything that the diagram had of these labels and faces:
+  ///  - the loops of `labels`;
+  ///  - all arcs (with all their segments) and all Voronoi points at which one of `labels` takes
+  ///  part;
+  ///  - the cells of `faces`, and those of `faces` that are indifferent.
+  ///
+  /// Points are numbered anew. `faceLabel` is given per entry of `faces`, `regionArea` per entry of
+  /// `labels`.
   Diagram part;
 };
 
-/// A diagram whose sites come, go and move. Only the surroundings of a change are
-/// computed anew; what results is the diagram of the present sites: combinatorially, and to
-/// rounding in its numbers, the one that `propagate` and `traceDiagram` give.
+/// A diagram whose sites come, go and move. Only the surroundings of a change are computed anew;
+/// what results is the diagram of the present sites: combinatorially, and to rounding in its
+/// numbers, the one that `propagate` and `traceDiagram` give.
 ///
 /// A site keeps its label until it is removed, and labels that are free have empty regions. So
 /// labels are not always consecutive: of n sites they are the lowest n unless sites were removed.
@@ -40,9 +46,10 @@ class DynamicDiagram {
   DynamicDiagram(DynamicDiagram&&) noexcept;
   DynamicDiagram& operator=(DynamicDiagram&&) noexcept;
 
-  /// Each of these takes about as long as the diagram of the labels in `DiagramChange::labels`,
-  /// however large the mesh is; where ties are carried on behind saddles, a little for each vertex
-  /// more. The new site gets `lowestFreeLabel()`.
+  /// Each of these takes about as long as it takes to compute the regions in
+  /// `DiagramChange::labels`, however large the mesh is. (Where several sites tie behind a saddle
+  /// vertex, a little time per vertex of the mesh comes on top.) The new site gets
+  /// `lowestFreeLabel()`.
   DiagramChange insertSite(const SurfacePoint& site);
   /// Throws `Error(kInvalidArgument)` if no site has the label.
   DiagramChange removeSite(int label);

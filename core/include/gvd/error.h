@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+/// \file
+/// The exception that all functions of the library throw on bad input.
 #pragma once
 
 #include <stdexcept>
@@ -14,8 +16,8 @@ enum class ErrorCode {
   kInvalidArgument,
 };
 
-/// The one exception this library throws on purpose: bad input, never a state of its own.
-/// The message is one sentence that names what is wrong and where (index, value).
+/// The one exception that this library throws on purpose, always because of bad input. The message
+/// is one sentence that names what is wrong and where (index, value).
 class Error : public std::runtime_error {
  public:
   Error(ErrorCode code, const std::string& message) : std::runtime_error(message), code_(code) {}

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+/// \file
+/// Geodesic distances of many sites at once: the first of the two steps to a diagram. The second
+/// one is in diagram.h.
 #pragma once
 
 #include <Eigen/Core>
@@ -40,11 +43,15 @@ inline LabelledDistance nearestOf(std::span<const LabelledDistance> sites) {
   return nearest;
 }
 
-/// Distances of all sites, each known as far as the Voronoi diagram needs it: at all three corners
-/// of a face if the site is nearest at one of them or lies in the face, or if it is nearest
-/// somewhere on a side when squared distances are interpolated linearly along it, as a diagram
-/// does. With DGPC, a distance at a corner that another site owns follows from the vertices around
-/// it, if the site is not carried on as far. Ties go to the lower label everywhere.
+/// The distances of all sites, each known where a Voronoi diagram needs it. A site is known at all
+/// three corners of a face if
+///  - it is the nearest site at one of the corners,
+///  - it lies in the face, or
+///  - it is the nearest site somewhere on a side of the face, with squared distances interpolated
+///    linearly between the ends of the side: that is how diagrams are traced.
+///
+/// With `kDgpc`, the distance at a corner that another site owns may be extended from the vertices
+/// around it instead of being propagated to it. Ties go to the lower label everywhere.
 class DistanceField {
  public:
   virtual ~DistanceField() = default;
@@ -54,9 +61,9 @@ class DistanceField {
   virtual LabelledDistance nearest(const SurfacePoint& p) const = 0;
   /// The distance of one site at a point; infinity where it is not known.
   virtual double distance(int label, const SurfacePoint& p) const = 0;
-  /// The distances of labels at many points. Where another site is nearer, `distance` may be too
-  /// long with the exact metric; here the site is carried on to the point first, for all points of
-  /// one label at once.
+  /// The distances of labels at many points. Where another site is nearer, `distance` is only an
+  /// upper bound with the exact metric, for the propagation of a site stops there. This function
+  /// carries each site on to its points first, to all of them at once.
   virtual std::vector<double> distancesAt(std::span<const LabelledPoint> points) const;
   /// The direction in which the shortest path from a site to a vertex leaves the site, as a unit
   /// vector: together with the distance, geodesic polar coordinates (the logarithmic map). With the

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+/// \file
+/// Reads the triangles of a glTF scene. In a library of its own, `gvd_gltf`: whoever has triangles
+/// already does not need it.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +11,7 @@
 
 namespace gvd {
 
-/// The triangles of a glTF scene in world space, not yet a surface: as `TriangleMesh` takes them.
+/// The triangles of a glTF scene in world space, in the form that `TriangleMesh` takes.
 struct GltfScene {
   /// Where a run of triangles came from, in scene order.
   struct Part {
@@ -41,12 +44,14 @@ struct GltfLimits {
   /// Nodes, meshes, primitives, accessors, buffer views, … together; also the primitives and morph
   /// targets of all nodes together, instances of EXT_mesh_gpu_instancing included.
   std::size_t maxObjects = std::size_t{1} << 18;
-  /// Of all nodes and instances together; each active morph target counts its vertices again. As
-  /// surfaces, more than these would not fit into the 4 GB of a WebAssembly memory.
+  /// Vertices and triangles of all nodes and instances together; each active morph target counts
+  /// its vertices again. The surface of more than these would not fit into the 4 GB of a
+  /// WebAssembly memory.
   std::size_t maxVertices = std::size_t{1} << 24;
   std::size_t maxTriangles = std::size_t{1} << 24;
-  /// Of accessors without a buffer view, which cost a file nothing: counted as the vertices are. So
-  /// are the vertices of instances that have no buffer view either.
+  /// Elements of accessors without a buffer view: these are zeros, take no bytes of a file, and so
+  /// are not limited by its size. Counted as vertices are; also counts the vertices of instances
+  /// whose attributes have no buffer view.
   std::size_t maxZeroElements = std::size_t{1} << 20;
 };
 

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+/// \file
+/// The mesh cut into the regions of a diagram, and facts of each region: area, perimeter,
+/// neighbours, topology.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,9 +17,9 @@ namespace gvd {
 
 /// One region of a partition, as a patch of triangles. Lengths and areas are in the mesh's units.
 ///
-/// Where a region touches itself in a single point, its patch is taken as cut apart there, which
-/// makes it a surface with boundary: the one whose inside is the region's inside. Counts are of
-/// that surface; how often the region touches itself is told apart.
+/// Where a region touches itself in a single point, its patch is taken as cut apart there: so it is
+/// a surface with boundary, and has the same inside. The counts below are of that surface;
+/// `selfTouchings` counts the cuts.
 struct RegionPatch {
   struct Neighbour {
     int label;
@@ -44,7 +47,7 @@ struct RegionPatch {
   int loops = 0;  ///< closed outlines
   int eulerCharacteristic = 0;
   int genus = 0;  ///< all components: (2·components - loops - eulerCharacteristic) / 2
-  /// How often it touches itself in a point: its fans of triangles around points, beyond the first.
+  /// How often it touches itself in a point: for each point, its fans of triangles there but one.
   int selfTouchings = 0;
 
   /// Whether it is a closed disk.
@@ -90,9 +93,9 @@ Partition partition(const TriangleMesh& mesh, const Diagram& diagram,
                     const PartitionOptions& options = {});
 
 /// The corners of a triangle of a partition in terms of `triangleFace[triangle]`: column i holds
-/// the barycentric coordinates of corner i. A vertex on an edge or a vertex of the mesh is named by
-/// one face in `points`; what differs from face to face (a texture coordinate at a seam) needs
-/// these.
+/// the barycentric coordinates of corner i. `Partition::points` gives a vertex that lies on an edge
+/// or a vertex of the mesh in only one of the faces around it; whatever differs from face to face,
+/// such as a texture coordinate at a seam, is to be interpolated by these coordinates.
 Eigen::Matrix3d cornersInFace(const TriangleMesh& mesh, const Partition& partition, int triangle);
 
 }  // namespace gvd

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+/// \file
+/// Polygons with corners on a surface: what duals (dual.h) are made of.
 #pragma once
 
 #include <Eigen/Core>
@@ -32,8 +34,8 @@ struct PolygonTriangles {
 /// O(d²) for a polygon of d corners, three or more; those with fewer have no triangle.
 PolygonTriangles triangulate(const PolygonMesh& mesh);
 
-/// What the faces of a polygon mesh make when welded by their vertices. Vertices without a face do
-/// not count.
+/// The topology of the surface that the faces of a polygon mesh make, joined at the vertices they
+/// share. Vertices without a face do not count.
 struct PolygonTopology {
   /// Whether the faces are a surface, oriented: no corner occurs twice in a face, no side twice in
   /// one direction, and the faces around each vertex form one fan. If not, the numbers of boundary

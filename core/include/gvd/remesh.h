@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+/// \file
+/// How good the dual of a tessellation is as a remesh of the surface.
 #pragma once
 
 #include "gvd/polygon_mesh.h"
@@ -6,7 +8,7 @@
 
 namespace gvd {
 
-/// How good a remesh is: of the triangles of a polygon mesh (`triangulate`).
+/// How good a remesh is. The triangles are those that `triangulate` makes of its polygons.
 struct RemeshQuality {
   int triangles = 0;
   /// Least angle of all triangles, and the mean of each one's least angle, in degrees: 60 at best.
@@ -18,12 +20,12 @@ struct RemeshQuality {
   double hausdorff = 0;
 };
 
-/// `remesh` is a manifold; one without triangles has the quality of the default values, but an
-/// infinite distance.
+/// Measures `remesh`, which must be a manifold, against the surface that it was made of. Without
+/// triangles it has the default values, and an infinite distance.
 ///
-/// The distance is that of samples, so never more than the true one: the vertices and the middles
-/// of the faces of the surface, and points of the remesh about as dense. O(n log n) for n faces,
-/// and as many samples.
+/// The distance is measured at samples, so it is never more than the true one: at the vertices and
+/// the centres of the faces of the surface, and at points of the remesh that are about as dense.
+/// O(n log n) for n faces and samples.
 RemeshQuality measureQuality(const TriangleMesh& surface, const PolygonMesh& remesh);
 
 }  // namespace gvd

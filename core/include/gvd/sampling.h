@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: MIT
+/// \file
+/// Sites to begin with: random, farthest point, and Poisson disk samples.
+///
+/// Points are on the surface; their `face` counts the faces of `mesh`. The same arguments give the
+/// same points on every platform. All functions throw `Error(kInvalidArgument)` if a count is
+/// negative.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +15,6 @@
 #include "gvd/triangle_mesh.h"
 
 namespace gvd {
-
-// Points of the surface; `face` counts the faces of `mesh`. The same arguments give the same points
-// on every platform. All functions throw `Error(kInvalidArgument)` if a count is negative.
 
 /// `count` points, independent and uniform by area (by face, if all faces have zero area). The
 /// first n points do not depend on `count`. O(F + count log F).
@@ -25,11 +28,11 @@ std::vector<SurfacePoint> sampleByDensity(const TriangleMesh& mesh, std::span<co
                                           int count, std::uint64_t seed);
 
 /// Farthest point sampling: a first point at random, uniform by area, then one vertex after the
-/// other, always the one that is farthest from all points so far (unreached ones before, the lowest
-/// of equals), until there are `count` points, or no vertex is farther than `coveringRadius` from
-/// them, or the points have come to every vertex. So every component gets a point early, and points
-/// are at least as far apart as the last one was from the others. The first n points do not depend
-/// on `count`.
+/// other, always the one that is farthest from all points so far (vertices that no point reaches
+/// come first; of equals, the lowest), until there are `count` points, or no vertex is farther than
+/// `coveringRadius` from them, or the points have come to every vertex. So every component gets a
+/// point early, and points are at least as far apart as the last one was from the others. The first
+/// n points do not depend on `count`.
 ///
 /// Distances are geodesic, by unfolding (DGPC without angles). A point spreads only where it is
 /// the nearest: O(V log V log count) for evenly spread vertices.
@@ -42,10 +45,10 @@ struct PoissonDisk {
   double radius;  ///< no two points are nearer to each other, in the mesh's units
 };
 
-/// Points no two of which are nearer than `radius` (geodesic, as for `sampleFarthest`), placed at
-/// random until hardly any more fit; then vertices are added, so that none is farther than
-/// `radius` from a point. Throws `Error(kInvalidArgument)` if the radius is not positive and
-/// finite. Source: Robert Cook. Stochastic Sampling in Computer Graphics. 1986.
+/// Points of which no two are nearer to each other than `radius` (geodesic, as for
+/// `sampleFarthest`), placed at random until hardly any more fit; then vertices are added, so that
+/// none is farther than `radius` from a point. Throws `Error(kInvalidArgument)` if the radius is
+/// not positive and finite. Source: Robert Cook. Stochastic Sampling in Computer Graphics. 1986.
 PoissonDisk samplePoissonDisk(const TriangleMesh& mesh, double radius, std::uint64_t seed);
 
 /// `count` such points: the radius falls until as many fit. Points come in order of falling radius,

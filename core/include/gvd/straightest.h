@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+/// \file
+/// Walks straight ahead on a surface: the exponential map, by which tessellations move their sites.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,8 +13,8 @@ namespace gvd {
 /// What a straightest geodesic does where it meets the mesh boundary.
 enum class AtBoundary {
   kStop,   ///< it ends there
-  kSlide,  ///< it goes on along the boundary by what it has in that direction: a move is projected
-           ///< to what the surface admits. Where the boundary turns away, it leaves it again.
+  kSlide,  ///< it goes on along the boundary, shortened to its component in that direction; where
+           ///< the boundary turns away, it leaves the boundary again
 };
 
 /// The end of a straightest geodesic.

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+/// \file
+/// A point on a surface, as all functions take and return it.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+/// \file
+/// The surface that everything is computed on: a triangle mesh, repaired to a manifold.
 #pragma once
 
 #include <Eigen/Core>
@@ -225,9 +227,9 @@ class TriangleMesh {
   std::vector<int> boundaryLoops_;
   std::vector<int> inputFace_, inputVertex_;
   std::vector<char> flipped_;
-  /// For every input triangle, the halfedge (corner) of the kept mesh at each of its three corners
-  /// if it was kept; for a dropped one, of each corner on some kept triangle holding all of its
-  /// corners; -1 if there is none.
+  /// For every input triangle, the three halfedges that leave its corners, all on one face: on its
+  /// own, or, if the triangle was dropped, on some face that has all of its corners; -1 if there is
+  /// none.
   std::vector<std::array<int, 3>> faceOfInput_;
   std::vector<int> vertexOfInput_;  ///< a halfedge leaving the vertex's place, or -1
   MeshRepairs repairs_;

@@ -16,7 +16,7 @@ inline std::string number(std::uint64_t n) { return std::to_string(n); }
 
 /// The end of a sentence that names a limit which is exceeded.
 inline std::string toRaise(const char* limit) {
-  return "; raise GltfLimits::" + std::string(limit) + " to read it";
+  return "; raise the limit " + std::string(limit) + " to read it";
 }
 
 }  // namespace gvd::gltf

@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { load } from '../node.js';
-import type {
-  CvtState,
-  Diagram,
-  Mesh,
-  Metric,
-  PolygonMesh,
-  SurfacePath,
-  SurfacePointsInput,
-} from '../types.js';
+import type { Metric, PolygonMesh, SurfacePath } from '../results.js';
+import type { CvtState, Diagram, Mesh, SurfacePointsInput } from '../types.js';
 import {
   toDiagramEncoder,
   toDistancesEncoder,
@@ -53,13 +46,15 @@ export function execute(invocation: Invocation): Promise<void> {
 type CvtSettings = Pick<Values<'cvt'>, 'method' | 'metric' | 'iterations'>;
 /** Where sites come from. */
 type SiteSource = Pick<Values<'diagram'>, 'sites' | 'sampling' | 'seed'>;
+/** How a model is read. */
+type Reading = Pick<Values, 'limits'>;
 /** What may be written to standard error. */
 type Notices = Pick<Values<'diagram'>, 'quiet' | 'progress'>;
 
 async function info({ mesh: path, values }: Request<'info'>): Promise<void> {
   const scale = values.units;
   const output = await Output.open(values.output);
-  const mesh = await openMesh(path);
+  const mesh = await openMesh(path, values);
   const facts = {
     ...mesh.info,
     area: scale * scale * mesh.info.area,
@@ -135,7 +130,7 @@ async function path({ mesh: model, values }: Request<'path'>): Promise<void> {
       `there are ${starts.length} points to start at, but ${ends.length} to end at: give as many, or one`,
     );
   }
-  const mesh = await openMesh(model);
+  const mesh = await openMesh(model, values);
   const paths = await withProgress(values, async (onProgress) => {
     const toOneEnd = ends.length === 1 ? await mesh.voronoi(ends[0]) : undefined;
     const found: SurfacePath[] = [];
@@ -300,11 +295,11 @@ function summarise(output: Output, { quiet }: Notices, line: string): void {
   if (output.isFile && !quiet) process.stderr.write(`${line}\n`);
 }
 
-async function openMesh(path: string): Promise<Mesh> {
+async function openMesh(path: string, { limits }: Reading): Promise<Mesh> {
   const { bytes, resources } = await readModel(path);
   const gvd = await load();
   try {
-    return await gvd.mesh(bytes, { resources });
+    return await gvd.mesh(bytes, { resources, limits });
   } catch (error) {
     throw new FileError(`${path}: ${(error as Error).message}`, { cause: error });
   }
@@ -313,7 +308,7 @@ async function openMesh(path: string): Promise<Mesh> {
 /** The diagram that the options ask for. */
 async function compute(
   path: string,
-  values: Notices & SiteSource & { metric: Metric; detail?: number },
+  values: Notices & Reading & SiteSource & { metric: Metric; detail?: number },
 ): Promise<{ mesh: Mesh; diagram: Diagram }> {
   const { mesh, sites } = await openWithSites(path, values);
   const { metric, detail } = values;
@@ -325,10 +320,10 @@ async function compute(
 
 async function openWithSites(
   path: string,
-  { sites, sampling, seed, quiet }: Notices & SiteSource,
+  { sites, sampling, seed, quiet, limits }: Notices & Reading & SiteSource,
 ): Promise<{ mesh: Mesh; sites: SurfacePointsInput }> {
   const given = typeof sites === 'string' ? await readPoints(sites) : undefined;
-  const mesh = await openMesh(path);
+  const mesh = await openMesh(path, { limits });
   if (!quiet) for (const note of mesh.info.notes) process.stderr.write(`note: ${note}\n`);
   return {
     mesh,

@@ -8,16 +8,15 @@ import { distancesGlb, distancesJson, distancesPly, pathsJson, pathsObj } from '
 import { partitionGlb, partitionJson, partitionObj, partitionPly } from '../partition_formats.js';
 import { polygonGlb, polygonJson, polygonObj, polygonPly } from '../polygon_formats.js';
 import type {
-  Diagram,
   Distances,
-  Mesh,
   Partition,
   PolygonMesh,
   RemeshQuality,
   SurfacePath,
   SurfacePoints,
   Violation,
-} from '../types.js';
+} from '../results.js';
+import type { Diagram, Mesh } from '../types.js';
 import { standard, type Values } from './options.js';
 import { listed, unitOf, UsageError } from './values.js';
 

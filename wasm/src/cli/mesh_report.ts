@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-import type { MeshInfo, MeshRepairs } from '../types.js';
+import type { MeshInfo, MeshRepairs } from '../results.js';
 
 /** What each repair did, after its count. */
 const repairTexts: Record<Exclude<keyof MeshRepairs, 'mollification'>, string> = {

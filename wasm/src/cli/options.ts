@@ -4,10 +4,12 @@
 // says of it.
 
 import { parseArgs } from 'node:util';
-import { cvtMethods, metrics, samplings } from '../core.js';
-import { maxCount, maxDetail } from '../input.js';
+import { maxCount, maxDetail, maxLimit } from '../input.js';
 import { partitionLayouts } from '../partition_formats.js';
+import { cvtMethods, metrics, samplings } from '../results.js';
+import { gltfLimitNames } from '../types.js';
 import {
+  assignments,
   integer,
   listed,
   numberOrPath,
@@ -100,6 +102,12 @@ const options = {
     default: 'm',
     help: `Unit of lengths in the output, of a model in metres as glTF has it: ${listed(units)}; or the factor to multiply with`,
   },
+  limits: {
+    value: 'NAME=N,…',
+    parse: assignments(gltfLimitNames, maxLimit),
+    default: '',
+    help: `What a glTF may ask for, where more is wanted: ${listed(gltfLimitNames)}`,
+  },
   output: {
     short: 'o',
     value: 'FILE',
@@ -123,7 +131,7 @@ type AllValues = {
 };
 
 const ofSites = ['sites', 'sampling', 'seed'] as const;
-const ofOutput = ['units', 'output', 'json', 'quiet', 'help'] as const;
+const ofAll = ['limits', 'units', 'output', 'json', 'quiet', 'help'] as const;
 
 interface CommandSpec {
   summary: string;
@@ -136,48 +144,48 @@ export const commands = {
   info: {
     summary: 'Counts, topology, measures and repairs of a mesh',
     result: 'Text for people; with --json an object.',
-    options: ofOutput,
+    options: ofAll,
   },
   diagram: {
     summary: 'The geodesic Voronoi diagram of sites on a mesh',
     result: `By FILE's ending: .json (regions, bisectors, Voronoi points), .obj or .glb (the bisectors as lines).`,
-    options: [...ofSites, 'metric', 'detail', 'progress', ...ofOutput],
+    options: [...ofSites, 'metric', 'detail', 'progress', ...ofAll],
   },
   locate: {
     summary: 'The nearest site of points on a mesh, and its distance',
     result: '{"label": […], "distance": […]}; -1 and null for a point that no site reaches.',
-    options: [...ofSites, 'points', 'metric', 'progress', ...ofOutput],
+    options: [...ofSites, 'points', 'metric', 'progress', ...ofAll],
   },
   distances: {
     summary: 'The nearest site of every vertex of a mesh, its distance and direction',
     result: `By FILE's ending: .json {"label": […], "distance": […], "direction": […]} (-1 and null where no site reaches), .ply (properties of the vertices), .glb (attributes _LABEL and _DISTANCE, -1 where no site reaches).`,
-    options: [...ofSites, 'metric', 'progress', ...ofOutput],
+    options: [...ofSites, 'metric', 'progress', ...ofAll],
   },
   path: {
     summary: 'Shortest paths between points on a mesh',
     result: `By FILE's ending: .json {"paths": [{"points", "length"}, …]} (no points and null where there is none), .obj (a polyline each).`,
-    options: ['from', 'to', 'progress', ...ofOutput],
+    options: ['from', 'to', 'progress', ...ofAll],
   },
   cvt: {
     summary: 'Sites at the centroids of their regions: a centroidal Voronoi tessellation',
     result:
       '{"face": […], "bary": […], "energy": […]}: the sites, and the energy of the first ones and after each iteration.',
-    options: [...ofSites, 'iterations', 'method', 'metric', 'progress', ...ofOutput],
+    options: [...ofSites, 'iterations', 'method', 'metric', 'progress', ...ofAll],
   },
   partition: {
     summary: 'The mesh cut into the regions of sites, watertight where it was',
     result: `By FILE's ending: .glb, .obj (a group per region), .ply (a label per face), .json (triangles, and facts of each region).`,
-    options: [...ofSites, 'layout', 'holes', 'metric', 'detail', 'progress', ...ofOutput],
+    options: [...ofSites, 'layout', 'holes', 'metric', 'detail', 'progress', ...ofAll],
   },
   dual: {
     summary: 'The polygonal base mesh of sites: a vertex each, a polygon per Voronoi point',
     result: `By FILE's ending: .obj or .ply (polygons), .glb (triangles), .json (polygons, sites, and what is wrong with the dual).`,
-    options: [...ofSites, 'repair', 'primal', 'metric', 'progress', ...ofOutput],
+    options: [...ofSites, 'repair', 'primal', 'metric', 'progress', ...ofAll],
   },
   remesh: {
     summary: 'An isotropic remesh: the valid dual of a centroidal tessellation',
     result: `By FILE's ending: .obj or .ply (polygons), .glb (triangles), .json (polygons, sites and quality). Sites may be added until it is valid.`,
-    options: [...ofSites, 'iterations', 'method', 'metric', 'progress', ...ofOutput],
+    options: [...ofSites, 'iterations', 'method', 'metric', 'progress', ...ofAll],
   },
 } as const satisfies Record<string, CommandSpec>;
 
@@ -285,7 +293,7 @@ function commandHelp(command: CommandName): string {
       const { short, value, default: usual, help }: OptionSpec = options[name];
       return [
         `${short ? `-${short}, ` : '    '}--${name}${value ? ` ${value}` : ''}`,
-        usual === undefined ? help : `${help} (default: ${usual})`,
+        !usual ? help : `${help} (default: ${usual})`,
       ];
     });
   return `${summary}

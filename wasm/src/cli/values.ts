@@ -65,3 +65,22 @@ export const scale: Parser<number> = (text, option) => {
     `${option} is '${text}', neither a positive factor nor one of ${listed(units)}`,
   );
 };
+
+/** Values of some of the names: `name=N,name=N`. */
+export function assignments<Name extends string>(
+  names: readonly Name[],
+  most: number,
+): Parser<Partial<Record<Name, number>>> {
+  const oneName = oneOf(names);
+  const value = integer(0, most);
+  return (text, option) =>
+    Object.fromEntries(
+      text
+        .split(',')
+        .filter((part) => part !== '')
+        .map((part) => {
+          const [name, number = ''] = part.split('=', 2);
+          return [oneName(name, `the name in ${option}`), value(number, `${option} ${name}`)];
+        }),
+    ) as Partial<Record<Name, number>>;
+}

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// All headers of the library but gltf.h, and what to read first.
+///
+/// \mainpage Reading guide
+///
+/// 1. triangle_mesh.h: a surface from positions and triangles. surface_point.h: a point on it.
+/// 2. geodesic.h: `propagate` computes the distances of many sites.
+/// 3. diagram.h: `traceDiagram` makes the Voronoi diagram of these distances.
+///
+/// That is all that a diagram takes:
+///
+///     gvd::TriangleMesh mesh(positions, triangles);
+///     const auto propagation = gvd::propagate(mesh, sites, gvd::Metric::kExact);
+///     while (!propagation->step(100'000)) {
+///     }
+///     const auto distances = propagation->take();
+///     const gvd::Diagram diagram = gvd::traceDiagram(mesh, *distances, sites.size());
+///
+/// Then, as needed, in any order:
+///  - sampling.h: sites to begin with; curvature.h: densities for them
+///  - dynamic_diagram.h: sites that come, go and move
+///  - cvt.h: sites at the centroids of their regions; straightest.h: how they are moved there
+///  - partition.h: the mesh cut into regions, and facts of each region
+///  - dual.h, polygon_mesh.h, remesh.h: polygonal base meshes and their quality
+///  - gltf.h: triangles from a file; error.h: what is thrown on bad input
+///
+/// Faces and vertices are those of a `TriangleMesh`; `TriangleMesh::toInput` and `fromInput`
+/// convert to and from the triangles it was made of. Lengths are in the unit of the positions.
+/// Nothing is thread-safe but reading; nothing keeps global state. The same input gives the same
+/// bits, natively and in WebAssembly.
+#pragma once
+
+#include "gvd/curvature.h"
+#include "gvd/cvt.h"
+#include "gvd/diagram.h"
+#include "gvd/dual.h"
+#include "gvd/dynamic_diagram.h"
+#include "gvd/error.h"
+#include "gvd/geodesic.h"
+#include "gvd/partition.h"
+#include "gvd/polygon_mesh.h"
+#include "gvd/remesh.h"
+#include "gvd/sampling.h"
+#include "gvd/straightest.h"
+#include "gvd/surface_point.h"
+#include "gvd/triangle_mesh.h"

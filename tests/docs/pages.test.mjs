@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+//
+// The documents' pages for a browser: the README's and the example of a live diagram.
+
+import assert from 'node:assert/strict';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { chromium } from 'playwright-core';
+import { servePackages } from '../../web/docs/make/packages_server.mjs';
+import { torus } from '../../web/page/sample_shapes.mjs';
+import { glb } from '../wasm/meshes.mjs';
+import { blocks, root } from './documents.mjs';
+
+const live = readFileSync(join(root, 'web/docs/examples/live.html'), 'utf8');
+let folder, server, browser;
+
+before(async () => {
+  folder = mkdtempSync(join(tmpdir(), 'geodesic-voronoi-'));
+  writeFileSync(join(folder, 'model.glb'), glb(torus(40, 20)));
+  server = await servePackages(folder);
+  browser = await chromium.launch({
+    executablePath: process.env.CHROME_PATH ?? '/usr/bin/chromium',
+    chromiumSandbox: false,
+    args: [
+      '--use-angle=swiftshader',
+      '--enable-unsafe-swiftshader',
+      '--disable-background-networking',
+    ],
+    timeout: 120_000,
+  });
+});
+after(async () => {
+  await browser?.close();
+  server?.close();
+  rmSync(folder, { recursive: true });
+});
+
+/** Opens a page and waits until its element is at rest. */
+async function open(html) {
+  writeFileSync(join(folder, 'index.html'), html);
+  const page = await browser.newPage({
+    viewport: { width: 500, height: 400 },
+    reducedMotion: 'reduce',
+  });
+  page.setDefaultTimeout(120_000);
+  const complaints = [];
+  page.on('pageerror', (error) => complaints.push(String(error)));
+  await page.goto(server.address);
+  await page.waitForFunction(() =>
+    ['ready', 'failed'].includes(document.querySelector('geodesic-voronoi')?.status),
+  );
+  assert.deepEqual(complaints, []);
+  return page;
+}
+
+const regionCount = (page) =>
+  page.evaluate(() => document.querySelector('geodesic-voronoi').diagram.regions.length);
+
+test('the live diagram tells its regions, and one more when a site is added', async () => {
+  const page = await open(live);
+  assert.equal(await regionCount(page), 40);
+  assert.match(await page.textContent('output'), /^40 regions in \d+ ms$/);
+  await page.evaluate(() =>
+    document.querySelector('geodesic-voronoi').addSite({ face: 3, bary: [0.2, 0.3, 0.5] }),
+  );
+  await page.waitForFunction(() => document.querySelector('output').textContent.startsWith('41 '));
+  await page.close();
+});
+
+test('the element of the readme shows a diagram', async () => {
+  const [importMap] = live.match(/<script type="importmap">[^]*?<\/script>/);
+  const [snippet, ...more] = blocks('README.md', 'html');
+  assert.equal(more.length, 0);
+  const page = await open(`<!doctype html>\n${importMap}\n${snippet}`);
+  assert.equal(await regionCount(page), 40);
+  await page.close();
+});

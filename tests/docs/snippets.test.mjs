@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+//
+// The code in the documents runs. The JavaScript of a document is one program, its shell commands
+// one script; both find a model and a few lists of points in the folder they run in.
+
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { copyFileSync, mkdirSync, mkdtempSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { torus } from '../../web/page/sample_shapes.mjs';
+import { glb } from '../wasm/meshes.mjs';
+import { blocks, markdownFiles, root } from './documents.mjs';
+
+let folder;
+
+before(() => {
+  folder = mkdtempSync(join(tmpdir(), 'geodesic-voronoi-'));
+  mkdirSync(join(folder, 'node_modules'));
+  symlinkSync(root, join(folder, 'node_modules', 'geodesic-voronoi'));
+  writeFileSync(join(folder, 'model.glb'), glb(torus(40, 20)));
+  const lists = { sites: [0, 200, 400], points: [5, 17], a: [3], b: [77] };
+  for (const [name, vertex] of Object.entries(lists)) {
+    writeFileSync(join(folder, `${name}.json`), JSON.stringify({ vertex }));
+  }
+});
+after(() => rmSync(folder, { recursive: true }));
+
+function run(command, args) {
+  const { status, stdout, stderr } = spawnSync(command, args, { cwd: folder, encoding: 'utf8' });
+  assert.equal(status, 0, `${args.join(' ')}\n${stdout}${stderr}`);
+  return stdout;
+}
+
+const runCommand = (args) => run(process.execPath, [join(root, 'dist/cli/main.js'), ...args]);
+
+for (const source of markdownFiles) {
+  const programs = blocks(source, 'js');
+  if (programs.length > 0) {
+    test(`JavaScript of ${source}`, () => {
+      const name = `${source.replace(/\W/g, '_')}.mjs`;
+      writeFileSync(join(folder, name), programs.join('\n'));
+      assert.notEqual(run(process.execPath, [name]), '');
+    });
+  }
+
+  const lines = blocks(source, 'sh').flatMap((block) => block.split('\n'));
+  const commands = lines.filter((line) => line.startsWith('geodesic-voronoi '));
+  if (commands.length > 0) {
+    test(`commands of ${source}`, () => {
+      for (const line of commands) runCommand(line.split(/\s+/).slice(1));
+    });
+  }
+}
+
+test('the readme installs what package.json is called', () => {
+  assert.deepEqual(blocks('README.md', 'sh')[0], 'npm install geodesic-voronoi\n');
+});
+
+const examples = {
+  'even-sampling.mjs': {
+    args: ['model.glb', '40'],
+    says: /^40 points; the largest region has 1\.\d+ ×/,
+  },
+  'base-mesh.mjs': { args: [], says: /meet in 2 places[^]* polygons, genus 1$/m },
+  'feature-ids.mjs': {
+    args: ['model.glb', '7'],
+    says: /^(region \d: area [\d.]+, perimeter [\d.]+\n){7}$/,
+  },
+  'log-map.mjs': {
+    args: ['model.glb'],
+    says: /^farthest: vertex \d+ at \(-?\d+\.\d+, -?\d+\.\d+\)$/m,
+  },
+};
+for (const [name, { args, says }] of Object.entries(examples)) {
+  test(`example ${name}`, () => {
+    // A copy: an example finds its packages where it is run.
+    const copy = join(folder, name);
+    copyFileSync(join(root, 'web/docs/examples', name), copy);
+    assert.match(run(process.execPath, [name, ...args]), says);
+  });
+}

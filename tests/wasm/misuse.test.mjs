@@ -1,0 +1,396 @@
+// SPDX-License-Identifier: MIT
+//
+// Misuse of the whole public interface: every mistake gets an error of this library, one sentence that
+// names the argument, and never one of the language from inside.
+
+import assert from 'node:assert/strict';
+import { before, test } from 'node:test';
+import * as api from 'geodesic-voronoi';
+import { glb, octahedron } from './meshes.mjs';
+
+const { load, loadWorker } = api;
+
+const notOptions = [null, 5, 'exact', true, [], () => {}];
+const notObjects = [undefined, null, 5, 'x'];
+const notLists = [
+  null,
+  5,
+  'abc',
+  {},
+  new Set([1]),
+  new BigInt64Array(1),
+  ['1'],
+  [null],
+  [{}],
+  [1n],
+];
+const notPoints = [
+  ...notObjects,
+  [],
+  {},
+  { face: [0] },
+  { bary: [1, 0, 0] },
+  { face: [0], bary: [1, 0] },
+  ...notLists.map((vertex) => ({ vertex })),
+  ...notLists.map((face) => ({ face, bary: [1, 0, 0] })),
+  { vertex: [0.5] },
+  { vertex: [NaN] },
+  { vertex: [2 ** 32] },
+  { face: [-0.5], bary: [1, 0, 0] },
+  { face: [0], bary: [1, 0, '0'] },
+];
+/** Well formed, but not on the surface. */
+const strayPoints = [
+  { vertex: [-1] },
+  { vertex: [6] },
+  { face: [8], bary: [1, 0, 0] },
+  { face: [-1], bary: [1, 0, 0] },
+  { face: [0], bary: [NaN, 0, 0] },
+  { face: [0], bary: [2, -1, 0] },
+  { face: [0], bary: [0, 0, 0] },
+];
+const notTasks = [
+  ...notOptions,
+  { signal: null },
+  { signal: {} },
+  { signal: 5 },
+  { onProgress: null },
+  { onProgress: 'yes' },
+];
+const notCounts = [0, -1, 1.5, NaN, Infinity, '3', null, undefined, {}, 2n, 2 ** 31];
+const notLabels = [-1, 0.5, NaN, '0', null, undefined, 2 ** 40];
+const notNames = [null, 5, '', 'Exact', 'toString', {}, ['exact']];
+const notBooleans = [null, 0, 1, 'yes', {}];
+const notTolerances = [null, -1, NaN, '0'];
+const notScales = [null, 0, -1, NaN, Infinity, '1', {}];
+
+let gvd;
+let mesh;
+let diagram;
+before(async () => {
+  gvd = await load();
+  mesh = await gvd.mesh(octahedron());
+  diagram = await mesh.voronoi({ vertex: [0, 1, 2, 3] });
+});
+
+/** What the calls of `f` with each of the values do, and how the sentences begin. */
+async function refused(values, f, message, code = 'invalid-argument') {
+  for (const value of values) {
+    let error;
+    try {
+      await f(value);
+    } catch (thrown) {
+      error = thrown;
+    }
+    const shown = `${f} of ${String(JSON.stringify(value, (_, v) => (typeof v === 'bigint' ? `${v}n` : v)))}`;
+    assert.ok(error instanceof api.GeodesicVoronoiError, `${shown}: ${error?.stack}`);
+    assert.equal(error.code, code, `${shown}: ${error.message}`);
+    assert.match(error.message, message, shown);
+    assert.match(error.message, /^[^\n]{10,200}$/, shown);
+  }
+}
+
+const one = { vertex: [0] };
+
+test('load and loadWorker', async () => {
+  await refused(notOptions, (options) => load(options), /^options is /);
+  await refused([null, 5, true, {}, []], (wasm) => load({ wasm }), /^wasm is /);
+  await refused(
+    [''.padEnd(3), 'nowhere.wasm'],
+    (wasm) => load({ wasm }),
+    /cannot be loaded/,
+    'load-failed',
+  );
+  await refused(
+    [new Uint8Array(0), Buffer.from('wasm'), new DataView(new ArrayBuffer(9))],
+    (wasm) => load({ wasm }),
+    /cannot be loaded/,
+    'load-failed',
+  );
+  await refused(
+    [new Response('no', { status: 404 })],
+    (wasm) => load({ wasm }),
+    /404/,
+    'load-failed',
+  );
+  await refused(notOptions, (options) => loadWorker(options), /^options is /);
+  await refused([null, 5, true, {}], (worker) => loadWorker({ worker }), /^worker is /);
+  const bytes = glb(octahedron());
+  for (const gltfWasm of [null, 5, {}])
+    await refused([gltfWasm], async () => (await load({ gltfWasm })).mesh(bytes), /^gltfWasm is /);
+});
+
+test('mesh', async () => {
+  const { positions, indices } = octahedron();
+  await refused(
+    [...notObjects, [], {}, () => {}, new Float32Array(9)],
+    (source) => gvd.mesh(source),
+    /^a mesh is made from/,
+  );
+  await refused(notOptions, (options) => gvd.mesh(octahedron(), options), /^options is /);
+  await refused(
+    notTasks.slice(notOptions.length),
+    (options) => gvd.mesh(octahedron(), options),
+    /^(signal|onProgress) is /,
+  );
+  await refused(
+    notLists,
+    (values) => gvd.mesh({ positions: values, indices }),
+    /^positions(\[0\])? is /,
+  );
+  await refused(
+    notLists,
+    (values) => gvd.mesh({ positions, indices: values }),
+    /^indices(\[0\])? is /,
+  );
+  await refused(
+    notLists,
+    (normals) => gvd.mesh({ positions, indices, normals }),
+    /^normals(\[0\])? is /,
+  );
+  await refused(
+    [[1], new Float32Array(17)],
+    (normals) => gvd.mesh({ positions, indices, normals }),
+    /^normals has /,
+  );
+  await refused(
+    [[1], new Float32Array(13)],
+    (uvs) => gvd.mesh({ positions, indices, uvs }),
+    /^uvs has /,
+  );
+  const bytes = glb(octahedron());
+  await refused([null, 5, 'x'], (resources) => gvd.mesh(bytes, { resources }), /^resources is /);
+  await refused(
+    [null, 5, 'x', [1]],
+    (content) => gvd.mesh(bytes, { resources: { 'a.bin': content } }),
+    /^resources\["a\.bin"\] is /,
+  );
+  await refused([null, 5, 'x'], (limits) => gvd.mesh(bytes, { limits }), /^limits is /);
+  await refused(
+    [{ triangles: 5 }, { toString: 5 }],
+    (limits) => gvd.mesh(bytes, { limits }),
+    /name of a limit/,
+  );
+  await refused(
+    [null, -1, 0.5, NaN, '5', 2 ** 32],
+    (maxTriangles) => gvd.mesh(bytes, { limits: { maxTriangles } }),
+    /^limits\.maxTriangles is /,
+  );
+});
+
+test('sampleSites', async () => {
+  await refused(notCounts, (count) => mesh.sampleSites(count), /^count is /);
+  await refused(notOptions, (options) => mesh.sampleSites(2, options), /^options is /);
+  await refused(
+    [-1, 0.5, NaN, '1', null, 2 ** 53],
+    (seed) => mesh.sampleSites(2, { seed }),
+    /^seed is /,
+  );
+  await refused(notNames, (sampling) => mesh.sampleSites(2, { sampling }), /^sampling is /);
+});
+
+test('points, wherever they are taken', async () => {
+  const takers = {
+    sites: [
+      (points) => mesh.voronoi(points),
+      (points) => mesh.distances(points),
+      (points) => mesh.cvt(points).next(),
+    ],
+    from: [(point) => mesh.path(point, one)],
+    to: [(point) => mesh.path(one, point)],
+    points: [(points) => diagram.locate(points)],
+    point: [(point) => diagram.path(point)],
+    site: [(site) => diagram.insertSite(site), (site) => diagram.moveSite(0, site)],
+  };
+  for (const [name, functions] of Object.entries(takers)) {
+    for (const f of functions) {
+      await refused(
+        notPoints,
+        f,
+        new RegExp(`^${name}(\\.(face|bary|vertex)(\\[\\d\\])?)? (is|has) `),
+      );
+      await refused(strayPoints, f, /./, 'invalid-point');
+    }
+  }
+  const single = ['from', 'to', 'point', 'site'].flatMap((name) => takers[name]);
+  for (const f of single)
+    await refused([{ vertex: [] }, { vertex: [0, 1] }], f, /is a list of \d points/);
+  await refused([{ vertex: [] }], (sites) => mesh.voronoi(sites), /site/);
+});
+
+test('the options of every task', async () => {
+  const tasks = [
+    (options) => mesh.sampleSites(2, options),
+    (options) => mesh.voronoi(one, options),
+    (options) => mesh.distances(one, options),
+    (options) => mesh.path(one, one, options),
+    (options) => mesh.cvt(one, options).next(),
+    (options) => diagram.insertSite(one, options),
+    (options) => diagram.moveSite(0, one, options),
+    (options) => diagram.removeSite(0, options),
+    (options) => diagram.locate(one, options),
+    (options) => diagram.path(one, options),
+    (options) => diagram.partition(options),
+    (options) => diagram.dual(options),
+    (options) => diagram.violations(options),
+    (options) => diagram.remeshQuality(options),
+    (options) => diagram.repair(options),
+  ];
+  const reason = new Error('given up before it began');
+  for (const task of tasks) {
+    await refused(notTasks, task, /^(options|signal|onProgress) is /);
+    await assert.rejects(task({ signal: AbortSignal.abort(reason) }), reason, String(task));
+  }
+});
+
+test('a diagram', async () => {
+  for (const metric of notNames) {
+    await refused([metric], (value) => mesh.voronoi(one, { metric: value }), /^metric is /);
+    await refused([metric], (value) => mesh.distances(one, { metric: value }), /^metric is /);
+  }
+  await refused(
+    [-1, 0.5, 11, NaN, '1', null],
+    (detail) => mesh.voronoi(one, { detail }),
+    /^detail is /,
+  );
+  await refused(notLabels, (label) => diagram.moveSite(label, one), /^label is /);
+  await refused(notLabels, (label) => diagram.removeSite(label), /^label is /);
+  await refused([4, 99], (label) => diagram.moveSite(label, one), /\b(4|99)\b/);
+  await refused([4, 99], (label) => diagram.removeSite(label), /\b(4|99)\b/);
+  await refused(
+    notBooleans,
+    (leaveOutIndifferent) => diagram.partition({ leaveOutIndifferent }),
+    /^leaveOutIndifferent is /,
+  );
+  await refused(
+    notBooleans,
+    (leaveOutUnreachable) => diagram.partition({ leaveOutUnreachable }),
+    /^leaveOutUnreachable is /,
+  );
+  await refused(notBooleans, (primal) => diagram.dual({ primal }), /^primal is /);
+  await refused(
+    [-1, 0.5, NaN, '1', null],
+    (maxAdded) => diagram.repair({ maxAdded }),
+    /^maxAdded is /,
+  );
+});
+
+test('cvt', async () => {
+  const start = (options) => mesh.cvt({ vertex: [0, 1] }, options).next();
+  await refused(notNames, (method) => start({ method }), /^method is /);
+  await refused(notNames, (metric) => start({ metric }), /^metric is /);
+  await refused(
+    [-1, 0.5, NaN, '1', null],
+    (iterations) => start({ iterations }),
+    /^iterations is /,
+  );
+  await refused(
+    notTolerances,
+    (energyTolerance) => start({ energyTolerance }),
+    /^energyTolerance is /,
+  );
+  await refused(notTolerances, (moveTolerance) => start({ moveTolerance }), /^moveTolerance is /);
+  await refused(notLists, (density) => start({ density }), /^density(\[0\])? is /);
+  await refused(
+    [[1], new Float64Array(6).fill(-1), new Float64Array(6).fill(NaN)],
+    (density) => start({ density }),
+    /densit/,
+  );
+  await refused(notLists, (fixedSites) => start({ fixedSites }), /^fixedSites(\[0\])? is /);
+  await refused([[0.5], [NaN]], (fixedSites) => start({ fixedSites }), /^fixedSites\[0\] is /);
+  await refused([[-1], [2]], (fixedSites) => start({ fixedSites }), /site (-1|2) /);
+  await refused(notBooleans, (data) => start({ data }), /^data is /);
+  await refused(notBooleans, (diagrams) => start({ diagrams }), /^diagrams is /);
+});
+
+test('what writes files', async () => {
+  const partition = await diagram.partition();
+  const polygons = await diagram.dual();
+  const distances = await mesh.distances(one);
+  const paths = [await mesh.path(one, one)];
+  const [result, list, missing] = [
+    [...notObjects, {}, []],
+    [...notObjects, {}],
+    /^(\w+|paths\[0\])(\.\w+)? is /,
+  ];
+  for (const f of [
+    api.diagramJson,
+    api.diagramObj,
+    api.diagramGlb,
+    api.distancesJson,
+    api.partitionJson,
+    api.partitionGlb,
+    api.partitionObj,
+    api.partitionPly,
+    api.polygonJson,
+    api.polygonGlb,
+    api.polygonObj,
+    api.polygonPly,
+  ])
+    await refused(result, (value) => f(value), missing);
+  for (const f of [api.pathsJson, api.pathsObj])
+    await refused([...list, [null], [{}]], (value) => f(value), missing);
+  for (const f of [api.distancesPly, api.distancesGlb]) {
+    await refused(result, (value) => f(value, distances), /^mesh/);
+    await refused(result, (value) => f(mesh, value), /^distances/);
+    await refused(notScales, (scale) => f(mesh, distances, scale), /^scale is /);
+  }
+  await refused(notScales, (scale) => api.diagramJson(diagram, scale), /^scale is /);
+  for (const f of [api.diagramObj, api.diagramGlb])
+    await refused(notScales, (scale) => f(diagram.data, scale), /^scale is /);
+  await refused(notScales, (scale) => api.distancesJson(distances, scale), /^scale is /);
+  for (const f of [api.pathsJson, api.pathsObj])
+    await refused(notScales, (scale) => f(paths, scale), /^scale is /);
+  await refused(
+    notScales,
+    (scale) => api.partitionJson(partition, diagram.sites, scale),
+    /^scale is /,
+  );
+  await refused(result, (sites) => api.partitionJson(partition, sites), /^sites/);
+  await refused(notScales, (scale) => api.polygonJson(polygons, scale), /^scale is /);
+  const writers = [
+    ...[api.partitionGlb, api.partitionObj, api.partitionPly].map((f) => [f, partition]),
+    ...[api.polygonGlb, api.polygonObj, api.polygonPly].map((f) => [f, polygons]),
+  ];
+  for (const [f, value] of writers) {
+    await refused(notOptions, (options) => f(value, options), /^options is /);
+    await refused(notScales, (scale) => f(value, { scale }), /^scale is /);
+    await refused([null, 5, {}], (source) => f(value, { mesh: source }), /^mesh/);
+  }
+  await refused(notNames, (layout) => api.partitionGlb(partition, { layout }), /^layout is /);
+  await refused([...notObjects, [], {}], (bytes) => api.gltfResourceUris(bytes), /^bytes is /);
+});
+
+test('what has been disposed', async () => {
+  const library = await load();
+  const ownMesh = await library.mesh(octahedron());
+  const ownDiagram = await ownMesh.voronoi({ vertex: [0, 1] });
+  ownDiagram.dispose();
+  ownDiagram.dispose();
+  const ofDiagram = [
+    () => ownDiagram.insertSite(one),
+    () => ownDiagram.moveSite(0, one),
+    () => ownDiagram.removeSite(0),
+    () => ownDiagram.locate(one),
+    () => ownDiagram.path(one),
+    () => ownDiagram.partition(),
+    () => ownDiagram.dual(),
+    () => ownDiagram.violations(),
+    () => ownDiagram.remeshQuality(),
+    () => ownDiagram.repair(),
+  ];
+  for (const f of ofDiagram) await refused([0], f, /the diagram has been disposed/, 'disposed');
+  ownMesh.dispose();
+  const ofMesh = [
+    () => ownMesh.sampleSites(2),
+    () => ownMesh.voronoi(one),
+    () => ownMesh.voronoi({ face: [0], bary: [1, 0, 0] }),
+    () => ownMesh.distances(one),
+    () => ownMesh.path(one, one),
+    () => ownMesh.cvt(one).next(),
+  ];
+  for (const f of ofMesh) await refused([0], f, /the mesh has been disposed/, 'disposed');
+  library.dispose();
+  library.dispose();
+  await refused([0], () => library.mesh(octahedron()), /the library has been disposed/, 'disposed');
+});

@@ -1,0 +1,425 @@
+// SPDX-License-Identifier: MIT
+//
+// The element in other people's pages.
+
+import assert from 'node:assert/strict';
+import { createHash } from 'node:crypto';
+import { after, before, suite, test } from 'node:test';
+import { startBrowser } from './browser.mjs';
+
+const standalone = '<script type="module" src="/package/standalone.js"></script>';
+const importMap = JSON.stringify({
+  imports: {
+    'geodesic-voronoi': '/package/index.js',
+    three: '/modules/three/build/three.module.js',
+    'three/addons/': '/modules/three/examples/jsm/',
+    'three-mesh-bvh': '/modules/three-mesh-bvh/build/index.module.js',
+  },
+});
+const model = 'src="/samples/torus.glb" sites="12"';
+
+function page(body, head = standalone) {
+  return {
+    html: `<!doctype html><html lang="en"><head><meta charset="utf-8" /><title>Test</title>
+      <link rel="icon" href="/icon.svg" />${head}</head><body>${body}</body></html>`,
+  };
+}
+
+const longText = '<p>A paragraph</p>'.repeat(100);
+const twenty = Array.from(
+  { length: 20 },
+  (_, i) => `<p>Paragraph ${i}</p>
+    <geodesic-voronoi loading="lazy" ${model} seed="${i + 1}"></geodesic-voronoi>`,
+).join('\n');
+const hash = createHash('sha256').update(importMap).digest('base64');
+
+let browser;
+before(async () => {
+  browser = await startBrowser({
+    '/icon.svg': { html: '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9" />' },
+    '/one.html': page(`<geodesic-voronoi ${model}></geodesic-voronoi>`),
+    '/twenty.html': page(twenty),
+    '/empty.html': page(''),
+    '/article.html': page(
+      `<geodesic-voronoi ${model}></geodesic-voronoi>${longText}`,
+    ),
+    '/import-map.html': {
+      ...page(
+        `<geodesic-voronoi ${model}></geodesic-voronoi>`,
+        `<script type="importmap">${importMap}</script>
+         <script type="module" src="/package/viewer/element.js"></script>`,
+      ),
+      policy:
+        `default-src 'self'; script-src 'self' 'wasm-unsafe-eval' 'sha256-${hash}'; ` +
+        "worker-src 'self'",
+    },
+  });
+});
+after(() => browser.stop());
+
+/** Opens a page; what is wrong with it fails the test. */
+async function opened(context, path, options) {
+  const viewer = await browser.open({ path, ...options });
+  context.after(() => {
+    assert.deepEqual(viewer.complaints, []);
+    return viewer.close();
+  });
+  return viewer;
+}
+
+/** The share of an element's view that is not transparent, in what is seen of it now. */
+function drawnShare(viewer, index) {
+  return viewer.page.evaluate(async (index) => {
+    const element = document.querySelectorAll('geodesic-voronoi')[index];
+    await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
+    const canvas = element.shadowRoot.querySelector('canvas');
+    const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d');
+    copy.drawImage(canvas, 0, 0);
+    const { data } = copy.getImageData(0, 0, canvas.width, canvas.height);
+    return data.filter((alpha, i) => i % 4 === 3 && alpha === 255).length / (data.length / 4);
+  }, index);
+}
+
+/** The WebGL contexts that are alive. */
+function contextCount(viewer) {
+  return viewer.page.evaluate(
+    () => window.contexts.filter((context) => !context.isContextLost()).length,
+  );
+}
+
+suite('plain pages', () => {
+  test('one script is enough, under a strict content security policy', async (context) => {
+    const scripts = [];
+    const viewer = await opened(context, 'one.html', {
+      prepare: (page) =>
+        page.on('request', (request) => {
+          const { pathname } = new URL(request.url());
+          if (pathname.endsWith('.js')) scripts.push(pathname);
+        }),
+    });
+    await viewer.settled();
+    assert.equal(await viewer.regionCount(), 12);
+    assert.ok((await drawnShare(viewer, 0)) > 0.1);
+    assert.deepEqual([...new Set(scripts)], ['/package/standalone.js']);
+    assert.equal(viewer.page.workers().length, 2);
+  });
+
+  test('an import map finds three and all else', async (context) => {
+    const viewer = await opened(context, 'import-map.html');
+    await viewer.settled();
+    assert.equal(await viewer.regionCount(), 12);
+  });
+});
+
+suite('many elements', () => {
+  test('twenty share workers, module and context, drawn when scrolled to', async (context) => {
+    const requests = [];
+    const viewer = await opened(context, 'twenty.html', {
+      prepare: (page) =>
+        page.on('request', (request) => requests.push(new URL(request.url()).pathname)),
+    });
+    const { page } = viewer;
+    const statuses = () =>
+      page.locator('geodesic-voronoi').evaluateAll((all) => all.map(({ status }) => status));
+    await page.waitForFunction(() => document.querySelector('geodesic-voronoi').status === 'ready');
+    const first = await statuses();
+    assert.ok(first.filter((status) => status === 'empty').length >= 17, first.join());
+    const models = requests.filter((path) => path.endsWith('.glb'));
+    assert.ok(models.length <= 3, 'the rest is not fetched');
+
+    for (let i = 0; i < 20; ++i) {
+      await page.locator('geodesic-voronoi').nth(i).scrollIntoViewIfNeeded();
+      await page.waitForFunction(
+        (i) => document.querySelectorAll('geodesic-voronoi')[i].status === 'ready',
+        i,
+      );
+      assert.ok((await drawnShare(viewer, i)) > 0.1, `element ${i} is drawn`);
+    }
+    await page.locator('geodesic-voronoi').first().scrollIntoViewIfNeeded();
+    assert.ok((await viewer.coverage(await viewer.picture())) > 0.1, 'it is drawn again');
+    assert.equal(await contextCount(viewer), 1);
+    assert.ok(page.workers().length <= 5, `${page.workers().length} workers`);
+    for (const name of ['core', 'gltf']) {
+      const count = requests.filter((path) => path.endsWith(`/${name}.wasm`)).length;
+      assert.equal(count, 1, `${name}.wasm is fetched and compiled once`);
+    }
+  });
+
+  test('what is far from the view makes and fetches nothing', async (context) => {
+    const viewer = await opened(context, 'empty.html');
+    await viewer.page.waitForFunction(() => customElements.get('geodesic-voronoi'));
+    const requests = [];
+    viewer.page.on('request', (request) => requests.push(request.url()));
+    await viewer.page.evaluate(
+      (html) => {
+        document.body.innerHTML = html;
+        return new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve, 200)));
+      },
+      `${longText}<geodesic-voronoi loading="lazy" ${model}></geodesic-voronoi>`,
+    );
+    assert.deepEqual(requests, []);
+    assert.equal(await contextCount(viewer), 0);
+    assert.equal(viewer.page.workers().length, 0);
+    await viewer.evaluate((viewer) => {
+      viewer.loading = 'eager';
+    });
+    await viewer.settled();
+    assert.equal(await viewer.regionCount(), 12, 'until it is asked for');
+  });
+
+  test('a hundred that come and go leave no worker, context or listener', async (context) => {
+    const viewer = await opened(context, 'empty.html', {
+      prepare: (page) => page.addInitScript(countListeners),
+    });
+    const { page } = viewer;
+    await page.waitForFunction(() => customElements.get('geodesic-voronoi'));
+    const round = (isAwaited) =>
+      page.evaluate(
+        async ({ model, isAwaited }) => {
+          const box = document.createElement('div');
+          box.innerHTML = `<geodesic-voronoi ${model}></geodesic-voronoi>`;
+          const [element] = box.children;
+          const drawn = new Promise((resolve) => element.addEventListener('diagram', resolve));
+          document.body.append(element);
+          if (isAwaited) await drawn;
+          else await new Promise((resolve) => setTimeout(resolve, 5));
+          element.remove();
+          await null;
+        },
+        { model, isAwaited },
+      );
+    await round(true);
+    const listeners = await page.evaluate(() => window.listenerCount);
+    for (let i = 1; i < 100; ++i) await round(i % 10 === 0);
+    assert.equal(await contextCount(viewer), 0);
+    assert.equal(await page.evaluate(() => window.listenerCount), listeners);
+    await Promise.all(page.workers().map((worker) => worker.waitForEvent('close')));
+  });
+
+  /** Counts, in the page, the listeners on what outlives an element. */
+  function countListeners() {
+    const listeners = new Set();
+    Object.defineProperty(window, 'listenerCount', { get: () => listeners.size });
+    const ids = new Map();
+    const idOf = (object) => ids.get(object) ?? ids.set(object, ids.size).get(object);
+    const keyOf = (target, type, listener, options) => {
+      const capture = typeof options === 'object' ? options?.capture : options;
+      return [idOf(target ?? window), type, idOf(listener), Boolean(capture)].join();
+    };
+    const outlives = (target) =>
+      target instanceof MediaQueryList ||
+      [undefined, null, window, document, document.body].includes(target);
+    const { addEventListener, removeEventListener } = EventTarget.prototype;
+    EventTarget.prototype.addEventListener = function (type, listener, options) {
+      if (outlives(this)) {
+        const key = keyOf(this, type, listener, options);
+        listeners.add(key);
+        options?.signal?.addEventListener('abort', () => listeners.delete(key));
+      }
+      addEventListener.call(this, type, listener, options);
+    };
+    EventTarget.prototype.removeEventListener = function (type, listener, options) {
+      listeners.delete(keyOf(this, type, listener, options));
+      removeEventListener.call(this, type, listener, options);
+    };
+  }
+});
+
+suite('the page around it', () => {
+  const scrolled = (viewer) => viewer.page.evaluate(() => scrollY);
+  const orbit = (viewer) => viewer.evaluate(({ cameraOrbit }) => cameraOrbit);
+  const centre = (viewer) =>
+    viewer.evaluate((viewer) => {
+      const box = viewer.getBoundingClientRect();
+      return { x: box.left + box.width / 2, y: box.top + box.height / 2 };
+    });
+
+  test('the wheel scrolls the page until the model has been clicked', async (context) => {
+    const viewer = await opened(context, 'article.html');
+    await viewer.settled();
+    const { x, y } = await centre(viewer);
+    const before = await orbit(viewer);
+    await viewer.page.mouse.move(x, y);
+    await viewer.page.mouse.wheel(0, 60);
+    await viewer.page.waitForFunction(() => scrollY === 60);
+    assert.equal(await orbit(viewer), before);
+    assert.match(
+      await viewer.page.locator('geodesic-voronoi .hint.shown').textContent(),
+      /^Click the model/,
+    );
+
+    await viewer.page.mouse.click(x, y - 60);
+    await viewer.after('camera-change', () => viewer.page.mouse.wheel(0, 60));
+    assert.notEqual(await orbit(viewer), before);
+    assert.equal(await scrolled(viewer), 60);
+  });
+
+  test('touch-action "none" takes it at once, "pan-y" never', async (context) => {
+    const viewer = await opened(context, 'article.html');
+    await viewer.settled();
+    const { x, y } = await centre(viewer);
+    await viewer.evaluate((viewer) => viewer.setAttribute('touch-action', 'none'));
+    await viewer.page.mouse.move(x, y);
+    await viewer.after('camera-change', () => viewer.page.mouse.wheel(0, 60));
+    assert.equal(await scrolled(viewer), 0);
+    await viewer.evaluate((viewer) => viewer.setAttribute('touch-action', 'pan-y'));
+    await viewer.page.mouse.click(x, y);
+    await viewer.page.mouse.wheel(0, 60);
+    await viewer.page.waitForFunction(() => scrollY === 60);
+  });
+
+  test('a finger scrolls the page until the model has been tapped', async (context) => {
+    const viewer = await opened(context, 'article.html', { hasTouch: true });
+    await viewer.settled();
+    const { x, y } = await centre(viewer);
+    const session = await viewer.page.context().newCDPSession(viewer.page);
+    const touch = (type, ...touchPoints) =>
+      session.send('Input.dispatchTouchEvent', { type, touchPoints });
+    // Beside the site that the tap adds: that would be dragged.
+    const swipe = async () => {
+      const at = (y) => ({ x: x - 100, y });
+      await touch('touchStart', at(y));
+      for (let way = 10; way <= 80; way += 10) await touch('touchMove', at(y - way));
+      await touch('touchEnd');
+    };
+    await swipe();
+    await viewer.page.waitForFunction(() => scrollY > 20);
+    const hint = viewer.page.locator('geodesic-voronoi .hint');
+    assert.match(await hint.textContent(), /^Tap the model/);
+    await viewer.page.evaluate(() => scrollTo(0, 0));
+    await viewer.page.touchscreen.tap(x, y);
+    await viewer.after('camera-change', swipe);
+    assert.equal(await scrolled(viewer), 0);
+  });
+
+  test('one to look at only does nothing with pointer and wheel', async (context) => {
+    const viewer = await opened(context, 'article.html');
+    await viewer.settled();
+    await viewer.evaluate((viewer) => {
+      viewer.interactive = 'none';
+    });
+    const { x, y } = await centre(viewer);
+    await viewer.page.mouse.click(x, y);
+    await viewer.page.mouse.wheel(0, 60);
+    await viewer.page.waitForFunction(() => scrollY === 60);
+    assert.equal(await viewer.siteCount(), 12);
+    assert.equal(await viewer.page.locator('geodesic-voronoi canvas').getAttribute('role'), 'img');
+  });
+
+  test('with "camera", sites stay as they are', async (context) => {
+    const viewer = await opened(context, 'article.html');
+    await viewer.settled();
+    await viewer.evaluate((viewer) => {
+      viewer.interactive = 'camera';
+    });
+    const place = await viewer.freePlace();
+    await viewer.page.mouse.click(place.x, place.y);
+    await viewer.page.keyboard.press('Enter');
+    await viewer.after('camera-change', () => viewer.page.keyboard.press('ArrowLeft'));
+    assert.equal(await viewer.siteCount(), 12);
+  });
+});
+
+suite('attributes and events', () => {
+  test('loading is told of in order, and the poster goes', async (context) => {
+    const viewer = await opened(context, 'empty.html');
+    await viewer.page.waitForFunction(() => customElements.get('geodesic-voronoi'));
+    const told = await viewer.page.evaluate(async (model) => {
+      document.body.innerHTML = `<div></div>`;
+      const element = document.createElement('geodesic-voronoi');
+      element.poster = '/icon.svg';
+      element.innerHTML = '<i slot="progress-bar">on its way</i>';
+      const told = [];
+      for (const type of ['progress', 'poster-dismissed', 'load', 'diagram', 'error']) {
+        element.addEventListener(type, ({ detail }) => told.push([type, detail?.totalProgress]));
+      }
+      element.src = /src="([^"]*)"/.exec(model)[1];
+      element.setAttribute('sites', '12');
+      document.body.append(element);
+      const poster = element.shadowRoot.querySelector('.poster');
+      const image = element.shadowRoot.querySelector('img');
+      told.push(['poster', poster.hidden, image.getAttribute('src')]);
+      await new Promise((resolve) => element.addEventListener('diagram', resolve));
+      told.push(['poster', poster.hidden, element.loaded]);
+      return told;
+    }, model);
+    const types = told.map(([type]) => type).filter((type, i, all) => type !== all[i - 1]);
+    assert.deepEqual(told[0], ['poster', false, '/icon.svg']);
+    assert.deepEqual(told.at(-1), ['poster', true, true]);
+    assert.deepEqual(
+      types.filter((type) => !['progress', 'poster'].includes(type)),
+      ['poster-dismissed', 'load', 'diagram'],
+    );
+    const loading = told.slice(0, told.findIndex(([type]) => type === 'load'));
+    const shares = loading.filter(([type]) => type === 'progress').map(([, share]) => share);
+    assert.ok(shares.length > 0 && shares.every((share, i) => share >= (shares[i - 1] ?? 0)));
+    assert.equal(shares.at(-1), 1);
+  });
+
+  test('a poster that is revealed by hand stays until then', async (context) => {
+    const viewer = await opened(context, 'one.html');
+    await viewer.evaluate((viewer) => {
+      viewer.reveal = 'manual';
+    });
+    await viewer.settled();
+    const poster = viewer.page.locator('geodesic-voronoi .poster');
+    assert.equal(await poster.evaluate(({ hidden }) => hidden), false);
+    await viewer.evaluate((viewer) => viewer.dismissPoster());
+    assert.equal(await poster.evaluate(({ hidden }) => hidden), true);
+  });
+
+  test('a model that cannot be had says so in its place, until there is one', async (context) => {
+    const viewer = await browser.open({ path: 'empty.html' });
+    context.after(() => viewer.close());
+    await viewer.page.waitForFunction(() => customElements.get('geodesic-voronoi'));
+    const error = await viewer.page.evaluate(() => {
+      const element = document.createElement('geodesic-voronoi');
+      element.src = '/nowhere.glb';
+      document.body.append(element);
+      return new Promise((resolve) => {
+        element.addEventListener('error', ({ detail }) => resolve({ ...detail, cause: undefined }));
+      });
+    });
+    const sentence = 'nowhere.glb cannot be fetched: the server answers 404.';
+    assert.deepEqual([error.type, error.message], ['loadfailure', sentence]);
+    await viewer.settled();
+    assert.equal(await viewer.evaluate(({ status }) => status), 'failed');
+    const message = viewer.page.locator('geodesic-voronoi [role=alert]');
+    assert.equal(await message.textContent(), sentence);
+    assert.equal(await message.isVisible(), true);
+    await viewer.after('diagram', () =>
+      viewer.evaluate((viewer) => {
+        viewer.src = '/samples/torus.glb';
+      }),
+    );
+    assert.equal(await message.isVisible(), false);
+  });
+
+  test('the camera goes where it is told, and tells where it is', async (context) => {
+    const viewer = await opened(context, 'one.html');
+    await viewer.settled();
+    const moved = await viewer.after('camera-change', () =>
+      viewer.evaluate((viewer) => {
+        viewer.cameraOrbit = '30deg 75deg 120%';
+      }),
+    );
+    assert.equal(moved.orbit, '30deg 75deg 120%');
+  });
+
+  test('a picture of it can be had, larger too', async (context) => {
+    const viewer = await opened(context, 'one.html');
+    await viewer.settled();
+    const pictures = await viewer.evaluate(async (viewer) => {
+      const size = async (blob) => {
+        const { width, height } = await createImageBitmap(blob);
+        return { type: blob.type, width, height };
+      };
+      const large = await viewer.toBlob('image/webp', 0.9, 3);
+      return [await size(await viewer.toBlob()), await size(large)];
+    });
+    assert.deepEqual(pictures, [
+      { type: 'image/png', width: 300, height: 200 },
+      { type: 'image/webp', width: 900, height: 600 },
+    ]);
+  });
+});

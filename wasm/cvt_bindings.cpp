@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+//
+// Centroidal tessellations for JavaScript, an iteration in slices.
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "objects.h"
+#include "records.h"
+
+namespace gvd::abi {
+namespace {
+
+constexpr Named<CvtMethod> kCvtMethods[] = {{"lloyd", CvtMethod::kLloyd},
+                                            {"lbfgs", CvtMethod::kLbfgs}};
+
+}  // namespace
+
+/// `density` is one value per input vertex, or none.
+GVD_ABI CvtHandle* startCvt(const MeshHandle* handle, Ints face, Doubles bary, Text method,
+                            Text metric, int iterations, double energyTolerance,
+                            double moveTolerance, Doubles density, Ints fixedSites) {
+  return guarded([&] {
+    const TriangleMesh& mesh = *handle->mesh;
+    CvtOptions options;
+    options.method = valueOf(kCvtMethods, "method", toView(method));
+    options.metric = metricOf(toView(metric));
+    options.iterations = iterations;
+    options.energyTolerance = energyTolerance;
+    options.moveTolerance = moveTolerance;
+    options.density = valuesFromInput(mesh, "densities", density.span());
+    options.fixedSites.assign(fixedSites.data, fixedSites.data + fixedSites.size);
+    const std::vector<SurfacePoint> sites = pointsFromInput(mesh, "site", face, bary);
+    auto cvt = std::make_unique<CvtHandle>();
+    cvt->surface = *handle;
+    cvt->metric = options.metric;
+    cvt->cvt = std::make_unique<Cvt>(mesh, sites, std::move(options));
+    return cvt.release();
+  });
+}
+
+GVD_ABI void freeCvt(CvtHandle* cvt) { delete cvt; }
+
+/// Done: with an iteration, not with all.
+GVD_ABI SliceEnd stepCvt(CvtHandle* cvt, int budget) {
+  return guarded([&] { return cvt->cvt->step(budget) ? kDone : kMoreToDo; });
+}
+
+/// `CvtState` of the last iteration without a diagram, and whether there is none after it. Only
+/// after `stepCvt` said it is done.
+GVD_ABI Answer* cvtIteration(const CvtHandle* cvt) {
+  return answer([&] {
+    const CvtIteration& iteration = cvt->cvt->iteration();
+    Record out;
+    out.add("isLast", cvt->cvt->isDone());
+    out.add("iteration", iteration.number);
+    out.add("energy", iteration.energy);
+    out.add("largestMove", iteration.largestMove);
+    out.add("sites", pointsRecord(*cvt->surface.mesh, cvt->cvt->sites()));
+    return out;
+  });
+}
+
+/// `DiagramData` of the last iteration.
+GVD_ABI Answer* cvtDiagram(const CvtHandle* cvt) {
+  return answer([&] { return diagramRecord(*cvt->surface.mesh, cvt->cvt->diagram()); });
+}
+
+/// The same diagram as an object.
+GVD_ABI VoronoiHandle* cvtVoronoi(const CvtHandle* handle) {
+  return guarded([&] {
+    const Cvt& cvt = *handle->cvt;
+    auto voronoi = std::make_unique<VoronoiHandle>();
+    voronoi->surface = handle->surface;
+    voronoi->sites.assign(cvt.sites().begin(), cvt.sites().end());
+    voronoi->metric = handle->metric;
+    voronoi->distances = cvt.distances();
+    voronoi->traced = cvt.diagram();
+    return voronoi.release();
+  });
+}
+
+}  // namespace gvd::abi

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+//
+// Diagrams for JavaScript: distances first, then the diagram, both in slices; points located in it,
+// paths to its sites, sites that come, go and move.
+
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "gvd/error.h"
+#include "objects.h"
+#include "records.h"
+
+namespace gvd::abi {
+namespace {
+
+/// The vertex at the place of an input vertex, -1 if that is isolated.
+int vertexOfInput(const TriangleMesh& mesh, int inputVertex) {
+  try {
+    const SurfacePoint place = mesh.fromInputVertex(inputVertex);
+    for (int i = 0; i < 3; ++i)
+      if (place.bary[i] == 1) return mesh.tail(3 * place.face + i);
+  } catch (const Error&) {
+  }
+  return -1;
+}
+
+}  // namespace
+
+GVD_ABI VoronoiHandle* startVoronoi(const MeshHandle* handle, Ints face, Doubles bary,
+                                    Text metric) {
+  return guarded([&] {
+    auto voronoi = std::make_unique<VoronoiHandle>();
+    voronoi->surface = *handle;
+    voronoi->sites = pointsFromInput(voronoi->mesh(), "site", face, bary);
+    voronoi->metric = metricOf(toView(metric));
+    voronoi->propagation = propagate(voronoi->mesh(), voronoi->sites, voronoi->metric);
+    return voronoi.release();
+  });
+}
+
+GVD_ABI void freeVoronoi(VoronoiHandle* voronoi) { delete voronoi; }
+
+/// Works on the distances.
+GVD_ABI SliceEnd stepDistances(VoronoiHandle* voronoi, int budget) {
+  return guarded([&] {
+    if (!voronoi->propagation->step(budget)) return kMoreToDo;
+    voronoi->distances = voronoi->propagation->take();
+    voronoi->propagation.reset();
+    return kDone;
+  });
+}
+
+/// The share of the distances that is done, 0 … 1.
+GVD_ABI double distancesProgress(const VoronoiHandle* voronoi) {
+  return voronoi->propagation ? voronoi->propagation->progress() : 1;
+}
+
+/// `VertexDistances`. This and what follows only after `stepDistances` said it is done.
+GVD_ABI Answer* distancesAtVertices(const VoronoiHandle* voronoi) {
+  return answer([&] {
+    const TriangleMesh& mesh = voronoi->mesh();
+    const DistanceField& field = voronoi->field();
+    const int count = mesh.inputVertexCount();
+    std::vector<int> label(count, -1);
+    std::vector<double> distance(count, kInfinity);
+    std::vector<double> direction(2 * count, std::numeric_limits<double>::quiet_NaN());
+    for (int i = 0; i < count; ++i) {
+      const int vertex = vertexOfInput(mesh, i);
+      if (vertex < 0) continue;
+      const LabelledDistance nearest = nearestOf(field.at(vertex));
+      if (nearest.label < 0) continue;
+      label[i] = nearest.label;
+      distance[i] = nearest.distance;
+      const Eigen::Vector2d towards = field.direction(nearest.label, vertex);
+      direction[2 * i] = towards.x();
+      direction[2 * i + 1] = towards.y();
+    }
+    Record out;
+    out.add("label", std::move(label));
+    out.add("distance", std::move(distance));
+    out.add("direction", std::move(direction));
+    return out;
+  });
+}
+
+/// `SurfacePath` from a point to its nearest site; no points and infinity if no site reaches it.
+GVD_ABI Answer* pathToSite(const VoronoiHandle* voronoi, Ints face, Doubles bary) {
+  return answer([&] {
+    const TriangleMesh& mesh = voronoi->mesh();
+    const DistanceField& field = voronoi->field();
+    const SurfacePoint from = pointFromInput(mesh, face, bary);
+    const int label = field.nearest(from).label;
+    std::vector<SurfacePoint> path;
+    if (label >= 0) path = field.path(label, from);
+    Record out;
+    out.add("points", placedRecord(mesh, path));
+    out.add("length", path.empty() ? kInfinity : lengthOf(mesh, path));
+    return out;
+  });
+}
+
+/// Begins the diagram.
+GVD_ABI SliceEnd startTracing(VoronoiHandle* voronoi, int detail) {
+  return guarded([&] {
+    voronoi->options = {.detail = detail};
+    voronoi->tracing.emplace(voronoi->mesh(), *voronoi->distances,
+                             static_cast<int>(voronoi->sites.size()), voronoi->options);
+    return kMoreToDo;
+  });
+}
+
+/// Works on the diagram.
+GVD_ABI SliceEnd stepTracing(VoronoiHandle* voronoi, int budget) {
+  return guarded([&] {
+    if (!voronoi->tracing->step(budget)) return kMoreToDo;
+    voronoi->traced = voronoi->tracing->take();
+    voronoi->tracing.reset();
+    return kDone;
+  });
+}
+
+/// `DiagramData`. This and what follows only after `stepTracing` said it is done.
+GVD_ABI Answer* voronoiDiagram(const VoronoiHandle* voronoi) {
+  return answer([&] { return diagramRecord(voronoi->mesh(), voronoi->diagram()); });
+}
+
+/// `DiagramChange`. The first change makes the diagram anew, as one that can change.
+GVD_ABI Answer* insertSite(VoronoiHandle* voronoi, Ints face, Doubles bary) {
+  return answer([&] {
+    const SurfacePoint site = pointFromInput(voronoi->mesh(), face, bary);
+    const int label = voronoi->changing().lowestFreeLabel();
+    return changeRecord(voronoi->mesh(), label, voronoi->changing().insertSite(site));
+  });
+}
+
+GVD_ABI Answer* moveSite(VoronoiHandle* voronoi, int label, Ints face, Doubles bary) {
+  return answer([&] {
+    const SurfacePoint site = pointFromInput(voronoi->mesh(), face, bary);
+    return changeRecord(voronoi->mesh(), label, voronoi->changing().moveSite(label, site));
+  });
+}
+
+GVD_ABI Answer* removeSite(VoronoiHandle* voronoi, int label) {
+  return answer(
+      [&] { return changeRecord(voronoi->mesh(), label, voronoi->changing().removeSite(label)); });
+}
+
+/// `Located`.
+GVD_ABI Answer* locate(const VoronoiHandle* voronoi, Ints face, Doubles bary) {
+  return answer([&] {
+    std::vector<int> label;
+    std::vector<double> distance;
+    label.reserve(face.size);
+    distance.reserve(face.size);
+    for (const SurfacePoint& point : pointsFromInput(voronoi->mesh(), "point", face, bary)) {
+      const LabelledDistance nearest = voronoi->field().nearest(point);
+      label.push_back(nearest.label);
+      distance.push_back(nearest.distance);
+    }
+    Record out;
+    out.add("label", std::move(label));
+    out.add("distance", std::move(distance));
+    return out;
+  });
+}
+
+}  // namespace gvd::abi

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+//
+// What JavaScript holds by its address: meshes, diagrams, tessellations; and what it names in terms
+// of the input (faces, vertices, points), in terms of a `TriangleMesh`. No other file converts
+// these that way; `records.h` converts results back.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "abi.h"
+#include "gvd/cvt.h"
+#include "gvd/diagram.h"
+#include "gvd/dynamic_diagram.h"
+#include "gvd/geodesic.h"
+#include "gvd/surface_point.h"
+#include "gvd/triangle_mesh.h"
+
+namespace gvd::abi {
+
+/// A mesh that diagrams may outlive the caller's handle of.
+struct MeshHandle {
+  std::shared_ptr<const TriangleMesh> mesh;
+};
+
+/// A diagram, from the first slice of its propagation to the last point located in it. Its address
+/// is that of a `MeshHandle` as well.
+struct VoronoiHandle {
+  MeshHandle surface;
+  std::vector<SurfacePoint> sites;
+  Metric metric;
+  DiagramOptions options;
+  std::unique_ptr<Propagation> propagation;        // until it is done
+  std::shared_ptr<const DistanceField> distances;  // from then on
+  std::optional<DiagramTracing> tracing;           // while it goes on
+  std::optional<Diagram> traced;                   // once it is traced
+  std::unique_ptr<DynamicDiagram> dynamic;         // instead, once sites have changed
+
+  const TriangleMesh& mesh() const { return *surface.mesh; }
+  const DistanceField& field() const { return dynamic ? dynamic->distances() : *distances; }
+  /// Of the sites there are.
+  Diagram diagram() const;
+  /// The sites by label. Throws `Error(kInvalidArgument)` if a label has none.
+  std::vector<SurfacePoint> allSites() const;
+  /// The diagram of which sites can change; made when the first one does.
+  DynamicDiagram& changing();
+};
+static_assert(std::is_standard_layout_v<VoronoiHandle>);
+
+/// A centroidal tessellation under way. Its address is that of a `MeshHandle` as well.
+struct CvtHandle {
+  MeshHandle surface;
+  Metric metric;
+  std::unique_ptr<Cvt> cvt;
+};
+static_assert(std::is_standard_layout_v<CvtHandle>);
+
+/// How a slice of work ended; zero when it failed, as with every function here.
+enum SliceEnd { kFailed = 0, kMoreToDo = 1, kDone = 2 };
+
+Metric metricOf(std::string_view name);
+
+/// Calls `f`; its error, if any, is said to be about `what` number `index`.
+template <class F>
+auto naming(const char* what, std::size_t index, F&& f) -> decltype(f()) {
+  try {
+    return f();
+  } catch (const Error& error) {
+    throw Error(error.code(),
+                std::string(what) + " " + std::to_string(index) + ": " + error.what());
+  }
+}
+
+/// Points of the input; `what` is one of them, for errors.
+std::vector<SurfacePoint> pointsFromInput(const TriangleMesh& mesh, const char* what, Ints face,
+                                          Doubles bary);
+
+/// One point of the input.
+SurfacePoint pointFromInput(const TriangleMesh& mesh, Ints face, Doubles bary);
+
+/// Values given per input vertex, per vertex of the mesh; none stay none. `what` they are, for
+/// errors.
+std::vector<double> valuesFromInput(const TriangleMesh& mesh, const char* what,
+                                    std::span<const double> values);
+
+}  // namespace gvd::abi

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: MIT
+#include "records.h"
+
+#include <array>
+#include <utility>
+
+namespace gvd::abi {
+namespace {
+
+/// `faceLabel` of an input triangle that the mesh builder dropped.
+constexpr int kDropped = -3;
+
+/// One list of all numbers of small arrays or vectors.
+template <class T, class Tuple>
+std::vector<T> flat(std::span<const Tuple> tuples) {
+  std::vector<T> values;
+  for (const Tuple& tuple : tuples) values.insert(values.end(), tuple.begin(), tuple.end());
+  return values;
+}
+
+std::vector<int> flat(const std::vector<std::array<int, 2>>& pairs) {
+  return flat<int, std::array<int, 2>>(pairs);
+}
+std::vector<int> flat(const std::vector<std::array<int, 3>>& triples) {
+  return flat<int, std::array<int, 3>>(triples);
+}
+std::vector<double> flat(const std::vector<Eigen::Vector3d>& positions) {
+  return flat<double, Eigen::Vector3d>(positions);
+}
+
+std::vector<int> inputFaces(const TriangleMesh& mesh, std::vector<int> faces) {
+  for (int& face : faces) face = mesh.inputFace(face);
+  return faces;
+}
+
+Record listsRecord(PointLists lists) {
+  Record out;
+  out.add("offset", std::move(lists.offset));
+  out.add("points", std::move(lists.points));
+  return out;
+}
+
+Record segmentsRecord(const TriangleMesh& mesh, std::span<const Diagram::Segment> segments) {
+  std::vector<int> points, labels, face, arc;
+  points.reserve(2 * segments.size());
+  labels.reserve(2 * segments.size());
+  face.reserve(segments.size());
+  arc.reserve(segments.size());
+  for (const Diagram::Segment& segment : segments) {
+    points.insert(points.end(), segment.points.begin(), segment.points.end());
+    labels.insert(labels.end(), segment.labels.begin(), segment.labels.end());
+    face.push_back(mesh.inputFace(segment.face));
+    arc.push_back(segment.arc);
+  }
+  Record out;
+  out.add("points", std::move(points));
+  out.add("labels", std::move(labels));
+  out.add("face", std::move(face));
+  out.add("arc", std::move(arc));
+  return out;
+}
+
+Record voronoiPointsRecord(std::span<const Diagram::VoronoiPoint> voronoiPoints) {
+  std::vector<int> point, labelOffset = {0}, labels;
+  for (const Diagram::VoronoiPoint& v : voronoiPoints) {
+    point.push_back(v.point);
+    labels.insert(labels.end(), v.labels.begin(), v.labels.end());
+    labelOffset.push_back(static_cast<int>(labels.size()));
+  }
+  Record out;
+  out.add("point", std::move(point));
+  out.add("labelOffset", std::move(labelOffset));
+  out.add("labels", std::move(labels));
+  return out;
+}
+
+std::vector<int> inputFaceLabels(const TriangleMesh& mesh, std::span<const int> faceLabel) {
+  std::vector<int> labels(mesh.inputFaceCount(), kDropped);
+  for (int f = 0; f < mesh.faceCount(); ++f) labels[mesh.inputFace(f)] = faceLabel[f];
+  return labels;
+}
+
+/// A diagram, or the part of one that a change replaces: all but labels of faces, which are about
+/// all faces there and about some here.
+Record piecesRecord(const TriangleMesh& mesh, Diagram diagram) {
+  Record arcs = listsRecord(std::move(diagram.arcs));
+  arcs.add("labels", flat(diagram.arcLabels));
+  Record loops = listsRecord(std::move(diagram.loops));
+  loops.add("label", std::move(diagram.loopLabel));
+  Record cells = listsRecord(std::move(diagram.cells));
+  cells.add("face", inputFaces(mesh, std::move(diagram.cellFace)));
+  cells.add("label", std::move(diagram.cellLabel));
+
+  Record out;
+  out.add("points", placedRecord(mesh, diagram.points));
+  out.add("segments", segmentsRecord(mesh, diagram.segments));
+  out.add("arcs", std::move(arcs));
+  out.add("voronoiPoints", voronoiPointsRecord(diagram.voronoiPoints));
+  out.add("loops", std::move(loops));
+  out.add("regionArea", std::move(diagram.regionArea));
+  out.add("indifferentFaces", inputFaces(mesh, std::move(diagram.indifferentFaces)));
+  out.add("cells", std::move(cells));
+  return out;
+}
+
+/// Of all regions, one of their facts.
+template <class T>
+std::vector<T> factOf(std::span<const RegionPatch> regions, T RegionPatch::*fact) {
+  std::vector<T> values;
+  values.reserve(regions.size());
+  for (const RegionPatch& region : regions) values.push_back(region.*fact);
+  return values;
+}
+
+std::vector<int> triangleOffsets(std::span<const RegionPatch> regions) {
+  std::vector<int> offset = {0};
+  for (const RegionPatch& region : regions) offset.push_back(offset.back() + region.triangleCount);
+  return offset;
+}
+
+Record neighboursRecord(std::span<const RegionPatch> regions) {
+  std::vector<int> offset = {0}, label;
+  std::vector<double> length;
+  for (const RegionPatch& region : regions) {
+    for (const RegionPatch::Neighbour& neighbour : region.neighbours) {
+      label.push_back(neighbour.label);
+      length.push_back(neighbour.length);
+    }
+    offset.push_back(static_cast<int>(label.size()));
+  }
+  Record out;
+  out.add("offset", std::move(offset));
+  out.add("label", std::move(label));
+  out.add("length", std::move(length));
+  return out;
+}
+
+/// The points nearest to the centroids; of a region without triangles, face -1.
+Record nearCentroidsRecord(const TriangleMesh& mesh, std::span<const RegionPatch> regions) {
+  std::vector<int> face;
+  std::vector<double> bary;
+  for (const RegionPatch& region : regions) {
+    const SurfacePoint near =
+        region.triangleCount > 0 ? mesh.toInput(region.nearCentroid) : SurfacePoint();
+    face.push_back(near.face);
+    bary.insert(bary.end(), near.bary.begin(), near.bary.end());
+  }
+  Record out;
+  out.add("face", std::move(face));
+  out.add("bary", std::move(bary));
+  return out;
+}
+
+Record regionsRecord(const TriangleMesh& mesh, std::span<const RegionPatch> regions) {
+  Record out;
+  out.add("triangleOffset", triangleOffsets(regions));
+  out.add("area", factOf(regions, &RegionPatch::area));
+  out.add("perimeter", factOf(regions, &RegionPatch::perimeter));
+  out.add("boundaryLength", factOf(regions, &RegionPatch::boundaryLength));
+  out.add("centroid", flat(factOf(regions, &RegionPatch::centroid)));
+  out.add("nearCentroid", nearCentroidsRecord(mesh, regions));
+  out.add("components", factOf(regions, &RegionPatch::components));
+  out.add("loops", factOf(regions, &RegionPatch::loops));
+  out.add("eulerCharacteristic", factOf(regions, &RegionPatch::eulerCharacteristic));
+  out.add("genus", factOf(regions, &RegionPatch::genus));
+  out.add("selfTouchings", factOf(regions, &RegionPatch::selfTouchings));
+  out.add("neighbours", neighboursRecord(regions));
+  return out;
+}
+
+/// The corners of a partition's triangles in terms of the input triangles that these are part of.
+std::vector<double> cornerCoordinates(const TriangleMesh& mesh, const Partition& partition) {
+  std::vector<double> bary;
+  bary.reserve(9 * partition.triangles.size());
+  for (int t = 0; t < static_cast<int>(partition.triangles.size()); ++t) {
+    const Eigen::Matrix3d corners = cornersInFace(mesh, partition, t);
+    for (int i = 0; i < 3; ++i) {
+      const SurfacePoint corner = mesh.toInput({partition.triangleFace[t], corners.col(i)});
+      bary.insert(bary.end(), corner.bary.begin(), corner.bary.end());
+    }
+  }
+  return bary;
+}
+
+Record topologyRecord(const PolygonTopology& topology) {
+  Record out;
+  out.add("isManifold", topology.isManifold);
+  out.add("vertices", topology.vertices);
+  out.add("edges", topology.edges);
+  out.add("faces", topology.faces);
+  out.add("components", topology.components);
+  out.add("boundaryLoops", topology.boundaryLoops);
+  out.add("eulerCharacteristic", topology.eulerCharacteristic);
+  out.add("genus", topology.genus);
+  return out;
+}
+
+}  // namespace
+
+Record pointsRecord(const TriangleMesh& mesh, std::span<const SurfacePoint> points) {
+  std::vector<int> face;
+  std::vector<double> bary;
+  face.reserve(points.size());
+  bary.reserve(3 * points.size());
+  for (const SurfacePoint& p : points) {
+    const SurfacePoint input = mesh.toInput(p);
+    face.push_back(input.face);
+    bary.insert(bary.end(), input.bary.begin(), input.bary.end());
+  }
+  Record out;
+  out.add("face", std::move(face));
+  out.add("bary", std::move(bary));
+  return out;
+}
+
+Record placedRecord(const TriangleMesh& mesh, std::span<const SurfacePoint> points) {
+  std::vector<double> positions;
+  positions.reserve(3 * points.size());
+  for (const SurfacePoint& p : points) {
+    const Eigen::Vector3d position = mesh.position(p);
+    positions.insert(positions.end(), position.begin(), position.end());
+  }
+  Record out = pointsRecord(mesh, points);
+  out.add("position", std::move(positions));
+  return out;
+}
+
+Record diagramRecord(const TriangleMesh& mesh, Diagram diagram) {
+  Record out;
+  out.add("siteCount", diagram.siteCount);
+  out.add("faceLabel", inputFaceLabels(mesh, diagram.faceLabel));
+  out.add(piecesRecord(mesh, std::move(diagram)));
+  return out;
+}
+
+Record changeRecord(const TriangleMesh& mesh, int label, DiagramChange change) {
+  Record part;
+  part.add("faceLabel", std::move(change.part.faceLabel));
+  part.add(piecesRecord(mesh, std::move(change.part)));
+
+  Record out;
+  out.add("label", label);
+  out.add("labels", std::move(change.labels));
+  out.add("faces", inputFaces(mesh, std::move(change.faces)));
+  out.add("part", std::move(part));
+  return out;
+}
+
+Record partitionRecord(const TriangleMesh& mesh, const Partition& partition) {
+  Record points = pointsRecord(mesh, partition.points);
+  points.add("position", flat(partition.positions));
+
+  Record triangles;
+  triangles.add("points", flat(partition.triangles));
+  triangles.add("label", partition.triangleLabel);
+  triangles.add("face", inputFaces(mesh, partition.triangleFace));
+  triangles.add("bary", cornerCoordinates(mesh, partition));
+
+  Record out;
+  out.add("points", std::move(points));
+  out.add("triangles", std::move(triangles));
+  out.add("regions", regionsRecord(mesh, partition.regions));
+  return out;
+}
+
+Record polygonRecord(const TriangleMesh& mesh, PolygonMesh polygons) {
+  Record points = pointsRecord(mesh, polygons.points);
+  points.add("position", flat(polygons.positions));
+
+  PolygonTriangles cut = triangulate(polygons);
+  Record triangles;
+  triangles.add("points", flat(cut.triangles));
+  triangles.add("face", std::move(cut.face));
+
+  Record out;
+  out.add("points", std::move(points));
+  out.add("triangles", std::move(triangles));
+  out.add("topology", topologyRecord(topologyOf(polygons)));
+  out.add("faces", listsRecord(std::move(polygons.faces)));
+  out.add("vertexLabel", std::move(polygons.vertexLabel));
+  out.add("faceLabel", std::move(polygons.faceLabel));
+  return out;
+}
+
+}  // namespace gvd::abi

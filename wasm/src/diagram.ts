@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+//
+// A diagram as callers hold it: it checks what it is given, leaves the work to an engine, and keeps
+// the arrays up to date with the changes.
+
+import { changedData, changedSites, combinedChange, shortenChanges } from './change.js';
+import { toBoolean, toOptions, toTask } from './checks.js';
+import type { DiagramForm, Engine, OpenedDiagram } from './engine.js';
+import { invalidArgument } from './errors.js';
+import { toLabel, toMaxAdded } from './input.js';
+import { disposeSymbol, Kept } from './kept.js';
+import { regionsOf } from './region.js';
+import type {
+  DiagramChange,
+  DiagramData,
+  Located,
+  Metric,
+  Partition,
+  PolygonMesh,
+  RemeshQuality,
+  SurfacePath,
+  SurfacePoints,
+  Violation,
+  ViolationKind,
+} from './results.js';
+import type {
+  Diagram,
+  DualOptions,
+  PartitionOptions,
+  Region,
+  RepairOptions,
+  SurfacePointsInput,
+  TaskOptions,
+} from './types.js';
+
+export class EngineDiagram implements Diagram {
+  readonly #form: DiagramForm;
+  readonly #kept: Kept;
+  #sites: SurfacePoints;
+  #data: DiagramData;
+  /** What `data` does not know yet: that is merged when somebody asks for all of it. */
+  #changes: DiagramChange[] = [];
+  #regions: readonly Region[] | undefined;
+  #lastChange: Promise<unknown> = Promise.resolve();
+
+  constructor(
+    engine: Engine,
+    form: DiagramForm,
+    sites: SurfacePoints,
+    { handle, data }: OpenedDiagram,
+  ) {
+    this.#form = form;
+    this.#sites = sites;
+    this.#data = data;
+    this.#kept = new Kept(this, 'diagram', engine, handle);
+  }
+
+  get metric(): Metric {
+    return this.#form.metric;
+  }
+
+  get sites(): SurfacePoints {
+    return this.#sites;
+  }
+
+  get data(): DiagramData {
+    const change = this.#changes.reduceRight<DiagramChange | undefined>(
+      (later, earlier) => (later ? combinedChange(earlier, later) : earlier),
+      undefined,
+    );
+    if (change) this.#data = changedData(this.#data, change, this.#sites.face.length);
+    this.#changes = [];
+    return this.#data;
+  }
+
+  get regions(): readonly Region[] {
+    return (this.#regions ??= regionsOf(this.data));
+  }
+
+  insertSite(site: SurfacePointsInput, options?: TaskOptions): Promise<DiagramChange> {
+    return this.#inTurn(options, async (change) => {
+      const point = await this.#kept.point('site', site);
+      return [await change('insertSite', point.face, point.bary), point];
+    });
+  }
+
+  moveSite(label: number, site: SurfacePointsInput, options?: TaskOptions): Promise<DiagramChange> {
+    return this.#inTurn(options, async (change) => {
+      const point = await this.#kept.point('site', site);
+      return [await change('moveSite', toLabel(label), point.face, point.bary), point];
+    });
+  }
+
+  removeSite(label: number, options?: TaskOptions): Promise<DiagramChange> {
+    return this.#inTurn(options, async (change) => [await change('removeSite', toLabel(label))]);
+  }
+
+  /**
+   * One change after the other, in the order in which they were asked for. What has begun is carried
+   * out: else the engine's diagram could be another one than this.
+   */
+  async #inTurn(
+    options: TaskOptions | undefined,
+    task: (change: ChangeCall) => Promise<[DiagramChange, SurfacePoints?]>,
+  ): Promise<DiagramChange> {
+    const { signal, onProgress } = toTask(options);
+    const result = this.#lastChange.then(async () => {
+      const [change, site] = await task((name, ...args) => {
+        signal?.throwIfAborted();
+        const answer = this.#kept.call<DiagramChange>(name, args, { onProgress });
+        shortenChanges(this.#changes); // while the engine is at work, elsewhere perhaps
+        return answer;
+      });
+      this.#sites = changedSites(this.#sites, change.label, site);
+      this.#changes.push(change);
+      this.#regions = undefined;
+      return change;
+    });
+    this.#lastChange = result.catch(() => undefined);
+    return result;
+  }
+
+  async locate(points: SurfacePointsInput, options?: TaskOptions): Promise<Located> {
+    const task = toTask(options);
+    const { face, bary } = await this.#kept.points('points', points);
+    return this.#kept.call('locate', [face, bary], task);
+  }
+
+  async path(point: SurfacePointsInput, options?: TaskOptions): Promise<SurfacePath> {
+    const task = toTask(options);
+    const { face, bary } = await this.#kept.point('point', point);
+    return this.#kept.call('pathToSite', [face, bary], task);
+  }
+
+  async partition(options?: PartitionOptions): Promise<Partition> {
+    const { leaveOutIndifferent = false, leaveOutUnreachable = false } = toOptions(options);
+    const args = [
+      toBoolean('leaveOutIndifferent', leaveOutIndifferent),
+      toBoolean('leaveOutUnreachable', leaveOutUnreachable),
+    ];
+    return this.#kept.call('partition', args, toTask(options));
+  }
+
+  async dual(options?: DualOptions): Promise<PolygonMesh> {
+    const { primal = false } = toOptions(options);
+    return this.#kept.call('dual', [toBoolean('primal', primal)], toTask(options));
+  }
+
+  async violations(options?: TaskOptions): Promise<Violation[]> {
+    const { kind, labelOffset, labels, message } = await this.#kept.call<ViolationArrays>(
+      'dualViolations',
+      [],
+      toTask(options),
+    );
+    return kind.map((each, i) => ({
+      kind: each,
+      labels: [...labels.subarray(labelOffset[i], labelOffset[i + 1])],
+      message: message[i],
+    }));
+  }
+
+  async remeshQuality(options?: TaskOptions): Promise<RemeshQuality> {
+    return this.#kept.call('dualQuality', [], toTask(options));
+  }
+
+  async repair(options?: RepairOptions): Promise<Diagram> {
+    const { maxAdded = 1000 } = toOptions(options);
+    const { signal, onProgress } = toTask(options);
+    const most = this.sites.face.length + toMaxAdded(maxAdded);
+    let diagram: EngineDiagram = this;
+    let share = 0;
+    for (;;) {
+      const before = diagram;
+      try {
+        const sites = await before.#moreSites(most, signal);
+        if (!sites) break;
+        // How many rounds there will be, nobody knows: each is half of what is left.
+        const rest = (1 - share) / 2;
+        diagram = await before.#anew(sites, {
+          signal,
+          onProgress: (part) => onProgress?.(share + rest * part),
+        });
+        share += rest;
+      } catch (error) {
+        if (before !== this) before.dispose();
+        throw error;
+      }
+      if (before !== this) before.dispose();
+    }
+    onProgress?.(1);
+    return diagram;
+  }
+
+  /** These sites and those of one round of repair; nothing if there is nothing to repair. */
+  async #moreSites(most: number, signal?: AbortSignal): Promise<SurfacePoints | undefined> {
+    const added = await this.#kept.call<SurfacePoints>('repairingSites', [], { signal });
+    if (added.face.length === 0) return undefined;
+    const { face, bary } = this.sites;
+    if (face.length + added.face.length > most) {
+      const [{ message }] = await this.violations({ signal });
+      throw invalidArgument(`the dual is not valid with as many sites as may be added: ${message}`);
+    }
+    return {
+      face: Int32Array.from([...face, ...added.face]),
+      bary: Float64Array.from([...bary, ...added.bary]),
+    };
+  }
+
+  /** The diagram of other sites on the same mesh. */
+  async #anew(sites: SurfacePoints, task: TaskOptions): Promise<EngineDiagram> {
+    const { engine, handle } = this.#kept;
+    const opened = await engine.openDiagram(handle, sites, this.#form, task);
+    return new EngineDiagram(engine, this.#form, sites, opened);
+  }
+
+  dispose(): void {
+    this.#kept.dispose();
+  }
+
+  [disposeSymbol](): void {
+    this.dispose();
+  }
+}
+
+/** Calls a function of core.wasm that changes the diagram. */
+type ChangeCall = (
+  name: string,
+  ...args: readonly (number | Int32Array | Float64Array)[]
+) => Promise<DiagramChange>;
+
+/** `Violation`s as core.wasm lists them. */
+interface ViolationArrays {
+  kind: ViolationKind[];
+  labelOffset: Int32Array;
+  labels: Int32Array;
+  message: string[];
+}

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+//
+// What the objects that callers hold have in common: each stands for an object of an engine, until it
+// is disposed, and takes points of its surface.
+
+import type { Engine, Handle } from './engine.js';
+import { GeodesicVoronoiError, invalidArgument } from './errors.js';
+import { toPoints } from './input.js';
+import type { SurfacePoints } from './results.js';
+import type { SurfacePointsInput, TaskOptions } from './types.js';
+import type { Argument } from './wasm_module.js';
+
+/** `Symbol.dispose`, also where the runtime does not know it yet. */
+export const disposeSymbol: typeof Symbol.dispose = Symbol.dispose ?? Symbol.for('Symbol.dispose');
+
+/** Frees what an object kept in its engine if nobody disposed it before it was collected. */
+const backstop = new FinalizationRegistry<{ engine: Engine; handle: Handle }>(
+  ({ engine, handle }) => engine.close(handle),
+);
+
+/** What a mesh or a diagram keeps in its engine, until it is disposed. */
+export class Kept {
+  readonly engine: Engine;
+  readonly #what: string;
+  readonly #handle: Handle;
+  #disposed = false;
+
+  constructor(owner: object, what: string, engine: Engine, handle: Handle) {
+    this.engine = engine;
+    this.#what = what;
+    this.#handle = handle;
+    backstop.register(owner, { engine, handle }, this);
+  }
+
+  get handle(): Handle {
+    if (this.#disposed) {
+      throw new GeodesicVoronoiError('disposed', `the ${this.#what} has been disposed`);
+    }
+    return this.#handle;
+  }
+
+  /** Calls a function of core.wasm on this object. */
+  async call<Result>(name: string, args: readonly Argument[], task: TaskOptions): Promise<Result> {
+    return this.engine.call(name, this.handle, args, task);
+  }
+
+  /** Points as faces and coordinates; those given by vertices are looked up. `name` is for errors. */
+  async points(name: string, points: SurfacePointsInput): Promise<SurfacePoints> {
+    const list = toPoints(name, points);
+    return 'vertex' in list ? this.call('pointsAtVertices', [list.vertex], {}) : list;
+  }
+
+  /** One point, given as a list. */
+  async point(name: string, point: SurfacePointsInput): Promise<SurfacePoints> {
+    const points = await this.points(name, point);
+    const { length } = points.face;
+    if (length === 1) return points;
+    throw invalidArgument(`${name} is a list of ${length} points where one is needed`);
+  }
+
+  dispose(): void {
+    if (this.#disposed) return;
+    this.#disposed = true;
+    backstop.unregister(this);
+    this.engine.close(this.#handle);
+  }
+}

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: MIT
+//
+// The library on the thread that calls it: objects in core.wasm, and long work in slices.
+
+import { compile, type CompileAddress } from './compile.js';
+import type {
+  AdvancedCvt,
+  CvtForm,
+  CvtSettings,
+  DiagramForm,
+  Engine,
+  EngineSources,
+  GltfFile,
+  Handle,
+  OpenedCvt,
+  OpenedDiagram,
+  OpenedMesh,
+} from './engine.js';
+import { GeodesicVoronoiError } from './errors.js';
+import { readGltf } from './gltf.js';
+import type {
+  DiagramData,
+  MeshInfo,
+  Metric,
+  SurfacePath,
+  SurfacePoints,
+  VertexDistances,
+} from './results.js';
+import type { Triangles } from './triangles.js';
+import type { TaskOptions } from './types.js';
+import { WasmModule, type Argument } from './wasm_module.js';
+
+/** How long a slice of work may keep its thread from anything else. */
+const sliceMilliseconds = 12;
+/** Units of work between two looks at the clock: well below a slice, well above its price. */
+const unitsPerStep = 256;
+/** About the distances' part of the time that a diagram takes; tracing it is the rest. */
+const distancesShare = 0.9;
+
+/** The address of an object in core.wasm. */
+type Pointer = number;
+
+/** How a slice of work has ended: `SliceEnd` in `objects.h`. */
+const sliceDone = 2;
+
+/** An object that is kept until it is closed, with the function that frees it. */
+interface Kept {
+  pointer: Pointer;
+  free: 'freeMesh' | 'freeVoronoi' | 'freeCvt';
+}
+
+export class LocalEngine implements Engine {
+  readonly version: string;
+  #core: WasmModule | undefined;
+  readonly #gltfModule: () => Promise<WebAssembly.Module>;
+  readonly #objects = new Map<Handle, Kept>();
+  /** Tessellations of which every iteration has been asked for. */
+  readonly #finished = new Set<Handle>();
+  #lastHandle: Handle = 0;
+
+  private constructor(core: WasmModule, gltfModule: () => Promise<WebAssembly.Module>) {
+    this.#core = core;
+    this.#gltfModule = gltfModule;
+    this.version = core.text('version');
+  }
+
+  static async load(sources: EngineSources, compileAddress: CompileAddress): Promise<LocalEngine> {
+    const core = await WasmModule.instantiate(await compile('wasm', sources.wasm, compileAddress));
+    let gltfModule: Promise<WebAssembly.Module> | undefined;
+    return new LocalEngine(core, () => {
+      gltfModule ??= compile('gltfWasm', sources.gltfWasm, compileAddress).catch((error) => {
+        gltfModule = undefined; // the next file tries again
+        throw error;
+      });
+      return gltfModule;
+    });
+  }
+
+  async call<Result>(
+    name: string,
+    object: Handle,
+    args: readonly Argument[],
+    { signal, onProgress }: TaskOptions,
+  ): Promise<Result> {
+    signal?.throwIfAborted();
+    const result = this.#open().answer<Result>(name, this.#pointer(object), ...args);
+    onProgress?.(1);
+    return result;
+  }
+
+  async openMesh(
+    source: Triangles | GltfFile,
+    { signal, onProgress }: TaskOptions,
+  ): Promise<OpenedMesh> {
+    signal?.throwIfAborted();
+    const opened = await ('positions' in source
+      ? this.#openTriangles(source)
+      : this.#openGltf(source));
+    onProgress?.(1);
+    return opened;
+  }
+
+  async #openGltf(file: GltfFile): Promise<OpenedMesh> {
+    const { parts, notes, ...triangles } = await readGltf(await this.#gltfModule(), file);
+    const { handle, info } = this.#openTriangles(triangles);
+    return { handle, info: { ...info, notes }, parts, triangles };
+  }
+
+  #openTriangles({ positions, indices }: Triangles): OpenedMesh {
+    const core = this.#open();
+    const mesh = core.call('createMesh', positions, indices);
+    const info = { ...core.answer<Omit<MeshInfo, 'notes'>>('meshInfo', mesh), notes: [] };
+    return { handle: this.#keep({ pointer: mesh, free: 'freeMesh' }), info, parts: [] };
+  }
+
+  async openDiagram(
+    owner: Handle,
+    sites: SurfacePoints,
+    { metric, detail }: DiagramForm,
+    { signal, onProgress }: TaskOptions,
+  ): Promise<OpenedDiagram> {
+    const voronoi = await this.#spread(owner, sites, metric, {
+      signal,
+      onProgress: (share) => onProgress?.(distancesShare * share),
+    });
+    const core = this.#open();
+    try {
+      core.call('startTracing', voronoi, detail);
+      await this.#inSlices(() => core.call('stepTracing', voronoi, unitsPerStep), { signal });
+      const data = core.answer<DiagramData>('voronoiDiagram', voronoi);
+      onProgress?.(1);
+      return { handle: this.#keep({ pointer: voronoi, free: 'freeVoronoi' }), data };
+    } catch (error) {
+      core.run('freeVoronoi', voronoi);
+      throw error;
+    }
+  }
+
+  async distances(
+    mesh: Handle,
+    sites: SurfacePoints,
+    metric: Metric,
+    task: TaskOptions,
+  ): Promise<VertexDistances> {
+    const voronoi = await this.#spread(mesh, sites, metric, task);
+    const core = this.#open();
+    try {
+      return core.answer('distancesAtVertices', voronoi);
+    } finally {
+      core.run('freeVoronoi', voronoi);
+    }
+  }
+
+  async path(
+    mesh: Handle,
+    from: SurfacePoints,
+    to: SurfacePoints,
+    task: TaskOptions,
+  ): Promise<SurfacePath> {
+    const voronoi = await this.#spread(mesh, to, 'exact', task);
+    const core = this.#open();
+    try {
+      return core.answer('pathToSite', voronoi, from.face, from.bary);
+    } finally {
+      core.run('freeVoronoi', voronoi);
+    }
+  }
+
+  /** The distances of sites; whoever gets them frees them. */
+  async #spread(
+    owner: Handle,
+    sites: SurfacePoints,
+    metric: Metric,
+    { signal, onProgress }: TaskOptions,
+  ): Promise<Pointer> {
+    signal?.throwIfAborted();
+    const core = this.#open();
+    const voronoi = core.call('startVoronoi', this.#pointer(owner), sites.face, sites.bary, metric);
+    try {
+      await this.#inSlices(() => core.call('stepDistances', voronoi, unitsPerStep), {
+        signal,
+        onProgress: () => onProgress?.(core.run('distancesProgress', voronoi) ?? 0),
+      });
+      return voronoi;
+    } catch (error) {
+      core.run('freeVoronoi', voronoi);
+      throw error;
+    }
+  }
+
+  async openCvt(
+    mesh: Handle,
+    { face, bary }: SurfacePoints,
+    settings: CvtSettings,
+    { signal }: TaskOptions,
+  ): Promise<OpenedCvt> {
+    signal?.throwIfAborted();
+    const pointer = this.#open().call(
+      'startCvt',
+      this.#pointer(mesh),
+      face,
+      bary,
+      settings.method,
+      settings.metric,
+      settings.iterations,
+      settings.energyTolerance,
+      settings.moveTolerance,
+      settings.density,
+      settings.fixedSites,
+    );
+    return { handle: this.#keep({ pointer, free: 'freeCvt' }) };
+  }
+
+  async advanceCvt(
+    handle: Handle,
+    form: CvtForm,
+    { signal }: TaskOptions,
+  ): Promise<AdvancedCvt | undefined> {
+    signal?.throwIfAborted();
+    const core = this.#open();
+    if (this.#finished.has(handle)) return undefined;
+    const cvt = () => this.#pointer(handle); // it may be closed between slices
+    await this.#inSlices(() => core.call('stepCvt', cvt(), unitsPerStep), { signal });
+    const { isLast, ...state } = core.answer<AdvancedCvt & { isLast: boolean }>(
+      'cvtIteration',
+      cvt(),
+    );
+    if (isLast) this.#finished.add(handle);
+    if (form === 'bare') return state;
+    const withData = { ...state, data: core.answer<DiagramData>('cvtDiagram', cvt()) };
+    if (form === 'data') return withData;
+    const pointer = core.call('cvtVoronoi', cvt());
+    return { ...withData, handle: this.#keep({ pointer, free: 'freeVoronoi' }) };
+  }
+
+  /**
+   * Calls `step` until it says that it is done: in slices, between which the thread serves others,
+   * the caller hears of it and may give up.
+   */
+  async #inSlices(
+    step: () => number,
+    { signal, onProgress }: { signal?: AbortSignal; onProgress?: () => void },
+  ): Promise<void> {
+    let done = false;
+    while (!done) {
+      const end = performance.now() + sliceMilliseconds;
+      do done = step() === sliceDone;
+      while (!done && performance.now() < end);
+      onProgress?.();
+      await nextTask();
+      signal?.throwIfAborted();
+      this.#open();
+    }
+  }
+
+  close(object: Handle): void {
+    const kept = this.#objects.get(object);
+    if (kept) this.#core?.run(kept.free, kept.pointer);
+    this.#objects.delete(object);
+    this.#finished.delete(object);
+  }
+
+  /** Lets go of the instance: all its memory at once. */
+  dispose(): void {
+    this.#core = undefined;
+    this.#objects.clear();
+  }
+
+  #open(): WasmModule {
+    if (!this.#core) throw new GeodesicVoronoiError('disposed', 'the library has been disposed');
+    return this.#core;
+  }
+
+  #pointer(object: Handle): Pointer {
+    const kept = this.#objects.get(object);
+    if (!kept) throw new GeodesicVoronoiError('disposed', 'the object has been disposed');
+    return kept.pointer;
+  }
+
+  #keep(object: Kept): Handle {
+    this.#objects.set(++this.#lastHandle, object);
+    return this.#lastHandle;
+  }
+}
+
+/** Lets everything else that waits for this thread have its turn. Not a timer: those are slowed. */
+function nextTask(): Promise<void> {
+  return new Promise((resolve) => {
+    const { port1, port2 } = new MessageChannel();
+    port1.onmessage = () => {
+      port1.close();
+      resolve();
+    };
+    port2.postMessage(undefined);
+  });
+}

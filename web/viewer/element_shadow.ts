@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+
+const style = `
+  :host {
+    display: block;
+    position: relative;
+    width: 300px;
+    height: 200px;
+    overflow: hidden;
+    contain: strict;
+  }
+  :host([hidden]) { display: none; }
+  canvas {
+    display: block; width: 100%; height: 100%; outline: none;
+    /* The camera's controls would have it "none" everywhere. */
+    touch-action: var(--own-touch-action, none) !important;
+  }
+  canvas:focus-visible { box-shadow: inset 0 0 0 3px var(--focus-color, Highlight); }
+  :host([interactive='none']) canvas { pointer-events: none; }
+  .aim {
+    position: absolute; inset: 50% auto auto 50%; width: 28px; height: 28px;
+    margin: -14px; pointer-events: none; opacity: 0;
+    background:
+      linear-gradient(#1f2933 0 0) 50% 50% / 2px 100% no-repeat,
+      linear-gradient(#1f2933 0 0) 50% 50% / 100% 2px no-repeat;
+    mask: radial-gradient(circle, transparent 5px, #000 5.5px);
+    filter: drop-shadow(0 0 1px #fff) drop-shadow(0 0 1px #fff);
+  }
+  canvas:focus-visible + .aim { opacity: 1; }
+  .message {
+    position: absolute; inset: auto 0 50%; margin: auto; max-width: 28em; padding: 1em 1.25em;
+    text-align: center; overflow-wrap: anywhere;
+    color: var(--message-color, inherit); background: var(--message-background, none);
+  }
+  .poster {
+    position: absolute; inset: 0; pointer-events: none; background: var(--poster-color, none);
+  }
+  .poster img { width: 100%; height: 100%; object-fit: contain; }
+  .poster[hidden], .poster img[hidden] { display: none; }
+  :host([reveal='manual']) .poster { pointer-events: auto; }
+  .progress {
+    position: absolute; inset: 0 0 auto; height: var(--progress-bar-height, 4px);
+    pointer-events: none; visibility: hidden;
+  }
+  /* Work that is done soon shows none: it would only flicker. */
+  .progress.busy { visibility: visible; transition: visibility 0s 0.3s; }
+  .progress .bar {
+    height: 100%; background: var(--progress-bar-color, Highlight);
+    transform-origin: left; scale: var(--share, 0) 1;
+  }
+  .hint {
+    position: absolute; inset: auto 0 1em; margin: auto; width: fit-content; max-width: 90%;
+    padding: 0.4em 0.9em; border-radius: 2em; pointer-events: none; opacity: 0;
+    font: 0.875rem/1.4 system-ui, sans-serif;
+    color: var(--hint-color, #fff); background: var(--hint-background, rgb(31 41 51 / 85%));
+    transition: opacity 0.3s;
+  }
+  .hint.shown { opacity: 1; }
+  .instructions { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
+`;
+
+const instructions =
+  'Arrow keys turn the model, plus and minus zoom. Enter adds a site at the centre of the view; ' +
+  'N and P choose a site, Delete removes it. Control Z undoes. ' +
+  'Space plays and pauses the centroidal tessellation.';
+
+const hintMilliseconds = 2000;
+
+/**
+ * What the element's shadow holds: its canvas and what lies on it. Made by DOM calls and a constructed
+ * style sheet, which a strict content security policy allows.
+ */
+export class ElementShadow {
+  readonly canvas = make('canvas', { tabIndex: 0 });
+  readonly #aim = make('div', { className: 'aim' });
+  readonly #message = make('p', { className: 'message', hidden: true, role: 'alert' });
+  readonly #poster = make('div', { className: 'poster' });
+  readonly #posterImage = make('img', { alt: '', hidden: true });
+  readonly #progress = make('div', { className: 'progress' });
+  readonly #hint = make('div', { className: 'hint', ariaHidden: 'true' });
+  #hintTimer = 0;
+
+  constructor(host: HTMLElement) {
+    const root = host.shadowRoot ?? host.attachShadow({ mode: 'open' });
+    const sheet = new CSSStyleSheet();
+    sheet.replaceSync(style);
+    root.adoptedStyleSheets = [sheet];
+
+    this.canvas.setAttribute('aria-describedby', 'instructions');
+    this.#poster.append(slot('poster', this.#posterImage));
+    this.#progress.append(slot('progress-bar', make('div', { className: 'bar' })));
+    const parts = {
+      canvas: this.canvas,
+      aim: this.#aim,
+      poster: this.#poster,
+      'progress-bar': this.#progress,
+      message: this.#message,
+      hint: this.#hint,
+    };
+    for (const [name, part] of Object.entries(parts)) part.setAttribute('part', name);
+    root.replaceChildren(
+      ...Object.values(parts),
+      make('p', { className: 'instructions', id: 'instructions', textContent: instructions }),
+    );
+  }
+
+  /** What the canvas is to those who do not see it. */
+  describe(label: string, isInteractive: boolean): void {
+    this.canvas.ariaLabel = label;
+    this.canvas.setAttribute('role', isInteractive ? 'application' : 'img');
+    if (isInteractive) this.canvas.tabIndex = 0;
+    else this.canvas.removeAttribute('tabindex');
+  }
+
+  get message(): string | undefined {
+    return this.#message.hidden ? undefined : (this.#message.textContent ?? '');
+  }
+
+  /** A sentence on the view; undefined takes it away. */
+  set message(sentence: string | undefined) {
+    this.#message.hidden = sentence === undefined;
+    this.#message.textContent = sentence ?? '';
+  }
+
+  /** The address of the picture in the poster's slot; empty for none. */
+  set poster(address: string) {
+    this.#posterImage.hidden = address === '';
+    if (address) this.#posterImage.src = address;
+    else this.#posterImage.removeAttribute('src');
+  }
+
+  get showsPoster(): boolean {
+    return !this.#poster.hidden;
+  }
+
+  set showsPoster(shows: boolean) {
+    this.#poster.hidden = !shows;
+  }
+
+  /** 0 … 1; undefined if nothing is under way. */
+  set progress(share: number | undefined) {
+    this.#progress.classList.toggle('busy', share !== undefined);
+    this.#progress.style.setProperty('--share', String(share ?? 0));
+  }
+
+  hint(sentence: string): void {
+    this.#hint.textContent = sentence;
+    this.#hint.classList.add('shown');
+    clearTimeout(this.#hintTimer);
+    this.#hintTimer = window.setTimeout(
+      () => this.#hint.classList.remove('shown'),
+      hintMilliseconds,
+    );
+  }
+
+  dispose(): void {
+    clearTimeout(this.#hintTimer);
+    (this.canvas.getRootNode() as ShadowRoot).replaceChildren();
+  }
+}
+
+function slot(name: string, fallback: HTMLElement): HTMLSlotElement {
+  const element = make('slot', { name });
+  element.append(fallback);
+  return element;
+}
+
+function make<Tag extends keyof HTMLElementTagNameMap>(
+  tag: Tag,
+  properties: Partial<HTMLElementTagNameMap[Tag]>,
+): HTMLElementTagNameMap[Tag] {
+  return Object.assign(document.createElement(tag), properties);
+}

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+import { Attributes } from './attributes.js';
+import type { ViewerEventMap } from './events.js';
+import type { Layer } from './model_drawing.js';
+import type { Status } from './session_listener.js';
+
+/** Where there is no DOM, importing the element does nothing. */
+const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
+
+type Listener<Type extends keyof ViewerEventMap> = (
+  this: HTMLElement,
+  event: ViewerEventMap[Type],
+) => unknown;
+
+export interface ReflectingElement {
+  addEventListener<Type extends keyof ViewerEventMap>(
+    type: Type,
+    listener: Listener<Type>,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  addEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  removeEventListener<Type extends keyof ViewerEventMap>(
+    type: Type,
+    listener: Listener<Type>,
+    options?: boolean | EventListenerOptions,
+  ): void;
+  removeEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | EventListenerOptions,
+  ): void;
+}
+
+/** The element's attributes as properties, and the types of its events. */
+export class ReflectingElement extends Base {
+  protected readonly attributeValues = new Attributes(this);
+
+  /** Address of a .glb or .gltf. */
+  get src(): string {
+    return this.getAttribute('src') ?? '';
+  }
+
+  set src(address: string) {
+    this.setAttribute('src', address);
+  }
+
+  /** What the view is to those who do not see it. */
+  get alt(): string {
+    return this.getAttribute('alt') ?? '';
+  }
+
+  set alt(text: string) {
+    this.setAttribute('alt', text);
+  }
+
+  /** Address of a picture that is shown until there is a model, and if there can be none. */
+  get poster(): string {
+    return this.getAttribute('poster') ?? '';
+  }
+
+  set poster(address: string) {
+    this.setAttribute('poster', address);
+  }
+
+  /** With 'lazy' nothing is fetched or made before the element is near the view. */
+  get loading(): 'eager' | 'lazy' {
+    return this.attributeValues.isLazy ? 'lazy' : 'eager';
+  }
+
+  set loading(loading: 'eager' | 'lazy') {
+    this.setAttribute('loading', loading);
+  }
+
+  /** With 'manual' the poster stays until `dismissPoster()`. */
+  get reveal(): 'auto' | 'manual' {
+    return this.attributeValues.isRevealedByHand ? 'manual' : 'auto';
+  }
+
+  set reveal(reveal: 'auto' | 'manual') {
+    this.setAttribute('reveal', reveal);
+  }
+
+  /** What pointer and keys do: change sites and density too, move the camera only, or nothing. */
+  get interactive(): 'edit' | 'camera' | 'none' {
+    const { camera, edit } = this.attributeValues.interactive;
+    return edit ? 'edit' : camera ? 'camera' : 'none';
+  }
+
+  set interactive(interactive: 'edit' | 'camera' | 'none') {
+    this.setAttribute('interactive', interactive);
+  }
+
+  /** What it does. */
+  get status(): Status {
+    return (this.getAttribute('status') ?? 'empty') as Status;
+  }
+
+  /** What is shown. */
+  get layers(): readonly Layer[] {
+    return this.attributeValues.layers;
+  }
+
+  set layers(shown: readonly Layer[]) {
+    this.setAttribute('layers', shown.join(' '));
+  }
+
+  /** How far the regions are apart, 0 … 1. */
+  get exploded(): number {
+    return this.attributeValues.exploded;
+  }
+
+  set exploded(share: number) {
+    this.setAttribute('exploded', String(share));
+  }
+}

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+import { type Camera, type Scene, Vector2, WebGLRenderer } from 'three';
+
+/** Told when the graphics card drops the renderer's context, and when it is there again. */
+export interface ContextListener {
+  contextLost(): void;
+  contextRestored(): void;
+}
+
+/** What is drawn, in CSS pixels and device pixels per CSS pixel. */
+export interface Picture {
+  scene: Scene;
+  camera: Camera;
+  width: number;
+  height: number;
+  pixelRatio: number;
+}
+
+let present: SharedRenderer | undefined;
+
+/**
+ * The one renderer of all elements of a page: browsers keep few WebGL contexts alive, and each would
+ * compile the same shaders. It draws on a canvas that nobody sees, which is copied at once. The first
+ * to take it makes its context, the last to return it gives the context up.
+ */
+export class SharedRenderer {
+  readonly #renderer: WebGLRenderer;
+  readonly #size = new Vector2();
+  readonly #users = new Set<ContextListener>();
+
+  /** Throws if there is no WebGL 2. */
+  static take(user: ContextListener): SharedRenderer {
+    present ??= new SharedRenderer();
+    present.#users.add(user);
+    return present;
+  }
+
+  private constructor() {
+    const canvas = document.createElement('canvas');
+    canvas.addEventListener('webglcontextlost', () => {
+      for (const user of this.#users) user.contextLost();
+    });
+    canvas.addEventListener('webglcontextrestored', () => {
+      for (const user of this.#users) user.contextRestored();
+    });
+    this.#renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
+    this.#renderer.setClearAlpha(0);
+  }
+
+  /** The largest width and height of what is drawn. */
+  get largestSize(): number {
+    return this.#renderer.capabilities.maxTextureSize;
+  }
+
+  /** Draws onto a canvas, which takes the picture's size. */
+  draw(picture: Picture, target: CanvasRenderingContext2D): void {
+    const { scene, camera, width, height, pixelRatio } = picture;
+    const renderer = this.#renderer;
+    // What was drawn last stays to be seen.
+    if (renderer.getContext().isContextLost()) return;
+    if (renderer.getPixelRatio() !== pixelRatio) renderer.setPixelRatio(pixelRatio);
+    if (!renderer.getSize(this.#size).equals({ x: width, y: height })) {
+      renderer.setSize(width, height, false);
+    }
+    renderer.render(scene, camera);
+    const source = renderer.domElement;
+    const { canvas } = target;
+    if (canvas.width !== source.width || canvas.height !== source.height) {
+      canvas.width = source.width;
+      canvas.height = source.height;
+    }
+    target.globalCompositeOperation = 'copy';
+    target.drawImage(source, 0, 0);
+  }
+
+  return(user: ContextListener): void {
+    this.#users.delete(user);
+    if (this.#users.size > 0) return;
+    present = undefined;
+    this.#renderer.dispose();
+    // Browsers collect contexts late.
+    this.#renderer.forceContextLoss();
+  }
+}

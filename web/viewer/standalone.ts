@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+//
+// The start of dist/standalone.js: the element with all that it needs, for pages without a bundler. Its
+// workers run the same file, each by its name; core.wasm and gltf.wasm have to stand beside it.
+
+const parts: Readonly<Record<string, () => Promise<unknown>>> = {
+  'geodesic-voronoi': () => import('geodesic-voronoi/worker'),
+  'geodesic-voronoi-drawing': () => import('./cell_worker.js'),
+};
+
+// Not awaited: a worker that waits here might miss its first message.
+if (globalThis.document) void import('./element.js');
+else void parts[(globalThis as { name?: string }).name ?? '']?.();
