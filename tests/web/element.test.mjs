@@ -282,8 +282,14 @@ suite('the page around it', () => {
       for (let way = 10; way <= 80; way += 10) await touch('touchMove', at(y - way));
       await touch('touchEnd');
     };
+    // It glides on after the swipe.
+    await viewer.page.evaluate(() => {
+      window.scrolledTo = new Promise((resolve) => {
+        addEventListener('scrollend', () => resolve(scrollY), { once: true });
+      });
+    });
     await swipe();
-    await viewer.page.waitForFunction(() => scrollY > 20);
+    assert.ok((await viewer.page.evaluate(() => window.scrolledTo)) > 20);
     const hint = viewer.page.locator('geodesic-voronoi .hint');
     assert.match(await hint.textContent(), /^Tap the model/);
     await viewer.page.evaluate(() => scrollTo(0, 0));
