@@ -1,7 +1,19 @@
 // SPDX-License-Identifier: MIT
-import { BufferAttribute, BufferGeometry, type Camera, DoubleSide, Raycaster, Vector2, Vector3 } from 'three';
-import { MeshBVH } from 'three-mesh-bvh';
+import {
+  BufferAttribute,
+  BufferGeometry,
+  type Camera,
+  DoubleSide,
+  Mesh,
+  MeshBasicMaterial,
+  type Ray,
+  Raycaster,
+  type Vector2,
+  type Vector3,
+} from 'three';
+import { wholeScene } from './record_buffer.js';
 import type { SceneMesh } from './scene_mesh.js';
+import type { RayHit, SearchTree } from './search_tree.js';
 
 /** A point of the surface: face and barycentric coordinates as everywhere, and its place in the scene. */
 export interface SurfaceHit {
@@ -10,31 +22,43 @@ export interface SurfaceHit {
   place: Vector3;
 }
 
-/** What lies under a place of the view. The search tree is built when first asked. */
+/**
+ * What lies under a place of the view. The code of the search tree is fetched meanwhile, for the first
+ * picture does not need it; until then every triangle is asked. The tree is built when first needed.
+ */
 export class Picker {
+  /** When the code has come, or it is known that it does not. */
+  readonly prepared: Promise<void>;
   readonly #mesh: SceneMesh;
   readonly #raycaster = new Raycaster();
-  #tree: { bvh: MeshBVH; faces: Int32Array } | undefined;
+  /** The triangles as three.js asks them one after the other. */
+  readonly #triangles: Mesh;
+  #Tree: typeof SearchTree | undefined;
+  #tree: SearchTree | undefined;
 
   constructor(mesh: SceneMesh) {
     this.#mesh = mesh;
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', new BufferAttribute(mesh.positions, 3));
+    geometry.setIndex(new BufferAttribute(mesh.indices, 1));
+    geometry.boundingSphere = wholeScene;
+    this.#triangles = new Mesh(geometry, new MeshBasicMaterial({ side: DoubleSide }));
+    this.prepared = this.#prepare();
   }
 
   /** The nearest point of the surface there, in device coordinates. */
   pick(device: Vector2, camera: Camera): SurfaceHit | undefined {
     camera.updateMatrixWorld();
     this.#raycaster.setFromCamera(device, camera);
-    const { bvh, faces } = this.#builtTree();
-    const hit = bvh.raycastFirst(this.#raycaster.ray, DoubleSide);
-    if (hit?.faceIndex == null) return undefined;
-    const face = faces[hit.faceIndex];
-    const { x, y, z } = hit.point;
-    return { face, bary: this.#mesh.barycentric(face, x, y, z), place: hit.point };
+    const hit = this.#firstHit(this.#raycaster.ray);
+    if (!hit) return undefined;
+    const { face, point } = hit;
+    return { face, bary: this.#mesh.barycentric(face, point.x, point.y, point.z), place: point };
   }
 
-  /** The point of the surface nearest to one in space. */
+  /** The point of the surface nearest to one in space; that itself until this is prepared. */
   nearest(place: Vector3): Vector3 {
-    return this.#builtTree().bvh.closestPointToPoint(place)?.point.clone() ?? place.clone();
+    return this.#builtTree()?.nearest(place) ?? place.clone();
   }
 
   /** Whether the surface hides a point that lies on it or is lifted off it by up to `slack`. */
@@ -43,28 +67,27 @@ export class Picker {
     ray.origin.setFromMatrixPosition(camera.matrixWorld);
     const distance = ray.origin.distanceTo(point);
     ray.lookAt(point);
-    const hit = this.#builtTree().bvh.raycastFirst(ray, DoubleSide);
-    return hit !== null && hit.distance < distance - slack;
+    const hit = this.#firstHit(ray);
+    return hit !== undefined && hit.distance < distance - slack;
   }
 
-  /** `faces` are the numbers of the tree's triangles: it has none with corners that are no numbers. */
-  #builtTree(): { bvh: MeshBVH; faces: Int32Array } {
-    if (this.#tree) return this.#tree;
-    const { positions, indices, faceCount } = this.#mesh;
-    const isFinite = (corner: number) => {
-      const v = 3 * indices[corner];
-      return Number.isFinite(positions[v] + positions[v + 1] + positions[v + 2]);
-    };
-    const faces = Int32Array.from({ length: faceCount }, (_, face) => face).filter((face) =>
-      [0, 1, 2].every((k) => isFinite(3 * face + k)),
-    );
-    const corners = new Uint32Array(3 * faces.length);
-    faces.forEach((face, i) => corners.set(indices.subarray(3 * face, 3 * face + 3), 3 * i));
-    const geometry = new BufferGeometry();
-    geometry.setAttribute('position', new BufferAttribute(positions, 3));
-    geometry.setIndex(new BufferAttribute(corners, 1));
-    // Indirect: the tree must not reorder the triangles, whose order is their number.
-    this.#tree = { bvh: new MeshBVH(geometry, { indirect: true }), faces };
+  async #prepare(): Promise<void> {
+    try {
+      this.#Tree = (await import('./search_tree.js')).SearchTree;
+    } catch {
+      // Without it everything works, slowly.
+    }
+  }
+
+  #firstHit(ray: Ray): RayHit | undefined {
+    const tree = this.#builtTree();
+    if (tree) return tree.firstHit(ray);
+    const [hit] = this.#raycaster.intersectObject(this.#triangles);
+    return hit && { face: hit.faceIndex as number, point: hit.point, distance: hit.distance };
+  }
+
+  #builtTree(): SearchTree | undefined {
+    this.#tree ??= this.#Tree && new this.#Tree(this.#mesh);
     return this.#tree;
   }
 }

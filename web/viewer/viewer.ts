@@ -51,7 +51,13 @@ export class Viewer implements Workpiece {
   #density: Density | undefined;
   #selected: number | undefined;
   readonly #dual = new Derived(
-    async (diagram) => ({ dual: await diagram.dual(), violations: await diagram.violations() }),
+    async (diagram) => {
+      const dual = await diagram.dual();
+      const violations = await diagram.violations();
+      // It is laid onto the surface.
+      await this.#model?.picker.prepared;
+      return { dual, violations };
+    },
     (result) => this.#showDual(result),
   );
   readonly #parts = new Derived(
