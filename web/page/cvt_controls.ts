@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 import type { CvtStatus, GeodesicVoronoiElement } from '../viewer/element.js';
+import type { CvtReadings } from './cvt_readings.js';
 import { byId, listen, onClick } from './dom.js';
-import { EnergyCurve } from './energy_curve.js';
-import { integer, measure } from './numbers.js';
 
 /** The centroidal tessellation: playing it, and how far it has come. */
-export function setUpCvtControls(viewer: GeodesicVoronoiElement): void {
+export function setUpCvtControls(viewer: GeodesicVoronoiElement, readings: CvtReadings): void {
   setUpPlaying(viewer);
-  setUpReadings(viewer);
+  listen(viewer, 'cvt-iteration', (reached) => readings.add(reached));
+  listen(viewer, 'cvt-change', ({ status }) => readings.tell(status));
 }
 
 /** What the button that plays says. */
@@ -51,49 +51,4 @@ function setUpPlaying(viewer: GeodesicVoronoiElement): void {
   };
   listen(viewer, 'cvt-change', update);
   listen(viewer, 'sites-change', update);
-}
-
-/** In plain text: a status that is read out at every iteration would be noise. */
-function setUpReadings(viewer: GeodesicVoronoiElement): void {
-  const curve = new EnergyCurve(byId('cvt-curve', HTMLElement));
-  const state = byId('cvt-state', HTMLElement);
-  const iteration = byId('cvt-iteration', HTMLElement);
-  const energy = byId('cvt-energy', HTMLElement);
-  const move = byId('cvt-move', HTMLElement);
-  let reachedIteration = 0;
-  listen(viewer, 'cvt-iteration', (reached) => {
-    reachedIteration = reached.iteration;
-    // Back at the start it is another tessellation.
-    if (reached.iteration === 0) curve.clear();
-    curve.add(reached.relativeEnergy);
-    iteration.textContent = integer(reached.iteration);
-    energy.textContent = `${reached.relativeEnergy.toFixed(4)} × hexagons`;
-    energy.title = `${measure(reached.energy)} in the model's units`;
-    move.textContent = reached.iteration === 0 ? '–' : measure(reached.largestMove);
-  });
-  const sentence = (status: CvtStatus): string => {
-    const tolerance = Number(viewer.getAttribute('cvt-tolerance') ?? 0);
-    const planned = Number(viewer.getAttribute('cvt-iterations'));
-    switch (status) {
-      case 'idle':
-        return 'Not begun';
-      case 'running':
-        return 'Playing';
-      case 'done':
-        return tolerance > 0 ? `Converged: gains below ${100 * tolerance} %` : 'Converged';
-      case 'paused':
-        return reachedIteration > 0 && reachedIteration % planned === 0
-          ? `Finished ${integer(planned)} iterations`
-          : 'Paused';
-    }
-  };
-  listen(viewer, 'cvt-change', ({ status }) => {
-    state.textContent = sentence(status);
-    if (status !== 'idle') return;
-    // What they told of is no more: the sites are others.
-    reachedIteration = 0;
-    curve.clear();
-    for (const reading of [iteration, energy, move]) reading.textContent = '–';
-    energy.removeAttribute('title');
-  });
 }

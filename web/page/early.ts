@@ -14,9 +14,14 @@ declare const firstBytes: number;
 const bar = byId('progress-bar', HTMLProgressElement);
 let received = 0;
 
-/** Reads it to the end, for the cache: whoever needs it asks again. */
-async function fetchEarly(address: string): Promise<void> {
-  const { body } = await fetch(address);
+async function fetchModule(address: string): Promise<Response> {
+  const response = await fetch(address);
+  count(response.clone()).catch(() => {});
+  return response;
+}
+
+/** Reads it to the end. */
+async function count({ body }: Response): Promise<void> {
   const reader = body?.getReader();
   for (let part = await reader?.read(); part?.value; part = await reader?.read()) {
     received += part.value.length;
@@ -24,9 +29,15 @@ async function fetchEarly(address: string): Promise<void> {
   }
 }
 
-for (const address of [core, gltf, modelOf(location.hash)]) {
-  // What fails is asked for again, and told of, where it is needed.
-  fetchEarly(address).catch(() => {});
-}
+// What fails is asked for again, and told of, where it is needed.
+const modules = Promise.all([core, gltf].map(fetchModule)).then(([wasm, gltfWasm]) => ({
+  wasm,
+  gltfWasm,
+}));
+modules.catch(() => {});
+// For the cache: the viewer asks for it again.
+fetch(modelOf(location.hash))
+  .then(count)
+  .catch(() => {});
 
-void import('./main.js').then(({ setUpPage }) => setUpPage());
+void import('./main.js').then(({ setUpPage }) => setUpPage(modules));

@@ -2,19 +2,21 @@
 //
 // What the page opens with: a model whose random regions become even ones, once.
 
+import type { CvtState } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
+import { hexagonEnergy } from '../viewer/hexagon_energy.js';
+import type { CvtReadings } from './cvt_readings.js';
 import { byId, listen } from './dom.js';
 import { modelOf } from './first_model.js';
 import { isPageState, readPageState } from './page_state.js';
 
-
 /** A link that was shared opens with what it tells; else a sample plays once. */
-export function setUpFirstSight(viewer: GeodesicVoronoiElement): void {
+export function setUpFirstSight(viewer: GeodesicVoronoiElement, readings: CvtReadings): void {
   enableWithModel(viewer);
   endCaption(viewer);
   viewer.src = modelOf(location.hash);
   if (isPageState(location.hash)) readPageState(viewer, location.hash);
-  else viewer.addEventListener('diagram', () => void evenOut(viewer), { once: true });
+  else viewer.addEventListener('diagram', () => void evenOut(viewer, readings), { once: true });
 }
 
 /** Controls are disabled until there is something for them to do. */
@@ -38,7 +40,7 @@ function endCaption(viewer: GeodesicVoronoiElement): void {
  * Plays, or computes the same without showing what lies between for those who want no motion. One step
  * to undo either way.
  */
-async function evenOut(viewer: GeodesicVoronoiElement): Promise<void> {
+async function evenOut(viewer: GeodesicVoronoiElement, readings: CvtReadings): Promise<void> {
   if (!matchMedia('(prefers-reduced-motion: reduce)').matches) {
     viewer.playCvt();
     return;
@@ -46,8 +48,24 @@ async function evenOut(viewer: GeodesicVoronoiElement): Promise<void> {
   const { mesh, diagram, sites } = viewer;
   if (!mesh) return;
   const iterations = Number(viewer.getAttribute('cvt-iterations'));
-  let even = sites;
-  for await (const state of mesh.cvt(sites, { iterations })) even = state.sites;
+  const states: CvtState[] = [];
+  for await (const state of mesh.cvt(sites, { iterations })) states.push(state);
+  const last = states.at(-1);
   // Whoever has changed something meanwhile keeps it.
-  if (mesh === viewer.mesh && diagram === viewer.diagram) viewer.sites = even;
+  if (!last || mesh !== viewer.mesh || diagram !== viewer.diagram) return;
+  viewer.sites = last.sites;
+  const { regionAreas: regionArea } = viewer;
+  const hexagons = hexagonEnergy({ siteCount: regionArea.length, regionArea });
+  const isIdle = () => viewer.cvtStatus === 'idle';
+  const show = () => {
+    if (!isIdle()) return;
+    for (const state of states) {
+      readings.add({ ...state, relativeEnergy: state.energy / hexagons });
+    }
+    readings.tell(last.iteration < iterations ? 'done' : 'paused');
+    // The next diagram is of other sites.
+    const clear = () => isIdle() && readings.tell('idle');
+    viewer.addEventListener('diagram', clear, { once: true });
+  };
+  viewer.addEventListener('diagram', show, { once: true });
 }

@@ -2,9 +2,12 @@
 //
 // The demo around the element: every file here sets up one part of the page.
 
+import type { LoadOptions } from 'geodesic-voronoi';
 import { GeodesicVoronoiElement } from '../viewer/element.js';
+import { provideModules } from '../viewer/library_pool.js';
 import { setUpAnnouncements } from './announcements.js';
 import { setUpCvtControls } from './cvt_controls.js';
+import { CvtReadings } from './cvt_readings.js';
 import { setUpDensityControls } from './density_controls.js';
 import { byId } from './dom.js';
 import { setUpDownloads } from './downloads.js';
@@ -20,15 +23,18 @@ import { setUpSizeWarning } from './size_warning.js';
 import { setUpToolbar } from './toolbar.js';
 import { setUpViewControls } from './view_controls.js';
 
-export function setUpPage(): void {
+/** `modules` are on their way already. */
+export function setUpPage(modules: Promise<LoadOptions>): void {
+  provideModules(modules);
   const viewer = byId('viewer', GeodesicVoronoiElement);
   setUpFeedback(viewer);
   setUpSizeWarning(viewer);
   setUpModelChoice(viewer);
   setUpMeshReport(viewer);
-  setUpFirstSight(viewer);
+  const readings = new CvtReadings(viewer);
+  setUpFirstSight(viewer, readings);
   setUpSiteControls(viewer);
-  setUpCvtControls(viewer);
+  setUpCvtControls(viewer, readings);
   setUpDensityControls(viewer);
   setUpViewControls(viewer);
   setUpDownloads(viewer);

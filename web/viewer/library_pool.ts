@@ -2,7 +2,13 @@
 //
 // The libraries that all elements of a page share: a few workers, one compiled module.
 
-import { compileModules, type GeodesicVoronoi, loadWorker, type Modules } from 'geodesic-voronoi';
+import {
+  compileModules,
+  type GeodesicVoronoi,
+  type LoadOptions,
+  loadWorker,
+  type Modules,
+} from 'geodesic-voronoi';
 
 /** Leaves a core to the page. */
 const mostWorkers = Math.min(4, Math.max(1, (globalThis.navigator?.hardwareConcurrency ?? 2) - 1));
@@ -14,6 +20,13 @@ interface Shared {
 
 const pool = new Set<Shared>();
 let modules: Promise<Modules> | undefined;
+
+/** Where the modules come from for the first library, if a page has asked for them before. */
+export function provideModules(sources: Promise<LoadOptions>): void {
+  modules = sources.then(compileModules).catch(() => compileModules());
+  // It is told of when somebody needs a library.
+  modules.catch(() => {});
+}
 
 /** A library, until it is given back; its last user's return ends its worker. */
 export class LibraryLease {
