@@ -49,7 +49,7 @@ for (const metric of ['exact', 'dgpc']) describe(`sites that come, go and move, 
     neighbours: regions
       .filter(({ label }) => labels[label] !== undefined)
       .map(({ neighbours }) => neighbours.map((label) => labels[label]))
-      .filter((list, i, all) => all.length > 0 && list.length > 0),
+      .filter((list, _, all) => all.length > 0 && list.length > 0),
   });
 
   const assertUpToDate = async (diagram) => {

@@ -93,10 +93,10 @@ function sizeOf({ part }: DiagramChange): number {
 function overlaid(
   ...layers: [Int32Array, ArrayLike<number>][]
 ): [keys: Int32Array, values: number[]] {
-  const valueOf = new Map<number, number>();
-  for (const [keys, values] of layers) keys.forEach((key, i) => valueOf.set(key, values[i]));
-  const keys = Int32Array.from(valueOf.keys()).sort();
-  return [keys, Array.from(keys, (key) => valueOf.get(key)!)];
+  const valueByKey = new Map<number, number>();
+  for (const [keys, values] of layers) keys.forEach((key, i) => valueByKey.set(key, values[i]));
+  const keys = Int32Array.from(valueByKey.keys()).sort();
+  return [keys, Array.from(keys, (key) => valueByKey.get(key)!)];
 }
 
 /** What a diagram and the part of a change are made of alike: all but the values per label and face. */

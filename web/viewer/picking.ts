@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-import { BufferAttribute, BufferGeometry, type Camera, DoubleSide, Raycaster, Vector2, Vector3 } from 'three';
+import { BufferAttribute, BufferGeometry, type Camera, DoubleSide, Raycaster, type Vector2, type Vector3 } from 'three';
 import { MeshBVH } from 'three-mesh-bvh';
 import type { SceneMesh } from './scene_mesh.js';
 
@@ -51,12 +51,12 @@ export class Picker {
   #builtTree(): { bvh: MeshBVH; faces: Int32Array } {
     if (this.#tree) return this.#tree;
     const { positions, indices, faceCount } = this.#mesh;
-    const isFinite = (corner: number) => {
+    const hasFinitePosition = (corner: number) => {
       const v = 3 * indices[corner];
       return Number.isFinite(positions[v] + positions[v + 1] + positions[v + 2]);
     };
     const faces = Int32Array.from({ length: faceCount }, (_, face) => face).filter((face) =>
-      [0, 1, 2].every((k) => isFinite(3 * face + k)),
+      [0, 1, 2].every((k) => hasFinitePosition(3 * face + k)),
     );
     const corners = new Uint32Array(3 * faces.length);
     faces.forEach((face, i) => corners.set(indices.subarray(3 * face, 3 * face + 3), 3 * i));
