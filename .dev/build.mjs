@@ -37,7 +37,14 @@ export async function buildPackage() {
   await step('WebAssembly', { inputs: sources, output: modules[0] }, () =>
     buildWithCMake('build/wasm', { wrapper: ['emcmake'], targets: wasmModules }),
   );
-  const inputs = ['wasm/src', 'wasm/module_address.d.ts', 'wasm/tsconfig.json', 'web/viewer', 'package-lock.json', ...modules];
+  const inputs = [
+    'wasm/src',
+    'wasm/module_address.d.ts',
+    'wasm/tsconfig.json',
+    'web/viewer',
+    'package-lock.json',
+    ...modules,
+  ];
   await step('Package', { inputs, output: 'dist' }, () => {
     // Nothing that a deleted source left behind may be published.
     rmSync(at('dist'), { recursive: true, force: true });

@@ -51,7 +51,10 @@ run().then((result) => (window.result = result), (error) => (window.result = Str
 function writeApp(folder) {
   writeFileSync(join(folder, 'package.json'), '{ "private": true, "type": "module" }');
   writeFileSync(join(folder, 'main.js'), app);
-  writeFileSync(join(folder, 'index.html'), page('<script type="module" src="./main.js"></script>'));
+  writeFileSync(
+    join(folder, 'index.html'),
+    page('<script type="module" src="./main.js"></script>'),
+  );
   mkdirSync(join(folder, 'public'));
   writeFileSync(join(folder, 'public/model.glb'), glb(octahedron()));
 }
@@ -95,7 +98,8 @@ async function assertWorks(address) {
   });
   tab.on('request', (request) => {
     const url = new URL(request.url());
-    if (url.origin !== origin && !['blob:', 'data:'].includes(url.protocol)) complaints.push(url.href);
+    if (url.origin !== origin && !['blob:', 'data:'].includes(url.protocol))
+      complaints.push(url.href);
   });
   try {
     await tab.goto(address, { timeout: 120_000 });
@@ -178,7 +182,10 @@ test('webpack', async () => {
     webpack(configuration, (error, result) => (error ? reject(error) : resolve(result)));
   });
   const { errors, warnings } = stats.toJson({ all: false, errors: true, warnings: true });
-  assert.deepEqual([...errors, ...warnings].map(({ message }) => message), []);
+  assert.deepEqual(
+    [...errors, ...warnings].map(({ message }) => message),
+    [],
+  );
   copyPage(outDir);
   await assertFolderWorks(outDir);
 });

@@ -32,7 +32,8 @@ test('nothing is published but what is built, its licences and its description',
 });
 
 test('everything that package.json names is there', () => {
-  const pathsIn = (value) => (typeof value === 'string' ? [value] : Object.values(value).flatMap(pathsIn));
+  const pathsIn = (value) =>
+    typeof value === 'string' ? [value] : Object.values(value).flatMap(pathsIn);
   const { bin, exports, sideEffects } = JSON.parse(read('package.json'));
   for (const path of [...pathsIn(bin), ...pathsIn(exports), ...sideEffects]) {
     assert.ok(existsSync(join(installed.packageFolder, path)), path);
@@ -63,7 +64,10 @@ test('the licences of all that is compiled in are told', () => {
 test('publint finds nothing', async () => {
   const pkg = JSON.parse(read('package.json'));
   const { messages } = await publint({ pkgDir: installed.packageFolder, strict: true });
-  assert.deepEqual(messages.map((message) => formatMessage(message, pkg)), []);
+  assert.deepEqual(
+    messages.map((message) => formatMessage(message, pkg)),
+    [],
+  );
 });
 
 test('types are found as the modules are: attw finds nothing', async () => {
@@ -73,7 +77,10 @@ test('types are found as the modules are: attw finds nothing', async () => {
   // The resolution of old CommonJS projects knows no exports.
   const isOfNode10 = ({ resolutionKind, resolutionOption }) =>
     [resolutionKind, resolutionOption].includes('node10');
-  assert.deepEqual(found.filter((problem) => !isOfNode10(problem)), []);
+  assert.deepEqual(
+    found.filter((problem) => !isOfNode10(problem)),
+    [],
+  );
 });
 
 const use = `
@@ -88,7 +95,10 @@ test('it works where it is installed, without code made at run time', () => {
 });
 
 test('the command works where it is installed', () => {
-  const main = join(installed.packageFolder, JSON.parse(read('package.json')).bin['geodesic-voronoi']);
+  const main = join(
+    installed.packageFolder,
+    JSON.parse(read('package.json')).bin['geodesic-voronoi'],
+  );
   assert.match(run(process.execPath, [main, '--help'], installed.folder), /^Usage: /m);
 });
 

@@ -258,7 +258,10 @@ test('distances as JSON, PLY and GLB', async () => {
   succeeds('distances two.glb --sites d.json --metric dgpc -o d.ply');
   const { vertex, face } = readPly(readFileSync(join(folder, 'd.ply')));
   assert.equal(face.length, 10);
-  assert.deepEqual(vertex.map((row) => row.label), label);
+  assert.deepEqual(
+    vertex.map((row) => row.label),
+    label,
+  );
   assert.equal(vertex[6].distance, Infinity);
   succeeds('distances two.glb --sites d.json -o d.glb');
   await assertValidGlb(new Uint8Array(readFileSync(join(folder, 'd.glb'))));

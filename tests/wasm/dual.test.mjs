@@ -44,7 +44,10 @@ test('a dual has a vertex per site, in its place, and the topology of the surfac
     assert.equal(dual.faceLabel.length, 0);
     assert.deepEqual(await diagram.violations(), []);
     const primal = await diagram.dual({ primal: true });
-    assert.deepEqual([...primal.faceLabel].sort((a, b) => a - b), [...sites.face.keys()]);
+    assert.deepEqual(
+      [...primal.faceLabel].sort((a, b) => a - b),
+      [...sites.face.keys()],
+    );
     for (const polygons of [dual, primal]) {
       const { euler, isOriented } = surfaceOf(listsOf(polygons.faces));
       assert.ok(isOriented);

@@ -36,7 +36,8 @@ function everyPair(n) {
 }
 
 function assertNeighboursDiffer(tones, pairs) {
-  for (const [a, b] of pairs) assert.notEqual(toneColour(tones[a]), toneColour(tones[b]), `${a}, ${b}`);
+  for (const [a, b] of pairs)
+    assert.notEqual(toneColour(tones[a]), toneColour(tones[b]), `${a}, ${b}`);
 }
 
 suite('region colours', () => {
@@ -70,8 +71,22 @@ suite('region colours', () => {
 
   test('a site keeps its tone when others come, go and change their numbers', () => {
     const colours = new RegionColours();
-    const before = colours.assign(adjacency(4, [[0, 1], [1, 2], [2, 3]]), [1, 2, 3, 4]);
-    const after = colours.assign(adjacency(4, [[0, 1], [1, 2], [2, 3]]), [2, 3, 4, 9]);
+    const before = colours.assign(
+      adjacency(4, [
+        [0, 1],
+        [1, 2],
+        [2, 3],
+      ]),
+      [1, 2, 3, 4],
+    );
+    const after = colours.assign(
+      adjacency(4, [
+        [0, 1],
+        [1, 2],
+        [2, 3],
+      ]),
+      [2, 3, 4, 9],
+    );
     assert.deepEqual([...after.subarray(0, 3)], [...before.subarray(1)]);
   });
 });
@@ -121,12 +136,16 @@ suite('a diagram that changes', () => {
           : Math.min(drawRange.count, index ? index.count : attributes.position.count);
         const perShape = type === 'Mesh' && !isLines ? 3 : 1;
         for (let i = 0; i < count; i += perShape) {
-          const corners = Array.from({ length: perShape }, (_, k) => (index ? of(index)[i + k] : i + k));
+          const corners = Array.from({ length: perShape }, (_, k) =>
+            index ? of(index)[i + k] : i + k,
+          );
           if (perShape === 3 && corners[0] === corners[1]) continue; // without extent
           const numbers = corners.map((corner) =>
             names.map((name) => {
               const width = isLines ? 6 : attributes[name].itemSize;
-              return of(attributes[name]).subarray(width * corner, width * (corner + 1)).join();
+              return of(attributes[name])
+                .subarray(width * corner, width * (corner + 1))
+                .join();
             }),
           );
           list.push(`${type} ${geometry.type} ${numbers.join(' | ')}`);
@@ -143,7 +162,8 @@ suite('a diagram that changes', () => {
     object.traverse(({ geometry }) => {
       if (!geometry) return;
       if (geometry.index) buffers.add(geometry.index);
-      for (const attribute of Object.values(geometry.attributes)) buffers.add(attribute.data ?? attribute);
+      for (const attribute of Object.values(geometry.attributes))
+        buffers.add(attribute.data ?? attribute);
     });
     return buffers;
   }
@@ -156,7 +176,11 @@ suite('a diagram that changes', () => {
     const colours = new RegionColours();
     const ids = () => [...diagram.sites.face.keys()];
     const layers = new Set(['regions', 'bisectors', 'voronoi-points']);
-    const whole = () => ({ data: diagram.data, summary: DiagramSummary.of(diagram.data), siteIds: ids() });
+    const whole = () => ({
+      data: diagram.data,
+      summary: DiagramSummary.of(diagram.data),
+      siteIds: ids(),
+    });
     const newDrawing = () => {
       const drawing = new ModelDrawing(scene, colours);
       drawing.show(layers);
@@ -169,7 +193,10 @@ suite('a diagram that changes', () => {
     let summary = DiagramSummary.of(diagram.data);
     card.upload(drawing);
     drawing.setDiagram(whole()); // not uploaded before the first change
-    const all = [...buffersOf(drawing.object)].reduce((sum, { array }) => sum + array.byteLength, 0);
+    const all = [...buffersOf(drawing.object)].reduce(
+      (sum, { array }) => sum + array.byteLength,
+      0,
+    );
 
     const places = await mesh.sampleSites(60, { seed: 7 });
     for (let i = 0; i < 21; ++i) {
@@ -250,10 +277,17 @@ suite('a diagram that changes', () => {
 suite('model frame', () => {
   test('any size and any place become the unit sphere', () => {
     const { positions, indices } = octahedron();
-    for (const [size, shift] of [[1, 0], [1e-9, 0], [1e9, 0], [1e-3, 6e6]]) {
+    for (const [size, shift] of [
+      [1, 0],
+      [1e-9, 0],
+      [1e9, 0],
+      [1e-3, 6e6],
+    ]) {
       const placed = positions.map((x) => size * x + shift);
       const scene = ModelFrame.around(placed, indices).toScene(placed);
-      scene.forEach((x, i) => assert.ok(Math.abs(x - positions[i]) < 1e-5, `${x} for ${positions[i]}`));
+      scene.forEach((x, i) =>
+        assert.ok(Math.abs(x - positions[i]) < 1e-5, `${x} for ${positions[i]}`),
+      );
     }
   });
 
@@ -325,7 +359,10 @@ suite('density paint', () => {
     for (let i = 0; i < 50; ++i) paint.dab(hit, { radius: 1e9, density: 100 });
     const { density } = paint;
     assert.ok(density.subarray(0, 121).every((each) => Math.abs(each - 100) < 1e-3));
-    assert.ok(density.subarray(121).every((each) => each === 1), 'the other part is not connected');
+    assert.ok(
+      density.subarray(121).every((each) => each === 1),
+      'the other part is not connected',
+    );
 
     for (let i = 0; i < 50; ++i) paint.dab(hit, { radius: 1e9, density: 1 });
     assert.equal(paint.density, undefined, 'painted over');

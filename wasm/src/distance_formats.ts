@@ -7,7 +7,12 @@ import { inputVertices, type AttributeSource } from './attributes.js';
 import { show, toAttributeSource, toResult, toScale } from './checks.js';
 import { invalidArgument } from './errors.js';
 import { glbAttributes, plyColumns } from './file_vertices.js';
-import { placedPointsJson, pointsJson, type PlacedPointsJson, type SurfacePointsJson } from './formats.js';
+import {
+  placedPointsJson,
+  pointsJson,
+  type PlacedPointsJson,
+  type SurfacePointsJson,
+} from './formats.js';
 import { GlbBuilder } from './glb.js';
 import { ply } from './ply.js';
 import type { Distances, SurfacePath, VertexDistances } from './results.js';

@@ -87,17 +87,15 @@ export function diagramJson(
 
 /** Per arc the faces of its segments, along the arc. */
 function facesOfArcs({ segments, arcs }: DiagramData): number[][] {
-  const faceOf = Array.from(
-    { length: arcs.labels.length / 2 },
-    () => new Map<string, number>(),
-  );
+  const faceOf = Array.from({ length: arcs.labels.length / 2 }, () => new Map<string, number>());
   segments.face.forEach((face, s) => {
     const [tail, tip] = segments.points.subarray(2 * s, 2 * s + 2);
     faceOf[segments.arc[s]].set(`${tail} ${tip}`, face);
   });
   return faceOf.map((faces, i) =>
-    Array.from(arcs.points.subarray(arcs.offset[i], arcs.offset[i + 1] - 1), (tail, k) =>
-      faces.get(`${tail} ${arcs.points[arcs.offset[i] + k + 1]}`)!,
+    Array.from(
+      arcs.points.subarray(arcs.offset[i], arcs.offset[i + 1] - 1),
+      (tail, k) => faces.get(`${tail} ${arcs.points[arcs.offset[i] + k + 1]}`)!,
     ),
   );
 }

@@ -196,10 +196,7 @@ function featuresGlb(
 }
 
 /** A group per region; all vertices are shared. */
-export function partitionObj(
-  partition: Partition,
-  options?: PartitionFileOptions,
-): string {
+export function partitionObj(partition: Partition, options?: PartitionFileOptions): string {
   toPartition(partition);
   const { mesh, scale } = toFileOptions(options);
   const { vertices, corners } = partitionVertices(partition, mesh);
@@ -221,10 +218,7 @@ export function partitionPly(
   toPartition(partition);
   const { mesh, scale } = toFileOptions(options);
   const { vertices, corners } = partitionVertices(partition, mesh);
-  const offset = Int32Array.from(
-    { length: partition.triangles.label.length + 1 },
-    (_, t) => 3 * t,
-  );
+  const offset = Int32Array.from({ length: partition.triangles.label.length + 1 }, (_, t) => 3 * t);
   return ply(
     'Regions of a geodesic Voronoi diagram',
     plyColumns(partition.points.position, vertices, scale),

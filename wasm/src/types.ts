@@ -23,7 +23,8 @@ import type {
 
 /** What functions take as a list of points: faces with barycentric coordinates, or input vertices. */
 export type SurfacePointsInput =
-  { face: ArrayLike<number>; bary: ArrayLike<number> } | { vertex: ArrayLike<number> };
+  | { face: ArrayLike<number>; bary: ArrayLike<number> }
+  | { vertex: ArrayLike<number> };
 
 export interface DistancesOptions extends TaskOptions {
   /** Default 'exact'. */
@@ -168,11 +169,7 @@ export interface Diagram extends Disposable {
   readonly regions: readonly Region[];
   /** Adds a site, given as a list of one; it gets the lowest label that is free. */
   insertSite(site: SurfacePointsInput, options?: TaskOptions): Promise<DiagramChange>;
-  moveSite(
-    label: number,
-    site: SurfacePointsInput,
-    options?: TaskOptions,
-  ): Promise<DiagramChange>;
+  moveSite(label: number, site: SurfacePointsInput, options?: TaskOptions): Promise<DiagramChange>;
   /**
    * The other sites keep their labels; this one's region is empty from then on. Labels at the end that
    * have no site do not count any more.

@@ -82,7 +82,8 @@ function isosurface(n, halfWidth, { value, gradient }) {
   const inside = new Uint8Array(size ** 3);
   for (let i = 0; i < size; ++i) {
     for (let j = 0; j < size; ++j) {
-      for (let k = 0; k < size; ++k) inside[keyOf(i, j, k)] = value(at(i), at(j), at(k)) < 0 ? 1 : 0;
+      for (let k = 0; k < size; ++k)
+        inside[keyOf(i, j, k)] = value(at(i), at(j), at(k)) < 0 ? 1 : 0;
     }
   }
   const positions = [];
@@ -103,7 +104,12 @@ function isosurface(n, halfWidth, { value, gradient }) {
           const tail = keyOf(i, j, k);
           if (inside[tail] === inside[tail + strides[axis]]) continue;
           // The four cells around the edge, counterclockwise as seen from its tip.
-          const cells = [[0, 0], [-1, 0], [-1, -1], [0, -1]].map(([u, v]) => {
+          const cells = [
+            [0, 0],
+            [-1, 0],
+            [-1, -1],
+            [0, -1],
+          ].map(([u, v]) => {
             const cell = [i, j, k];
             cell[(axis + 1) % 3] += u;
             cell[(axis + 2) % 3] += v;

@@ -77,7 +77,10 @@ function glb({ positions, indices }) {
 
 function chunk(type, parts) {
   const head = Buffer.alloc(8);
-  head.writeUInt32LE(parts.reduce((sum, part) => sum + part.length, 0), 0);
+  head.writeUInt32LE(
+    parts.reduce((sum, part) => sum + part.length, 0),
+    0,
+  );
   head.write(type, 4, 'latin1');
   return Buffer.concat([head, ...parts]);
 }
@@ -86,6 +89,9 @@ function withHeader(chunks) {
   const head = Buffer.alloc(12);
   head.write('glTF', 0, 'latin1');
   head.writeUInt32LE(2, 4);
-  head.writeUInt32LE(chunks.reduce((sum, part) => sum + part.length, head.length), 8);
+  head.writeUInt32LE(
+    chunks.reduce((sum, part) => sum + part.length, head.length),
+    8,
+  );
   return [head, ...chunks];
 }

@@ -144,7 +144,8 @@ export class ModelDrawing {
   setParts(partition: Partition | undefined): void {
     if (this.#parts) this.object.remove(this.#parts.object);
     this.#parts?.dispose();
-    this.#parts = partition && new ExplodedParts(this.#mesh, partition, new LabelColours(this.#tones));
+    this.#parts =
+      partition && new ExplodedParts(this.#mesh, partition, new LabelColours(this.#tones));
     if (this.#parts) this.object.add(this.#parts.object);
     this.#together.visible = !this.#parts;
   }
@@ -240,11 +241,7 @@ export class ModelDrawing {
   }
 
   /** Of the Voronoi points those beside the marked labels; these ones are added. They are few. */
-  #keepPoints(
-    isChanged: Uint8Array,
-    places: Float32Array,
-    labels: readonly Int32Array[],
-  ): void {
+  #keepPoints(isChanged: Uint8Array, places: Float32Array, labels: readonly Int32Array[]): void {
     const kept: number[] = [];
     this.#pointLabels.forEach((around, i) => {
       if (!around.some((label) => isChanged[label] > 0)) kept.push(i);
@@ -262,7 +259,8 @@ export class ModelDrawing {
 /** Places by their coordinates: where points overlap, changes elsewhere leave the same one on top. */
 function inOrder(places: Float32Array): Float32Array {
   const order = Array.from({ length: places.length / 3 }, (_, i) => i);
-  const difference = (i: number, j: number, axis: number) => places[3 * i + axis] - places[3 * j + axis];
+  const difference = (i: number, j: number, axis: number) =>
+    places[3 * i + axis] - places[3 * j + axis];
   order.sort((i, j) => difference(i, j, 0) || difference(i, j, 1) || difference(i, j, 2));
   const result = new Float32Array(places.length);
   order.forEach((from, to) => {

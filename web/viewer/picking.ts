@@ -1,5 +1,13 @@
 // SPDX-License-Identifier: MIT
-import { BufferAttribute, BufferGeometry, type Camera, DoubleSide, Raycaster, type Vector2, type Vector3 } from 'three';
+import {
+  BufferAttribute,
+  BufferGeometry,
+  type Camera,
+  DoubleSide,
+  Raycaster,
+  type Vector2,
+  type Vector3,
+} from 'three';
 import { MeshBVH } from 'three-mesh-bvh';
 import type { SceneMesh } from './scene_mesh.js';
 

@@ -199,7 +199,16 @@ export const commands = {
       'mesh.glb --sites 300 -o sites.json',
       'mesh.glb --sites sites.json --fixed fixed.json --density density.json -o moved.json',
     ],
-    options: [...ofSites, 'iterations', 'method', 'density', 'fixed', 'metric', 'progress', ...ofAll],
+    options: [
+      ...ofSites,
+      'iterations',
+      'method',
+      'density',
+      'fixed',
+      'metric',
+      'progress',
+      ...ofAll,
+    ],
   },
   partition: {
     summary: 'The mesh cut into the regions of sites, watertight where it was',
@@ -258,7 +267,9 @@ export function parseCommandLine(args: string[], version: string): Invocation | 
   }
   const [mesh] = positionals;
   const { sites, points, from, to, density, fixed } = texts;
-  if ([mesh, sites, points, from, to, density, fixed].filter((path) => path === standard).length > 1) {
+  if (
+    [mesh, sites, points, from, to, density, fixed].filter((path) => path === standard).length > 1
+  ) {
     throw new UsageError('only one file can be standard input');
   }
   const values = commands[command].options.map((name) => [name, parsedValue(name, texts[name])]);
