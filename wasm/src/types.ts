@@ -157,7 +157,8 @@ export interface Region {
 
 /**
  * A diagram. Sites can come, go and move: only the surroundings are computed anew, and only what has
- * changed is handed over. The first change costs about a diagram more: one that can change is made.
+ * changed is handed over. The first change traces the whole diagram once more; after a tessellation,
+ * its distances are found again, too.
  * Calls are carried out in their order; `sites`, `data` and `regions` are those after the last one
  * that has resolved.
  */
