@@ -26,12 +26,16 @@ export class FatLines {
     new InstancedInterleavedBuffer(new Float32Array(6 * n), 6),
   ]);
 
-  constructor(style: { colour: number; width: number }) {
+  constructor({ width }: { width: number }) {
     // Smoothed by multisampling alone: coverage by alpha would let the page shine through the canvas.
-    const material = new LineMaterial({ color: style.colour, linewidth: style.width });
+    const material = new LineMaterial({ linewidth: width });
     this.object = new LineSegments2(new LineSegmentsGeometry(), material);
     this.object.frustumCulled = false;
     this.object.visible = false;
+  }
+
+  set colour(colour: number) {
+    this.object.material.color.set(colour);
   }
 
   get count(): number {
@@ -142,11 +146,11 @@ export function drapedSides(
 }
 
 /** The edges of the model's triangles, as thin lines. */
-export function wireframe(mesh: SceneMesh, colour: number): LineSegments {
+export function wireframe(mesh: SceneMesh): LineSegments<BufferGeometry, LineBasicMaterial> {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(mesh.positions, 3));
   geometry.setIndex(new BufferAttribute(edgesOf(mesh.indices), 1));
-  const material = new LineBasicMaterial({ color: colour, transparent: true, opacity: 0.28 });
+  const material = new LineBasicMaterial({ transparent: true, opacity: 0.28 });
   const lines = new LineSegments(geometry, material);
   lines.frustumCulled = false;
   return lines;

@@ -3,13 +3,15 @@ import type { DiagramChange, DiagramData } from 'geodesic-voronoi';
 import {
   BufferAttribute,
   BufferGeometry,
-  Color,
+  type Data3DTexture,
   DoubleSide,
   Group,
   Mesh,
   MeshLambertMaterial,
 } from 'three';
 import { type Cells, type CellTriangles, cellTriangles } from './cell_triangles.js';
+import { LabelColours } from './label_colours.js';
+import { occlude } from './occlusion.js';
 import {
   type Marks,
   noMarks,
@@ -18,21 +20,10 @@ import {
   uploadRecords,
   wholeScene,
 } from './record_buffer.js';
-import { toneColour } from './region_colours.js';
 import type { SceneMesh } from './scene_mesh.js';
-
-/** Faces without a region: those the mesh builder dropped, and all before the first diagram. */
-const neutralColour = 0xd9d6d0;
-/** Faces that no site reaches. */
-const unreachableColour = 0x9a9ca1;
-/** Where the painted density is greatest and least. */
-const denseColour = 0x4a1942;
-const sparseColour = 0xffffff;
-const tintOpacity = 0.75;
 
 /** `DiagramData.faceLabel` of a face that several regions share; others below zero have no region. */
 const shared = -2;
-const unreachable = -1;
 const dropped = -3;
 
 const noCells: CellTriangles = {
@@ -72,7 +63,7 @@ export class RegionSurface {
   #filled = true;
   #tints: Float32Array | undefined;
 
-  constructor(mesh: SceneMesh) {
+  constructor(mesh: SceneMesh, occlusion: Data3DTexture) {
     this.#mesh = mesh;
     this.#faceLabels = new Int32Array(mesh.faceCount).fill(dropped);
     this.#material = new MeshLambertMaterial({
@@ -84,6 +75,7 @@ export class RegionSurface {
       polygonOffsetFactor: 2,
       polygonOffsetUnits: 2,
     });
+    occlude(this.#material, occlusion);
     this.#wholeFaces = wholeFaceGeometry(mesh);
     this.#colour = this.#wholeFaces.getAttribute('color') as BufferAttribute;
     this.#corners = this.#wholeFaces.index as BufferAttribute;
@@ -93,6 +85,11 @@ export class RegionSurface {
     this.#parts.frustumCulled = false;
     this.object.add(faces, this.#parts);
     this.#drawAll();
+  }
+
+  /** What colours are multiplied by. */
+  set shade(shade: number) {
+    this.#material.color.setScalar(shade);
   }
 
   /** Whether the regions are filled; without, the surface is neutral. */
@@ -279,43 +276,6 @@ function recoloured(before: Uint16Array | undefined, after: Uint16Array | undefi
   return Uint8Array.from({ length: count }, (_, label) =>
     before?.[label] === after?.[label] ? 0 : 1,
   );
-}
-
-/** Colours as vertex attributes hold them: linear, a byte per channel. */
-export class LabelColours {
-  readonly #ofTone: Uint8Array[] = [];
-  readonly #tones: Uint16Array | undefined;
-  readonly #neutral = linearBytes(neutralColour);
-  readonly #unreachable = linearBytes(unreachableColour);
-  readonly #dense = linearBytes(denseColour);
-  readonly #sparse = linearBytes(sparseColour);
-
-  constructor(tones: Uint16Array | undefined) {
-    this.#tones = tones;
-  }
-
-  write(label: number, tint: number, target: { [i: number]: number }, at: number): void {
-    const bytes = this.#of(label);
-    if (tint === 0) {
-      for (let k = 0; k < 3; ++k) target[at + k] = bytes[k];
-      return;
-    }
-    const over = tint < 0 ? this.#sparse : this.#dense;
-    const share = tintOpacity * Math.abs(tint);
-    for (let k = 0; k < 3; ++k) target[at + k] = bytes[k] + share * (over[k] - bytes[k]);
-  }
-
-  #of(label: number): Uint8Array {
-    if (label === unreachable) return this.#unreachable;
-    if (label < 0 || !this.#tones) return this.#neutral;
-    const tone = this.#tones[label];
-    return (this.#ofTone[tone] ??= linearBytes(toneColour(tone)));
-  }
-}
-
-function linearBytes(srgb: number): Uint8Array {
-  const { r, g, b } = new Color(srgb);
-  return Uint8Array.of(Math.round(255 * r), Math.round(255 * g), Math.round(255 * b));
 }
 
 function wholeFaceGeometry(mesh: SceneMesh): BufferGeometry {

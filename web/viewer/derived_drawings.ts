@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+//
+// What is drawn of a diagram besides itself, computed only while it is shown.
+
+import type { Diagram, PolygonMesh, Violation } from 'geodesic-voronoi';
+import type { Attributes } from './attributes.js';
+import { Derived } from './derived.js';
+import type { Emit } from './events.js';
+import { widestSpread } from './exploded_parts.js';
+import type { OpenModel } from './open_model.js';
+import type { PartTriangles } from './part_triangles.js';
+import type { ShownDiagram } from './shown_diagram.js';
+import type { Stage } from './stage.js';
+
+/** What they are drawn in. */
+export interface DrawingPlace {
+  readonly attributes: Attributes;
+  readonly stage: Stage;
+  readonly model: OpenModel | undefined;
+}
+
+/** The regions apart. */
+interface Parts {
+  regions: number;
+  triangles: PartTriangles;
+}
+
+export class DerivedDrawings {
+  readonly #place: DrawingPlace;
+  readonly #emit: Emit;
+  readonly #dual = new Derived(
+    async (diagram) => ({ dual: await diagram.dual(), violations: await diagram.violations() }),
+    (result) => this.#showDual(result),
+  );
+  readonly #parts = new Derived(
+    (diagram) => this.#makeParts(diagram),
+    (parts) => this.#showParts(parts),
+  );
+
+  constructor(place: DrawingPlace, emit: Emit) {
+    this.#place = place;
+    this.#emit = emit;
+  }
+
+  /** Those of this diagram that the attributes ask for; none without a diagram. */
+  update(shown: ShownDiagram | undefined): void {
+    const { layers, exploded } = this.#place.attributes;
+    void this.#dual.update(layers.includes('dual') ? shown : undefined);
+    void this.#parts.update(exploded > 0 ? shown : undefined);
+  }
+
+  /** The regions are as far apart as the attributes ask for. */
+  spread(): void {
+    const { attributes, model, stage } = this.#place;
+    model?.drawing.spread(attributes.exploded);
+    stage.reach = 1 + widestSpread * attributes.exploded;
+    stage.invalidate();
+  }
+
+  async #makeParts(diagram: Diagram): Promise<Parts | undefined> {
+    const partition = await diagram.partition();
+    const { model } = this.#place;
+    const regions = partition.regions.area.length;
+    const triangles = await model?.builder.parts(partition, model.drawing.tones);
+    return triangles && { regions, triangles };
+  }
+
+  #showParts(parts: Parts | undefined): void {
+    this.#place.model?.drawing.setParts(parts?.triangles);
+    this.spread();
+    const triangles = (parts?.triangles.position.length ?? 0) / 9;
+    this.#emit('exploded', parts ? { regions: parts.regions, triangles } : null);
+  }
+
+  #showDual(result: { dual: PolygonMesh; violations: Violation[] } | undefined): void {
+    const { model, stage } = this.#place;
+    if (!model) return;
+    const { drawing, picker } = model;
+    drawing.setDual(result?.dual, (place) => picker.nearest(place));
+    stage.invalidate();
+    const polygons = (result?.dual.faces.offset.length ?? 0) - 1;
+    this.#emit('dual', result ? { polygons, violations: result.violations } : null);
+  }
+}

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+//
+// The triangles of a partition, ready to be drawn apart.
+
+import type { Partition } from 'geodesic-voronoi';
+import { LabelColours } from './label_colours.js';
+import type { SceneMesh } from './scene_mesh.js';
+
+/** Per corner. */
+export interface PartTriangles {
+  /** Where it is when the parts are together, and how it moves when they go apart. */
+  position: Float32Array;
+  direction: Float32Array;
+  normal: Float32Array;
+  colour: Uint8Array;
+}
+
+/** Each part moves away from the middle of the model, by the place of its own middle. */
+export function partTriangles(
+  mesh: SceneMesh,
+  { points, triangles, regions }: Pick<Partition, 'points' | 'triangles' | 'regions'>,
+  tones: Uint16Array,
+): PartTriangles {
+  const places = mesh.frame.toScene(points.position);
+  const centres = mesh.frame.toScene(regions.centroid);
+  const colours = new LabelColours(tones);
+  const corners = triangles.points.length;
+  const position = new Float32Array(3 * corners);
+  const direction = new Float32Array(3 * corners);
+  const normal = new Float32Array(3 * corners);
+  const colour = new Uint8Array(3 * corners);
+  const bary = [0, 0, 0];
+  for (let c = 0; c < corners; ++c) {
+    const triangle = Math.floor(c / 3);
+    const label = triangles.label[triangle];
+    const point = triangles.points[c];
+    for (let axis = 0; axis < 3; ++axis) {
+      position[3 * c + axis] = places[3 * point + axis];
+      if (label >= 0) direction[3 * c + axis] = centres[3 * label + axis];
+      bary[axis] = triangles.bary[3 * c + axis];
+    }
+    mesh.writeNormal(triangles.face[triangle], bary, normal, 3 * c);
+    colours.write(label, 0, colour, 3 * c);
+  }
+  return { position, direction, normal, colour };
+}
