@@ -2,11 +2,12 @@
 //
 // What is drawn of a diagram besides itself, computed only while it is shown.
 
-import type { Diagram, PolygonMesh, Violation } from 'geodesic-voronoi';
+import type { Diagram, Violation } from 'geodesic-voronoi';
 import type { Attributes } from './attributes.js';
 import { Derived } from './derived.js';
 import type { Emit } from './events.js';
 import { widestSpread } from './exploded_parts.js';
+import { boundarySides, chainEnds } from './lines.js';
 import type { OpenModel } from './open_model.js';
 import type { PartTriangles } from './part_triangles.js';
 import type { ShownDiagram } from './shown_diagram.js';
@@ -25,12 +26,20 @@ interface Parts {
   triangles: PartTriangles;
 }
 
+/** The dual's sides, and whether it is a picture of the surface. */
+interface Dual {
+  /** Both ends of their pieces. */
+  ends: Float32Array;
+  polygons: number;
+  violations: readonly Violation[];
+}
+
 export class DerivedDrawings {
   readonly #place: DrawingPlace;
   readonly #emit: Emit;
   readonly #dual = new Derived(
-    async (diagram) => ({ dual: await diagram.dual(), violations: await diagram.violations() }),
-    (result) => this.#showDual(result),
+    (diagram) => this.#makeDual(diagram),
+    (dual) => this.#showDual(dual),
   );
   readonly #parts = new Derived(
     (diagram) => this.#makeParts(diagram),
@@ -65,6 +74,22 @@ export class DerivedDrawings {
     return triangles && { regions, triangles };
   }
 
+  async #makeDual(diagram: Diagram): Promise<Dual | undefined> {
+    const paths = await diagram.dualPaths();
+    const dual = await diagram.dual();
+    const violations = await diagram.violations();
+    const { model } = this.#place;
+    if (!model) return undefined;
+    const { drawing, picker } = model;
+    const siteCount = diagram.sites.face.length;
+    const inside = chainEnds(drawing.mesh, paths);
+    const beside = boundarySides(drawing.mesh, dual, siteCount, (place) => picker.nearest(place));
+    const ends = new Float32Array(inside.length + beside.length);
+    ends.set(inside);
+    ends.set(beside, inside.length);
+    return { ends, polygons: dual.faces.offset.length - 1, violations };
+  }
+
   #showParts(parts: Parts | undefined): void {
     this.#place.model?.drawing.setParts(parts?.triangles);
     this.spread();
@@ -72,13 +97,9 @@ export class DerivedDrawings {
     this.#emit('exploded', parts ? { regions: parts.regions, triangles } : null);
   }
 
-  #showDual(result: { dual: PolygonMesh; violations: Violation[] } | undefined): void {
-    const { model, stage } = this.#place;
-    if (!model) return;
-    const { drawing, picker } = model;
-    drawing.setDual(result?.dual, (place) => picker.nearest(place));
-    stage.invalidate();
-    const polygons = (result?.dual.faces.offset.length ?? 0) - 1;
-    this.#emit('dual', result ? { polygons, violations: result.violations } : null);
+  #showDual(dual: Dual | undefined): void {
+    this.#place.model?.drawing.setDual(dual?.ends ?? new Float32Array());
+    this.#place.stage.invalidate();
+    this.#emit('dual', dual ? { polygons: dual.polygons, violations: dual.violations } : null);
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-import type { DiagramChange, DiagramData, PolygonMesh } from 'geodesic-voronoi';
+import type { DiagramChange, DiagramData } from 'geodesic-voronoi';
 import {
   type BufferGeometry,
   type Data3DTexture,
@@ -11,7 +11,7 @@ import {
 import type { CellTriangles } from './cell_triangles.js';
 import type { DiagramSummary } from './diagram_summary.js';
 import { ExplodedParts } from './exploded_parts.js';
-import { drapedSides, FatLines, outlineEnds, pointPlaces, wireframe } from './lines.js';
+import { FatLines, outlineEnds, pointPlaces, wireframe } from './lines.js';
 import { Markers } from './markers.js';
 import { RegionColours, toneColour } from './region_colours.js';
 import { RegionSurface, type TonedDiagram } from './region_surface.js';
@@ -154,9 +154,9 @@ export class ModelDrawing {
     this.outline(-1);
   }
 
-  /** The sides of the dual, laid onto the surface by `nearest`; undefined for none. */
-  setDual(dual: PolygonMesh | undefined, nearest: (place: Vector3) => Vector3): void {
-    this.#dual.set(dual ? drapedSides(this.#mesh, dual, nearest) : new Float32Array());
+  /** Both ends of pieces of the dual's sides; none for no dual. */
+  setDual(ends: Float32Array): void {
+    this.#dual.set(ends);
   }
 
   /** Per label. */
