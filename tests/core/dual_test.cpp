@@ -112,7 +112,7 @@ TEST_P(DualOfRandomMeshes, HasPathsAcrossItsArcs) {
     ASSERT_GE(points.size(), 2u);
     for (const auto& [label, end] : {std::pair(labels[0], points.front()), {labels[1], points.back()}})
       EXPECT_LT((mesh.position(end) - mesh.position(sites[label])).norm(), 1e-12);
-    // As long as the way over the nearest point of the arc; straight bisectors are off the true ones.
+    // No longer than the way over any point of the arc.
     const double length = lengthOf(mesh, points);
     double least = kInfinity;
     for (const int p : d.arcs[static_cast<int>(arc)])

@@ -5,6 +5,8 @@
 import type { Diagram, Violation } from 'geodesic-voronoi';
 import type { Attributes } from './attributes.js';
 import { Derived } from './derived.js';
+import { type DistanceLegend, type DistanceRange, distanceRange } from './distance_legend.js';
+import { cornersToAsk, type DistanceTriangles } from './distance_triangles.js';
 import type { Emit } from './events.js';
 import { widestSpread } from './exploded_parts.js';
 import { boundarySides, chainEnds } from './lines.js';
@@ -18,12 +20,19 @@ export interface DrawingPlace {
   readonly attributes: Attributes;
   readonly stage: Stage;
   readonly model: OpenModel | undefined;
+  readonly legend: DistanceLegend;
 }
 
 /** The regions apart. */
 interface Parts {
   regions: number;
   triangles: PartTriangles;
+}
+
+/** The surface coloured by distance, and what the colours mean. */
+interface Distances {
+  triangles: DistanceTriangles;
+  range: DistanceRange;
 }
 
 /** The dual's sides, and whether it is a picture of the surface. */
@@ -46,6 +55,11 @@ export class DerivedDrawings {
     (parts) => this.#showParts(parts),
   );
 
+  readonly #distances = new Derived(
+    (diagram) => this.#makeDistances(diagram),
+    (distances) => this.#showDistances(distances),
+  );
+
   constructor(place: DrawingPlace, emit: Emit) {
     this.#place = place;
     this.#emit = emit;
@@ -55,6 +69,7 @@ export class DerivedDrawings {
   update(shown: ShownDiagram | undefined): void {
     const { layers, exploded } = this.#place.attributes;
     void this.#dual.update(layers.includes('dual') ? shown : undefined);
+    void this.#distances.update(layers.includes('distances') ? shown : undefined);
     void this.#parts.update(exploded > 0 ? shown : undefined);
   }
 
@@ -72,6 +87,35 @@ export class DerivedDrawings {
     const regions = partition.regions.area.length;
     const triangles = await model?.builder.parts(partition, model.drawing.tones);
     return triangles && { regions, triangles };
+  }
+
+  async #makeDistances(diagram: Diagram): Promise<Distances | undefined> {
+    const { model } = this.#place;
+    if (!model) return undefined;
+    const { indices, positions } = model.drawing.mesh;
+    const { points, cells, faceLabel } = diagram.data;
+    const { vertex, points: corners } = cornersToAsk(indices, { faceLabel });
+    const [atPoints, atCorners] = [await diagram.locate(points), await diagram.locate(corners)];
+    const atVertices = new Float64Array(positions.length / 3).fill(Infinity);
+    vertex.forEach((v, i) => (atVertices[v] = atCorners.distance[i]));
+    let longest = 0;
+    for (const { distance } of [atPoints, atCorners]) {
+      for (const each of distance) if (each > longest && each < Infinity) longest = each;
+    }
+    const triangles = await model.builder.distances({
+      cells: { cells, points: { position: points.position } },
+      faceLabel,
+      atPoints: atPoints.distance,
+      atVertices,
+    });
+    return triangles && { triangles, range: distanceRange(longest) };
+  }
+
+  #showDistances(distances: Distances | undefined): void {
+    const { model, stage, legend } = this.#place;
+    model?.drawing.setDistances(distances?.triangles, distances?.range);
+    legend.show(distances?.range);
+    stage.invalidate();
   }
 
   async #makeDual(diagram: Diagram): Promise<Dual | undefined> {

@@ -4,6 +4,7 @@
 
 import type { DiagramData, Mesh, Partition } from 'geodesic-voronoi';
 import type { Cells, CellTriangles } from './cell_triangles.js';
+import type { DistanceSamples, DistanceTriangles } from './distance_triangles.js';
 import type { PartTriangles } from './part_triangles.js';
 import { PortedWorker } from './ported_worker.js';
 
@@ -11,7 +12,8 @@ import { PortedWorker } from './ported_worker.js';
 export type DrawingRequest =
   | { kind: 'mesh'; mesh: Pick<Mesh, 'positions' | 'indices'> }
   | { kind: 'cells'; cells: Cells }
-  | { kind: 'parts'; partition: Partition; tones: Uint16Array };
+  | { kind: 'parts'; partition: Partition; tones: Uint16Array }
+  | { kind: 'distances'; samples: DistanceSamples };
 
 const worker = new PortedWorker(
   () =>
@@ -45,6 +47,11 @@ export class DrawingBuilder {
       partition.points.position.buffer,
       ...Object.values(partition.triangles).map(({ buffer }) => buffer),
     ] as ArrayBuffer[]);
+  }
+
+  /** The surface with distances. Undefined as above. */
+  distances(samples: DistanceSamples): Promise<DistanceTriangles | undefined> {
+    return this.#ask({ kind: 'distances', samples });
   }
 
   dispose(): void {

@@ -4,6 +4,7 @@
 // what is to be drawn of it.
 
 import { cellTriangles } from './cell_triangles.js';
+import { distanceTriangles } from './distance_triangles.js';
 import type { DrawingRequest } from './drawing_builder.js';
 import { partTriangles } from './part_triangles.js';
 import { SceneMesh } from './scene_mesh.js';
@@ -23,6 +24,8 @@ globalThis.onmessage = ({ data: port }: MessageEvent<MessagePort>) => {
         return answer(cellTriangles(mesh, request.cells));
       case 'parts':
         return answer(partTriangles(mesh, request.partition, request.tones));
+      case 'distances':
+        return answer(distanceTriangles(mesh, request.samples));
     }
   };
 };

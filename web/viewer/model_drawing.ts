@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-import type { DiagramChange, DiagramData } from 'geodesic-voronoi';
+import type { DiagramChange, DiagramData, SurfacePath } from 'geodesic-voronoi';
 import {
   type BufferGeometry,
   type Data3DTexture,
@@ -10,8 +10,11 @@ import {
 } from 'three';
 import type { CellTriangles } from './cell_triangles.js';
 import type { DiagramSummary } from './diagram_summary.js';
+import type { DistanceRange } from './distance_legend.js';
+import { DistanceSurface } from './distance_surface.js';
+import type { DistanceTriangles } from './distance_triangles.js';
 import { ExplodedParts } from './exploded_parts.js';
-import { FatLines, outlineEnds, pointPlaces, wireframe } from './lines.js';
+import { chainEnds, FatLines, outlineEnds, pointPlaces, wireframe } from './lines.js';
 import { Markers } from './markers.js';
 import { RegionColours, toneColour } from './region_colours.js';
 import { RegionSurface, type TonedDiagram } from './region_surface.js';
@@ -29,6 +32,7 @@ export const layers = [
   'sites',
   'voronoi-points',
   'dual',
+  'distances',
   'wireframe',
 ] as const;
 export type Layer = (typeof layers)[number];
@@ -58,12 +62,15 @@ export class ModelDrawing {
   readonly #bisectors = new FatLines({ width: 2 });
   readonly #outline = new FatLines({ width: 4.5 });
   readonly #brush = new FatLines({ width: 2.5 });
+  /** From the point under the pointer to its site. */
+  readonly #path = new FatLines({ width: 2.5 });
   readonly #dual = new FatLines({ width: 2.5 });
   readonly #voronoiPoints: VoronoiPointMarkers;
   readonly #siteMarkers = new Markers({ least: 2.5, most: 9, rim: 0.3 });
   /** All that lies on the surface, and it. */
   readonly #together = new Group();
   #parts: ExplodedParts | undefined;
+  #distances: DistanceSurface | undefined;
   #wireframe: LineSegments<BufferGeometry, LineBasicMaterial> | undefined;
   readonly #occlusion: Data3DTexture;
   #theme: Theme = lightTheme;
@@ -92,6 +99,7 @@ export class ModelDrawing {
       this.#outline.object,
       this.#dual.object,
       this.#brush.object,
+      this.#path.object,
       this.#voronoiPoints.markers.object,
       this.#siteMarkers.object,
     );
@@ -101,7 +109,7 @@ export class ModelDrawing {
     this.#theme = theme;
     this.#surface.shade = theme.surfaceShade;
     this.#bisectors.colour = this.#outline.colour = theme.ink;
-    this.#dual.colour = this.#brush.colour = theme.accent;
+    this.#dual.colour = this.#brush.colour = this.#path.colour = theme.accent;
     this.#siteMarkers.theme = theme;
     this.#voronoiPoints.markers.theme = theme;
     this.#wireframe?.material.color.set(theme.ink);
@@ -152,6 +160,24 @@ export class ModelDrawing {
     this.#replaceLines(isChanged, part);
     for (const label of labels) this.#outlines.set(label, outlineEnds(this.#mesh, part, label));
     this.outline(-1);
+  }
+
+  /** The surface coloured by distance, in the model's units, instead of the regions; undefined for none. */
+  setDistances(triangles: DistanceTriangles | undefined, range?: DistanceRange): void {
+    if (this.#distances) this.#together.remove(this.#distances.object);
+    this.#distances?.dispose();
+    const { scale } = this.#mesh.frame;
+    this.#distances =
+      triangles &&
+      range &&
+      new DistanceSurface(
+        this.#mesh,
+        triangles,
+        { longest: scale * range.longest, step: scale * range.step },
+        this.#occlusion,
+      );
+    if (this.#distances) this.#together.add(this.#distances.object);
+    this.#surface.object.visible = !this.#distances;
   }
 
   /** Both ends of pieces of the dual's sides; none for no dual. */
@@ -239,6 +265,12 @@ export class ModelDrawing {
     return new Vector3().fromArray(this.#sitePlaces, 3 * index);
   }
 
+  /** A path on the surface; undefined for none. */
+  setPath(path: SurfacePath | undefined): void {
+    const points = path?.points ?? { position: [] };
+    this.#path.set(chainEnds(this.#mesh, { points, offset: [0, points.position.length / 3] }));
+  }
+
   /** Draws one region's outline bold; -1 for none. Returns whether that changed anything. */
   outline(label: number): boolean {
     if (label === this.#outlined) return false;
@@ -255,7 +287,9 @@ export class ModelDrawing {
     this.#outline.dispose();
     this.#dual.dispose();
     this.#brush.dispose();
+    this.#path.dispose();
     this.#parts?.dispose();
+    this.#distances?.dispose();
     this.#occlusion.dispose();
     this.#voronoiPoints.markers.dispose();
     this.#siteMarkers.dispose();

@@ -157,6 +157,6 @@ const openness = /* glsl */ `
     float wide = densityAt(vPlace + outward * ${(lift * deviations[1]).toFixed(5)}).g;
     vec2 excess = vec2(narrow, wide) * ${(255 / byteOfPlane).toFixed(4)} - 1.0;
     vec2 light = 1.0 - vec2(0.16, 0.3) * excess;
-    return clamp(light.x * light.y, 0.4, 1.15);
+    return clamp(light.x * light.y, 0.4, 1.05);
   }
 `;

@@ -30,6 +30,7 @@ const noCells: CellTriangles = {
   keys: new Int32Array(),
   position: new Float32Array(),
   normal: new Float32Array(),
+  points: new Int32Array(),
 };
 
 /** A diagram to be drawn, with a tone per label; `data` is read only to draw all of it. */
@@ -279,15 +280,9 @@ function recoloured(before: Uint16Array | undefined, after: Uint16Array | undefi
 }
 
 function wholeFaceGeometry(mesh: SceneMesh): BufferGeometry {
-  const { positions, indices } = mesh;
-  const corners = new Float32Array(3 * indices.length);
-  for (let corner = 0; corner < indices.length; ++corner) {
-    for (let axis = 0; axis < 3; ++axis) {
-      corners[3 * corner + axis] = positions[3 * indices[corner] + axis];
-    }
-  }
+  const { indices } = mesh;
   const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(corners, 3));
+  geometry.setAttribute('position', new BufferAttribute(mesh.cornerPositions(), 3));
   geometry.setAttribute('normal', new BufferAttribute(mesh.normals, 3));
   geometry.setAttribute('color', new BufferAttribute(new Uint8Array(3 * indices.length), 3, true));
   geometry.setIndex(new BufferAttribute(new Uint32Array(indices.length), 1));

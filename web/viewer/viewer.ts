@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-import type { DiagramData, Mesh } from 'geodesic-voronoi';
+import type { DiagramData, Mesh, SurfacePath } from 'geodesic-voronoi';
 import type { Attributes } from './attributes.js';
 import { formatCameraOrbit } from './camera_orbit.js';
 import { commandOf, isOfView, perform } from './commands.js';
 import { DerivedDrawings } from './derived_drawings.js';
+import { DistanceLegend } from './distance_legend.js';
 import type { Emit } from './events.js';
 import { hexagonEnergy, rootDensityIntegral } from './hexagon_energy.js';
 import { Hover, type HoveredPoint } from './hover.js';
@@ -43,6 +44,7 @@ export class Viewer implements Workpiece {
   readonly hover: Hover;
   readonly tools: SurfaceTools;
   readonly scrolling: PageScrolling;
+  readonly legend: DistanceLegend;
   readonly #emit: Emit;
   readonly #gestures: PointerGestures;
   readonly #resizing: ResizeObserver;
@@ -70,12 +72,13 @@ export class Viewer implements Workpiece {
       cameraMoved: () =>
         this.#emit('camera-change', { orbit: formatCameraOrbit(this.stage.cameraOrbit) }),
     });
+    this.legend = new DistanceLegend(canvas.getRootNode() as ShadowRoot);
     this.#derived = new DerivedDrawings(this, host.emit);
     this.session = new Session(
       async (data) => this.#model?.builder.cells(data),
       this.#sessionListener(),
     );
-    this.hover = new Hover(this.session, (point) => this.#tellHovered(point));
+    this.hover = new Hover(this.session, (point, path) => this.#tellHovered(point, path));
     this.#resizing = new ResizeObserver(() => {
       this.stage.resize(canvas.clientWidth, canvas.clientHeight);
       this.scrolling.update();
@@ -337,10 +340,12 @@ export class Viewer implements Workpiece {
     this.#emit('density-change', { isUniform: perVertex === undefined });
   }
 
-  #tellHovered(point: HoveredPoint | undefined): void {
+  #tellHovered(point: HoveredPoint | undefined, path: SurfacePath | undefined): void {
     const { drawing } = this.#model ?? {};
     const region = point?.region ?? -1;
-    if (drawing?.outline(region)) this.stage.invalidate();
+    drawing?.outline(region);
+    drawing?.setPath(path);
+    this.stage.invalidate();
     this.#emit('hover', point ? { ...point, colour: drawing?.regionColour(region) } : null);
   }
 }

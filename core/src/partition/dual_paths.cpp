@@ -10,10 +10,10 @@
 namespace gvd {
 namespace {
 
-/// A point of a bisector and its squared distance from either site.
+/// A point of a bisector, and how long the way from site to site over it is.
 struct Crossing {
   SurfacePoint point;
-  double squaredDistance = kInfinity;
+  double length = kInfinity;
 };
 
 /// A point in terms of a face that has it.
@@ -36,8 +36,9 @@ class NearestCrossing {
   const SurfacePoint& of(int arc) const { return nearest_[arc].point; }
 
  private:
-  /// Where the path to the virtual source is the same all along a segment, the squared distance is a
-  /// quadratic function: the one through three of its values has its least value at the same place.
+  /// Where the paths to the virtual sources are the same all along a segment, the sum of the squared
+  /// distances is a quadratic function: the one through three of its values has its least value at the
+  /// same place. Elsewhere an end of the segment may be nearer.
   void visit(const Diagram::Segment& segment) {
     const SurfacePoint begin = inFace(mesh_, diagram_.points[segment.points[0]], segment.face);
     const SurfacePoint end = inFace(mesh_, diagram_.points[segment.points[1]], segment.face);
@@ -45,17 +46,21 @@ class NearestCrossing {
     const auto at = [&](double t) -> SurfacePoint {
       return {begin.face, (1 - t) * begin.bary + t * end.bary};
     };
-    const auto squared = [&](double t) {
-      const double distance = field_.distance(segment.labels[0], at(t));
-      return distance * distance;
+    const auto distances = [&](double t) {
+      return Eigen::Vector2d(field_.distance(segment.labels[0], at(t)),
+                             field_.distance(segment.labels[1], at(t)));
     };
-    const double first = squared(0), middle = squared(0.5), last = squared(1);
-    const double curvature = 2 * (first - 2 * middle + last);
-    double t = first < last ? 0 : 1;
-    if (curvature > 0) t = std::clamp(0.5 + (first - last) / (2 * curvature), 0.0, 1.0);
-    const double least = squared(t);
+    const Eigen::Vector2d first = distances(0), middle = distances(0.5), last = distances(1);
+    const double slope = first.squaredNorm() - last.squaredNorm();
+    const double curvature = first.squaredNorm() - 2 * middle.squaredNorm() + last.squaredNorm();
+    const double t = curvature > 0 ? std::clamp(0.5 + slope / (4 * curvature), 0.0, 1.0) : 0.5;
     Crossing& nearest = nearest_[segment.arc];
-    if (least < nearest.squaredDistance) nearest = {at(t), least};
+    const auto offer = [&](double place, const Eigen::Vector2d& both) {
+      if (both.sum() < nearest.length) nearest = {at(place), both.sum()};
+    };
+    offer(t, distances(t));
+    offer(0, first);
+    offer(1, last);
   }
 
   const TriangleMesh& mesh_;
