@@ -8,10 +8,10 @@ import { Derived } from './derived.js';
 import { type DistanceLegend, type DistanceRange, distanceRange } from './distance_legend.js';
 import { cornersToAsk, type DistanceTriangles } from './distance_triangles.js';
 import type { Emit } from './events.js';
-import { widestSpread } from './exploded_parts.js';
+import { type ExplodedParts, widestSpread } from './exploded_parts.js';
 import { boundarySides, chainEnds } from './lines.js';
+import { nextFrame } from './next_frame.js';
 import type { OpenModel } from './open_model.js';
-import type { PartTriangles } from './part_triangles.js';
 import type { ShownDiagram } from './shown_diagram.js';
 import type { Stage } from './stage.js';
 
@@ -26,7 +26,7 @@ export interface DrawingPlace {
 /** The regions apart. */
 interface Parts {
   regions: number;
-  triangles: PartTriangles;
+  parts: ExplodedParts;
 }
 
 /** The surface coloured by distance, and what the colours mean. */
@@ -83,10 +83,23 @@ export class DerivedDrawings {
 
   async #makeParts(diagram: Diagram): Promise<Parts | undefined> {
     const partition = await diagram.partition();
-    const { model } = this.#place;
+    const { model, stage } = this.#place;
     const regions = partition.regions.area.length;
     const triangles = await model?.builder.parts(partition, model.drawing.tones);
-    return triangles && { regions, triangles };
+    if (!model || !triangles || model !== this.#place.model) return undefined;
+    const parts = model.drawing.prepareParts(triangles);
+    while (parts.uploadMore()) {
+      stage.invalidate();
+      await nextFrame();
+    }
+    return { regions, parts };
+  }
+
+  #showParts(shown: Parts | undefined): void {
+    this.#place.model?.drawing.setParts(shown?.parts);
+    this.spread();
+    const detail = shown && { regions: shown.regions, triangles: shown.parts.triangleCount };
+    this.#emit('exploded', detail ?? null);
   }
 
   async #makeDistances(diagram: Diagram): Promise<Distances | undefined> {
@@ -132,13 +145,6 @@ export class DerivedDrawings {
     ends.set(inside);
     ends.set(beside, inside.length);
     return { ends, polygons: dual.faces.offset.length - 1, violations };
-  }
-
-  #showParts(parts: Parts | undefined): void {
-    this.#place.model?.drawing.setParts(parts?.triangles);
-    this.spread();
-    const triangles = (parts?.triangles.position.length ?? 0) / 9;
-    this.#emit('exploded', parts ? { regions: parts.regions, triangles } : null);
   }
 
   #showDual(dual: Dual | undefined): void {

@@ -13,6 +13,7 @@ import {
 } from 'three';
 import type { DistanceTriangles } from './distance_triangles.js';
 import { occlude } from './occlusion.js';
+import { wholeScene } from './record_buffer.js';
 import type { SceneMesh } from './scene_mesh.js';
 
 /** From the sites to the farthest point: ever darker, so that every reader sees the order. sRGB. */
@@ -70,10 +71,12 @@ export class DistanceSurface {
 }
 
 function geometryOf(position: Float32Array, normal: Float32Array, reach: Float32Array): BufferGeometry {
-  return new BufferGeometry()
+  const geometry = new BufferGeometry()
     .setAttribute('position', new BufferAttribute(position, 3))
     .setAttribute('normal', new BufferAttribute(normal, 3))
     .setAttribute('reach', new BufferAttribute(reach, 1));
+  geometry.boundingSphere = wholeScene;
+  return geometry;
 }
 
 /** Reads the distance (see `DistanceTriangles`) and tells its colour; an isoline is two pixels wide. */

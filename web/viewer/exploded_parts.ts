@@ -7,41 +7,68 @@ import {
   BufferGeometry,
   type Data3DTexture,
   DoubleSide,
+  Group,
   Mesh,
   MeshLambertMaterial,
 } from 'three';
 import { occlude } from './occlusion.js';
+import { wholeScene } from './record_buffer.js';
 import type { PartTriangles } from './part_triangles.js';
 
 /** How far, in radii of the model, a part at distance 1 moves at most. */
 export const widestSpread = 1;
 
+/** A frame uploads no more than this. */
+const trianglesPerUpload = 40_000;
+
 /** Parts are moved by the graphics card: going apart uploads nothing. */
 export class ExplodedParts {
-  readonly object: Mesh<BufferGeometry, MeshLambertMaterial>;
+  readonly object = new Group();
+  readonly triangleCount: number;
+  readonly #triangles: PartTriangles;
+  readonly #material = new MeshLambertMaterial({ vertexColors: true, side: DoubleSide });
   readonly #spread = { value: 0 };
+  #uploaded = 0;
 
-  constructor({ position, direction, normal, colour }: PartTriangles, occlusion: Data3DTexture) {
-    const geometry = new BufferGeometry();
-    geometry.setAttribute('position', new BufferAttribute(position, 3));
-    geometry.setAttribute('direction', new BufferAttribute(direction, 3));
-    geometry.setAttribute('normal', new BufferAttribute(normal, 3));
-    geometry.setAttribute('color', new BufferAttribute(colour, 3, true));
-    const material = new MeshLambertMaterial({ vertexColors: true, side: DoubleSide });
-    material.onBeforeCompile = (shader) => {
+  constructor(triangles: PartTriangles, occlusion: Data3DTexture) {
+    this.#triangles = triangles;
+    this.triangleCount = triangles.position.length / 9;
+    this.#material.onBeforeCompile = (shader) => {
       shader.uniforms.spread = this.#spread;
       shader.vertexShader = shader.vertexShader
         .replace('#include <common>', '#include <common>\nuniform float spread;\nattribute vec3 direction;')
         .replace('#include <begin_vertex>', '#include <begin_vertex>\ntransformed += spread * direction;');
     };
-    occlude(material, occlusion);
-    this.object = new Mesh(geometry, material);
-    this.object.frustumCulled = false;
+    occlude(this.#material, occlusion);
+  }
+
+  /** Has the next drawing upload some more triangles, and draw none; false when it has all of them. */
+  uploadMore(): boolean {
+    if (this.#uploaded >= this.triangleCount) return false;
+    const first = 9 * this.#uploaded;
+    this.#uploaded += trianglesPerUpload;
+    const end = 9 * this.#uploaded;
+    const { position, direction, normal, colour } = this.#triangles;
+    const geometry = new BufferGeometry()
+      .setAttribute('position', new BufferAttribute(position.subarray(first, end), 3))
+      .setAttribute('direction', new BufferAttribute(direction.subarray(first, end), 3, true))
+      .setAttribute('normal', new BufferAttribute(normal.subarray(first, end), 3, true))
+      .setAttribute('color', new BufferAttribute(colour.subarray(first, end), 3, true));
+    geometry.setDrawRange(0, 0);
+    geometry.boundingSphere = wholeScene;
+    const some = new Mesh(geometry, this.#material);
+    some.frustumCulled = false;
+    this.object.add(some);
+    return true;
+  }
+
+  show(): void {
+    for (const { geometry } of this.object.children as Mesh[]) geometry.setDrawRange(0, Infinity);
   }
 
   /** What colours are multiplied by. */
   set shade(shade: number) {
-    this.object.material.color.setScalar(shade);
+    this.#material.color.setScalar(shade);
   }
 
   /** 0: together, 1: as far apart as they go. */
@@ -50,7 +77,7 @@ export class ExplodedParts {
   }
 
   dispose(): void {
-    this.object.geometry.dispose();
-    this.object.material.dispose();
+    for (const { geometry } of this.object.children as Mesh[]) geometry.dispose();
+    this.#material.dispose();
   }
 }

@@ -33,7 +33,7 @@ export class LabelColours {
 
   /** Writes a label's colour to `target[at…]`, with a tint, -1 … 1, over it. */
   write(label: number, tint: number, target: { [i: number]: number }, at: number): void {
-    const bytes = this.#of(label);
+    const bytes = this.of(label);
     if (tint === 0) {
       for (let k = 0; k < 3; ++k) target[at + k] = bytes[k];
       return;
@@ -43,7 +43,7 @@ export class LabelColours {
     for (let k = 0; k < 3; ++k) target[at + k] = bytes[k] + share * (over[k] - bytes[k]);
   }
 
-  #of(label: number): Uint8Array {
+  of(label: number): Uint8Array {
     if (label === unreachable) return this.#unreachable;
     if (label < 0 || !this.#tones) return this.#neutral;
     const tone = this.#tones[label];

@@ -169,6 +169,7 @@ export function wireframe(mesh: SceneMesh): LineSegments<BufferGeometry, LineBas
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(mesh.positions, 3));
   geometry.setIndex(new BufferAttribute(edgesOf(mesh.indices), 1));
+  geometry.boundingSphere = wholeScene;
   const material = new LineBasicMaterial({ transparent: true, opacity: 0.28 });
   const lines = new LineSegments(geometry, material);
   lines.frustumCulled = false;

@@ -70,6 +70,7 @@ export class ModelDrawing {
   /** All that lies on the surface, and it. */
   readonly #together = new Group();
   #parts: ExplodedParts | undefined;
+  #coming: ExplodedParts | undefined;
   #distances: DistanceSurface | undefined;
   #wireframe: LineSegments<BufferGeometry, LineBasicMaterial> | undefined;
   readonly #occlusion: Data3DTexture;
@@ -190,16 +191,28 @@ export class ModelDrawing {
     return this.#tones;
   }
 
-  /** The regions apart, instead of the surface and what lies on it; undefined for none. */
-  setParts(triangles: PartTriangles | undefined): void {
-    if (this.#parts) this.object.remove(this.#parts.object);
-    this.#parts?.dispose();
-    this.#parts = triangles && new ExplodedParts(triangles, this.#occlusion);
-    if (this.#parts) {
-      this.#parts.shade = this.#theme.surfaceShade;
-      this.object.add(this.#parts.object);
-    }
+  /** Parts that are uploaded and not shown yet; those before that were not shown either are gone. */
+  prepareParts(triangles: PartTriangles): ExplodedParts {
+    this.#discard(this.#coming);
+    this.#coming = new ExplodedParts(triangles, this.#occlusion);
+    this.#coming.shade = this.#theme.surfaceShade;
+    this.object.add(this.#coming.object);
+    return this.#coming;
+  }
+
+  /** The parts that have been prepared, instead of the surface and what lies on it; undefined for none. */
+  setParts(parts: ExplodedParts | undefined): void {
+    if (this.#coming !== parts) this.#discard(this.#coming);
+    this.#coming = undefined;
+    this.#discard(this.#parts);
+    this.#parts = parts;
+    this.#parts?.show();
     this.#together.visible = !this.#parts;
+  }
+
+  #discard(parts: ExplodedParts | undefined): void {
+    if (parts) this.object.remove(parts.object);
+    parts?.dispose();
   }
 
   /** How far apart the parts are, 0 … 1. */
@@ -289,6 +302,7 @@ export class ModelDrawing {
     this.#brush.dispose();
     this.#path.dispose();
     this.#parts?.dispose();
+    this.#coming?.dispose();
     this.#distances?.dispose();
     this.#occlusion.dispose();
     this.#voronoiPoints.markers.dispose();

@@ -26,6 +26,8 @@ import type { SceneMesh } from './scene_mesh.js';
 const shared = -2;
 const dropped = -3;
 
+const noColour = new Uint8Array(3);
+
 const noCells: CellTriangles = {
   keys: new Int32Array(),
   position: new Float32Array(),
@@ -198,10 +200,21 @@ export class RegionSurface {
     const colour = this.#colour.array;
     const corners = this.#corners.array;
     const tints = this.#tints;
+    const isShared = label === shared;
+    // An iteration of a tessellation writes most of the faces: the common case is as short as may be.
+    const bytes = tints ? noColour : colours.of(label);
+    const red = bytes[0];
+    const green = bytes[1];
+    const blue = bytes[2];
     for (let corner = 3 * face; corner < 3 * face + 3; ++corner) {
-      const tint = tints ? tints[this.#mesh.indices[corner]] : 0;
-      colours.write(label, tint, colour, 3 * corner);
-      corners[corner] = label === shared ? 3 * face : corner;
+      if (tints) {
+        colours.write(label, tints[this.#mesh.indices[corner]], colour, 3 * corner);
+      } else {
+        colour[3 * corner] = red;
+        colour[3 * corner + 1] = green;
+        colour[3 * corner + 2] = blue;
+      }
+      corners[corner] = isShared ? 3 * face : corner;
     }
   }
 
@@ -286,5 +299,6 @@ function wholeFaceGeometry(mesh: SceneMesh): BufferGeometry {
   geometry.setAttribute('normal', new BufferAttribute(mesh.normals, 3));
   geometry.setAttribute('color', new BufferAttribute(new Uint8Array(3 * indices.length), 3, true));
   geometry.setIndex(new BufferAttribute(new Uint32Array(indices.length), 1));
+  geometry.boundingSphere = wholeScene;
   return geometry;
 }
