@@ -54,6 +54,8 @@ export class DistanceSurface {
         .replace('#include <common>', `#include <common>\n${colouring}`)
         .replace('#include <color_fragment>', 'diffuseColor.rgb = distanceColour();');
     };
+    // See `ExplodedParts`.
+    this.#material.customProgramCacheKey = () => 'distances';
     occlude(this.#material, occlusion);
     const whole = geometryOf(mesh.cornerPositions(), mesh.normals, faceReach);
     whole.setIndex(new BufferAttribute(corners, 1));

@@ -39,6 +39,8 @@ export class ExplodedParts {
         .replace('#include <common>', '#include <common>\nuniform float spread;\nattribute vec3 direction;')
         .replace('#include <begin_vertex>', '#include <begin_vertex>\ntransformed += spread * direction;');
     };
+    // Programs are told apart by the text of `onBeforeCompile`, which `occlude` makes the same for all.
+    this.#material.customProgramCacheKey = () => 'exploded parts';
     occlude(this.#material, occlusion);
   }
 
