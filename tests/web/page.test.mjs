@@ -330,7 +330,7 @@ suite('the page', () => {
     const apart = await slide(60);
     assert.equal(apart.regions, await viewer.siteCount());
     assert.ok(apart.triangles > 58784);
-    assert.ok((await viewer.coverage(await viewer.picture(shown))) > 1.1 * together);
+    assert.ok((await viewer.coverage(await viewer.picture(shown))) > 1.03 * together);
     const { x, y } = await viewer.evaluate((viewer) => {
       const box = viewer.getBoundingClientRect();
       return { x: box.left + box.width / 2, y: box.top + box.height / 2 };
