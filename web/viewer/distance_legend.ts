@@ -32,16 +32,24 @@ const style = `
 
 export class DistanceLegend {
   readonly #box = document.createElement('div');
+  readonly #sheet = new CSSStyleSheet();
+  readonly #shadow: ShadowRoot;
 
   /** In a shadow that is filled already. */
   constructor(shadow: ShadowRoot) {
-    const sheet = new CSSStyleSheet();
-    sheet.replaceSync(style);
-    shadow.adoptedStyleSheets = [...shadow.adoptedStyleSheets, sheet];
+    this.#shadow = shadow;
+    this.#sheet.replaceSync(style);
+    shadow.adoptedStyleSheets = [...shadow.adoptedStyleSheets, this.#sheet];
     this.#box.className = 'distances';
     this.#box.setAttribute('part', 'distances');
     this.#box.hidden = true;
     shadow.append(this.#box);
+  }
+
+  dispose(): void {
+    this.#box.remove();
+    const sheets = this.#shadow.adoptedStyleSheets;
+    this.#shadow.adoptedStyleSheets = sheets.filter((sheet) => sheet !== this.#sheet);
   }
 
   /** Undefined if no distances are shown. */

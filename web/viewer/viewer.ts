@@ -211,6 +211,7 @@ export class Viewer implements Workpiece {
 
   dispose(): void {
     this.#watching.abort();
+    this.legend.dispose();
     this.#resizing.disconnect();
     this.scrolling.dispose();
     this.#gestures.dispose();
