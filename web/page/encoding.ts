@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 import type { Encoders, EncodingRequest } from './encoding_worker.js';
 
-/** A file of this media type, made in a worker that ends with it. The arguments are copied. */
+/**
+ * A file of this media type, made in a worker that ends with it. Partitions and polygons are given away,
+ * for nobody else has them; other arguments are copied.
+ */
 export function encode<Name extends keyof Encoders>(
   type: string,
   name: Name,
@@ -11,6 +14,13 @@ export function encode<Name extends keyof Encoders>(
   return new Promise<Blob>((resolve, reject) => {
     worker.onmessage = ({ data }: MessageEvent<Blob>) => resolve(data);
     worker.onerror = ({ message }) => reject(new Error(message || 'its worker cannot be started'));
-    worker.postMessage({ name, args, type } satisfies EncodingRequest<Name>);
+    const given = name.startsWith('diagram') ? [] : buffersOf(args[0]);
+    worker.postMessage({ name, args, type } satisfies EncodingRequest<Name>, given);
   }).finally(() => worker.terminate());
+}
+
+function buffersOf(value: unknown): ArrayBuffer[] {
+  if (ArrayBuffer.isView(value)) return [value.buffer as ArrayBuffer];
+  if (typeof value !== 'object' || value === null) return [];
+  return Object.values(value).flatMap(buffersOf);
 }
