@@ -48,9 +48,9 @@ struct DualPath {
   std::vector<SurfacePoint> points;  ///< from site to site, as `DistanceField::path` names them
 };
 
-/// Per arc of the diagram, the shortest path between its two sites that crosses it: over the point of
-/// the arc that is nearest to them. It stays in the two regions; a geodesic, but for a corner at the end
-/// of an arc whose nearest point that is. No points where the metric knows none.
+/// Per arc of the diagram, the shortest path between its two sites that crosses it: over the point
+/// of the arc that is nearest to them. It stays in the two regions; a geodesic, but for a corner at
+/// the end of an arc whose nearest point that is. No points where the metric knows none.
 ///
 /// `field` holds the distances that the diagram was traced from. O(vertices) per arc.
 std::vector<DualPath> dualPaths(const TriangleMesh& mesh, const Diagram& diagram,

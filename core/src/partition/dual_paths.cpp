@@ -36,9 +36,9 @@ class NearestCrossing {
   const SurfacePoint& of(int arc) const { return nearest_[arc].point; }
 
  private:
-  /// Where the paths to the virtual sources are the same all along a segment, the sum of the squared
-  /// distances is a quadratic function: the one through three of its values has its least value at the
-  /// same place. Elsewhere an end of the segment may be nearer.
+  /// Where the paths to the virtual sources are the same all along a segment, the sum of the
+  /// squared distances is a quadratic function: the one through three of its values has its least
+  /// value at the same place. Elsewhere an end of the segment may be nearer.
   void visit(const Diagram::Segment& segment) {
     const SurfacePoint begin = inFace(mesh_, diagram_.points[segment.points[0]], segment.face);
     const SurfacePoint end = inFace(mesh_, diagram_.points[segment.points[1]], segment.face);
