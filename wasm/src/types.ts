@@ -7,6 +7,7 @@ import type {
   CvtMethod,
   DiagramChange,
   DiagramData,
+  DualPaths,
   Distances,
   Located,
   MeshInfo,
@@ -190,6 +191,8 @@ export interface Diagram extends Disposable {
    * the topology of the surface if there are no `violations`.
    */
   dual(options?: DualOptions): Promise<PolygonMesh>;
+  /** The sides of the dual as paths on the surface, one per arc. */
+  dualPaths(options?: TaskOptions): Promise<DualPaths>;
   /** Why the dual is no faithful picture of the surface; nothing if it is. */
   violations(options?: TaskOptions): Promise<Violation[]>;
   /** How good the dual is as a remesh of the surface. */

@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: MIT
-import {
-  type Diagram,
-  diagramGlb,
-  diagramJson,
-  partitionGlb,
-  partitionObj,
-  partitionPly,
-  type PolygonFileOptions,
-  polygonGlb,
-  polygonObj,
-  polygonPly,
-} from 'geodesic-voronoi';
+import type { Diagram, Mesh } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { listen, onClick } from './dom.js';
+import { encode } from './encoding.js';
 
-type Content = string | Uint8Array;
-type Encoder = (diagram: Diagram, options: PolygonFileOptions) => Promise<Content>;
+type Source = Pick<Mesh, 'positions' | 'indices' | 'normals' | 'uvs'>;
+type Encoder = (diagram: Diagram, options: { mesh?: Source }) => Promise<Blob>;
+
+const mediaTypes = {
+  json: 'application/json',
+  glb: 'model/gltf-binary',
+  obj: 'model/obj',
+  ply: 'application/octet-stream',
+};
 
 /** What can be had as a mesh in several formats: by its name, then by its ending. */
 const meshes: Record<string, Record<string, Encoder>> = {
   parts: {
-    glb: async (diagram, options) => partitionGlb(await diagram.partition(), options),
-    obj: async (diagram, options) => partitionObj(await diagram.partition(), options),
-    ply: async (diagram, options) => partitionPly(await diagram.partition(), options),
+    glb: async (diagram, options) =>
+      encode(mediaTypes.glb, 'partitionGlb', await diagram.partition(), options),
+    obj: async (diagram, options) =>
+      encode(mediaTypes.obj, 'partitionObj', await diagram.partition(), options),
+    ply: async (diagram, options) =>
+      encode(mediaTypes.ply, 'partitionPly', await diagram.partition(), options),
   },
   polygons: polygonEncoders(true),
   dual: polygonEncoders(false),
@@ -30,17 +30,21 @@ const meshes: Record<string, Record<string, Encoder>> = {
 
 function polygonEncoders(primal: boolean): Record<string, Encoder> {
   return {
-    glb: async (diagram, options) => polygonGlb(await diagram.dual({ primal }), options),
-    obj: async (diagram, options) => polygonObj(await diagram.dual({ primal }), options),
-    ply: async (diagram, options) => polygonPly(await diagram.dual({ primal }), options),
+    glb: async (diagram, options) =>
+      encode(mediaTypes.glb, 'polygonGlb', await diagram.dual({ primal }), options),
+    obj: async (diagram, options) =>
+      encode(mediaTypes.obj, 'polygonObj', await diagram.dual({ primal }), options),
+    ply: async (diagram, options) =>
+      encode(mediaTypes.ply, 'polygonPly', await diagram.dual({ primal }), options),
   };
 }
 
-const mediaTypes: Record<string, string> = {
-  glb: 'model/gltf-binary',
-  obj: 'model/obj',
-  ply: 'application/octet-stream',
-};
+/** As much of a mesh as files need; what is not needed is not copied. */
+function sourceOf({ mesh }: GeodesicVoronoiElement): Source | undefined {
+  if (!mesh) return undefined;
+  const { positions, indices, normals, uvs } = mesh;
+  return { positions, indices, normals, uvs };
+}
 
 /** Files to take away, named after the model. */
 export function setUpDownloads(viewer: GeodesicVoronoiElement): void {
@@ -51,22 +55,24 @@ export function setUpDownloads(viewer: GeodesicVoronoiElement): void {
   const json = (value: unknown) => new Blob([JSON.stringify(value)], { type: 'application/json' });
 
   const ofDiagram = [
-    onClick('download-diagram', () => {
-      if (viewer.diagram) save(json(diagramJson(viewer.diagram)), `${model}-diagram.json`);
-    }),
-    onClick('download-bisectors', () => {
+    onClick('download-diagram', async () => {
       if (!viewer.diagram) return;
-      const bytes = diagramGlb(viewer.diagram.data) as Uint8Array<ArrayBuffer>;
-      save(new Blob([bytes], { type: 'model/gltf-binary' }), `${model}-bisectors.glb`);
+      const { metric, sites, data } = viewer.diagram;
+      const diagram = { metric, sites, data };
+      save(await encode(mediaTypes.json, 'diagramJson', diagram), `${model}-diagram.json`);
+    }),
+    onClick('download-bisectors', async () => {
+      if (!viewer.diagram) return;
+      const { data } = viewer.diagram;
+      save(await encode(mediaTypes.glb, 'diagramGlb', data), `${model}-bisectors.glb`);
     }),
   ];
   for (const [name, encoders] of Object.entries(meshes)) {
-    for (const [ending, encode] of Object.entries(encoders)) {
+    for (const [ending, make] of Object.entries(encoders)) {
       const button = onClick(`download-${name}-${ending}`, async () => {
         if (!viewer.diagram) return;
-        const content = await encode(viewer.diagram, { mesh: viewer.mesh });
-        const type = mediaTypes[ending];
-        save(new Blob([content as BlobPart], { type }), `${model}-${name}.${ending}`);
+        const file = await make(viewer.diagram, { mesh: sourceOf(viewer) });
+        save(file, `${model}-${name}.${ending}`);
       });
       ofDiagram.push(button);
     }
