@@ -63,7 +63,9 @@ test('the sides of a dual are paths between the sites of its arcs', async () => 
   const { diagram } = await validDiagram(grid(12), 10);
   // Of a diagram that has changed, the order of arcs is another.
   const pairsOf = (labels) =>
-    Array.from({ length: labels.length / 2 }, (_, i) => labels.subarray(2 * i, 2 * i + 2).join()).sort();
+    Array.from({ length: labels.length / 2 }, (_, i) =>
+      labels.subarray(2 * i, 2 * i + 2).join(),
+    ).sort();
   const isWhole = async () => {
     const { labels, offset, points } = await diagram.dualPaths();
     assert.deepEqual(pairsOf(labels), pairsOf(diagram.data.arcs.labels));
@@ -82,14 +84,16 @@ test('the sides of a dual are paths between the sites of its arcs', async () => 
       end.forEach((x, k) => assert.ok(Math.abs(x - sites[label].at(k - 3)) < 1e-12));
     });
     // The surface is a plane: paths between neighbours are straight, or bend at the end of their arc.
-    const lengths = labels.filter((_, i) => i % 2 === 0).map((_, path) => {
-      let length = 0;
-      for (let i = offset[path]; i + 1 < offset[path + 1]; ++i) {
-        length += Math.hypot(...at(i).map((x, k) => x - at(i + 1)[k]));
-      }
-      const [first, last] = [at(offset[path]), at(offset[path + 1] - 1)];
-      return Math.round((1e9 * length) / Math.hypot(...first.map((x, k) => x - last[k]))) / 1e9;
-    });
+    const lengths = labels
+      .filter((_, i) => i % 2 === 0)
+      .map((_, path) => {
+        let length = 0;
+        for (let i = offset[path]; i + 1 < offset[path + 1]; ++i) {
+          length += Math.hypot(...at(i).map((x, k) => x - at(i + 1)[k]));
+        }
+        const [first, last] = [at(offset[path]), at(offset[path + 1] - 1)];
+        return Math.round((1e9 * length) / Math.hypot(...first.map((x, k) => x - last[k]))) / 1e9;
+      });
     assert.ok(lengths.filter((ratio) => ratio === 1).length >= 1, `${lengths}`);
   };
   await isWhole();

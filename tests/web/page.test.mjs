@@ -46,8 +46,14 @@ suite('the page', () => {
 
   test('opens with a sample model and its diagram', async () => {
     assert.equal(await viewer.regionCount(), 60);
-    assert.match(await text(viewer, '#status'), /^60 regions, \d+ bisector arcs, \d+ Voronoi points in /);
-    assert.match(await text(viewer, '#report'), /Triangles58,784.*Components1.*Boundary loops0.*Genus0/);
+    assert.match(
+      await text(viewer, '#status'),
+      /^60 regions, \d+ bisector arcs, \d+ Voronoi points in /,
+    );
+    assert.match(
+      await text(viewer, '#report'),
+      /Triangles58,784.*Components1.*Boundary loops0.*Genus0/,
+    );
     assert.match(await text(viewer, '#credit'), /Stanford/);
     assert.equal(await viewer.page.locator('#samples').inputValue(), 'bunny.glb');
     assert.equal(await viewer.page.locator('#error').isVisible(), false);

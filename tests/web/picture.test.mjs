@@ -85,7 +85,10 @@ test('markers stay on the surface: none reaches beyond the silhouette', async ()
 test('markers grow with the zoom, up to a size', async () => {
   const viewer = await opened(grid(40), { sites: 60 });
   const marked = async () => {
-    const [bare, sites] = [await viewer.picture(['regions']), await viewer.picture(['regions', 'sites'])];
+    const [bare, sites] = [
+      await viewer.picture(['regions']),
+      await viewer.picture(['regions', 'sites']),
+    ];
     const seen = await viewer.evaluate(
       (viewer) => [...viewer.sites.face.keys()].filter((i) => viewer.sitePosition(i)).length,
     );
@@ -108,7 +111,10 @@ test('distances are shown with a scale in the units of the model', async () => {
   const regions = await viewer.picture(['regions']);
   await viewer.page.check('#layers [value=distances]');
   await legend.waitFor();
-  assert.match(await legend.textContent(), /^00\.\d+Distance to the nearest site, in the model's units/);
+  assert.match(
+    await legend.textContent(),
+    /^00\.\d+Distance to the nearest site, in the model's units/,
+  );
   const longest = await viewer.evaluate(async (viewer) => {
     const vertex = [...viewer.mesh.positions.keys()].filter((i) => i % 3 === 0).map((i) => i / 3);
     const { distance } = await viewer.diagram.locate({ vertex });

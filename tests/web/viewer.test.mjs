@@ -74,9 +74,21 @@ suite('region colours', () => {
    * Mollon. Digital Video Colourmaps for Checking the Legibility of Displays by Dichromats. 1999.
    */
   const dichromats = {
-    nobody: [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
-    protanopia: [[0.11238, 0.88762, 0], [0.11238, 0.88762, 0], [0.00401, -0.00401, 1]],
-    deuteranopia: [[0.29275, 0.70725, 0], [0.29275, 0.70725, 0], [-0.02234, 0.02234, 1]],
+    nobody: [
+      [1, 0, 0],
+      [0, 1, 0],
+      [0, 0, 1],
+    ],
+    protanopia: [
+      [0.11238, 0.88762, 0],
+      [0.11238, 0.88762, 0],
+      [0.00401, -0.00401, 1],
+    ],
+    deuteranopia: [
+      [0.29275, 0.70725, 0],
+      [0.29275, 0.70725, 0],
+      [-0.02234, 0.02234, 1],
+    ],
   };
 
   /** CIE L*a*b* (D65). */
@@ -92,7 +104,7 @@ suite('region colours', () => {
       [0.0193 / 1.089, 0.1192 / 1.089, 0.9505 / 1.089],
     ];
     const [x, y, z] = times(toXyz, times(vision, linear)).map((t) =>
-      t > 216 / 24389 ? Math.cbrt(t) : (24389 / 27 * t + 16) / 116,
+      t > 216 / 24389 ? Math.cbrt(t) : ((24389 / 27) * t + 16) / 116,
     );
     return [116 * y - 16, 500 * (x - y), 200 * (y - z)];
   }
@@ -179,7 +191,9 @@ suite('a diagram that changes', () => {
         const index = isInstanced ? null : geometry.index;
         const names = isLines
           ? ['instanceStart']
-          : Object.keys(attributes).filter((name) => !isInstanced || name !== 'position').sort();
+          : Object.keys(attributes)
+              .filter((name) => !isInstanced || name !== 'position')
+              .sort();
         const count = isInstanced
           ? geometry.instanceCount
           : Math.min(drawRange.count, index ? index.count : attributes.position.count);

@@ -17,7 +17,8 @@ import {
 /** By the names that `encode` takes. */
 const encoders = {
   diagramGlb,
-  diagramJson: (...diagram: Parameters<typeof diagramJson>) => JSON.stringify(diagramJson(...diagram)),
+  diagramJson: (...diagram: Parameters<typeof diagramJson>) =>
+    JSON.stringify(diagramJson(...diagram)),
   diagramObj,
   partitionGlb,
   partitionObj,

@@ -29,7 +29,7 @@ export function bearingBlock() {
     const plate = box([x, y + 0.62, z], [1.45, 0.16, 0.8], 0.08);
     const boss = Math.max(cylinder(0.62, x, y - 0.12), Math.abs(z) - 0.62);
     const foot = box([x, y + 0.3, z], [0.62, 0.42, 0.45], 0.05);
-    const slope = (0.8 * Math.abs(x) + 0.6 * (y + 0.5) - 0.9);
+    const slope = 0.8 * Math.abs(x) + 0.6 * (y + 0.5) - 0.9;
     const rib = Math.max(slope, Math.abs(z) - 0.13, y - 0.3, -0.7 - y);
     return [foot, rib, plate].reduce((a, b) => roundedUnion(a, b, fillet), boss);
   };
@@ -67,7 +67,8 @@ function isosurface(n, halfWidth, value) {
   const inside = new Uint8Array(size ** 3);
   for (let i = 0; i < size; ++i) {
     for (let j = 0; j < size; ++j) {
-      for (let k = 0; k < size; ++k) inside[keyOf(i, j, k)] = value(at(i), at(j), at(k)) < 0 ? 1 : 0;
+      for (let k = 0; k < size; ++k)
+        inside[keyOf(i, j, k)] = value(at(i), at(j), at(k)) < 0 ? 1 : 0;
     }
   }
   const positions = [];
@@ -88,7 +89,12 @@ function isosurface(n, halfWidth, value) {
           const tail = keyOf(i, j, k);
           if (inside[tail] === inside[tail + strides[axis]]) continue;
           // The four cells around the edge, counterclockwise as seen from its tip.
-          const cells = [[0, 0], [-1, 0], [-1, -1], [0, -1]].map(([u, v]) => {
+          const cells = [
+            [0, 0],
+            [-1, 0],
+            [-1, -1],
+            [0, -1],
+          ].map(([u, v]) => {
             const cell = [i, j, k];
             cell[(axis + 1) % 3] += u;
             cell[(axis + 2) % 3] += v;
@@ -135,4 +141,3 @@ function smooth(positions, indices) {
   });
   for (let i = 0; i < positions.length; ++i) positions[i] = sums[i] / counts[Math.floor(i / 3)];
 }
-

@@ -41,7 +41,11 @@ export function subdivide({ positions, indices }) {
   const corners = [];
   for (let i = 0; i < indices.length; i += 3) {
     const [a, b, c] = indices.slice(i, i + 3);
-    const [ab, bc, ca] = [[a, b], [b, c], [c, a]].map((ends) => edges.get(keyOf(...ends)).vertex);
+    const [ab, bc, ca] = [
+      [a, b],
+      [b, c],
+      [c, a],
+    ].map((ends) => edges.get(keyOf(...ends)).vertex);
     corners.push(a, ab, ca, b, bc, ab, c, ca, bc, ab, bc, ca);
   }
   return { positions: refined, indices: corners };

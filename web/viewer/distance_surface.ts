@@ -48,7 +48,10 @@ export class DistanceSurface {
     this.#material.onBeforeCompile = (shader) => {
       Object.assign(shader.uniforms, this.#uniforms);
       shader.vertexShader = shader.vertexShader
-        .replace('#include <common>', '#include <common>\nattribute float reach;\nvarying float vReach;')
+        .replace(
+          '#include <common>',
+          '#include <common>\nattribute float reach;\nvarying float vReach;',
+        )
         .replace('#include <begin_vertex>', '#include <begin_vertex>\nvReach = reach;');
       shader.fragmentShader = shader.fragmentShader
         .replace('#include <common>', `#include <common>\n${colouring}`)
@@ -72,7 +75,11 @@ export class DistanceSurface {
   }
 }
 
-function geometryOf(position: Float32Array, normal: Float32Array, reach: Float32Array): BufferGeometry {
+function geometryOf(
+  position: Float32Array,
+  normal: Float32Array,
+  reach: Float32Array,
+): BufferGeometry {
   const geometry = new BufferGeometry()
     .setAttribute('position', new BufferAttribute(position, 3))
     .setAttribute('normal', new BufferAttribute(normal, 3))

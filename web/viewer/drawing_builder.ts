@@ -60,7 +60,10 @@ export class DrawingBuilder {
     for (const resolve of this.#waiting.splice(0)) resolve(undefined as never);
   }
 
-  #ask<Result>(request: DrawingRequest, transfer: Transferable[] = []): Promise<Result | undefined> {
+  #ask<Result>(
+    request: DrawingRequest,
+    transfer: Transferable[] = [],
+  ): Promise<Result | undefined> {
     return new Promise((resolve) => {
       this.#waiting.push(resolve);
       if (this.#isOver) this.dispose();

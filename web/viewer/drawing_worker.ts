@@ -12,7 +12,9 @@ import { SceneMesh } from './scene_mesh.js';
 globalThis.onmessage = ({ data: port }: MessageEvent<MessagePort>) => {
   let mesh: SceneMesh;
   const answer = (result: object) => {
-    const buffers = Object.values(result).map(({ buffer }: ArrayBufferView) => buffer as ArrayBuffer);
+    const buffers = Object.values(result).map(
+      ({ buffer }: ArrayBufferView) => buffer as ArrayBuffer,
+    );
     port.postMessage(result, buffers);
   };
   port.onmessage = ({ data: request }: MessageEvent<DrawingRequest>) => {

@@ -36,8 +36,14 @@ export class ExplodedParts {
     this.#material.onBeforeCompile = (shader) => {
       shader.uniforms.spread = this.#spread;
       shader.vertexShader = shader.vertexShader
-        .replace('#include <common>', '#include <common>\nuniform float spread;\nattribute vec3 direction;')
-        .replace('#include <begin_vertex>', '#include <begin_vertex>\ntransformed += spread * direction;');
+        .replace(
+          '#include <common>',
+          '#include <common>\nuniform float spread;\nattribute vec3 direction;',
+        )
+        .replace(
+          '#include <begin_vertex>',
+          '#include <begin_vertex>\ntransformed += spread * direction;',
+        );
     };
     // Programs are told apart by the text of `onBeforeCompile`, which `occlude` makes the same for all.
     this.#material.customProgramCacheKey = () => 'exploded parts';

@@ -122,7 +122,8 @@ export class Markers {
     this.object.onBeforeRender = (renderer, _scene, camera) => {
       renderer.getSize(size);
       // projectionMatrix[1][1] is 1 / tan(half the field of view).
-      material.uniforms.pixelsPerUnitAtOne.value = 0.5 * size.y * camera.projectionMatrix.elements[5];
+      material.uniforms.pixelsPerUnitAtOne.value =
+        0.5 * size.y * camera.projectionMatrix.elements[5];
       material.uniformsNeedUpdate = true;
     };
   }

@@ -271,7 +271,9 @@ export class ModelDrawing {
   /** That of a region of mean area. */
   get #markerSize(): number {
     const areas = this.#regionAreas;
-    return this.#markerSizeOf(areas.reduce((sum, area) => sum + area, 0) / Math.max(1, areas.length));
+    return this.#markerSizeOf(
+      areas.reduce((sum, area) => sum + area, 0) / Math.max(1, areas.length),
+    );
   }
 
   sitePlace(index: number): Vector3 {

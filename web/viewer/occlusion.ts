@@ -43,7 +43,8 @@ export function surfaceDensity(mesh: Triangles): Uint8Array {
   const scratch = new Float32Array(area.length);
   boxRadii.forEach((radius, channel) => {
     for (let round = 0; round < 3; ++round) {
-      for (const stride of [1, resolution, resolution ** 2]) boxFilter(area, scratch, radius, stride);
+      for (const stride of [1, resolution, resolution ** 2])
+        boxFilter(area, scratch, radius, stride);
     }
     const ofPlane = Math.exp((-lift * lift) / 2) / (deviations[channel] * Math.sqrt(2 * Math.PI));
     const scale = byteOfPlane / (ofPlane * cell ** 3);
@@ -94,7 +95,12 @@ function splat(grid: Float32Array, amount: number, x: number, y: number, z: numb
 }
 
 /** Replaces each cell by the mean of those within a radius along one axis; beyond the grid is nothing. */
-function boxFilter(grid: Float32Array, scratch: Float32Array, radius: number, stride: number): void {
+function boxFilter(
+  grid: Float32Array,
+  scratch: Float32Array,
+  radius: number,
+  stride: number,
+): void {
   scratch.set(grid);
   const span = stride * resolution;
   const weight = 1 / (2 * radius + 1);
@@ -112,7 +118,12 @@ function boxFilter(grid: Float32Array, scratch: Float32Array, radius: number, st
 }
 
 export function occlusionTexture(density: Uint8Array): Data3DTexture {
-  const texture = new Data3DTexture(density as Uint8Array<ArrayBuffer>, resolution, resolution, resolution);
+  const texture = new Data3DTexture(
+    density as Uint8Array<ArrayBuffer>,
+    resolution,
+    resolution,
+    resolution,
+  );
   texture.format = RGFormat;
   texture.type = UnsignedByteType;
   texture.minFilter = LinearFilter;

@@ -61,7 +61,9 @@ export class RegionColours {
     }
     for (const label of hardestFirst(neighbours)) {
       if (tones[label] !== unset) continue;
-      const around = neighbours[label].map((other) => tones[other]).filter((tone) => tone !== unset);
+      const around = neighbours[label]
+        .map((other) => tones[other])
+        .filter((tone) => tone !== unset);
       give(label, bestTone(usage, around));
     }
     return tones;
