@@ -2,14 +2,19 @@
 //
 // npm run build: the package in dist/ and the page in build/page; with `package`, dist/ alone.
 
-import { copyFileSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { copyFileSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import { basename } from 'node:path';
 import { gzipSync } from 'node:zlib';
+import { thirdPartyNotices } from './notices.mjs';
 import { setUp } from './setup.mjs';
 import { at, exists, isScript, main, run, step } from './tasks.mjs';
 
 const wasmModules = ['core', 'gltf'];
+/** How large each may be as it is transferred, compressed by gzip: kilobytes of 1000 bytes. */
+const largestModules = { core: 220, gltf: 130 };
+/** npm packages of which there is code in dist/. */
+const bundledPackages = ['three', 'three-mesh-bvh'];
 const tool = (name) => at('node_modules', '.bin', name);
 
 /** Configures once and builds with CMake; `emcmake` in `wrapper` makes it a WebAssembly build. */
@@ -32,15 +37,40 @@ export async function buildPackage() {
   await step('WebAssembly', { inputs: sources, output: modules[0] }, () =>
     buildWithCMake('build/wasm', { wrapper: ['emcmake'], targets: wasmModules }),
   );
-  const inputs = ['wasm/src', 'wasm/tsconfig.json', 'web/viewer', 'package-lock.json', ...modules];
+  const inputs = [
+    'wasm/src',
+    'wasm/module_address.d.ts',
+    'wasm/tsconfig.json',
+    'web/viewer',
+    'package-lock.json',
+    ...modules,
+  ];
   await step('Package', { inputs, output: 'dist' }, () => {
     // Nothing that a deleted source left behind may be published.
     rmSync(at('dist'), { recursive: true, force: true });
     run(tool('tsc'), ['-p', 'wasm']);
     run(tool('tsc'), ['-p', 'web/viewer']);
-    for (const module of modules) copyFileSync(at(module), at('dist', basename(module)));
+    for (const module of modules) {
+      const copy = at('dist', basename(module));
+      copyFileSync(at(module), copy);
+      copyFileSync(at('wasm/module_address.d.ts'), `${copy}.d.ts`);
+    }
     run(tool('rolldown'), ['--config', 'web/viewer/standalone.config.mjs']);
+    const folders = readFileSync(at('build/wasm/header_folders.txt'), 'utf8').trim().split('\n');
+    writeFileSync(at('dist/THIRD_PARTY_NOTICES.txt'), thirdPartyNotices(folders, bundledPackages));
+    checkSizes();
   });
+}
+
+/** Prints how large the WebAssembly modules are; one above its limit is an error. */
+function checkSizes() {
+  for (const [name, limit] of Object.entries(largestModules)) {
+    const bytes = readFileSync(at('dist', `${name}.wasm`));
+    const compressed = gzipSync(bytes, { level: 9 }).length / 1000;
+    const size = `${compressed.toFixed(1)} KB compressed, ${(bytes.length / 1000).toFixed(1)} KB plain`;
+    console.log(`${name}.wasm: ${size}; at most ${limit} KB compressed`);
+    if (compressed > limit) throw new Error(`${name}.wasm is larger than ${limit} KB compressed`);
+  }
 }
 
 /** build/page: the demo, ready for a static host. */
@@ -59,11 +89,13 @@ export async function buildPage() {
 /** What the page fetches until the first diagram is seen, the model aside: compressed, in kilobytes. */
 const mostKilobytes = { page: 230, all: 590 };
 
+/** Fetched when somebody downloads something, and when the first picture is under way. */
+const laterScripts = ['exports', 'encoding_worker', 'search_tree'];
+
 /** Prints it, and fails if it is more than that. */
 function checkPageSize() {
   const sizes = readdirSync(at('build/page/assets'))
-    // Fetched when somebody downloads something.
-    .filter((name) => !name.startsWith('exports-'))
+    .filter((name) => !laterScripts.some((later) => name.startsWith(`${later}-`)))
     .map((name) => ({ name, path: at('build/page/assets', name) }))
     .concat({ name: 'index.html', path: at('build/page/index.html') })
     .map(({ name, path }) => {

@@ -13,6 +13,12 @@ import { announce, at, main, runShowing } from './tasks.mjs';
 /** A way of running tests: its name, how to get ready, the command, and its closing line. */
 const runners = [
   {
+    name: 'style',
+    prepare: () => {},
+    command: () => nodeTest('tests/style', 1),
+    closing: nodeTestClosing,
+  },
+  {
     name: 'core',
     prepare: () => buildWithCMake('build/native'),
     command: () => ctest('build/native'),
@@ -23,6 +29,12 @@ const runners = [
     name: 'wasm',
     prepare: buildPackage,
     command: () => nodeTest('tests/wasm', availableParallelism()),
+    closing: nodeTestClosing,
+  },
+  {
+    name: 'package',
+    prepare: buildPackage,
+    command: () => nodeTest('tests/package', 1),
     closing: nodeTestClosing,
   },
   {

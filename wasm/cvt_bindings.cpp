@@ -75,7 +75,7 @@ GVD_ABI VoronoiHandle* cvtVoronoi(const CvtHandle* handle) {
     voronoi->surface = handle->surface;
     voronoi->sites.assign(cvt.sites().begin(), cvt.sites().end());
     voronoi->metric = handle->metric;
-    voronoi->distances = cvt.distances();
+    voronoi->sharedDistances = cvt.distances();
     voronoi->traced = cvt.diagram();
     return voronoi.release();
   });

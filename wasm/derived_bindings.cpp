@@ -51,6 +51,25 @@ GVD_ABI Answer* dual(const VoronoiHandle* voronoi, bool primal) {
   });
 }
 
+/// `DualPaths`.
+GVD_ABI Answer* dualPaths(const VoronoiHandle* voronoi) {
+  return answer([&] {
+    const TriangleMesh& mesh = voronoi->mesh();
+    std::vector<int> labels, offset = {0};
+    std::vector<SurfacePoint> points;
+    for (const DualPath& path : gvd::dualPaths(mesh, voronoi->diagram(), voronoi->field())) {
+      labels.insert(labels.end(), path.labels.begin(), path.labels.end());
+      points.insert(points.end(), path.points.begin(), path.points.end());
+      offset.push_back(static_cast<int>(points.size()));
+    }
+    Record out;
+    out.add("labels", std::move(labels));
+    out.add("offset", std::move(offset));
+    out.add("points", placedRecord(mesh, points));
+    return out;
+  });
+}
+
 /// Per violation of the dual its kind and its message, and a list of labels.
 GVD_ABI Answer* dualViolations(const VoronoiHandle* voronoi) {
   return answer([&] {

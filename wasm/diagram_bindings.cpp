@@ -105,7 +105,7 @@ GVD_ABI Answer* pathToSite(const VoronoiHandle* voronoi, Ints face, Doubles bary
 GVD_ABI SliceEnd startTracing(VoronoiHandle* voronoi, int detail) {
   return guarded([&] {
     voronoi->options = {.detail = detail};
-    voronoi->tracing.emplace(voronoi->mesh(), *voronoi->distances,
+    voronoi->tracing.emplace(voronoi->mesh(), voronoi->field(),
                              static_cast<int>(voronoi->sites.size()), voronoi->options);
     return kMoreToDo;
   });

@@ -2,6 +2,7 @@
 #include "objects.h"
 
 #include <string>
+#include <utility>
 
 #include "gvd/error.h"
 
@@ -44,8 +45,10 @@ std::vector<SurfacePoint> VoronoiHandle::allSites() const {
 
 DynamicDiagram& VoronoiHandle::changing() {
   if (!dynamic) {
-    dynamic = std::make_unique<DynamicDiagram>(mesh(), sites, metric, options);
-    distances.reset();
+    dynamic = std::make_unique<DynamicDiagram>(
+        distances ? DynamicDiagram::fromDistances(mesh(), std::move(distances), options)
+                  : DynamicDiagram(mesh(), sites, metric, options));
+    sharedDistances.reset();
     traced.reset();
   }
   return *dynamic;

@@ -35,14 +35,17 @@ struct VoronoiHandle {
   std::vector<SurfacePoint> sites;
   Metric metric;
   DiagramOptions options;
-  std::unique_ptr<Propagation> propagation;        // until it is done
-  std::shared_ptr<const DistanceField> distances;  // from then on
-  std::optional<DiagramTracing> tracing;           // while it goes on
-  std::optional<Diagram> traced;                   // once it is traced
-  std::unique_ptr<DynamicDiagram> dynamic;         // instead, once sites have changed
+  std::unique_ptr<Propagation> propagation;              // until it is done
+  std::unique_ptr<DistanceField> distances;              // from then on
+  std::shared_ptr<const DistanceField> sharedDistances;  // or these, of a tessellation
+  std::optional<DiagramTracing> tracing;                 // while it goes on
+  std::optional<Diagram> traced;                         // once it is traced
+  std::unique_ptr<DynamicDiagram> dynamic;               // instead, once sites have changed
 
   const TriangleMesh& mesh() const { return *surface.mesh; }
-  const DistanceField& field() const { return dynamic ? dynamic->distances() : *distances; }
+  const DistanceField& field() const {
+    return dynamic ? dynamic->distances() : distances ? *distances : *sharedDistances;
+  }
   /// Of the sites there are.
   Diagram diagram() const;
   /// The sites by label. Throws `Error(kInvalidArgument)` if a label has none.

@@ -99,8 +99,7 @@ const speedColumns = {
   diagram: (row) => measured(row, () => milliseconds(row.diagram)),
   ' ': (row) => measured(row, () => ratio(row.diagram, row.dijkstra)),
   both: (row) => measured(row, () => ratio(row.distances + row.diagram, row.dijkstra)),
-  'partition/both': (row) =>
-    measured(row, () => ratio(row.partition, row.distances + row.diagram)),
+  'partition/both': (row) => measured(row, () => ratio(row.partition, row.distances + row.diagram)),
   // Where sites can be changed in place.
   'change/both': (row) =>
     measured(row, () => row.change && fraction(row.change, row.distances + row.diagram)),
@@ -109,8 +108,7 @@ const speedColumns = {
   note: ({ note, wasmNote }) => note ?? wasmNote,
 };
 
-const overDijkstra = (row) =>
-  measured(row, () => ratio(row.distances + row.diagram, row.dijkstra));
+const overDijkstra = (row) => measured(row, () => ratio(row.distances + row.diagram, row.dijkstra));
 const changeTime = (row) => measured(row, () => row.change && milliseconds(row.change));
 
 /** A row per mesh and metric, with the rows of all its numbers of sites. */

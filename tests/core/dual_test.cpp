@@ -100,6 +100,30 @@ TEST_P(DualOfRandomMeshes, IsTheSurfaceUnlessItSaysWhyNot) {
   EXPECT_TRUE(hasTheTopologyOf(mesh, regions));
 }
 
+TEST_P(DualOfRandomMeshes, HasPathsAcrossItsArcs) {
+  const auto mesh = shapes::randomMesh(GetParam());
+  const auto sites = sampleUniform(mesh, shapes::randomSiteCount(mesh, GetParam()), GetParam());
+  const auto [field, d] = trace(mesh, sites);
+  const auto paths = dualPaths(mesh, d, *field);
+  ASSERT_EQ(paths.size(), d.arcLabels.size());
+  for (size_t arc = 0; arc < paths.size(); ++arc) {
+    const auto& [labels, points] = paths[arc];
+    EXPECT_EQ(labels, d.arcLabels[arc]);
+    ASSERT_GE(points.size(), 2u);
+    for (const auto& [label, end] :
+         {std::pair(labels[0], points.front()), {labels[1], points.back()}})
+      EXPECT_LT((mesh.position(end) - mesh.position(sites[label])).norm(), 1e-12);
+    // No longer than the way over any point of the arc.
+    const double length = lengthOf(mesh, points);
+    double least = kInfinity;
+    for (const int p : d.arcs[static_cast<int>(arc)])
+      least = std::min(
+          least, field->distance(labels[0], d.points[p]) + field->distance(labels[1], d.points[p]));
+    EXPECT_LE(length, least * (1 + 1e-9));
+    EXPECT_GT(length, 0);
+  }
+}
+
 TEST_P(DualOfRandomMeshes, IsTheSurfaceAfterRepair) {
   const auto mesh = shapes::randomMesh(GetParam());
   const auto sites = sampleFarthest(mesh, 1 + GetParam() % 12, GetParam());

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <numbers>
 #include <random>
 #include <sstream>
@@ -12,6 +13,7 @@
 
 #include "diagram_checks.h"
 #include "gvd/error.h"
+#include "gvd/sampling.h"
 #include "shapes.h"
 
 namespace gvd {
@@ -270,6 +272,33 @@ TEST(DynamicDiagram, TellsPointsInOnePlaceApart) {
   std::vector<SurfacePoint> own;
   for (const SurfacePoint& site : sites) own.push_back(mesh.fromInput(site));
   EXPECT_TRUE(checks::isConsistent(mesh, DynamicDiagram(mesh, own).diagram()));
+}
+
+TEST(DynamicDiagram, TakesOverDistances) {
+  const auto mesh = shapes::bumpySurface(1, 5, 0.3, 3).mesh();
+  for (const Metric metric : {Metric::kExact, Metric::kDgpc}) {
+    const auto sites = sampleUniform(mesh, 20, 3);
+    const auto propagation = propagate(mesh, sites, metric);
+    while (!propagation->step(100)) {
+    }
+    auto dynamic = DynamicDiagram::fromDistances(mesh, propagation->take());
+    EXPECT_EQ(dynamic.labelCount(), 20);
+    EXPECT_TRUE(isUpToDate(mesh, dynamic, metric));
+    dynamic.removeSite(7);
+    dynamic.moveSite(3, sites[7]);
+    EXPECT_TRUE(isUpToDate(mesh, dynamic, metric));
+  }
+}
+
+TEST(DynamicDiagram, RefusesForeignDistances) {
+  class Foreign final : public DistanceField {
+    std::span<const LabelledDistance> at(int) const override { return {}; }
+    LabelledDistance nearest(const SurfacePoint&) const override { return {}; }
+    double distance(int, const SurfacePoint&) const override { return 0; }
+  };
+  const auto mesh = shapes::bumpySurface(1, 5, 0.3, 3).mesh();
+  EXPECT_THROW(DynamicDiagram::fromDistances(mesh, std::make_unique<Foreign>()), Error);
+  EXPECT_THROW(DynamicDiagram::fromDistances(mesh, nullptr), Error);
 }
 
 TEST(DynamicDiagram, GivesTheLowestFreeLabel) {

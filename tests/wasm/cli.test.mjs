@@ -137,6 +137,23 @@ test('cvt writes sites that other commands read, and the energy of every iterati
   succeeds('remesh shape.glb --sites 20 --iterations 1 --metric exact -o remesh.obj');
 });
 
+test('cvt with sites that stay, and with a density', () => {
+  write('fixed.json', '[1, 3]');
+  const before = JSON.parse(succeeds('cvt shape.glb --sites 5 --iterations 0').stdout);
+  const after = JSON.parse(succeeds('cvt shape.glb --sites 5 --fixed fixed.json').stdout);
+  const moved = before.face.flatMap((face, i) =>
+    face === after.face[i] && before.bary[3 * i] === after.bary[3 * i] ? [] : [i],
+  );
+  assert.deepEqual(moved, [0, 2, 4]);
+
+  write('few.json', '[1, 1]');
+  write('object.json', '{}');
+  fails(1, 'cvt shape.glb --sites 5 --density few.json', /2 densities for \d+ input vertices/);
+  fails(1, 'cvt shape.glb --sites 5 --density object.json', /object\.json holds no list/);
+  write('beyond.json', '[9]');
+  fails(1, 'cvt shape.glb --sites 5 --fixed beyond.json', /site 9/);
+});
+
 test('partition as GLB, OBJ, PLY and JSON', () => {
   const { stderr } = succeeds('partition shape.glb --sites 5 -o parts.glb');
   assert.match(stderr, /^5 regions, \d of them disks, \d+ triangles\n$/);
@@ -241,7 +258,10 @@ test('distances as JSON, PLY and GLB', async () => {
   succeeds('distances two.glb --sites d.json --metric dgpc -o d.ply');
   const { vertex, face } = readPly(readFileSync(join(folder, 'd.ply')));
   assert.equal(face.length, 10);
-  assert.deepEqual(vertex.map((row) => row.label), label);
+  assert.deepEqual(
+    vertex.map((row) => row.label),
+    label,
+  );
   assert.equal(vertex[6].distance, Infinity);
   succeeds('distances two.glb --sites d.json -o d.glb');
   await assertValidGlb(new Uint8Array(readFileSync(join(folder, 'd.glb'))));

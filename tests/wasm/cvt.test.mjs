@@ -46,7 +46,9 @@ test('with the diagram of its sites, if asked for', async () => {
     assert.equal(data.siteCount, 12);
     assert.deepEqual(data.faceLabel, expected.faceLabel);
     assert.deepEqual(data.segments, expected.segments);
-    data.regionArea.forEach((area, l) => assert.ok(Math.abs(area - expected.regionArea[l]) < 1e-12));
+    data.regionArea.forEach((area, l) =>
+      assert.ok(Math.abs(area - expected.regionArea[l]) < 1e-12),
+    );
   }
 });
 
@@ -68,7 +70,10 @@ test('with a diagram that can be asked and changed, and outlives the iterations 
     const wanted = await expected.locate({ vertex: [0, 40, 80] });
     assert.deepEqual(label, wanted.label);
     distance.forEach((d, i) => assert.ok(Math.abs(d - wanted.distance[i]) < 1e-12));
-    assert.equal((await diagram.dual()).vertexLabel.length, (await expected.dual()).vertexLabel.length);
+    assert.equal(
+      (await diagram.dual()).vertexLabel.length,
+      (await expected.dual()).vertexLabel.length,
+    );
     const { label: added } = await diagram.insertSite({ vertex: [40] });
     assert.equal(added, 12);
     assert.equal(diagram.regions.length, 13);

@@ -104,10 +104,7 @@ test('distances can be refused and given up', async () => {
   await assert.rejects(mesh.distances({ vertex: [1e6] }), refused('invalid-point'));
   const controller = new AbortController();
   const onProgress = () => controller.abort(new Error('enough'));
-  await assert.rejects(
-    mesh.distances(sites, { signal: controller.signal, onProgress }),
-    /enough/,
-  );
+  await assert.rejects(mesh.distances(sites, { signal: controller.signal, onProgress }), /enough/);
   assert.equal((await mesh.distances(sites)).label.length, 61 * 61);
 });
 
@@ -212,7 +209,10 @@ test('without a path there are no points, and its length is Infinity', async () 
   assert.doesNotMatch(pathsObj([{ points, length }]), /^[vl] /m);
   const fails = (code, message) => ({ name: 'GeodesicVoronoiError', code, message });
   const two = { vertex: [0, 1] };
-  await assert.rejects(mesh.path(two, { vertex: [0] }), fails('invalid-argument', /from.*2 points/));
+  await assert.rejects(
+    mesh.path(two, { vertex: [0] }),
+    fails('invalid-argument', /from.*2 points/),
+  );
   await assert.rejects(mesh.path({ vertex: [0] }, two), fails('invalid-argument', /to.*2 points/));
   await assert.rejects(mesh.path({ vertex: [99] }, { vertex: [0] }), fails('invalid-point', /99/));
 });

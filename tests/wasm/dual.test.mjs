@@ -44,7 +44,10 @@ test('a dual has a vertex per site, in its place, and the topology of the surfac
     assert.equal(dual.faceLabel.length, 0);
     assert.deepEqual(await diagram.violations(), []);
     const primal = await diagram.dual({ primal: true });
-    assert.deepEqual([...primal.faceLabel].sort((a, b) => a - b), [...sites.face.keys()]);
+    assert.deepEqual(
+      [...primal.faceLabel].sort((a, b) => a - b),
+      [...sites.face.keys()],
+    );
     for (const polygons of [dual, primal]) {
       const { euler, isOriented } = surfaceOf(listsOf(polygons.faces));
       assert.ok(isOriented);
@@ -54,6 +57,48 @@ test('a dual has a vertex per site, in its place, and the topology of the surfac
         assert.equal(polygons.topology[key], mesh.info[key], key);
     }
   }
+});
+
+test('the sides of a dual are paths between the sites of its arcs', async () => {
+  const { diagram } = await validDiagram(grid(12), 10);
+  // Of a diagram that has changed, the order of arcs is another.
+  const pairsOf = (labels) =>
+    Array.from({ length: labels.length / 2 }, (_, i) =>
+      labels.subarray(2 * i, 2 * i + 2).join(),
+    ).sort();
+  const isWhole = async () => {
+    const { labels, offset, points } = await diagram.dualPaths();
+    assert.deepEqual(pairsOf(labels), pairsOf(diagram.data.arcs.labels));
+    assert.equal(points.position.length, 3 * offset.at(-1));
+    const sites = await Promise.all(
+      [...diagram.sites.face.keys()].map(async (i) => {
+        const { face, bary } = diagram.sites;
+        const place = { face: [face[i]], bary: bary.slice(3 * i, 3 * i + 3) };
+        return (await diagram.path(place)).points.position;
+      }),
+    );
+    const at = (i) => [...points.position.subarray(3 * i, 3 * i + 3)];
+    labels.forEach((label, i) => {
+      const path = Math.floor(i / 2);
+      const end = at(i % 2 === 0 ? offset[path] : offset[path + 1] - 1);
+      end.forEach((x, k) => assert.ok(Math.abs(x - sites[label].at(k - 3)) < 1e-12));
+    });
+    // The surface is a plane: paths between neighbours are straight, or bend at the end of their arc.
+    const lengths = labels
+      .filter((_, i) => i % 2 === 0)
+      .map((_, path) => {
+        let length = 0;
+        for (let i = offset[path]; i + 1 < offset[path + 1]; ++i) {
+          length += Math.hypot(...at(i).map((x, k) => x - at(i + 1)[k]));
+        }
+        const [first, last] = [at(offset[path]), at(offset[path + 1] - 1)];
+        return Math.round((1e9 * length) / Math.hypot(...first.map((x, k) => x - last[k]))) / 1e9;
+      });
+    assert.ok(lengths.filter((ratio) => ratio === 1).length >= 1, `${lengths}`);
+  };
+  await isWhole();
+  await diagram.moveSite(2, { vertex: [40] });
+  await isWhole();
 });
 
 test('violations are named with their regions', async () => {

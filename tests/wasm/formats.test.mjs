@@ -89,13 +89,16 @@ test('JSON names the face of every piece of a bisector, and every point is named
       [...json.points.face.keys()],
     );
     const cellsOf = new Map();
-    for (const cell of json.cells) cellsOf.set(cell.face, [...(cellsOf.get(cell.face) ?? []), cell]);
+    for (const cell of json.cells)
+      cellsOf.set(cell.face, [...(cellsOf.get(cell.face) ?? []), cell]);
     for (const { labels, points, faces } of json.arcs) {
       assert.equal(faces.length, points.length - 1);
       faces.forEach((face, i) => {
-        const here = cellsOf.get(face).filter(({ points: corners }) =>
-          [points[i], points[i + 1]].every((point) => corners.includes(point)),
-        );
+        const here = cellsOf
+          .get(face)
+          .filter(({ points: corners }) =>
+            [points[i], points[i + 1]].every((point) => corners.includes(point)),
+          );
         for (const label of labels) assert.ok(here.some((cell) => cell.label === label));
       });
     }

@@ -76,7 +76,9 @@ test('nothing that a browser loads imports anything of Node', () => {
   const visit = (url) => {
     if (seen.has(url.href)) return;
     seen.add(url.href);
-    for (const [, name] of readFileSync(url, 'utf8').matchAll(/^(?:import|export) .*'([^']+)';$/gm)) {
+    for (const [, name] of readFileSync(url, 'utf8').matchAll(
+      /^(?:import|export) .*'([^']+)';$/gm,
+    )) {
       assert.match(name, /^\.\//, `${url.pathname} imports ${name}`);
       visit(new URL(name, url));
     }

@@ -97,7 +97,8 @@ export function bumpySphere(rings, spokes) {
   const positions = [];
   const indices = [];
   const add = (polar, azimuth) => {
-    const radius = 1 + 0.15 * Math.sin(3 * azimuth + 1) * Math.sin(polar) ** 2 + 0.1 * Math.cos(5 * polar);
+    const radius =
+      1 + 0.15 * Math.sin(3 * azimuth + 1) * Math.sin(polar) ** 2 + 0.1 * Math.cos(5 * polar);
     positions.push(
       radius * Math.sin(polar) * Math.cos(azimuth),
       radius * Math.sin(polar) * Math.sin(azimuth),

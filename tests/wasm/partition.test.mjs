@@ -4,13 +4,7 @@
 
 import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
-import {
-  load,
-  partitionGlb,
-  partitionJson,
-  partitionObj,
-  partitionPly,
-} from 'geodesic-voronoi';
+import { load, partitionGlb, partitionJson, partitionObj, partitionPly } from 'geodesic-voronoi';
 import {
   areaOf,
   assertValidGlb,
@@ -109,9 +103,10 @@ test('the parts are the surface', async () => {
     assert.equal(surface.loops, mesh.info.boundaryLoops, name);
     near(total(placed(partition).map(areaOf)), mesh.info.area);
     regions.area.forEach((area, i) => near(area, diagram.regions[i].area, 1e-9));
-    assert.deepEqual([...triangles.label].sort((a, b) => (a < 0) - (b < 0) || a - b), [
-      ...triangles.label,
-    ]);
+    assert.deepEqual(
+      [...triangles.label].sort((a, b) => (a < 0) - (b < 0) || a - b),
+      [...triangles.label],
+    );
     regions.triangleOffset.subarray(1).forEach((end, i) => {
       for (let t = regions.triangleOffset[i]; t < end; ++t) assert.equal(triangles.label[t], i);
     });
@@ -343,10 +338,7 @@ test('JSON holds facts and triangles', async () => {
       region.neighbours.map(({ label }) => label),
       diagram.regions[i].neighbours,
     );
-    assert.equal(
-      region.triangleCount,
-      json.triangles.label.filter((label) => label === i).length,
-    );
+    assert.equal(region.triangleCount, json.triangles.label.filter((label) => label === i).length);
   });
   assert.deepEqual(json.sites.face, [...diagram.sites.face]);
 });

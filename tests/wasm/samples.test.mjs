@@ -45,7 +45,7 @@ function shareOf({ triangles: { bary } }, t) {
 
 test('there are surfaces of genus 0, 1 and more, with and without boundary', () => {
   const infos = [...samples.values()].map(({ info }) => info);
-  assert.equal(infos.length, 7);
+  assert.equal(infos.length, 9);
   const genera = infos.map(({ genus }) => genus);
   assert.ok(genera.includes(0) && genera.includes(1) && Math.max(...genera) > 1);
   assert.equal(new Set(infos.map(({ boundaryLoops }) => boundaryLoops > 0)).size, 2);

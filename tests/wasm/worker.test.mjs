@@ -57,7 +57,10 @@ test('a worker answers as the calling thread does', async (t) => {
       const diagram = await mesh.voronoi(sites, { onProgress: (share) => shares.push(share) });
       const located = await diagram.locate({ vertex: [0, 10, 20] });
       const distances = await mesh.distances(sites, { metric: 'dgpc' });
-      const paths = [await mesh.path({ vertex: [0] }, { vertex: [20] }), await diagram.path({ vertex: [9] })];
+      const paths = [
+        await mesh.path({ vertex: [0] }, { vertex: [20] }),
+        await diagram.path({ vertex: [9] }),
+      ];
       const parts = await diagram.partition();
       const valid = await diagram.repair({ onProgress: (share) => shares.push(share) });
       const duals = [await valid.dual(), await valid.dual({ primal: true })];
@@ -68,7 +71,20 @@ test('a worker answers as the calling thread does', async (t) => {
       const { metric, data } = diagram;
       const last = shares.at(-1);
       const input = { info, positions, indices, normals, uvs, parts: mesh.parts };
-      return { input, sites, metric, data, located, distances, paths, parts, duals, facts, states, last };
+      return {
+        input,
+        sites,
+        metric,
+        data,
+        located,
+        distances,
+        paths,
+        parts,
+        duals,
+        facts,
+        states,
+        last,
+      };
     }),
   );
   assert.deepEqual(answers[0], answers[1]);
@@ -168,7 +184,9 @@ test('a change of a diagram that has begun is carried out on both sides', async 
   );
   assert.equal((await change).label, 2);
   assert.equal(diagram.sites.face.length, 3);
-  await assert.rejects(diagram.removeSite(0, { signal: controller.signal }), { name: 'AbortError' });
+  await assert.rejects(diagram.removeSite(0, { signal: controller.signal }), {
+    name: 'AbortError',
+  });
   assert.deepEqual([...(await diagram.locate({ vertex: [0, 2] })).label], [0, 2]);
 });
 

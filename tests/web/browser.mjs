@@ -169,7 +169,9 @@ export class ViewerPage {
   }
 
   regionCount() {
-    return this.evaluate(({ diagram }) => diagram?.regions.filter(({ area }) => area > 0).length ?? 0);
+    return this.evaluate(
+      ({ diagram }) => diagram?.regions.filter(({ area }) => area > 0).length ?? 0,
+    );
   }
 
   /** Where a site is on the page. */
@@ -181,7 +183,9 @@ export class ViewerPage {
   async freePlace() {
     const place = await this.evaluate((viewer) => {
       const box = viewer.getBoundingClientRect();
-      const sites = [...viewer.sites.face.keys()].map((i) => viewer.sitePosition(i)).filter(Boolean);
+      const sites = [...viewer.sites.face.keys()]
+        .map((i) => viewer.sitePosition(i))
+        .filter(Boolean);
       const step = 12;
       let best;
       for (let x = box.left + step; x < box.right - step; x += step) {
@@ -238,19 +242,22 @@ export class ViewerPage {
 
   /** How many pixels differ between two pictures, and whether the one at a place of the page does. */
   difference(a, b, place = { x: 0, y: 0 }) {
-    return this.evaluate((viewer, { a, b, place }) => {
-      const first = viewer.pictures[a];
-      const second = viewer.pictures[b];
-      const differs = (i) =>
-        [0, 1, 2, 3].some((k) => Math.abs(first.data[4 * i + k] - second.data[4 * i + k]) > 8);
-      let count = 0;
-      for (let i = 0; i < first.width * first.height; ++i) if (differs(i)) ++count;
-      const box = viewer.getBoundingClientRect();
-      const scale = first.width / box.width;
-      const column = Math.round((place.x - box.left) * scale);
-      const row = Math.round((place.y - box.top) * scale);
-      return { count, there: differs(row * first.width + column) };
-    }, { a, b, place });
+    return this.evaluate(
+      (viewer, { a, b, place }) => {
+        const first = viewer.pictures[a];
+        const second = viewer.pictures[b];
+        const differs = (i) =>
+          [0, 1, 2, 3].some((k) => Math.abs(first.data[4 * i + k] - second.data[4 * i + k]) > 8);
+        let count = 0;
+        for (let i = 0; i < first.width * first.height; ++i) if (differs(i)) ++count;
+        const box = viewer.getBoundingClientRect();
+        const scale = first.width / box.width;
+        const column = Math.round((place.x - box.left) * scale);
+        const row = Math.round((place.y - box.top) * scale);
+        return { count, there: differs(row * first.width + column) };
+      },
+      { a, b, place },
+    );
   }
 
   close() {

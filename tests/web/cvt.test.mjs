@@ -50,7 +50,10 @@ suite('the centroidal tessellation', () => {
     assert.ok(drawn.milliseconds > 0);
 
     const all = await iterations();
-    assert.deepEqual(all.map(({ iteration }) => iteration), [0, 1, 2, 3, 4, 5, 6]);
+    assert.deepEqual(
+      all.map(({ iteration }) => iteration),
+      [0, 1, 2, 3, 4, 5, 6],
+    );
     for (let i = 1; i < all.length; ++i) {
       assert.ok(all[i].energy <= all[i - 1].energy, `the energy does not rise at ${i}`);
       assert.ok(all[i].largestMove > 0);
@@ -125,7 +128,8 @@ suite('the centroidal tessellation', () => {
     await viewer.after('density-change', async () => {
       await viewer.page.mouse.move(place.x, place.y);
       await viewer.page.mouse.down();
-      for (const step of [8, -8, 8, -8, 8, 0]) await viewer.page.mouse.move(place.x + step, place.y);
+      for (const step of [8, -8, 8, -8, 8, 0])
+        await viewer.page.mouse.move(place.x + step, place.y);
       await viewer.page.mouse.up();
     });
     assert.deepEqual(await viewer.sites(), sites, 'no site is added or moved');

@@ -40,9 +40,7 @@ before(async () => {
     '/one.html': page(`<geodesic-voronoi ${model}></geodesic-voronoi>`),
     '/twenty.html': page(twenty),
     '/empty.html': page(''),
-    '/article.html': page(
-      `<geodesic-voronoi ${model}></geodesic-voronoi>${longText}`,
-    ),
+    '/article.html': page(`<geodesic-voronoi ${model}></geodesic-voronoi>${longText}`),
     '/import-map.html': {
       ...page(
         `<geodesic-voronoi ${model}></geodesic-voronoi>`,
@@ -150,13 +148,10 @@ suite('many elements', () => {
     await viewer.page.waitForFunction(() => customElements.get('geodesic-voronoi'));
     const requests = [];
     viewer.page.on('request', (request) => requests.push(request.url()));
-    await viewer.page.evaluate(
-      (html) => {
-        document.body.innerHTML = html;
-        return new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve, 200)));
-      },
-      `${longText}<geodesic-voronoi loading="lazy" ${model}></geodesic-voronoi>`,
-    );
+    await viewer.page.evaluate((html) => {
+      document.body.innerHTML = html;
+      return new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve, 200)));
+    }, `${longText}<geodesic-voronoi loading="lazy" ${model}></geodesic-voronoi>`);
     assert.deepEqual(requests, []);
     assert.equal(await contextCount(viewer), 0);
     assert.equal(viewer.page.workers().length, 0);
@@ -356,7 +351,10 @@ suite('attributes and events', () => {
       types.filter((type) => !['progress', 'poster'].includes(type)),
       ['poster-dismissed', 'load', 'diagram'],
     );
-    const loading = told.slice(0, told.findIndex(([type]) => type === 'load'));
+    const loading = told.slice(
+      0,
+      told.findIndex(([type]) => type === 'load'),
+    );
     const shares = loading.filter(([type]) => type === 'progress').map(([, share]) => share);
     assert.ok(shares.length > 0 && shares.every((share, i) => share >= (shares[i - 1] ?? 0)));
     assert.equal(shares.at(-1), 1);

@@ -55,7 +55,7 @@ suite('files', () => {
     const wrong = {
       '{': 'is no JSON that can be read',
       '{"face": [1], "bary": [1, 0]}': 'is no list of sites',
-      '{"face": [99999], "bary": [1, 0, 0]}': 'belongs to another model: this one has 3674 triangles',
+      '{"face": [999999], "bary": [1, 0, 0]}': 'belongs to another model: this one has 58784 triangles',
     };
     for (const [text, sentence] of Object.entries(wrong)) {
       await drop('wrong.json', text);

@@ -183,9 +183,17 @@ export function joined(lists: FileVertices[]): FileVertices {
     return whole;
   };
   const attribute = (name: 'normals' | 'uvs') =>
-    lists[0][name] && { [name]: concat(Float32Array, lists.map((list) => list[name]!)) };
+    lists[0][name] && {
+      [name]: concat(
+        Float32Array,
+        lists.map((list) => list[name]!),
+      ),
+    };
   return {
-    points: concat(Int32Array, lists.map(({ points }) => points)),
+    points: concat(
+      Int32Array,
+      lists.map(({ points }) => points),
+    ),
     ...attribute('normals'),
     ...attribute('uvs'),
   };

@@ -19,7 +19,9 @@ export function changedSites(
   bary.set(site ? site.bary : [0, 0, 0], 3 * label);
   let end = count;
   while (end > 0 && face[end - 1] < 0) --end;
-  return end === count ? { face, bary } : { face: face.slice(0, end), bary: bary.slice(0, 3 * end) };
+  return end === count
+    ? { face, bary }
+    : { face: face.slice(0, end), bary: bary.slice(0, 3 * end) };
 }
 
 /** The diagram of so many sites after a change: what the change names is replaced, all else is kept. */
@@ -93,10 +95,10 @@ function sizeOf({ part }: DiagramChange): number {
 function overlaid(
   ...layers: [Int32Array, ArrayLike<number>][]
 ): [keys: Int32Array, values: number[]] {
-  const valueOf = new Map<number, number>();
-  for (const [keys, values] of layers) keys.forEach((key, i) => valueOf.set(key, values[i]));
-  const keys = Int32Array.from(valueOf.keys()).sort();
-  return [keys, Array.from(keys, (key) => valueOf.get(key)!)];
+  const valueByKey = new Map<number, number>();
+  for (const [keys, values] of layers) keys.forEach((key, i) => valueByKey.set(key, values[i]));
+  const keys = Int32Array.from(valueByKey.keys()).sort();
+  return [keys, Array.from(keys, (key) => valueByKey.get(key)!)];
 }
 
 /** What a diagram and the part of a change are made of alike: all but the values per label and face. */
@@ -265,10 +267,7 @@ class MergedPoints {
    * The merged index of a source's point, given when first asked for. Points at a place of the
    * `other` source are one with those.
    */
-  from(
-    points: DiagramData['points'],
-    other?: DiagramData['points'],
-  ): (point: number) => number {
+  from(points: DiagramData['points'], other?: DiagramData['points']): (point: number) => number {
     const merged = new Int32Array(points.face.length).fill(-1);
     const faces = other && new Set(other.face);
     return (point) => {

@@ -123,6 +123,6 @@ export function show(value: unknown): string {
   if (typeof value === 'function') return 'a function';
   if (typeof value === 'bigint') return `${value}n`;
   if (!isObject(value)) return String(value);
-  const { constructor } = value;
-  return `of type ${(typeof constructor === 'function' && constructor.name) || 'object'}`;
+  const kind = value.constructor;
+  return `of type ${(typeof kind === 'function' && kind.name) || 'object'}`;
 }

@@ -10,7 +10,12 @@ import { GeodesicVoronoiError, invalidArgument } from './errors.js';
  * what the server answered, or the module itself.
  */
 export type WasmSource =
-  URL | string | ArrayBuffer | ArrayBufferView | Response | WebAssembly.Module;
+  | URL
+  | string
+  | ArrayBuffer
+  | ArrayBufferView
+  | Response
+  | WebAssembly.Module;
 
 /** Compiles the module at an address; how depends on where the library runs. */
 export type CompileAddress = (address: URL | string) => Promise<WebAssembly.Module>;

@@ -13,6 +13,7 @@ import { regionsOf } from './region.js';
 import type {
   DiagramChange,
   DiagramData,
+  DualPaths,
   Located,
   Metric,
   Partition,
@@ -144,6 +145,10 @@ export class EngineDiagram implements Diagram {
   async dual(options?: DualOptions): Promise<PolygonMesh> {
     const { primal = false } = toOptions(options);
     return this.#kept.call('dual', [toBoolean('primal', primal)], toTask(options));
+  }
+
+  async dualPaths(options?: TaskOptions): Promise<DualPaths> {
+    return this.#kept.call('dualPaths', [], toTask(options));
   }
 
   async violations(options?: TaskOptions): Promise<Violation[]> {

@@ -7,7 +7,12 @@ import { inputVertices, type AttributeSource } from './attributes.js';
 import { show, toAttributeSource, toResult, toScale } from './checks.js';
 import { invalidArgument } from './errors.js';
 import { glbAttributes, plyColumns } from './file_vertices.js';
-import { placedPointsJson, pointsJson, type PlacedPointsJson, type SurfacePointsJson } from './formats.js';
+import {
+  placedPointsJson,
+  pointsJson,
+  type PlacedPointsJson,
+  type SurfacePointsJson,
+} from './formats.js';
 import { GlbBuilder } from './glb.js';
 import { ply } from './ply.js';
 import type { Distances, SurfacePath, VertexDistances } from './results.js';
@@ -88,11 +93,11 @@ export function distancesGlb(
   toAttributeSource(mesh);
   const { label, distance } = toResult('distances', distances, 'label', 'distance');
   toScale(scale);
-  const isFinite = (vertex: number) =>
+  const hasFinitePosition = (vertex: number) =>
     mesh.positions.subarray(3 * vertex, 3 * vertex + 3).every(Number.isFinite);
   const triangles = Array.from({ length: mesh.indices.length / 3 }, (_, f) =>
     mesh.indices.subarray(3 * f, 3 * f + 3),
-  ).filter((corners) => corners.every(isFinite));
+  ).filter((corners) => corners.every(hasFinitePosition));
   const positions = mesh.positions.map((x) => (Number.isFinite(x) ? x : 0));
   const known = distance.map((d) => (d === Infinity ? -1 : scale * d));
   const file = new GlbBuilder();

@@ -4,6 +4,7 @@
 
 import { toResult, toScale } from './checks.js';
 import { GlbBuilder } from './glb.js';
+import { regionsOf } from './region.js';
 import type { DiagramData, PlacedPoints, SurfacePoints } from './results.js';
 import type { Diagram } from './types.js';
 
@@ -39,11 +40,11 @@ export interface DiagramJson {
 }
 
 export function diagramJson(
-  diagram: Pick<Diagram, 'metric' | 'sites' | 'data' | 'regions'>,
+  diagram: Pick<Diagram, 'metric' | 'sites' | 'data'>,
   scale = 1,
   unit?: string,
 ): DiagramJson {
-  const { metric, sites, data, regions } = toResult('diagram', diagram, 'sites', 'data', 'regions');
+  const { metric, sites, data } = toResult('diagram', diagram, 'sites', 'data');
   toScale(scale);
   const { points, arcs, voronoiPoints, loops, cells } = data;
   const named = [loops.points, arcs.points, voronoiPoints.point, cells.points];
@@ -56,7 +57,7 @@ export function diagramJson(
     ...(unit !== undefined && { unit }),
     sites: pointsJson(sites),
     points: placedPointsJson(pointsAt(points, used), scale),
-    regions: regions.map(({ area, loops, neighbours }) => ({
+    regions: regionsOf(data).map(({ area, loops, neighbours }) => ({
       area: scale * scale * area,
       loops: loops.map(numbers),
       neighbours,
@@ -87,17 +88,15 @@ export function diagramJson(
 
 /** Per arc the faces of its segments, along the arc. */
 function facesOfArcs({ segments, arcs }: DiagramData): number[][] {
-  const faceOf = Array.from(
-    { length: arcs.labels.length / 2 },
-    () => new Map<string, number>(),
-  );
+  const faceOf = Array.from({ length: arcs.labels.length / 2 }, () => new Map<string, number>());
   segments.face.forEach((face, s) => {
     const [tail, tip] = segments.points.subarray(2 * s, 2 * s + 2);
     faceOf[segments.arc[s]].set(`${tail} ${tip}`, face);
   });
   return faceOf.map((faces, i) =>
-    Array.from(arcs.points.subarray(arcs.offset[i], arcs.offset[i + 1] - 1), (tail, k) =>
-      faces.get(`${tail} ${arcs.points[arcs.offset[i] + k + 1]}`)!,
+    Array.from(
+      arcs.points.subarray(arcs.offset[i], arcs.offset[i + 1] - 1),
+      (tail, k) => faces.get(`${tail} ${arcs.points[arcs.offset[i] + k + 1]}`)!,
     ),
   );
 }

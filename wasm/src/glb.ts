@@ -2,7 +2,7 @@
 
 type Elements = Float32Array | Uint32Array | Uint8Array;
 
-const componentTypes = new Map<Function, number>([
+const componentTypes = new Map<unknown, number>([
   [Float32Array, 5126],
   [Uint32Array, 5125],
   [Uint8Array, 5121],

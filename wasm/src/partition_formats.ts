@@ -23,8 +23,8 @@ export interface PartitionGlbOptions extends PartitionFileOptions {
    * EXT_mesh_features has them. Default 'regions'.
    */
   layout?: PartitionLayout;
-  /** Of a region, as linear RGB; by default hues that differ for any first few of them. */
-  colourOf?: (label: number) => readonly number[];
+  /** Per region, as linear RGB; by default hues that differ for any first few of them. */
+  colours?: readonly (readonly number[])[];
 }
 
 export const partitionLayouts = ['regions', 'features'] as const;
@@ -112,7 +112,7 @@ export function partitionGlb(
 
 function regionsGlb(
   partition: Partition,
-  { mesh, scale = 1, colourOf = hueOf }: PartitionGlbOptions,
+  { mesh, scale = 1, colours = [] }: PartitionGlbOptions,
 ): Uint8Array<ArrayBuffer> {
   const file = new GlbBuilder();
   const parts = partsOf(partition).map(({ label, first, last }, i) => {
@@ -131,7 +131,7 @@ function regionsGlb(
           },
         ],
       },
-      material: material(name, [...colourOf(label), 1]),
+      material: material(name, [...(colours[label] ?? hueOf(label)), 1]),
     };
   });
   return file.finish({
@@ -145,7 +145,7 @@ function regionsGlb(
 
 function featuresGlb(
   partition: Partition,
-  { mesh, scale = 1, colourOf = hueOf }: PartitionGlbOptions,
+  { mesh, scale = 1, colours: regionColours = [] }: PartitionGlbOptions,
 ): Uint8Array<ArrayBuffer> {
   const siteCount = partition.regions.area.length;
   const file = new GlbBuilder();
@@ -162,7 +162,7 @@ function featuresGlb(
   for (const patch of patches) {
     const end = vertex + patch.vertices.points.length;
     ids.fill(patch.label < 0 ? siteCount : patch.label, vertex, end);
-    const colour = [...colourOf(patch.label), 1].map((x) => Math.round(255 * x));
+    const colour = [...(regionColours[patch.label] ?? hueOf(patch.label)), 1].map((x) => Math.round(255 * x));
     for (let v = vertex; v < end; ++v) colours.set(colour, 4 * v);
     for (const c of patch.corners) corners[corner++] = vertex + c;
     vertex = end;
@@ -198,10 +198,7 @@ function featuresGlb(
 }
 
 /** A group per region; all vertices are shared. */
-export function partitionObj(
-  partition: Partition,
-  options?: PartitionFileOptions,
-): string {
+export function partitionObj(partition: Partition, options?: PartitionFileOptions): string {
   toPartition(partition);
   const { mesh, scale } = toFileOptions(options);
   const { vertices, corners } = partitionVertices(partition, mesh);
@@ -223,10 +220,7 @@ export function partitionPly(
   toPartition(partition);
   const { mesh, scale } = toFileOptions(options);
   const { vertices, corners } = partitionVertices(partition, mesh);
-  const offset = Int32Array.from(
-    { length: partition.triangles.label.length + 1 },
-    (_, t) => 3 * t,
-  );
+  const offset = Int32Array.from({ length: partition.triangles.label.length + 1 }, (_, t) => 3 * t);
   return ply(
     'Regions of a geodesic Voronoi diagram',
     plyColumns(partition.points.position, vertices, scale),

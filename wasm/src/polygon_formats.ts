@@ -62,10 +62,7 @@ export function polygonGlb(
 }
 
 /** Polygons; those of regions in a group each. */
-export function polygonObj(
-  polygons: PolygonMesh,
-  options?: PolygonFileOptions,
-): string {
+export function polygonObj(polygons: PolygonMesh, options?: PolygonFileOptions): string {
   const { points } = toPolygons(polygons);
   const { mesh, scale } = toFileOptions(options);
   const { faces, faceLabel } = withArea(polygons);
@@ -91,10 +88,7 @@ export function polygonPly(
     values.length > 0 ? [{ names: ['label'], type: 'int', values }] : [];
   return ply(
     'Polygons of a geodesic Voronoi diagram',
-    [
-      ...plyColumns(points.position, pointVertices(points, mesh), scale),
-      ...labels(vertexLabel),
-    ],
+    [...plyColumns(points.position, pointVertices(points, mesh), scale), ...labels(vertexLabel)],
     faces,
     labels(faceLabel),
   );

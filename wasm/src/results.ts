@@ -230,6 +230,18 @@ export interface PolygonMesh {
   topology: PolygonTopology;
 }
 
+/**
+ * Per arc of a diagram, in no certain order, the shortest path between its two sites that crosses it.
+ * `core/include/gvd/dual.h` holds the definition.
+ */
+export interface DualPaths {
+  /** Two per path: those of the arc, the lower one first. */
+  labels: Int32Array;
+  /** Those of path i are points `offset[i] … offset[i + 1] - 1`, from site to site. */
+  offset: Int32Array;
+  points: PlacedPoints;
+}
+
 /** Of the polygons welded by their points; points without a polygon do not count. */
 export interface PolygonTopology {
   /** If not, boundary loops and genus mean nothing. */

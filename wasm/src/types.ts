@@ -7,6 +7,7 @@ import type {
   CvtMethod,
   DiagramChange,
   DiagramData,
+  DualPaths,
   Distances,
   Located,
   MeshInfo,
@@ -23,7 +24,8 @@ import type {
 
 /** What functions take as a list of points: faces with barycentric coordinates, or input vertices. */
 export type SurfacePointsInput =
-  { face: ArrayLike<number>; bary: ArrayLike<number> } | { vertex: ArrayLike<number> };
+  | { face: ArrayLike<number>; bary: ArrayLike<number> }
+  | { vertex: ArrayLike<number> };
 
 export interface DistancesOptions extends TaskOptions {
   /** Default 'exact'. */
@@ -156,7 +158,8 @@ export interface Region {
 
 /**
  * A diagram. Sites can come, go and move: only the surroundings are computed anew, and only what has
- * changed is handed over. The first change costs about a diagram more: one that can change is made.
+ * changed is handed over. The first change traces the whole diagram once more; after a tessellation,
+ * its distances are found again, too.
  * Calls are carried out in their order; `sites`, `data` and `regions` are those after the last one
  * that has resolved.
  */
@@ -168,11 +171,7 @@ export interface Diagram extends Disposable {
   readonly regions: readonly Region[];
   /** Adds a site, given as a list of one; it gets the lowest label that is free. */
   insertSite(site: SurfacePointsInput, options?: TaskOptions): Promise<DiagramChange>;
-  moveSite(
-    label: number,
-    site: SurfacePointsInput,
-    options?: TaskOptions,
-  ): Promise<DiagramChange>;
+  moveSite(label: number, site: SurfacePointsInput, options?: TaskOptions): Promise<DiagramChange>;
   /**
    * The other sites keep their labels; this one's region is empty from then on. Labels at the end that
    * have no site do not count any more.
@@ -192,6 +191,8 @@ export interface Diagram extends Disposable {
    * the topology of the surface if there are no `violations`.
    */
   dual(options?: DualOptions): Promise<PolygonMesh>;
+  /** The sides of the dual as paths on the surface, one per arc. */
+  dualPaths(options?: TaskOptions): Promise<DualPaths>;
   /** Why the dual is no faithful picture of the surface; nothing if it is. */
   violations(options?: TaskOptions): Promise<Violation[]>;
   /** How good the dual is as a remesh of the surface. */

@@ -2,44 +2,54 @@
 //
 // What makes the files of the download menu: fetched when the first of them is asked for.
 
-import {
-  type Diagram,
-  diagramGlb,
-  diagramJson,
-  diagramObj,
-  partitionGlb,
-  partitionObj,
-  partitionPly,
-  type PolygonFileOptions,
-  polygonGlb,
-  polygonObj,
-  polygonPly,
-} from 'geodesic-voronoi';
+import type { Diagram, Mesh } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
+import { encode } from './encoding.js';
 import { outlinesSvg } from './outline_svg.js';
 import { sitesJson } from './sites_file.js';
 
-type Content = string | Uint8Array;
+type Source = Pick<Mesh, 'positions' | 'indices' | 'normals' | 'uvs'>;
 type Encoder = (
   diagram: Diagram,
-  options: PolygonFileOptions,
+  options: { mesh?: Source },
   viewer: GeodesicVoronoiElement,
-) => Content | Promise<Content>;
+) => Blob | Promise<Blob>;
+
+const mediaTypes = {
+  glb: 'model/gltf-binary',
+  json: 'application/json',
+  obj: 'model/obj',
+  ply: 'application/octet-stream',
+  svg: 'image/svg+xml',
+};
 
 /** Of the diagram: by name, then by format. */
 const encoders: Record<string, Record<string, Encoder>> = {
-  outlines: { svg: ({ data }, _, viewer) => outlinesSvg(viewer, data) },
-  sites: { json: (_, __, viewer) => JSON.stringify(sitesJson(viewer)) },
-  diagram: { json: (diagram) => JSON.stringify(diagramJson(diagram)) },
-  bisectors: { glb: ({ data }) => diagramGlb(data), obj: ({ data }) => diagramObj(data) },
+  outlines: {
+    svg: ({ data }, _, viewer) => new Blob([outlinesSvg(viewer, data)], { type: mediaTypes.svg }),
+  },
+  sites: {
+    json: (_, __, viewer) =>
+      new Blob([JSON.stringify(sitesJson(viewer))], { type: mediaTypes.json }),
+  },
+  diagram: {
+    json: ({ metric, sites, data }) =>
+      encode(mediaTypes.json, 'diagramJson', { metric, sites, data }),
+  },
+  bisectors: {
+    glb: ({ data }) => encode(mediaTypes.glb, 'diagramGlb', data),
+    obj: ({ data }) => encode(mediaTypes.obj, 'diagramObj', data),
+  },
   parts: {
     glb: async (diagram, options, viewer) =>
-      partitionGlb(await diagram.partition(), {
+      encode(mediaTypes.glb, 'partitionGlb', await diagram.partition(), {
         ...options,
-        colourOf: (label) => linear(viewer.regionColour(label)),
+        colours: coloursOf(viewer),
       }),
-    obj: async (diagram, options) => partitionObj(await diagram.partition(), options),
-    ply: async (diagram, options) => partitionPly(await diagram.partition(), options),
+    obj: async (diagram, options) =>
+      encode(mediaTypes.obj, 'partitionObj', await diagram.partition(), options),
+    ply: async (diagram, options) =>
+      encode(mediaTypes.ply, 'partitionPly', await diagram.partition(), options),
   },
   polygons: polygonEncoders(true),
   dual: polygonEncoders(false),
@@ -47,30 +57,32 @@ const encoders: Record<string, Record<string, Encoder>> = {
 
 function polygonEncoders(primal: boolean): Record<string, Encoder> {
   return {
-    glb: async (diagram, options) => polygonGlb(await diagram.dual({ primal }), options),
-    obj: async (diagram, options) => polygonObj(await diagram.dual({ primal }), options),
-    ply: async (diagram, options) => polygonPly(await diagram.dual({ primal }), options),
+    glb: async (diagram, options) =>
+      encode(mediaTypes.glb, 'polygonGlb', await diagram.dual({ primal }), options),
+    obj: async (diagram, options) =>
+      encode(mediaTypes.obj, 'polygonObj', await diagram.dual({ primal }), options),
+    ply: async (diagram, options) =>
+      encode(mediaTypes.ply, 'polygonPly', await diagram.dual({ primal }), options),
   };
 }
 
-/** Of a colour as CSS has it: rgb(r, g, b), or #rrggbb. */
-function linear(colour = 'rgb(120, 120, 120)'): number[] {
-  const numbers = colour.startsWith('#')
-    ? [1, 3, 5].map((i) => parseInt(colour.slice(i, i + 2), 16))
-    : (colour.match(/\d+/g) ?? []).slice(0, 3).map(Number);
-  return numbers.map((x) => {
-    const c = x / 255;
-    return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
-  });
+/** As much of a mesh as files need; what is not needed is not copied. */
+function sourceOf({ mesh }: GeodesicVoronoiElement): Source | undefined {
+  if (!mesh) return undefined;
+  const { positions, indices, normals, uvs } = mesh;
+  return { positions, indices, normals, uvs };
 }
 
-const mediaTypes: Record<string, string> = {
-  glb: 'model/gltf-binary',
-  json: 'application/json',
-  obj: 'model/obj',
-  ply: 'application/octet-stream',
-  svg: 'image/svg+xml',
-};
+/** Of the regions as they are drawn, in linear RGB. */
+function coloursOf(viewer: GeodesicVoronoiElement): number[][] {
+  return Array.from(viewer.regionAreas, (_, label) => {
+    const colour = viewer.regionColour(label) ?? '#787878';
+    return [1, 3, 5].map((i) => {
+      const c = parseInt(colour.slice(i, i + 2), 16) / 255;
+      return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
+    });
+  });
+}
 
 /** A file by the name and the format of its row in the menu; a picture's format is its scale. */
 export async function fileOf(
@@ -79,10 +91,13 @@ export async function fileOf(
   format: string,
 ): Promise<{ blob: Blob; ending: string }> {
   if (name === 'picture') {
-    return { blob: await viewer.toBlob('image/png', undefined, parseInt(format, 10)), ending: 'png' };
+    return {
+      blob: await viewer.toBlob('image/png', undefined, parseInt(format, 10)),
+      ending: 'png',
+    };
   }
   const { diagram } = viewer;
   if (!diagram) throw new Error('there is no diagram');
-  const content = await encoders[name][format](diagram, { mesh: viewer.mesh }, viewer);
-  return { blob: new Blob([content as BlobPart], { type: mediaTypes[format] }), ending: format };
+  const blob = await encoders[name][format](diagram, { mesh: sourceOf(viewer) }, viewer);
+  return { blob, ending: format };
 }

@@ -37,7 +37,8 @@ export function setUpKeyboard(viewer: GeodesicVoronoiElement): void {
 
 /** Whether a field that takes keys has them. */
 function isTyping({ target }: Event): boolean {
-  if (target instanceof HTMLInputElement) return !['checkbox', 'radio', 'button'].includes(target.type);
+  if (target instanceof HTMLInputElement)
+    return !['checkbox', 'radio', 'button'].includes(target.type);
   // The list of sites is no field: Delete there removes the chosen site.
   return target instanceof HTMLSelectElement && target.size <= 1;
 }

@@ -9,7 +9,9 @@ export function setUpMeshReport(viewer: GeodesicVoronoiElement): void {
   const report = byId('report', HTMLElement);
   const repairs = byId('repairs', HTMLElement);
   listen(viewer, 'load', ({ info }) => {
-    report.replaceChildren(...factsOf(info).flatMap(([term, value]) => [cell('dt', term), cell('dd', value)]));
+    report.replaceChildren(
+      ...factsOf(info).flatMap(([term, value]) => [cell('dt', term), cell('dd', value)]),
+    );
     repairs.replaceChildren(
       ...[...sentencesOf(info.repairs), ...info.notes].map((sentence) => cell('span', sentence)),
     );

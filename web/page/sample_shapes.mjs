@@ -11,37 +11,47 @@ export function torus(around = 150, across = 60) {
   });
 }
 
-/** A tube around a trefoil knot. */
+/** A tube around a trefoil knot, which lies on a torus. */
 export function knot() {
   const centre = (s) => {
-    const angle = turn * s;
-    return [
-      Math.sin(angle) + 2 * Math.sin(2 * angle),
-      Math.cos(angle) - 2 * Math.cos(2 * angle),
-      -1.4 * Math.sin(3 * angle),
-    ];
+    const [around, across] = [2 * turn * s, 3 * turn * s];
+    const radius = 2 + Math.cos(across);
+    return [radius * Math.cos(around), radius * Math.sin(around), 1.15 * Math.sin(across)];
   };
-  return grid(360, 30, { across: true, along: true }, (s, t) => {
+  const thickness = 0.52;
+  return grid(420, 34, { across: true, along: true }, (s, t) => {
     const ahead = normalised(difference(centre(s + 1e-4), centre(s - 1e-4)));
-    // Away from the knot's axis, made perpendicular to the tube: turns once with the knot, without twist.
-    const outward = normalised(cross(ahead, [0, 0, 1]));
-    const upward = cross(outward, ahead);
+    // Away from the middle of the torus' tube: it turns with the knot, and closes.
+    const [x, y] = centre(s);
+    const ring = 2 / Math.hypot(x, y);
+    const outward = difference(centre(s), [ring * x, ring * y, 0]);
+    const along = outward.reduce((sum, o, k) => sum + o * ahead[k], 0);
+    const first = normalised(outward.map((o, k) => o - along * ahead[k]));
+    const second = cross(ahead, first);
+    const angle = turn * t;
     return centre(s).map(
-      (c, k) => c + 0.6 * (outward[k] * Math.cos(turn * t) + upward[k] * Math.sin(turn * t)),
+      (c, k) => c + thickness * (first[k] * Math.cos(angle) + second[k] * Math.sin(angle)),
     );
   });
 }
 
-/** One side, one edge: the mesh builder has to cut it to orient it. */
+/**
+ * A Möbius strip of some thickness: what looks like two sides is one, which closes after two rounds. (A
+ * strip without thickness has no orientation; it would have to be cut.)
+ */
 export function moebiusStrip() {
-  return grid(220, 28, { across: 'mirrored', along: false }, (s, t) => {
-    const width = 0.9 * (t - 0.5);
-    const radius = 1 + width * Math.cos((turn * s) / 2);
-    return [
-      radius * Math.cos(turn * s),
-      width * Math.sin((turn * s) / 2),
-      -radius * Math.sin(turn * s),
-    ];
+  const [halfWidth, halfThickness] = [0.46, 0.05];
+  return grid(300, 56, { across: 'half-turned', along: true }, (s, t) => {
+    const angle = turn * t;
+    // A superellipse: flat sides and round edges.
+    const power = (x) => Math.sign(x) * Math.abs(x) ** 0.55;
+    const across = halfWidth * power(Math.cos(angle));
+    const up = halfThickness * power(Math.sin(angle));
+    const twist = (turn * s) / 2;
+    const outward = across * Math.cos(twist) - up * Math.sin(twist);
+    const height = across * Math.sin(twist) + up * Math.cos(twist);
+    const radius = 1 + outward;
+    return [radius * Math.cos(turn * s), height, -radius * Math.sin(turn * s)];
   });
 }
 
@@ -58,91 +68,9 @@ export function ripples() {
   });
 }
 
-/** A quartic surface of genus 5. */
-export function tangleCube() {
-  const quartic = (x) => x * x * (x * x - 5);
-  const slope = (x) => x * (4 * x * x - 10);
-  return isosurface(46, 2.7, {
-    value: (x, y, z) => quartic(x) + quartic(y) + quartic(z) + 11.2,
-    gradient: (x, y, z) => [slope(x), slope(y), slope(z)],
-  });
-}
-
-/**
- * Where `value` is zero inside the cube of that half width, cut into n³ cells: a vertex in each cell
- * that the surface crosses, and two triangles for each of the grid's edges that it crosses ("surface
- * nets"). Then vertices are spread evenly and put on the surface.
- */
-function isosurface(n, halfWidth, { value, gradient }) {
-  const step = (2 * halfWidth) / n;
-  const at = (index) => step * index - halfWidth;
-  const size = n + 1;
-  const strides = [size * size, size, 1];
-  const keyOf = (i, j, k) => i * strides[0] + j * strides[1] + k;
-  const inside = new Uint8Array(size ** 3);
-  for (let i = 0; i < size; ++i) {
-    for (let j = 0; j < size; ++j) {
-      for (let k = 0; k < size; ++k) inside[keyOf(i, j, k)] = value(at(i), at(j), at(k)) < 0 ? 1 : 0;
-    }
-  }
-  const positions = [];
-  const vertexOfCell = new Map();
-  const vertexOf = (cell) => {
-    const key = keyOf(...cell);
-    if (!vertexOfCell.has(key)) {
-      vertexOfCell.set(key, positions.length / 3);
-      positions.push(...cell.map((index) => at(index + 0.5)));
-    }
-    return vertexOfCell.get(key);
-  };
-  const indices = [];
-  for (let i = 1; i < n; ++i) {
-    for (let j = 1; j < n; ++j) {
-      for (let k = 1; k < n; ++k) {
-        for (let axis = 0; axis < 3; ++axis) {
-          const tail = keyOf(i, j, k);
-          if (inside[tail] === inside[tail + strides[axis]]) continue;
-          // The four cells around the edge, counterclockwise as seen from its tip.
-          const cells = [[0, 0], [-1, 0], [-1, -1], [0, -1]].map(([u, v]) => {
-            const cell = [i, j, k];
-            cell[(axis + 1) % 3] += u;
-            cell[(axis + 2) % 3] += v;
-            return vertexOf(cell);
-          });
-          const [a, b, c, d] = inside[tail] ? cells : cells.reverse();
-          indices.push(a, b, c, a, c, d);
-        }
-      }
-    }
-  }
-  for (let round = 0; round < 4; ++round) {
-    smooth(positions, indices);
-    for (let v = 0; v < positions.length; v += 3) {
-      // Newton's step along the gradient.
-      const place = positions.slice(v, v + 3);
-      const slope = gradient(...place);
-      const factor = value(...place) / slope.reduce((sum, x) => sum + x * x, 0);
-      for (let k = 0; k < 3; ++k) positions[v + k] -= factor * slope[k];
-    }
-  }
-  return { positions, indices };
-}
-
-/** Moves each vertex to the middle of its neighbours; the surface has no boundary. */
-function smooth(positions, indices) {
-  const sums = new Float64Array(positions.length);
-  const counts = new Int32Array(positions.length / 3);
-  indices.forEach((tail, i) => {
-    const tip = indices[i % 3 === 2 ? i - 2 : i + 1];
-    ++counts[tail];
-    for (let k = 0; k < 3; ++k) sums[3 * tail + k] += positions[3 * tip + k];
-  });
-  for (let i = 0; i < positions.length; ++i) positions[i] = sums[i] / counts[Math.floor(i / 3)];
-}
-
 /**
  * A surface over the unit square in m × n cells of two triangles. `across` and `along` say whether
- * the first and second parameter close to a ring, 'mirrored' with the second parameter reversed.
+ * the first and second parameter close to a ring, 'half-turned' with the second one half a turn on.
  */
 function grid(m, n, { across, along }, place) {
   const rows = across ? m : m + 1;
@@ -152,8 +80,8 @@ function grid(m, n, { across, along }, place) {
     for (let j = 0; j < columns; ++j) positions.push(...place(i / m, j / n));
   }
   const vertex = (i, j) => {
-    const mirror = across === 'mirrored' && i === m;
-    return (i % rows) * columns + (mirror ? n - j : j % columns);
+    const shift = across === 'half-turned' && i === m ? n / 2 : 0;
+    return (i % rows) * columns + ((j + shift) % columns);
   };
   const indices = [];
   for (let i = 0; i < m; ++i) {

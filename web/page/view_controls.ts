@@ -9,6 +9,7 @@ const layerTitles: Record<Layer, string> = {
   sites: 'Sites',
   'voronoi-points': 'Voronoi points',
   dual: 'Dual',
+  distances: 'Distances',
   wireframe: 'Wireframe',
 };
 

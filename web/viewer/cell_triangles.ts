@@ -15,6 +15,8 @@ export interface CellTriangles {
   /** Per corner x, y, z in the scene, and the shading normal. */
   position: Float32Array;
   normal: Float32Array;
+  /** Per corner the point of the diagram. */
+  points: Int32Array;
 }
 
 /**
@@ -28,6 +30,7 @@ export function cellTriangles(mesh: SceneMesh, { cells, points }: Cells): CellTr
   const keys = new Int32Array(2 * count);
   const position = new Float32Array(9 * count);
   const normal = new Float32Array(9 * count);
+  const named = new Int32Array(3 * count);
 
   const places = mesh.frame.toScene(points.position);
   const { fan, normals, barys } = new Scratch(longestCell(cells));
@@ -54,9 +57,12 @@ export function cellTriangles(mesh: SceneMesh, { cells, points }: Cells): CellTr
       const third = turned ? i - 1 : i;
       copyCorners(fan, second, third, position, 9 * triangle);
       copyCorners(normals, second, third, normal, 9 * triangle);
+      named[3 * triangle] = cells.points[first];
+      named[3 * triangle + 1] = cells.points[first + second];
+      named[3 * triangle + 2] = cells.points[first + third];
     }
   }
-  return { keys, position, normal };
+  return { keys, position, normal, points: named };
 }
 
 /** Of the corners of one cell. */

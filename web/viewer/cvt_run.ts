@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 import type { CvtMethod, CvtState, DiagramData, Mesh, Metric } from 'geodesic-voronoi';
 import type { CellTriangles } from './cell_triangles.js';
+import { nextFrame } from './next_frame.js';
 import { type Sites, surfacePointsOf } from './site_history.js';
-
-/** In milliseconds. */
-const longestFrame = 100;
 
 /** How sites move to the centroids of their regions; see `CvtOptions` of the library. */
 export interface CvtSettings {
@@ -172,15 +170,4 @@ export class CvtRun {
     const { value: state } = await this.#states.next();
     return { state: state ?? undefined, milliseconds: performance.now() - start };
   }
-}
-
-/**
- * Lets the page draw and answer. A page that is hidden, or has to wait for a slow graphics card, draws
- * nothing for a while: then iterations go on, and the newest is drawn.
- */
-function nextFrame(): Promise<void> {
-  return new Promise((resolve) => {
-    setTimeout(resolve, document.hidden ? 0 : longestFrame);
-    requestAnimationFrame(() => resolve());
-  });
 }

@@ -116,7 +116,8 @@ class Adjacency {
         const first = this.#first[v];
         if (!isInside) continue;
         // A set that grows is gone through to its new end.
-        for (let i = this.#offset[first]; i < this.#offset[first + 1]; ++i) seen.add(this.#faces[i]);
+        for (let i = this.#offset[first]; i < this.#offset[first + 1]; ++i)
+          seen.add(this.#faces[i]);
       }
     }
   }

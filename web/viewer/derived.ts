@@ -4,13 +4,13 @@ import type { ShownDiagram } from './shown_diagram.js';
 
 /** Something that is computed from the diagram that is shown, as long as it is wanted. */
 export class Derived<Result> {
-  readonly #compute: (diagram: Diagram) => Promise<Result>;
+  readonly #compute: (diagram: Diagram) => Promise<Result | undefined>;
   readonly #adopt: (result: Result | undefined) => void;
   #shown: ShownDiagram | undefined;
 
   /** `adopt` gets what the latest diagram gives; undefined when there is none, or it fails. */
   constructor(
-    compute: (diagram: Diagram) => Promise<Result>,
+    compute: (diagram: Diagram) => Promise<Result | undefined>,
     adopt: (result: Result | undefined) => void,
   ) {
     this.#compute = compute;

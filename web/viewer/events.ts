@@ -66,4 +66,7 @@ export interface ViewerEvents {
 export type ViewerEventMap = { [Type in keyof ViewerEvents]: CustomEvent<ViewerEvents[Type]> };
 
 /** Dispatches an event. */
-export type Emit = <Type extends keyof ViewerEvents>(type: Type, detail: ViewerEvents[Type]) => void;
+export type Emit = <Type extends keyof ViewerEvents>(
+  type: Type,
+  detail: ViewerEvents[Type],
+) => void;

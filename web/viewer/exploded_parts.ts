@@ -1,61 +1,91 @@
 // SPDX-License-Identifier: MIT
-import type { Partition } from 'geodesic-voronoi';
-import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, MeshLambertMaterial } from 'three';
-import type { LabelColours } from './region_surface.js';
-import type { SceneMesh } from './scene_mesh.js';
+//
+// The regions as patches that move apart.
+
+import {
+  BufferAttribute,
+  BufferGeometry,
+  type Data3DTexture,
+  DoubleSide,
+  Group,
+  Mesh,
+  MeshLambertMaterial,
+} from 'three';
+import { occlude } from './occlusion.js';
+import { wholeScene } from './record_buffer.js';
+import type { PartTriangles } from './part_triangles.js';
 
 /** How far, in radii of the model, a part at distance 1 moves at most. */
 export const widestSpread = 1;
 
-/** The regions as patches that move apart: each away from the middle of the model. */
-export class ExplodedParts {
-  readonly object: Mesh<BufferGeometry, MeshLambertMaterial>;
-  readonly #together: Float32Array;
-  /** Per corner, where its part moves at spread 1. */
-  readonly #directions: Float32Array;
+/** A frame uploads no more than this. */
+const trianglesPerUpload = 40_000;
 
-  constructor(mesh: SceneMesh, { points, triangles, regions }: Partition, colours: LabelColours) {
-    const places = mesh.frame.toScene(points.position);
-    const centres = mesh.frame.toScene(regions.centroid);
-    const corners = triangles.points.length;
-    this.#together = new Float32Array(3 * corners);
-    this.#directions = new Float32Array(3 * corners);
-    const normals = new Float32Array(3 * corners);
-    const colour = new Uint8Array(3 * corners);
-    for (let c = 0; c < corners; ++c) {
-      const triangle = Math.floor(c / 3);
-      const label = triangles.label[triangle];
-      const point = triangles.points[c];
-      this.#together.set(places.subarray(3 * point, 3 * point + 3), 3 * c);
-      if (label >= 0) this.#directions.set(centres.subarray(3 * label, 3 * label + 3), 3 * c);
-      mesh.writeNormal(
-        triangles.face[triangle],
-        triangles.bary.subarray(3 * c, 3 * c + 3),
-        normals,
-        3 * c,
-      );
-      colours.write(label, 0, colour, 3 * c);
-    }
-    const geometry = new BufferGeometry();
-    geometry.setAttribute('position', new BufferAttribute(this.#together.slice(), 3));
-    geometry.setAttribute('normal', new BufferAttribute(normals, 3));
-    geometry.setAttribute('color', new BufferAttribute(colour, 3, true));
-    const material = new MeshLambertMaterial({ vertexColors: true, side: DoubleSide });
-    this.object = new Mesh(geometry, material);
-    this.object.frustumCulled = false;
+/** Parts are moved by the graphics card: going apart uploads nothing. */
+export class ExplodedParts {
+  readonly object = new Group();
+  readonly triangleCount: number;
+  readonly #triangles: PartTriangles;
+  readonly #material = new MeshLambertMaterial({ vertexColors: true, side: DoubleSide });
+  readonly #spread = { value: 0 };
+  #uploaded = 0;
+
+  constructor(triangles: PartTriangles, occlusion: Data3DTexture) {
+    this.#triangles = triangles;
+    this.triangleCount = triangles.position.length / 9;
+    this.#material.onBeforeCompile = (shader) => {
+      shader.uniforms.spread = this.#spread;
+      shader.vertexShader = shader.vertexShader
+        .replace(
+          '#include <common>',
+          '#include <common>\nuniform float spread;\nattribute vec3 direction;',
+        )
+        .replace(
+          '#include <begin_vertex>',
+          '#include <begin_vertex>\ntransformed += spread * direction;',
+        );
+    };
+    // Programs are told apart by the text of `onBeforeCompile`, which `occlude` makes the same for all.
+    this.#material.customProgramCacheKey = () => 'exploded parts';
+    occlude(this.#material, occlusion);
+  }
+
+  /** Has the next drawing upload some more triangles, and draw none; false when it has all of them. */
+  uploadMore(): boolean {
+    if (this.#uploaded >= this.triangleCount) return false;
+    const first = 9 * this.#uploaded;
+    this.#uploaded += trianglesPerUpload;
+    const end = 9 * this.#uploaded;
+    const { position, direction, normal, colour } = this.#triangles;
+    const geometry = new BufferGeometry()
+      .setAttribute('position', new BufferAttribute(position.subarray(first, end), 3))
+      .setAttribute('direction', new BufferAttribute(direction.subarray(first, end), 3, true))
+      .setAttribute('normal', new BufferAttribute(normal.subarray(first, end), 3, true))
+      .setAttribute('color', new BufferAttribute(colour.subarray(first, end), 3, true));
+    geometry.setDrawRange(0, 0);
+    geometry.boundingSphere = wholeScene;
+    const some = new Mesh(geometry, this.#material);
+    some.frustumCulled = false;
+    this.object.add(some);
+    return true;
+  }
+
+  show(): void {
+    for (const { geometry } of this.object.children as Mesh[]) geometry.setDrawRange(0, Infinity);
+  }
+
+  /** What colours are multiplied by. */
+  set shade(shade: number) {
+    this.#material.color.setScalar(shade);
   }
 
   /** 0: together, 1: as far apart as they go. */
   spread(share: number): void {
-    const position = this.object.geometry.getAttribute('position') as BufferAttribute;
-    const factor = widestSpread * share;
-    for (let i = 0; i < this.#together.length; ++i)
-      position.array[i] = this.#together[i] + factor * this.#directions[i];
-    position.needsUpdate = true;
+    this.#spread.value = widestSpread * share;
   }
 
   dispose(): void {
-    this.object.geometry.dispose();
-    this.object.material.dispose();
+    for (const { geometry } of this.object.children as Mesh[]) geometry.dispose();
+    this.#material.dispose();
   }
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+import type { SurfacePath } from 'geodesic-voronoi';
 import { LatestTask } from './latest_task.js';
 import type { SurfaceHit } from './picking.js';
 import type { Session } from './session.js';
@@ -16,11 +17,15 @@ export interface HoveredPoint extends SitePlace {
 /** Tells what the diagram says of the point under the pointer, and again when the diagram changes. */
 export class Hover {
   readonly #session: Session;
-  readonly #tell: (point: HoveredPoint | undefined) => void;
+  readonly #tell: (point: HoveredPoint | undefined, path?: SurfacePath) => void;
   readonly #asking = new LatestTask<SurfaceHit | undefined>((hit) => this.#ask(hit));
   #hit: SurfaceHit | undefined;
 
-  constructor(session: Session, tell: (point: HoveredPoint | undefined) => void) {
+  /** `tell` also gets the shortest path to the region's site. */
+  constructor(
+    session: Session,
+    tell: (point: HoveredPoint | undefined, path?: SurfacePath) => void,
+  ) {
     this.#session = session;
     this.#tell = tell;
   }
@@ -40,8 +45,9 @@ export class Hover {
   async #ask(hit: SurfaceHit | undefined): Promise<void> {
     const { shown } = this.#session;
     // A diagram may be replaced while it is asked; the next answer is about its successor.
-    const point = hit && { face: [hit.face], bary: hit.bary };
-    const located = point && (await shown?.diagram?.locate(point).catch(() => undefined));
+    const place = hit && { face: [hit.face], bary: hit.bary };
+    const located = place && (await shown?.diagram?.locate(place).catch(() => undefined));
+    const path = located && (await shown?.diagram?.path(place).catch(() => undefined));
     // The pointer or the diagram has moved on: its own answer follows.
     if (hit !== this.#hit || shown !== this.#session.shown) return;
     if (!hit || !located) {
@@ -49,12 +55,13 @@ export class Hover {
       return;
     }
     const region = located.label[0];
-    this.#tell({
+    const point = {
       face: hit.face,
       bary: hit.bary,
       region,
       area: shown?.summary?.regionArea[region] ?? 0,
       distance: located.distance[0],
-    });
+    };
+    this.#tell(point, path);
   }
 }

@@ -26,12 +26,16 @@ export class FatLines {
     new InstancedInterleavedBuffer(new Float32Array(6 * n), 6),
   ]);
 
-  constructor(style: { colour: number; width: number }) {
+  constructor({ width }: { width: number }) {
     // Smoothed by multisampling alone: coverage by alpha would let the page shine through the canvas.
-    const material = new LineMaterial({ color: style.colour, linewidth: style.width });
+    const material = new LineMaterial({ linewidth: width });
     this.object = new LineSegments2(new LineSegmentsGeometry(), material);
     this.object.frustumCulled = false;
     this.object.visible = false;
+  }
+
+  set colour(colour: number) {
+    this.object.material.color.set(colour);
   }
 
   get count(): number {
@@ -105,15 +109,34 @@ export function outlineEnds(
   return pointPlaces(mesh, data, chain);
 }
 
-/**
- * Both ends of pieces of the sides of polygons, in the scene, laid onto the surface: straight sides
- * would run below it where it is bent outwards. `nearest` finds the point of the surface.
- */
-export function drapedSides(
+/** Both ends of every piece of chains of points, in the scene; chain i is the points from `offset[i]` on. */
+export function chainEnds(
   mesh: SceneMesh,
-  { points, faces }: PolygonMesh,
+  { points, offset }: { points: { position: ArrayLike<number> }; offset: ArrayLike<number> },
+): Float32Array {
+  const places = mesh.frame.toScene(points.position);
+  const chains = offset.length - 1;
+  const ends: number[] = [];
+  for (let chain = 0; chain < chains; ++chain) {
+    for (let i = offset[chain]; i + 1 < offset[chain + 1]; ++i) {
+      for (let k = 3 * i; k < 3 * i + 6; ++k) ends.push(places[k]);
+    }
+  }
+  return Float32Array.from(ends);
+}
+
+/**
+ * Both ends of pieces of the sides by which a dual of so many sites reaches the mesh boundary, in the
+ * scene, laid onto the surface: straight ones would run below it where it is bent outwards. `nearest`
+ * finds the point of the surface.
+ */
+export function boundarySides(
+  mesh: SceneMesh,
+  { points, faces, vertexLabel }: PolygonMesh,
+  siteCount: number,
   nearest: (place: Vector3) => Vector3,
 ): Float32Array {
+  if (vertexLabel.length === siteCount) return new Float32Array();
   const places = mesh.frame.toScene(points.position);
   const ends: number[] = [];
   const drawn = new Set<number>();
@@ -125,7 +148,7 @@ export function drapedSides(
       const a = faces.points[i];
       const b = faces.points[i + 1 < end ? i + 1 : first];
       const side = Math.min(a, b) * points.face.length + Math.max(a, b);
-      if (drawn.has(side)) continue;
+      if (Math.max(a, b) < siteCount || drawn.has(side)) continue;
       drawn.add(side);
       from.fromArray(places, 3 * a);
       to.fromArray(places, 3 * b);
@@ -142,11 +165,12 @@ export function drapedSides(
 }
 
 /** The edges of the model's triangles, as thin lines. */
-export function wireframe(mesh: SceneMesh, colour: number): LineSegments {
+export function wireframe(mesh: SceneMesh): LineSegments<BufferGeometry, LineBasicMaterial> {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(mesh.positions, 3));
   geometry.setIndex(new BufferAttribute(edgesOf(mesh.indices), 1));
-  const material = new LineBasicMaterial({ color: colour, transparent: true, opacity: 0.28 });
+  geometry.boundingSphere = wholeScene;
+  const material = new LineBasicMaterial({ transparent: true, opacity: 0.28 });
   const lines = new LineSegments(geometry, material);
   lines.frustumCulled = false;
   return lines;

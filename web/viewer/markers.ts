@@ -1,37 +1,67 @@
 // SPDX-License-Identifier: MIT
-import { BufferAttribute, BufferGeometry, Color, Points, ShaderMaterial, Vector2 } from 'three';
-import { RecordBuffer, wholeScene } from './record_buffer.js';
+//
+// Sites and Voronoi points, as discs that lie on the surface.
 
-/** A disc's sizes in CSS pixels and its colours. */
+import {
+  BufferAttribute,
+  Color,
+  DoubleSide,
+  InstancedBufferAttribute,
+  InstancedBufferGeometry,
+  Mesh,
+  ShaderMaterial,
+  Vector2,
+} from 'three';
+import { RecordBuffer, wholeScene } from './record_buffer.js';
+import type { Theme } from './theme.js';
+
 export interface MarkerStyle {
-  diameter: number;
-  ring: number;
-  fill: number;
-  edge: number;
-  /** The fill of emphasised markers, which are also larger. */
-  emphasis: number;
+  /** Of the radius, in CSS pixels. */
+  least: number;
+  most: number;
+  /** The rim's share of the radius. */
+  rim: number;
 }
 
+/** Emphasised markers are this much larger. */
+const emphasisedSize = 1.35;
+
 /**
- * Discs of constant size on screen. They are lifted off the surface towards the camera by their own
- * radius, so that the surface they stand on does not cut into them but whatever is before it hides them.
+ * Discs in the tangent plane: seen from the side they are narrow, and at the silhouette they vanish with
+ * the surface. They are lifted towards the camera so that a hollow does not cut into them, less so the
+ * more they are seen from the side: no marker shows from behind the silhouette.
  */
 const vertexShader = /* glsl */ `
+  attribute vec3 place;
+  attribute vec3 outward;
+  attribute float size;
   attribute float emphasised;
-  uniform float diameter;
-  uniform float pixelRatio;
+  uniform float least;
+  uniform float most;
   uniform float pixelsPerUnitAtOne;
-  varying float vEmphasised;
+  varying vec2 vCorner;
   varying float vPixels;
+  varying float vEmphasised;
 
   void main() {
-    float size = diameter * mix(1.0, 1.4, emphasised);
-    vec4 place = modelViewMatrix * vec4(position, 1.0);
-    place.xyz *= 1.0 - 0.5 * size / pixelsPerUnitAtOne;
-    gl_Position = projectionMatrix * place;
-    gl_PointSize = size * pixelRatio;
+    vec3 centre = (modelViewMatrix * vec4(place, 1.0)).xyz;
+    vec3 normal = normalize(normalMatrix * outward);
+    vec3 view = -normalize(centre);
+    float slope = abs(dot(normal, view));
+    float pixelsPerUnit = pixelsPerUnitAtOne / -centre.z;
+    float pixels = clamp(size * pixelsPerUnit, least, most) * mix(1.0, ${emphasisedSize}, emphasised);
+    // Slivers at the silhouette are no discs.
+    pixels *= smoothstep(0.02, 0.15, slope);
+    // A pixel more, for a smooth edge.
+    float radius = (pixels + 1.0) / pixelsPerUnit;
+    vec3 axis = abs(normal.x) < 0.9 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0);
+    vec3 first = normalize(cross(normal, axis));
+    vec3 corner = centre + radius * (position.x * first + position.y * cross(normal, first));
+    corner *= 1.0 - 0.7 * radius * slope / length(centre);
+    gl_Position = projectionMatrix * vec4(corner, 1.0);
+    vCorner = position.xy * (pixels + 1.0);
+    vPixels = pixels;
     vEmphasised = emphasised;
-    vPixels = size * pixelRatio;
   }
 `;
 
@@ -39,67 +69,87 @@ const fragmentShader = /* glsl */ `
   uniform vec3 fill;
   uniform vec3 edge;
   uniform vec3 emphasis;
-  uniform float ring;
-  uniform float pixelRatio;
-  varying float vEmphasised;
+  uniform float rim;
+  varying vec2 vCorner;
   varying float vPixels;
+  varying float vEmphasised;
 
   void main() {
-    float radius = 0.5 * vPixels;
-    float inside = radius - length(gl_PointCoord - 0.5) * vPixels;
-    float opacity = smoothstep(0.0, 1.5, inside);
+    float distance = length(vCorner);
+    // The width of a pixel of the screen, which is wide where the disc is seen from the side.
+    float pixel = max(fwidth(distance), 1e-4);
+    float opacity = clamp((vPixels - distance) / pixel + 0.5, 0.0, 1.0);
     if (opacity <= 0.0) discard;
-    float core = smoothstep(-0.75, 0.75, inside - ring * pixelRatio);
+    float inner = vPixels * (1.0 - rim);
+    float core = clamp((inner - distance) / pixel + 0.5, 0.0, 1.0);
     gl_FragColor = vec4(mix(edge, mix(fill, emphasis, vEmphasised), core), opacity);
     #include <colorspace_fragment>
   }
 `;
 
 export class Markers {
-  readonly object: Points<BufferGeometry, ShaderMaterial>;
-  /** Place, and 1 if emphasised. */
+  readonly object: Mesh<InstancedBufferGeometry, ShaderMaterial>;
+  /** Place, outward direction, size, and 1 if emphasised. */
   readonly #markers = new RecordBuffer((n) => [
-    new BufferAttribute(new Float32Array(3 * n), 3),
-    new BufferAttribute(new Float32Array(n), 1),
+    new InstancedBufferAttribute(new Float32Array(3 * n), 3),
+    new InstancedBufferAttribute(new Float32Array(3 * n), 3),
+    new InstancedBufferAttribute(new Float32Array(n), 1),
+    new InstancedBufferAttribute(new Float32Array(n), 1),
   ]);
 
-  constructor({ diameter, ring, fill, edge, emphasis }: MarkerStyle) {
+  constructor({ least, most, rim }: MarkerStyle) {
     const material = new ShaderMaterial({
       vertexShader,
       fragmentShader,
       transparent: true,
       depthWrite: false,
+      side: DoubleSide,
       uniforms: {
-        diameter: { value: diameter },
-        ring: { value: ring },
-        fill: { value: new Color(fill) },
-        edge: { value: new Color(edge) },
-        emphasis: { value: new Color(emphasis) },
-        pixelRatio: { value: 1 },
+        least: { value: least },
+        most: { value: most },
+        rim: { value: rim },
+        fill: { value: new Color() },
+        edge: { value: new Color() },
+        emphasis: { value: new Color() },
         pixelsPerUnitAtOne: { value: 1000 },
       },
     });
-    this.object = new Points(new BufferGeometry(), material);
+    this.object = new Mesh(new InstancedBufferGeometry(), material);
     this.object.frustumCulled = false;
     // After lines, which are drawn as if opaque.
     this.object.renderOrder = 1;
     const size = new Vector2();
     this.object.onBeforeRender = (renderer, _scene, camera) => {
       renderer.getSize(size);
-      const { uniforms } = material;
-      uniforms.pixelRatio.value = renderer.getPixelRatio();
       // projectionMatrix[1][1] is 1 / tan(half the field of view).
-      uniforms.pixelsPerUnitAtOne.value = 0.5 * size.y * camera.projectionMatrix.elements[5];
+      material.uniforms.pixelsPerUnitAtOne.value =
+        0.5 * size.y * camera.projectionMatrix.elements[5];
       material.uniformsNeedUpdate = true;
     };
   }
 
-  /** Places in the scene, and which of them is emphasised, if any. */
-  set(places: Float32Array, emphasised = -1): void {
+  set theme({ ink, paper, accent }: Theme) {
+    const { uniforms } = this.object.material;
+    uniforms.fill.value.set(ink);
+    uniforms.edge.value.set(paper);
+    uniforms.emphasis.value.set(accent);
+  }
+
+  /**
+   * Places and outward directions in the scene, radii in it (one for all, or for each), and which of them
+   * is emphasised, if any.
+   */
+  set(
+    places: Float32Array,
+    outward: Float32Array,
+    sizes: number | Float32Array,
+    emphasised = -1,
+  ): void {
     const count = places.length / 3;
     const flags = new Float32Array(count);
     if (emphasised >= 0 && emphasised < count) flags[emphasised] = 1;
-    this.#markers.set(new Int32Array(2 * count), [places, flags]);
+    const each = typeof sizes === 'number' ? new Float32Array(count).fill(sizes) : sizes;
+    this.#markers.set(new Int32Array(2 * count), [places, outward, each, flags]);
     this.#adopt();
   }
 
@@ -109,14 +159,21 @@ export class Markers {
   }
 
   #adopt(): void {
-    const [position, emphasised] = this.#markers.buffers as readonly BufferAttribute[];
-    if (this.object.geometry.getAttribute('position') !== position) {
+    const [place, outward, size, emphasised] = this.#markers
+      .buffers as readonly InstancedBufferAttribute[];
+    if (this.object.geometry.getAttribute('place') !== place) {
       this.object.geometry.dispose();
-      this.object.geometry = new BufferGeometry();
-      this.object.geometry.setAttribute('position', position);
-      this.object.geometry.setAttribute('emphasised', emphasised);
-      this.object.geometry.boundingSphere = wholeScene;
+      const geometry = new InstancedBufferGeometry();
+      const square = Float32Array.of(-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0);
+      geometry.setAttribute('position', new BufferAttribute(square, 3));
+      geometry.setIndex([0, 1, 2, 0, 2, 3]);
+      geometry.setAttribute('place', place);
+      geometry.setAttribute('outward', outward);
+      geometry.setAttribute('size', size);
+      geometry.setAttribute('emphasised', emphasised);
+      geometry.boundingSphere = wholeScene;
+      this.object.geometry = geometry;
     }
-    this.object.geometry.setDrawRange(0, this.#markers.count);
+    this.object.geometry.instanceCount = this.#markers.count;
   }
 }

@@ -1,15 +1,29 @@
 // SPDX-License-Identifier: MIT
-import type { DiagramChange, DiagramData, Partition, PolygonMesh } from 'geodesic-voronoi';
-import { Group, type LineSegments, Vector3 } from 'three';
+import type { DiagramChange, DiagramData, SurfacePath } from 'geodesic-voronoi';
+import {
+  type BufferGeometry,
+  type Data3DTexture,
+  Group,
+  type LineBasicMaterial,
+  type LineSegments,
+  Vector3,
+} from 'three';
 import type { CellTriangles } from './cell_triangles.js';
-import { type DiagramSummary, labelsAround } from './diagram_summary.js';
+import type { DiagramSummary } from './diagram_summary.js';
+import type { DistanceRange } from './distance_legend.js';
+import { DistanceSurface } from './distance_surface.js';
+import type { DistanceTriangles } from './distance_triangles.js';
 import { ExplodedParts } from './exploded_parts.js';
-import { drapedSides, FatLines, outlineEnds, pointPlaces, wireframe } from './lines.js';
+import { chainEnds, FatLines, outlineEnds, pointPlaces, wireframe } from './lines.js';
 import { Markers } from './markers.js';
 import { RegionColours, toneColour } from './region_colours.js';
-import { LabelColours, RegionSurface, type TonedDiagram } from './region_surface.js';
+import { RegionSurface, type TonedDiagram } from './region_surface.js';
+import type { PartTriangles } from './part_triangles.js';
+import { occlusionTexture, surfaceDensity } from './occlusion.js';
 import type { SceneMesh } from './scene_mesh.js';
 import type { Sites } from './site_history.js';
+import { lightTheme, type Theme } from './theme.js';
+import { VoronoiPointMarkers } from './voronoi_point_markers.js';
 
 /** What can be shown and hidden. */
 export const layers = [
@@ -18,13 +32,15 @@ export const layers = [
   'sites',
   'voronoi-points',
   'dual',
+  'distances',
   'wireframe',
 ] as const;
 export type Layer = (typeof layers)[number];
 
-const ink = 0x1f2933;
-const paper = 0xffffff;
-const accent = 0xd6336c;
+/** Of a site's marker, as a share of the radius of a disc as large as its region. */
+const markerShare = 0.14;
+/** Of a Voronoi point's, as a share of that of a site's. */
+const pointShare = 0.45;
 
 /** A diagram to be drawn; `data` is read only to draw all of it. */
 export interface DrawnDiagram {
@@ -43,28 +59,22 @@ export class ModelDrawing {
   readonly #surface: RegionSurface;
   readonly #colours: RegionColours;
   /** Their keys are the two labels. */
-  readonly #bisectors = new FatLines({ colour: ink, width: 2 });
-  readonly #outline = new FatLines({ colour: ink, width: 4.5 });
-  readonly #brush = new FatLines({ colour: accent, width: 2.5 });
-  readonly #dual = new FatLines({ colour: accent, width: 2.5 });
-  readonly #voronoiPoints = new Markers({
-    diameter: 7,
-    ring: 1.25,
-    fill: ink,
-    edge: paper,
-    emphasis: ink,
-  });
-  readonly #siteMarkers = new Markers({
-    diameter: 11,
-    ring: 2,
-    fill: ink,
-    edge: paper,
-    emphasis: accent,
-  });
+  readonly #bisectors = new FatLines({ width: 2 });
+  readonly #outline = new FatLines({ width: 4.5 });
+  readonly #brush = new FatLines({ width: 2.5 });
+  /** From the point under the pointer to its site. */
+  readonly #path = new FatLines({ width: 2.5 });
+  readonly #dual = new FatLines({ width: 2.5 });
+  readonly #voronoiPoints: VoronoiPointMarkers;
+  readonly #siteMarkers = new Markers({ least: 2.5, most: 9, rim: 0.3 });
   /** All that lies on the surface, and it. */
   readonly #together = new Group();
   #parts: ExplodedParts | undefined;
-  #wireframe: LineSegments | undefined;
+  #coming: ExplodedParts | undefined;
+  #distances: DistanceSurface | undefined;
+  #wireframe: LineSegments<BufferGeometry, LineBasicMaterial> | undefined;
+  readonly #occlusion: Data3DTexture;
+  #theme: Theme = lightTheme;
   #shown: ReadonlySet<Layer> = new Set();
   /** Of the diagram when all of it was drawn; regions that have changed since are in `#outlines`. */
   #loops: Pick<DiagramData, 'points' | 'loops'> | undefined;
@@ -72,14 +82,17 @@ export class ModelDrawing {
   #tones: Uint16Array = new Uint16Array();
   #outlined = -1;
   #sitePlaces = new Float32Array();
-  /** Of the Voronoi points, with the labels around each. */
-  #pointPlaces: Float32Array = new Float32Array();
-  #pointLabels: readonly Int32Array[] = [];
+  #siteNormals = new Float32Array();
+  #regionAreas: Float64Array = new Float64Array();
+  #selected = -1;
 
   constructor(mesh: SceneMesh, colours = new RegionColours()) {
     this.#mesh = mesh;
     this.#colours = colours;
-    this.#surface = new RegionSurface(mesh);
+    this.#occlusion = occlusionTexture(surfaceDensity(mesh));
+    this.#surface = new RegionSurface(mesh, this.#occlusion);
+    this.#voronoiPoints = new VoronoiPointMarkers(mesh, { least: 1.5, most: 4.5, rim: 0.3 });
+    this.theme = this.#theme;
     this.object.add(this.#together);
     this.#together.add(
       this.#surface.object,
@@ -87,9 +100,21 @@ export class ModelDrawing {
       this.#outline.object,
       this.#dual.object,
       this.#brush.object,
-      this.#voronoiPoints.object,
+      this.#path.object,
+      this.#voronoiPoints.markers.object,
       this.#siteMarkers.object,
     );
+  }
+
+  set theme(theme: Theme) {
+    this.#theme = theme;
+    this.#surface.shade = theme.surfaceShade;
+    this.#bisectors.colour = this.#outline.colour = theme.ink;
+    this.#dual.colour = this.#brush.colour = this.#path.colour = theme.accent;
+    this.#siteMarkers.theme = theme;
+    this.#voronoiPoints.markers.theme = theme;
+    this.#wireframe?.material.color.set(theme.ink);
+    if (this.#parts) this.#parts.shade = theme.surfaceShade;
   }
 
   get mesh(): SceneMesh {
@@ -100,9 +125,10 @@ export class ModelDrawing {
     this.#shown = shown;
     this.#surface.filled = shown.has('regions');
     this.#siteMarkers.object.visible = shown.has('sites');
-    this.#voronoiPoints.object.visible = shown.has('voronoi-points');
+    this.#voronoiPoints.visible = shown.has('voronoi-points');
     if (shown.has('wireframe') && !this.#wireframe) {
-      this.#wireframe = wireframe(this.#mesh, ink);
+      this.#wireframe = wireframe(this.#mesh);
+      this.#wireframe.material.color.set(this.#theme.ink);
       this.#together.add(this.#wireframe);
     }
     if (this.#wireframe) this.#wireframe.visible = shown.has('wireframe');
@@ -116,6 +142,7 @@ export class ModelDrawing {
       ? this.#colours.assign(diagram.summary, diagram.siteIds)
       : new Uint16Array();
     this.#surface.setDiagram(diagram && toned(diagram, this.#tones), cells);
+    this.#adoptAreas(diagram);
     this.#replaceLines(undefined, data);
     this.#loops = data;
     this.#outlines.clear();
@@ -127,6 +154,7 @@ export class ModelDrawing {
     const { labels, part } = change;
     this.#tones = this.#colours.assign(diagram.summary, diagram.siteIds, new Set(labels));
     this.#surface.changeDiagram(change, toned(diagram, this.#tones));
+    this.#adoptAreas(diagram);
     // Of labels there may be one more than tones: that of a site that has gone.
     const isChanged = new Uint8Array(1 + Math.max(this.#tones.length, labels[labels.length - 1]));
     for (const label of labels) isChanged[label] = 1;
@@ -135,18 +163,56 @@ export class ModelDrawing {
     this.outline(-1);
   }
 
-  /** The sides of the dual, laid onto the surface by `nearest`; undefined for none. */
-  setDual(dual: PolygonMesh | undefined, nearest: (place: Vector3) => Vector3): void {
-    this.#dual.set(dual ? drapedSides(this.#mesh, dual, nearest) : new Float32Array());
+  /** The surface coloured by distance, in the model's units, instead of the regions; undefined for none. */
+  setDistances(triangles: DistanceTriangles | undefined, range?: DistanceRange): void {
+    if (this.#distances) this.#together.remove(this.#distances.object);
+    this.#distances?.dispose();
+    const { scale } = this.#mesh.frame;
+    this.#distances =
+      triangles &&
+      range &&
+      new DistanceSurface(
+        this.#mesh,
+        triangles,
+        { longest: scale * range.longest, step: scale * range.step },
+        this.#occlusion,
+      );
+    if (this.#distances) this.#together.add(this.#distances.object);
+    this.#surface.object.visible = !this.#distances;
   }
 
-  /** The regions apart, instead of the surface and what lies on it; undefined for none. */
-  setParts(partition: Partition | undefined): void {
-    if (this.#parts) this.object.remove(this.#parts.object);
-    this.#parts?.dispose();
-    this.#parts = partition && new ExplodedParts(this.#mesh, partition, new LabelColours(this.#tones));
-    if (this.#parts) this.object.add(this.#parts.object);
+  /** Both ends of pieces of the dual's sides; none for no dual. */
+  setDual(ends: Float32Array): void {
+    this.#dual.set(ends);
+  }
+
+  /** Per label. */
+  get tones(): Uint16Array {
+    return this.#tones;
+  }
+
+  /** Parts that are uploaded and not shown yet; those before that were not shown either are gone. */
+  prepareParts(triangles: PartTriangles): ExplodedParts {
+    this.#discard(this.#coming);
+    this.#coming = new ExplodedParts(triangles, this.#occlusion);
+    this.#coming.shade = this.#theme.surfaceShade;
+    this.object.add(this.#coming.object);
+    return this.#coming;
+  }
+
+  /** The parts that have been prepared, instead of the surface and what lies on it; undefined for none. */
+  setParts(parts: ExplodedParts | undefined): void {
+    if (this.#coming !== parts) this.#discard(this.#coming);
+    this.#coming = undefined;
+    this.#discard(this.#parts);
+    this.#parts = parts;
+    this.#parts?.show();
     this.#together.visible = !this.#parts;
+  }
+
+  #discard(parts: ExplodedParts | undefined): void {
+    if (parts) this.object.remove(parts.object);
+    parts?.dispose();
   }
 
   /** How far apart the parts are, 0 … 1. */
@@ -174,14 +240,50 @@ export class ModelDrawing {
 
   setSites(sites: Sites, selected: number): void {
     this.#sitePlaces = new Float32Array(3 * sites.length);
+    this.#siteNormals = new Float32Array(3 * sites.length);
     sites.forEach(({ face, bary }, i) => {
       this.#mesh.writePoint(face, bary, this.#sitePlaces, 3 * i);
+      this.#mesh.writeNormal(face, bary, this.#siteNormals, 3 * i);
     });
-    this.#siteMarkers.set(this.#sitePlaces, selected);
+    this.#selected = selected;
+    this.#showSites();
+  }
+
+  /** As large as their regions ask for; while there are other sites than regions, all alike. */
+  #showSites(): void {
+    const areas = this.#regionAreas;
+    const sizes =
+      areas.length === this.#sitePlaces.length / 3
+        ? Float32Array.from(areas, (area) => this.#markerSizeOf(area))
+        : this.#markerSize;
+    this.#siteMarkers.set(this.#sitePlaces, this.#siteNormals, sizes, this.#selected);
+  }
+
+  #adoptAreas(diagram: DrawnDiagram | undefined): void {
+    this.#regionAreas = diagram?.summary.regionArea ?? new Float64Array();
+    this.#showSites();
+  }
+
+  #markerSizeOf(area: number): number {
+    return markerShare * this.#mesh.frame.scale * Math.sqrt(area / Math.PI);
+  }
+
+  /** That of a region of mean area. */
+  get #markerSize(): number {
+    const areas = this.#regionAreas;
+    return this.#markerSizeOf(
+      areas.reduce((sum, area) => sum + area, 0) / Math.max(1, areas.length),
+    );
   }
 
   sitePlace(index: number): Vector3 {
     return new Vector3().fromArray(this.#sitePlaces, 3 * index);
+  }
+
+  /** A path on the surface; undefined for none. */
+  setPath(path: SurfacePath | undefined): void {
+    const points = path?.points ?? { position: [] };
+    this.#path.set(chainEnds(this.#mesh, { points, offset: [0, points.position.length / 3] }));
   }
 
   /** Draws one region's outline bold; -1 for none. Returns whether that changed anything. */
@@ -200,12 +302,16 @@ export class ModelDrawing {
     this.#outline.dispose();
     this.#dual.dispose();
     this.#brush.dispose();
+    this.#path.dispose();
     this.#parts?.dispose();
-    this.#voronoiPoints.dispose();
+    this.#coming?.dispose();
+    this.#distances?.dispose();
+    this.#occlusion.dispose();
+    this.#voronoiPoints.markers.dispose();
     this.#siteMarkers.dispose();
     if (this.#wireframe) {
       this.#wireframe.geometry.dispose();
-      (this.#wireframe.material as { dispose(): void }).dispose();
+      this.#wireframe.material.dispose();
     }
   }
 
@@ -225,50 +331,15 @@ export class ModelDrawing {
       part && points ? pointPlaces(this.#mesh, part, points) : new Float32Array();
     const segments = places(part?.segments.points);
     const between = part?.segments.labels ?? new Int32Array();
-    const points = places(part?.voronoiPoints.point);
-    const around = part ? labelsAround(part) : [];
-    if (isChanged) {
+    if (isChanged && part) {
       this.#bisectors.replace({ first: isChanged, second: isChanged }, segments, between);
-      this.#keepPoints(isChanged, points, around);
+      this.#voronoiPoints.replace(isChanged, part, pointShare * this.#markerSize);
     } else {
       this.#bisectors.set(segments, between);
-      this.#pointPlaces = points;
-      this.#pointLabels = around;
+      this.#voronoiPoints.set(part, pointShare * this.#markerSize);
     }
-    this.#voronoiPoints.set(inOrder(this.#pointPlaces));
     this.#showBisectors();
   }
-
-  /** Of the Voronoi points those beside the marked labels; these ones are added. They are few. */
-  #keepPoints(
-    isChanged: Uint8Array,
-    places: Float32Array,
-    labels: readonly Int32Array[],
-  ): void {
-    const kept: number[] = [];
-    this.#pointLabels.forEach((around, i) => {
-      if (!around.some((label) => isChanged[label] > 0)) kept.push(i);
-    });
-    const all = new Float32Array(3 * kept.length + places.length);
-    kept.forEach((from, to) => {
-      all.set(this.#pointPlaces.subarray(3 * from, 3 * from + 3), 3 * to);
-    });
-    all.set(places, 3 * kept.length);
-    this.#pointPlaces = all;
-    this.#pointLabels = [...kept.map((i) => this.#pointLabels[i]), ...labels];
-  }
-}
-
-/** Places by their coordinates: where points overlap, changes elsewhere leave the same one on top. */
-function inOrder(places: Float32Array): Float32Array {
-  const order = Array.from({ length: places.length / 3 }, (_, i) => i);
-  const difference = (i: number, j: number, axis: number) => places[3 * i + axis] - places[3 * j + axis];
-  order.sort((i, j) => difference(i, j, 0) || difference(i, j, 1) || difference(i, j, 2));
-  const result = new Float32Array(places.length);
-  order.forEach((from, to) => {
-    result.set(places.subarray(3 * from, 3 * from + 3), 3 * to);
-  });
-  return result;
 }
 
 function toned(diagram: DrawnDiagram, tones: Uint16Array): TonedDiagram {

@@ -7,11 +7,12 @@
  */
 export class ModelFrame {
   readonly #centre: readonly number[];
-  readonly #scale: number;
+  /** Lengths in the scene per length in the model. */
+  readonly scale: number;
 
   private constructor(centre: readonly number[], scale: number) {
     this.#centre = centre;
-    this.#scale = scale;
+    this.scale = scale;
   }
 
   /** The frame of the vertices that triangles with finite corners use. */
@@ -44,7 +45,7 @@ export class ModelFrame {
   toScene(positions: ArrayLike<number>): Float32Array {
     const scene = new Float32Array(positions.length);
     const [x, y, z] = this.#centre;
-    const scale = this.#scale;
+    const { scale } = this;
     for (let i = 0; i < positions.length; i += 3) {
       scene[i] = (positions[i] - x) * scale;
       scene[i + 1] = (positions[i + 1] - y) * scale;

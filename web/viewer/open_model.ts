@@ -1,28 +1,30 @@
 // SPDX-License-Identifier: MIT
 import type { Mesh } from 'geodesic-voronoi';
-import { CellBuilder } from './cell_builder.js';
 import { DensityPaint } from './density_paint.js';
+import { DrawingBuilder } from './drawing_builder.js';
 import { ModelDrawing } from './model_drawing.js';
 import { Picker } from './picking.js';
 import { SceneMesh } from './scene_mesh.js';
+import type { Theme } from './theme.js';
 
 /** What the viewer has of every model that it opens: its drawing and what the tools need. */
 export class OpenModel {
   readonly drawing: ModelDrawing;
   readonly picker: Picker;
   readonly paint: DensityPaint;
-  readonly cells: CellBuilder;
+  readonly builder: DrawingBuilder;
 
-  constructor(model: Mesh) {
+  constructor(model: Mesh, theme: Theme) {
     const mesh = new SceneMesh(model);
     this.drawing = new ModelDrawing(mesh);
+    this.drawing.theme = theme;
     this.picker = new Picker(mesh);
     this.paint = new DensityPaint(mesh);
-    this.cells = new CellBuilder(model);
+    this.builder = new DrawingBuilder(model);
   }
 
   dispose(): void {
     this.drawing.dispose();
-    this.cells.dispose();
+    this.builder.dispose();
   }
 }

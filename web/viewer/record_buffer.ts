@@ -101,7 +101,8 @@ export class RecordBuffer {
     const end = 2 * this.#count;
     const records: number[] = [];
     if (first && second) {
-      for (let i = 0; i < end; i += 2) if (first[keys[i]] | second[keys[i + 1]]) records.push(i / 2);
+      for (let i = 0; i < end; i += 2)
+        if (first[keys[i]] | second[keys[i + 1]]) records.push(i / 2);
     } else if (first) {
       for (let i = 0; i < end; i += 2) if (first[keys[i]]) records.push(i / 2);
     } else if (second) {

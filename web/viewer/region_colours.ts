@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+//
+// Which colours regions get.
+
+import { leastDistance } from './colour_vision.js';
 
 /** As much of a diagram as colouring looks at: two labels per arc. */
 interface Adjacency {
@@ -7,15 +11,16 @@ interface Adjacency {
 }
 
 /**
- * sRGB. Found by a search for the eight tones, pale enough for dark bisectors on top, whose least
- * distance in Oklab is greatest to readers with and without protanopia, deuteranopia and tritanopia
- * (as simulated by Machado et al. 2009), lightness counted less since shading changes it: 0.087,
- * where well-known palettes of this size and lightness have 0.04.
+ * sRGB. Found by a search for seven tones at least 36° of hue apart, bright and of moderate chroma, whose least
+ * distance (`leastDistance`) is greatest. Fewer tones than neighbours may have differ more.
  */
 const palette: readonly number[] = [
-  0xa5e6fe, 0xebce74, 0xb1b3fd, 0x60cdbf, 0xd27b82, 0xd9ecc6, 0x9890c5, 0xc1a94d,
+  0x85b1ff, 0xd0a243, 0x9cddbb, 0xe27d83, 0xcce383, 0xb48fbe, 0x62e4f8,
 ];
 const fewestTones = palette.length;
+
+/** Neighbours that differ less than this for some reader get other tones where there are any. */
+const comfortableDistance = 0.08;
 
 /**
  * A tone for every site so that neighbours differ. A site keeps its tone from diagram to diagram
@@ -56,8 +61,10 @@ export class RegionColours {
     }
     for (const label of hardestFirst(neighbours)) {
       if (tones[label] !== unset) continue;
-      const taken = new Set(neighbours[label].map((other) => tones[other]));
-      give(label, leastUsedTone(usage, taken));
+      const around = neighbours[label]
+        .map((other) => tones[other])
+        .filter((tone) => tone !== unset);
+      give(label, bestTone(usage, around));
     }
     return tones;
   }
@@ -71,16 +78,29 @@ export function toneColour(tone: number): number {
   return channel(16) | channel(8) | channel(0);
 }
 
-/** Of the tones not taken the one that is used least, a new one if all are. */
-function leastUsedTone(usage: readonly number[], taken: ReadonlySet<number>): number {
-  let best = -1;
-  usage.forEach((count, tone) => {
-    if (!taken.has(tone) && (best < 0 || count < usage[best])) best = tone;
-  });
-  if (best >= 0) return best;
-  let tone = usage.length;
-  while (taken.has(tone)) ++tone;
-  return tone;
+/** The tone used least of those that differ comfortably from the ones around, else the one that differs most. */
+function bestTone(usage: readonly number[], around: readonly number[]): number {
+  let best = usage.length; // a new one
+  let bestDistance = 0;
+  for (let tone = 0; tone < usage.length; ++tone) {
+    let distance = comfortableDistance;
+    for (const other of around) distance = Math.min(distance, toneDistance(tone, other));
+    const isBetter =
+      distance > bestDistance || (distance === bestDistance && usage[tone] < usage[best]);
+    if (distance === 0 || !isBetter) continue;
+    best = tone;
+    bestDistance = distance;
+  }
+  while (around.includes(best)) ++best;
+  return best;
+}
+
+/** By tones: a row per tone, filled when asked for. */
+const toneDistances: number[][] = [];
+
+function toneDistance(a: number, b: number): number {
+  const row = (toneDistances[a] ??= []);
+  return (row[b] ??= leastDistance(toneColour(a), toneColour(b)));
 }
 
 function neighboursOf({ siteCount, arcs }: Adjacency): number[][] {

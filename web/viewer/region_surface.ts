@@ -3,13 +3,15 @@ import type { DiagramChange, DiagramData } from 'geodesic-voronoi';
 import {
   BufferAttribute,
   BufferGeometry,
-  Color,
+  type Data3DTexture,
   DoubleSide,
   Group,
   Mesh,
   MeshLambertMaterial,
 } from 'three';
 import { type Cells, type CellTriangles, cellTriangles } from './cell_triangles.js';
+import { LabelColours } from './label_colours.js';
+import { occlude } from './occlusion.js';
 import {
   type Marks,
   noMarks,
@@ -18,27 +20,19 @@ import {
   uploadRecords,
   wholeScene,
 } from './record_buffer.js';
-import { toneColour } from './region_colours.js';
 import type { SceneMesh } from './scene_mesh.js';
-
-/** Faces without a region: those the mesh builder dropped, and all before the first diagram. */
-const neutralColour = 0xd9d6d0;
-/** Faces that no site reaches. */
-const unreachableColour = 0x9a9ca1;
-/** Where the painted density is greatest and least. */
-const denseColour = 0x4a1942;
-const sparseColour = 0xffffff;
-const tintOpacity = 0.75;
 
 /** `DiagramData.faceLabel` of a face that several regions share; others below zero have no region. */
 const shared = -2;
-const unreachable = -1;
 const dropped = -3;
+
+const noColour = new Uint8Array(3);
 
 const noCells: CellTriangles = {
   keys: new Int32Array(),
   position: new Float32Array(),
   normal: new Float32Array(),
+  points: new Int32Array(),
 };
 
 /** A diagram to be drawn, with a tone per label; `data` is read only to draw all of it. */
@@ -72,7 +66,7 @@ export class RegionSurface {
   #filled = true;
   #tints: Float32Array | undefined;
 
-  constructor(mesh: SceneMesh) {
+  constructor(mesh: SceneMesh, occlusion: Data3DTexture) {
     this.#mesh = mesh;
     this.#faceLabels = new Int32Array(mesh.faceCount).fill(dropped);
     this.#material = new MeshLambertMaterial({
@@ -84,6 +78,7 @@ export class RegionSurface {
       polygonOffsetFactor: 2,
       polygonOffsetUnits: 2,
     });
+    occlude(this.#material, occlusion);
     this.#wholeFaces = wholeFaceGeometry(mesh);
     this.#colour = this.#wholeFaces.getAttribute('color') as BufferAttribute;
     this.#corners = this.#wholeFaces.index as BufferAttribute;
@@ -93,6 +88,11 @@ export class RegionSurface {
     this.#parts.frustumCulled = false;
     this.object.add(faces, this.#parts);
     this.#drawAll();
+  }
+
+  /** What colours are multiplied by. */
+  set shade(shade: number) {
+    this.#material.color.setScalar(shade);
   }
 
   /** Whether the regions are filled; without, the surface is neutral. */
@@ -200,10 +200,21 @@ export class RegionSurface {
     const colour = this.#colour.array;
     const corners = this.#corners.array;
     const tints = this.#tints;
+    const isShared = label === shared;
+    // An iteration of a tessellation writes most of the faces: the common case is as short as may be.
+    const bytes = tints ? noColour : colours.of(label);
+    const red = bytes[0];
+    const green = bytes[1];
+    const blue = bytes[2];
     for (let corner = 3 * face; corner < 3 * face + 3; ++corner) {
-      const tint = tints ? tints[this.#mesh.indices[corner]] : 0;
-      colours.write(label, tint, colour, 3 * corner);
-      corners[corner] = label === shared ? 3 * face : corner;
+      if (tints) {
+        colours.write(label, tints[this.#mesh.indices[corner]], colour, 3 * corner);
+      } else {
+        colour[3 * corner] = red;
+        colour[3 * corner + 1] = green;
+        colour[3 * corner + 2] = blue;
+      }
+      corners[corner] = isShared ? 3 * face : corner;
     }
   }
 
@@ -281,55 +292,13 @@ function recoloured(before: Uint16Array | undefined, after: Uint16Array | undefi
   );
 }
 
-/** Colours as vertex attributes hold them: linear, a byte per channel. */
-export class LabelColours {
-  readonly #ofTone: Uint8Array[] = [];
-  readonly #tones: Uint16Array | undefined;
-  readonly #neutral = linearBytes(neutralColour);
-  readonly #unreachable = linearBytes(unreachableColour);
-  readonly #dense = linearBytes(denseColour);
-  readonly #sparse = linearBytes(sparseColour);
-
-  constructor(tones: Uint16Array | undefined) {
-    this.#tones = tones;
-  }
-
-  write(label: number, tint: number, target: { [i: number]: number }, at: number): void {
-    const bytes = this.#of(label);
-    if (tint === 0) {
-      for (let k = 0; k < 3; ++k) target[at + k] = bytes[k];
-      return;
-    }
-    const over = tint < 0 ? this.#sparse : this.#dense;
-    const share = tintOpacity * Math.abs(tint);
-    for (let k = 0; k < 3; ++k) target[at + k] = bytes[k] + share * (over[k] - bytes[k]);
-  }
-
-  #of(label: number): Uint8Array {
-    if (label === unreachable) return this.#unreachable;
-    if (label < 0 || !this.#tones) return this.#neutral;
-    const tone = this.#tones[label];
-    return (this.#ofTone[tone] ??= linearBytes(toneColour(tone)));
-  }
-}
-
-function linearBytes(srgb: number): Uint8Array {
-  const { r, g, b } = new Color(srgb);
-  return Uint8Array.of(Math.round(255 * r), Math.round(255 * g), Math.round(255 * b));
-}
-
 function wholeFaceGeometry(mesh: SceneMesh): BufferGeometry {
-  const { positions, indices } = mesh;
-  const corners = new Float32Array(3 * indices.length);
-  for (let corner = 0; corner < indices.length; ++corner) {
-    for (let axis = 0; axis < 3; ++axis) {
-      corners[3 * corner + axis] = positions[3 * indices[corner] + axis];
-    }
-  }
+  const { indices } = mesh;
   const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(corners, 3));
+  geometry.setAttribute('position', new BufferAttribute(mesh.cornerPositions(), 3));
   geometry.setAttribute('normal', new BufferAttribute(mesh.normals, 3));
   geometry.setAttribute('color', new BufferAttribute(new Uint8Array(3 * indices.length), 3, true));
   geometry.setIndex(new BufferAttribute(new Uint32Array(indices.length), 1));
+  geometry.boundingSphere = wholeScene;
   return geometry;
 }

@@ -23,6 +23,18 @@ export class SceneMesh {
     return this.indices.length / 3;
   }
 
+  /** x, y, z of every corner of every face. */
+  cornerPositions(): Float32Array {
+    const { positions, indices } = this;
+    const corners = new Float32Array(3 * indices.length);
+    for (let corner = 0; corner < indices.length; ++corner) {
+      for (let axis = 0; axis < 3; ++axis) {
+        corners[3 * corner + axis] = positions[3 * indices[corner] + axis];
+      }
+    }
+    return corners;
+  }
+
   /** The place of a point of a face, written to `target[at…]`. */
   writePoint(face: number, bary: ArrayLike<number>, target: Float32Array, at: number): void {
     for (let axis = 0; axis < 3; ++axis) {

@@ -17,12 +17,12 @@ export class SearchTree {
   readonly #faces: Int32Array;
 
   constructor({ positions, indices, faceCount }: SceneMesh) {
-    const isFinite = (corner: number) => {
+    const hasFinitePosition = (corner: number) => {
       const v = 3 * indices[corner];
       return Number.isFinite(positions[v] + positions[v + 1] + positions[v + 2]);
     };
     this.#faces = Int32Array.from({ length: faceCount }, (_, face) => face).filter((face) =>
-      [0, 1, 2].every((k) => isFinite(3 * face + k)),
+      [0, 1, 2].every((k) => hasFinitePosition(3 * face + k)),
     );
     const corners = new Uint32Array(3 * this.#faces.length);
     this.#faces.forEach((face, i) => corners.set(indices.subarray(3 * face, 3 * face + 3), 3 * i));

@@ -390,7 +390,8 @@ export class Session {
     this.#updateStatus();
     const milliseconds = this.#cvt?.latest?.milliseconds ?? 0;
     queueMicrotask(() => {
-      if (shown === this.#shown && !this.#cvt?.playing) this.#listener.cvtRested(shown, milliseconds);
+      if (shown === this.#shown && !this.#cvt?.playing)
+        this.#listener.cvtRested(shown, milliseconds);
     });
   }
 

@@ -2,7 +2,14 @@
 //
 // How the diagram that is shown comes about: by a few steps from the one before, or anew.
 
-import type { Diagram, DiagramChange, DiagramData, Mesh, Metric, TaskOptions } from 'geodesic-voronoi';
+import type {
+  Diagram,
+  DiagramChange,
+  DiagramData,
+  Mesh,
+  Metric,
+  TaskOptions,
+} from 'geodesic-voronoi';
 import type { DiagramSummary } from './diagram_summary.js';
 import { type Sites, surfacePointsOf } from './site_history.js';
 import { type SiteStep, stepsBetween } from './site_step.js';

@@ -5,7 +5,7 @@
 
 const parts: Readonly<Record<string, () => Promise<unknown>>> = {
   'geodesic-voronoi': () => import('geodesic-voronoi/worker'),
-  'geodesic-voronoi-drawing': () => import('./cell_worker.js'),
+  'geodesic-voronoi-drawing': () => import('./drawing_worker.js'),
 };
 
 // Not awaited: a worker that waits here might miss its first message.

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-import type { DiagramData, Mesh, Partition, PolygonMesh, Violation } from 'geodesic-voronoi';
+import type { DiagramData, Mesh, SurfacePath } from 'geodesic-voronoi';
 import { Vector3 } from 'three';
 import type { Attributes } from './attributes.js';
 import { formatCameraOrbit } from './camera_orbit.js';
 import { commandOf, isOfView, perform } from './commands.js';
-import { Derived } from './derived.js';
+import { DerivedDrawings } from './derived_drawings.js';
+import { DistanceLegend } from './distance_legend.js';
 import type { Emit } from './events.js';
-import { widestSpread } from './exploded_parts.js';
 import { hexagonEnergy, rootDensityIntegral } from './hexagon_energy.js';
 import { Hover, type HoveredPoint } from './hover.js';
 import type { Reader } from './mesh_opening.js';
@@ -21,6 +21,7 @@ import type { SitePlace } from './site_history.js';
 import type { ContextListener } from './shared_renderer.js';
 import { Stage } from './stage.js';
 import { SurfaceTools, type Workpiece } from './surface_tools.js';
+import { themeOf, watchTheme } from './theme.js';
 
 /** As it was when it last came to rest. */
 interface Density {
@@ -44,26 +45,16 @@ export class Viewer implements Workpiece {
   readonly hover: Hover;
   readonly tools: SurfaceTools;
   readonly scrolling: PageScrolling;
+  readonly legend: DistanceLegend;
   readonly #emit: Emit;
   readonly #gestures: PointerGestures;
   readonly #resizing: ResizeObserver;
   #model: OpenModel | undefined;
   #density: Density | undefined;
   #selected: number | undefined;
-  readonly #dual = new Derived(
-    async (diagram) => {
-      const dual = await diagram.dual();
-      const violations = await diagram.violations();
-      // It is laid onto the surface.
-      await this.#model?.picker.prepared;
-      return { dual, violations };
-    },
-    (result) => this.#showDual(result),
-  );
-  readonly #parts = new Derived(
-    (diagram) => diagram.partition(),
-    (parts) => this.#showParts(parts),
-  );
+  readonly #derived: DerivedDrawings;
+  /** Ends with the viewer. */
+  readonly #watching = new AbortController();
 
   /** Throws if there is no WebGL 2. */
   constructor(canvas: HTMLCanvasElement, host: ViewerHost) {
@@ -85,11 +76,13 @@ export class Viewer implements Workpiece {
       },
     });
     this.stage.up = this.attributes.up;
+    this.legend = new DistanceLegend(canvas.getRootNode() as ShadowRoot);
+    this.#derived = new DerivedDrawings(this, host.emit);
     this.session = new Session(
-      async (data) => this.#model?.cells.build(data),
+      async (data) => this.#model?.builder.cells(data),
       this.#sessionListener(),
     );
-    this.hover = new Hover(this.session, (point) => this.#tellHovered(point));
+    this.hover = new Hover(this.session, (point, path) => this.#tellHovered(point, path));
     this.#resizing = new ResizeObserver(() => {
       this.stage.resize(canvas.clientWidth, canvas.clientHeight);
       this.scrolling.update();
@@ -101,6 +94,7 @@ export class Viewer implements Workpiece {
       event.preventDefault();
       perform(command, this);
     });
+    watchTheme(() => this.#adoptTheme(), this.#watching.signal);
     this.configure();
   }
 
@@ -265,16 +259,15 @@ export class Viewer implements Workpiece {
   }
 
   explode(): void {
-    const { exploded } = this.attributes;
     this.#derive();
-    this.#model?.drawing.spread(exploded);
     const { isFramed } = this.stage;
-    this.stage.reach = 1 + widestSpread * exploded;
+    this.#derived.spread();
     if (isFramed) this.refit();
-    this.stage.invalidate();
   }
 
   dispose(): void {
+    this.#watching.abort();
+    this.legend.dispose();
     this.#resizing.disconnect();
     this.scrolling.dispose();
     this.#gestures.dispose();
@@ -333,7 +326,7 @@ export class Viewer implements Workpiece {
       this.stage.remove(this.#model.drawing.object);
       this.#model.dispose();
     }
-    this.#model = new OpenModel(mesh);
+    this.#model = new OpenModel(mesh, themeOf(this.stage.canvas));
     this.#adoptDensity();
     this.stage.add(this.#model.drawing.object);
     this.showLayers();
@@ -346,26 +339,12 @@ export class Viewer implements Workpiece {
 
   /** Asks for what is shown of the diagram besides itself; not for that of every iteration. */
   #derive(): void {
-    const { layers, exploded } = this.attributes;
-    const shown = this.session.cvtStatus === 'running' ? undefined : this.session.shown;
-    void this.#dual.update(layers.includes('dual') ? shown : undefined);
-    void this.#parts.update(exploded > 0 ? shown : undefined);
+    this.#derived.update(this.session.cvtStatus === 'running' ? undefined : this.session.shown);
   }
 
-  #showDual(result: { dual: PolygonMesh; violations: Violation[] } | undefined): void {
-    if (!this.#model) return;
-    const { drawing, picker } = this.#model;
-    drawing.setDual(result?.dual, (place) => picker.nearest(place));
+  #adoptTheme(): void {
+    if (this.#model) this.#model.drawing.theme = themeOf(this.stage.canvas);
     this.stage.invalidate();
-    const polygons = (result?.dual.faces.offset.length ?? 0) - 1;
-    this.#emit('dual', result ? { polygons, violations: result.violations } : null);
-  }
-
-  #showParts(parts: Partition | undefined): void {
-    this.#model?.drawing.setParts(parts);
-    this.explode();
-    const triangles = parts?.triangles.label.length ?? 0;
-    this.#emit('exploded', parts ? { regions: parts.regions.area.length, triangles } : null);
   }
 
   #showSites(): void {
@@ -418,10 +397,12 @@ export class Viewer implements Workpiece {
     this.#emit('density-change', { isUniform: perVertex === undefined });
   }
 
-  #tellHovered(point: HoveredPoint | undefined): void {
+  #tellHovered(point: HoveredPoint | undefined, path: SurfacePath | undefined): void {
     const { drawing } = this.#model ?? {};
     const region = point?.region ?? -1;
-    if (drawing?.outline(region)) this.stage.invalidate();
+    drawing?.outline(region);
+    drawing?.setPath(path);
+    this.stage.invalidate();
     this.#emit('hover', point ? { ...point, colour: drawing?.regionColour(region) } : null);
   }
 }

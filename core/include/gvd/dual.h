@@ -4,6 +4,7 @@
 /// the surface; and its repair by further sites.
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <vector>
@@ -40,6 +41,20 @@ PolygonMesh dualMesh(const TriangleMesh& mesh, std::span<const SurfacePoint> sit
 /// none; else a loop may have fewer than three corners, or, meeting no other region or only one,
 /// none at all: it is left out then. Costs as much as `partition`.
 PolygonMesh regionMesh(const TriangleMesh& mesh, const Diagram& diagram);
+
+/// A side of a dual as a path on the surface.
+struct DualPath {
+  std::array<int, 2> labels;         ///< those of the arc that it crosses, the lower one first
+  std::vector<SurfacePoint> points;  ///< from site to site, as `DistanceField::path` names them
+};
+
+/// Per arc of the diagram, the shortest path between its two sites that crosses it: over the point
+/// of the arc that is nearest to them. It stays in the two regions; a geodesic, but for a corner at
+/// the end of an arc whose nearest point that is. No points where the metric knows none.
+///
+/// `field` holds the distances that the diagram was traced from. O(vertices) per arc.
+std::vector<DualPath> dualPaths(const TriangleMesh& mesh, const Diagram& diagram,
+                                const DistanceField& field);
 
 /// A reason why a dual does not have the topology of the surface: something that keeps the regions
 /// from having the *closed ball property* (Edelsbrunner & Shah 1997): every region is a disk, any

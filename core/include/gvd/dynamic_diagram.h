@@ -42,6 +42,12 @@ class DynamicDiagram {
   /// The mesh must outlive this. Sites are in terms of the mesh's faces; there may be none.
   DynamicDiagram(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
                  Metric metric = Metric::kExact, const DiagramOptions& options = {});
+  /// The diagram of the sites of which these are the distances, as `propagate` gives them with
+  /// `Spread::kAsNeeded`, for the same mesh. Takes as long as `traceDiagram`. Throws
+  /// `Error(kInvalidArgument)` if they come from elsewhere.
+  static DynamicDiagram fromDistances(const TriangleMesh& mesh,
+                                      std::unique_ptr<DistanceField> distances,
+                                      const DiagramOptions& options = {});
   ~DynamicDiagram();
   DynamicDiagram(DynamicDiagram&&) noexcept;
   DynamicDiagram& operator=(DynamicDiagram&&) noexcept;
@@ -68,6 +74,8 @@ class DynamicDiagram {
 
  private:
   class Implementation;
+  explicit DynamicDiagram(std::unique_ptr<Implementation> implementation);
+
   std::unique_ptr<Implementation> implementation_;
 };
 

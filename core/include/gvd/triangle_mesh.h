@@ -106,14 +106,15 @@ class TriangleMesh {
   /// Positive, and the same bits for both halfedges of an edge.
   double length(int h) const { return faces_[faceOf(h)].lengths[h % 3]; }
 
-  /// What unfolding needs of a face, in 96 bytes. Side i is halfedge 3f+i, from corner i to the
-  /// next.
-  struct alignas(32) Face {         // at most two cache lines
+  /// What unfolding needs of a face, in two cache lines. Side i is halfedge 3f+i, from corner i to
+  /// the next.
+  struct alignas(64) Face {
     std::array<double, 3> lengths;  ///< of side i
-    std::array<double, 3> cosines;  ///< of the interior angle at corner i
+    std::array<double, 3> angles;   ///< the interior angle at corner i, in (0, π)
+    std::array<double, 3> cosines;  ///< of that angle
     std::array<double, 3> sines;    ///< positive, to full relative precision
-    std::array<int, 3> vertices;    ///< at corner i: `tail(3f+i)`
-    std::array<int, 3> twins;       ///< of side i: `twin(3f+i)`
+    std::array<int, 3> vertices;  ///< at corner i: `tail(3f+i)`
+    std::array<int, 3> twins;     ///< of side i: `twin(3f+i)`
   };
   const Face& face(int f) const { return faces_[f]; }
 
@@ -171,7 +172,7 @@ class TriangleMesh {
   Eigen::Vector3d position(int v) const { return positions_.col(v); }
   Eigen::Vector3d position(const SurfacePoint& p) const;
   /// The interior angle at corner h % 3 of face h / 3, in (0, π).
-  double cornerAngle(int h) const { return cornerAngle_[h]; }
+  double cornerAngle(int h) const { return faces_[faceOf(h)].angles[h % 3]; }
   /// The sum of the corner angles at v: > 2π at an inner saddle vertex.
   double angleSum(int v) const { return angleSum_[v]; }
   /// Positive, of the intrinsic triangle.
@@ -218,10 +219,9 @@ class TriangleMesh {
   Eigen::Matrix3Xd positions_;
   std::vector<int> tail_, twin_;
   std::vector<Face> faces_;
-  std::vector<double> cornerAngle_;
+  std::vector<double> faceArea_;
   std::vector<int> vertexHalfedge_;
   std::vector<double> angleSum_;
-  std::vector<double> faceArea_;
   double area_ = 0, meanEdgeLength_ = 0;
   std::vector<int> component_;
   std::vector<int> boundaryLoops_;

@@ -14,61 +14,81 @@
 #include "gvd/error.h"
 
 namespace gvd {
+namespace {
+
+void complete(SiteDistances& distances) {
+  while (!distances.step(std::numeric_limits<long>::max())) {
+  }
+}
+
+std::unique_ptr<SiteDistances> distancesOf(const TriangleMesh& mesh,
+                                           std::span<const SurfacePoint> sites, Metric metric) {
+  auto distances = std::make_unique<SiteDistances>(mesh, metric);
+  std::vector<SiteChange> changes;
+  for (const SurfacePoint& site : sites)
+    changes.push_back({static_cast<int>(changes.size()), site});
+  distances->change(changes);
+  complete(*distances);
+  return distances;
+}
+
+/// What `propagate` has made.
+std::unique_ptr<SiteDistances> asSiteDistances(std::unique_ptr<DistanceField> distances) {
+  auto* const found = dynamic_cast<SiteDistances*>(distances.get());
+  if (!found)
+    throw Error(ErrorCode::kInvalidArgument, "the distances are not those that propagate gives");
+  static_cast<void>(distances.release());
+  return std::unique_ptr<SiteDistances>(found);
+}
+
+}  // namespace
 
 class DynamicDiagram::Implementation {
  public:
-  Implementation(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric,
+  /// The last change of the distances is that in which all sites have come.
+  Implementation(const TriangleMesh& mesh, std::unique_ptr<SiteDistances> distances,
                  const DiagramOptions& options)
       : mesh_(mesh),
         options_(options),
-        distances_(mesh, metric),
-        tracer_(mesh, distances_, options),
+        distances_(std::move(distances)),
+        tracer_(mesh, *distances_, options),
         pieces_(mesh.faceCount()),
         faces_(mesh.faceCount()) {
-    std::vector<SiteChange> changes;
-    for (const SurfacePoint& site : sites)
-      changes.push_back({static_cast<int>(changes.size()), site});
-    update(changes);
     noteMixed();
     replaceAll();
   }
 
-  int labelCount() const { return distances_.sites().labelCount(); }
-  const SiteDistances& distances() const { return distances_; }
+  int labelCount() const { return distances_->sites().labelCount(); }
+  const SiteDistances& distances() const { return *distances_; }
   Diagram whole() const { return pieces_.whole(); }
 
   void expectSite(int label) const {
-    if (!distances_.sites().contains(label))
+    if (!distances_->sites().contains(label))
       throw Error(ErrorCode::kInvalidArgument, "there is no site " + std::to_string(label));
   }
 
   /// Takes the site of a label away if it has one, and puts it to another place if one is given.
   DiagramChange setSite(int label, const SurfacePoint& site) {
     const SiteChange change = {label, site};
-    update({&change, 1});
+    distances_->change({&change, 1});
+    complete(*distances_);
     noteMixed();
     return trace();
   }
 
  private:
-  void update(std::span<const SiteChange> changes) {
-    distances_.change(changes);
-    while (!distances_.step(std::numeric_limits<long>::max())) {
-    }
-  }
-
   /// Keeps note of where the changed labels meet others.
   void noteMixed() {
     mixedFaces_.resize(labelCount());
-    const std::vector<int>& labels = distances_.changedLabels();
+    const std::vector<int>& labels = distances_->changedLabels();
     const std::vector<char> isChanged = marks(labels);
-    std::vector<int> faces = distances_.changedFaces();
+    std::vector<int> faces = distances_->changedFaces();
     makeSet(faces);
     for (const int label : labels)
       std::erase_if(mixedFaces_[label], [&](int f) { return isOneOf(faces, f); });
     for (const int f : faces)
       for (int h = 3 * f; h < 3 * f + 3; ++h) {
-        const auto known = distances_.at(mesh_.tail(h));
+        const auto known = distances_->at(mesh_.tail(h));
         if (known.size() < 2) continue;
         for (const LabelledDistance& d : known) {
           if (!isChanged[d.label]) continue;
@@ -84,7 +104,7 @@ class DynamicDiagram::Implementation {
   /// third label has no width left, and the order around the point follows from all labels there:
   /// those known around such points count as changed too, and so do the faces.
   DiagramChange trace() {
-    IndexSet labels(labelCount(), distances_.changedLabels());
+    IndexSet labels(labelCount(), distances_->changedLabels());
     for (;;) {
       const std::vector<int> tracedLabels = labels.sorted();
       const std::vector<int> tracedFaces = facesWhereMet(tracedLabels);
@@ -99,7 +119,7 @@ class DynamicDiagram::Implementation {
       if (labels.size() > static_cast<int>(tracedLabels.size())) continue;
 
       faces_.clear();
-      for (const int f : distances_.changedFaces()) faces_.add(f);
+      for (const int f : distances_->changedFaces()) faces_.add(f);
       for (const int f : merged)
         for (int h = 3 * f; h < 3 * f + 3; ++h) addFacesAround(mesh_.tail(h));
       std::erase_if(mergedFaces_, [&](int f) { return isOneOf(tracedFaces, f); });
@@ -112,7 +132,7 @@ class DynamicDiagram::Implementation {
   /// Adds the labels that are known in a face or in one that has a corner in common with it.
   void addLabelsAround(int face, IndexSet& labels) const {
     const auto add = [&](int v) {
-      for (const LabelledDistance& d : distances_.at(v)) labels.add(d.label);
+      for (const LabelledDistance& d : distances_->at(v)) labels.add(d.label);
     };
     for (int h = 3 * face; h < 3 * face + 3; ++h) {
       add(mesh_.tail(h));
@@ -131,7 +151,7 @@ class DynamicDiagram::Implementation {
 
   /// Traces all of the diagram.
   DiagramChange replaceAll() {
-    TracedDiagram traced = traceAll(mesh_, distances_, labelCount(), options_);
+    TracedDiagram traced = traceAll(mesh_, *distances_, labelCount(), options_);
     mergedFaces_ = std::move(traced.mergedFaces);
     completedFaces_ = std::move(traced.completedFaces);
     makeSet(mergedFaces_);
@@ -168,8 +188,9 @@ class DynamicDiagram::Implementation {
     change.part = extract(traced, marks(labels), change.faces);
     for (const int f : change.faces) {
       const int index = tracer_.faceIndex(f);
-      change.part.faceLabel.push_back(
-          index >= 0 ? traced.faceLabel[index] : nearestOf(distances_.at(mesh_.tail(3 * f))).label);
+      change.part.faceLabel.push_back(index >= 0
+                                          ? traced.faceLabel[index]
+                                          : nearestOf(distances_->at(mesh_.tail(3 * f))).label);
     }
     pieces_.replace(change);
     for (const int label : change.labels) {
@@ -193,7 +214,7 @@ class DynamicDiagram::Implementation {
 
   const TriangleMesh& mesh_;
   DiagramOptions options_;
-  SiteDistances distances_;
+  std::unique_ptr<SiteDistances> distances_;
   PartialTracer tracer_;
   DiagramPieces pieces_;
   IndexSet faces_;  ///< those that are gathered at the time
@@ -206,7 +227,18 @@ class DynamicDiagram::Implementation {
 
 DynamicDiagram::DynamicDiagram(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
                                Metric metric, const DiagramOptions& options)
-    : implementation_(std::make_unique<Implementation>(mesh, sites, metric, options)) {}
+    : implementation_(
+          std::make_unique<Implementation>(mesh, distancesOf(mesh, sites, metric), options)) {}
+
+DynamicDiagram::DynamicDiagram(std::unique_ptr<Implementation> implementation)
+    : implementation_(std::move(implementation)) {}
+
+DynamicDiagram DynamicDiagram::fromDistances(const TriangleMesh& mesh,
+                                             std::unique_ptr<DistanceField> distances,
+                                             const DiagramOptions& options) {
+  return DynamicDiagram(
+      std::make_unique<Implementation>(mesh, asSiteDistances(std::move(distances)), options));
+}
 
 DynamicDiagram::~DynamicDiagram() = default;
 DynamicDiagram::DynamicDiagram(DynamicDiagram&&) noexcept = default;

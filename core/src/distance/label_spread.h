@@ -46,12 +46,12 @@ class LabelSpread {
   /// The distance of a label at a point that is no vertex, given its distances at the corners of
   /// the face, infinity where it is not known.
   virtual double distance(int label, const SurfacePoint& p,
-                          const std::array<double, 3>& atCorners) const = 0;
+                          const std::array<double, 3>& atCorners) = 0;
   /// The direction at the site of the path to the vertex `reached(label)[index]`
   /// (`DistanceField::direction`).
   virtual Eigen::Vector2d direction(int label, int index) const = 0;
   /// The path from a point where the label is known to its site (`DistanceField::path`).
-  virtual std::vector<SurfacePoint> path(int label, const SurfacePoint& p) const = 0;
+  virtual std::vector<SurfacePoint> path(int label, const SurfacePoint& p) = 0;
 };
 
 }  // namespace gvd

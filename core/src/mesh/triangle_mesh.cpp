@@ -96,7 +96,6 @@ void TriangleMesh::measureFaces() {
   };
   faces_.resize(faceCount());
   faceArea_.resize(faceCount());
-  cornerAngle_.resize(halfedgeCount());
   std::vector<double> leastExcess(faceCount());
   for (int f = 0; f < faceCount(); ++f) {
     const IntrinsicTriangle t = triangle(f);
@@ -124,7 +123,7 @@ void TriangleMesh::measureFaces() {
   }
 
   angleSum_.assign(vertexCount(), 0);
-  for (int h = 0; h < halfedgeCount(); ++h) angleSum_[tail_[h]] += cornerAngle_[h];
+  for (int h = 0; h < halfedgeCount(); ++h) angleSum_[tail_[h]] += cornerAngle(h);
   for (const double area : faceArea_) area_ += area;
 }
 
@@ -138,7 +137,7 @@ void TriangleMesh::setFace(int f, const IntrinsicTriangle& t) {
     face.sines[i] = t.twiceArea / product;
     face.vertices[i] = tail_[h];
     face.twins[i] = twin_[h];
-    cornerAngle_[h] = std::atan2(t.twiceArea, t.dots[i]);
+    face.angles[i] = std::atan2(t.twiceArea, t.dots[i]);
   }
   faceArea_[f] = t.twiceArea / 2;
 }

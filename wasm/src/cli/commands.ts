@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { load } from '../node.js';
 import type { Metric, PolygonMesh, SurfacePath } from '../results.js';
-import type { CvtState, Diagram, Mesh, SurfacePointsInput } from '../types.js';
+import type { CvtOptions, CvtState, Diagram, Mesh, SurfacePointsInput } from '../types.js';
 import {
   toDiagramEncoder,
   toDistancesEncoder,
@@ -9,7 +9,7 @@ import {
   toPathsEncoder,
   toPolygonEncoder,
 } from './encoders.js';
-import { FileError, Output, readModel, readPoints } from './files.js';
+import { FileError, Output, readModel, readNumbers, readPoints } from './files.js';
 import { meshReport } from './mesh_report.js';
 import type { CommandName, Invocation, Values } from './options.js';
 import { ProgressBar } from './progress.js';
@@ -43,7 +43,8 @@ export function execute(invocation: Invocation): Promise<void> {
 }
 
 /** How sites come to be centroids. */
-type CvtSettings = Pick<Values<'cvt'>, 'method' | 'metric' | 'iterations'>;
+type CvtSettings = Pick<Values<'cvt'>, 'method' | 'metric' | 'iterations'> &
+  Pick<CvtOptions, 'density' | 'fixedSites'>;
 /** Where sites come from. */
 type SiteSource = Pick<Values<'diagram'>, 'sites' | 'sampling' | 'seed'>;
 /** How a model is read. */
@@ -155,9 +156,13 @@ async function path({ mesh: model, values }: Request<'path'>): Promise<void> {
 async function cvt({ mesh: path, values }: Request<'cvt'>): Promise<void> {
   const scale = values.units;
   const output = await Output.open(values.output);
+  const numbers = (file?: string) => (file === undefined ? undefined : readNumbers(file));
+  const density = await numbers(values.density);
+  const fixedSites = await numbers(values.fixed);
   const { mesh, sites } = await openWithSites(path, values);
+  const settings = { ...values, density, fixedSites };
   const states = await withProgress(values, (onProgress) =>
-    tessellate(mesh, sites, values, onProgress),
+    tessellate(mesh, sites, settings, onProgress),
   );
   const energy = states.map((state) => scale ** 4 * state.energy); // area times squared length
   const { iteration, sites: last } = states.at(-1)!;
@@ -270,11 +275,17 @@ function polygonSummary(first: number, diagram: Diagram, { topology }: PolygonMe
 async function tessellate(
   mesh: Mesh,
   sites: SurfacePointsInput,
-  { method, metric, iterations }: CvtSettings,
+  { method, metric, iterations, density, fixedSites }: CvtSettings,
   onProgress: (share: number) => void,
 ): Promise<CvtState[]> {
   const states: CvtState[] = [];
-  for await (const state of mesh.cvt(sites, { method, metric, iterations })) {
+  for await (const state of mesh.cvt(sites, {
+    method,
+    metric,
+    iterations,
+    density,
+    fixedSites,
+  })) {
     states.push(state);
     onProgress(iterations > 0 ? state.iteration / iterations : 1);
   }

@@ -4,7 +4,13 @@
 
 import { extname } from 'node:path';
 import { diagramGlb, diagramJson, diagramObj, pointsJson } from '../formats.js';
-import { distancesGlb, distancesJson, distancesPly, pathsJson, pathsObj } from '../distance_formats.js';
+import {
+  distancesGlb,
+  distancesJson,
+  distancesPly,
+  pathsJson,
+  pathsObj,
+} from '../distance_formats.js';
 import { partitionGlb, partitionJson, partitionObj, partitionPly } from '../partition_formats.js';
 import { polygonGlb, polygonJson, polygonObj, polygonPly } from '../polygon_formats.js';
 import type {
@@ -29,10 +35,7 @@ type Encoder<Result> = (result: Result, scale: number) => string | Uint8Array;
 type Encoders<Result> = Record<string, Encoder<Result>>;
 
 /** The encoder that the ending of the output asks for; of standard output, JSON. */
-function encoderOf<Result>(
-  encoders: Encoders<Result>,
-  { output, json }: Target,
-): Encoder<Result> {
+function encoderOf<Result>(encoders: Encoders<Result>, { output, json }: Target): Encoder<Result> {
   if (json || output === standard) return encoders['.json'];
   const ending = extname(output).toLowerCase();
   if (Object.hasOwn(encoders, ending)) return encoders[ending];

@@ -37,15 +37,25 @@ export async function readModel(
   return { bytes, resources };
 }
 
-/** Reads a list of sites or points; also the sites of a diagram that this command wrote. */
-export async function readPoints(path: string): Promise<SurfacePointsInput> {
+async function readJson(path: string): Promise<unknown> {
   const text = new TextDecoder().decode(await readBytes(path));
-  let json: unknown;
   try {
-    json = JSON.parse(text);
+    return JSON.parse(text);
   } catch (error) {
     throw new FileError(`${nameOf(path)} is not JSON: ${(error as Error).message}`);
   }
+}
+
+/** Reads a list of numbers. */
+export async function readNumbers(path: string): Promise<number[]> {
+  const json = await readJson(path);
+  if (Array.isArray(json) && json.every((item) => typeof item === 'number')) return json;
+  throw new FileError(`${nameOf(path)} holds no list of numbers`);
+}
+
+/** Reads a list of sites or points; also the sites of a diagram that this command wrote. */
+export async function readPoints(path: string): Promise<SurfacePointsInput> {
+  const json = await readJson(path);
   const list = has(json, 'sites') ? json.sites : json;
   if (has(list, 'vertex') || (has(list, 'face') && has(list, 'bary')))
     return list as SurfacePointsInput;

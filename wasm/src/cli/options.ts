@@ -30,8 +30,9 @@ interface OptionSpec {
   /** What the help calls its value. */
   value?: string;
   parse?: Parser<unknown>;
-  /** What counts if it is not given; without this, it has to be. */
+  /** What counts if it is not given; without this, it has to be, unless it is optional. */
   default?: string;
+  optional?: true;
   help: string;
 }
 
@@ -60,6 +61,18 @@ const options = {
     parse: oneOf(cvtMethods),
     default: 'lbfgs',
     help: 'lbfgs: quasi-Newton, converges faster; lloyd',
+  },
+  density: {
+    value: 'FILE',
+    parse: path,
+    optional: true,
+    help: 'JSON list of a density per vertex of the file: sites are closer where it is higher',
+  },
+  fixed: {
+    value: 'FILE',
+    parse: path,
+    optional: true,
+    help: 'JSON list of the indices of sites that stay where they are',
   },
   layout: {
     value: 'LAYOUT',
@@ -126,7 +139,9 @@ type OptionName = keyof typeof options;
 /** What all options mean, given or not. */
 type AllValues = {
   [Name in OptionName]: (typeof options)[Name] extends { parse: Parser<infer Value> }
-    ? Value
+    ? (typeof options)[Name] extends { optional: true }
+      ? Value | undefined
+      : Value
     : boolean;
 };
 
@@ -137,6 +152,8 @@ interface CommandSpec {
   summary: string;
   /** What -o writes, for the help. */
   result: string;
+  /** How it is called, after the command's name. */
+  examples: readonly string[];
   options: readonly OptionName[];
 }
 
@@ -144,47 +161,74 @@ export const commands = {
   info: {
     summary: 'Counts, topology, measures and repairs of a mesh',
     result: 'Text for people; with --json an object.',
+    examples: ['mesh.glb', 'mesh.glb --json --units cm'],
     options: ofAll,
   },
   diagram: {
     summary: 'The geodesic Voronoi diagram of sites on a mesh',
     result: `By FILE's ending: .json (regions, bisectors, Voronoi points), .obj or .glb (the bisectors as lines).`,
+    examples: [
+      'mesh.glb --sites 300 -o diagram.json',
+      'mesh.glb --sites sites.json --detail 2 -o bisectors.obj',
+    ],
     options: [...ofSites, 'metric', 'detail', 'progress', ...ofAll],
   },
   locate: {
     summary: 'The nearest site of points on a mesh, and its distance',
     result: '{"label": […], "distance": […]}; -1 and null for a point that no site reaches.',
+    examples: ['mesh.glb --sites sites.json --points points.json -o labels.json'],
     options: [...ofSites, 'points', 'metric', 'progress', ...ofAll],
   },
   distances: {
     summary: 'The nearest site of every vertex of a mesh, its distance and direction',
     result: `By FILE's ending: .json {"label": […], "distance": […], "direction": […]} (-1 and null where no site reaches), .ply (properties of the vertices), .glb (attributes _LABEL and _DISTANCE, -1 where no site reaches).`,
+    examples: ['mesh.glb --sites sites.json -o distances.ply'],
     options: [...ofSites, 'metric', 'progress', ...ofAll],
   },
   path: {
     summary: 'Shortest paths between points on a mesh',
     result: `By FILE's ending: .json {"paths": [{"points", "length"}, …]} (no points and null where there is none), .obj (a polyline each).`,
+    examples: ['mesh.glb --from a.json --to b.json -o path.obj'],
     options: ['from', 'to', 'progress', ...ofAll],
   },
   cvt: {
     summary: 'Sites at the centroids of their regions: a centroidal Voronoi tessellation',
     result:
       '{"face": […], "bary": […], "energy": […]}: the sites, and the energy of the first ones and after each iteration.',
-    options: [...ofSites, 'iterations', 'method', 'metric', 'progress', ...ofAll],
+    examples: [
+      'mesh.glb --sites 300 -o sites.json',
+      'mesh.glb --sites sites.json --fixed fixed.json --density density.json -o moved.json',
+    ],
+    options: [
+      ...ofSites,
+      'iterations',
+      'method',
+      'density',
+      'fixed',
+      'metric',
+      'progress',
+      ...ofAll,
+    ],
   },
   partition: {
     summary: 'The mesh cut into the regions of sites, watertight where it was',
     result: `By FILE's ending: .glb, .obj (a group per region), .ply (a label per face), .json (triangles, and facts of each region).`,
+    examples: [
+      'mesh.glb --sites 300 -o parts.glb',
+      'mesh.glb --sites sites.json --layout features -o parts.glb',
+    ],
     options: [...ofSites, 'layout', 'holes', 'metric', 'detail', 'progress', ...ofAll],
   },
   dual: {
     summary: 'The polygonal base mesh of sites: a vertex each, a polygon per Voronoi point',
     result: `By FILE's ending: .obj or .ply (polygons), .glb (triangles), .json (polygons, sites, and what is wrong with the dual).`,
+    examples: ['mesh.glb --sites 300 --repair -o base.obj'],
     options: [...ofSites, 'repair', 'primal', 'metric', 'progress', ...ofAll],
   },
   remesh: {
     summary: 'An isotropic remesh: the valid dual of a centroidal tessellation',
     result: `By FILE's ending: .obj or .ply (polygons), .glb (triangles), .json (polygons, sites and quality). Sites may be added until it is valid.`,
+    examples: ['mesh.glb --sites 1000 -o fine.obj'],
     options: [...ofSites, 'iterations', 'method', 'metric', 'progress', ...ofAll],
   },
 } as const satisfies Record<string, CommandSpec>;
@@ -222,11 +266,13 @@ export function parseCommandLine(args: string[], version: string): Invocation | 
     );
   }
   const [mesh] = positionals;
-  const { sites, points, from, to } = texts;
-  if ([mesh, sites, points, from, to].filter((path) => path === standard).length > 1) {
+  const { sites, points, from, to, density, fixed } = texts;
+  if (
+    [mesh, sites, points, from, to, density, fixed].filter((path) => path === standard).length > 1
+  ) {
     throw new UsageError('only one file can be standard input');
   }
-  const values = commands[command].options.map((name) => [name, valueOf(name, texts[name])]);
+  const values = commands[command].options.map((name) => [name, parsedValue(name, texts[name])]);
   return { command, mesh, values: Object.fromEntries(values) } as Invocation;
 }
 
@@ -255,10 +301,11 @@ function parseOptions(
   }
 }
 
-function valueOf(name: OptionName, given: string | boolean | undefined): unknown {
-  const { parse, default: usual }: OptionSpec = options[name];
+function parsedValue(name: OptionName, given: string | boolean | undefined): unknown {
+  const { parse, default: usual, optional }: OptionSpec = options[name];
   if (!parse) return given === true;
   const text = given ?? usual;
+  if (text === undefined && optional) return undefined;
   if (typeof text !== 'string') throw new UsageError(`--${name} is missing`);
   return parse(text, `--${name}`);
 }
@@ -285,7 +332,7 @@ Exit status: 0 done, 1 bad input, 2 a wrong command line.
 }
 
 function commandHelp(command: CommandName): string {
-  const { summary, result, options: taken }: CommandSpec = commands[command];
+  const { summary, result, examples, options: taken }: CommandSpec = commands[command];
   const names = Object.keys(options) as OptionName[];
   const rows = names
     .filter((name) => taken.includes(name))
@@ -303,6 +350,11 @@ Usage: geodesic-voronoi ${command} MESH [OPTIONS]
 ${table(rows)}
 
 Output: ${result}
+
+Examples:
+${examples.map((example) => `  geodesic-voronoi ${command} ${example}`).join('\n')}
+
+Exit status: 0 done, 1 bad input, 2 a wrong command line.
 `;
 }
 

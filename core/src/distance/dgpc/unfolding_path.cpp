@@ -139,7 +139,7 @@ void UnfoldingPath::offerSide(const SurfacePoint& place, int side, Step& best) c
 
 // --- The path of a label -----------------------------------------------------------------------
 
-std::vector<SurfacePoint> UnfoldingSpread::path(int label, const SurfacePoint& p) const {
+std::vector<SurfacePoint> UnfoldingSpread::path(int label, const SurfacePoint& p) {
   return UnfoldingPath(mesh_, sites_[label], labels_[label].vertices).from(p);
 }
 

@@ -137,7 +137,7 @@ void UnfoldingSpread::appendReaching(int vertex, std::vector<int>& labels) {
 void UnfoldingSpread::appendLabelsInside(int /*face*/, std::vector<int>& /*labels*/) const {}
 
 double UnfoldingSpread::distance(int label, const SurfacePoint& p,
-                                 const std::array<double, 3>& atCorners) const {
+                                 const std::array<double, 3>& atCorners) {
   const auto sides = squaredSides(mesh_, p.face);
   for (const FaceSite& site : sites_.inFace(p.face))
     if (site.label == label) return std::sqrt(squaredDistance(p.bary, site.bary, sides));

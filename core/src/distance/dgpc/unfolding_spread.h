@@ -39,9 +39,9 @@ class UnfoldingSpread final : public LabelSpread {
   void appendReaching(int vertex, std::vector<int>& labels) override;
   void appendLabelsInside(int face, std::vector<int>& labels) const override;
   double distance(int label, const SurfacePoint& p,
-                  const std::array<double, 3>& atCorners) const override;
+                  const std::array<double, 3>& atCorners) override;
   Eigen::Vector2d direction(int label, int index) const override;
-  std::vector<SurfacePoint> path(int label, const SurfacePoint& p) const override;
+  std::vector<SurfacePoint> path(int label, const SurfacePoint& p) override;
 
  private:
   struct Label {

@@ -3,6 +3,7 @@
 // Eivind Lyche Melvær, Martin Reimers. Geodesic Polar Coordinates on Polygonal Meshes. 2012
 #include "distance/dgpc/unfolding_sweep.h"
 
+#include "base/prefetch.h"
 #include "distance/site_frame.h"
 
 namespace gvd::dgpc {
@@ -76,9 +77,11 @@ void UnfoldingSweep::passOn(int v) {
   int h = first;
   do {
     const int last = TriangleMesh::previous(h);
+    const int next = mesh_.face(TriangleMesh::faceOf(h)).twins[last % 3];
+    if (next >= 0) prefetch(mesh_.face(TriangleMesh::faceOf(next)));
     unfoldAcross(h);
     unfoldAcross(last);
-    h = mesh_.twin(last);
+    h = next;
   } while (h >= 0 && h != first);
 }
 

@@ -19,7 +19,6 @@ class RequiredPlaces {
   void clear() {
     for (auto* values : {&x_, &y_, &z_, &bound_, &nearest_}) values->clear();
   }
-  bool empty() const { return bound_.empty(); }
   int size() const { return static_cast<int>(bound_.size()); }
 
   /// `bound` is the label's distance as far as it is known, `nearest` the least of all labels'.

@@ -24,8 +24,7 @@ constexpr double kSourceError = 1e-6;
 
 }  // namespace
 
-WindowPath::WindowPath(const TriangleMesh& mesh, const SurfacePoint& site,
-                       const LabelWindows& label)
+WindowPath::WindowPath(const TriangleMesh& mesh, const SurfacePoint& site, const LabelState& label)
     : mesh_(mesh), label_(label), points_(mesh, site), index_(mesh.vertexCount(), -1) {
   for (size_t i = 0; i < label.vertices.size(); ++i)
     index_[label.vertices[i].vertex] = static_cast<int>(i);
@@ -135,17 +134,29 @@ int WindowPath::nearestVertex() const {
 
 // --- The path of a label -----------------------------------------------------------------------
 
-std::vector<SurfacePoint> WindowSpread::path(int label, const SurfacePoint& p) const {
-  WindowPath path(mesh_, sites_[label], labels_[label]);
+/// The path to a vertex follows from what is kept of the label, that to another point from the
+/// recording, in which the label comes to the point first.
+std::vector<SurfacePoint> WindowSpread::path(int label, const SurfacePoint& p) {
+  if (vertexAt(mesh_, p) >= 0) {
+    WindowPath path(mesh_, sites_[label], labels_[label].state);
+    path.start(p);
+    return path.take();
+  }
+  double nearest = 0;  // at least
+  for (int i = 0; i < 3; ++i) {
+    const Vector2d way = layOut(mesh_.face(p.face), 0, p.bary - Eigen::Vector3d::Unit(i));
+    nearest = std::max(nearest, bounds_[mesh_.tail(3 * p.face + i)].distance - way.norm());
+  }
+  RequiredPoint required = {p, kInfinity, nearest};
+  require(label, {&required, 1});
+  const Recording& recording = recordingOf(label);
+  WindowPath path(mesh_, sites_[label], recording.state);
   path.start(p);
   visitPlaces(mesh_, p, [&](const SurfacePoint& place) {
     for (int i = 0; i < 3; ++i) {
       if (place.bary[cornerBefore(i)] == 0) continue;  // on the side: the face beyond tells
-      for (int e = firstEntry_[3 * place.face + i]; e >= 0; e = entries_[e].next)
-        if (entries_[e].label == label)
-          labels_[label].visitWindows(entries_[e].firstBlock, [&](const Window& w) {
-            path.offer(w, 3 * place.face + i, place);
-          });
+      const int halfedge = 3 * place.face + i;
+      recording.windows.visit(halfedge, [&](const Window& w) { path.offer(w, halfedge, place); });
     }
   });
   return path.take();

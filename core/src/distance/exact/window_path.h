@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "distance/exact/label_windows.h"
+#include "distance/exact/label_state.h"
 #include "distance/path_points.h"
 #include "distance/straight_line.h"
 #include "gvd/surface_point.h"
@@ -17,7 +17,7 @@ namespace gvd::exact {
 /// unfolded faces, of which the virtual source is known, and which is followed from face to face.
 class WindowPath {
  public:
-  WindowPath(const TriangleMesh& mesh, const SurfacePoint& site, const LabelWindows& label);
+  WindowPath(const TriangleMesh& mesh, const SurfacePoint& site, const LabelState& label);
 
   /// Begins the path at a point.
   void start(const SurfacePoint& p);
@@ -47,7 +47,7 @@ class WindowPath {
   }
 
   const TriangleMesh& mesh_;
-  const LabelWindows& label_;
+  const LabelState& label_;
   PathPoints points_;
   std::vector<int> index_;  ///< of each vertex among those that the label has reached, -1
   /// The vertices at which the path turns or passes come ever nearer to the site: it ends.

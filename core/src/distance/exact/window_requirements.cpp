@@ -9,25 +9,21 @@
 
 namespace gvd::exact {
 
-void WindowSweep::require(int label, LabelWindows& state, std::span<const int> faces) {
+void WindowSweep::require(int label, LabelState& state, std::span<const int> faces) {
   begin(label, SpreadTo::kRequired, state);
   load();
   for (const int f : faces) requireCorners(f);
-  if (required_.empty()) return;
 
   // First distances, so that hardly anything has to go on: by the windows that wait at a face with
-  // such a corner, by those that have crossed it where it has no other corner, and along its sides.
+  // such a corner, and along its sides. Some corner is known: a label that owns part of a face has
+  // its site there, or owns a corner, or is known at both ends of a side.
   visitWaiting([&](int h, std::span<const WaitingWindow> windows) {
     if (!hasRequiredCorner(h / 3)) return;
     for (const WaitingWindow& w : windows) offerToCorners(w.window, h);
   });
-  if (hasUnreachedFace(faces))
-    for (const CrossedHalfedge& c : state.crossed)
-      if (isUnreached(c.halfedge / 3))
-        state.visitWindows(c.firstBlock, [&](const Window& w) { offerToCorners(w, c.halfedge); });
   for (const int f : faces) offerAlongSides(f);
   continueNeeded();
-  for (const int v : std::exchange(state.waitingSources, {})) queueSource(v);
+  for (const int v : state.waitingSources) queueSource(v);
 }
 
 /// Calls `visit` with the windows that wait at one halfedge after another.
@@ -39,17 +35,6 @@ void WindowSweep::visitWaiting(Visit visit) const {
     for (end = begin + 1; end < waiting.size() && waiting[end].halfedge == h;) ++end;
     visit(h, waiting.subspan(begin, end - begin));
   }
-}
-
-/// Whether the label knows none of the corners of a face.
-bool WindowSweep::isUnreached(int f) const {
-  const auto& corners = mesh_.face(f).vertices;
-  return std::all_of(corners.begin(), corners.end(),
-                     [&](int v) { return isRequired(v) && vertices_[v].distance == kInfinity; });
-}
-
-bool WindowSweep::hasUnreachedFace(std::span<const int> faces) const {
-  return std::any_of(faces.begin(), faces.end(), [&](int f) { return isUnreached(f); });
 }
 
 /// Requires the distances at the corners of a face that are not final yet.
@@ -127,8 +112,9 @@ void WindowSweep::offerToCorners(const Window& w, int h) {
 
 // --- Points --------------------------------------------------------------------------------------
 
-void WindowSweep::require(int label, LabelWindows& state, std::span<const RequiredPoint> points) {
-  begin(label, SpreadTo::kRequired, state);
+void WindowSweep::require(int label, LabelState& state, std::span<const RequiredPoint> points,
+                          WindowRecord& record) {
+  begin(label, SpreadTo::kRequired, state, &record);
   load();
   pointDistances_.clear();
   for (const RequiredPoint& required : points) {
@@ -144,7 +130,7 @@ void WindowSweep::require(int label, LabelWindows& state, std::span<const Requir
   });
   for (const WaitingWindow& w : state.waiting) offerToPoints(w.window, w.halfedge);
   continueNeeded();
-  for (const int v : std::exchange(state.waitingSources, {})) queueSource(v);
+  for (const int v : state.waitingSources) queueSource(v);
 }
 
 /// Adds a required point in a face, and offers it the paths that are straight from a corner.
@@ -217,19 +203,19 @@ bool WindowSweep::canGainBeyond(int h, const Windows& windows) const {
   const double length = face.lengths[i];
   const double nearTail = bounds_[face.vertices[i]].distance;
   const double nearTip = bounds_[face.vertices[j]].distance;
-  const double mostExcess = required_.mostExcess();
   double begin = length, end = 0, least = kInfinity, excess = kInfinity;
   windows([&](const Window& w) {
     // The distance of the nearest label rises by no more than the way along the halfedge.
-    const double beyond = std::max(w.distanceOnEdge(w.end) - (nearTail + w.end),
-                                   w.distanceOnEdge(w.begin) - (nearTip + length - w.begin));
-    if (beyond >= mostExcess) return;
-    excess = std::min(excess, beyond);
+    const double atEnd = w.distanceOnEdge(w.end) - (nearTail + w.end);
+    if (atEnd >= mostExcess_) return;
+    const double atBegin = w.distanceOnEdge(w.begin) - (nearTip + length - w.begin);
+    if (atBegin >= mostExcess_) return;
+    excess = std::min(excess, std::max(atEnd, atBegin));
     begin = std::min(begin, w.begin);
     end = std::max(end, w.end);
     least = std::min(least, w.least());
   });
-  if (!(excess < mostExcess)) return false;
+  if (excess == kInfinity) return false;
   const double middle = (begin + end) / 2, share = middle / length;
   const Eigen::Vector3d place =
       (1 - share) * mesh_.position(face.vertices[i]) + share * mesh_.position(face.vertices[j]);
@@ -241,36 +227,36 @@ bool WindowSweep::canGainBeyond(int h, const Windows& windows) const {
 
 /// Takes up those of the waiting windows that can make a required distance less.
 void WindowSweep::continueNeeded() {
-  size_t kept = 0;
+  mostExcess_ = required_.mostExcess();
   visitWaiting([&](int h, std::span<const WaitingWindow> windows) {
     if (!isNearRequired(h) || !canGain(h, [&](auto visit) {
           for (const WaitingWindow& w : windows) visit(w.window);
         })) {
-      std::copy(windows.begin(), windows.end(), state_->waiting.begin() + kept);
-      kept += windows.size();
+      waiting_.insert(waiting_.end(), windows.begin(), windows.end());
       return;
     }
-    const int first = static_cast<int>(state_->windows.size());
+    const bool isFirst = windows_.isEmpty(h);
     double least = kInfinity;
     for (const WaitingWindow& w : windows) {
-      state_->windows.add(w.window);
+      windows_.add(h, w.window);
       least = std::min(least, w.window.least());
     }
-    queueBatch(portalTo(h), first, least);
+    if (isFirst) queueBatch(h, least);
   });
-  state_->waiting.resize(kept);
 }
 
 /// Whether the batch at a halfedge can make a required distance less; if not, it waits.
 bool WindowSweep::isBatchNeeded(int h) {
-  const int firstBlock = waitingBlock_[h];
-  if (hasRequiredCorner(h / 3))
-    state_->visitWindows(firstBlock, [&](const Window& w) { offerToCorners(w, h); });
-  if (!pointsIn(h / 3).empty())
-    state_->visitWindows(firstBlock, [&](const Window& w) { offerToPoints(w, h); });
-  if (canGain(h, [&](auto visit) { state_->visitWindows(firstBlock, visit); })) return true;
-  state_->visitWindows(firstBlock, [&](const Window& w) { state_->waiting.push_back({w, h}); });
-  waitingBlock_[h] = -1;
+  const WindowLists::Chunk* const list = windows_.list(h);
+  const bool hasCorner = hasRequiredCorner(h / 3), hasPoints = !pointsIn(h / 3).empty();
+  if (hasCorner || hasPoints)
+    WindowLists::visit(list, [&](const Window& w) {
+      if (hasCorner) offerToCorners(w, h);
+      if (hasPoints) offerToPoints(w, h);
+    });
+  if (canGain(h, [&](auto visit) { WindowLists::visit(list, visit); })) return true;
+  WindowLists::visit(list, [&](const Window& w) { waiting_.push_back({w, h}); });
+  windows_.free(windows_.take(h));
   return false;
 }
 

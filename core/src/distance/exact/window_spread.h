@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
+#include "distance/exact/label_state.h"
+#include "distance/exact/window_record.h"
 #include "distance/exact/window_sweep.h"
 #include "distance/label_spread.h"
 #include "distance/nearest_bounds.h"
@@ -11,8 +14,10 @@
 
 namespace gvd::exact {
 
-/// The exact metric: polyhedral distance by windows (Mitchell et al. 1987). Keeps the windows of
-/// all labels, from which the distance follows at every point of the surface.
+/// The exact metric: polyhedral distance by windows (Mitchell et al. 1987). Distances at vertices
+/// are kept. At other points they follow from the windows that have crossed the face, which would
+/// take several times the memory of all else: a label that is asked for such a point spreads once
+/// more, and its windows are kept until it changes.
 class WindowSpread final : public LabelSpread {
  public:
   WindowSpread(const TriangleMesh& mesh, const SiteSet& sites, NearestBounds& bounds,
@@ -25,39 +30,49 @@ class WindowSpread final : public LabelSpread {
   bool run(long& budget) override;
   void remove(int label) override;
 
-  std::vector<ReachedVertex>& reached(int label) override { return labels_[label].vertices; }
+  std::vector<ReachedVertex>& reached(int label) override { return labels_[label].state.vertices; }
   const std::vector<ReachedVertex>& reached(int label) const override {
-    return labels_[label].vertices;
+    return labels_[label].state.vertices;
   }
   std::vector<int> outdated(std::span<const int> /*changedVertices*/) override { return {}; }
   void appendReaching(int /*vertex*/, std::vector<int>& /*labels*/) override {}
   void appendLabelsInside(int face, std::vector<int>& labels) const override;
   double distance(int label, const SurfacePoint& p,
-                  const std::array<double, 3>& atCorners) const override;
+                  const std::array<double, 3>& atCorners) override;
   Eigen::Vector2d direction(int label, int index) const override;
-  std::vector<SurfacePoint> path(int label, const SurfacePoint& p) const override;
+  std::vector<SurfacePoint> path(int label, const SurfacePoint& p) override;
 
  private:
-  /// Windows of a label at a halfedge, in a list of those of all labels there.
-  struct Entry {
+  /// A label's second run, of which the windows are recorded.
+  struct Recording {
+    LabelState state;
+    WindowRecord windows;
+  };
+  struct Label {
+    LabelState state;
+    std::vector<int> crossedFaces;
+    std::unique_ptr<Recording> recording;  ///< if a point has been asked for
+  };
+  /// A label that has crossed a face, in a list of those of the face.
+  struct Crossing {
     int label;
-    int firstBlock;
     int next;
   };
-  void addEntries(int label, size_t firstCrossed);
+  void begin(int label);
+  void noteCrossedFaces();
+  Recording& recordingOf(int label);
+  void finish(Recording& recording);
 
   const TriangleMesh& mesh_;
   const SiteSet& sites_;
   const NearestBounds& bounds_;
   const SpreadTo startTo_;
   WindowSweep sweep_;
-  std::vector<LabelWindows> labels_;
-  std::vector<int> firstEntry_;  ///< per halfedge, -1
-  std::vector<Entry> entries_;
-  std::vector<int> freeEntries_;
-  // The label at hand.
-  int label_ = -1;
-  size_t crossedBefore_ = 0;
+  std::vector<Label> labels_;
+  std::vector<int> firstCrossing_;  ///< per face, -1
+  std::vector<Crossing> crossings_;
+  std::vector<int> freeCrossings_;
+  int label_ = -1;  ///< the label at hand
 };
 
 }  // namespace gvd::exact

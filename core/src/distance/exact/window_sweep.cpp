@@ -32,45 +32,45 @@ WindowSweep::WindowSweep(const TriangleMesh& mesh, NearestBounds& bounds)
       bucketsPerUnit_(kBucketsPerEdge / mesh.meanEdgeLength()),
       fan_(mesh),
       vertices_(mesh.vertexCount()),
-      waitingBlock_(mesh.halfedgeCount(), -1) {
+      windows_(mesh.halfedgeCount()) {
   for (int v = 0; v < mesh.vertexCount(); ++v) vertices_[v].isSaddle = isSaddle(mesh, v);
 }
 
 // --- One label ---------------------------------------------------------------------------------
 
-void WindowSweep::begin(int label, SpreadTo to, LabelWindows& state) {
+void WindowSweep::begin(int label, SpreadTo to, LabelState& state, WindowRecord* record) {
   label_ = label;
   to_ = to;
   state_ = &state;
+  record_ = record;
   ++epoch_;
   required_.clear();
   points_.clear();
+  reached_.clear();
+  crossedFaces_.clear();
+  waiting_.clear();
+  waitingSources_.clear();
 }
 
-void WindowSweep::start(int label, const SurfacePoint& site, SpreadTo to, LabelWindows& state) {
+void WindowSweep::start(int label, const SurfacePoint& site, SpreadTo to, LabelState& state) {
   begin(label, to, state);
-  site_ = site;
-  state.windows.room(windowCount_);
-  state.blocks.room(blockCount_);
-  const Incidence place = incidenceOf(site.bary);
-  if (place.corner >= 0) {
-    offer(mesh_.face(site.face).vertices[place.corner], 0, {0, 0, 0, -1});
-    return;
-  }
-  double angle = 0;  // of side i in the site's frame
-  for (int i = 0; i < 3; ++i) {
-    startAtSide(site, i, angle, i == place.side);
-    if (i == place.side && mesh_.face(site.face).twins[i] >= 0) startAcross(site, i, angle + kPi);
-    angle += kPi - mesh_.cornerAngle(3 * site.face + cornerAfter(i));
-  }
+  startAt(site);
 }
 
-void WindowSweep::resume(int label, LabelWindows& state) {
+void WindowSweep::start(int label, const SurfacePoint& site, SpreadTo to, LabelState& state,
+                        WindowRecord& record) {
+  begin(label, to, state, &record);
+  startAt(site);
+}
+
+void WindowSweep::resume(int label, LabelState& state) {
   begin(label, SpreadTo::kOwned, state);
   load();
-  for (const WaitingWindow& w : std::exchange(state.waiting, {}))
-    addSingle(w.window, portalTo(w.halfedge));
-  for (const int v : std::exchange(state.waitingSources, {})) queueSource(v);
+  for (const WaitingWindow& w : state.waiting) {
+    Window window = w.window;
+    add(window, portalTo(w.halfedge));
+  }
+  for (const int v : state.waitingSources) queueSource(v);
 }
 
 bool WindowSweep::run(long& budget) {
@@ -100,25 +100,37 @@ void WindowSweep::load() {
   }
 }
 
-/// Adds what the label has come to, to what is kept of it.
+/// Keeps what the label has come to.
 void WindowSweep::store() {
-  state_->vertices.resize(reached_.size());
-  state_->pieces.resize(reached_.size());
+  std::vector<ReachedVertex> vertices(reached_.size());
+  std::vector<LastPiece> pieces(reached_.size());
   for (size_t i = 0; i < reached_.size(); ++i) {
     const Vertex& own = vertices_[reached_[i]];
-    state_->vertices[i] = {reached_[i], own.isFinal || own.required >= 0, own.distance};
-    state_->pieces[i] = own.piece;
+    vertices[i] = {reached_[i], own.isFinal || own.required >= 0, own.distance};
+    pieces[i] = own.piece;
   }
-  windowCount_ = state_->windows.size();
-  blockCount_ = state_->blocks.size();
-  state_->windows.shrink();
-  state_->blocks.shrink();
-  state_->crossed.shrink_to_fit();
-  state_->waiting.shrink_to_fit();
-  reached_.clear();
+  *state_ = {std::move(vertices),
+             std::move(pieces),
+             {waiting_.begin(), waiting_.end()},
+             {waitingSources_.begin(), waitingSources_.end()}};
 }
 
 // --- The site and the vertices -----------------------------------------------------------------
+
+void WindowSweep::startAt(const SurfacePoint& site) {
+  site_ = site;
+  const Incidence place = incidenceOf(site.bary);
+  if (place.corner >= 0) {
+    offer(mesh_.face(site.face).vertices[place.corner], 0, {0, 0, 0, -1});
+    return;
+  }
+  double angle = 0;  // of side i in the site's frame
+  for (int i = 0; i < 3; ++i) {
+    startAtSide(site, i, angle, i == place.side);
+    if (i == place.side && mesh_.face(site.face).twins[i] >= 0) startAcross(site, i, angle + kPi);
+    angle += kPi - mesh_.cornerAngle(3 * site.face + cornerAfter(i));
+  }
+}
 
 /// Lets a site see the corner across from side i of its face and, unless the site is on it, through
 /// the side. `angle` is that of the side in the site's frame.
@@ -130,14 +142,14 @@ void WindowSweep::startAtSide(const SurfacePoint& site, int i, double angle, boo
   offer(face.vertices[cornerBefore(i)], toApex.norm(),
         {std::clamp(below, 0.0, face.lengths[i]), 0, angle, 3 * site.face + i});
   if (isOnSide || face.twins[i] < 0) return;
-  addSingle({.begin = 0,
-             .end = face.lengths[i],
-             .x = face.lengths[i] - s.x(),
-             .y = -s.y(),
-             .sourceDistance = 0,
-             .direction = angle + kPi},
-            portal(face.twins[i], face.lengths[i], endAt(face.vertices[cornerAfter(i)]),
-                   endAt(face.vertices[i])));
+  Window window = {.begin = 0,
+                   .end = face.lengths[i],
+                   .x = face.lengths[i] - s.x(),
+                   .y = -s.y(),
+                   .sourceDistance = 0,
+                   .direction = angle + kPi};
+  add(window, portal(face.twins[i], face.lengths[i], endAt(face.vertices[cornerAfter(i)]),
+                     endAt(face.vertices[i])));
 }
 
 /// Starts a site on a side of its face in the face on the other side. `angle` is that of the twin.
@@ -157,7 +169,7 @@ void WindowSweep::offer(int v, double distance, const LastPiece& piece) {
   own.distance = distance;
   own.piece = piece;
   if (own.required >= 0) required_.shorten(own.required, distance);
-  if (points_.empty()) lower(bounds_[v], label_, distance);
+  if (!record_) lower(bounds_[v], label_, distance);
   if (own.isSaddle || piece.arrival < 0) queueSource(v);
 }
 
@@ -189,17 +201,10 @@ void WindowSweep::queueSource(int v) {
   push(-1 - v, vertices_[v].distance);
 }
 
-/// Lets the windows from `first` on wait at a portal.
-void WindowSweep::queueBatch(const Portal& portal, int first, double key) {
-  const int count = static_cast<int>(state_->windows.size()) - first;
-  if (count == 0) return;
-  int& waiting = waitingBlock_[portal.halfedge];
-  if (waiting < 0) {
-    push(portal.halfedge, key);
-    prefetch(mesh_.face(portal.halfedge / 3));
-  }
-  state_->blocks.add({first, count, waiting});
-  waiting = static_cast<int>(state_->blocks.size()) - 1;
+/// Queues a halfedge at which the first windows wait.
+void WindowSweep::queueBatch(int halfedge, double key) {
+  push(halfedge, key);
+  prefetch(mesh_.face(halfedge / 3));
 }
 
 // --- Virtual sources ---------------------------------------------------------------------------
@@ -208,7 +213,7 @@ void WindowSweep::becomeSource(int v) {
   Vertex& own = vertices_[v];
   own.isQueued = false;
   if (!maySpreadFrom(v)) {
-    state_->waitingSources.push_back(v);
+    waitingSources_.push_back(v);
     return;
   }
   const auto sides = fan_.sides(v, own.piece.arrival, own.piece.crossing);
@@ -245,48 +250,50 @@ void WindowSweep::emit(int v, const OppositeSide& side, double direction, bool i
   if (side.to >= (1 - kGrazing) * length)
     offer(face.vertices[k], distance + face.lengths[k], {0, distance, direction, o});
   if (face.twins[j] < 0) return;
-  addSingle({.begin = length - side.to,
-             .end = length - side.from,
-             .x = length - face.lengths[i] * face.cosines[j],
-             .y = -face.lengths[i] * face.sines[j],
-             .sourceDistance = distance,
-             .direction = isSite ? direction - mesh_.cornerAngle(3 * f + j) : direction},
-            portal(face.twins[j], length, endAt(face.vertices[k]), endAt(face.vertices[j])));
+  Window window = {.begin = length - side.to,
+                   .end = length - side.from,
+                   .x = length - face.lengths[i] * face.cosines[j],
+                   .y = -face.lengths[i] * face.sines[j],
+                   .sourceDistance = distance,
+                   .direction = isSite ? direction - mesh_.cornerAngle(3 * f + j) : direction};
+  add(window, portal(face.twins[j], length, endAt(face.vertices[k]), endAt(face.vertices[j])));
 }
 
-void WindowSweep::addSingle(const Window& w, const Portal& portal) {
-  const int first = static_cast<int>(state_->windows.size());
-  Window& added = *state_->windows.room(1);
-  added = w;
-  if (keep(added, portal)) state_->windows.append(1);
-  queueBatch(portal, first, std::min({portal.own.atTail, portal.own.atTip, w.least()}));
+void WindowSweep::add(Window& w, const Portal& portal) {
+  const bool isFirst = windows_.isEmpty(portal.halfedge);
+  keep(w, portal);
+  if (isFirst && !windows_.isEmpty(portal.halfedge))
+    queueBatch(portal.halfedge, std::min({portal.own.atTail, portal.own.atTip, w.least()}));
 }
 
 // --- Crossing a face ---------------------------------------------------------------------------
 
 void WindowSweep::crossFace(int h) {
   if (to_ == SpreadTo::kRequired && !isBatchNeeded(h)) return;
-  const int firstBlock = std::exchange(waitingBlock_[h], -1);
-  state_->crossed.push_back({h, firstBlock});
-  offerToApex(h, firstBlock);
   const TriangleMesh::Face& face = mesh_.face(h / 3);
   const int i = h % 3, j = cornerAfter(i), k = cornerBefore(i);
+  const int left = face.twins[k], right = face.twins[j];
+  if (left >= 0) windows_.prefetch(left);
+  if (right >= 0) windows_.prefetch(right);
+  WindowLists::Chunk* const list = windows_.take(h);
+  crossedFaces_.push_back(h / 3);
+  if (record_) WindowLists::visit(list, [&](const Window& w) { record_->add(h, w); });
+  offerToApex(h, list);
   const End tail = endAt(face.vertices[i]), tip = endAt(face.vertices[j]),
             apex = endAt(face.vertices[k]);
-  if (face.twins[k] >= 0)
-    crossSide<true>(h, firstBlock, portal(face.twins[k], face.lengths[k], tail, apex));
-  if (face.twins[j] >= 0)
-    crossSide<false>(h, firstBlock, portal(face.twins[j], face.lengths[j], apex, tip));
+  if (left >= 0) crossSide<true>(h, list, portal(left, face.lengths[k], tail, apex));
+  if (right >= 0) crossSide<false>(h, list, portal(right, face.lengths[j], apex, tip));
+  windows_.free(list);
 }
 
-void WindowSweep::offerToApex(int h, int firstBlock) {
+void WindowSweep::offerToApex(int h, const WindowLists::Chunk* list) {
   const TriangleMesh::Face& face = mesh_.face(h / 3);
   const int i = h % 3;
   const Eigen::Vector2d p = apexOf(face, i);
   const double grazing = kGrazing * face.lengths[i];
   const int apex = face.vertices[cornerBefore(i)];
   crossings_.clear();
-  state_->visitWindows(firstBlock, [&](const Window& w) {
+  WindowLists::visit(list, [&](const Window& w) {
     const double crossing = w.crossing(p.x(), p.y());
     crossings_.push_back(crossing);
     if (crossing >= w.begin - grazing && crossing <= w.end + grazing)
@@ -313,18 +320,21 @@ WindowSweep::Portal WindowSweep::portalTo(int h) const {
   return portal(h, face.lengths[i], endAt(face.vertices[i]), endAt(face.vertices[cornerAfter(i)]));
 }
 
-/// Trims a child of the batch at hand. False if paths over the ends of its halfedge leave nothing
-/// of it; or if those of other labels do: then it waits.
-inline bool WindowSweep::keep(Window& w, const Portal& portal) {
+/// Trims a window and lets it wait at its halfedge. It is dropped if paths over the ends of the
+/// halfedge leave nothing of it; if those of other labels do, the label stops there.
+inline void WindowSweep::keep(Window& w, const Portal& portal) {
   w.y = std::min(w.y, -0x1p-52 * portal.length);
   trim(w, portal.length, portal.own);
-  if (!(w.begin < w.end)) return false;
-  if (!portal.isContested) return true;
-  Window owned = w;
-  trim(owned, portal.length, portal.nearest);
-  if (owned.begin < owned.end) return true;
-  state_->waiting.push_back({w, portal.halfedge});
-  return false;
+  if (!(w.begin < w.end)) return;
+  if (portal.isContested) {
+    Window owned = w;
+    trim(owned, portal.length, portal.nearest);
+    if (!(owned.begin < owned.end)) {
+      waiting_.push_back({w, portal.halfedge});
+      return;
+    }
+  }
+  windows_.add(portal.halfedge, w);
 }
 
 /// Whether a window over the apex is longer there than the label's distance.
@@ -340,27 +350,26 @@ inline bool WindowSweep::isBeaten(const Window& w, double crossing, int h,
 
 /// Lets the batch at hand leave its face on the left or on the right of the apex.
 template <bool kLeft>
-void WindowSweep::crossSide(int h, int firstBlock, const Portal& portal) {
+void WindowSweep::crossSide(int h, const WindowLists::Chunk* list, const Portal& portal) {
   const TriangleMesh::Face& face = mesh_.face(h / 3);
   const int i = h % 3, j = cornerAfter(i), k = cornerBefore(i);
   const double length = face.lengths[i], side = portal.length;
   const double c = face.cosines[kLeft ? i : j], s = face.sines[kLeft ? i : j];
-  const double turn = kLeft ? mesh_.cornerAngle(h) : -mesh_.cornerAngle(h - i + j);
+  const double turn = kLeft ? face.angles[i] : -face.angles[j];
   // Of the windows over the apex from the same halfedge only the shortest goes on on both sides of
   // it (Chen & Han 1990).
   const Vertex& apex = vertices_[face.vertices[k]];
   const bool isApexFromHere = apex.epoch == epoch_ && apex.piece.arrival == h;
 
-  const int first = static_cast<int>(state_->windows.size());
-  state_->windows.room(crossings_.size());  // nothing moves while windows are read
+  const bool isFirst = windows_.isEmpty(portal.halfedge);
   const double* nextCrossing = crossings_.data();
-  state_->visitWindows(firstBlock, [&](const Window& w) {
+  WindowLists::visit(list, [&](const Window& w) {
     const double crossing = *nextCrossing++;
     if (kLeft ? !(crossing > w.begin) : !(crossing < w.end)) return;
     if (isApexFromHere && (crossing < apex.piece.crossing) != kLeft &&
         isBeaten(w, crossing, h, apex.distance))
       return;
-    Window& child = *state_->windows.room(1);
+    Window child;
     if constexpr (kLeft) {
       child.begin = meetSide(w.begin, w.x, w.y, c, s, side);
       child.end = crossing < w.end ? side : meetSide(w.end, w.x, w.y, c, s, side);
@@ -375,9 +384,10 @@ void WindowSweep::crossSide(int h, int firstBlock, const Portal& portal) {
     }
     child.sourceDistance = w.sourceDistance;
     child.direction = w.sourceDistance > 0 ? w.direction : w.direction + turn;
-    if (keep(child, portal)) state_->windows.append(1);
+    keep(child, portal);
   });
-  queueBatch(portal, first, std::min(portal.own.atTail, portal.own.atTip));
+  if (isFirst && !windows_.isEmpty(portal.halfedge))
+    queueBatch(portal.halfedge, std::min(portal.own.atTail, portal.own.atTip));
 }
 
 }  // namespace gvd::exact

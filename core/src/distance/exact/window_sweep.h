@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "distance/exact/fan_behind.h"
-#include "distance/exact/label_windows.h"
+#include "distance/exact/label_state.h"
 #include "distance/exact/required_places.h"
+#include "distance/exact/window_lists.h"
+#include "distance/exact/window_record.h"
 #include "distance/face_layout.h"
 #include "distance/nearest_bounds.h"
 #include "distance/required_point.h"
@@ -40,18 +42,24 @@ class WindowSweep {
   WindowSweep(const TriangleMesh& mesh, NearestBounds& bounds);
 
   /// Begins with a label that has not spread yet.
-  void start(int label, const SurfacePoint& site, SpreadTo to, LabelWindows& state);
+  void start(int label, const SurfacePoint& site, SpreadTo to, LabelState& state);
   /// Begins with a label that is to go on where bounds have risen.
-  void resume(int label, LabelWindows& state);
+  void resume(int label, LabelState& state);
   /// Begins with a label that is to reach all corners of some faces.
-  void require(int label, LabelWindows& state, std::span<const int> faces);
-  /// Begins with a label that is to find its distances at some points. Bounds remain as they are.
-  void require(int label, LabelWindows& state, std::span<const RequiredPoint> points);
+  void require(int label, LabelState& state, std::span<const int> faces);
+  /// Begins with a label that has not spread yet, to record its windows. Bounds remain as they are.
+  void start(int label, const SurfacePoint& site, SpreadTo to, LabelState& state,
+             WindowRecord& record);
+  /// Begins with a label that is to find its distances at some points, and goes on recording.
+  void require(int label, LabelState& state, std::span<const RequiredPoint> points,
+               WindowRecord& record);
   /// The distance at one of these points; for use before the next label begins.
   double distanceAtPoint(int index) const { return pointDistances_[index]; }
   /// Works on at most `budget` batches and lowers it by their number; true when the label is done,
   /// and what it has come to is in its state.
   bool run(long& budget);
+  /// The faces that the last label has crossed, some several times.
+  std::span<const int> crossedFaces() const { return crossedFaces_; }
 
  private:
   /// What the label at hand knows at a vertex.
@@ -82,10 +90,11 @@ class WindowSweep {
     bool isContested;  ///< whether another label is nearer at an end
   };
 
-  void begin(int label, SpreadTo to, LabelWindows& state);
+  void begin(int label, SpreadTo to, LabelState& state, WindowRecord* record = nullptr);
   void load();
   void store();
 
+  void startAt(const SurfacePoint& site);
   void startAtSide(const SurfacePoint& site, int side, double angle, bool isOnSide);
   void startAcross(const SurfacePoint& site, int side, double angle);
   void offer(int vertex, double distance, const LastPiece& piece);
@@ -94,22 +103,22 @@ class WindowSweep {
 
   void push(int item, double key);
   void queueSource(int vertex);
-  void queueBatch(const Portal& portal, int first, double key);
+  void queueBatch(int halfedge, double key);
 
   void becomeSource(int vertex);
   bool maySpreadFrom(int vertex) const;
   void emit(int vertex, const OppositeSide& side, double direction, bool isSite);
-  void addSingle(const Window& w, const Portal& portal);
+  void add(Window& w, const Portal& portal);
 
   void crossFace(int halfedge);
-  void offerToApex(int halfedge, int firstBlock);
+  void offerToApex(int halfedge, const WindowLists::Chunk* list);
   template <bool kLeft>
-  void crossSide(int halfedge, int firstBlock, const Portal& portal);
+  void crossSide(int halfedge, const WindowLists::Chunk* list, const Portal& portal);
   End endAt(int vertex) const;
   Portal portal(int halfedge, double length, const End& tail, const End& tip) const;
   Portal portalTo(int halfedge) const;
   bool isBeaten(const Window& w, double crossing, int halfedge, double apexDistance) const;
-  bool keep(Window& w, const Portal& portal);
+  void keep(Window& w, const Portal& portal);
 
   void requireCorners(int face);
   void addPoint(const SurfacePoint& point, int index);
@@ -124,9 +133,7 @@ class WindowSweep {
   void offerToCorners(const Window& w, int halfedge);
   template <class Visit>
   void visitWaiting(Visit visit) const;
-  bool isUnreached(int face) const;
   bool isNearRequired(int halfedge) const;
-  bool hasUnreachedFace(std::span<const int> faces) const;
   template <class Windows>
   bool canGain(int halfedge, const Windows& windows);
   template <class Windows>
@@ -146,9 +153,11 @@ class WindowSweep {
   // The label at hand.
   int label_ = -1;
   SpreadTo to_ = SpreadTo::kOwned;
-  LabelWindows* state_ = nullptr;
+  LabelState* state_ = nullptr;
+  WindowRecord* record_ = nullptr;
   SurfacePoint site_;
   RequiredPlaces required_;
+  double mostExcess_ = 0;  ///< of them, when the label began to go on
   std::vector<PointInFace> points_;  ///< by face
   std::vector<double> pointDistances_;
   std::vector<double> pointBounds_;  ///< of those in the face at hand
@@ -156,12 +165,14 @@ class WindowSweep {
   // Working memory, of which a label leaves nothing behind but vertices of an old epoch.
   int epoch_ = 0;
   std::vector<Vertex> vertices_;
-  std::vector<int> waitingBlock_;  ///< per halfedge, the first of a list of blocks; -1
+  WindowLists windows_;
   std::vector<int> reached_;
+  std::vector<int> crossedFaces_;
+  std::vector<WaitingWindow> waiting_;  ///< where the label has stopped
+  std::vector<int> waitingSources_;
   std::vector<double> crossings_;          ///< of the batch at hand, with the line to the apex
   std::vector<std::vector<int>> buckets_;  ///< halfedges, and vertices v as -1 - v
   size_t bucket_ = 0, cursor_ = 0;
-  size_t windowCount_ = 0, blockCount_ = 0;  ///< of the last label; the next one has about as many
 };
 
 }  // namespace gvd::exact

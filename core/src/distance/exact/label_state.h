@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "distance/exact/window.h"
+#include "distance/label_distances.h"
+
+namespace gvd::exact {
+
+/// The last piece of the path that gives a label's distance at a vertex.
+struct LastPiece {
+  double crossing;        ///< where the path crosses `arrival`, from its tail
+  double sourceDistance;  ///< of the last vertex at which the path turns; 0: it runs straight
+  /// If the path runs straight, the angle of `arrival` in the site's frame; otherwise the angle at
+  /// which the path leaves the site.
+  double direction;
+  /// The halfedge across which the path enters its last face, of which the vertex is the apex; -1
+  /// if the path starts at the vertex.
+  int arrival;
+};
+
+/// A window that has not crossed its face, because the label was stopped there.
+struct WaitingWindow {
+  Window window;
+  int halfedge;
+};
+
+/// What is kept of a label when it has spread: its distances, and where it goes on when it is
+/// continued. The windows that have crossed their faces are not (`WindowRecord`).
+struct LabelState {
+  std::vector<ReachedVertex> vertices;
+  std::vector<LastPiece> pieces;       ///< of each of these vertices
+  std::vector<WaitingWindow> waiting;  ///< those of one halfedge in succession
+  std::vector<int> waitingSources;     ///< vertices that would become virtual sources
+};
+
+}  // namespace gvd::exact

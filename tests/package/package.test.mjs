@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+//
+// The package installed from its tarball: what is in it, its exports and types, and its use in Node.
+
+import assert from 'node:assert/strict';
+import { existsSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { checkPackage, createPackageFromTarballData } from '@arethetypeswrong/core';
+import { publint } from 'publint';
+import { formatMessage } from 'publint/utils';
+import { octahedron } from '../wasm/meshes.mjs';
+import { inModules, install, run } from './installed.mjs';
+
+let installed;
+before(() => {
+  installed = install('@types/node', '@types/three', 'three', 'three-mesh-bvh');
+});
+after(() => installed.remove());
+
+const read = (name) => readFileSync(join(installed.packageFolder, name), 'utf8');
+
+/** Runs a module in the folder of the installation; resolves with what it wrote. */
+function runModule(code, ...options) {
+  writeFileSync(join(installed.folder, 'use.mjs'), code);
+  return run(process.execPath, [...options, 'use.mjs'], installed.folder);
+}
+
+test('nothing is published but what is built, its licences and its description', () => {
+  const others = installed.files.filter((path) => !path.startsWith('dist/')).sort();
+  assert.deepEqual(others, ['LICENSE', 'README.md', 'package.json']);
+});
+
+test('everything that package.json names is there', () => {
+  const pathsIn = (value) =>
+    typeof value === 'string' ? [value] : Object.values(value).flatMap(pathsIn);
+  const { bin, exports, sideEffects } = JSON.parse(read('package.json'));
+  for (const path of [...pathsIn(bin), ...pathsIn(exports), ...sideEffects]) {
+    assert.ok(existsSync(join(installed.packageFolder, path)), path);
+  }
+});
+
+test('everything that its modules import is declared', () => {
+  const { name, dependencies = {}, peerDependencies } = JSON.parse(read('package.json'));
+  const declared = [name, ...Object.keys({ ...dependencies, ...peerDependencies })];
+  for (const path of installed.files.filter((file) => /^dist\/.*\.js$/.test(file))) {
+    const imports = read(path).matchAll(
+      /^(?:import|export)\b(?:[\w\s{},*]*\bfrom)?\s*['"]([^.'"][^'"]*)['"];/gm,
+    );
+    for (const [, specifier] of imports) {
+      const isDeclared = declared.some((known) => `${specifier}/`.startsWith(`${known}/`));
+      assert.ok(isDeclared || specifier.startsWith('node:'), `${path} imports ${specifier}`);
+    }
+  }
+});
+
+test('the licences of all that is compiled in are told', () => {
+  const notices = read('dist/THIRD_PARTY_NOTICES.txt');
+  for (const name of ['Eigen', 'tinygltf', 'JSON for Modern C++', 'LLVM', 'musl', 'Emscripten']) {
+    assert.ok(notices.includes(`\n${name} `), name);
+  }
+});
+
+test('publint finds nothing', async () => {
+  const pkg = JSON.parse(read('package.json'));
+  const { messages } = await publint({ pkgDir: installed.packageFolder, strict: true });
+  assert.deepEqual(
+    messages.map((message) => formatMessage(message, pkg)),
+    [],
+  );
+});
+
+test('types are found as the modules are: attw finds nothing', async () => {
+  const { problems } = await checkPackage(createPackageFromTarballData(installed.tarball));
+  // It is a package of ES modules: require() of them works in newer versions of Node only.
+  const found = problems.filter(({ kind }) => kind !== 'CJSResolvesToESM');
+  // The resolution of old CommonJS projects knows no exports.
+  const isOfNode10 = ({ resolutionKind, resolutionOption }) =>
+    [resolutionKind, resolutionOption].includes('node10');
+  assert.deepEqual(
+    found.filter((problem) => !isOfNode10(problem)),
+    [],
+  );
+});
+
+const use = `
+  import { load } from 'geodesic-voronoi';
+  const gvd = await load();
+  const mesh = await gvd.mesh(${JSON.stringify(octahedron())});
+  const { regions } = await mesh.voronoi({ vertex: [0, 1, 2] });
+  console.log(regions.length);`;
+
+test('it works where it is installed, without code made at run time', () => {
+  assert.equal(runModule(use, '--disallow-code-generation-from-strings'), '3\n');
+});
+
+test('the command works where it is installed', () => {
+  const main = join(
+    installed.packageFolder,
+    JSON.parse(read('package.json')).bin['geodesic-voronoi'],
+  );
+  assert.match(run(process.execPath, [main, '--help'], installed.folder), /^Usage: /m);
+});
+
+test('its modules are found by their addresses', () => {
+  const code = `console.log(import.meta.resolve('geodesic-voronoi/core.wasm').slice(-15));`;
+  assert.equal(runModule(code), '/dist/core.wasm\n');
+});
+
+test('everything can be imported on a server, where that does nothing', () => {
+  const code = `
+    globalThis.fetch = () => { throw new Error('something is fetched'); };
+    const before = Object.keys(globalThis).join();
+    await import('geodesic-voronoi');
+    await import('geodesic-voronoi/element');
+    console.log(Object.keys(globalThis).join() === before);`;
+  assert.equal(runModule(code), 'true\n');
+});
+
+test('its types are complete, with and without those of Node', () => {
+  writeFileSync(
+    join(installed.folder, 'use.mts'),
+    `import { load, type Diagram, type DiagramData, type Mesh } from 'geodesic-voronoi';
+     import type {} from 'geodesic-voronoi/element';
+     const gvd = await load();
+     const mesh: Mesh = await gvd.mesh(new Uint8Array(8), { resources: {} });
+     const diagram: Diagram = await mesh.voronoi(await mesh.sampleSites(3), { metric: 'exact' });
+     const data: DiagramData = diagram.data;
+     const loops: Int32Array[] = diagram.regions[data.arcs.labels[0]].loops;
+     diagram[Symbol.dispose]();
+     // @ts-expect-error: not a metric
+     await mesh.voronoi({ vertex: [0] }, { metric: 'euclid' });
+     export { loops };`,
+  );
+  const options = ['--noEmit', '--strict', '--target', 'es2022', '--lib', 'es2022,dom', 'use.mts'];
+  const kinds = [
+    ['--module', 'nodenext', '--types', 'node'],
+    ['--module', 'node16', '--types', 'node'],
+    ['--module', 'esnext', '--moduleResolution', 'bundler', '--types', ''],
+  ];
+  for (const kind of kinds) run(inModules('.bin', 'tsc'), [...kind, ...options], installed.folder);
+});

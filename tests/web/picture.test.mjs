@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+//
+// What the picture shows, by its pixels.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { glb, grid } from '../wasm/meshes.mjs';
+import { torus } from '../../web/page/sample_shapes.mjs';
+import { startBrowser } from './browser.mjs';
+
+let browser;
+before(async () => {
+  browser = await startBrowser();
+});
+after(() => browser.stop());
+
+/** The page with a model of our own. */
+async function opened(mesh, { sites = 12, ...options } = {}) {
+  const viewer = await browser.open(options);
+  await viewer.settled();
+  await viewer.evaluate((viewer, sites) => viewer.setAttribute('sites', sites), sites);
+  const file = { name: 'own.glb', mimeType: '', buffer: Buffer.from(glb(mesh)) };
+  await viewer.after('diagram', () => viewer.page.setInputFiles('#files', file));
+  return viewer;
+}
+
+/** Sums of a picture's pixels that its predicate holds for: their number and their mean lightness. */
+const pixels = (viewer, picture, kind) =>
+  viewer.evaluate(
+    (viewer, { picture, kind }) => {
+      const { data } = viewer.pictures[picture];
+      let count = 0;
+      let light = 0;
+      for (let i = 0; i < data.length; i += 4) {
+        const [r, g, b, alpha] = data.subarray(i, i + 4);
+        const lightness = (r + g + b) / 3;
+        const is = {
+          drawn: alpha === 255,
+          dark: alpha === 255 && lightness < 60,
+          bright: alpha === 255 && Math.min(r, g, b) > 215,
+          half: alpha > 0 && alpha < 255,
+        }[kind];
+        if (!is) continue;
+        ++count;
+        light += lightness;
+      }
+      return { count, lightness: light / Math.max(1, count) };
+    },
+    { picture, kind },
+  );
+
+test('bisectors are dark on light pages and bright on dark ones', async () => {
+  for (const colorScheme of ['light', 'dark']) {
+    const viewer = await opened(torus(60, 30), { colorScheme });
+    const kind = colorScheme === 'light' ? 'dark' : 'bright';
+    const bare = await pixels(viewer, await viewer.picture(['regions']), kind);
+    const lined = await pixels(viewer, await viewer.picture(['regions', 'bisectors']), kind);
+    assert.ok(lined.count > bare.count + 300, `${colorScheme}: ${lined.count} after ${bare.count}`);
+    assert.deepEqual(viewer.complaints, []);
+    await viewer.close();
+  }
+});
+
+test('the colours follow the theme of the page while it is open', async () => {
+  const viewer = await opened(torus(60, 30));
+  const light = await pixels(viewer, await viewer.picture(), 'drawn');
+  await viewer.page.emulateMedia({ colorScheme: 'dark' });
+  // Pages are told with the next frame.
+  await viewer.page.evaluate(
+    () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
+  );
+  const dark = await pixels(viewer, await viewer.picture(), 'drawn');
+  assert.ok(dark.lightness < 0.9 * light.lightness, `${dark.lightness} after ${light.lightness}`);
+  await viewer.close();
+});
+
+test('markers stay on the surface: none reaches beyond the silhouette', async () => {
+  const viewer = await opened(torus(60, 30), { sites: 200 });
+  const before = await viewer.coverage(await viewer.picture(['regions']));
+  const after = await viewer.coverage(await viewer.picture(['regions', 'sites', 'voronoi-points']));
+  assert.ok(after - before < 2e-4, `${after - before} of the view`);
+  await viewer.close();
+});
+
+test('markers grow with the zoom, up to a size', async () => {
+  const viewer = await opened(grid(40), { sites: 60 });
+  const marked = async () => {
+    const [bare, sites] = [
+      await viewer.picture(['regions']),
+      await viewer.picture(['regions', 'sites']),
+    ];
+    const seen = await viewer.evaluate(
+      (viewer) => [...viewer.sites.face.keys()].filter((i) => viewer.sitePosition(i)).length,
+    );
+    return (await viewer.difference(bare, sites)).count / seen;
+  };
+  const far = await (async () => {
+    for (let i = 0; i < 6; ++i) await viewer.evaluate((viewer) => viewer.perform('farther'));
+    return marked();
+  })();
+  await viewer.evaluate((viewer) => viewer.refit());
+  const near = await marked();
+  assert.ok(near > 1.5 * far, `${near} pixels each after ${far}`);
+  await viewer.close();
+});
+
+test('distances are shown with a scale in the units of the model', async () => {
+  const viewer = await opened(grid(40), { sites: 5 });
+  const legend = viewer.page.locator('geodesic-voronoi .distances');
+  assert.equal(await legend.isVisible(), false);
+  const regions = await viewer.picture(['regions']);
+  await viewer.page.check('#layers [value=distances]');
+  await legend.waitFor();
+  assert.match(
+    await legend.textContent(),
+    /^00\.\d+Distance to the nearest site, in the model's units/,
+  );
+  const longest = await viewer.evaluate(async (viewer) => {
+    const vertex = [...viewer.mesh.positions.keys()].filter((i) => i % 3 === 0).map((i) => i / 3);
+    const { distance } = await viewer.diagram.locate({ vertex });
+    return Math.max(...distance);
+  });
+  const told = Number((await legend.locator('.ends span').last().textContent()) ?? 0);
+  assert.ok(Math.abs(told / longest - 1) < 0.05, `${told} for ${longest}`);
+  assert.deepEqual(viewer.complaints, []);
+  await viewer.page.uncheck('#layers [value=distances]');
+  await legend.waitFor({ state: 'hidden' });
+  assert.equal((await viewer.difference(regions, await viewer.picture(['regions']))).count, 0);
+  await viewer.close();
+});
+
+test('the pointer shows the shortest path to the site', async () => {
+  const viewer = await opened(torus(60, 30));
+  const bare = await viewer.picture(['regions']);
+  const place = await viewer.freePlace();
+  await viewer.after('hover', () => viewer.page.mouse.move(place.x, place.y));
+  // The region's outline and the path; the outline is ink, the path has the colour of what is chosen.
+  const isAccent = (await viewer.difference(bare, await viewer.picture(['regions']), place)).there;
+  assert.ok(isAccent, 'it begins under the pointer');
+  await viewer.close();
+});

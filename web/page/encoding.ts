@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+import type { Encoders, EncodingRequest } from './encoding_worker.js';
+
+/**
+ * A file of this media type, made in a worker that ends with it. Partitions and polygons are given away,
+ * for nobody else has them; other arguments are copied.
+ */
+export function encode<Name extends keyof Encoders>(
+  type: string,
+  name: Name,
+  ...args: Parameters<Encoders[Name]>
+): Promise<Blob> {
+  const worker = new Worker(new URL('./encoding_worker.ts', import.meta.url), { type: 'module' });
+  return new Promise<Blob>((resolve, reject) => {
+    worker.onmessage = ({ data }: MessageEvent<Blob>) => resolve(data);
+    worker.onerror = ({ message }) => reject(new Error(message || 'its worker cannot be started'));
+    const given = name.startsWith('diagram') ? [] : buffersOf(args[0]);
+    worker.postMessage({ name, args, type } satisfies EncodingRequest<Name>, given);
+  }).finally(() => worker.terminate());
+}
+
+function buffersOf(value: unknown): ArrayBuffer[] {
+  if (ArrayBuffer.isView(value)) return [value.buffer as ArrayBuffer];
+  if (typeof value !== 'object' || value === null) return [];
+  return Object.values(value).flatMap(buffersOf);
+}

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+//
+// What is drawn of a diagram besides itself, computed only while it is shown.
+
+import type { Diagram, Violation } from 'geodesic-voronoi';
+import type { Attributes } from './attributes.js';
+import { Derived } from './derived.js';
+import { type DistanceLegend, type DistanceRange, distanceRange } from './distance_legend.js';
+import { cornersToAsk, type DistanceTriangles } from './distance_triangles.js';
+import type { Emit } from './events.js';
+import { type ExplodedParts, widestSpread } from './exploded_parts.js';
+import { boundarySides, chainEnds } from './lines.js';
+import { nextFrame } from './next_frame.js';
+import type { OpenModel } from './open_model.js';
+import type { ShownDiagram } from './shown_diagram.js';
+import type { Stage } from './stage.js';
+
+/** What they are drawn in. */
+export interface DrawingPlace {
+  readonly attributes: Attributes;
+  readonly stage: Stage;
+  readonly model: OpenModel | undefined;
+  readonly legend: DistanceLegend;
+}
+
+/** The regions apart. */
+interface Parts {
+  regions: number;
+  parts: ExplodedParts;
+}
+
+/** The surface coloured by distance, and what the colours mean. */
+interface Distances {
+  triangles: DistanceTriangles;
+  range: DistanceRange;
+}
+
+/** The dual's sides, and whether it is a picture of the surface. */
+interface Dual {
+  /** Both ends of their pieces. */
+  ends: Float32Array;
+  polygons: number;
+  violations: readonly Violation[];
+}
+
+export class DerivedDrawings {
+  readonly #place: DrawingPlace;
+  readonly #emit: Emit;
+  readonly #dual = new Derived(
+    (diagram) => this.#makeDual(diagram),
+    (dual) => this.#showDual(dual),
+  );
+  readonly #parts = new Derived(
+    (diagram) => this.#makeParts(diagram),
+    (parts) => this.#showParts(parts),
+  );
+
+  readonly #distances = new Derived(
+    (diagram) => this.#makeDistances(diagram),
+    (distances) => this.#showDistances(distances),
+  );
+
+  constructor(place: DrawingPlace, emit: Emit) {
+    this.#place = place;
+    this.#emit = emit;
+  }
+
+  /** Those of this diagram that the attributes ask for; none without a diagram. */
+  update(shown: ShownDiagram | undefined): void {
+    const { layers, exploded } = this.#place.attributes;
+    void this.#dual.update(layers.includes('dual') ? shown : undefined);
+    void this.#distances.update(layers.includes('distances') ? shown : undefined);
+    void this.#parts.update(exploded > 0 ? shown : undefined);
+  }
+
+  /** The regions are as far apart as the attributes ask for. */
+  spread(): void {
+    const { attributes, model, stage } = this.#place;
+    model?.drawing.spread(attributes.exploded);
+    stage.reach = 1 + widestSpread * attributes.exploded;
+    stage.invalidate();
+  }
+
+  async #makeParts(diagram: Diagram): Promise<Parts | undefined> {
+    const partition = await diagram.partition();
+    const { model, stage } = this.#place;
+    const regions = partition.regions.area.length;
+    const triangles = await model?.builder.parts(partition, model.drawing.tones);
+    if (!model || !triangles || model !== this.#place.model) return undefined;
+    const parts = model.drawing.prepareParts(triangles);
+    while (parts.uploadMore()) {
+      stage.invalidate();
+      await nextFrame();
+    }
+    return { regions, parts };
+  }
+
+  #showParts(shown: Parts | undefined): void {
+    this.#place.model?.drawing.setParts(shown?.parts);
+    this.spread();
+    const detail = shown && { regions: shown.regions, triangles: shown.parts.triangleCount };
+    this.#emit('exploded', detail ?? null);
+  }
+
+  async #makeDistances(diagram: Diagram): Promise<Distances | undefined> {
+    const { model } = this.#place;
+    if (!model) return undefined;
+    const { indices, positions } = model.drawing.mesh;
+    const { points, cells, faceLabel } = diagram.data;
+    const { vertex, points: corners } = cornersToAsk(indices, { faceLabel });
+    const [atPoints, atCorners] = [await diagram.locate(points), await diagram.locate(corners)];
+    const atVertices = new Float64Array(positions.length / 3).fill(Infinity);
+    vertex.forEach((v, i) => (atVertices[v] = atCorners.distance[i]));
+    let longest = 0;
+    for (const { distance } of [atPoints, atCorners]) {
+      for (const each of distance) if (each > longest && each < Infinity) longest = each;
+    }
+    const triangles = await model.builder.distances({
+      cells: { cells, points: { position: points.position } },
+      faceLabel,
+      atPoints: atPoints.distance,
+      atVertices,
+    });
+    return triangles && { triangles, range: distanceRange(longest) };
+  }
+
+  #showDistances(distances: Distances | undefined): void {
+    const { model, stage, legend } = this.#place;
+    model?.drawing.setDistances(distances?.triangles, distances?.range);
+    legend.show(distances?.range);
+    stage.invalidate();
+  }
+
+  async #makeDual(diagram: Diagram): Promise<Dual | undefined> {
+    const paths = await diagram.dualPaths();
+    const dual = await diagram.dual();
+    const violations = await diagram.violations();
+    const { model } = this.#place;
+    if (!model) return undefined;
+    const { drawing, picker } = model;
+    await picker.prepared;
+    const siteCount = diagram.sites.face.length;
+    const inside = chainEnds(drawing.mesh, paths);
+    const beside = boundarySides(drawing.mesh, dual, siteCount, (place) => picker.nearest(place));
+    const ends = new Float32Array(inside.length + beside.length);
+    ends.set(inside);
+    ends.set(beside, inside.length);
+    return { ends, polygons: dual.faces.offset.length - 1, violations };
+  }
+
+  #showDual(dual: Dual | undefined): void {
+    this.#place.model?.drawing.setDual(dual?.ends ?? new Float32Array());
+    this.#place.stage.invalidate();
+    this.#emit('dual', dual ? { polygons: dual.polygons, violations: dual.violations } : null);
+  }
+}

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+//
+// The surface with the distance to the nearest site at every point, ready to be drawn.
+
+import type { DiagramData, SurfacePoints } from 'geodesic-voronoi';
+import { cellTriangles, type Cells } from './cell_triangles.js';
+import type { SceneMesh } from './scene_mesh.js';
+
+/** As much of a diagram as is looked at, with distances in the model's units. */
+export interface DistanceSamples {
+  cells: Cells;
+  faceLabel: Int32Array;
+  /** At the points of the diagram. */
+  atPoints: Float64Array;
+  /** At the vertices that `cornersToAsk` names, by their numbers. */
+  atVertices: Float64Array;
+}
+
+/**
+ * Where one label owns a triangle, or a part of one, paths come from one virtual source: unfolded into the
+ * plane of the triangle, squared distance is |p - s|², so squared distance less |p|² is linear. This
+ * *reach* is given at corners; whoever interpolates it and adds |p|² has the distance at every point.
+ */
+export interface DistanceTriangles {
+  /** Of whole triangles, the reach at their corners, and their corners: shared ones are without extent. */
+  faceReach: Float32Array;
+  corners: Uint32Array;
+  /** Of the parts of shared triangles: place, shading normal and reach at their corners. */
+  position: Float32Array;
+  normal: Float32Array;
+  reach: Float32Array;
+}
+
+/** `DiagramData.faceLabel` of a face that several regions share. */
+const shared = -2;
+/** The reach of what no site reaches. */
+export const noReach = 1e6;
+
+/** A corner of a triangle that a diagram knows, for each vertex; `vertex[i]` is the one of point i. */
+export function cornersToAsk(
+  indices: Int32Array,
+  { faceLabel }: Pick<DiagramData, 'faceLabel'>,
+): { vertex: Int32Array; points: SurfacePoints } {
+  const vertices: number[] = [];
+  const faces: number[] = [];
+  const corners: number[] = [];
+  const isKnown = new Uint8Array(1 + indices.reduce((most, v) => Math.max(most, v), 0));
+  for (let corner = 0; corner < indices.length; ++corner) {
+    const face = Math.floor(corner / 3);
+    if (isKnown[indices[corner]] || (faceLabel[face] < 0 && faceLabel[face] !== shared)) continue;
+    isKnown[indices[corner]] = 1;
+    vertices.push(indices[corner]);
+    faces.push(face);
+    corners.push(corner % 3);
+  }
+  const bary = new Float64Array(3 * faces.length);
+  corners.forEach((corner, i) => (bary[3 * i + corner] = 1));
+  return { vertex: Int32Array.from(vertices), points: { face: Int32Array.from(faces), bary } };
+}
+
+export function distanceTriangles(
+  mesh: SceneMesh,
+  { cells, faceLabel, atPoints, atVertices }: DistanceSamples,
+): DistanceTriangles {
+  const { scale } = mesh.frame;
+  const reachAt = (distance: number, position: Float32Array, at: number) => {
+    if (!(distance < Infinity)) return noReach;
+    let squared = 0;
+    for (let axis = 0; axis < 3; ++axis) squared += position[at + axis] ** 2;
+    return (scale * distance) ** 2 - squared;
+  };
+  const count = mesh.indices.length;
+  const faceReach = new Float32Array(count);
+  const corners = new Uint32Array(count);
+  for (let corner = 0; corner < count; ++corner) {
+    const face = Math.floor(corner / 3);
+    const vertex = mesh.indices[corner];
+    corners[corner] = faceLabel[face] === shared ? 3 * face : corner;
+    faceReach[corner] =
+      faceLabel[face] < 0 ? noReach : reachAt(atVertices[vertex], mesh.positions, 3 * vertex);
+  }
+  const { position, normal, points } = cellTriangles(mesh, cells);
+  const reach = Float32Array.from(points, (point, corner) =>
+    reachAt(atPoints[point], position, 3 * corner),
+  );
+  return { faceReach, corners, position, normal, reach };
+}

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+
+/** In milliseconds. */
+const longestFrame = 100;
+
+/**
+ * Lets the page draw and answer. A page that is hidden, or has to wait for a slow graphics card, draws
+ * nothing for a while: then what waits goes on.
+ */
+export function nextFrame(): Promise<void> {
+  return new Promise((resolve) => {
+    setTimeout(resolve, document.hidden ? 0 : longestFrame);
+    requestAnimationFrame(() => resolve());
+  });
+}
