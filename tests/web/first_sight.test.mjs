@@ -3,8 +3,11 @@
 // What somebody sees who opens the page, with a link or without one.
 
 import assert from 'node:assert/strict';
+import { existsSync } from 'node:fs';
 import { after, before, suite, test } from 'node:test';
 import { startBrowser } from './browser.mjs';
+
+const hasDocuments = existsSync(new URL('../../build/page/docs/index.html', import.meta.url));
 
 suite('first sight', () => {
   let browser;
@@ -64,8 +67,48 @@ suite('first sight', () => {
     assert.equal(await viewer.evaluate(({ iterations }) => iterations), 0);
     const areas = await viewer.evaluate(({ regionAreas }) => [...regionAreas].sort((a, b) => a - b));
     assert.ok(areas.at(-1) / areas[0] < 3, 'they are even all the same');
+    await state(viewer, 'Finished 30 iterations');
+    const curve = viewer.page.locator('#cvt-curve polyline');
+    assert.equal((await curve.getAttribute('points')).split(' ').length, 31);
+    assert.match(await viewer.page.locator('#cvt-energy').textContent(), /^[01]\.\d{4} × hexagons$/);
     assert.equal(await isDisabled(viewer, '#cvt-play'), false);
+    await viewer.after('diagram', () => viewer.page.click('#undo'));
+    await state(viewer, 'Not begun');
     assert.deepEqual(viewer.complaints, []);
+    await viewer.close();
+  });
+
+  test('what it needs is asked for once', async () => {
+    const asked = [];
+    const viewer = await browser.open({
+      prepare: (page) => page.on('request', (request) => asked.push(request.url())),
+    });
+    await viewer.settled();
+    const modules = asked.filter((address) => address.endsWith('.wasm'));
+    assert.equal(modules.length, 2, modules.join(' '));
+    assert.equal(new Set(modules).size, 2, modules.join(' '));
+    await viewer.close();
+  });
+
+  test('the panel ends with the documents', { skip: hasDocuments ? false : 'not built' }, async () => {
+    const viewer = await browser.open();
+    await viewer.page.click('#documents a');
+    await viewer.page.waitForURL('**/docs/index.html');
+    assert.ok((await viewer.page.locator('h1').count()) > 0);
+    await viewer.close();
+  });
+
+  test('without WebGL 2 the page says so', async () => {
+    const viewer = await browser.open({
+      prepare: (page) =>
+        page.addInitScript(() => {
+          HTMLCanvasElement.prototype.getContext = () => null;
+        }),
+    });
+    await viewer.settled();
+    const message = viewer.page.locator('geodesic-voronoi [role=alert]');
+    assert.match(await message.textContent(), /needs WebGL 2/);
+    assert.equal(await message.isVisible(), true);
     await viewer.close();
   });
 

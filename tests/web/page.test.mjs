@@ -414,20 +414,6 @@ suite('the page', () => {
   });
 });
 
-test('without WebGL 2 the page says so', async () => {
-  const viewer = await browser.open({
-    prepare: (page) =>
-      page.addInitScript(() => {
-        HTMLCanvasElement.prototype.getContext = () => null;
-      }),
-  });
-  await viewer.settled();
-  const message = viewer.page.locator('geodesic-voronoi [role=alert]');
-  assert.match(await message.textContent(), /needs WebGL 2/);
-  assert.equal(await message.isVisible(), true);
-  await viewer.close();
-});
-
 test('on a phone the controls are a sheet that taps and swipes open', async () => {
   const viewer = await browser.open({ viewport: { width: 390, height: 640 }, hasTouch: true });
   await viewer.settled();

@@ -14,6 +14,7 @@ import type { DistanceRange } from './distance_legend.js';
 import { DistanceSurface } from './distance_surface.js';
 import type { DistanceTriangles } from './distance_triangles.js';
 import { ExplodedParts } from './exploded_parts.js';
+import { Glide } from './glide.js';
 import { chainEnds, FatLines, outlineEnds, pointPlaces, wireframe } from './lines.js';
 import { Markers } from './markers.js';
 import { RegionColours, toneColour } from './region_colours.js';
@@ -82,6 +83,8 @@ export class ModelDrawing {
   #tones: Uint16Array = new Uint16Array();
   #outlined = -1;
   #sitePlaces = new Float32Array();
+  /** Where their markers are seen. */
+  readonly #siteGlide = new Glide();
   #siteNormals = new Float32Array();
   #regionAreas: Float64Array = new Float64Array();
   #selected = -1;
@@ -238,7 +241,8 @@ export class ModelDrawing {
     this.#surface.tints = tints;
   }
 
-  setSites(sites: Sites, selected: number): void {
+  /** Their markers glide there for so long. */
+  setSites(sites: Sites, selected: number, milliseconds = 0): void {
     this.#sitePlaces = new Float32Array(3 * sites.length);
     this.#siteNormals = new Float32Array(3 * sites.length);
     sites.forEach(({ face, bary }, i) => {
@@ -246,7 +250,14 @@ export class ModelDrawing {
       this.#mesh.writeNormal(face, bary, this.#siteNormals, 3 * i);
     });
     this.#selected = selected;
+    this.#siteGlide.to(this.#sitePlaces, milliseconds, performance.now());
     this.#showSites();
+  }
+
+  /** Draws the sites where they have glided to; returns whether they go on. */
+  glideSites(): boolean {
+    this.#showSites();
+    return !this.#siteGlide.isOver(performance.now());
   }
 
   /** As large as their regions ask for; while there are other sites than regions, all alike. */
@@ -256,7 +267,8 @@ export class ModelDrawing {
       areas.length === this.#sitePlaces.length / 3
         ? Float32Array.from(areas, (area) => this.#markerSizeOf(area))
         : this.#markerSize;
-    this.#siteMarkers.set(this.#sitePlaces, this.#siteNormals, sizes, this.#selected);
+    const places = this.#siteGlide.at(performance.now());
+    this.#siteMarkers.set(places, this.#siteNormals, sizes, this.#selected);
   }
 
   #adoptAreas(diagram: DrawnDiagram | undefined): void {

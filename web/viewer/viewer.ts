@@ -23,6 +23,9 @@ import { Stage } from './stage.js';
 import { SurfaceTools, type Workpiece } from './surface_tools.js';
 import { themeOf, watchTheme } from './theme.js';
 
+/** In milliseconds: markers of sites arrive before the eye has left them. */
+const longestGlide = 250;
+
 /** As it was when it last came to rest. */
 interface Density {
   perVertex: Float64Array;
@@ -52,6 +55,9 @@ export class Viewer implements Workpiece {
   #model: OpenModel | undefined;
   #density: Density | undefined;
   #selected: number | undefined;
+  /** When sites were moved by it last. */
+  #lastIteration = 0;
+  #gliding = 0;
   readonly #derived: DerivedDrawings;
   /** Ends with the viewer. */
   readonly #watching = new AbortController();
@@ -269,6 +275,7 @@ export class Viewer implements Workpiece {
     this.#watching.abort();
     this.legend.dispose();
     this.#resizing.disconnect();
+    cancelAnimationFrame(this.#gliding);
     this.scrolling.dispose();
     this.#gestures.dispose();
     this.session.dispose();
@@ -350,14 +357,31 @@ export class Viewer implements Workpiece {
   #showSites(): void {
     if (!this.#model) return;
     const { selected, session } = this;
-    this.#model.drawing.setSites(session.sites, selected);
-    this.stage.invalidate();
+    this.#model.drawing.setSites(session.sites, selected, this.#glideTime());
+    this.#glideSites();
     this.#emit('sites-change', {
       count: session.sites.length,
       selected,
       canUndo: session.canUndo,
       canRedo: session.canRedo,
     });
+  }
+
+  /** In milliseconds: from one iteration of a tessellation to the next; other sites are there at once. */
+  #glideTime(): number {
+    const isPlaying = this.session.cvtStatus === 'running';
+    if (!isPlaying || matchMedia('(prefers-reduced-motion: reduce)').matches) return 0;
+    const last = this.#lastIteration;
+    this.#lastIteration = performance.now();
+    return Math.min(longestGlide, this.#lastIteration - last);
+  }
+
+  #glideSites(): void {
+    this.stage.invalidate();
+    if (this.#model?.drawing.glideSites()) {
+      cancelAnimationFrame(this.#gliding);
+      this.#gliding = requestAnimationFrame(() => this.#glideSites());
+    }
   }
 
   #showDiagram(shown: ShownDiagram, { changes, cells }: Drawable): void {
