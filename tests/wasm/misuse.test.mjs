@@ -123,7 +123,7 @@ test('load and loadWorker', async () => {
 test('mesh', async () => {
   const { positions, indices } = octahedron();
   await refused(
-    [...notObjects, [], {}, () => {}, new Float32Array(9)],
+    [...notObjects, [], { a: 5 }, () => {}, new Float32Array(9)],
     (source) => gvd.mesh(source),
     /^a mesh is made from/,
   );
