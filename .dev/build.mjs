@@ -14,14 +14,7 @@ const wasmModules = ['core', 'gltf'];
 /** How large each may be as it is transferred, compressed by gzip: kilobytes of 1000 bytes. */
 const largestModules = { core: 220, gltf: 130 };
 /** npm packages of which there is code in dist/. */
-const bundledPackages = [
-  'three',
-  'three-mesh-bvh',
-  'draco3d',
-  'earcut',
-  'fflate',
-  'meshoptimizer',
-];
+const bundledPackages = ['three', 'three-mesh-bvh', 'draco3d', 'earcut', 'fflate', 'meshoptimizer'];
 const tool = (name) => at('node_modules', '.bin', name);
 
 /** Configures once and builds with CMake; `emcmake` in `wrapper` makes it a WebAssembly build. */

@@ -1,7 +1,15 @@
 // SPDX-License-Identifier: MIT
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
+import {
+  mkdirSync,
+  mkdtempSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  symlinkSync,
+  writeFileSync,
+} from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, beforeEach, test } from 'node:test';
@@ -343,7 +351,10 @@ test('a model of another format, a folder, a zip', () => {
   assert.match(succeeds('info -', meshObj(octahedron())).stdout, /^format +OBJ/);
 
   const { json, buffer } = gltf(octahedron(), { uri: 'data/shape.bin' });
-  const files = { 'model/scene.gltf': Buffer.from(JSON.stringify(json)), 'model/data/shape.bin': buffer };
+  const files = {
+    'model/scene.gltf': Buffer.from(JSON.stringify(json)),
+    'model/data/shape.bin': buffer,
+  };
   mkdirSync(join(folder, 'model', 'data'), { recursive: true });
   for (const [name, content] of Object.entries(files)) write(name, content);
   write('model.zip', zipSync(files));

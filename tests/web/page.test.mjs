@@ -210,7 +210,10 @@ suite('the page', () => {
     };
     const { json } = gltf(octahedron(), { uri: 'scene.bin' });
     await expectError(/^notes\.txt cannot be opened: .* no model/, file('notes.txt', 'hello'));
-    await expectError(/^scene\.gltf .* needs the file "scene\.bin"/, file('scene.gltf', JSON.stringify(json)));
+    await expectError(
+      /^scene\.gltf .* needs the file "scene\.bin"/,
+      file('scene.gltf', JSON.stringify(json)),
+    );
     await expectError(/^broken\.glb cannot be opened: .+\.$/, file('broken.glb', 'this is no GLB'));
     await expectError(/a\.glb and b\.glb are several models/, file('a.glb', ''), file('b.glb', ''));
 
@@ -275,7 +278,8 @@ suite('the page', () => {
     const folder = mkdtempSync(join(tmpdir(), 'geodesic-voronoi-'));
     try {
       mkdirSync(join(folder, 'data'));
-      for (const [name, content] of Object.entries(scene)) writeFileSync(join(folder, name), content);
+      for (const [name, content] of Object.entries(scene))
+        writeFileSync(join(folder, name), content);
       await opens('a.gltf', () => viewer.page.setInputFiles('#folder', folder));
     } finally {
       rmSync(folder, { recursive: true });

@@ -15,10 +15,10 @@ export class SceneMesh {
   constructor({ positions, indices }: Pick<Mesh, 'positions' | 'indices'>) {
     this.frame = ModelFrame.around(positions, indices);
     const scene = this.frame.toScene(positions);
-    const isFinite = scene.every(Number.isFinite);
+    const isPlaced = scene.every(Number.isFinite);
     // What is nowhere belongs to no face of the surface, but three.js would measure it.
-    this.positions = isFinite ? scene : scene.map((x) => (Number.isFinite(x) ? x : 0));
-    this.indices = isFinite ? indices : withoutNowhere(indices, scene);
+    this.positions = isPlaced ? scene : scene.map((x) => (Number.isFinite(x) ? x : 0));
+    this.indices = isPlaced ? indices : withoutNowhere(indices, scene);
     this.normals = cornerNormals(this.positions, indices);
   }
 

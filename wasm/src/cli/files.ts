@@ -51,7 +51,9 @@ async function folderFiles(folder: string): Promise<ModelFiles> {
     for (const entry of entries) {
       const place = path === '' ? entry.name : `${path}/${entry.name}`;
       if (++count > maxFiles) {
-        throw new FileError(`${folder} has more than ${maxFiles} files in it: name the model itself`);
+        throw new FileError(
+          `${folder} has more than ${maxFiles} files in it: name the model itself`,
+        );
       }
       // Links are not followed: they lead anywhere, also in circles.
       if (entry.isDirectory()) await visit(place);

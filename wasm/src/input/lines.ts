@@ -31,7 +31,7 @@ function* textLines(bytes: Uint8Array): Generator<{ number: number; text: string
   const lineFeed = 0x0a;
   const decoder = new TextDecoder();
   let number = 0;
-  for (let at = 0; at < bytes.length;) {
+  for (let at = 0; at < bytes.length; ) {
     const found = bytes.indexOf(lineFeed, at);
     const end = found < 0 ? bytes.length : found;
     const text = decoder.decode(bytes.subarray(at, end)).replace(/\r$/, '');

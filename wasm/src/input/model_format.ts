@@ -18,7 +18,7 @@ export function formatOf(bytes: Uint8Array, name: string): FileFormat {
   const head = new TextDecoder('latin1').decode(bytes.subarray(0, maxHeadBytes));
   const text = head.replace(/^(ï»¿)?\s*/, ''); // the mark of UTF-8, as this decoder has it
   if (head.startsWith('glTF') || text.startsWith('{')) return 'glTF';
-  if (/^PK(\x03\x04|\x05\x06)/.test(head)) return 'zip';
+  if (head.startsWith('PK\x03\x04') || head.startsWith('PK\x05\x06')) return 'zip';
   if (/^ply[ \t]*[\r\n]/.test(head)) return 'PLY';
   const isBinary = head.includes('\0');
   const isTextStl = /^solid\b/.test(text) && /\bfacet\b|\bendsolid\b/.test(text);

@@ -96,7 +96,10 @@ class PlyReader {
   }
 
   #readFace(type: PlyType, length: number): void {
-    if (length < 3) return this.#skip(type, length); // an edge or a point
+    if (length < 3) {
+      this.#skip(type, length); // an edge or a point
+      return;
+    }
     for (let i = 0; i < length; ++i) this.#polygons.addCorner(this.#vertex(type));
     this.#polygons.endPolygon();
   }

@@ -24,10 +24,6 @@ interface Entry {
   offset: number;
 }
 
-export function isZip(bytes: Uint8Array): boolean {
-  return bytes[0] === 0x50 && bytes[1] === 0x4b && (bytes[2] === 3 || bytes[2] === 5);
-}
-
 export function zipFiles(archive: Uint8Array): ModelFiles {
   const entries = entriesOf(archive).filter(({ name }) => !name.endsWith('/'));
   const total = entries.reduce((sum, { size }) => sum + size, 0);
