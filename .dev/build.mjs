@@ -14,7 +14,7 @@ const wasmModules = ['core', 'gltf'];
 /** How large each may be as it is transferred, compressed by gzip: kilobytes of 1000 bytes. */
 const largestModules = { core: 220, gltf: 130 };
 /** npm packages of which there is code in dist/. */
-const bundledPackages = ['three', 'three-mesh-bvh'];
+const bundledPackages = ['three', 'three-mesh-bvh', 'draco3d', 'earcut', 'fflate', 'meshoptimizer'];
 const tool = (name) => at('node_modules', '.bin', name);
 
 /** Configures once and builds with CMake; `emcmake` in `wrapper` makes it a WebAssembly build. */
@@ -50,10 +50,10 @@ export async function buildPackage() {
     rmSync(at('dist'), { recursive: true, force: true });
     run(tool('tsc'), ['-p', 'wasm']);
     run(tool('tsc'), ['-p', 'web/viewer']);
-    for (const module of modules) {
-      const copy = at('dist', basename(module));
-      copyFileSync(at(module), copy);
-      copyFileSync(at('wasm/module_address.d.ts'), `${copy}.d.ts`);
+    for (const module of modules) copyFileSync(at(module), at('dist', basename(module)));
+    copyDraco();
+    for (const module of ['core.wasm', 'gltf.wasm', 'draco.wasm']) {
+      copyFileSync(at('wasm/module_address.d.ts'), at('dist', `${module}.d.ts`));
     }
     run(tool('rolldown'), ['--config', 'web/viewer/standalone.config.mjs']);
     const folders = readFileSync(at('build/wasm/header_folders.txt'), 'utf8').trim().split('\n');
@@ -71,6 +71,25 @@ function checkSizes() {
     console.log(`${name}.wasm: ${size}; at most ${limit} KB compressed`);
     if (compressed > limit) throw new Error(`${name}.wasm is larger than ${limit} KB compressed`);
   }
+}
+
+/**
+ * Draco's decoder. Its script is one of Node or of a page; as a module of either it needs nothing of
+ * Node, since the library gives it its WebAssembly.
+ */
+function copyDraco() {
+  const script = readFileSync(at('node_modules/draco3d/draco_decoder_nodejs.js'), 'utf8');
+  const absent = `const exports = undefined, module = undefined, define = undefined;
+const __dirname = '', require = () => ({});`;
+  writeFileSync(
+    at('dist/input/draco_decoder.js'),
+    `// Draco, copyright Google, Apache License 2.0: https://github.com/google/draco
+${absent}
+${script}
+export default DracoDecoderModule;
+`,
+  );
+  copyFileSync(at('node_modules/draco3d/draco_decoder.wasm'), at('dist/draco.wasm'));
 }
 
 /** build/page: the demo, ready for a static host. */

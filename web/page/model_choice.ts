@@ -3,7 +3,7 @@ import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { byId, listen, onClick } from './dom.js';
 import samples from './samples.json' with { type: 'json' };
 
-/** How a model gets into the page: the menu of samples, the file picker, and dropping files on it. */
+/** How a model gets into the page: the menu of samples, the pickers of files and folders, and dropping them on it. */
 export function setUpModelChoice(viewer: GeodesicVoronoiElement): void {
   setUpMenu(viewer);
   setUpPicker(viewer);
@@ -35,13 +35,18 @@ function setUpMenu(viewer: GeodesicVoronoiElement): void {
 }
 
 function setUpPicker(viewer: GeodesicVoronoiElement): void {
-  const input = byId('files', HTMLInputElement);
-  onClick('open', () => input.click());
-  input.addEventListener('change', () => {
-    if (input.files?.length) void viewer.loadFiles([...input.files]);
-    // The same file may be chosen again.
-    input.value = '';
-  });
+  for (const [button, files] of [
+    ['open', 'files'],
+    ['open-folder', 'folder'],
+  ]) {
+    const input = byId(files, HTMLInputElement);
+    onClick(button, () => input.click());
+    input.addEventListener('change', () => {
+      if (input.files?.length) void viewer.loadFiles([...input.files]);
+      // The same file may be chosen again.
+      input.value = '';
+    });
+  }
 }
 
 function setUpDrop(viewer: GeodesicVoronoiElement): void {
@@ -60,6 +65,6 @@ function setUpDrop(viewer: GeodesicVoronoiElement): void {
     overlay.hidden = true;
     if (!carriesFiles(event)) return;
     event.preventDefault();
-    void viewer.loadFiles([...(event.dataTransfer?.files ?? [])]);
+    if (event.dataTransfer) void viewer.loadDropped(event.dataTransfer);
   });
 }
