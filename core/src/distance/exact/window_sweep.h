@@ -147,6 +147,7 @@ class WindowSweep {
   int label_ = -1;
   SpreadTo to_ = SpreadTo::kOwned;
   LabelWindows* state_ = nullptr;
+  bool isWinding_ = false;  ///< whether windows are dropped that enter a face again
   SurfacePoint site_;
   RequiredPlaces required_;
   std::vector<PointInFace> points_;  ///< by face
