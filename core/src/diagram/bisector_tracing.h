@@ -27,6 +27,9 @@ class BisectorTracing {
   struct Corner {
     int point;
     Eigen::Vector3d bary;  ///< in terms of the face
+    bool isInside = false;
+    bool isBetweenSides =
+        false;  ///< inside, and about as near to two sides as points are merged at
   };
   /// The element at hand.
   struct Element {
@@ -65,6 +68,8 @@ class BisectorTracing {
   int pointOfNode(const Element& element, int node, const Eigen::Vector3d& bary);
   void addUnmatchedSide(const Element& element, int side, int vertex);
   void addBoundaryPoint(int h, int vertex);
+  bool isBetweenSides(const Element& element, const Eigen::Vector3d& bary) const;
+  bool mayBeOne(const Corner& a, const Corner& b);
   void addSegment(const Element& element, const Corner& from, const Corner& to, int left,
                   int right);
   void leave(int point, int label, int dart);
