@@ -275,7 +275,7 @@ int BisectorTracing::pointOnSide(const Element& element, const Vertex& v,
     const auto& labels = graph_.points[p].labels;
     if ((labels[0] == a && labels[1] == b) || (labels[0] == b && labels[1] == a)) return p;
   }
-  const double error = sideError(v, element.longest);
+  const double error = sideError(element, v);
   const int point = graph_.addPoint(element.face, bary, error, a, b, -1);
   mergeOnSide(element, v.place, point, first, bary);
   graph_.points[point].nextOnSide = std::exchange(first, point);
@@ -327,13 +327,14 @@ int BisectorTracing::pointOfNode(const Element& element, int node, const Eigen::
   return nodePoints_[node] = graph_.addNode(element.face, bary);
 }
 
-/// The share of an edge by which an error of the functions moves a crossing, times the edge.
-double BisectorTracing::sideError(const Vertex& v, double longest) const {
+/// The share of a side by which an error of the functions moves a crossing, times the side.
+double BisectorTracing::sideError(const Element& element, const Vertex& v) const {
   const int i = v.place, j = (i + 1) % 3;
   const auto &a = value(v.functions[0]), &b = value(v.functions[1]);
   const double noise = 2 * kDistanceTolerance * std::max({a[i], a[j], b[i], b[j]});
   const double slope = std::abs((a[i] - b[i]) - (a[j] - b[j]));
-  return longest * (noise < kMaxPointError * slope ? noise / slope : kMaxPointError);
+  const double side = element.isWhole ? mesh_.length(3 * element.face + i) : element.longest;
+  return side * (noise < kMaxPointError * slope ? noise / slope : kMaxPointError);
 }
 
 double BisectorTracing::insideError(const Vertex& v, double longest) const {
@@ -392,8 +393,11 @@ void BisectorTracing::addSegment(const Element& element, const Corner& from, con
   const double error = graph_.points[from.point].error + graph_.points[to.point].error;
   const Eigen::Vector3d way(from.bary[0] - to.bary[0], from.bary[1] - to.bary[1],
                             from.bary[2] - to.bary[2]);
-  if (squaredLength(way, element.squaredLength) <= error * error)
-    graph_.unite(from.point, to.point);
+  const double squared = squaredLength(way, element.squaredLength);
+  if (squared > error * error) return;
+  // In a thin element, less of a way across it takes away as much area.
+  const double most = 2 * kMaxPointError * heightOf(element);
+  if (squared <= most * most) graph_.unite(from.point, to.point);
 }
 
 /// Whether the ends of a segment may become one point. Not if that could join two sides of the
@@ -405,8 +409,13 @@ bool BisectorTracing::mayBeOne(const Corner& a, const Corner& b) {
   return graph_.isNode(graph_.merging.root(a.point)) || graph_.isNode(graph_.merging.root(b.point));
 }
 
+/// The least height of an element's face.
+double BisectorTracing::heightOf(const Element& element) const {
+  return 2 * mesh_.faceArea(element.face) / element.longest;
+}
+
 bool BisectorTracing::isBetweenSides(const Element& element, const Eigen::Vector3d& bary) const {
-  const double near = 4 * kMaxPointError * element.longest;
+  const double near = 64 * kMaxPointError * heightOf(element);
   const double height = 2 * mesh_.faceArea(element.face);  // times the side
   double size = 1;
   if (!element.isWhole) {
