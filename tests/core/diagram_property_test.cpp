@@ -3,11 +3,13 @@
 // Every property of `diagram_checks.h` and of `partition_checks.h` on random degenerate cases, with
 // both metrics, and of the diagram after its sites have changed:
 //
-//     diagram_property_test [--seed S] [--cases N]
+//     diagram_property_test [--seed S] [--cases N] [--wild 1]
 //
-// checks the cases of seeds S … S+N-1. A failure names the command that repeats its case alone, and
+// checks the cases of seeds S … S+N-1, or the wild ones of these seeds: for those, all of
+// `pipeline_checks.h`. A failure names the command that repeats its case alone, and
 // shows what is left of the case after shrinking.
 
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <array>
@@ -24,17 +26,19 @@
 #include "gvd/dynamic_diagram.h"
 #include "gvd/partition.h"
 #include "partition_checks.h"
+#include "pipeline_checks.h"
 #include "random_case.h"
 
 namespace gvd {
 namespace {
 
-constexpr int kSecondsPerCase = 120;
+constexpr int kSecondsPerCase = 120, kSecondsPerWildCase = 10;
 constexpr int kMostFailures = 5;
 
 struct Options {
   std::uint64_t seed = 0;
   std::uint64_t cases = 1000;
+  std::uint64_t wild = 0;  ///< or 1
 };
 
 std::string_view nameOf(Metric metric) { return metric == Metric::kDgpc ? "dgpc" : "exact"; }
@@ -76,8 +80,21 @@ std::string complaint(const RandomCase& c, Metric metric) {
   return {};
 }
 
+/// The same of a wild case, of which less is promised.
+std::string complaintAboutWild(const RandomCase& c, Metric metric) {
+  try {
+    const TriangleMesh mesh = c.mesh();
+    shapes::Random random(c.sites.size());
+    return checks::complaintAboutPipeline(mesh, c.sitesOn(mesh), random, {.metric = metric});
+  } catch (const std::exception& error) {
+    return std::string("an exception: ") + error.what();
+  }
+}
+
+using Complaint = std::string (*)(const RandomCase&, Metric);
+
 /// Whether a smaller case fails as well. One that is no mesh or has no site on it does not count.
-bool alsoFails(const RandomCase& c, Metric metric) {
+bool alsoFails(const RandomCase& c, Metric metric, Complaint complaint) {
   try {
     c.sitesOn(c.mesh());
   } catch (const std::exception&) {
@@ -90,21 +107,27 @@ bool alsoFails(const RandomCase& c, Metric metric) {
 
 std::array<char, 256> commandNow;
 
-void nameCase(const char* program, std::uint64_t seed) {
-  std::snprintf(commandNow.data(), commandNow.size(), "\nRepeat with: %s --seed %llu --cases 1\n",
-                program, static_cast<unsigned long long>(seed));
+void nameCase(const char* program, std::uint64_t seed, bool isWild) {
+  std::snprintf(commandNow.data(), commandNow.size(), "\nRepeat with: %s --seed %llu --cases 1%s\n",
+                program, static_cast<unsigned long long>(seed), isWild ? " --wild 1" : "");
 }
 
 /// Only what a signal handler may do.
 void onSignal(int signal) {
-  const std::string_view what = signal == SIGALRM ? "\nA case takes too long." : "\nA crash.";
+  const std::string_view what = signal == SIGPROF ? "\nA case takes too long." : "\nA crash.";
   [[maybe_unused]] auto written = write(STDERR_FILENO, what.data(), what.size());
   written = write(STDERR_FILENO, commandNow.data(), std::string_view(commandNow.data()).size());
   _exit(1);
 }
 
+/// Of the processor: a busy machine is no fault. 0: none.
+void limitTime(int seconds) {
+  const itimerval limit{{0, 0}, {seconds, 0}};
+  setitimer(ITIMER_PROF, &limit, nullptr);
+}
+
 void handleSignals() {
-  std::signal(SIGALRM, onSignal);
+  std::signal(SIGPROF, onSignal);
   std::signal(SIGABRT, onSignal);
   std::signal(SIGFPE, onSignal);
 #ifndef __SANITIZE_ADDRESS__
@@ -112,12 +135,13 @@ void handleSignals() {
 #endif
 }
 
-void report(const RandomCase& failing, Metric metric, const std::string& what) {
+void report(const RandomCase& failing, Metric metric, const std::string& what,
+            Complaint complaint) {
   std::cout << "FAILED: " << failing.kind << ", " << nameOf(metric) << ": " << what
             << commandNow.data() << std::flush;
-  alarm(0);
+  limitTime(0);
   const RandomCase small =
-      shrunk(failing, [&](const RandomCase& c) { return alsoFails(c, metric); });
+      shrunk(failing, [&](const RandomCase& c) { return alsoFails(c, metric, complaint); });
   std::cout << "Shrunk to " << small.shape.faceCount() << " triangles and " << small.sites.size()
             << " sites: " << complaint(small, metric) << '\n'
             << sourceOf(small) << std::endl;
@@ -128,17 +152,18 @@ int run(const Options& options, const char* program) {
   int failures = 0;
   handleSignals();
   for (std::uint64_t i = 0; i < options.cases && failures < kMostFailures; ++i) {
-    nameCase(program, options.seed + i);
-    alarm(kSecondsPerCase);
-    const RandomCase c = randomCase(options.seed + i);
+    nameCase(program, options.seed + i, options.wild);
+    limitTime(options.wild ? kSecondsPerWildCase : kSecondsPerCase);
+    const RandomCase c = options.wild ? wildCase(options.seed + i) : randomCase(options.seed + i);
+    const Complaint complaintNow = options.wild ? complaintAboutWild : complaint;
     for (const Metric metric : {Metric::kDgpc, Metric::kExact}) {
-      const std::string what = complaint(c, metric);
+      const std::string what = complaintNow(c, metric);
       if (what.empty()) continue;
       ++failures;
-      report(c, metric, what);
+      report(c, metric, what, complaintNow);
     }
   }
-  alarm(0);
+  limitTime(0);
   return failures;
 }
 
@@ -148,6 +173,7 @@ bool parse(int count, char** arguments, Options& options) {
     const std::string_view name = arguments[i];
     std::uint64_t* const value = name == "--seed"    ? &options.seed
                                  : name == "--cases" ? &options.cases
+                                 : name == "--wild"  ? &options.wild
                                                      : nullptr;
     if (!value || i + 1 == count) return false;
     const std::string_view text = arguments[i + 1];
@@ -163,7 +189,7 @@ bool parse(int count, char** arguments, Options& options) {
 int main(int count, char** arguments) {
   gvd::Options options;
   if (!gvd::parse(count, arguments, options)) {
-    std::cerr << "usage: " << arguments[0] << " [--seed S] [--cases N]\n";
+    std::cerr << "usage: " << arguments[0] << " [--seed S] [--cases N] [--wild 1]\n";
     return 2;
   }
   const int failures = gvd::run(options, arguments[0]);

@@ -68,6 +68,26 @@ TEST_P(Metrics, ReachEveryVertexOfAComponentWithASite) {
   }
 }
 
+/// A straight line winds around the apex of a cone π / angle times. Windows must not.
+TEST(Windows, GoAroundASpikeOnce) {
+  constexpr int kFaces = 5;
+  constexpr double kAngle = 1e-6;
+  const TriangleMesh mesh = shapes::vertexFan(kFaces, kAngle).mesh();
+  const auto centroid = [](int f) { return SurfacePoint{f, Eigen::Vector3d::Constant(1.0 / 3)}; };
+  const auto propagation = propagate(mesh, std::vector{centroid(0)}, Metric::kExact);
+  long halfedges = 1;
+  while (!propagation->step(1)) ++halfedges;
+  EXPECT_LT(halfedges, 1000);
+
+  std::vector<LabelledPoint> points;
+  for (int f = 0; f < kFaces; ++f) points.push_back({0, centroid(f)});
+  const auto distances = propagation->take()->distancesAt(points);
+  for (int f = 0; f < kFaces; ++f) {
+    const double turn = std::min(f, kFaces - f) * kAngle / kFaces;
+    EXPECT_NEAR(distances[f], 2.0 / 3 * turn, 1e-6 * kAngle) << "face " << f;
+  }
+}
+
 /// On edges, where a label is known at both ends, whichever label is nearer in between; and inside
 /// faces.
 TEST(Distances, AtPointsAreThoseOfBruteForce) {

@@ -563,17 +563,20 @@ TEST(ReadGltfErrors, NameBrokenChunks) {
   EXPECT_EQ(errorOf(bytes), "the GLB does not begin with a JSON chunk");
 }
 
+/// Of compressed data.
+const std::string kRemedy =
+    ", which is not decompressed here: save the model without it, or open it with the JavaScript "
+    "library or the command geodesic-voronoi";
+
 TEST(ReadGltfErrors, NameRequiredExtensions) {
   const auto error = [](const std::string& extension) {
     return errorAfter(
         [&](GlbWriter& file) { file.more = ",\"extensionsRequired\":[\"" + extension + "\"]"; });
   };
   EXPECT_EQ(error("KHR_draco_mesh_compression"),
-            "the glTF requires the extension KHR_draco_mesh_compression, which has to be "
-            "decompressed before it is read here");
+            "the glTF requires the extension KHR_draco_mesh_compression" + kRemedy);
   EXPECT_EQ(error("EXT_meshopt_compression"),
-            "the glTF requires the extension EXT_meshopt_compression, which has to be decompressed "
-            "before it is read here");
+            "the glTF requires the extension EXT_meshopt_compression" + kRemedy);
   EXPECT_EQ(error("VENDOR_magic"),
             "the glTF requires the extension VENDOR_magic, which is not supported");
 }
@@ -584,14 +587,13 @@ TEST(ReadGltfErrors, NameACompressedPrimitiveThatRequiresNothing) {
               file.meshes[0] = R"({"primitives":[{"attributes":{"POSITION":0},"extensions":{)"
                                R"("KHR_draco_mesh_compression":{"bufferView":0}}}]})";
             }),
-            "primitive 0 of mesh 0 is compressed with KHR_draco_mesh_compression, which has to be "
-            "decompressed before it is read here");
+            "primitive 0 of mesh 0 is compressed with KHR_draco_mesh_compression" + kRemedy);
 }
 
 TEST(ReadGltfErrors, NameMissingBuffers) {
   const GlbWriter file = triangleFile();
   EXPECT_EQ(errorOf(bytesOf(file.json("../secret.bin"))),
-            "buffer 0 is in the file \"../secret.bin\", which is missing");
+            "it needs the file \"../secret.bin\" (buffer 0), which is missing");
   EXPECT_EQ(errorOf(file.json()), "buffer 0 has no uri, and there is no binary chunk for it");
   EXPECT_EQ(errorOf(bytesOf(file.json("data:;base64"))), "buffer 0 has a data URI without content");
   EXPECT_EQ(errorOf(bytesOf(file.json("data:;base64,AA*A"))),
@@ -613,8 +615,7 @@ TEST(ReadGltfErrors, NameABufferThatStandsForCompressedData) {
                              R"("EXT_meshopt_compression":{"fallback":true}}})";
               file.bufferViews[0] = R"({"buffer":1,"byteLength":36})";
             }),
-            "buffer 1 stands for data compressed with EXT_meshopt_compression, which has to be "
-            "decompressed before it is read here");
+            "buffer 1 stands for data compressed with EXT_meshopt_compression" + kRemedy);
 }
 
 TEST(ReadGltfErrors, GiveTheBinaryChunkToTheFirstBufferOnly) {

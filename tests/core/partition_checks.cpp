@@ -172,15 +172,19 @@ AssertionResult hasItsTwins(const Partition& p) {
   return AssertionSuccess();
 }
 
-AssertionResult agreesWithDiagram(const TriangleMesh& mesh, const Diagram& d, const Partition& p) {
-  for (int t = 0; t < static_cast<int>(p.triangles.size()); ++t)
-    if (!(cornersInFace(mesh, p, t).determinant() >= -1e-9))
-      return AssertionFailure() << "triangle " << t << " is turned over";
+AssertionResult hasTheAreasOf(const TriangleMesh& mesh, const Diagram& d, const Partition& p) {
   for (const RegionPatch& region : p.regions)
     if (!(std::abs(region.area - d.regionArea[region.label]) <= 1e-9 * mesh.area()))
       return AssertionFailure() << "region " << region.label << " has area " << region.area
                                 << ", by the diagram " << d.regionArea[region.label];
   return AssertionSuccess();
+}
+
+AssertionResult agreesWithDiagram(const TriangleMesh& mesh, const Diagram& d, const Partition& p) {
+  for (int t = 0; t < static_cast<int>(p.triangles.size()); ++t)
+    if (!(cornersInFace(mesh, p, t).determinant() >= -1e-9))
+      return AssertionFailure() << "triangle " << t << " is turned over";
+  return hasTheAreasOf(mesh, d, p);
 }
 
 AssertionResult isSound(const TriangleMesh& mesh, const Partition& p) {

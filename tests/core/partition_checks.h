@@ -22,8 +22,12 @@ namespace gvd::checks {
 ///  - borders are as long from both sides.
 ::testing::AssertionResult isSound(const TriangleMesh& mesh, const Partition& partition);
 
-/// Success if no triangle is turned over and regions have the areas that the diagram says (1e-9).
-/// Between sites no farther apart than rounding, a diagram has cells that are turned over.
+/// Success if regions have the areas that the diagram says (1e-9 of the mesh's).
+::testing::AssertionResult hasTheAreasOf(const TriangleMesh& mesh, const Diagram& diagram,
+                                         const Partition& partition);
+
+/// Success if `hasTheAreasOf` has, and no triangle is turned over. Between sites no farther apart
+/// than rounding, a diagram has cells that are turned over.
 ::testing::AssertionResult agreesWithDiagram(const TriangleMesh& mesh, const Diagram& diagram,
                                              const Partition& partition);
 

@@ -10,8 +10,10 @@
 #include <sstream>
 #include <utility>
 
+#include "gvd/error.h"
 #include "gvd/geodesic.h"
 #include "gvd/sampling.h"
+#include "wild_mesh.h"
 
 namespace gvd {
 namespace {
@@ -460,6 +462,22 @@ RandomCase randomCase(std::uint64_t seed) {
   for (const SurfacePoint& site : randomSites(mesh, random, result.kind))
     result.sites.push_back(mesh.toInput(site));
   return result;
+}
+
+RandomCase wildCase(std::uint64_t seed) {
+  Random random(seed);
+  for (;;) {
+    // A few are large, and so may have many components.
+    const int mostTriangles = random.below(50) == 0 ? 3000 : random.below(4) == 0 ? 100 : 20;
+    RandomCase result{"wild: ", wildMesh(random, mostTriangles), {}};
+    try {
+      const TriangleMesh mesh = result.mesh();
+      for (const SurfacePoint& site : randomSites(mesh, random, result.kind))
+        result.sites.push_back(mesh.toInput(site));
+      return result;
+    } catch (const Error&) {
+    }
+  }
 }
 
 RandomCase shrunk(RandomCase c, const std::function<bool(const RandomCase&)>& fails) {

@@ -35,6 +35,10 @@ struct RandomCase {
 /// are few or more of them than vertices.
 RandomCase randomCase(std::uint64_t seed);
 
+/// A mesh by `wildMesh`, and sites like those of `randomCase`. Nothing is left of many of these
+/// meshes; others follow until one has a triangle.
+RandomCase wildCase(std::uint64_t seed);
+
 /// The case with fewest sites and triangles that greedy removal finds and that still fails.
 RandomCase shrunk(RandomCase failing, const std::function<bool(const RandomCase&)>& fails);
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <random>
+#include <span>
 #include <vector>
 
 #include "gvd/triangle_mesh.h"
@@ -35,12 +36,30 @@ struct Shape {
 class Random {
  public:
   explicit Random(std::uint64_t seed) : bits_(seed) {}
+  /// From bytes, as long as there are any: one or two for most numbers, so that a fuzzer that
+  /// changes a byte changes a choice. The bytes must outlive this.
+  explicit Random(std::span<const std::uint8_t> bytes) : bytes_(bytes), bits_(bytes.size()) {}
+
   /// In [0, 1).
-  double uniform() { return static_cast<double>(bits_() >> 11) * 0x1p-53; }
+  double uniform() {
+    if (!bytes_.empty()) return static_cast<double>(take(2)) / 65536;
+    return static_cast<double>(bits_() >> 11) * 0x1p-53;
+  }
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
-  int below(int n) { return static_cast<int>(bits_() % static_cast<std::uint64_t>(n)); }
+  int below(int n) {
+    const std::uint64_t any = bytes_.empty() ? bits_() : take(n <= 256 ? 1 : 4);
+    return static_cast<int>(any % static_cast<std::uint64_t>(n));
+  }
 
  private:
+  std::uint64_t take(std::size_t count) {
+    std::uint64_t value = 0;
+    for (; count > 0 && !bytes_.empty(); --count, bytes_ = bytes_.subspan(1))
+      value = value << 8 | bytes_.front();
+    return value;
+  }
+
+  std::span<const std::uint8_t> bytes_;
   std::mt19937_64 bits_;
 };
 

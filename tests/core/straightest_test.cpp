@@ -271,5 +271,12 @@ TEST(WalkStraight, GoesNowhereWithoutAFiniteMove) {
   }
 }
 
+TEST(WalkStraight, EndsWhereItWindsAroundASpikeForEver) {
+  const TriangleMesh mesh = shapes::vertexFan(3, 1e-9).mesh();
+  const auto end = walkStraight(mesh, {0, {0.2, 0.4, 0.4}}, {0, 1}, AtBoundary::kSlide);
+  EXPECT_GE(end.end.bary.minCoeff(), 0);
+  EXPECT_LE(end.length, 1);
+}
+
 }  // namespace
 }  // namespace gvd

@@ -9,7 +9,9 @@ import { after, before, test } from 'node:test';
 import { checkPackage, createPackageFromTarballData } from '@arethetypeswrong/core';
 import { publint } from 'publint';
 import { formatMessage } from 'publint/utils';
+import { zipSync } from 'fflate';
 import { octahedron } from '../wasm/meshes.mjs';
+import { dracoModels, meshObj } from '../wasm/model_files.mjs';
 import { inModules, install, run } from './installed.mjs';
 
 let installed;
@@ -102,6 +104,22 @@ test('the command works where it is installed', () => {
   assert.match(run(process.execPath, [main, '--help'], installed.folder), /^Usage: /m);
 });
 
+test('files of every format are read there, without code made at run time', () => {
+  writeFileSync(join(installed.folder, 'model.obj'), meshObj(octahedron()));
+  writeFileSync(join(installed.folder, 'model.zip'), zipSync({ 'a.obj': meshObj(octahedron()) }));
+  writeFileSync(join(installed.folder, 'draco.glb'), dracoModels()[0].bytes);
+  const main = join(installed.packageFolder, 'dist/cli/main.js');
+  const formats = ['model.obj', 'model.zip', 'draco.glb'].map((file) => {
+    const options = ['--disallow-code-generation-from-strings', main, 'info', file];
+    return run(process.execPath, options, installed.folder).split('\n')[0].replace(/\s+/, ' ');
+  });
+  assert.deepEqual(formats, [
+    'format OBJ (model.obj)',
+    'format OBJ (a.obj)',
+    'format glTF (draco.glb)',
+  ]);
+});
+
 test('its modules are found by their addresses', () => {
   const code = `console.log(import.meta.resolve('geodesic-voronoi/core.wasm').slice(-15));`;
   assert.equal(runModule(code), '/dist/core.wasm\n');
@@ -123,7 +141,7 @@ test('its types are complete, with and without those of Node', () => {
     `import { load, type Diagram, type DiagramData, type Mesh } from 'geodesic-voronoi';
      import type {} from 'geodesic-voronoi/element';
      const gvd = await load();
-     const mesh: Mesh = await gvd.mesh(new Uint8Array(8), { resources: {} });
+     const mesh: Mesh = await gvd.mesh({ 'model.glb': new Uint8Array(8) });
      const diagram: Diagram = await mesh.voronoi(await mesh.sampleSites(3), { metric: 'exact' });
      const data: DiagramData = diagram.data;
      const loops: Int32Array[] = diagram.regions[data.arcs.labels[0]].loops;

@@ -1,13 +1,23 @@
 // SPDX-License-Identifier: MIT
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import {
+  mkdirSync,
+  mkdtempSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  symlinkSync,
+  writeFileSync,
+} from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, beforeEach, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
+import { zipSync } from 'fflate';
 import { assertValidGlb, readPly } from './files.mjs';
 import { apart, glb, gltf, grid, octahedron } from './meshes.mjs';
+import { meshBinaryStl, meshObj } from './model_files.mjs';
 
 const main = fileURLToPath(new URL('../../dist/cli/main.js', import.meta.url));
 let folder;
@@ -328,7 +338,36 @@ test('a .gltf finds its buffer in its folder, and nothing outside', () => {
   put('data/shape.gltf', 'https://example.com/shape.bin');
   fails(1, 'info data/shape.gltf', /outside/);
   put('data/shape.gltf', 'missing.bin');
-  fails(1, 'info data/shape.gltf', /missing\.bin.*no such file/);
+  fails(1, 'info data/shape.gltf', /missing\.bin.*missing/);
+});
+
+test('a model of another format, a folder, a zip', () => {
+  write('shape.stl', meshBinaryStl(octahedron()));
+  write('shape.obj', meshObj(octahedron()));
+  const { stdout } = succeeds('distances shape.obj --sites sites.json');
+  assert.equal(stdout, succeeds('distances shape.glb --sites sites.json').stdout);
+  succeeds('partition shape.stl --sites 3 -o parts.glb');
+  assert.match(succeeds('info shape.stl').stdout, /^format +STL \(shape\.stl\)\n/);
+  assert.match(succeeds('info -', meshObj(octahedron())).stdout, /^format +OBJ/);
+
+  const { json, buffer } = gltf(octahedron(), { uri: 'data/shape.bin' });
+  const files = {
+    'model/scene.gltf': Buffer.from(JSON.stringify(json)),
+    'model/data/shape.bin': buffer,
+  };
+  mkdirSync(join(folder, 'model', 'data'), { recursive: true });
+  for (const [name, content] of Object.entries(files)) write(name, content);
+  write('model.zip', zipSync(files));
+  assert.match(succeeds('info model').stdout, /^format +glTF \(scene\.gltf\)\n.*triangles +8/s);
+  assert.match(succeeds('info model.zip').stdout, /^format +glTF \(model\/scene\.gltf\)\n/);
+
+  // Links lead anywhere.
+  rmSync(join(folder, 'model', 'data', 'shape.bin'));
+  symlinkSync(join(folder, 'shape.glb'), join(folder, 'model', 'data', 'shape.bin'));
+  fails(1, 'info model/scene.gltf', /shape\.bin is a link to a place outside the model's folder/);
+  fails(1, 'info model', /needs the file "data\/shape\.bin".*missing/);
+  write('broken.zip', zipSync(files).subarray(50));
+  fails(1, 'info broken.zip', /broken\.zip: .*zip/);
 });
 
 test('a wrong command line: status 2', () => {
@@ -369,7 +408,10 @@ test('bad input: status 1, one line, no file', () => {
   write('many.json', '[1, 2]');
   write('outside.json', '{"face": [8], "bary": [1, 0, 0]}');
   fails(1, 'info nowhere.glb', /nowhere\.glb.*no such file/);
-  fails(1, 'info .', /folder/);
+  fails(1, 'info .', /shape\.glb and two\.glb are several models: choose one/);
+  mkdirSync(join(folder, 'empty'));
+  fails(1, 'info empty', /there is no model: there are no files/);
+  fails(1, 'info /dev/zero', /is a device/);
   fails(1, 'info sites.json', /sites\.json/);
   fails(1, 'diagram broken.glb --sites 3 -o d.json', /broken\.glb/);
   fails(1, 'diagram shape.glb --sites nowhere.json -o d.json', /nowhere\.json/);

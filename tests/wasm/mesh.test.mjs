@@ -81,11 +81,11 @@ test('a GLB may be a view of a larger buffer, or an ArrayBuffer', async () => {
   assert.equal((await gvd.mesh(bytes.buffer)).info.faces, 8);
 });
 
-test('a .gltf takes its buffer from the resources, and names one that is missing', async () => {
+test('a .gltf takes its buffer from the files beside it, and names one that is missing', async () => {
   const { json, buffer } = gltf(octahedron(), { uri: 'shape%20one.bin' });
   const bytes = new TextEncoder().encode(JSON.stringify(json));
   assert.deepEqual(gltfResourceUris(bytes), ['shape%20one.bin']);
-  const mesh = await gvd.mesh(bytes, { resources: { 'shape%20one.bin': buffer } });
+  const mesh = await gvd.mesh({ 'a.gltf': bytes, 'shape one.bin': buffer });
   assert.equal(mesh.info.faces, 8);
   await assert.rejects(gvd.mesh(bytes), fails('invalid-gltf', /shape.*one\.bin/));
 });
@@ -114,8 +114,8 @@ test('a mesh that cannot be made says why', async () => {
     [{ positions }, 'invalid-argument'],
     [null, 'invalid-argument'],
     ['model.glb', 'invalid-argument'],
-    [new Uint8Array(0), 'invalid-gltf'],
-    [new TextEncoder().encode('solid not a glTF'), 'invalid-gltf'],
+    [new Uint8Array(0), 'invalid-file', /empty/],
+    [new TextEncoder().encode('no model'), 'invalid-file', /no model.*OBJ, PLY or STL/],
     [glb(octahedron()).subarray(0, 300), 'invalid-gltf'],
   ];
   for (const [source, code, message = /./] of cases) {

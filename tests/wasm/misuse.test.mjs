@@ -123,7 +123,7 @@ test('load and loadWorker', async () => {
 test('mesh', async () => {
   const { positions, indices } = octahedron();
   await refused(
-    [...notObjects, [], {}, () => {}, new Float32Array(9)],
+    [...notObjects, [], { a: 5 }, () => {}, new Float32Array(9)],
     (source) => gvd.mesh(source),
     /^a mesh is made from/,
   );
@@ -159,11 +159,10 @@ test('mesh', async () => {
     /^uvs has /,
   );
   const bytes = glb(octahedron());
-  await refused([null, 5, 'x'], (resources) => gvd.mesh(bytes, { resources }), /^resources is /);
   await refused(
-    [null, 5, 'x', [1]],
-    (content) => gvd.mesh(bytes, { resources: { 'a.bin': content } }),
-    /^resources\["a\.bin"\] is /,
+    [null, 5, 'x', [1], { arrayBuffer: 5 }],
+    (content) => gvd.mesh({ 'a.glb': bytes, 'a.bin': content }),
+    /files by their paths/,
   );
   await refused([null, 5, 'x'], (limits) => gvd.mesh(bytes, { limits }), /^limits is /);
   await refused(

@@ -12,6 +12,7 @@ import { Library } from '../../dist/library.js';
 import { startWorkerEngine } from '../../dist/worker_engine.js';
 import { serve } from '../../dist/worker_server.js';
 import { glb, grid, octahedron } from './meshes.mjs';
+import { meshObj } from './model_files.mjs';
 
 const bytesOf = (name) => readFileSync(new URL(`../../dist/${name}.wasm`, import.meta.url));
 const sources = () => ({ wasm: bytesOf('core'), gltfWasm: bytesOf('gltf') });
@@ -103,9 +104,18 @@ test('a tessellation can be given up', async (t) => {
   assert.equal((await mesh.sampleSites(2)).face.length, 2);
 });
 
+test('files of any format go to the worker, and their triangles come back', async (t) => {
+  const { library } = await loadThroughChannel(t);
+  for (const file of [meshObj(octahedron()), new Blob([meshObj(octahedron())])]) {
+    const mesh = await library.mesh({ 'a.obj': file });
+    assert.deepEqual([...mesh.indices], octahedron().indices);
+    assert.deepEqual(mesh.info.origin, { format: 'OBJ', file: 'a.obj' });
+  }
+});
+
 test('errors keep their code and their message', async (t) => {
   const { library } = await loadThroughChannel(t);
-  await assert.rejects(library.mesh(new Uint8Array(9)), fails('invalid-gltf'));
+  await assert.rejects(library.mesh(new Uint8Array(9)), fails('invalid-file'));
   const mesh = await library.mesh(octahedron());
   await assert.rejects(mesh.voronoi({ vertex: [6] }), fails('invalid-point', /6/));
 });

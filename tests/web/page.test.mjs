@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 import assert from 'node:assert/strict';
+import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { after, afterEach, before, beforeEach, suite, test } from 'node:test';
+import { strToU8, zipSync } from 'fflate';
 import { glb, gltf, grid, octahedron } from '../wasm/meshes.mjs';
 import { torus } from '../../web/page/sample_shapes.mjs';
+import { dracoGlb, meshBinaryStl, meshObj, meshoptGlb, meshPly } from '../wasm/model_files.mjs';
 import { startBrowser } from './browser.mjs';
 
 let browser;
@@ -205,10 +210,13 @@ suite('the page', () => {
       assert.equal(await viewer.page.locator('#error').isVisible(), true);
     };
     const { json } = gltf(octahedron(), { uri: 'scene.bin' });
-    await expectError(/^notes\.txt is not a model/, file('notes.txt', 'hello'));
-    await expectError(/^scene\.gltf needs scene\.bin: /, file('scene.gltf', JSON.stringify(json)));
+    await expectError(/^notes\.txt cannot be opened: .* no model/, file('notes.txt', 'hello'));
+    await expectError(
+      /^scene\.gltf .* needs the file "scene\.bin"/,
+      file('scene.gltf', JSON.stringify(json)),
+    );
     await expectError(/^broken\.glb cannot be opened: .+\.$/, file('broken.glb', 'this is no GLB'));
-    await expectError(/^a\.glb and b\.glb arrived together/, file('a.glb', ''), file('b.glb', ''));
+    await expectError(/a\.glb and b\.glb are several models/, file('a.glb', ''), file('b.glb', ''));
 
     assert.deepEqual(await viewer.sites(), before);
     assert.equal(await viewer.page.locator('#samples').inputValue(), 'bunny.glb');
@@ -248,6 +256,73 @@ suite('the page', () => {
     assert.equal(await viewer.page.locator('#drop').isVisible(), false);
     assert.match(await text(viewer, '#report'), /Triangles72.*Boundary loops1/);
     assert.equal(await viewer.page.locator('#samples option:checked').textContent(), 'grid.gltf');
+  });
+
+  test('models of other formats, compressed ones, zips and folders open', async () => {
+    const opens = async (name, change) => {
+      await viewer.after('diagram', change);
+      assert.match(await text(viewer, '#report'), /Triangles8.*Components1/);
+      assert.equal(await viewer.page.locator('#samples option:checked').textContent(), name);
+    };
+    const files = [
+      ['draco.glb', await dracoGlb(octahedron())],
+      ['meshopt.glb', await meshoptGlb(octahedron())],
+      ['a.obj', meshObj(octahedron())],
+      ['a.ply', meshPly(octahedron(), 'binary_big_endian')],
+      ['a.stl', meshBinaryStl(octahedron())],
+    ];
+    for (const [name, content] of files) await opens(name, () => choose(file(name, content)));
+    const { json, buffer } = gltf(octahedron(), { uri: 'data/a.bin' });
+    const scene = { 'data/a.bin': new Uint8Array(buffer), 'a.gltf': strToU8(JSON.stringify(json)) };
+    await opens('a.gltf', () => choose(file('model.zip', zipSync({ model: scene }))));
+
+    const folder = mkdtempSync(join(tmpdir(), 'geodesic-voronoi-'));
+    try {
+      mkdirSync(join(folder, 'data'));
+      for (const [name, content] of Object.entries(scene))
+        writeFileSync(join(folder, name), content);
+      await opens('a.gltf', () => viewer.page.setInputFiles('#folder', folder));
+    } finally {
+      rmSync(folder, { recursive: true });
+    }
+  });
+
+  test('a folder is dropped', async () => {
+    const { json, buffer } = gltf(grid(3), { uri: 'data/a.bin' });
+    const contents = [JSON.stringify(json), [...buffer]];
+    await viewer.after('diagram', () =>
+      viewer.evaluate((element, [scene, data]) => {
+        // What a browser hands over for a folder, which no script can make.
+        const fileEntry = (fullPath, content) => ({
+          isFile: true,
+          fullPath,
+          file: (done) => done(new File([content], fullPath.split('/').pop())),
+        });
+        const folderEntry = (...entries) => {
+          const parts = [entries.slice(0, 1), entries.slice(1), []];
+          return {
+            isDirectory: true,
+            createReader: () => ({ readEntries: (done) => done(parts.shift()) }),
+          };
+        };
+        const entry = folderEntry(
+          folderEntry(fileEntry('/model/data/a.bin', new Uint8Array(data))),
+          fileEntry('/model/a.gltf', scene),
+        );
+        const item = { kind: 'file', webkitGetAsEntry: () => entry, getAsFile: () => null };
+        void element.loadDropped({ items: [item] });
+      }, contents),
+    );
+    assert.match(await text(viewer, '#report'), /Triangles18/);
+  });
+
+  test('a vertex that is nowhere is told of, and nothing complains', async () => {
+    const { positions, indices } = octahedron();
+    const obj = meshObj({ positions: [...positions, NaN, 0, 0], indices: [...indices, 0, 1, 6] });
+    await viewer.after('diagram', () => choose(file('a.obj', obj)));
+    assert.match(await text(viewer, '#repairs'), /1 triangle with impossible coordinates dropped/);
+    const covered = await viewer.coverage(await viewer.picture());
+    assert.ok(covered > 0.05, `${covered} of the view is the model's`);
   });
 
   test('sites are scattered by number and seed, and cleared', async () => {

@@ -15,25 +15,26 @@ import type {
   VertexDistances,
 } from './results.js';
 import type { Triangles } from './triangles.js';
-import type { CvtState, GltfLimits, GltfResources, TaskOptions } from './types.js';
+import type { CvtState, GltfLimits, ModelFiles, TaskOptions } from './types.js';
 import type { Argument } from './wasm_module.js';
 
-/** Where to find the two modules. */
+/** Where to find the modules. */
 export interface EngineSources {
   wasm: WasmSource;
   gltfWasm: WasmSource;
+  dracoWasm: WasmSource;
 }
 
 /** A mesh, a diagram or a tessellation that an engine keeps; never used twice, so a stale one is known as such. */
 export type Handle = number;
 
-export interface GltfFile {
-  bytes: Uint8Array;
-  resources: GltfResources;
+/** What a mesh is read from. */
+export interface FileInput {
+  files: ModelFiles;
   limits: GltfLimits;
 }
 
-/** A mesh opened; `triangles` are those of a glTF, which the caller does not have yet. */
+/** A mesh opened; `triangles` are those of files, which the caller does not have yet. */
 export interface OpenedMesh {
   handle: Handle;
   info: MeshInfo;
@@ -90,7 +91,7 @@ export interface Engine {
     args: readonly Argument[],
     task: TaskOptions,
   ): Promise<Result>;
-  openMesh(source: Triangles | GltfFile, task: TaskOptions): Promise<OpenedMesh>;
+  openMesh(source: Triangles | FileInput, task: TaskOptions): Promise<OpenedMesh>;
   /** `owner` is a mesh or a diagram on it. */
   openDiagram(
     owner: Handle,

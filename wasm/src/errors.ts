@@ -8,6 +8,8 @@ export type ErrorCode =
   | 'invalid-mesh'
   /** The bytes are not a glTF that this library reads. */
   | 'invalid-gltf'
+  /** The file is no model that this library reads, is damaged, or one that it needs is missing. */
+  | 'invalid-file'
   /** A site or another point is not on the surface. */
   | 'invalid-point'
   /** An argument is of the wrong kind, or makes no sense for this object. */

@@ -2,10 +2,10 @@
 //
 // glTF files, read by gltf.wasm.
 
-import { requireBytes } from './checks.js';
-import type { GltfFile } from './engine.js';
+import type { GltfFile } from './input/gltf_document.js';
 import type { MeshPart } from './results.js';
 import type { Triangles } from './triangles.js';
+import type { GltfLimits } from './types.js';
 import { WasmModule } from './wasm_module.js';
 
 /** The triangles of a glTF scene in world space. */
@@ -23,7 +23,8 @@ type GltfArrays = Omit<GltfScene, 'parts'> & { partNumbers: Int32Array; partName
  */
 export async function readGltf(
   module: WebAssembly.Module,
-  { bytes, resources, limits }: GltfFile,
+  { bytes, resources }: GltfFile,
+  limits: GltfLimits,
 ): Promise<GltfScene> {
   const wasm = await WasmModule.instantiate(module);
   const { partNumbers, partNames, ...scene } = wasm.answer<GltfArrays>(
@@ -39,28 +40,4 @@ export async function readGltf(
     return { name, node, mesh, primitive, firstTriangle, triangleCount };
   });
   return { ...scene, parts };
-}
-
-/**
- * The files that a glTF names besides itself and that its triangles need: the URIs of its buffers,
- * as it writes them. What cannot be read names none; `mesh()` says what is wrong with it.
- */
-export function gltfResourceUris(bytes: Uint8Array): string[] {
-  requireBytes('bytes', bytes);
-  let uris: unknown[];
-  try {
-    const { buffers = [] } = JSON.parse(new TextDecoder().decode(jsonOf(bytes)));
-    uris = buffers.map((buffer: { uri?: unknown }) => buffer.uri);
-  } catch {
-    return [];
-  }
-  return uris.filter((uri): uri is string => typeof uri === 'string' && !/^data:/i.test(uri));
-}
-
-/** The JSON of a glTF: a GLB's first chunk, else all of it. */
-function jsonOf(bytes: Uint8Array): Uint8Array {
-  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  const glbMagic = 0x46546c67;
-  if (bytes.length < 20 || view.getUint32(0, true) !== glbMagic) return bytes;
-  return bytes.subarray(20, 20 + view.getUint32(12, true));
 }

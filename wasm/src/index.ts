@@ -14,7 +14,7 @@ export type * from './results.js';
 export type * from './types.js';
 export type { ErrorCode, LoadOptions, Modules, WasmSource };
 export { GeodesicVoronoiError };
-export { gltfResourceUris } from './gltf.js';
+export { gltfResourceUris } from './input/gltf_document.js';
 export { diagramGlb, diagramJson, diagramObj } from './formats.js';
 export {
   distancesGlb,
@@ -57,13 +57,16 @@ export interface LoadWorkerOptions extends LoadOptions {
  *     import wasm from 'geodesic-voronoi/core.wasm';
  *     import gltfWasm from 'geodesic-voronoi/gltf.wasm';
  *     const gvd = await loadWorker({ worker: '/worker.js', wasm, gltfWasm });
+ *
+ * For models that Draco has compressed, so is `geodesic-voronoi/draco.wasm`, the option `dracoWasm`.
  */
 export async function loadWorker(options?: LoadWorkerOptions): Promise<GeodesicVoronoi> {
-  const { wasm, gltfWasm } = sourcesOf(options);
+  const { wasm, gltfWasm, dracoWasm } = sourcesOf(options);
   const worker = toWorker(toOptions(options).worker);
   const sources = {
     wasm: await toPost('wasm', wasm),
     gltfWasm: await toPost('gltfWasm', gltfWasm),
+    dracoWasm: await toPost('dracoWasm', dracoWasm),
   };
   return new Library(await startWorkerEngine(worker, sources));
 }

@@ -3,8 +3,8 @@
 // What callers pass, checked in form and copied. Whether it makes sense on the surface is for the
 // core to say.
 
-import { isObject, requireBytes, show, toFloat64, toInt32, toInteger, toOneOf } from './checks.js';
-import type { CvtSettings, GltfFile } from './engine.js';
+import { isObject, show, toFloat64, toInt32, toInteger, toOneOf } from './checks.js';
+import type { CvtSettings, FileInput } from './engine.js';
 import { invalidArgument } from './errors.js';
 import {
   cvtMethods,
@@ -19,9 +19,11 @@ import {
   gltfLimitNames,
   type CvtOptions,
   type GltfLimits,
-  type GltfResources,
+  type MeshArrays,
   type MeshOptions,
   type MeshSource,
+  type ModelFile,
+  type ModelFiles,
   type SurfacePointsInput,
 } from './types.js';
 
@@ -34,32 +36,41 @@ export const maxCount = 2 ** 31 - 1;
 /** Of a limit of the glTF reader: its memory has no more bytes than this. */
 export const maxLimit = 2 ** 32 - 1;
 
-export function toTriangles(source: MeshSource, options: MeshOptions): Triangles | GltfFile {
-  if (source instanceof Uint8Array) return toGltfFile(source, options);
-  if (source instanceof ArrayBuffer) return toGltfFile(new Uint8Array(source), options);
-  if (isObject(source) && 'positions' in source && 'indices' in source) {
-    const positions = toFloat64('positions', source.positions);
-    return {
-      positions,
-      indices: toInt32('indices', source.indices),
-      normals: toAttribute('normals', source.normals, positions.length),
-      uvs: toAttribute('uvs', source.uvs, (positions.length / 3) * 2),
-    };
+/** Of a mesh: its triangles, or the files that these are read from. */
+export function toMeshInput(
+  source: MeshSource,
+  { limits = {} }: MeshOptions,
+): Triangles | FileInput {
+  if (isObject(source) && 'positions' in source && 'indices' in source)
+    return toTriangles(source as MeshArrays);
+  return { files: toFiles(source), limits: toLimits(limits) };
+}
+
+function toTriangles({ positions: places, indices, normals, uvs }: MeshArrays): Triangles {
+  const positions = toFloat64('positions', places);
+  return {
+    positions,
+    indices: toInt32('indices', indices),
+    normals: toAttribute('normals', normals, positions.length),
+    uvs: toAttribute('uvs', uvs, (positions.length / 3) * 2),
+  };
+}
+
+function toFiles(source: unknown): ModelFiles {
+  if (isModelFile(source)) return { '': source };
+  if (source instanceof ArrayBuffer) return { '': new Uint8Array(source) };
+  if (isObject(source) && !Array.isArray(source)) {
+    const entries = Object.entries(source);
+    if (entries.every(([, file]) => isModelFile(file))) return source as ModelFiles;
   }
   throw invalidArgument(
-    'a mesh is made from the bytes of a glTF file or from {positions, indices}',
+    'a mesh is made from the bytes of a file, from files by their paths, or from {positions, indices}',
   );
 }
 
-function toGltfFile(bytes: Uint8Array, { resources = {}, limits = {} }: MeshOptions): GltfFile {
-  return { bytes, resources: toResources(resources), limits: toLimits(limits) };
-}
-
-function toResources(resources: GltfResources): GltfResources {
-  if (!isObject(resources)) throw invalidArgument(`resources is ${show(resources)}, not an object`);
-  for (const [uri, bytes] of Object.entries(resources))
-    requireBytes(`resources[${show(uri)}]`, bytes);
-  return resources;
+function isModelFile(value: unknown): value is ModelFile {
+  if (value instanceof Uint8Array) return true;
+  return isObject(value) && 'arrayBuffer' in value && typeof value.arrayBuffer === 'function';
 }
 
 function toLimits(limits: GltfLimits): GltfLimits {

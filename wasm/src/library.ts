@@ -5,7 +5,7 @@
 
 import { toOptions, toTask } from './checks.js';
 import type { Engine } from './engine.js';
-import { toTriangles } from './input.js';
+import { toMeshInput } from './input.js';
 import { disposeSymbol } from './kept.js';
 import { EngineMesh } from './mesh.js';
 import type { Triangles } from './triangles.js';
@@ -23,7 +23,7 @@ export class Library implements GeodesicVoronoi {
   }
 
   async mesh(source: MeshSource, options?: MeshOptions): Promise<Mesh> {
-    const input = toTriangles(source, toOptions(options));
+    const input = toMeshInput(source, toOptions(options));
     const opened = await this.#engine.openMesh(input, toTask(options));
     return new EngineMesh(this.#engine, opened, opened.triangles ?? (input as Triangles));
   }

@@ -14,18 +14,21 @@ export interface LoadOptions {
   wasm?: WasmSource;
   /** gltf.wasm, loaded with the first glTF file; by default the one beside this file. */
   gltfWasm?: WasmSource;
+  /** draco.wasm, loaded with the first model that Draco has compressed; by default the one beside this file. */
+  dracoWasm?: WasmSource;
 }
 
-/** Both modules, compiled: options of `load` and `loadWorker`. */
-export type Modules = Record<keyof LoadOptions, WebAssembly.Module>;
+/** The two modules that every glTF needs, compiled: options of `load` and `loadWorker`. */
+export type Modules = Record<'wasm' | 'gltfWasm', WebAssembly.Module>;
 
 /** Where the modules are. The addresses are written so that bundlers see them. */
 export function sourcesOf(options: LoadOptions | undefined): EngineSources {
   const {
     wasm = new URL('./core.wasm', import.meta.url),
     gltfWasm = new URL('./gltf.wasm', import.meta.url),
+    dracoWasm = new URL('./draco.wasm', import.meta.url),
   } = toOptions(options);
-  return { wasm, gltfWasm };
+  return { wasm, gltfWasm, dracoWasm };
 }
 
 export async function compileSources(

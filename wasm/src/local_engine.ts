@@ -10,14 +10,14 @@ import type {
   DiagramForm,
   Engine,
   EngineSources,
-  GltfFile,
+  FileInput,
   Handle,
   OpenedCvt,
   OpenedDiagram,
   OpenedMesh,
 } from './engine.js';
 import { GeodesicVoronoiError } from './errors.js';
-import { readGltf } from './gltf.js';
+import { type InputModules, readModel } from './input/read_model.js';
 import type {
   DiagramData,
   MeshInfo,
@@ -52,27 +52,23 @@ interface Kept {
 export class LocalEngine implements Engine {
   readonly version: string;
   #core: WasmModule | undefined;
-  readonly #gltfModule: () => Promise<WebAssembly.Module>;
+  readonly #inputModules: InputModules;
   readonly #objects = new Map<Handle, Kept>();
   /** Tessellations of which every iteration has been asked for. */
   readonly #finished = new Set<Handle>();
   #lastHandle: Handle = 0;
 
-  private constructor(core: WasmModule, gltfModule: () => Promise<WebAssembly.Module>) {
+  private constructor(core: WasmModule, inputModules: InputModules) {
     this.#core = core;
-    this.#gltfModule = gltfModule;
+    this.#inputModules = inputModules;
     this.version = core.text('version');
   }
 
   static async load(sources: EngineSources, compileAddress: CompileAddress): Promise<LocalEngine> {
     const core = await WasmModule.instantiate(await compile('wasm', sources.wasm, compileAddress));
-    let gltfModule: Promise<WebAssembly.Module> | undefined;
-    return new LocalEngine(core, () => {
-      gltfModule ??= compile('gltfWasm', sources.gltfWasm, compileAddress).catch((error) => {
-        gltfModule = undefined; // the next file tries again
-        throw error;
-      });
-      return gltfModule;
+    return new LocalEngine(core, {
+      gltf: whenNeeded(() => compile('gltfWasm', sources.gltfWasm, compileAddress)),
+      draco: whenNeeded(() => compile('dracoWasm', sources.dracoWasm, compileAddress)),
     });
   }
 
@@ -89,27 +85,28 @@ export class LocalEngine implements Engine {
   }
 
   async openMesh(
-    source: Triangles | GltfFile,
+    source: Triangles | FileInput,
     { signal, onProgress }: TaskOptions,
   ): Promise<OpenedMesh> {
     signal?.throwIfAborted();
     const opened = await ('positions' in source
       ? this.#openTriangles(source)
-      : this.#openGltf(source));
+      : this.#openFiles(source));
     onProgress?.(1);
     return opened;
   }
 
-  async #openGltf(file: GltfFile): Promise<OpenedMesh> {
-    const { parts, notes, ...triangles } = await readGltf(await this.#gltfModule(), file);
+  async #openFiles(input: FileInput): Promise<OpenedMesh> {
+    const { triangles, parts, origin, notes } = await readModel(input, this.#inputModules);
     const { handle, info } = this.#openTriangles(triangles);
-    return { handle, info: { ...info, notes }, parts, triangles };
+    return { handle, info: { ...info, origin, notes }, parts, triangles };
   }
 
   #openTriangles({ positions, indices }: Triangles): OpenedMesh {
     const core = this.#open();
     const mesh = core.call('createMesh', positions, indices);
-    const info = { ...core.answer<Omit<MeshInfo, 'notes'>>('meshInfo', mesh), notes: [] };
+    const counts = core.answer<Omit<MeshInfo, 'origin' | 'notes'>>('meshInfo', mesh);
+    const info: MeshInfo = { ...counts, origin: { format: 'arrays', file: '' }, notes: [] };
     return { handle: this.#keep({ pointer: mesh, free: 'freeMesh' }), info, parts: [] };
   }
 
@@ -293,4 +290,14 @@ function nextTask(): Promise<void> {
     };
     port2.postMessage(undefined);
   });
+}
+
+/** What is made when it is first asked for; after a failure, the next one tries again. */
+function whenNeeded<Value>(make: () => Promise<Value>): () => Promise<Value> {
+  let made: Promise<Value> | undefined;
+  return () =>
+    (made ??= make().catch((error) => {
+      made = undefined;
+      throw error;
+    }));
 }

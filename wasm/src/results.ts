@@ -66,7 +66,8 @@ export interface MeshInfo {
   /** Length of the bounding box's diagonal. */
   boundingDiagonal: number;
   repairs: MeshRepairs;
-  /** What the glTF reader passed over, a sentence each. */
+  origin: MeshOrigin;
+  /** What the reader of a file passed over or changed, a sentence each. */
   notes: string[];
 }
 
@@ -288,6 +289,15 @@ export interface RemeshQuality {
   regularShare: number;
   /** How far the two surfaces are apart at most, either way, by samples; in the input's units. */
   hausdorff: number;
+}
+
+export type MeshFormat = 'arrays' | 'glTF' | 'OBJ' | 'PLY' | 'STL';
+
+/** What a mesh was made from. */
+export interface MeshOrigin {
+  format: MeshFormat;
+  /** Path of the model among its files or in the zip; empty if it came without. */
+  file: string;
 }
 
 /** Where a run of input triangles came from, by the indices of the glTF; in scene order. */

@@ -121,30 +121,40 @@ export const gltfLimitNames = [
 export type GltfLimitName = (typeof gltfLimitNames)[number];
 
 /**
- * What a glTF may ask for, so that a small file cannot take all memory or hours. The error of a file that
- * asks for more names the limit to raise.
+ * What a file may ask for, so that a small file cannot take all memory or hours. The error of a file that
+ * asks for more names the limit to raise. Vertices and triangles are limited in every format.
  */
 export type GltfLimits = Partial<Record<GltfLimitName, number>>;
 
 export interface MeshOptions extends TaskOptions {
-  /** The files that a `.gltf` names. */
-  resources?: GltfResources;
   limits?: GltfLimits;
 }
 
-/** Bytes of the files that a `.gltf` names, by the URI it uses (`gltfResourceUris` lists them). */
-export type GltfResources = Record<string, Uint8Array>;
+/**
+ * Bytes, or what gives them if the model needs them, like a `File`; to a worker, only real ones of these
+ * can be sent.
+ */
+export type ModelFile = Uint8Array | { arrayBuffer(): Promise<ArrayBuffer> };
 
-/** Bytes of a glTF, or triangles; these with normals (3) and texture coordinates (2) per vertex. */
-export type MeshSource =
-  | Uint8Array
-  | ArrayBuffer
-  | {
-      positions: ArrayLike<number>;
-      indices: ArrayLike<number>;
-      normals?: ArrayLike<number>;
-      uvs?: ArrayLike<number>;
-    };
+/**
+ * The files of a folder by their paths in it: one model, with the files that it names and any others.
+ * What a glTF names may also be given by the very URI that it uses (`gltfResourceUris` lists these).
+ */
+export type ModelFiles = Record<string, ModelFile>;
+
+/**
+ * A model (glTF with or without Draco or meshopt, OBJ, PLY, STL, or a zip of one) as bytes or `Blob`,
+ * or with all its files; or triangles.
+ */
+export type MeshSource = Uint8Array | ArrayBuffer | Blob | ModelFiles | MeshArrays;
+
+/** Three numbers per vertex, three vertices per triangle; per vertex also 3 and 2 numbers, or none. */
+export interface MeshArrays {
+  positions: ArrayLike<number>;
+  indices: ArrayLike<number>;
+  normals?: ArrayLike<number>;
+  uvs?: ArrayLike<number>;
+}
 
 /** One region of a diagram: views of its arrays, computed when asked for. */
 export interface Region {
@@ -213,7 +223,7 @@ export interface Mesh extends Disposable {
   /** Per input vertex normals (3 numbers) and texture coordinates (2); empty if it came without. */
   readonly normals: Float64Array;
   readonly uvs: Float64Array;
-  /** Of a glTF; empty for a mesh of arrays. */
+  /** Of a glTF; empty for other meshes. */
   readonly parts: readonly MeshPart[];
   /**
    * Sites, by default independent and evenly spread by area; the same seed (an integer, default 1)

@@ -4,7 +4,7 @@ import { byId, listen, onClick } from './dom.js';
 import { openSites } from './sites_file.js';
 import samples from './samples.json' with { type: 'json' };
 
-/** How a model gets into the page: the menu of samples, the file picker, and dropping files on it. */
+/** How a model gets into the page: the menu of samples, the pickers of files and folders, and dropping them on it. */
 export function setUpModelChoice(viewer: GeodesicVoronoiElement): void {
   setUpMenu(viewer);
   setUpPicker(viewer);
@@ -39,18 +39,31 @@ function setUpMenu(viewer: GeodesicVoronoiElement): void {
 
 /** Sites for the model there is, or a model. */
 function openFiles(viewer: GeodesicVoronoiElement, files: readonly File[]): Promise<unknown> {
-  const isSites = files.length === 1 && /\.json$/i.test(files[0].name);
-  return isSites ? openSites(viewer, files[0]) : viewer.loadFiles(files);
+  return isSites(files) ? openSites(viewer, files[0]) : viewer.loadFiles(files);
+}
+
+function openDropped(viewer: GeodesicVoronoiElement, dropped: DataTransfer): Promise<unknown> {
+  const files = [...dropped.files];
+  return isSites(files) ? openSites(viewer, files[0]) : viewer.loadDropped(dropped);
+}
+
+function isSites(files: readonly File[]): boolean {
+  return files.length === 1 && /\.json$/i.test(files[0].name);
 }
 
 function setUpPicker(viewer: GeodesicVoronoiElement): void {
-  const input = byId('files', HTMLInputElement);
-  onClick('open', () => input.click()).disabled = false;
-  input.addEventListener('change', () => {
-    if (input.files?.length) void openFiles(viewer, [...input.files]);
-    // The same file may be chosen again.
-    input.value = '';
-  });
+  for (const [button, files] of [
+    ['open', 'files'],
+    ['open-folder', 'folder'],
+  ]) {
+    const input = byId(files, HTMLInputElement);
+    onClick(button, () => input.click()).disabled = false;
+    input.addEventListener('change', () => {
+      if (input.files?.length) void openFiles(viewer, [...input.files]);
+      // The same file may be chosen again.
+      input.value = '';
+    });
+  }
 }
 
 function setUpDrop(viewer: GeodesicVoronoiElement): void {
@@ -69,6 +82,6 @@ function setUpDrop(viewer: GeodesicVoronoiElement): void {
     overlay.hidden = true;
     if (!carriesFiles(event)) return;
     event.preventDefault();
-    void openFiles(viewer, [...(event.dataTransfer?.files ?? [])]);
+    if (event.dataTransfer) void openDropped(viewer, event.dataTransfer);
   });
 }

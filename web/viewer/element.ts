@@ -10,7 +10,7 @@ import type { CvtIteration, ViewerEventMap, ViewerEvents } from './events.js';
 import type { HoveredPoint } from './hover.js';
 import type { Reader } from './mesh_opening.js';
 import { type Layer, layers } from './model_drawing.js';
-import { fetchModelFiles, readModelFiles } from './model_files.js';
+import { chosenFiles, droppedFiles, fetchModelFiles } from './model_files.js';
 import { watchNearness } from './nearness.js';
 import { ReflectingElement } from './reflecting_element.js';
 import type { CvtStatus, Status } from './session_listener.js';
@@ -111,10 +111,16 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     return this.#open((signal, onProgress) => fetchModelFiles(address, { signal, onProgress }));
   }
 
-  /** Opens a model from files: one .glb, or one .gltf with the files that it names. */
+  /** Opens a model from files: one with the files that it names and any others, or a .zip of these. */
   loadFiles(files: Iterable<File>): Promise<boolean> {
     const list = [...files];
-    return this.#open(() => readModelFiles(list));
+    return this.#open(async () => chosenFiles(list));
+  }
+
+  /** Opens a model from files or folders that were dropped; to be called before the event is over. */
+  loadDropped(dropped: DataTransfer): Promise<boolean> {
+    const files = droppedFiles(dropped);
+    return this.#open(() => files);
   }
 
   /** A picture of the view, so many times as large. */

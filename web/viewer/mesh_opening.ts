@@ -4,14 +4,14 @@
 
 import type { GeodesicVoronoi, Mesh, SurfacePoints } from 'geodesic-voronoi';
 import { sentence } from './failure.js';
-import type { ModelFiles } from './model_files.js';
+import { lastSegment, type NamedFiles } from './model_files.js';
 import type { Scattering } from './session_listener.js';
 
 /** Reads a model's files. */
 export type Reader = (
   signal: AbortSignal,
   onProgress: (share: number) => void,
-) => Promise<ModelFiles>;
+) => Promise<NamedFiles>;
 
 interface OpenedMesh {
   mesh: Mesh;
@@ -28,14 +28,14 @@ export async function openMesh(
   scattering: Scattering,
   { signal, onProgress }: { signal: AbortSignal; onProgress: (share: number) => void },
 ): Promise<OpenedMesh> {
-  const { name, bytes, resources } = await read(signal, onProgress);
-  const mesh = await library.mesh(bytes, { resources }).catch((error) => {
+  const { name, files } = await read(signal, onProgress);
+  const mesh = await library.mesh(files).catch((error) => {
     throw sentence(`${name} cannot be opened`, error);
   });
   try {
     const sites = await scatterSites(mesh, scattering);
     signal.throwIfAborted();
-    return { mesh, name, sites };
+    return { mesh, name: lastSegment(mesh.info.origin.file), sites };
   } catch (error) {
     mesh.dispose();
     throw error;

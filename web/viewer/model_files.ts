@@ -1,59 +1,79 @@
 // SPDX-License-Identifier: MIT
-import { type GltfResources, gltfResourceUris } from 'geodesic-voronoi';
+//
+// The files of a model, as a person gives them: chosen, dropped, or by an address.
 
-/** A glTF with the files that it names. */
-export interface ModelFiles {
+import { gltfResourceUris, type ModelFiles } from 'geodesic-voronoi';
+
+/** Files with what to call them until the model is found among them. */
+export interface NamedFiles {
   name: string;
-  bytes: Uint8Array;
-  resources: GltfResources;
+  files: ModelFiles;
 }
 
-/** Of what a person chose or dropped, the one model with the files beside it that it needs. */
-export async function readModelFiles(files: readonly File[]): Promise<ModelFiles> {
-  const models = files.filter((file) => /\.(glb|gltf)$/i.test(file.name));
-  if (models.length === 0) {
-    const names = files.map((file) => file.name).join(', ');
-    throw new Error(
-      files.length === 0
-        ? 'No file arrived: drop a .glb file, or a .gltf file with the files it names.'
-        : `${names} is not a model this page reads: it takes .glb, or .gltf with the files it names.`,
-    );
-  }
-  if (models.length > 1) {
-    throw new Error(
-      `${models.map((file) => file.name).join(' and ')} arrived together: choose one model at a time.`,
-    );
-  }
-  const [model] = models;
-  const bytes = await bytesOf(model);
-  const resources: GltfResources = {};
-  const missing: string[] = [];
-  for (const uri of gltfResourceUris(bytes)) {
-    const wanted = lastSegment(uri);
-    const file = files.find(({ name }) => name === wanted);
-    if (file) resources[uri] = await bytesOf(file);
-    else missing.push(wanted);
-  }
-  if (missing.length > 0) {
-    throw new Error(
-      `${model.name} needs ${missing.join(' and ')}: choose or drop all its files together.`,
-    );
-  }
-  return { name: model.name, bytes, resources };
+/** Files that were chosen: those of a folder have a path. They are read if the model needs them. */
+export function chosenFiles(files: Iterable<File>): NamedFiles {
+  return named([...files].map((file) => [file.webkitRelativePath || file.name, file]));
+}
+
+/** Files and folders that were dropped; to be called before the drop's event is over. */
+export async function droppedFiles(dropped: DataTransfer): Promise<NamedFiles> {
+  const found = [...dropped.items]
+    .filter(({ kind }) => kind === 'file')
+    .map((item) => {
+      const entry = item.webkitGetAsEntry();
+      const file = item.getAsFile();
+      return entry?.isDirectory || !file ? filesIn(entry) : [[file.name, file] as [string, File]];
+    });
+  return named((await Promise.all(found)).flat());
 }
 
 /** The model at an address; what it names is taken from where it says. */
 export async function fetchModelFiles(
   address: string,
   { signal, onProgress }: { signal: AbortSignal; onProgress: (share: number) => void },
-): Promise<ModelFiles> {
+): Promise<NamedFiles> {
   const url = new URL(address, document.baseURI);
+  const name = lastSegment(url.pathname);
   const bytes = await fetchBytes(url, signal, onProgress);
-  const resources: GltfResources = {};
+  const files: ModelFiles = { [name]: bytes };
   for (const uri of gltfResourceUris(bytes)) {
-    resources[uri] = await fetchBytes(new URL(uri, url), signal, () => {});
+    files[uri] = await fetchBytes(new URL(uri, url), signal, () => {});
   }
-  return { name: lastSegment(url.pathname), bytes, resources };
+  return { name, files };
+}
+
+/** Folders of models have a few files; one with this many more was not meant. */
+const maxFiles = 10_000;
+
+function named(files: [string, File][]): NamedFiles {
+  if (files.length > maxFiles) {
+    throw new Error(`There are more than ${maxFiles} files: choose the model and those it needs.`);
+  }
+  return {
+    name: files.length === 1 ? files[0][1].name : 'The model',
+    files: Object.fromEntries(files),
+  };
+}
+
+/** All files in a folder, by their paths. */
+async function filesIn(entry: FileSystemEntry | null): Promise<[string, File][]> {
+  if (entry?.isFile) {
+    const file = await new Promise<File>((done, fail) =>
+      (entry as FileSystemFileEntry).file(done, fail),
+    );
+    return [[entry.fullPath.slice(1), file]];
+  }
+  if (!entry?.isDirectory) return [];
+  const reader = (entry as FileSystemDirectoryEntry).createReader();
+  const files: [string, File][] = [];
+  // A folder is handed over a hundred entries at a time.
+  for (;;) {
+    const entries = await new Promise<FileSystemEntry[]>((done, fail) =>
+      reader.readEntries(done, fail),
+    );
+    if (entries.length === 0 || files.length > maxFiles) return files;
+    for (const inner of entries) files.push(...(await filesIn(inner)));
+  }
 }
 
 async function fetchBytes(
@@ -95,18 +115,8 @@ async function fetchBytes(
   return bytes;
 }
 
-async function bytesOf(file: File): Promise<Uint8Array> {
-  try {
-    return new Uint8Array(await file.arrayBuffer());
-  } catch (cause) {
-    throw new Error(`${file.name} cannot be read: is it a folder, or has it changed meanwhile?`, {
-      cause,
-    });
-  }
-}
-
 /** What stands after the last slash, as a person would write it. */
-function lastSegment(path: string): string {
+export function lastSegment(path: string): string {
   const name = path.slice(path.lastIndexOf('/') + 1);
   try {
     return decodeURIComponent(name);

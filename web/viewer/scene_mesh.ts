@@ -14,8 +14,11 @@ export class SceneMesh {
 
   constructor({ positions, indices }: Pick<Mesh, 'positions' | 'indices'>) {
     this.frame = ModelFrame.around(positions, indices);
-    this.positions = this.frame.toScene(positions);
-    this.indices = indices;
+    const scene = this.frame.toScene(positions);
+    const isPlaced = scene.every(Number.isFinite);
+    // What is nowhere belongs to no face of the surface, but three.js would measure it.
+    this.positions = isPlaced ? scene : scene.map((x) => (Number.isFinite(x) ? x : 0));
+    this.indices = isPlaced ? indices : withoutNowhere(indices, scene);
     this.normals = cornerNormals(this.positions, indices);
   }
 
@@ -106,4 +109,14 @@ export class SceneMesh {
     target[1] = second / excess;
     target[2] = third / excess;
   }
+}
+
+/** Faces with a corner that is nowhere become points. */
+function withoutNowhere(indices: Int32Array, scene: Float32Array): Int32Array {
+  const isSomewhere = (vertex: number) =>
+    scene.subarray(3 * vertex, 3 * vertex + 3).every(Number.isFinite);
+  return indices.map((vertex, i) => {
+    const face = indices.subarray(i - (i % 3), i - (i % 3) + 3);
+    return face.every(isSomewhere) ? vertex : face[0];
+  });
 }

@@ -38,7 +38,8 @@ struct StraightestGeodesic {
 /// equal angles on both sides, total or not 2π, and the frame keeps its angle to it. What passes a
 /// vertex closer than 1e-12 of an edge hits it. A move of length 0 or not finite goes nowhere.
 ///
-/// O(faces crossed). It ends early, should rounding ever hold it in a place.
+/// O(faces crossed). It ends early, should rounding ever hold it in a place, and after 65536
+/// crossings and 16 more for each halfedge of the mesh, winding around a spike.
 /// Source: Konrad Polthier, Markus Schmies. Straightest Geodesics on Polyhedral Surfaces. 1998.
 StraightestGeodesic walkStraight(const TriangleMesh& mesh, const SurfacePoint& start,
                                  const Eigen::Vector2d& move,

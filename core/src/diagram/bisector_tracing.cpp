@@ -230,9 +230,11 @@ void BisectorTracing::addPoints(const Element& element) {
       Corner& corner = corners_[vertex];
       if (corner.point >= 0) continue;
       envelope_.setBary(vertex, corner.bary);
+      corner.isInside = envelope_.vertices()[vertex].kind == Vertex::kInside;
+      corner.isBetweenSides = corner.isInside && isBetweenSides(element, corner.bary);
       if (!element.isWhole) corner.bary = complex_.faceBary(element.index, corner.bary);
       corner.point = pointAt(element, vertex);
-      hasInnerPoint |= envelope_.vertices()[vertex].kind == Vertex::kInside;
+      hasInnerPoint |= corner.isInside;
     }
   if (hasInnerPoint) tellApartInnerPoints();
 }
@@ -273,7 +275,7 @@ int BisectorTracing::pointOnSide(const Element& element, const Vertex& v,
     const auto& labels = graph_.points[p].labels;
     if ((labels[0] == a && labels[1] == b) || (labels[0] == b && labels[1] == a)) return p;
   }
-  const double error = sideError(v, element.longest);
+  const double error = sideError(element, v);
   const int point = graph_.addPoint(element.face, bary, error, a, b, -1);
   mergeOnSide(element, v.place, point, first, bary);
   graph_.points[point].nextOnSide = std::exchange(first, point);
@@ -293,12 +295,13 @@ void BisectorTracing::mergeOnSide(const Element& element, int side, int point, i
       graph_.unite(point, pointOfNode(element, tail_[3 * element.index + corner], place));
   }
   for (int p = others; p >= 0; p = graph_.points[p].nextOnSide) {
-    const SurfacePoint &other = graph_.places[p], &place = graph_.places[point];
+    const SurfacePoint& other = graph_.places[p];
     if (other.face == element.face &&
         isApart(element, side, other.bary[side] - bary[side], kPlainlyApart * element.longest))
       continue;
-    if ((mesh_.position(other) - mesh_.position(place)).norm() <= graph_.points[p].error + error)
-      graph_.unite(point, p);
+    const double both = graph_.points[p].error + error;
+    const Eigen::Vector3d place = baryInFace(mesh_, other, element.face);
+    if (squaredDistance(bary, place, element.squaredLength) <= both * both) graph_.unite(point, p);
   }
 }
 
@@ -324,13 +327,14 @@ int BisectorTracing::pointOfNode(const Element& element, int node, const Eigen::
   return nodePoints_[node] = graph_.addNode(element.face, bary);
 }
 
-/// The share of an edge by which an error of the functions moves a crossing, times the edge.
-double BisectorTracing::sideError(const Vertex& v, double longest) const {
+/// The share of a side by which an error of the functions moves a crossing, times the side.
+double BisectorTracing::sideError(const Element& element, const Vertex& v) const {
   const int i = v.place, j = (i + 1) % 3;
   const auto &a = value(v.functions[0]), &b = value(v.functions[1]);
   const double noise = 2 * kDistanceTolerance * std::max({a[i], a[j], b[i], b[j]});
   const double slope = std::abs((a[i] - b[i]) - (a[j] - b[j]));
-  return longest * (noise < kMaxPointError * slope ? noise / slope : kMaxPointError);
+  const double side = element.isWhole ? mesh_.length(3 * element.face + i) : element.longest;
+  return side * (noise < kMaxPointError * slope ? noise / slope : kMaxPointError);
 }
 
 double BisectorTracing::insideError(const Vertex& v, double longest) const {
@@ -385,11 +389,46 @@ void BisectorTracing::addSegment(const Element& element, const Corner& from, con
   arrive(from.point, right, dart + 1);
   arrive(to.point, left, dart);
   leave(to.point, right, dart + 1);
+  if (!mayBeOne(from, to)) return;
   const double error = graph_.points[from.point].error + graph_.points[to.point].error;
   const Eigen::Vector3d way(from.bary[0] - to.bary[0], from.bary[1] - to.bary[1],
                             from.bary[2] - to.bary[2]);
-  if (squaredLength(way, element.squaredLength) <= error * error)
-    graph_.unite(from.point, to.point);
+  const double squared = squaredLength(way, element.squaredLength);
+  if (squared > error * error) return;
+  // In a thin element, less of a way across it takes away as much area.
+  const double most = 2 * kMaxPointError * heightOf(element);
+  if (squared <= most * most) graph_.unite(from.point, to.point);
+}
+
+/// Whether the ends of a segment may become one point. Not if that could join two sides of the
+/// element: around a spike or across a neck that is as narrow as the errors of points, a surface
+/// would be pinched off. Then the ends stay two points, however near.
+bool BisectorTracing::mayBeOne(const Corner& a, const Corner& b) {
+  if (!a.isInside && !b.isInside) return false;
+  if (!a.isBetweenSides && !b.isBetweenSides) return true;
+  return graph_.isNode(graph_.merging.root(a.point)) || graph_.isNode(graph_.merging.root(b.point));
+}
+
+/// The least height of an element's face.
+double BisectorTracing::heightOf(const Element& element) const {
+  return 2 * mesh_.faceArea(element.face) / element.longest;
+}
+
+bool BisectorTracing::isBetweenSides(const Element& element, const Eigen::Vector3d& bary) const {
+  const double near = 64 * kMaxPointError * heightOf(element);
+  const double height = 2 * mesh_.faceArea(element.face);  // times the side
+  double size = 1;
+  if (!element.isWhole) {
+    const Eigen::Vector3d side = complex_.faceBary(element.index, Eigen::Vector3d::UnitX()) -
+                                 complex_.faceBary(element.index, Eigen::Vector3d::UnitY());
+    size = side.lpNorm<Eigen::Infinity>();
+  }
+  int sides = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double distance = size * bary[(i + 2) % 3] * height;
+    sides += distance * distance <= near * near * element.squaredLength[i];
+  }
+  return sides >= 2;
 }
 
 /// A dart of a region leaves a point: the one that comes there, if it is known, goes on with it.

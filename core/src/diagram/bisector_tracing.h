@@ -27,6 +27,9 @@ class BisectorTracing {
   struct Corner {
     int point;
     Eigen::Vector3d bary;  ///< in terms of the face
+    bool isInside = false;
+    bool isBetweenSides =
+        false;  ///< inside, and about as near to two sides as points are merged at
   };
   /// The element at hand.
   struct Element {
@@ -65,11 +68,14 @@ class BisectorTracing {
   int pointOfNode(const Element& element, int node, const Eigen::Vector3d& bary);
   void addUnmatchedSide(const Element& element, int side, int vertex);
   void addBoundaryPoint(int h, int vertex);
+  double heightOf(const Element& element) const;
+  bool isBetweenSides(const Element& element, const Eigen::Vector3d& bary) const;
+  bool mayBeOne(const Corner& a, const Corner& b);
   void addSegment(const Element& element, const Corner& from, const Corner& to, int left,
                   int right);
   void leave(int point, int label, int dart);
   void arrive(int point, int label, int dart);
-  double sideError(const FaceEnvelope::Vertex& v, double longest) const;
+  double sideError(const Element& element, const FaceEnvelope::Vertex& v) const;
   double insideError(const FaceEnvelope::Vertex& v, double longest) const;
   int label(int function) const { return functions_[function].label; }
   const std::array<double, 3>& value(int function) const { return functions_[function].value; }

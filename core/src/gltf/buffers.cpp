@@ -39,7 +39,7 @@ Bytes Buffers::content(Buffer& buffer, int index, const std::string& name) {
     if (index == 0 && bin_) return *bin_;
     if (!buffer.object.compression.empty()) {
       reject(name + " stands for data compressed with " + buffer.object.compression +
-             ", which has to be decompressed before it is read here");
+             kDecompressFirst);
     }
     reject(name + " has no uri, and there is no binary chunk for it");
   }
@@ -53,7 +53,7 @@ Bytes Buffers::content(Buffer& buffer, int index, const std::string& name) {
   for (const GltfResource& resource : resources_) {
     if (percentDecoded(resource.uri) == path) return resource.bytes;
   }
-  reject(name + " is in the file \"" + uri + "\", which is missing");
+  reject("it needs the file \"" + uri + "\" (" + name + "), which is missing");
 }
 
 }  // namespace gvd::gltf

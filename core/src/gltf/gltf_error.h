@@ -19,4 +19,10 @@ inline std::string toRaise(const char* limit) {
   return "; raise the limit " + std::string(limit) + " to read it";
 }
 
+/// What to do about compression, which only the JavaScript library undoes; it does so before it
+/// hands a file to this reader.
+inline constexpr char kDecompressFirst[] =
+    ", which is not decompressed here: save the model without it, or open it with the JavaScript "
+    "library or the command geodesic-voronoi";
+
 }  // namespace gvd::gltf

@@ -38,10 +38,9 @@ void requireKnownExtensions(const json& document) {
   for (const json& entry : *list) {
     const std::string& extension = entry.get_ref<const std::string&>();
     if (isReadable(extension)) continue;
-    const bool compression = extension.find("compression") != std::string::npos;
+    const bool isCompression = extension.ends_with("_compression");
     reject("the glTF requires the extension " + extension +
-           (compression ? ", which has to be decompressed before it is read here"
-                        : ", which is not supported"));
+           (isCompression ? kDecompressFirst : ", which is not supported"));
   }
 }
 

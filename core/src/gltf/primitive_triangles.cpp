@@ -97,8 +97,7 @@ PrimitiveSize sizeOf(const Primitive& primitive, std::span<const double> weights
   };
   const Accessor& positions = accessors.at(primitive.attributes.at("POSITION"), name);
   if (!positions.elements && !primitive.compression.empty()) {
-    reject(name + " is compressed with " + primitive.compression +
-           ", which has to be decompressed before it is read here");
+    reject(name + " is compressed with " + primitive.compression + kDecompressFirst);
   }
   countZeros(positions);
   size.vertices = positions.count;

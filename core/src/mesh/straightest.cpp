@@ -47,8 +47,10 @@ class Walk {
   StraightestGeodesic run() {
     // In as many crossings as there are halfedges, a line that moves at all has left every star.
     const int window = mesh_.halfedgeCount() + 16;
+    // Around a spike a line may wind millions of times.
+    const long most = kMostCrossings + 16L * mesh_.halfedgeCount();
     double before = kNever;
-    for (int crossings = 0; remaining_ > 0; ++crossings) {
+    for (long crossings = 0; remaining_ > 0 && crossings < most; ++crossings) {
       if (crossings % window == 0) {
         if (before - remaining_ < 0x1p-30 * total_) break;
         before = remaining_;
@@ -66,6 +68,7 @@ class Walk {
  private:
   static constexpr double kSnap = 1e-12;  ///< of an edge, or of a radian
   static constexpr double kNever = 1e300;
+  static constexpr long kMostCrossings = 1 << 16;  ///< and more on larger meshes
 
   // --- Frames ---
 

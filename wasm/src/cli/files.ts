@@ -3,6 +3,7 @@ import { randomUUID } from 'node:crypto';
 import {
   access,
   constants,
+  readdir,
   readFile,
   realpath,
   rename,
@@ -10,9 +11,10 @@ import {
   stat,
   writeFile,
 } from 'node:fs/promises';
-import { dirname, isAbsolute, join, relative, resolve } from 'node:path';
-import { gltfResourceUris } from '../gltf.js';
-import type { GltfResources, SurfacePointsInput } from '../types.js';
+import { basename, dirname, join, resolve, sep } from 'node:path';
+import { gltfResourceUris } from '../input/gltf_document.js';
+import { placeOf } from '../input/model_files.js';
+import type { ModelFile, ModelFiles, SurfacePointsInput } from '../types.js';
 import { standard } from './options.js';
 
 /** A file cannot be read or written: exit status 1. */
@@ -22,19 +24,74 @@ function readBytes(path: string): Promise<Uint8Array> {
   return path === standard ? readStandardInput() : read(path, path);
 }
 
-/** Reads a glTF file with the files that it names, out of its own folder. */
-export async function readModel(
-  path: string,
-): Promise<{ bytes: Uint8Array; resources: GltfResources }> {
+/** The files of a model: all of a folder, or a file with those that it names, out of its own folder. */
+export async function readModel(path: string): Promise<ModelFiles> {
+  if (path !== standard && (await kindOf(path)) === 'folder') return folderFiles(path);
+  if (await isDevice(path)) throw new FileError(`${path} is a device and no file`);
   const bytes = await readBytes(path);
-  const resources: GltfResources = {};
+  const files: ModelFiles = { [basename(path)]: bytes };
+  if (path === standard) return files;
   for (const uri of gltfResourceUris(bytes)) {
-    if (path === standard) {
-      throw new FileError(`the model needs ${uri}, but one from standard input has no folder`);
-    }
-    resources[uri] = await read(resourcePath(path, uri), `${uri}, which ${path} needs,`);
+    const place = placeOf('', uri);
+    const file = place === undefined ? undefined : await fileWithin(dirname(path), place);
+    if (file) files[uri] = file;
   }
-  return { bytes, resources };
+  return files;
+}
+
+/** Folders of models have a few files; one with this many more was not meant. */
+const maxFiles = 10_000;
+
+/** All files of a folder and those in it, by their paths; read when they are needed. */
+async function folderFiles(folder: string): Promise<ModelFiles> {
+  const files: ModelFiles = {};
+  let count = 0;
+  const visit = async (path: string): Promise<void> => {
+    const entries = await readdir(join(folder, path), { withFileTypes: true });
+    for (const entry of entries) {
+      const place = path === '' ? entry.name : `${path}/${entry.name}`;
+      if (++count > maxFiles) {
+        throw new FileError(
+          `${folder} has more than ${maxFiles} files in it: name the model itself`,
+        );
+      }
+      // Links are not followed: they lead anywhere, also in circles.
+      if (entry.isDirectory()) await visit(place);
+      else if (entry.isFile()) files[place] = fileAt(join(folder, place));
+    }
+  };
+  try {
+    await visit('');
+  } catch (error) {
+    if (error instanceof FileError) throw error;
+    throw new FileError(`${folder} cannot be read: ${reason(error)}`);
+  }
+  return files;
+}
+
+/** A file that a model names, if it is there. A model comes from anywhere and may not reach outside. */
+async function fileWithin(folder: string, place: string): Promise<ModelFile | undefined> {
+  const path = join(folder, place);
+  const target = await realpath(path).catch(() => undefined);
+  if (target === undefined) return undefined;
+  if (!target.startsWith(join(await realpath(folder), sep))) {
+    throw new FileError(`${path} is a link to a place outside the model's folder`);
+  }
+  if ((await kindOf(target)) !== 'file') throw new FileError(`${path} is no file`);
+  return fileAt(target);
+}
+
+function fileAt(path: string): ModelFile {
+  return {
+    async arrayBuffer() {
+      try {
+        const { buffer, byteOffset, byteLength } = await readFile(path);
+        return buffer.slice(byteOffset, byteOffset + byteLength) as ArrayBuffer;
+      } catch (error) {
+        throw new FileError(reason(error));
+      }
+    },
+  };
 }
 
 async function readJson(path: string): Promise<unknown> {
@@ -84,25 +141,6 @@ async function read(path: string, name: string): Promise<Uint8Array> {
   }
 }
 
-/** Where a URI of a model leads. A model comes from anywhere and may not reach outside its folder. */
-function resourcePath(model: string, uri: string): string {
-  const folder = dirname(resolve(model));
-  const path = resolve(folder, decodeUri(uri));
-  const inside = relative(folder, path);
-  if (/^[a-z][a-z0-9+.-]*:/i.test(uri) || isAbsolute(inside) || inside.split(/[\\/]/)[0] === '..') {
-    throw new FileError(`${model} needs ${uri}, which is outside its folder`);
-  }
-  return path;
-}
-
-function decodeUri(uri: string): string {
-  try {
-    return decodeURIComponent(uri);
-  } catch {
-    return uri; // a bare % is part of the name then
-  }
-}
-
 /** Where a result goes; opened before the work, so that a wrong path is known at once. */
 export class Output {
   readonly #path: string;
@@ -144,6 +182,12 @@ async function kindOf(path: string): Promise<'file' | 'folder' | 'special'> {
   const entry = await stat(path).catch(() => undefined);
   if (entry?.isDirectory()) return 'folder';
   return entry && !entry.isFile() ? 'special' : 'file';
+}
+
+/** Some, like /dev/zero, never end. */
+async function isDevice(path: string): Promise<boolean> {
+  const entry = await stat(path).catch(() => undefined);
+  return entry?.isCharacterDevice() ?? false;
 }
 
 async function replaceFile(path: string, content: string | Uint8Array): Promise<void> {

@@ -18,7 +18,9 @@ const repairTexts: Record<Exclude<keyof MeshRepairs, 'mollification'>, string> =
 /** The facts of a mesh, a line each, for people. */
 export function meshReport(facts: MeshInfo): string {
   const number = (x: number) => String(Number(x.toPrecision(6)));
+  const { format, file } = facts.origin;
   const rows: [string, string][] = [
+    ['format', file ? `${format} (${file})` : format],
     ['triangles', `${facts.faces} (${facts.inputFaces} in the file)`],
     ['vertices', `${facts.vertices} (${facts.inputVertices} in the file)`],
     ['edges', String(facts.edges)],

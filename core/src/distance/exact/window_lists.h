@@ -62,7 +62,7 @@ class WindowLists {
     return chunk;
   }
   void addPage() {
-    // Not make_unique, which would fill it; make_unique_for_overwrite is not in every libc++ yet.
+    // Not make_unique_for_overwrite: the library of Emscripten 3.1 has none.
     pages_.emplace_back(new Chunk[kPageSize]);
     Chunk* const page = pages_.back().get();
     for (int i = 0; i < kPageSize; ++i) page[i].next = i + 1 < kPageSize ? page + i + 1 : nullptr;

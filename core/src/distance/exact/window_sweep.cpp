@@ -4,6 +4,7 @@
 // Jindong Chen, Yijie Han. Shortest Paths on a Polyhedron. 1990
 // Chunxu Xu, Tuanfeng Wang, Yong-Jin Liu, Ligang Liu, Ying He. Fast Wavefront Propagation (FWP) for
 // Computing Exact Geodesic Distances on Meshes. 2015
+// Micha Sharir, Amir Schorr. On Shortest Paths in Polyhedral Spaces. 1986
 // Yipeng Qin, Xiaoguang Han, Hongchuan Yu, Yizhou Yu, Jianjun Zhang. Fast and Exact Discrete
 // Geodesic Computation Based on Triangle-Oriented Wavefront Propagation. 2016
 #include "distance/exact/window_sweep.h"
@@ -14,6 +15,7 @@
 
 #include "base/prefetch.h"
 #include "distance/site_frame.h"
+#include "distance/straight_line.h"
 
 namespace gvd::exact {
 namespace {
@@ -23,6 +25,28 @@ constexpr double kPi = std::numbers::pi;
 /// Buckets of the queue per mean edge length: wide enough for most windows of a halfedge to cross
 /// in one batch, narrow enough for few to cross before the distances that trim them are known.
 constexpr double kBucketsPerEdge = 2;
+
+/// A label that crosses more halfedges per vertex than this winds around a spike or a tube. Over a
+/// scanned surface, one label crosses 3.5 per vertex.
+constexpr size_t kMostCrossingsPerVertex = 30;
+/// How far a virtual source, unfolded face by face, may be from its place, as a share of the way to
+/// it: lines end there.
+constexpr double kSourceError = 1e-9;
+
+/// Whether the straight lines of a window have already crossed the face that they are about to
+/// enter. Then none of them is a shortest path: within the face, there is a shorter way (Sharir &
+/// Schorr 1986). All lines of a window have crossed the same faces; the middle one is followed
+/// backwards.
+bool entersFaceAgain(const TriangleMesh& mesh, const Window& w, int h) {
+  StraightLine line{h, (w.begin + w.end) / 2, {w.x, w.y}};
+  const double atSource = kSourceError * line.length();
+  for (int crossed = 0; crossed < mesh.faceCount(); ++crossed) {
+    if (!line.enterFace(mesh) || line.length() < atSource) return false;
+    if (line.halfedge / 3 == h / 3) return true;
+    if (!line.crossFace(mesh)) return false;
+  }
+  return true;
+}
 
 }  // namespace
 
@@ -43,6 +67,7 @@ void WindowSweep::begin(int label, SpreadTo to, LabelState& state, WindowRecord*
   to_ = to;
   state_ = &state;
   record_ = record;
+  isWinding_ = false;
   ++epoch_;
   required_.clear();
   points_.clear();
@@ -277,6 +302,7 @@ void WindowSweep::crossFace(int h) {
   if (right >= 0) windows_.prefetch(right);
   WindowLists::Chunk* const list = windows_.take(h);
   crossedFaces_.push_back(h / 3);
+  isWinding_ = crossedFaces_.size() > kMostCrossingsPerVertex * reached_.size();
   if (record_) WindowLists::visit(list, [&](const Window& w) { record_->add(h, w); });
   offerToApex(h, list);
   const End tail = endAt(face.vertices[i]), tip = endAt(face.vertices[j]),
@@ -326,6 +352,7 @@ inline void WindowSweep::keep(Window& w, const Portal& portal) {
   w.y = std::min(w.y, -0x1p-52 * portal.length);
   trim(w, portal.length, portal.own);
   if (!(w.begin < w.end)) return;
+  if (isWinding_ && entersFaceAgain(mesh_, w, portal.halfedge)) return;
   if (portal.isContested) {
     Window owned = w;
     trim(owned, portal.length, portal.nearest);

@@ -155,9 +155,10 @@ class WindowSweep {
   SpreadTo to_ = SpreadTo::kOwned;
   LabelState* state_ = nullptr;
   WindowRecord* record_ = nullptr;
+  bool isWinding_ = false;  ///< whether windows are dropped that enter a face again
   SurfacePoint site_;
   RequiredPlaces required_;
-  double mostExcess_ = 0;  ///< of them, when the label began to go on
+  double mostExcess_ = 0;            ///< of them, when the label began to go on
   std::vector<PointInFace> points_;  ///< by face
   std::vector<double> pointDistances_;
   std::vector<double> pointBounds_;  ///< of those in the face at hand

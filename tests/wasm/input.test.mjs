@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: MIT
+//
+// Models of every format: the same mesh gives the same diagram, whatever its file, and a file that is
+// broken is refused in a sentence.
+
+import assert from 'node:assert/strict';
+import { before, test } from 'node:test';
+import { zipSync } from 'fflate';
+import { load } from 'geodesic-voronoi';
+import { total } from './files.mjs';
+import { bumpySphere, glb, gltf, octahedron } from './meshes.mjs';
+import {
+  dracoGlb,
+  dracoModels,
+  dragon,
+  glbOf,
+  meshBinaryStl,
+  meshObj,
+  meshoptGlb,
+  meshPly,
+  meshTextStl,
+  packageModels,
+} from './model_files.mjs';
+
+const bytesOf = (text) => new TextEncoder().encode(text);
+const fails = (code, message = /./) => ({ name: 'GeodesicVoronoiError', code, message });
+
+let gvd;
+before(async () => {
+  gvd = await load();
+});
+
+/** The regions of a few sites make up the surface. */
+async function assertDivided(mesh, what, sites = { face: [0], bary: [1 / 3, 1 / 3, 1 / 3] }) {
+  const diagram = await mesh.voronoi(sites ?? (await mesh.sampleSites(5)));
+  const { regionArea, faceLabel } = diagram.data;
+  const isReached = faceLabel.every((label) => label !== -1);
+  const share = total([...regionArea]) / mesh.info.area;
+  if (isReached) assert.ok(Math.abs(share - 1) < 1e-9, `${what}: ${share}`);
+  else assert.ok(share < 1 + 1e-9, `${what}: ${share}`);
+  return diagram;
+}
+
+test('the same mesh gives the same diagram from every format', async () => {
+  const { positions, indices } = bumpySphere(9, 14);
+  // Numbers of 32 bits, which is what most formats have.
+  const sphere = { positions: positions.map(Math.fround), indices };
+  const textPly = meshPly(sphere, 'ascii');
+  const files = [
+    ['arrays', sphere],
+    ['glTF', glb(sphere)],
+    ['glTF', await meshoptGlb(sphere, 'EXT_meshopt_compression')],
+    ['glTF', await meshoptGlb(sphere, 'KHR_meshopt_compression')],
+    ['OBJ', meshObj(sphere)],
+    ['PLY', textPly],
+    ['PLY', meshPly(sphere, 'binary_little_endian')],
+    ['PLY', meshPly(sphere, 'binary_big_endian')],
+    ['STL', meshTextStl(sphere)],
+    ['STL', meshBinaryStl(sphere)],
+    ['PLY', zipSync({ 'sphere/sphere.ply': textPly, 'sphere/read me.txt': bytesOf('…') })],
+  ];
+  const sites = { face: [0, 30, 100, 200], bary: [1, 1, 1, 1].flatMap(() => [0.5, 0.3, 0.2]) };
+  const expected = await (await gvd.mesh(sphere)).voronoi(sites);
+  for (const [i, [format, file]] of files.entries()) {
+    const name = `file ${i}, ${format}`;
+    const mesh = await gvd.mesh(file);
+    assert.equal(mesh.info.origin.format, format, name);
+    assert.equal(mesh.info.eulerCharacteristic, 2, name);
+    const { data } = await assertDivided(mesh, name, sites);
+    assert.deepEqual([...data.faceLabel], [...expected.data.faceLabel], name);
+    data.regionArea.forEach((area, i) => {
+      assert.ok(Math.abs(area / expected.data.regionArea[i] - 1) < 1e-12, `${name}: ${area}`);
+    });
+  }
+  // Draco rounds, and orders faces and vertices as it likes.
+  const mesh = await gvd.mesh(await dracoGlb(sphere));
+  assert.deepEqual([mesh.info.inputFaces, mesh.info.eulerCharacteristic], [indices.length / 3, 2]);
+  await assertDivided(mesh, 'Draco');
+});
+
+test('models of packages: Draco, every controller, the dragon', async () => {
+  const models = [...dracoModels(), dragon(), ...packageModels('@webxr-input-profiles/assets')];
+  assert.ok(models.length > 60, `${models.length} models`);
+  for (const { name, bytes } of models) {
+    const mesh = await gvd.mesh(bytes);
+    await assertDivided(mesh, name, null);
+    mesh.dispose();
+  }
+});
+
+test('polygons are cut into triangles, also those that are no fans, and named', async () => {
+  // An L, a square with a corner in the middle of a side, and a triangle, by either way of counting.
+  const obj = `v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0
+f 4 5 6 1 2 3
+v 4 0 0\nv 5 0 0\nv 6 0 0\nv 6 2 0\nv 4 2 0
+f -5/1 -4/1/1 -3//1 -2 \\\n-1
+v 8 0 0\nv 9 0 0\nv 8 1 0
+f 12 13 14
+l 1 2`;
+  const mesh = await gvd.mesh(bytesOf(obj));
+  assert.equal(mesh.info.faces, 4 + 3 + 1);
+  assert.equal(mesh.info.repairs.isolatedVertices, 0);
+  assert.ok(Math.abs(mesh.info.area - 7.5) < 1e-12);
+  assert.deepEqual(mesh.info.notes, [
+    '2 polygons were cut into triangles',
+    '1 lines and points were passed over',
+  ]);
+  const partition = await (
+    await mesh.voronoi({ face: [0, 4, 7], bary: Array(9).fill(1 / 3) })
+  ).partition();
+  assert.deepEqual(
+    [...partition.regions.area].map((x) => x.toFixed(9)),
+    ['3.000000000', '4.000000000', '0.500000000'],
+  );
+});
+
+test('PLY: triangle strips, old names of types, and elements that do not matter', async () => {
+  const ply = `ply\r\nformat ascii 1.0\r\nelement range 2\r\nproperty list uchar char other
+element vertex 5\nproperty float32 z\nproperty float x\nproperty float y
+element tristrips 1\nproperty list int int vertex_indices\nend_header
+2 1 2\n1 7\n0 0 0\n0 1 0\n0 0 1\n0 1 1\n0 0 2
+9 0 1 2 3 -1 2 3 4 -1`;
+  const mesh = await gvd.mesh(bytesOf(ply));
+  assert.deepEqual([...mesh.indices], [0, 1, 2, 1, 3, 2, 2, 3, 4]);
+  assert.deepEqual([...mesh.positions.slice(3, 6)], [1, 0, 0]);
+});
+
+test('files come in any order, by paths that are percent-encoded or not', async () => {
+  const { json, buffer } = gltf(octahedron(), { uri: '../data/its%20buffer.bin' });
+  const files = {
+    'data/its buffer.bin': new Blob([buffer]),
+    'models/.hidden.glb': bytesOf('no model'),
+    '__MACOSX/models/scene.gltf': bytesOf('no model'),
+    'models/scene.gltf': bytesOf(JSON.stringify(json)),
+  };
+  for (const source of [files, Object.fromEntries(Object.entries(files).reverse())]) {
+    const { info } = await gvd.mesh(source);
+    assert.deepEqual([info.faces, info.origin], [8, { format: 'glTF', file: 'models/scene.gltf' }]);
+  }
+  // Files that were chosen one by one have lost their folders.
+  const flat = {
+    'its buffer.bin': buffer,
+    'scene.gltf': bytesOf(
+      JSON.stringify({ ...json, buffers: [{ ...json.buffers[0], uri: 'data/its%20buffer.bin' }] }),
+    ),
+  };
+  assert.equal((await gvd.mesh(flat)).info.faces, 8);
+  assert.equal((await gvd.mesh(new Blob([glb(octahedron())]))).info.faces, 8);
+
+  const scene = bytesOf(JSON.stringify(json));
+  const without = { 'models/scene.gltf': scene, 'data/Its Buffer.bin': buffer };
+  await assert.rejects(
+    gvd.mesh(without),
+    fails('invalid-gltf', /it needs the file.*buffer\.bin.*missing/),
+  );
+  await assert.rejects(
+    gvd.mesh({ 'scene.gltf': scene, 'x/y': buffer }),
+    fails('invalid-gltf', /outside its folder/),
+  );
+  await assert.rejects(
+    gvd.mesh({ 'a.glb': scene, 'b.obj': scene }),
+    fails('invalid-file', /a\.glb and b\.obj are several models: choose one/),
+  );
+  await assert.rejects(
+    gvd.mesh({ 'a.txt': scene, 'b.jpg': scene }),
+    fails('invalid-file', /there is no model in a\.txt and b\.jpg/),
+  );
+  await assert.rejects(gvd.mesh({}), fails('invalid-file', /no files/));
+  const unreadable = { arrayBuffer: () => Promise.reject(new Error('it has changed')) };
+  await assert.rejects(
+    gvd.mesh({ 'a.obj': unreadable }),
+    fails('invalid-file', /a\.obj cannot be read: it has changed/),
+  );
+});
+
+test('a zip that is broken, or a bomb, is refused', async () => {
+  const zip = zipSync({ 'a.obj': meshObj(octahedron()) });
+  const stored = zipSync({ 'a.obj': [meshObj(octahedron()), { level: 0 }] });
+  assert.equal((await gvd.mesh(stored)).info.faces, 8);
+  const directory = Buffer.from(zip).indexOf('PK\x01\x02');
+  const changed = (at, value) => {
+    const copy = Uint8Array.from(zip);
+    new DataView(copy.buffer).setUint32(at, value, true);
+    return copy;
+  };
+  const { length } = meshObj(octahedron());
+  for (const [bytes, message] of [
+    [zip.subarray(0, zip.length - 10), /zip is truncated/],
+    [changed(directory, 7), /zip is damaged/],
+    [changed(directory + 24, 2 ** 31), /would unpack to 2048 MB.*limit of 1024 MB.*folder/],
+    // What it says of a size does not matter in the end: it is stopped there.
+    [changed(directory + 24, length - 1), /a\.obj cannot be unpacked/],
+    [changed(directory + 24, length + 1), /a\.obj cannot be unpacked/],
+    [changed(directory + 20, 10), /a\.obj cannot be unpacked/],
+    [changed(directory + 42, 5), /a\.obj cannot be unpacked/],
+    [changed(directory + 8, 0x0008_0001), /encrypted/],
+    [changed(directory + 10, 12), /method 12/],
+    [zipSync({}), /no files/],
+    [zipSync({ 'a.zip': zip }), /a\.zip in the zip is a zip itself/],
+  ]) {
+    await assert.rejects(gvd.mesh(bytes), fails('invalid-file', message));
+  }
+});
+
+test('compressed data that are damaged are refused', async () => {
+  const view = (i) => (json) => json.bufferViews[i].extensions.EXT_meshopt_compression;
+  const meshopt = (change) => meshoptGlb(octahedron(), undefined, change);
+  for (const [file, message] of [
+    [meshopt((json) => (view(0)(json).count = 5)), /accessor|count/],
+    [meshopt((json) => (view(0)(json).count = 2 ** 40)), /more than 1024 MB/],
+    [meshopt((json) => (view(0)(json).count = -1)), /the count of buffer view 0 is -1/],
+    [meshopt((json) => (view(0)(json).byteStride = 10)), /byteStride 10/],
+    [meshopt((json) => (view(0)(json).mode = 'toString')), /mode of buffer view 0 is "toString"/],
+    [meshopt((json) => (view(1)(json).mode = 'ATTRIBUTES')), /damaged/],
+    [meshopt((json) => (view(0)(json).filter = 'QUATERNION')), /byteStride 12/],
+    [meshopt((json) => (view(0)(json).byteLength -= 9)), /damaged/],
+    [meshopt((json) => (view(0)(json).byteLength = 10_000)), /should have 10000 bytes/],
+    [meshopt((json) => (view(0)(json).buffer = 7)), /number 7 of 2 buffers/],
+    [dracoGlb(octahedron(), (json) => (json.bufferViews[0].byteLength -= 20)), /damaged/],
+    [dracoGlb(octahedron(), (json) => (json.accessors[0].count = 7)), /POSITION.*7.*it has 6/],
+    [dracoGlb(octahedron(), (json) => (json.accessors[1].count = 27)), /indices.*27.*it has 24/],
+    [dracoGlb(octahedron(), (json) => (json.accessors[0].type = 'VEC2')), /damaged/],
+    [
+      dracoGlb(octahedron(), (json) => (json.accessors[0].componentType = 5130)),
+      /componentType 5130/,
+    ],
+    [dracoGlb(octahedron(), (_, data) => data.fill(255, 11)), /damaged/],
+    [
+      dracoGlb(
+        octahedron(),
+        (json) =>
+          (json.meshes[0].primitives[0].extensions.KHR_draco_mesh_compression.attributes.POSITION = 9),
+      ),
+      /damaged/,
+    ],
+    [
+      dracoGlb(
+        octahedron(),
+        (json) =>
+          (json.meshes[0].primitives[0].extensions.KHR_draco_mesh_compression.bufferView = 9),
+      ),
+      /number 9 of 1 bufferViews/,
+    ],
+  ]) {
+    await assert.rejects(gvd.mesh(await file), fails('invalid-gltf', message));
+  }
+  assert.equal((await gvd.mesh(await meshopt())).info.faces, 8);
+});
+
+test('compressed data with any byte changed are read or refused', async () => {
+  for (const file of [await meshoptGlb(octahedron()), await dracoGlb(octahedron())]) {
+    const start = 28 + new DataView(file.buffer).getUint32(12, true);
+    for (let at = start; at < file.length; ++at) {
+      const changed = Uint8Array.from(file);
+      changed[at] ^= 1 << (at % 8);
+      await gvd
+        .mesh(changed)
+        .catch((error) => assert.equal(error.name, 'GeodesicVoronoiError', error.stack));
+    }
+  }
+});
+
+test('textures in any format do not matter, required or not', async () => {
+  const { json, buffer } = gltf(octahedron());
+  json.extensionsRequired = ['KHR_texture_basisu', 'EXT_texture_webp'];
+  json.images = [{ uri: 'missing.ktx2' }];
+  json.textures = [{ extensions: { KHR_texture_basisu: { source: 0 } } }];
+  assert.equal((await gvd.mesh(glbOf(json, buffer))).info.faces, 8);
+});
+
+test('a broken OBJ, PLY or STL says in which line or at which byte', async () => {
+  const ply = (...lines) => ['ply', 'format ascii 1.0', ...lines].join('\n');
+  const vertices = (n) => [
+    `element vertex ${n}`,
+    'property float x',
+    'property float y',
+    'property float z',
+  ];
+  const faces = (n) => [
+    `element face ${n}`,
+    'property list uchar int vertex_indices',
+    'end_header',
+  ];
+  const binary = (text, ...bytes) => Uint8Array.from([...bytesOf(text), ...bytes]);
+  const triangle = ['0 0 0', '1 0 0', '0 1 0'];
+  for (const [file, message] of [
+    ['v 0 0 0', /the OBJ has no faces/],
+    ['v 0 0 0\nv 1 x 0', /^line 2: 'x' is no number/],
+    ['v 0 0 0\nv 1 0', /^line 2: a number is missing after 'v 1 0'/],
+    ['v 0 0 0\nf 1 2 0', /^line 2: '0' names no vertex/],
+    ['v 0 0 0\nf 1 1 -2', /^line 2: '-2' names no vertex/],
+    ['v 0 0 0\nf 1 1/2 1.5', /^line 2: '1\.5' names no vertex/],
+    ['v 0 0 0\n\n#\nf 1 1 4\nv 1 1 1', /^line 4: the face names vertex 4, but there are 2/],
+    [ply(...vertices(1)), /header has no end/],
+    [ply('element vertex -1', 'end_header\n'), /^line 3: '-1' is not a count/],
+    [ply('property float x', 'end_header\n'), /^line 3: this property belongs to no element/],
+    [
+      ply('element vertex 1', 'property number x', 'end_header\n'),
+      /^line 4: 'number' is not a type/,
+    ],
+    [ply('element vertex 1', 'property float x', 'end_header\n'), /no y/],
+    ['ply\nend_header\n', /does not say its format/],
+    ['ply\nformat utf8 1.0\nend_header\n', /^line 2: 'utf8' is not a format/],
+    [ply(...vertices(3), ...faces(0), ...triangle), /the PLY has no faces/],
+    [
+      ply(...vertices(3), ...faces(1), ...triangle, '3 0 1 3'),
+      /^line 13: a face names vertex 3, but there are 3/,
+    ],
+    [ply(...vertices(3), ...faces(1), ...triangle, '3 0 1 -1'), /^line 13: -1 is not a vertex/],
+    [ply(...vertices(3), ...faces(2), ...triangle, '3 0 1 2'), /^line 13: the PLY is truncated/],
+    [ply(...vertices(3), ...faces(1), ...triangle, '-3 0 1 2'), /^line 13: -3 is not the length/],
+    [ply(...vertices(2 ** 39), ...faces(1), ''), /more than 16777216 vertices/],
+    [
+      binary(
+        'ply\nformat binary_big_endian 1.0\nelement vertex 9\nproperty int x\nproperty int y\nproperty int z\nend_header\n',
+        0,
+        0,
+      ),
+      /truncated: it ends at byte \d+/,
+    ],
+    ['solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0\n', /^line 4: a number is missing/],
+    ['solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\n', /^line 4: the STL is truncated/],
+    [
+      'solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nendloop',
+      /^line 5: a triangle with 1 corners/,
+    ],
+    ['solid\nfacet\nvertex 0 0 0', /^line 3: this vertex is in no triangle/],
+    ['solid\nfacet\nv 0 0 0', /^line 3: 'v 0 0 0' has no meaning/],
+    ['solid a\nendsolid a', /the STL has no triangles/],
+  ]) {
+    const bytes = typeof file === 'string' ? bytesOf(file) : file;
+    await assert.rejects(gvd.mesh(bytes), fails('invalid-file', message), file);
+  }
+  const stl = meshBinaryStl(octahedron());
+  await assert.rejects(
+    gvd.mesh({ 'a.stl': stl.subarray(0, 300) }),
+    fails('invalid-file', /its 8 triangles need 484 bytes, but it has 300/),
+  );
+});
+
+test('vertices and triangles are limited in every format, and the limits can be raised', async () => {
+  const mesh = octahedron();
+  const files = [meshObj(mesh), meshPly(mesh, 'ascii'), meshBinaryStl(mesh), meshTextStl(mesh)];
+  for (const file of [glb(mesh), await dracoGlb(mesh), ...files]) {
+    for (const limit of ['maxVertices', 'maxTriangles']) {
+      await assert.rejects(gvd.mesh(file, { limits: { [limit]: 5 } }), {
+        message: new RegExp(`more than 5 .*; raise the limit ${limit} to read it`),
+      });
+    }
+    const limits = { maxVertices: 24, maxTriangles: 8 };
+    assert.equal((await gvd.mesh(file, { limits })).info.faces, 8);
+  }
+});

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+//
+// The lists and buffers of a glTF whose content is about to be decompressed: bytes are found, checked,
+// and added.
+
+import {
+  gltfFault,
+  type GltfDocument,
+  isObject,
+  type JsonObject,
+  objectsOf,
+  type Resources,
+} from './gltf_document.js';
+
+/** Of all that is decompressed together; a file of a few bytes can ask for any amount. */
+const maxDecompressedBytes = 2 ** 30;
+/** The new buffer's parts begin at multiples of this, as numbers of up to eight bytes want it. */
+const alignment = 8;
+
+const listNames = ['accessors', 'buffers', 'bufferViews'] as const;
+type ListName = (typeof listNames)[number];
+
+export class GltfData {
+  readonly #document: GltfDocument;
+  readonly #resources: Resources;
+  readonly #added: Uint8Array[] = [];
+  #addedBytes = 0;
+
+  constructor(document: GltfDocument, resources: Resources) {
+    this.#document = document;
+    this.#resources = resources;
+    // Entries that are no objects count as empty ones.
+    for (const name of listNames) document.json[name] = objectsOf(document.json[name]);
+  }
+
+  list(name: ListName): JsonObject[] {
+    return this.#document.json[name] as JsonObject[];
+  }
+
+  /** An entry of a list; `what` names who wants it. */
+  entry(name: ListName, index: unknown, what: string): JsonObject {
+    const list = this.list(name);
+    const i = whole(index, what);
+    if (i < list.length) return list[i];
+    throw gltfFault(`${what} is number ${i} of ${list.length} ${name}`);
+  }
+
+  /** The bytes that a buffer view, or an extension of the same form, is about. */
+  bytesOf({ buffer, byteOffset = 0, byteLength }: JsonObject, what: string): Uint8Array {
+    const content = this.#bufferBytes(buffer, what);
+    const start = whole(byteOffset, `the byteOffset of ${what}`);
+    const length = whole(byteLength, `the byteLength of ${what}`);
+    if (start + length <= content.length) return content.subarray(start, start + length);
+    throw gltfFault(
+      `${what} should have ${length} bytes from byte ${start} on, but its buffer has ${content.length}`,
+    );
+  }
+
+  /** Where in the new buffer a content is. */
+  add(content: Uint8Array): { buffer: number; byteOffset: number; byteLength: number } {
+    const byteOffset = this.#addedBytes;
+    this.reserve(content.length);
+    this.#addedBytes += Math.ceil(content.length / alignment) * alignment;
+    this.#added.push(content);
+    return { buffer: this.list('buffers').length, byteOffset, byteLength: content.length };
+  }
+
+  /** Throws if so many bytes more are too many. */
+  reserve(bytes: number): void {
+    if (this.#addedBytes + bytes <= maxDecompressedBytes) return;
+    throw gltfFault(
+      `it would decompress to more than ${maxDecompressedBytes / 2 ** 20} MB, the most that is read; simplify or split the model`,
+    );
+  }
+
+  /** The new buffer. */
+  added(): Uint8Array {
+    const all = new Uint8Array(this.#addedBytes);
+    let at = 0;
+    for (const content of this.#added) {
+      all.set(content, at);
+      at += Math.ceil(content.length / alignment) * alignment;
+    }
+    return all;
+  }
+
+  #bufferBytes(index: unknown, what: string): Uint8Array {
+    const { uri } = this.entry('buffers', index, `the buffer of ${what}`);
+    const { binary } = this.#document;
+    if (uri === undefined && index === 0 && binary) return binary;
+    if (typeof uri !== 'string')
+      throw gltfFault(`buffer ${index}, which ${what} needs, has no uri`);
+    if (/^data:/i.test(uri)) return dataUriContent(uri, `buffer ${index}`);
+    if (Object.hasOwn(this.#resources, uri)) return this.#resources[uri];
+    throw gltfFault(`it needs the file "${uri}" (buffer ${index}), which is missing`);
+  }
+}
+
+/** An index or a size. */
+export function whole(value: unknown, what: string): number {
+  if (Number.isSafeInteger(value) && (value as number) >= 0) return value as number;
+  const shown = isObject(value) ? 'no number' : String(value);
+  throw gltfFault(`${what} is ${shown}, and not a whole number from 0`);
+}
+
+function dataUriContent(uri: string, owner: string): Uint8Array {
+  const comma = uri.indexOf(',');
+  try {
+    const text = decodeURIComponent(uri.slice(comma + 1));
+    if (comma < 0) throw new RangeError('no comma');
+    const isBase64 = /;base64$/i.test(uri.slice(0, comma));
+    return Uint8Array.from(isBase64 ? atob(text) : text, (character) => character.charCodeAt(0));
+  } catch (cause) {
+    throw gltfFault(`the data URI of ${owner} cannot be decoded`, cause);
+  }
+}

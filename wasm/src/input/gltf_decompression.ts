@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+//
+// A glTF in which nothing is compressed, out of one with KHR_draco_mesh_compression,
+// EXT_meshopt_compression or KHR_meshopt_compression: what the decoders give becomes one more buffer,
+// and buffer views and accessors are made to name it. All else stays as it is.
+
+import type { DracoMesh } from './draco.js';
+import {
+  dracoExtension,
+  extensionOf,
+  gltfFault,
+  type GltfDocument,
+  type GltfFile,
+  isObject,
+  type JsonObject,
+  meshoptExtensions,
+  objectsOf,
+  type Resources,
+} from './gltf_document.js';
+import { GltfData, whole } from './gltf_data.js';
+
+/** Names of buffers that no file has, since they are no URIs. */
+const binaryName = '<binary chunk>';
+const decompressedName = '<decompressed>';
+
+export async function decompressed(
+  document: GltfDocument,
+  resources: Resources,
+  dracoModule: () => Promise<WebAssembly.Module>,
+): Promise<GltfFile> {
+  const { json, binary } = document;
+  const data = new GltfData(document, resources);
+  await decompressViews(data);
+  await decompressPrimitives(json, data, dracoModule);
+  for (const list of ['extensionsUsed', 'extensionsRequired']) {
+    const names = [json[list]].flat();
+    json[list] = names.filter(
+      (name) => ![dracoExtension, ...meshoptExtensions].includes(name as string),
+    );
+  }
+
+  const added = data.added();
+  const all: Resources = { ...resources, [decompressedName]: added };
+  const buffers = data.list('buffers');
+  if (binary && buffers.length > 0 && buffers[0].uri === undefined) {
+    buffers[0].uri = binaryName;
+    all[binaryName] = binary;
+  }
+  buffers.push({ uri: decompressedName, byteLength: added.length });
+  try {
+    return { bytes: new TextEncoder().encode(JSON.stringify(json)), resources: all };
+  } catch (cause) {
+    throw gltfFault('the JSON is nested too deeply, or too long', cause);
+  }
+}
+
+/** Every buffer view that is compressed becomes one of the new buffer. */
+async function decompressViews(data: GltfData): Promise<void> {
+  for (const [i, view] of data.list('bufferViews').entries()) {
+    const name = meshoptExtensions.find((extension) => extensionOf(view, extension));
+    if (!name) continue;
+    const { decodeMeshopt } = await import('./meshopt.js');
+    const content = await decodeMeshopt(extensionOf(view, name)!, data, `buffer view ${i}`);
+    Object.assign(view, data.add(content));
+    delete (view.extensions as JsonObject)[name];
+  }
+}
+
+/** Every primitive that is compressed gets accessors of its own. */
+async function decompressPrimitives(
+  json: JsonObject,
+  data: GltfData,
+  dracoModule: () => Promise<WebAssembly.Module>,
+): Promise<void> {
+  for (const [m, mesh] of objectsOf(json.meshes).entries()) {
+    for (const [p, primitive] of objectsOf(mesh.primitives).entries()) {
+      const compression = extensionOf(primitive, dracoExtension);
+      if (!compression) continue;
+      const where = `primitive ${p} of mesh ${m}`;
+      const view = data.entry('bufferViews', compression.bufferView, `the bufferView of ${where}`);
+      const { openDraco } = await import('./draco.js');
+      const draco = await openDraco(await dracoModule(), data.bytesOf(view, where), where);
+      Object.assign(primitive, {
+        attributes: decompressedAttributes(primitive, compression, draco, data, where),
+        indices: decompressedIndices(primitive, draco, data, where),
+        mode: 4, // strips come as single triangles too
+      });
+      delete (primitive.extensions as JsonObject)[dracoExtension];
+    }
+  }
+}
+
+/** What is read of a vertex; a compressed primitive is left with no more. */
+const attributeNames = ['POSITION', 'NORMAL', 'TEXCOORD_0'];
+
+function decompressedAttributes(
+  primitive: JsonObject,
+  compression: JsonObject,
+  draco: DracoMesh,
+  data: GltfData,
+  where: string,
+): JsonObject {
+  const attributes = isObject(primitive.attributes) ? primitive.attributes : {};
+  const ids = isObject(compression.attributes) ? compression.attributes : {};
+  const result: JsonObject = {};
+  for (const name of attributeNames.filter((attribute) => attributes[attribute] !== undefined)) {
+    const what = `${name} of ${where}`;
+    const accessor = data.entry('accessors', attributes[name], what);
+    // Beside those that are compressed there may be others.
+    result[name] =
+      ids[name] === undefined
+        ? attributes[name]
+        : addAccessor(
+            data,
+            accessor,
+            draco.attribute(whole(ids[name], what), accessor, what),
+            what,
+          );
+  }
+  return result;
+}
+
+function decompressedIndices(
+  primitive: JsonObject,
+  draco: DracoMesh,
+  data: GltfData,
+  where: string,
+): number {
+  const content = draco.indices();
+  const count = content.byteLength / 4;
+  const own = { componentType: 5125, type: 'SCALAR', count };
+  const what = `the indices of ${where}`;
+  // Of a strip, they were fewer.
+  const isList = primitive.indices !== undefined && (primitive.mode ?? 4) === 4;
+  const given = isList ? data.entry('accessors', primitive.indices, what).count : count;
+  return addAccessor(data, { ...own, count: given }, { content, count }, what);
+}
+
+/** An accessor like another one, with data of its own. */
+function addAccessor(
+  data: GltfData,
+  { componentType, type, normalized, count: given }: JsonObject,
+  { content, count }: { content: Uint8Array; count: number },
+  what: string,
+): number {
+  if (given !== count) {
+    throw gltfFault(`${what} should have ${given} elements, but decompressed it has ${count}`);
+  }
+  const bufferView = data.list('bufferViews').push(data.add(content)) - 1;
+  return data.list('accessors').push({ bufferView, componentType, type, normalized, count }) - 1;
+}

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+//
+// A glTF before it is read: which files it names, and whether something in it is compressed. What is
+// wrong with it is for the reader in C++ to say, which gets it as it is.
+
+import { requireBytes } from '../checks.js';
+import { GeodesicVoronoiError } from '../errors.js';
+
+/** A value of JSON about which nothing is known yet. */
+export type JsonObject = Record<string, unknown>;
+
+/** Files that a glTF names, by the URIs that it uses. */
+export type Resources = Record<string, Uint8Array>;
+
+export interface GltfDocument {
+  json: JsonObject;
+  /** The binary chunk of a GLB. */
+  binary?: Uint8Array;
+}
+
+/** A glTF with the files that it names. */
+export interface GltfFile {
+  bytes: Uint8Array;
+  resources: Resources;
+}
+
+/** Each has the same form in a buffer view or a primitive. */
+export const meshoptExtensions = ['EXT_meshopt_compression', 'KHR_meshopt_compression'];
+export const dracoExtension = 'KHR_draco_mesh_compression';
+
+/**
+ * The files that a glTF names besides itself and that its triangles need: the URIs of its buffers,
+ * as it writes them. What is no glTF names none; `mesh()` says what is wrong with it.
+ */
+export function gltfResourceUris(bytes: Uint8Array): string[] {
+  requireBytes('bytes', bytes);
+  const document = parseGltf(bytes);
+  return document ? resourceUris(document.json) : [];
+}
+
+export function resourceUris({ buffers }: JsonObject): string[] {
+  return objectsOf(buffers)
+    .filter((buffer) => !isFallback(buffer))
+    .map(({ uri }) => uri)
+    .filter((uri): uri is string => typeof uri === 'string' && !/^data:/i.test(uri));
+}
+
+/** Whether a buffer is there only for readers that cannot decompress. */
+function isFallback(buffer: JsonObject): boolean {
+  return meshoptExtensions.some((name) => extensionOf(buffer, name)?.fallback === true);
+}
+
+export function isCompressed(json: JsonObject): boolean {
+  const names = [json.extensionsUsed, json.extensionsRequired].flat();
+  return [dracoExtension, ...meshoptExtensions].some((name) => names.includes(name));
+}
+
+export function extensionOf({ extensions }: JsonObject, name: string): JsonObject | undefined {
+  return isObject(extensions) && isObject(extensions[name]) ? extensions[name] : undefined;
+}
+
+/** The objects of a list; nothing stands in for what is none, so that indices stay. */
+export function objectsOf(list: unknown): JsonObject[] {
+  return Array.isArray(list) ? list.map((entry) => (isObject(entry) ? entry : {})) : [];
+}
+
+export function isObject(value: unknown): value is JsonObject {
+  return typeof value === 'object' && value !== null;
+}
+
+/** Nothing if it is no JSON. */
+export function parseGltf(bytes: Uint8Array): GltfDocument | undefined {
+  const { text, binary } = chunksOf(bytes);
+  let json: unknown;
+  try {
+    json = JSON.parse(new TextDecoder().decode(text));
+  } catch {
+    return undefined;
+  }
+  return isObject(json) ? { json, binary } : undefined;
+}
+
+/** The JSON and the binary chunk of a GLB; of anything else, all is JSON. */
+function chunksOf(bytes: Uint8Array): { text: Uint8Array; binary?: Uint8Array } {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  const glbMagic = 0x46546c67;
+  const headerBytes = 20;
+  if (bytes.length < headerBytes || view.getUint32(0, true) !== glbMagic) return { text: bytes };
+  const end = headerBytes + view.getUint32(12, true);
+  const text = bytes.subarray(headerBytes, end);
+  if (end + 8 > bytes.length) return { text };
+  return { text, binary: bytes.subarray(end + 8, end + 8 + view.getUint32(end, true)) };
+}
+
+export function gltfFault(message: string, cause?: unknown): GeodesicVoronoiError {
+  return new GeodesicVoronoiError('invalid-gltf', message, { cause });
+}

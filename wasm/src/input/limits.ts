@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+//
+// How much is read of a model, so that a small file cannot take all memory or hours.
+
+import { GeodesicVoronoiError } from '../errors.js';
+import type { GltfLimits } from '../types.js';
+
+/** Those of the glTF reader that have a meaning in every format. */
+export type SizeLimits = Required<Pick<GltfLimits, 'maxVertices' | 'maxTriangles'>>;
+
+/** Of one polygon: the time that cutting takes may grow with its square. */
+const maxCorners = 2 ** 14;
+
+/** By default as many as the glTF reader takes. */
+export function toSizeLimits({
+  maxVertices = 2 ** 24,
+  maxTriangles = 2 ** 24,
+}: GltfLimits): SizeLimits {
+  return { maxVertices, maxTriangles };
+}
+
+export function requireVertices(count: number, { maxVertices }: SizeLimits): void {
+  if (count > maxVertices) throw tooMany(`${maxVertices} vertices`, 'maxVertices');
+}
+
+export function requireTriangles(count: number, { maxTriangles }: SizeLimits): void {
+  if (count > maxTriangles) throw tooMany(`${maxTriangles} triangles`, 'maxTriangles');
+}
+
+export function requireCorners(count: number): void {
+  if (count <= maxCorners) return;
+  throw new GeodesicVoronoiError(
+    'invalid-file',
+    `it has a polygon with more than ${maxCorners} corners, the most that are read`,
+  );
+}
+
+function tooMany(what: string, limit: string): GeodesicVoronoiError {
+  return new GeodesicVoronoiError(
+    'invalid-file',
+    `it has more than ${what}; raise the limit ${limit} to read it`,
+  );
+}

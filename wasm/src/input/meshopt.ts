@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+//
+// Buffer views as EXT_meshopt_compression and KHR_meshopt_compression have them, decoded by the
+// meshoptimizer library. It trusts the numbers that it is given: they are checked against the
+// specification here.
+
+import { MeshoptDecoder } from 'meshoptimizer/decoder';
+import { type GltfData, whole } from './gltf_data.js';
+import { gltfFault, type JsonObject } from './gltf_document.js';
+
+const strides: Record<string, (stride: number) => boolean> = {
+  ATTRIBUTES: (stride) => stride % 4 === 0 && stride >= 4 && stride <= 256,
+  TRIANGLES: (stride) => stride === 2 || stride === 4,
+  INDICES: (stride) => stride === 2 || stride === 4,
+};
+/** Those of attributes have a stride of their own. */
+const filters: Record<string, (stride: number) => boolean> = {
+  NONE: () => true,
+  OCTAHEDRAL: (stride) => stride === 4 || stride === 8,
+  QUATERNION: (stride) => stride === 8,
+  EXPONENTIAL: (stride) => stride % 4 === 0,
+  COLOR: (stride) => stride === 4 || stride === 8,
+};
+
+/** The content of a buffer view with such an extension. */
+export async function decodeMeshopt(
+  compression: JsonObject,
+  data: GltfData,
+  where: string,
+): Promise<Uint8Array> {
+  const packed = data.bytesOf(compression, where);
+  const count = whole(compression.count, `the count of ${where}`);
+  const stride = whole(compression.byteStride, `the byteStride of ${where}`);
+  const { mode, filter = 'NONE' } = compression;
+  requireOneOf('mode', mode, strides, where);
+  requireOneOf('filter', filter, filters, where);
+  const fits = strides[mode](stride) && filters[filter](stride);
+  if (!fits || (filter !== 'NONE' && mode !== 'ATTRIBUTES')) {
+    throw gltfFault(
+      `${where} is compressed by ${mode} and ${filter}: that has no byteStride ${stride}`,
+    );
+  }
+  if (mode === 'TRIANGLES' && count % 3 !== 0) {
+    throw gltfFault(`${where} has ${count} corners of triangles, which is no multiple of three`);
+  }
+  data.reserve(count * stride);
+  const content = new Uint8Array(count * stride);
+  await MeshoptDecoder.ready;
+  try {
+    MeshoptDecoder.decodeGltfBuffer(content, count, stride, packed, mode, filter);
+  } catch (cause) {
+    throw gltfFault(`${where} cannot be decompressed: its data are damaged`, cause);
+  }
+  return content;
+}
+
+function requireOneOf<Name extends string>(
+  what: string,
+  name: unknown,
+  known: Record<Name, unknown>,
+  where: string,
+): asserts name is Name {
+  if (typeof name === 'string' && Object.hasOwn(known, name)) return;
+  throw gltfFault(`the ${what} of ${where} is ${JSON.stringify(name)}, which is not known`);
+}

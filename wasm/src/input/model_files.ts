@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+//
+// The files of a model: which of them is the model, and which one it means by a name.
+
+import { GeodesicVoronoiError } from '../errors.js';
+import type { ModelFile, ModelFiles } from '../types.js';
+
+const modelName = /\.(glb|gltf|obj|ply|stl)$/i;
+const archiveName = /\.zip$/i;
+
+export class FileSet {
+  readonly #files: ReadonlyMap<string, ModelFile>;
+  readonly #paths: ReadonlyMap<string, string>;
+
+  /** By their paths, or for those that a glTF names by the URI that it uses. */
+  constructor(files: ModelFiles) {
+    this.#files = new Map(Object.entries(files));
+    this.#paths = new Map([...this.#files.keys()].map((path) => [normalised(path) ?? path, path]));
+  }
+
+  /** The one file that is a model, or an archive with one in it; a file alone may have any name. */
+  get model(): string {
+    const all = [...this.#files.keys()];
+    const paths = all.length === 1 ? all : all.filter((path) => !isHidden(path));
+    const models = paths.filter((path) => modelName.test(path));
+    const archives = paths.filter((path) => archiveName.test(path));
+    const candidates = paths.length === 1 ? paths : models.length > 0 ? models : archives;
+    if (candidates.length === 1) return candidates[0];
+    if (candidates.length > 1) {
+      throw new GeodesicVoronoiError(
+        'invalid-file',
+        `${listed(candidates)} are several models: choose one`,
+      );
+    }
+    const found = paths.length > 0 ? ` in ${listed(paths)}` : ': there are no files';
+    throw new GeodesicVoronoiError(
+      'invalid-file',
+      `there is no model${found}; a model is a .glb, .gltf, .obj, .ply or .stl, or a .zip with one`,
+    );
+  }
+
+  async read(path: string): Promise<Uint8Array> {
+    const file = this.#files.get(path)!;
+    if (file instanceof Uint8Array) return file;
+    try {
+      return new Uint8Array(await file.arrayBuffer());
+    } catch (cause) {
+      // What an archive is to be blamed for, it says itself.
+      if (cause instanceof GeodesicVoronoiError) throw cause;
+      throw new GeodesicVoronoiError(
+        'invalid-file',
+        `${path || 'the file'} cannot be read: ${(cause as Error).message}`,
+        { cause },
+      );
+    }
+  }
+
+  /** The file that a model means by a URI, if it is there. A model may not reach outside its folder. */
+  async resource(model: string, uri: string): Promise<Uint8Array | undefined> {
+    if (this.#files.has(uri)) return this.read(uri);
+    const place = placeOf(model, uri);
+    if (place === undefined) {
+      throw new GeodesicVoronoiError(
+        'invalid-gltf',
+        `it needs ${uri}, which is outside its folder`,
+      );
+    }
+    const path = this.#paths.get(place) ?? this.#fileNamed(place);
+    return path === undefined ? undefined : this.read(path);
+  }
+
+  /** Files that were chosen one by one have lost their folders: there, the name alone decides. */
+  #fileNamed(place: string): string | undefined {
+    const hasFolders = [...this.#paths.keys()].some((path) => path.includes('/'));
+    return hasFolders ? undefined : this.#paths.get(place.slice(place.lastIndexOf('/') + 1));
+  }
+}
+
+/** The path of the file that a model means by a URI; nothing if that is outside the model's folder. */
+export function placeOf(model: string, uri: string): string | undefined {
+  const hasScheme = /^[a-z][a-z0-9+.-]*:/i.test(uri);
+  return hasScheme ? undefined : normalised(`${folderOf(model)}${decoded(uri)}`);
+}
+
+/** Which of what systems leave in folders and archives no model ever means. */
+function isHidden(path: string): boolean {
+  return path.split('/').some((name) => name === '__MACOSX' || /^\.[^.]/.test(name));
+}
+
+function folderOf(path: string): string {
+  return path.slice(0, path.lastIndexOf('/') + 1);
+}
+
+/** Without `.` and `..`; nothing if it leads outside. */
+function normalised(path: string): string | undefined {
+  if (/^[\\/]/.test(path)) return undefined;
+  const names: string[] = [];
+  for (const name of path.split(/[\\/]/)) {
+    if (name === '..' && names.pop() === undefined) return undefined;
+    if (name !== '..' && name !== '.' && name !== '') names.push(name);
+  }
+  return names.join('/');
+}
+
+function decoded(uri: string): string {
+  try {
+    return decodeURIComponent(uri);
+  } catch {
+    return uri; // a bare % is part of the name then
+  }
+}
+
+/** A few names, and how many more there are. */
+function listed(paths: readonly string[]): string {
+  const most = 5;
+  const rest = paths.length - most;
+  if (rest > 0) return `${paths.slice(0, most).join(', ')} and ${rest} more`;
+  return paths.length < 2 ? paths.join() : `${paths.slice(0, -1).join(', ')} and ${paths.at(-1)}`;
+}

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+//
+// What a file holds, by its content: names are wrong as often as they are missing.
+
+import { GeodesicVoronoiError } from '../errors.js';
+import { isBinaryStl } from './stl_layout.js';
+
+export type FileFormat = 'glTF' | 'OBJ' | 'PLY' | 'binary STL' | 'text STL' | 'zip';
+
+/** Enough to find the first statement after the comments that programs write. */
+const maxHeadBytes = 2 ** 16;
+const objStatement = /^(v|vt|vn|vp|f|fo|g|o|s|l|p|mtllib|usemtl|mg|lod|maplib)([ \t]|$)/m;
+
+/** The name decides where the content does not: of a file that is broken. */
+export function formatOf(bytes: Uint8Array, name: string): FileFormat {
+  if (bytes.length === 0) throw unknown('the file is empty');
+  if (isBinaryStl(bytes)) return 'binary STL';
+  const head = new TextDecoder('latin1').decode(bytes.subarray(0, maxHeadBytes));
+  const text = head.replace(/^(ï»¿)?\s*/, ''); // the mark of UTF-8, as this decoder has it
+  if (head.startsWith('glTF') || text.startsWith('{')) return 'glTF';
+  if (head.startsWith('PK\x03\x04') || head.startsWith('PK\x05\x06')) return 'zip';
+  if (/^ply[ \t]*[\r\n]/.test(head)) return 'PLY';
+  const isBinary = head.includes('\0');
+  const isTextStl = /^solid\b/.test(text) && /\bfacet\b|\bendsolid\b/.test(text);
+  if (!isBinary && isTextStl) return 'text STL';
+  if (!isBinary && objStatement.test(text)) return 'OBJ';
+  switch (/\.(\w+)$/.exec(name)?.[1].toLowerCase()) {
+    case 'glb':
+    case 'gltf':
+      return 'glTF';
+    case 'stl':
+      return isBinary ? 'binary STL' : 'text STL';
+    case 'obj':
+      return 'OBJ';
+    case 'ply':
+      return 'PLY';
+  }
+  throw unknown('the file is no model that is read');
+}
+
+function unknown(what: string): GeodesicVoronoiError {
+  return new GeodesicVoronoiError(
+    'invalid-file',
+    `${what}: glTF, OBJ, PLY or STL, or a zip with one of them`,
+  );
+}

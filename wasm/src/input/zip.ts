@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+//
+// The files of a zip archive (PKWARE's APPNOTE.TXT), each unpacked when it is read. What the archive
+// says of their sizes is checked first, and nothing is unpacked beyond it: an archive of a few bytes
+// can hold terabytes of zeros.
+
+import { Inflate } from 'fflate';
+import { GeodesicVoronoiError } from '../errors.js';
+import type { ModelFiles } from '../types.js';
+
+/** Of all files together. */
+const maxBytes = 2 ** 30;
+/** So little at a time that not even zeros, packed a thousandfold, grow into much more than a file. */
+const sliceBytes = 2 ** 16;
+
+interface Entry {
+  name: string;
+  /** 0 stored, 8 deflated. */
+  method: number;
+  isEncrypted: boolean;
+  packedSize: number;
+  size: number;
+  /** Of the local header that is in front of its data. */
+  offset: number;
+}
+
+export function zipFiles(archive: Uint8Array): ModelFiles {
+  const entries = entriesOf(archive).filter(({ name }) => !name.endsWith('/'));
+  const total = entries.reduce((sum, { size }) => sum + size, 0);
+  if (total > maxBytes) {
+    throw fault(
+      `the zip would unpack to ${Math.ceil(total / 2 ** 20)} MB, more than the limit of ${maxBytes / 2 ** 20} MB; unpacked, it can be opened as a folder`,
+    );
+  }
+  return Object.fromEntries(
+    entries.map((entry) => [
+      entry.name,
+      { arrayBuffer: async () => unpacked(archive, entry).buffer as ArrayBuffer },
+    ]),
+  );
+}
+
+/** The central directory, which is at the end; it alone knows all sizes. */
+function entriesOf(archive: Uint8Array): Entry[] {
+  const view = viewOf(archive);
+  const end = endOfDirectory(view);
+  const count = view.getUint16(end + 10, true);
+  let at = view.getUint32(end + 16, true);
+  if (count === 0xffff || at === 0xffffffff)
+    throw fault('the zip is one of 64 bits: unpack it first');
+  return Array.from({ length: count }, () => {
+    if (at + 46 > end || view.getUint32(at, true) !== 0x02014b50) {
+      throw fault(`the zip is damaged: there is no directory entry at byte ${at}`);
+    }
+    const flags = view.getUint16(at + 8, true);
+    const nameLength = view.getUint16(at + 28, true);
+    // Names are UTF-8 if flag 11 says so; else in an old code page, which has ASCII in common.
+    const name = new TextDecoder().decode(archive.subarray(at + 46, at + 46 + nameLength));
+    const entry: Entry = {
+      name: name.replaceAll('\\', '/'),
+      method: view.getUint16(at + 10, true),
+      isEncrypted: (flags & 1) !== 0,
+      packedSize: view.getUint32(at + 20, true),
+      size: view.getUint32(at + 24, true),
+      offset: view.getUint32(at + 42, true),
+    };
+    at += 46 + nameLength + view.getUint16(at + 30, true) + view.getUint16(at + 32, true);
+    return entry;
+  });
+}
+
+/** Where the record is that ends the archive; only a comment may follow it. */
+function endOfDirectory(view: DataView): number {
+  const last = view.byteLength - 22;
+  for (let at = last; at >= Math.max(0, last - 0xffff); --at) {
+    if (view.getUint32(at, true) === 0x06054b50) return at;
+  }
+  throw fault('the zip is truncated: its directory is missing');
+}
+
+function unpacked(archive: Uint8Array, entry: Entry): Uint8Array {
+  const { name, method, isEncrypted, packedSize, size, offset } = entry;
+  if (isEncrypted) throw fault(`${name} in the zip is encrypted: unpack it first`);
+  if (method !== 0 && method !== 8) {
+    throw fault(`${name} in the zip is packed by method ${method}; only 0 and 8 are read`);
+  }
+  const view = viewOf(archive);
+  const damaged = () => fault(`the zip is damaged: ${name} cannot be unpacked`);
+  if (offset + 30 > archive.length || view.getUint32(offset, true) !== 0x04034b50) throw damaged();
+  const start = offset + 30 + view.getUint16(offset + 26, true) + view.getUint16(offset + 28, true);
+  const packed = archive.subarray(start, start + packedSize);
+  if (packed.length < packedSize || (method === 0 && packedSize !== size)) throw damaged();
+  if (method === 0) return packed.slice();
+  try {
+    return inflated(packed, size);
+  } catch {
+    throw damaged();
+  }
+}
+
+/** Throws if it does not come to exactly `size` bytes, as soon as it is more. */
+function inflated(packed: Uint8Array, size: number): Uint8Array {
+  const content = new Uint8Array(size);
+  let length = 0;
+  const inflate = new Inflate((chunk) => {
+    content.set(chunk, length); // a RangeError if it does not fit
+    length += chunk.length;
+  });
+  for (let at = 0; at < packed.length; at += sliceBytes) {
+    inflate.push(packed.subarray(at, at + sliceBytes), at + sliceBytes >= packed.length);
+  }
+  if (length !== size) throw new RangeError('too short');
+  return content;
+}
+
+function viewOf(bytes: Uint8Array): DataView {
+  return new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+}
+
+function fault(message: string): GeodesicVoronoiError {
+  return new GeodesicVoronoiError('invalid-file', message);
+}
