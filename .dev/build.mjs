@@ -121,7 +121,9 @@ function checkPageSize() {
   );
   for (const name of names) {
     if (!name.endsWith('.js')) continue;
-    const imports = readFileSync(at(folder, name), 'utf8').matchAll(/(?:from|import)"\.\/([^"]+)"/g);
+    const imports = readFileSync(at(folder, name), 'utf8').matchAll(
+      /(?:from|import)"\.\/([^"]+)"/g,
+    );
     for (const [, imported] of imports) names.add(imported);
   }
   const sizes = [...names, '../index.html'].map((name) => {

@@ -47,7 +47,9 @@ const states = {
   help: click('#help-button'),
   error: (viewer) =>
     viewer.after('error', () =>
-      viewer.page.setInputFiles('#files', [{ name: 'a.txt', mimeType: '', buffer: Buffer.from('a') }]),
+      viewer.page.setInputFiles('#files', [
+        { name: 'a.txt', mimeType: '', buffer: Buffer.from('a') },
+      ]),
     ),
 };
 
@@ -67,11 +69,18 @@ const chosen = (all, names) => {
 
 async function takeAll(browser, names) {
   mkdirSync(folder, { recursive: true });
-  const widths = chosen(sizes.map(({ width }) => String(width)), names);
+  const widths = chosen(
+    sizes.map(({ width }) => String(width)),
+    names,
+  );
   for (const viewport of sizes.filter(({ width }) => widths.includes(String(width)))) {
     for (const colorScheme of chosen(schemes, names)) {
       for (const name of chosen(Object.keys(states), names)) {
-        const viewer = await opened(browser, { viewport, colorScheme, hasTouch: viewport.width < 500 });
+        const viewer = await opened(browser, {
+          viewport,
+          colorScheme,
+          hasTouch: viewport.width < 500,
+        });
         await states[name](viewer);
         await viewer.page.waitForTimeout(400); // the status line waits a moment
         const path = `${folder}/${name}-${viewport.width}-${colorScheme}.png`;

@@ -8,7 +8,7 @@ import { announce, at, exists, hasCommand, isScript, main, run, status } from '.
 /** Commands, with the Debian packages that bring them: for a page, and for the tests besides. */
 const commands = {
   build: { emcc: 'emscripten', cmake: 'cmake', ninja: 'ninja-build' },
-  test: { 'c++': 'g++', 'clang-format': 'clang-format' },
+  test: { 'c++': 'g++', 'clang++': 'clang', 'clang-format': 'clang-format' },
 };
 
 /** Libraries by one of their headers. What is not there, CMake fetches; without CGAL, it does less. */
@@ -21,6 +21,7 @@ const libraries = {
   test: {
     'gtest/gtest.h': 'libgtest-dev',
     'CGAL/Surface_mesh_shortest_path.h': 'libcgal-dev',
+    'fuzzer/FuzzedDataProvider.h': 'libclang-rt-14-dev',
   },
 };
 
@@ -48,6 +49,7 @@ export function setUp(purpose) {
 
 function hasHeader(header) {
   const folders = ['/usr/include', '/usr/local/include', '/opt/homebrew/include'];
+  folders.push('/usr/lib/clang/14/include'); // of Debian's compiler
   return folders.some((folder) => exists(`${folder}/${header}`));
 }
 

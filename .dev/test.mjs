@@ -63,6 +63,18 @@ const runners = [
     command: () => ctest('build/sanitized'),
     closing: (text) => ctestClosing('build/sanitized', text),
   },
+  {
+    // Inputs that libFuzzer makes up, a minute in all, watched in the same way.
+    name: 'fuzz',
+    prepare: () => buildWithCMake('build/fuzz', { options: fuzzed }),
+    command: () => ctest('build/fuzz'),
+    closing: (text) => text.match(/^.*tests passed.*$/m)?.[0],
+  },
+];
+const fuzzed = [
+  '-DCMAKE_BUILD_TYPE=Debug',
+  '-DCMAKE_CXX_COMPILER=clang++',
+  '-DGVD_SANITIZE=address,undefined,fuzzer-no-link',
 ];
 const sanitized = [
   '-DCMAKE_BUILD_TYPE=Debug',

@@ -28,7 +28,8 @@ Vector3d onLine(Random& r) { return r.uniform() * Vector3d(1, 2, -3) / 7; }
 /// On a line but for a distance of 1e-20 to 1.
 Vector3d nearLine(Random& r) {
   const double beside = std::pow(10.0, -r.below(21));
-  return onLine(r) + beside * anywhere(r);
+  const Vector3d on = onLine(r);
+  return on + beside * anywhere(r);
 }
 
 /// In one of four places, or beside it by rounding.
@@ -107,7 +108,8 @@ void distort(Shape& shape, Random& random) {
   };
   switch (random.below(10)) {
     case 0: {
-      const Vector3d axes(1, std::pow(10.0, -random.below(9)), std::pow(10.0, -random.below(9)));
+      // Braces: these are drawn in order, by any compiler.
+      const Vector3d axes{1, std::pow(10.0, -random.below(9)), std::pow(10.0, -random.below(9))};
       return forEach([&](const Vector3d& p) -> Vector3d { return p.cwiseProduct(axes); });
     }
     case 1: {

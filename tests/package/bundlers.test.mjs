@@ -205,7 +205,7 @@ test('esbuild, with the workers as entries of their own and the modules beside t
     entryPoints: {
       main: 'main.js',
       worker: inPackage('worker.js'),
-      cell_worker: inPackage('viewer/cell_worker.js'),
+      drawing_worker: inPackage('viewer/drawing_worker.js'),
     },
     bundle: true,
     minify: true,

@@ -67,7 +67,10 @@ suite('access', () => {
     const small = await page.evaluate(() =>
       [...document.querySelectorAll('button, select, input, summary, .chips span, .segments span')]
         .filter((element) => !element.matches('.chips input, .segments input'))
-        .map((element) => ({ name: element.id || element.textContent, box: element.getBoundingClientRect() }))
+        .map((element) => ({
+          name: element.id || element.textContent,
+          box: element.getBoundingClientRect(),
+        }))
         .filter(({ box }) => box.height > 0 && Math.round(box.height) < 44)
         .map(({ name, box }) => `${name}: ${box.height}`),
     );

@@ -21,15 +21,18 @@ suite('files', () => {
 
   /** A file, as a person drags it in from elsewhere. */
   const drop = (name, content) =>
-    viewer.evaluate((_, { name, content }) => {
-      const dataTransfer = new DataTransfer();
-      dataTransfer.items.add(new File([content], name));
-      for (const type of ['dragover', 'drop']) {
-        document.body.dispatchEvent(
-          new DragEvent(type, { bubbles: true, cancelable: true, dataTransfer }),
-        );
-      }
-    }, { name, content });
+    viewer.evaluate(
+      (_, { name, content }) => {
+        const dataTransfer = new DataTransfer();
+        dataTransfer.items.add(new File([content], name));
+        for (const type of ['dragover', 'drop']) {
+          document.body.dispatchEvent(
+            new DragEvent(type, { bubbles: true, cancelable: true, dataTransfer }),
+          );
+        }
+      },
+      { name, content },
+    );
 
   async function download(row, format) {
     await viewer.page.click('#download-button');
@@ -55,7 +58,8 @@ suite('files', () => {
     const wrong = {
       '{': 'is no JSON that can be read',
       '{"face": [1], "bary": [1, 0]}': 'is no list of sites',
-      '{"face": [999999], "bary": [1, 0, 0]}': 'belongs to another model: this one has 58784 triangles',
+      '{"face": [999999], "bary": [1, 0, 0]}':
+        'belongs to another model: this one has 58784 triangles',
     };
     for (const [text, sentence] of Object.entries(wrong)) {
       await drop('wrong.json', text);
@@ -82,7 +86,10 @@ suite('files', () => {
   test('a picture is as large as was asked for', async () => {
     const [once, twice] = [await download('picture', '1x'), await download('picture', '2x')];
     const size = ({ content }) => [content.readUInt32BE(16), content.readUInt32BE(20)];
-    assert.deepEqual(size(twice), size(once).map((pixels) => 2 * pixels));
+    assert.deepEqual(
+      size(twice),
+      size(once).map((pixels) => 2 * pixels),
+    );
     assert.equal(twice.name, 'bunny-picture.png');
   });
 
@@ -96,7 +103,11 @@ suite('files', () => {
       linear
         .slice(0, 3)
         .map((c) => (c <= 0.0031308 ? 12.92 * c : 1.055 * c ** (1 / 2.4) - 0.055))
-        .map((c) => Math.round(255 * c).toString(16).padStart(2, '0'))
+        .map((c) =>
+          Math.round(255 * c)
+            .toString(16)
+            .padStart(2, '0'),
+        )
         .join('');
     json.materials.forEach(({ name, pbrMetallicRoughness }) => {
       const label = Number(name.match(/\d+/)[0]);

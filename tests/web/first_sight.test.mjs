@@ -28,16 +28,24 @@ suite('first sight', () => {
     });
     await state(viewer, 'Finished 30 iterations');
     await viewer.settled();
-    const areas = () => viewer.evaluate(({ regionAreas }) => [...regionAreas].sort((a, b) => a - b));
+    const areas = () =>
+      viewer.evaluate(({ regionAreas }) => [...regionAreas].sort((a, b) => a - b));
     const even = await areas();
     assert.ok(even.at(-1) / even[0] < 3, `areas from ${even[0]} to ${even.at(-1)}`);
-    assert.match(await viewer.page.locator('#caption').textContent(), /Each colour is .+ Click the model/s);
+    assert.match(
+      await viewer.page.locator('#caption').textContent(),
+      /Each colour is .+ Click the model/s,
+    );
 
     await viewer.after('diagram', () => viewer.page.click('#undo'));
     const random = await areas();
     assert.ok(random.at(-1) / random[0] > 4, `areas from ${random[0]} to ${random.at(-1)}`);
     assert.equal(await isDisabled(viewer, '#undo'), true, 'all of it is one step');
-    assert.equal(await viewer.evaluate(({ cvtStatus }) => cvtStatus), 'idle', 'it does not begin again');
+    assert.equal(
+      await viewer.evaluate(({ cvtStatus }) => cvtStatus),
+      'idle',
+      'it does not begin again',
+    );
     await viewer.close();
   });
 
@@ -65,12 +73,17 @@ suite('first sight', () => {
     await viewer.page.locator('#undo:enabled').waitFor();
     await viewer.settled();
     assert.equal(await viewer.evaluate(({ iterations }) => iterations), 0);
-    const areas = await viewer.evaluate(({ regionAreas }) => [...regionAreas].sort((a, b) => a - b));
+    const areas = await viewer.evaluate(({ regionAreas }) =>
+      [...regionAreas].sort((a, b) => a - b),
+    );
     assert.ok(areas.at(-1) / areas[0] < 3, 'they are even all the same');
     await state(viewer, 'Finished 30 iterations');
     const curve = viewer.page.locator('#cvt-curve polyline');
     assert.equal((await curve.getAttribute('points')).split(' ').length, 31);
-    assert.match(await viewer.page.locator('#cvt-energy').textContent(), /^[01]\.\d{4} × hexagons$/);
+    assert.match(
+      await viewer.page.locator('#cvt-energy').textContent(),
+      /^[01]\.\d{4} × hexagons$/,
+    );
     assert.equal(await isDisabled(viewer, '#cvt-play'), false);
     await viewer.after('diagram', () => viewer.page.click('#undo'));
     await state(viewer, 'Not begun');
@@ -90,7 +103,9 @@ suite('first sight', () => {
     await viewer.close();
   });
 
-  test('the panel ends with the documents', { skip: hasDocuments ? false : 'not built' }, async () => {
+  test('the panel ends with the documents', {
+    skip: hasDocuments ? false : 'not built',
+  }, async () => {
     const viewer = await browser.open();
     await viewer.page.click('#documents a');
     await viewer.page.waitForURL('**/docs/index.html');
@@ -139,7 +154,9 @@ suite('first sight', () => {
     assert.deepEqual(second.complaints, []);
     await second.close();
 
-    const damaged = await browser.open({ hash: `${new URL(link).hash.split('&at=')[0]}&at=AAAA////` });
+    const damaged = await browser.open({
+      hash: `${new URL(link).hash.split('&at=')[0]}&at=AAAA////`,
+    });
     await damaged.page.locator('#error-text', { hasText: 'The link is damaged' }).waitFor();
     await damaged.settled();
     assert.equal(await damaged.siteCount(), 12);

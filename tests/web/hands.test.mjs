@@ -61,8 +61,7 @@ suite('hands', () => {
     const reached = (iteration) =>
       viewer.after('cvt-iteration', () =>
         viewer.page.waitForFunction(
-          (iteration) =>
-            Number(document.querySelector('#cvt-iteration').textContent) >= iteration,
+          (iteration) => Number(document.querySelector('#cvt-iteration').textContent) >= iteration,
           iteration,
         ),
       );

@@ -329,7 +329,9 @@ suite('the page', () => {
     const before = await viewer.sites();
     await viewer.page.fill('#count', '7');
     await viewer.page.fill('#seed', '3');
-    const scattered = await viewer.after('diagram', () => viewer.page.click('#scatter [type=submit]'));
+    const scattered = await viewer.after('diagram', () =>
+      viewer.page.click('#scatter [type=submit]'),
+    );
     assert.equal(scattered.sites, 7);
     const first = await viewer.sites();
     await viewer.after('diagram', () => viewer.page.click('#clear'));

@@ -162,7 +162,9 @@ function featuresGlb(
   for (const patch of patches) {
     const end = vertex + patch.vertices.points.length;
     ids.fill(patch.label < 0 ? siteCount : patch.label, vertex, end);
-    const colour = [...(regionColours[patch.label] ?? hueOf(patch.label)), 1].map((x) => Math.round(255 * x));
+    const colour = [...(regionColours[patch.label] ?? hueOf(patch.label)), 1].map((x) =>
+      Math.round(255 * x),
+    );
     for (let v = vertex; v < end; ++v) colours.set(colour, 4 * v);
     for (const c of patch.corners) corners[corner++] = vertex + c;
     vertex = end;

@@ -78,7 +78,9 @@ function elementOf(viewer: GeodesicVoronoiElement, file: string, origin: Origin)
   const after: Record<Origin, readonly string[]> = {
     scattered: [],
     even: ["  viewer.addEventListener('diagram', () => viewer.playCvt(), { once: true });"],
-    edited: ["  viewer.sites = await (await fetch('sites.json')).json(); // from this page's downloads"],
+    edited: [
+      "  viewer.sites = await (await fetch('sites.json')).json(); // from this page's downloads",
+    ],
   };
   return [
     `<${name} src="${file}" sites="${count}" seed="${seed}"`,
@@ -87,7 +89,9 @@ function elementOf(viewer: GeodesicVoronoiElement, file: string, origin: Origin)
     "  import 'geodesic-voronoi/element';",
     ...(origin === 'scattered' ? [] : [`  const viewer = document.querySelector('${name}');`]),
     ...(origin === 'edited'
-      ? ["  await new Promise((resolve) => viewer.addEventListener('load', resolve, { once: true }));"]
+      ? [
+          "  await new Promise((resolve) => viewer.addEventListener('load', resolve, { once: true }));",
+        ]
       : []),
     ...after[origin],
     '</script>',
@@ -97,7 +101,9 @@ function elementOf(viewer: GeodesicVoronoiElement, file: string, origin: Origin)
 function commandOf(viewer: GeodesicVoronoiElement, file: string, origin: Origin): string {
   const { count, seed, sampling, metric, detail, iterations } = settingsOf(viewer);
   const sites =
-    origin === 'edited' ? '--sites sites.json' : `--sites ${count} --seed ${seed} --sampling ${sampling}`;
+    origin === 'edited'
+      ? '--sites sites.json'
+      : `--sites ${count} --seed ${seed} --sampling ${sampling}`;
   const isEven = origin === 'even';
   return [
     `geodesic-voronoi ${isEven ? 'cvt' : 'diagram'} ${file} \\`,

@@ -54,4 +54,3 @@ function copyOnClick(id: string, text: () => string): void {
     }, 1500);
   });
 }
-

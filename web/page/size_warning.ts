@@ -24,7 +24,9 @@ export function setUpSizeWarning(viewer: GeodesicVoronoiElement): void {
         { title: 'Exact anyway', act: () => viewer.setAttribute('metric', 'exact') },
       );
     } else {
-      showNote(`${size}, which take about ${gigabytes(bytes)} of memory: a coarser model is safer.`);
+      showNote(
+        `${size}, which take about ${gigabytes(bytes)} of memory: a coarser model is safer.`,
+      );
     }
   });
 }

@@ -13,7 +13,9 @@ const preloadMain = {
   transformIndexHtml: {
     order: 'post',
     handler(_, { bundle = {} }) {
-      const main = Object.values(bundle).find((file) => file.isDynamicEntry && file.name === 'main');
+      const main = Object.values(bundle).find(
+        (file) => file.isDynamicEntry && file.name === 'main',
+      );
       const attrs = { rel: 'modulepreload', href: `./${main?.fileName}`, crossorigin: true };
       return main ? [{ tag: 'link', attrs, injectTo: 'head' }] : [];
     },

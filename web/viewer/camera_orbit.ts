@@ -24,8 +24,7 @@ export function parseCameraOrbit(text: string): CameraOrbit | undefined {
     radius: radius === 'auto' || radius === undefined ? 1 : numberWith('%', radius) / 100,
     target: target.length > 0 ? target.map(Number) : [0, 0, 0],
   };
-  const isOrbit =
-    orbit.target.length === 3 && Object.values(orbit).flat().every(Number.isFinite);
+  const isOrbit = orbit.target.length === 3 && Object.values(orbit).flat().every(Number.isFinite);
   return isOrbit && orbit.radius > 0 ? orbit : undefined;
 }
 

@@ -113,8 +113,8 @@ class TriangleMesh {
     std::array<double, 3> angles;   ///< the interior angle at corner i, in (0, π)
     std::array<double, 3> cosines;  ///< of that angle
     std::array<double, 3> sines;    ///< positive, to full relative precision
-    std::array<int, 3> vertices;  ///< at corner i: `tail(3f+i)`
-    std::array<int, 3> twins;     ///< of side i: `twin(3f+i)`
+    std::array<int, 3> vertices;    ///< at corner i: `tail(3f+i)`
+    std::array<int, 3> twins;       ///< of side i: `twin(3f+i)`
   };
   const Face& face(int f) const { return faces_[f]; }
 

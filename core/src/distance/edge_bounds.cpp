@@ -2,10 +2,8 @@
 #include "distance/edge_bounds.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "distance/face_layout.h"
-#include "mesh/surface_geometry.h"
 
 namespace gvd {
 
@@ -44,10 +42,8 @@ void EdgeBounds::insert(int label) {
 }
 
 void EdgeBounds::offerFrom(const FaceSite& site, int face) {
-  const auto sides = squaredSides(mesh_, face);
   for (int i = 0; i < 3; ++i)
-    offer(mesh_.tail(3 * face + i), site.label,
-          std::sqrt(squaredDistance(site.bary, Eigen::Vector3d::Unit(i), sides)));
+    offer(mesh_.tail(3 * face + i), site.label, wayToCorner(mesh_.face(face), site.bary, i).norm());
 }
 
 /// The vertices of a label are connected with its site by paths of its own. What is around them,

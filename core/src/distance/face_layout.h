@@ -25,6 +25,14 @@ inline Eigen::Vector2d layOut(const TriangleMesh::Face& face, int i, const Eigen
   return alongSide + bary[cornerBefore(i)] * apexOf(face, i);
 }
 
+/// From a point to a corner, in the coordinates of side 0. The one formula for this: in a thin face
+/// others round elsewhere, and a bound that came out less than the distance would keep every label
+/// from a vertex.
+inline Eigen::Vector2d wayToCorner(const TriangleMesh::Face& face, const Eigen::Vector3d& bary,
+                                   int corner) {
+  return layOut(face, 0, Eigen::Vector3d::Unit(corner) - bary);
+}
+
 /// The corner or side of its face that a point lies on, -1 if on none; on a corner, no side.
 struct Incidence {
   int corner = -1;

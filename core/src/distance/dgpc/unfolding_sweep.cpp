@@ -48,7 +48,7 @@ void UnfoldingSweep::start(const SurfacePoint& site) {
 void UnfoldingSweep::startInFace(const SurfacePoint& site, const Vector2d& firstSide) {
   const TriangleMesh::Face& face = mesh_.face(site.face);
   for (int i = 0; i < 3; ++i) {
-    const Vector2d way = layOut(face, 0, Eigen::Vector3d::Unit(i) - site.bary);
+    const Vector2d way = wayToCorner(face, site.bary, i);
     const double length = way.norm();
     offer(face.vertices[i], length, turnedBy(way / length, firstSide));
   }

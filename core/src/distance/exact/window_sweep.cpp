@@ -164,7 +164,7 @@ void WindowSweep::startAtSide(const SurfacePoint& site, int i, double angle, boo
   const Eigen::Vector2d s = layOut(face, i, site.bary);
   const Eigen::Vector2d toApex = apexOf(face, i) - s;
   const double below = toApex.y() > 0 ? s.x() - toApex.x() * (s.y() / toApex.y()) : s.x();
-  offer(face.vertices[cornerBefore(i)], toApex.norm(),
+  offer(face.vertices[cornerBefore(i)], wayToCorner(face, site.bary, cornerBefore(i)).norm(),
         {std::clamp(below, 0.0, face.lengths[i]), 0, angle, 3 * site.face + i});
   if (isOnSide || face.twins[i] < 0) return;
   Window window = {.begin = 0,

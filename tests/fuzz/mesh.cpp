@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+//
+// Vertices and triangles: a mesh that keeps what `TriangleMesh` promises, or an `Error`.
+#include <cmath>
+#include <cstdlib>
+
+#include "gvd/error.h"
+#include "wild_mesh.h"
+
+namespace {
+
+void require(bool holds) {
+  if (!holds) std::abort();
+}
+
+void check(const gvd::TriangleMesh& mesh) {
+  const gvd::MeshRepairs& r = mesh.repairs();
+  require(mesh.inputFaceCount() ==
+          mesh.faceCount() + r.nonFiniteTriangles + r.degenerateTriangles + r.duplicateTriangles);
+  require(mesh.inputVertexCount() ==
+          mesh.vertexCount() - r.splitVertices + r.weldedVertices + r.isolatedVertices);
+  for (int h = 0; h < mesh.halfedgeCount(); ++h) {
+    require(mesh.length(h) > 0 && mesh.cornerAngle(h) > 0);
+    const int twin = mesh.twin(h);
+    if (twin < 0) continue;
+    require(mesh.twin(twin) == h && mesh.tail(twin) == mesh.tip(h));
+    require(mesh.length(twin) == mesh.length(h));
+  }
+  for (int f = 0; f < mesh.faceCount(); ++f)
+    require(mesh.faceArea(f) > 0 && std::isfinite(mesh.faceArea(f)));
+  require(mesh.topology().genus >= 0);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  gvd::shapes::Random random(std::span(data, size));
+  try {
+    check(gvd::wildMesh(random, 60).mesh());
+  } catch (const gvd::Error&) {
+  }
+  return 0;
+}
