@@ -139,6 +139,7 @@ suite('hands', () => {
   });
 
   test('too few vertices for places far apart, and a model that will not fit, are told of', async () => {
+    await viewer.after('diagram', () => viewer.page.selectOption('#samples', 'hand.glb'));
     await viewer.page.fill('#count', '3000');
     await viewer.page.selectOption('#sampling', 'farthest');
     await viewer.after('diagram', () => viewer.page.click('#scatter [type=submit]'));

@@ -28,9 +28,16 @@ function enableWithModel(viewer: GeodesicVoronoiElement): void {
   });
 }
 
-/** The sentence on the view has done its work when somebody edits. */
+/** The sentence on the view has done its work when somebody edits, and is wrong where nobody can. */
 function endCaption(viewer: GeodesicVoronoiElement): void {
   const caption = byId('caption', HTMLElement);
+  if (matchMedia('(pointer: coarse)').matches) {
+    const hint = byId('hint', HTMLElement);
+    hint.textContent = (hint.textContent ?? '').replace('Click', 'Tap');
+  }
+  listen(viewer, 'exploded', (parts) => {
+    if (parts) caption.hidden = true;
+  });
   listen(viewer, 'sites-change', ({ selected }) => {
     if (selected >= 0) caption.hidden = true;
   });
