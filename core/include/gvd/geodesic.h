@@ -61,9 +61,8 @@ class DistanceField {
   virtual LabelledDistance nearest(const SurfacePoint& p) const = 0;
   /// The distance of one site at a point; infinity where it is not known.
   virtual double distance(int label, const SurfacePoint& p) const = 0;
-  /// The distances of labels at many points. Where another site is nearer, `distance` is only an
-  /// upper bound with the exact metric, for the propagation of a site stops there. This function
-  /// carries each site on to its points first, to all of them at once.
+  /// The same at many points. Where another site is nearer, the exact metric has to carry the site
+  /// on to the point: here for all points of one label at once.
   virtual std::vector<double> distancesAt(std::span<const LabelledPoint> points) const;
   /// The direction in which the shortest path from a site to a vertex leaves the site, as a unit
   /// vector: together with the distance, geodesic polar coordinates (the logarithmic map). With the

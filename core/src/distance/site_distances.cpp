@@ -173,6 +173,19 @@ std::array<double, 3> SiteDistances::distancesAtCorners(int face, int label) con
 }
 
 double SiteDistances::distance(int label, const SurfacePoint& p) const {
+  const double distance = boundAt(label, p);
+  if (!hasOpenDistances_ || distance == kInfinity || p.bary.maxCoeff() == 1) return distance;
+  // The nearest label has come to what it owns; another one goes on to the point.
+  const double nearestThere = nearest(p).distance;
+  if (isAtMost(distance, nearestThere)) return distance;
+  RequiredPoint required = {p, distance, nearestThere};
+  spread_->require(label, {&required, 1});
+  return required.distance;
+}
+
+/// The distance of a label at a point; where another label is nearer, with the exact metric, an
+/// upper bound.
+double SiteDistances::boundAt(int label, const SurfacePoint& p) const {
   const std::array<double, 3> atCorners = distancesAtCorners(p.face, label);
   for (int i = 0; i < 3; ++i) {
     if (p.bary[i] == 1) return atCorners[i];
@@ -188,7 +201,7 @@ Eigen::Vector2d SiteDistances::direction(int label, int vertex) const {
 
 std::vector<SurfacePoint> SiteDistances::path(int label, const SurfacePoint& p) const {
   if (!sites_.contains(label)) return {};
-  if (!(distance(label, p) < kInfinity) && nearest(p).label != label) return {};
+  if (!(boundAt(label, p) < kInfinity) && nearest(p).label != label) return {};
   return spread_->path(label, p);
 }
 

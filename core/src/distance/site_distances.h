@@ -63,6 +63,7 @@ class SiteDistances final : public DistanceField {
   void lowerBounds();
   bool spread(long& budget);
   SurfacePoint unique(const SurfacePoint& p) const;
+  double boundAt(int label, const SurfacePoint& p) const;
   std::array<double, 3> distancesAtCorners(int face, int label) const;
 
   const TriangleMesh& mesh_;

@@ -33,7 +33,7 @@ std::vector<double> SiteDistances::distancesAt(std::span<const LabelledPoint> po
     const LabelledPoint p = {label, unique(point)};
     distances.push_back(found_.find(p));
     if (distances.back() < kInfinity) continue;
-    distances.back() = distance(label, p.point);
+    distances.back() = boundAt(label, p.point);
     if (!hasOpenDistances_ || distances.back() == kInfinity) continue;
     if (p.point.bary.maxCoeff() == 1) continue;  // final already
     if (last.face != p.point.face || last.bary != p.point.bary) {

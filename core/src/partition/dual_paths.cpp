@@ -3,6 +3,8 @@
 // The sides of a dual as paths on the surface.
 
 #include <algorithm>
+#include <array>
+#include <vector>
 
 #include "distance/path_points.h"
 #include "gvd/dual.h"
@@ -25,42 +27,62 @@ SurfacePoint inFace(const TriangleMesh& mesh, const SurfacePoint& p, int face) {
   return result;
 }
 
-class NearestCrossing {
+/// The points of each arc at which the way from site to site is shortest. Distances at all points
+/// in question are asked for at once.
+class NearestCrossings {
  public:
-  NearestCrossing(const TriangleMesh& mesh, const Diagram& diagram, const DistanceField& field)
+  NearestCrossings(const TriangleMesh& mesh, const Diagram& diagram, const DistanceField& field)
       : mesh_(mesh), diagram_(diagram), field_(field), nearest_(diagram.arcLabels.size()) {
-    for (const Diagram::Segment& segment : diagram.segments) visit(segment);
+    // Where the paths to the virtual sources are the same all along a segment, the sum of the
+    // squared distances is a quadratic function: the one through three of its values has its least
+    // value at the same place. Elsewhere an end of the segment may be nearer.
+    const std::array shares = {0.0, 0.5, 1.0};
+    std::vector<Place> places;
+    for (const Diagram::Segment& segment : diagram.segments)
+      for (const double share : shares) places.push_back({&segment, share});
+    const std::vector<Eigen::Vector2d> distances = offer(places);
+    std::vector<Place> least;
+    for (size_t i = 0; i < places.size(); i += shares.size()) {
+      const double first = distances[i].squaredNorm(), middle = distances[i + 1].squaredNorm(),
+                   last = distances[i + 2].squaredNorm();
+      const double curvature = first - 2 * middle + last;
+      const double share = 0.5 + (first - last) / (4 * curvature);
+      if (curvature > 0 && share > 0 && share < 1) least.push_back({places[i].segment, share});
+    }
+    offer(least);
   }
 
   /// Of an arc; without a face if the distances of its sites are not known there.
   const SurfacePoint& of(int arc) const { return nearest_[arc].point; }
 
  private:
-  /// Where the paths to the virtual sources are the same all along a segment, the sum of the
-  /// squared distances is a quadratic function: the one through three of its values has its least
-  /// value at the same place. Elsewhere an end of the segment may be nearer.
-  void visit(const Diagram::Segment& segment) {
+  /// A point of a segment, by its share of the way.
+  struct Place {
+    const Diagram::Segment* segment;
+    double share;
+  };
+
+  SurfacePoint pointAt(const Place& place) const {
+    const Diagram::Segment& segment = *place.segment;
     const SurfacePoint begin = inFace(mesh_, diagram_.points[segment.points[0]], segment.face);
     const SurfacePoint end = inFace(mesh_, diagram_.points[segment.points[1]], segment.face);
-    if (begin.face != end.face) return;
-    const auto at = [&](double t) -> SurfacePoint {
-      return {begin.face, (1 - t) * begin.bary + t * end.bary};
-    };
-    const auto distances = [&](double t) {
-      return Eigen::Vector2d(field_.distance(segment.labels[0], at(t)),
-                             field_.distance(segment.labels[1], at(t)));
-    };
-    const Eigen::Vector2d first = distances(0), middle = distances(0.5), last = distances(1);
-    const double slope = first.squaredNorm() - last.squaredNorm();
-    const double curvature = first.squaredNorm() - 2 * middle.squaredNorm() + last.squaredNorm();
-    const double t = curvature > 0 ? std::clamp(0.5 + slope / (4 * curvature), 0.0, 1.0) : 0.5;
-    Crossing& nearest = nearest_[segment.arc];
-    const auto offer = [&](double place, const Eigen::Vector2d& both) {
-      if (both.sum() < nearest.length) nearest = {at(place), both.sum()};
-    };
-    offer(t, distances(t));
-    offer(0, first);
-    offer(1, last);
+    if (begin.face != end.face) return begin;
+    return {begin.face, (1 - place.share) * begin.bary + place.share * end.bary};
+  }
+
+  /// Takes the places as crossings if they are nearer; returns the distances of both sites there.
+  std::vector<Eigen::Vector2d> offer(const std::vector<Place>& places) {
+    std::vector<LabelledPoint> points;
+    for (const Place& place : places)
+      for (const int label : place.segment->labels) points.push_back({label, pointAt(place)});
+    const std::vector<double> distances = field_.distancesAt(points);
+    std::vector<Eigen::Vector2d> both;
+    for (size_t i = 0; i < places.size(); ++i) {
+      both.emplace_back(distances[2 * i], distances[2 * i + 1]);
+      Crossing& nearest = nearest_[places[i].segment->arc];
+      if (both[i].sum() < nearest.length) nearest = {points[2 * i].point, both[i].sum()};
+    }
+    return both;
   }
 
   const TriangleMesh& mesh_;
@@ -73,7 +95,7 @@ class NearestCrossing {
 
 std::vector<DualPath> dualPaths(const TriangleMesh& mesh, const Diagram& diagram,
                                 const DistanceField& field) {
-  const NearestCrossing crossings(mesh, diagram, field);
+  const NearestCrossings crossings(mesh, diagram, field);
   std::vector<DualPath> paths(diagram.arcLabels.size());
   for (size_t arc = 0; arc < paths.size(); ++arc) {
     DualPath& path = paths[arc];

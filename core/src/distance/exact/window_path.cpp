@@ -157,6 +157,9 @@ std::vector<SurfacePoint> WindowSpread::path(int label, const SurfacePoint& p) {
       if (place.bary[cornerBefore(i)] == 0) continue;  // on the side: the face beyond tells
       const int halfedge = 3 * place.face + i;
       recording.windows.visit(halfedge, [&](const Window& w) { path.offer(w, halfedge, place); });
+      // Where another label is nearer, the path may come through a window that has stopped.
+      for (const WaitingWindow& w : recording.state.waiting)
+        if (w.halfedge == halfedge) path.offer(w.window, halfedge, place);
     }
   });
   return path.take();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 #include "distance/exact/window.h"
@@ -14,7 +15,12 @@ class WindowRecord {
  public:
   void add(int halfedge, const Window& w) { windows_.push_back({halfedge, w}); }
   /// To be called between `add` and `visit`.
-  void sort() { std::stable_sort(windows_.begin(), windows_.end(), before); }
+  void sort() {
+    const auto added = windows_.begin() + static_cast<std::ptrdiff_t>(sortedCount_);
+    std::stable_sort(added, windows_.end(), before);
+    std::inplace_merge(windows_.begin(), added, windows_.end(), before);
+    sortedCount_ = windows_.size();
+  }
   /// Calls `visit` with every window that has crossed the face of a halfedge from there.
   template <class Visit>
   void visit(int halfedge, Visit visit) const {
@@ -30,6 +36,7 @@ class WindowRecord {
   static bool before(const Entry& a, const Entry& b) { return a.halfedge < b.halfedge; }
 
   std::vector<Entry> windows_;
+  size_t sortedCount_ = 0;
 };
 
 }  // namespace gvd::exact
