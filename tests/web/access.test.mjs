@@ -84,6 +84,23 @@ suite('access', () => {
     await viewer.close();
   });
 
+  test('nothing is cut off, however wide the window', async () => {
+    const viewer = await browser.open();
+    await viewer.settled();
+    for (const width of [320, 460, 760, 761, 900, 1200, 1201, 1440]) {
+      await viewer.page.setViewportSize({ width, height: 560 });
+      const reached = await viewer.page.evaluate(() =>
+        Math.max(
+          ...[...document.querySelectorAll('header *, main, aside')].map(
+            (element) => element.getBoundingClientRect().right,
+          ),
+        ),
+      );
+      assert.ok(reached <= width, `${reached} of ${width} pixels`);
+    }
+    await viewer.close();
+  });
+
   test('what is chosen is seen in the system’s colours', async () => {
     const viewer = await browser.open({ forcedColors: 'active' });
     await viewer.settled();

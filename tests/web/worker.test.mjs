@@ -14,7 +14,8 @@ const mediaTypes = { js: 'text/javascript', wasm: 'application/wasm' };
 
 /** /lib/ has all files; /app/ has the library without the worker's script and the modules. */
 async function answer(route) {
-  const [, folder, file] = new URL(route.request().url()).pathname.split('/');
+  const [, folder, ...path] = new URL(route.request().url()).pathname.split('/');
+  const file = path.join('/');
   if (!file) return route.fulfill({ contentType: 'text/html', body: '<!doctype html>' });
   const ending = file.split('.').at(-1);
   const isMissing = folder === 'app' && (file === 'worker.js' || ending === 'wasm');
