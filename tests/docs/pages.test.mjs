@@ -11,6 +11,7 @@ import { chromium } from 'playwright-core';
 import { servePackages } from '../../web/docs/make/packages_server.mjs';
 import { torus } from '../../web/page/sample_shapes.mjs';
 import { glb } from '../wasm/meshes.mjs';
+import { browserOptions } from '../web/browser.mjs';
 import { blocks, root } from './documents.mjs';
 
 const live = readFileSync(join(root, 'web/docs/examples/live.html'), 'utf8');
@@ -20,16 +21,7 @@ before(async () => {
   folder = mkdtempSync(join(tmpdir(), 'geodesic-voronoi-'));
   writeFileSync(join(folder, 'model.glb'), glb(torus(40, 20)));
   server = await servePackages(folder);
-  browser = await chromium.launch({
-    executablePath: process.env.CHROME_PATH ?? '/usr/bin/chromium',
-    chromiumSandbox: false,
-    args: [
-      '--use-angle=swiftshader',
-      '--enable-unsafe-swiftshader',
-      '--disable-background-networking',
-    ],
-    timeout: 120_000,
-  });
+  browser = await chromium.launch(browserOptions);
 });
 after(async () => {
   await browser?.close();

@@ -15,6 +15,7 @@ import { build as buildWithEsbuild } from 'esbuild';
 import { chromium } from 'playwright-core';
 import { build as buildWithVite, createServer as createViteServer } from 'vite';
 import { glb, octahedron } from '../wasm/meshes.mjs';
+import { browserOptions } from '../web/browser.mjs';
 import { install } from './installed.mjs';
 
 const webpack = createRequire(import.meta.url)('webpack');
@@ -125,12 +126,7 @@ let browser;
 before(async () => {
   installed = install('three', 'three-mesh-bvh');
   writeApp(installed.folder);
-  browser = await chromium.launch({
-    executablePath: process.env.CHROME_PATH ?? '/usr/bin/chromium',
-    chromiumSandbox: false,
-    args: ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
-    timeout: 120_000,
-  });
+  browser = await chromium.launch(browserOptions);
 });
 after(async () => {
   await browser?.close();

@@ -283,6 +283,8 @@ double BisectorTracing::heightOf(const Element& element) const {
   return 2 * mesh_.faceArea(element.face) / element.longest;
 }
 
+/// `bary` is in terms of the element. A point is near a side within some tens of the distance at
+/// which points are merged: those that are merged with it may be nearer.
 bool BisectorTracing::isBetweenSides(const Element& element, const Eigen::Vector3d& bary) const {
   const double near = 64 * kMaxPointError * heightOf(element);
   const double height = 2 * mesh_.faceArea(element.face);  // times the side

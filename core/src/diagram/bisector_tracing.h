@@ -28,8 +28,8 @@ class BisectorTracing {
     int point;
     Eigen::Vector3d bary;  ///< in terms of the face
     bool isInside = false;
-    bool isBetweenSides =
-        false;  ///< inside, and about as near to two sides as points are merged at
+    /// Whether it is inside, and about as near to two sides as points are merged at.
+    bool isBetweenSides = false;
   };
   /// The element at hand.
   struct Element {

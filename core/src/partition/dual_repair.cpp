@@ -10,9 +10,10 @@
 namespace gvd {
 namespace {
 
-class Doctor {
+/// One round of the repair: the sites that the violations of a diagram ask for.
+class RepairRound {
  public:
-  Doctor(const TriangleMesh& mesh, const Diagram& diagram, const DistanceField& field)
+  RepairRound(const TriangleMesh& mesh, const Diagram& diagram, const DistanceField& field)
       : mesh_(mesh),
         diagram_(diagram),
         field_(field),
@@ -81,7 +82,7 @@ class Doctor {
 
 std::vector<SurfacePoint> repairingSites(const TriangleMesh& mesh, const Diagram& diagram,
                                          const DistanceField& field) {
-  return Doctor(mesh, diagram, field).newSites();
+  return RepairRound(mesh, diagram, field).newSites();
 }
 
 RepairedSites repair(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric,

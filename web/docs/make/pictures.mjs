@@ -8,6 +8,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { load } from 'geodesic-voronoi';
 import { chromium } from 'playwright-core';
+import { browserOptions } from '../../../tests/web/browser.mjs';
 import { makeSamples } from '../../page/samples.mjs';
 import { servePackages } from './packages_server.mjs';
 
@@ -18,16 +19,7 @@ const backdrop = 'radial-gradient(circle at 50% 42%, #3a4150, #20252d 62%, #1518
 export async function takePictures(folder) {
   const models = mkdtempSync(join(tmpdir(), 'geodesic-voronoi-'));
   const server = await servePackages(models);
-  const browser = await chromium.launch({
-    executablePath: process.env.CHROME_PATH ?? '/usr/bin/chromium',
-    chromiumSandbox: false,
-    args: [
-      '--use-angle=swiftshader',
-      '--enable-unsafe-swiftshader',
-      '--disable-background-networking',
-    ],
-    timeout: 120_000,
-  });
+  const browser = await chromium.launch(browserOptions);
   try {
     makeSamples(models);
     const gvd = await load();

@@ -29,9 +29,8 @@ constexpr double kBucketsPerEdge = 2;
 /// A label that crosses more halfedges per vertex than this winds around a spike or a tube. Over a
 /// scanned surface, one label crosses 3.5 per vertex.
 constexpr size_t kMostCrossingsPerVertex = 30;
-/// How far a virtual source, unfolded face by face, may be from its place, as a share of the way to
-/// it: lines end there.
-constexpr double kSourceError = 1e-9;
+/// A line followed back ends at its virtual source up to rounding: a share of the line's length.
+constexpr double kLineRounding = 1e-9;
 
 /// Whether the straight lines of a window have already crossed the face that they are about to
 /// enter. Then none of them is a shortest path: within the face, there is a shorter way (Sharir &
@@ -39,7 +38,7 @@ constexpr double kSourceError = 1e-9;
 /// backwards.
 bool entersFaceAgain(const TriangleMesh& mesh, const Window& w, int h) {
   StraightLine line{h, (w.begin + w.end) / 2, {w.x, w.y}};
-  const double atSource = kSourceError * line.length();
+  const double atSource = kLineRounding * line.length();
   for (int crossed = 0; crossed < mesh.faceCount(); ++crossed) {
     if (!line.enterFace(mesh) || line.length() < atSource) return false;
     if (line.halfedge / 3 == h / 3) return true;
