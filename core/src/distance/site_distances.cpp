@@ -53,7 +53,6 @@ void SiteDistances::change(std::span<const SiteChange> changes) {
     started_.push_back(c.label);
   }
   stage_ = Stage::kBounds;
-  next_ = 0;
 }
 
 /// Forgets what a label has found. The labels that were known there may have to go on.
@@ -79,7 +78,9 @@ bool SiteDistances::step(long budget) {
     stage_ = Stage::kSpread;
   }
   if (stage_ == Stage::kSpread) {
-    if (!spread(budget)) return false;
+    do
+      if (!spread(budget)) return false;
+    while (dropMissedBounds());
     known_.start(started_, resumed_, resetVertices_);
     stage_ = Stage::kKnown;
   }
@@ -92,10 +93,9 @@ bool SiteDistances::step(long budget) {
 
 double SiteDistances::progress() const {
   constexpr double kShareOfSpread = 0.6;
-  const size_t labels = started_.size() + resumed_.size();
   if (stage_ == Stage::kBounds) return 0;
   if (stage_ == Stage::kSpread)
-    return kShareOfSpread * static_cast<double>(next_) / static_cast<double>(labels);
+    return kShareOfSpread * static_cast<double>(next_) / static_cast<double>(turns_.size());
   return kShareOfSpread + (1 - kShareOfSpread) * known_.progress();
 }
 
@@ -115,25 +115,54 @@ void SiteDistances::lowerBounds() {
   for (const int label : started_) hasStarted[label] = true;
   makeSet(resumed_);
   std::erase_if(resumed_, [&](int label) { return !sites_.contains(label) || hasStarted[label]; });
+  bounded_ = resetVertices_;
   for (const int v : edgeBounds_.changed())
-    if (bounds_[v].label < 0) bounds_[v].distance = edgeBounds_[v];
+    if (bounds_[v].label < 0) bounded_.push_back(v);
   edgeBounds_.clearChanged();
-  for (const int v : resetVertices_) bounds_[v].distance = edgeBounds_[v];
-  for (const int label : resumed_)
-    for (const ReachedVertex& r : spread_->reached(label))
-      lower(bounds_[r.vertex], label, r.distance);
+  for (const int v : bounded_) bounds_[v].distance = edgeBounds_[v];
+  turns_.clear();
+  next_ = 0;
+  for (const int label : started_) turns_.push_back({label, true});
+  for (const int label : resumed_) resume(label);
+}
+
+/// Lets a label go on after the others, and limits the distance of the nearest site by what the
+/// label knows already.
+void SiteDistances::resume(int label) {
+  for (const ReachedVertex& r : spread_->reached(label))
+    lower(bounds_[r.vertex], label, r.distance);
+  turns_.push_back({label, false});
 }
 
 bool SiteDistances::spread(long& budget) {
-  for (; next_ < started_.size() + resumed_.size(); ++next_) {
+  for (; next_ < turns_.size(); ++next_) {
+    const auto [label, isNew] = turns_[next_];
     if (!std::exchange(isLabelBegun_, true)) {
-      if (next_ < started_.size())
-        spread_->start(started_[next_]);
+      if (isNew)
+        spread_->start(label);
       else
-        spread_->resume(resumed_[next_ - started_.size()]);
+        spread_->resume(label);
     }
     if (!spread_->run(budget)) return false;
     isLabelBegun_ = false;
+  }
+  return true;
+}
+
+/// Drops the bounds that no label has come down to: in faces that are much longer than a distance,
+/// rounding can make straight lines longer than a path along edges. Labels go on then. False if
+/// there are no such bounds.
+bool SiteDistances::dropMissedBounds() {
+  std::erase_if(bounded_, [&](int v) { return bounds_[v].label >= 0; });
+  if (bounded_.empty()) return false;
+  for (const int v : bounded_) bounds_[v] = {};
+  bounded_.clear();
+  resumed_.clear();
+  for (int label = 0; label < sites_.labelCount(); ++label) {
+    if (!sites_.contains(label)) continue;
+    resume(label);
+    if (std::find(started_.begin(), started_.end(), label) == started_.end())
+      resumed_.push_back(label);
   }
   return true;
 }

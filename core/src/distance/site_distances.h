@@ -61,7 +61,9 @@ class SiteDistances final : public DistanceField {
 
   void forget(int label);
   void lowerBounds();
+  void resume(int label);
   bool spread(long& budget);
+  bool dropMissedBounds();
   SurfacePoint unique(const SurfacePoint& p) const;
   double boundAt(int label, const SurfacePoint& p) const;
   std::array<double, 3> distancesAtCorners(int face, int label) const;
@@ -79,8 +81,15 @@ class SiteDistances final : public DistanceField {
   // The change at hand.
   Stage stage_ = Stage::kDone;
   std::vector<int> started_, resumed_;  ///< labels that spread
-  size_t next_ = 0;                     ///< of these
+  /// A label's turn to spread: from its site, or on from where it was.
+  struct Turn {
+    int label;
+    bool isNew;
+  };
+  std::vector<Turn> turns_;
+  size_t next_ = 0;  ///< of these
   bool isLabelBegun_ = false;
+  std::vector<int> bounded_;        ///< vertices limited by paths along edges alone
   std::vector<int> resetVertices_;  ///< those that labels which have left owned
 };
 
