@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -27,7 +28,8 @@ KnownLabels::KnownLabels(const TriangleMesh& mesh, const SiteSet& sites,
       lists_(mesh.vertexCount()),
       affectedFaces_(mesh.faceCount()),
       changedVertices_(mesh.vertexCount()),
-      changedFaces_(mesh.faceCount()) {}
+      changedFaces_(mesh.faceCount()),
+      unlisted_(mesh.vertexCount()) {}
 
 // --- A change ----------------------------------------------------------------------------------
 
@@ -231,13 +233,20 @@ bool KnownLabels::require(long& budget) {
   return true;
 }
 
-/// By label.
+/// By label; labels in the order of the faces at which they are required first, for what they touch
+/// is in the cache then.
 void KnownLabels::sortRequirements() {
-  std::vector<int> offset(sites_.labelCount() + 1, 0);
-  for (const Requirement& r : requirements_) ++offset[r.label + 1];
+  std::vector<int> rank(sites_.labelCount(), -1), offset = {0};
+  for (const Requirement& r : requirements_) {
+    if (rank[r.label] < 0) {
+      rank[r.label] = static_cast<int>(offset.size()) - 1;
+      offset.push_back(0);
+    }
+    ++offset[rank[r.label] + 1];
+  }
   std::partial_sum(offset.begin(), offset.end(), offset.begin());
   std::vector<Requirement> sorted(requirements_.size());
-  for (const Requirement& r : requirements_) sorted[offset[r.label]++] = r;
+  for (const Requirement& r : requirements_) sorted[offset[rank[r.label]]++] = r;
   requirements_.swap(sorted);
 }
 
@@ -270,7 +279,6 @@ void KnownLabels::collectLists() {
   }
   changedLabels_.insert(changedLabels_.end(), listed_.begin(), listed_.end());
   makeSet(changedLabels_);
-  openFaces_ = changedFaces_.list();
 }
 
 bool KnownLabels::listLabels(long& budget) {
@@ -302,30 +310,31 @@ void KnownLabels::list(int label, int reachedIndex) {
   lists_.add(vertex, {label, listed}, reachedIndex);
 }
 
-/// Adds what the last round of the closure has required. The faces around are open again.
+/// Adds what the last round of the closure has required.
 void KnownLabels::extendLists() {
-  openFaces_.clear();
-  std::vector<int> vertices;
+  added_.clear();
   for (size_t begin = 0, end; begin < requirements_.size(); begin = end) {
     const int label = requirements_[begin].label;
-    vertices.clear();
+    const size_t first = added_.size();
     for (end = begin; end < requirements_.size() && requirements_[end].label == label; ++end)
       for (const int v : mesh_.face(requirements_[end].face).vertices)
-        if (lists_.distance(v, label) == kInfinity) vertices.push_back(v);
-    makeSet(vertices);
+        if (lists_.distance(v, label) == kInfinity && unlisted_.add(v))
+          added_.push_back({v, label});
     const auto& reached = spread_.reached(label);
-    for (int r = 0; r < static_cast<int>(reached.size()); ++r)
-      if (std::binary_search(vertices.begin(), vertices.end(), reached[r].vertex)) list(label, r);
-    for (const int v : vertices) {
-      lists_.equalizeTies(v);
-      mesh_.visitFaces(v, [&](int f) { openFaces_.push_back(f); });
-      for (const LabelledDistance& d : lists_[v]) changedLabels_.push_back(d.label);
-    }
+    for (int r = 0; r < static_cast<int>(reached.size()) && unlisted_.size() > 0; ++r)
+      if (unlisted_.contains(reached[r].vertex)) list(label, r);
+    unlisted_.clear();
+    for (size_t i = first; i < added_.size(); ++i) noteAdded(added_[i].vertex);
   }
   requirements_.clear();
-  makeSet(openFaces_);
   makeSet(changedLabels_);
-  for (const int f : openFaces_) changedFaces_.add(f);
+}
+
+void KnownLabels::noteAdded(int vertex) {
+  lists_.equalizeTies(vertex);
+  if (areAllNew()) return;
+  mesh_.visitFaces(vertex, [&](int f) { changedFaces_.add(f); });
+  for (const LabelledDistance& d : lists_[vertex]) changedLabels_.push_back(d.label);
 }
 
 /// Whether a label owns part of a face around a vertex.
@@ -342,33 +351,62 @@ bool KnownLabels::isKnownAround(int vertex, int label) const {
 /// If by that a label owns part of an edge, the faces on both sides have to know it.
 bool KnownLabels::close(long& budget) {
   if (isUnbounded_) return true;
-  return forEach(openFaces_.size() / kPerUnit + 1, budget, [&](size_t i) {
-    const size_t end = std::min(openFaces_.size(), (i + 1) * kPerUnit);
-    for (size_t f = i * kPerUnit; f < end; ++f)
-      for (int h = 3 * openFaces_[f]; h < 3 * openFaces_[f] + 3; ++h) requireAcross(h);
+  const size_t count = isFirstRound_ ? changedFaces_.size() : added_.size();
+  return forEach(count / kPerUnit + 1, budget, [&](size_t i) {
+    const size_t end = std::min(count, (i + 1) * kPerUnit);
+    for (size_t k = i * kPerUnit; k < end; ++k) {
+      if (isFirstRound_)
+        closeFace(changedFaces_.list()[k]);
+      else
+        closeAround(added_[k].vertex, added_[k].label);
+    }
     return 1;
   });
 }
 
-/// Requires, at the apex of a halfedge, the labels that own part of the halfedge.
-void KnownLabels::requireAcross(int h) {
-  const int tail = mesh_.tail(h), tip = mesh_.tip(h);
-  const auto atTail = lists_[tail], atTip = lists_[tip];
-  if (atTail.size() < 2 || atTip.size() < 2) return;
-  const auto atApex = lists_[mesh_.tail(TriangleMesh::previous(h))];
-  const int owner = bounds_[tail].label;
-  const double ownerAtTail = bounds_[tail].distance, ownerAtTip = lists_.distance(tip, owner);
-  auto there = atTip.begin(), across = atApex.begin();
-  for (const LabelledDistance& d : atTail) {
-    while (there != atTip.end() && there->label < d.label) ++there;
-    while (across != atApex.end() && across->label < d.label) ++across;
-    if (there == atTip.end()) return;
-    if (there->label != d.label || (across != atApex.end() && across->label == d.label)) continue;
-    // Most labels are farther than one owner at both ends.
-    if (d.distance > ownerAtTail && there->distance > ownerAtTip) continue;
-    if (ownsPartOfEdge(d.label, h))
-      owners_.add(TriangleMesh::faceOf(h), d.label, true, requirements_);
+/// Finds the labels that are known at two corners of a face, and looks at the edge between them.
+void KnownLabels::closeFace(int f) {
+  const auto& corners = mesh_.face(f).vertices;
+  const auto atA = lists_[corners[0]], atB = lists_[corners[1]], atC = lists_[corners[2]];
+  if ((atA.size() > 1) + (atB.size() > 1) + (atC.size() > 1) < 2) return;
+  constexpr int kNone = std::numeric_limits<int>::max();
+  auto a = atA.begin(), b = atB.begin(), c = atC.begin();
+  while (true) {
+    const int labelA = a == atA.end() ? kNone : a->label;
+    const int labelB = b == atB.end() ? kNone : b->label;
+    const int labelC = c == atC.end() ? kNone : c->label;
+    const int label = std::min({labelA, labelB, labelC});
+    if (label == kNone) return;
+    const bool isAtA = labelA == label, isAtB = labelB == label, isAtC = labelC == label;
+    if (isAtA + isAtB + isAtC == 2) requireAcross(3 * f + (isAtC ? isAtB ? 1 : 2 : 0), label);
+    a += isAtA;
+    b += isAtB;
+    c += isAtC;
   }
+}
+
+/// Looks at the edges around a vertex at which a label has become known.
+void KnownLabels::closeAround(int vertex, int label) {
+  mesh_.visitFaces(vertex, [&](int f) {
+    for (int h = 3 * f; h < 3 * f + 3; ++h) {
+      const int apex = mesh_.tail(TriangleMesh::previous(h));
+      if (apex != vertex && lists_.distance(apex, label) == kInfinity &&
+          lists_.distance(mesh_.tail(h), label) < kInfinity &&
+          lists_.distance(mesh_.tip(h), label) < kInfinity)
+        requireAcross(h, label);
+    }
+  });
+}
+
+/// Requires, at the apex of a halfedge, a label that is known at both ends, if the label owns part
+/// of the halfedge.
+void KnownLabels::requireAcross(int h, int label) {
+  const int tail = mesh_.tail(h), tip = mesh_.tip(h), owner = bounds_[tail].label;
+  // Most labels are farther than one owner at both ends.
+  if (lists_.distance(tail, label) > bounds_[tail].distance &&
+      lists_.distance(tip, label) > lists_.distance(tip, owner))
+    return;
+  if (ownsPartOfEdge(label, h)) owners_.add(TriangleMesh::faceOf(h), label, true, requirements_);
 }
 
 /// Whether a label is least anywhere on an edge by interpolation, compared with the true owners of

@@ -65,8 +65,7 @@ class KnownLabels {
     kClosure,
     kDone
   };
-  /// A label that is as near to a vertex as its owner.
-  struct Tie {
+  struct LabelAtVertex {
     int vertex, label;
   };
 
@@ -86,8 +85,11 @@ class KnownLabels {
   bool listLabels(long& budget);
   void list(int label, int reachedIndex);
   void extendLists();
+  void noteAdded(int vertex);
   bool close(long& budget);
-  void requireAcross(int halfedge);
+  void closeFace(int face);
+  void closeAround(int vertex, int label);
+  void requireAcross(int halfedge, int label);
   bool ownsPartOfEdge(int label, int halfedge) const;
   bool isKnownAround(int vertex, int label) const;
   bool areAllNew() const { return sites_.count() == static_cast<int>(started_.size()); }
@@ -106,16 +108,17 @@ class KnownLabels {
   Stage stage_ = Stage::kDone;
   size_t cursor_ = 0;
   bool isLabelBegun_ = false;
-  bool isFirstRound_ = true;  ///< from the requirements to the closure
-  std::vector<Tie> ties_;
-  IndexSet affectedFaces_;    ///< those of which the owners may have changed
-  IndexSet changedVertices_;  ///< those of which the lists may have changed
-  IndexSet changedFaces_;     ///< those around them
+  bool isFirstRound_ = true;         ///< from the requirements to the closure
+  std::vector<LabelAtVertex> ties_;  ///< labels that are as near as the owner
+  IndexSet affectedFaces_;           ///< those of which the owners may have changed
+  IndexSet changedVertices_;         ///< those of which the lists may have changed
+  IndexSet changedFaces_;            ///< those around them
   std::vector<int> changedLabels_;
   std::vector<Requirement> requirements_;  ///< by label
   std::vector<int> requiredFaces_;         ///< of the label at hand
   std::vector<int> listed_;                ///< the labels that may be known at the changed vertices
-  std::vector<int> openFaces_;             ///< those where the closure may find something
+  IndexSet unlisted_;                      ///< the vertices to list the label at hand at
+  std::vector<LabelAtVertex> added_;       ///< what the last round of the closure has added
 };
 
 }  // namespace gvd

@@ -43,16 +43,6 @@ class RequiredPlaces {
   void setBound(int index, double bound) { bound_[index] = bound; }
 
   /// Whether paths with a length of at least `length` up to points at most `radius` from `place`
-  /// can become the shortest to a required place, as far as the straight line in space tells.
-  bool isNear(const Eigen::Vector3d& place, double radius, double length) const {
-    for (int i = 0; i < size(); ++i) {
-      const double rest = bound_[i] - length + radius;
-      const double dx = x_[i] - place.x(), dy = y_[i] - place.y(), dz = z_[i] - place.z();
-      if (rest > 0 && dx * dx + dy * dy + dz * dz < rest * rest) return true;
-    }
-    return false;
-  }
-  /// Whether paths with a length of at least `length` up to points at most `radius` from `place`
   /// can become the shortest to a required place. Neither can a path be shorter than the straight
   /// line in space, nor can it lose its `excess` on the way: the amount by which it is longer than
   /// that of the nearest label.

@@ -5,14 +5,24 @@
 #include <tuple>
 #include <utility>
 
+#include "base/prefetch.h"
 #include "distance/exact/window_sweep.h"
 
 namespace gvd::exact {
+namespace {
+
+/// How many faces or vertices before its turn one is fetched into the cache.
+constexpr size_t kAhead = 4;
+
+}  // namespace
 
 void WindowSweep::require(int label, LabelState& state, std::span<const int> faces) {
   begin(label, SpreadTo::kRequired, state);
   load();
-  for (const int f : faces) requireCorners(f);
+  for (size_t i = 0; i < faces.size(); ++i) {
+    if (i + kAhead < faces.size()) prefetch(mesh_.face(faces[i + kAhead]));
+    requireCorners(faces[i]);
+  }
 
   // First distances, so that hardly anything has to go on: by the windows that wait at a face with
   // such a corner, and along its sides. Some corner is known: a label that owns part of a face has
@@ -23,7 +33,6 @@ void WindowSweep::require(int label, LabelState& state, std::span<const int> fac
   });
   for (const int f : faces) offerAlongSides(f);
   continueNeeded();
-  for (const int v : state.waitingSources) queueSource(v);
 }
 
 /// Calls `visit` with the windows that wait at one halfedge after another.
@@ -32,6 +41,7 @@ void WindowSweep::visitWaiting(Visit visit) const {
   const std::span<const WaitingWindow> waiting = state_->waiting;
   for (size_t begin = 0, end; begin < waiting.size(); begin = end) {
     const int h = waiting[begin].halfedge;
+    if (begin + kAhead < waiting.size()) prefetch(mesh_.face(waiting[begin + kAhead].halfedge / 3));
     for (end = begin + 1; end < waiting.size() && waiting[end].halfedge == h;) ++end;
     visit(h, waiting.subspan(begin, end - begin));
   }
@@ -130,7 +140,6 @@ void WindowSweep::require(int label, LabelState& state, std::span<const Required
   });
   for (const WaitingWindow& w : state.waiting) offerToPoints(w.window, w.halfedge);
   continueNeeded();
-  for (const int v : state.waitingSources) queueSource(v);
 }
 
 /// Adds a required point in a face, and offers it the paths that are straight from a corner.
@@ -172,16 +181,6 @@ void WindowSweep::offerToPointsFrom(int v, int corner, int f) {
 }
 
 // --- What goes on --------------------------------------------------------------------------------
-
-/// Whether any path over a halfedge can make a required distance less, by the distances of the
-/// nearest label, which no label's are less than.
-bool WindowSweep::isNearRequired(int h) const {
-  const TriangleMesh::Face& face = mesh_.face(h / 3);
-  const int tail = face.vertices[h % 3], tip = face.vertices[cornerAfter(h % 3)];
-  const double length = face.lengths[h % 3];
-  const double least = (bounds_[tail].distance + bounds_[tip].distance - length) / 2;
-  return required_.isNear(mesh_.position(tail), length, least);
-}
 
 /// Whether windows at a halfedge can make a required distance less, but for those in the halfedge's
 /// face, to which they have offered their paths.
@@ -225,14 +224,16 @@ bool WindowSweep::canGainBeyond(int h, const Windows& windows) const {
       {index(face.vertices[i]), index(face.vertices[j]), index(face.vertices[k])});
 }
 
-/// Takes up those of the waiting windows that can make a required distance less.
+/// Takes up those of the waiting windows and sources that can make a required distance less.
 void WindowSweep::continueNeeded() {
   mostExcess_ = required_.mostExcess();
+  std::vector<WaitingWindow>& waiting = state_->waiting;
+  auto kept = waiting.begin();
   visitWaiting([&](int h, std::span<const WaitingWindow> windows) {
-    if (!isNearRequired(h) || !canGain(h, [&](auto visit) {
+    if (!canGain(h, [&](auto visit) {
           for (const WaitingWindow& w : windows) visit(w.window);
         })) {
-      waiting_.insert(waiting_.end(), windows.begin(), windows.end());
+      kept = std::copy(windows.begin(), windows.end(), kept);
       return;
     }
     const bool isFirst = windows_.isEmpty(h);
@@ -242,6 +243,12 @@ void WindowSweep::continueNeeded() {
       least = std::min(least, w.window.least());
     }
     if (isFirst) queueBatch(h, least);
+  });
+  waiting.erase(kept, waiting.end());
+  std::erase_if(state_->waitingSources, [&](int v) {
+    if (!maySpreadFrom(v)) return false;
+    queueSource(v);
+    return true;
   });
 }
 

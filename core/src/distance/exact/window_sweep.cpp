@@ -90,11 +90,11 @@ void WindowSweep::start(int label, const SurfacePoint& site, SpreadTo to, LabelS
 void WindowSweep::resume(int label, LabelState& state) {
   begin(label, SpreadTo::kOwned, state);
   load();
-  for (const WaitingWindow& w : state.waiting) {
+  for (const WaitingWindow& w : std::exchange(state.waiting, {})) {
     Window window = w.window;
     add(window, portalTo(w.halfedge));
   }
-  for (const int v : state.waitingSources) queueSource(v);
+  for (const int v : std::exchange(state.waitingSources, {})) queueSource(v);
 }
 
 bool WindowSweep::run(long& budget) {
@@ -126,17 +126,16 @@ void WindowSweep::load() {
 
 /// Keeps what the label has come to.
 void WindowSweep::store() {
-  std::vector<ReachedVertex> vertices(reached_.size());
-  std::vector<LastPiece> pieces(reached_.size());
+  state_->vertices.resize(reached_.size());
+  state_->pieces.resize(reached_.size());
   for (size_t i = 0; i < reached_.size(); ++i) {
     const Vertex& own = vertices_[reached_[i]];
-    vertices[i] = {reached_[i], own.isFinal || own.required >= 0, own.distance};
-    pieces[i] = own.piece;
+    state_->vertices[i] = {reached_[i], own.isFinal || own.required >= 0, own.distance};
+    state_->pieces[i] = own.piece;
   }
-  *state_ = {std::move(vertices),
-             std::move(pieces),
-             {waiting_.begin(), waiting_.end()},
-             {waitingSources_.begin(), waitingSources_.end()}};
+  state_->waiting.insert(state_->waiting.end(), waiting_.begin(), waiting_.end());
+  state_->waitingSources.insert(state_->waitingSources.end(), waitingSources_.begin(),
+                                waitingSources_.end());
 }
 
 // --- The site and the vertices -----------------------------------------------------------------

@@ -133,7 +133,6 @@ class WindowSweep {
   void offerToCorners(const Window& w, int halfedge);
   template <class Visit>
   void visitWaiting(Visit visit) const;
-  bool isNearRequired(int halfedge) const;
   template <class Windows>
   bool canGain(int halfedge, const Windows& windows);
   template <class Windows>
