@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "distance/edge_share.h"
+#include "distance/face_layout.h"
 
 namespace gvd {
 namespace {
@@ -388,13 +389,11 @@ void KnownLabels::closeFace(int f) {
 /// Looks at the edges around a vertex at which a label has become known.
 void KnownLabels::closeAround(int vertex, int label) {
   mesh_.visitFaces(vertex, [&](int f) {
-    for (int h = 3 * f; h < 3 * f + 3; ++h) {
-      const int apex = mesh_.tail(TriangleMesh::previous(h));
-      if (apex != vertex && lists_.distance(apex, label) == kInfinity &&
-          lists_.distance(mesh_.tail(h), label) < kInfinity &&
-          lists_.distance(mesh_.tip(h), label) < kInfinity)
-        requireAcross(h, label);
-    }
+    const auto& corners = mesh_.face(f).vertices;
+    const int i = corners[0] == vertex ? 0 : corners[1] == vertex ? 1 : 2;
+    const bool isAfter = lists_.distance(corners[cornerAfter(i)], label) < kInfinity;
+    const bool isBefore = lists_.distance(corners[cornerBefore(i)], label) < kInfinity;
+    if (isAfter != isBefore) requireAcross(3 * f + (isAfter ? i : cornerBefore(i)), label);
   });
 }
 

@@ -3,11 +3,12 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <array>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "base/tolerances.h"
+#include "gvd/geodesic.h"
 
 namespace gvd::exact {
 
@@ -38,29 +39,29 @@ class RequiredPlaces {
     return most;
   }
   void shorten(int index, double bound) { bound_[index] = bound * (1 - kDistanceTolerance); }
-  /// Lets a place not count until its bound is set again; returns its bound.
-  double exclude(int index) { return std::exchange(bound_[index], 0); }
-  void setBound(int index, double bound) { bound_[index] = bound; }
-
   /// Whether paths with a length of at least `length` up to points at most `radius` from `place`
   /// can become the shortest to a required place. Neither can a path be shorter than the straight
   /// line in space, nor can it lose its `excess` on the way: the amount by which it is longer than
   /// that of the nearest label.
-  /// `without` are the indices of vertices that do not count, -1 for none.
+  /// The places with the indices `without` do not count.
   bool canGain(const Eigen::Vector3d& place, double radius, double length, double excess,
-               const std::array<int, 3>& without) const {
+               std::span<const int> without) {
+    bounds_.clear();
+    for (const int i : without) bounds_.push_back(std::exchange(bound_[i], -kInfinity));
+    bool canGain = false;  // without branches, so that several places are looked at at once
     for (int i = 0; i < size(); ++i) {
       const double rest = bound_[i] - length + radius;
       const double dx = x_[i] - place.x(), dy = y_[i] - place.y(), dz = z_[i] - place.z();
-      if (rest > 0 && dx * dx + dy * dy + dz * dz < rest * rest &&
-          excess < bound_[i] - nearest_[i] && i != without[0] && i != without[1] && i != without[2])
-        return true;
+      canGain |= (rest > 0) & (dx * dx + dy * dy + dz * dz < rest * rest) &
+                 (excess < bound_[i] - nearest_[i]);
     }
-    return false;
+    for (size_t i = 0; i < without.size(); ++i) bound_[without[i]] = bounds_[i];
+    return canGain;
   }
 
  private:
   std::vector<double> x_, y_, z_, bound_, nearest_;
+  std::vector<double> bounds_;  ///< of the places that do not count
 };
 
 }  // namespace gvd::exact

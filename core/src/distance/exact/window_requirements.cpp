@@ -186,19 +186,8 @@ void WindowSweep::offerToPointsFrom(int v, int corner, int f) {
 /// face, to which they have offered their paths.
 template <class Windows>
 bool WindowSweep::canGain(int h, const Windows& windows) {
-  const auto here = pointsIn(h / 3);
-  if (here.empty()) return canGainBeyond(h, windows);
-  pointBounds_.clear();
-  for (const PointInFace& p : here) pointBounds_.push_back(required_.exclude(p.index));
-  const bool isGain = canGainBeyond(h, windows);
-  for (size_t i = 0; i < here.size(); ++i) required_.setBound(here[i].index, pointBounds_[i]);
-  return isGain;
-}
-
-template <class Windows>
-bool WindowSweep::canGainBeyond(int h, const Windows& windows) const {
   const TriangleMesh::Face& face = mesh_.face(h / 3);
-  const int i = h % 3, j = cornerAfter(i), k = cornerBefore(i);
+  const int i = h % 3, j = cornerAfter(i);
   const double length = face.lengths[i];
   const double nearTail = bounds_[face.vertices[i]].distance;
   const double nearTip = bounds_[face.vertices[j]].distance;
@@ -218,10 +207,11 @@ bool WindowSweep::canGainBeyond(int h, const Windows& windows) const {
   const double middle = (begin + end) / 2, share = middle / length;
   const Eigen::Vector3d place =
       (1 - share) * mesh_.position(face.vertices[i]) + share * mesh_.position(face.vertices[j]);
-  const auto index = [&](int v) { return isRequired(v) ? vertices_[v].required : -1; };
-  return required_.canGain(
-      place, end - middle, least, excess,
-      {index(face.vertices[i]), index(face.vertices[j]), index(face.vertices[k])});
+  inFace_.clear();
+  for (const int v : face.vertices)
+    if (isRequired(v)) inFace_.push_back(vertices_[v].required);
+  for (const PointInFace& p : pointsIn(h / 3)) inFace_.push_back(p.index);
+  return required_.canGain(place, end - middle, least, excess, inFace_);
 }
 
 /// Takes up those of the waiting windows and sources that can make a required distance less.

@@ -126,6 +126,10 @@ void WindowSweep::load() {
 
 /// Keeps what the label has come to.
 void WindowSweep::store() {
+  // Just as much memory as it takes: a label is stored once or twice.
+  state_->vertices.reserve(reached_.size());
+  state_->pieces.reserve(reached_.size());
+  state_->waiting.reserve(state_->waiting.size() + waiting_.size());
   state_->vertices.resize(reached_.size());
   state_->pieces.resize(reached_.size());
   for (size_t i = 0; i < reached_.size(); ++i) {
@@ -247,13 +251,13 @@ void WindowSweep::becomeSource(int v) {
     emit(v, side, isSite ? angleOfOutgoing(mesh_, site_, side.outgoing) : direction, isSite);
 }
 
-bool WindowSweep::maySpreadFrom(int v) const {
+bool WindowSweep::maySpreadFrom(int v) {
   const Vertex& own = vertices_[v];
   const double nearest = bounds_[v].distance;
   if (to_ == SpreadTo::kEverywhere || isAtMost(own.distance, nearest)) return true;
-  return to_ == SpreadTo::kRequired &&
-         required_.canGain(mesh_.position(v), 0, own.distance, own.distance - nearest,
-                           {own.required, -1, -1});
+  if (to_ != SpreadTo::kRequired) return false;
+  const std::span<const int> itself(&own.required, own.required < 0 ? 0 : 1);
+  return required_.canGain(mesh_.position(v), 0, own.distance, own.distance - nearest, itself);
 }
 
 /// Lets a vertex see through the opposite side in a face around it. `direction` is the angle at
@@ -345,8 +349,9 @@ WindowSweep::Portal WindowSweep::portalTo(int h) const {
 }
 
 /// Trims a window and lets it wait at its halfedge. It is dropped if paths over the ends of the
-/// halfedge leave nothing of it; if those of other labels do, the label stops there.
-inline void WindowSweep::keep(Window& w, const Portal& portal) {
+/// halfedge leave nothing of it; if those of other labels do, the label stops there. Inlined, for a
+/// window that passes through memory between two steps has to wait for it.
+[[gnu::always_inline]] inline void WindowSweep::keep(Window& w, const Portal& portal) {
   w.y = std::min(w.y, -0x1p-52 * portal.length);
   trim(w, portal.length, portal.own);
   if (!(w.begin < w.end)) return;

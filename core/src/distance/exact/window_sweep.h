@@ -106,7 +106,7 @@ class WindowSweep {
   void queueBatch(int halfedge, double key);
 
   void becomeSource(int vertex);
-  bool maySpreadFrom(int vertex) const;
+  bool maySpreadFrom(int vertex);
   void emit(int vertex, const OppositeSide& side, double direction, bool isSite);
   void add(Window& w, const Portal& portal);
 
@@ -135,8 +135,6 @@ class WindowSweep {
   void visitWaiting(Visit visit) const;
   template <class Windows>
   bool canGain(int halfedge, const Windows& windows);
-  template <class Windows>
-  bool canGainBeyond(int halfedge, const Windows& windows) const;
   void continueNeeded();
   bool isBatchNeeded(int halfedge);
 
@@ -160,7 +158,7 @@ class WindowSweep {
   double mostExcess_ = 0;            ///< of them, when the label began to go on
   std::vector<PointInFace> points_;  ///< by face
   std::vector<double> pointDistances_;
-  std::vector<double> pointBounds_;  ///< of those in the face at hand
+  std::vector<int> inFace_;  ///< those of `required_` in the face at hand
 
   // Working memory, of which a label leaves nothing behind but vertices of an old epoch.
   int epoch_ = 0;
