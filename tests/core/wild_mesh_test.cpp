@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -49,19 +51,39 @@ const std::vector<WildCase>& wildCases() {
         {1, {0.20513094668807727, 0.7943091817584389, 0.00055987155348383253}},
         {1, {0.7943091817607042, 0.20513094668581205, 0.00055987155348383253}},
         {1, {0.068247696510745068, 0.93150357284576324, 0.00024873064349169148}}}},
+      // Three bisectors meet that are almost the same line.
+      {"MeetingOfNearlyParallelBisectors",
+       {{0.9, 0.7, 0.9, 2.2204460492503131e-16, 0.1, 0, 0, 0.1, 0, 4.4408920985006262e-16, 0.1, 0,
+         0.89999999999999947, 0.69999999999999951, 0.9, 0.59999999999999976, 0.1, 0.9},
+        {0, 1, 2, 0, 3, 4, 5, 4, 3}},
+       {{1, {0.5, 0.5, 0}}, {1, {0, 0.5, 0.5}}, {1, {0.5, 0, 0.5}}, {2, {0.5, 0.5, 0}}}},
   };
   return cases;
 }
 
 class WildMesh : public ::testing::TestWithParam<WildCase> {};
 
-TEST_P(WildMesh, GoesThroughThePipeline) {
-  const TriangleMesh mesh = GetParam().shape.mesh();
+void expectNoComplaint(const shapes::Shape& shape, const std::vector<SurfacePoint>& inputSites) {
+  const TriangleMesh mesh = shape.mesh();
   for (const Metric metric : {Metric::kDgpc, Metric::kExact}) {
     shapes::Random random(1);
     std::vector<SurfacePoint> sites;
-    for (const SurfacePoint& site : GetParam().sites) sites.push_back(mesh.fromInput(site));
+    for (const SurfacePoint& site : inputSites) sites.push_back(mesh.fromInput(site));
     EXPECT_EQ(checks::complaintAboutPipeline(mesh, sites, random, {.metric = metric}), "");
+  }
+}
+
+TEST_P(WildMesh, GoesThroughThePipeline) { expectNoComplaint(GetParam().shape, GetParam().sites); }
+
+/// Almost the largest and smallest that `TriangleMesh` takes: determinants of squared distances
+/// would over- and underflow.
+TEST_P(WildMesh, GoesThroughThePipelineAtAnySize) {
+  for (const double size : {1e59, 1e-59}) {
+    shapes::Shape shape = GetParam().shape;
+    double largest = 0;
+    for (const double x : shape.positions) largest = std::max(largest, std::abs(x));
+    for (double& x : shape.positions) x = x / largest * size;
+    expectNoComplaint(shape, GetParam().sites);
   }
 }
 
