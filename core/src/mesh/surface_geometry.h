@@ -21,12 +21,12 @@ inline std::array<double, 3> squaredSides(const TriangleMesh& mesh, int face) {
   return squared;
 }
 
-/// The squared length of a difference of barycentric coordinates (sum 0): never negative but for
-/// rounding, hence clamped.
+/// The squared length of a difference of barycentric coordinates: never negative but for rounding,
+/// hence clamped. Their sum is zero but for rounding, which counts in thin faces: so the first one
+/// follows from the others.
 inline double squaredLength(const Eigen::Vector3d& difference, const std::array<double, 3>& sides) {
-  const double s =
-      -(difference[0] * difference[1] * sides[0] + difference[1] * difference[2] * sides[1] +
-        difference[2] * difference[0] * sides[2]);
+  const double u = difference[1], v = difference[2];
+  const double s = u * u * sides[0] + v * v * sides[2] + u * v * (sides[0] + sides[2] - sides[1]);
   return s > 0 ? s : 0;
 }
 
