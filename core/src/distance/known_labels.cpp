@@ -305,7 +305,7 @@ void KnownLabels::list(int label, int reachedIndex) {
 /// Adds what the last round of the closure has required. The faces around are open again.
 void KnownLabels::extendLists() {
   openFaces_.clear();
-  std::vector<int> vertices;
+  std::vector<int> vertices, extended;
   for (size_t begin = 0, end; begin < requirements_.size(); begin = end) {
     const int label = requirements_[begin].label;
     vertices.clear();
@@ -316,11 +316,13 @@ void KnownLabels::extendLists() {
     const auto& reached = spread_.reached(label);
     for (int r = 0; r < static_cast<int>(reached.size()); ++r)
       if (std::binary_search(vertices.begin(), vertices.end(), reached[r].vertex)) list(label, r);
-    for (const int v : vertices) {
-      lists_.equalizeTies(v);
-      mesh_.visitFaces(v, [&](int f) { openFaces_.push_back(f); });
-      for (const LabelledDistance& d : lists_[v]) changedLabels_.push_back(d.label);
-    }
+    extended.insert(extended.end(), vertices.begin(), vertices.end());
+  }
+  makeSet(extended);
+  for (const int v : extended) {
+    lists_.equalizeTies(v);
+    mesh_.visitFaces(v, [&](int f) { openFaces_.push_back(f); });
+    for (const LabelledDistance& d : lists_[v]) changedLabels_.push_back(d.label);
   }
   requirements_.clear();
   makeSet(openFaces_);
