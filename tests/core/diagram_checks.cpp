@@ -136,27 +136,42 @@ AssertionResult checkComplex(const TriangleMesh& mesh, const Diagram& d) {
                                             : mesh.vertexCount() + static_cast<int>(i);
   }
   Sides sides;
-  int faces = 0;
-  const auto add = [&](const std::vector<int>& polygon) {
+  std::set<int> points;
+  int faces = 0, edges = 0;
+  const auto addTriangle = [&](int f) {
     ++faces;
-    for (size_t i = 0; i < polygon.size(); ++i)
-      ++sides[{polygon[i], polygon[(i + 1) % polygon.size()]}];
+    for (int h = 3 * f; h < 3 * f + 3; ++h) ++sides[{mesh.tail(h), mesh.tip(h)}];
+  };
+  // Sides between two cells of one face are no sides of the face, though they may run between the
+  // same points as one.
+  const auto addCells = [&](int first, int last) {
+    Sides inFace;
+    for (int c = first; c < last; ++c) {
+      ++faces;
+      for (size_t i = 0; i < d.cells[c].size(); ++i) {
+        const int from = name[d.cells[c][i]], to = name[d.cells[c][(i + 1) % d.cells[c].size()]];
+        points.insert(from);
+        if (const auto other = inFace.find({to, from}); other != inFace.end()) {
+          ++edges;
+          if (--other->second == 0) inFace.erase(other);
+        } else {
+          ++inFace[{from, to}];
+        }
+      }
+    }
+    for (const auto& [ends, count] : inFace) sides[ends] += count;
   };
   for (int f = 0; f < mesh.faceCount(); ++f)
-    if (d.faceLabel[f] != Diagram::kMixed)
-      add({mesh.tail(3 * f), mesh.tail(3 * f + 1), mesh.tail(3 * f + 2)});
-  std::vector<int> polygon;
-  for (int c = 0; c < d.cells.size(); ++c) {
-    polygon.clear();
-    for (const int p : d.cells[c]) polygon.push_back(name[p]);
-    add(polygon);
+    if (d.faceLabel[f] != Diagram::kMixed) addTriangle(f);
+  for (int first = 0, last = 0; first < d.cells.size(); first = last) {
+    while (last < d.cells.size() && d.cellFace[last] == d.cellFace[first]) ++last;
+    addCells(first, last);
   }
   // Where an edge was cut, its two halves run between the same two vertices.
   std::set<std::pair<int, int>> boundary;
   for (int h = 0; h < mesh.halfedgeCount(); ++h)
     if (mesh.twin(h) < 0) boundary.insert({mesh.tail(h), mesh.tip(h)});
-  std::set<int> points;
-  int edges = 0, open = 0;
+  int open = 0;
   for (const auto& [ends, count] : sides) {
     points.insert({ends.first, ends.second});
     if (count != 1) return AssertionFailure() << "two parts use a side in the same direction";

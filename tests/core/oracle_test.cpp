@@ -157,7 +157,7 @@ TEST_P(RandomMeshes, HavePathsAsLongAsTheOraclesDistances) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, RandomMeshes, ::testing::Range(0, 120));
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomMeshes, ::testing::Range(0, 200));
 
 }  // namespace
 }  // namespace gvd

@@ -101,7 +101,11 @@ AssertionResult isTheSurface(const TriangleMesh& mesh, const Partition& p) {
 }
 
 AssertionResult hasItsPlaces(const TriangleMesh& mesh, const Partition& p) {
-  const double near = 1e-8 * mesh.boundingDiagonal();
+  // Far from the origin, places are rounded as coordinates are.
+  double farthest = 0;
+  for (const Vector3d& position : p.positions)
+    farthest = std::max(farthest, position.lpNorm<Eigen::Infinity>());
+  const double near = 1e-8 * mesh.boundingDiagonal() + 0x1p-50 * farthest;
   for (size_t v = 0; v < p.points.size(); ++v)
     if (!((mesh.position(p.points[v]) - p.positions[v]).norm() <= 1e-14 * mesh.boundingDiagonal()))
       return AssertionFailure() << "vertex " << v << " is not at its surface point";

@@ -113,7 +113,7 @@ void distort(Shape& shape, Random& random) {
       return forEach([&](const Vector3d& p) -> Vector3d { return p.cwiseProduct(axes); });
     }
     case 1: {
-      const double size = std::pow(10.0, random.below(61) - 30);
+      const double size = std::pow(10.0, random.below(119) - 59);
       return forEach([&](const Vector3d& p) -> Vector3d { return size * p; });
     }
     case 2: {

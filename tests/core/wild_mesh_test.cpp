@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -49,19 +51,95 @@ const std::vector<WildCase>& wildCases() {
         {1, {0.20513094668807727, 0.7943091817584389, 0.00055987155348383253}},
         {1, {0.7943091817607042, 0.20513094668581205, 0.00055987155348383253}},
         {1, {0.068247696510745068, 0.93150357284576324, 0.00024873064349169148}}}},
+      // Three bisectors meet that are almost the same line.
+      {"MeetingOfNearlyParallelBisectors",
+       {{0.9, 0.7, 0.9, 2.2204460492503131e-16, 0.1, 0, 0, 0.1, 0, 4.4408920985006262e-16, 0.1, 0,
+         0.89999999999999947, 0.69999999999999951, 0.9, 0.59999999999999976, 0.1, 0.9},
+        {0, 1, 2, 0, 3, 4, 5, 4, 3}},
+       {{1, {0.5, 0.5, 0}}, {1, {0, 0.5, 0.5}}, {1, {0.5, 0, 0.5}}, {2, {0.5, 0.5, 0}}}},
+      // A bisector runs between the ends of a side of the mesh boundary, beside it.
+      {"BisectorBesideTheBoundary",
+       {{0, 1, 0, 0, 0, 1, -1e30, 1, 0, 1, 0, 0}, {0, 1, 2, 3, 1, 2}},
+       {{0, {0.9499999999952502, 0.049999999999749779, 4.9999999999250017e-12}},
+        {0, {0.42185832004998797, 0.57814167994944365, 5.6836511143653779e-13}},
+        {0, {0.27500000000057367, 0.72499999999832343, 1.102885682953481e-12}}}},
+      // No straight line comes to the last vertices through the needles before them.
+      {"LinesLostInNeedles",
+       {{1.8469758860665703e+31,
+         3.6939346386125862e+31,
+         -5.5406683610924204e+31,
+         5.6538821347485545e+31,
+         1.1307764351208212e+32,
+         -1.6961646302163717e+32,
+         8.9999999999999963e+32,
+         6.9999999999999973e+32,
+         8.9999999999999992e+32,
+         6.7193546656959644e+32,
+         5.4646544813144689e+32,
+         -4.5053944105812313e+31,
+         8.9999999999999992e+32,
+         6.9999999999999988e+32,
+         8.9999999999999992e+32,
+         1.2122268785254512e+32,
+         2.4244537570185405e+32,
+         -3.6366806353852655e+32,
+         3.974475600638169e+30,
+         7.9478694462368017e+30,
+         -1.1920579930255472e+31,
+         1.3139213286944192e+32,
+         2.627842609740825e+32,
+         -3.9417637674461032e+32,
+         3.9613203746927398e+31,
+         7.9226407493868028e+31,
+         -1.1883961123939287e+32,
+         4.4408920985006259e+17,
+         1.0000000000000001e+32,
+         0,
+         0,
+         1.0000000000000001e+32,
+         0,
+         1.2363846961139215e+32,
+         2.4727693922277635e+32,
+         -3.7091540883414852e+32,
+         5.9999999999999992e+32,
+         1.0000000000000001e+32,
+         8.9999999999999992e+32,
+         1.3286520569307999e+32,
+         2.6573030778330974e+32,
+         -3.9859523233168379e+32,
+         8.9999999999999992e+32,
+         6.9999999999999988e+32,
+         8.9999999999999992e+32},
+        {0, 1, 2, 0,  2, 3, 3,  2, 4,  3, 4,  5, 5,  4,  6,  4,  7,  6,  8, 6,
+         9, 8, 9, 10, 6, 7, 11, 6, 11, 9, 10, 9, 12, 10, 12, 13, 13, 12, 14}},
+       {{0, {0.44801116530005497, 0.038715156378483377, 0.51327367832146165}}}},
   };
   return cases;
 }
 
 class WildMesh : public ::testing::TestWithParam<WildCase> {};
 
-TEST_P(WildMesh, GoesThroughThePipeline) {
-  const TriangleMesh mesh = GetParam().shape.mesh();
+void expectNoComplaint(const shapes::Shape& shape, const std::vector<SurfacePoint>& inputSites) {
+  const TriangleMesh mesh = shape.mesh();
   for (const Metric metric : {Metric::kDgpc, Metric::kExact}) {
     shapes::Random random(1);
     std::vector<SurfacePoint> sites;
-    for (const SurfacePoint& site : GetParam().sites) sites.push_back(mesh.fromInput(site));
+    for (const SurfacePoint& site : inputSites) sites.push_back(mesh.fromInput(site));
     EXPECT_EQ(checks::complaintAboutPipeline(mesh, sites, random, {.metric = metric}), "");
+  }
+}
+
+TEST_P(WildMesh, GoesThroughThePipeline) { expectNoComplaint(GetParam().shape, GetParam().sites); }
+
+/// Almost the largest and smallest that `TriangleMesh` takes: determinants of squared distances
+/// would over- and underflow.
+TEST_P(WildMesh, GoesThroughThePipelineAtAnySize) {
+  for (const double size : {1e59, 1e-59}) {
+    shapes::Shape shape = GetParam().shape;
+    double largest = 0;
+    for (const double x : shape.positions) largest = std::max(largest, std::abs(x));
+    for (double& x : shape.positions) x = x / largest * size;
+    expectNoComplaint(shape, GetParam().sites);
   }
 }
 

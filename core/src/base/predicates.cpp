@@ -58,9 +58,11 @@ class Expansion {
     if (term != 0) component_[kept++] = term;
     size_ = kept;
   }
-  int sign() const {
-    if (size_ == 0) return 0;
-    return component_[size_ - 1] > 0 ? 1 : -1;
+  /// The sum, up to rounding; of the right sign.
+  double value() const {
+    double sum = 0;
+    for (int i = 0; i < size_; ++i) sum += component_[i];
+    return sum;
   }
 
  private:
@@ -70,8 +72,8 @@ class Expansion {
 
 int signOf(double x) { return (x > 0) - (x < 0); }
 
-int exactOrientation(const std::array<double, 2>& a, const std::array<double, 2>& b,
-                     const std::array<double, 2>& c) {
+double exactDeterminant(const std::array<double, 2>& a, const std::array<double, 2>& b,
+                        const std::array<double, 2>& c) {
   Expansion<12> determinant;
   const auto addProduct = [&](double x, double y) {
     const Sum p = exactProduct(x, y);
@@ -84,11 +86,11 @@ int exactOrientation(const std::array<double, 2>& a, const std::array<double, 2>
   addProduct(-c[1], a[0]);
   addProduct(a[0], b[1]);
   addProduct(-a[1], b[0]);
-  return determinant.sign();
+  return determinant.value();
 }
 
-int exactOrientation(const std::array<double, 3>& a, const std::array<double, 3>& b,
-                     const std::array<double, 3>& c, const std::array<double, 3>& d) {
+double exactDeterminant(const std::array<double, 3>& a, const std::array<double, 3>& b,
+                        const std::array<double, 3>& c, const std::array<double, 3>& d) {
   Expansion<96> determinant;
   const auto addProduct = [&](double x, double y, double z) {
     const Sum p = exactProduct(x, y);
@@ -112,7 +114,7 @@ int exactOrientation(const std::array<double, 3>& a, const std::array<double, 3>
   addTriple(a, c, d, -1);
   addTriple(a, b, d, 1);
   addTriple(a, b, c, -1);
-  return determinant.sign();
+  return determinant.value();
 }
 
 }  // namespace
@@ -124,7 +126,7 @@ int orientation(const std::array<double, 2>& a, const std::array<double, 2>& b,
   const double determinant = left - right;
   if (std::abs(determinant) > kBound2 * (std::abs(left) + std::abs(right)))
     return signOf(determinant);
-  return exactOrientation(a, b, c);
+  return signOf(exactDeterminant(a, b, c));
 }
 
 int orientation(const std::array<double, 3>& a, const std::array<double, 3>& b,
@@ -140,7 +142,17 @@ int orientation(const std::array<double, 3>& a, const std::array<double, 3>& b,
                            std::abs(b1) * (std::abs(c2d0) + std::abs(c0d2)) +
                            std::abs(b2) * (std::abs(c0d1) + std::abs(c1d0));
   if (std::abs(determinant) > kBound3 * permanent) return signOf(determinant);
-  return exactOrientation(a, b, c, d);
+  return signOf(exactDeterminant(a, b, c, d));
+}
+
+double determinant(const std::array<double, 2>& a, const std::array<double, 2>& b,
+                   const std::array<double, 2>& c) {
+  constexpr double kMostError = 1e-12;  // relative
+  const double left = (b[0] - a[0]) * (c[1] - a[1]);
+  const double right = (b[1] - a[1]) * (c[0] - a[0]);
+  const double rounded = left - right;
+  if (kMostError * std::abs(rounded) > kBound2 * (std::abs(left) + std::abs(right))) return rounded;
+  return exactDeterminant(a, b, c);
 }
 
 }  // namespace gvd

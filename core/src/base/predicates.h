@@ -5,10 +5,10 @@
 
 namespace gvd {
 
-/// Signs of determinants of doubles, always right: a floating-point filter decides the clear cases,
-/// exact expansion arithmetic the rest (Shewchuk, Adaptive precision floating-point arithmetic and
-/// fast robust geometric predicates, 1997). Exact while no product of three coordinates over- or
-/// underflows.
+/// Determinants of doubles and their signs: floating-point arithmetic where its error bound tells
+/// that it is good enough, exact expansion arithmetic for the rest (Shewchuk, Adaptive precision
+/// floating-point arithmetic and fast robust geometric predicates, 1997). As said while no product
+/// of three coordinates over- or underflows.
 
 /// The sign (-1, 0, 1) of | b-a ; c-a |.
 int orientation(const std::array<double, 2>& a, const std::array<double, 2>& b,
@@ -17,5 +17,10 @@ int orientation(const std::array<double, 2>& a, const std::array<double, 2>& b,
 /// The sign (-1, 0, 1) of | b-a ; c-a ; d-a |.
 int orientation(const std::array<double, 3>& a, const std::array<double, 3>& b,
                 const std::array<double, 3>& c, const std::array<double, 3>& d);
+
+/// | b-a ; c-a | with a relative error of at most 1e-12, however much of it cancels; so of the
+/// right sign, and zero only if it is.
+double determinant(const std::array<double, 2>& a, const std::array<double, 2>& b,
+                   const std::array<double, 2>& c);
 
 }  // namespace gvd

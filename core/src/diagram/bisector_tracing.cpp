@@ -26,6 +26,7 @@ BisectorTracing::BisectorTracing(const FaceComplex& complex, int siteCount, Node
       twin_(complex.twins()),
       nodePoints_(nodePoints),
       graph_(graph),
+      unit_(std::ldexp(1.0, -std::ilogb(mesh_.boundingDiagonal()))),
       siteCount_(siteCount) {}
 
 bool BisectorTracing::step(long& budget) {
@@ -182,9 +183,10 @@ void BisectorTracing::gatherFunctions(int element, int soleOwner) {
     const int label = std::max({a->label, b->label, c->label});
     const bool isCommon = (a->label == label) & (b->label == label) & (c->label == label);
     next->label = label;
-    next->value[0] = a->distance * a->distance;
-    next->value[1] = b->distance * b->distance;
-    next->value[2] = c->distance * c->distance;
+    const double inA = unit_ * a->distance, inB = unit_ * b->distance, inC = unit_ * c->distance;
+    next->value[0] = inA * inA;
+    next->value[1] = inB * inB;
+    next->value[2] = inC * inC;
     next += isCommon & ((soleOwner < 0) | (label == soleOwner));
     a += isCommon | (a->label < label);
     b += isCommon | (b->label < label);

@@ -85,6 +85,9 @@ class BisectorTracing {
   const std::span<const int> tail_, twin_;
   NodePoints& nodePoints_;
   BisectorGraph& graph_;
+  /// What distances are multiplied by in functions: a power of two, so that nothing is rounded, by
+  /// which they are about 1. Determinants have products of six distances.
+  const double unit_;
 
   enum class Stage { kLists, kNoteMixed, kDivide, kDone } stage_ = Stage::kLists;
   SlicedLoop loop_;

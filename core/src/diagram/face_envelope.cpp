@@ -31,16 +31,18 @@ void FaceEnvelope::setBary(int vertex, Eigen::Vector3d& bary) const {
   bary[3 - i - j] = 0;
 }
 
-/// The common zero of b - a and c - a is their cross product, up to scale.
+/// The common zero of b - a and c - a is their cross product, up to scale. Where the functions are
+/// almost equal along a line, as those of two sites next to each other are, almost all of it
+/// cancels: rounded, the place would be anywhere on the line, and cells would be folded over each
+/// other. None of the coordinates is negative, nor all of them zero: the triangle has the place,
+/// and raising functions, as for ties, leaves the sum of the coordinates as it is.
 void FaceEnvelope::setInnerBary(const Vertex& v, Eigen::Vector3d& bary) const {
   const auto &a = value(v.functions[0]), &b = value(v.functions[1]), &c = value(v.functions[2]);
-  const Eigen::Vector3d p(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
-  const Eigen::Vector3d q(c[0] - a[0], c[1] - a[1], c[2] - a[2]);
-  const Eigen::Vector3d zero = p.cross(q).cwiseMax(0);
-  const double sum = zero.sum();
-  // No scale left: three functions that are equal along a line, a tie that only the perturbation
-  // resolves. Any point of the triangle serves, the caller merges it with its neighbours.
-  for (int i = 0; i < 3; ++i) bary[i] = sum > 0 ? zero[i] / sum : 1.0 / 3;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    bary[i] = determinant({a[j], a[k]}, {b[j], b[k]}, {c[j], c[k]});
+  }
+  bary /= bary.sum();
 }
 
 /// Whether f is less than the envelope at a vertex. f has a higher label than everything inserted

@@ -30,7 +30,7 @@ KnownLabels::KnownLabels(const TriangleMesh& mesh, const SiteSet& sites,
       affectedFaces_(mesh.faceCount()),
       changedVertices_(mesh.vertexCount()),
       changedFaces_(mesh.faceCount()),
-      unlisted_(mesh.vertexCount()) {}
+      marked_(mesh.vertexCount()) {}
 
 // --- A change ----------------------------------------------------------------------------------
 
@@ -316,17 +316,17 @@ void KnownLabels::extendLists() {
   added_.clear();
   for (size_t begin = 0, end; begin < requirements_.size(); begin = end) {
     const int label = requirements_[begin].label;
-    const size_t first = added_.size();
     for (end = begin; end < requirements_.size() && requirements_[end].label == label; ++end)
       for (const int v : mesh_.face(requirements_[end].face).vertices)
-        if (lists_.distance(v, label) == kInfinity && unlisted_.add(v))
-          added_.push_back({v, label});
+        if (lists_.distance(v, label) == kInfinity && marked_.add(v)) added_.push_back({v, label});
     const auto& reached = spread_.reached(label);
-    for (int r = 0; r < static_cast<int>(reached.size()) && unlisted_.size() > 0; ++r)
-      if (unlisted_.contains(reached[r].vertex)) list(label, r);
-    unlisted_.clear();
-    for (size_t i = first; i < added_.size(); ++i) noteAdded(added_[i].vertex);
+    for (int r = 0; r < static_cast<int>(reached.size()) && marked_.size() > 0; ++r)
+      if (marked_.contains(reached[r].vertex)) list(label, r);
+    marked_.clear();
   }
+  for (const LabelAtVertex& added : added_)
+    if (marked_.add(added.vertex)) noteAdded(added.vertex);
+  marked_.clear();
   requirements_.clear();
   makeSet(changedLabels_);
 }

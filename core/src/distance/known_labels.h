@@ -117,7 +117,7 @@ class KnownLabels {
   std::vector<Requirement> requirements_;  ///< by label
   std::vector<int> requiredFaces_;         ///< of the label at hand
   std::vector<int> listed_;                ///< the labels that may be known at the changed vertices
-  IndexSet unlisted_;                      ///< the vertices to list the label at hand at
+  IndexSet marked_;                        ///< vertices at hand
   std::vector<LabelAtVertex> added_;       ///< what the last round of the closure has added
 };
 

@@ -2,6 +2,7 @@
 #include "distance/site_distances.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "base/index_set.h"
@@ -80,7 +81,7 @@ bool SiteDistances::step(long budget) {
   if (stage_ == Stage::kSpread) {
     do
       if (!spread(budget)) return false;
-    while (dropMissedBounds());
+    while (requireMissed());
     known_.start(started_, resumed_, resetVertices_);
     stage_ = Stage::kKnown;
   }
@@ -122,26 +123,29 @@ void SiteDistances::lowerBounds() {
   for (const int v : bounded_) bounds_[v].distance = edgeBounds_[v];
   turns_.clear();
   next_ = 0;
-  for (const int label : started_) turns_.push_back({label, true});
-  for (const int label : resumed_) resume(label);
+  for (const int label : started_) turns_.push_back({label, Turn::kStart, {}});
+  for (const int label : resumed_) {
+    lowerBy(label);
+    turns_.push_back({label, Turn::kResume, {}});
+  }
 }
 
-/// Lets a label go on after the others, and limits the distance of the nearest site by what the
-/// label knows already.
-void SiteDistances::resume(int label) {
+/// Limits the distance of the nearest site by what a label knows.
+void SiteDistances::lowerBy(int label) {
   for (const ReachedVertex& r : spread_->reached(label))
     lower(bounds_[r.vertex], label, r.distance);
-  turns_.push_back({label, false});
 }
 
 bool SiteDistances::spread(long& budget) {
   for (; next_ < turns_.size(); ++next_) {
-    const auto [label, isNew] = turns_[next_];
+    const Turn& turn = turns_[next_];
     if (!std::exchange(isLabelBegun_, true)) {
-      if (isNew)
-        spread_->start(label);
+      if (turn.how == Turn::kStart)
+        spread_->start(turn.label);
+      else if (turn.how == Turn::kResume)
+        spread_->resume(turn.label);
       else
-        spread_->resume(label);
+        spread_->require(turn.label, turn.faces);
     }
     if (!spread_->run(budget)) return false;
     isLabelBegun_ = false;
@@ -149,22 +153,47 @@ bool SiteDistances::spread(long& budget) {
   return true;
 }
 
-/// Drops the bounds that no label has come down to: in faces that are much longer than a distance,
-/// rounding can make straight lines longer than a path along edges. Labels go on then. False if
-/// there are no such bounds.
-bool SiteDistances::dropMissedBounds() {
+/// Where no label has come down to the bounds, rounding has made straight lines longer than a path
+/// along edges, or lost them: in faces that are much longer than a distance, and around needles.
+/// Lets the labels that are nearest at neighbours of such vertices go on to these, along edges if
+/// need be. False if there are no such vertices.
+bool SiteDistances::requireMissed() {
+  for (const Turn& turn : turns_)
+    if (turn.how == Turn::kRequire) lowerBy(turn.label);
+  turns_.clear();
+  next_ = 0;
   std::erase_if(bounded_, [&](int v) { return bounds_[v].label >= 0; });
-  if (bounded_.empty()) return false;
-  for (const int v : bounded_) bounds_[v] = {};
-  bounded_.clear();
-  resumed_.clear();
-  for (int label = 0; label < sites_.labelCount(); ++label) {
-    if (!sites_.contains(label)) continue;
-    resume(label);
+  std::map<int, std::vector<int>> faces;  // by label
+  for (const int v : bounded_) {
+    bounds_[v] = {};
+    if (const auto [label, face] = nearestAround(v); label >= 0) faces[label].push_back(face);
+  }
+  for (auto& [label, required] : faces) {
+    makeSet(required);
+    turns_.push_back({label, Turn::kRequire, std::move(required)});
     if (std::find(started_.begin(), started_.end(), label) == started_.end())
       resumed_.push_back(label);
   }
-  return true;
+  makeSet(resumed_);
+  return !turns_.empty();
+}
+
+/// The label by which a path over a neighbour and the edge to it is shortest, and a face beside
+/// that edge; -1 if the neighbours have no labels.
+SiteDistances::LabelInFace SiteDistances::nearestAround(int vertex) const {
+  LabelInFace nearest = {-1, -1};
+  double least = kInfinity;
+  mesh_.visitFaces(vertex, [&](int f) {
+    for (int h = 3 * f; h < 3 * f + 3; ++h) {
+      const int tail = mesh_.tail(h), tip = mesh_.tip(h);
+      if (tail != vertex && tip != vertex) continue;
+      const LabelledDistance& there = bounds_[tail == vertex ? tip : tail];
+      if (there.label < 0 || !(there.distance + mesh_.length(h) < least)) continue;
+      least = there.distance + mesh_.length(h);
+      nearest = {there.label, f};
+    }
+  });
+  return nearest;
 }
 
 // --- Queries -----------------------------------------------------------------------------------

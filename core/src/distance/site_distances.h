@@ -58,12 +58,16 @@ class SiteDistances final : public DistanceField {
 
  private:
   enum class Stage { kBounds, kSpread, kKnown, kDone };
+  struct LabelInFace {
+    int label, face;
+  };
 
   void forget(int label);
   void lowerBounds();
-  void resume(int label);
+  void lowerBy(int label);
   bool spread(long& budget);
-  bool dropMissedBounds();
+  bool requireMissed();
+  LabelInFace nearestAround(int vertex) const;
   SurfacePoint unique(const SurfacePoint& p) const;
   double boundAt(int label, const SurfacePoint& p) const;
   std::array<double, 3> distancesAtCorners(int face, int label) const;
@@ -81,10 +85,11 @@ class SiteDistances final : public DistanceField {
   // The change at hand.
   Stage stage_ = Stage::kDone;
   std::vector<int> started_, resumed_;  ///< labels that spread
-  /// A label's turn to spread: from its site, or on from where it was.
+  /// A label's turn to spread: from its site, on from where it was, or on to all corners of faces.
   struct Turn {
     int label;
-    bool isNew;
+    enum { kStart, kResume, kRequire } how;
+    std::vector<int> faces;
   };
   std::vector<Turn> turns_;
   size_t next_ = 0;  ///< of these

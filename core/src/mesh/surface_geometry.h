@@ -21,12 +21,17 @@ inline std::array<double, 3> squaredSides(const TriangleMesh& mesh, int face) {
   return squared;
 }
 
-/// The squared length of a difference of barycentric coordinates (sum 0): never negative but for
-/// rounding, hence clamped.
+/// The squared length of a difference of barycentric coordinates: never negative but for rounding,
+/// hence clamped. By the two shorter sides, of which less cancels in thin faces, and by the two
+/// coordinates that go with them: that all three sum to zero holds but for rounding.
 inline double squaredLength(const Eigen::Vector3d& difference, const std::array<double, 3>& sides) {
-  const double s =
-      -(difference[0] * difference[1] * sides[0] + difference[1] * difference[2] * sides[1] +
-        difference[2] * difference[0] * sides[2]);
+  const int longest = sides[0] >= sides[1] && sides[0] >= sides[2] ? 0
+                      : sides[1] >= sides[2]                       ? 1
+                                                                   : 2;
+  const int next = longest == 2 ? 0 : longest + 1, previous = longest == 0 ? 2 : longest - 1;
+  const double u = difference[longest], v = difference[next];
+  const double twiceDot = sides[previous] + sides[next] - sides[longest];
+  const double s = u * u * sides[previous] + v * v * sides[next] + u * v * twiceDot;
   return s > 0 ? s : 0;
 }
 

@@ -29,6 +29,8 @@ constexpr double kBucketsPerEdge = 2;
 /// A label that crosses more halfedges per vertex than this winds around a spike or a tube. Over a
 /// scanned surface, one label crosses 3.5 per vertex.
 constexpr size_t kMostCrossingsPerVertex = 30;
+/// The distance, in bounding diagonals, up to which labels go on to wherever they tie.
+constexpr double kFarthestTie = 8;
 /// A line followed back ends at its virtual source up to rounding: a share of the line's length.
 constexpr double kLineRounding = 1e-9;
 
@@ -53,6 +55,7 @@ WindowSweep::WindowSweep(const TriangleMesh& mesh, NearestBounds& bounds)
     : mesh_(mesh),
       bounds_(bounds),
       bucketsPerUnit_(kBucketsPerEdge / mesh.meanEdgeLength()),
+      leeway_(kDistanceTolerance * kFarthestTie * mesh.boundingDiagonal()),
       fan_(mesh),
       vertices_(mesh.vertexCount()),
       windows_(mesh.halfedgeCount()) {
@@ -254,7 +257,7 @@ void WindowSweep::becomeSource(int v) {
 bool WindowSweep::maySpreadFrom(int v) {
   const Vertex& own = vertices_[v];
   const double nearest = bounds_[v].distance;
-  if (to_ == SpreadTo::kEverywhere || isAtMost(own.distance, nearest)) return true;
+  if (to_ == SpreadTo::kEverywhere || own.distance <= nearest + leeway_) return true;
   if (to_ != SpreadTo::kRequired) return false;
   const std::span<const int> itself(&own.required, own.required < 0 ? 0 : 1);
   return required_.canGain(mesh_.position(v), 0, own.distance, own.distance - nearest, itself);
@@ -330,7 +333,7 @@ void WindowSweep::offerToApex(int h, const WindowLists::Chunk* list) {
 }
 
 inline WindowSweep::End WindowSweep::endAt(int v) const {
-  return {v, distanceAt(v), bounds_[v].distance};
+  return {v, distanceAt(v), bounds_[v].distance + leeway_};
 }
 
 inline WindowSweep::Portal WindowSweep::portal(int h, double length, const End& tail,

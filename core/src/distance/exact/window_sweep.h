@@ -77,7 +77,7 @@ class WindowSweep {
     Eigen::Vector3d bary;
     int index;  ///< in `pointDistances_` and `required_`
   };
-  /// A vertex as an end of portals: the distance of the label at hand, and of the nearest label.
+  /// A vertex as an end of portals: the distance of the label at hand, and up to which it goes on.
   struct End {
     int vertex;
     double own, nearest;
@@ -145,6 +145,10 @@ class WindowSweep {
   const TriangleMesh& mesh_;
   NearestBounds& bounds_;
   const double bucketsPerUnit_;
+  /// By how much a label may be farther than another one and still go on. Along a path, its lag does
+  /// not become less, but may become a tie, being less of a longer distance. So whether it comes
+  /// there must not depend on whom it has met before.
+  const double leeway_;
   FanBehind fan_;
 
   // The label at hand.
