@@ -357,6 +357,23 @@ test('what writes files', async () => {
     await refused([null, 5, {}], (source) => f(value, { mesh: source }), /^mesh/);
   }
   await refused(notNames, (layout) => api.partitionGlb(partition, { layout }), /^layout is /);
+  const notColours = [
+    null,
+    5,
+    'red',
+    {},
+    [5],
+    [null],
+    [[1, 0]],
+    [[1, 0, 2]],
+    [[1, 0, NaN]],
+    [['1', 0, 0]],
+  ];
+  for (const layout of ['regions', 'features']) {
+    const glbOf = (colours) => api.partitionGlb(partition, { colours, layout });
+    await refused(notColours, glbOf, /^colours/);
+    glbOf([undefined, [1, 0, 0.5]]);
+  }
   await refused([...notObjects, [], {}], (bytes) => api.gltfResourceUris(bytes), /^bytes is /);
 });
 

@@ -32,6 +32,8 @@ export type Handle = number;
 export interface FileInput {
   files: ModelFiles;
   limits: GltfLimits;
+  /** Which of several models. */
+  file?: string;
 }
 
 /** A mesh opened; `triangles` are those of files, which the caller does not have yet. */

@@ -39,11 +39,13 @@ export const maxLimit = 2 ** 32 - 1;
 /** Of a mesh: its triangles, or the files that these are read from. */
 export function toMeshInput(
   source: MeshSource,
-  { limits = {} }: MeshOptions,
+  { limits = {}, file }: MeshOptions,
 ): Triangles | FileInput {
   if (isObject(source) && 'positions' in source && 'indices' in source)
     return toTriangles(source as MeshArrays);
-  return { files: toFiles(source), limits: toLimits(limits) };
+  if (file !== undefined && typeof file !== 'string')
+    throw invalidArgument(`file is ${show(file)}, not a string`);
+  return { files: toFiles(source), limits: toLimits(limits), file };
 }
 
 function toTriangles({ positions: places, indices, normals, uvs }: MeshArrays): Triangles {

@@ -26,14 +26,15 @@ import type {
   SurfacePoints,
   VertexDistances,
 } from './results.js';
+import { nextTask, sliceMilliseconds } from './slices.js';
 import type { Triangles } from './triangles.js';
 import type { TaskOptions } from './types.js';
 import { WasmModule, type Argument } from './wasm_module.js';
 
-/** How long a slice of work may keep its thread from anything else. */
-const sliceMilliseconds = 12;
 /** Units of work between two looks at the clock: well below a slice, well above its price. */
 const unitsPerStep = 256;
+/** About the part of the time that reading a file takes; making the mesh is the rest. */
+const readingShare = 0.7;
 /** About the distances' part of the time that a diagram takes; tracing it is the rest. */
 const distancesShare = 0.9;
 
@@ -91,13 +92,16 @@ export class LocalEngine implements Engine {
     signal?.throwIfAborted();
     const opened = await ('positions' in source
       ? this.#openTriangles(source)
-      : this.#openFiles(source));
+      : this.#openFiles(source, { signal, onProgress }));
     onProgress?.(1);
     return opened;
   }
 
-  async #openFiles(input: FileInput): Promise<OpenedMesh> {
-    const { triangles, parts, origin, notes } = await readModel(input, this.#inputModules);
+  async #openFiles(input: FileInput, { signal, onProgress }: TaskOptions): Promise<OpenedMesh> {
+    const { triangles, parts, origin, notes } = await readModel(input, this.#inputModules, {
+      signal,
+      onProgress: (share) => onProgress?.(readingShare * share),
+    });
     const { handle, info } = this.#openTriangles(triangles);
     return { handle, info: { ...info, origin, notes }, parts, triangles };
   }
@@ -278,18 +282,6 @@ export class LocalEngine implements Engine {
     this.#objects.set(++this.#lastHandle, object);
     return this.#lastHandle;
   }
-}
-
-/** Lets everything else that waits for this thread have its turn. Not a timer: those are slowed. */
-function nextTask(): Promise<void> {
-  return new Promise((resolve) => {
-    const { port1, port2 } = new MessageChannel();
-    port1.onmessage = () => {
-      port1.close();
-      resolve();
-    };
-    port2.postMessage(undefined);
-  });
 }
 
 /** What is made when it is first asked for; after a failure, the next one tries again. */

@@ -4,7 +4,7 @@
 // is what lengths are multiplied with on the way out.
 
 import { joined, partitionVertices, type AttributeSource } from './attributes.js';
-import { toFileOptions, toOneOf, toResult, toScale } from './checks.js';
+import { toFileOptions, toColours, toOneOf, toResult, toScale } from './checks.js';
 import { glbAttributes, objCorner, objLines, plyColumns } from './file_vertices.js';
 import { pointsJson, type SurfacePointsJson } from './formats.js';
 import { GlbBuilder } from './glb.js';
@@ -23,7 +23,7 @@ export interface PartitionGlbOptions extends PartitionFileOptions {
    * EXT_mesh_features has them. Default 'regions'.
    */
   layout?: PartitionLayout;
-  /** Per region, as linear RGB; by default hues that differ for any first few of them. */
+  /** Per region, as linear RGB from 0 to 1; by default hues that differ for any first few of them. */
   colours?: readonly (readonly number[])[];
 }
 
@@ -105,6 +105,7 @@ export function partitionGlb(
   toPartition(partition);
   const { layout = 'regions', ...form } = toFileOptions(options);
   toOneOf('layout', layout, partitionLayouts);
+  if (form.colours !== undefined) toColours('colours', form.colours);
   if (partition.triangles.label.length === 0)
     return new GlbBuilder().finish({ scene: 0, scenes: [{}] }); // glTF has no empty primitive
   return layout === 'regions' ? regionsGlb(partition, form) : featuresGlb(partition, form);

@@ -128,6 +128,8 @@ export type GltfLimits = Partial<Record<GltfLimitName, number>>;
 
 export interface MeshOptions extends TaskOptions {
   limits?: GltfLimits;
+  /** Which of several models in a folder or a zip: its path there. */
+  file?: string;
 }
 
 /**

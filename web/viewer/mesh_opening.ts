@@ -28,8 +28,8 @@ export async function openMesh(
   scattering: Scattering,
   { signal, onProgress }: { signal: AbortSignal; onProgress: (share: number) => void },
 ): Promise<OpenedMesh> {
-  const { name, files } = await read(signal, onProgress);
-  const mesh = await library.mesh(files).catch((error) => {
+  const { name, files, file } = await read(signal, onProgress);
+  const mesh = await library.mesh(files, { file }).catch((error) => {
     throw sentence(`${name} cannot be opened`, error);
   });
   try {

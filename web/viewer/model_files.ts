@@ -8,6 +8,8 @@ import { gltfResourceUris, type ModelFiles } from 'geodesic-voronoi';
 export interface NamedFiles {
   name: string;
   files: ModelFiles;
+  /** Which of several models. */
+  file?: string;
 }
 
 /** Files that were chosen: those of a folder have a path. They are read if the model needs them. */
@@ -27,7 +29,7 @@ export async function droppedFiles(dropped: DataTransfer): Promise<NamedFiles> {
   return named((await Promise.all(found)).flat());
 }
 
-/** The model at an address; what it names is taken from where it says. */
+/** The model at an address (after a #, which of several in a zip); what it names is taken from where it says. */
 export async function fetchModelFiles(
   address: string,
   { signal, onProgress }: { signal: AbortSignal; onProgress: (share: number) => void },
@@ -39,7 +41,7 @@ export async function fetchModelFiles(
   for (const uri of gltfResourceUris(bytes)) {
     files[uri] = await fetchBytes(new URL(uri, url), signal, () => {});
   }
-  return { name, files };
+  return { name, files, file: url.hash ? decoded(url.hash.slice(1)) : undefined };
 }
 
 /** Folders of models have a few files; one with this many more was not meant. */
@@ -117,10 +119,13 @@ async function fetchBytes(
 
 /** What stands after the last slash, as a person would write it. */
 export function lastSegment(path: string): string {
-  const name = path.slice(path.lastIndexOf('/') + 1);
+  return decoded(path.slice(path.lastIndexOf('/') + 1));
+}
+
+function decoded(text: string): string {
   try {
-    return decodeURIComponent(name);
+    return decodeURIComponent(text);
   } catch {
-    return name;
+    return text;
   }
 }

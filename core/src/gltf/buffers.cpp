@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "gltf/buffers.h"
 
+#include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include "gltf/data_uri.h"
@@ -8,6 +10,26 @@
 #include "gltf/gltf_error.h"
 
 namespace gvd::gltf {
+namespace {
+
+/// Whether a path has a scheme or a drive, is absolute, or climbs out of the folder it begins in.
+bool leadsOutside(std::string_view path) {
+  constexpr std::string_view kSeparators = "/\\";
+  if (path.find(':') != std::string_view::npos) return true;
+  if (path.find_first_of(kSeparators) == 0) return true;
+  int depth = 0;
+  while (!path.empty()) {
+    const std::size_t end = std::min(path.find_first_of(kSeparators), path.size());
+    const std::string_view name = path.substr(0, end);
+    path.remove_prefix(std::min(end + 1, path.size()));
+    if (name == "..") --depth;
+    if (name != ".." && name != "." && !name.empty()) ++depth;
+    if (depth < 0) return true;
+  }
+  return false;
+}
+
+}  // namespace
 
 Buffers::Buffers(std::vector<BufferObject> objects, std::optional<Bytes> bin,
                  std::span<const GltfResource> resources)
@@ -53,7 +75,8 @@ Bytes Buffers::content(Buffer& buffer, int index, const std::string& name) {
   for (const GltfResource& resource : resources_) {
     if (percentDecoded(resource.uri) == path) return resource.bytes;
   }
-  reject("it needs the file \"" + uri + "\" (" + name + "), which is missing");
+  reject("it needs the file \"" + uri + "\" (" + name + "), which is missing" +
+         (leadsOutside(path) ? ": files outside the model's folder are not read" : ""));
 }
 
 }  // namespace gvd::gltf

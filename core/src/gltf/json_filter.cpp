@@ -19,8 +19,9 @@ constexpr int kMaxDepth = 128;
 
 /// On average. An accessor has five members, and six more if it is sparse; each takes 100 bytes.
 constexpr std::uint64_t kMaxMembersPerObject = 8;
-/// On average. A node with a matrix and children has seventeen or more; each takes 16 bytes.
-constexpr std::uint64_t kMaxElementsPerObject = 32;
+/// On average. A node with a matrix and children has seventeen or more, but its mesh, primitives
+/// and accessors few; each takes 16 bytes.
+constexpr std::uint64_t kMaxElementsPerObject = 16;
 
 /// Receives the events of nlohmann's SAX parser. A value without a rule is skipped, and so is one
 /// that breaks its rule, which makes a fault.
@@ -67,6 +68,7 @@ class JsonFilter {
   bool string(std::string& value) {
     const JsonRule* rule = next();
     if (!rule || rule->kind != JsonKind::kText) return reject(rule, "a string");
+    if (!isAllowed(*rule, value)) return reject(rule, '"' + value.substr(0, 40) + '"');
     return keep(std::move(value));
   }
 
@@ -176,6 +178,15 @@ class JsonFilter {
     if (isArray && (level.length < level.rule->least || level.length > level.rule->most)) {
       setFault(pathWithIndices(level.rule->path) + " has " + number(level.length) +
                " elements; it must have " + number(level.rule->least));
+    }
+    if (!isArray) {
+      for (const JsonRule& member : jsonRules()) {
+        const bool isMissing = member.isRequired && member.object() == level.rule->path &&
+                               !level.value->contains(member.name());
+        if (isMissing) {
+          setFault(pathWithIndices(level.rule->path) + " has no " + std::string(member.name()));
+        }
+      }
     }
     return true;
   }

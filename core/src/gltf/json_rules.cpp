@@ -16,6 +16,14 @@ constexpr std::uint64_t kMostIndex = INT32_MAX;
 /// Offsets and counts: more would be cut off where a `size_t` has 32 bits, as in WebAssembly.
 constexpr std::uint64_t kMostBytes = UINT32_MAX;
 
+constexpr JsonRule required(JsonRule rule) {
+  rule.isRequired = true;
+  return rule;
+}
+
+/// The numbers of component types.
+constexpr std::uint64_t kLeastType = 5120, kMostType = 5126;
+
 constexpr JsonRule kRules[] = {
     {"", kObject},
     {"asset", kObject},
@@ -58,11 +66,11 @@ constexpr JsonRule kRules[] = {
     {"meshes[].name", kText},
     {"meshes[].weights", kArray},
     {"meshes[].weights[]", kNumber},
-    {"meshes[].primitives", kArray},
+    required({"meshes[].primitives", kArray}),
     {"meshes[].primitives[]", kObject},
     {"meshes[].primitives[].mode", kWhole, 0, kMostIndex},
     {"meshes[].primitives[].indices", kWhole, 0, kMostIndex},
-    {"meshes[].primitives[].attributes", kObject},
+    required({"meshes[].primitives[].attributes", kObject}),
     {"meshes[].primitives[].attributes.POSITION", kWhole, 0, kMostIndex},
     {"meshes[].primitives[].attributes.NORMAL", kWhole, 0, kMostIndex},
     {"meshes[].primitives[].attributes.TEXCOORD_0", kWhole, 0, kMostIndex},
@@ -77,25 +85,26 @@ constexpr JsonRule kRules[] = {
     {"accessors[]", kObject},
     {"accessors[].bufferView", kWhole, 0, kMostIndex},
     {"accessors[].byteOffset", kWhole, 0, kMostBytes},
-    {"accessors[].componentType", kWhole, 0, kMostIndex},
-    {"accessors[].count", kWhole, 0, kMostBytes},
-    {"accessors[].type", kText},
+    required({"accessors[].componentType", kWhole, kLeastType, kMostType}),
+    required({"accessors[].count", kWhole, 0, kMostBytes}),
+    required({"accessors[].type", kText, 0, UINT64_MAX, 1, false,
+              "SCALAR, VEC2, VEC3, VEC4, MAT2, MAT3, MAT4"}),
     {"accessors[].normalized", kBoolean},
     {"accessors[].sparse", kObject},
-    {"accessors[].sparse.count", kWhole, 0, kMostBytes},
-    {"accessors[].sparse.indices", kObject},
-    {"accessors[].sparse.indices.bufferView", kWhole, 0, kMostIndex},
+    required({"accessors[].sparse.count", kWhole, 0, kMostBytes}),
+    required({"accessors[].sparse.indices", kObject}),
+    required({"accessors[].sparse.indices.bufferView", kWhole, 0, kMostIndex}),
     {"accessors[].sparse.indices.byteOffset", kWhole, 0, kMostBytes},
-    {"accessors[].sparse.indices.componentType", kWhole, 0, kMostIndex},
-    {"accessors[].sparse.values", kObject},
-    {"accessors[].sparse.values.bufferView", kWhole, 0, kMostIndex},
+    required({"accessors[].sparse.indices.componentType", kWhole, kLeastType, kMostType}),
+    required({"accessors[].sparse.values", kObject}),
+    required({"accessors[].sparse.values.bufferView", kWhole, 0, kMostIndex}),
     {"accessors[].sparse.values.byteOffset", kWhole, 0, kMostBytes},
 
     {"bufferViews", kArray},
     {"bufferViews[]", kObject},
-    {"bufferViews[].buffer", kWhole, 0, kMostIndex},
+    required({"bufferViews[].buffer", kWhole, 0, kMostIndex}),
     {"bufferViews[].byteOffset", kWhole, 0, kMostBytes},
-    {"bufferViews[].byteLength", kWhole, 0, kMostBytes},
+    required({"bufferViews[].byteLength", kWhole, 0, kMostBytes}),
     // 0, which some exporters write, stands for none.
     {"bufferViews[].byteStride", kWhole, 0, 252, 4},
 
@@ -120,6 +129,19 @@ const JsonRule* findRule(std::string_view path) {
   return found == rules.end() ? nullptr : found->second;
 }
 
+std::span<const JsonRule> jsonRules() { return kRules; }
+
+bool isAllowed(const JsonRule& rule, std::string_view text) {
+  std::string_view rest = rule.oneOf;
+  while (!rest.empty()) {
+    const std::size_t comma = rest.find(", ");
+    if (rest.substr(0, comma) == text) return true;
+    if (comma == std::string_view::npos) return false;
+    rest.remove_prefix(comma + 2);
+  }
+  return rule.oneOf.empty();
+}
+
 std::string expectation(const JsonRule& rule) {
   switch (rule.kind) {
     case kObject:
@@ -129,7 +151,7 @@ std::string expectation(const JsonRule& rule) {
     case kNumber:
       return "a number";
     case kText:
-      return "a string";
+      return rule.oneOf.empty() ? "a string" : "one of " + std::string(rule.oneOf);
     case kBoolean:
       return "true or false";
     case kWholeNumber:

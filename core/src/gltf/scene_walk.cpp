@@ -45,7 +45,12 @@ void rotate(Eigen::Affine3d& transform, const double* xyzw, const std::string& n
 Eigen::Affine3d localTransform(const Node& node, const std::string& name) {
   Eigen::Affine3d transform = Eigen::Affine3d::Identity();
   if (!node.matrix.empty()) {
-    transform.affine() = Eigen::Matrix4d::Map(node.matrix.data()).topRows<3>();
+    constexpr double kRounding = 1e-6;  // of numbers of single precision
+    const Eigen::Matrix4d matrix = Eigen::Matrix4d::Map(node.matrix.data());
+    if (!matrix.row(3).isApprox(Eigen::RowVector4d::UnitW(), kRounding)) {
+      reject(name + " has a matrix whose last row is not 0, 0, 0, 1");
+    }
+    transform.affine() = matrix.topRows<3>();
     return transform;
   }
   if (!node.translation.empty()) {
@@ -122,6 +127,7 @@ class SceneWalk {
       }
       push(node.children, name, transform);
     }
+    if (!document_.defaultScene) requireAllReached();
     return std::move(placed_);
   }
 
@@ -146,6 +152,14 @@ class SceneWalk {
       reached_[*n] = true;
       stack_.push_back({*n, transform});
     }
+  }
+
+  /// Where every root is walked from, only the nodes of a cycle and those below it are left.
+  void requireAllReached() const {
+    const auto left = std::find(reached_.begin(), reached_.end(), false);
+    if (left == reached_.end()) return;
+    reject("node " + std::to_string(left - reached_.begin()) +
+           " has no root above it: the nodes above it form a cycle");
   }
 
   void place(const PlacedMesh& placed) {

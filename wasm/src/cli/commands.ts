@@ -307,10 +307,10 @@ function summarise(output: Output, { quiet }: Notices, line: string): void {
 }
 
 async function openMesh(path: string, { limits }: Reading): Promise<Mesh> {
-  const files = await readModel(path);
+  const { files, file } = await readModel(path);
   const gvd = await load();
   try {
-    return await gvd.mesh(files, { limits });
+    return await gvd.mesh(files, { limits, file });
   } catch (error) {
     throw new FileError(`${path}: ${(error as Error).message}`, { cause: error });
   }

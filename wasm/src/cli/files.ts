@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { randomUUID } from 'node:crypto';
+import { rmSync } from 'node:fs';
 import {
   access,
   constants,
@@ -13,6 +14,7 @@ import {
 } from 'node:fs/promises';
 import { basename, dirname, join, resolve, sep } from 'node:path';
 import { gltfResourceUris } from '../input/gltf_document.js';
+import { parseJson } from '../input/json_members.js';
 import { placeOf } from '../input/model_files.js';
 import type { ModelFile, ModelFiles, SurfacePointsInput } from '../types.js';
 import { standard } from './options.js';
@@ -24,10 +26,19 @@ function readBytes(path: string): Promise<Uint8Array> {
   return path === standard ? readStandardInput() : read(path, path);
 }
 
-/** The files of a model: all of a folder, or a file with those that it names, out of its own folder. */
-export async function readModel(path: string): Promise<ModelFiles> {
+/**
+ * The files of a model: all of a folder, or a file with those that it names, out of its own folder. After a
+ * #, which of several models in a folder or a zip is meant.
+ */
+export async function readModel(named: string): Promise<{ files: ModelFiles; file?: string }> {
+  const mark = named.indexOf('#');
+  if (mark < 0 || named === standard || (await exists(named)))
+    return { files: await modelFiles(named) };
+  return { files: await modelFiles(named.slice(0, mark)), file: named.slice(mark + 1) };
+}
+
+async function modelFiles(path: string): Promise<ModelFiles> {
   if (path !== standard && (await kindOf(path)) === 'folder') return folderFiles(path);
-  if (await isDevice(path)) throw new FileError(`${path} is a device and no file`);
   const bytes = await readBytes(path);
   const files: ModelFiles = { [basename(path)]: bytes };
   if (path === standard) return files;
@@ -95,11 +106,12 @@ function fileAt(path: string): ModelFile {
 }
 
 async function readJson(path: string): Promise<unknown> {
-  const text = new TextDecoder().decode(await readBytes(path));
+  const bytes = await readBytes(path);
   try {
-    return JSON.parse(text);
+    return parseJson(bytes);
   } catch (error) {
-    throw new FileError(`${nameOf(path)} is not JSON: ${(error as Error).message}`);
+    const what = error instanceof SyntaxError ? 'is not JSON' : 'cannot be read';
+    throw new FileError(`${nameOf(path)} ${what}: ${(error as Error).message}`);
   }
 }
 
@@ -127,13 +139,26 @@ function nameOf(path: string): string {
   return path === standard ? 'standard input' : path;
 }
 
+/** Of what is piped in, which may never end. */
+const maxStandardInput = 2 ** 30;
+
 async function readStandardInput(): Promise<Uint8Array> {
   const chunks: Buffer[] = [];
-  for await (const chunk of process.stdin) chunks.push(chunk);
+  let length = 0;
+  for await (const chunk of process.stdin) {
+    length += chunk.length;
+    if (length > maxStandardInput) {
+      throw new FileError(`standard input has more than ${maxStandardInput / 2 ** 20} MB`);
+    }
+    chunks.push(chunk);
+  }
   return Buffer.concat(chunks);
 }
 
 async function read(path: string, name: string): Promise<Uint8Array> {
+  // Some devices never end, and pipes may never begin.
+  if ((await kindOf(path)) === 'special')
+    throw new FileError(`${path} is a device or a pipe and no file: - reads standard input`);
   try {
     return await readFile(path);
   } catch (error) {
@@ -184,28 +209,42 @@ async function kindOf(path: string): Promise<'file' | 'folder' | 'special'> {
   return entry && !entry.isFile() ? 'special' : 'file';
 }
 
-/** Some, like /dev/zero, never end. */
-async function isDevice(path: string): Promise<boolean> {
-  const entry = await stat(path).catch(() => undefined);
-  return entry?.isCharacterDevice() ?? false;
+async function exists(path: string): Promise<boolean> {
+  return stat(path).then(
+    () => true,
+    () => false,
+  );
 }
 
 async function replaceFile(path: string, content: string | Uint8Array): Promise<void> {
   const draft = join(dirname(path), `.${randomUUID()}.tmp`);
+  /** Ends as a signal does by default, and leaves nothing behind. */
+  const end = (signal: NodeJS.Signals) => {
+    rmSync(draft, { force: true });
+    for (const name of endSignals) process.off(name, end);
+    process.kill(process.pid, signal);
+  };
+  for (const name of endSignals) process.on(name, end);
   try {
     await writeFile(draft, content);
     await rename(draft, path);
   } catch (error) {
     await rm(draft, { force: true });
     throw error;
+  } finally {
+    for (const name of endSignals) process.off(name, end);
   }
 }
+
+/** With which others ask a program to end. */
+const endSignals = ['SIGINT', 'SIGTERM', 'SIGHUP'] as const;
 
 function writeStandardOutput(content: string | Uint8Array): Promise<void> {
   return new Promise((done, fail) => {
     process.stdout.write(content, (error) => {
       // Who reads, for example head, may have enough.
-      if (error && (error as NodeJS.ErrnoException).code !== 'EPIPE') fail(error);
+      if (error && (error as NodeJS.ErrnoException).code !== 'EPIPE')
+        fail(new FileError(`standard output cannot be written: ${reason(error)}`));
       else done();
     });
   });
@@ -217,6 +256,7 @@ const reasons: Record<string, string> = {
   EISDIR: 'it is a folder',
   ENOTDIR: 'part of its path is no folder',
   ENOSPC: 'the disk is full',
+  EFBIG: 'no file may be as large here',
 };
 
 function reason(error: unknown): string {

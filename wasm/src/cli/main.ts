@@ -18,6 +18,8 @@ async function main(args: string[]): Promise<void> {
 
 // A reader that has enough, for example head, is no failure of ours.
 process.stdout.on('error', () => {});
+// Nor is it one if nobody can be told.
+process.stderr.on('error', () => {});
 
 main(process.argv.slice(2)).catch((error: Error) => {
   const line = error.message.replaceAll(/\s+/g, ' ').trim();

@@ -322,7 +322,8 @@ Usage: geodesic-voronoi COMMAND MESH [OPTIONS]
 ${table(Object.entries(commands).map(([name, { summary }]) => [name, summary]))}
 
 MESH is a glTF (.glb, or .gltf with its buffers in its folder; also with Draco or meshopt), an OBJ, a PLY
-or an STL file, a .zip or a folder with one of them, or - for standard input.
+or an STL file, a .zip or a folder with one of them (of several: parts.zip#wheel.obj), or - for standard
+input.
 geodesic-voronoi COMMAND --help shows a command's options, geodesic-voronoi --version the version.
 
 A file of sites or points is {"face": [i, …], "bary": [b0, b1, b2, …]} or {"vertex": [i, …]}; faces

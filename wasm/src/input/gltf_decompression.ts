@@ -33,6 +33,7 @@ export async function decompressed(
   await decompressViews(data);
   await decompressPrimitives(json, data, dracoModule);
   for (const list of ['extensionsUsed', 'extensionsRequired']) {
+    if (json[list] === undefined) continue;
     const names = [json[list]].flat();
     json[list] = names.filter(
       (name) => ![dracoExtension, ...meshoptExtensions].includes(name as string),

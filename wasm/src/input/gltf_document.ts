@@ -5,6 +5,7 @@
 
 import { requireBytes } from '../checks.js';
 import { GeodesicVoronoiError } from '../errors.js';
+import { parseJsonMembers } from './json_members.js';
 
 /** A value of JSON about which nothing is known yet. */
 export type JsonObject = Record<string, unknown>;
@@ -34,8 +35,7 @@ export const dracoExtension = 'KHR_draco_mesh_compression';
  */
 export function gltfResourceUris(bytes: Uint8Array): string[] {
   requireBytes('bytes', bytes);
-  const document = parseGltf(bytes);
-  return document ? resourceUris(document.json) : [];
+  return resourceUris(parseGltfHead(bytes) ?? {});
 }
 
 export function resourceUris({ buffers }: JsonObject): string[] {
@@ -68,16 +68,28 @@ export function isObject(value: unknown): value is JsonObject {
   return typeof value === 'object' && value !== null;
 }
 
-/** Nothing if it is no JSON. */
-export function parseGltf(bytes: Uint8Array): GltfDocument | undefined {
-  const { text, binary } = chunksOf(bytes);
-  let json: unknown;
+/** The members that say which files a glTF needs and whether it is compressed. */
+const headMembers = ['buffers', 'extensionsUsed', 'extensionsRequired'];
+/** The members that its triangles come from. */
+const triangleMembers = ['asset', 'scene', 'scenes', 'nodes', 'meshes', 'accessors', 'bufferViews'];
+
+/** Its head; nothing if that is no JSON. */
+export function parseGltfHead(bytes: Uint8Array): JsonObject | undefined {
   try {
-    json = JSON.parse(new TextDecoder().decode(text));
+    return parseJsonMembers(chunksOf(bytes).text, headMembers);
   } catch {
     return undefined;
   }
-  return isObject(json) ? { json, binary } : undefined;
+}
+
+/** All that its triangles need. */
+export function parseGltf(bytes: Uint8Array): GltfDocument {
+  const { text, binary } = chunksOf(bytes);
+  try {
+    return { json: parseJsonMembers(text, [...headMembers, ...triangleMembers]), binary };
+  } catch (cause) {
+    throw gltfFault(`what is compressed in it cannot be read: ${(cause as Error).message}`, cause);
+  }
 }
 
 /** The JSON and the binary chunk of a GLB; of anything else, all is JSON. */

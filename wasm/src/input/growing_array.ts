@@ -1,13 +1,25 @@
 // SPDX-License-Identifier: MIT
 //
-// A typed array that grows at its end: numbers of a file whose count is known only when it is read.
+// A typed array that grows at its end: numbers of a file whose count is known only when it is read. It grows
+// chunk by chunk: one that is copied as it grows would take the thread, and twice its memory.
 
-export class GrowingArray<Numbers extends Float64Array | Int32Array> {
-  #numbers: Numbers;
+import type { SlicedWork } from '../slices.js';
+
+type Numbers = Float64Array | Int32Array;
+
+const chunkLength = 2 ** 16;
+
+export class GrowingArray<Array extends Numbers> {
+  readonly #type: new (
+    length: number,
+  ) => Array;
+  #chunks: Array[] = [];
+  #last: Array;
   #length = 0;
 
-  constructor(type: new (length: number) => Numbers) {
-    this.#numbers = new type(1024);
+  constructor(type: new (length: number) => Array) {
+    this.#type = type;
+    this.#last = new type(0);
   }
 
   get length(): number {
@@ -15,17 +27,23 @@ export class GrowingArray<Numbers extends Float64Array | Int32Array> {
   }
 
   push(number: number): void {
-    if (this.#length === this.#numbers.length) {
-      const Type = this.#numbers.constructor as new (length: number) => Numbers;
-      const larger = new Type(2 * this.#length);
-      larger.set(this.#numbers);
-      this.#numbers = larger;
-    }
-    this.#numbers[this.#length++] = number;
+    const at = this.#length % chunkLength;
+    if (at === 0) this.#chunks.push((this.#last = new this.#type(chunkLength)));
+    this.#last[at] = number;
+    ++this.#length;
   }
 
-  /** A copy of what there is. */
-  toArray(): Numbers {
-    return this.#numbers.slice(0, this.#length) as Numbers;
+  /** Gives up what there is, as one array; yields between chunks. */
+  *take(): SlicedWork<Array> {
+    const all = new this.#type(this.#length);
+    for (const [i, chunk] of this.#chunks.entries()) {
+      const start = i * chunkLength;
+      all.set(chunk.subarray(0, this.#length - start), start);
+      this.#chunks[i] = this.#last;
+      yield 1;
+    }
+    this.#chunks = [];
+    this.#length = 0;
+    return all;
   }
 }

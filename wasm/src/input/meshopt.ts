@@ -22,6 +22,9 @@ const filters: Record<string, (stride: number) => boolean> = {
   COLOR: (stride) => stride === 4 || stride === 8,
 };
 
+/** Of a content to its packed form: a byte of control stands for four columns of 256 rows at most. */
+const maxRatio = 1024;
+
 /** The content of a buffer view with such an extension. */
 export async function decodeMeshopt(
   compression: JsonObject,
@@ -44,6 +47,10 @@ export async function decodeMeshopt(
     throw gltfFault(`${where} has ${count} corners of triangles, which is no multiple of three`);
   }
   data.reserve(count * stride);
+  // The codec keeps a byte at least for so many: of a few bytes, none can make millions.
+  if (count * stride > maxRatio * packed.length) {
+    throw gltfFault(`${where} cannot be decompressed: its data are damaged`);
+  }
   const content = new Uint8Array(count * stride);
   await MeshoptDecoder.ready;
   try {

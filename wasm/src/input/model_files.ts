@@ -18,24 +18,39 @@ export class FileSet {
     this.#paths = new Map([...this.#files.keys()].map((path) => [normalised(path) ?? path, path]));
   }
 
-  /** The one file that is a model, or an archive with one in it; a file alone may have any name. */
-  get model(): string {
+  /**
+   * The one file that is a model, or an archive with one in it; a file alone may have any name. Of several,
+   * the wanted one, or the archive that it may be in.
+   */
+  model(wanted?: string): string {
+    if (wanted !== undefined && this.#files.has(wanted)) return wanted;
     const all = [...this.#files.keys()];
     const paths = all.length === 1 ? all : all.filter((path) => !isHidden(path));
     const models = paths.filter((path) => modelName.test(path));
     const archives = paths.filter((path) => archiveName.test(path));
-    const candidates = paths.length === 1 ? paths : models.length > 0 ? models : archives;
+    const isModelGiven = wanted === undefined && models.length > 0;
+    const candidates = paths.length === 1 ? paths : isModelGiven ? models : archives;
     if (candidates.length === 1) return candidates[0];
+    if (wanted !== undefined) throw this.without(wanted);
     if (candidates.length > 1) {
       throw new GeodesicVoronoiError(
         'invalid-file',
-        `${listed(candidates)} are several models: choose one`,
+        `${listed(candidates)} are several models: choose one, by the option file or after a #`,
       );
     }
     const found = paths.length > 0 ? ` in ${listed(paths)}` : ': there are no files';
     throw new GeodesicVoronoiError(
       'invalid-file',
       `there is no model${found}; a model is a .glb, .gltf, .obj, .ply or .stl, or a .zip with one`,
+    );
+  }
+
+  /** What to say if the wanted file is not there. */
+  without(wanted: string): GeodesicVoronoiError {
+    const there = listed([...this.#files.keys()].filter((path) => !isHidden(path)));
+    return new GeodesicVoronoiError(
+      'invalid-file',
+      `there is no ${wanted} in ${there || 'the file'}`,
     );
   }
 
@@ -59,12 +74,7 @@ export class FileSet {
   async resource(model: string, uri: string): Promise<Uint8Array | undefined> {
     if (this.#files.has(uri)) return this.read(uri);
     const place = placeOf(model, uri);
-    if (place === undefined) {
-      throw new GeodesicVoronoiError(
-        'invalid-gltf',
-        `it needs ${uri}, which is outside its folder`,
-      );
-    }
+    if (place === undefined) return undefined;
     const path = this.#paths.get(place) ?? this.#fileNamed(place);
     return path === undefined ? undefined : this.read(path);
   }

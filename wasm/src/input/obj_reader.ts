@@ -5,19 +5,28 @@
 // normals, and materials, do not matter here.
 
 import { GeodesicVoronoiError } from '../errors.js';
+import type { SlicedWork } from '../slices.js';
 import { GrowingArray } from './growing_array.js';
 import { requireVertices, type SizeLimits } from './limits.js';
-import { type Line, lineFault, linesOf, numberOf } from './lines.js';
-import type { ReadModel } from './read_model.js';
 import { Polygons } from './polygons.js';
+import type { ReadModel } from './read_model.js';
+import { lineFault, TextWords } from './text_words.js';
 
-export function readObj(bytes: Uint8Array, limits: SizeLimits): ReadModel {
-  const reader = new ObjReader(limits);
-  for (const line of linesOf(bytes)) reader.read(line);
-  return reader.model();
+/** Lines between two places where reading can be left. */
+const linesPerStep = 64;
+
+export function* readObj(bytes: Uint8Array, limits: SizeLimits): SlicedWork<ReadModel> {
+  const words = new TextWords(bytes);
+  const reader = new ObjReader(words, limits);
+  for (let line = 1; words.nextLine(); ++line) {
+    reader.readLine();
+    if (line % linesPerStep === 0) yield words.share;
+  }
+  return yield* reader.take();
 }
 
 class ObjReader {
+  readonly #words: TextWords;
   readonly #positions = new GrowingArray(Float64Array);
   readonly #polygons: Polygons;
   readonly #limits: SizeLimits;
@@ -26,19 +35,20 @@ class ObjReader {
   /** Faces of fewer than three corners, lines and points. */
   #passedOver = 0;
 
-  constructor(limits: SizeLimits) {
+  constructor(words: TextWords, limits: SizeLimits) {
+    this.#words = words;
     this.#limits = limits;
     this.#polygons = new Polygons(limits);
   }
 
-  read(line: Line): void {
-    switch (line.words[0]) {
+  readLine(): void {
+    switch (this.#words.next()) {
       case 'v':
-        this.#readVertex(line);
+        this.#readVertex();
         break;
       case 'f':
       case 'fo': // of the format's first version
-        this.#readFace(line);
+        this.#readFace();
         break;
       case 'l':
       case 'p':
@@ -46,17 +56,19 @@ class ObjReader {
     }
   }
 
-  model(): ReadModel {
+  *take(): SlicedWork<ReadModel> {
     if (this.#polygons.count === 0) {
       throw new GeodesicVoronoiError('invalid-file', 'the OBJ has no faces');
     }
     const { vertex, line } = this.#highest;
     if (vertex >= this.#vertexCount) {
-      const message = `the face names vertex ${vertex + 1}, but there are ${this.#vertexCount}`;
-      throw lineFault({ number: line }, message);
+      throw lineFault(
+        line,
+        `the face names vertex ${vertex + 1}, but there are ${this.#vertexCount}`,
+      );
     }
-    const positions = this.#positions.toArray();
-    const { indices, notes } = this.#polygons.triangulated(positions);
+    const positions = yield* this.#positions.take();
+    const { indices, notes } = yield* this.#polygons.take(positions);
     if (this.#passedOver > 0) notes.push(`${this.#passedOver} lines and points were passed over`);
     return { positions, indices, notes };
   }
@@ -66,29 +78,31 @@ class ObjReader {
   }
 
   /** A weight or a colour may follow. */
-  #readVertex(line: Line): void {
-    for (let k = 1; k <= 3; ++k) this.#positions.push(numberOf(line.words[k], line));
+  #readVertex(): void {
+    for (let k = 0; k < 3; ++k) this.#positions.push(this.#words.nextNumber());
     requireVertices(this.#vertexCount, this.#limits);
   }
 
-  #readFace(line: Line): void {
-    const [, ...corners] = line.words;
-    if (corners.length < 3) {
+  #readFace(): void {
+    const first = [this.#words.next(), this.#words.next(), this.#words.next()];
+    if (first[2] === undefined) {
       ++this.#passedOver;
       return;
     }
-    for (const corner of corners) this.#polygons.addCorner(this.#vertexOf(corner, line));
+    for (const corner of first as string[]) this.#polygons.addCorner(this.#vertexOf(corner));
+    for (let corner = this.#words.next(); corner !== undefined; corner = this.#words.next())
+      this.#polygons.addCorner(this.#vertexOf(corner));
     this.#polygons.endPolygon();
   }
 
-  #vertexOf(corner: string, line: Line): number {
+  #vertexOf(corner: string): number {
     const slash = corner.indexOf('/');
     const number = Number(slash < 0 ? corner : corner.slice(0, slash));
     const vertex = number < 0 ? this.#vertexCount + number : number - 1;
     if (!Number.isInteger(number) || vertex < 0 || vertex >= this.#limits.maxVertices) {
-      throw lineFault(line, `'${corner.slice(0, 40)}' names no vertex`);
+      throw this.#words.fault(`'${corner.slice(0, 40)}' names no vertex`);
     }
-    if (vertex > this.#highest.vertex) this.#highest = { vertex, line: line.number };
+    if (vertex > this.#highest.vertex) this.#highest = { vertex, line: this.#words.line };
     return vertex;
   }
 }

@@ -3,7 +3,12 @@
 // The header of a PLY: what elements it has, how many, and of what properties.
 
 import { GeodesicVoronoiError } from '../errors.js';
-import { type Line, lineFault } from './lines.js';
+import { lineFault } from './text_words.js';
+
+interface Line {
+  number: number;
+  words: string[];
+}
 
 export const plyTypes = {
   int8: { bytes: 1, getter: 'getInt8' },
@@ -74,14 +79,14 @@ export function readPlyHeader(bytes: Uint8Array): PlyHeader {
     if (keyword === 'format') {
       const format = formats.find((name) => name === word);
       if (!format)
-        throw lineFault(line, `'${word}' is not a format of PLY (${formats.join(', ')})`);
+        throw lineFault(line.number, `'${word}' is not a format of PLY (${formats.join(', ')})`);
       header.format = format;
       isKnown = true;
     } else if (keyword === 'element') {
       header.elements.push(elementOf(line));
     } else if (keyword === 'property') {
       const element = header.elements.at(-1);
-      if (!element) throw lineFault(line, 'this property belongs to no element');
+      if (!element) throw lineFault(line.number, 'this property belongs to no element');
       element.properties.push(propertyOf(line));
     }
   }
@@ -92,7 +97,7 @@ export function readPlyHeader(bytes: Uint8Array): PlyHeader {
 function elementOf(line: Line): PlyElement {
   const [, name = '', count] = line.words;
   if (!/^\d{1,12}$/.test(count ?? ''))
-    throw lineFault(line, `'${count}' is not a count of elements`);
+    throw lineFault(line.number, `'${count}' is not a count of elements`);
   return { name, count: Number(count), properties: [] };
 }
 
@@ -106,7 +111,7 @@ function propertyOf(line: Line): PlyProperty {
 function typeOf(name: string | undefined, line: Line): PlyType {
   if (name !== undefined && Object.hasOwn(plyTypes, name)) return name as PlyType;
   if (name !== undefined && Object.hasOwn(aliases, name)) return aliases[name];
-  throw lineFault(line, `'${name}' is not a type of PLY`);
+  throw lineFault(line.number, `'${name}' is not a type of PLY`);
 }
 
 function fault(message: string): GeodesicVoronoiError {

@@ -4,9 +4,9 @@
 // faces, and triangle strips, which scans come in. Everything else is passed over.
 
 import { GeodesicVoronoiError } from '../errors.js';
+import type { SlicedWork } from '../slices.js';
 import { GrowingArray } from './growing_array.js';
 import { requireVertices, type SizeLimits } from './limits.js';
-import { lineFault, linesOf, numberOf } from './lines.js';
 import {
   type PlyElement,
   type PlyHeader,
@@ -15,20 +15,21 @@ import {
   plyTypes,
   readPlyHeader,
 } from './ply_header.js';
-import type { ReadModel } from './read_model.js';
 import { Polygons } from './polygons.js';
+import type { ReadModel } from './read_model.js';
+import { TextWords } from './text_words.js';
 
 const axes = ['x', 'y', 'z'];
 
-export function readPly(bytes: Uint8Array, limits: SizeLimits): ReadModel {
+export function* readPly(bytes: Uint8Array, limits: SizeLimits): SlicedWork<ReadModel> {
   const header = readPlyHeader(bytes);
   const values =
     header.format === 'ascii'
       ? new TextValues(bytes, header)
       : new BinaryValues(bytes, header.bytes, header.format === 'binary_little_endian');
   const reader = new PlyReader(values, limits);
-  for (const element of header.elements) reader.read(element);
-  return reader.model();
+  for (const element of header.elements) yield* reader.read(element);
+  return yield* reader.take();
 }
 
 /** The data, value after value. */
@@ -36,6 +37,18 @@ interface Values {
   next(type: PlyType): number;
   /** Where the last value was, for messages. */
   readonly place: string;
+  /** How many of the data are behind, 0 … 1. */
+  readonly share: number;
+}
+
+/** Values between two places where reading can be left. */
+const valuesPerStep = 256;
+
+/** What becomes of a property's values, or of the list that it is. */
+interface Use {
+  begin(length: number): void;
+  add(value: number): void;
+  end(): void;
 }
 
 class PlyReader {
@@ -51,80 +64,94 @@ class PlyReader {
     this.#limits = limits;
   }
 
-  read(element: PlyElement): void {
-    const { name, count } = element;
+  *read(element: PlyElement): SlicedWork<void> {
+    const { name, count, properties } = element;
     if (name === 'vertex') {
       requirePlaces(element);
       requireVertices(count, this.#limits);
     }
+    const place = [NaN, NaN, NaN];
+    const uses = properties.map((property) => this.#useOf(name, property, place));
     // An element without properties takes no bytes: there may be any number of it.
-    const rows = element.properties.length > 0 ? count : 0;
-    for (let i = 0; i < rows; ++i) {
-      if (name === 'vertex') this.#readVertex(element);
-      else for (const property of element.properties) this.#readProperty(name, property);
+    const rows = properties.length > 0 ? count : 0;
+    let steps = 0;
+    for (let row = 0; row < rows; ++row) {
+      for (const [i, use] of uses.entries()) {
+        const { type, lengthType } = properties[i];
+        const length = lengthType ? this.#length(lengthType) : 1;
+        use.begin(length);
+        for (let k = 0; k < length; ++k) {
+          use.add(this.#values.next(type));
+          if (++steps % valuesPerStep === 0) yield this.#values.share;
+        }
+        use.end();
+        if (++steps % valuesPerStep === 0) yield this.#values.share;
+      }
+      if (name === 'vertex') for (const x of place) this.#positions.push(x);
     }
   }
 
-  model(): ReadModel {
+  *take(): SlicedWork<ReadModel> {
     const vertexCount = this.#positions.length / 3;
     if (this.#polygons.count === 0) throw fault('the PLY has no faces');
     if (this.#highest.vertex >= vertexCount) {
       const { vertex, place } = this.#highest;
       throw fault(`${place}: a face names vertex ${vertex}, but there are ${vertexCount} (from 0)`);
     }
-    const positions = this.#positions.toArray();
-    return { positions, ...this.#polygons.triangulated(positions) };
+    const positions = yield* this.#positions.take();
+    return { positions, ...(yield* this.#polygons.take(positions)) };
   }
 
-  #readVertex({ properties }: PlyElement): void {
-    const place = [NaN, NaN, NaN];
-    for (const { name, type, lengthType } of properties) {
-      const axis = axes.indexOf(name);
-      if (lengthType) this.#skip(type, this.#length(lengthType));
-      else if (axis < 0) this.#skip(type, 1);
-      else place[axis] = this.#values.next(type);
+  #useOf(element: string, { name, lengthType }: PlyProperty, place: number[]): Use {
+    const axis = axes.indexOf(name);
+    if (element === 'vertex' && axis >= 0 && !lengthType) {
+      return { begin() {}, add: (x) => (place[axis] = x), end() {} };
     }
-    for (const x of place) this.#positions.push(x);
-  }
-
-  #readProperty(element: string, { name, type, lengthType }: PlyProperty): void {
-    const length = lengthType ? this.#length(lengthType) : 1;
     const isCorners = lengthType && /^vertex_ind(ices|ex)$/.test(name);
-    if (isCorners && element === 'face') this.#readFace(type, length);
-    else if (isCorners && element === 'tristrips') this.#readStrips(type, length);
-    else this.#skip(type, length);
+    if (isCorners && element === 'face') return this.#faces();
+    if (isCorners && element === 'tristrips') return this.#strips();
+    return { begin() {}, add() {}, end() {} };
   }
 
-  #readFace(type: PlyType, length: number): void {
-    if (length < 3) {
-      this.#skip(type, length); // an edge or a point
-      return;
-    }
-    for (let i = 0; i < length; ++i) this.#polygons.addCorner(this.#vertex(type));
-    this.#polygons.endPolygon();
+  #faces(): Use {
+    let isPolygon = false; // else an edge or a point
+    return {
+      begin: (length) => (isPolygon = length >= 3),
+      add: (vertex) => {
+        if (isPolygon) this.#polygons.addCorner(this.#vertex(vertex));
+      },
+      end: () => {
+        if (isPolygon) this.#polygons.endPolygon();
+      },
+    };
   }
 
   /** Each vertex makes a triangle with the two before it, every other one turned; -1 begins anew. */
-  #readStrips(type: PlyType, length: number): void {
-    let strip: number[] = [];
+  #strips(): Use {
+    let [a, b] = [-1, -1];
     let isTurned = false;
-    for (let i = 0; i < length; ++i) {
-      const vertex = this.#vertex(type, -1);
-      strip = vertex < 0 ? [] : [...strip.slice(-2), vertex];
-      if (strip.length < 3) {
-        isTurned = false;
-        continue;
-      }
-      const [a, b, c] = strip;
-      for (const corner of isTurned ? [a, c, b] : [a, b, c]) this.#polygons.addCorner(corner);
-      this.#polygons.endPolygon();
-      isTurned = !isTurned;
-    }
+    const restart = () => {
+      [a, b] = [-1, -1];
+      isTurned = false;
+    };
+    return {
+      begin: restart,
+      add: (vertex) => {
+        if (vertex === -1) return restart();
+        const c = this.#vertex(vertex);
+        if (a >= 0) {
+          for (const corner of isTurned ? [a, c, b] : [a, b, c]) this.#polygons.addCorner(corner);
+          this.#polygons.endPolygon();
+          isTurned = !isTurned;
+        }
+        [a, b] = [b, c];
+      },
+      end: restart,
+    };
   }
 
-  #vertex(type: PlyType, least = 0): number {
-    const vertex = this.#values.next(type);
-    if (!Number.isInteger(vertex) || vertex < least || vertex >= this.#limits.maxVertices) {
+  #vertex(vertex: number): number {
+    if (!Number.isInteger(vertex) || vertex < 0 || vertex >= this.#limits.maxVertices) {
       throw fault(`${this.#values.place}: ${vertex} is not a vertex`);
     }
     if (vertex > this.#highest.vertex) this.#highest = { vertex, place: this.#values.place };
@@ -135,10 +162,6 @@ class PlyReader {
     const length = this.#values.next(type);
     if (Number.isInteger(length) && length >= 0) return length;
     throw fault(`${this.#values.place}: ${length} is not the length of a list`);
-  }
-
-  #skip(type: PlyType, count: number): void {
-    for (let i = 0; i < count; ++i) this.#values.next(type);
   }
 }
 
@@ -165,6 +188,10 @@ class BinaryValues implements Values {
     return `byte ${this.#last}`;
   }
 
+  get share(): number {
+    return this.#at / this.#view.byteLength;
+  }
+
   next(type: PlyType): number {
     const { bytes, getter } = plyTypes[type];
     this.#last = this.#at;
@@ -177,29 +204,27 @@ class BinaryValues implements Values {
 }
 
 class TextValues implements Values {
-  readonly #lines: ReturnType<typeof linesOf>;
-  readonly #firstLine: number;
-  #line = { number: 0, words: [] as string[] };
-  #word = 0;
+  readonly #words: TextWords;
 
   constructor(bytes: Uint8Array, header: PlyHeader) {
-    this.#lines = linesOf(bytes.subarray(header.bytes));
-    this.#firstLine = header.lines;
+    this.#words = new TextWords(bytes.subarray(header.bytes), header.lines);
   }
 
   get place(): string {
-    return `line ${this.#line.number}`;
+    return `line ${this.#words.line}`;
+  }
+
+  get share(): number {
+    return this.#words.share;
   }
 
   /** Values may be on as many lines as they like. */
   next(): number {
-    if (this.#word === this.#line.words.length) {
-      const { value, done } = this.#lines.next();
-      if (done) throw lineFault(this.#line, 'the PLY is truncated: it ends here');
-      this.#line = { number: this.#firstLine + value.number, words: value.words };
-      this.#word = 0;
+    for (;;) {
+      const word = this.#words.next();
+      if (word !== undefined) return this.#words.numberOf(word);
+      if (!this.#words.nextLine()) throw this.#words.fault('the PLY is truncated: it ends here');
     }
-    return numberOf(this.#line.words[this.#word++], this.#line);
   }
 }
 

@@ -4,6 +4,7 @@
 // also where corners lie in a line: else the faces beside it would not fit any more.
 
 import earcut from 'earcut';
+import type { SlicedWork } from '../slices.js';
 import { GrowingArray } from './growing_array.js';
 import { requireCorners, requireTriangles, type SizeLimits } from './limits.js';
 
@@ -25,26 +26,28 @@ export class Polygons {
 
   addCorner(vertex: number): void {
     this.#corners.push(vertex);
+    requireCorners(this.#corners.length - this.#lastEnd);
   }
 
   /** Ends a polygon of three corners at least. */
   endPolygon(): void {
     const size = this.#corners.length - this.#lastEnd;
-    requireCorners(size);
     this.#triangles += size - 2;
     requireTriangles(this.#triangles, this.#limits);
     this.#lastEnd = this.#corners.length;
     this.#ends.push(this.#lastEnd);
   }
 
-  /** Three vertices per triangle, and a sentence about what was cut. */
-  triangulated(positions: Float64Array): { indices: Int32Array; notes: string[] } {
-    const corners = this.#corners.toArray();
+  /** Gives up three vertices per triangle, and a sentence about what was cut. */
+  *take(positions: Float64Array): SlicedWork<{ indices: Int32Array; notes: string[] }> {
+    const corners = yield* this.#corners.take();
+    if (this.#triangles === this.#ends.length) return { indices: corners, notes: [] };
     const indices = new Int32Array(3 * this.#triangles);
     let at = 0;
     let cut = 0;
     let start = 0;
-    for (const end of this.#ends.toArray()) {
+    for (const end of yield* this.#ends.take()) {
+      yield 1;
       const polygon = corners.subarray(start, end);
       const triangles = polygon.length === 3 ? polygon : cutPolygon(polygon, positions);
       indices.set(triangles, at);

@@ -6,12 +6,15 @@ import type { FileInput } from '../engine.js';
 import { GeodesicVoronoiError } from '../errors.js';
 import { readGltf } from '../gltf.js';
 import type { MeshOrigin, MeshPart } from '../results.js';
+import { inSlices, type SlicedWork } from '../slices.js';
 import type { Triangles } from '../triangles.js';
+import type { TaskOptions } from '../types.js';
 import { decompressed } from './gltf_decompression.js';
 import {
   type GltfFile,
   isCompressed,
   parseGltf,
+  parseGltfHead,
   type Resources,
   resourceUris,
 } from './gltf_document.js';
@@ -39,14 +42,16 @@ export interface Model {
 }
 
 export async function readModel(
-  { files, limits }: FileInput,
+  { files, limits, file: wanted }: FileInput,
   modules: InputModules,
+  task: TaskOptions,
   isUnpacked = false,
 ): Promise<Model> {
   const set = new FileSet(files);
-  const file = set.model;
+  const file = set.model(wanted);
   const bytes = await set.read(file);
   const format = formatOf(bytes, file);
+  if (format !== 'zip' && wanted !== undefined && file !== wanted) throw set.without(wanted);
   const sizes = toSizeLimits(limits);
   switch (format) {
     case 'zip':
@@ -57,8 +62,9 @@ export async function readModel(
           `${file} in the zip is a zip itself: unpack it first`,
         );
       return readModel(
-        { files: (await import('./zip.js')).zipFiles(bytes), limits },
+        { files: (await import('./zip.js')).zipFiles(bytes, task), limits, file: wanted },
         modules,
+        task,
         true,
       );
     case 'glTF': {
@@ -67,19 +73,21 @@ export async function readModel(
       return { triangles, parts, notes, origin: { file, format } };
     }
     case 'OBJ':
-      return plain((await import('./obj_reader.js')).readObj(bytes, sizes), { file, format });
+      return plain((await import('./obj_reader.js')).readObj(bytes, sizes), 'OBJ');
     case 'PLY':
-      return plain((await import('./ply_reader.js')).readPly(bytes, sizes), { file, format });
+      return plain((await import('./ply_reader.js')).readPly(bytes, sizes), 'PLY');
     case 'binary STL':
-      return plain((await import('./stl_reader.js')).readBinaryStl(bytes, sizes), {
-        file,
-        format: 'STL',
-      });
+      return plain((await import('./stl_reader.js')).readBinaryStl(bytes, sizes), 'STL');
     case 'text STL':
-      return plain((await import('./stl_reader.js')).readTextStl(bytes, sizes), {
-        file,
-        format: 'STL',
-      });
+      return plain((await import('./stl_reader.js')).readTextStl(bytes, sizes), 'STL');
+  }
+
+  async function plain(work: SlicedWork<ReadModel>, format: MeshOrigin['format']): Promise<Model> {
+    const { positions, indices, notes } = await inSlices(work, task);
+    // Two empty arrays: a worker hands over every buffer once.
+    const [normals, uvs] = [new Float64Array(), new Float64Array()];
+    const triangles = { positions, indices, normals, uvs };
+    return { triangles, parts: [], notes, origin: { file, format } };
   }
 }
 
@@ -89,20 +97,13 @@ async function readableGltf(
   resource: (uri: string) => Promise<Uint8Array | undefined>,
   dracoModule: () => Promise<WebAssembly.Module>,
 ): Promise<GltfFile> {
-  const document = parseGltf(bytes);
-  if (!document) return { bytes, resources: {} };
+  const head = parseGltfHead(bytes) ?? {};
   const resources: Resources = {};
-  for (const uri of resourceUris(document.json)) {
+  for (const uri of resourceUris(head)) {
     const content = await resource(uri);
     if (content) resources[uri] = content;
   }
-  return isCompressed(document.json)
-    ? decompressed(document, resources, dracoModule)
+  return isCompressed(head)
+    ? decompressed(parseGltf(bytes), resources, dracoModule)
     : { bytes, resources };
-}
-
-function plain({ positions, indices, notes }: ReadModel, origin: MeshOrigin): Model {
-  // Two empty arrays: a worker hands over every buffer once.
-  const [normals, uvs] = [new Float64Array(), new Float64Array()];
-  return { triangles: { positions, indices, normals, uvs }, parts: [], notes, origin };
 }

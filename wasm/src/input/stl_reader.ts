@@ -4,13 +4,17 @@
 // two it is, the length says: there are binary files that begin with "solid" as text does.
 
 import { GeodesicVoronoiError } from '../errors.js';
+import type { SlicedWork } from '../slices.js';
 import { GrowingArray } from './growing_array.js';
 import { requireTriangles, requireVertices, type SizeLimits } from './limits.js';
-import { excerpt, type Line, lineFault, linesOf, numberOf } from './lines.js';
 import type { ReadModel } from './read_model.js';
 import { stlBytes, stlTriangleCount } from './stl_layout.js';
+import { TextWords } from './text_words.js';
 
-export function readBinaryStl(bytes: Uint8Array, limits: SizeLimits): ReadModel {
+/** Triangles or lines between two places where reading can be left. */
+const perStep = 64;
+
+export function* readBinaryStl(bytes: Uint8Array, limits: SizeLimits): SlicedWork<ReadModel> {
   const count = stlTriangleCount(bytes);
   if (count === 0) throw fault('the STL has no triangles');
   if (bytes.length < stlBytes(count)) {
@@ -21,49 +25,52 @@ export function readBinaryStl(bytes: Uint8Array, limits: SizeLimits): ReadModel 
   requireTriangles(count, limits);
   requireVertices(3 * count, limits);
   const view = viewOf(bytes);
-  const positions = Float64Array.from({ length: 9 * count }, (_, i) =>
-    view.getFloat32(stlBytes(Math.floor(i / 9)) + 4 * (3 + (i % 9)), true),
-  );
-  return modelOf(positions);
+  const positions = new Float64Array(9 * count);
+  for (let t = 0; t < count; ++t) {
+    const corners = stlBytes(t) + 12; // after the normal
+    for (let i = 0; i < 9; ++i) positions[9 * t + i] = view.getFloat32(corners + 4 * i, true);
+    if (t % perStep === 0) yield t / count;
+  }
+  return yield* modelOf(positions);
 }
 
-export function readTextStl(bytes: Uint8Array, limits: SizeLimits): ReadModel {
+export function* readTextStl(bytes: Uint8Array, limits: SizeLimits): SlicedWork<ReadModel> {
+  const words = new TextWords(bytes);
   const positions = new GrowingArray(Float64Array);
   /** Corners of the triangle that is being read; -1 outside. */
   let corners = -1;
-  let last: Line = { number: 1, words: [] };
-  for (const line of linesOf(bytes)) {
-    last = line;
-    const keyword = line.words[0].toLowerCase();
+  for (let line = 1; words.nextLine(); ++line) {
+    const keyword = words.next()!.toLowerCase();
     if (keyword === 'outer') {
-      if (corners >= 0) throw lineFault(line, 'a triangle begins before the last one has ended');
+      if (corners >= 0) throw words.fault('a triangle begins before the last one has ended');
       corners = 0;
     } else if (keyword === 'vertex') {
-      if (corners < 0)
-        throw lineFault(line, 'this vertex is in no triangle (outer loop … endloop)');
+      if (corners < 0) throw words.fault('this vertex is in no triangle (outer loop … endloop)');
       ++corners;
-      for (let k = 1; k <= 3; ++k) positions.push(numberOf(line.words[k], line));
+      for (let k = 0; k < 3; ++k) positions.push(words.nextNumber());
       requireTriangles(positions.length / 9, limits);
       requireVertices(positions.length / 3, limits);
     } else if (keyword === 'endloop') {
       if (corners !== 3)
-        throw lineFault(line, `a triangle with ${Math.max(0, corners)} corners ends here`);
+        throw words.fault(`a triangle with ${Math.max(0, corners)} corners ends here`);
       corners = -1;
     } else if (!['solid', 'facet', 'endfacet', 'endsolid', 'color'].includes(keyword)) {
-      throw lineFault(line, `'${excerpt(line)}' has no meaning in an STL`);
+      throw words.fault(`'${words.excerpt()}' has no meaning in an STL`);
     }
+    if (line % perStep === 0) yield words.share;
   }
-  if (corners >= 0) throw lineFault(last, 'the STL is truncated: it ends within a triangle');
+  if (corners >= 0) throw words.fault('the STL is truncated: it ends within a triangle');
   if (positions.length === 0) throw fault('the STL has no triangles');
-  return modelOf(positions.toArray());
+  return yield* modelOf(yield* positions.take());
 }
 
-function modelOf(positions: Float64Array): ReadModel {
-  return {
-    positions,
-    indices: Int32Array.from({ length: positions.length / 3 }, (_, i) => i),
-    notes: [],
-  };
+function* modelOf(positions: Float64Array): SlicedWork<ReadModel> {
+  const indices = new Int32Array(positions.length / 3);
+  for (let i = 0; i < indices.length; ++i) {
+    indices[i] = i;
+    if (i % 2 ** 16 === 0) yield 1;
+  }
+  return { positions, indices, notes: [] };
 }
 
 function viewOf(bytes: Uint8Array): DataView {

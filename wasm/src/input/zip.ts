@@ -6,12 +6,16 @@
 
 import { Inflate } from 'fflate';
 import { GeodesicVoronoiError } from '../errors.js';
-import type { ModelFiles } from '../types.js';
+import { inSlices, type SlicedWork } from '../slices.js';
+import type { ModelFiles, TaskOptions } from '../types.js';
 
-/** Of all files together. */
-const maxBytes = 2 ** 30;
-/** So little at a time that not even zeros, packed a thousandfold, grow into much more than a file. */
-const sliceBytes = 2 ** 16;
+/**
+ * Of all files together: models are packed to a quarter or so, and what small ones are packed to does not
+ * matter.
+ */
+const mostUnpacked = (packedBytes: number) => 2 ** 25 + 4 * packedBytes;
+/** So little at a time that even zeros, packed a thousandfold, take a few milliseconds. */
+const stepBytes = 2 ** 12;
 
 interface Entry {
   name: string;
@@ -24,18 +28,20 @@ interface Entry {
   offset: number;
 }
 
-export function zipFiles(archive: Uint8Array): ModelFiles {
+export function zipFiles(archive: Uint8Array, task: TaskOptions): ModelFiles {
   const entries = entriesOf(archive).filter(({ name }) => !name.endsWith('/'));
   const total = entries.reduce((sum, { size }) => sum + size, 0);
-  if (total > maxBytes) {
+  const most = mostUnpacked(archive.length);
+  if (total > most) {
+    const megabytes = (bytes: number) => `${Math.ceil(bytes / 2 ** 20)} MB`;
     throw fault(
-      `the zip would unpack to ${Math.ceil(total / 2 ** 20)} MB, more than the limit of ${maxBytes / 2 ** 20} MB; unpacked, it can be opened as a folder`,
+      `the zip of ${megabytes(archive.length)} would unpack to ${megabytes(total)}, more than the ${megabytes(most)} that are unpacked; unpacked, it can be opened as a folder`,
     );
   }
   return Object.fromEntries(
     entries.map((entry) => [
       entry.name,
-      { arrayBuffer: async () => unpacked(archive, entry).buffer as ArrayBuffer },
+      { arrayBuffer: async () => (await unpacked(archive, entry, task)).buffer as ArrayBuffer },
     ]),
   );
 }
@@ -78,7 +84,7 @@ function endOfDirectory(view: DataView): number {
   throw fault('the zip is truncated: its directory is missing');
 }
 
-function unpacked(archive: Uint8Array, entry: Entry): Uint8Array {
+async function unpacked(archive: Uint8Array, entry: Entry, task: TaskOptions): Promise<Uint8Array> {
   const { name, method, isEncrypted, packedSize, size, offset } = entry;
   if (isEncrypted) throw fault(`${name} in the zip is encrypted: unpack it first`);
   if (method !== 0 && method !== 8) {
@@ -91,26 +97,28 @@ function unpacked(archive: Uint8Array, entry: Entry): Uint8Array {
   const packed = archive.subarray(start, start + packedSize);
   if (packed.length < packedSize || (method === 0 && packedSize !== size)) throw damaged();
   if (method === 0) return packed.slice();
-  try {
-    return inflated(packed, size);
-  } catch {
-    throw damaged();
-  }
+  const content = await inSlices(inflated(packed, size), { signal: task.signal });
+  if (!content) throw damaged();
+  return content;
 }
 
-/** Throws if it does not come to exactly `size` bytes, as soon as it is more. */
-function inflated(packed: Uint8Array, size: number): Uint8Array {
+/** Nothing if it does not come to exactly `size` bytes; stopped as soon as it is more. */
+function* inflated(packed: Uint8Array, size: number): SlicedWork<Uint8Array | undefined> {
   const content = new Uint8Array(size);
   let length = 0;
   const inflate = new Inflate((chunk) => {
     content.set(chunk, length); // a RangeError if it does not fit
     length += chunk.length;
   });
-  for (let at = 0; at < packed.length; at += sliceBytes) {
-    inflate.push(packed.subarray(at, at + sliceBytes), at + sliceBytes >= packed.length);
+  for (let at = 0; at < packed.length; at += stepBytes) {
+    try {
+      inflate.push(packed.subarray(at, at + stepBytes), at + stepBytes >= packed.length);
+    } catch {
+      return undefined;
+    }
+    yield at / packed.length;
   }
-  if (length !== size) throw new RangeError('too short');
-  return content;
+  return length === size ? content : undefined;
 }
 
 function viewOf(bytes: Uint8Array): DataView {

@@ -1,0 +1,637 @@
+// SPDX-License-Identifier: MIT
+//
+// Cases about the objects of a glTF: numbers, accessors, primitives, scenes, surfaces, and how much
+// of each.
+
+#include <cstdint>
+#include <limits>
+
+#include "gltf_corpus.h"
+
+namespace gvd {
+namespace {
+
+const std::vector<float> kZigzag = {0, 1, 0, 0, 0, 0, 1, 1, 0, 1, 0, 0, 2, 1, 0, 2, 0, 0};
+
+/// Sets the primitives of the right file's mesh.
+GltfCases::Change primitives(const std::string& list) {
+  return [list](GlbWriter& file) { file.meshes[0] = R"({"primitives":[)" + list + "]}"; };
+}
+
+/// Sets the one node of the right file.
+GltfCases::Change node(const std::string& members) {
+  return [members](GlbWriter& file) { file.nodes[0] = '{' + members + '}'; };
+}
+
+GltfCases::Change accessor(const std::string& members) {
+  return [members](GlbWriter& file) { file.accessors[0] = '{' + members + '}'; };
+}
+
+std::string repeated(const std::string& text, int count) {
+  std::string all;
+  for (int i = 0; i < count; ++i) all += text + ',';
+  return '[' + all + text + ']';
+}
+
+/// A place in a glTF where a whole number has to be.
+struct NumberPlace {
+  const char* path;
+  const char* range;
+  std::function<void(GlbWriter&, const std::string&)> set;
+};
+
+std::string sparseAccessor(const std::string& count, const std::string& ofIndices,
+                           const std::string& ofValues) {
+  return R"({"componentType":5126,"count":3,"type":"VEC3","sparse":{"count":)" + count +
+         R"(,"indices":{"bufferView":0,"componentType":5121)" + ofIndices +
+         R"(},"values":{"bufferView":0)" + ofValues + "}}}";
+}
+
+std::vector<NumberPlace> numberPlaces() {
+  const char* index = "from 0 to 2147483647";
+  const char* size = "from 0 to 4294967295";
+  // R"(…)" around the number, of an accessor without it.
+  const auto ofAccessor = [](const std::string& others, const std::string& name) {
+    return [=](GlbWriter& file, const std::string& x) {
+      file.accessors[0] = '{' + others + ",\"" + name + "\":" + x + '}';
+    };
+  };
+  const auto ofPrimitive = [](const std::string& before, const std::string& after = "") {
+    return [=](GlbWriter& file, const std::string& x) {
+      file.meshes[0] = "{\"primitives\":[{" + before + x + after + "}]}";
+    };
+  };
+  const auto ofView = [](const std::string& others, const std::string& name) {
+    return [=](GlbWriter& file, const std::string& x) {
+      file.bufferViews[0] = '{' + others + ",\"" + name + "\":" + x + '}';
+    };
+  };
+  return {
+      {"scene", index, [](GlbWriter& f, const std::string& x) { f.more = ",\"scene\":" + x; }},
+      {"scenes[0].nodes[1]", index,
+       [](GlbWriter& f, const std::string& x) { f.scenes = {"{\"nodes\":[0," + x + "]}"}; }},
+      {"nodes[0].mesh", index,
+       [](GlbWriter& f, const std::string& x) { f.nodes[0] = "{\"mesh\":" + x + '}'; }},
+      {"nodes[0].skin", index,
+       [](GlbWriter& f, const std::string& x) { f.nodes[0] = "{\"mesh\":0,\"skin\":" + x + '}'; }},
+      {"nodes[1].children[0]", index,
+       [](GlbWriter& f, const std::string& x) { f.addNode("\"children\":[" + x + ']'); }},
+      {"nodes[0].extensions.EXT_mesh_gpu_instancing.attributes.SCALE", index,
+       [](GlbWriter& f, const std::string& x) {
+         f.nodes[0] =
+             R"({"extensions":{"EXT_mesh_gpu_instancing":{"attributes":{"SCALE":)" + x + "}}}}";
+       }},
+      {"meshes[0].primitives[0].attributes.POSITION", index,
+       ofPrimitive(R"("attributes":{"POSITION":)", "}")},
+      {"meshes[0].primitives[0].indices", index,
+       ofPrimitive(R"("attributes":{"POSITION":0},"indices":)")},
+      {"meshes[0].primitives[0].mode", index,
+       ofPrimitive(R"("attributes":{"POSITION":0},"mode":)")},
+      {"meshes[0].primitives[0].targets[0].POSITION", index,
+       ofPrimitive(R"("attributes":{"POSITION":0},"targets":[{"POSITION":)", "}]")},
+      {"accessors[0].bufferView", index,
+       ofAccessor(R"("componentType":5126,"count":3,"type":"VEC3")", "bufferView")},
+      {"accessors[0].componentType", "from 5120 to 5126",
+       ofAccessor(R"("bufferView":0,"count":3,"type":"VEC3")", "componentType")},
+      {"accessors[0].byteOffset", size,
+       ofAccessor(R"("bufferView":0,"componentType":5126,"count":3,"type":"VEC3")", "byteOffset")},
+      {"accessors[0].count", size,
+       ofAccessor(R"("bufferView":0,"componentType":5126,"type":"VEC3")", "count")},
+      {"accessors[0].sparse.count", size,
+       [](GlbWriter& f, const std::string& x) { f.accessors[0] = sparseAccessor(x, "", ""); }},
+      {"accessors[0].sparse.indices.byteOffset", size,
+       [](GlbWriter& f, const std::string& x) {
+         f.accessors[0] = sparseAccessor("1", ",\"byteOffset\":" + x, "");
+       }},
+      {"accessors[0].sparse.values.byteOffset", size,
+       [](GlbWriter& f, const std::string& x) {
+         f.accessors[0] = sparseAccessor("1", "", ",\"byteOffset\":" + x);
+       }},
+      {"accessors[0].sparse.values.bufferView", index,
+       [](GlbWriter& f, const std::string& x) {
+         f.accessors[0] = sparseAccessor("1", "", ",\"bufferView\":" + x);
+       }},
+      {"bufferViews[0].buffer", index, ofView(R"("byteLength":36)", "buffer")},
+      {"bufferViews[0].byteOffset", size, ofView(R"("buffer":0,"byteLength":36)", "byteOffset")},
+      {"bufferViews[0].byteLength", size, ofView(R"("buffer":0)", "byteLength")},
+      {"buffers[0].byteLength", size,
+       [](GlbWriter& f, const std::string& x) { f.buffers = "{\"byteLength\":" + x + '}'; }},
+  };
+}
+
+}  // namespace
+
+void addNumberCases(GltfCases& cases) {
+  const std::pair<const char*, const char*> values[] = {
+      {"-1", "-1"},
+      {"-4", "-4"},
+      {"4294967296", "4294967296"},
+      {"9007199254740992", "9007199254740992"},
+      {"18446744073709551615", "18446744073709551615"},
+      {"18446744073709551616", "18446744073709551616"},
+      {"0.5", "0.5"},
+      {"-0.25", "-0.25"},
+      {"1e300", "1e300"},
+      {"null", "null"},
+      {"true", "true"},
+      {"\"1\"", "a string"},
+      {"[0]", "an array"},
+      {"{}", "an object"}};
+  for (const NumberPlace& place : numberPlaces()) {
+    for (const auto& [value, shown] : values) {
+      cases.refused(
+          std::string(place.path) + ' ' + value,
+          std::string(place.path) + " is " + shown + "; it must be a whole number " + place.range,
+          [&](GlbWriter& file) { place.set(file, value); });
+    }
+  }
+  cases.opens("whole numbers written as others are", 1, [](GlbWriter& file) {
+    file.nodes[0] = R"({"mesh":0.0,"scale":[1.0,1e0,1]})";
+    file.accessors[0] = R"({"bufferView":0,"componentType":5126,"count":0.3e1,"type":"VEC3"})";
+    file.bufferViews[0] = R"({"buffer":0e5,"byteLength":36.0,"byteStride":0})";
+  });
+  const auto wrong = [&](const std::string& members, const std::string& sentence) {
+    cases.refused(members, sentence, bytesOf(R"({"asset":{"version":"2.0"},)" + members + '}'));
+  };
+  wrong(R"("nodes":{})", "nodes is an object; it must be an array");
+  wrong(R"("nodes":[{},[]])", "nodes[1] is an array; it must be an object");
+  wrong(R"("nodes":[{"matrix":"no"}])", "nodes[0].matrix is a string; it must be an array");
+  wrong(R"("nodes":[{},{"scale":[1,null,1]}])", "nodes[1].scale[1] is null; it must be a number");
+  wrong(R"("accessors":[{"normalized":1}])",
+        "accessors[0].normalized is 1; it must be true or false");
+  wrong(R"("meshes":[{"primitives":{}}])",
+        "meshes[0].primitives is an object; it must be an array");
+  wrong(R"("meshes":[{"primitives":[7]}])", "meshes[0].primitives[0] is 7; it must be an object");
+  wrong(R"("scenes":[7])", "scenes[0] is 7; it must be an object");
+}
+
+void addAccessorCases(GltfCases& cases) {
+  const auto positions = [&](const std::string& members, const std::string& sentence) {
+    cases.refused("accessor {" + members + '}', sentence, accessor(members));
+  };
+  const std::string floats = R"("bufferView":0,"componentType":5126,"type":"VEC3",)";
+  const std::string past = "accessor 0 reaches past the end of buffer view 0";
+  positions(floats + R"("count":4)", past);
+  positions(floats + R"("count":1000000)", past);
+  positions(floats + R"("count":3,"byteOffset":4)", past);
+  positions(floats + R"("count":3,"byteOffset":4294967292)", past);
+  const std::string misaligned =
+      " of its buffer, which is not a multiple of 4, the size of its numbers";
+  positions(floats + R"("count":2,"byteOffset":2)", "accessor 0 begins at byte 2" + misaligned);
+  cases.refused("misaligned buffer view", "accessor 0 begins at byte 1" + misaligned,
+                [](GlbWriter& file) {
+                  file.addPositions(kTriangle);
+                  file.bufferViews[0] = R"({"buffer":0,"byteLength":40,"byteOffset":1})";
+                });
+  positions(floats + R"("count":0)", "the scene has no triangles");
+  const std::pair<const char*, const char*> incomplete[] = {
+      {R"("bufferView":0,"componentType":5126,"type":"VEC3")", "count"},
+      {R"("bufferView":0,"count":3,"type":"VEC3")", "componentType"},
+      {R"("bufferView":0,"componentType":5126,"count":3)", "type"}};
+  for (const auto& [members, missing] : incomplete) {
+    positions(members, "accessors[0] has no " + std::string(missing));
+  }
+  for (const char* type : {"VEC5", "vec3", ""}) {
+    positions(R"("bufferView":0,"componentType":5126,"count":3,"type":")" + std::string(type) + '"',
+              "accessors[0].type is \"" + std::string(type) +
+                  "\"; it must be one of SCALAR, VEC2, VEC3, VEC4, MAT2, MAT3, MAT4");
+  }
+  for (const char* type : {"VEC2", "VEC4", "SCALAR", "MAT3", "MAT4"}) {
+    positions(R"("bufferView":0,"componentType":5126,"count":3,"type":")" + std::string(type) + '"',
+              "accessor 0 has the wrong type for positions");
+  }
+  for (const char* type : {"5124", "5125"}) {
+    positions(
+        R"("bufferView":0,"count":3,"type":"VEC3","componentType":)" + std::string(type),
+        "accessor 0 has component type " + std::string(type) + ", which positions cannot have");
+  }
+  for (const char* type : {"5130", "0", "1"}) {
+    positions(R"("bufferView":0,"count":3,"type":"VEC3","componentType":)" + std::string(type),
+              "accessors[0].componentType is " + std::string(type) +
+                  "; it must be a whole number from 5120 to 5126");
+  }
+  cases.refused("positions without their buffer view: zeros",
+                "no triangle is left: of 1 triangles 0 have a corner that is not finite and 1 have "
+                "two corners at one position",
+                accessor(R"("componentType":5126,"count":3,"type":"VEC3")"));
+  cases.opens("interleaved, from an offset", 1, [](GlbWriter& file) {
+    const int view =
+        file.addView(std::vector<float>{9, 9, /**/ 0, 0, 0, 9, /**/ 1, 0, 0, 9, /**/ 0, 1, 0},
+                     R"(,"byteStride":16)");
+    file.addAccessor(view, kFloat, 3, "VEC3", R"(,"byteOffset":8)");
+    primitives(GlbWriter::primitive(1))(file);
+  });
+  cases.opens("normalized floats are floats", 1,
+              accessor(floats + R"("count":3,"normalized":true)"));
+  cases.opens("minima and maxima that are wrong", 1,
+              accessor(floats + R"("count":3,"min":[7,7,7],"max":[-1,"a",null])"));
+  for (const auto& [name, type, stride] :
+       {std::tuple("bytes", kByte, 4), std::tuple("unsigned bytes", kUnsignedByte, 4),
+        std::tuple("shorts", kShort, 8), std::tuple("unsigned shorts", kUnsignedShort, 8)}) {
+    cases.opens("quantized as " + std::string(name), 1,
+                [&, type = type, stride = stride](GlbWriter& file) {
+                  std::vector<std::uint8_t> bytes(3 * stride);
+                  bytes[stride] = 100;
+                  bytes[2 * stride + stride / 4] = 100;
+                  const int view = file.addView(bytes, ",\"byteStride\":" + std::to_string(stride));
+                  file.addAccessor(view, type, 3, "VEC3", R"(,"normalized":true)");
+                  primitives(GlbWriter::primitive(1))(file);
+                });
+  }
+
+  const auto sparse = [&](const std::string& count, const std::string& indices,
+                          const std::string& values, const std::string& sentence) {
+    const auto change = [&](GlbWriter& file) {
+      file.addView(std::vector<std::uint8_t>{2});
+      file.accessors[0] = R"({"bufferView":0,"componentType":5126,"count":3,"type":"VEC3",)"
+                          R"("sparse":{"count":)" +
+                          count + ",\"indices\":{" + indices + "},\"values\":{" + values + "}}}";
+    };
+    const std::string name = "sparse " + count + " {" + indices + "} {" + values + '}';
+    if (sentence.empty()) {
+      cases.opens(name, 1, change);
+    } else {
+      cases.refused(name, sentence, change);
+    }
+  };
+  const std::string indices = R"("bufferView":1,"componentType":5121)";
+  const std::string values = R"("bufferView":0,"byteOffset":24)";
+  const std::string owner = "the sparse part of accessor 0";
+  sparse("1", indices, values, "");
+  sparse("0", indices, values, "");
+  sparse("2", indices, values, owner + " reaches past the end of buffer view 1");
+  sparse("4", indices, values, owner + " has more elements than the accessor itself");
+  sparse("1", indices, R"("bufferView":0,"byteOffset":28)",
+         owner + " reaches past the end of buffer view 0");
+  sparse("1", indices, R"("bufferView":0,"byteOffset":2147483648)",
+         owner + " reaches past the end of buffer view 0");
+  sparse("1", indices, R"("bufferView":0,"byteOffset":2)",
+         owner +
+             " begins at byte 2 of its buffer, which is not a multiple of 4, the size of its "
+             "numbers");
+  sparse("1", indices, R"("bufferView":8)", owner + " names buffer view 8, but the glTF has 2");
+  sparse("1", R"("bufferView":8,"componentType":5121)", values,
+         owner + " names buffer view 8, but the glTF has 2");
+  sparse("1", R"("bufferView":1,"componentType":5126)", values,
+         owner + " has component type 5126, which vertex indices cannot have");
+  sparse("1", R"("bufferView":1,"componentType":5120)", values,
+         owner + " has component type 5120, which vertex indices cannot have");
+  sparse("1", R"("bufferView":0,"componentType":5121,"byteOffset":14)", values,
+         owner + " has the index 128 past its end");
+}
+
+void addPrimitiveCases(GltfCases& cases) {
+  const auto zigzag = [](int mode, std::vector<std::uint8_t> indices = {}) {
+    return [=](GlbWriter& file) {
+      const int positions = file.addPositions(kZigzag);
+      const int list = indices.empty() ? -1 : file.addIndices(kUnsignedByte, indices);
+      primitives(GlbWriter::primitive(positions, list, mode))(file);
+    };
+  };
+  cases.opens("strip", 4, zigzag(kStrip));
+  cases.opens("strips joined by triangles without extent", 2,
+              zigzag(kStrip, {0, 1, 2, 2, 3, 3, 4, 5}));
+  cases.opens("fan", 2, zigzag(kFan, {1, 3, 2, 0}));
+  cases.opens("corners too few for the last triangle", 1, zigzag(kTriangles, {0, 1, 2, 3, 4}));
+  cases.refused("strip of two corners", "the scene has no triangles", zigzag(kStrip, {0, 1}));
+  cases.opens("indices of 16 bits", 1, [](GlbWriter& file) {
+    const int indices = file.addIndices<std::uint16_t>(kUnsignedShort, {2, 1, 0});
+    primitives(GlbWriter::primitive(0, indices))(file);
+  });
+  cases.opens("indices of 32 bits", 1, [](GlbWriter& file) {
+    const int indices = file.addIndices<std::uint32_t>(kUnsignedInt, {2, 1, 0});
+    primitives(GlbWriter::primitive(0, indices))(file);
+  });
+  cases.opens("sparse indices", 1, [](GlbWriter& file) {
+    const int places = file.addView(std::vector<std::uint8_t>{1, 2});
+    const int indices = file.addAccessor(
+        -1, kUnsignedByte, 3, "SCALAR",
+        R"(,"sparse":{"count":2,"indices":{"bufferView":)" + std::to_string(places) +
+            R"(,"componentType":5121},"values":{"bufferView":)" + std::to_string(places) + "}}");
+    primitives(GlbWriter::primitive(0, indices))(file);
+  });
+  cases
+      .opens("a mode for everything but triangles", 1,
+             primitives(GlbWriter::primitive(0, -1, kPoints) + R"(,{"attributes":{"NORMAL":0}},)" +
+                        GlbWriter::primitive(0) + ',' + GlbWriter::primitive(0, -1, 2) + ',' +
+                        GlbWriter::primitive(0, -1, 3)))
+      .sentence =
+      "primitives of points or lines were passed over (3); primitives without positions "
+      "were passed over (1)";
+  cases.refused("lines only",
+                "the scene has no triangles; primitives of points or lines were passed over (1)",
+                primitives(GlbWriter::primitive(0, -1, kLines)));
+  for (const int mode : {7, 77, 2147483647}) {
+    cases.refused("mode " + std::to_string(mode),
+                  "primitive 0 of mesh 0 has the unknown mode " + std::to_string(mode),
+                  primitives(GlbWriter::primitive(0, -1, mode)));
+  }
+  cases.refused("no attributes", "meshes[0].primitives[0] has no attributes", primitives("{}"));
+  cases.refused("no primitives", "the scene has no triangles", primitives(""));
+  cases.refused("positions that are not there",
+                "primitive 0 of mesh 0 names accessor 5, but the glTF has 1",
+                primitives(GlbWriter::primitive(5)));
+  cases.refused("indices that are not there",
+                "primitive 0 of mesh 0 names accessor 5, but the glTF has 1",
+                primitives(GlbWriter::primitive(0, 5)));
+  cases.refused("positions for indices", "accessor 0 has the wrong type for vertex indices",
+                primitives(GlbWriter::primitive(0, 0)));
+  for (const auto& [name, componentType] :
+       {std::pair("signed bytes", kByte), std::pair("floats", kFloat)}) {
+    cases.refused("indices that are " + std::string(name),
+                  "accessor 1 has component type " + std::to_string(componentType) +
+                      ", which vertex indices cannot have",
+                  [&, type = componentType](GlbWriter& file) {
+                    file.addAccessor(0, type, 3, "SCALAR");
+                    primitives(GlbWriter::primitive(0, 1))(file);
+                  });
+  }
+  // 255 would begin a strip anew in WebGL; glTF does not allow it.
+  for (const int index : {3, 255}) {
+    cases.refused(
+        "vertex index " + std::to_string(index),
+        "primitive 0 of mesh 0 has vertex index " + std::to_string(index) +
+            ", but there are 3 positions",
+        [&](GlbWriter& file) {
+          file.addIndices<std::uint8_t>(kUnsignedByte, {0, 1, static_cast<std::uint8_t>(index)});
+          primitives(GlbWriter::primitive(0, 1))(file);
+        });
+  }
+  cases
+      .opens("attributes that cannot be read", 1,
+             primitives(R"({"attributes":{"POSITION":0,"NORMAL":99,"TEXCOORD_0":0}})"))
+      .sentence = "normals or texture coordinates that cannot be read were passed over (2)";
+
+  const auto morphs = [&](const std::string& targets, const std::string& weights) {
+    return [=](GlbWriter& file) {
+      file.addPositions({0, 0, 1, 0, 0, 1, 0, 0, 1});
+      file.addPositions({0, 0, 1});
+      file.meshes[0] = R"({"primitives":[{"attributes":{"POSITION":0},"targets":[)" + targets +
+                       "]}]" + weights + '}';
+    };
+  };
+  const std::string noted =
+      "primitives with morph targets were taken with their default weights (1)";
+  cases.opens("morph target without weights", 1, morphs(R"({"POSITION":1},{})", "")).sentence =
+      noted;
+  cases
+      .opens("more weights than morph targets", 1,
+             morphs(R"({"POSITION":1})", R"(,"weights":[1,2,3])"))
+      .sentence = noted;
+  cases
+      .opens("morph target of weight 0 that is not there", 1,
+             morphs(R"({"POSITION":77})", R"(,"weights":[0])"))
+      .sentence = noted;
+  cases.refused("morph target that is not there",
+                "primitive 0 of mesh 0 names accessor 77, but the glTF has 3",
+                morphs(R"({"POSITION":77})", R"(,"weights":[1])"));
+  cases.refused("morph target of fewer vertices",
+                "primitive 0 of mesh 0 has 1 elements of morph targets, but there are 3 positions",
+                morphs(R"({"POSITION":2})", R"(,"weights":[1])"));
+}
+
+void addSceneCases(GltfCases& cases) {
+  const auto scenes = [](const std::string& list, const std::string& more) {
+    return [=](GlbWriter& file) {
+      file.scenes = {list};
+      file.more = more;
+    };
+  };
+  cases.opens("no scene: all roots", 2,
+              [](GlbWriter& file) { file.addNode("\"mesh\":0,\"translation\":[9,0,0]"); });
+  cases.opens("no node: all meshes", 1, [](GlbWriter& file) { file.nodes.clear(); });
+  cases.opens("the default scene", 1, [](GlbWriter& file) {
+    file.addNode("\"mesh\":0,\"translation\":[9,0,0]");
+    file.scenes = {R"({"nodes":[]},{"nodes":[1]})"};
+    file.more = R"(,"scene":1)";
+  });
+  cases.refused("empty scene", "the scene has no triangles", scenes("{}", R"(,"scene":0)"));
+  cases.refused("only an asset", "the scene has no triangles",
+                bytesOf(R"({"asset":{"version":"2.0"}})"));
+  cases.refused("scene that is not there", "the glTF names scene 0, but the glTF has 0",
+                [](GlbWriter& file) { file.more = R"(,"scene":0)"; });
+  cases.refused("node of the scene that is not there", "the scene names node 1, but the glTF has 1",
+                scenes(R"({"nodes":[1]})", R"(,"scene":0)"));
+  cases.refused("mesh that is not there", "node 0 names mesh 2147483647, but the glTF has 1",
+                node(R"("mesh":2147483647)"));
+  cases.refused("child that is not there", "node 0 names node 9, but the glTF has 1",
+                node(R"("children":[9])"));
+  cases.refused("root twice", "node 0 is in the scene twice",
+                scenes(R"({"nodes":[0,0]})", R"(,"scene":0)"));
+  cases.refused("child twice", "node 0 is in the scene twice",
+                [](GlbWriter& file) { file.addNode(R"("children":[0,0])"); });
+  cases.refused("two parents", "node 0 is in the scene twice", [](GlbWriter& file) {
+    file.addNode(R"("children":[0])");
+    file.addNode(R"("children":[0])");
+  });
+  const auto cycle = [](GlbWriter& file) {
+    file.nodes[0] = R"({"mesh":0,"children":[1]})";
+    file.addNode(R"("children":[0])");
+  };
+  cases.refused("cycle in the scene", "node 0 is in the scene twice", [&](GlbWriter& file) {
+    cycle(file);
+    scenes(R"({"nodes":[0]})", R"(,"scene":0)")(file);
+  });
+  cases.refused("own child", "node 0 has no root above it: the nodes above it form a cycle",
+                node(R"("mesh":0,"children":[0])"));
+  cases.refused("cycle and no scene",
+                "node 0 has no root above it: the nodes above it form a cycle", cycle);
+  cases.refused("cycle beside a root",
+                "node 1 has no root above it: the nodes above it form a cycle",
+                [](GlbWriter& file) {
+                  file.addNode(R"("children":[2])");
+                  file.addNode(R"("children":[1],"mesh":0)");
+                });
+  cases.opens("cycle that the default scene does not reach", 1, [](GlbWriter& file) {
+    file.addNode(R"("children":[2])");
+    file.addNode(R"("children":[1],"mesh":0)");
+    file.scenes = {R"({"nodes":[0]})"};
+    file.more = R"(,"scene":0)";
+  });
+  cases.opens("20,000 nodes one below the other", 1, [](GlbWriter& file) {
+    for (int n = 1; n <= 20000; ++n) {
+      file.addNode("\"children\":[" + std::to_string(n - 1) + R"(],"translation":[1,0,0])");
+    }
+  });
+
+  const auto transform = [&](const std::string& member, const std::string& sentence) {
+    cases.refused(member, sentence, node("\"mesh\":0," + member));
+  };
+  transform(R"("matrix":[1,0,0])", "nodes[0].matrix has 3 elements; it must have 16");
+  transform(R"("matrix":[])", "nodes[0].matrix has 0 elements; it must have 16");
+  transform(R"("matrix":)" + repeated("0", 16), "nodes[0].matrix has 17 elements; it must have 16");
+  transform(R"("matrix":[[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]])",
+            "nodes[0].matrix[0] is an array; it must be a number");
+  transform(R"("matrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,2])",
+            "node 0 has a matrix whose last row is not 0, 0, 0, 1");
+  transform(R"("matrix":[1,0,0,0.5,0,1,0,0,0,0,1,0,0,0,0,1])",
+            "node 0 has a matrix whose last row is not 0, 0, 0, 1");
+  transform(R"("scale":[1,1])", "nodes[0].scale has 2 elements; it must have 3");
+  transform(R"("scale":2)", "nodes[0].scale is 2; it must be an array");
+  transform(R"("translation":[1,2,3,4])", "nodes[0].translation has 4 elements; it must have 3");
+  transform(R"("rotation":[0,0,0])", "nodes[0].rotation has 3 elements; it must have 4");
+  transform(R"("rotation":[0,0,0,0])", "node 0 has a rotation of zeros");
+  const std::string none =
+      "no triangle is left: of 1 triangles 0 have a corner that is not finite and 1 have two "
+      "corners at one position";
+  transform(R"("scale":[0,0,0])", none);
+  transform(R"("scale":[1e300,1e300,1],"translation":[1e300,0,0])",
+            "the positions are too far apart to measure distances");
+  cases.opens("mirror", 1, node(R"("mesh":0,"scale":[1,1,-1])"));
+  cases.opens("rotation that is not of unit length", 1, node(R"("mesh":0,"rotation":[3,0,0,4])"));
+  cases.opens("matrix whose last row is rounded", 1,
+              node(R"("mesh":0,"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,5,5,5,0.99999994])"));
+  cases.opens("skin", 1, node(R"("mesh":0,"skin":7,"scale":[0,0,0])")).sentence =
+      "meshes with a skin were taken unposed (1)";
+
+  const auto instances = [](const std::string& attributes) {
+    return [=](GlbWriter& file) {
+      file.addPositions({0, 0, 0, 5, 0, 0});
+      file.addPositions({1, 1, 1, 2, 2, -2, 3, 3, 3});
+      file.nodes[0] = R"({"mesh":0,"extensions":{"EXT_mesh_gpu_instancing":{"attributes":{)" +
+                      attributes + "}}}}";
+    };
+  };
+  cases.opens("instances", 2, instances(R"("TRANSLATION":1,"_COLOR":99)"));
+  cases.opens("instances of no attribute", 1, instances(""));
+  cases.refused("instances whose accessors differ",
+                "node 0 has instances whose accessors differ in count",
+                instances(R"("TRANSLATION":1,"SCALE":2)"));
+  cases.refused("instances whose accessor is not there",
+                "node 0 names accessor 9, but the glTF has 3", instances(R"("TRANSLATION":9)"));
+  cases.refused("instances of another type", "accessor 1 has the wrong type for rotations",
+                instances(R"("ROTATION":1)"));
+}
+
+void addSurfaceCases(GltfCases& cases) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float infinity = std::numeric_limits<float>::infinity();
+  const auto surface = [](const std::vector<float>& positions,
+                          const std::vector<std::uint8_t>& indices) {
+    return [=](GlbWriter& file) {
+      const int places = file.addPositions(positions);
+      primitives(GlbWriter::primitive(places, file.addIndices(kUnsignedByte, indices)))(file);
+    };
+  };
+  const std::vector<float> square = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+  for (const auto& [name, bad] : {std::pair("NaN", nan), std::pair("infinite", infinity)}) {
+    std::vector<float> positions = square;
+    positions[9] = bad;
+    cases.opens("one vertex " + std::string(name), 1, surface(positions, {0, 1, 2, 0, 2, 3}));
+    cases.refused(
+        "all " + std::string(name),
+        "no triangle is left: of 1 triangles 1 have a corner that is not finite and 0 have "
+        "two corners at one position",
+        surface({bad, 0, 0, bad, 1, 0, 0, 0, bad}, {0, 1, 2}));
+  }
+  cases.opens(
+      "seams", 2,
+      surface({0, 0, 0, 1, 0, 0, 1, 1, 0, -0.0f, 0, 0, 1, 1, -0.0f, 0, 1, 0}, {0, 1, 2, 3, 4, 5}));
+  cases.opens("the same face twice, and turned over", 1,
+              surface(square, {0, 1, 2, 0, 1, 2, 1, 0, 2}));
+  cases.opens("faces of two corners", 1, surface(square, {0, 1, 2, 1, 1, 3}));
+  cases.opens("a face without area", 2,
+              surface({0, 0, 0, 1, 0, 0, 2, 0, 0, 0, 1, 0}, {0, 1, 3, 0, 2, 1}));
+  cases.opens("three faces at an edge", 3,
+              surface({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1}, {0, 1, 2, 1, 0, 3, 0, 1, 4}));
+  cases.opens("two fans at a vertex", 2,
+              surface({0, 0, 0, 1, 0, 0, 1, 1, 0, -1, 0, 0, -1, -1, 0}, {0, 1, 2, 0, 3, 4}));
+  cases.opens("opposed faces", 2, surface(square, {0, 1, 2, 0, 3, 2}));
+  cases.opens("a Möbius strip", 6,
+              surface({2, 0, 0, 3, 0, 1, -1, 2, 0, -2, 2, 1, -1, -2, 0, -2, -2, 1},
+                      {0, 1, 2, 1, 3, 2, 2, 3, 4, 3, 5, 4, 4, 5, 1, 5, 0, 1}));
+  cases.opens("as small as floats are", 1,
+              surface({0, 0, 0, 1e-38f, 0, 0, 0, 1e-38f, 0}, {0, 1, 2}));
+  cases.opens("as large as floats are", 1, surface({0, 0, 0, 3e38f, 0, 0, 0, 3e38f, 0}, {0, 1, 2}));
+  cases.opens("far from the origin", 1,
+              surface({1e7f, 0, 0, 1e7f + 1, 0, 0, 1e7f, 1, 0}, {0, 1, 2}));
+}
+
+void addLimitCases(GltfCases& cases) {
+  const auto more = [](const std::string& than, const std::string& limit) {
+    return "the scene has more than " + than + "; raise the limit " + limit + " to read it";
+  };
+  const std::string vertices = more("16777216 vertices", "maxVertices");
+  const std::string zeros =
+      more("1048576 elements in accessors without a buffer view", "maxZeroElements");
+  const std::string objects =
+      more("262144 primitives and morph targets, instances included", "maxObjects");
+  const auto zerosOf = [](int count) {
+    return accessor(R"("componentType":5126,"type":"VEC3","count":)" + std::to_string(count));
+  };
+  cases.refused("10⁹ zeros", vertices, zerosOf(1000000000));
+  cases.refused(
+      "4 G positions", vertices,
+      accessor(R"("bufferView":0,"componentType":5126,"type":"VEC3","count":4294967295)"));
+  cases.refused("5,000 times 50 M zeros", vertices, [&](GlbWriter& file) {
+    zerosOf(50000000)(file);
+    for (int n = 1; n < 5000; ++n) file.addNode(R"("mesh":0)");
+  });
+  cases.refused("more zeros than are read", zeros, zerosOf(1048577));
+  cases.refused("more zeros in two nodes", zeros, [&](GlbWriter& file) {
+    zerosOf(1048576)(file);
+    file.addNode(R"("mesh":0)");
+  });
+  cases.refused("more zeros as indices", zeros, [](GlbWriter& file) {
+    primitives(GlbWriter::primitive(0, file.addAccessor(-1, kUnsignedByte, 1048577, "SCALAR")))(
+        file);
+  });
+  const auto instancesFree = [](int count) {
+    return [=](GlbWriter& file) {
+      const int moves = file.addAccessor(-1, kFloat, count, "VEC3");
+      primitives(GlbWriter::primitive(file.addPositions(std::vector<float>(30))))(file);
+      file.nodes[0] = R"({"mesh":0,"extensions":{"EXT_mesh_gpu_instancing":{"attributes":{)"
+                      R"("TRANSLATION":)" +
+                      std::to_string(moves) + "}}}}";
+    };
+  };
+  cases.refused("more instances than objects", objects, instancesFree(262145));
+  cases.refused("ten vertices in 130,000 places that cost nothing", zeros, instancesFree(130000));
+  cases.refused("a million instances", objects, [](GlbWriter& file) {
+    file.nodes[0] = R"({"mesh":0,"extensions":{"EXT_mesh_gpu_instancing":{"attributes":{)"
+                    R"("SCALE":1}}}})";
+    file.accessors.push_back(
+        R"({"bufferView":0,"componentType":5126,"count":1000000,"type":"VEC3"})");
+  });
+  cases.refused("10⁹ indices", more("16777216 triangles", "maxTriangles"), [](GlbWriter& file) {
+    file.accessors.push_back(
+        R"({"bufferView":0,"componentType":5121,"count":1000000000,"type":"SCALAR"})");
+    primitives(GlbWriter::primitive(0, 1))(file);
+  });
+  cases.refused("60 times 100,000 morph targets", objects, [](GlbWriter& file) {
+    file.meshes[0] = R"({"primitives":[{"attributes":{"POSITION":0},"targets":)" +
+                     repeated(R"({"POSITION":0})", 99999) + R"(}],"weights":)" +
+                     repeated("1", 99999) + '}';
+    for (int n = 1; n < 60; ++n) file.addNode(R"("mesh":0)");
+  });
+
+  const std::string start = R"({"asset":{"version":"2.0"},)";
+  const std::string tooMany =
+      "the glTF has more than 262144 nodes, meshes, accessors and other objects; raise the limit "
+      "maxObjects to read it";
+  cases.refused("a million nodes", tooMany,
+                bytesOf(start + "\"nodes\":" + repeated("{}", 1000000) + '}'));
+  cases.refused("a million primitives", tooMany,
+                bytesOf(start + R"("meshes":[{"primitives":)" + repeated("{}", 1000000) + "}]}"));
+  cases.refused(
+      "five million elements",
+      "the glTF has more than 4194304 elements of arrays; raise the limit maxObjects to read it",
+      bytesOf(start + R"("scenes":[{"nodes":)" + repeated("0", 5000000) + "}]}"));
+  cases.refused(
+      "two million members",
+      "the glTF has more than 2097152 members of objects; raise the limit maxObjects to read it",
+      bytesOf(start + R"("accessors":)" +
+              repeated(R"({"count":1,"type":"VEC3","byteOffset":0,"normalized":true,)"
+                       R"("sparse":{"count":0,"indices":{"byteOffset":0},"values":{}}})",
+                       250000) +
+              '}'));
+  cases.refused("four million times the same node", "node 0 is in the scene twice",
+                bytesOf(start + R"("scenes":[{"nodes":)" + repeated("0", 4000000) +
+                        R"(}],"nodes":[{}],"scene":0})"));
+  cases.opens("millions of things that are skipped", 1, [](GlbWriter& file) {
+    file.more =
+        R"(,"materials":)" + repeated("{}", 3000000) + R"(,"extras":)" + repeated("[]", 10000);
+  });
+}
+
+}  // namespace gvd

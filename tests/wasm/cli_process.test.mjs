@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+//
+// The command among other processes: pipes that close, disks that are full, signals, and files that are
+// read and written at once. One line at most, the right exit status, and no half of a file.
+
+import assert from 'node:assert/strict';
+import { spawn, spawnSync } from 'node:child_process';
+import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { zipSync } from 'fflate';
+import { bumpySphere, glb, octahedron } from './meshes.mjs';
+import { meshObj } from './model_files.mjs';
+
+const main = fileURLToPath(new URL('../../dist/cli/main.js', import.meta.url));
+const isUnix = process.platform !== 'win32';
+
+let folder;
+let contents;
+before(() => {
+  folder = mkdtempSync(join(tmpdir(), 'geodesic-voronoi-'));
+  writeFileSync(join(folder, 'mesh.glb'), glb(octahedron()));
+  writeFileSync(join(folder, 'large.glb'), glb(bumpySphere(120, 200)));
+  writeFileSync(join(folder, 'old.json'), 'old');
+  const parts = { 'a/one.obj': meshObj(octahedron()), 'two.obj': meshObj(bumpySphere(5, 6)) };
+  writeFileSync(join(folder, 'parts.zip'), zipSync(parts));
+  contents = readdirSync(folder).sort();
+});
+after(() => rmSync(folder, { recursive: true }));
+
+/** A line of the shell, in which `gv` is the command. */
+function shell(line) {
+  const { status, stdout, stderr } = spawnSync(
+    'sh',
+    ['-c', `gv() { "${process.execPath}" "${main}" "$@"; }\n${line}`],
+    { cwd: folder, encoding: 'utf8' },
+  );
+  return { status, stdout, stderr };
+}
+
+/** Nothing is written but one line, if that, and no file is changed. */
+function assertTidy(stderr, pattern) {
+  assert.match(stderr, pattern);
+  assert.doesNotMatch(stderr, /^ +at /m);
+  assert.deepEqual(readdirSync(folder).sort(), contents);
+  assert.equal(readFileSync(join(folder, 'old.json'), 'utf8'), 'old');
+}
+
+const oneLine = (pattern) => new RegExp(`^geodesic-voronoi: .*${pattern}.*\\n$`);
+
+for (const [what, line, status, pattern] of [
+  [
+    'a reader that has enough',
+    'gv diagram large.glb --sites 2000 | head -c 1 >head.tmp; rm head.tmp',
+    0,
+    /^$/,
+  ],
+  ['a reader that is gone', 'gv diagram mesh.glb --sites 2 | true', 0, /^$/],
+  ['a full disk', 'gv cvt mesh.glb --sites 2 -o /dev/full', 1, oneLine('/dev/full.*disk is full')],
+  [
+    'a full disk behind standard output',
+    'gv info mesh.glb --json >/dev/full',
+    1,
+    oneLine('standard output.*disk is full'),
+  ],
+  ['no room for an error', 'gv info nowhere.glb 2>/dev/full', 1, /^$/],
+  ['no standard error', 'gv info nowhere.glb 2>&-', 1, /^$/],
+  ['no standard input', 'gv info - <&-', 1, oneLine('file is empty')],
+  ['an empty standard input', 'gv info - </dev/null', 1, oneLine('file is empty')],
+  ['a device for a model', 'gv info /dev/zero', 1, oneLine('/dev/zero is a device or a pipe')],
+  [
+    'a device for sites',
+    'gv diagram mesh.glb --sites /dev/zero',
+    1,
+    oneLine('/dev/zero is a device or a pipe'),
+  ],
+  [
+    'a link to a device',
+    'ln -s /dev/zero z.glb; gv info z.glb; code=$?; rm z.glb; exit $code',
+    1,
+    oneLine('z\\.glb is a device'),
+  ],
+  [
+    'a pipe that nobody writes to',
+    'mkfifo p.glb; gv info p.glb; code=$?; rm p.glb; exit $code',
+    1,
+    oneLine('p\\.glb is a device or a pipe'),
+  ],
+  [
+    'a folder for output',
+    'mkdir d.json; gv diagram mesh.glb --sites 2 -o d.json; code=$?; rmdir d.json; exit $code',
+    1,
+    oneLine('d\\.json cannot be written: it is a folder'),
+  ],
+  [
+    'a folder that takes no files',
+    'gv diagram mesh.glb --sites 2 -o /proc/d.json',
+    1,
+    oneLine('/proc/d\\.json cannot be written'),
+  ],
+  [
+    'an output that stops half way',
+    'ulimit -f 1; gv diagram large.glb --sites 300 -o old.json',
+    1,
+    oneLine('old\\.json cannot be written: no file may be as large'),
+  ],
+  [
+    'a model of several that is not there',
+    'gv info "parts.zip#three.obj"',
+    1,
+    oneLine('there is no three\\.obj in a/one\\.obj and two\\.obj'),
+  ],
+  [
+    'several models',
+    'gv info parts.zip',
+    1,
+    oneLine('a/one\\.obj and two\\.obj are several models: choose one'),
+  ],
+]) {
+  test(`${what}: ${line.split(';')[0]}`, { skip: !isUnix }, () => {
+    const result = shell(line);
+    assert.equal(result.status, status, result.stderr);
+    assertTidy(result.stderr, pattern);
+  });
+}
+
+test('a folder without permission to write', { skip: !isUnix || process.getuid() === 0 }, () => {
+  const { status, stderr } = shell(
+    'chmod a-w .; gv diagram mesh.glb --sites 2 -o d.json; code=$?; chmod u+w .; exit $code',
+  );
+  assert.equal(status, 1);
+  assertTidy(stderr, oneLine('d\\.json cannot be written: permission is denied'));
+});
+
+for (const signal of ['SIGINT', 'SIGTERM', 'SIGHUP']) {
+  test(`${signal} ends the work, and leaves nothing`, { skip: !isUnix }, async () => {
+    const args = ['cvt', 'large.glb', '--sites', '2000', '-o', 'old.json', '--progress'];
+    const child = spawn(process.execPath, [main, ...args], { cwd: folder });
+    let stderr = '';
+    child.stderr.setEncoding('utf8').on('data', (text) => {
+      stderr += text;
+      child.kill(signal); // it is at work
+    });
+    const ended = await new Promise((resolve) =>
+      child.on('close', (status, by) => resolve(by ?? status)),
+    );
+    // A shell shows 128 and the signal's number.
+    assert.equal(ended, signal);
+    assertTidy(stderr, /^( *\d+%\n)*$/);
+  });
+}
+
+test('a signal while a file is written leaves what was there', { skip: !isUnix }, async () => {
+  const args = ['diagram', 'large.glb', '--sites', '2000', '--detail', '3', '-o', 'old.json'];
+  const child = spawn(process.execPath, [main, ...args], { cwd: folder });
+  const look = setInterval(() => {
+    if (readdirSync(folder).some((name) => name.endsWith('.tmp'))) child.kill('SIGTERM');
+  }, 1);
+  const ended = await new Promise((resolve) =>
+    child.on('close', (status, by) => resolve(by ?? status)),
+  );
+  clearInterval(look);
+  const text = readFileSync(join(folder, 'old.json'), 'utf8');
+  if (ended === 'SIGTERM') assert.equal(text, 'old');
+  else assert.ok(JSON.parse(text).regions); // it was quicker than the signal
+  writeFileSync(join(folder, 'old.json'), 'old');
+  assert.deepEqual(readdirSync(folder).sort(), contents);
+});
+
+test('an output may be a file that was read', { skip: !isUnix }, () => {
+  const line = `gv cvt mesh.glb --sites 3 -o s.json -q && gv cvt mesh.glb --sites s.json -o s.json -q
+    cp mesh.glb m.glb && gv partition m.glb --sites s.json -o m.glb -q && gv info m.glb --json`;
+  const { status, stdout, stderr } = shell(`${line}; code=$?; rm s.json m.glb; exit $code`);
+  assert.equal(status, 0, stderr);
+  assert.equal(JSON.parse(stdout).parts.length, 3);
+  assertTidy(stderr, /^$/);
+});
+
+test('after a #, one of several models', { skip: !isUnix }, () => {
+  for (const [name, faces] of [
+    ['parts.zip#a/one.obj', 8],
+    ['.#parts.zip', undefined],
+    ['.#mesh.glb', 8],
+  ]) {
+    const { status, stdout, stderr } = shell(`gv info "${name}" --json`);
+    assert.equal(status, faces ? 0 : 1, stderr);
+    if (faces) assert.equal(JSON.parse(stdout).faces, faces);
+  }
+});

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+//
+// JSON from anywhere, so that a file takes no more memory than some times its size, of which a few bytes can
+// make a hundred. No file that is read has as much where it is read.
+
+/** Lists and objects, which take the most. */
+const maxLists = 2 ** 22;
+const maxValues = 2 ** 24;
+const maxDepth = 128;
+
+const [quote, backslash, colon, comma] = [0x22, 0x5c, 0x3a, 0x2c];
+const [openBrace, closeBrace, openBracket, closeBracket] = [0x7b, 0x7d, 0x5b, 0x5d];
+
+/** Throws a `SyntaxError`, or a `RangeError` if there is too much of it. */
+export function parseJson(text: Uint8Array): unknown {
+  let [depth, lists, values] = [0, 0, 0];
+  for (let at = 0; at < text.length; ++at) {
+    const byte = text[at];
+    if (byte === quote) at = endOfString(text, at);
+    else if (byte === closeBrace || byte === closeBracket) --depth;
+    else if (byte === openBrace || byte === openBracket) {
+      if (++depth > maxDepth)
+        throw new RangeError(`it is nested more than ${maxDepth} levels deep`);
+      if (++lists > maxLists)
+        throw new RangeError(`it has more than ${maxLists} lists and objects`);
+    } else if (byte === comma && ++values > maxValues) {
+      throw new RangeError(`it has more than ${maxValues} values`);
+    }
+  }
+  return JSON.parse(new TextDecoder().decode(text));
+}
+
+/**
+ * Those members of an object that are wanted; the rest is passed over, however much it is. Throws as
+ * `parseJson` does if they are no JSON; `{}` if the text is no object.
+ */
+export function parseJsonMembers(
+  text: Uint8Array,
+  wanted: readonly string[],
+): Record<string, unknown> {
+  const members: Record<string, unknown> = {};
+  for (const [name, value] of membersOf(text)) {
+    const key = name.length < 64 ? JSON.parse(new TextDecoder().decode(name)) : '';
+    if (wanted.includes(key)) members[key] = parseJson(value);
+  }
+  return members;
+}
+
+/** The members of the object that a text is: where their names (with quotes) and values are. */
+function* membersOf(text: Uint8Array): Generator<[name: Uint8Array, value: Uint8Array]> {
+  let depth = 0;
+  let name = text.subarray(0, 0);
+  let start = 0; // of the value
+  for (let at = 0; at < text.length; ++at) {
+    const byte = text[at];
+    if (byte === quote) {
+      const end = endOfString(text, at);
+      if (depth === 1 && start === 0) name = text.subarray(at, end + 1);
+      at = end;
+    } else if (byte === openBrace || byte === openBracket) {
+      ++depth;
+    } else if (byte === closeBrace || byte === closeBracket) {
+      if (depth === 1 && start > 0) yield [name, text.subarray(start, at)];
+      if (--depth === 0) return;
+    } else if (depth === 1 && byte === colon) {
+      start = at + 1;
+    } else if (depth === 1 && byte === comma) {
+      if (start > 0) yield [name, text.subarray(start, at)];
+      start = 0;
+    }
+  }
+}
+
+/** Where the quote is that ends a string. */
+function endOfString(text: Uint8Array, start: number): number {
+  for (let at = start + 1; ; ++at) {
+    at = text.indexOf(quote, at);
+    if (at < 0) return text.length;
+    let slashes = 0;
+    while (text[at - 1 - slashes] === backslash) ++slashes;
+    if (slashes % 2 === 0) return at;
+  }
+}

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+//
+// The words of a text file, line by line, and what goes wrong in one. However long the file is, or a line of
+// it, only a small part of it is a string at a time.
+
+import { GeodesicVoronoiError } from '../errors.js';
+
+const blockBytes = 2 ** 16;
+/** No number or keyword is as long. */
+const maxWord = 2 ** 12;
+
+const [lineFeed, carriageReturn, space, backslash] = [0x0a, 0x0d, 0x20, 0x5c];
+
+export class TextWords {
+  readonly #bytes: Uint8Array;
+  readonly #decoder = new TextDecoder();
+  #read = 0;
+  /** What is decoded and still needed: from the line's start, or only from the last word's if that is long. */
+  #text = '';
+  #at = 0;
+  #lineStart = 0;
+  #lineHead = '';
+  /** Lines that have ended. */
+  #ended: number;
+  #line = 0;
+
+  /** `linesBefore`: of the file, where the bytes are only its end. */
+  constructor(bytes: Uint8Array, linesBefore = 0) {
+    this.#bytes = bytes;
+    this.#ended = linesBefore;
+  }
+
+  /** The line's number, from 1 as editors count; before the first one, how many there were. */
+  get line(): number {
+    return this.#line || this.#ended;
+  }
+
+  /** How much of the text is behind, 0 … 1. */
+  get share(): number {
+    return this.#read / Math.max(1, this.#bytes.length);
+  }
+
+  /**
+   * Goes to the next line that has words; whether there is one. A line that ends with a backslash goes on in
+   * the next.
+   */
+  nextLine(): boolean {
+    if (this.#line > 0) while (!this.#isLineEnd(this.#peek())) ++this.#at;
+    for (; ; ++this.#at) {
+      const code = this.#peek();
+      if (code < 0) return false;
+      if (code > space) break;
+      // In some old files, a carriage return alone ends a line.
+      const isEnd = code === lineFeed || (code === carriageReturn && this.#after() !== lineFeed);
+      if (isEnd) ++this.#ended;
+    }
+    this.#line = this.#ended + 1;
+    this.#lineStart = this.#at;
+    this.#lineHead = '';
+    return true;
+  }
+
+  /** The next word of the line, if there is one. */
+  next(): string | undefined {
+    let code = this.#peek();
+    while (code <= space && !this.#isLineEnd(code)) {
+      ++this.#at;
+      code = this.#peek();
+    }
+    if (this.#isLineEnd(code)) return undefined;
+    let length = 0;
+    while (this.#isWithinWord()) {
+      ++this.#at;
+      if (++length > maxWord) throw this.fault(`it has a word of more than ${maxWord} letters`);
+    }
+    return this.#text.slice(this.#at - length, this.#at);
+  }
+
+  /** A number as C prints it, also one that is none: the mesh builder drops what touches those. */
+  nextNumber(): number {
+    const word = this.next();
+    if (word === undefined) throw this.fault(`a number is missing after '${this.excerpt()}'`);
+    return this.numberOf(word);
+  }
+
+  numberOf(word: string): number {
+    const number = Number(word);
+    if (!Number.isNaN(number)) return number;
+    if (/^[-+]?(nan|inf)/i.test(word)) return NaN;
+    throw this.fault(`'${shortened(word)}' is no number`);
+  }
+
+  /** How the line begins. */
+  excerpt(): string {
+    const text = this.#lineHead || this.#text.slice(this.#lineStart, this.#lineStart + maxWord);
+    return shortened(
+      text
+        .split(/[\r\n]/)[0]
+        .trim()
+        .replaceAll(/\s+/g, ' '),
+    );
+  }
+
+  fault(message: string): GeodesicVoronoiError {
+    return lineFault(this.line, message);
+  }
+
+  #isWithinWord(): boolean {
+    if (this.#at >= this.#text.length && !this.#decodeMore()) return false;
+    const code = this.#text.charCodeAt(this.#at);
+    return code > space && (code !== backslash || !this.#isLineEnd(this.#after()));
+  }
+
+  #isLineEnd(code: number): boolean {
+    return code < 0 || code === lineFeed || code === carriageReturn;
+  }
+
+  /** The letter's code; -1 at the end of the text. A backslash and the line's end after it are a space. */
+  #peek(): number {
+    if (this.#at >= this.#text.length && !this.#decodeMore()) return -1;
+    const code = this.#text.charCodeAt(this.#at);
+    if (code !== backslash || !this.#isLineEnd(this.#after())) return code;
+    if (this.#after() < 0) return space;
+    ++this.#at;
+    ++this.#ended;
+    if (this.#text.charCodeAt(this.#at) === carriageReturn && this.#after() === lineFeed)
+      ++this.#at;
+    return space;
+  }
+
+  /** The code of the letter after that. */
+  #after(): number {
+    if (this.#at + 1 >= this.#text.length && !this.#decodeMore()) return -1;
+    return this.#text.charCodeAt(this.#at + 1);
+  }
+
+  #decodeMore(): boolean {
+    const { length } = this.#bytes;
+    if (this.#read >= length) return false;
+    const end = Math.min(this.#read + blockBytes, length);
+    const block = this.#bytes.subarray(this.#read, end);
+    if (this.#at - this.#lineStart > 2 * maxWord) {
+      this.#lineHead ||= this.#text.slice(this.#lineStart, this.#lineStart + maxWord);
+      this.#lineStart = this.#at - maxWord - 1; // the start of a word that is being read
+    }
+    this.#text =
+      this.#text.slice(this.#lineStart) + this.#decoder.decode(block, { stream: end < length });
+    this.#at -= this.#lineStart;
+    this.#lineStart = 0;
+    this.#read = end;
+    return true;
+  }
+}
+
+export function lineFault(line: number, message: string): GeodesicVoronoiError {
+  return new GeodesicVoronoiError('invalid-file', `line ${line}: ${message}`);
+}
+
+function shortened(text: string): string {
+  return text.length > 40 ? `${text.slice(0, 40)}…` : text;
+}
