@@ -5,8 +5,8 @@
 
 import { readFile } from 'node:fs/promises';
 import { execute } from './commands.js';
+import { fail } from './failure.js';
 import { parseCommandLine } from './options.js';
-import { UsageError } from './values.js';
 
 async function main(args: string[]): Promise<void> {
   const packageFile = new URL('../../package.json', import.meta.url);
@@ -19,8 +19,4 @@ async function main(args: string[]): Promise<void> {
 // A reader that has enough, for example head, is no failure of ours.
 process.stdout.on('error', () => {});
 
-main(process.argv.slice(2)).catch((error: Error) => {
-  const line = error.message.replaceAll(/\s+/g, ' ').trim();
-  process.stderr.write(`geodesic-voronoi: ${line}\n`);
-  process.exitCode = error instanceof UsageError ? 2 : 1;
-});
+main(process.argv.slice(2)).catch(fail);
