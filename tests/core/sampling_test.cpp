@@ -404,7 +404,7 @@ TEST(CoverComponents, RejectsCountsThatDoNotSuffice) {
     coverComponents(mesh, {}, 2, 11, 1);
     ADD_FAILURE() << "no error";
   } catch (const Error& error) {
-    EXPECT_STREQ(error.what(), "11 sites are too few for 2 on each of 6 components");
+    EXPECT_STREQ(error.what(), "there cannot be 2 sites on each of 6 components if there are 11 in all");
   }
   EXPECT_THROW(coverComponents(mesh, {}, -1, 11, 1), Error);
   EXPECT_THROW(coverComponents(mesh, {}, 2147483647, 2147483647, 1), Error);

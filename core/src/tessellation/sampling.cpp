@@ -231,9 +231,10 @@ std::vector<SurfacePoint> coverComponents(const TriangleMesh& mesh,
   requireCount(perComponent);
   const int components = mesh.topology().components;
   if (static_cast<std::int64_t>(perComponent) * components > count)
-    throw Error(ErrorCode::kInvalidArgument, std::to_string(count) + " sites are too few for " +
-                                                 std::to_string(perComponent) + " on each of " +
-                                                 std::to_string(components) + " components");
+    throw Error(ErrorCode::kInvalidArgument, "there cannot be " + std::to_string(perComponent) +
+                                                 " sites on each of " + std::to_string(components) +
+                                                 " components if there are " +
+                                                 std::to_string(count) + " in all");
   std::vector<int> has(components, 0);
   for (const SurfacePoint& p : points) ++has[mesh.component(p.face)];
   std::vector<std::vector<int>> faces(components);

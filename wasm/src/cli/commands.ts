@@ -387,8 +387,8 @@ async function bareNotes(mesh: Mesh, sites: SurfacePointsInput): Promise<string[
   if (bare.components === 0) return [];
   const share = Number(((100 * bare.area) / area).toPrecision(2));
   return [
-    `${bare.components} of ${components} components, ${share} % of the area, have no site; ` +
-      '--per-component 1 samples some on each',
+    `${bare.components} of ${components} components, ${share} % of the area, have no site ` +
+      '(--per-component 1 samples one on each)',
   ];
 }
 
