@@ -300,7 +300,8 @@ TEST(SampleWorstFirst, SplitsTheLargestRegionFarFromItsSite) {
       const LabelledDistance nearest = distances->nearest(points[n]);
       const double largest =
           *std::max_element(diagram.regionArea.begin(), diagram.regionArea.end());
-      // On the outline of the region a neighbour is as near, but for what bisectors are straightened.
+      // On the outline of the region a neighbour is as near, but for what bisectors are
+      // straightened.
       const double own = distances->distance(
           static_cast<int>(std::find_if(diagram.regionArea.begin(), diagram.regionArea.end(),
                                         [&](double a) { return a > largest * (1 - 1e-9); }) -
@@ -404,7 +405,8 @@ TEST(CoverComponents, RejectsCountsThatDoNotSuffice) {
     coverComponents(mesh, {}, 2, 11, 1);
     ADD_FAILURE() << "no error";
   } catch (const Error& error) {
-    EXPECT_STREQ(error.what(), "there cannot be 2 sites on each of 6 components if there are 11 in all");
+    EXPECT_STREQ(error.what(),
+                 "there cannot be 2 sites on each of 6 components if there are 11 in all");
   }
   EXPECT_THROW(coverComponents(mesh, {}, -1, 11, 1), Error);
   EXPECT_THROW(coverComponents(mesh, {}, 2147483647, 2147483647, 1), Error);
