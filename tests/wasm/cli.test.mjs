@@ -314,6 +314,10 @@ test('cvt by curvature', () => {
   assert.notEqual(succeeds(args).stdout, succeeds(`${args} --density curvature`).stdout);
 });
 
+test('cvt by the density of the file', () => {
+  fails(1, 'cvt shape.glb --sites 2 --density attribute', /came without a density/);
+});
+
 test('sites are sampled in five ways', () => {
   const sampled = ['random', 'farthest', 'poisson', 'size', 'distortion'].map(
     (sampling) => succeeds(`diagram two.glb --sites 6 --sampling ${sampling}`).stdout,

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
 import { gltfResourceUris, load } from 'geodesic-voronoi';
 import { apart, glb, gltf, grid, octahedron, withFlipped } from './meshes.mjs';
+import { meshPly } from './model_files.mjs';
 
 let gvd;
 before(async () => {
@@ -292,6 +293,55 @@ test('a density that follows curvature', async () => {
   };
   assert.deepEqual(await last({ density: 'curvature' }), await last({ density }));
   assert.notDeepEqual(await last({ density }), await last({}));
+});
+
+test('a density that the mesh came with, of arrays, a glTF or a PLY', async () => {
+  const shape = grid(2);
+  const density = [1, 2, 3, 4, 5, 6, 7, 8, 0.5];
+  const { json, buffer } = gltf(shape, { uri: 'a.bin' });
+  const values = Buffer.from(Float32Array.from(density).buffer);
+  json.bufferViews.push({ buffer: 1, byteLength: values.length });
+  json.buffers.push({ byteLength: values.length, uri: 'b.bin' });
+  json.accessors.push({ bufferView: 2, componentType: 5126, count: 9, type: 'SCALAR' });
+  json.meshes[0].primitives[0].attributes._DENSITY = 2;
+  const ply = new TextDecoder()
+    .decode(meshPly(shape, 'ascii'))
+    .replace('uchar red', 'float density')
+    .split('\n');
+  const first = ply.indexOf('end_header') + 1;
+  density.forEach((value, i) => {
+    ply[first + i] = ply[first + i].replace(/255$/, String(value));
+  });
+  const sources = [
+    { ...shape, density },
+    {
+      'a.gltf': new TextEncoder().encode(JSON.stringify(json)),
+      'a.bin': new Uint8Array(buffer),
+      'b.bin': new Uint8Array(values),
+    },
+    new TextEncoder().encode(ply.join('\n')),
+  ];
+  for (const source of sources) {
+    const mesh = await gvd.mesh(source);
+    assert.deepEqual([...mesh.density], density);
+    const energies = [];
+    for (const given of ['attribute', density, undefined]) {
+      const states = mesh.cvt({ vertex: [0, 8] }, { density: given, iterations: 1 });
+      energies.push((await states.next()).value.energy);
+    }
+    assert.equal(energies[0], energies[1]);
+    assert.notEqual(energies[0], energies[2]);
+  }
+  const bare = await gvd.mesh(shape);
+  assert.equal(bare.density.length, 0);
+  await assert.rejects(
+    bare.cvt({ vertex: [0] }, { density: 'attribute' }).next(),
+    fails('invalid-argument', /came without a density/),
+  );
+  await assert.rejects(
+    gvd.mesh({ ...shape, density: [1] }),
+    fails('invalid-argument', /density has 1 numbers, not 9/),
+  );
 });
 
 test('what does not fit into memory says so, and the library still works', async () => {

@@ -62,13 +62,14 @@ export function toMeshInput(source: MeshSource, limits: GltfLimits): Triangles |
   return { files: toFiles(source), limits: toLimits(limits) };
 }
 
-function toTriangles({ positions: places, indices, normals, uvs }: MeshArrays): Triangles {
+function toTriangles({ positions: places, indices, normals, uvs, density }: MeshArrays): Triangles {
   const positions = toFloat64('positions', places);
   return {
     positions,
     indices: toInt32('indices', indices),
     normals: toAttribute('normals', normals, positions.length),
     uvs: toAttribute('uvs', uvs, (positions.length / 3) * 2),
+    density: toAttribute('density', density, positions.length / 3),
   };
 }
 

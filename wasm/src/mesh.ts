@@ -5,6 +5,7 @@
 import { isObject, toBoolean, toOptions, toTask, toTaskOptions } from './checks.js';
 import { EngineDiagram } from './diagram.js';
 import type { AdvancedCvt, Engine, OpenedMesh } from './engine.js';
+import { invalidArgument } from './errors.js';
 import {
   cvtDefaults,
   isWorstFirst,
@@ -49,19 +50,21 @@ export class EngineMesh implements Mesh {
   readonly indices: Int32Array;
   readonly normals: Float64Array;
   readonly uvs: Float64Array;
+  readonly density: Float64Array;
   readonly parts: readonly MeshPart[];
   readonly #kept: Kept;
 
   constructor(
     engine: Engine,
     { handle, info, parts }: OpenedMesh,
-    { positions, indices, normals, uvs }: Triangles,
+    { positions, indices, normals, uvs, density }: Triangles,
   ) {
     this.info = info;
     this.positions = positions;
     this.indices = indices;
     this.normals = normals;
     this.uvs = uvs;
+    this.density = density;
     this.parts = parts;
     this.#kept = new Kept(this, 'mesh', engine, handle);
   }
@@ -172,7 +175,7 @@ export class EngineMesh implements Mesh {
     const form = toBoolean('diagrams', diagrams) ? 'diagram' : withData ? 'data' : 'bare';
     const settings = toCvtSettings({
       ...others,
-      density: density === 'curvature' ? await this.curvatureDensity({ signal }) : density,
+      density: await this.#toDensity(density, signal),
     });
     const points = await this.#kept.points('sites', sites);
     const { engine } = this.#kept;
@@ -188,6 +191,16 @@ export class EngineMesh implements Mesh {
     } finally {
       engine.close(handle);
     }
+  }
+
+  async #toDensity(
+    density: NonNullable<CvtOptions['density']>,
+    signal: AbortSignal | undefined,
+  ): Promise<ArrayLike<number>> {
+    if (density === 'curvature') return this.curvatureDensity({ signal });
+    if (density !== 'attribute') return density as ArrayLike<number>;
+    if (this.density.length > 0) return this.density;
+    throw invalidArgument('the mesh came without a density');
   }
 
   dispose(): void {

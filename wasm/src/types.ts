@@ -81,8 +81,11 @@ export interface CvtOptions extends TaskOptions {
   energyTolerance?: number;
   /** Ends when no site moves further than this, in the input's units. Default 0. */
   moveTolerance?: number;
-  /** Per input vertex, not negative; 'curvature': `Mesh.curvatureDensity`. Default uniform. */
-  density?: ArrayLike<number> | 'curvature';
+  /**
+   * Per input vertex, not negative; 'curvature': `Mesh.curvatureDensity`; 'attribute': the density that the
+   * mesh came with. Default uniform.
+   */
+  density?: ArrayLike<number> | 'attribute' | 'curvature';
   /** Indices of the sites that stay where they are. */
   fixedSites?: ArrayLike<number>;
   /** Whether every state comes with the arrays of its diagram. Default false. */
@@ -166,12 +169,13 @@ export type ModelFiles = Record<string, ModelFile>;
  */
 export type MeshSource = Uint8Array | ArrayBuffer | Blob | ModelFiles | MeshArrays;
 
-/** Three numbers per vertex, three vertices per triangle; per vertex also 3 and 2 numbers, or none. */
+/** Three numbers per vertex, three vertices per triangle; per vertex also 3, 2 and 1 numbers, or none. */
 export interface MeshArrays {
   positions: ArrayLike<number>;
   indices: ArrayLike<number>;
   normals?: ArrayLike<number>;
   uvs?: ArrayLike<number>;
+  density?: ArrayLike<number>;
 }
 
 /** One region of a diagram: views of its arrays, computed when asked for. */
@@ -246,6 +250,8 @@ export interface Mesh extends Disposable {
   /** Per input vertex normals (3 numbers) and texture coordinates (2); empty if it came without. */
   readonly normals: Float64Array;
   readonly uvs: Float64Array;
+  /** Per input vertex: _DENSITY of a glTF, the property `density` of a PLY; empty if it came without. */
+  readonly density: Float64Array;
   /** Of a glTF; empty for other meshes. */
   readonly parts: readonly MeshPart[];
   /**

@@ -184,8 +184,8 @@ async function cvt({ mesh: path, values }: Request<'cvt'>): Promise<void> {
   const scale = values.units;
   const output = await Output.open(values.output);
   const numbers = (file?: string) => (file === undefined ? undefined : readNumbers(file));
-  const density: CvtOptions['density'] =
-    values.density === 'curvature' ? 'curvature' : await numbers(values.density);
+  const named = (['attribute', 'curvature'] as const).find((name) => name === values.density);
+  const density = named ?? (await numbers(values.density));
   const fixedSites = await numbers(values.fixed);
   const { mesh, sites } = await openWithSites(path, values);
   const settings = { ...values, density, fixedSites };

@@ -89,10 +89,10 @@ const options = {
     help: 'lbfgs: quasi-Newton, converges faster; lloyd',
   },
   density: {
-    value: 'FILE|curvature',
+    value: 'FILE|attribute|curvature',
     parse: path,
     optional: true,
-    help: 'Sites are closer where it is higher: a JSON list of a density per vertex of the mesh file, or curvature',
+    help: 'Sites are closer where it is higher: a JSON list of a density per vertex; attribute: that of the mesh file (_DENSITY of a glTF, density of a PLY); or by curvature',
   },
   fixed: {
     value: 'FILE',

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// PLY (the Stanford polygon format), text or binary of either byte order: the places of its vertices, its
-// faces, and triangle strips, which scans come in. Everything else is passed over.
+// PLY (the Stanford polygon format), text or binary of either byte order: the places of its vertices, their
+// property `density` if they have it, its faces, and triangle strips, which scans come in. Everything else is
+// passed over.
 
 import { GeodesicVoronoiError } from '../errors.js';
 import { GrowingArray } from './growing_array.js';
@@ -41,6 +42,7 @@ interface Values {
 class PlyReader {
   readonly #values: Values;
   readonly #positions = new GrowingArray(Float64Array);
+  readonly #density = new GrowingArray(Float64Array);
   readonly #polygons: Polygons;
   readonly #limits: SizeLimits;
   #highest = { vertex: -1, place: '' };
@@ -73,7 +75,8 @@ class PlyReader {
       throw fault(`${place}: a face names vertex ${vertex}, but there are ${vertexCount} (from 0)`);
     }
     const positions = this.#positions.toArray();
-    return { positions, ...this.#polygons.triangulated(positions) };
+    const density = this.#density.toArray();
+    return { positions, density, ...this.#polygons.triangulated(positions) };
   }
 
   #readVertex({ properties }: PlyElement): void {
@@ -81,6 +84,7 @@ class PlyReader {
     for (const { name, type, lengthType } of properties) {
       const axis = axes.indexOf(name);
       if (lengthType) this.#skip(type, this.#length(lengthType));
+      else if (name === 'density') this.#density.push(this.#values.next(type));
       else if (axis < 0) this.#skip(type, 1);
       else place[axis] = this.#values.next(type);
     }

@@ -25,8 +25,9 @@ export interface InputModules {
   draco(): Promise<WebAssembly.Module>;
 }
 
-/** What a file without normals, texture coordinates and parts has to give. */
+/** What a file without normals, texture coordinates and parts has to give; a density it may have. */
 export interface ReadModel extends Pick<Triangles, 'positions' | 'indices'> {
+  density?: Float64Array;
   /** What was passed over or changed, a sentence each. */
   notes: string[];
 }
@@ -101,8 +102,12 @@ async function readableGltf(
     : { bytes, resources };
 }
 
-function plain({ positions, indices, notes }: ReadModel, origin: MeshOrigin): Model {
-  // Two empty arrays: a worker hands over every buffer once.
-  const [normals, uvs] = [new Float64Array(), new Float64Array()];
-  return { triangles: { positions, indices, normals, uvs }, parts: [], notes, origin };
+function plain({ notes, ...read }: ReadModel, origin: MeshOrigin): Model {
+  // An empty array for each: a worker hands over every buffer once.
+  const none = {
+    normals: new Float64Array(),
+    uvs: new Float64Array(),
+    density: new Float64Array(),
+  };
+  return { triangles: { ...none, ...read }, parts: [], notes, origin };
 }
