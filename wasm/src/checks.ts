@@ -32,7 +32,7 @@ export function toOptions<Options extends object, const Defaults extends Usual<O
       `there is no option ${show(stranger)} here: the nearest is ${show(nearestName(stranger, known))}`,
     );
   }
-  const values = Object.entries({ ...usual }).map(([name, value]) => {
+  const values = Object.entries(usual).map(([name, value]) => {
     const own = (given as Record<string, unknown>)[name];
     return [name, own === undefined ? value : own];
   });
