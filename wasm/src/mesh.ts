@@ -82,17 +82,16 @@ export class EngineMesh implements Mesh {
     const least = toPerComponent(perComponent);
     const method = toSampling(sampling);
     toSeed(seed);
-    const { radius } = byRadius ? toOptions(wanted, { radius: NaN }) : { radius: 0 };
     const count = byRadius ? maxCount : toCount(wanted);
-    const sites = byRadius
-      ? await this.#kept.call<SurfacePoints>(
-          'sampleSitesByRadius',
-          [toRadius(radius), method, seed],
-          task,
-        )
-      : isWorstFirst(method)
-        ? await this.#sampleWorstFirst(count, method, seed, task)
-        : await this.#kept.call<SurfacePoints>('sampleSites', [count, method, seed], task);
+    const sample = (): Promise<SurfacePoints> => {
+      if (byRadius) {
+        const radius = toRadius(toOptions(wanted, { radius: NaN }).radius);
+        return this.#kept.call('sampleSitesByRadius', [radius, method, seed], task);
+      }
+      if (isWorstFirst(method)) return this.#sampleWorstFirst(count, method, seed, task);
+      return this.#kept.call('sampleSites', [count, method, seed], task);
+    };
+    const sites = await sample();
     if (least === 0) return sites;
     return this.#kept.call('coverComponents', [sites.face, sites.bary, least, count, seed], task);
   }
