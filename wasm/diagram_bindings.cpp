@@ -8,23 +8,15 @@
 #include <utility>
 #include <vector>
 
-#include "gvd/error.h"
+#include "gvd/sampling.h"
 #include "objects.h"
 #include "records.h"
 
 namespace gvd::abi {
 namespace {
 
-/// The vertex at the place of an input vertex, -1 if that is isolated.
-int vertexOfInput(const TriangleMesh& mesh, int inputVertex) {
-  try {
-    const SurfacePoint place = mesh.fromInputVertex(inputVertex);
-    for (int i = 0; i < 3; ++i)
-      if (place.bary[i] == 1) return mesh.tail(3 * place.face + i);
-  } catch (const Error&) {
-  }
-  return -1;
-}
+constexpr Named<WorstRegion> kWorstRegions[] = {{"size", WorstRegion::kLargest},
+                                                {"distortion", WorstRegion::kMostDistorted}};
 
 }  // namespace
 
@@ -145,6 +137,16 @@ GVD_ABI Answer* moveSite(VoronoiHandle* voronoi, int label, Ints face, Doubles b
 GVD_ABI Answer* removeSite(VoronoiHandle* voronoi, int label) {
   return answer(
       [&] { return changeRecord(voronoi->mesh(), label, voronoi->changing().removeSite(label)); });
+}
+
+/// `SurfacePoints`: one, for the worst region.
+GVD_ABI Answer* worstRegionPoint(const VoronoiHandle* voronoi, Text worst) {
+  return answer([&] {
+    const TriangleMesh& mesh = voronoi->mesh();
+    const SurfacePoint point = gvd::worstRegionPoint(
+        mesh, voronoi->field(), voronoi->diagram(), valueOf(kWorstRegions, "worst", toView(worst)));
+    return pointsRecord(mesh, {&point, 1});
+  });
 }
 
 /// `Located`.

@@ -61,6 +61,7 @@ GVD_ABI Answer* readGltfScene(Bytes bytes, const Array<Array<char>>& uris,
     out.add("indices", std::move(scene.triangles));
     out.add("normals", std::move(scene.normals));
     out.add("uvs", std::move(scene.uvs));
+    out.add("density", std::move(scene.density));
     out.add("partNumbers", partNumbers(scene.parts));
     out.add("partNames", std::move(names));
     out.add("notes", std::move(scene.notes));

@@ -3,15 +3,21 @@
 // Meshes for JavaScript: made from arrays, described, and sampled.
 
 #include <cstdint>
+#include <limits>
 #include <memory>
+#include <span>
 #include <vector>
 
+#include "gvd/curvature.h"
 #include "gvd/sampling.h"
 #include "objects.h"
 #include "records.h"
 
 namespace gvd::abi {
 namespace {
+
+constexpr Named<Orientation> kOrientations[] = {{"unify", Orientation::kUnify},
+                                                {"keep", Orientation::kKeep}};
 
 enum class Sampling { kRandom, kFarthest, kPoisson };
 
@@ -31,6 +37,19 @@ std::vector<SurfacePoint> sample(const TriangleMesh& mesh, int count, Sampling s
   }
 }
 
+std::vector<SurfacePoint> sampleByRadius(const TriangleMesh& mesh, double radius, Sampling sampling,
+                                         std::uint64_t seed) {
+  constexpr int kAny = std::numeric_limits<int>::max();
+  switch (sampling) {
+    case Sampling::kFarthest:
+      return sampleFarthest(mesh, kAny, seed, radius);
+    case Sampling::kPoisson:
+      return samplePoissonDisk(mesh, radius, seed).points;
+    default:
+      throw Error(ErrorCode::kInvalidArgument, "random sites have no radius: ask for a number");
+  }
+}
+
 Record repairsRecord(const MeshRepairs& repairs) {
   Record out;
   out.add("weldedVertices", repairs.weldedVertices);
@@ -41,6 +60,8 @@ Record repairsRecord(const MeshRepairs& repairs) {
   out.add("nonManifoldEdges", repairs.nonManifoldEdges);
   out.add("orientationCuts", repairs.orientationCuts);
   out.add("flippedTriangles", repairs.flippedTriangles);
+  out.add("smallComponents", repairs.smallComponents);
+  out.add("smallComponentTriangles", repairs.smallComponentTriangles);
   out.add("splitVertices", repairs.splitVertices);
   out.add("mollifiedTriangles", repairs.mollifiedTriangles);
   out.add("mollification", repairs.mollification);
@@ -51,9 +72,15 @@ Record repairsRecord(const MeshRepairs& repairs) {
 
 GVD_ABI const char* version() { return GVD_VERSION; }
 
-GVD_ABI MeshHandle* createMesh(Doubles positions, Ints triangles) {
+GVD_ABI MeshHandle* createMesh(Doubles positions, Ints triangles, double weld, Text orientation,
+                               int minComponent) {
   return guarded([&] {
-    return new MeshHandle{std::make_shared<const TriangleMesh>(positions.span(), triangles.span())};
+    const MeshOptions options = {
+        .weld = weld,
+        .orientation = valueOf(kOrientations, "orientation", toView(orientation)),
+        .minComponent = minComponent};
+    return new MeshHandle{
+        std::make_shared<const TriangleMesh>(positions.span(), triangles.span(), options)};
   });
 }
 
@@ -100,6 +127,52 @@ GVD_ABI Answer* sampleSites(const MeshHandle* handle, int count, Text sampling, 
     const TriangleMesh& mesh = *handle->mesh;
     return pointsRecord(mesh, sample(mesh, count, valueOf(kSamplings, "sampling", toView(sampling)),
                                      static_cast<std::uint64_t>(seed)));
+  });
+}
+
+/// The same, as many as the radius takes.
+GVD_ABI Answer* sampleSitesByRadius(const MeshHandle* handle, double radius, Text sampling,
+                                    double seed) {
+  return answer([&] {
+    const TriangleMesh& mesh = *handle->mesh;
+    return pointsRecord(
+        mesh, sampleByRadius(mesh, radius, valueOf(kSamplings, "sampling", toView(sampling)),
+                             static_cast<std::uint64_t>(seed)));
+  });
+}
+
+/// `SurfacePoints`: these, with at least so many on each component, and no more than `count` unless
+/// there were.
+GVD_ABI Answer* coverComponents(const MeshHandle* handle, Ints face, Doubles bary, int perComponent,
+                                int count, double seed) {
+  return answer([&] {
+    const TriangleMesh& mesh = *handle->mesh;
+    return pointsRecord(
+        mesh, gvd::coverComponents(mesh, pointsFromInput(mesh, "site", face, bary), perComponent,
+                                   count, static_cast<std::uint64_t>(seed)));
+  });
+}
+
+/// `BareComponents`.
+GVD_ABI Answer* bareComponents(const MeshHandle* handle, Ints face, Doubles bary) {
+  return answer([&] {
+    const TriangleMesh& mesh = *handle->mesh;
+    const BareComponents bare =
+        gvd::bareComponents(mesh, pointsFromInput(mesh, "site", face, bary));
+    Record out;
+    out.add("components", bare.components);
+    out.add("area", bare.area);
+    return out;
+  });
+}
+
+/// `values`: a density per input vertex; of one that is on no triangle, 1.
+GVD_ABI Answer* curvatureDensity(const MeshHandle* handle) {
+  return answer([&] {
+    const TriangleMesh& mesh = *handle->mesh;
+    Record out;
+    out.add("values", valuesAtInput(mesh, gvd::curvatureDensity(mesh), 1));
+    return out;
   });
 }
 

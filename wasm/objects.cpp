@@ -83,4 +83,22 @@ std::vector<double> valuesFromInput(const TriangleMesh& mesh, const char* what,
   return result;
 }
 
+int vertexOfInput(const TriangleMesh& mesh, int inputVertex) {
+  try {
+    const SurfacePoint place = mesh.fromInputVertex(inputVertex);
+    for (int i = 0; i < 3; ++i)
+      if (place.bary[i] == 1) return mesh.tail(3 * place.face + i);
+  } catch (const Error&) {
+  }
+  return -1;
+}
+
+std::vector<double> valuesAtInput(const TriangleMesh& mesh, std::span<const double> values,
+                                  double otherwise) {
+  std::vector<double> result(mesh.inputVertexCount(), otherwise);
+  for (int i = 0; i < mesh.inputVertexCount(); ++i)
+    if (const int vertex = vertexOfInput(mesh, i); vertex >= 0) result[i] = values[vertex];
+  return result;
+}
+
 }  // namespace gvd::abi

@@ -91,4 +91,11 @@ SurfacePoint pointFromInput(const TriangleMesh& mesh, Ints face, Doubles bary);
 std::vector<double> valuesFromInput(const TriangleMesh& mesh, const char* what,
                                     std::span<const double> values);
 
+/// The vertex at the place of an input vertex, -1 if that is isolated.
+int vertexOfInput(const TriangleMesh& mesh, int inputVertex);
+
+/// Values given per vertex of the mesh, per input vertex; of an isolated one, `otherwise`.
+std::vector<double> valuesAtInput(const TriangleMesh& mesh, std::span<const double> values,
+                                  double otherwise);
+
 }  // namespace gvd::abi

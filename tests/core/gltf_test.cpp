@@ -304,6 +304,19 @@ TEST(ReadGltf, ReadsNormalsAndTextureCoordinates) {
   EXPECT_TRUE(readGltf(triangleFile().glb()).uvs.empty());
 }
 
+TEST(ReadGltf, ReadsDensities) {
+  GlbWriter file;
+  const int positions = file.addPositions(kTriangle);
+  const int density =
+      file.addAccessor(file.addView(std::vector<float>{2, 0.5, 3}), kFloat, 3, "SCALAR");
+  const std::string dense = R"({"attributes":{"POSITION":)" + std::to_string(positions) +
+                            R"(,"_DENSITY":)" + std::to_string(density) + "}}";
+  file.addMesh({GlbWriter::primitive(positions), dense, GlbWriter::primitive(positions)});
+  file.addNode(R"("mesh":0)");
+  EXPECT_EQ(readGltf(file.glb()).density, (Positions{1, 1, 1, 2, 0.5, 3, 1, 1, 1}));
+  EXPECT_TRUE(readGltf(triangleFile().glb()).density.empty());
+}
+
 TEST(ReadGltf, PassesOverAttributesThatItCannotRead) {
   GlbWriter file;
   const int positions = file.addPositions(kTriangle);
@@ -312,9 +325,10 @@ TEST(ReadGltf, PassesOverAttributesThatItCannotRead) {
   const GltfScene scene = readGltf(file.glb());
   EXPECT_EQ(scene.triangles, (Triangles{0, 1, 2}));
   EXPECT_TRUE(scene.normals.empty());
-  EXPECT_EQ(scene.notes,
-            (std::vector<std::string>{
-                "normals or texture coordinates that cannot be read were passed over (2)"}));
+  EXPECT_EQ(
+      scene.notes,
+      (std::vector<std::string>{
+          "normals, texture coordinates or densities that cannot be read were passed over (2)"}));
 }
 
 // --- Accessors -----------------------------------------------------------------------------------

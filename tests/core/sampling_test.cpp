@@ -7,7 +7,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <set>
+#include <span>
 #include <vector>
 
 #include "gvd/error.h"
@@ -273,6 +275,151 @@ TEST(SamplePoissonDisk, RejectsWhatCannotBe) {
   for (const double radius : {0.0, -1.0, double(NAN), double(INFINITY)})
     EXPECT_THROW(samplePoissonDisk(mesh, radius, 1), Error);
   EXPECT_THROW(samplePoissonDiskCount(mesh, -1, 1), Error);
+}
+
+// --- The worst region first ----------------------------------------------------------------------
+
+Diagram diagramOf(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
+                  std::unique_ptr<DistanceField>& distances) {
+  const auto propagation = propagate(mesh, sites, Metric::kExact);
+  while (!propagation->step(100000)) {
+  }
+  distances = propagation->take();
+  return traceDiagram(mesh, *distances, static_cast<int>(sites.size()));
+}
+
+TEST(SampleWorstFirst, SplitsTheLargestRegionFarFromItsSite) {
+  for (const TriangleMesh& mesh : {shapes::grid(12, 12, 0.2, 1).mesh(),
+                                   shapes::torus(20, 10).mesh(), shapes::icosphere(2).mesh()}) {
+    const auto points = sampleWorstFirst(mesh, 20, 3, WorstRegion::kLargest);
+    ASSERT_EQ(points.size(), 20u);
+    EXPECT_TRUE(samePoint(points[0], sampleUniform(mesh, 1, 3)[0]));
+    for (int n = 1; n < 20; ++n) {
+      std::unique_ptr<DistanceField> distances;
+      const Diagram diagram = diagramOf(mesh, std::span(points).first(n), distances);
+      const LabelledDistance nearest = distances->nearest(points[n]);
+      const double largest =
+          *std::max_element(diagram.regionArea.begin(), diagram.regionArea.end());
+      // On the outline of the region a neighbour is as near, but for what bisectors are
+      // straightened.
+      const double own = distances->distance(
+          static_cast<int>(std::find_if(diagram.regionArea.begin(), diagram.regionArea.end(),
+                                        [&](double a) { return a > largest * (1 - 1e-9); }) -
+                           diagram.regionArea.begin()),
+          points[n]);
+      EXPECT_NEAR(own, nearest.distance, 0.1 * own) << n;
+      EXPECT_GT(own, 0.3 * std::sqrt(largest / 3.15)) << n;
+    }
+  }
+}
+
+TEST(SampleWorstFirst, BeginsWithTheSamePointsWhateverTheCount) {
+  const TriangleMesh mesh = shapes::torus(12, 8).mesh();
+  const auto few = sampleWorstFirst(mesh, 5, 1, WorstRegion::kMostDistorted);
+  const auto many = sampleWorstFirst(mesh, 15, 1, WorstRegion::kMostDistorted);
+  for (std::size_t i = 0; i < few.size(); ++i) EXPECT_TRUE(samePoint(few[i], many[i])) << i;
+  EXPECT_TRUE(sampleWorstFirst(mesh, 0, 1, WorstRegion::kLargest).empty());
+  EXPECT_THROW(sampleWorstFirst(mesh, -1, 1, WorstRegion::kLargest), Error);
+}
+
+TEST(SampleWorstFirst, ByDistortionGoesWhereTheSurfaceBends) {
+  // A large plane, and a sphere of a hundredth of its size.
+  const TriangleMesh mesh =
+      shapes::joined(shapes::scaled(shapes::grid(10, 10), 36), shapes::icosphere(2)).mesh();
+  ASSERT_EQ(mesh.topology().components, 2);
+  const auto onSphere = [&](WorstRegion worst) {
+    const auto points = sampleWorstFirst(mesh, 20, 1, worst);
+    return std::count_if(points.begin(), points.end(),
+                         [&](const SurfacePoint& p) { return mesh.component(p.face) == 1; });
+  };
+  EXPECT_EQ(onSphere(WorstRegion::kLargest), 1);
+  EXPECT_EQ(onSphere(WorstRegion::kMostDistorted), 19);
+}
+
+TEST(SampleWorstFirst, ByDistortionIsBySizeWhereAllIsFlat) {
+  const TriangleMesh mesh = shapes::grid(9, 9, 0.2, 4).mesh();
+  const auto bySize = sampleWorstFirst(mesh, 30, 2, WorstRegion::kLargest);
+  const auto byDistortion = sampleWorstFirst(mesh, 30, 2, WorstRegion::kMostDistorted);
+  for (std::size_t i = 0; i < bySize.size(); ++i)
+    EXPECT_TRUE(samePoint(bySize[i], byDistortion[i])) << i;
+}
+
+TEST(WorstRegionPoint, IsOnAComponentWithoutASiteFirst) {
+  const TriangleMesh mesh =
+      shapes::joined(shapes::grid(5, 5), shapes::moved(shapes::triangle(), {5, 0, 0})).mesh();
+  std::unique_ptr<DistanceField> distances;
+  const std::vector<SurfacePoint> sites = {{0, {1, 0, 0}}};
+  const Diagram diagram = diagramOf(mesh, sites, distances);
+  EXPECT_EQ(worstRegionPoint(mesh, *distances, diagram, WorstRegion::kLargest).face, 50);
+}
+
+// --- Components ----------------------------------------------------------------------------------
+
+/// A grid of 50 triangles, 5 single triangles.
+TriangleMesh sixComponents() {
+  shapes::Shape shape = shapes::grid(5, 5);
+  for (int i = 1; i <= 5; ++i)
+    shape = shapes::joined(shape,
+                           shapes::moved(shapes::scaled(shapes::triangle(), 0.1), {2.0 * i, 0, 0}));
+  return shape.mesh();
+}
+
+std::vector<int> perComponent(const TriangleMesh& mesh, const std::vector<SurfacePoint>& points) {
+  std::vector<int> count(mesh.topology().components, 0);
+  for (const SurfacePoint& p : points) ++count[mesh.component(p.face)];
+  return count;
+}
+
+TEST(CoverComponents, MakesRoomAmongTheLastPoints) {
+  const TriangleMesh mesh = sixComponents();
+  const auto points = sampleUniform(mesh, 40, 1);
+  ASSERT_GT(perComponent(mesh, points)[0], 34);
+  const auto covered = coverComponents(mesh, points, 2, 40, 1);
+  EXPECT_EQ(perComponent(mesh, covered), (std::vector<int>{30, 2, 2, 2, 2, 2}));
+  for (int i = 0; i < 20; ++i) EXPECT_TRUE(samePoint(covered[i], points[i])) << i;
+}
+
+TEST(CoverComponents, AddsWhereThereIsRoom) {
+  const TriangleMesh mesh = sixComponents();
+  const std::vector<SurfacePoint> points = {{0, {1, 0, 0}}, {50, {1, 0, 0}}, {50, {0, 1, 0}}};
+  const auto covered = coverComponents(mesh, points, 1, 100, 1);
+  EXPECT_EQ(perComponent(mesh, covered), (std::vector<int>{1, 2, 1, 1, 1, 1}));
+  EXPECT_EQ(perComponent(mesh, coverComponents(mesh, points, 1, 6, 1)),
+            (std::vector<int>{1, 1, 1, 1, 1, 1}));
+}
+
+TEST(CoverComponents, LeavesPointsThatCoverAll) {
+  const TriangleMesh mesh = shapes::torus(8, 6).mesh();
+  const auto points = sampleUniform(mesh, 10, 1);
+  for (const int least : {0, 1, 10}) {
+    const auto covered = coverComponents(mesh, points, least, 10, 1);
+    ASSERT_EQ(covered.size(), points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+      EXPECT_TRUE(samePoint(covered[i], points[i])) << i;
+  }
+}
+
+TEST(CoverComponents, RejectsCountsThatDoNotSuffice) {
+  const TriangleMesh mesh = sixComponents();
+  try {
+    coverComponents(mesh, {}, 2, 11, 1);
+    ADD_FAILURE() << "no error";
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(),
+                 "there cannot be 2 sites on each of 6 components if there are 11 in all");
+  }
+  EXPECT_THROW(coverComponents(mesh, {}, -1, 11, 1), Error);
+  EXPECT_THROW(coverComponents(mesh, {}, 2147483647, 2147483647, 1), Error);
+}
+
+TEST(BareComponents, AreThoseWithoutAPoint) {
+  const TriangleMesh mesh = sixComponents();
+  const std::vector<SurfacePoint> points = {{0, {1, 0, 0}}, {52, {1, 0, 0}}};
+  const BareComponents bare = bareComponents(mesh, points);
+  EXPECT_EQ(bare.components, 4);
+  EXPECT_NEAR(bare.area, 4 * 0.005, 1e-15);
+  EXPECT_EQ(bareComponents(mesh, {}).components, 6);
+  EXPECT_NEAR(bareComponents(mesh, {}).area, mesh.area(), 1e-12);
 }
 
 }  // namespace

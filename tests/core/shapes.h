@@ -29,7 +29,9 @@ struct Shape {
   /// Two triangles, cut along a-c.
   void addQuad(int a, int b, int c, int d);
 
-  TriangleMesh mesh() const { return TriangleMesh(positions, triangles); }
+  TriangleMesh mesh(const MeshOptions& options = {}) const {
+    return TriangleMesh(positions, triangles, options);
+  }
 };
 
 /// The same numbers everywhere, which the distributions of the standard library do not promise.

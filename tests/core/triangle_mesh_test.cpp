@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "gvd/error.h"
+#include "mesh/triangle_selection.h"
 #include "shapes.h"
 
 namespace gvd {
@@ -98,8 +100,9 @@ void expectInvariants(const TriangleMesh& mesh) {
 
   const MeshRepairs& r = mesh.repairs();
   EXPECT_EQ(r.mollification > 0, r.mollifiedTriangles > 0);
-  EXPECT_EQ(mesh.inputFaceCount(),
-            mesh.faceCount() + r.nonFiniteTriangles + r.degenerateTriangles + r.duplicateTriangles);
+  EXPECT_EQ(mesh.inputFaceCount(), mesh.faceCount() + r.nonFiniteTriangles + r.degenerateTriangles +
+                                       r.duplicateTriangles + r.smallComponentTriangles);
+  EXPECT_EQ(r.smallComponents > 0, r.smallComponentTriangles > 0);
   EXPECT_EQ(mesh.inputVertexCount(),
             mesh.vertexCount() - r.splitVertices + r.weldedVertices + r.isolatedVertices);
 }
@@ -125,7 +128,7 @@ void expectTrueToInput(const Shape& shape, const TriangleMesh& mesh) {
 int repairCount(const MeshRepairs& r) {
   return r.weldedVertices + r.isolatedVertices + r.nonFiniteTriangles + r.degenerateTriangles +
          r.duplicateTriangles + r.nonManifoldEdges + r.orientationCuts + r.flippedTriangles +
-         r.splitVertices + r.mollifiedTriangles;
+         r.smallComponents + r.splitVertices + r.mollifiedTriangles;
 }
 
 TriangleMesh cleanMesh(const Shape& shape) {
@@ -136,8 +139,8 @@ TriangleMesh cleanMesh(const Shape& shape) {
   return mesh;
 }
 
-TriangleMesh repairedMesh(const Shape& shape) {
-  TriangleMesh mesh = shape.mesh();
+TriangleMesh repairedMesh(const Shape& shape, const MeshOptions& options = {}) {
+  TriangleMesh mesh = shape.mesh(options);
   EXPECT_GT(repairCount(mesh.repairs()), 0);
   expectInvariants(mesh);
   return mesh;
@@ -568,6 +571,156 @@ TEST(Repairs, SplitAVertexWhereASurfaceTouchesItself) {
 
 // --- Any input -----------------------------------------------------------------------------------
 
+// --- Options -------------------------------------------------------------------------------------
+
+/// The same shape with every coordinate off by up to `most`.
+Shape jittered(Shape shape, double most, std::uint64_t seed) {
+  shapes::Random random(seed);
+  for (double& x : shape.positions) x += random.uniform(-most, most);
+  return shape;
+}
+
+TEST(Weld, JoinsWhatRoundingHasTornApart) {
+  for (const double scale : {1e-30, 1.0, 1e30}) {
+    const Shape torn = shapes::scaled(jittered(shapes::unwelded(shapes::cube()), 1e-7, 1), scale);
+    EXPECT_EQ(torn.mesh().topology().components, 12);
+    const TriangleMesh mesh = repairedMesh(torn, {.weld = 1e-6});
+    EXPECT_EQ(mesh.vertexCount(), 8);
+    EXPECT_EQ(mesh.repairs().weldedVertices, 36 - 8);
+    EXPECT_EQ(mesh.topology().boundaryLoops, 0);
+  }
+}
+
+TEST(Weld, IsRelativeToTheBoxOfTheTrianglesAlone) {
+  Shape shape = shapes::grid(2, 2);
+  shape.addVertex({1e9, 0, 0});  // no triangle's
+  EXPECT_EQ(shape.mesh({.weld = 1e-3}).faceCount(), 8);
+}
+
+TEST(Weld, LeavesVerticesThatAreFartherApart) {
+  // The diagonal is 5, the tolerance 1: at a distance of 1 vertices are welded, not beyond.
+  Shape shape;
+  for (const Eigen::Vector3d& p : {Eigen::Vector3d(0, 0, 0), {3, 0, 0}, {3, 4, 0}, {0, 4, 0}})
+    shape.addVertex(p);
+  shape.addQuad(0, 1, 2, 3);
+  const int near = shape.addVertex({1, 4, 0}), far = shape.addVertex({3, std::nextafter(1., 2), 0});
+  shape.addTriangle(0, 1, near);
+  shape.addTriangle(0, far, 3);
+  const TriangleMesh mesh = repairedMesh(shape, {.weld = 0.2});
+  EXPECT_EQ(mesh.repairs().weldedVertices, 1);
+  EXPECT_EQ(mesh.fromInputVertex(near).face, mesh.fromInput({2, {0, 0, 1}}).face);
+  EXPECT_EQ(mesh.position(mesh.fromInputVertex(near)), shape.position(3));
+}
+
+TEST(Weld, DoesNotRunAlongAChain) {
+  // Neighbours are half a tolerance apart: every third stays, none moves by more than a tolerance.
+  Shape shape = shapes::grid(100, 1);
+  const TriangleMesh mesh = repairedMesh(shape, {.weld = 0.02 / std::sqrt(2.0) * 1.01});
+  EXPECT_EQ(mesh.vertexCount(), 2 * 34);
+  for (int v = 0; v < shape.vertexCount(); ++v) {
+    const auto place = mesh.position(mesh.fromInputVertex(v));
+    EXPECT_LE((place - shape.position(v)).norm(), 0.0203);
+  }
+}
+
+TEST(Weld, OfAllInOnePlaceLeavesNothing) {
+  EXPECT_NE(errorOf([] { shapes::cube().mesh({.weld = 1}); }, ErrorCode::kInvalidMesh), "");
+}
+
+TEST(Weld, BelowRoundingIsExact) {
+  const Shape shape = shapes::moved(shapes::cube(), {1e6, 0, 0});
+  for (const double weld : {0.0, 5e-324, 1e-300, 1e-17}) {
+    EXPECT_EQ(repairCount(shape.mesh({.weld = weld}).repairs()), 0) << weld;
+  }
+}
+
+TEST(Weld, FindsTheFirstVertexInReach) {
+  // Against all pairs of vertices, at places where cubes of the search begin and end.
+  for (int seed = 0; seed < 50; ++seed) {
+    shapes::Random random(seed);
+    Shape shape;
+    const double offset = seed % 2 ? 1e6 : 0;
+    for (int v = 0; v < 60; ++v)
+      shape.addVertex({offset + random.below(40), random.below(3) * 0.5, random.below(2) * 1.0});
+    shape.addTriangle(0, 1, 2);
+    for (int t = 0; t < 60; ++t)
+      shape.addTriangle(random.below(60), random.below(60), random.below(60));
+    Eigen::Vector3d least = shape.position(0), most = least;
+    for (const int v : shape.triangles) {
+      least = least.cwiseMin(shape.position(v));
+      most = most.cwiseMax(shape.position(v));
+    }
+    const double weld = 1.25 / (most - least).norm();
+    std::vector<int> staying, expected;
+    for (int v = 0; v < shape.vertexCount(); ++v) {
+      int first = v;
+      for (const int u : staying)
+        if ((shape.position(u) - shape.position(v)).norm() <= 1.25) first = std::min(first, u);
+      if (first == v) staying.push_back(v);
+      expected.push_back(first);
+    }
+    EXPECT_EQ(findRepresentatives(shape.positions, shape.triangles, weld), expected);
+  }
+}
+
+TEST(KeptOrientation, TurnsNothingOverAndCutsWhereTrianglesDisagree) {
+  const Shape shape = shapes::withFaceTurnedOver(shapes::octahedron(), 0);
+  const TriangleMesh mesh = repairedMesh(shape, {.orientation = Orientation::kKeep});
+  EXPECT_EQ(mesh.repairs().flippedTriangles, 0);
+  EXPECT_EQ(mesh.repairs().orientationCuts, 3);
+  EXPECT_EQ(mesh.topology().components, 2);
+  for (int f = 0; f < 8; ++f) {
+    EXPECT_FALSE(mesh.isFlipped(f));
+    for (int i = 0; i < 3; ++i)
+      EXPECT_EQ(mesh.inputVertex(mesh.tail(3 * f + i)), shape.triangles[3 * f + i]);
+  }
+}
+
+TEST(KeptOrientation, IsThatOfAConsistentMesh) {
+  Shape inside = shapes::tetrahedron();
+  for (int f = 0; f < 4; ++f) inside = shapes::withFaceTurnedOver(inside, f);
+  EXPECT_EQ(repairCount(inside.mesh({.orientation = Orientation::kKeep}).repairs()), 0);
+}
+
+TEST(MinComponent, DropsWhatHasFewerTriangles) {
+  // 4, 12 and 1 triangles; the tetrahedron has one that is turned over.
+  Shape shape = shapes::joined(shapes::withFaceTurnedOver(shapes::tetrahedron(), 0),
+                               shapes::moved(shapes::cube(), {9, 0, 0}));
+  shape = shapes::joined(shape, shapes::moved(shapes::triangle(), {0, 9, 0}));
+  EXPECT_EQ(repairedMesh(shape, {.minComponent = 1}).repairs().smallComponents, 0);
+  EXPECT_EQ(repairedMesh(shape, {.minComponent = 4}).faceCount(), 16);
+
+  const TriangleMesh mesh = repairedMesh(shape, {.minComponent = 5});
+  EXPECT_EQ(mesh.faceCount(), 12);
+  EXPECT_EQ(mesh.vertexCount(), 8);
+  EXPECT_EQ(mesh.topology().components, 1);
+  EXPECT_EQ(mesh.repairs().smallComponents, 2);
+  EXPECT_EQ(mesh.repairs().smallComponentTriangles, 5);
+  EXPECT_EQ(mesh.repairs().isolatedVertices, 7);
+  EXPECT_EQ(mesh.repairs().flippedTriangles, 0) << "of those that are left";
+  EXPECT_EQ(mesh.inputFace(0), 4);
+  EXPECT_EQ(mesh.component(0), 0);
+  EXPECT_EQ(errorOf(
+                [&] {
+                  mesh.fromInput({0, {1, 0, 0}});
+                },
+                ErrorCode::kInvalidPoint),
+            "triangle 0 was dropped and no other triangle has its points");
+
+  EXPECT_EQ(errorOf([&] { shape.mesh({.minComponent = 13}); }, ErrorCode::kInvalidMesh),
+            "no component has 13 triangles: the largest has 12");
+}
+
+TEST(MeshOptions, AreCheckedForTheirRanges) {
+  const auto error = [](const MeshOptions& options) {
+    return errorOf([&] { shapes::triangle().mesh(options); }, ErrorCode::kInvalidArgument);
+  };
+  EXPECT_EQ(error({.weld = -0.5}), "weld is -0.500000, not a number from 0 to 1");
+  EXPECT_EQ(error({.weld = 1.5}), "weld is 1.500000, not a number from 0 to 1");
+  EXPECT_EQ(error({.weld = kNan}), "weld is nan, not a number from 0 to 1");
+  EXPECT_EQ(error({.minComponent = -1}), "minComponent is -1, not a number from 0");
+}
+
 TEST(TriangleMesh, IsTheSameSurfaceHoweverTheInputIsOrdered) {
   const Shape shape = shapes::bumpySurface(2, 2, 0.3, 1);
   const TriangleMesh expected = cleanMesh(shape);
@@ -608,10 +761,16 @@ TEST(TriangleMesh, HoldsItsInvariantsForRandomTriangles) {
       const int a = vertex(), b = vertex(), c = vertex();
       shape.addTriangle(a, b, c);
     }
-    try {
-      expectInvariants(shape.mesh());
-    } catch (const Error& error) {
-      EXPECT_NE(std::string(error.what()).find("no triangle is left"), std::string::npos);
+    for (const MeshOptions& options : std::vector<MeshOptions>{
+             {},
+             {.weld = 0.2},
+             {.orientation = Orientation::kKeep},
+             {.weld = 0.1, .orientation = Orientation::kKeep, .minComponent = 3}}) {
+      try {
+        expectInvariants(shape.mesh(options));
+      } catch (const Error& error) {
+        EXPECT_TRUE(std::string(error.what()).starts_with("no ")) << error.what();
+      }
     }
   }
 }

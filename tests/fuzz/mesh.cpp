@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Vertices and triangles: a mesh that keeps what `TriangleMesh` promises, or an `Error`.
+// Vertices, triangles and options: a mesh that keeps what `TriangleMesh` promises, or an `Error`.
 #include <cmath>
 #include <cstdlib>
 
@@ -15,8 +15,8 @@ void require(bool holds) {
 
 void check(const gvd::TriangleMesh& mesh) {
   const gvd::MeshRepairs& r = mesh.repairs();
-  require(mesh.inputFaceCount() ==
-          mesh.faceCount() + r.nonFiniteTriangles + r.degenerateTriangles + r.duplicateTriangles);
+  require(mesh.inputFaceCount() == mesh.faceCount() + r.nonFiniteTriangles + r.degenerateTriangles +
+                                       r.duplicateTriangles + r.smallComponentTriangles);
   require(mesh.inputVertexCount() ==
           mesh.vertexCount() - r.splitVertices + r.weldedVertices + r.isolatedVertices);
   for (int h = 0; h < mesh.halfedgeCount(); ++h) {
@@ -36,7 +36,12 @@ void check(const gvd::TriangleMesh& mesh) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   gvd::shapes::Random random(std::span(data, size));
   try {
-    check(gvd::wildMesh(random, 60).mesh());
+    const gvd::shapes::Shape shape = gvd::wildMesh(random, 60);
+    check(shape.mesh());
+    check(shape.mesh(
+        {.weld = random.uniform() * random.uniform(),
+         .orientation = random.below(2) ? gvd::Orientation::kKeep : gvd::Orientation::kUnify,
+         .minComponent = random.below(5)}));
   } catch (const gvd::Error&) {
   }
   return 0;

@@ -6,7 +6,7 @@
 import assert from 'node:assert/strict';
 import { readdirSync, readFileSync } from 'node:fs';
 import { before, test } from 'node:test';
-import { cvtMethods, metrics, samplings } from '../../dist/results.js';
+import { cvtMethods, metrics, orientations, samplings, worstRegions } from '../../dist/results.js';
 import { gltfLimitNames } from '../../dist/types.js';
 import { WasmModule } from '../../dist/wasm_module.js';
 import { octahedron } from './meshes.mjs';
@@ -54,11 +54,18 @@ test('a call that does not fit the function is refused before it is made', async
 test('enumerators have the same names on both sides', async () => {
   const core = await WasmModule.instantiate(modules.core);
   const { positions, indices } = octahedron();
-  const mesh = core.call('createMesh', Float64Array.from(positions), Int32Array.from(indices));
+  const triangles = [Float64Array.from(positions), Int32Array.from(indices)];
+  const mesh = core.call('createMesh', ...triangles, 0, orientations[0], 0);
   const site = [Int32Array.of(0), Float64Array.of(1, 0, 0)];
   const none = [0, 0, new Float64Array(), new Int32Array()];
+  const voronoi = core.call('startVoronoi', mesh, ...site, metrics[0]);
+  while (core.call('stepDistances', voronoi, 1000) !== 2);
+  core.call('startTracing', voronoi, 0);
+  while (core.call('stepTracing', voronoi, 1000) !== 2);
   const named = [
     [metrics, (name) => core.call('startVoronoi', mesh, ...site, name)],
+    [orientations, (name) => core.call('createMesh', ...triangles, 0, name, 0)],
+    [worstRegions, (name) => core.answer('worstRegionPoint', voronoi, name)],
     [samplings, (name) => core.answer('sampleSites', mesh, 1, name, 1)],
     [cvtMethods, (name) => core.call('startCvt', mesh, ...site, name, metrics[0], 1, ...none)],
   ];

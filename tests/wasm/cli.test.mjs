@@ -16,7 +16,7 @@ import { after, before, beforeEach, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { zipSync } from 'fflate';
 import { assertValidGlb, readPly } from './files.mjs';
-import { apart, glb, gltf, grid, octahedron } from './meshes.mjs';
+import { apart, glb, gltf, grid, octahedron, withFlipped } from './meshes.mjs';
 import { meshBinaryStl, meshObj } from './model_files.mjs';
 
 const main = fileURLToPath(new URL('../../dist/cli/main.js', import.meta.url));
@@ -89,6 +89,98 @@ test('info, for people and as JSON', () => {
   assert.equal(json.faces, 10);
   assert.equal(json.boundaryLoops, 1);
   assert.equal(json.parts[0].triangleCount, 10);
+});
+
+test('info of several meshes: all that can be read, and status 1 if one cannot', () => {
+  const both = succeeds('info shape.glb two.glb');
+  assert.match(both.stdout, /^shape\.glb\nformat [^]*\n\ntwo\.glb\nformat /);
+  const list = JSON.parse(succeeds('info shape.glb two.glb --json').stdout);
+  assert.deepEqual(
+    list.map(({ mesh, faces }) => [mesh, faces]),
+    [
+      ['shape.glb', 8],
+      ['two.glb', 10],
+    ],
+  );
+
+  write('bad.glb', 'nothing');
+  const args = 'info shape.glb bad.glb nowhere.glb two.glb';
+  const some = run(args);
+  assert.equal(some.status, 1);
+  assert.match(
+    some.stderr,
+    /^geodesic-voronoi: bad\.glb: .*\ngeodesic-voronoi: nowhere\.glb .*\n$/,
+  );
+  assert.equal(some.stdout, both.stdout);
+  const { status, stdout } = run(`${args} --json`);
+  assert.equal(status, 1);
+  const [first, bad, nowhere] = JSON.parse(stdout);
+  assert.deepEqual(first, list[0]);
+  assert.deepEqual(Object.keys(bad), ['mesh', 'error']);
+  assert.match(nowhere.error, /no such file/);
+
+  assert.equal(run('info bad.glb nowhere.glb -o report.txt').status, 1);
+  assert.ok(!readdirSync(folder).includes('report.txt'));
+});
+
+test('--weld, --orientation and --min-component: how the mesh is made', () => {
+  const { positions, indices } = octahedron();
+  const torn = indices.flatMap((v, i) =>
+    positions.slice(3 * v, 3 * v + 3).map((x) => x + 1e-6 * (i % 3)),
+  );
+  write('torn.obj', meshObj({ positions: torn, indices: indices.map((_, i) => i) }));
+  const { stdout } = succeeds('info torn.obj --weld 1e-5');
+  assert.match(stdout, /components +1\n[^]*repair: 18 vertices welded/);
+  assert.match(succeeds('info torn.obj').stdout, /components +8\n/);
+
+  write('turned.glb', glb(withFlipped(octahedron(), 2)));
+  assert.match(succeeds('info turned.glb').stdout, /repair: 1 triangles turned over/);
+  assert.match(succeeds('info turned.glb --orientation keep').stdout, /repair: 3 edges cut/);
+
+  const large = succeeds('info two.glb --min-component 3').stdout;
+  assert.match(large, /components +1\n[^]*repair: 1 components .*\nrepair: 2 triangles of these/);
+  succeeds('partition two.glb --min-component 3 --sites 3 --sampling farthest -o parts.glb');
+  assertValidGlb(readFileSync(join(folder, 'parts.glb')));
+  fails(1, 'info shape.glb --min-component 9', /no component has 9 triangles/);
+  for (const wrong of [
+    '--weld=-1',
+    '--weld=x',
+    '--weld=1.5',
+    '--min-component=1.5',
+    '--orientation=up',
+  ])
+    fails(2, `info shape.glb ${wrong}`, /^geodesic-voronoi: --/);
+});
+
+test('components without a site are told of; --per-component puts some there', () => {
+  const note = /^note: 1 of 2 components, (13|87) % of the area, have no site/;
+  assert.match(succeeds('diagram two.glb --sites 1 -o d.json').stderr, note);
+  assert.match(succeeds('cvt two.glb --sites sites.json -o s.json').stderr, note);
+  assert.equal(succeeds('diagram two.glb --sites 1 -o d.json --quiet').stderr, '');
+  for (const sites of ['--sites 4 --per-component 2', '--radius 9 --per-component 1']) {
+    const { stderr } = succeeds(`diagram two.glb ${sites} -o d.json`);
+    assert.match(stderr, /^\d regions/);
+  }
+  fails(
+    1,
+    'diagram two.glb --sites 3 --per-component 2 -o d.json',
+    /2 sites on each of 2 components/,
+  );
+  fails(2, 'diagram two.glb --sites sites.json --per-component 1', /--per-component/);
+});
+
+test('--radius: as many sites as it takes, in the unit of the output', () => {
+  write('grid.glb', glb(grid(20)));
+  const count = (args) =>
+    JSON.parse(succeeds(`diagram grid.glb ${args} --json`).stdout).sites.face.length;
+  const [few, many] = [count('--radius 0.5'), count('--radius 0.1')];
+  assert.ok(few < many);
+  assert.equal(count('--radius 10 --units cm'), many);
+  assert.ok(count('--radius 0.1 --sampling poisson') > few);
+  fails(2, 'diagram grid.glb --radius 1 --sites 3', /--radius/);
+  fails(2, 'diagram grid.glb --radius 1 --sampling distortion', /--sampling distortion/);
+  for (const radius of ['0', '-1', 'wide', 'Infinity'])
+    fails(2, `diagram grid.glb --radius=${radius}`, /--radius/);
 });
 
 test('--units: a unit of length, or a factor', () => {
@@ -217,11 +309,20 @@ test('remesh tells its quality', () => {
   assert.ok(quality.minAngle > 0 && quality.hausdorff > 0);
 });
 
-test('sites are sampled in three ways', () => {
-  const sampled = ['random', 'farthest', 'poisson'].map(
-    (sampling) => succeeds(`diagram shape.glb --sites 6 --sampling ${sampling}`).stdout,
+test('cvt by curvature', () => {
+  const args = 'cvt two.glb --sites 9 --per-component 3 --iterations 2';
+  assert.notEqual(succeeds(args).stdout, succeeds(`${args} --density curvature`).stdout);
+});
+
+test('cvt by the density of the file', () => {
+  fails(1, 'cvt shape.glb --sites 2 --density attribute', /came without a density/);
+});
+
+test('sites are sampled in five ways', () => {
+  const sampled = ['random', 'farthest', 'poisson', 'size', 'distortion'].map(
+    (sampling) => succeeds(`diagram two.glb --sites 30 --sampling ${sampling}`).stdout,
   );
-  assert.equal(new Set(sampled).size, 3);
+  assert.equal(new Set(sampled).size, 5);
 });
 
 test('diagram as OBJ and GLB', () => {
@@ -257,7 +358,7 @@ test('locate gives null for what no site reaches', () => {
 
 test('distances as JSON, PLY and GLB', async () => {
   const { stderr } = succeeds('distances two.glb --sites sites.json -o d.json --units 2');
-  assert.match(stderr, /^6 of 10 vertices reached, the farthest at [\d.]+\n$/);
+  assert.match(stderr, /^6 of 10 vertices reached, the farthest at [\d.]+\n$/m);
   const { label, distance, direction } = JSON.parse(read('d.json'));
   assert.deepEqual([label[0], label[3], label[6]], [0, 1, -1]);
   assert.deepEqual([distance[0], distance[3], distance[6]], [0, 0, null]);
@@ -373,7 +474,7 @@ test('a model of another format, a folder, a zip', () => {
 test('a wrong command line: status 2', () => {
   fails(2, 'draw shape.glb', /draw.*info, diagram, locate/);
   fails(2, 'info', /mesh/);
-  fails(2, 'info shape.glb two.glb', /two\.glb/);
+  fails(2, 'dual shape.glb two.glb --sites 3', /two\.glb/);
   fails(2, 'info shape.glb --sites 3', /--sites/);
   fails(2, 'diagram shape.glb', /--sites/);
   fails(2, 'diagram shape.glb --sites', /--sites/);

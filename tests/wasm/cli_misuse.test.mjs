@@ -32,12 +32,15 @@ const misuses = [
   'help me',
   'Info mesh.glb',
   'toString mesh.glb',
+  ...['path', ...withSites].map((command) => `${call(command)} other.glb`),
   ...all.flatMap((command) => [
     command,
-    `${call(command)} other.glb`,
     `${call(command)} --nonsense`,
     `${call(command)} --quiet=yes`,
     `${call(command)} --units parsec`,
+    `${call(command)} --weld 2`,
+    `${call(command)} --orientation up`,
+    `${call(command)} --min-component=-1`,
     `${call(command)} --output`,
   ]),
   ...withSites.flatMap((command) => [
@@ -47,6 +50,8 @@ const misuses = [
     `${call(command)} --sites=1e99`,
     `${call(command)} --seed x`,
     `${call(command)} --sampling even`,
+    `${call(command)} --radius 1`,
+    `${call(command)} --per-component few`,
     `${call(command)} --metric euclid`,
   ]),
   ...['diagram', 'partition'].flatMap((command) => [
@@ -81,6 +86,7 @@ const badInputs = [
     `${call(command)} --sites mesh.glb`,
     `${call(command)} --sites beyond.json`,
     `${call(command)} --sites list.json`,
+    `${call(command)} --per-component 3`,
   ]),
   `${call('cvt')} --density nowhere.json`,
   `${call('cvt')} --density one.json`,

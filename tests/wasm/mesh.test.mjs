@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
 import { gltfResourceUris, load } from 'geodesic-voronoi';
 import { apart, glb, gltf, grid, octahedron, withFlipped } from './meshes.mjs';
+import { meshPly } from './model_files.mjs';
 
 let gvd;
 before(async () => {
@@ -123,6 +124,55 @@ test('a mesh that cannot be made says why', async () => {
   }
 });
 
+test('vertices are welded within a tolerance, in triangles and in files', async () => {
+  const { positions, indices } = octahedron();
+  const torn = {
+    positions: indices.flatMap((v, i) =>
+      [0, 1, 2].map((k) => positions[3 * v + k] + 1e-6 * Math.sin(9 * i + k)),
+    ),
+    indices: indices.map((_, i) => i),
+  };
+  for (const source of [torn, glb(torn)]) {
+    assert.equal((await gvd.mesh(source)).info.components, 8);
+    const { info } = await gvd.mesh(source, { weld: 1e-5 });
+    assert.equal(info.components, 1);
+    assert.equal(info.boundaryLoops, 0);
+    assert.equal(info.repairs.weldedVertices, 18);
+  }
+});
+
+test('orientations are unified, or kept', async () => {
+  const source = withFlipped(octahedron(), 3);
+  const unified = await gvd.mesh(source, { orientation: 'unify' });
+  assert.equal(unified.info.repairs.flippedTriangles, 1);
+  assert.equal(unified.info.boundaryLoops, 0);
+  const { info } = await gvd.mesh(source, { orientation: 'keep' });
+  assert.equal(info.repairs.flippedTriangles, 0);
+  assert.equal(info.repairs.orientationCuts, 3);
+  assert.equal(info.components, 2);
+});
+
+test('small components are dropped, and their triangles keep their numbers', async () => {
+  const both = await gvd.mesh(apart(octahedron(), grid(2)), { minComponent: 8 });
+  assert.equal(both.info.components, 2);
+  const rest = await gvd.mesh(apart(grid(1), octahedron()), { minComponent: 3 });
+  const { info } = rest;
+  assert.equal(info.faces, 8);
+  assert.equal(info.inputFaces, 10);
+  assert.equal(info.repairs.smallComponents, 1);
+  assert.equal(info.repairs.smallComponentTriangles, 2);
+  const { data } = await rest.voronoi({ face: [2], bary: [1, 0, 0] });
+  assert.deepEqual([...data.faceLabel], [-3, -3, 0, 0, 0, 0, 0, 0, 0, 0]);
+  await assert.rejects(
+    rest.voronoi({ face: [1], bary: [1, 0, 0] }),
+    fails('invalid-point', /triangle 1 was dropped/),
+  );
+  await assert.rejects(
+    gvd.mesh(octahedron(), { minComponent: 9 }),
+    fails('invalid-mesh', /no component has 9 triangles: the largest has 8/),
+  );
+});
+
 test('limits of a glTF can be lowered and raised; the error names the one to raise', async () => {
   const bytes = glb(octahedron());
   await assert.rejects(
@@ -165,6 +215,133 @@ test('there may be more sites than vertices, but not less than one', async () =>
   for (const seed of [-1, 0.5, NaN, '1']) {
     await assert.rejects(mesh.sampleSites(1, { seed }), fails('invalid-argument', /seed/));
   }
+});
+
+test('every component gets sites if they are asked for, and what has none is told', async () => {
+  const crumbs = { ...grid(1), positions: grid(1).positions.map((x) => x / 100) };
+  const source = [0, 1, 2].reduce((all) => apart(crumbs, all), grid(4));
+  const mesh = await gvd.mesh(source);
+  assert.equal(mesh.info.components, 4);
+  for (const sampling of ['random', 'farthest', 'poisson', 'size', 'distortion']) {
+    const sites = await mesh.sampleSites(20, { sampling, perComponent: 2 });
+    assert.equal(sites.face.length, 20, sampling);
+    const onCrumbs = [0, 2, 4].map(
+      (first) => sites.face.filter((f) => f === first || f === first + 1).length,
+    );
+    assert.ok(Math.min(...onCrumbs) >= 2, `${sampling}: ${onCrumbs}`);
+    const bare = await mesh.bareComponents(sites);
+    assert.deepEqual(bare, { components: 0, area: 0 });
+  }
+  const bare = await mesh.bareComponents({ face: [2], bary: [1, 0, 0] });
+  assert.equal(bare.components, 3);
+  assert.ok(Math.abs(bare.area - 1.0002) < 1e-9);
+  await assert.rejects(
+    mesh.sampleSites(7, { perComponent: 2 }),
+    fails('invalid-argument', /cannot be 2 sites on each of 4 components if there are 7 in all/),
+  );
+});
+
+test('a radius in place of a number: as many sites as it takes', async () => {
+  const mesh = await gvd.mesh(grid(20));
+  for (const sampling of [undefined, 'farthest', 'poisson']) {
+    const counts = [];
+    for (const radius of [0.5, 0.2, 0.1]) {
+      const sites = await mesh.sampleSites({ radius }, { sampling });
+      const { distance } = await mesh.distances(sites);
+      assert.ok(Math.max(...distance) <= radius * (1 + 1e-9), `${sampling} ${radius}`);
+      counts.push(sites.face.length);
+    }
+    assert.ok(counts[0] < counts[1] && counts[1] < counts[2], String(counts));
+  }
+  const farther = await mesh.sampleSites({ radius: 99 }, { perComponent: 3 });
+  assert.equal(farther.face.length, 3);
+  for (const sampling of ['random', 'size', 'distortion'])
+    await assert.rejects(
+      mesh.sampleSites({ radius: 1 }, { sampling }),
+      fails('invalid-argument', /radius|sampling/),
+    );
+});
+
+test('a site for the worst region, always', async () => {
+  const mesh = await gvd.mesh(apart(grid(6), octahedron()));
+  const largest = async (sites) => Math.max(...(await mesh.voronoi(sites)).data.regionArea);
+  const bySize = await mesh.sampleSites(24, { sampling: 'size' });
+  assert.ok((await largest(bySize)) < (await largest(await mesh.sampleSites(24))));
+  const onOctahedron = ({ face }) => face.filter((f) => f >= 72).length;
+  const byDistortion = await mesh.sampleSites(24, { sampling: 'distortion' });
+  assert.equal(onOctahedron(byDistortion), 23, 'the square is flat');
+  const few = await mesh.sampleSites(5, { sampling: 'distortion' });
+  assert.deepEqual(few.face, byDistortion.face.slice(0, 5));
+  const shares = [];
+  await mesh.sampleSites(3, { sampling: 'size', onProgress: (share) => shares.push(share) });
+  assert.deepEqual(shares, [2 / 3, 1]);
+  const diagram = await mesh.voronoi({ vertex: [0] });
+  const next = await diagram.worstRegionPoint('size');
+  assert.ok(next.face[0] >= 72, 'a component without a site');
+});
+
+test('a density that follows curvature', async () => {
+  const mesh = await gvd.mesh(apart(grid(4), octahedron()));
+  const density = await mesh.curvatureDensity();
+  assert.equal(density.length, 31);
+  assert.ok(density.subarray(0, 25).every((value) => value < density[25]));
+  const sites = await mesh.sampleSites(20, { perComponent: 5 });
+  const last = async (options) => {
+    let state;
+    for await (state of mesh.cvt(sites, { iterations: 2, ...options }));
+    return state.sites;
+  };
+  assert.deepEqual(await last({ density: 'curvature' }), await last({ density }));
+  assert.notDeepEqual(await last({ density }), await last({}));
+});
+
+test('a density that the mesh came with, of arrays, a glTF or a PLY', async () => {
+  const shape = grid(2);
+  const density = [1, 2, 3, 4, 5, 6, 7, 8, 0.5];
+  const { json, buffer } = gltf(shape, { uri: 'a.bin' });
+  const values = Buffer.from(Float32Array.from(density).buffer);
+  json.bufferViews.push({ buffer: 1, byteLength: values.length });
+  json.buffers.push({ byteLength: values.length, uri: 'b.bin' });
+  json.accessors.push({ bufferView: 2, componentType: 5126, count: 9, type: 'SCALAR' });
+  json.meshes[0].primitives[0].attributes._DENSITY = 2;
+  const ply = new TextDecoder()
+    .decode(meshPly(shape, 'ascii'))
+    .replace('uchar red', 'float density')
+    .split('\n');
+  const first = ply.indexOf('end_header') + 1;
+  density.forEach((value, i) => {
+    ply[first + i] = ply[first + i].replace(/255$/, String(value));
+  });
+  const sources = [
+    { ...shape, density },
+    {
+      'a.gltf': new TextEncoder().encode(JSON.stringify(json)),
+      'a.bin': new Uint8Array(buffer),
+      'b.bin': new Uint8Array(values),
+    },
+    new TextEncoder().encode(ply.join('\n')),
+  ];
+  for (const source of sources) {
+    const mesh = await gvd.mesh(source);
+    assert.deepEqual([...mesh.density], density);
+    const energies = [];
+    for (const given of ['attribute', density, undefined]) {
+      const states = mesh.cvt({ vertex: [0, 8] }, { density: given, iterations: 1 });
+      energies.push((await states.next()).value.energy);
+    }
+    assert.equal(energies[0], energies[1]);
+    assert.notEqual(energies[0], energies[2]);
+  }
+  const bare = await gvd.mesh(shape);
+  assert.equal(bare.density.length, 0);
+  await assert.rejects(
+    bare.cvt({ vertex: [0] }, { density: 'attribute' }).next(),
+    fails('invalid-argument', /came without a density/),
+  );
+  await assert.rejects(
+    gvd.mesh({ ...shape, density: [1] }),
+    fails('invalid-argument', /density has 1 numbers, not 9/),
+  );
 });
 
 test('what does not fit into memory says so, and the library still works', async () => {

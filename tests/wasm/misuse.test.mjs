@@ -177,8 +177,106 @@ test('mesh', async () => {
   );
 });
 
+test('options that there are not', async () => {
+  const partition = await diagram.partition();
+  const polygons = await diagram.dual();
+  const calls = [
+    (options) => load(options),
+    (options) => loadWorker(options),
+    (options) => api.compileModules(options),
+    (options) => gvd.mesh(octahedron(), options),
+    (options) => mesh.sampleSites(2, options),
+    (options) => mesh.sampleSites({ radius: 1 }, options),
+    (options) => mesh.bareComponents(one, options),
+    (options) => mesh.curvatureDensity(options),
+    (options) => mesh.voronoi(one, options),
+    (options) => mesh.distances(one, options),
+    (options) => mesh.path(one, one, options),
+    (options) => mesh.cvt(one, options).next(),
+    (options) => diagram.insertSite(one, options),
+    (options) => diagram.moveSite(0, one, options),
+    (options) => diagram.removeSite(0, options),
+    (options) => diagram.locate(one, options),
+    (options) => diagram.path(one, options),
+    (options) => diagram.worstRegionPoint('size', options),
+    (options) => diagram.partition(options),
+    (options) => diagram.dual(options),
+    (options) => diagram.dualPaths(options),
+    (options) => diagram.violations(options),
+    (options) => diagram.remeshQuality(options),
+    (options) => diagram.repair(options),
+    (options) => api.partitionGlb(partition, options),
+    (options) => api.partitionObj(partition, options),
+    (options) => api.partitionPly(partition, options),
+    (options) => api.polygonGlb(polygons, options),
+    (options) => api.polygonObj(polygons, options),
+    (options) => api.polygonPly(polygons, options),
+  ];
+  for (const call of calls) {
+    await refused(
+      [
+        { nonsense: 1 },
+        { toString: 1 },
+        { '': 1 },
+        { nonsense: undefined },
+        { ['x'.repeat(9e5)]: 1 },
+      ],
+      call,
+      /^there is no option ".*" here: the nearest is "\w+"$/,
+    );
+  }
+  const nearest = [
+    [{ metrik: 'exact' }, 'metrik', 'metric'],
+    [{ Metric: 'exact' }, 'Metric', 'metric'],
+    [{ details: 1 }, 'details', 'detail'],
+    [{ onprogress() {} }, 'onprogress', 'onProgress'],
+  ];
+  for (const [options, name, known] of nearest) {
+    await refused(
+      [options],
+      (value) => mesh.voronoi(one, value),
+      new RegExp(`^there is no option "${name}" here: the nearest is "${known}"$`),
+    );
+  }
+  await refused([{ seeds: 1 }], (value) => mesh.sampleSites(2, value), /"seed"$/);
+  await refused([{ Radius: 1 }, {}], (value) => mesh.sampleSites(value), /radius/);
+});
+
+test('how a mesh is made', async () => {
+  await refused(
+    [null, -1e-9, 1.1, NaN, Infinity, '0', {}],
+    (weld) => gvd.mesh(octahedron(), { weld }),
+    /^weld is .*, not a number from 0 to 1$/,
+  );
+  await refused(
+    notNames,
+    (orientation) => gvd.mesh(octahedron(), { orientation }),
+    /^orientation is /,
+  );
+  await refused(
+    [null, -1, 0.5, NaN, '1', 2 ** 31],
+    (minComponent) => gvd.mesh(octahedron(), { minComponent }),
+    /^minComponent is /,
+  );
+});
+
 test('sampleSites', async () => {
-  await refused(notCounts, (count) => mesh.sampleSites(count), /^count is /);
+  await refused(
+    notCounts.filter((count) => typeof count !== 'object' || !count),
+    (count) => mesh.sampleSites(count),
+    /^count is /,
+  );
+  await refused(
+    [null, 0, -1, NaN, Infinity, '1', undefined],
+    (radius) => mesh.sampleSites({ radius }),
+    /^radius is /,
+  );
+  await refused(
+    [null, -1, 0.5, NaN, '1', 2 ** 31],
+    (perComponent) => mesh.sampleSites(2, { perComponent }),
+    /^perComponent is /,
+  );
+  await refused(notNames, (worst) => diagram.worstRegionPoint(worst), /^worst is /);
   await refused(notOptions, (options) => mesh.sampleSites(2, options), /^options is /);
   await refused(
     [-1, 0.5, NaN, '1', null, 2 ** 53],

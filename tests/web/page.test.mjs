@@ -5,7 +5,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, afterEach, before, beforeEach, suite, test } from 'node:test';
 import { strToU8, zipSync } from 'fflate';
-import { glb, gltf, grid, octahedron } from '../wasm/meshes.mjs';
+import { apart, glb, gltf, grid, octahedron, withFlipped } from '../wasm/meshes.mjs';
 import { torus } from '../../web/page/sample_shapes.mjs';
 import { dracoGlb, meshBinaryStl, meshObj, meshoptGlb, meshPly } from '../wasm/model_files.mjs';
 import { startBrowser } from './browser.mjs';
@@ -341,6 +341,65 @@ suite('the page', () => {
     assert.deepEqual(await viewer.sites(), first);
     for (const _ of [1, 2, 3]) await viewer.after('diagram', () => press('Control+z'));
     assert.deepEqual(await viewer.sites(), before);
+  });
+
+  test('how a model is made of its file is chosen, and told', async () => {
+    const crumb = { ...grid(1), positions: grid(1).positions.map((x) => x / 10) };
+    const { positions, indices } = octahedron();
+    const torn = {
+      positions: indices.flatMap((v, i) =>
+        positions.slice(3 * v, 3 * v + 3).map((x) => x + 1e-6 * (i % 3)),
+      ),
+      indices: indices.map((_, i) => i),
+    };
+    const bytes = glb(withFlipped(apart(torn, crumb), 0));
+    await viewer.after('diagram', () => choose(file('torn.glb', bytes)));
+    await group(viewer, 'Model').click();
+    await viewer.page.getByText('How it is made of its file').click();
+    assert.match(await text(viewer, '#report'), /Components9/);
+    assert.match(
+      await text(viewer, '#bare-note'),
+      /of 9 components, .* % of the area, ha(s|ve) no site/,
+    );
+
+    await viewer.after('diagram', () => viewer.page.selectOption('#weld', '1e-4'));
+    assert.match(await text(viewer, '#report'), /Components2/);
+    assert.match(await text(viewer, '#repairs'), /18 vertices welded.*1 triangle turned over/);
+    await viewer.after('diagram', () => viewer.page.selectOption('#orientation', 'keep'));
+    assert.match(await text(viewer, '#repairs'), /3 edges cut/);
+    await viewer.after('diagram', async () => {
+      await viewer.page.fill('#min-component', '3');
+      await viewer.page.locator('#min-component').blur();
+    });
+    assert.match(
+      await text(viewer, '#repairs'),
+      /2 small components dropped.*3 triangles of these/,
+    );
+    assert.match(await text(viewer, '#report'), /Components1/);
+    assert.equal(await viewer.page.locator('#bare-note').isVisible(), false);
+  });
+
+  test('sites are put on every component, and where the surface bends', async () => {
+    await viewer.after('diagram', () => choose(file('two.glb', glb(apart(grid(6), octahedron())))));
+    await viewer.after('diagram', async () => {
+      await viewer.page.fill('#count', '1');
+      await viewer.page.click('#scatter [type="submit"]');
+    });
+    await viewer.page.locator('#bare-note').filter({ hasText: '1 of 2 components' }).waitFor();
+    await viewer.after('diagram', async () => {
+      await viewer.page.fill('#count', '8');
+      await viewer.page.fill('#per-component', '4');
+      await viewer.page.selectOption('#sampling', 'distortion');
+      await viewer.page.click('#scatter [type="submit"]');
+    });
+    const { face } = await viewer.sites();
+    assert.equal([...face].filter((f) => f < 72).length, 4);
+    await viewer.page.locator('#bare-note').waitFor({ state: 'hidden' });
+
+    await viewer.page.getByText('Smaller regions in places').click();
+    await viewer.after('density-change', () => viewer.page.click('#density-curvature'));
+    const density = await viewer.evaluate((viewer) => [...viewer.density]);
+    assert.ok(Math.max(...density.slice(0, 49)) < Math.min(...density.slice(49)));
   });
 
   test('layers are shown and hidden', async () => {

@@ -6,20 +6,60 @@ import type { AttributeSource } from './attributes.js';
 import { invalidArgument } from './errors.js';
 import type { TaskOptions } from './types.js';
 
-/** Options, none if they are left out. */
-export function toOptions<Options extends object>(options: Options | undefined): Options {
-  if (options === undefined) return {} as Options;
-  if (isObject(options) && !Array.isArray(options)) return options;
-  throw invalidArgument(`options is ${show(options)}, not an object`);
+/** Of every option, what holds if it is left out. */
+type Usual<Options> = { [Name in keyof Required<Options>]: Options[Name] };
+/** Options of which only those without a default may be missing. */
+type Complete<Options, Defaults> = {
+  [Name in keyof Defaults & keyof Options]: undefined extends Defaults[Name]
+    ? Options[Name]
+    : Exclude<Options[Name], undefined>;
+};
+
+/** The options of a call, each given or as usual; one that the call does not know is refused, by its name. */
+export function toOptions<Options extends object, const Defaults extends Usual<Options>>(
+  options: Options | undefined,
+  usual: Defaults,
+): Complete<Options, Defaults> {
+  const given = options ?? {};
+  if (options === null || !isObject(given) || Array.isArray(given))
+    throw invalidArgument(`options is ${show(options)}, not an object`);
+  const known = Object.keys(usual);
+  const stranger = Object.keys(given)
+    .find((name) => !known.includes(name))
+    ?.slice(0, 40);
+  if (stranger !== undefined) {
+    throw invalidArgument(
+      `there is no option ${show(stranger)} here: the nearest is ${show(nearestName(stranger, known))}`,
+    );
+  }
+  const values = Object.entries(usual).map(([name, value]) => {
+    const own = (given as Record<string, unknown>)[name];
+    return [name, own === undefined ? value : own];
+  });
+  return Object.fromEntries(values) as Complete<Options, Defaults>;
 }
 
-export function toTask(options: TaskOptions | undefined): TaskOptions {
-  const { onProgress, signal } = toOptions(options);
+/** Those of a task, and others. */
+export function toTaskOptions<
+  Options extends TaskOptions,
+  const Defaults extends Usual<Omit<Options, keyof TaskOptions>>,
+>(options: Options | undefined, usual: Defaults): Complete<Options, Defaults> & TaskOptions {
+  const all = toOptions<TaskOptions, Usual<TaskOptions>>(options, {
+    ...usual,
+    onProgress: undefined,
+    signal: undefined,
+  });
+  const { onProgress, signal } = all;
   if (onProgress !== undefined && typeof onProgress !== 'function')
     throw invalidArgument(`onProgress is ${show(onProgress)}, not a function`);
   if (signal !== undefined && !isSignal(signal))
     throw invalidArgument(`signal is ${show(signal)}, not an AbortSignal`);
-  return { onProgress, signal };
+  return all as Complete<Options, Defaults> & TaskOptions;
+}
+
+/** The options of what has no others. */
+export function toTask(options: TaskOptions | undefined): TaskOptions {
+  return toTaskOptions(options, {});
 }
 
 /** Also one of another realm. */
@@ -116,12 +156,17 @@ export function toScale(scale: number): number {
 }
 
 /** The options of a file's writer. */
-export function toFileOptions<Options extends { mesh?: AttributeSource; scale?: number }>(
+export function toFileOptions<
+  Options extends { mesh?: AttributeSource; scale?: number },
+  const Defaults extends Usual<Omit<Options, 'mesh' | 'scale'>>,
+>(
   options: Options | undefined,
-): Options & { scale: number } {
-  const { mesh, scale = 1 } = toOptions(options);
+  usual: Defaults,
+): Complete<Options, Defaults> & { mesh?: AttributeSource; scale: number } {
+  const all = toOptions<object, object>(options, { ...usual, mesh: undefined, scale: 1 });
+  const { mesh, scale } = all as { mesh?: AttributeSource; scale: number };
   if (mesh !== undefined) toAttributeSource(mesh);
-  return { ...(options as Options), scale: toScale(scale) };
+  return { ...(all as Complete<Options, Defaults>), mesh, scale: toScale(scale) };
 }
 
 export function toAttributeSource(mesh: AttributeSource): AttributeSource {
@@ -131,6 +176,26 @@ export function toAttributeSource(mesh: AttributeSource): AttributeSource {
 export function requireBytes(name: string, bytes: Uint8Array): void {
   if (!(bytes instanceof Uint8Array))
     throw invalidArgument(`${name} is ${show(bytes)}, not a Uint8Array`);
+}
+
+/** The name that takes the fewest letters to be changed, added or left out. */
+function nearestName(name: string, names: readonly string[]): string {
+  const distances = names.map((other) => letterDistance(name.toLowerCase(), other.toLowerCase()));
+  return names[distances.indexOf(Math.min(...distances))];
+}
+
+/** Levenshtein's distance, row by row. */
+function letterDistance(a: string, b: string): number {
+  let row = Array.from({ length: b.length + 1 }, (_, j) => j);
+  for (let i = 1; i <= a.length; ++i) {
+    const next = [i];
+    for (let j = 1; j <= b.length; ++j) {
+      const replaced = row[j - 1] + (a[i - 1] === b[j - 1] ? 0 : 1);
+      next.push(Math.min(replaced, row[j] + 1, next[j - 1] + 1));
+    }
+    row = next;
+  }
+  return row[b.length];
 }
 
 export function isObject(value: unknown): value is object {

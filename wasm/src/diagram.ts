@@ -4,10 +4,10 @@
 // the arrays up to date with the changes.
 
 import { changedData, changedSites, combinedChange, shortenChanges } from './change.js';
-import { toBoolean, toOptions, toTask } from './checks.js';
+import { toBoolean, toTask, toTaskOptions } from './checks.js';
 import type { DiagramForm, Engine, OpenedDiagram } from './engine.js';
 import { invalidArgument } from './errors.js';
-import { toLabel, toMaxAdded } from './input.js';
+import { toLabel, toMaxAdded, toWorstRegion } from './input.js';
 import { disposeSymbol, Kept } from './kept.js';
 import { regionsOf } from './region.js';
 import type {
@@ -23,6 +23,7 @@ import type {
   SurfacePoints,
   Violation,
   ViolationKind,
+  WorstRegion,
 } from './results.js';
 import type {
   Diagram,
@@ -127,6 +128,10 @@ export class EngineDiagram implements Diagram {
     return this.#kept.call('locate', [face, bary], task);
   }
 
+  async worstRegionPoint(worst: WorstRegion, options?: TaskOptions): Promise<SurfacePoints> {
+    return this.#kept.call('worstRegionPoint', [toWorstRegion(worst)], toTask(options));
+  }
+
   async path(point: SurfacePointsInput, options?: TaskOptions): Promise<SurfacePath> {
     const task = toTask(options);
     const { face, bary } = await this.#kept.point('point', point);
@@ -134,17 +139,20 @@ export class EngineDiagram implements Diagram {
   }
 
   async partition(options?: PartitionOptions): Promise<Partition> {
-    const { leaveOutIndifferent = false, leaveOutUnreachable = false } = toOptions(options);
+    const { leaveOutIndifferent, leaveOutUnreachable, ...task } = toTaskOptions(options, {
+      leaveOutIndifferent: false,
+      leaveOutUnreachable: false,
+    });
     const args = [
       toBoolean('leaveOutIndifferent', leaveOutIndifferent),
       toBoolean('leaveOutUnreachable', leaveOutUnreachable),
     ];
-    return this.#kept.call('partition', args, toTask(options));
+    return this.#kept.call('partition', args, task);
   }
 
   async dual(options?: DualOptions): Promise<PolygonMesh> {
-    const { primal = false } = toOptions(options);
-    return this.#kept.call('dual', [toBoolean('primal', primal)], toTask(options));
+    const { primal, ...task } = toTaskOptions(options, { primal: false });
+    return this.#kept.call('dual', [toBoolean('primal', primal)], task);
   }
 
   async dualPaths(options?: TaskOptions): Promise<DualPaths> {
@@ -169,8 +177,7 @@ export class EngineDiagram implements Diagram {
   }
 
   async repair(options?: RepairOptions): Promise<Diagram> {
-    const { maxAdded = 1000 } = toOptions(options);
-    const { signal, onProgress } = toTask(options);
+    const { maxAdded, signal, onProgress } = toTaskOptions(options, { maxAdded: 1000 });
     const most = this.sites.face.length + toMaxAdded(maxAdded);
     let diagram: EngineDiagram = this;
     let share = 0;

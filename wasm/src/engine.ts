@@ -10,6 +10,7 @@ import type {
   MeshInfo,
   MeshPart,
   Metric,
+  Orientation,
   SurfacePath,
   SurfacePoints,
   VertexDistances,
@@ -34,6 +35,13 @@ export interface FileInput {
   limits: GltfLimits;
   /** Which of several models. */
   file?: string;
+}
+
+/** How a mesh is made of triangles: `MeshOptions` in `core/include/gvd/triangle_mesh.h`. */
+export interface MeshBuild {
+  weld: number;
+  orientation: Orientation;
+  minComponent: number;
 }
 
 /** A mesh opened; `triangles` are those of files, which the caller does not have yet. */
@@ -93,7 +101,7 @@ export interface Engine {
     args: readonly Argument[],
     task: TaskOptions,
   ): Promise<Result>;
-  openMesh(source: Triangles | FileInput, task: TaskOptions): Promise<OpenedMesh>;
+  openMesh(source: Triangles | FileInput, build: MeshBuild, task: TaskOptions): Promise<OpenedMesh>;
   /** `owner` is a mesh or a diagram on it. */
   openDiagram(
     owner: Handle,

@@ -61,8 +61,14 @@ export interface LoadWorkerOptions extends LoadOptions {
  * For models that Draco has compressed, so is `geodesic-voronoi/draco.wasm`, the option `dracoWasm`.
  */
 export async function loadWorker(options?: LoadWorkerOptions): Promise<GeodesicVoronoi> {
-  const { wasm, gltfWasm, dracoWasm } = sourcesOf(options);
-  const worker = toWorker(toOptions(options).worker);
+  const { worker: given, ...loaded } = toOptions(options, {
+    worker: undefined,
+    wasm: undefined,
+    gltfWasm: undefined,
+    dracoWasm: undefined,
+  });
+  const { wasm, gltfWasm, dracoWasm } = sourcesOf(loaded);
+  const worker = toWorker(given);
   const sources = {
     wasm: await toPost('wasm', wasm),
     gltfWasm: await toPost('gltfWasm', gltfWasm),

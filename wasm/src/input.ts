@@ -4,23 +4,24 @@
 // core to say.
 
 import { isObject, show, toFloat64, toInt32, toInteger, toOneOf } from './checks.js';
-import type { CvtSettings, FileInput } from './engine.js';
+import type { CvtSettings, FileInput, MeshBuild } from './engine.js';
 import { invalidArgument } from './errors.js';
 import {
   cvtMethods,
   metrics,
+  orientations,
   samplings,
+  worstRegions,
   type Metric,
   type Sampling,
   type SurfacePoints,
+  type WorstRegion,
 } from './results.js';
 import type { Triangles } from './triangles.js';
 import {
   gltfLimitNames,
-  type CvtOptions,
   type GltfLimits,
   type MeshArrays,
-  type MeshOptions,
   type MeshSource,
   type ModelFile,
   type ModelFiles,
@@ -36,10 +37,29 @@ export const maxCount = 2 ** 31 - 1;
 /** Of a limit of the glTF reader: its memory has no more bytes than this. */
 export const maxLimit = 2 ** 32 - 1;
 
+export const meshDefaults = {
+  limits: {},
+  file: undefined,
+  weld: 0,
+  orientation: orientations[0],
+  minComponent: 0,
+} as const;
+
+/** How the mesh builder makes a mesh. */
+export function toMeshBuild({ weld, orientation, minComponent }: MeshBuild): MeshBuild {
+  if (!(typeof weld === 'number' && weld >= 0 && weld <= 1))
+    throw invalidArgument(`weld is ${show(weld)}, not a number from 0 to 1`);
+  return {
+    weld,
+    orientation: toOneOf('orientation', orientation, orientations),
+    minComponent: toInteger('minComponent', minComponent, 0, maxCount),
+  };
+}
+
 /** Of a mesh: its triangles, or the files that these are read from. */
 export function toMeshInput(
   source: MeshSource,
-  { limits = {}, file }: MeshOptions,
+  { limits, file }: Pick<MeshOptions, 'file'> & { limits: GltfLimits },
 ): Triangles | FileInput {
   if (isObject(source) && 'positions' in source && 'indices' in source)
     return toTriangles(source as MeshArrays);
@@ -48,13 +68,14 @@ export function toMeshInput(
   return { files: toFiles(source), limits: toLimits(limits), file };
 }
 
-function toTriangles({ positions: places, indices, normals, uvs }: MeshArrays): Triangles {
+function toTriangles({ positions: places, indices, normals, uvs, density }: MeshArrays): Triangles {
   const positions = toFloat64('positions', places);
   return {
     positions,
     indices: toInt32('indices', indices),
     normals: toAttribute('normals', normals, positions.length),
     uvs: toAttribute('uvs', uvs, (positions.length / 3) * 2),
+    density: toAttribute('density', density, positions.length / 3),
   };
 }
 
@@ -116,19 +137,51 @@ export function toMetric(metric: Metric): Metric {
 }
 
 export function toSampling(sampling: Sampling): Sampling {
-  return toOneOf('sampling', sampling, samplings);
+  return toOneOf('sampling', sampling, [...samplings, ...worstRegions]);
 }
+
+export function isWorstFirst(sampling: Sampling): sampling is WorstRegion {
+  return worstRegions.some((name) => name === sampling);
+}
+
+export function toWorstRegion(worst: WorstRegion): WorstRegion {
+  return toOneOf('worst', worst, worstRegions);
+}
+
+export function toRadius(radius: number): number {
+  if (typeof radius === 'number' && radius > 0 && radius < Infinity) return radius;
+  throw invalidArgument(`radius is ${show(radius)}, not a positive number`);
+}
+
+export function toPerComponent(perComponent: number): number {
+  return toInteger('perComponent', perComponent, 0, maxCount);
+}
+
+export const cvtDefaults = {
+  method: 'lbfgs',
+  metric: metrics[0],
+  iterations: 50,
+  energyTolerance: 0,
+  moveTolerance: 0,
+  density: [],
+  fixedSites: [],
+  data: false,
+  diagrams: false,
+} as const;
 
 /** Whether density and fixed sites fit mesh and sites is for the core to say. */
 export function toCvtSettings({
-  method = 'lbfgs',
-  metric = metrics[0],
-  iterations = 50,
-  energyTolerance = 0,
-  moveTolerance = 0,
-  density = [],
-  fixedSites = [],
-}: CvtOptions): CvtSettings {
+  method,
+  metric,
+  iterations,
+  energyTolerance,
+  moveTolerance,
+  density,
+  fixedSites,
+}: Omit<CvtSettings, 'density' | 'fixedSites'> & {
+  density: ArrayLike<number>;
+  fixedSites: ArrayLike<number>;
+}): CvtSettings {
   return {
     method: toOneOf('method', method, cvtMethods),
     metric: toMetric(metric),

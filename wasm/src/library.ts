@@ -3,9 +3,9 @@
 // The library over an engine, as callers hold it; `mesh.ts` and `diagram.ts` are the objects that it
 // makes. They behave alike over all engines.
 
-import { toOptions, toTask } from './checks.js';
+import { toTaskOptions } from './checks.js';
 import type { Engine } from './engine.js';
-import { toMeshInput } from './input.js';
+import { meshDefaults, toMeshBuild, toMeshInput } from './input.js';
 import { disposeSymbol } from './kept.js';
 import { EngineMesh } from './mesh.js';
 import type { Triangles } from './triangles.js';
@@ -23,8 +23,9 @@ export class Library implements GeodesicVoronoi {
   }
 
   async mesh(source: MeshSource, options?: MeshOptions): Promise<Mesh> {
-    const input = toMeshInput(source, toOptions(options));
-    const opened = await this.#engine.openMesh(input, toTask(options));
+    const { limits, file, onProgress, signal, ...build } = toTaskOptions(options, meshDefaults);
+    const input = toMeshInput(source, { limits, file });
+    const opened = await this.#engine.openMesh(input, toMeshBuild(build), { onProgress, signal });
     return new EngineMesh(this.#engine, opened, opened.triangles ?? (input as Triangles));
   }
 

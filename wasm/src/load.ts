@@ -23,12 +23,11 @@ export type Modules = Record<'wasm' | 'gltfWasm', WebAssembly.Module>;
 
 /** Where the modules are. The addresses are written so that bundlers see them. */
 export function sourcesOf(options: LoadOptions | undefined): EngineSources {
-  const {
-    wasm = new URL('./core.wasm', import.meta.url),
-    gltfWasm = new URL('./gltf.wasm', import.meta.url),
-    dracoWasm = new URL('./draco.wasm', import.meta.url),
-  } = toOptions(options);
-  return { wasm, gltfWasm, dracoWasm };
+  return toOptions(options, {
+    wasm: new URL('./core.wasm', import.meta.url),
+    gltfWasm: new URL('./gltf.wasm', import.meta.url),
+    dracoWasm: new URL('./draco.wasm', import.meta.url),
+  });
 }
 
 export async function compileSources(

@@ -12,6 +12,7 @@ import type {
   EngineSources,
   FileInput,
   Handle,
+  MeshBuild,
   OpenedCvt,
   OpenedDiagram,
   OpenedMesh,
@@ -87,28 +88,34 @@ export class LocalEngine implements Engine {
 
   async openMesh(
     source: Triangles | FileInput,
+    build: MeshBuild,
     { signal, onProgress }: TaskOptions,
   ): Promise<OpenedMesh> {
     signal?.throwIfAborted();
     const opened = await ('positions' in source
-      ? this.#openTriangles(source)
-      : this.#openFiles(source, { signal, onProgress }));
+      ? this.#openTriangles(source, build)
+      : this.#openFiles(source, build, { signal, onProgress }));
     onProgress?.(1);
     return opened;
   }
 
-  async #openFiles(input: FileInput, { signal, onProgress }: TaskOptions): Promise<OpenedMesh> {
+  async #openFiles(
+    input: FileInput,
+    build: MeshBuild,
+    { signal, onProgress }: TaskOptions,
+  ): Promise<OpenedMesh> {
     const { triangles, parts, origin, notes } = await readModel(input, this.#inputModules, {
       signal,
       onProgress: (share) => onProgress?.(readingShare * share),
     });
-    const { handle, info } = this.#openTriangles(triangles);
+    const { handle, info } = this.#openTriangles(triangles, build);
     return { handle, info: { ...info, origin, notes }, parts, triangles };
   }
 
-  #openTriangles({ positions, indices }: Triangles): OpenedMesh {
+  #openTriangles({ positions, indices }: Triangles, build: MeshBuild): OpenedMesh {
     const core = this.#open();
-    const mesh = core.call('createMesh', positions, indices);
+    const { weld, orientation, minComponent } = build;
+    const mesh = core.call('createMesh', positions, indices, weld, orientation, minComponent);
     const counts = core.answer<Omit<MeshInfo, 'origin' | 'notes'>>('meshInfo', mesh);
     const info: MeshInfo = { ...counts, origin: { format: 'arrays', file: '' }, notes: [] };
     return { handle: this.#keep({ pointer: mesh, free: 'freeMesh' }), info, parts: [] };

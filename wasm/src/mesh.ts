@@ -2,19 +2,34 @@
 //
 // A mesh as callers hold it: it checks what it is given, and leaves the work to an engine.
 
-import { toBoolean, toOptions, toTask } from './checks.js';
+import { isObject, toBoolean, toOptions, toTask, toTaskOptions } from './checks.js';
 import { EngineDiagram } from './diagram.js';
 import type { AdvancedCvt, Engine, OpenedMesh } from './engine.js';
-import { toCount, toCvtSettings, toDetail, toMetric, toSampling, toSeed } from './input.js';
+import { invalidArgument } from './errors.js';
+import {
+  cvtDefaults,
+  isWorstFirst,
+  maxCount,
+  toCount,
+  toCvtSettings,
+  toDetail,
+  toMetric,
+  toPerComponent,
+  toRadius,
+  toSampling,
+  toSeed,
+} from './input.js';
 import { disposeSymbol, Kept } from './kept.js';
 import {
   metrics,
+  type BareComponents,
   type Distances,
   type MeshInfo,
   type MeshPart,
   type Metric,
   type SurfacePath,
   type SurfacePoints,
+  type WorstRegion,
 } from './results.js';
 import type { Triangles } from './triangles.js';
 import type {
@@ -35,33 +50,91 @@ export class EngineMesh implements Mesh {
   readonly indices: Int32Array;
   readonly normals: Float64Array;
   readonly uvs: Float64Array;
+  readonly density: Float64Array;
   readonly parts: readonly MeshPart[];
   readonly #kept: Kept;
 
   constructor(
     engine: Engine,
     { handle, info, parts }: OpenedMesh,
-    { positions, indices, normals, uvs }: Triangles,
+    { positions, indices, normals, uvs, density }: Triangles,
   ) {
     this.info = info;
     this.positions = positions;
     this.indices = indices;
     this.normals = normals;
     this.uvs = uvs;
+    this.density = density;
     this.parts = parts;
     this.#kept = new Kept(this, 'mesh', engine, handle);
   }
 
-  async sampleSites(count: number, options?: SampleOptions): Promise<SurfacePoints> {
-    const { seed = 1, sampling = 'random' } = toOptions(options);
-    const args = [toCount(count), toSampling(sampling), toSeed(seed)];
-    return this.#kept.call('sampleSites', args, toTask(options));
+  async sampleSites(
+    wanted: number | { radius: number },
+    options?: SampleOptions,
+  ): Promise<SurfacePoints> {
+    const byRadius = isObject(wanted);
+    const { seed, sampling, perComponent, ...task } = toTaskOptions(options, {
+      seed: 1,
+      sampling: byRadius ? 'farthest' : 'random',
+      perComponent: 0,
+    });
+    const least = toPerComponent(perComponent);
+    const method = toSampling(sampling);
+    toSeed(seed);
+    const count = byRadius ? maxCount : toCount(wanted);
+    const sample = (): Promise<SurfacePoints> => {
+      if (byRadius) {
+        const radius = toRadius(toOptions(wanted, { radius: NaN }).radius);
+        return this.#kept.call('sampleSitesByRadius', [radius, method, seed], task);
+      }
+      if (isWorstFirst(method)) return this.#sampleWorstFirst(count, method, seed, task);
+      return this.#kept.call('sampleSites', [count, method, seed], task);
+    };
+    const sites = await sample();
+    if (least === 0) return sites;
+    return this.#kept.call('coverComponents', [sites.face, sites.bary, least, count, seed], task);
+  }
+
+  /** Always one more in the worst region of the diagram so far: `sampleWorstFirst` of the core, in slices. */
+  async #sampleWorstFirst(
+    count: number,
+    worst: WorstRegion,
+    seed: number,
+    { signal, onProgress }: TaskOptions,
+  ): Promise<SurfacePoints> {
+    const first = await this.sampleSites(1, { seed, signal });
+    const diagram = await this.voronoi(first, { signal });
+    try {
+      for (let n = 1; n < count; ++n) {
+        await diagram.insertSite(await diagram.worstRegionPoint(worst, { signal }), { signal });
+        onProgress?.((n + 1) / count);
+      }
+      return diagram.sites;
+    } finally {
+      diagram.dispose();
+    }
+  }
+
+  async bareComponents(sites: SurfacePointsInput, options?: TaskOptions): Promise<BareComponents> {
+    const task = toTask(options);
+    const { face, bary } = await this.#kept.points('sites', sites);
+    return this.#kept.call('bareComponents', [face, bary], task);
+  }
+
+  async curvatureDensity(options?: TaskOptions): Promise<Float64Array> {
+    const task = toTask(options);
+    const { values } = await this.#kept.call<{ values: Float64Array }>(
+      'curvatureDensity',
+      [],
+      task,
+    );
+    return values;
   }
 
   async voronoi(sites: SurfacePointsInput, options?: VoronoiOptions): Promise<Diagram> {
-    const { metric = metrics[0], detail = 0 } = toOptions(options);
+    const { metric, detail, ...task } = toTaskOptions(options, { metric: metrics[0], detail: 0 });
     const form = { metric: toMetric(metric), detail: toDetail(detail) };
-    const task = toTask(options);
     const points = await this.#kept.points('sites', sites);
     const { engine, handle } = this.#kept;
     const opened = await engine.openDiagram(handle, points, form, task);
@@ -69,9 +142,8 @@ export class EngineMesh implements Mesh {
   }
 
   async distances(sites: SurfacePointsInput, options?: DistancesOptions): Promise<Distances> {
-    const { metric: given = metrics[0] } = toOptions(options);
-    const metric = toMetric(given);
-    const task = toTask(options);
+    const { metric, ...task } = toTaskOptions(options, { metric: metrics[0] });
+    toMetric(metric);
     const points = await this.#kept.points('sites', sites);
     const { engine, handle } = this.#kept;
     const known = await engine.distances(handle, points, metric, task);
@@ -94,11 +166,16 @@ export class EngineMesh implements Mesh {
     sites: SurfacePointsInput,
     options?: CvtOptions,
   ): AsyncGenerator<CvtState, void, void> {
-    const { data = false, diagrams = false } = toOptions(options);
+    const { data, diagrams, density, signal, onProgress, ...others } = toTaskOptions(
+      options,
+      cvtDefaults,
+    );
     const withData = toBoolean('data', data);
     const form = toBoolean('diagrams', diagrams) ? 'diagram' : withData ? 'data' : 'bare';
-    const settings = toCvtSettings(toOptions(options));
-    const { signal, onProgress } = toTask(options);
+    const settings = toCvtSettings({
+      ...others,
+      density: await this.#toDensity(density, signal),
+    });
     const points = await this.#kept.points('sites', sites);
     const { engine } = this.#kept;
     const { handle } = await engine.openCvt(this.#kept.handle, points, settings, { signal });
@@ -113,6 +190,16 @@ export class EngineMesh implements Mesh {
     } finally {
       engine.close(handle);
     }
+  }
+
+  async #toDensity(
+    density: NonNullable<CvtOptions['density']>,
+    signal: AbortSignal | undefined,
+  ): Promise<ArrayLike<number>> {
+    if (density === 'curvature') return this.curvatureDensity({ signal });
+    if (density !== 'attribute') return density as ArrayLike<number>;
+    if (this.density.length > 0) return this.density;
+    throw invalidArgument('the mesh came without a density');
   }
 
   dispose(): void {

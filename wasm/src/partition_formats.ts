@@ -103,7 +103,7 @@ export function partitionGlb(
   options?: PartitionGlbOptions,
 ): Uint8Array<ArrayBuffer> {
   toPartition(partition);
-  const { layout = 'regions', ...form } = toFileOptions(options);
+  const { layout, ...form } = toFileOptions(options, { layout: 'regions', colours: undefined });
   toOneOf('layout', layout, partitionLayouts);
   if (form.colours !== undefined) toColours('colours', form.colours);
   if (partition.triangles.label.length === 0)
@@ -203,7 +203,7 @@ function featuresGlb(
 /** A group per region; all vertices are shared. */
 export function partitionObj(partition: Partition, options?: PartitionFileOptions): string {
   toPartition(partition);
-  const { mesh, scale } = toFileOptions(options);
+  const { mesh, scale } = toFileOptions(options, {});
   const { vertices, corners } = partitionVertices(partition, mesh);
   const lines = objLines(partition.points.position, vertices, scale);
   const corner = (c: number) => objCorner(vertices, partition.triangles.points[c], corners[c]);
@@ -221,7 +221,7 @@ export function partitionPly(
   options?: PartitionFileOptions,
 ): Uint8Array<ArrayBuffer> {
   toPartition(partition);
-  const { mesh, scale } = toFileOptions(options);
+  const { mesh, scale } = toFileOptions(options, {});
   const { vertices, corners } = partitionVertices(partition, mesh);
   const offset = Int32Array.from({ length: partition.triangles.label.length + 1 }, (_, t) => 3 * t);
   return ply(

@@ -45,7 +45,7 @@ export function polygonGlb(
   options?: PolygonFileOptions,
 ): Uint8Array<ArrayBuffer> {
   const { points, triangles } = toPolygons(polygons);
-  const { mesh, scale } = toFileOptions(options);
+  const { mesh, scale } = toFileOptions(options, {});
   const file = new GlbBuilder();
   // glTF has no empty primitive.
   if (triangles.face.length === 0) return file.finish({ scene: 0, scenes: [{}] });
@@ -64,7 +64,7 @@ export function polygonGlb(
 /** Polygons; those of regions in a group each. */
 export function polygonObj(polygons: PolygonMesh, options?: PolygonFileOptions): string {
   const { points } = toPolygons(polygons);
-  const { mesh, scale } = toFileOptions(options);
+  const { mesh, scale } = toFileOptions(options, {});
   const { faces, faceLabel } = withArea(polygons);
   const vertices = pointVertices(points, mesh);
   const lines = objLines(points.position, vertices, scale);
@@ -82,7 +82,7 @@ export function polygonPly(
   options?: PolygonFileOptions,
 ): Uint8Array<ArrayBuffer> {
   const { points, vertexLabel } = toPolygons(polygons);
-  const { mesh, scale } = toFileOptions(options);
+  const { mesh, scale } = toFileOptions(options, {});
   const { faces, faceLabel } = withArea(polygons);
   const labels = (values: Int32Array): PlyColumns[] =>
     values.length > 0 ? [{ names: ['label'], type: 'int', values }] : [];

@@ -12,11 +12,25 @@ export type CvtMethod = (typeof cvtMethods)[number];
 export const cvtMethods = ['lloyd', 'lbfgs'] as const;
 
 /**
- * How sites are placed: independently; always at the vertex farthest from those so far; or at random
- * with a distance kept.
+ * How sites are placed: independently; always at the vertex farthest from those so far; at random
+ * with a distance kept; or always in the worst region of those so far.
  */
-export type Sampling = (typeof samplings)[number];
+export type Sampling = (typeof samplings)[number] | WorstRegion;
 export const samplings = ['random', 'farthest', 'poisson'] as const;
+
+/**
+ * Which region is the worst: the largest; or the one of which the logarithmic map is most distorted,
+ * since it is bent or torn. `core/include/gvd/sampling.h` holds the definitions.
+ */
+export type WorstRegion = (typeof worstRegions)[number];
+export const worstRegions = ['size', 'distortion'] as const;
+
+/**
+ * What becomes of the sides of triangles: those of a component are turned over to agree with its
+ * majority; or all are kept, and edges cut where they disagree.
+ */
+export type Orientation = (typeof orientations)[number];
+export const orientations = ['unify', 'keep'] as const;
 
 /**
  * A list of points on a surface. `face[i]` counts the input's triangles in scene order,
@@ -43,11 +57,21 @@ export interface MeshRepairs {
   nonManifoldEdges: number;
   orientationCuts: number;
   flippedTriangles: number;
+  /** With fewer triangles than `minComponent`, dropped, and the triangles of these. */
+  smallComponents: number;
+  smallComponentTriangles: number;
   splitVertices: number;
   /** Kept, but flat or tiny: for their sake all edges count as longer. */
   mollifiedTriangles: number;
   /** What every edge counts as longer by, in the input's units. */
   mollification: number;
+}
+
+/** The components of a mesh without a site. */
+export interface BareComponents {
+  components: number;
+  /** In the input's units, squared. */
+  area: number;
 }
 
 export interface MeshInfo {

@@ -7,4 +7,5 @@ export interface Triangles {
   /** Per vertex, or empty; the core has no use for them. */
   normals: Float64Array;
   uvs: Float64Array;
+  density: Float64Array;
 }

@@ -4,6 +4,7 @@
 // The objects of the library, and what their functions take.
 
 import type {
+  BareComponents,
   CvtMethod,
   DiagramChange,
   DiagramData,
@@ -13,6 +14,7 @@ import type {
   MeshInfo,
   MeshPart,
   Metric,
+  Orientation,
   Partition,
   PolygonMesh,
   RemeshQuality,
@@ -20,6 +22,7 @@ import type {
   SurfacePath,
   SurfacePoints,
   Violation,
+  WorstRegion,
 } from './results.js';
 
 /** What functions take as a list of points: faces with barycentric coordinates, or input vertices. */
@@ -78,8 +81,11 @@ export interface CvtOptions extends TaskOptions {
   energyTolerance?: number;
   /** Ends when no site moves further than this, in the input's units. Default 0. */
   moveTolerance?: number;
-  /** Per input vertex, not negative; default uniform. */
-  density?: ArrayLike<number>;
+  /**
+   * Per input vertex, not negative; 'curvature': `Mesh.curvatureDensity`; 'attribute': the density that the
+   * mesh came with. Default uniform.
+   */
+  density?: ArrayLike<number> | 'attribute' | 'curvature';
   /** Indices of the sites that stay where they are. */
   fixedSites?: ArrayLike<number>;
   /** Whether every state comes with the arrays of its diagram. Default false. */
@@ -106,8 +112,13 @@ export interface CvtState {
 export interface SampleOptions extends TaskOptions {
   /** An integer, default 1. */
   seed?: number;
-  /** Default 'random'. */
+  /** Default 'random', of sites by their radius 'farthest'. */
   sampling?: Sampling;
+  /**
+   * How many sites each component has at least, default 0. For those that it misses, the last ones of
+   * others go; the new ones come last.
+   */
+  perComponent?: number;
 }
 
 /** The limits of `GltfLimits` in `core/include/gvd/gltf.h`, by the same names. */
@@ -126,10 +137,20 @@ export type GltfLimitName = (typeof gltfLimitNames)[number];
  */
 export type GltfLimits = Partial<Record<GltfLimitName, number>>;
 
+/** `MeshOptions` in `core/include/gvd/triangle_mesh.h`; `MeshInfo.repairs` counts what was done. */
 export interface MeshOptions extends TaskOptions {
   limits?: GltfLimits;
   /** Which of several models in a folder or a zip: its path there. */
   file?: string;
+  /**
+   * How far apart vertices may be to be welded, as a share of the bounding box's diagonal, 0 … 1.
+   * Default 0: only where their positions are the same.
+   */
+  weld?: number;
+  /** Default 'unify'. */
+  orientation?: Orientation;
+  /** Components with fewer triangles than this are dropped. Default 0. */
+  minComponent?: number;
 }
 
 /**
@@ -150,12 +171,13 @@ export type ModelFiles = Record<string, ModelFile>;
  */
 export type MeshSource = Uint8Array | ArrayBuffer | Blob | ModelFiles | MeshArrays;
 
-/** Three numbers per vertex, three vertices per triangle; per vertex also 3 and 2 numbers, or none. */
+/** Three numbers per vertex, three vertices per triangle; per vertex also 3, 2 and 1 numbers, or none. */
 export interface MeshArrays {
   positions: ArrayLike<number>;
   indices: ArrayLike<number>;
   normals?: ArrayLike<number>;
   uvs?: ArrayLike<number>;
+  density?: ArrayLike<number>;
 }
 
 /** One region of a diagram: views of its arrays, computed when asked for. */
@@ -194,6 +216,11 @@ export interface Diagram extends Disposable {
    * are drawn, end at bisectors that are straight within each triangle, or part of one (`detail`).
    */
   locate(points: SurfacePointsInput, options?: TaskOptions): Promise<Located>;
+  /**
+   * Where one more site would be, a list of one: in the worst region, far from its site; on a component
+   * without a site, if there is one.
+   */
+  worstRegionPoint(worst: WorstRegion, options?: TaskOptions): Promise<SurfacePoints>;
   /** The shortest path from a point, given as a list of one, to its nearest site. */
   path(point: SurfacePointsInput, options?: TaskOptions): Promise<SurfacePath>;
   /** The mesh cut into the regions. */
@@ -225,14 +252,25 @@ export interface Mesh extends Disposable {
   /** Per input vertex normals (3 numbers) and texture coordinates (2); empty if it came without. */
   readonly normals: Float64Array;
   readonly uvs: Float64Array;
+  /** Per input vertex: _DENSITY of a glTF, the property `density` of a PLY; empty if it came without. */
+  readonly density: Float64Array;
   /** Of a glTF; empty for other meshes. */
   readonly parts: readonly MeshPart[];
   /**
    * Sites, by default independent and evenly spread by area; the same seed (an integer, default 1)
    * gives the same sites everywhere. 'farthest' gives fewer than asked for when it has come to
-   * every vertex.
+   * every vertex. With a radius, in the input's units, instead of a count: as many as it takes until
+   * no vertex is farther from a site; of 'poisson', besides, no two sites are nearer to each other.
+   * These distances are approximate.
    */
-  sampleSites(count: number, options?: SampleOptions): Promise<SurfacePoints>;
+  sampleSites(count: number | { radius: number }, options?: SampleOptions): Promise<SurfacePoints>;
+  /** What no site of these can reach, for want of one on the component. */
+  bareComponents(sites: SurfacePointsInput, options?: TaskOptions): Promise<BareComponents>;
+  /**
+   * Per input vertex a density that follows curvature, of mean 1: with it, regions are smaller where
+   * the surface bends more. `core/include/gvd/curvature.h` holds the definition.
+   */
+  curvatureDensity(options?: TaskOptions): Promise<Float64Array>;
   voronoi(sites: SurfacePointsInput, options?: VoronoiOptions): Promise<Diagram>;
   /** The nearest site of every input vertex, how far it is, and in which direction from the site. */
   distances(sites: SurfacePointsInput, options?: DistancesOptions): Promise<Distances>;

@@ -7,11 +7,15 @@ type Origin = 'scattered' | 'even' | 'edited';
 
 export async function originOf(viewer: GeodesicVoronoiElement): Promise<Origin> {
   if (viewer.cvtStatus !== 'idle') return 'even';
-  const { count, seed, sampling } = settingsOf(viewer);
-  const scattered = await viewer.mesh?.sampleSites(Number(count), {
-    seed: Number(seed),
-    sampling: sampling as Sampling,
-  });
+  const { count, seed, sampling, perComponent } = settingsOf(viewer);
+  const scattered = await viewer.mesh
+    ?.sampleSites(Number(count), {
+      seed: Number(seed),
+      sampling: sampling as Sampling,
+      perComponent: Number(perComponent),
+    })
+    // For fewer sites than that takes.
+    .catch(() => undefined);
   const isSame = String(scattered?.bary) === String(viewer.sites.bary);
   return isSame ? 'scattered' : 'edited';
 }
@@ -40,15 +44,46 @@ function settingsOf(viewer: GeodesicVoronoiElement) {
     count: value('sites', '0'),
     seed: value('seed', '1'),
     sampling: value('sampling', 'random'),
+    perComponent: value('per-component', '0'),
+    weld: value('weld', '0'),
+    orientation: value('orientation', 'unify'),
+    minComponent: value('min-component', '0'),
     metric: value('metric', 'exact'),
     detail: value('detail', '0'),
     iterations: value('cvt-iterations', '30'),
   };
 }
 
+/** What is not as usual, by its names in each form. */
+function unusual(viewer: GeodesicVoronoiElement) {
+  const { perComponent, weld, orientation, minComponent } = settingsOf(viewer);
+  const isGiven = ([, value]: string[]) => value !== '0' && value !== 'unify';
+  const build = [
+    ['weld', weld],
+    ['orientation', orientation],
+    ['min-component', minComponent],
+  ].filter(isGiven);
+  const attributes = [...build, ['per-component', perComponent]].filter(isGiven);
+  const shown = (value: string) => (Number.isNaN(Number(value)) ? `'${value}'` : value);
+  const camel = (name: string) => name.replace(/-(.)/, (_, letter) => letter.toUpperCase());
+  return {
+    html: attributes.map(([name, value]) => ` ${name}="${value}"`).join(''),
+    flags: (names: readonly string[][]) =>
+      names.map(([name, value]) => ` --${name} ${value}`).join(''),
+    meshOptions:
+      build.length > 0
+        ? `, { ${build.map(([name, value]) => `${camel(name)}: ${shown(value)}`).join(', ')} }`
+        : '',
+    siteOptions: perComponent === '0' ? '' : `, perComponent: ${perComponent}`,
+    build,
+    attributes,
+  };
+}
+
 function scriptOf(viewer: GeodesicVoronoiElement, file: string, origin: Origin): string {
   const { count, seed, sampling, metric, detail, iterations } = settingsOf(viewer);
-  const scattered = `await mesh.sampleSites(${count}, { seed: ${seed}, sampling: '${sampling}' })`;
+  const { meshOptions, siteOptions } = unusual(viewer);
+  const scattered = `await mesh.sampleSites(${count}, { seed: ${seed}, sampling: '${sampling}'${siteOptions} })`;
   const sites: Record<Origin, readonly string[]> = {
     scattered: [`const sites = ${scattered};`],
     even: [
@@ -66,7 +101,7 @@ function scriptOf(viewer: GeodesicVoronoiElement, file: string, origin: Origin):
     '',
     'const library = await load();',
     `const bytes = await (await fetch('${file}')).arrayBuffer();`,
-    'const mesh = await library.mesh(new Uint8Array(bytes));',
+    `const mesh = await library.mesh(new Uint8Array(bytes)${meshOptions});`,
     ...sites[origin],
     `const diagram = await mesh.voronoi(sites, { metric: '${metric}', detail: ${detail} });`,
   ].join('\n');
@@ -84,7 +119,7 @@ function elementOf(viewer: GeodesicVoronoiElement, file: string, origin: Origin)
   };
   return [
     `<${name} src="${file}" sites="${count}" seed="${seed}"`,
-    `  sampling="${sampling}" metric="${metric}" detail="${detail}"></${name}>`,
+    `  sampling="${sampling}" metric="${metric}" detail="${detail}"${unusual(viewer).html}></${name}>`,
     '<script type="module">',
     "  import 'geodesic-voronoi/element';",
     ...(origin === 'scattered' ? [] : [`  const viewer = document.querySelector('${name}');`]),
@@ -100,10 +135,11 @@ function elementOf(viewer: GeodesicVoronoiElement, file: string, origin: Origin)
 
 function commandOf(viewer: GeodesicVoronoiElement, file: string, origin: Origin): string {
   const { count, seed, sampling, metric, detail, iterations } = settingsOf(viewer);
+  const { build, attributes, flags } = unusual(viewer);
   const sites =
     origin === 'edited'
-      ? '--sites sites.json'
-      : `--sites ${count} --seed ${seed} --sampling ${sampling}`;
+      ? `--sites sites.json${flags(build)}`
+      : `--sites ${count} --seed ${seed} --sampling ${sampling}${flags(attributes)}`;
   const isEven = origin === 'even';
   return [
     `geodesic-voronoi ${isEven ? 'cvt' : 'diagram'} ${file} \\`,

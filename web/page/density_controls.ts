@@ -2,7 +2,7 @@
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { byId, listen, onClick } from './dom.js';
 
-/** Painting a density, by which the centroidal tessellation makes regions smaller or larger. */
+/** Painting a density, or taking that of curvature, by which the centroidal tessellation makes regions smaller or larger. */
 export function setUpDensityControls(viewer: GeodesicVoronoiElement): void {
   const paint = byId('density-paint', HTMLInputElement);
   const settings = byId('density-settings', HTMLElement);
@@ -26,6 +26,11 @@ export function setUpDensityControls(viewer: GeodesicVoronoiElement): void {
     field.addEventListener('change', adopt);
     adopt();
   }
+  onClick('density-curvature', async () => {
+    const { mesh } = viewer;
+    const density = await mesh?.curvatureDensity();
+    if (mesh === viewer.mesh) viewer.density = density;
+  });
   const clear = onClick('density-clear', () => {
     viewer.density = undefined;
   });

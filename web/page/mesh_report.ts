@@ -4,8 +4,9 @@ import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { byId, listen } from './dom.js';
 import { counted, integer, measure } from './numbers.js';
 
-/** What the page says of the opened model. */
+/** How a model is made of its file, and what the page says of it. */
 export function setUpMeshReport(viewer: GeodesicVoronoiElement): void {
+  setUpBuild(viewer);
   const report = byId('report', HTMLElement);
   const repairs = byId('repairs', HTMLElement);
   listen(viewer, 'load', ({ info }) => {
@@ -16,6 +17,24 @@ export function setUpMeshReport(viewer: GeodesicVoronoiElement): void {
       ...[...sentencesOf(info.repairs), ...info.notes].map((sentence) => cell('span', sentence)),
     );
   });
+}
+
+/** A change opens the model anew. */
+function setUpBuild(viewer: GeodesicVoronoiElement): void {
+  const fields = {
+    weld: byId('weld', HTMLSelectElement),
+    orientation: byId('orientation', HTMLSelectElement),
+    'min-component': byId('min-component', HTMLInputElement),
+  };
+  for (const [name, field] of Object.entries(fields)) {
+    field.addEventListener('change', () => {
+      if (field.reportValidity()) viewer.setAttribute(name, field.value);
+    });
+    // A link that was opened says how its model was made.
+    listen(viewer, 'load', () => {
+      field.value = viewer.getAttribute(name) ?? field.value;
+    });
+  }
 }
 
 function factsOf(info: MeshInfo): [string, string][] {
@@ -39,6 +58,8 @@ function sentencesOf(repairs: MeshRepairs): string[] {
     nonManifoldEdges: (n) => `${counted(n, 'non-manifold edge')} cut.`,
     orientationCuts: (n) => `${counted(n, 'edge')} cut, since no orientation fits both sides.`,
     flippedTriangles: (n) => `${counted(n, 'triangle')} turned over.`,
+    smallComponents: (n) => `${counted(n, 'small component')} dropped.`,
+    smallComponentTriangles: (n) => `${counted(n, 'triangle')} of these dropped.`,
     splitVertices: (n) => `${counted(n, 'vertex', 'vertices')} split.`,
     mollifiedTriangles: (n) =>
       `${counted(n, 'flat or tiny triangle')}: for distances, all edges are longer by ${measure(repairs.mollification)}.`,

@@ -15,7 +15,10 @@ const unit = 65535;
 const bytesPerSite = 8;
 
 /** The viewer's attributes that a link keeps. */
-const attributes = ['sites', 'seed', 'sampling', 'metric', 'detail', 'up', 'camera-orbit'] as const;
+const attributes = [
+  ...['sites', 'seed', 'sampling', 'per-component', 'weld', 'orientation', 'min-component'],
+  ...['metric', 'detail', 'up', 'camera-orbit'],
+] as const;
 
 /** Whether an address's hash is one that `pageState` wrote. */
 export function isPageState(hash: string): boolean {

@@ -10,6 +10,25 @@ export function setUpSiteControls(viewer: GeodesicVoronoiElement): void {
   setUpScatter(viewer);
   setUpEditing(viewer);
   setUpList(viewer);
+  setUpBareNote(viewer);
+}
+
+/** Tells of components that no site reaches. */
+function setUpBareNote(viewer: GeodesicVoronoiElement): void {
+  const note = byId('bare-note', HTMLElement);
+  const update = async () => {
+    const { mesh, info, sites } = viewer;
+    if (!mesh || !info) return;
+    const isAsked = info.components > 1 && sites.face.length > 0;
+    const bare = isAsked ? await mesh.bareComponents(sites) : { components: 0, area: 0 };
+    if (mesh !== viewer.mesh) return;
+    note.hidden = bare.components === 0;
+    const share = Number(((100 * bare.area) / info.area).toPrecision(2));
+    note.textContent =
+      `${integer(bare.components)} of ${counted(info.components, 'component')}, ` +
+      `${share} % of the area, ${bare.components === 1 ? 'has' : 'have'} no site.`;
+  };
+  listen(viewer, 'diagram', () => void update());
 }
 
 /** Points that are as far apart as possible are vertices, of which a model may have too few. */
@@ -27,7 +46,8 @@ function setUpScatter(viewer: GeodesicVoronoiElement): void {
   const count = byId('count', HTMLInputElement);
   const seed = byId('seed', HTMLInputElement);
   const sampling = byId('sampling', HTMLSelectElement);
-  const fields = { sites: count, seed, sampling };
+  const perComponent = byId('per-component', HTMLInputElement);
+  const fields = { sites: count, seed, sampling, 'per-component': perComponent };
   const adopt = () => {
     for (const [name, field] of Object.entries(fields)) {
       field.value = viewer.getAttribute(name) ?? field.value;
@@ -49,7 +69,12 @@ function setUpScatter(viewer: GeodesicVoronoiElement): void {
       viewer.setAttribute(name, field.value);
     }
     if (isNew) return;
-    void viewer.scatter(count.valueAsNumber, seed.valueAsNumber, sampling.value as Sampling);
+    void viewer.scatter(
+      count.valueAsNumber,
+      seed.valueAsNumber,
+      sampling.value as Sampling,
+      perComponent.valueAsNumber,
+    );
   });
 }
 

@@ -2,11 +2,12 @@
 //
 // The element's attributes as values, with what holds where they are not given.
 
-import type { CvtMethod, Metric, Sampling } from 'geodesic-voronoi';
+import type { CvtMethod, Metric, Orientation, Sampling } from 'geodesic-voronoi';
 import { type CameraOrbit, parseCameraOrbit } from './camera_orbit.js';
 import type { CvtSettings } from './cvt_run.js';
 import type { Brush } from './density_paint.js';
 import { type Layer, layers } from './model_drawing.js';
+import type { Opening } from './mesh_opening.js';
 import type { Scattering } from './session_listener.js';
 import type { DiagramSettings } from './shown_diagram.js';
 import type { UpAxis } from './stage.js';
@@ -80,11 +81,24 @@ export class Attributes {
     this.#element.setAttribute('detail', String(detail));
   }
 
+  get opening(): Opening {
+    return {
+      // What makes no sense is for the library to refuse.
+      build: {
+        weld: this.#number('weld', 0),
+        orientation: (this.#text('orientation') ?? 'unify') as Orientation,
+        minComponent: this.#number('min-component', 0),
+      },
+      scattering: this.scattering,
+    };
+  }
+
   get scattering(): Scattering {
     return {
       count: this.#number('sites', 0),
       seed: this.#number('seed', 1),
       sampling: (this.#text('sampling') ?? 'random') as Sampling,
+      perComponent: this.#number('per-component', 0),
     };
   }
 

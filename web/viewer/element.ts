@@ -43,6 +43,10 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     'sites',
     'seed',
     'sampling',
+    'per-component',
+    'weld',
+    'orientation',
+    'min-component',
     'metric',
     'detail',
     'layers',
@@ -57,6 +61,8 @@ export class GeodesicVoronoiElement extends ReflectingElement {
   #viewer: Viewer | undefined;
   #stopWatching = () => {};
   #isDismissed = false;
+  /** What the model was read from. */
+  #read: Reader | undefined;
 
   constructor() {
     super();
@@ -149,8 +155,13 @@ export class GeodesicVoronoiElement extends ReflectingElement {
   }
 
   /** Sites in new places instead of those there are. */
-  async scatter(count: number, seed = 1, sampling: Sampling = 'random'): Promise<void> {
-    await this.#viewer?.scatter({ count, seed, sampling });
+  async scatter(
+    count: number,
+    seed = 1,
+    sampling: Sampling = 'random',
+    perComponent = 0,
+  ): Promise<void> {
+    await this.#viewer?.scatter({ count, seed, sampling, perComponent });
   }
 
   addSite(place: SitePlace): void {
@@ -296,7 +307,9 @@ export class GeodesicVoronoiElement extends ReflectingElement {
   }
 
   async #open(read: Reader): Promise<boolean> {
-    return this.#started()?.open(read) ?? false;
+    const isOpen = (await this.#started()?.open(read)) ?? false;
+    if (isOpen) this.#read = read;
+    return isOpen;
   }
 
   /** The viewer, made now if there is none yet; undefined outside of documents and without WebGL 2. */
@@ -339,6 +352,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     this.#stopWatching();
     this.#viewer?.dispose();
     this.#viewer = undefined;
+    this.#read = undefined;
     this.#shadow?.dispose();
     this.#shadow = undefined;
     this.#isDismissed = false;
@@ -399,10 +413,12 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     if (changed.has('exploded')) viewer.explode();
     if (changed.has('up')) viewer.stage.up = this.attributeValues.up;
     if (changed.has('metric') || changed.has('detail')) viewer.configure();
+    const isOther = (...names: string[]) => names.some((name) => changed.has(name));
     if (changed.has('src') && this.src) void this.load(this.src);
-    else if (['sites', 'seed', 'sampling'].some((name) => changed.has(name))) {
+    else if (this.#read && isOther('weld', 'orientation', 'min-component'))
+      void this.#open(this.#read);
+    else if (isOther('sites', 'seed', 'sampling', 'per-component'))
       void viewer.scatter(this.attributeValues.scattering);
-    }
   }
 }
 

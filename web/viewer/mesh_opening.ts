@@ -2,10 +2,16 @@
 //
 // From a model's files to its mesh with sites scattered on it.
 
-import type { GeodesicVoronoi, Mesh, SurfacePoints } from 'geodesic-voronoi';
+import type { GeodesicVoronoi, Mesh, MeshOptions, SurfacePoints } from 'geodesic-voronoi';
 import { sentence } from './failure.js';
 import { lastSegment, type NamedFiles } from './model_files.js';
 import type { Scattering } from './session_listener.js';
+
+/** How a model is opened. */
+export interface Opening {
+  build: Pick<MeshOptions, 'weld' | 'orientation' | 'minComponent'>;
+  scattering: Scattering;
+}
 
 /** Reads a model's files. */
 export type Reader = (
@@ -25,11 +31,11 @@ type PointList = SurfacePoints | { face: number[]; bary: number[] };
 export async function openMesh(
   library: GeodesicVoronoi,
   read: Reader,
-  scattering: Scattering,
+  { build, scattering }: Opening,
   { signal, onProgress }: { signal: AbortSignal; onProgress: (share: number) => void },
 ): Promise<OpenedMesh> {
   const { name, files, file } = await read(signal, onProgress);
-  const mesh = await library.mesh(files, { file }).catch((error) => {
+  const mesh = await library.mesh(files, { ...build, file }).catch((error) => {
     throw sentence(`${name} cannot be opened`, error);
   });
   try {
@@ -44,7 +50,9 @@ export async function openMesh(
 
 export async function scatterSites(
   mesh: Mesh,
-  { count, seed, sampling }: Scattering,
+  { count, seed, sampling, perComponent = 0 }: Scattering,
 ): Promise<PointList> {
-  return count > 0 ? mesh.sampleSites(count, { seed, sampling }) : { face: [], bary: [] };
+  if (count <= 0) return { face: [], bary: [] };
+  const most = Math.floor(count / mesh.info.components);
+  return mesh.sampleSites(count, { seed, sampling, perComponent: Math.min(perComponent, most) });
 }

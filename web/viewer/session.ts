@@ -6,7 +6,7 @@ import { DiagramSummary } from './diagram_summary.js';
 import { sentence } from './failure.js';
 import { LatestTask } from './latest_task.js';
 import { LibraryLease } from './library_pool.js';
-import { openMesh, type Reader, scatterSites } from './mesh_opening.js';
+import { openMesh, type Opening, type Reader, scatterSites } from './mesh_opening.js';
 import type { CvtStatus, Scattering, SessionListener, Status } from './session_listener.js';
 import {
   changeDiagram,
@@ -78,7 +78,7 @@ export class Session {
   }
 
   /** Opens a model with so many sites scattered; resolves to whether it is there now. */
-  async open(read: Reader, scattering: Scattering): Promise<boolean> {
+  async open(read: Reader, how: Opening): Promise<boolean> {
     this.#opening?.abort();
     const opening = new AbortController();
     this.#opening = opening;
@@ -88,7 +88,7 @@ export class Session {
     try {
       this.#lease ??= new LibraryLease();
       const library = await this.#lease.library;
-      const { mesh, name, sites } = await openMesh(library, read, scattering, {
+      const { mesh, name, sites } = await openMesh(library, read, how, {
         signal,
         onProgress: (share) => this.#listener.progressed(share),
       });

@@ -21,6 +21,8 @@ export interface Scattering {
   count: number;
   seed: number;
   sampling?: Sampling;
+  /** As far as there are sites enough. */
+  perComponent?: number;
 }
 
 /** What helps to draw a diagram. */

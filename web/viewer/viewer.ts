@@ -135,7 +135,7 @@ export class Viewer implements Workpiece {
   }
 
   open(read: Reader): Promise<boolean> {
-    return this.session.open(read, this.attributes.scattering);
+    return this.session.open(read, this.attributes.opening);
   }
 
   /** Metric and detail are those of the attributes now. */

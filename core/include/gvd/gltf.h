@@ -27,6 +27,9 @@ struct GltfScene {
   /// Unit normals (x, y, z) and texture coordinates (u, v: TEXCOORD_0) per vertex; zeros where a
   /// primitive has none, empty if none has.
   std::vector<double> normals, uvs;
+  /// A density for samplings and tessellations per vertex, an attribute of this library's:
+  /// _DENSITY, one number of type float. 1 where a primitive has none, empty if none has.
+  std::vector<double> density;
   std::vector<Part> parts;
   std::vector<std::string> notes;  ///< what was passed over, a sentence each (points, lines, …)
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Sites to begin with: random, farthest point, and Poisson disk samples.
+/// Sites to begin with: random, farthest point and Poisson disk samples, sites for the worst region
+/// first, and sites on every component.
 ///
 /// Points are on the surface; their `face` counts the faces of `mesh`. The same arguments give the
 /// same points on every platform. All functions throw `Error(kInvalidArgument)` if a count is
@@ -11,6 +12,8 @@
 #include <span>
 #include <vector>
 
+#include "gvd/diagram.h"
+#include "gvd/geodesic.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
 
@@ -55,5 +58,45 @@ PoissonDisk samplePoissonDisk(const TriangleMesh& mesh, double radius, std::uint
 /// so the first of them are a Poisson disk sample themselves, a coarser one.
 /// Source: Michael McCool, Eugene Fiume. Hierarchical Poisson Disk Sampling Distributions. 1992.
 PoissonDisk samplePoissonDiskCount(const TriangleMesh& mesh, int count, std::uint64_t seed);
+
+/// Which region of a diagram is the worst, and gets the next site.
+enum class WorstRegion {
+  kLargest,  ///< by area
+  /// By the distortion of its logarithmic map u: ∫ (σ₁ - 1)² + (σ₂ - 1)² over the region, σ₁ and σ₂
+  /// the singular values of du, constant on each face. It is zero if the map is an isometry: for a
+  /// region that is flat, and reached by straight paths alone. A region with a handle, or one that
+  /// paths reach around both sides of an obstacle, has a map that is torn, and a high value. Up to
+  /// rounding, the larger one of two that are as distorted is the worse.
+  /// Source: Ligang Liu et al. A Local/Global Approach to Mesh Parameterization. 2008.
+  kMostDistorted,
+};
+
+/// Where one more site would be in a diagram: in its worst region, as far from the site of that as
+/// any vertex or point of the outline; in a component without a site, if there is one. `distances`
+/// are those of the diagram, which has detail 0. O(F).
+SurfacePoint worstRegionPoint(const TriangleMesh& mesh, const DistanceField& distances,
+                              const Diagram& diagram, WorstRegion worst);
+
+/// `count` points: a first one at random, uniform by area, then always the one that
+/// `worstRegionPoint` gives for the diagram of those so far, by exact distances. The first n points
+/// do not depend on `count`. O(count · F), and what the diagrams take.
+std::vector<SurfacePoint> sampleWorstFirst(const TriangleMesh& mesh, int count, std::uint64_t seed,
+                                           WorstRegion worst);
+
+/// These points, with at least `perComponent` on each component of the mesh: where there are fewer,
+/// more are put there at random, uniform by area. They come last. For them, as long as there are
+/// more than `count` points, the last of those given goes whose component has more than it needs.
+/// Throws `Error(kInvalidArgument)` if `count` does not suffice for all components.
+/// O(F + P log F).
+std::vector<SurfacePoint> coverComponents(const TriangleMesh& mesh,
+                                          std::vector<SurfacePoint> points, int perComponent,
+                                          int count, std::uint64_t seed);
+
+/// The components without any of these points: how many, and their area.
+struct BareComponents {
+  int components = 0;
+  double area = 0;
+};
+BareComponents bareComponents(const TriangleMesh& mesh, std::span<const SurfacePoint> points);
 
 }  // namespace gvd

@@ -14,23 +14,41 @@ namespace gvd {
 
 struct IntrinsicTriangle;
 
+/// What becomes of the sides that triangles are given by, the order of their corners.
+enum class Orientation {
+  kUnify,  ///< all of a component agree with the majority; the others are turned over
+  kKeep,   ///< no triangle is turned over; edges whose two triangles disagree are cut
+};
+
+/// How a `TriangleMesh` is made of its input; the steps are written there.
+struct MeshOptions {
+  /// How far apart vertices may be to be welded, as a share of the bounding box's diagonal, from 0
+  /// to 1. 0, or less than coordinates are rounded by (2^-52): only at bit-equal positions.
+  double weld = 0;
+  Orientation orientation = Orientation::kUnify;
+  /// Components with fewer triangles than this are dropped; not negative.
+  int minComponent = 0;
+};
+
 /// What `TriangleMesh` did to the input to make a manifold of it, and triangles of all its faces.
 /// All is zero for a clean mesh. The policy is written at `TriangleMesh`. The counts are complete:
 ///
-///     input triangles = faces + non-finite + degenerate + duplicate
+///     input triangles = faces + non-finite + degenerate + duplicate + small component
 ///     input vertices  = vertices - split + welded + isolated
 struct MeshRepairs {
-  int weldedVertices = 0;       ///< input vertices merged into an earlier one at the same position
+  int weldedVertices = 0;       ///< input vertices merged into an earlier one at their place
   int isolatedVertices = 0;     ///< input vertices at whose position no kept triangle has a corner
   int nonFiniteTriangles = 0;   ///< dropped: a corner is NaN or infinite
   int degenerateTriangles = 0;  ///< dropped: two corners at one position
   int duplicateTriangles = 0;   ///< dropped: same three corners as an earlier triangle, either side
   int nonManifoldEdges = 0;     ///< edges of three or more triangles, cut apart
-  int orientationCuts = 0;     ///< edges cut because no orientation fits both sides (Möbius strip)
-  int flippedTriangles = 0;    ///< turned over to agree with the majority of their component
-  int splitVertices = 0;       ///< vertices of several fans, one copy made per further fan
-  int mollifiedTriangles = 0;  ///< kept, but flat or tiny: for their sake all edges are longer
-  double mollification = 0;    ///< what every edge is longer by, in the unit of the positions
+  int orientationCuts = 0;   ///< edges cut because no orientation fits both sides (Möbius strip)
+  int flippedTriangles = 0;  ///< turned over to agree with the majority of their component
+  int smallComponents = 0;   ///< dropped: fewer triangles than `MeshOptions::minComponent`
+  int smallComponentTriangles = 0;  ///< the triangles of these
+  int splitVertices = 0;            ///< vertices of several fans, one copy made per further fan
+  int mollifiedTriangles = 0;       ///< kept, but flat or tiny: for their sake all edges are longer
+  double mollification = 0;         ///< what every edge is longer by, in the unit of the positions
 };
 
 /// Facts of topology, computed once with the mesh.
@@ -56,17 +74,21 @@ struct MeshTopology {
 ///
 /// From any list of triangles to a manifold, in this order, each step counted in `repairs()`:
 ///  1. triangles with a non-finite corner are dropped;
-///  2. vertices at bit-equal positions (-0 = +0) are welded;
+///  2. vertices at bit-equal positions (-0 = +0) are welded; with a tolerance (`weld`), each vertex
+///     in the order of the input is welded into the first one that stays and is no farther away, so
+///     that those that stay are farther apart than that;
 ///  3. triangles with two equal corners are dropped: they have two positions or one, so nothing but
 ///     an edge or a vertex of the surface is lost. So are those with the same three corners as an
 ///     earlier one (either orientation). Triangles of zero area with three distinct corners stay:
 ///     dropping one would tear its neighbours apart;
 ///  4. an edge of three or more triangles is cut: each keeps a boundary there;
 ///  5. each component is oriented, the majority of its triangles keeping theirs (on a draw, the
-///     first triangle); an edge that cannot agree (non-orientable surface) is cut;
-///  6. a vertex whose triangles form several fans is split, one vertex per fan: no path passes
+///     first triangle); an edge that cannot agree (non-orientable surface) is cut. With
+///     `Orientation::kKeep` all triangles keep theirs, and every edge that does not agree is cut;
+///  6. components of fewer than `minComponent` triangles are dropped;
+///  7. a vertex whose triangles form several fans is split, one vertex per fan: no path passes
 ///     through it;
-///  7. if a triangle is flat (two sides hardly longer than the third) or tiny, all edges are
+///  8. if a triangle is flat (two sides hardly longer than the third) or tiny, all edges are
 ///     lengthened by one amount, the least for which in every triangle two sides exceed the third
 ///     by 1e-11 of the mean edge, or of the triangle's longest side where that is longer:
 ///     intrinsic mollification (Sharp & Crane 2020, "A Laplacian for Nonmanifold Triangle Meshes",
@@ -74,11 +96,11 @@ struct MeshTopology {
 ///     tolerance for those that were none.
 ///
 /// Lengths, angles and areas are those of the *intrinsic* surface, which is made of triangles with
-/// these edge lengths. They are the positions' own, to the last bits, unless step 7 was needed:
+/// these edge lengths. They are the positions' own, to the last bits, unless step 8 was needed:
 /// then each edge is longer by at most 1e-11 of the longest, and no distance is shorter. A flat
 /// triangle, though, gets a height of about 2e-6 of its longest side if that is a mean edge (the
 /// square root of half the margin), by which distances across it are longer. Positions are never
-/// moved.
+/// moved, but a vertex that was welded is where the one is that it was welded into.
 ///
 /// Faces keep the order of the input, and so do vertices; the copies of split ones come last. A
 /// clean mesh keeps all its numbers. Where an edge was cut, two boundary edges may have the same
@@ -87,11 +109,13 @@ class TriangleMesh {
  public:
   /// `positions`: x, y, z per vertex, any unit. `triangles`: three vertex indices each.
   /// Throws `Error(kInvalidMesh)` if an array's size is no multiple of three, an index is out of
-  /// range, or no triangle is left after the repairs; also if the bounding diagonal is longer than
+  /// range, or no triangle is left after the repairs; `Error(kInvalidArgument)` if an option is not
+  /// in its range; `Error(kInvalidMesh)` also if the bounding diagonal is longer than
   /// 2^200 (1.6e60) or the mean edge shorter than 2^-200 (6e-61): between these limits, which all
   /// numbers of single precision keep, no product of four lengths overflows or underflows. How far
   /// the mesh is from the origin does not matter. O(n log n).
-  TriangleMesh(std::span<const double> positions, std::span<const int> triangles);
+  TriangleMesh(std::span<const double> positions, std::span<const int> triangles,
+               const MeshOptions& options = {});
 
   int vertexCount() const { return static_cast<int>(vertexHalfedge_.size()); }
   int faceCount() const { return static_cast<int>(tail_.size() / 3); }

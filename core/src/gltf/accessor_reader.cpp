@@ -44,6 +44,7 @@ const Format kIndices = {"vertex indices", ElementType::kScalar, 1, kIndexTypes}
 const Format kPositions = {"positions", ElementType::kVec3, 3, kPositionTypes};
 const Format kNormals = {"normals", ElementType::kVec3, 3, kPositionTypes};
 const Format kUvs = {"texture coordinates", ElementType::kVec2, 2, kPositionTypes};
+const Format kDensities = {"densities", ElementType::kScalar, 1, kFloatOnly};
 const Format kDisplacements = {"morph targets", ElementType::kVec3, 3, kPositionTypes};
 const Format kTranslations = {"translations", ElementType::kVec3, 3, kFloatOnly};
 const Format kRotations = {"rotations", ElementType::kVec4, 4, kRotationTypes};

@@ -28,7 +28,7 @@ struct Format {
   std::span<const ComponentType> allowed;
 };
 
-extern const Format kIndices, kPositions, kNormals, kUvs, kDisplacements;
+extern const Format kIndices, kPositions, kNormals, kUvs, kDensities, kDisplacements;
 /// Of EXT_mesh_gpu_instancing.
 extern const Format kTranslations, kRotations, kScales;
 

@@ -167,12 +167,19 @@ class SceneBuilder {
       scene_.uvs.resize(2 * firstVertex);
       scene_.uvs.insert(scene_.uvs.end(), primitive.uvs.begin(), primitive.uvs.end());
     }
+    if (!primitive.density.empty()) {
+      hasDensity_ = true;
+      scene_.density.resize(firstVertex, 1);
+      scene_.density.insert(scene_.density.end(), primitive.density.begin(),
+                            primitive.density.end());
+    }
   }
 
   GltfScene finished() {
     note(linePrimitives_, "primitives of points or lines were passed over");
     note(emptyPrimitives_, "primitives without positions were passed over");
-    note(badAttributes_, "normals or texture coordinates that cannot be read were passed over");
+    note(badAttributes_,
+         "normals, texture coordinates or densities that cannot be read were passed over");
     note(skins_, "meshes with a skin were taken unposed");
     note(morphs_, "primitives with morph targets were taken with their default weights");
     if (scene_.triangles.empty()) {
@@ -182,6 +189,7 @@ class SceneBuilder {
     }
     if (hasNormals_) scene_.normals.resize(scene_.positions.size());
     if (hasUvs_) scene_.uvs.resize(scene_.positions.size() / 3 * 2);
+    if (hasDensity_) scene_.density.resize(scene_.positions.size() / 3, 1);
     return std::move(scene_);
   }
 
@@ -197,7 +205,7 @@ class SceneBuilder {
   GltfScene scene_;
   int linePrimitives_ = 0, emptyPrimitives_ = 0, skins_ = 0, morphs_ = 0;
   int badAttributes_ = 0;
-  bool hasNormals_ = false, hasUvs_ = false;
+  bool hasNormals_ = false, hasUvs_ = false, hasDensity_ = false;
 };
 
 }  // namespace

@@ -74,6 +74,7 @@ constexpr JsonRule kRules[] = {
     {"meshes[].primitives[].attributes.POSITION", kWhole, 0, kMostIndex},
     {"meshes[].primitives[].attributes.NORMAL", kWhole, 0, kMostIndex},
     {"meshes[].primitives[].attributes.TEXCOORD_0", kWhole, 0, kMostIndex},
+    {"meshes[].primitives[].attributes._DENSITY", kWhole, 0, kMostIndex},
     {"meshes[].primitives[].targets", kArray},
     {"meshes[].primitives[].targets[]", kObject},
     {"meshes[].primitives[].targets[].POSITION", kWhole, 0, kMostIndex},

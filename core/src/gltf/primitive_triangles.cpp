@@ -142,6 +142,7 @@ PrimitiveTriangles readTriangles(const Primitive& primitive, std::span<const dou
   };
   read.normals = attribute("NORMAL", kNormals, weights);
   read.uvs = attribute("TEXCOORD_0", kUvs, {});
+  read.density = attribute("_DENSITY", kDensities, {});
   return read;
 }
 

@@ -13,10 +13,11 @@ namespace gvd::gltf {
 
 /// The triangles of one primitive in the space of its mesh.
 struct PrimitiveTriangles {
-  std::vector<double> positions;     ///< x, y, z per vertex
-  std::vector<double> normals, uvs;  ///< empty if the primitive has none that can be read
-  std::vector<int> triangles;        ///< three vertices of the primitive each
-  int badAttributes = 0;             ///< normals or texture coordinates that cannot be read
+  std::vector<double> positions;  ///< x, y, z per vertex
+  /// Empty if the primitive has none that can be read.
+  std::vector<double> normals, uvs, density;
+  std::vector<int> triangles;  ///< three vertices of the primitive each
+  int badAttributes = 0;       ///< how many of these three cannot be read
 };
 
 enum class PrimitiveKind { kTriangles, kPointsOrLines, kWithoutPositions };

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
+#include <string>
 #include <utility>
 
+#include "gvd/error.h"
 #include "mesh/counting_sort.h"
 
 namespace gvd {
@@ -13,10 +15,9 @@ namespace {
 
 /// Spreads the orientation of each component's first triangle breadth first, then turns the whole
 /// component over if that suits the majority better.
-Orientation orient(const std::vector<Corners>& triangles, const std::vector<int>& twin,
-                   MeshRepairs& repairs) {
+OrientedComponents orient(const std::vector<Corners>& triangles, const std::vector<int>& twin) {
   const int count = static_cast<int>(triangles.size());
-  Orientation result{std::vector<int>(count, -1), std::vector<char>(count, false)};
+  OrientedComponents result{std::vector<int>(count, -1), std::vector<char>(count, false)};
   std::vector<int> queue;
   queue.reserve(count);
   for (int root = 0; root < count; ++root) {
@@ -40,22 +41,20 @@ Orientation orient(const std::vector<Corners>& triangles, const std::vector<int>
     const int members = static_cast<int>(queue.size() - begin);
     if (2 * static_cast<std::int64_t>(flips) > members) {
       for (std::size_t i = begin; i < queue.size(); ++i) result.flipped[queue[i]] ^= 1;
-      flips = members - flips;
     }
-    repairs.flippedTriangles += flips;
     ++result.components;
   }
   return result;
 }
 
-/// Cuts the edges whose two triangles still disagree.
+/// Cuts the edges whose two triangles disagree once some of all have been turned over.
 void cutWhereOrientationsDisagree(const std::vector<Corners>& triangles,
-                                  const Orientation& orientation, std::vector<int>& twin,
+                                  const std::vector<char>& flipped, std::vector<int>& twin,
                                   MeshRepairs& repairs) {
   for (int h = 0; h < static_cast<int>(twin.size()); ++h) {
     if (twin[h] < h) continue;  // no twin, or seen from there
     const bool disagreed = tailOf(triangles, h) == tailOf(triangles, twin[h]);
-    if ((orientation.flipped[h / 3] != orientation.flipped[twin[h] / 3]) == disagreed) continue;
+    if ((flipped[h / 3] != flipped[twin[h] / 3]) == disagreed) continue;
     twin[twin[h]] = -1;
     twin[h] = -1;
     ++repairs.orientationCuts;
@@ -105,12 +104,59 @@ std::vector<int> matchHalfedges(const std::vector<Corners>& triangles, int verte
   return twin;
 }
 
-Orientation orientTriangles(std::vector<Corners>& triangles, std::vector<int>& twin,
-                            MeshRepairs& repairs) {
-  Orientation orientation = orient(triangles, twin, repairs);
-  cutWhereOrientationsDisagree(triangles, orientation, twin, repairs);
-  turnOver(orientation.flipped, triangles, twin);
-  return orientation;
+OrientedComponents orientTriangles(std::vector<Corners>& triangles, std::vector<int>& twin,
+                                   Orientation orientation, MeshRepairs& repairs) {
+  if (orientation == Orientation::kKeep) {
+    const std::vector<char> none(triangles.size(), false);
+    cutWhereOrientationsDisagree(triangles, none, twin, repairs);
+  }
+  OrientedComponents oriented = orient(triangles, twin);
+  cutWhereOrientationsDisagree(triangles, oriented.flipped, twin, repairs);
+  turnOver(oriented.flipped, triangles, twin);
+  return oriented;
+}
+
+void dropSmallComponents(int least, Selection& selection, std::vector<int>& twin,
+                         OrientedComponents& oriented, MeshRepairs& repairs) {
+  std::vector<int> size(oriented.components, 0);
+  for (const int component : oriented.component) ++size[component];
+  std::vector<int> newComponent(size.size(), -1);
+  int components = 0;
+  for (std::size_t c = 0; c < size.size(); ++c)
+    if (size[c] >= least) newComponent[c] = components++;
+  if (components == oriented.components) return;
+  if (components == 0)
+    throw Error(ErrorCode::kInvalidMesh,
+                "no component has " + std::to_string(least) + " triangles: the largest has " +
+                    std::to_string(*std::max_element(size.begin(), size.end())));
+  repairs.smallComponents = oriented.components - components;
+
+  // Triangles that stay move up in all lists.
+  const int count = static_cast<int>(oriented.component.size());
+  std::vector<int> newTriangle(count, -1);
+  int kept = 0;
+  for (int t = 0; t < count; ++t) {
+    const int component = newComponent[oriented.component[t]];
+    if (component < 0) continue;
+    newTriangle[t] = kept;
+    oriented.component[kept] = component;
+    oriented.flipped[kept] = oriented.flipped[t];
+    selection.input[kept] = selection.input[t];
+    selection.corners[kept] = selection.corners[t];
+    for (int i = 0; i < 3; ++i) twin[3 * kept + i] = twin[3 * t + i];
+    ++kept;
+  }
+  repairs.smallComponentTriangles = count - kept;
+  oriented.components = components;
+  oriented.component.resize(kept);
+  oriented.flipped.resize(kept);
+  selection.input.resize(kept);
+  selection.corners.resize(kept);
+  twin.resize(3 * static_cast<std::size_t>(kept));
+  for (int& h : twin)
+    if (h >= 0) h = 3 * newTriangle[h / 3] + h % 3;
+  for (int& t : selection.kept)
+    if (t >= 0) t = newTriangle[t];
 }
 
 Fans splitFans(const std::vector<Corners>& triangles, const std::vector<int>& twin,

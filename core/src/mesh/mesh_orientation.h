@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Steps 4 to 6 of building a `TriangleMesh`: from triangles that stay to an oriented manifold. All
+// Steps 4 to 7 of building a `TriangleMesh`: from triangles that stay to an oriented manifold. All
 // in O(n).
 #pragma once
 
@@ -8,6 +8,7 @@
 
 #include "gvd/triangle_mesh.h"
 #include "mesh/corners.h"
+#include "mesh/triangle_selection.h"
 
 namespace gvd {
 
@@ -17,7 +18,7 @@ std::vector<int> matchHalfedges(const std::vector<Corners>& triangles, int verte
                                 MeshRepairs& repairs);
 
 /// What each triangle's component is, and which triangles were turned over.
-struct Orientation {
+struct OrientedComponents {
   std::vector<int> component;  ///< of each triangle, numbered in order of the first triangle
   std::vector<char> flipped;   ///< of each triangle, whether it was turned over
   int components = 0;
@@ -25,9 +26,15 @@ struct Orientation {
 
 /// Orients each component as most of its triangles are (on a draw, as its first one), cuts the
 /// edges where that is not possible, and turns triangles over: (a, b, c) becomes (a, c, b). From
-/// then on twins run in opposite directions.
-Orientation orientTriangles(std::vector<Corners>& triangles, std::vector<int>& twin,
-                            MeshRepairs& repairs);
+/// then on twins run in opposite directions. If orientations are kept, all edges are cut where they
+/// do not agree, and that is all.
+OrientedComponents orientTriangles(std::vector<Corners>& triangles, std::vector<int>& twin,
+                                   Orientation orientation, MeshRepairs& repairs);
+
+/// Drops the components of fewer than `least` triangles, and counts them. Throws
+/// `Error(kInvalidMesh)` if none is left.
+void dropSmallComponents(int least, Selection& selection, std::vector<int>& twin,
+                         OrientedComponents& oriented, MeshRepairs& repairs);
 
 /// The vertices of an oriented manifold. Vertices keep the order of their representatives; the
 /// copies for further fans come last.

@@ -50,25 +50,30 @@ Eigen::Vector3d cleanBarycentric(const Eigen::Vector3d& bary) {
 
 // --- Construction ------------------------------------------------------------------------------
 
-TriangleMesh::TriangleMesh(std::span<const double> positions, std::span<const int> triangles) {
+TriangleMesh::TriangleMesh(std::span<const double> positions, std::span<const int> triangles,
+                           const MeshOptions& options) {
+  requireValid(options);
   requireIndexedTriangles(positions, triangles);
   const int inputVertexCount = static_cast<int>(positions.size() / 3);
-  const std::vector<int> representative = findRepresentatives(positions);
+  const std::vector<int> representative = findRepresentatives(positions, triangles, options.weld);
   const std::vector<Corners> welded = weldCorners(triangles, representative);
   Selection selection = selectTriangles(welded, inputVertexCount, repairs_);
 
   twin_ = matchHalfedges(selection.corners, inputVertexCount, repairs_);
-  Orientation orientation = orientTriangles(selection.corners, twin_, repairs_);
+  OrientedComponents oriented =
+      orientTriangles(selection.corners, twin_, options.orientation, repairs_);
+  dropSmallComponents(options.minComponent, selection, twin_, oriented, repairs_);
   Fans fans = splitFans(selection.corners, twin_, inputVertexCount, repairs_);
   tail_ = std::move(fans.tail);
   vertexHalfedge_ = std::move(fans.outgoing);
   inputVertex_ = std::move(fans.representative);
   inputFace_ = std::move(selection.input);
-  flipped_ = std::move(orientation.flipped);
-  component_ = std::move(orientation.component);
+  flipped_ = std::move(oriented.flipped);
+  component_ = std::move(oriented.component);
+  repairs_.flippedTriangles = static_cast<int>(std::count(flipped_.begin(), flipped_.end(), true));
   copyPositions(positions);
   measureFaces();
-  countTopology(orientation.components);
+  countTopology(oriented.components);
 
   faceOfInput_ = mapInputCorners(welded, selection.corners, std::move(selection.kept));
   vertexOfInput_ = mapInputVertices(triangles, representative, faceOfInput_);
@@ -86,7 +91,7 @@ void TriangleMesh::copyPositions(std::span<const double> positions) {
   }
 }
 
-/// Step 7, and everything that follows from edge lengths.
+/// Step 8, and everything that follows from edge lengths.
 void TriangleMesh::measureFaces() {
   // Coordinates are not centred first: their differences are as good as the input already, and
   // centring would round it.

@@ -3,7 +3,10 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
+#include <map>
 #include <string>
 
 #include "gvd/error.h"
@@ -33,6 +36,65 @@ std::vector<int> findOriginals(const std::vector<Corners>& corners,
   return original;
 }
 
+Eigen::Vector3d positionOf(std::span<const double> positions, int v) {
+  return Eigen::Vector3d::Map(&positions[3 * static_cast<std::size_t>(v)]);
+}
+
+/// The diagonal of the bounding box of all corners that are finite.
+double boundingDiagonal(std::span<const double> positions, std::span<const int> triangles) {
+  Eigen::Vector3d least = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Vector3d most = -least;
+  for (const int v : triangles) {
+    const Eigen::Vector3d p = positionOf(positions, v);
+    if (!p.allFinite()) continue;
+    least = least.cwiseMin(p);
+    most = most.cwiseMax(p);
+  }
+  return (most - least).norm();
+}
+
+/// Points by the cubes of space that they are in, to find those near a place.
+class PointGrid {
+ public:
+  PointGrid(std::span<const double> positions, double radius)
+      : positions_(positions), radius_(radius) {}
+
+  void add(int v) { cubes_[cubeOf(positionOf(positions_, v))].push_back(v); }
+
+  /// The lowest within the radius, -1 if there is none.
+  int firstNear(const Eigen::Vector3d& p) const {
+    // Rounding keeps the order of numbers, so no point within the radius is in any other cube.
+    const Eigen::Vector3d reach = Eigen::Vector3d::Constant(radius_);
+    const Cube low = cubeOf(p - reach), high = cubeOf(p + reach);
+    int first = -1;
+    for (double x = low[0]; x <= high[0]; x = after(x))
+      for (double y = low[1]; y <= high[1]; y = after(y))
+        for (double z = low[2]; z <= high[2]; z = after(z))
+          if (const auto cube = cubes_.find({x, y, z}); cube != cubes_.end())
+            for (const int v : cube->second)
+              if ((first < 0 || v < first) && (positionOf(positions_, v) - p).norm() <= radius_)
+                first = v;
+    return first;
+  }
+
+ private:
+  using Cube = std::array<double, 3>;
+
+  Cube cubeOf(const Eigen::Vector3d& p) const {
+    const double side = 4 * radius_;
+    return {std::floor(p.x() / side), std::floor(p.y() / side), std::floor(p.z() / side)};
+  }
+
+  /// The next integer among numbers of double precision.
+  static double after(double x) {
+    return std::max(x + 1, std::nextafter(x, std::numeric_limits<double>::infinity()));
+  }
+
+  std::span<const double> positions_;
+  const double radius_;
+  std::map<Cube, std::vector<int>> cubes_;
+};
+
 std::string whyNothingIsLeft(int count, const MeshRepairs& repairs) {
   if (count == 0) return "there are no triangles";
   return "no triangle is left: of " + std::to_string(count) + " triangles " +
@@ -41,6 +103,14 @@ std::string whyNothingIsLeft(int count, const MeshRepairs& repairs) {
 }
 
 }  // namespace
+
+void requireValid(const MeshOptions& options) {
+  const auto reject = [](const std::string& why) { throw Error(ErrorCode::kInvalidArgument, why); };
+  if (!(options.weld >= 0 && options.weld <= 1))
+    reject("weld is " + std::to_string(options.weld) + ", not a number from 0 to 1");
+  if (options.minComponent < 0)
+    reject("minComponent is " + std::to_string(options.minComponent) + ", not a number from 0");
+}
 
 void requireIndexedTriangles(std::span<const double> positions, std::span<const int> triangles) {
   const auto requireTriples = [](std::size_t count, const std::string& what) {
@@ -75,7 +145,7 @@ std::vector<int> findRepresentatives(std::span<const double> positions) {
   std::vector<Vertex> vertices;
   vertices.reserve(positions.size() / 3);
   for (int v = 0; v < static_cast<int>(positions.size() / 3); ++v) {
-    const Eigen::Vector3d p = Eigen::Vector3d::Map(&positions[3 * static_cast<std::size_t>(v)]);
+    const Eigen::Vector3d p = positionOf(positions, v);
     if (p.allFinite()) vertices.push_back({p.x(), p.y(), p.z(), v});
   }
   std::sort(vertices.begin(), vertices.end());
@@ -85,6 +155,28 @@ std::vector<int> findRepresentatives(std::span<const double> positions) {
   for (const Vertex& vertex : vertices) {
     if (!first || !vertex.samePosition(*first)) first = &vertex;
     representative[vertex.index] = first->index;
+  }
+  return representative;
+}
+
+std::vector<int> findRepresentatives(std::span<const double> positions,
+                                     std::span<const int> triangles, double weld) {
+  std::vector<int> representative = findRepresentatives(positions);
+  const double tolerance = weld * boundingDiagonal(positions, triangles);
+  constexpr double kRounding = std::numeric_limits<double>::epsilon();
+  if (!(weld >= kRounding && tolerance > 0 && std::isfinite(tolerance))) return representative;
+  PointGrid staying(positions, tolerance);
+  for (int v = 0; v < static_cast<int>(representative.size()); ++v) {
+    int& same = representative[v];
+    if (same != v) {  // not finite, or what holds of the first one at the same position
+      if (same >= 0) same = representative[same];
+      continue;
+    }
+    const int near = staying.firstNear(positionOf(positions, v));
+    if (near >= 0)
+      same = near;
+    else
+      staying.add(v);
   }
   return representative;
 }

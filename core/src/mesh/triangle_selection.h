@@ -11,6 +11,9 @@
 
 namespace gvd {
 
+/// Throws `Error(kInvalidArgument)` if an option is not in its range.
+void requireValid(const MeshOptions& options);
+
 /// Throws `Error(kInvalidMesh)` unless both arrays are made of triples and every index names a
 /// vertex.
 void requireIndexedTriangles(std::span<const double> positions, std::span<const int> triangles);
@@ -18,6 +21,12 @@ void requireIndexedTriangles(std::span<const double> positions, std::span<const 
 /// For every input vertex its *representative*: the first vertex at the same position; -1 where a
 /// coordinate is not finite. O(n log n).
 std::vector<int> findRepresentatives(std::span<const double> positions);
+
+/// Those of a tolerance, `weld` times the diagonal of the bounding box of all `triangles`: each
+/// vertex in turn has the first representative that is no farther away, or is one itself. Of them,
+/// a ball has a bounded number, so this is O(n log n) as well.
+std::vector<int> findRepresentatives(std::span<const double> positions,
+                                     std::span<const int> triangles, double weld);
 
 /// The input's triangles with representatives for corners, -1 where a corner is not finite.
 std::vector<Corners> weldCorners(std::span<const int> triangles,

@@ -225,4 +225,57 @@ PoissonDisk samplePoissonDiskCount(const TriangleMesh& mesh, int count, std::uin
   }
 }
 
+std::vector<SurfacePoint> coverComponents(const TriangleMesh& mesh,
+                                          std::vector<SurfacePoint> points, int perComponent,
+                                          int count, std::uint64_t seed) {
+  requireCount(perComponent);
+  const int components = mesh.topology().components;
+  if (static_cast<std::int64_t>(perComponent) * components > count)
+    throw Error(ErrorCode::kInvalidArgument, "there cannot be " + std::to_string(perComponent) +
+                                                 " sites on each of " + std::to_string(components) +
+                                                 " components if there are " +
+                                                 std::to_string(count) + " in all");
+  std::vector<int> has(components, 0);
+  for (const SurfacePoint& p : points) ++has[mesh.component(p.face)];
+  std::vector<std::vector<int>> faces(components);
+  for (int f = 0; f < mesh.faceCount(); ++f)
+    if (const int c = mesh.component(f); has[c] < perComponent) faces[c].push_back(f);
+
+  const std::vector<double> weights = faceWeights(mesh);
+  std::mt19937_64 random(seed);
+  std::vector<SurfacePoint> added;
+  for (const std::vector<int>& list : faces) {
+    if (list.empty()) continue;
+    std::vector<double> sums;
+    for (const int f : list) sums.push_back((sums.empty() ? 0 : sums.back()) + weights[f]);
+    int& there = has[mesh.component(list.front())];
+    for (; there < perComponent; ++there) {
+      SurfacePoint p = drawPoint(random, sums);
+      p.face = list[p.face];
+      added.push_back(p);
+    }
+  }
+
+  std::size_t total = points.size() + added.size();
+  for (std::size_t i = points.size(); i-- > 0 && total > static_cast<std::size_t>(count);) {
+    int& there = has[mesh.component(points[i].face)];
+    if (there <= perComponent) continue;
+    --there;
+    --total;
+    points.erase(points.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  points.insert(points.end(), added.begin(), added.end());
+  return points;
+}
+
+BareComponents bareComponents(const TriangleMesh& mesh, std::span<const SurfacePoint> points) {
+  std::vector<char> isBare(mesh.topology().components, true);
+  for (const SurfacePoint& p : points) isBare[mesh.component(p.face)] = false;
+  BareComponents bare;
+  bare.components = static_cast<int>(std::count(isBare.begin(), isBare.end(), true));
+  for (int f = 0; f < mesh.faceCount(); ++f)
+    if (isBare[mesh.component(f)]) bare.area += mesh.faceArea(f);
+  return bare;
+}
+
 }  // namespace gvd

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { load } from '../node.js';
-import type { Metric, PolygonMesh, SurfacePath } from '../results.js';
+import type { MeshInfo, Metric, PolygonMesh, SurfacePath } from '../results.js';
 import type { CvtOptions, CvtState, Diagram, Mesh, SurfacePointsInput } from '../types.js';
 import {
   toDiagramEncoder,
@@ -9,6 +9,7 @@ import {
   toPathsEncoder,
   toPolygonEncoder,
 } from './encoders.js';
+import { fail } from './failure.js';
 import { FileError, Output, readModel, readNumbers, readPoints } from './files.js';
 import { meshReport } from './mesh_report.js';
 import type { CommandName, Invocation, Values } from './options.js';
@@ -16,6 +17,8 @@ import { ProgressBar } from './progress.js';
 
 interface Request<Command extends CommandName> {
   mesh: string;
+  /** All of those named; only `info` takes several. */
+  meshes: string[];
   values: Values<Command>;
 }
 
@@ -46,27 +49,51 @@ export function execute(invocation: Invocation): Promise<void> {
 type CvtSettings = Pick<Values<'cvt'>, 'method' | 'metric' | 'iterations'> &
   Pick<CvtOptions, 'density' | 'fixedSites'>;
 /** Where sites come from. */
-type SiteSource = Pick<Values<'diagram'>, 'sites' | 'sampling' | 'seed'>;
+type SiteSource = Pick<
+  Values<'diagram'>,
+  'sites' | 'radius' | 'sampling' | 'per-component' | 'seed' | 'units'
+>;
 /** How a model is read. */
-type Reading = Pick<Values, 'limits'>;
+type Reading = Pick<Values, 'limits' | 'weld' | 'orientation' | 'min-component'>;
 /** What may be written to standard error. */
 type Notices = Pick<Values<'diagram'>, 'quiet' | 'progress'>;
 
-async function info({ mesh: path, values }: Request<'info'>): Promise<void> {
-  const scale = values.units;
+/** One that fails leaves the others. */
+async function info({ meshes, values }: Request<'info'>): Promise<void> {
   const output = await Output.open(values.output);
-  const mesh = await openMesh(path, values);
-  const facts = {
-    ...mesh.info,
-    area: scale * scale * mesh.info.area,
-    boundingDiagonal: scale * mesh.info.boundingDiagonal,
-    repairs: {
-      ...mesh.info.repairs,
-      mollification: scale * mesh.info.repairs.mollification,
-    },
+  const isOnly = meshes.length === 1;
+  const reports: string[] = [];
+  const list: object[] = [];
+  for (const path of meshes) {
+    try {
+      const { parts, ...facts } = await factsOf(path, values);
+      reports.push(`${isOnly ? '' : `${path}\n`}${meshReport(facts)}`);
+      list.push({ ...(!isOnly && { mesh: path }), ...facts, parts });
+    } catch (error) {
+      if (isOnly) throw error;
+      fail(error as Error);
+      list.push({ mesh: path, error: (error as Error).message });
+    }
+  }
+  if (reports.length === 0) return;
+  await output.write(
+    values.json ? `${JSON.stringify(isOnly ? list[0] : list, null, 2)}\n` : reports.join('\n'),
+  );
+}
+
+async function factsOf(
+  path: string,
+  values: Values<'info'>,
+): Promise<MeshInfo & Pick<Mesh, 'parts'>> {
+  const scale = values.units;
+  const { info, parts } = await openMesh(path, values);
+  return {
+    ...info,
+    area: scale * scale * info.area,
+    boundingDiagonal: scale * info.boundingDiagonal,
+    repairs: { ...info.repairs, mollification: scale * info.repairs.mollification },
+    parts,
   };
-  const json = { ...facts, parts: mesh.parts };
-  await output.write(values.json ? `${JSON.stringify(json, null, 2)}\n` : meshReport(facts));
 }
 
 async function diagram({ mesh: path, values }: Request<'diagram'>): Promise<void> {
@@ -157,7 +184,8 @@ async function cvt({ mesh: path, values }: Request<'cvt'>): Promise<void> {
   const scale = values.units;
   const output = await Output.open(values.output);
   const numbers = (file?: string) => (file === undefined ? undefined : readNumbers(file));
-  const density = await numbers(values.density);
+  const named = (['attribute', 'curvature'] as const).find((name) => name === values.density);
+  const density = named ?? (await numbers(values.density));
   const fixedSites = await numbers(values.fixed);
   const { mesh, sites } = await openWithSites(path, values);
   const settings = { ...values, density, fixedSites };
@@ -306,11 +334,12 @@ function summarise(output: Output, { quiet }: Notices, line: string): void {
   if (output.isFile && !quiet) process.stderr.write(`${line}\n`);
 }
 
-async function openMesh(path: string, { limits }: Reading): Promise<Mesh> {
+async function openMesh(path: string, values: Reading): Promise<Mesh> {
   const { files, file } = await readModel(path);
   const gvd = await load();
+  const { limits, weld, orientation, 'min-component': minComponent } = values;
   try {
-    return await gvd.mesh(files, { limits, file });
+    return await gvd.mesh(files, { limits, file, weld, orientation, minComponent });
   } catch (error) {
     throw new FileError(`${path}: ${(error as Error).message}`, { cause: error });
   }
@@ -331,15 +360,36 @@ async function compute(
 
 async function openWithSites(
   path: string,
-  { sites, sampling, seed, quiet, limits }: Notices & Reading & SiteSource,
+  values: Notices & Reading & SiteSource,
 ): Promise<{ mesh: Mesh; sites: SurfacePointsInput }> {
-  const given = typeof sites === 'string' ? await readPoints(sites) : undefined;
-  const mesh = await openMesh(path, { limits });
-  if (!quiet) for (const note of mesh.info.notes) process.stderr.write(`note: ${note}\n`);
-  return {
-    mesh,
-    sites: given ?? (await mesh.sampleSites(sites as number, { sampling, seed })),
-  };
+  const given = typeof values.sites === 'string' ? await readPoints(values.sites) : undefined;
+  const mesh = await openMesh(path, values);
+  const sites = given ?? (await sampled(mesh, values));
+  if (!values.quiet) {
+    const notes = [...mesh.info.notes, ...(await bareNotes(mesh, sites))];
+    for (const note of notes) process.stderr.write(`note: ${note}\n`);
+  }
+  return { mesh, sites };
+}
+
+function sampled(mesh: Mesh, values: Notices & SiteSource): Promise<SurfacePointsInput> {
+  const { sites, radius, sampling, seed, 'per-component': perComponent, units } = values;
+  const wanted = radius === undefined ? (sites as number) : { radius: radius / units };
+  return withProgress(values, (onProgress) =>
+    mesh.sampleSites(wanted, { sampling, seed, perComponent, onProgress }),
+  );
+}
+
+/** What the sites leave out, if anything. */
+async function bareNotes(mesh: Mesh, sites: SurfacePointsInput): Promise<string[]> {
+  const { components, area } = mesh.info;
+  const bare = await mesh.bareComponents(sites);
+  if (bare.components === 0) return [];
+  const share = Number(((100 * bare.area) / area).toPrecision(2));
+  return [
+    `${bare.components} of ${components} components, ${share} % of the area, have no site ` +
+      '(--per-component 1 samples one on each)',
+  ];
 }
 
 /** Shows how far the work is, where that is wanted. */

@@ -5,8 +5,8 @@
 
 import { readFile } from 'node:fs/promises';
 import { execute } from './commands.js';
+import { fail } from './failure.js';
 import { parseCommandLine } from './options.js';
-import { UsageError } from './values.js';
 
 async function main(args: string[]): Promise<void> {
   const packageFile = new URL('../../package.json', import.meta.url);
@@ -21,8 +21,4 @@ process.stdout.on('error', () => {});
 // Nor is it one if nobody can be told.
 process.stderr.on('error', () => {});
 
-main(process.argv.slice(2)).catch((error: Error) => {
-  const line = error.message.replaceAll(/\s+/g, ' ').trim();
-  process.stderr.write(`geodesic-voronoi: ${line}\n`);
-  process.exitCode = error instanceof UsageError ? 2 : 1;
-});
+main(process.argv.slice(2)).catch(fail);

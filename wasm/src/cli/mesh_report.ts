@@ -3,7 +3,7 @@ import type { MeshInfo, MeshRepairs } from '../results.js';
 
 /** What each repair did, after its count. */
 const repairTexts: Record<Exclude<keyof MeshRepairs, 'mollification'>, string> = {
-  weldedVertices: 'vertices welded to others at their place',
+  weldedVertices: 'vertices welded to earlier ones at their place',
   isolatedVertices: 'vertices without a triangle',
   nonFiniteTriangles: 'triangles with a corner that is not finite, dropped',
   degenerateTriangles: 'triangles with two equal corners, dropped',
@@ -11,6 +11,8 @@ const repairTexts: Record<Exclude<keyof MeshRepairs, 'mollification'>, string> =
   nonManifoldEdges: 'edges of three or more triangles, cut apart',
   orientationCuts: 'edges cut because the surface has one side only',
   flippedTriangles: 'triangles turned over to agree with their neighbours',
+  smallComponents: 'components with fewer triangles than asked for, dropped',
+  smallComponentTriangles: 'triangles of these, dropped with them',
   splitVertices: 'vertices split that joined separate fans of triangles',
   mollifiedTriangles: 'triangles flat or tiny: for distances, all edges are longer',
 };

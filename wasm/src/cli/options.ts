@@ -6,12 +6,13 @@
 import { parseArgs } from 'node:util';
 import { maxCount, maxDetail, maxLimit } from '../input.js';
 import { partitionLayouts } from '../partition_formats.js';
-import { cvtMethods, metrics, samplings } from '../results.js';
+import { cvtMethods, metrics, orientations, samplings, worstRegions } from '../results.js';
 import { gltfLimitNames } from '../types.js';
 import {
   assignments,
   integer,
   listed,
+  number,
   numberOrPath,
   oneOf,
   path,
@@ -41,7 +42,32 @@ const options = {
   sites: {
     value: 'N|FILE',
     parse: numberOrPath(1, maxCount),
+    optional: true,
     help: 'Number of sites to sample, or a JSON file of them',
+  },
+  radius: {
+    value: 'R',
+    parse: number((r) => r > 0 && r < Infinity, 'a positive number'),
+    optional: true,
+    help: 'Instead of --sites: sample as many as it takes until no vertex is farther from one than this',
+  },
+  sampling: {
+    value: 'METHOD',
+    parse: oneOf([...samplings, ...worstRegions]),
+    optional: true,
+    help: `How to sample: ${listed(samplings)}; size, distortion: always in the region where that is worst (default: random, with --radius farthest)`,
+  },
+  'per-component': {
+    value: 'N',
+    parse: integer(0, maxCount),
+    default: '0',
+    help: 'How many of the sites that are sampled are at least on each component',
+  },
+  seed: {
+    value: 'S',
+    parse: integer(0),
+    default: '1',
+    help: 'Seed of the sampling; the same gives the same sites',
   },
   points: { value: 'FILE', parse: path, help: 'JSON file of the points to locate' },
   from: { value: 'FILE', parse: path, help: 'JSON file of the points at which paths start' },
@@ -63,10 +89,10 @@ const options = {
     help: 'lbfgs: quasi-Newton, converges faster; lloyd',
   },
   density: {
-    value: 'FILE',
+    value: 'FILE|attribute|curvature',
     parse: path,
     optional: true,
-    help: 'JSON list of a density per vertex of the file: sites are closer where it is higher',
+    help: 'Sites are closer where it is higher: a JSON list of a density per vertex; attribute: that of the mesh file (_DENSITY of a glTF, density of a PLY); or by curvature',
   },
   fixed: {
     value: 'FILE',
@@ -85,18 +111,6 @@ const options = {
   },
   repair: { help: 'Add sites until the dual is valid' },
   primal: { help: 'The regions as polygons, instead of the dual' },
-  sampling: {
-    value: 'METHOD',
-    parse: oneOf(samplings),
-    default: 'random',
-    help: `How to sample N sites: ${listed(samplings)}`,
-  },
-  seed: {
-    value: 'S',
-    parse: integer(0),
-    default: '1',
-    help: 'Seed of the sampling; the same gives the same sites',
-  },
   metric: {
     value: 'METRIC',
     parse: oneOf(metrics),
@@ -113,7 +127,25 @@ const options = {
     value: 'UNIT|FACTOR',
     parse: scale,
     default: 'm',
-    help: `Unit of lengths in the output, of a model in metres as glTF has it: ${listed(units)}; or the factor to multiply with`,
+    help: `Unit of lengths in the output and of --radius, of a model in metres as glTF has it: ${listed(units)}; or the factor to multiply with`,
+  },
+  weld: {
+    value: 'SHARE',
+    parse: number((share) => share >= 0 && share <= 1, 'a number from 0 to 1'),
+    default: '0',
+    help: "Weld vertices no farther apart than this share of the bounding box's diagonal",
+  },
+  orientation: {
+    value: 'RULE',
+    parse: oneOf(orientations),
+    default: orientations[0],
+    help: 'unify: turn triangles over to agree with their neighbours; keep: cut the surface where they do not',
+  },
+  'min-component': {
+    value: 'N',
+    parse: integer(0, maxCount),
+    default: '0',
+    help: 'Drop components of fewer triangles',
   },
   limits: {
     value: 'NAME=N,…',
@@ -145,8 +177,9 @@ type AllValues = {
     : boolean;
 };
 
-const ofSites = ['sites', 'sampling', 'seed'] as const;
-const ofAll = ['limits', 'units', 'output', 'json', 'quiet', 'help'] as const;
+const ofSites = ['sites', 'radius', 'sampling', 'per-component', 'seed'] as const;
+const ofMesh = ['weld', 'orientation', 'min-component', 'limits'] as const;
+const ofAll = [...ofMesh, 'units', 'output', 'json', 'quiet', 'help'] as const;
 
 interface CommandSpec {
   summary: string;
@@ -159,9 +192,10 @@ interface CommandSpec {
 
 export const commands = {
   info: {
-    summary: 'Counts, topology, measures and repairs of a mesh',
-    result: 'Text for people; with --json an object.',
-    examples: ['mesh.glb', 'mesh.glb --json --units cm'],
+    summary: 'Counts, topology, measures and repairs of a mesh, or of several',
+    result:
+      'Text for people; with --json an object, of several meshes a list of these, each with its "mesh", and an "error" instead if it cannot be read.',
+    examples: ['mesh.glb', 'mesh.glb --json --units cm', 'a.glb b.obj --weld 1e-6'],
     options: ofAll,
   },
   diagram: {
@@ -198,6 +232,7 @@ export const commands = {
     examples: [
       'mesh.glb --sites 300 -o sites.json',
       'mesh.glb --sites sites.json --fixed fixed.json --density density.json -o moved.json',
+      'mesh.glb --sites 300 --per-component 1 --density curvature -o sites.json',
     ],
     options: [
       ...ofSites,
@@ -241,9 +276,14 @@ export type Values<Command extends CommandName = CommandName> = Pick<
   (typeof commands)[Command]['options'][number]
 >;
 
-/** What to do: each command with a mesh and the values of its own options. */
+/** What to do: each command with a mesh (info with any number) and the values of its own options. */
 export type Invocation = {
-  [Command in CommandName]: { command: Command; mesh: string; values: Values<Command> };
+  [Command in CommandName]: {
+    command: Command;
+    mesh: string;
+    meshes: string[];
+    values: Values<Command>;
+  };
 }[CommandName];
 
 /** Takes a command line apart. A text is what to print instead of doing anything. */
@@ -258,22 +298,29 @@ export function parseCommandLine(args: string[], version: string): Invocation | 
 
   const { texts, positionals } = parseOptions(command, rest);
   if (texts.help) return commandHelp(command);
-  if (positionals.length !== 1) {
-    throw new UsageError(
-      positionals.length === 0
-        ? 'a mesh is missing'
-        : `one mesh at a time: '${positionals[1]}' is one too many`,
-    );
-  }
-  const [mesh] = positionals;
+  if (positionals.length === 0) throw new UsageError('a mesh is missing');
+  if (positionals.length > 1 && command !== 'info')
+    throw new UsageError(`one mesh at a time: '${positionals[1]}' is one too many`);
   const { sites, points, from, to, density, fixed } = texts;
-  if (
-    [mesh, sites, points, from, to, density, fixed].filter((path) => path === standard).length > 1
-  ) {
+  const paths = [...positionals, sites, points, from, to, density, fixed];
+  if (paths.filter((path) => path === standard).length > 1)
     throw new UsageError('only one file can be standard input');
-  }
-  const values = commands[command].options.map((name) => [name, parsedValue(name, texts[name])]);
-  return { command, mesh, values: Object.fromEntries(values) } as Invocation;
+  const names: readonly OptionName[] = commands[command].options;
+  const values = Object.fromEntries(names.map((name) => [name, parsedValue(name, texts[name])]));
+  if (names.includes('sites')) requireSites(values as Values<'diagram'>);
+  return { command, mesh: positionals[0], meshes: positionals, values } as Invocation;
+}
+
+/** There is one source of sites; those of a file are where they are. */
+function requireSites(values: Values<'diagram'>): void {
+  const { sites, radius, sampling } = values;
+  if (sites === undefined && radius === undefined) throw new UsageError('--sites is missing');
+  if (sites !== undefined && radius !== undefined)
+    throw new UsageError('--radius is instead of --sites: give one of them');
+  if (radius !== undefined && sampling && sampling !== 'farthest' && sampling !== 'poisson')
+    throw new UsageError(`--sampling ${sampling} takes a number of sites, not --radius`);
+  if (typeof sites === 'string' && values['per-component'] > 0)
+    throw new UsageError('--per-component is for sites that are sampled, not those of a file');
 }
 
 /** Options as they are given. */
@@ -347,7 +394,7 @@ function commandHelp(command: CommandName): string {
     });
   return `${summary}
 
-Usage: geodesic-voronoi ${command} MESH [OPTIONS]
+Usage: geodesic-voronoi ${command} MESH${command === 'info' ? '...' : ''} [OPTIONS]
 
 ${table(rows)}
 

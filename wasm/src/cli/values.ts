@@ -34,6 +34,14 @@ export function integer(least: number, most = Number.MAX_SAFE_INTEGER): Parser<n
   };
 }
 
+export function number(isIn: (value: number) => boolean, range: string): Parser<number> {
+  return (text, option) => {
+    const value = Number(text);
+    if (isNumber(text) && isIn(value)) return value;
+    throw new UsageError(`${option} is '${text}', not ${range}`);
+  };
+}
+
 /** What is no number at all is the path of a file. */
 export function numberOrPath(least: number, most: number): Parser<number | string> {
   const number = integer(least, most);

@@ -92,7 +92,7 @@ async function decompressPrimitives(
 }
 
 /** What is read of a vertex; a compressed primitive is left with no more. */
-const attributeNames = ['POSITION', 'NORMAL', 'TEXCOORD_0'];
+const attributeNames = ['POSITION', 'NORMAL', 'TEXCOORD_0', '_DENSITY'];
 
 function decompressedAttributes(
   primitive: JsonObject,

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// PLY (the Stanford polygon format), text or binary of either byte order: the places of its vertices, its
-// faces, and triangle strips, which scans come in. Everything else is passed over.
+// PLY (the Stanford polygon format), text or binary of either byte order: the places of its vertices, their
+// property `density` if they have it, its faces, and triangle strips, which scans come in. Everything else is
+// passed over.
 
 import { GeodesicVoronoiError } from '../errors.js';
 import type { SlicedWork } from '../slices.js';
@@ -54,6 +55,7 @@ interface Use {
 class PlyReader {
   readonly #values: Values;
   readonly #positions = new GrowingArray(Float64Array);
+  readonly #density = new GrowingArray(Float64Array);
   readonly #polygons: Polygons;
   readonly #limits: SizeLimits;
   #highest = { vertex: -1, place: '' };
@@ -99,13 +101,17 @@ class PlyReader {
       throw fault(`${place}: a face names vertex ${vertex}, but there are ${vertexCount} (from 0)`);
     }
     const positions = yield* this.#positions.take();
-    return { positions, ...(yield* this.#polygons.take(positions)) };
+    const density = yield* this.#density.take();
+    return { positions, density, ...(yield* this.#polygons.take(positions)) };
   }
 
   #useOf(element: string, { name, lengthType }: PlyProperty, place: number[]): Use {
-    const axis = axes.indexOf(name);
-    if (element === 'vertex' && axis >= 0 && !lengthType) {
-      return { begin() {}, add: (x) => (place[axis] = x), end() {} };
+    if (element === 'vertex' && !lengthType) {
+      const axis = axes.indexOf(name);
+      if (axis >= 0) return { begin() {}, add: (x) => (place[axis] = x), end() {} };
+      if (name === 'density') {
+        return { begin() {}, add: (value) => this.#density.push(value), end() {} };
+      }
     }
     const isCorners = lengthType && /^vertex_ind(ices|ex)$/.test(name);
     if (isCorners && element === 'face') return this.#faces();

@@ -28,8 +28,9 @@ export interface InputModules {
   draco(): Promise<WebAssembly.Module>;
 }
 
-/** What a file without normals, texture coordinates and parts has to give. */
+/** What a file without normals, texture coordinates and parts has to give; a density it may have. */
 export interface ReadModel extends Pick<Triangles, 'positions' | 'indices'> {
+  density?: Float64Array;
   /** What was passed over or changed, a sentence each. */
   notes: string[];
 }
@@ -83,11 +84,14 @@ export async function readModel(
   }
 
   async function plain(work: SlicedWork<ReadModel>, format: MeshOrigin['format']): Promise<Model> {
-    const { positions, indices, notes } = await inSlices(work, task);
-    // Two empty arrays: a worker hands over every buffer once.
-    const [normals, uvs] = [new Float64Array(), new Float64Array()];
-    const triangles = { positions, indices, normals, uvs };
-    return { triangles, parts: [], notes, origin: { file, format } };
+    const { notes, ...read } = await inSlices(work, task);
+    // An empty array for each: a worker hands over every buffer once.
+    const none = {
+      normals: new Float64Array(),
+      uvs: new Float64Array(),
+      density: new Float64Array(),
+    };
+    return { triangles: { ...none, ...read }, parts: [], notes, origin: { file, format } };
   }
 }
 
