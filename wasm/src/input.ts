@@ -22,6 +22,7 @@ import {
   gltfLimitNames,
   type GltfLimits,
   type MeshArrays,
+  type MeshOptions,
   type MeshSource,
   type ModelFile,
   type ModelFiles,
