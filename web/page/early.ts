@@ -4,7 +4,6 @@
 // of it has come.
 
 import core from 'geodesic-voronoi/core.wasm?url';
-import gltf from 'geodesic-voronoi/gltf.wasm?url';
 import { byId } from './dom.js';
 import { modelOf } from './first_model.js';
 
@@ -16,28 +15,32 @@ let received = 0;
 
 async function fetchModule(address: string): Promise<Response> {
   const response = await fetch(address);
-  count(response.clone()).catch(() => {});
+  partsOf(response.clone()).catch(() => {});
   return response;
 }
 
+async function fetchModel(address: string): Promise<File> {
+  const response = await fetch(address);
+  if (!response.ok) throw new Error(response.statusText);
+  return new File(await partsOf(response), address.slice(address.lastIndexOf('/') + 1));
+}
+
 /** Reads it to the end. */
-async function count({ body }: Response): Promise<void> {
+async function partsOf({ body }: Response): Promise<Uint8Array<ArrayBuffer>[]> {
+  const parts: Uint8Array<ArrayBuffer>[] = [];
   const reader = body?.getReader();
   for (let part = await reader?.read(); part?.value; part = await reader?.read()) {
+    parts.push(part.value);
     received += part.value.length;
     bar.value = Math.max(bar.value, Math.min(0.95, received / firstBytes));
   }
+  return parts;
 }
 
-// What fails is asked for again, and told of, where it is needed.
-const modules = Promise.all([core, gltf].map(fetchModule)).then(([wasm, gltfWasm]) => ({
-  wasm,
-  gltfWasm,
-}));
-modules.catch(() => {});
-// For the cache: the viewer asks for it again.
-fetch(modelOf(location.hash))
-  .then(count)
-  .catch(() => {});
+// What fails is asked for again, and told of, where it is needed. The model that the page opens with needs
+// no other module.
+const modules = WebAssembly.compileStreaming(fetchModule(core)).then((wasm) => ({ wasm }));
+const model = fetchModel(modelOf(location.hash));
+for (const each of [modules, model]) each.catch(() => {});
 
-void import('./main.js').then(({ setUpPage }) => setUpPage(modules));
+void import('./main.js').then(({ setUpPage }) => setUpPage(modules, model));

@@ -23,8 +23,8 @@ import { setUpSizeWarning } from './size_warning.js';
 import { setUpToolbar } from './toolbar.js';
 import { setUpViewControls } from './view_controls.js';
 
-/** `modules` are on their way already. */
-export function setUpPage(modules: Promise<LoadOptions>): void {
+/** The modules, and the model that the page opens with, are on their way already. */
+export function setUpPage(modules: Promise<LoadOptions>, model: Promise<File>): void {
   provideModules(modules);
   const viewer = byId('viewer', GeodesicVoronoiElement);
   setUpFeedback(viewer);
@@ -32,7 +32,7 @@ export function setUpPage(modules: Promise<LoadOptions>): void {
   setUpModelChoice(viewer);
   setUpMeshReport(viewer);
   const readings = new CvtReadings(viewer);
-  setUpFirstSight(viewer, readings);
+  setUpFirstSight(viewer, readings, model);
   setUpSiteControls(viewer);
   setUpCvtControls(viewer, readings);
   setUpDensityControls(viewer);

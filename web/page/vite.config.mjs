@@ -22,19 +22,43 @@ const preloadMain = {
   },
 };
 
+/**
+ * What three.js brings for materials that the page has none of, and for shadows, probes of light and tone
+ * mapping: texts of shaders, which no bundler sees are not needed, a tenth of what is fetched at first.
+ * Whoever gives the page such a material finds it not to compile, and takes it off this list.
+ */
+const neededByNothing = {
+  ShaderLib:
+    /background|cube|depth|distance|equirect|linedashed|matcap|normal|phong|physical|points|shadow|sprite|toon|vsm/,
+  ShaderChunk:
+    /physical|phong|toon|transmission|iridescence|clearcoat|lightprobes|shadowmap_pars_fragment|tonemapping_pars/,
+};
+const leaveOutShaders = {
+  name: 'leave-out-shaders',
+  load(id) {
+    const [, folder, name] = /three\/src\/renderers\/shaders\/(?:(\w+)\/)?(\w+)[.\w]*\.js$/.exec(id) ?? [];
+    if (name === 'DFGLUTData') return 'export const getDFGLUT = () => null;';
+    if (!neededByNothing[folder]?.test(name)) return undefined;
+    return folder === 'ShaderLib'
+      ? "export const vertex = '', fragment = '';"
+      : "export default '';";
+  },
+};
+
 export default defineConfig(({ isPreview }) => {
   const publicDir = inBuild('page-public');
   if (!isPreview) makeSamples(`${publicDir}/samples`);
   const first = [
     fileURLToPath(import.meta.resolve('geodesic-voronoi/core.wasm')),
-    fileURLToPath(import.meta.resolve('geodesic-voronoi/gltf.wasm')),
     `${publicDir}/samples/${samples[0].file}`,
   ];
   const firstBytes = isPreview ? 0 : first.reduce((sum, file) => sum + statSync(file).size, 0);
   return {
     define: { firstBytes },
     base: './',
-    plugins: [preloadMain],
+    plugins: [preloadMain, leaveOutShaders],
+    // Of its many modules, those that nothing at first sight needs come with what does.
+    resolve: { alias: [{ find: /^three$/, replacement: 'three/src/Three.js' }] },
     publicDir,
     build: {
       outDir: inBuild('page'),

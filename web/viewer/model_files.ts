@@ -8,6 +8,8 @@ import { gltfResourceUris, type ModelFiles } from 'geodesic-voronoi';
 export interface NamedFiles {
   name: string;
   files: ModelFiles;
+  /** Fetches what the model names besides these, from where it came. */
+  fetchBeside?: (uri: string) => Promise<Uint8Array>;
 }
 
 /** Files that were chosen: those of a folder have a path. They are read if the model needs them. */
@@ -39,7 +41,9 @@ export async function fetchModelFiles(
   for (const uri of gltfResourceUris(bytes)) {
     files[uri] = await fetchBytes(new URL(uri, url), signal, () => {});
   }
-  return { name, files };
+  const fetchBeside = (uri: string) =>
+    fetchBytes(new URL(uri, url), new AbortController().signal, () => {});
+  return { name, files, fetchBeside };
 }
 
 /** Folders of models have a few files; one with this many more was not meant. */

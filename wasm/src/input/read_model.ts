@@ -7,6 +7,7 @@ import { GeodesicVoronoiError } from '../errors.js';
 import { readGltf } from '../gltf.js';
 import type { MeshOrigin, MeshPart } from '../results.js';
 import type { Triangles } from '../triangles.js';
+import type { ModelFiles } from '../types.js';
 import { decompressed } from './gltf_decompression.js';
 import {
   type GltfFile,
@@ -17,7 +18,7 @@ import {
 } from './gltf_document.js';
 import { toSizeLimits } from './limits.js';
 import { FileSet } from './model_files.js';
-import { formatOf } from './model_format.js';
+import { type FileFormat, formatOf } from './model_format.js';
 
 /** WebAssembly modules, compiled when they are first needed. */
 export interface InputModules {
@@ -38,31 +39,51 @@ export interface Model {
   notes: string[];
 }
 
-export async function readModel(
-  { files, limits }: FileInput,
-  modules: InputModules,
-  isUnpacked = false,
-): Promise<Model> {
+/** The model among files. */
+export interface FoundModel {
+  /** Its path. */
+  file: string;
+  format: Exclude<FileFormat, 'zip'>;
+  bytes: Uint8Array;
+  /** The content of the file that it means by a URI, if that is among them. */
+  resource(uri: string): Promise<Uint8Array | undefined>;
+}
+
+/** The one model among files, as `mesh` takes it: of a .zip, the one in it. */
+export async function findModel(files: ModelFiles): Promise<FoundModel> {
+  const found = await modelAmong(files);
+  const isArchive = found.format === 'zip';
+  const model = isArchive
+    ? await modelAmong((await import('./zip.js')).zipFiles(found.bytes))
+    : found;
+  const { format } = model;
+  if (format !== 'zip') return { ...model, format };
+  // There are zips that hold themselves.
+  throw new GeodesicVoronoiError(
+    'invalid-file',
+    `${model.file} in the zip is a zip itself: unpack it first`,
+  );
+}
+
+async function modelAmong(
+  files: ModelFiles,
+): Promise<Omit<FoundModel, 'format'> & { format: FileFormat }> {
   const set = new FileSet(files);
   const file = set.model;
   const bytes = await set.read(file);
-  const format = formatOf(bytes, file);
+  const resource = (uri: string) => set.resource(file, uri);
+  return { file, format: formatOf(bytes, file), bytes, resource };
+}
+
+export async function readModel(
+  { files, limits }: FileInput,
+  modules: InputModules,
+): Promise<Model> {
+  const { file, format, bytes, resource } = await findModel(files);
   const sizes = toSizeLimits(limits);
   switch (format) {
-    case 'zip':
-      // There are zips that hold themselves.
-      if (isUnpacked)
-        throw new GeodesicVoronoiError(
-          'invalid-file',
-          `${file} in the zip is a zip itself: unpack it first`,
-        );
-      return readModel(
-        { files: (await import('./zip.js')).zipFiles(bytes), limits },
-        modules,
-        true,
-      );
     case 'glTF': {
-      const readable = await readableGltf(bytes, (uri) => set.resource(file, uri), modules.draco);
+      const readable = await readableGltf(bytes, resource, modules.draco);
       const { parts, notes, ...triangles } = await readGltf(await modules.gltf(), readable, limits);
       return { triangles, parts, notes, origin: { file, format } };
     }
