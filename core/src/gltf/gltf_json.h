@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,10 +12,6 @@
 
 namespace gvd::gltf {
 
-/// Where `readJson` puts the indices of a primitive, among its attributes: tinygltf refuses indices
-/// without a buffer view, which are valid.
-inline constexpr char kIndicesAttribute[] = "indices";
-
 struct BufferObject {
   std::optional<std::string> uri;
   std::optional<std::uint64_t> byteLength;
@@ -23,7 +20,7 @@ struct BufferObject {
 
 /// The JSON of a glTF, reduced to what triangles need.
 struct GltfJson {
-  std::string text;  ///< without `buffers`: tinygltf refuses many valid ones
+  nlohmann::json document;
   std::vector<BufferObject> buffers;
 };
 
