@@ -358,6 +358,7 @@ test('what writes files', async () => {
   }
   await refused(notNames, (layout) => api.partitionGlb(partition, { layout }), /^layout is /);
   await refused([...notObjects, [], {}], (bytes) => api.gltfResourceUris(bytes), /^bytes is /);
+  await refused([...notObjects, [], { a: 1 }], (files) => api.findModel(files), /^a mesh is made /);
 });
 
 test('what has been disposed', async () => {

@@ -83,7 +83,14 @@ function square({ imageFile } = {}) {
       samplers: [{ magFilter: 9728, minFilter: 9728 }],
       images: [imageFile ? { uri: imageFile } : { bufferView: 3, mimeType: 'image/png' }],
       accessors: [
-        { bufferView: 0, componentType: 5126, count: 4, type: 'VEC3', min: [-1, -1, 0], max: [1, 1, 0] },
+        {
+          bufferView: 0,
+          componentType: 5126,
+          count: 4,
+          type: 'VEC3',
+          min: [-1, -1, 0],
+          max: [1, 1, 0],
+        },
         { bufferView: 1, componentType: 5126, count: 4, type: 'VEC2' },
         { bufferView: 2, componentType: 5123, count: 6, type: 'SCALAR' },
       ],

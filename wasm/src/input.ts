@@ -56,7 +56,7 @@ function toTriangles({ positions: places, indices, normals, uvs }: MeshArrays): 
   };
 }
 
-function toFiles(source: unknown): ModelFiles {
+export function toFiles(source: unknown): ModelFiles {
   if (isModelFile(source)) return { '': source };
   if (source instanceof ArrayBuffer) return { '': new Uint8Array(source) };
   if (isObject(source) && !Array.isArray(source)) {

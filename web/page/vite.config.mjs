@@ -36,7 +36,8 @@ const neededByNothing = {
 const leaveOutShaders = {
   name: 'leave-out-shaders',
   load(id) {
-    const [, folder, name] = /three\/src\/renderers\/shaders\/(?:(\w+)\/)?(\w+)[.\w]*\.js$/.exec(id) ?? [];
+    const [, folder, name] =
+      /three\/src\/renderers\/shaders\/(?:(\w+)\/)?(\w+)[.\w]*\.js$/.exec(id) ?? [];
     if (name === 'DFGLUTData') return 'export const getDFGLUT = () => null;';
     if (!neededByNothing[folder]?.test(name)) return undefined;
     return folder === 'ShaderLib'

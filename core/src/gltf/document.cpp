@@ -120,8 +120,7 @@ Mesh toMesh(const json& from, const std::string& name) {
   read(&from, "name", to.name);
   to.name = shortened(std::move(to.name));
   read(&from, "weights", to.weights);
-  to.primitives =
-      readList<Primitive>(&from, "primitives", "primitive", " of " + name, toPrimitive);
+  to.primitives = readList<Primitive>(&from, "primitives", "primitive", " of " + name, toPrimitive);
   return to;
 }
 

@@ -49,8 +49,8 @@ export interface FoundModel {
   resource(uri: string): Promise<Uint8Array | undefined>;
 }
 
-/** The one model among files, as `mesh` takes it: of a .zip, the one in it. */
-export async function findModel(files: ModelFiles): Promise<FoundModel> {
+/** The one model among files; of a .zip, the one in it. */
+export async function modelIn(files: ModelFiles): Promise<FoundModel> {
   const found = await modelAmong(files);
   const isArchive = found.format === 'zip';
   const model = isArchive
@@ -79,7 +79,7 @@ export async function readModel(
   { files, limits }: FileInput,
   modules: InputModules,
 ): Promise<Model> {
-  const { file, format, bytes, resource } = await findModel(files);
+  const { file, format, bytes, resource } = await modelIn(files);
   const sizes = toSizeLimits(limits);
   switch (format) {
     case 'glTF': {
