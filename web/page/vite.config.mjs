@@ -7,7 +7,7 @@ import { makeSamples } from './samples.mjs';
 
 const inBuild = (name) => fileURLToPath(new URL(`../../build/${name}`, import.meta.url));
 
-/** The large script is fetched together with the first one, which asks for it. */
+/** The large script, and those that it is made of, are fetched together with the first one, which asks for it. */
 const preloadMain = {
   name: 'preload-main',
   transformIndexHtml: {
@@ -16,8 +16,13 @@ const preloadMain = {
       const main = Object.values(bundle).find(
         (file) => file.isDynamicEntry && file.name === 'main',
       );
-      const attrs = { rel: 'modulepreload', href: `./${main?.fileName}`, crossorigin: true };
-      return main ? [{ tag: 'link', attrs, injectTo: 'head' }] : [];
+      return [main?.fileName, ...(main?.imports ?? [])]
+        .filter((name) => name !== undefined)
+        .map((name) => ({
+          tag: 'link',
+          attrs: { rel: 'modulepreload', href: `./${name}`, crossorigin: true },
+          injectTo: 'head',
+        }));
     },
   },
 };
