@@ -116,9 +116,10 @@ class Merge {
   readonly #part: Source;
   readonly #changedLabels: ReadonlySet<number>;
   readonly #changedFaces: ReadonlySet<number>;
-  readonly #points = new MergedPoints();
+  readonly #points: MergedPoints;
 
   constructor(old: Pieces, { part, labels, faces }: DiagramChange) {
+    this.#points = new MergedPoints(old.points.face.length + part.points.face.length);
     this.#old = { arrays: old, pointOf: this.#points.from(old.points, part.points) };
     this.#part = { arrays: part, pointOf: this.#points.from(part.points) };
     this.#changedLabels = new Set(labels);
@@ -143,12 +144,14 @@ class Merge {
   }
 
   #lines(): Pick<DiagramData, 'segments' | 'arcs'> {
-    const arcs = new ListsBuilder();
-    const arcLabels = new GrowingArray(Int32Array);
-    const points = new GrowingArray(Int32Array);
-    const labels = new GrowingArray(Int32Array);
-    const face = new GrowingArray(Int32Array);
-    const arc = new GrowingArray(Int32Array);
+    const [old, part] = [this.#old.arrays, this.#part.arrays];
+    const arcs = new ListsBuilder(old.arcs, part.arcs);
+    const arcLabels = new GrowingArray(Int32Array, old.arcs.labels.length);
+    const most = old.segments.face.length + part.segments.face.length;
+    const points = new GrowingArray(Int32Array, 2 * most);
+    const labels = new GrowingArray(Int32Array, 2 * most);
+    const face = new GrowingArray(Int32Array, most);
+    const arc = new GrowingArray(Int32Array, most);
     for (const { arrays, pointOf } of [this.#old, this.#part]) {
       const isKept = (i: number) =>
         arrays !== this.#old.arrays || !this.#isChangedPair(arrays.arcs.labels, i);
@@ -218,7 +221,7 @@ class Merge {
   }
 
   #cells(): DiagramData['cells'] {
-    const label = new GrowingArray(Int32Array);
+    const label = new GrowingArray(Int32Array, this.#old.arrays.cells.face.length);
     const { lists, keys } = this.#inOrder(
       ({ cells }) => cells,
       ({ cells }) => cells.face,
@@ -238,10 +241,10 @@ class Merge {
     changed: ReadonlySet<number>,
     taken: (arrays: Pieces, i: number) => void = () => {},
   ): { lists: PointLists; keys: Int32Array } {
-    const lists = new ListsBuilder();
-    const keys = new GrowingArray(Int32Array);
+    const lists = new ListsBuilder(listsOf(this.#old.arrays), listsOf(this.#part.arrays));
     const oldKey = keyOf(this.#old.arrays);
     const newKey = keyOf(this.#part.arrays);
+    const keys = new GrowingArray(Int32Array, oldKey.length + newKey.length);
     const take = ({ arrays, pointOf }: Source, key: number, i: number) => {
       lists.add(listsOf(arrays), i, pointOf);
       keys.push(key);
@@ -261,11 +264,18 @@ class Merge {
 
 /** The points of a merged diagram that are named, each place once. */
 class MergedPoints {
-  readonly #face = new GrowingArray(Int32Array);
-  readonly #bary = new GrowingArray(Float64Array);
-  readonly #position = new GrowingArray(Float64Array);
+  readonly #face: GrowingArray<Int32Array>;
+  readonly #bary: GrowingArray<Float64Array>;
+  readonly #position: GrowingArray<Float64Array>;
   /** By face, the points that another source may have at the same place. */
   readonly #shared = new Map<number, { point: number; b0: number; b1: number }[]>();
+
+  /** There are not more of them than so many. */
+  constructor(most: number) {
+    this.#face = new GrowingArray(Int32Array, most);
+    this.#bary = new GrowingArray(Float64Array, 3 * most);
+    this.#position = new GrowingArray(Float64Array, 3 * most);
+  }
 
   /**
    * The merged index of a source's point, given when first asked for. Points at a place of the
@@ -314,10 +324,21 @@ class MergedPoints {
 }
 
 class ListsBuilder {
-  readonly #offset = new GrowingArray(Int32Array);
-  readonly #points = new GrowingArray(Int32Array);
+  readonly #offset: GrowingArray<Int32Array>;
+  readonly #points: GrowingArray<Int32Array>;
 
-  constructor() {
+  /** For lists of these. */
+  constructor(...sources: readonly PointLists[]) {
+    const sum = (lengthOf: (source: PointLists) => number) =>
+      sources.reduce((total, source) => total + lengthOf(source), 0);
+    this.#offset = new GrowingArray(
+      Int32Array,
+      sum(({ offset }) => offset.length),
+    );
+    this.#points = new GrowingArray(
+      Int32Array,
+      sum(({ points }) => points.length),
+    );
     this.#offset.push(0);
   }
 

@@ -11,24 +11,12 @@ import { modelOf } from './first_model.js';
 import { isPageState, readPageState } from './page_state.js';
 
 /** A link that was shared opens with what it tells; else a sample plays once. */
-export function setUpFirstSight(
-  viewer: GeodesicVoronoiElement,
-  readings: CvtReadings,
-  model: Promise<File>,
-): void {
+export function setUpFirstSight(viewer: GeodesicVoronoiElement, readings: CvtReadings): void {
   enableWithModel(viewer);
   endCaption(viewer);
-  void openFirst(viewer, model);
+  viewer.src = modelOf(location.hash);
   if (isPageState(location.hash)) readPageState(viewer, location.hash);
   else viewer.addEventListener('diagram', () => void evenOut(viewer, readings), { once: true });
-}
-
-/** Whoever has opened another model meanwhile keeps it. */
-async function openFirst(viewer: GeodesicVoronoiElement, model: Promise<File>): Promise<void> {
-  const file = await model.catch(() => undefined);
-  if (viewer.status !== 'empty') return;
-  if (file) await viewer.loadFiles([file]);
-  else viewer.src = modelOf(location.hash);
 }
 
 /** Controls are disabled until there is something for them to do. */

@@ -29,6 +29,14 @@ export async function droppedFiles(dropped: DataTransfer): Promise<NamedFiles> {
   return named((await Promise.all(found)).flat());
 }
 
+/** Answers to requests that a page has made before, by address; each is read once. */
+const provided = new Map<string, Promise<Response>>();
+
+/** The model at an address is this when it is next asked for. */
+export function provideModel(address: string, response: Promise<Response>): void {
+  provided.set(new URL(address, document.baseURI).href, response);
+}
+
 /** The model at an address; what it names is taken from where it says. */
 export async function fetchModelFiles(
   address: string,
@@ -88,7 +96,9 @@ async function fetchBytes(
   const name = lastSegment(url.pathname);
   let response: Response;
   try {
-    response = await fetch(url, { signal });
+    const given = provided.get(url.href);
+    provided.delete(url.href);
+    response = await (given ?? fetch(url, { signal }));
   } catch (cause) {
     signal.throwIfAborted();
     throw new Error(`${name} cannot be fetched: the server does not answer.`, { cause });

@@ -6,8 +6,9 @@ export class GrowingArray<Numbers extends Float64Array | Int32Array> {
   #numbers: Numbers;
   #length = 0;
 
-  constructor(type: new (length: number) => Numbers) {
-    this.#numbers = new type(1024);
+  /** It grows beyond the capacity, too, at the price of a copy. */
+  constructor(type: new (length: number) => Numbers, capacity = 1024) {
+    this.#numbers = new type(Math.max(1, capacity));
   }
 
   get length(): number {
