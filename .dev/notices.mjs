@@ -10,10 +10,11 @@ import { at, exists } from './tasks.mjs';
 /** Part of the WebAssembly modules: the first comment of a file of theirs is their notice. */
 const compiledIn = [
   { name: 'Eigen', address: 'https://eigen.tuxfamily.org', files: ['Eigen/src/Core/Matrix.h'] },
+  { name: 'tinygltf', address: 'https://github.com/syoyo/tinygltf', files: ['tiny_gltf.h'] },
   {
     name: 'JSON for Modern C++',
     address: 'https://github.com/nlohmann/json',
-    files: ['nlohmann/json.hpp'],
+    files: ['nlohmann/json.hpp', 'json.hpp'],
   },
 ];
 

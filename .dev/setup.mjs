@@ -15,6 +15,7 @@ const commands = {
 const libraries = {
   build: {
     'eigen3/Eigen/Core': 'libeigen3-dev',
+    'tiny_gltf.h': 'libtinygltf-dev',
     'nlohmann/json.hpp': 'nlohmann-json3-dev',
   },
   test: {

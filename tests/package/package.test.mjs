@@ -58,7 +58,7 @@ test('everything that its modules import is declared', () => {
 
 test('the licences of all that is compiled in are told', () => {
   const notices = read('dist/THIRD_PARTY_NOTICES.txt');
-  for (const name of ['Eigen', 'JSON for Modern C++', 'LLVM', 'musl', 'Emscripten']) {
+  for (const name of ['Eigen', 'tinygltf', 'JSON for Modern C++', 'LLVM', 'musl', 'Emscripten']) {
     assert.ok(notices.includes(`\n${name} `), name);
   }
 });

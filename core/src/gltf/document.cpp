@@ -1,108 +1,93 @@
 // SPDX-License-Identifier: MIT
+//
+// The one file that sees tinygltf. It parses the objects of a glTF, but checks few of them and
+// reads no accessor. So it only gets what triangles need (an undecodable image or a strange
+// material must not keep a mesh from being read), and everything it hands back goes into structures
+// of our own.
+
 #include "gltf/document.h"
 
+#include <fstream>  // tinygltf needs it and with TINYGLTF_NO_FS does not include it
 #include <utility>
 
 #include "gltf/gltf_error.h"
+#include "gltf/gltf_json.h"
+
+#define TINYGLTF_IMPLEMENTATION
+#define TINYGLTF_NO_FS
+#define TINYGLTF_NO_STB_IMAGE
+#define TINYGLTF_NO_STB_IMAGE_WRITE
+#define TINYGLTF_NO_EXTERNAL_IMAGE
+#include <tiny_gltf.h>
 
 namespace gvd::gltf {
 namespace {
 
-using nlohmann::json;
-
-/// A member of an object, null if there is none. Of `nullptr`, too.
-const json* find(const json* object, const char* name) {
-  if (!object) return nullptr;
-  const auto member = object->find(name);
-  return member == object->end() ? nullptr : &*member;
-}
-
-/// Keeps what there is already where the member is absent. The rules have seen to its type.
-template <class Value>
-void read(const json* object, const char* name, Value& value) {
-  if (const json* member = find(object, name)) member->get_to(value);
-}
-
-void read(const json* object, const char* name, std::optional<int>& value) {
-  if (const json* member = find(object, name)) value = member->get<int>();
-}
-
-const json& require(const json& object, const char* name, const std::string& owner) {
-  const json* member = find(&object, name);
-  if (!member) reject(owner + " has no " + name);
-  return *member;
-}
-
-/// The objects of a list, each with what errors call it: "accessor 3".
-template <class Object, class Convert>
-std::vector<Object> readList(const json* owner, const char* name, const std::string& kind,
-                             const std::string& suffix, Convert convert) {
-  std::vector<Object> objects;
-  const json* list = find(owner, name);
-  if (!list) return objects;
-  for (const json& object : *list) {
-    objects.push_back(convert(object, kind + ' ' + number(objects.size()) + suffix));
+tinygltf::Model parseModel(const std::string& text) {
+  tinygltf::Model model;
+  tinygltf::TinyGLTF parser;
+  std::string error, warning;
+  constexpr unsigned int kRequireNothing = 0;
+  const bool parsed =
+      parser.LoadASCIIFromString(&model, &error, &warning, text.data(),
+                                 static_cast<unsigned int>(text.size()), "", kRequireNothing);
+  // An object that tinygltf leaves out for a fault would shift the numbers of those after it.
+  if (!parsed || !error.empty()) {
+    reject("the glTF is invalid: " + error.substr(0, error.find_last_not_of(".\n") + 1));
   }
-  return objects;
+  return model;
 }
 
-BufferView toBufferView(const json& from, const std::string& name) {
-  BufferView to;
-  require(from, "buffer", name).get_to(to.buffer);
-  require(from, "byteLength", name).get_to(to.byteLength);
-  read(&from, "byteOffset", to.byteOffset);
-  read(&from, "byteStride", to.byteStride);
-  return to;
+/// tinygltf writes -1 for an index that is absent.
+std::optional<int> optionalIndex(int index) {
+  return index == -1 ? std::nullopt : std::optional(index);
 }
 
-ElementType toElementType(const std::string& type, const std::string& name) {
-  if (type == "SCALAR") return ElementType::kScalar;
-  if (type == "VEC2") return ElementType::kVec2;
-  if (type == "VEC3") return ElementType::kVec3;
-  if (type == "VEC4") return ElementType::kVec4;
-  if (type.starts_with("MAT")) return ElementType::kMatrix;
-  reject(name + " has the unknown type \"" + type.substr(0, 40) + '"');
+ElementType elementType(int type) {
+  switch (type) {
+    case TINYGLTF_TYPE_SCALAR:
+      return ElementType::kScalar;
+    case TINYGLTF_TYPE_VEC2:
+      return ElementType::kVec2;
+    case TINYGLTF_TYPE_VEC3:
+      return ElementType::kVec3;
+    case TINYGLTF_TYPE_VEC4:
+      return ElementType::kVec4;
+    default:
+      return ElementType::kMatrix;
+  }
 }
 
-/// One of the two ranges of a sparse accessor.
-ElementRange toRange(const json& from, int componentType, const std::string& name) {
-  ElementRange to;
-  to.componentType = componentType;
-  require(from, "bufferView", name).get_to(to.bufferView);
-  read(&from, "byteOffset", to.byteOffset);
-  return to;
-}
-
-Accessor toAccessor(const json& from, const std::string& name) {
+Accessor converted(const tinygltf::Accessor& from) {
   Accessor to;
-  require(from, "componentType", name).get_to(to.componentType);
-  require(from, "count", name).get_to(to.count);
-  to.type = toElementType(require(from, "type", name).get_ref<const std::string&>(), name);
-  read(&from, "normalized", to.normalized);
-  if (const json* view = find(&from, "bufferView")) {
-    to.elements = {view->get<int>(), 0, to.componentType};
-    read(&from, "byteOffset", to.elements->byteOffset);
-  }
-  if (const json* sparse = find(&from, "sparse")) {
-    const std::string part = "the sparse part of " + name;
-    const json& indices = require(*sparse, "indices", part);
-    const json& values = require(*sparse, "values", part);
-    to.sparse = {require(*sparse, "count", part).get<std::uint64_t>(),
-                 toRange(indices, require(indices, "componentType", part).get<int>(), part),
-                 toRange(values, to.componentType, part)};
-  }
+  to.type = elementType(from.type);
+  to.componentType = from.componentType;
+  to.normalized = from.normalized;
+  to.count = from.count;
+  if (from.bufferView != -1) to.elements = {from.bufferView, from.byteOffset, from.componentType};
+  if (!from.sparse.isSparse) return to;
+  const auto& sparse = from.sparse;
+  // tinygltf keeps these in an int, which wraps from 2^31 on.
+  const auto offset = [](int x) { return static_cast<std::uint32_t>(x); };
+  to.sparse = {
+      offset(sparse.count),
+      {sparse.indices.bufferView, offset(sparse.indices.byteOffset), sparse.indices.componentType},
+      {sparse.values.bufferView, offset(sparse.values.byteOffset), from.componentType}};
   return to;
 }
 
-Primitive toPrimitive(const json& from, const std::string& name) {
+Primitive converted(tinygltf::Primitive& from) {
   Primitive to;
-  require(from, "attributes", name).get_to(to.attributes);
-  read(&from, "mode", to.mode);
-  read(&from, "indices", to.indices);
-  read(&from, "targets", to.targets);
-  // The rules let no other extension through than one that compresses.
-  const json* extensions = find(&from, "extensions");
-  if (extensions && !extensions->empty()) to.compression = extensions->begin().key();
+  to.mode = from.mode;
+  to.attributes = std::move(from.attributes);
+  if (const auto indices = to.attributes.find(kIndicesAttribute); indices != to.attributes.end()) {
+    to.indices = indices->second;
+    to.attributes.erase(indices);
+  }
+  to.targets = std::move(from.targets);
+  for (const auto& [extension, value] : from.extensions) {
+    if (extension.find("compression") != std::string::npos) to.compression = extension;
+  }
   return to;
 }
 
@@ -115,48 +100,54 @@ std::string shortened(std::string name) {
   return name.substr(0, end);
 }
 
-Mesh toMesh(const json& from, const std::string& name) {
+Mesh converted(tinygltf::Mesh& from) {
   Mesh to;
-  read(&from, "name", to.name);
-  to.name = shortened(std::move(to.name));
-  read(&from, "weights", to.weights);
-  to.primitives = readList<Primitive>(&from, "primitives", "primitive", " of " + name, toPrimitive);
+  to.name = shortened(std::move(from.name));
+  to.weights = std::move(from.weights);
+  for (tinygltf::Primitive& primitive : from.primitives) {
+    to.primitives.push_back(converted(primitive));
+  }
   return to;
 }
 
-Node toNode(const json& from, const std::string&) {
+Node converted(tinygltf::Node& from) {
   Node to;
-  read(&from, "name", to.name);
-  to.name = shortened(std::move(to.name));
-  read(&from, "children", to.children);
-  read(&from, "mesh", to.mesh);
-  to.isSkinned = find(&from, "skin") != nullptr;
-  read(&from, "weights", to.weights);
-  read(find(find(&from, "extensions"), "EXT_mesh_gpu_instancing"), "attributes", to.instances);
-  read(&from, "matrix", to.matrix);
-  read(&from, "translation", to.translation);
-  read(&from, "rotation", to.rotation);
-  read(&from, "scale", to.scale);
+  to.name = shortened(std::move(from.name));
+  to.children = std::move(from.children);
+  to.mesh = optionalIndex(from.mesh);
+  to.isSkinned = from.skin >= 0;
+  to.weights = std::move(from.weights);
+  const auto instancing = from.extensions.find("EXT_mesh_gpu_instancing");
+  if (instancing != from.extensions.end() && instancing->second.Has("attributes")) {
+    const tinygltf::Value& attributes = instancing->second.Get("attributes");
+    for (const std::string& semantic : attributes.Keys()) {
+      to.instances[semantic] = attributes.Get(semantic).GetNumberAsInt();
+    }
+  }
+  to.matrix = std::move(from.matrix);
+  to.translation = std::move(from.translation);
+  to.rotation = std::move(from.rotation);
+  to.scale = std::move(from.scale);
   return to;
-}
-
-std::vector<int> toScene(const json& from, const std::string&) {
-  std::vector<int> nodes;
-  read(&from, "nodes", nodes);
-  return nodes;
 }
 
 }  // namespace
 
-Document toDocument(const json& from) {
-  Document to;
-  to.bufferViews = readList<BufferView>(&from, "bufferViews", "buffer view", "", toBufferView);
-  to.accessors = readList<Accessor>(&from, "accessors", "accessor", "", toAccessor);
-  to.meshes = readList<Mesh>(&from, "meshes", "mesh", "", toMesh);
-  to.nodes = readList<Node>(&from, "nodes", "node", "", toNode);
-  to.scenes = readList<std::vector<int>>(&from, "scenes", "scene", "", toScene);
-  read(&from, "scene", to.defaultScene);
-  return to;
+Document parseDocument(const std::string& text) {
+  tinygltf::Model model = parseModel(text);
+  Document document;
+  for (const tinygltf::BufferView& view : model.bufferViews) {
+    document.bufferViews.push_back(
+        {view.buffer, view.byteOffset, view.byteLength, view.byteStride});
+  }
+  for (const tinygltf::Accessor& accessor : model.accessors) {
+    document.accessors.push_back(converted(accessor));
+  }
+  for (tinygltf::Mesh& mesh : model.meshes) document.meshes.push_back(converted(mesh));
+  for (tinygltf::Node& node : model.nodes) document.nodes.push_back(converted(node));
+  for (tinygltf::Scene& scene : model.scenes) document.scenes.push_back(std::move(scene.nodes));
+  document.defaultScene = optionalIndex(model.defaultScene);
+  return document;
 }
 
 void requireIndex(int index, std::size_t count, const std::string& what, const std::string& owner) {

@@ -11,8 +11,6 @@
 #include <string>
 #include <vector>
 
-#include "gltf/gltf_json.h"
-
 namespace gvd::gltf {
 
 struct BufferView {
@@ -82,8 +80,8 @@ struct Document {
   std::optional<int> defaultScene;
 };
 
-/// From the JSON as `readJson` leaves it. Throws if an object lacks what the format asks of it.
-Document toDocument(const nlohmann::json& json);
+/// `text`: as `readJson` leaves it.
+Document parseDocument(const std::string& text);
 
 /// Refuses an index of "accessor", "mesh", … (`what`) that `owner` has if there is no such object.
 void requireIndex(int index, std::size_t count, const std::string& what, const std::string& owner);

@@ -4,7 +4,7 @@
 //   glb_container        GLB chunks, or the JSON itself
 //   gltf_json            checks the JSON and keeps what triangles need (json_filter parses it by
 //                        the table in json_rules); version and extensions
-//   document             the objects
+//   document             the objects (by tinygltf)
 //   scene_walk           where each mesh of the scene is
 //   primitive_triangles  the triangles of each primitive, by accessor_reader, buffers, data_uri
 // No file is opened here: buffers outside the glTF come from the caller.
@@ -207,7 +207,7 @@ GltfScene readGltf(std::span<const std::byte> bytes, std::span<const GltfResourc
                    const GltfLimits& limits) {
   const gltf::Container container = gltf::openContainer(bytes);
   gltf::GltfJson json = gltf::readJson(container.json, limits);
-  const gltf::Document document = gltf::toDocument(json.document);
+  const gltf::Document document = gltf::parseDocument(json.text);
   gltf::Buffers buffers(std::move(json.buffers), container.bin, resources);
   return gltf::SceneBuilder(document, std::move(buffers), limits).build();
 }

@@ -44,21 +44,38 @@ void requireKnownExtensions(const json& document) {
   }
 }
 
-std::vector<BufferObject> buffersOf(const json& document) {
+/// Takes the buffers out of the document.
+std::vector<BufferObject> takeBuffers(json& document) {
   std::vector<BufferObject> buffers;
   const auto list = document.find("buffers");
   if (list == document.end()) return buffers;
-  for (const json& object : *list) {
+  for (json& object : *list) {
     BufferObject& buffer = buffers.emplace_back();
     const auto uri = object.find("uri"), length = object.find("byteLength");
-    if (uri != object.end()) buffer.uri = uri->get<std::string>();
+    if (uri != object.end()) buffer.uri = std::move(uri->get_ref<std::string&>());
     if (length != object.end()) buffer.byteLength = length->get<std::uint64_t>();
     const auto extensions = object.find("extensions");
     if (extensions != object.end() && !extensions->empty()) {
       buffer.compression = extensions->begin().key();
     }
   }
+  document.erase(list);
   return buffers;
+}
+
+void moveIndicesToAttributes(json& document) {
+  const auto meshes = document.find("meshes");
+  if (meshes == document.end()) return;
+  for (json& mesh : *meshes) {
+    const auto primitives = mesh.find("primitives");
+    if (primitives == mesh.end()) continue;
+    for (json& primitive : *primitives) {
+      const auto indices = primitive.find("indices"), attributes = primitive.find("attributes");
+      if (indices == primitive.end() || attributes == primitive.end()) continue;
+      (*attributes)[kIndicesAttribute] = std::move(*indices);
+      primitive.erase(indices);
+    }
+  }
 }
 
 }  // namespace
@@ -69,8 +86,9 @@ GltfJson readJson(std::string_view text, const GltfLimits& limits) {
   requireVersion2(document);
   requireKnownExtensions(document);
   if (!fault.empty()) reject(fault);
-  std::vector<BufferObject> buffers = buffersOf(document);
-  return {std::move(document), std::move(buffers)};
+  std::vector<BufferObject> buffers = takeBuffers(document);
+  moveIndicesToAttributes(document);
+  return {document.dump(-1, ' ', false, json::error_handler_t::replace), std::move(buffers)};
 }
 
 }  // namespace gvd::gltf

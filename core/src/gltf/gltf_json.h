@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +11,10 @@
 
 namespace gvd::gltf {
 
+/// Where `readJson` puts the indices of a primitive, among its attributes: tinygltf refuses indices
+/// without a buffer view, which are valid.
+inline constexpr char kIndicesAttribute[] = "indices";
+
 struct BufferObject {
   std::optional<std::string> uri;
   std::optional<std::uint64_t> byteLength;
@@ -20,7 +23,7 @@ struct BufferObject {
 
 /// The JSON of a glTF, reduced to what triangles need.
 struct GltfJson {
-  nlohmann::json document;
+  std::string text;  ///< without `buffers`: tinygltf refuses many valid ones
   std::vector<BufferObject> buffers;
 };
 

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#if __has_include(<nlohmann/json.hpp>)
+#include <nlohmann/json.hpp>
+#else  // beside tinygltf
+#include <json.hpp>
+#endif
 
 #include "gvd/gltf.h"
 
