@@ -6,7 +6,7 @@
 import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
 import { zipSync } from 'fflate';
-import { load } from 'geodesic-voronoi';
+import { findModel, load } from 'geodesic-voronoi';
 import { total } from './files.mjs';
 import { bumpySphere, glb, gltf, octahedron } from './meshes.mjs';
 import {
@@ -342,6 +342,17 @@ test('compressed data with any byte changed are read or refused', async () => {
         .mesh(changed)
         .catch((error) => assert.equal(error.name, 'GeodesicVoronoiError', error.stack));
     }
+  }
+});
+
+test('findModel tells which file the model is, and what it means by a URI', async () => {
+  const scene = bytesOf('{}');
+  const files = { 'a/scene.gltf': scene, 'a/maps/red.png': bytesOf('red'), 'note.txt': scene };
+  for (const given of [files, zipSync(files)]) {
+    const { file, format, bytes, resource } = await findModel(given);
+    assert.deepEqual([file, format, bytes], ['a/scene.gltf', 'glTF', scene]);
+    assert.deepEqual(await resource('maps/red.png'), bytesOf('red'));
+    assert.equal(await resource('maps/blue.png'), undefined);
   }
 });
 

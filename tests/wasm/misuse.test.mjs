@@ -473,6 +473,7 @@ test('what writes files', async () => {
     glbOf([undefined, [1, 0, 0.5]]);
   }
   await refused([...notObjects, [], {}], (bytes) => api.gltfResourceUris(bytes), /^bytes is /);
+  await refused([...notObjects, [], { a: 1 }], (files) => api.findModel(files), /^a mesh is made /);
 });
 
 test('what has been disposed', async () => {

@@ -77,7 +77,7 @@ async function serve(documents) {
 }
 
 /** With its random sites: without a hash, the page would make them even. */
-const firstModel = '#v=1&model=bunny.glb&sites=60&seed=4';
+const firstModel = '#v=1&model=bunny.ply&sites=60&seed=4';
 
 /**
  * A browser and a server for all tests of a file. `documents` are pages besides the one that is built:

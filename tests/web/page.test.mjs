@@ -61,7 +61,7 @@ suite('the page', () => {
       /Triangles58,784.*Components1.*Boundary loops0.*Genus0/,
     );
     assert.match(await text(viewer, '#credit'), /Stanford/);
-    assert.equal(await viewer.page.locator('#samples').inputValue(), 'bunny.glb');
+    assert.equal(await viewer.page.locator('#samples').inputValue(), 'bunny.ply');
     assert.equal(await viewer.page.locator('#error').isVisible(), false);
 
     const covered = await viewer.coverage(await viewer.picture());
@@ -219,7 +219,7 @@ suite('the page', () => {
     await expectError(/a\.glb and b\.glb are several models/, file('a.glb', ''), file('b.glb', ''));
 
     assert.deepEqual(await viewer.sites(), before);
-    assert.equal(await viewer.page.locator('#samples').inputValue(), 'bunny.glb');
+    assert.equal(await viewer.page.locator('#samples').inputValue(), 'bunny.ply');
     assert.equal(await changedSince(picture), 0);
     await viewer.page.click('#error-close');
     assert.equal(await viewer.page.locator('#error').isVisible(), false);

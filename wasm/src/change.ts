@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+import { GrowingArray } from './input/growing_array.js';
 import type { DiagramChange, DiagramData, PointLists, SurfacePoints } from './results.js';
 
 /**
@@ -143,11 +144,11 @@ class Merge {
 
   #lines(): Pick<DiagramData, 'segments' | 'arcs'> {
     const arcs = new ListsBuilder();
-    const arcLabels: number[] = [];
-    const points: number[] = [];
-    const labels: number[] = [];
-    const face: number[] = [];
-    const arc: number[] = [];
+    const arcLabels = new GrowingArray(Int32Array);
+    const points = new GrowingArray(Int32Array);
+    const labels = new GrowingArray(Int32Array);
+    const face = new GrowingArray(Int32Array);
+    const arc = new GrowingArray(Int32Array);
     for (const { arrays, pointOf } of [this.#old, this.#part]) {
       const isKept = (i: number) =>
         arrays !== this.#old.arrays || !this.#isChangedPair(arrays.arcs.labels, i);
@@ -156,25 +157,28 @@ class Merge {
         if (!isKept(i)) continue;
         arcOf[i] = arcs.count;
         arcs.add(arrays.arcs, i, pointOf);
-        arcLabels.push(arrays.arcs.labels[2 * i], arrays.arcs.labels[2 * i + 1]);
+        arcLabels.push(arrays.arcs.labels[2 * i]);
+        arcLabels.push(arrays.arcs.labels[2 * i + 1]);
       }
       const { segments } = arrays;
       for (let s = 0; s < segments.face.length; ++s) {
         if (arcOf[segments.arc[s]] < 0) continue;
-        points.push(pointOf(segments.points[2 * s]), pointOf(segments.points[2 * s + 1]));
-        labels.push(segments.labels[2 * s], segments.labels[2 * s + 1]);
+        for (let end = 2 * s; end < 2 * s + 2; ++end) {
+          points.push(pointOf(segments.points[end]));
+          labels.push(segments.labels[end]);
+        }
         face.push(segments.face[s]);
         arc.push(arcOf[segments.arc[s]]);
       }
     }
     return {
       segments: {
-        points: Int32Array.from(points),
-        labels: Int32Array.from(labels),
-        face: Int32Array.from(face),
-        arc: Int32Array.from(arc),
+        points: points.toArray(),
+        labels: labels.toArray(),
+        face: face.toArray(),
+        arc: arc.toArray(),
       },
-      arcs: { ...arcs.lists(), labels: Int32Array.from(arcLabels) },
+      arcs: { ...arcs.lists(), labels: arcLabels.toArray() },
     };
   }
 
@@ -205,63 +209,63 @@ class Merge {
   }
 
   #loops(): DiagramData['loops'] {
-    return this.#inOrder(
+    const { lists, keys } = this.#inOrder(
       ({ loops }) => loops,
       ({ loops }) => loops.label,
       this.#changedLabels,
-      (lists, order) => ({
-        ...lists,
-        label: Int32Array.from(order, ([source, i]) => source.loops.label[i]),
-      }),
     );
+    return { ...lists, label: keys };
   }
 
   #cells(): DiagramData['cells'] {
-    return this.#inOrder(
+    const label = new GrowingArray(Int32Array);
+    const { lists, keys } = this.#inOrder(
       ({ cells }) => cells,
       ({ cells }) => cells.face,
       this.#changedFaces,
-      (lists, order) => ({
-        ...lists,
-        face: Int32Array.from(order, ([source, i]) => source.cells.face[i]),
-        label: Int32Array.from(order, ([source, i]) => source.cells.label[i]),
-      }),
+      ({ cells }, i) => label.push(cells.label[i]),
     );
+    return { ...lists, face: keys, label: label.toArray() };
   }
 
-  /** Lists of both sources, ascending by a key; those of the old one only if theirs is unchanged. */
-  #inOrder<Result>(
-    listsOf: (arrays: Source['arrays']) => PointLists,
-    keyOf: (arrays: Source['arrays']) => Int32Array,
+  /**
+   * Lists of both sources, ascending by a key; those of the old one only if theirs is unchanged. Each is
+   * told of in its turn.
+   */
+  #inOrder(
+    listsOf: (arrays: Pieces) => PointLists,
+    keyOf: (arrays: Pieces) => Int32Array,
     changed: ReadonlySet<number>,
-    build: (lists: PointLists, order: readonly (readonly [Source['arrays'], number])[]) => Result,
-  ): Result {
+    taken: (arrays: Pieces, i: number) => void = () => {},
+  ): { lists: PointLists; keys: Int32Array } {
     const lists = new ListsBuilder();
-    const order: [Source['arrays'], number][] = [];
     const oldKey = keyOf(this.#old.arrays);
     const newKey = keyOf(this.#part.arrays);
-    const take = ({ arrays, pointOf }: Source, i: number) => {
+    const keys = new GrowingArray(Int32Array);
+    const take = ({ arrays, pointOf }: Source, key: number, i: number) => {
       lists.add(listsOf(arrays), i, pointOf);
-      order.push([arrays, i]);
+      keys.push(key);
+      taken(arrays, i);
     };
     let next = 0;
     for (let i = 0; i <= oldKey.length; ++i) {
       while (next < newKey.length && (i === oldKey.length || newKey[next] <= oldKey[i])) {
-        take(this.#part, next++);
+        take(this.#part, newKey[next], next);
+        ++next;
       }
-      if (i < oldKey.length && !changed.has(oldKey[i])) take(this.#old, i);
+      if (i < oldKey.length && !changed.has(oldKey[i])) take(this.#old, oldKey[i], i);
     }
-    return build(lists.lists(), order);
+    return { lists: lists.lists(), keys: keys.toArray() };
   }
 }
 
 /** The points of a merged diagram that are named, each place once. */
 class MergedPoints {
-  readonly #face: number[] = [];
-  readonly #bary: number[] = [];
-  readonly #position: number[] = [];
+  readonly #face = new GrowingArray(Int32Array);
+  readonly #bary = new GrowingArray(Float64Array);
+  readonly #position = new GrowingArray(Float64Array);
   /** By face, the points that another source may have at the same place. */
-  readonly #shared = new Map<number, number[]>();
+  readonly #shared = new Map<number, { point: number; b0: number; b1: number }[]>();
 
   /**
    * The merged index of a source's point, given when first asked for. Points at a place of the
@@ -281,9 +285,9 @@ class MergedPoints {
 
   arrays(): DiagramData['points'] {
     return {
-      face: Int32Array.from(this.#face),
-      bary: Float64Array.from(this.#bary),
-      position: Float64Array.from(this.#position),
+      face: this.#face.toArray(),
+      bary: this.#bary.toArray(),
+      position: this.#position.toArray(),
     };
   }
 
@@ -292,11 +296,11 @@ class MergedPoints {
     let here = this.#shared.get(face);
     if (!here) this.#shared.set(face, (here = []));
     const [b0, b1] = [points.bary[3 * i], points.bary[3 * i + 1]];
-    const known = here.find((p) => this.#bary[3 * p] === b0 && this.#bary[3 * p + 1] === b1);
-    if (known !== undefined) return known;
-    const added = this.#add(points, i);
-    here.push(added);
-    return added;
+    const known = here.find((each) => each.b0 === b0 && each.b1 === b1);
+    if (known) return known.point;
+    const point = this.#add(points, i);
+    here.push({ point, b0, b1 });
+    return point;
   }
 
   #add({ face, bary, position }: DiagramData['points'], i: number): number {
@@ -304,13 +308,18 @@ class MergedPoints {
       this.#bary.push(bary[k]);
       this.#position.push(position[k]);
     }
-    return this.#face.push(face[i]) - 1;
+    this.#face.push(face[i]);
+    return this.#face.length - 1;
   }
 }
 
 class ListsBuilder {
-  readonly #offset = [0];
-  readonly #points: number[] = [];
+  readonly #offset = new GrowingArray(Int32Array);
+  readonly #points = new GrowingArray(Int32Array);
+
+  constructor() {
+    this.#offset.push(0);
+  }
 
   get count(): number {
     return this.#offset.length - 1;
@@ -322,6 +331,6 @@ class ListsBuilder {
   }
 
   lists(): PointLists {
-    return { offset: Int32Array.from(this.#offset), points: Int32Array.from(this.#points) };
+    return { offset: this.#offset.toArray(), points: this.#points.toArray() };
   }
 }

@@ -123,7 +123,7 @@ export function pointsJson({ face, bary }: SurfacePoints): SurfacePointsJson {
 }
 
 /** The bisectors as Wavefront OBJ: a polyline per arc, in a group that names its two labels. */
-export function diagramObj(data: DiagramData, scale = 1): string {
+export function diagramObj(data: Pick<DiagramData, 'points' | 'arcs'>, scale = 1): string {
   const { points, arcs } = toResult('data', data, 'points', 'arcs');
   toScale(scale);
   const { used, number } = compact([arcs.points], points.face.length);
@@ -144,7 +144,10 @@ export function diagramObj(data: DiagramData, scale = 1): string {
 }
 
 /** The bisectors as GLB: one primitive of line segments. */
-export function diagramGlb(data: DiagramData, scale = 1): Uint8Array<ArrayBuffer> {
+export function diagramGlb(
+  data: Pick<DiagramData, 'points' | 'segments'>,
+  scale = 1,
+): Uint8Array<ArrayBuffer> {
   const { points, segments } = toResult('data', data, 'points', 'segments');
   toScale(scale);
   const { used, number } = compact([segments.points], points.face.length);

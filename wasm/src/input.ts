@@ -64,9 +64,13 @@ export function toMeshInput(
 ): Triangles | FileInput {
   if (isObject(source) && 'positions' in source && 'indices' in source)
     return toTriangles(source as MeshArrays);
-  if (file !== undefined && typeof file !== 'string')
-    throw invalidArgument(`file is ${show(file)}, not a string`);
-  return { files: toFiles(source), limits: toLimits(limits), file };
+  return { files: toFiles(source), limits: toLimits(limits), file: toFileName(file) };
+}
+
+/** Which of several models is meant, if that is said. */
+export function toFileName(file: string | undefined): string | undefined {
+  if (file === undefined || typeof file === 'string') return file;
+  throw invalidArgument(`file is ${show(file)}, not a string`);
 }
 
 function toTriangles({ positions: places, indices, normals, uvs, density }: MeshArrays): Triangles {
@@ -80,7 +84,7 @@ function toTriangles({ positions: places, indices, normals, uvs, density }: Mesh
   };
 }
 
-function toFiles(source: unknown): ModelFiles {
+export function toFiles(source: unknown): ModelFiles {
   if (isModelFile(source)) return { '': source };
   if (source instanceof ArrayBuffer) return { '': new Uint8Array(source) };
   if (isObject(source) && !Array.isArray(source)) {

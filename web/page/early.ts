@@ -4,7 +4,6 @@
 // of it has come.
 
 import core from 'geodesic-voronoi/core.wasm?url';
-import gltf from 'geodesic-voronoi/gltf.wasm?url';
 import { byId } from './dom.js';
 import { modelOf } from './first_model.js';
 
@@ -14,7 +13,7 @@ declare const firstBytes: number;
 const bar = byId('progress-bar', HTMLProgressElement);
 let received = 0;
 
-async function fetchModule(address: string): Promise<Response> {
+async function fetchCounted(address: string): Promise<Response> {
   const response = await fetch(address);
   count(response.clone()).catch(() => {});
   return response;
@@ -29,15 +28,10 @@ async function count({ body }: Response): Promise<void> {
   }
 }
 
-// What fails is asked for again, and told of, where it is needed.
-const modules = Promise.all([core, gltf].map(fetchModule)).then(([wasm, gltfWasm]) => ({
-  wasm,
-  gltfWasm,
-}));
-modules.catch(() => {});
-// For the cache: the viewer asks for it again.
-fetch(modelOf(location.hash))
-  .then(count)
-  .catch(() => {});
+// What fails is asked for again, or told of, where it is needed. The model that the page opens with needs
+// no other module.
+const modules = WebAssembly.compileStreaming(fetchCounted(core)).then((wasm) => ({ wasm }));
+const model = fetchCounted(modelOf(location.hash));
+for (const each of [modules, model]) each.catch(() => {});
 
-void import('./main.js').then(({ setUpPage }) => setUpPage(modules));
+void import('./main.js').then(({ setUpPage }) => setUpPage(modules, model));

@@ -26,7 +26,8 @@ const mediaTypes = {
 /** Of the diagram: by name, then by format. */
 const encoders: Record<string, Record<string, Encoder>> = {
   outlines: {
-    svg: ({ data }, _, viewer) => new Blob([outlinesSvg(viewer, data)], { type: mediaTypes.svg }),
+    svg: async ({ data }, _, viewer) =>
+      new Blob([await outlinesSvg(viewer, data)], { type: mediaTypes.svg }),
   },
   sites: {
     json: (_, __, viewer) =>
@@ -37,8 +38,10 @@ const encoders: Record<string, Record<string, Encoder>> = {
       encode(mediaTypes.json, 'diagramJson', { metric, sites, data }),
   },
   bisectors: {
-    glb: ({ data }) => encode(mediaTypes.glb, 'diagramGlb', data),
-    obj: ({ data }) => encode(mediaTypes.obj, 'diagramObj', data),
+    // What is not needed is not copied.
+    glb: ({ data: { points, segments } }) =>
+      encode(mediaTypes.glb, 'diagramGlb', { points, segments }),
+    obj: ({ data: { points, arcs } }) => encode(mediaTypes.obj, 'diagramObj', { points, arcs }),
   },
   parts: {
     glb: async (diagram, options, viewer) =>

@@ -5,6 +5,7 @@
 import type { LoadOptions } from 'geodesic-voronoi';
 import { GeodesicVoronoiElement } from '../viewer/element.js';
 import { provideModules } from '../viewer/library_pool.js';
+import { provideModel } from '../viewer/model_files.js';
 import { setUpAnnouncements } from './announcements.js';
 import { setUpCvtControls } from './cvt_controls.js';
 import { CvtReadings } from './cvt_readings.js';
@@ -12,6 +13,7 @@ import { setUpDensityControls } from './density_controls.js';
 import { byId } from './dom.js';
 import { setUpDownloads } from './downloads.js';
 import { setUpFeedback } from './feedback.js';
+import { modelOf } from './first_model.js';
 import { setUpFirstSight } from './first_sight.js';
 import { setUpKeyboard } from './keyboard.js';
 import { setUpMeshReport } from './mesh_report.js';
@@ -23,9 +25,10 @@ import { setUpSizeWarning } from './size_warning.js';
 import { setUpToolbar } from './toolbar.js';
 import { setUpViewControls } from './view_controls.js';
 
-/** `modules` are on their way already. */
-export function setUpPage(modules: Promise<LoadOptions>): void {
+/** The modules, and the model that the page opens with, are on their way already. */
+export function setUpPage(modules: Promise<LoadOptions>, model: Promise<Response>): void {
   provideModules(modules);
+  provideModel(modelOf(location.hash), model);
   const viewer = byId('viewer', GeodesicVoronoiElement);
   setUpFeedback(viewer);
   setUpSizeWarning(viewer);

@@ -1,11 +1,22 @@
 // SPDX-License-Identifier: MIT
 import type { DiagramData } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
+import { nextFrame } from '../viewer/next_frame.js';
+
+/** A point of the surface as it is seen in the view, in CSS pixels; none if it is hidden. */
+type SeenPoint = { x: number; y: number } | undefined;
+
+/** Whether a point is hidden takes a ray: they are cast for so long, in milliseconds, between two frames. */
+const sliceMilliseconds = 12;
+const pointsPerStep = 256;
 
 /** The bisectors that are seen in the view, as a drawing of its size in CSS pixels. */
-export function outlinesSvg(viewer: GeodesicVoronoiElement, data: DiagramData): string {
+export async function outlinesSvg(
+  viewer: GeodesicVoronoiElement,
+  data: DiagramData,
+): Promise<string> {
   const { clientWidth: width, clientHeight: height } = viewer;
-  const places = viewer.project(data.points.position);
+  const places = await seenPoints(viewer, data.points.position);
   const { points } = data.segments;
   const parts: string[] = [];
   let last = -1;
@@ -22,6 +33,21 @@ export function outlinesSvg(viewer: GeodesicVoronoiElement, data: DiagramData): 
     `<path d="${parts.join('')}" fill="none" stroke="#1f2933" stroke-width="1.2" ` +
     'stroke-linecap="round" stroke-linejoin="round"/></svg>\n'
   );
+}
+
+async function seenPoints(
+  viewer: GeodesicVoronoiElement,
+  positions: Float64Array,
+): Promise<SeenPoint[]> {
+  const places: SeenPoint[] = [];
+  let end = performance.now() + sliceMilliseconds;
+  for (let i = 0; i < positions.length; i += 3 * pointsPerStep) {
+    places.push(...viewer.project(positions.subarray(i, i + 3 * pointsPerStep)));
+    if (performance.now() < end) continue;
+    await nextFrame();
+    end = performance.now() + sliceMilliseconds;
+  }
+  return places;
 }
 
 function numbers({ x, y }: { x: number; y: number }): string {

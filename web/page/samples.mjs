@@ -14,7 +14,7 @@ const require = createRequire(import.meta.url);
 
 /** How each model of `samples.json` comes about: its triangles, or the path of a file in a package. */
 const sources = {
-  'bunny.glb': bunny,
+  'bunny.ply': bunny,
   'hand.glb': '@webxr-input-profiles/assets/dist/profiles/generic-hand/left.glb',
   'bearing.glb': bearingBlock,
   'triple-torus.glb': tripleTorus,
@@ -32,8 +32,32 @@ export function makeSamples(folder) {
   for (const [file, source] of Object.entries(sources)) {
     const target = join(folder, file);
     if (typeof source === 'string') copyFileSync(require.resolve(source), target);
-    else writeFileSync(target, glb(source()));
+    else writeFileSync(target, file.endsWith('.ply') ? ply(source()) : glb(source()));
   }
+}
+
+/** A binary PLY of triangles. What the page opens with is one: it needs no module of its own to be read. */
+function ply({ positions, indices }) {
+  const vertexCount = positions.length / 3;
+  const faceCount = indices.length / 3;
+  const header = [
+    'ply',
+    'format binary_little_endian 1.0',
+    `element vertex ${vertexCount}`,
+    ...['x', 'y', 'z'].map((axis) => `property float ${axis}`),
+    `element face ${faceCount}`,
+    'property list uchar int vertex_indices',
+    'end_header\n',
+  ];
+  const faceBytes = 13;
+  const faces = Buffer.alloc(faceBytes * faceCount);
+  indices.forEach((vertex, corner) => {
+    const at = faceBytes * Math.floor(corner / 3);
+    faces.writeUInt8(3, at);
+    faces.writeInt32LE(vertex, at + 1 + 4 * (corner % 3));
+  });
+  const vertices = Buffer.from(Float32Array.from(positions).buffer);
+  return Buffer.concat([Buffer.from(header.join('\n')), vertices, faces]);
 }
 
 /** As it comes it has 3,674 triangles; two rounds make 58,784 of them. */

@@ -10,12 +10,14 @@ const layerTitles: Record<Layer, string> = {
   'voronoi-points': 'Voronoi points',
   dual: 'Dual',
   distances: 'Distances',
+  original: 'Original material',
   wireframe: 'Wireframe',
 };
 
 /** What is shown, and by which distance. */
 export function setUpViewControls(viewer: GeodesicVoronoiElement): void {
   setUpLayers(viewer);
+  setUpOriginal(viewer);
   setUpDual(viewer);
   setUpExploded(viewer);
   setUpDistance(viewer);
@@ -37,6 +39,17 @@ function setUpLayers(viewer: GeodesicVoronoiElement): void {
   });
   group.addEventListener('change', () => {
     viewer.layers = boxes.filter((box) => box.checked).map((box) => box.value as Layer);
+  });
+}
+
+/** Why there is nothing of the file's own to be seen, if there is not. */
+function setUpOriginal(viewer: GeodesicVoronoiElement): void {
+  const note = byId('original-note', HTMLElement);
+  listen(viewer, 'original', (original) => {
+    note.hidden = original?.isFound ?? true;
+    note.textContent = original?.problem
+      ? `Its own material cannot be shown: ${original.problem}.`
+      : 'This file gives its surface no colours.';
   });
 }
 

@@ -7,7 +7,7 @@ import { makeSamples } from './samples.mjs';
 
 const inBuild = (name) => fileURLToPath(new URL(`../../build/${name}`, import.meta.url));
 
-/** The large script is fetched together with the first one, which asks for it. */
+/** The large script, and those that it is made of, are fetched together with the first one, which asks for it. */
 const preloadMain = {
   name: 'preload-main',
   transformIndexHtml: {
@@ -16,9 +16,38 @@ const preloadMain = {
       const main = Object.values(bundle).find(
         (file) => file.isDynamicEntry && file.name === 'main',
       );
-      const attrs = { rel: 'modulepreload', href: `./${main?.fileName}`, crossorigin: true };
-      return main ? [{ tag: 'link', attrs, injectTo: 'head' }] : [];
+      return [main?.fileName, ...(main?.imports ?? [])]
+        .filter((name) => name !== undefined)
+        .map((name) => ({
+          tag: 'link',
+          attrs: { rel: 'modulepreload', href: `./${name}`, crossorigin: true },
+          injectTo: 'head',
+        }));
     },
+  },
+};
+
+/**
+ * What three.js brings for materials that the page has none of, and for shadows, probes of light and tone
+ * mapping: texts of shaders, which no bundler sees are not needed, a tenth of what is fetched at first.
+ * Whoever gives the page such a material finds it not to compile, and takes it off this list.
+ */
+const neededByNothing = {
+  ShaderLib:
+    /background|cube|depth|distance|equirect|linedashed|matcap|normal|phong|physical|points|shadow|sprite|toon|vsm/,
+  ShaderChunk:
+    /physical|phong|toon|transmission|iridescence|clearcoat|lightprobes|shadowmap_pars_fragment|tonemapping_pars/,
+};
+const leaveOutShaders = {
+  name: 'leave-out-shaders',
+  load(id) {
+    const [, folder, name] =
+      /three\/src\/renderers\/shaders\/(?:(\w+)\/)?(\w+)[.\w]*\.js$/.exec(id) ?? [];
+    if (name === 'DFGLUTData') return 'export const getDFGLUT = () => null;';
+    if (!neededByNothing[folder]?.test(name)) return undefined;
+    return folder === 'ShaderLib'
+      ? "export const vertex = '', fragment = '';"
+      : "export default '';";
   },
 };
 
@@ -27,14 +56,15 @@ export default defineConfig(({ isPreview }) => {
   if (!isPreview) makeSamples(`${publicDir}/samples`);
   const first = [
     fileURLToPath(import.meta.resolve('geodesic-voronoi/core.wasm')),
-    fileURLToPath(import.meta.resolve('geodesic-voronoi/gltf.wasm')),
     `${publicDir}/samples/${samples[0].file}`,
   ];
   const firstBytes = isPreview ? 0 : first.reduce((sum, file) => sum + statSync(file).size, 0);
   return {
     define: { firstBytes },
     base: './',
-    plugins: [preloadMain],
+    plugins: [preloadMain, leaveOutShaders],
+    // Of its many modules, those that nothing at first sight needs come with what does.
+    resolve: { alias: [{ find: /^three$/, replacement: 'three/src/Three.js' }] },
     publicDir,
     build: {
       outDir: inBuild('page'),

@@ -88,7 +88,8 @@ export class DerivedDrawings {
     const triangles = await model?.builder.parts(partition, model.drawing.tones);
     if (!model || !triangles || model !== this.#place.model) return undefined;
     const parts = model.drawing.prepareParts(triangles);
-    while (parts.uploadMore()) {
+    for (let isFirst = true; parts.uploadMore(); isFirst = false) {
+      if (isFirst) await stage.compile(parts.object);
       stage.invalidate();
       await nextFrame();
     }

@@ -2,17 +2,17 @@
 //
 // Work of drawing that would keep the page from answering, done in a worker.
 
-import type { DiagramData, Mesh, Partition } from 'geodesic-voronoi';
+import type { DiagramData, Mesh } from 'geodesic-voronoi';
 import type { Cells, CellTriangles } from './cell_triangles.js';
 import type { DistanceSamples, DistanceTriangles } from './distance_triangles.js';
-import type { PartTriangles } from './part_triangles.js';
+import type { Parts, PartTriangles } from './part_triangles.js';
 import { PortedWorker } from './ported_worker.js';
 
 /** First the mesh, then whatever is to be drawn of it. */
 export type DrawingRequest =
   | { kind: 'mesh'; mesh: Pick<Mesh, 'positions' | 'indices'> }
   | { kind: 'cells'; cells: Cells }
-  | { kind: 'parts'; partition: Partition; tones: Uint16Array }
+  | { kind: 'parts'; partition: Parts; tones: Uint16Array }
   | { kind: 'distances'; samples: DistanceSamples };
 
 const worker = new PortedWorker(
@@ -42,11 +42,13 @@ export class DrawingBuilder {
   }
 
   /** The regions, in these tones; the arrays of the partition are given away. Undefined as above. */
-  parts(partition: Partition, tones: Uint16Array): Promise<PartTriangles | undefined> {
-    return this.#ask({ kind: 'parts', partition, tones }, [
-      partition.points.position.buffer,
-      ...Object.values(partition.triangles).map(({ buffer }) => buffer),
-    ] as ArrayBuffer[]);
+  parts(
+    { points: { position }, triangles, regions: { centroid } }: Parts,
+    tones: Uint16Array,
+  ): Promise<PartTriangles | undefined> {
+    const partition = { points: { position }, triangles, regions: { centroid } };
+    const given = [position, ...Object.values(triangles)].map(({ buffer }) => buffer);
+    return this.#ask({ kind: 'parts', partition, tones }, given as ArrayBuffer[]);
   }
 
   /** The surface with distances. Undefined as above. */

@@ -42,6 +42,8 @@ export interface ViewerEvents {
   };
   /** The dual is drawn; null: it is not any more. It is a picture of the surface if nothing is wrong. */
   dual: { polygons: number; violations: readonly Violation[] } | null;
+  /** The file's own material is drawn if it has any; `problem` says why it cannot be read. Null: no more. */
+  original: { isFound: boolean; textures: number; problem?: string } | null;
   /** The regions are drawn apart; null: they are together again. */
   exploded: { regions: number; triangles: number } | null;
   /** The sites or the choice of one changed; the diagram follows. */

@@ -7,7 +7,6 @@ import {
   type GeodesicVoronoi,
   type LoadOptions,
   loadWorker,
-  type Modules,
 } from 'geodesic-voronoi';
 
 /** Leaves a core to the page. */
@@ -19,11 +18,11 @@ interface Shared {
 }
 
 const pool = new Set<Shared>();
-let modules: Promise<Modules> | undefined;
+let modules: Promise<LoadOptions> | undefined;
 
-/** Where the modules come from for the first library, if a page has asked for them before. */
-export function provideModules(sources: Promise<LoadOptions>): void {
-  modules = sources.then(compileModules).catch(() => compileModules());
+/** Modules for all libraries, if a page has asked for them before; those that are missing come when needed. */
+export function provideModules(compiled: Promise<LoadOptions>): void {
+  modules = compiled.catch(() => compileModules());
   // It is told of when somebody needs a library.
   modules.catch(() => {});
 }

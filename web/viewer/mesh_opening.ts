@@ -19,9 +19,11 @@ export type Reader = (
   onProgress: (share: number) => void,
 ) => Promise<NamedFiles>;
 
-interface OpenedMesh {
+export interface OpenedMesh {
   mesh: Mesh;
   name: string;
+  /** What it was read from. */
+  files: NamedFiles;
   sites: PointList;
 }
 
@@ -34,14 +36,14 @@ export async function openMesh(
   { build, scattering }: Opening,
   { signal, onProgress }: { signal: AbortSignal; onProgress: (share: number) => void },
 ): Promise<OpenedMesh> {
-  const { name, files, file } = await read(signal, onProgress);
-  const mesh = await library.mesh(files, { ...build, file }).catch((error) => {
-    throw sentence(`${name} cannot be opened`, error);
+  const files = await read(signal, onProgress);
+  const mesh = await library.mesh(files.files, { ...build, file: files.file }).catch((error) => {
+    throw sentence(`${files.name} cannot be opened`, error);
   });
   try {
     const sites = await scatterSites(mesh, scattering);
     signal.throwIfAborted();
-    return { mesh, name: lastSegment(mesh.info.origin.file), sites };
+    return { mesh, name: lastSegment(mesh.info.origin.file), files, sites };
   } catch (error) {
     mesh.dispose();
     throw error;

@@ -17,6 +17,7 @@ import { ExplodedParts } from './exploded_parts.js';
 import { Glide } from './glide.js';
 import { chainEnds, FatLines, outlineEnds, pointPlaces, wireframe } from './lines.js';
 import { Markers } from './markers.js';
+import type { OriginalMaterial } from './original_material.js';
 import { RegionColours, toneColour } from './region_colours.js';
 import { RegionSurface, type TonedDiagram } from './region_surface.js';
 import type { PartTriangles } from './part_triangles.js';
@@ -34,6 +35,7 @@ export const layers = [
   'voronoi-points',
   'dual',
   'distances',
+  'original',
   'wireframe',
 ] as const;
 export type Layer = (typeof layers)[number];
@@ -73,6 +75,7 @@ export class ModelDrawing {
   #parts: ExplodedParts | undefined;
   #coming: ExplodedParts | undefined;
   #distances: DistanceSurface | undefined;
+  #original: OriginalMaterial | undefined;
   #wireframe: LineSegments<BufferGeometry, LineBasicMaterial> | undefined;
   readonly #occlusion: Data3DTexture;
   #theme: Theme = lightTheme;
@@ -181,7 +184,23 @@ export class ModelDrawing {
         this.#occlusion,
       );
     if (this.#distances) this.#together.add(this.#distances.object);
-    this.#surface.object.visible = !this.#distances;
+    this.#showSurface();
+  }
+
+  /** The surface as its file colours it, instead of the regions; undefined for none. */
+  setOriginal(original: OriginalMaterial | undefined): void {
+    if (this.#original === original) return;
+    if (this.#original) this.#together.remove(this.#original.object);
+    this.#original?.dispose();
+    this.#original = original;
+    if (original) this.#together.add(original.object);
+    this.#showSurface();
+  }
+
+  /** One of them, or they would be drawn in the same place. */
+  #showSurface(): void {
+    if (this.#original) this.#original.object.visible = !this.#distances;
+    this.#surface.object.visible = !this.#distances && !this.#original;
   }
 
   /** Both ends of pieces of the dual's sides; none for no dual. */
@@ -318,6 +337,7 @@ export class ModelDrawing {
     this.#parts?.dispose();
     this.#coming?.dispose();
     this.#distances?.dispose();
+    this.setOriginal(undefined);
     this.#occlusion.dispose();
     this.#voronoiPoints.markers.dispose();
     this.#siteMarkers.dispose();

@@ -10,6 +10,8 @@ export interface NamedFiles {
   files: ModelFiles;
   /** Which of several models. */
   file?: string;
+  /** Fetches what the model names besides these, from where it came. */
+  fetchBeside?: (uri: string) => Promise<Uint8Array>;
 }
 
 /** Files that were chosen: those of a folder have a path. They are read if the model needs them. */
@@ -29,6 +31,14 @@ export async function droppedFiles(dropped: DataTransfer): Promise<NamedFiles> {
   return named((await Promise.all(found)).flat());
 }
 
+/** Answers to requests that a page has made before, by address; each is read once. */
+const provided = new Map<string, Promise<Response>>();
+
+/** The model at an address is this when it is next asked for. */
+export function provideModel(address: string, response: Promise<Response>): void {
+  provided.set(new URL(address, document.baseURI).href, response);
+}
+
 /** The model at an address (after a #, which of several in a zip); what it names is taken from where it says. */
 export async function fetchModelFiles(
   address: string,
@@ -41,7 +51,9 @@ export async function fetchModelFiles(
   for (const uri of gltfResourceUris(bytes)) {
     files[uri] = await fetchBytes(new URL(uri, url), signal, () => {});
   }
-  return { name, files, file: url.hash ? decoded(url.hash.slice(1)) : undefined };
+  const fetchBeside = (uri: string) =>
+    fetchBytes(new URL(uri, url), new AbortController().signal, () => {});
+  return { name, files, file: url.hash ? decoded(url.hash.slice(1)) : undefined, fetchBeside };
 }
 
 /** Folders of models have a few files; one with this many more was not meant. */
@@ -86,7 +98,9 @@ async function fetchBytes(
   const name = lastSegment(url.pathname);
   let response: Response;
   try {
-    response = await fetch(url, { signal });
+    const given = provided.get(url.href);
+    provided.delete(url.href);
+    response = await (given ?? fetch(url, { signal }));
   } catch (cause) {
     signal.throwIfAborted();
     throw new Error(`${name} cannot be fetched: the server does not answer.`, { cause });

@@ -6,12 +6,13 @@
  * the depth buffer and 32-bit positions need not know.
  */
 export class ModelFrame {
-  readonly #centre: readonly number[];
+  /** Of the bounding box, in the model. */
+  readonly centre: readonly number[];
   /** Lengths in the scene per length in the model. */
   readonly scale: number;
 
   private constructor(centre: readonly number[], scale: number) {
-    this.#centre = centre;
+    this.centre = centre;
     this.scale = scale;
   }
 
@@ -41,10 +42,24 @@ export class ModelFrame {
     return new ModelFrame(centre, radius > 0 ? 1 / radius : 1);
   }
 
+  /** Those of the triples that are named, one after the other, as `toScene` has them. */
+  namedToScene(positions: ArrayLike<number>, named: ArrayLike<number>): Float32Array {
+    const scene = new Float32Array(3 * named.length);
+    const [x, y, z] = this.centre;
+    const { scale } = this;
+    for (let i = 0; i < named.length; ++i) {
+      const from = 3 * named[i];
+      scene[3 * i] = (positions[from] - x) * scale;
+      scene[3 * i + 1] = (positions[from + 1] - y) * scale;
+      scene[3 * i + 2] = (positions[from + 2] - z) * scale;
+    }
+    return scene;
+  }
+
   /** x, y, z triples of the model in the scene. Subtracted before rounding: far origins cost nothing. */
   toScene(positions: ArrayLike<number>): Float32Array {
     const scene = new Float32Array(positions.length);
-    const [x, y, z] = this.#centre;
+    const [x, y, z] = this.centre;
     const { scale } = this;
     for (let i = 0; i < positions.length; i += 3) {
       scene[i] = (positions[i] - x) * scale;

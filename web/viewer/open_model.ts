@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-import type { Mesh } from 'geodesic-voronoi';
 import { DensityPaint } from './density_paint.js';
 import { DrawingBuilder } from './drawing_builder.js';
+import type { OpenedMesh } from './mesh_opening.js';
 import { ModelDrawing } from './model_drawing.js';
+import type { NamedFiles } from './model_files.js';
 import { Picker } from './picking.js';
 import { SceneMesh } from './scene_mesh.js';
 import type { Theme } from './theme.js';
@@ -14,7 +15,10 @@ export class OpenModel {
   readonly paint: DensityPaint;
   readonly builder: DrawingBuilder;
 
-  constructor(model: Mesh, theme: Theme) {
+  readonly files: NamedFiles;
+
+  constructor({ mesh: model, files }: Pick<OpenedMesh, 'mesh' | 'files'>, theme: Theme) {
+    this.files = files;
     const mesh = new SceneMesh(model);
     this.drawing = new ModelDrawing(mesh);
     this.drawing.theme = theme;

@@ -6,6 +6,13 @@ import type { Partition } from 'geodesic-voronoi';
 import { LabelColours } from './label_colours.js';
 import type { SceneMesh } from './scene_mesh.js';
 
+/** As much of a partition as is drawn. */
+export interface Parts {
+  points: Pick<Partition['points'], 'position'>;
+  triangles: Partition['triangles'];
+  regions: Pick<Partition['regions'], 'centroid'>;
+}
+
 /** Per corner. */
 export interface PartTriangles {
   /** Where it is when the parts are together. */
@@ -21,7 +28,7 @@ const one = 32767;
 /** Each part moves away from the middle of the model, by the place of its own middle. */
 export function partTriangles(
   mesh: SceneMesh,
-  { points, triangles, regions }: Pick<Partition, 'points' | 'triangles' | 'regions'>,
+  { points, triangles, regions }: Parts,
   tones: Uint16Array,
 ): PartTriangles {
   const places = mesh.frame.toScene(points.position);

@@ -255,12 +255,22 @@ export class RegionSurface {
   ): void {
     const face = keys[2 * triangle];
     const label = keys[2 * triangle + 1];
+    const bytes = this.#tints ? noColour : colours.of(label);
     for (let k = 0; k < 9; k += 3) {
-      const corner = 9 * triangle + k;
-      const tint = this.#tints
-        ? this.#tintAt(face, position[corner], position[corner + 1], position[corner + 2])
-        : 0;
-      colours.write(label, tint, target, at + k);
+      if (this.#tints) {
+        const corner = 9 * triangle + k;
+        const tint = this.#tintAt(
+          face,
+          position[corner],
+          position[corner + 1],
+          position[corner + 2],
+        );
+        colours.write(label, tint, target, at + k);
+      } else {
+        target[at + k] = bytes[0];
+        target[at + k + 1] = bytes[1];
+        target[at + k + 2] = bytes[2];
+      }
     }
   }
 

@@ -6,7 +6,13 @@ import { DiagramSummary } from './diagram_summary.js';
 import { sentence } from './failure.js';
 import { LatestTask } from './latest_task.js';
 import { LibraryLease } from './library_pool.js';
-import { openMesh, type Opening, type Reader, scatterSites } from './mesh_opening.js';
+import {
+  type OpenedMesh,
+  type Opening,
+  openMesh,
+  type Reader,
+  scatterSites,
+} from './mesh_opening.js';
 import type { CvtStatus, Scattering, SessionListener, Status } from './session_listener.js';
 import {
   changeDiagram,
@@ -88,11 +94,8 @@ export class Session {
     try {
       this.#lease ??= new LibraryLease();
       const library = await this.#lease.library;
-      const { mesh, name, sites } = await openMesh(library, read, how, {
-        signal,
-        onProgress: (share) => this.#listener.progressed(share),
-      });
-      this.#adopt(mesh, name, this.#history.createAll(sites));
+      const onProgress = (share: number) => this.#listener.progressed(share);
+      this.#adopt(await openMesh(library, read, how, { signal, onProgress }));
       return true;
     } catch (error) {
       if (!signal.aborted) {
@@ -247,7 +250,9 @@ export class Session {
     this.#lease = undefined;
   }
 
-  #adopt(mesh: Mesh, name: string, sites: Sites): void {
+  #adopt(opened: OpenedMesh): void {
+    const { mesh } = opened;
+    const sites = this.#history.createAll(opened.sites);
     this.#stopCvt();
     this.#scattering = undefined;
     this.#task.cancel();
@@ -257,7 +262,7 @@ export class Session {
     this.#move = undefined;
     this.#mesh = mesh;
     this.#history.reset(sites);
-    this.#listener.modelChanged(mesh, name);
+    this.#listener.modelChanged(opened);
     this.#listener.sitesChanged(sites);
     this.#request();
   }

@@ -2,8 +2,9 @@
 //
 // What a session tells, and its words.
 
-import type { CvtState, DiagramChange, Mesh, Sampling } from 'geodesic-voronoi';
+import type { CvtState, DiagramChange, Sampling } from 'geodesic-voronoi';
 import type { CellTriangles } from './cell_triangles.js';
+import type { OpenedMesh } from './mesh_opening.js';
 import type { DiagramSettings, ShownDiagram } from './shown_diagram.js';
 import type { Sites, Tints } from './site_history.js';
 
@@ -35,7 +36,7 @@ export interface Drawable {
 
 /** Told what changed, after it did. */
 export interface SessionListener {
-  modelChanged(mesh: Mesh, name: string): void;
+  modelChanged(opened: OpenedMesh): void;
   sitesChanged(sites: Sites): void;
   /** By undoing or redoing; after a failure too. */
   densityChanged(tints: Tints): void;

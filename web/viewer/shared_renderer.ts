@@ -1,5 +1,14 @@
 // SPDX-License-Identifier: MIT
-import { type Camera, type Scene, Vector2, WebGLRenderer } from 'three';
+import {
+  type Camera,
+  type Material,
+  type Object3D,
+  type Scene,
+  Vector2,
+  type WebGLProgram,
+  WebGLRenderer,
+} from 'three';
+import { nextFrame } from './next_frame.js';
 
 /** Told when the graphics card drops the renderer's context, and when it is there again. */
 export interface ContextListener {
@@ -15,6 +24,9 @@ export interface Picture {
   height: number;
   pixelRatio: number;
 }
+
+/** A part of three.js that its types leave out. */
+type CompiledProgram = WebGLProgram & { isReady(): boolean };
 
 let present: SharedRenderer | undefined;
 
@@ -71,6 +83,17 @@ export class SharedRenderer {
     }
     target.globalCompositeOperation = 'copy';
     target.drawImage(source, 0, 0);
+  }
+
+  /** Until the shaders of an object of a scene are compiled: else its first drawing waits for them. */
+  async compile(object: Object3D, scene: Scene, camera: Camera): Promise<void> {
+    const { properties } = this.#renderer;
+    const isCompiled = (material: Material) => {
+      const { currentProgram } = properties.get(material) as { currentProgram?: CompiledProgram };
+      return currentProgram?.isReady() ?? true; // whoever has disposed of it waits for nothing
+    };
+    const materials = [...this.#renderer.compile(object, camera, scene)];
+    while (!materials.every(isCompiled)) await nextFrame();
   }
 
   return(user: ContextListener): void {

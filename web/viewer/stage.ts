@@ -140,6 +140,11 @@ export class Stage {
     );
   }
 
+  /** Until something that is to be drawn can be drawn at once. */
+  compile(object: Object3D): Promise<void> {
+    return this.#renderer.compile(object, this.#scene, this.camera);
+  }
+
   /** The view as a picture, so many times as large as it is shown. */
   toBlob(scale: number, type: string, quality?: number): Promise<Blob> {
     this.draw(scale);
@@ -206,12 +211,14 @@ export class Stage {
     const halfHeight = Math.tan((fieldOfView * Math.PI) / 360) * (1 - margin);
     const halfWidth = halfHeight * this.camera.aspect;
     let distance = 0;
-    const point = new Vector3();
+    // Parts that go apart are framed anew in every frame: nothing is made or called per point.
+    const [ax, ay, az] = right.divideScalar(halfWidth);
+    const [bx, by, bz] = up.divideScalar(halfHeight);
     for (let i = 0; i < points.length; i += 3) {
-      point.fromArray(points, i);
-      const needed =
-        point.dot(back) +
-        Math.max(Math.abs(point.dot(right)) / halfWidth, Math.abs(point.dot(up)) / halfHeight);
+      const [x, y, z] = [points[i], points[i + 1], points[i + 2]];
+      const a = Math.abs(ax * x + ay * y + az * z);
+      const b = Math.abs(bx * x + by * y + bz * z);
+      const needed = back.x * x + back.y * y + back.z * z + (a > b ? a : b);
       if (needed > distance && needed < Infinity) distance = needed;
     }
     return distance || 3;

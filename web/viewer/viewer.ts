@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-import type { DiagramData, Mesh, SurfacePath } from 'geodesic-voronoi';
+import type { DiagramData, SurfacePath } from 'geodesic-voronoi';
 import { Vector3 } from 'three';
 import type { Attributes } from './attributes.js';
 import { formatCameraOrbit } from './camera_orbit.js';
@@ -9,9 +9,10 @@ import { DistanceLegend } from './distance_legend.js';
 import type { Emit } from './events.js';
 import { hexagonEnergy, rootDensityIntegral } from './hexagon_energy.js';
 import { Hover, type HoveredPoint } from './hover.js';
-import type { Reader } from './mesh_opening.js';
+import type { OpenedMesh, Reader } from './mesh_opening.js';
 import type { DrawnDiagram } from './model_drawing.js';
 import { OpenModel } from './open_model.js';
+import { OriginalLayer } from './original_layer.js';
 import { PageScrolling } from './page_scrolling.js';
 import { PointerGestures } from './pointer_gestures.js';
 import { Session } from './session.js';
@@ -59,6 +60,7 @@ export class Viewer implements Workpiece {
   #lastIteration = 0;
   #gliding = 0;
   readonly #derived: DerivedDrawings;
+  readonly #original: OriginalLayer;
   /** Ends with the viewer. */
   readonly #watching = new AbortController();
 
@@ -84,6 +86,7 @@ export class Viewer implements Workpiece {
     this.stage.up = this.attributes.up;
     this.legend = new DistanceLegend(canvas.getRootNode() as ShadowRoot);
     this.#derived = new DerivedDrawings(this, host.emit);
+    this.#original = new OriginalLayer(this, host.emit);
     this.session = new Session(
       async (data) => this.#model?.builder.cells(data),
       this.#sessionListener(),
@@ -260,6 +263,7 @@ export class Viewer implements Workpiece {
 
   showLayers(): void {
     this.#model?.drawing.show(new Set(this.attributes.layers));
+    void this.#original.update();
     this.stage.invalidate();
     this.#derive();
   }
@@ -286,8 +290,9 @@ export class Viewer implements Workpiece {
 
   #sessionListener(): SessionListener {
     return {
-      modelChanged: (mesh, name) => {
-        this.#showModel(mesh);
+      modelChanged: (opened) => {
+        const { mesh, name } = opened;
+        this.#showModel(opened);
         this.#emit('progress', { totalProgress: 1, reason: 'loading' });
         this.#emit('load', { name, info: mesh.info, parts: mesh.parts });
       },
@@ -326,14 +331,14 @@ export class Viewer implements Workpiece {
     };
   }
 
-  #showModel(mesh: Mesh): void {
+  #showModel(opened: OpenedMesh): void {
     this.#gestures.cancel();
     this.hover.moveTo(undefined);
     if (this.#model) {
       this.stage.remove(this.#model.drawing.object);
       this.#model.dispose();
     }
-    this.#model = new OpenModel(mesh, themeOf(this.stage.canvas));
+    this.#model = new OpenModel(opened, themeOf(this.stage.canvas));
     this.#adoptDensity();
     this.stage.add(this.#model.drawing.object);
     this.showLayers();

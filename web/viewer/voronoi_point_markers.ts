@@ -4,6 +4,7 @@
 
 import type { DiagramData } from 'geodesic-voronoi';
 import { labelsAround } from './diagram_summary.js';
+import { pointPlaces } from './lines.js';
 import { Markers, type MarkerStyle } from './markers.js';
 import type { SceneMesh } from './scene_mesh.js';
 
@@ -56,9 +57,13 @@ export class VoronoiPointMarkers {
   #recordsOf({ points, voronoiPoints }: Points): Float32Array {
     const { point } = voronoiPoints;
     const records = new Float32Array(width * point.length);
+    const places = pointPlaces(this.#mesh, { points }, point);
+    const bary = [0, 0, 0];
     point.forEach((p, i) => {
-      const bary = points.bary.subarray(3 * p, 3 * p + 3);
-      records.set(this.#mesh.frame.toScene(points.position.subarray(3 * p, 3 * p + 3)), width * i);
+      for (let k = 0; k < 3; ++k) {
+        records[width * i + k] = places[3 * i + k];
+        bary[k] = points.bary[3 * p + k];
+      }
       this.#mesh.writeNormal(points.face[p], bary, records, width * i + 3);
     });
     return records;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A typed array that grows at its end: numbers of a file whose count is known only when it is read. It grows
+// A typed array that grows at its end: numbers whose count is known only when all are there. It grows
 // chunk by chunk: one that is copied as it grows would take the thread, and twice its memory.
 
 import type { SlicedWork } from '../slices.js';
@@ -33,7 +33,15 @@ export class GrowingArray<Array extends Numbers> {
     ++this.#length;
   }
 
-  /** Gives up what there is, as one array; yields between chunks. */
+  /** Gives up what there is, as one array. */
+  toArray(): Array {
+    const work = this.take();
+    let next = work.next();
+    while (!next.done) next = work.next();
+    return next.value;
+  }
+
+  /** The same, in steps: yields between chunks. */
   *take(): SlicedWork<Array> {
     const all = new this.#type(this.#length);
     for (const [i, chunk] of this.#chunks.entries()) {

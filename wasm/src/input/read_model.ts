@@ -8,7 +8,7 @@ import { readGltf } from '../gltf.js';
 import type { MeshOrigin, MeshPart } from '../results.js';
 import { inSlices, type SlicedWork } from '../slices.js';
 import type { Triangles } from '../triangles.js';
-import type { TaskOptions } from '../types.js';
+import type { ModelFiles, TaskOptions } from '../types.js';
 import { decompressed } from './gltf_decompression.js';
 import {
   type GltfFile,
@@ -20,7 +20,7 @@ import {
 } from './gltf_document.js';
 import { toSizeLimits } from './limits.js';
 import { FileSet } from './model_files.js';
-import { formatOf } from './model_format.js';
+import { type FileFormat, formatOf } from './model_format.js';
 
 /** WebAssembly modules, compiled when they are first needed. */
 export interface InputModules {
@@ -42,34 +42,60 @@ export interface Model {
   notes: string[];
 }
 
-export async function readModel(
-  { files, limits, file: wanted }: FileInput,
-  modules: InputModules,
+/** The model among files. */
+export interface FoundModel {
+  /** Its path. */
+  file: string;
+  format: Exclude<FileFormat, 'zip'>;
+  bytes: Uint8Array;
+  /** The content of the file that it means by a URI, if that is among them. */
+  resource(uri: string): Promise<Uint8Array | undefined>;
+}
+
+/** The one model among files, or the wanted one; of a .zip, the one in it. */
+export async function modelIn(
+  files: ModelFiles,
+  wanted: string | undefined,
   task: TaskOptions,
-  isUnpacked = false,
-): Promise<Model> {
+): Promise<FoundModel> {
+  const found = await modelAmong(files, wanted);
+  const isArchive = found.format === 'zip';
+  const model = isArchive
+    ? await modelAmong((await import('./zip.js')).zipFiles(found.bytes, task), wanted)
+    : found;
+  const { format } = model;
+  // There are zips that hold themselves.
+  if (format === 'zip') {
+    throw new GeodesicVoronoiError(
+      'invalid-file',
+      `${model.file} in the zip is a zip itself: unpack it first`,
+    );
+  }
+  return { ...model, format };
+}
+
+async function modelAmong(
+  files: ModelFiles,
+  wanted: string | undefined,
+): Promise<Omit<FoundModel, 'format'> & { format: FileFormat }> {
   const set = new FileSet(files);
   const file = set.model(wanted);
   const bytes = await set.read(file);
   const format = formatOf(bytes, file);
   if (format !== 'zip' && wanted !== undefined && file !== wanted) throw set.without(wanted);
+  return { file, format, bytes, resource: (uri) => set.resource(file, uri) };
+}
+
+export async function readModel(
+  { files, limits, file: wanted }: FileInput,
+  modules: InputModules,
+  task: TaskOptions,
+): Promise<Model> {
+  const { file, format, bytes, resource } = await modelIn(files, wanted, task);
   const sizes = toSizeLimits(limits);
   switch (format) {
-    case 'zip':
-      // There are zips that hold themselves.
-      if (isUnpacked)
-        throw new GeodesicVoronoiError(
-          'invalid-file',
-          `${file} in the zip is a zip itself: unpack it first`,
-        );
-      return readModel(
-        { files: (await import('./zip.js')).zipFiles(bytes, task), limits, file: wanted },
-        modules,
-        task,
-        true,
-      );
     case 'glTF': {
-      const readable = await readableGltf(bytes, (uri) => set.resource(file, uri), modules.draco);
+      const readable = await readableGltf(bytes, resource, modules.draco);
       const { parts, notes, ...triangles } = await readGltf(await modules.gltf(), readable, limits);
       return { triangles, parts, notes, origin: { file, format } };
     }

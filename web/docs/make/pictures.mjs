@@ -30,19 +30,19 @@ export async function takePictures(folder) {
         size: { width: 1200, height: 460 },
         views: [
           { src: 'knot.glb', sites: await even('knot.glb', 120) },
-          { src: 'bunny.glb', sites: await even('bunny.glb', 160) },
+          { src: 'bunny.ply', sites: await even('bunny.ply', 160) },
           { src: 'tangle.glb', sites: await even('tangle.glb', 150) },
         ],
       },
       'stages.webp': {
         size: { width: 1200, height: 340 },
         views: [
-          { src: 'bunny.glb', sites: await random('bunny.glb', 70), name: 'random sites' },
-          { src: 'bunny.glb', sites: await even('bunny.glb', 70), name: 'at centroids' },
-          { src: 'bunny.glb', sites: await even('bunny.glb', 70), name: 'parts', exploded: 0.12 },
+          { src: 'bunny.ply', sites: await random('bunny.ply', 70), name: 'random sites' },
+          { src: 'bunny.ply', sites: await even('bunny.ply', 70), name: 'at centroids' },
+          { src: 'bunny.ply', sites: await even('bunny.ply', 70), name: 'parts', exploded: 0.12 },
           {
-            src: 'bunny.glb',
-            sites: await even('bunny.glb', 70),
+            src: 'bunny.ply',
+            sites: await even('bunny.ply', 70),
             name: 'dual',
             layers: 'dual sites',
           },

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+//
+// The layer of a file's own material: textures and vertex colours.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { deflateSync, crc32 } from 'node:zlib';
+import { startBrowser } from './browser.mjs';
+
+let browser;
+before(async () => {
+  browser = await startBrowser();
+});
+after(() => browser.stop());
+
+/** A square in the plane z = 0, with texture coordinates that span it. */
+const corners = [
+  [-1, -1],
+  [1, -1],
+  [1, 1],
+  [-1, 1],
+];
+const triangles = [0, 1, 2, 0, 2, 3];
+
+/** A PNG of rows of colours. */
+function png(rows) {
+  const chunk = (type, data) => {
+    const content = Buffer.concat([Buffer.from(type, 'latin1'), data]);
+    const [length, sum] = [Buffer.alloc(4), Buffer.alloc(4)];
+    length.writeUInt32BE(data.length);
+    sum.writeUInt32BE(crc32(content));
+    return Buffer.concat([length, content, sum]);
+  };
+  const header = Buffer.alloc(13);
+  header.writeUInt32BE(rows[0].length, 0);
+  header.writeUInt32BE(rows.length, 4);
+  header.set([8, 2, 0, 0, 0], 8); // eight bits per channel, red, green and blue
+  const pixels = rows.map((row) => Buffer.from([0, ...row.flat()]));
+  return Buffer.concat([
+    Buffer.from([0x89, ...Buffer.from('PNG\r\n'), 0x1a, 0x0a]),
+    chunk('IHDR', header),
+    chunk('IDAT', deflateSync(Buffer.concat(pixels))),
+    chunk('IEND', Buffer.alloc(0)),
+  ]);
+}
+
+const red = [255, 0, 0];
+const blue = [0, 0, 255];
+/** Red on the left, blue on the right. */
+const image = png([
+  [red, blue],
+  [red, blue],
+]);
+
+const float32 = (numbers) => Buffer.from(Float32Array.from(numbers).buffer);
+
+/** The square as glTF; its image is a file beside it, or in its buffer. */
+function square({ imageFile } = {}) {
+  const data = [
+    float32(corners.flatMap(([x, y]) => [x, y, 0])),
+    float32(corners.flatMap(([x, y]) => [(x + 1) / 2, (1 - y) / 2])),
+    Buffer.from(Uint16Array.from(triangles).buffer),
+    imageFile ? Buffer.alloc(0) : image,
+  ];
+  let offset = 0;
+  const bufferViews = data.map(({ length }) => {
+    const view = { buffer: 0, byteOffset: offset, byteLength: Math.max(1, length) };
+    offset += length;
+    return view;
+  });
+  const bytes = Buffer.concat([...data, Buffer.alloc(4)]);
+  return Buffer.from(
+    JSON.stringify({
+      asset: { version: '2.0' },
+      scene: 0,
+      scenes: [{ nodes: [0] }],
+      nodes: [{ mesh: 0, translation: [100, 0, 0] }],
+      meshes: [
+        { primitives: [{ attributes: { POSITION: 0, TEXCOORD_0: 1 }, indices: 2, material: 0 }] },
+      ],
+      materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }],
+      textures: [{ source: 0, sampler: 0 }],
+      samplers: [{ magFilter: 9728, minFilter: 9728 }],
+      images: [imageFile ? { uri: imageFile } : { bufferView: 3, mimeType: 'image/png' }],
+      accessors: [
+        {
+          bufferView: 0,
+          componentType: 5126,
+          count: 4,
+          type: 'VEC3',
+          min: [-1, -1, 0],
+          max: [1, 1, 0],
+        },
+        { bufferView: 1, componentType: 5126, count: 4, type: 'VEC2' },
+        { bufferView: 2, componentType: 5123, count: 6, type: 'SCALAR' },
+      ],
+      bufferViews,
+      buffers: [
+        {
+          byteLength: bytes.length,
+          uri: `data:application/octet-stream;base64,${bytes.toString('base64')}`,
+        },
+      ],
+    }),
+  );
+}
+
+/** The square as PLY, with a colour at every vertex if there are any. */
+function ply(colours) {
+  const channels = colours ? ['red', 'green', 'blue'] : [];
+  const vertices = corners.map(([x, y], i) => [x, y, 0, ...(colours?.[i] ?? [])].join(' '));
+  const header = [
+    'ply',
+    'format ascii 1.0',
+    'element vertex 4',
+    ...['x', 'y', 'z'].map((axis) => `property float ${axis}`),
+    ...channels.map((channel) => `property uchar ${channel}`),
+    'element face 2',
+    'property list uchar int vertex_indices',
+    'end_header',
+  ];
+  return Buffer.from([...header, ...vertices, '3 0 1 2', '3 0 2 3', ''].join('\n'));
+}
+
+/** Opens files, shows only their own material, and returns what it is said to be. */
+async function shown(viewer, files) {
+  await viewer.evaluate((viewer) => {
+    viewer.layers = ['regions'];
+  });
+  await viewer.after('load', () => viewer.page.setInputFiles('#files', files));
+  const { isFound, textures, problem } = await viewer.after('original', () =>
+    viewer.evaluate((viewer) => {
+      viewer.layers = ['original'];
+    }),
+  );
+  assert.equal(problem, undefined);
+  return { isFound, textures };
+}
+
+/** How many pixels of the view are of a colour, at the left and at the right of its middle. */
+async function countsOf(viewer) {
+  const picture = await viewer.picture(['original']);
+  return viewer.evaluate((viewer, picture) => {
+    const { data, width } = viewer.pictures[picture];
+    const counts = { red: [0, 0], blue: [0, 0] };
+    for (let i = 0; i < data.length; i += 4) {
+      const side = (i / 4) % width < width / 2 ? 0 : 1;
+      const [r, g, b, alpha] = data.subarray(i, i + 4);
+      if (alpha === 255 && r > 120 && g < 40 && b < 40) ++counts.red[side];
+      if (alpha === 255 && b > 120 && r < 40 && g < 40) ++counts.blue[side];
+    }
+    return counts;
+  }, picture);
+}
+
+const file = (name, buffer) => ({ name, mimeType: '', buffer });
+
+function assertRedThenBlue({ red, blue }, what) {
+  assert.ok(red[0] > 1000 && blue[1] > 1000, `${what}: ${red} and ${blue}`);
+  assert.ok(red[0] > 20 * red[1] && blue[1] > 20 * blue[0], `${what}: ${red} and ${blue}`);
+}
+
+test('textures and vertex colours are shown where the file has them', async () => {
+  const viewer = await browser.open();
+  await viewer.settled();
+  await viewer.evaluate((viewer) => viewer.setAttribute('sites', '2'));
+
+  const inside = await shown(viewer, [file('inside.gltf', square())]);
+  assert.deepEqual(inside, { isFound: true, textures: 1 });
+  assertRedThenBlue(await countsOf(viewer), 'a texture in the file');
+
+  await shown(viewer, [
+    file('beside.gltf', square({ imageFile: 'colours.png' })),
+    file('colours.png', image),
+  ]);
+  assertRedThenBlue(await countsOf(viewer), 'a texture beside the file');
+
+  const [left, right] = [red, blue];
+  const coloured = await shown(viewer, [file('own.ply', ply([left, right, right, left]))]);
+  assert.deepEqual(coloured, { isFound: true, textures: 0 });
+  const counts = await countsOf(viewer);
+  assert.ok(counts.red[0] > 100 && counts.blue[1] > 100, JSON.stringify(counts));
+
+  const note = viewer.page.locator('#original-note');
+  assert.equal(await note.isVisible(), false);
+  assert.deepEqual(await shown(viewer, [file('bare.ply', ply())]), { isFound: false, textures: 0 });
+  assert.match(await note.textContent(), /gives its surface no colours/);
+  assert.ok((await viewer.coverage(await viewer.picture(['original']))) > 0.05, 'it is neutral');
+
+  await viewer.after('original', () =>
+    viewer.evaluate((viewer) => {
+      viewer.layers = ['regions'];
+    }),
+  );
+  assert.equal(await note.isHidden(), true);
+  assert.deepEqual(viewer.complaints, []);
+  await viewer.close();
+});

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+//
+// The model's own material, read from its files while the layer is shown.
+
+import type { DrawingPlace } from './derived_drawings.js';
+import type { Emit } from './events.js';
+import type { OriginalMaterial } from './original_material.js';
+import type { OpenModel } from './open_model.js';
+
+export class OriginalLayer {
+  readonly #place: DrawingPlace;
+  readonly #emit: Emit;
+  /** What it was last asked to show the material of. */
+  #shown: OpenModel | undefined;
+
+  constructor(place: DrawingPlace, emit: Emit) {
+    this.#place = place;
+    this.#emit = emit;
+  }
+
+  /** Shows it if the attributes ask for it. */
+  async update(): Promise<void> {
+    const { attributes, model } = this.#place;
+    const wanted = attributes.layers.includes('original') ? model : undefined;
+    if (wanted === this.#shown) return;
+    this.#shown = wanted;
+    let problem: string | undefined;
+    const material = await this.#read(wanted).catch((error: Error) => {
+      problem = error.message;
+      return undefined;
+    });
+    if (wanted !== this.#shown) {
+      material?.dispose();
+      return;
+    }
+    if (model === this.#place.model) model?.drawing.setOriginal(material);
+    this.#place.stage.invalidate();
+    const textures = material?.textures ?? 0;
+    this.#emit('original', wanted ? { isFound: material !== undefined, textures, problem } : null);
+  }
+
+  async #read(model: OpenModel | undefined): Promise<OriginalMaterial | undefined> {
+    if (!model) return undefined;
+    const { originalMaterial } = await import('./original_material.js');
+    const material = await originalMaterial(model.files, model.drawing.mesh.frame);
+    if (material) await this.#place.stage.compile(material.object);
+    return material;
+  }
+}
