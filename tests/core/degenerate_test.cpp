@@ -487,9 +487,10 @@ TEST_P(Degenerate, SliverThatNeighboursDoNotKnowIsCompleted) {
                          {0, {0.37555409787694871, 0.13878240355523941, 0.48566349856781188}}});
 }
 
-TEST_P(Degenerate, MeetingThatRoundsToACornerIsNotTheCorner) {
-  // Sites 0 and 1 are 1e-13 apart and tie at vertex 5, which site 2 owns. The three meet in a face
-  // beside it, but the place where they do is rounded to the vertex.
+TEST_P(Degenerate, RegionWithoutWidthMeetsNoOthers) {
+  // Sites 0 and 1 are 1e-13 apart. They tie along a part of the mesh boundary, up to where it is
+  // site 2's; beside it, site 1 is nearer. Rounded, the place where the three meet would be a
+  // vertex.
   const Shape shape{{1,
                      0,
                      0,
@@ -523,7 +524,9 @@ TEST_P(Degenerate, MeetingThatRoundsToACornerIsNotTheCorner) {
                  {4, {0.0047256121233212019, 0.94892912812722052, 0.046345259749458245}},
                  {0, {0.26968914621540807, 0.45277087137517524, 0.27753998240941669}}};
   for (SurfacePoint& site : sites) site = mesh.fromInput(site);
-  EXPECT_EQ(diagram(mesh, sites).voronoiPoints.size(), 1u);
+  const Diagram d = diagram(mesh, sites);
+  EXPECT_EQ(d.regionArea[0], 0);
+  EXPECT_EQ(d.voronoiPoints.size(), 0u);
 }
 
 TEST_P(Degenerate, NearestSiteIsKnownAtTheCornersAround) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline_checks.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "base/tolerances.h"
@@ -64,13 +65,16 @@ void edit(DynamicDiagram& dynamic, const TriangleMesh& mesh, Random& random) {
 /// The share of the mesh by which areas may differ that follow from the same distances in other
 /// ways: a bisector of sites s and s' moves by up to `kDistanceTolerance` d² / |s - s'|.
 double shareOfRounding(const TriangleMesh& mesh, std::span<const SurfacePoint> sites) {
-  double share = 1e-9;
-  for (size_t i = 0; i < sites.size(); ++i)
-    for (size_t j = 0; j < i; ++j) {
-      const double apart = (mesh.position(sites[i]) - mesh.position(sites[j])).norm();
-      if (apart > 0) share = std::max(share, kDistanceTolerance * mesh.boundingDiagonal() / apart);
-    }
-  return share;
+  std::vector<Eigen::Vector3d> places;
+  for (const SurfacePoint& site : sites) places.push_back(mesh.position(site));
+  std::sort(places.begin(), places.end(),
+            [](const auto& a, const auto& b) { return a.x() < b.x(); });
+  double nearest = kInfinity;  // of sites that are not in one place
+  for (size_t i = 0; i < places.size(); ++i)
+    for (size_t j = i + 1; j < places.size() && places[j].x() - places[i].x() < nearest; ++j)
+      if (const double apart = (places[i] - places[j]).norm(); apart > 0)
+        nearest = std::min(nearest, apart);
+  return std::max(1e-9, kDistanceTolerance * mesh.boundingDiagonal() / nearest);
 }
 
 std::string complaintAboutEdits(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,

@@ -145,9 +145,9 @@ class WindowSweep {
   const TriangleMesh& mesh_;
   NearestBounds& bounds_;
   const double bucketsPerUnit_;
-  /// By how much a label may be farther than another one and still go on. Along a path, its lag does
-  /// not become less, but may become a tie, being less of a longer distance. So whether it comes
-  /// there must not depend on whom it has met before.
+  /// By how much a label may be farther than another one and still go on. Along a path, its lag
+  /// does not become less, but may become a tie, being less of a longer distance. So whether it
+  /// comes there must not depend on whom it has met before.
   const double leeway_;
   FanBehind fan_;
 
