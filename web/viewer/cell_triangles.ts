@@ -19,6 +19,9 @@ export interface CellTriangles {
   points: Int32Array;
 }
 
+/** Makes the cells of a diagram ready to be drawn; undefined if whoever draws has to. */
+export type CutCells = (data: DiagramData) => Promise<CellTriangles | undefined>;
+
 /**
  * The parts of shared faces as triangle fans; they are convex. An iteration of a tessellation draws tens
  * of thousands of them: nothing is made per cell or corner.

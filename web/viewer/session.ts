@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-import type { DiagramData, Mesh, Metric } from 'geodesic-voronoi';
-import type { CellTriangles } from './cell_triangles.js';
+import type { Mesh, Metric } from 'geodesic-voronoi';
+import type { CutCells } from './cell_triangles.js';
 import { type CvtPicture, CvtRun, type CvtSettings } from './cvt_run.js';
 import { DiagramSummary } from './diagram_summary.js';
 import { sentence } from './failure.js';
@@ -31,7 +31,7 @@ import { without } from './site_step.js';
  * diagram there is. Where one site has moved, come or gone, only its surroundings are computed.
  */
 export class Session {
-  readonly #cut: (data: DiagramData) => Promise<CellTriangles | undefined>;
+  readonly #cut: CutCells;
   readonly #listener: SessionListener;
   readonly #history = new SiteHistory();
   readonly #task = new LatestTask<DiagramRequest>((wanted, signal) =>
@@ -51,10 +51,7 @@ export class Session {
   #status: Status = 'empty';
 
   /** `cut` makes the cells of a diagram of the present model ready to be drawn. */
-  constructor(
-    cut: (data: DiagramData) => Promise<CellTriangles | undefined>,
-    listener: SessionListener,
-  ) {
+  constructor(cut: CutCells, listener: SessionListener) {
     this.#cut = cut;
     this.#listener = listener;
   }
@@ -86,8 +83,7 @@ export class Session {
   /** Opens a model with so many sites scattered; resolves to whether it is there now. */
   async open(read: Reader, how: Opening): Promise<boolean> {
     this.#opening?.abort();
-    const opening = new AbortController();
-    this.#opening = opening;
+    const opening = (this.#opening = new AbortController());
     this.#hasFailed = false;
     this.#updateStatus();
     const { signal } = opening;
