@@ -360,7 +360,8 @@ void addPrimitiveCases(GltfCases& cases) {
   cases
       .opens("attributes that cannot be read", 1,
              primitives(R"({"attributes":{"POSITION":0,"NORMAL":99,"TEXCOORD_0":0}})"))
-      .sentence = "normals, texture coordinates or densities that cannot be read were passed over (2)";
+      .sentence =
+      "normals, texture coordinates or densities that cannot be read were passed over (2)";
 
   const auto morphs = [&](const std::string& targets, const std::string& weights) {
     return [=](GlbWriter& file) {
