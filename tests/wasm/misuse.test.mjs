@@ -177,6 +177,30 @@ test('mesh', async () => {
   );
 });
 
+/** What takes a signal and tells how far it is. */
+const tasks = [
+  (options) => mesh.sampleSites(2, options),
+  (options) => mesh.sampleSites({ radius: 1 }, options),
+  (options) => mesh.bareComponents(one, options),
+  (options) => mesh.curvatureDensity(options),
+  (options) => mesh.voronoi(one, options),
+  (options) => mesh.distances(one, options),
+  (options) => mesh.path(one, one, options),
+  (options) => mesh.cvt(one, options).next(),
+  (options) => diagram.insertSite(one, options),
+  (options) => diagram.moveSite(0, one, options),
+  (options) => diagram.removeSite(0, options),
+  (options) => diagram.locate(one, options),
+  (options) => diagram.path(one, options),
+  (options) => diagram.worstRegionPoint('size', options),
+  (options) => diagram.partition(options),
+  (options) => diagram.dual(options),
+  (options) => diagram.dualPaths(options),
+  (options) => diagram.violations(options),
+  (options) => diagram.remeshQuality(options),
+  (options) => diagram.repair(options),
+];
+
 test('options that there are not', async () => {
   const partition = await diagram.partition();
   const polygons = await diagram.dual();
@@ -185,26 +209,7 @@ test('options that there are not', async () => {
     (options) => loadWorker(options),
     (options) => api.compileModules(options),
     (options) => gvd.mesh(octahedron(), options),
-    (options) => mesh.sampleSites(2, options),
-    (options) => mesh.sampleSites({ radius: 1 }, options),
-    (options) => mesh.bareComponents(one, options),
-    (options) => mesh.curvatureDensity(options),
-    (options) => mesh.voronoi(one, options),
-    (options) => mesh.distances(one, options),
-    (options) => mesh.path(one, one, options),
-    (options) => mesh.cvt(one, options).next(),
-    (options) => diagram.insertSite(one, options),
-    (options) => diagram.moveSite(0, one, options),
-    (options) => diagram.removeSite(0, options),
-    (options) => diagram.locate(one, options),
-    (options) => diagram.path(one, options),
-    (options) => diagram.worstRegionPoint('size', options),
-    (options) => diagram.partition(options),
-    (options) => diagram.dual(options),
-    (options) => diagram.dualPaths(options),
-    (options) => diagram.violations(options),
-    (options) => diagram.remeshQuality(options),
-    (options) => diagram.repair(options),
+    ...tasks,
     (options) => api.partitionGlb(partition, options),
     (options) => api.partitionObj(partition, options),
     (options) => api.partitionPly(partition, options),
@@ -316,23 +321,6 @@ test('points, wherever they are taken', async () => {
 });
 
 test('the options of every task', async () => {
-  const tasks = [
-    (options) => mesh.sampleSites(2, options),
-    (options) => mesh.voronoi(one, options),
-    (options) => mesh.distances(one, options),
-    (options) => mesh.path(one, one, options),
-    (options) => mesh.cvt(one, options).next(),
-    (options) => diagram.insertSite(one, options),
-    (options) => diagram.moveSite(0, one, options),
-    (options) => diagram.removeSite(0, options),
-    (options) => diagram.locate(one, options),
-    (options) => diagram.path(one, options),
-    (options) => diagram.partition(options),
-    (options) => diagram.dual(options),
-    (options) => diagram.violations(options),
-    (options) => diagram.remeshQuality(options),
-    (options) => diagram.repair(options),
-  ];
   const reason = new Error('given up before it began');
   for (const task of tasks) {
     await refused(notTasks, task, /^(options|signal|onProgress) is /);
