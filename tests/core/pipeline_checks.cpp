@@ -62,19 +62,32 @@ void edit(DynamicDiagram& dynamic, const TriangleMesh& mesh, Random& random) {
   }
 }
 
-/// The share of the mesh by which areas may differ that follow from the same distances in other
-/// ways: a bisector of sites s and s' moves by up to `kDistanceTolerance` d² / |s - s'|.
-double shareOfRounding(const TriangleMesh& mesh, std::span<const SurfacePoint> sites) {
+/// By site, the share of the mesh by which areas may differ that follow from the same distances in
+/// other ways: a bisector of sites s and s' moves by up to `kDistanceTolerance` d² / |s - s'|.
+std::vector<double> sharesOfRounding(const TriangleMesh& mesh,
+                                     std::span<const SurfacePoint> sites) {
+  const int count = static_cast<int>(sites.size());
   std::vector<Eigen::Vector3d> places;
-  for (const SurfacePoint& site : sites) places.push_back(mesh.position(site));
-  std::sort(places.begin(), places.end(),
-            [](const auto& a, const auto& b) { return a.x() < b.x(); });
-  double nearest = kInfinity;  // of sites that are not in one place
-  for (size_t i = 0; i < places.size(); ++i)
-    for (size_t j = i + 1; j < places.size() && places[j].x() - places[i].x() < nearest; ++j)
-      if (const double apart = (places[i] - places[j]).norm(); apart > 0)
-        nearest = std::min(nearest, apart);
-  return std::max(1e-9, kDistanceTolerance * mesh.boundingDiagonal() / nearest);
+  std::vector<int> order;
+  for (const SurfacePoint& site : sites) {
+    order.push_back(static_cast<int>(places.size()));
+    places.push_back(mesh.position(site));
+  }
+  std::sort(order.begin(), order.end(),
+            [&](int a, int b) { return places[a].x() < places[b].x(); });
+  std::vector<double> shares;
+  std::vector<double> nearest(count, kInfinity);  // of sites that are not in one place
+  for (int i = 0; i < count; ++i)
+    for (const int step : {-1, 1})
+      for (int j = i + step; j >= 0 && j < count; j += step) {
+        const Eigen::Vector3d way = places[order[i]] - places[order[j]];
+        double& least = nearest[order[i]];
+        if (std::abs(way.x()) >= least) break;
+        if (way.norm() > 0) least = std::min(least, way.norm());
+      }
+  for (const double apart : nearest)
+    shares.push_back(std::max(1e-9, kDistanceTolerance * mesh.boundingDiagonal() / apart));
+  return shares;
 }
 
 std::string complaintAboutEdits(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
@@ -93,8 +106,15 @@ std::string complaintAboutEdits(const TriangleMesh& mesh, std::span<const Surfac
   }
   if (present.empty()) return {};
   const Traced anew = trace(mesh, present, options.metric);
-  return complaint("after edits",
-                   areSame(mesh, anew.diagram, followed, labels, shareOfRounding(mesh, present)));
+  const std::vector<double> shares = sharesOfRounding(mesh, present);
+  for (size_t l = 0; l < labels.size(); ++l) {
+    const double area = followed.regionArea[labels[l]], expected = anew.diagram.regionArea[l];
+    if (!(std::abs(area - expected) <= shares[l] * mesh.area()))
+      return "after edits: region " + std::to_string(l) + " has area " + std::to_string(area) +
+             " and " + std::to_string(expected);
+  }
+  const double most = *std::max_element(shares.begin(), shares.end());
+  return complaint("after edits", areSame(mesh, anew.diagram, followed, labels, most));
 }
 
 std::string complaintAboutTessellation(const TriangleMesh& mesh,
