@@ -47,11 +47,11 @@ bool WindowSpread::run(long& budget) {
 }
 
 void WindowSpread::noteCrossedFaces() {
-  const std::span<const int> faces = sweep_.crossedFaces();
   std::vector<int>& crossed = labels_[label_].crossedFaces;
-  crossed.reserve(crossed.size() + faces.size());
-  crossed.insert(crossed.end(), faces.begin(), faces.end());
-  for (const int f : faces) {
+  crossed.reserve(crossed.size() + sweep_.crossedFaces().size());
+  for (const int f : sweep_.crossedFaces()) {
+    if (firstCrossing_[f] >= 0 && crossings_[firstCrossing_[f]].label == label_) continue;
+    crossed.push_back(f);
     const Crossing crossing = {label_, firstCrossing_[f]};
     if (freeCrossings_.empty()) {
       firstCrossing_[f] = static_cast<int>(crossings_.size());

@@ -29,6 +29,10 @@ constexpr double kBucketsPerEdge = 2;
 /// A label that crosses more halfedges per vertex than this winds around a spike or a tube. Over a
 /// scanned surface, one label crosses 3.5 per vertex.
 constexpr size_t kMostCrossingsPerVertex = 30;
+/// How many faces are followed back per window then, on average: all of them around spikes and
+/// tubes of a few faces. To follow every window around a vertex of a thousand faces would take a
+/// hundred times as long as to cross these.
+constexpr long kFollowedPerWindow = 16;
 /// The distance, in bounding diagonals, up to which labels go on to wherever they tie.
 constexpr double kFarthestTie = 8;
 /// A line followed back ends at its virtual source up to rounding: a share of the line's length.
@@ -37,11 +41,12 @@ constexpr double kLineRounding = 1e-9;
 /// Whether the straight lines of a window have already crossed the face that they are about to
 /// enter. Then none of them is a shortest path: within the face, there is a shorter way (Sharir &
 /// Schorr 1986). All lines of a window have crossed the same faces; the middle one is followed
-/// backwards.
-bool entersFaceAgain(const TriangleMesh& mesh, const Window& w, int h) {
+/// backwards, and their number is taken off `mayFollow`.
+bool entersFaceAgain(const TriangleMesh& mesh, const Window& w, int h, long& mayFollow) {
   StraightLine line{h, (w.begin + w.end) / 2, {w.x, w.y}};
   const double atSource = kLineRounding * line.length();
   for (int crossed = 0; crossed < mesh.faceCount(); ++crossed) {
+    --mayFollow;
     if (!line.enterFace(mesh) || line.length() < atSource) return false;
     if (line.halfedge / 3 == h / 3) return true;
     if (!line.crossFace(mesh)) return false;
@@ -70,6 +75,7 @@ void WindowSweep::begin(int label, SpreadTo to, LabelState& state, WindowRecord*
   state_ = &state;
   record_ = record;
   isWinding_ = false;
+  mayFollow_ = 0;
   ++epoch_;
   required_.clear();
   points_.clear();
@@ -231,9 +237,10 @@ void WindowSweep::queueSource(int v) {
   push(-1 - v, vertices_[v].distance);
 }
 
-/// Queues a halfedge at which the first windows wait.
+/// Queues a halfedge at which the first windows wait. It has its turn at once if neither of its
+/// ends has a distance: paths that graze them have been cut off.
 void WindowSweep::queueBatch(int halfedge, double key) {
-  push(halfedge, key);
+  push(halfedge, key < kInfinity ? key : 0);
   prefetch(mesh_.face(halfedge / 3));
 }
 
@@ -358,7 +365,9 @@ WindowSweep::Portal WindowSweep::portalTo(int h) const {
   w.y = std::min(w.y, -0x1p-52 * portal.length);
   trim(w, portal.length, portal.own);
   if (!(w.begin < w.end)) return;
-  if (isWinding_ && entersFaceAgain(mesh_, w, portal.halfedge)) return;
+  if (isWinding_ && (mayFollow_ += kFollowedPerWindow) > 0 &&
+      entersFaceAgain(mesh_, w, portal.halfedge, mayFollow_))
+    return;
   if (portal.isContested) {
     Window owned = w;
     trim(owned, portal.length, portal.nearest);

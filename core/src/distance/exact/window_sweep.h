@@ -33,9 +33,10 @@ enum class SpreadTo {
 /// distance in buckets of half a mean edge (Xu et al. 2015, Fast Wavefront Propagation); what comes
 /// in the wrong order is corrected.
 ///
-/// Where a label may not go on, its windows are kept waiting: a label is never stopped for good.
-/// That another label is nearer along a path up to some point, it is along the rest of it too, so
-/// what waits owns nothing beyond.
+/// A window on all of which another label is nearer is kept waiting. A label that is farther than
+/// another one at some point of a path is farther along all the rest of the path, so the label owns
+/// nothing beyond such a window. It goes on from there when its distances beyond are required, or
+/// when the other label has left.
 class WindowSweep {
  public:
   /// `bounds` are read, and lowered by what the labels find.
@@ -145,9 +146,10 @@ class WindowSweep {
   const TriangleMesh& mesh_;
   NearestBounds& bounds_;
   const double bucketsPerUnit_;
-  /// By how much a label may be farther than another one and still go on. Along a path, its lag
-  /// does not become less, but may become a tie, being less of a longer distance. So whether it
-  /// comes there must not depend on whom it has met before.
+  /// By how much a label may be farther than another one and still go on. Along a path, the
+  /// difference of two labels' distances does not fall, but the distances grow, and ties are told
+  /// by a relative tolerance: what is a difference here may be a tie farther on. Labels that will
+  /// tie there have to come there, whichever of them spreads first.
   const double leeway_;
   FanBehind fan_;
 
@@ -157,6 +159,7 @@ class WindowSweep {
   LabelState* state_ = nullptr;
   WindowRecord* record_ = nullptr;
   bool isWinding_ = false;  ///< whether windows are dropped that enter a face again
+  long mayFollow_ = 0;      ///< faces that windows may be followed back across for that
   SurfacePoint site_;
   RequiredPlaces required_;
   double mostExcess_ = 0;            ///< of them, when the label began to go on
