@@ -74,11 +74,11 @@ const runners = [
 const fuzzed = [
   '-DCMAKE_BUILD_TYPE=Debug',
   '-DCMAKE_CXX_COMPILER=clang++',
-  '-DGVD_SANITIZE=address,undefined,fuzzer-no-link',
+  '-DGVD_SANITIZE=address,undefined,float-cast-overflow,fuzzer-no-link',
 ];
 const sanitized = [
   '-DCMAKE_BUILD_TYPE=Debug',
-  '-DGVD_SANITIZE=address,undefined',
+  '-DGVD_SANITIZE=address,undefined,float-cast-overflow',
   '-DGVD_PROPERTY_CASES=1000',
   '-DCGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE=ON',
 ];

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "diagram_checks.h"
+#include "gvd/error.h"
 #include "gvd/sampling.h"
 #include "random_case.h"
 #include "shapes.h"
@@ -365,6 +366,17 @@ TEST(Diagram, KeepsRegionsConsistentWithDetail) {
   const auto sites = sampleUniform(mesh, 12, 5);
   for (const int detail : {1, 2, 3})
     EXPECT_TRUE(isConsistent(mesh, trace(mesh, sites, Metric::kDgpc, detail).diagram, detail));
+}
+
+TEST(Diagram, RefusesNegativeDetailAndSitesThatAreNotCounted) {
+  const auto mesh = shapes::grid(3, 3, 0.3, 1).mesh();
+  const auto propagation = propagate(mesh, sampleUniform(mesh, 3, 1), Metric::kExact);
+  while (!propagation->step(100)) {
+  }
+  const auto distances = propagation->take();
+  EXPECT_THROW(traceDiagram(mesh, *distances, 3, {.detail = -1}), Error);
+  EXPECT_THROW(traceDiagram(mesh, *distances, 2), Error);
+  EXPECT_EQ(traceDiagram(mesh, *distances, 3).siteCount, 3);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <numbers>
 #include <random>
@@ -295,6 +296,9 @@ TEST(DynamicDiagram, RefusesForeignDistances) {
     std::span<const LabelledDistance> at(int) const override { return {}; }
     LabelledDistance nearest(const SurfacePoint&) const override { return {}; }
     double distance(int, const SurfacePoint&) const override { return 0; }
+    std::vector<double> distancesAt(std::span<const LabelledPoint>) const override { return {}; }
+    Eigen::Vector2d direction(int, int) const override { return {1, 0}; }
+    std::vector<SurfacePoint> path(int, const SurfacePoint&) const override { return {}; }
   };
   const auto mesh = shapes::bumpySurface(1, 5, 0.3, 3).mesh();
   EXPECT_THROW(DynamicDiagram::fromDistances(mesh, std::make_unique<Foreign>()), Error);
@@ -320,6 +324,28 @@ TEST(DynamicDiagram, RefusesLabelsWithoutSite) {
   DynamicDiagram dynamic(mesh, {});
   EXPECT_THROW(dynamic.removeSite(0), Error);
   EXPECT_THROW(dynamic.moveSite(-1, {0, Eigen::Vector3d::Unit(0)}), Error);
+}
+
+/// A refused site changes nothing; above all, it does not remove the one that was to be moved.
+TEST(DynamicDiagram, RefusesSitesThatAreNotOnTheMesh) {
+  const TriangleMesh mesh = shapes::grid(6, 6, 0.3, 1).mesh();
+  RandomEdits random(mesh, 1);
+  DynamicDiagram dynamic(mesh, random.points(4));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const SurfacePoint& nowhere : {SurfacePoint(), SurfacePoint{mesh.faceCount(), {1, 0, 0}},
+                                      SurfacePoint{0, {5, -4, 0}}, SurfacePoint{0, {nan, 0, 1}}}) {
+    EXPECT_THROW(dynamic.insertSite(nowhere), Error);
+    EXPECT_THROW(dynamic.moveSite(2, nowhere), Error);
+    EXPECT_THROW(DynamicDiagram(mesh, {{nowhere}}), Error);
+    EXPECT_THROW(dynamic.distances().nearest(nowhere), Error);
+    EXPECT_THROW(dynamic.distances().distance(0, nowhere), Error);
+    EXPECT_THROW(dynamic.distances().path(0, nowhere), Error);
+    const LabelledPoint labelled = {0, nowhere};
+    EXPECT_THROW(dynamic.distances().distancesAt({&labelled, 1}), Error);
+  }
+  EXPECT_EQ(dynamic.labelCount(), 4);
+  EXPECT_TRUE(dynamic.hasSite(2));
+  EXPECT_TRUE(isUpToDate(mesh, dynamic, Metric::kExact));
 }
 
 /// What a change names is all that is different.

@@ -107,6 +107,8 @@ struct DiagramOptions {
 
 /// The diagram of the distances of `siteCount` sites. The same input gives the same diagram to the
 /// last bit; permuting the sites permutes the labels. O(F + M log M), M the number of points.
+/// Throws `Error(kInvalidArgument)` if the distances are those of more sites, or `detail` is
+/// negative.
 Diagram traceDiagram(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,
                      const DiagramOptions& options = {});
 

@@ -39,7 +39,9 @@ struct DiagramChange {
 /// labels are not always consecutive: of n sites they are the lowest n unless sites were removed.
 class DynamicDiagram {
  public:
-  /// The mesh must outlive this. Sites are in terms of the mesh's faces; there may be none.
+  /// The mesh must outlive this. Sites are in terms of the mesh's faces; there may be none. Here
+  /// and below, a site that is not on the mesh is refused by `Error(kInvalidPoint)`, and nothing
+  /// has changed then.
   DynamicDiagram(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
                  Metric metric = Metric::kExact, const DiagramOptions& options = {});
   /// The diagram of the sites of which these are the distances, as `propagate` gives them with

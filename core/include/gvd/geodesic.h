@@ -52,6 +52,10 @@ inline LabelledDistance nearestOf(std::span<const LabelledDistance> sites) {
 ///
 /// With `kDgpc`, the distance at a corner that another site owns may be extended from the vertices
 /// around it instead of being propagated to it. Ties go to the lower label everywhere.
+///
+/// Points are in terms of the mesh's faces; `Error(kInvalidPoint)` if one is not on the mesh. What
+/// queries at points find is kept for the next one: two threads may read `at` and `direction` at a
+/// time, but not ask at points.
 class DistanceField {
  public:
   virtual ~DistanceField() = default;
@@ -63,14 +67,14 @@ class DistanceField {
   virtual double distance(int label, const SurfacePoint& p) const = 0;
   /// The same at many points. Where another site is nearer, the exact metric has to carry the site
   /// on to the point: here for all points of one label at once.
-  virtual std::vector<double> distancesAt(std::span<const LabelledPoint> points) const;
+  virtual std::vector<double> distancesAt(std::span<const LabelledPoint> points) const = 0;
   /// The direction in which the shortest path from a site to a vertex leaves the site, as a unit
   /// vector: together with the distance, geodesic polar coordinates (the logarithmic map). With the
   /// exact metric it is also the negative gradient of the distance with respect to the site. The
   /// x axis is the first side of the site's face, the y axis lies to its left; faces beside a site
   /// on an edge or vertex are unfolded counterclockwise. (1, 0) at the site itself; not a number
   /// where it is not known. O(1).
-  virtual Eigen::Vector2d direction(int label, int vertex) const;
+  virtual Eigen::Vector2d direction(int label, int vertex) const = 0;
   /// The shortest path from a point to a site: the point, every crossing of an edge, every vertex
   /// that the path turns at or passes, the site as it was given. Crossings have an exact zero,
   /// vertices are unit vectors; each is named in a face that the path runs through. Two points in
@@ -79,7 +83,7 @@ class DistanceField {
   /// the exact metric the path is as long as the distance (`lengthOf`). With DGPC it follows from
   /// the distances at vertices, which do not promise that there is a path of that very length.
   /// O(vertices) to begin with, then O(faces around the points of the path).
-  virtual std::vector<SurfacePoint> path(int label, const SurfacePoint& p) const;
+  virtual std::vector<SurfacePoint> path(int label, const SurfacePoint& p) const = 0;
 };
 
 /// The length of a path of straight pieces within faces, by the intrinsic lengths of edges;
@@ -107,7 +111,8 @@ enum class Spread {
 
 /// Starts the distances of all `sites` (in terms of the mesh's faces), one label each.
 /// Sites may coincide, share a face, lie on edges or vertices, and outnumber the vertices.
-/// Throws `Error(kInvalidArgument)` if there is no site.
+/// Throws `Error(kInvalidArgument)` if there is no site, `Error(kInvalidPoint)` if one is not on
+/// the mesh.
 std::unique_ptr<Propagation> propagate(const TriangleMesh& mesh,
                                        std::span<const SurfacePoint> sites, Metric metric,
                                        Spread spread = Spread::kAsNeeded);

@@ -27,8 +27,10 @@
 ///
 /// Faces and vertices are those of a `TriangleMesh`; `TriangleMesh::toInput` and `fromInput`
 /// convert to and from the triangles it was made of. Lengths are in the unit of the positions.
-/// Nothing is thread-safe but reading; nothing keeps global state. The same input gives the same
-/// bits, natively and in WebAssembly.
+/// Nothing keeps global state: threads that share no object are independent of one another. A mesh
+/// and a diagram may be read by several threads; so may distances at vertices, but not at other
+/// points (geodesic.h). The same input gives the same bits with one build; builds, native or
+/// WebAssembly, differ by rounding (1e-12), not in what they decide.
 #pragma once
 
 #include "gvd/curvature.h"

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "gvd/surface_point.h"
@@ -218,6 +219,11 @@ class TriangleMesh {
   int inputVertex(int v) const { return inputVertex_[v]; }
   int inputFaceCount() const { return static_cast<int>(faceOfInput_.size()); }
   int inputVertexCount() const { return static_cast<int>(vertexOfInput_.size()); }
+
+  /// Why a point is none of this mesh, in words, as far as 1e-6 of its barycentric coordinates;
+  /// empty if it is one. Functions that take sites or points throw `Error(kInvalidPoint)` with
+  /// these words.
+  std::string faultOfPoint(const SurfacePoint& p) const;
 
   /// A point of this mesh in terms of the input's triangles.
   SurfacePoint toInput(const SurfacePoint& p) const;

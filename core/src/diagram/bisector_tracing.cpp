@@ -96,11 +96,8 @@ bool BisectorTracing::divideAll(long& budget) {
 void BisectorTracing::divideContested(int element) {
   constexpr size_t kAhead = 6;
   const std::vector<int>& contested = complex_.contested();
-  if (nextContested_ + kAhead < contested.size()) {
-    const int h = 3 * complex_.face(contested[nextContested_ + kAhead]);
-    prefetch(mesh_.layout(h));
-    prefetch(mesh_.layout(h + 2));
-  }
+  if (nextContested_ + kAhead < contested.size())
+    prefetch(mesh_.face(complex_.face(contested[nextContested_ + kAhead])));
   const int owner = complex_.soleOwner(element);
   if (owner == Diagram::kMixed) return divide(element, owner, 3 * mixedIndex_[element]);
   give(element, owner);

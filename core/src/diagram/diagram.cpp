@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "diagram/bisector_arcs.h"
@@ -13,6 +14,7 @@
 #include "diagram/region_outlines.h"
 #include "diagram/trace_faces.h"
 #include "diagram/voronoi_points.h"
+#include "gvd/error.h"
 
 namespace gvd {
 namespace {
@@ -130,13 +132,31 @@ class Tracing {
   std::optional<FinalCells> cells_;
 };
 
+void requireValid(const DiagramOptions& options) {
+  if (options.detail < 0)
+    throw Error(ErrorCode::kInvalidArgument,
+                "the detail " + std::to_string(options.detail) + " is negative");
+}
+
+void requireLabels(const TriangleMesh& mesh, const DistanceField& distances, int siteCount) {
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+    for (const LabelledDistance& d : distances.at(v))
+      if (d.label >= siteCount)
+        throw Error(ErrorCode::kInvalidArgument, "there are distances of site " +
+                                                     std::to_string(d.label) + ", but only " +
+                                                     std::to_string(siteCount) + " sites");
+}
+
 /// The tracing of all of a diagram.
 class WholeTracing {
  public:
   WholeTracing(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,
                const DiagramOptions& options)
       : complex_(mesh, distances, options.detail),
-        tracing_(mesh, distances, complex_, siteCount, {}, nodePoints_) {}
+        tracing_(mesh, distances, complex_, siteCount, {}, nodePoints_) {
+    requireValid(options);
+    requireLabels(mesh, distances, siteCount);
+  }
 
   bool step(long& budget) { return tracing_.step(budget); }
   TracedDiagram take() { return tracing_.take(); }
@@ -181,7 +201,9 @@ TracedDiagram traceAll(const TriangleMesh& mesh, const DistanceField& distances,
 
 PartialTracer::PartialTracer(const TriangleMesh& mesh, const DistanceField& distances,
                              const DiagramOptions& options)
-    : mesh_(mesh), distances_(distances), options_(options), complex_(mesh, distances) {}
+    : mesh_(mesh), distances_(distances), options_(options), complex_(mesh, distances) {
+  requireValid(options);
+}
 
 TracedDiagram PartialTracer::trace(std::span<const int> faces, std::span<const char> isTraced) {
   complex_.take(faces, options_.detail);

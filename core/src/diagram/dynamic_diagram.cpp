@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -68,7 +69,7 @@ class DynamicDiagram::Implementation {
   }
 
   /// Takes the site of a label away if it has one, and puts it to another place if one is given.
-  DiagramChange setSite(int label, const SurfacePoint& site) {
+  DiagramChange setSite(int label, const std::optional<SurfacePoint>& site) {
     const SiteChange change = {label, site};
     distances_->change({&change, 1});
     complete(*distances_);
@@ -99,10 +100,10 @@ class DynamicDiagram::Implementation {
     for (const int label : labels) makeSet(mixedFaces_[label]);
   }
 
-  /// Only in faces around the changed vertices, and by what the tracer completes in those beside
-  /// them, can cells be others. Where points have become one, or had, a bisector may lie where a
-  /// third label has no width left, and the order around the point follows from all labels there:
-  /// those known around such points count as changed too, and so do the faces.
+  /// Cells can be others only in faces around the changed vertices, and beside these where the
+  /// tracer completes labels. Around a point that has been merged from several, a label may be left
+  /// without any width, and the order of the bisectors follows from all labels together: the labels
+  /// known around merged points, and their faces, count as changed too.
   DiagramChange trace() {
     IndexSet labels(labelCount(), distances_->changedLabels());
     for (;;) {
@@ -250,7 +251,7 @@ DiagramChange DynamicDiagram::insertSite(const SurfacePoint& site) {
 
 DiagramChange DynamicDiagram::removeSite(int label) {
   implementation_->expectSite(label);
-  return implementation_->setSite(label, {});
+  return implementation_->setSite(label, std::nullopt);
 }
 
 DiagramChange DynamicDiagram::moveSite(int label, const SurfacePoint& site) {

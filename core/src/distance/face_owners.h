@@ -19,8 +19,7 @@ struct Requirement {
 };
 
 /// The labels that own part of each closed face: those that own a corner, those with their site in
-/// the face, and those that interpolation between the corners of this or another face shows on a
-/// side
+/// the face, and those that are nearest somewhere on a side by interpolation between its ends
 /// (`KnownLabels::close`). This decides which distances a diagram needs: *a label that is least
 /// anywhere on a closed face is known at all three corners*.
 class FaceOwners {

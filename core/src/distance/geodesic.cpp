@@ -30,21 +30,6 @@ class SitePropagation final : public Propagation {
 
 }  // namespace
 
-std::vector<double> DistanceField::distancesAt(std::span<const LabelledPoint> points) const {
-  std::vector<double> distances;
-  distances.reserve(points.size());
-  for (const LabelledPoint& p : points) distances.push_back(distance(p.label, p.point));
-  return distances;
-}
-
-Eigen::Vector2d DistanceField::direction(int /*label*/, int /*vertex*/) const {
-  return Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
-}
-
-std::vector<SurfacePoint> DistanceField::path(int /*label*/, const SurfacePoint& /*p*/) const {
-  return {};
-}
-
 std::unique_ptr<Propagation> propagate(const TriangleMesh& mesh,
                                        std::span<const SurfacePoint> sites, Metric metric,
                                        Spread spread) {

@@ -2,12 +2,15 @@
 #include "distance/site_distances.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
+#include <string>
 #include <utility>
 
 #include "base/index_set.h"
 #include "distance/dgpc/unfolding_spread.h"
 #include "distance/exact/window_spread.h"
+#include "gvd/error.h"
 
 namespace gvd {
 namespace {
@@ -33,9 +36,16 @@ SiteDistances::SiteDistances(const TriangleMesh& mesh, Metric metric, Spread spr
       spread_(makeSpread(mesh, metric, spread, sites_, edgeBounds_, bounds_)),
       known_(mesh, sites_, bounds_, *spread_, spread == Spread::kEverywhere) {}
 
+void SiteDistances::requireOnMesh(const SurfacePoint& p, const std::string& what) const {
+  if (const std::string fault = mesh_.faultOfPoint(p); !fault.empty())
+    throw Error(ErrorCode::kInvalidPoint, what + fault);
+}
+
 // --- A change ----------------------------------------------------------------------------------
 
 void SiteDistances::change(std::span<const SiteChange> changes) {
+  for (const SiteChange& c : changes)
+    if (c.site) requireOnMesh(*c.site, "site " + std::to_string(c.label) + ": ");
   started_.clear();
   resumed_.clear();
   resetVertices_.clear();
@@ -48,8 +58,8 @@ void SiteDistances::change(std::span<const SiteChange> changes) {
     edgeBounds_.remove(c.label, site);
   }
   for (const SiteChange& c : changes) {
-    if (c.site.face < 0) continue;
-    sites_.insert(c.label, c.site);
+    if (!c.site) continue;
+    sites_.insert(c.label, *c.site);
     edgeBounds_.insert(c.label);
     started_.push_back(c.label);
   }
@@ -199,6 +209,7 @@ SiteDistances::LabelInFace SiteDistances::nearestAround(int vertex) const {
 // --- Queries -----------------------------------------------------------------------------------
 
 LabelledDistance SiteDistances::nearest(const SurfacePoint& p) const {
+  requireOnMesh(p);
   for (int i = 0; i < 3; ++i)
     if (p.bary[i] == 1) return nearestOf(at(mesh_.tail(3 * p.face + i)));
   std::vector<int> labels;
@@ -231,6 +242,7 @@ std::array<double, 3> SiteDistances::distancesAtCorners(int face, int label) con
 }
 
 double SiteDistances::distance(int label, const SurfacePoint& p) const {
+  requireOnMesh(p);
   const double distance = boundAt(label, p);
   if (!hasOpenDistances_ || distance == kInfinity || p.bary.maxCoeff() == 1) return distance;
   // The nearest label has come to what it owns; another one goes on to the point.
@@ -254,10 +266,12 @@ double SiteDistances::boundAt(int label, const SurfacePoint& p) const {
 
 Eigen::Vector2d SiteDistances::direction(int label, int vertex) const {
   const int index = known_.reachedIndex(vertex, label);
-  return index < 0 ? DistanceField::direction(label, vertex) : spread_->direction(label, index);
+  if (index < 0) return Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
+  return spread_->direction(label, index);
 }
 
 std::vector<SurfacePoint> SiteDistances::path(int label, const SurfacePoint& p) const {
+  requireOnMesh(p);
   if (!sites_.contains(label)) return {};
   if (!(boundAt(label, p) < kInfinity) && nearest(p).label != label) return {};
   return spread_->path(label, p);

@@ -3,7 +3,9 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "distance/edge_bounds.h"
@@ -20,7 +22,7 @@ namespace gvd {
 /// What is to become of one label.
 struct SiteChange {
   int label;
-  SurfacePoint site;  ///< face -1: the label has no site any more
+  std::optional<SurfacePoint> site;  ///< none: the label has no site any more
 };
 
 /// The distances of sites that come, go and move. A first diagram is one change, in which all sites
@@ -36,7 +38,8 @@ class SiteDistances final : public DistanceField {
  public:
   SiteDistances(const TriangleMesh& mesh, Metric metric, Spread spread = Spread::kAsNeeded);
 
-  /// Begins a change of some labels, each named once. The one before must be done.
+  /// Begins a change of some labels, each named once. The one before must be done. Throws
+  /// `Error(kInvalidPoint)`, and changes nothing, if a site is not on the mesh.
   void change(std::span<const SiteChange> changes);
   /// Works on at most `budget` units, about a microsecond each; true when the change is done.
   bool step(long budget);
@@ -68,6 +71,8 @@ class SiteDistances final : public DistanceField {
   bool spread(long& budget);
   bool requireMissed();
   LabelInFace nearestAround(int vertex) const;
+  /// Throws `Error(kInvalidPoint)` that begins with what the point is, if it is not on the mesh.
+  void requireOnMesh(const SurfacePoint& p, const std::string& what = {}) const;
   SurfacePoint unique(const SurfacePoint& p) const;
   double boundAt(int label, const SurfacePoint& p) const;
   std::array<double, 3> distancesAtCorners(int face, int label) const;

@@ -30,6 +30,7 @@ std::vector<double> SiteDistances::distancesAt(std::span<const LabelledPoint> po
   SurfacePoint last;
   double nearestThere = kInfinity;
   for (const auto& [label, point] : points) {
+    requireOnMesh(point);
     const LabelledPoint p = {label, unique(point)};
     distances.push_back(found_.find(p));
     if (distances.back() < kInfinity) continue;

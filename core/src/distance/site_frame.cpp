@@ -8,7 +8,7 @@ namespace gvd {
 using Eigen::Vector2d;
 
 Vector2d firstSide(const TriangleMesh& mesh, int face, int i) {
-  const TriangleMesh::Layout& l = mesh.layout(3 * face + i);
+  const TriangleMesh::Layout l = mesh.layout(3 * face + i);
   const double inverse = 2 * mesh.layout(3 * face).inverse;
   if (i == 1) return Vector2d(-l.x, -l.y) * inverse;
   if (i == 2) return Vector2d(l.x - l.length, l.y) * inverse;

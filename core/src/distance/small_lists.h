@@ -25,7 +25,7 @@ class SmallLists {
 
   void clear(int i) { lists_[i].size = 0; }
   /// Inserts before the item at `position`.
-  void insert(int i, size_t position, const Item& item) {
+  void insert(int i, size_t position, Item item) {
     List& list = lists_[i];
     if (list.size == list.capacity) grow(list);
     const auto first = items_.begin() + list.first;
@@ -45,7 +45,7 @@ class SmallLists {
     const auto end = std::remove_if(list.begin(), list.end(), predicate);
     lists_[i].size = static_cast<std::uint32_t>(end - list.begin());
   }
-  void add(int i, const Item& item) { insert(i, lists_[i].size, item); }
+  void add(int i, Item item) { insert(i, lists_[i].size, item); }
 
   /// Makes all lists empty, with room for `counts[i]` items in list i.
   void allot(std::span<const int> counts) {

@@ -31,17 +31,22 @@ constexpr double kShortestMeanEdge = 0x1p-200;
   throw Error(ErrorCode::kInvalidPoint, why);
 }
 
+/// What is wrong with barycentric coordinates that may be off by the tolerance; empty if nothing
+/// is.
+std::string faultOf(const Eigen::Vector3d& bary) {
+  for (const double b : bary) {
+    if (!std::isfinite(b)) return "a barycentric coordinate is not a finite number";
+    if (b < -kBarycentricTolerance)
+      return "the barycentric coordinate " + std::to_string(b) + " is negative";
+  }
+  if (std::abs(bary.sum() - 1) > kBarycentricTolerance)
+    return "the barycentric coordinates sum to " + std::to_string(bary.sum()) + ", not 1";
+  return {};
+}
+
 /// Non-negative coordinates of sum 1 from such that may be off by the tolerance.
 Eigen::Vector3d cleanBarycentric(const Eigen::Vector3d& bary) {
-  for (double b : bary) {
-    if (!std::isfinite(b)) rejectPoint("a barycentric coordinate is not a finite number");
-    if (b < -kBarycentricTolerance) {
-      rejectPoint("the barycentric coordinate " + std::to_string(b) + " is negative");
-    }
-  }
-  if (std::abs(bary.sum() - 1) > kBarycentricTolerance) {
-    rejectPoint("the barycentric coordinates sum to " + std::to_string(bary.sum()) + ", not 1");
-  }
+  if (const std::string fault = faultOf(bary); !fault.empty()) rejectPoint(fault);
   const Eigen::Vector3d clamped = bary.cwiseMax(0.0);
   return clamped / clamped.sum();
 }
@@ -181,6 +186,11 @@ SurfacePoint TriangleMesh::toInput(const SurfacePoint& p) const {
   SurfacePoint input{inputFace_[p.face], p.bary};
   if (isFlipped(p.face)) std::swap(input.bary[1], input.bary[2]);
   return input;
+}
+
+std::string TriangleMesh::faultOfPoint(const SurfacePoint& p) const {
+  if (p.face < 0 || p.face >= faceCount()) return "there is no face " + std::to_string(p.face);
+  return faultOf(p.bary);
 }
 
 SurfacePoint TriangleMesh::fromInput(const SurfacePoint& p) const {
