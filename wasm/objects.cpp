@@ -54,6 +54,13 @@ DynamicDiagram& VoronoiHandle::changing() {
   return *dynamic;
 }
 
+SurfacePoint VoronoiHandle::worstRegionPoint(WorstRegion worst) {
+  if (!dynamic) return WorstRegions(mesh(), field(), *traced, worst).point();
+  if (!worstRegions || worstRegions->kind() != worst)
+    worstRegions.emplace(mesh(), field(), dynamic->diagram(), worst);
+  return worstRegions->point();
+}
+
 std::vector<SurfacePoint> pointsFromInput(const TriangleMesh& mesh, const char* what, Ints face,
                                           Doubles bary) {
   std::vector<SurfacePoint> points;
