@@ -57,7 +57,7 @@ DynamicDiagram& VoronoiHandle::changing() {
 SurfacePoint VoronoiHandle::worstRegionPoint(WorstRegion worst) {
   if (!dynamic) return WorstRegions(mesh(), field(), *traced, worst).point();
   if (!worstRegions || worstRegions->kind() != worst)
-    worstRegions.emplace(mesh(), field(), dynamic->diagram(), worst);
+    worstRegions = std::make_unique<WorstRegions>(mesh(), field(), dynamic->diagram(), worst);
   return worstRegions->point();
 }
 

@@ -42,7 +42,7 @@ struct VoronoiHandle {
   std::optional<DiagramTracing> tracing;                 // while it goes on
   std::optional<Diagram> traced;                         // once it is traced
   std::unique_ptr<DynamicDiagram> dynamic;               // instead, once sites have changed
-  std::optional<WorstRegions> worstRegions;              // of that, once they have been asked for
+  std::unique_ptr<WorstRegions> worstRegions;            // of that, once they have been asked for
 
   const TriangleMesh& mesh() const { return *surface.mesh; }
   const DistanceField& field() const {

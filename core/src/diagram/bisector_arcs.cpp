@@ -135,17 +135,21 @@ void FinalSegments::cancelLabels(Stack& stack) {
 }
 
 void FinalSegments::noteNamed(const Diagram::Segment& segment) {
-  for (const int p : segment.points) isNamed_[p] |= out_.points[p].face == segment.face;
+  for (const int p : segment.points)
+    if (out_.points[p].face == segment.face) isNamed_[p] = true;
 }
 
 void FinalSegments::nameInFaceOf(const Diagram::Segment& segment) {
-  for (const int p : segment.points)
-    isNamed_[p] = isNamed_[p] || graph_.merging.anyMember(points_.root(p), [&](int member) {
+  for (const int p : segment.points) {
+    if (isNamed_[p]) continue;
+    const bool isNamed = graph_.merging.anyMember(points_.root(p), [&](int member) {
       SurfacePoint place = graph_.places[member];
       if (place.face != segment.face && !renameInFace(mesh_, segment.face, place)) return false;
       out_.points[p] = place;
       return true;
     });
+    isNamed_[p] = static_cast<char>(isNamed);
+  }
 }
 
 // --- Arcs ----------------------------------------------------------------------------------------

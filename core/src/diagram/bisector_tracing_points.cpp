@@ -102,8 +102,7 @@ void BisectorTracing::mergeOnSide(const Element& element, int side, int point, i
 
 /// Whether a share of a side is longer than some distance. A quick way out where points are not
 /// one, as mostly; false where that is not as simple.
-bool BisectorTracing::isApart(const Element& element, int side, double share,
-                              double distance) const {
+bool BisectorTracing::isApart(const Element& element, int side, double share, double distance) {
   return element.isWhole && share * share * element.squaredLength[side] > distance * distance;
 }
 

@@ -33,7 +33,7 @@ class PlaceIndex {
  private:
   struct Hash {
     size_t operator()(const SurfacePoint& p) const {
-      std::uint64_t hash = static_cast<std::uint64_t>(p.face);
+      auto hash = static_cast<std::uint64_t>(p.face);
       for (int i = 0; i < 2; ++i)
         hash = (hash ^ std::hash<double>()(p.bary[i])) * 0x9e3779b97f4a7c15u;
       return static_cast<size_t>(hash ^ hash >> 32);

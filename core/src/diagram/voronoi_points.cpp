@@ -72,6 +72,7 @@ void VoronoiPoints::addMerged(int point) {
   if (distinct < 3) return;
   orderAround(sectors);
   std::vector<int> labels;
+  labels.reserve(sectors.size());
   for (const Sector& s : sectors) labels.push_back(s.label);
   add(point, std::move(labels));
 }

@@ -89,7 +89,7 @@ class Partitioner {
     for (int c = firstCell; c < lastCell; ++c) {
       const auto cell = diagram_.cells[c];
       for (size_t i = 0; i < cell.size(); ++i)
-        sides_.push_back({vertexOfPoint_[cell[i]], vertexOfPoint_[cell[(i + 1) % cell.size()]]});
+        sides_.emplace_back(vertexOfPoint_[cell[i]], vertexOfPoint_[cell[(i + 1) % cell.size()]]);
     }
   }
 
@@ -242,7 +242,7 @@ class Partitioner {
       out_.triangles[t] = piece.vertices;
       out_.triangleLabel[t] = piece.label;
       out_.triangleFace[t] = piece.face;
-      isWholeFace_[t] = plainPiece_[piece.face] >= 0;
+      isWholeFace_[t] = static_cast<char>(plainPiece_[piece.face] >= 0);
       areas_[t] = piece.area;
     }
   }

@@ -247,6 +247,7 @@ std::vector<SurfacePoint> coverComponents(const TriangleMesh& mesh,
   for (const std::vector<int>& list : faces) {
     if (list.empty()) continue;
     std::vector<double> sums;
+    sums.reserve(list.size());
     for (const int f : list) sums.push_back((sums.empty() ? 0 : sums.back()) + weights[f]);
     int& there = has[mesh.component(list.front())];
     for (; there < perComponent; ++there) {
