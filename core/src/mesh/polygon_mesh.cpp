@@ -4,9 +4,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <numeric>
 #include <utility>
 
+#include "base/sorting.h"
 #include "mesh/convex_triangulation.h"
 
 namespace gvd {
@@ -49,7 +51,7 @@ class PolygonHalfedges {
       isOriented_ &= tail(h) != tip(h);
       sides.emplace_back(key(tail(h), tip(h)), h);
     }
-    std::sort(sides.begin(), sides.end());
+    sortStably(std::span(sides), std::less<>());
     for (size_t i = 1; i < sides.size(); ++i) isOriented_ &= sides[i].first != sides[i - 1].first;
     for (int h = 0; h < count(); ++h) {
       const std::pair<std::uint64_t, int> sought(key(tip(h), tail(h)), 0);
@@ -99,7 +101,7 @@ int countEdges(const PolygonHalfedges& halfedges) {
   edges.reserve(halfedges.count());
   for (int h = 0; h < halfedges.count(); ++h)
     edges.emplace_back(std::minmax({halfedges.tail(h), halfedges.tip(h)}));
-  std::sort(edges.begin(), edges.end());
+  sortStably(std::span(edges), std::less<>());
   return static_cast<int>(std::unique(edges.begin(), edges.end()) - edges.begin());
 }
 

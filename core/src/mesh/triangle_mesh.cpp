@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "base/number_text.h"
 #include "gvd/error.h"
 #include "mesh/input_map.h"
 #include "mesh/mesh_orientation.h"
@@ -36,11 +37,11 @@ Eigen::Vector3d cleanBarycentric(const Eigen::Vector3d& bary) {
   for (double b : bary) {
     if (!std::isfinite(b)) rejectPoint("a barycentric coordinate is not a finite number");
     if (b < -kBarycentricTolerance) {
-      rejectPoint("the barycentric coordinate " + std::to_string(b) + " is negative");
+      rejectPoint("the barycentric coordinate " + numberText(b) + " is negative");
     }
   }
   if (std::abs(bary.sum() - 1) > kBarycentricTolerance) {
-    rejectPoint("the barycentric coordinates sum to " + std::to_string(bary.sum()) + ", not 1");
+    rejectPoint("the barycentric coordinates sum to " + numberText(bary.sum()) + ", not 1");
   }
   const Eigen::Vector3d clamped = bary.cwiseMax(0.0);
   return clamped / clamped.sum();

@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/sorting.h"
 #include "mesh/convex_triangulation.h"
 #include "mesh/surface_geometry.h"
 #include "partition/region_patches.h"
@@ -79,7 +80,7 @@ class Partitioner {
         followSide(h);
       }
     }
-    std::sort(sidePoints_.begin(), sidePoints_.end(), [](const SidePoint& a, const SidePoint& b) {
+    sortStably(std::span(sidePoints_), [](const SidePoint& a, const SidePoint& b) {
       return std::tie(a.halfedge, a.order) < std::tie(b.halfedge, b.order);
     });
   }
@@ -93,9 +94,9 @@ class Partitioner {
     }
   }
 
-  /// From the tail of a mixed face's halfedge to its tip by those sides of cells that have no other
-  /// cell of the face beyond. Whether a point is on the way is a question of who names it: a point
-  /// inside may have come to lie on the side by rounding.
+  /// Follows a mixed face's halfedge from its tail to its tip, by the sides of cells that have no
+  /// other cell of the face beyond. Which points are on the way is told by the cells that name
+  /// them, not by coordinates: rounding may have put a point of the inside on the side.
   void followSide(int h) {
     const auto has = [&](int from, int to) {
       return std::find(sides_.begin(), sides_.end(), std::pair(from, to)) != sides_.end();
