@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// Meshes, diagrams and points as JavaScript names them, looked up.
 #include "objects.h"
 
 #include <string>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// Memory asked for before it is needed.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// Segments and arcs of a diagram: those of the bisector graph, after points that rounding cannot
+// tell apart have become one.
 #include "diagram/bisector_arcs.h"
 
 #include <algorithm>
@@ -121,7 +124,7 @@ void FinalSegments::addStack(const PlaceOfLine& place, Stack& stack) {
     out_.segments.push_back({{second, first}, {right, left}, stack.face, -1});
 }
 
-/// A label on both sides has no width between them.
+/// Drops labels that are on both sides of a line: between its two bisectors a region has no width.
 void FinalSegments::cancelLabels(Stack& stack) {
   for (auto label = stack.left.begin(); label != stack.left.end();) {
     const auto same = std::find(stack.right.begin(), stack.right.end(), *label);

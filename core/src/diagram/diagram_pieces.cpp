@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// The pieces of a live diagram: replaced by what an edit changes, and put together to one diagram.
 #include "diagram/diagram_pieces.h"
 
 #include <algorithm>
@@ -13,7 +15,7 @@
 namespace gvd {
 namespace {
 
-/// Numbers places, each once: two are the same if they are written the same.
+/// Numbers places, each once: two are the same if their faces and coordinates are equal.
 class PlaceIndex {
  public:
   int add(const SurfacePoint& place) {

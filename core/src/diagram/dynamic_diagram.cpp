@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// A live diagram: after a site has come, gone or moved, the regions and faces that its distances
+// change are traced again.
 #include "gvd/dynamic_diagram.h"
 
 #include <algorithm>
@@ -99,10 +102,10 @@ class DynamicDiagram::Implementation {
     for (const int label : labels) makeSet(mixedFaces_[label]);
   }
 
-  /// Only in faces around the changed vertices, and by what the tracer completes in those beside
-  /// them, can cells be others. Where points have become one, or had, a bisector may lie where a
-  /// third label has no width left, and the order around the point follows from all labels there:
-  /// those known around such points count as changed too, and so do the faces.
+  /// Cells can differ only in the faces around changed vertices, and in those for which the tracer
+  /// completes labels. Where points are merged, before the change or after it, a bisector may run
+  /// where a third region has no width left, and the order of regions around the point follows from
+  /// all labels known there: these labels and their faces are traced again too.
   DiagramChange trace() {
     IndexSet labels(labelCount(), distances_->changedLabels());
     for (;;) {

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// Voronoi points of a diagram: where three regions of the bisector graph meet, or more after points
+// were merged.
 #include "diagram/voronoi_points.h"
 
 #include <algorithm>
