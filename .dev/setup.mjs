@@ -8,7 +8,12 @@ import { announce, at, exists, hasCommand, isScript, main, run, status } from '.
 /** Commands, with the Debian packages that bring them: for a page, and for the tests besides. */
 const commands = {
   build: { emcc: 'emscripten', cmake: 'cmake', ninja: 'ninja-build' },
-  test: { 'c++': 'g++', 'clang++': 'clang', 'clang-format': 'clang-format' },
+  test: {
+    'c++': 'g++',
+    'clang++': 'clang',
+    'clang-format': 'clang-format',
+    'clang-tidy': 'clang-tidy',
+  },
 };
 
 /** Libraries by one of their headers. What is not there, CMake fetches; without CGAL, it does less. */

@@ -38,6 +38,13 @@ const runners = [
     closing: nodeTestClosing,
   },
   {
+    // The C++ sources as they are compiled for WebAssembly, each by clang-tidy.
+    name: 'lint',
+    prepare: buildPackage,
+    command: () => nodeTest('tests/lint', 1),
+    closing: nodeTestClosing,
+  },
+  {
     name: 'web',
     prepare: buildPage,
     // One file at a time: each has a browser of its own.

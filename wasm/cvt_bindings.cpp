@@ -42,7 +42,7 @@ GVD_ABI CvtHandle* startCvt(const MeshHandle* handle, Ints face, Doubles bary, T
 
 GVD_ABI void freeCvt(CvtHandle* cvt) { delete cvt; }
 
-/// Done: with an iteration, not with all.
+/// `kDone` when an iteration is done, the last or not.
 GVD_ABI SliceEnd stepCvt(CvtHandle* cvt, int budget) {
   return guarded([&] { return cvt->cvt->step(budget) ? kDone : kMoreToDo; });
 }

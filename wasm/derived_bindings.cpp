@@ -77,7 +77,7 @@ GVD_ABI Answer* dualViolations(const VoronoiHandle* voronoi) {
     std::vector<std::string> kinds, messages;
     std::vector<int> offset = {0}, labels;
     for (const Violation& violation : findViolations(voronoi->mesh(), voronoi->diagram())) {
-      kinds.push_back(nameOf(kViolationKinds, violation.kind));
+      kinds.emplace_back(nameOf(kViolationKinds, violation.kind));
       labels.insert(labels.end(), violation.labels.begin(), violation.labels.end());
       offset.push_back(static_cast<int>(labels.size()));
       messages.push_back(violation.message);

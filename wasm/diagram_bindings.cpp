@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "gvd/sampling.h"
 #include "objects.h"
 #include "records.h"
 
@@ -17,6 +16,12 @@ namespace {
 
 constexpr Named<WorstRegion> kWorstRegions[] = {{"size", WorstRegion::kLargest},
                                                 {"distortion", WorstRegion::kMostDistorted}};
+
+/// `DiagramChange`: what the site of a label has changed.
+Record changed(VoronoiHandle& voronoi, int label, const DiagramChange& change) {
+  if (voronoi.worstRegions) voronoi.worstRegions->follow(change);
+  return changeRecord(voronoi.mesh(), label, change);
+}
 
 }  // namespace
 
@@ -123,29 +128,27 @@ GVD_ABI Answer* insertSite(VoronoiHandle* voronoi, Ints face, Doubles bary) {
   return answer([&] {
     const SurfacePoint site = pointFromInput(voronoi->mesh(), face, bary);
     const int label = voronoi->changing().lowestFreeLabel();
-    return changeRecord(voronoi->mesh(), label, voronoi->changing().insertSite(site));
+    return changed(*voronoi, label, voronoi->changing().insertSite(site));
   });
 }
 
 GVD_ABI Answer* moveSite(VoronoiHandle* voronoi, int label, Ints face, Doubles bary) {
   return answer([&] {
     const SurfacePoint site = pointFromInput(voronoi->mesh(), face, bary);
-    return changeRecord(voronoi->mesh(), label, voronoi->changing().moveSite(label, site));
+    return changed(*voronoi, label, voronoi->changing().moveSite(label, site));
   });
 }
 
 GVD_ABI Answer* removeSite(VoronoiHandle* voronoi, int label) {
-  return answer(
-      [&] { return changeRecord(voronoi->mesh(), label, voronoi->changing().removeSite(label)); });
+  return answer([&] { return changed(*voronoi, label, voronoi->changing().removeSite(label)); });
 }
 
 /// `SurfacePoints`: one, for the worst region.
-GVD_ABI Answer* worstRegionPoint(const VoronoiHandle* voronoi, Text worst) {
+GVD_ABI Answer* worstRegionPoint(VoronoiHandle* voronoi, Text worst) {
   return answer([&] {
-    const TriangleMesh& mesh = voronoi->mesh();
-    const SurfacePoint point = gvd::worstRegionPoint(
-        mesh, voronoi->field(), voronoi->diagram(), valueOf(kWorstRegions, "worst", toView(worst)));
-    return pointsRecord(mesh, {&point, 1});
+    const SurfacePoint point =
+        voronoi->worstRegionPoint(valueOf(kWorstRegions, "worst", toView(worst)));
+    return pointsRecord(voronoi->mesh(), {&point, 1});
   });
 }
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// Meshes, diagrams and points as JavaScript names them, looked up.
 #include "objects.h"
 
 #include <string>
@@ -52,6 +54,13 @@ DynamicDiagram& VoronoiHandle::changing() {
     traced.reset();
   }
   return *dynamic;
+}
+
+SurfacePoint VoronoiHandle::worstRegionPoint(WorstRegion worst) {
+  if (!dynamic) return WorstRegions(mesh(), field(), *traced, worst).point();
+  if (!worstRegions || worstRegions->kind() != worst)
+    worstRegions = std::make_unique<WorstRegions>(mesh(), field(), dynamic->diagram(), worst);
+  return worstRegions->point();
 }
 
 std::vector<SurfacePoint> pointsFromInput(const TriangleMesh& mesh, const char* what, Ints face,

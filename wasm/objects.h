@@ -18,6 +18,7 @@
 #include "gvd/diagram.h"
 #include "gvd/dynamic_diagram.h"
 #include "gvd/geodesic.h"
+#include "gvd/sampling.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
 
@@ -41,6 +42,7 @@ struct VoronoiHandle {
   std::optional<DiagramTracing> tracing;                 // while it goes on
   std::optional<Diagram> traced;                         // once it is traced
   std::unique_ptr<DynamicDiagram> dynamic;               // instead, once sites have changed
+  std::unique_ptr<WorstRegions> worstRegions;            // of that, once they have been asked for
 
   const TriangleMesh& mesh() const { return *surface.mesh; }
   const DistanceField& field() const {
@@ -52,6 +54,8 @@ struct VoronoiHandle {
   std::vector<SurfacePoint> allSites() const;
   /// The diagram of which sites can change; made when the first one does.
   DynamicDiagram& changing();
+  /// Where one more site would be.
+  SurfacePoint worstRegionPoint(WorstRegion worst);
 };
 static_assert(std::is_standard_layout_v<VoronoiHandle>);
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// Results flattened to arrays, in terms of the input.
 #include "records.h"
 
 #include <array>
@@ -80,8 +82,8 @@ std::vector<int> inputFaceLabels(const TriangleMesh& mesh, std::span<const int> 
   return labels;
 }
 
-/// A diagram, or the part of one that a change replaces: all but labels of faces, which are about
-/// all faces there and about some here.
+/// A diagram, or the part of one that a change replaces. Without `faceLabel`, which has an entry
+/// for every face of a diagram, but of a change for the changed ones.
 Record piecesRecord(const TriangleMesh& mesh, Diagram diagram) {
   Record arcs = listsRecord(std::move(diagram.arcs));
   arcs.add("labels", flat(diagram.arcLabels));
@@ -103,7 +105,7 @@ Record piecesRecord(const TriangleMesh& mesh, Diagram diagram) {
   return out;
 }
 
-/// Of all regions, one of their facts.
+/// One fact of every region.
 template <class T>
 std::vector<T> factOf(std::span<const RegionPatch> regions, T RegionPatch::*fact) {
   std::vector<T> values;

@@ -344,13 +344,32 @@ TEST(SampleWorstFirst, ByDistortionIsBySizeWhereAllIsFlat) {
     EXPECT_TRUE(samePoint(bySize[i], byDistortion[i])) << i;
 }
 
-TEST(WorstRegionPoint, IsOnAComponentWithoutASiteFirst) {
+TEST(WorstRegions, FollowADiagramOfWhichSitesComeGoAndMove) {
+  const TriangleMesh mesh = shapes::bumpySurface(1, 4, 0.3, 1).mesh();
+  for (const WorstRegion worst : {WorstRegion::kLargest, WorstRegion::kMostDistorted}) {
+    DynamicDiagram diagram(mesh, sampleUniform(mesh, 10, 1));
+    WorstRegions regions(mesh, diagram.distances(), diagram.diagram(), worst);
+    const auto places = sampleUniform(mesh, 30, 2);
+    for (int i = 0; i < 30; ++i) {
+      // Two come, one goes, one moves.
+      regions.follow(i % 4 < 2    ? diagram.insertSite(places[i])
+                     : i % 4 == 2 ? diagram.removeSite(i / 4)
+                                  : diagram.moveSite(i / 4 + 1, places[i]));
+      const WorstRegions anew(mesh, diagram.distances(), diagram.diagram(), worst);
+      EXPECT_NEAR((mesh.position(regions.point()) - mesh.position(anew.point())).norm(), 0,
+                  1e-9 * mesh.boundingDiagonal())
+          << i;
+    }
+  }
+}
+
+TEST(WorstRegions, PointIsOnAComponentWithoutASiteFirst) {
   const TriangleMesh mesh =
       shapes::joined(shapes::grid(5, 5), shapes::moved(shapes::triangle(), {5, 0, 0})).mesh();
   std::unique_ptr<DistanceField> distances;
   const std::vector<SurfacePoint> sites = {{0, {1, 0, 0}}};
   const Diagram diagram = diagramOf(mesh, sites, distances);
-  EXPECT_EQ(worstRegionPoint(mesh, *distances, diagram, WorstRegion::kLargest).face, 50);
+  EXPECT_EQ(WorstRegions(mesh, *distances, diagram, WorstRegion::kLargest).point().face, 50);
 }
 
 // --- Components ----------------------------------------------------------------------------------

@@ -715,8 +715,8 @@ TEST(MeshOptions, AreCheckedForTheirRanges) {
   const auto error = [](const MeshOptions& options) {
     return errorOf([&] { shapes::triangle().mesh(options); }, ErrorCode::kInvalidArgument);
   };
-  EXPECT_EQ(error({.weld = -0.5}), "weld is -0.500000, not a number from 0 to 1");
-  EXPECT_EQ(error({.weld = 1.5}), "weld is 1.500000, not a number from 0 to 1");
+  EXPECT_EQ(error({.weld = -0.5}), "weld is -0.5, not a number from 0 to 1");
+  EXPECT_EQ(error({.weld = 1.5}), "weld is 1.5, not a number from 0 to 1");
   EXPECT_EQ(error({.weld = kNan}), "weld is nan, not a number from 0 to 1");
   EXPECT_EQ(error({.minComponent = -1}), "minComponent is -1, not a number from 0");
 }
@@ -857,10 +857,9 @@ TEST(FromInput, CleansBarycentricCoordinatesThatAreSlightlyOff) {
 
 TEST(FromInput, NamesTheFaultOfAPoint) {
   const TriangleMesh mesh = shapes::triangle().mesh();
-  EXPECT_EQ(pointError(mesh, {0, {1.1, -0.1, 0}}),
-            "the barycentric coordinate -0.100000 is negative");
+  EXPECT_EQ(pointError(mesh, {0, {1.1, -0.1, 0}}), "the barycentric coordinate -0.1 is negative");
   EXPECT_EQ(pointError(mesh, {0, {0.5, 0.5, 0.25}}),
-            "the barycentric coordinates sum to 1.250000, not 1");
+            "the barycentric coordinates sum to 1.25, not 1");
   EXPECT_EQ(pointError(mesh, {0, {kNan, 0.5, 0.5}}),
             "a barycentric coordinate is not a finite number");
   EXPECT_EQ(pointError(mesh, {1, {1, 0, 0}}), "there is no triangle 1");

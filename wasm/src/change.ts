@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// What an edit changes in the arrays of a diagram, put in the place of what was there.
 import { GrowingArray } from './input/growing_array.js';
 import type { DiagramChange, DiagramData, PointLists, SurfacePoints } from './results.js';
 

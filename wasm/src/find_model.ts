@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// Which of several files is the model.
 import { toTaskOptions } from './checks.js';
 import { toFileName, toFiles } from './input.js';
 import { type FoundModel, modelIn } from './input/read_model.js';

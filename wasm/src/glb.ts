@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// Writing binary glTF.
 
 type Elements = Float32Array | Uint32Array | Uint8Array;
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// Writing binary PLY.
 
 const writers = {
   uchar: { size: 1, write: (view: DataView, at: number, x: number) => view.setUint8(at, x) },

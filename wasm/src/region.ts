@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// A region of a diagram as callers see it.
 import type { DiagramData } from './results.js';
 import type { Region } from './types.js';
 

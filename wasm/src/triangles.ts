@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// A mesh between the readers of files and the engine.
 
 /** A triangle mesh as it is handed on: read from a file or given by the caller, not yet checked. */
 export interface Triangles {

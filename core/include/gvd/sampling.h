@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "gvd/diagram.h"
+#include "gvd/dynamic_diagram.h"
 #include "gvd/geodesic.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
@@ -71,15 +72,49 @@ enum class WorstRegion {
   kMostDistorted,
 };
 
-/// Where one more site would be in a diagram: in its worst region, as far from the site of that as
-/// any vertex or point of the outline; in a component without a site, if there is one. `distances`
-/// are those of the diagram, which has detail 0. O(F).
-SurfacePoint worstRegionPoint(const TriangleMesh& mesh, const DistanceField& distances,
-                              const Diagram& diagram, WorstRegion worst);
+/// The regions of a diagram, and which of them is the worst, while sites are inserted, moved and
+/// removed.
+class WorstRegions {
+ public:
+  /// Of a diagram, which has detail 0, and of its distances. The mesh and the distances, which
+  /// change with the diagram, must outlive this. O(F).
+  WorstRegions(const TriangleMesh& mesh, const DistanceField& distances, const Diagram& diagram,
+               WorstRegion worst);
+  /// Follows a change of the diagram, after which `distances` are those of the new one. As long as
+  /// it takes to look at the regions in `DiagramChange::labels`, and O(F).
+  void follow(const DiagramChange& change);
+  /// Where one more site would be: in the worst region, as far from its site as any vertex or point
+  /// of its outline; in a component without a site, if there is one. O(F).
+  SurfacePoint point() const;
+  /// What makes a region the worst.
+  WorstRegion kind() const { return worst_; }
+
+ private:
+  struct Region {
+    double area = 0;
+    double distortion = 0;
+    std::vector<SurfacePoint> outline;
+  };
+  /// What a label has of a face.
+  struct Piece {
+    int label;
+    double distortion;
+  };
+
+  void followDistortion(const DiagramChange& change);
+
+  const TriangleMesh& mesh_;
+  const DistanceField& distances_;
+  WorstRegion worst_;
+  std::vector<Region> regions_;
+  std::vector<int> faceLabel_;
+  std::vector<std::vector<Piece>> pieces_;  ///< per face; none if the largest region is the worst
+};
 
 /// `count` points: a first one at random, uniform by area, then always the one that
-/// `worstRegionPoint` gives for the diagram of those so far, by exact distances. The first n points
-/// do not depend on `count`. O(count · F), and what the diagrams take.
+/// `WorstRegions::point` gives for the diagram of those so far, by exact distances. The first n
+/// points do not depend on `count`. As long as it takes to insert them one by one into a
+/// `DynamicDiagram`, and O(count · F).
 std::vector<SurfacePoint> sampleWorstFirst(const TriangleMesh& mesh, int count, std::uint64_t seed,
                                            WorstRegion worst);
 

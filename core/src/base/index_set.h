@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// Sets of indices of vertices, faces or labels.
 #pragma once
 
 #include <algorithm>

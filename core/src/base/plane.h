@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// Vectors of the plane, turned.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// Determinants of which the sign is right.
 #pragma once
 
 #include <array>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// Memory asked for before it is needed.
 #pragma once
 
 #include <cstddef>
@@ -10,6 +12,7 @@ template <class Object>
 void prefetch([[maybe_unused]] const Object& object) {
   constexpr std::size_t kCacheLine = 64;
   [[maybe_unused]] const char* const bytes = reinterpret_cast<const char*>(&object);
+  // Also of a pointer: its own memory. NOLINTNEXTLINE(bugprone-sizeof-expression)
   for (std::size_t i = 0; i < sizeof(Object); i += kCacheLine) {
 #if defined(__wasm__)
     // There is no instruction for it, but processors do not wait for what nobody uses.

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
+//
+// Ties: distances that are equal up to rounding are made equal.
 #include "base/tolerances.h"
 
 #include <algorithm>
+
+#include "base/sorting.h"
 
 namespace gvd {
 namespace {
@@ -20,8 +24,8 @@ bool haveUnequalTies(std::span<const LabelledDistance> here) {
 
 void equalizeTies(std::span<LabelledDistance> here) {
   if (!haveUnequalTies(here)) return;
-  std::sort(here.begin(), here.end(), [](const LabelledDistance& a, const LabelledDistance& b) {
-    return a.distance < b.distance || (a.distance == b.distance && a.label < b.label);
+  sortStably(here, [](const LabelledDistance& a, const LabelledDistance& b) {
+    return a.distance < b.distance;
   });
   double least = here.front().distance;
   for (LabelledDistance& d : here) {
@@ -30,8 +34,8 @@ void equalizeTies(std::span<LabelledDistance> here) {
     else
       least = d.distance;
   }
-  std::sort(here.begin(), here.end(),
-            [](const LabelledDistance& a, const LabelledDistance& b) { return a.label < b.label; });
+  sortStably(
+      here, [](const LabelledDistance& a, const LabelledDistance& b) { return a.label < b.label; });
 }
 
 }  // namespace gvd

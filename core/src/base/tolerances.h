@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// What counts as equal: of distances, and of points of a diagram.
 #pragma once
 
 #include <span>

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// Segments and arcs of a diagram: those of the bisector graph, after points that rounding cannot
+// tell apart have become one.
 #include "diagram/bisector_arcs.h"
 
 #include <algorithm>
@@ -121,7 +124,7 @@ void FinalSegments::addStack(const PlaceOfLine& place, Stack& stack) {
     out_.segments.push_back({{second, first}, {right, left}, stack.face, -1});
 }
 
-/// A label on both sides has no width between them.
+/// Drops labels that are on both sides of a line: between its two bisectors a region has no width.
 void FinalSegments::cancelLabels(Stack& stack) {
   for (auto label = stack.left.begin(); label != stack.left.end();) {
     const auto same = std::find(stack.right.begin(), stack.right.end(), *label);
@@ -135,17 +138,21 @@ void FinalSegments::cancelLabels(Stack& stack) {
 }
 
 void FinalSegments::noteNamed(const Diagram::Segment& segment) {
-  for (const int p : segment.points) isNamed_[p] |= out_.points[p].face == segment.face;
+  for (const int p : segment.points)
+    if (out_.points[p].face == segment.face) isNamed_[p] = true;
 }
 
 void FinalSegments::nameInFaceOf(const Diagram::Segment& segment) {
-  for (const int p : segment.points)
-    isNamed_[p] = isNamed_[p] || graph_.merging.anyMember(points_.root(p), [&](int member) {
+  for (const int p : segment.points) {
+    if (isNamed_[p]) continue;
+    const bool isNamed = graph_.merging.anyMember(points_.root(p), [&](int member) {
       SurfacePoint place = graph_.places[member];
       if (place.face != segment.face && !renameInFace(mesh_, segment.face, place)) return false;
       out_.points[p] = place;
       return true;
     });
+    isNamed_[p] = static_cast<char>(isNamed);
+  }
 }
 
 // --- Arcs ----------------------------------------------------------------------------------------

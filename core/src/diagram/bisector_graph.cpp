@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// Points of the bisector graph that rounding cannot tell apart are made one.
 #include "diagram/bisector_graph.h"
 
 #include <utility>

@@ -63,7 +63,7 @@ class BisectorTracing {
                   const Eigen::Vector3d& bary);
   void mergeOnSide(const Element& element, int side, int point, int others,
                    const Eigen::Vector3d& bary);
-  bool isApart(const Element& element, int side, double share, double distance) const;
+  static bool isApart(const Element& element, int side, double share, double distance);
   int slotOf(const Element& element, int side) const;
   int pointOfNode(const Element& element, int node, const Eigen::Vector3d& bary);
   void addUnmatchedSide(const Element& element, int side, int vertex);

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// A diagram is traced from distances in stages: elements, labels that they lack, bisectors,
+// outlines, segments, arcs, Voronoi points, loops, cells.
 #include "gvd/diagram.h"
 
 #include <limits>

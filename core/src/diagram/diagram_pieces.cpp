@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// The pieces of a live diagram: replaced by what an edit changes, and put together to one diagram.
 #include "diagram/diagram_pieces.h"
 
 #include <algorithm>
@@ -13,7 +15,7 @@
 namespace gvd {
 namespace {
 
-/// Numbers places, each once: two are the same if they are written the same.
+/// Numbers places, each once: two are the same if their faces and coordinates are equal.
 class PlaceIndex {
  public:
   int add(const SurfacePoint& place) {
@@ -33,7 +35,7 @@ class PlaceIndex {
  private:
   struct Hash {
     size_t operator()(const SurfacePoint& p) const {
-      std::uint64_t hash = static_cast<std::uint64_t>(p.face);
+      auto hash = static_cast<std::uint64_t>(p.face);
       for (int i = 0; i < 2; ++i)
         hash = (hash ^ std::hash<double>()(p.bary[i])) * 0x9e3779b97f4a7c15u;
       return static_cast<size_t>(hash ^ hash >> 32);

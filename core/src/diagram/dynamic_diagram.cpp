@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// A live diagram: after a site has come, gone or moved, the regions and faces that its distances
+// change are traced again.
 #include "gvd/dynamic_diagram.h"
 
 #include <algorithm>
@@ -100,10 +103,10 @@ class DynamicDiagram::Implementation {
     for (const int label : labels) makeSet(mixedFaces_[label]);
   }
 
-  /// Cells can be others only in faces around the changed vertices, and beside these where the
-  /// tracer completes labels. Around a point that has been merged from several, a label may be left
-  /// without any width, and the order of the bisectors follows from all labels together: the labels
-  /// known around merged points, and their faces, count as changed too.
+  /// Cells can differ only in the faces around changed vertices, and in those for which the tracer
+  /// completes labels. Where points are merged, before the change or after it, a bisector may run
+  /// where a third region has no width left, and the order of regions around the point follows from
+  /// all labels known there: these labels and their faces are traced again too.
   DiagramChange trace() {
     IndexSet labels(labelCount(), distances_->changedLabels());
     for (;;) {

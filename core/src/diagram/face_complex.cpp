@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// The triangles that a diagram is traced on, their owners and their twins. How they are split for
+// more detail is in face_complex_detail.cpp.
 #include "diagram/face_complex.h"
 
 #include <algorithm>

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// The lower envelope on a triangle, built by inserting one linear function after another: each cuts
+// its cell out of those that are there.
 #include "diagram/face_envelope.h"
 
 #include <Eigen/Geometry>
@@ -153,8 +156,10 @@ bool FaceEnvelope::findBelow(int f) {
   bool any = false;
   for (int c = 0; c < cellCount_; ++c)
     for (const CellSide& side : cells_[c].sides) {
-      char& isBelowHere = below_[side.vertex];
-      if (isBelowHere == kUnknown) any |= isBelowHere = isBelow(f, vertices_[side.vertex]);
+      if (below_[side.vertex] != kUnknown) continue;
+      const bool isBelowHere = isBelow(f, vertices_[side.vertex]);
+      below_[side.vertex] = static_cast<char>(isBelowHere);
+      any |= isBelowHere;
     }
   return any;
 }

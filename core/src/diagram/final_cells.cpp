@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// Cells of a diagram: those of the bisector graph that have a width left after points were merged.
 #include "diagram/final_cells.h"
 
 #include <algorithm>
@@ -50,7 +52,7 @@ bool FinalCells::runStage(long& budget) {
   return true;
 }
 
-/// Puts a cell in front of those of its face that come after it. The cells come last first.
+/// Puts a cell at the front of the list of its face. Cells are linked from the last to the first.
 void FinalCells::linkCell(int cell) {
   const int face = complex_.faceIndex(graph_.cellFace[cell]);
   nextOfFace_.push_back(std::exchange(firstOfFace_[face], cell));

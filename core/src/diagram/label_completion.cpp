@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// Labels that the small elements of a detailed diagram lack: the distance at the third node is
+// unfolded from those at the ends of a side.
 #include "diagram/label_completion.h"
 
 #include <algorithm>

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
+//
+// Outlines of regions: rings of bisectors and mesh boundary, walked along the bisector graph.
 #include "diagram/region_outlines.h"
 
 #include <algorithm>
+#include <functional>
 #include <stdexcept>
 #include <utility>
+
+#include "base/sorting.h"
 
 namespace gvd {
 
@@ -64,8 +69,7 @@ void RegionOutlines::orderBoundary() {
   const auto part = [](const BisectorGraph::BoundaryPoint& b) {
     return std::pair(b.halfedge, b.start);
   };
-  std::stable_sort(boundary.begin(), boundary.end(),
-                   [&](const auto& a, const auto& b) { return part(a) < part(b); });
+  sortStably(std::span(boundary), [&](const auto& a, const auto& b) { return part(a) < part(b); });
   for (auto first = boundary.begin(); first != boundary.end();) {
     const auto last =
         std::find_if(first, boundary.end(), [&](const auto& b) { return part(b) != part(*first); });
@@ -74,11 +78,11 @@ void RegionOutlines::orderBoundary() {
   }
   for (int i = 0; i < static_cast<int>(boundary.size()); ++i)
     boundaryIndex_.push_back({boundary[i].point, i});
-  std::sort(boundaryIndex_.begin(), boundaryIndex_.end());
+  sortStably(std::span(boundaryIndex_), std::less<>());
 }
 
-/// Each point starts with the label that the one before it ends with: that is their order in the
-/// exact graph, which rounding may have reversed in their coordinates.
+/// Puts boundary points at one place in the order of the exact graph, which rounding may have
+/// reversed in their coordinates: the region before a point is the region after the previous one.
 void RegionOutlines::chain(std::span<BisectorGraph::BoundaryPoint> points) {
   const auto isFirst = [&](const auto& p) {
     return std::none_of(points.begin(), points.end(),
@@ -268,7 +272,7 @@ void RegionOutlines::cancelStep(int s) {
   }
 }
 
-/// What came to a step goes on behind the opposite one.
+/// Takes out two opposite steps: the step before each is followed by the step after the other.
 void RegionOutlines::cancel(int s, int opposite) {
   Step &a = steps_[s], &b = steps_[opposite];
   const Step formerA = a, formerB = b;
@@ -279,7 +283,7 @@ void RegionOutlines::cancel(int s, int opposite) {
   a.isGone = b.isGone = true;
 }
 
-/// The ring that a step is in, if it is not one of those passed already.
+/// Makes an outline of the ring that a step is in, if that is not done yet.
 void RegionOutlines::collectOutline(int s) {
   const int first = static_cast<int>(points_.size());
   for (Step* step = &steps_[s]; !step->isGone; step = &steps_[step->next]) {
@@ -292,7 +296,7 @@ void RegionOutlines::collectOutline(int s) {
 
 /// By labels; those of one label as they were met.
 void RegionOutlines::sort() {
-  std::stable_sort(outlines_.begin(), outlines_.end(), [](const Outline& a, const Outline& b) {
+  sortStably(std::span(outlines_), [](const Outline& a, const Outline& b) {
     return std::pair(a.label, a.ring) < std::pair(b.label, b.ring);
   });
 }

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// Voronoi points of a diagram: where three regions of the bisector graph meet, or more after points
+// were merged.
 #include "diagram/voronoi_points.h"
 
 #include <algorithm>
@@ -72,6 +75,7 @@ void VoronoiPoints::addMerged(int point) {
   if (distinct < 3) return;
   orderAround(sectors);
   std::vector<int> labels;
+  labels.reserve(sectors.size());
   for (const Sector& s : sectors) labels.push_back(s.label);
   add(point, std::move(labels));
 }

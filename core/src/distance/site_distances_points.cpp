@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // SiteDistances::distancesAt: distances of labels at points that other labels own.
-#include <algorithm>
+#include <span>
 
+#include "base/sorting.h"
 #include "distance/face_layout.h"
 #include "distance/site_distances.h"
 
@@ -43,8 +44,7 @@ std::vector<double> SiteDistances::distancesAt(std::span<const LabelledPoint> po
     }
     open.push_back({p, static_cast<int>(distances.size()) - 1, nearestThere});
   }
-  std::stable_sort(open.begin(), open.end(),
-                   [](const Open& a, const Open& b) { return a.at.label < b.at.label; });
+  sortStably(std::span(open), [](const Open& a, const Open& b) { return a.at.label < b.at.label; });
   std::vector<RequiredPoint> required;
   std::vector<double*> answers;
   for (size_t begin = 0, end; begin < open.size(); begin = end) {

@@ -37,7 +37,7 @@ class SiteSet {
   }
   std::span<const FaceSite> inFace(int face) const { return inFace_[face]; }
 
-  void insert(int label, const SurfacePoint& point);
+  void insert(int label, const SurfacePoint& given);
   void remove(int label);
 
  private:

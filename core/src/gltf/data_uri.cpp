@@ -40,13 +40,13 @@ std::string percentDecoded(std::string_view text) {
 namespace {
 
 /// The value of each base64 digit, -1 for other characters.
-constexpr std::array<signed char, 256> kBase64Value = [] {
-  std::array<signed char, 256> values{};
+constexpr std::array<int, 256> kBase64Value = [] {
+  std::array<int, 256> values{};
   values.fill(-1);
   constexpr std::string_view kDigits =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   for (std::size_t i = 0; i < kDigits.size(); ++i) {
-    values[static_cast<unsigned char>(kDigits[i])] = static_cast<signed char>(i);
+    values[static_cast<unsigned char>(kDigits[i])] = static_cast<int>(i);
   }
   return values;
 }();

@@ -36,7 +36,7 @@ void requireKnownExtensions(const json& document) {
   const auto list = document.find("extensionsRequired");
   if (list == document.end()) return;
   for (const json& entry : *list) {
-    const std::string& extension = entry.get_ref<const std::string&>();
+    const auto& extension = entry.get_ref<const std::string&>();
     if (isReadable(extension)) continue;
     const bool isCompression = extension.ends_with("_compression");
     reject("the glTF requires the extension " + extension +

@@ -72,7 +72,7 @@ class JsonFilter {
     return keep(std::move(value));
   }
 
-  bool binary(json::binary_t&) { return true; }  // JSON has none
+  static bool binary(json::binary_t&) { return true; }  // JSON has none
 
   bool start_object(std::size_t) { return open(JsonKind::kObject, "an object"); }
   bool start_array(std::size_t) { return open(JsonKind::kArray, "an array"); }
@@ -84,7 +84,7 @@ class JsonFilter {
     return true;
   }
 
-  bool parse_error(std::size_t position, const std::string&, const json::exception& error) {
+  static bool parse_error(std::size_t position, const std::string&, const json::exception& error) {
     constexpr int kNumberOverflow = 406;
     if (error.id == kNumberOverflow) gltf::reject("the JSON has a number that is too large");
     gltf::reject("the JSON is malformed at byte " + number(position));

@@ -90,7 +90,7 @@ VertexCurvatures vertexCurvatures(const TriangleMesh& mesh) {
   result.mean.assign(mesh.vertexCount(), 0.0);
   std::vector<char> hasValue(mesh.vertexCount());
   for (int v = 0; v < mesh.vertexCount(); ++v) {
-    hasValue[v] = areas[v] > 0 && !mesh.onBoundary(v);
+    hasValue[v] = static_cast<char>(areas[v] > 0 && !mesh.onBoundary(v));
     if (!hasValue[v]) continue;
     result.gaussian[v] = (2 * std::numbers::pi - mesh.angleSum(v)) / areas[v];
     result.mean[v] = gradients[v].norm() / (2 * areas[v]);

@@ -33,7 +33,7 @@ OrientedComponents orient(const std::vector<Corners>& triangles, const std::vect
         const int neighbour = twin[h] / 3;
         const bool disagree = tailOf(triangles, h) == tailOf(triangles, twin[h]);
         result.component[neighbour] = result.components;
-        result.flipped[neighbour] = result.flipped[f] != disagree;
+        result.flipped[neighbour] = static_cast<char>(result.flipped[f] != disagree);
         flips += result.flipped[neighbour];
         queue.push_back(neighbour);
       }

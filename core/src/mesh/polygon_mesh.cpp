@@ -4,9 +4,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <numeric>
 #include <utility>
 
+#include "base/sorting.h"
 #include "mesh/convex_triangulation.h"
 
 namespace gvd {
@@ -47,9 +49,9 @@ class PolygonHalfedges {
     };
     for (int h = 0; h < count(); ++h) {
       isOriented_ &= tail(h) != tip(h);
-      sides.push_back({key(tail(h), tip(h)), h});
+      sides.emplace_back(key(tail(h), tip(h)), h);
     }
-    std::sort(sides.begin(), sides.end());
+    sortStably(std::span(sides), std::less<>());
     for (size_t i = 1; i < sides.size(); ++i) isOriented_ &= sides[i].first != sides[i - 1].first;
     for (int h = 0; h < count(); ++h) {
       const std::pair<std::uint64_t, int> sought(key(tip(h), tail(h)), 0);
@@ -96,9 +98,10 @@ bool hasOneFanPerVertex(const PolygonHalfedges& halfedges, int vertexCount) {
 /// Pairs of vertices that sides join, each once, however many sides do.
 int countEdges(const PolygonHalfedges& halfedges) {
   std::vector<std::pair<int, int>> edges;
+  edges.reserve(halfedges.count());
   for (int h = 0; h < halfedges.count(); ++h)
-    edges.push_back(std::minmax({halfedges.tail(h), halfedges.tip(h)}));
-  std::sort(edges.begin(), edges.end());
+    edges.emplace_back(std::minmax({halfedges.tail(h), halfedges.tip(h)}));
+  sortStably(std::span(edges), std::less<>());
   return static_cast<int>(std::unique(edges.begin(), edges.end()) - edges.begin());
 }
 
@@ -151,7 +154,7 @@ PolygonTriangles triangulate(const PolygonMesh& mesh) {
     const Eigen::Vector3d x = normal.unitOrthogonal(), y = normal.stableNormalized().cross(x);
     corners.clear();
     for (size_t i = 0; i < polygon.size(); ++i)
-      corners.push_back({x.dot(position(i)), y.dot(position(i))});
+      corners.emplace_back(x.dot(position(i)), y.dot(position(i)));
     for (const auto& [a, b, c] : triangulation.compute(corners)) {
       result.triangles.push_back({polygon[a], polygon[b], polygon[c]});
       result.face.push_back(f);

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "base/number_text.h"
 #include "gvd/error.h"
 #include "mesh/input_map.h"
 #include "mesh/mesh_orientation.h"
@@ -37,10 +38,10 @@ std::string faultOf(const Eigen::Vector3d& bary) {
   for (const double b : bary) {
     if (!std::isfinite(b)) return "a barycentric coordinate is not a finite number";
     if (b < -kBarycentricTolerance)
-      return "the barycentric coordinate " + std::to_string(b) + " is negative";
+      return "the barycentric coordinate " + numberText(b) + " is negative";
   }
   if (std::abs(bary.sum() - 1) > kBarycentricTolerance)
-    return "the barycentric coordinates sum to " + std::to_string(bary.sum()) + ", not 1";
+    return "the barycentric coordinates sum to " + numberText(bary.sum()) + ", not 1";
   return {};
 }
 

@@ -9,6 +9,7 @@
 #include <map>
 #include <string>
 
+#include "base/number_text.h"
 #include "gvd/error.h"
 #include "mesh/counting_sort.h"
 
@@ -107,7 +108,7 @@ std::string whyNothingIsLeft(int count, const MeshRepairs& repairs) {
 void requireValid(const MeshOptions& options) {
   const auto reject = [](const std::string& why) { throw Error(ErrorCode::kInvalidArgument, why); };
   if (!(options.weld >= 0 && options.weld <= 1))
-    reject("weld is " + std::to_string(options.weld) + ", not a number from 0 to 1");
+    reject("weld is " + numberText(options.weld) + ", not a number from 0 to 1");
   if (options.minComponent < 0)
     reject("minComponent is " + std::to_string(options.minComponent) + ", not a number from 0");
 }

@@ -48,7 +48,7 @@ double TriangleTree::distance(const Eigen::Vector3d& p) const {
   double least = std::numeric_limits<double>::infinity();  // squared
   const auto toBox = [&](int node) { return nodes_[node].box.squaredExteriorDistance(p); };
   std::vector<std::pair<double, int>> open;
-  if (!nodes_.empty()) open.push_back({toBox(0), 0});
+  if (!nodes_.empty()) open.emplace_back(toBox(0), 0);
   while (!open.empty()) {
     const auto [bound, index] = open.back();
     open.pop_back();

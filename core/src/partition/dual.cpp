@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// The dual: a vertex per site and per run of the boundary, a polygon per Voronoi point.
 #include "gvd/dual.h"
 
 #include <algorithm>

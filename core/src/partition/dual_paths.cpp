@@ -64,7 +64,7 @@ class NearestCrossings {
 
   SurfacePoint pointAt(const Place& place) const {
     const Diagram::Segment& segment = *place.segment;
-    const SurfacePoint begin = inFace(mesh_, diagram_.points[segment.points[0]], segment.face);
+    SurfacePoint begin = inFace(mesh_, diagram_.points[segment.points[0]], segment.face);
     const SurfacePoint end = inFace(mesh_, diagram_.points[segment.points[1]], segment.face);
     if (begin.face != end.face) return begin;
     return {begin.face, (1 - place.share) * begin.bary + place.share * end.bary};

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// Repair of a dual: sites are added where its violations are, until there are none.
 #include <algorithm>
 #include <set>
 #include <string>

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/sorting.h"
 #include "partition/dual_parts.h"
 
 namespace gvd {
@@ -39,7 +40,7 @@ class Inspector {
     inspectTriples();
     inspectBoundary();
     if (found_.empty()) inspectDual();
-    std::stable_sort(found_.begin(), found_.end(), [](const Finding& a, const Finding& b) {
+    sortStably(std::span(found_), [](const Finding& a, const Finding& b) {
       return std::tie(a.violation.kind, a.violation.labels) <
              std::tie(b.violation.kind, b.violation.labels);
     });

@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/sorting.h"
 #include "mesh/convex_triangulation.h"
 #include "mesh/surface_geometry.h"
 #include "partition/region_patches.h"
@@ -79,7 +80,7 @@ class Partitioner {
         followSide(h);
       }
     }
-    std::sort(sidePoints_.begin(), sidePoints_.end(), [](const SidePoint& a, const SidePoint& b) {
+    sortStably(std::span(sidePoints_), [](const SidePoint& a, const SidePoint& b) {
       return std::tie(a.halfedge, a.order) < std::tie(b.halfedge, b.order);
     });
   }
@@ -89,13 +90,13 @@ class Partitioner {
     for (int c = firstCell; c < lastCell; ++c) {
       const auto cell = diagram_.cells[c];
       for (size_t i = 0; i < cell.size(); ++i)
-        sides_.push_back({vertexOfPoint_[cell[i]], vertexOfPoint_[cell[(i + 1) % cell.size()]]});
+        sides_.emplace_back(vertexOfPoint_[cell[i]], vertexOfPoint_[cell[(i + 1) % cell.size()]]);
     }
   }
 
-  /// From the tail of a mixed face's halfedge to its tip by those sides of cells that have no other
-  /// cell of the face beyond. Whether a point is on the way is a question of who names it: a point
-  /// inside may have come to lie on the side by rounding.
+  /// Follows a mixed face's halfedge from its tail to its tip, by the sides of cells that have no
+  /// other cell of the face beyond. Which points are on the way is told by the cells that name
+  /// them, not by coordinates: rounding may have put a point of the inside on the side.
   void followSide(int h) {
     const auto has = [&](int from, int to) {
       return std::find(sides_.begin(), sides_.end(), std::pair(from, to)) != sides_.end();
@@ -242,7 +243,7 @@ class Partitioner {
       out_.triangles[t] = piece.vertices;
       out_.triangleLabel[t] = piece.label;
       out_.triangleFace[t] = piece.face;
-      isWholeFace_[t] = plainPiece_[piece.face] >= 0;
+      isWholeFace_[t] = static_cast<char>(plainPiece_[piece.face] >= 0);
       areas_[t] = piece.area;
     }
   }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// Borders and nodes of a partition, read off the outlines of its regions.
 #include "partition/region_complex.h"
 
 #include <algorithm>

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
+//
+// The facts of each region of a partition: area, perimeter, centroid, neighbours, outlines, genus.
 #include "partition/region_patches.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <span>
 
+#include "base/sorting.h"
 #include "mesh/nearest_on_triangle.h"
 #include "mesh/surface_geometry.h"
 
@@ -80,8 +83,8 @@ class Surveyor {
         addStep(h, region);
       }
     }
-    std::sort(region.neighbours.begin(), region.neighbours.end(),
-              [](const auto& a, const auto& b) { return a.label < b.label; });
+    sortStably(std::span(region.neighbours),
+               [](const auto& a, const auto& b) { return a.label < b.label; });
   }
 
   void addStep(int h, RegionPatch& region) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// How good a remesh is: angles and valences of its triangles, and how far it is from the surface.
 #include "gvd/remesh.h"
 
 #include <Eigen/Geometry>

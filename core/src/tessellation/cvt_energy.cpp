@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// Energy and gradient of a tessellation, integrated over the cells of its diagram in closed form.
 #include "tessellation/cvt_energy.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// Mass, first moment and energy of each region, which a step of a tessellation follows from.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
+//
+// Whether a density given per vertex is one.
 #pragma once
 
 #include <cmath>
 #include <span>
 #include <string>
 
+#include "base/number_text.h"
 #include "gvd/error.h"
 #include "gvd/triangle_mesh.h"
 
@@ -20,7 +23,7 @@ inline void validateDensity(const TriangleMesh& mesh, std::span<const double> de
          std::to_string(vertices) + " vertices");
   for (size_t v = 0; v < vertices; ++v)
     if (!(density[v] >= 0 && std::isfinite(density[v])))
-      fail("the density at vertex " + std::to_string(v) + " is " + std::to_string(density[v]));
+      fail("the density at vertex " + std::to_string(v) + " is " + numberText(density[v]));
 }
 
 }  // namespace gvd

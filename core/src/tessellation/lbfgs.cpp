@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// The two-loop recursion of L-BFGS.
 #include "tessellation/lbfgs.h"
 
 #include <vector>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// The memory of a quasi-Newton method.
 #pragma once
 
 #include <Eigen/Core>

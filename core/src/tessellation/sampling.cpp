@@ -14,6 +14,7 @@
 #include <string>
 #include <utility>
 
+#include "base/number_text.h"
 #include "base/random.h"
 #include "distance/common_labels.h"
 #include "distance/dgpc/unfolding_sweep.h"
@@ -68,13 +69,15 @@ class Farthest {
   }
 
   void add(const SurfacePoint& point) {
-    // What a point owns is right if both ends of the edges that its paths cross are.
+    // Where a point is the nearest, its distance is right if it is at both ends of every edge that
+    // the path crosses: these are no farther beyond the point's region than an edge is long.
     spreadFrom(sweep_, point,
                [&](int v, double distance) { return distance < least_[v] + longestEdge_[v]; });
     for (const int v : sweep_.reached()) least_[v] = std::min(least_[v], sweep_.distance(v));
   }
 
-  /// Distances only fall, so what is first in the queue with its distance of today is the farthest.
+  /// Distances only fall: the first vertex whose distance in the queue is up to date is the
+  /// farthest.
   std::pair<double, int> farthest() {
     for (;;) {
       const auto [distance, negative] = queue_.top();
@@ -201,7 +204,7 @@ std::vector<SurfacePoint> sampleFarthest(const TriangleMesh& mesh, int count, st
 PoissonDisk samplePoissonDisk(const TriangleMesh& mesh, double radius, std::uint64_t seed) {
   if (!(radius > 0 && std::isfinite(radius)))
     throw Error(ErrorCode::kInvalidArgument,
-                "a Poisson disk cannot have the radius " + std::to_string(radius));
+                "a Poisson disk cannot have the radius " + numberText(radius));
   Disks disks(mesh);
   std::mt19937_64 random(seed);
   throwDarts(disks, radius, std::numeric_limits<size_t>::max(), random,
@@ -247,6 +250,7 @@ std::vector<SurfacePoint> coverComponents(const TriangleMesh& mesh,
   for (const std::vector<int>& list : faces) {
     if (list.empty()) continue;
     std::vector<double> sums;
+    sums.reserve(list.size());
     for (const int f : list) sums.push_back((sums.empty() ? 0 : sums.back()) + weights[f]);
     int& there = has[mesh.component(list.front())];
     for (; there < perComponent; ++there) {

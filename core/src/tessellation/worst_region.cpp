@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// Sites for the worst region first.
+// Sites for the worst region first: which region of a diagram is the worst, kept up to date while
+// sites come.
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <string>
+#include <numeric>
 #include <utility>
 #include <vector>
 
 #include "gvd/dynamic_diagram.h"
-#include "gvd/error.h"
 #include "gvd/sampling.h"
 #include "mesh/surface_geometry.h"
 
@@ -55,45 +55,68 @@ double areaOfCell(const TriangleMesh& mesh, const Diagram& diagram, int cell) {
   return std::max(0.0, share) * mesh.faceArea(face);
 }
 
-std::vector<double> distortions(const TriangleMesh& mesh, const DistanceField& distances,
-                                const Diagram& diagram) {
-  std::vector<double> sums(diagram.siteCount, 0.0);
-  for (int f = 0; f < mesh.faceCount(); ++f)
-    if (const int label = diagram.faceLabel[f]; label >= 0)
-      sums[label] += mesh.faceArea(f) * distortionOf(mesh, distances, label, f);
-  for (int c = 0; c < diagram.cells.size(); ++c) {
-    const int label = diagram.cellLabel[c];
-    sums[label] +=
-        areaOfCell(mesh, diagram, c) * distortionOf(mesh, distances, label, diagram.cellFace[c]);
-  }
-  for (int label = 0; label < diagram.siteCount; ++label)
-    if (sums[label] <= kFlat * diagram.regionArea[label]) sums[label] = 0;
-  return sums;
-}
-
-int worstLabel(const TriangleMesh& mesh, const DistanceField& distances, const Diagram& diagram,
-               WorstRegion worst) {
-  std::vector<double> badness(diagram.siteCount, 0.0);
-  if (worst == WorstRegion::kMostDistorted) badness = distortions(mesh, distances, diagram);
-  int label = 0;
-  for (int l = 1; l < diagram.siteCount; ++l)
-    if (std::pair(badness[l], diagram.regionArea[l]) >
-        std::pair(badness[label], diagram.regionArea[label]))
-      label = l;
-  return label;
-}
-
 }  // namespace
 
-SurfacePoint worstRegionPoint(const TriangleMesh& mesh, const DistanceField& distances,
-                              const Diagram& diagram, WorstRegion worst) {
-  const auto unreached =
-      std::find(diagram.faceLabel.begin(), diagram.faceLabel.end(), Diagram::kUnreachable);
-  if (unreached != diagram.faceLabel.end())
-    return {static_cast<int>(unreached - diagram.faceLabel.begin()),
-            Eigen::Vector3d::Constant(1.0 / 3)};
+WorstRegions::WorstRegions(const TriangleMesh& mesh, const DistanceField& distances,
+                           const Diagram& diagram, WorstRegion worst)
+    : mesh_(mesh),
+      distances_(distances),
+      worst_(worst),
+      faceLabel_(mesh.faceCount(), Diagram::kUnreachable),
+      pieces_(worst == WorstRegion::kMostDistorted ? mesh.faceCount() : 0) {
+  DiagramChange all{std::vector<int>(diagram.siteCount), std::vector<int>(mesh.faceCount()),
+                    diagram};
+  std::iota(all.labels.begin(), all.labels.end(), 0);
+  std::iota(all.faces.begin(), all.faces.end(), 0);
+  follow(all);
+}
 
-  const int label = worstLabel(mesh, distances, diagram, worst);
+void WorstRegions::follow(const DiagramChange& change) {
+  if (!change.labels.empty())
+    regions_.resize(std::max<size_t>(regions_.size(), change.labels.back() + 1));
+  const Diagram& part = change.part;
+  for (size_t i = 0; i < change.labels.size(); ++i)
+    regions_[change.labels[i]] = {part.regionArea[i], 0, {}};
+  for (int i = 0; i < part.loops.size(); ++i)
+    for (const int point : part.loops[i])
+      regions_[part.loopLabel[i]].outline.push_back(part.points[point]);
+  for (size_t i = 0; i < change.faces.size(); ++i) faceLabel_[change.faces[i]] = part.faceLabel[i];
+  if (worst_ == WorstRegion::kMostDistorted) followDistortion(change);
+}
+
+void WorstRegions::followDistortion(const DiagramChange& change) {
+  const Diagram& part = change.part;
+  const auto add = [&](int face, int label, double area) {
+    pieces_[face].push_back({label, area * distortionOf(mesh_, distances_, label, face)});
+  };
+  for (const int f : change.faces) {
+    pieces_[f].clear();
+    if (faceLabel_[f] >= 0) add(f, faceLabel_[f], mesh_.faceArea(f));
+  }
+  for (int c = 0; c < part.cells.size(); ++c)
+    add(part.cellFace[c], part.cellLabel[c], areaOfCell(mesh_, part, c));
+
+  std::vector<char> isChanged(regions_.size());
+  for (const int label : change.labels) isChanged[label] = true;
+  for (const std::vector<Piece>& pieces : pieces_)
+    for (const auto& [label, distortion] : pieces)
+      if (isChanged[label]) regions_[label].distortion += distortion;
+  for (const int label : change.labels) {
+    Region& region = regions_[label];
+    if (region.distortion <= kFlat * region.area) region.distortion = 0;
+  }
+}
+
+SurfacePoint WorstRegions::point() const {
+  const auto unreached = std::find(faceLabel_.begin(), faceLabel_.end(), Diagram::kUnreachable);
+  if (unreached != faceLabel_.end())
+    return {static_cast<int>(unreached - faceLabel_.begin()), Eigen::Vector3d::Constant(1.0 / 3)};
+
+  const auto worst =
+      std::max_element(regions_.begin(), regions_.end(), [](const Region& a, const Region& b) {
+        return std::pair(a.distortion, a.area) < std::pair(b.distortion, b.area);
+      });
+  const int label = static_cast<int>(worst - regions_.begin());
   SurfacePoint farthest;
   double most = -1;
   const auto offer = [&](const SurfacePoint& p, double distance) {
@@ -101,24 +124,23 @@ SurfacePoint worstRegionPoint(const TriangleMesh& mesh, const DistanceField& dis
     most = distance;
     farthest = p;
   };
-  for (int v = 0; v < mesh.vertexCount(); ++v)
-    if (const LabelledDistance d = nearestOf(distances.at(v)); d.label == label)
-      offer({TriangleMesh::faceOf(mesh.outgoing(v)), Eigen::Vector3d::Unit(mesh.outgoing(v) % 3)},
+  for (int v = 0; v < mesh_.vertexCount(); ++v)
+    if (const LabelledDistance d = nearestOf(distances_.at(v)); d.label == label)
+      offer({TriangleMesh::faceOf(mesh_.outgoing(v)), Eigen::Vector3d::Unit(mesh_.outgoing(v) % 3)},
             d.distance);
-  for (int loop = 0; loop < diagram.loops.size(); ++loop)
-    if (diagram.loopLabel[loop] == label)
-      for (const int point : diagram.loops[loop])
-        offer(diagram.points[point], distances.nearest(diagram.points[point]).distance);
+  for (const SurfacePoint& p : worst->outline) offer(p, distances_.nearest(p).distance);
   return farthest;
 }
 
 std::vector<SurfacePoint> sampleWorstFirst(const TriangleMesh& mesh, int count, std::uint64_t seed,
                                            WorstRegion worst) {
   std::vector<SurfacePoint> points = sampleUniform(mesh, std::min(count, 1), seed);
+  if (count == 0) return points;
   DynamicDiagram diagram(mesh, points);
+  WorstRegions regions(mesh, diagram.distances(), diagram.diagram(), worst);
   while (static_cast<int>(points.size()) < count) {
-    points.push_back(worstRegionPoint(mesh, diagram.distances(), diagram.diagram(), worst));
-    diagram.insertSite(points.back());
+    points.push_back(regions.point());
+    regions.follow(diagram.insertSite(points.back()));
   }
   return points;
 }

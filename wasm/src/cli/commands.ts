@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// What each command does.
 import { load } from '../node.js';
 import type { MeshInfo, Metric, PolygonMesh, SurfacePath } from '../results.js';
 import type { CvtOptions, CvtState, Diagram, Mesh, SurfacePointsInput } from '../types.js';

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// Files that the command reads and writes.
 import { randomUUID } from 'node:crypto';
 import { rmSync } from 'node:fs';
 import {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// The facts of a mesh, as `info` prints them.
 import type { MeshInfo, MeshRepairs } from '../results.js';
 
 /** What each repair did, after its count. */

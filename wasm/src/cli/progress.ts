@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// The bar of `--progress`.
 
 const width = 40;
 

@@ -50,7 +50,7 @@ class UnfoldingSpread final : public LabelSpread {
     int sweptCount = 0;                       ///< the first of them; others were required
   };
   void store();
-  void requireVertex(Label& label, int vertex) const;
+  void requireVertex(Label& known, int vertex) const;
   void indexReaching();
 
   const TriangleMesh& mesh_;

@@ -2,10 +2,12 @@
 //
 // WindowSweep::require: a label goes on to vertices or other points that it does not own.
 #include <algorithm>
+#include <span>
 #include <tuple>
 #include <utility>
 
 #include "base/prefetch.h"
+#include "base/sorting.h"
 #include "distance/exact/window_sweep.h"
 
 namespace gvd::exact {
@@ -135,7 +137,7 @@ void WindowSweep::require(int label, LabelState& state, std::span<const Required
     if (const int side = incidenceOf(p.bary).side; side >= 0 && mesh_.face(p.face).twins[side] >= 0)
       addPoint(acrossEdge(mesh_, p, 3 * p.face + side), index);
   }
-  std::sort(points_.begin(), points_.end(), [](const PointInFace& a, const PointInFace& b) {
+  sortStably(std::span(points_), [](const PointInFace& a, const PointInFace& b) {
     return std::tie(a.face, a.index) < std::tie(b.face, b.index);
   });
   for (const WaitingWindow& w : state.waiting) offerToPoints(w.window, w.halfedge);

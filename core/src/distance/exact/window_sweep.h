@@ -96,7 +96,7 @@ class WindowSweep {
   void store();
 
   void startAt(const SurfacePoint& site);
-  void startAtSide(const SurfacePoint& site, int side, double angle, bool isOnSide);
+  void startAtSide(const SurfacePoint& site, int i, double angle, bool isOnSide);
   void startAcross(const SurfacePoint& site, int side, double angle);
   void offer(int vertex, double distance, const LastPiece& piece);
   void reach(int vertex);

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+//
+// Small tools of the core: a sort, and numbers in messages.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <limits>
+#include <random>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/number_text.h"
+#include "base/sorting.h"
+
+namespace gvd {
+namespace {
+
+TEST(NumberText, IsThatOfSixSignificantDigits) {
+  const double inf = std::numeric_limits<double>::infinity();
+  for (const double number :
+       {0.0,          1.0,       -1.0,     10.0,       0.25,  -0.1,     1.25,   99.5,
+        123456.0,     1234567.0, 999999.4, 999999.6,   1e-3,  1e-4,     1.5e-5, -1e-9,
+        9.9999996e-5, 3e6,       1.5e9,    6.02214e23, 1e300, 2.5e-300, inf,    -inf}) {
+    char expected[64];
+    std::snprintf(expected, sizeof expected, "%g", number);
+    EXPECT_EQ(numberText(number), expected);
+  }
+  EXPECT_EQ(numberText(std::numeric_limits<double>::quiet_NaN()), "nan");
+}
+
+TEST(SortStably, SortsAsTheStandardLibraryDoes) {
+  std::mt19937_64 random(1);
+  for (const int count : {0, 1, 2, 3, 10, 1000}) {
+    std::vector<std::pair<int, std::string>> items;
+    for (int i = 0; i < count; ++i)
+      items.emplace_back(static_cast<int>(random() % 20), std::to_string(i));
+    const auto isBefore = [](const auto& a, const auto& b) { return a.first < b.first; };
+    auto expected = items;
+    std::stable_sort(expected.begin(), expected.end(), isBefore);
+    sortStably(std::span(items), isBefore);
+    EXPECT_EQ(items, expected);
+  }
+}
+
+}  // namespace
+}  // namespace gvd
