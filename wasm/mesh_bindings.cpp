@@ -121,6 +121,28 @@ GVD_ABI Answer* pointsAtVertices(const MeshHandle* handle, Ints vertex) {
   });
 }
 
+/// `ClosestPoints` to places, three numbers each. The first call makes what finds them.
+GVD_ABI Answer* closestPoints(MeshHandle* handle, Doubles places) {
+  return answer([&] {
+    const TriangleMesh& mesh = *handle->mesh;
+    if (!handle->closestPoints)
+      handle->closestPoints = std::make_shared<const ClosestPointQuery>(mesh);
+    std::vector<SurfacePoint> points;
+    std::vector<double> distance;
+    for (std::size_t i = 0; i + 2 < places.size; i += 3) {
+      const double* p = places.data + i;
+      const ClosestPoint closest = naming("position", i / 3, [&] {
+        return handle->closestPoints->closestTo({p[0], p[1], p[2]});
+      });
+      points.push_back(closest.point);
+      distance.push_back(closest.distance);
+    }
+    Record out = placedRecord(mesh, points);
+    out.add("distance", std::move(distance));
+    return out;
+  });
+}
+
 /// `SurfacePoints`. `seed` is an integer below 2^53.
 GVD_ABI Answer* sampleSites(const MeshHandle* handle, int count, Text sampling, double seed) {
   return answer([&] {

@@ -13,6 +13,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "gvd/closest_point.h"
 #include "abi.h"
 #include "gvd/cvt.h"
 #include "gvd/diagram.h"
@@ -25,6 +26,7 @@ namespace gvd::abi {
 
 /// A mesh that diagrams may outlive the caller's handle of.
 struct MeshHandle {
+  std::shared_ptr<const ClosestPointQuery> closestPoints;  // once it is asked for
   std::shared_ptr<const TriangleMesh> mesh;
 };
 

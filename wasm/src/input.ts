@@ -130,6 +130,16 @@ export function toPoints(
   return { face, bary };
 }
 
+/** Places in space: three finite numbers each. */
+export function toPlaces(name: string, positions: ArrayLike<number>): Float64Array {
+  const numbers = toFloat64(name, positions);
+  if (numbers.length % 3 !== 0)
+    throw invalidArgument(`${name} has ${numbers.length} numbers, not three per place`);
+  const wrong = numbers.findIndex((x) => !Number.isFinite(x));
+  if (wrong < 0) return numbers;
+  throw invalidArgument(`${name}[${wrong}] is ${numbers[wrong]}, not a finite number`);
+}
+
 /** Numbers per vertex, or none. */
 function toAttribute(name: string, values: ArrayLike<number> = [], expected: number): Float64Array {
   const numbers = toFloat64(name, values);

@@ -16,6 +16,7 @@ import {
   toMetric,
   toPerComponent,
   toRadius,
+  toPlaces,
   toSampling,
   toSeed,
 } from './input.js';
@@ -24,6 +25,7 @@ import {
   metrics,
   type BareComponents,
   type Distances,
+  type ClosestPoints,
   type MeshInfo,
   type MeshPart,
   type Metric,
@@ -135,6 +137,11 @@ export class EngineMesh implements Mesh {
   async voronoi(sites: SurfacePointsInput, options?: VoronoiOptions): Promise<Diagram> {
     const { metric, detail, ...task } = toTaskOptions(options, { metric: metrics[0], detail: 0 });
     const form = { metric: toMetric(metric), detail: toDetail(detail) };
+  async closestPoints(positions: ArrayLike<number>, options?: TaskOptions): Promise<ClosestPoints> {
+    const task = toTask(options);
+    return this.#kept.call('closestPoints', [toPlaces('positions', positions)], task);
+  }
+
     const points = await this.#kept.points('sites', sites);
     const { engine, handle } = this.#kept;
     const opened = await engine.openDiagram(handle, points, form, task);

@@ -44,6 +44,12 @@ export interface SurfacePoints {
 /** Points with where they are in space: x, y, z each. */
 export type PlacedPoints = SurfacePoints & { position: Float64Array };
 
+/** The points of a surface closest to places in space, in the order of these. */
+export type ClosestPoints = PlacedPoints & {
+  /** How far each is from its place, along a straight line, in the input's units. */
+  distance: Float64Array;
+};
+
 /**
  * What the mesh builder did to the input to make a manifold of it, and triangles of all its faces;
  * all zero for a clean mesh. `core/include/gvd/triangle_mesh.h` holds the policy.

@@ -5,6 +5,7 @@
 
 import type {
   BareComponents,
+  ClosestPoints,
   CvtMethod,
   DiagramChange,
   DiagramData,
@@ -279,6 +280,14 @@ export interface Mesh extends Disposable {
     from: SurfacePointsInput,
     to: SurfacePointsInput,
     options?: TaskOptions,
+  /**
+   * The points of the surface closest to places in space: x, y, z each, in the frame and the unit of
+   * `positions`. They can be sites at once. Of points that are as close, to rounding, it is any; of
+   * triangles at the very same distance, the first one has it. The first call makes a tree of the
+   * triangles, in O(n log n); a place near the surface then takes O(log n), a few microseconds.
+   */
+  closestPoints(positions: ArrayLike<number>, options?: TaskOptions): Promise<ClosestPoints>;
+  /** The diagram of sites, of which some may lie in one place; a label each, by their order. */
   ): Promise<SurfacePath>;
   /**
    * Moves sites to the centroids of their regions: a state per iteration, the first that of the
