@@ -172,7 +172,7 @@ export function toPerComponent(perComponent: number): number {
   return toInteger('perComponent', perComponent, 0, maxCount);
 }
 
-export const cvtDefaults = {
+export const tessellationDefaults = {
   method: 'lbfgs',
   metric: metrics[0],
   iterations: 50,
@@ -180,8 +180,6 @@ export const cvtDefaults = {
   moveTolerance: 0,
   density: [],
   fixedSites: [],
-  data: false,
-  diagrams: false,
 } as const;
 
 /** Whether density and fixed sites fit mesh and sites is for the core to say. */

@@ -7,12 +7,13 @@ import { EngineDiagram } from './diagram.js';
 import type { AdvancedCvt, Engine, OpenedMesh } from './engine.js';
 import { invalidArgument } from './errors.js';
 import {
-  cvtDefaults,
   isWorstFirst,
   maxCount,
+  tessellationDefaults,
   toCount,
   toCvtSettings,
   toDetail,
+  toMaxAdded,
   toMetric,
   toPerComponent,
   toRadius,
@@ -33,6 +34,7 @@ import {
   type SurfacePoints,
   type WorstRegion,
 } from './results.js';
+import { remesh } from './remesh.js';
 import type { Triangles } from './triangles.js';
 import type {
   CvtOptions,
@@ -40,6 +42,7 @@ import type {
   Diagram,
   DistancesOptions,
   Mesh,
+  RemeshOptions,
   SampleOptions,
   SurfacePointsInput,
   TaskOptions,
@@ -173,10 +176,11 @@ export class EngineMesh implements Mesh {
     sites: SurfacePointsInput,
     options?: CvtOptions,
   ): AsyncGenerator<CvtState, void, void> {
-    const { data, diagrams, density, signal, onProgress, ...others } = toTaskOptions(
-      options,
-      cvtDefaults,
-    );
+    const { data, diagrams, density, signal, onProgress, ...others } = toTaskOptions(options, {
+      ...tessellationDefaults,
+      data: false,
+      diagrams: false,
+    });
     const withData = toBoolean('data', data);
     const form = toBoolean('diagrams', diagrams) ? 'diagram' : withData ? 'data' : 'bare';
     const settings = toCvtSettings({
@@ -197,6 +201,20 @@ export class EngineMesh implements Mesh {
     } finally {
       engine.close(handle);
     }
+  }
+
+  async remesh(sites: SurfacePointsInput, options?: RemeshOptions): Promise<Diagram> {
+    const { maxAdded, density, signal, onProgress, ...others } = toTaskOptions(options, {
+      ...tessellationDefaults,
+      maxAdded: 1000,
+    });
+    toMaxAdded(maxAdded);
+    const settings = toCvtSettings({
+      ...others,
+      density: await this.#toDensity(density, signal),
+    });
+    const points = await this.#kept.points('sites', sites);
+    return remesh(this, points, { ...settings, maxAdded }, { signal, onProgress });
   }
 
   async #toDensity(

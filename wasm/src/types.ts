@@ -95,6 +95,11 @@ export interface CvtOptions extends TaskOptions {
   diagrams?: boolean;
 }
 
+export interface RemeshOptions extends Omit<CvtOptions, 'data' | 'diagrams'> {
+  /** How many sites may be added until the dual is valid. Default 1000. */
+  maxAdded?: number;
+}
+
 /** A centroidal tessellation on its way; `core/include/gvd/cvt.h` holds the definitions. */
 export interface CvtState {
   /** 0: the sites given. */
@@ -297,6 +302,12 @@ export interface Mesh extends Disposable {
   dispose(): void;
 }
 
+  /**
+   * An isotropic remesh: the diagram of the sites moved to the centroids of their regions, with as many
+   * more as it takes until its dual is valid. These move, too, in two more rounds at most, so `dual()`
+   * and `remeshQuality()` of it are the remesh and how good that is. Sites given keep their labels.
+   */
+  remesh(sites: SurfacePointsInput, options?: RemeshOptions): Promise<Diagram>;
 /**
  * The library, loaded. `load()` runs it on the calling thread, `loadWorker()` in a module worker;
  * both answer through this interface, and nothing a caller sees differs.
