@@ -80,7 +80,7 @@ GVD_ABI MeshHandle* createMesh(Doubles positions, Ints triangles, double weld, T
         .orientation = valueOf(kOrientations, "orientation", toView(orientation)),
         .minComponent = minComponent};
     return new MeshHandle{
-        std::make_shared<const TriangleMesh>(positions.span(), triangles.span(), options)};
+        std::make_shared<const TriangleMesh>(positions.span(), triangles.span(), options), {}};
   });
 }
 
@@ -108,7 +108,7 @@ GVD_ABI Answer* meshInfo(const MeshHandle* handle) {
   });
 }
 
-/// `SurfacePoints` at input vertices; of a mesh or a diagram.
+/// `SurfacePoints` at input vertices.
 GVD_ABI Answer* pointsAtVertices(const MeshHandle* handle, Ints vertex) {
   return answer([&] {
     std::vector<SurfacePoint> points;
@@ -179,8 +179,7 @@ GVD_ABI Answer* coverComponents(const MeshHandle* handle, Ints face, Doubles bar
 GVD_ABI Answer* bareComponents(const MeshHandle* handle, Ints face, Doubles bary) {
   return answer([&] {
     const TriangleMesh& mesh = *handle->mesh;
-    const BareComponents bare =
-        gvd::bareComponents(mesh, pointsFromInput(mesh, "site", face, bary));
+    const BareComponents bare = gvd::bareComponents(mesh, sitesFromInput(mesh, face, bary));
     Record out;
     out.add("components", bare.components);
     out.add("area", bare.area);

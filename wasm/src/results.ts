@@ -252,7 +252,10 @@ export interface PartitionRegions {
 export interface PolygonMesh {
   points: PlacedPoints;
   faces: PointLists;
-  /** Per point of a dual, its region: point i is site i, those after are on the boundary. */
+  /**
+   * Per point of a dual, its region. The sites come first, ascending by label: point i is site i, unless
+   * sites before it have been removed. Points after them are on the boundary.
+   */
   vertexLabel: Int32Array;
   /** Per face of the regions as polygons, its region. */
   faceLabel: Int32Array;

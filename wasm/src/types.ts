@@ -205,7 +205,10 @@ export interface Region {
  */
 export interface Diagram extends Disposable {
   readonly metric: Metric;
-  /** Of a label without a site, face -1. */
+  /**
+   * By label; one that has been removed is of face -1, with coordinates 0. Whatever takes sites takes
+   * this list, and gives the others the same labels.
+   */
   readonly sites: SurfacePoints;
   readonly data: DiagramData;
   readonly regions: readonly Region[];
@@ -213,8 +216,8 @@ export interface Diagram extends Disposable {
   insertSite(site: SurfacePointsInput, options?: TaskOptions): Promise<DiagramChange>;
   moveSite(label: number, site: SurfacePointsInput, options?: TaskOptions): Promise<DiagramChange>;
   /**
-   * The other sites keep their labels; this one's region is empty from then on. Labels at the end that
-   * have no site do not count any more.
+   * The other sites keep their labels; this one's region is empty from then on, and all that is made of
+   * the diagram leaves it out. Labels at the end that have no site do not count any more.
    */
   removeSite(label: number, options?: TaskOptions): Promise<DiagramChange>;
   /**
@@ -232,8 +235,8 @@ export interface Diagram extends Disposable {
   /** The mesh cut into the regions. */
   partition(options?: PartitionOptions): Promise<Partition>;
   /**
-   * The polygonal base mesh: a vertex per site, a polygon per Voronoi point. It is a manifold with
-   * the topology of the surface if there are no `violations`.
+   * The polygonal base mesh: a vertex per site, ascending by label (`vertexLabel` has it), a polygon per
+   * Voronoi point. It is a manifold with the topology of the surface if there are no `violations`.
    */
   dual(options?: DualOptions): Promise<PolygonMesh>;
   /** The sides of the dual as paths on the surface, one per arc. */
@@ -277,14 +280,6 @@ export interface Mesh extends Disposable {
    * the surface bends more. `core/include/gvd/curvature.h` holds the definition.
    */
   curvatureDensity(options?: TaskOptions): Promise<Float64Array>;
-  voronoi(sites: SurfacePointsInput, options?: VoronoiOptions): Promise<Diagram>;
-  /** The nearest site of every input vertex, how far it is, and in which direction from the site. */
-  distances(sites: SurfacePointsInput, options?: DistancesOptions): Promise<Distances>;
-  /** The shortest path between two points, given as a list of one each; exact. */
-  path(
-    from: SurfacePointsInput,
-    to: SurfacePointsInput,
-    options?: TaskOptions,
   /**
    * The points of the surface closest to places in space: x, y, z each, in the frame and the unit of
    * `positions`. They can be sites at once. Of points that are as close, to rounding, it is any; of
@@ -293,21 +288,29 @@ export interface Mesh extends Disposable {
    */
   closestPoints(positions: ArrayLike<number>, options?: TaskOptions): Promise<ClosestPoints>;
   /** The diagram of sites, of which some may lie in one place; a label each, by their order. */
+  voronoi(sites: SurfacePointsInput, options?: VoronoiOptions): Promise<Diagram>;
+  /** The nearest site of every input vertex, how far it is, and in which direction from the site. */
+  distances(sites: SurfacePointsInput, options?: DistancesOptions): Promise<Distances>;
+  /** The shortest path between two points, given as a list of one each; exact. */
+  path(
+    from: SurfacePointsInput,
+    to: SurfacePointsInput,
+    options?: TaskOptions,
   ): Promise<SurfacePath>;
   /**
    * Moves sites to the centroids of their regions: a state per iteration, the first that of the
    * sites given. Leaving the loop ends it.
    */
   cvt(sites: SurfacePointsInput, options?: CvtOptions): AsyncGenerator<CvtState, void, void>;
-  dispose(): void;
-}
-
   /**
    * An isotropic remesh: the diagram of the sites moved to the centroids of their regions, with as many
    * more as it takes until its dual is valid. These move, too, in two more rounds at most, so `dual()`
    * and `remeshQuality()` of it are the remesh and how good that is. Sites given keep their labels.
    */
   remesh(sites: SurfacePointsInput, options?: RemeshOptions): Promise<Diagram>;
+  dispose(): void;
+}
+
 /**
  * The library, loaded. `load()` runs it on the calling thread, `loadWorker()` in a module worker;
  * both answer through this interface, and nothing a caller sees differs.

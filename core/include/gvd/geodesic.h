@@ -106,8 +106,8 @@ enum class Spread {
 };
 
 /// Starts the distances of all `sites` (in terms of the mesh's faces), one label each.
-/// Sites may coincide, share a face, lie on edges or vertices, and outnumber the vertices.
-/// Throws `Error(kInvalidArgument)` if there is no site.
+/// Sites may coincide, share a face, lie on edges or vertices, and outnumber the vertices. One of
+/// face -1 is a label without a site. Throws `Error(kInvalidArgument)` if there is no site.
 std::unique_ptr<Propagation> propagate(const TriangleMesh& mesh,
                                        std::span<const SurfacePoint> sites, Metric metric,
                                        Spread spread = Spread::kAsNeeded);

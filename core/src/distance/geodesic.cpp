@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "gvd/geodesic.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "distance/site_distances.h"
@@ -48,7 +49,9 @@ std::vector<SurfacePoint> DistanceField::path(int /*label*/, const SurfacePoint&
 std::unique_ptr<Propagation> propagate(const TriangleMesh& mesh,
                                        std::span<const SurfacePoint> sites, Metric metric,
                                        Spread spread) {
-  if (sites.empty()) throw Error(ErrorCode::kInvalidArgument, "there is no site");
+  const auto isThere = [](const SurfacePoint& site) { return site.face >= 0; };
+  if (std::none_of(sites.begin(), sites.end(), isThere))
+    throw Error(ErrorCode::kInvalidArgument, "there is no site");
   return std::make_unique<SitePropagation>(mesh, sites, metric, spread);
 }
 
