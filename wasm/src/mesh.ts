@@ -16,8 +16,8 @@ import {
   toMaxAdded,
   toMetric,
   toPerComponent,
-  toRadius,
   toPlaces,
+  toRadius,
   toSampling,
   toSeed,
 } from './input.js';
@@ -25,8 +25,8 @@ import { disposeSymbol, Kept } from './kept.js';
 import {
   metrics,
   type BareComponents,
-  type Distances,
   type ClosestPoints,
+  type Distances,
   type MeshInfo,
   type MeshPart,
   type Metric,
@@ -137,14 +137,14 @@ export class EngineMesh implements Mesh {
     return values;
   }
 
-  async voronoi(sites: SurfacePointsInput, options?: VoronoiOptions): Promise<Diagram> {
-    const { metric, detail, ...task } = toTaskOptions(options, { metric: metrics[0], detail: 0 });
-    const form = { metric: toMetric(metric), detail: toDetail(detail) };
   async closestPoints(positions: ArrayLike<number>, options?: TaskOptions): Promise<ClosestPoints> {
     const task = toTask(options);
     return this.#kept.call('closestPoints', [toPlaces('positions', positions)], task);
   }
 
+  async voronoi(sites: SurfacePointsInput, options?: VoronoiOptions): Promise<Diagram> {
+    const { metric, detail, ...task } = toTaskOptions(options, { metric: metrics[0], detail: 0 });
+    const form = { metric: toMetric(metric), detail: toDetail(detail) };
     const points = await this.#kept.points('sites', sites);
     const { engine, handle } = this.#kept;
     const opened = await engine.openDiagram(handle, points, form, task);
