@@ -31,7 +31,7 @@ GVD_ABI CvtHandle* startCvt(const MeshHandle* handle, Ints face, Doubles bary, T
     options.moveTolerance = moveTolerance;
     options.density = valuesFromInput(mesh, "densities", density.span());
     options.fixedSites.assign(fixedSites.data, fixedSites.data + fixedSites.size);
-    const std::vector<SurfacePoint> sites = pointsFromInput(mesh, "site", face, bary);
+    const std::vector<SurfacePoint> sites = sitesFromInput(mesh, face, bary);
     auto cvt = std::make_unique<CvtHandle>();
     cvt->surface = *handle;
     cvt->metric = options.metric;

@@ -46,8 +46,8 @@ GVD_ABI Answer* dual(const VoronoiHandle* voronoi, bool primal) {
   return answer([&] {
     const TriangleMesh& mesh = voronoi->mesh();
     const Diagram diagram = voronoi->diagram();
-    return polygonRecord(
-        mesh, primal ? regionMesh(mesh, diagram) : dualMesh(mesh, voronoi->allSites(), diagram));
+    return polygonRecord(mesh, primal ? regionMesh(mesh, diagram)
+                                      : dualMesh(mesh, voronoi->sitesByLabel(), diagram));
   });
 }
 
@@ -73,10 +73,10 @@ GVD_ABI Answer* dualPaths(const VoronoiHandle* voronoi) {
 /// Per violation of the dual its kind and its message, and a list of labels.
 GVD_ABI Answer* dualViolations(const VoronoiHandle* voronoi) {
   return answer([&] {
-    voronoi->allSites();  // or there is no dual
     std::vector<std::string> kinds, messages;
     std::vector<int> offset = {0}, labels;
-    for (const Violation& violation : findViolations(voronoi->mesh(), voronoi->diagram())) {
+    for (const Violation& violation :
+         findViolations(voronoi->mesh(), voronoi->sitesByLabel(), voronoi->diagram())) {
       kinds.emplace_back(nameOf(kViolationKinds, violation.kind));
       labels.insert(labels.end(), violation.labels.begin(), violation.labels.end());
       offset.push_back(static_cast<int>(labels.size()));
@@ -96,7 +96,7 @@ GVD_ABI Answer* dualQuality(const VoronoiHandle* voronoi) {
   return answer([&] {
     const TriangleMesh& mesh = voronoi->mesh();
     const RemeshQuality quality =
-        measureQuality(mesh, dualMesh(mesh, voronoi->allSites(), voronoi->diagram()));
+        measureQuality(mesh, dualMesh(mesh, voronoi->sitesByLabel(), voronoi->diagram()));
     Record out;
     out.add("triangles", quality.triangles);
     out.add("minAngle", quality.minAngle);
@@ -113,8 +113,8 @@ GVD_ABI Answer* dualQuality(const VoronoiHandle* voronoi) {
 GVD_ABI Answer* repairingSites(const VoronoiHandle* voronoi) {
   return answer([&] {
     const TriangleMesh& mesh = voronoi->mesh();
-    voronoi->allSites();  // or there is no dual
-    return pointsRecord(mesh, gvd::repairingSites(mesh, voronoi->diagram(), voronoi->field()));
+    return pointsRecord(mesh, gvd::repairingSites(mesh, voronoi->sitesByLabel(), voronoi->diagram(),
+                                                  voronoi->field()));
   });
 }
 

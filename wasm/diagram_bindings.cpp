@@ -30,7 +30,7 @@ GVD_ABI VoronoiHandle* startVoronoi(const MeshHandle* handle, Ints face, Doubles
   return guarded([&] {
     auto voronoi = std::make_unique<VoronoiHandle>();
     voronoi->surface = *handle;
-    voronoi->sites = pointsFromInput(voronoi->mesh(), "site", face, bary);
+    voronoi->sites = sitesFromInput(voronoi->mesh(), face, bary);
     voronoi->metric = metricOf(toView(metric));
     voronoi->propagation = propagate(voronoi->mesh(), voronoi->sites, voronoi->metric);
     return voronoi.release();
@@ -38,6 +38,9 @@ GVD_ABI VoronoiHandle* startVoronoi(const MeshHandle* handle, Ints face, Doubles
 }
 
 GVD_ABI void freeVoronoi(VoronoiHandle* voronoi) { delete voronoi; }
+
+/// The mesh that a diagram is on: the diagram's own handle of it, freed with it.
+GVD_ABI MeshHandle* meshOfVoronoi(VoronoiHandle* voronoi) { return &voronoi->surface; }
 
 /// Works on the distances.
 GVD_ABI SliceEnd stepDistances(VoronoiHandle* voronoi, int budget) {
@@ -64,7 +67,7 @@ GVD_ABI Answer* distancesAtVertices(const VoronoiHandle* voronoi) {
     std::vector<double> distance(count, kInfinity);
     std::vector<double> direction(2 * count, std::numeric_limits<double>::quiet_NaN());
     for (int i = 0; i < count; ++i) {
-      const int vertex = vertexOfInput(mesh, i);
+      const int vertex = mesh.vertexOfInput(i);
       if (vertex < 0) continue;
       const LabelledDistance nearest = nearestOf(field.at(vertex));
       if (nearest.label < 0) continue;

@@ -80,7 +80,7 @@ GVD_ABI MeshHandle* createMesh(Doubles positions, Ints triangles, double weld, T
         .orientation = valueOf(kOrientations, "orientation", toView(orientation)),
         .minComponent = minComponent};
     return new MeshHandle{
-        std::make_shared<const TriangleMesh>(positions.span(), triangles.span(), options)};
+        std::make_shared<const TriangleMesh>(positions.span(), triangles.span(), options), {}};
   });
 }
 
@@ -108,7 +108,7 @@ GVD_ABI Answer* meshInfo(const MeshHandle* handle) {
   });
 }
 
-/// `SurfacePoints` at input vertices; of a mesh or a diagram.
+/// `SurfacePoints` at input vertices.
 GVD_ABI Answer* pointsAtVertices(const MeshHandle* handle, Ints vertex) {
   return answer([&] {
     std::vector<SurfacePoint> points;
@@ -118,6 +118,28 @@ GVD_ABI Answer* pointsAtVertices(const MeshHandle* handle, Ints vertex) {
           naming("point", i, [&] { return handle->mesh->fromInputVertex(vertex.data[i]); }));
     }
     return pointsRecord(*handle->mesh, points);
+  });
+}
+
+/// `ClosestPoints` to places, three numbers each. The first call makes what finds them.
+GVD_ABI Answer* closestPoints(MeshHandle* handle, Doubles places) {
+  return answer([&] {
+    const TriangleMesh& mesh = *handle->mesh;
+    if (!handle->closestPoints)
+      handle->closestPoints = std::make_shared<const ClosestPointQuery>(mesh);
+    std::vector<SurfacePoint> points;
+    std::vector<double> distance;
+    for (std::size_t i = 0; i + 2 < places.size; i += 3) {
+      const double* p = places.data + i;
+      const ClosestPoint closest = naming("position", i / 3, [&] {
+        return handle->closestPoints->closestTo({p[0], p[1], p[2]});
+      });
+      points.push_back(closest.point);
+      distance.push_back(closest.distance);
+    }
+    Record out = placedRecord(mesh, points);
+    out.add("distance", std::move(distance));
+    return out;
   });
 }
 
@@ -157,8 +179,7 @@ GVD_ABI Answer* coverComponents(const MeshHandle* handle, Ints face, Doubles bar
 GVD_ABI Answer* bareComponents(const MeshHandle* handle, Ints face, Doubles bary) {
   return answer([&] {
     const TriangleMesh& mesh = *handle->mesh;
-    const BareComponents bare =
-        gvd::bareComponents(mesh, pointsFromInput(mesh, "site", face, bary));
+    const BareComponents bare = gvd::bareComponents(mesh, sitesFromInput(mesh, face, bary));
     Record out;
     out.add("components", bare.components);
     out.add("area", bare.area);

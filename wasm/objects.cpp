@@ -13,11 +13,8 @@ namespace {
 
 constexpr Named<Metric> kMetrics[] = {{"exact", Metric::kExact}, {"dgpc", Metric::kDgpc}};
 
-/// Labels are less than this: those at the end that are free do not count.
-int labelCount(const DynamicDiagram& diagram) {
-  int count = diagram.labelCount();
-  while (count > 0 && !diagram.hasSite(count - 1)) --count;
-  return count;
+SurfacePoint pointFromInput(const TriangleMesh& mesh, int face, const double* bary) {
+  return mesh.fromInput({face, {bary[0], bary[1], bary[2]}});
 }
 
 }  // namespace
@@ -27,29 +24,25 @@ Metric metricOf(std::string_view name) { return valueOf(kMetrics, "metric", name
 Diagram VoronoiHandle::diagram() const {
   if (!dynamic) return *traced;
   Diagram diagram = dynamic->diagram();
-  diagram.siteCount = labelCount(*dynamic);
+  diagram.siteCount = static_cast<int>(sitesByLabel().size());
   diagram.regionArea.resize(diagram.siteCount);
   return diagram;
 }
 
-std::vector<SurfacePoint> VoronoiHandle::allSites() const {
+std::vector<SurfacePoint> VoronoiHandle::sitesByLabel() const {
   if (!dynamic) return sites;
-  std::vector<SurfacePoint> all;
-  for (int label = 0; label < labelCount(*dynamic); ++label) {
-    if (!dynamic->hasSite(label))
-      throw Error(ErrorCode::kInvalidArgument,
-                  "site " + std::to_string(label) +
-                      " has been removed: compute a diagram of the sites that are left");
-    all.push_back(dynamic->site(label));
-  }
+  std::vector<SurfacePoint> all = dynamic->sites();
+  while (!all.empty() && all.back().face < 0) all.pop_back();
   return all;
 }
 
 DynamicDiagram& VoronoiHandle::changing() {
   if (!dynamic) {
+    // What there is stays until this is made: it may throw.
     dynamic = std::make_unique<DynamicDiagram>(
-        distances ? DynamicDiagram::fromDistances(mesh(), std::move(distances), options)
+        distances ? DynamicDiagram::fromDistances(mesh(), distances, options)
                   : DynamicDiagram(mesh(), sites, metric, options));
+    distances.reset();
     sharedDistances.reset();
     traced.reset();
   }
@@ -67,17 +60,27 @@ std::vector<SurfacePoint> pointsFromInput(const TriangleMesh& mesh, const char* 
                                           Doubles bary) {
   std::vector<SurfacePoint> points;
   points.reserve(face.size);
-  for (std::size_t i = 0; i < face.size; ++i) {
-    const double* b = bary.data + 3 * i;
-    points.push_back(naming(what, i, [&] {
-      return mesh.fromInput({face.data[i], {b[0], b[1], b[2]}});
-    }));
-  }
+  for (std::size_t i = 0; i < face.size; ++i)
+    points.push_back(
+        naming(what, i, [&] { return pointFromInput(mesh, face.data[i], bary.data + 3 * i); }));
   return points;
 }
 
+std::vector<SurfacePoint> sitesFromInput(const TriangleMesh& mesh, Ints face, Doubles bary) {
+  std::vector<SurfacePoint> sites;
+  sites.reserve(face.size);
+  for (std::size_t i = 0; i < face.size; ++i) {
+    const double* b = bary.data + 3 * i;
+    const bool isFree = face.data[i] == -1 && b[0] == 0 && b[1] == 0 && b[2] == 0;
+    sites.push_back(naming("site", i, [&] {
+      return isFree ? SurfacePoint() : pointFromInput(mesh, face.data[i], b);
+    }));
+  }
+  return sites;
+}
+
 SurfacePoint pointFromInput(const TriangleMesh& mesh, Ints face, Doubles bary) {
-  return mesh.fromInput({face.data[0], {bary.data[0], bary.data[1], bary.data[2]}});
+  return pointFromInput(mesh, face.data[0], bary.data);
 }
 
 std::vector<double> valuesFromInput(const TriangleMesh& mesh, const char* what,
@@ -92,21 +95,11 @@ std::vector<double> valuesFromInput(const TriangleMesh& mesh, const char* what,
   return result;
 }
 
-int vertexOfInput(const TriangleMesh& mesh, int inputVertex) {
-  try {
-    const SurfacePoint place = mesh.fromInputVertex(inputVertex);
-    for (int i = 0; i < 3; ++i)
-      if (place.bary[i] == 1) return mesh.tail(3 * place.face + i);
-  } catch (const Error&) {
-  }
-  return -1;
-}
-
 std::vector<double> valuesAtInput(const TriangleMesh& mesh, std::span<const double> values,
                                   double otherwise) {
   std::vector<double> result(mesh.inputVertexCount(), otherwise);
   for (int i = 0; i < mesh.inputVertexCount(); ++i)
-    if (const int vertex = vertexOfInput(mesh, i); vertex >= 0) result[i] = values[vertex];
+    if (const int vertex = mesh.vertexOfInput(i); vertex >= 0) result[i] = values[vertex];
   return result;
 }
 

@@ -10,10 +10,10 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <vector>
 
 #include "abi.h"
+#include "gvd/closest_point.h"
 #include "gvd/cvt.h"
 #include "gvd/diagram.h"
 #include "gvd/dynamic_diagram.h"
@@ -27,17 +27,17 @@ namespace gvd::abi {
 /// A mesh that diagrams may outlive the caller's handle of.
 struct MeshHandle {
   std::shared_ptr<const TriangleMesh> mesh;
+  std::shared_ptr<const ClosestPointQuery> closestPoints;  // once it is asked for
 };
 
-/// A diagram, from the first slice of its propagation to the last point located in it. Its address
-/// is that of a `MeshHandle` as well.
+/// A diagram, from the first slice of its propagation to the last point located in it.
 struct VoronoiHandle {
   MeshHandle surface;
   std::vector<SurfacePoint> sites;
   Metric metric;
   DiagramOptions options;
   std::unique_ptr<Propagation> propagation;              // until it is done
-  std::unique_ptr<DistanceField> distances;              // from then on
+  std::shared_ptr<DistanceField> distances;              // from then on
   std::shared_ptr<const DistanceField> sharedDistances;  // or these, of a tessellation
   std::optional<DiagramTracing> tracing;                 // while it goes on
   std::optional<Diagram> traced;                         // once it is traced
@@ -50,22 +50,21 @@ struct VoronoiHandle {
   }
   /// Of the sites there are.
   Diagram diagram() const;
-  /// The sites by label. Throws `Error(kInvalidArgument)` if a label has none.
-  std::vector<SurfacePoint> allSites() const;
+  /// The sites by label; face -1 where one has been removed. Labels at the end that have none do
+  /// not count.
+  std::vector<SurfacePoint> sitesByLabel() const;
   /// The diagram of which sites can change; made when the first one does.
   DynamicDiagram& changing();
   /// Where one more site would be.
   SurfacePoint worstRegionPoint(WorstRegion worst);
 };
-static_assert(std::is_standard_layout_v<VoronoiHandle>);
 
-/// A centroidal tessellation under way. Its address is that of a `MeshHandle` as well.
+/// A centroidal tessellation under way.
 struct CvtHandle {
   MeshHandle surface;
   Metric metric;
   std::unique_ptr<Cvt> cvt;
 };
-static_assert(std::is_standard_layout_v<CvtHandle>);
 
 /// How a slice of work ended; zero when it failed, as with every function here.
 enum SliceEnd { kFailed = 0, kMoreToDo = 1, kDone = 2 };
@@ -87,6 +86,10 @@ auto naming(const char* what, std::size_t index, F&& f) -> decltype(f()) {
 std::vector<SurfacePoint> pointsFromInput(const TriangleMesh& mesh, const char* what, Ints face,
                                           Doubles bary);
 
+/// Sites of the input, by label; one of face -1 and coordinates 0, as results have it, is a label
+/// without a site.
+std::vector<SurfacePoint> sitesFromInput(const TriangleMesh& mesh, Ints face, Doubles bary);
+
 /// One point of the input.
 SurfacePoint pointFromInput(const TriangleMesh& mesh, Ints face, Doubles bary);
 
@@ -94,9 +97,6 @@ SurfacePoint pointFromInput(const TriangleMesh& mesh, Ints face, Doubles bary);
 /// errors.
 std::vector<double> valuesFromInput(const TriangleMesh& mesh, const char* what,
                                     std::span<const double> values);
-
-/// The vertex at the place of an input vertex, -1 if that is isolated.
-int vertexOfInput(const TriangleMesh& mesh, int inputVertex);
 
 /// Values given per vertex of the mesh, per input vertex; of an isolated one, `otherwise`.
 std::vector<double> valuesAtInput(const TriangleMesh& mesh, std::span<const double> values,

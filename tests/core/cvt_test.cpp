@@ -400,6 +400,26 @@ TEST(Cvt, HandlesMoreSitesThanVerticesAndSitesOnVertices) {
   for (const double area : cvt.diagram().regionArea) EXPECT_NEAR(area, mean, 0.5 * mean);
 }
 
+TEST(Cvt, LeavesLabelsWithoutSiteAlone) {
+  const auto mesh = shapes::grid(8, 8).mesh();
+  const auto sites = sampleUniform(mesh, 10, 1);
+  for (const CvtMethod method : {CvtMethod::kLloyd, CvtMethod::kLbfgs}) {
+    CvtOptions options;
+    options.method = method;
+    options.iterations = 10;
+    Cvt all(mesh, sites, options);
+    auto some = sites;
+    some.insert(some.begin() + 4, {{}, {}});
+    Cvt cvt(mesh, some, options);
+    finish(all);
+    finish(cvt);
+    EXPECT_EQ(cvt.sites()[4].face, -1);
+    EXPECT_EQ(cvt.sites()[5].face, -1);
+    EXPECT_EQ(cvt.sites()[6].bary, all.sites()[4].bary);
+    EXPECT_EQ(cvt.iteration().energy, all.iteration().energy);
+  }
+}
+
 TEST(Cvt, StopsByTolerancesAndIterations) {
   const auto mesh = shapes::grid(8, 8).mesh();
   const auto sites = sampleUniform(mesh, 10, 1);

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "diagram_checks.h"
+#include "gvd/dynamic_diagram.h"
 #include "gvd/error.h"
 #include "gvd/sampling.h"
 #include "shapes.h"
@@ -91,7 +92,7 @@ TEST_P(DualOfRandomMeshes, IsTheSurfaceUnlessItSaysWhyNot) {
   const Diagram d = trace(mesh, sites).diagram;
   const PolygonMesh dual = dualMesh(mesh, sites, d);
   EXPECT_TRUE(hasTheVoronoiPoints(d, dual));
-  const auto found = kinds(findViolations(mesh, d));
+  const auto found = kinds(findViolations(mesh, sites, d));
   EXPECT_FALSE(found.contains(Violation::kNoManifold));
   if (!found.empty()) return;
   EXPECT_TRUE(hasTheTopologyOf(mesh, dual));
@@ -137,7 +138,7 @@ TEST_P(DualOfRandomMeshes, IsTheSurfaceAfterRepair) {
     EXPECT_LT(mesh.faceCount(), kCoarse) << error.what();
     return;
   }
-  EXPECT_TRUE(findViolations(mesh, repaired.diagram).empty());
+  EXPECT_TRUE(findViolations(mesh, repaired.sites, repaired.diagram).empty());
   EXPECT_TRUE(hasTheTopologyOf(mesh, dualMesh(mesh, repaired.sites, repaired.diagram)));
   EXPECT_TRUE(hasTheTopologyOf(mesh, regionMesh(mesh, repaired.diagram)));
   EXPECT_EQ(repaired.sites.size(), sites.size() + repaired.added);
@@ -181,7 +182,7 @@ TEST(Dual, OfTheSidesOfACubeIsAnOctahedron) {
     sites.push_back({h / 3, bary});
   }
   const Diagram d = trace(mesh, sites).diagram;
-  EXPECT_TRUE(findViolations(mesh, d).empty());
+  EXPECT_TRUE(findViolations(mesh, sites, d).empty());
   const PolygonTopology dual = topologyOf(dualMesh(mesh, sites, d));
   EXPECT_TRUE(dual.isManifold);
   EXPECT_EQ(dual.vertices, 6);
@@ -216,7 +217,7 @@ TEST(Dual, OfFourQuartersOfASquareReachesItsBoundary) {
   }
   ASSERT_EQ(sites.size(), 4u);
   const Diagram d = trace(mesh, sites).diagram;
-  EXPECT_TRUE(findViolations(mesh, d).empty());
+  EXPECT_TRUE(findViolations(mesh, sites, d).empty());
   const PolygonMesh dual = dualMesh(mesh, sites, d);
   EXPECT_TRUE(hasTheTopologyOf(mesh, dual));
   EXPECT_EQ(dual.points.size(), 8u);
@@ -233,7 +234,8 @@ TEST(Dual, OfFourQuartersOfASquareReachesItsBoundary) {
 TEST(Violations, NameWhatIsWrongWithFewSites) {
   const auto sphere = shapes::icosphere(2).mesh();
   const auto kindsFor = [](const TriangleMesh& mesh, int count) {
-    return kinds(findViolations(mesh, trace(mesh, sampleFarthest(mesh, count, 1)).diagram));
+    const auto sites = sampleFarthest(mesh, count, 1);
+    return kinds(findViolations(mesh, sites, trace(mesh, sites).diagram));
   };
   using Kinds = std::set<Violation::Kind>;
   EXPECT_EQ(kindsFor(sphere, 1), Kinds({Violation::kNoDisk}));
@@ -249,15 +251,59 @@ TEST(Violations, NameWhatIsWrongWithFewSites) {
 TEST(Violations, NameTheRegions) {
   const auto mesh = shapes::icosphere(1).mesh();
   const std::vector<SurfacePoint> sites = {centroid(40), centroid(7), centroid(7)};
-  const auto violations = findViolations(mesh, trace(mesh, sites).diagram);
+  const auto violations = findViolations(mesh, sites, trace(mesh, sites).diagram);
   ASSERT_FALSE(violations.empty());
   EXPECT_EQ(violations[0].kind, Violation::kNoRegion);
   EXPECT_EQ(violations[0].labels, std::vector<int>({2}));
   EXPECT_EQ(violations[0].message, "site 2 has no region: another site is at its place");
   const std::vector<SurfacePoint> two = {centroid(40), centroid(7)};
-  const auto closed = findViolations(mesh, trace(mesh, two).diagram);
+  const auto closed = findViolations(mesh, two, trace(mesh, two).diagram);
   ASSERT_EQ(closed.size(), 1u);
   EXPECT_EQ(closed[0].message, "regions 0 and 1 meet along a closed curve");
+}
+
+TEST(Dual, LeavesOutLabelsWithoutSite) {
+  const auto mesh = shapes::icosphere(2).mesh();
+  DynamicDiagram dynamic(mesh, sampleFarthest(mesh, 14, 1));
+  dynamic.removeSite(3);
+  dynamic.removeSite(0);
+  const auto all = dynamic.sites();
+  ASSERT_EQ(all.size(), 14u);
+  std::vector<SurfacePoint> left;
+  std::vector<int> labels;
+  for (int label = 0; label < 14; ++label) {
+    if (all[label].face < 0) continue;
+    left.push_back(all[label]);
+    labels.push_back(label);
+  }
+  EXPECT_EQ(labels, std::vector<int>({1, 2, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13}));
+  EXPECT_TRUE(findViolations(mesh, all, dynamic.diagram()).empty());
+
+  const PolygonMesh dual = dualMesh(mesh, all, dynamic.diagram());
+  EXPECT_EQ(dual.vertexLabel, labels);
+  EXPECT_TRUE(hasTheTopologyOf(mesh, dual));
+  // Labels without a site may be given, too: the diagram is that of the others, by their labels.
+  for (const Metric metric : {Metric::kExact, Metric::kDgpc}) {
+    const Diagram d = trace(mesh, all, metric).diagram, few = trace(mesh, left, metric).diagram;
+    EXPECT_EQ(d.siteCount, 14);
+    EXPECT_EQ(d.regionArea[3], 0);
+    for (size_t i = 0; i < labels.size(); ++i)
+      EXPECT_EQ(d.regionArea[labels[i]], few.regionArea[i]);
+    const PolygonMesh a = dualMesh(mesh, all, d), b = dualMesh(mesh, left, few);
+    EXPECT_EQ(a.positions, b.positions);
+    EXPECT_EQ(a.faces.points, b.faces.points);
+  }
+  EXPECT_EQ(repair(mesh, all, Metric::kExact).added, 0);
+  EXPECT_THROW(trace(mesh, std::vector<SurfacePoint>(2)), Error);
+}
+
+TEST(Repair, KeepsLabelsWithoutSite) {
+  const auto mesh = shapes::torus(24, 12).mesh();
+  const std::vector<SurfacePoint> sites = {centroid(0), {}, centroid(100)};
+  const RepairedSites repaired = repair(mesh, sites, Metric::kExact);
+  EXPECT_EQ(repaired.sites[1].face, -1);
+  EXPECT_GT(repaired.added, 0);
+  EXPECT_TRUE(hasTheTopologyOf(mesh, dualMesh(mesh, repaired.sites, repaired.diagram)));
 }
 
 TEST(Repair, PutsSitesOnEveryComponent) {
@@ -266,8 +312,8 @@ TEST(Repair, PutsSitesOnEveryComponent) {
                                    shapes::moved(one, Vector3d(0, 5, 0)))
                         .mesh();
   const std::vector<SurfacePoint> sites = {centroid(0)};
-  EXPECT_TRUE(
-      kinds(findViolations(mesh, trace(mesh, sites).diagram)).contains(Violation::kUnreachable));
+  EXPECT_TRUE(kinds(findViolations(mesh, sites, trace(mesh, sites).diagram))
+                  .contains(Violation::kUnreachable));
   const RepairedSites repaired = repair(mesh, sites, Metric::kExact);
   EXPECT_TRUE(hasTheTopologyOf(mesh, dualMesh(mesh, repaired.sites, repaired.diagram)));
 }

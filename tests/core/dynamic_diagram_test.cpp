@@ -303,6 +303,9 @@ TEST(DynamicDiagram, RefusesForeignDistances) {
   const auto mesh = shapes::bumpySurface(1, 5, 0.3, 3).mesh();
   EXPECT_THROW(DynamicDiagram::fromDistances(mesh, std::make_unique<Foreign>()), Error);
   EXPECT_THROW(DynamicDiagram::fromDistances(mesh, nullptr), Error);
+  const std::shared_ptr<DistanceField> kept = std::make_shared<Foreign>();
+  EXPECT_THROW(DynamicDiagram::fromDistances(mesh, kept), Error);
+  EXPECT_EQ(kept.use_count(), 1);
 }
 
 TEST(DynamicDiagram, GivesTheLowestFreeLabel) {

@@ -43,7 +43,7 @@ std::string complaintAboutParts(const TriangleMesh& mesh, std::span<const Surfac
     return complaint("partition", result);
   dualMesh(mesh, sites, traced.diagram);
   regionMesh(mesh, traced.diagram);
-  findViolations(mesh, traced.diagram);
+  findViolations(mesh, sites, traced.diagram);
   return {};
 }
 

@@ -19,6 +19,7 @@ before(() => {
   folder = mkdtempSync(join(tmpdir(), 'geodesic-voronoi-'));
   mkdirSync(join(folder, 'node_modules'));
   symlinkSync(root, join(folder, 'node_modules', 'geodesic-voronoi'));
+  symlinkSync(join(root, 'node_modules/three'), join(folder, 'node_modules', 'three'));
   writeFileSync(join(folder, 'model.glb'), glb(torus(40, 20)));
   const lists = { sites: [0, 200, 400], points: [5, 17], a: [3], b: [77] };
   for (const [name, vertex] of Object.entries(lists)) {

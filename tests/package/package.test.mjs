@@ -28,9 +28,18 @@ function runModule(code, ...options) {
   return run(process.execPath, [...options, 'use.mjs'], installed.folder);
 }
 
-test('nothing is published but what is built, its licences and its description', () => {
-  const others = installed.files.filter((path) => !path.startsWith('dist/')).sort();
-  assert.deepEqual(others, ['LICENSE', 'README.md', 'package.json']);
+test('nothing is published but what is built, its licences and its documents', () => {
+  const documents = /^(web\/docs\/([\w-]+\.md|(examples|figures|pictures|plots)\/)|\.github\/C)/;
+  const others = installed.files.filter((path) => !/^dist\//.test(path) && !documents.test(path));
+  assert.deepEqual(others.sort(), ['LICENSE', 'README.md', 'package.json']);
+});
+
+test('the pictures and documents that its description names are in it', () => {
+  const links = [...read('README.md').matchAll(/\]\(([^)#:]+)(#[^)]*)?\)/g)].map(
+    ([, path]) => path,
+  );
+  assert.ok(links.length >= 10);
+  for (const path of links) assert.ok(existsSync(join(installed.packageFolder, path)), path);
 });
 
 test('everything that package.json names is there', () => {

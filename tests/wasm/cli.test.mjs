@@ -15,6 +15,8 @@ import { join } from 'node:path';
 import { after, before, beforeEach, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { zipSync } from 'fflate';
+import { parseCommandLine } from '../../dist/cli/command_line.js';
+import { commands } from '../../dist/cli/options.js';
 import { assertValidGlb, readPly } from './files.mjs';
 import { apart, glb, gltf, grid, octahedron, withFlipped } from './meshes.mjs';
 import { meshBinaryStl, meshObj } from './model_files.mjs';
@@ -78,6 +80,45 @@ test('--help and --version', () => {
     readFileSync(new URL('../../package.json', import.meta.url), 'utf8'),
   );
   assert.equal(succeeds('--version').stdout, `${version}\n`);
+});
+
+test('the help: of a command in two ways, and in lines of 100 columns at most', () => {
+  assert.equal(succeeds('help diagram').stdout, succeeds('diagram --help').stdout);
+  for (const command of [[], ...Object.keys(commands).map((name) => [name])]) {
+    const help = parseCommandLine(['help', ...command], '');
+    assert.equal(help, parseCommandLine([...command, '--help'], ''));
+    for (const line of help.split('\n')) assert.ok(line.length <= 100, line);
+  }
+});
+
+test('an option that a command has not: the nearest, or whose it is', () => {
+  fails(
+    2,
+    'diagram shape.glb --detial 2',
+    /^[^:]*: diagram has no option --detial: the nearest is --detail\n$/,
+  );
+  const owners = /diagram has no option --densty: --density is an option of cvt, remesh\n$/;
+  fails(2, 'diagram shape.glb --densty curvature', owners);
+  fails(2, 'diagram shape.glb --sites -3', /--sites is '-3', not an integer/);
+  fails(2, 'diagram shape.glb --sites --seed 3', /--sites needs a value\n$/);
+  fails(2, 'diagram shape.glb -o', /-o needs a value\n$/);
+  fails(2, 'diagram shape.glb --sites 3 --quiet=no', /--quiet is 'no', and takes no value\n$/);
+});
+
+test('sites and points by their coordinates', () => {
+  write('places.json', '{"position": [1, 0, 0, 0, 2, 0]}');
+  write('corners.json', '{"vertex": [0, 2]}');
+  const { stderr } = succeeds('diagram shape.glb --sites places.json --units cm -o d.json');
+  assert.match(stderr, /^note: 2 places, the farthest 100\.0 from the surface\n2 regions/);
+  assert.equal(succeeds('diagram shape.glb --sites places.json -q -o d.json').stderr, '');
+  const located = JSON.parse(
+    succeeds('locate shape.glb --sites places.json --points places.json').stdout,
+  );
+  assert.deepEqual(located, { label: [0, 1], distance: [0, 0] });
+  const [{ length }] = JSON.parse(
+    succeeds('path shape.glb --from places.json --to places.json').stdout,
+  ).paths;
+  assert.equal(length, 0);
 });
 
 test('info, for people and as JSON', () => {
@@ -282,6 +323,15 @@ test('partition as GLB, OBJ, PLY and JSON', () => {
 test('dual says what is wrong with it, and can be repaired', () => {
   const { stderr } = succeeds('dual shape.glb --sites sites.json -o base.obj');
   assert.match(stderr, /^2 sites, 0 vertices[^\n]*\nnot valid: regions 0 and 1 meet[^\n]*\n$/);
+  const warning = /^warning: the dual is not valid: regions 0 and 1 meet.* \(--repair .*\)\n$/;
+  assert.match(succeeds('dual shape.glb --sites sites.json -q -o base.obj').stderr, warning);
+  rmSync(join(folder, 'base.obj'));
+  fails(
+    1,
+    'dual shape.glb --sites sites.json --check -o base.obj',
+    /the dual is not valid: regions/,
+  );
+  succeeds('dual shape.glb --sites sites.json --repair --check -q -o base.obj');
   const repaired = succeeds('dual shape.glb --sites sites.json --repair -o base.json').stderr;
   assert.match(repaired, /^\d sites \(\d added\).*Euler characteristic 2, genus 0, 0 boundary/);
   assert.doesNotMatch(repaired, /not valid/);
@@ -299,6 +349,19 @@ test('dual says what is wrong with it, and can be repaired', () => {
   assert.match(succeeds('info base.glb').stdout, /Euler characteristic +2\n/);
 });
 
+test('a repair that would take too many sites says what helps on a mesh of many components', () => {
+  const shards = Array.from(
+    { length: 400 },
+    (_, i) => `v ${i} 0 0\nv ${i} 1 0\nv ${i} 0 1\nf -3 -2 -1\n`,
+  );
+  write('shards.obj', shards.join(''));
+  const hint = /boundary passes.* 400 components: --min-component [^:]* --per-component 3/;
+  for (const command of ['dual --repair', 'remesh --iterations 0']) {
+    const [name, ...options] = command.split(' ');
+    fails(1, `${name} shards.obj --sites 1 -q ${options.join(' ')} -o b.obj`, hint);
+  }
+});
+
 test('remesh tells its quality', () => {
   const { stderr } = succeeds('remesh shape.glb --sites 20 --iterations 5 -o fine.obj');
   assert.match(stderr, /genus 0[^]*least angle [\d.]+°[^]*valence \d to \d[^]*Hausdorff distance/);
@@ -307,6 +370,18 @@ test('remesh tells its quality', () => {
   );
   assert.equal(topology.isManifold, true);
   assert.ok(quality.minAngle > 0 && quality.hausdorff > 0);
+});
+
+test('remesh with a density, and with sites that stay', () => {
+  const args = 'remesh two.glb --sites 20 --per-component 6 --iterations 4';
+  assert.notEqual(succeeds(args).stdout, succeeds(`${args} --density curvature`).stdout);
+  write('fixed.json', '[0]');
+  const first = JSON.parse(succeeds('cvt shape.glb --sites 12 --iterations 0').stdout);
+  const { sites } = JSON.parse(
+    succeeds('remesh shape.glb --sites 12 --iterations 4 --fixed fixed.json').stdout,
+  );
+  assert.deepEqual(sites.bary.slice(0, 3), first.bary.slice(0, 3));
+  assert.notDeepEqual(sites.bary.slice(3, 6), first.bary.slice(3, 6));
 });
 
 test('cvt by curvature', () => {

@@ -30,6 +30,7 @@ const misuses = [
   '-x',
   '--nonsense',
   'help me',
+  'help diagram mesh.glb',
   'Info mesh.glb',
   'toString mesh.glb',
   ...['path', ...withSites].map((command) => `${call(command)} other.glb`),
@@ -61,10 +62,13 @@ const misuses = [
   ]),
   ...['cvt', 'remesh'].flatMap((command) => [
     `${call(command)} --iterations few`,
-    `${call(command)} --iterations=-1`,
+    `${call(command)} --iterations -1`,
     `${call(command)} --method newton`,
+    `${call(command)} --density --fixed`,
   ]),
   `${call('partition')} --layout tree`,
+  `${call('partition')} --layout regions`,
+  `${call('diagram')} --density curvature`,
   'cvt - --sites 2 --fixed - -o out.json',
   'diagram - --sites - -o out.json',
   'path mesh.glb --from one.json -o out.json',
@@ -88,14 +92,20 @@ const badInputs = [
     `${call(command)} --sites list.json`,
     `${call(command)} --per-component 3`,
   ]),
-  `${call('cvt')} --density nowhere.json`,
-  `${call('cvt')} --density one.json`,
-  `${call('cvt')} --density list.json`,
-  `${call('cvt')} --fixed beyond.json`,
-  `${call('cvt')} --fixed list.json`,
+  ...['cvt', 'remesh'].flatMap((command) => [
+    `${call(command)} --density nowhere.json`,
+    `${call(command)} --density one.json`,
+    `${call(command)} --density list.json`,
+    `${call(command)} --fixed beyond.json`,
+    `${call(command)} --fixed list.json`,
+  ]),
   `${call('path')} --from beyond.json`,
   `${call('path')} --to list.json`,
   `${call('locate')} --points list.json`,
+  `${call('locate')} --points places.json`,
+  `${call('path')} --to places.json`,
+  `${call('diagram')} --sites places.json`,
+  `${call('dual')} --check`,
 ];
 
 let folder;
@@ -107,6 +117,7 @@ before(() => {
   writeFileSync(join(folder, 'one.json'), '{"vertex": [0]}');
   writeFileSync(join(folder, 'beyond.json'), '{"vertex": [99]}');
   writeFileSync(join(folder, 'list.json'), '[7]');
+  writeFileSync(join(folder, 'places.json'), '{"position": [0, 0]}');
   contents = readdirSync(folder);
 });
 after(() => rmSync(folder, { recursive: true }));

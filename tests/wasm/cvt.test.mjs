@@ -145,3 +145,42 @@ test('sites are sampled in three ways', async () => {
     fails('invalid-argument', /sampling is "blue"/),
   );
 });
+
+test('remesh: the sites given and some more, moved, with a valid dual', async () => {
+  const sphere = await gvd.mesh(octahedron());
+  for (const start of [{ vertex: [0, 3] }, await sphere.sampleSites(20)]) {
+    const shares = [];
+    const diagram = await sphere.remesh(start, {
+      iterations: 5,
+      onProgress: (share) => shares.push(share),
+    });
+    assert.ok(diagram.sites.face.length >= (start.vertex ?? start.face).length);
+    assert.deepEqual(await diagram.violations(), []);
+    assert.equal((await diagram.dual()).topology.eulerCharacteristic, 2);
+    assert.equal(shares.at(-1), 1);
+    assert.deepEqual(
+      shares,
+      [...shares].sort((a, b) => a - b),
+    );
+  }
+  await assert.rejects(
+    sphere.remesh({ vertex: [0, 3] }, { maxAdded: 1 }),
+    fails('invalid-argument'),
+  );
+});
+
+test('remesh: with a density, and sites that stay', async () => {
+  const start = await mesh.sampleSites(30, { seed: 3 });
+  const density = Float64Array.from({ length: mesh.info.inputVertices }, (_, v) =>
+    Math.exp(-4 * mesh.positions[3 * v]),
+  );
+  const nearOrigin = async (options) => {
+    const diagram = await mesh.remesh(start, { iterations: 20, ...options });
+    const { position } = (await diagram.dual()).points;
+    return diagram.sites.face.filter((_, i) => position[3 * i] < 0.3).length;
+  };
+  assert.ok((await nearOrigin({ density })) > 1.3 * (await nearOrigin({})));
+  const { sites: moved } = await mesh.remesh(start, { iterations: 5, fixedSites: [3] });
+  assert.deepEqual(moved.bary.subarray(9, 12), start.bary.subarray(9, 12));
+  assert.notDeepEqual(moved.bary.subarray(12, 15), start.bary.subarray(12, 15));
+});

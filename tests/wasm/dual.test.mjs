@@ -251,6 +251,81 @@ test('after sites have come and gone, it is about those that are there', async (
   assert.ok((await diagram.repair()).sites.face.length > 3);
   await diagram.removeSite(1);
   assert.equal((await diagram.partition()).regions.area[1], 0);
-  for (const asked of [diagram.dual(), diagram.violations(), diagram.repair()])
-    await assert.rejects(asked, { code: 'invalid-argument', message: /site 1 has been removed/ });
+  assert.deepEqual([...(await diagram.dual()).vertexLabel], [0, 2]);
+  assert.deepEqual(
+    (await diagram.violations()).map(({ labels }) => labels),
+    [[0, 2]],
+  );
+  assert.ok((await diagram.repair()).sites.face.filter((face) => face >= 0).length > 2);
+});
+
+test('after a site has been removed, everything is about the others, by their labels', async () => {
+  for (const metric of ['exact', 'dgpc']) {
+    const mesh = await gvd.mesh(grid(12));
+    const valid = await (
+      await mesh.voronoi(await mesh.sampleSites(12, { seed: 3 }), { metric })
+    ).repair();
+    const diagram = await mesh.voronoi(valid.sites, { metric });
+    await diagram.removeSite(4);
+    const { face, bary } = diagram.sites;
+    assert.deepEqual([face[4], ...bary.subarray(12, 15)], [-1, 0, 0, 0]);
+    const labels = [...face.keys()].filter((label) => face[label] >= 0);
+    const others = {
+      face: labels.map((label) => face[label]),
+      bary: labels.flatMap((label) => [...bary.subarray(3 * label, 3 * label + 3)]),
+    };
+    const anew = await mesh.voronoi(others, { metric });
+
+    const [dual, expected] = [await diagram.dual(), await anew.dual()];
+    assert.deepEqual(
+      [...dual.vertexLabel],
+      Array.from(expected.vertexLabel, (label) => labels[label]),
+    );
+    assert.equal(dual.faces.points.length, expected.faces.points.length);
+    assert.deepEqual(
+      [...dual.points.face.subarray(0, labels.length)],
+      [...expected.points.face.subarray(0, labels.length)],
+    );
+    const named = (violations, nameOf) =>
+      violations.map(({ kind, labels: own }) => [kind, ...own.map(nameOf)]);
+    assert.deepEqual(
+      named(await diagram.violations(), (label) => label),
+      named(await anew.violations(), (label) => labels[label]),
+    );
+    const [{ triangles }, { triangles: same }] = [
+      await diagram.remeshQuality(),
+      await anew.remeshQuality(),
+    ];
+    assert.equal(triangles, same);
+    const repaired = await diagram.repair();
+    assert.deepEqual(await repaired.violations(), []);
+
+    // The list of sites is one for all that takes sites, with the same labels.
+    const again = await mesh.voronoi(diagram.sites, { metric });
+    assert.deepEqual(again.data.faceLabel, diagram.data.faceLabel);
+    assert.equal(again.regions[4].area, 0);
+    await again.insertSite({ vertex: [0] });
+    assert.ok(again.sites.face[4] >= 0);
+    const { label, sites } = await mesh.distances(diagram.sites, { metric });
+    assert.ok(!label.includes(4) && sites.face[4] === -1);
+    for await (const state of mesh.cvt(diagram.sites, { metric, iterations: 2 }))
+      assert.equal(
+        state.sites.face.findIndex((each) => each < 0),
+        4,
+      );
+    const remeshed = await mesh.remesh(diagram.sites, { metric, iterations: 1 });
+    assert.deepEqual(await remeshed.violations(), []);
+  }
+});
+
+test('lists of sites may end with labels that have none, but have to have one that has', async () => {
+  const mesh = await gvd.mesh(octahedron());
+  const none = { face: [-1, -1], bary: [0, 0, 0, 0, 0, 0] };
+  await assert.rejects(mesh.voronoi(none), { message: 'there is no site' });
+  await assert.rejects(mesh.cvt(none).next(), { message: 'there is no site' });
+  const diagram = await mesh.voronoi({ face: [0, -1], bary: [1, 0, 0, 0, 0, 0] });
+  assert.equal(diagram.regions.length, 2);
+  assert.deepEqual([...(await diagram.dual()).vertexLabel], [0]);
+  await diagram.insertSite({ vertex: [3] });
+  assert.deepEqual([...diagram.sites.face], [0, 1]);
 });

@@ -115,7 +115,7 @@ for (const metric of ['exact', 'dgpc'])
       assert.equal(diagram.sites.face[38], -1);
       assert.equal(diagram.regions.length, 40);
       assert.equal(diagram.regions[38].area, 0);
-      await assert.rejects(diagram.dual(), { code: 'invalid-argument' });
+      assert.ok(!(await diagram.dual()).vertexLabel.includes(38));
       await diagram.removeSite(39);
       assert.equal(diagram.sites.face.length, 38);
       assert.equal(diagram.data.siteCount, 38);

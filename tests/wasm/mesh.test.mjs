@@ -349,3 +349,79 @@ test('what does not fit into memory says so, and the library still works', async
   await assert.rejects(mesh.sampleSites(2 ** 31 - 1), fails('out-of-memory', /memory/));
   assert.equal((await mesh.sampleSites(2)).face.length, 2);
 });
+
+/** The least distance of a place from the triangles, by samples of each, and how much more it may be. */
+function sampledDistance({ positions, indices }, place, steps = 24) {
+  let least = Infinity;
+  for (let t = 0; t < indices.length; t += 3) {
+    const corners = [0, 1, 2].map((i) =>
+      positions.slice(3 * indices[t + i], 3 * indices[t + i] + 3),
+    );
+    for (let i = 0; i <= steps; ++i) {
+      for (let j = 0; i + j <= steps; ++j) {
+        const weights = [i, j, steps - i - j];
+        const distance = Math.hypot(
+          ...place.map(
+            (x, k) => x - corners.reduce((sum, c, n) => sum + (weights[n] * c[k]) / steps, 0),
+          ),
+        );
+        least = Math.min(least, distance);
+      }
+    }
+  }
+  return least;
+}
+
+test('closest points: as near as the triangles are, and on the surface', async () => {
+  for (const input of [octahedron(), apart(octahedron(), grid(3)), withFlipped(grid(4), 5)]) {
+    const mesh = await gvd.mesh(input);
+    // Of a quick generator, the same every time.
+    let state = 7;
+    const random = () => (state = (state * 16807) % 2147483647) / 2147483647;
+    const places = Array.from({ length: 60 }, () => 4 * random() - 2);
+    const { face, bary, position, distance } = await mesh.closestPoints(places);
+    assert.equal(face.length, 20);
+    for (let i = 0; i < face.length; ++i) {
+      const place = places.slice(3 * i, 3 * i + 3);
+      const found = [...position.subarray(3 * i, 3 * i + 3)];
+      const named = [0, 1, 2].map((k) =>
+        [0, 1, 2].reduce(
+          (sum, n) => sum + bary[3 * i + n] * mesh.positions[3 * mesh.indices[3 * face[i] + n] + k],
+          0,
+        ),
+      );
+      named.forEach((x, k) => assert.ok(Math.abs(x - found[k]) < 1e-12));
+      assert.ok(Math.abs(Math.hypot(...place.map((x, k) => x - found[k])) - distance[i]) < 1e-12);
+      const sampled = sampledDistance(input, place);
+      assert.ok(distance[i] <= sampled + 1e-12 && distance[i] > sampled - 0.06, `${sampled}`);
+    }
+  }
+});
+
+test('closest points are sites; of a vertex, that vertex', async () => {
+  const mesh = await gvd.mesh(octahedron());
+  const sites = await mesh.closestPoints([1, 0, 0, -3, 0, 0]);
+  assert.deepEqual([...sites.distance], [0, 2]);
+  assert.deepEqual([...sites.position], [1, 0, 0, -1, 0, 0]);
+  const diagram = await mesh.voronoi(sites);
+  assert.equal(diagram.regions.length, 2);
+  assert.deepEqual((await mesh.closestPoints([])).distance, new Float64Array());
+  mesh.dispose();
+  assert.equal((await diagram.locate({ vertex: [0] })).distance[0], 0);
+});
+
+test('closest points: what is no place', async () => {
+  const mesh = await gvd.mesh(octahedron());
+  await assert.rejects(
+    mesh.closestPoints([1, 2]),
+    fails('invalid-argument', /2 numbers, not three/),
+  );
+  await assert.rejects(
+    mesh.closestPoints([0, NaN, 0]),
+    fails('invalid-argument', /^positions\[1\]/),
+  );
+  await assert.rejects(
+    mesh.closestPoints([0, 0, 0, 0, 0, 1e300]),
+    fails('invalid-point', /^position 1: /),
+  );
+});

@@ -187,6 +187,8 @@ const tasks = [
   (options) => mesh.distances(one, options),
   (options) => mesh.path(one, one, options),
   (options) => mesh.cvt(one, options).next(),
+  (options) => mesh.closestPoints([0, 0, 0], options),
+  (options) => mesh.remesh(one, options),
   (options) => diagram.insertSite(one, options),
   (options) => diagram.moveSite(0, one, options),
   (options) => diagram.removeSite(0, options),
@@ -297,6 +299,7 @@ test('points, wherever they are taken', async () => {
       (points) => mesh.voronoi(points),
       (points) => mesh.distances(points),
       (points) => mesh.cvt(points).next(),
+      (points) => mesh.remesh(points),
     ],
     from: [(point) => mesh.path(point, one)],
     to: [(point) => mesh.path(one, point)],
@@ -386,6 +389,15 @@ test('cvt', async () => {
   await refused([[-1], [2]], (fixedSites) => start({ fixedSites }), /site (-1|2) /);
   await refused(notBooleans, (data) => start({ data }), /^data is /);
   await refused(notBooleans, (diagrams) => start({ diagrams }), /^diagrams is /);
+});
+
+test('remesh', async () => {
+  const start = (options) => mesh.remesh({ vertex: [0, 1] }, options);
+  await refused(notNames, (method) => start({ method }), /^method is /);
+  await refused([-1, 0.5, NaN, '1', null], (maxAdded) => start({ maxAdded }), /^maxAdded is /);
+  await refused(notLists, (density) => start({ density }), /^density(\[0\])? is /);
+  await refused([true], (data) => start({ data }), /^there is no option "data" here/);
+  await refused(notLists, (positions) => mesh.closestPoints(positions), /^positions(\[0\])? is /);
 });
 
 test('what writes files', async () => {
@@ -490,6 +502,8 @@ test('what has been disposed', async () => {
     () => ownMesh.voronoi({ face: [0], bary: [1, 0, 0] }),
     () => ownMesh.distances(one),
     () => ownMesh.path(one, one),
+    () => ownMesh.closestPoints([0, 0, 0]),
+    () => ownMesh.remesh(one),
     () => ownMesh.cvt(one).next(),
   ];
   for (const f of ofMesh) await refused([0], f, /the mesh has been disposed/, 'disposed');

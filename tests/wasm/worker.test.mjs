@@ -66,6 +66,10 @@ test('a worker answers as the calling thread does', async (t) => {
       const valid = await diagram.repair({ onProgress: (share) => shares.push(share) });
       const duals = [await valid.dual(), await valid.dual({ primal: true })];
       const facts = [await diagram.violations(), await valid.remeshQuality(), valid.sites];
+      facts.push(await mesh.closestPoints([0.3, 0.4, 2]));
+      facts.push((await mesh.remesh(sites, { iterations: 2 })).sites);
+      await diagram.removeSite(2);
+      facts.push(await diagram.dual());
       const states = [];
       for await (const state of mesh.cvt(sites, { iterations: 3, data: true })) states.push(state);
       const { info, positions, indices, normals, uvs } = mesh;

@@ -179,7 +179,7 @@ export function requireBytes(name: string, bytes: Uint8Array): void {
 }
 
 /** The name that takes the fewest letters to be changed, added or left out. */
-function nearestName(name: string, names: readonly string[]): string {
+export function nearestName(name: string, names: readonly string[]): string {
   const distances = names.map((other) => letterDistance(name.toLowerCase(), other.toLowerCase()));
   return names[distances.indexOf(Math.min(...distances))];
 }

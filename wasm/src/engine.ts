@@ -101,6 +101,13 @@ export interface Engine {
     args: readonly Argument[],
     task: TaskOptions,
   ): Promise<Result>;
+  /** The same of one that answers about a mesh; the object is that mesh, or on it. */
+  callMesh<Result>(
+    name: string,
+    object: Handle,
+    args: readonly Argument[],
+    task: TaskOptions,
+  ): Promise<Result>;
   openMesh(source: Triangles | FileInput, build: MeshBuild, task: TaskOptions): Promise<OpenedMesh>;
   /** `owner` is a mesh or a diagram on it. */
   openDiagram(

@@ -130,6 +130,16 @@ export function toPoints(
   return { face, bary };
 }
 
+/** Places in space: three finite numbers each. */
+export function toPlaces(name: string, positions: ArrayLike<number>): Float64Array {
+  const numbers = toFloat64(name, positions);
+  if (numbers.length % 3 !== 0)
+    throw invalidArgument(`${name} has ${numbers.length} numbers, not three per place`);
+  const wrong = numbers.findIndex((x) => !Number.isFinite(x));
+  if (wrong < 0) return numbers;
+  throw invalidArgument(`${name}[${wrong}] is ${numbers[wrong]}, not a finite number`);
+}
+
 /** Numbers per vertex, or none. */
 function toAttribute(name: string, values: ArrayLike<number> = [], expected: number): Float64Array {
   const numbers = toFloat64(name, values);
@@ -162,7 +172,7 @@ export function toPerComponent(perComponent: number): number {
   return toInteger('perComponent', perComponent, 0, maxCount);
 }
 
-export const cvtDefaults = {
+export const tessellationDefaults = {
   method: 'lbfgs',
   metric: metrics[0],
   iterations: 50,
@@ -170,8 +180,6 @@ export const cvtDefaults = {
   moveTolerance: 0,
   density: [],
   fixedSites: [],
-  data: false,
-  diagrams: false,
 } as const;
 
 /** Whether density and fixed sites fit mesh and sites is for the core to say. */

@@ -47,7 +47,8 @@ export class Kept {
   /** Points as faces and coordinates; those given by vertices are looked up. `name` is for errors. */
   async points(name: string, points: SurfacePointsInput): Promise<SurfacePoints> {
     const list = toPoints(name, points);
-    return 'vertex' in list ? this.call('pointsAtVertices', [list.vertex], {}) : list;
+    if (!('vertex' in list)) return list;
+    return this.engine.callMesh('pointsAtVertices', this.handle, [list.vertex], {});
   }
 
   /** One point, given as a list. */

@@ -48,7 +48,9 @@ const sliceDone = 2;
 /** An object that is kept until it is closed, with the function that frees it. */
 interface Kept {
   pointer: Pointer;
-  free: 'freeMesh' | 'freeVoronoi' | 'freeCvt';
+  free?: 'freeMesh' | 'freeVoronoi' | 'freeCvt';
+  /** Of a diagram the mesh that it is on, once that is asked for: freed with the diagram. */
+  mesh?: Handle;
 }
 
 export class LocalEngine implements Engine {
@@ -84,6 +86,15 @@ export class LocalEngine implements Engine {
     const result = this.#open().answer<Result>(name, this.#pointer(object), ...args);
     onProgress?.(1);
     return result;
+  }
+
+  async callMesh<Result>(
+    name: string,
+    object: Handle,
+    args: readonly Argument[],
+    task: TaskOptions,
+  ): Promise<Result> {
+    return this.call(name, this.#meshOf(object), args, task);
   }
 
   async openMesh(
@@ -183,7 +194,13 @@ export class LocalEngine implements Engine {
   ): Promise<Pointer> {
     signal?.throwIfAborted();
     const core = this.#open();
-    const voronoi = core.call('startVoronoi', this.#pointer(owner), sites.face, sites.bary, metric);
+    const voronoi = core.call(
+      'startVoronoi',
+      this.#pointer(this.#meshOf(owner)),
+      sites.face,
+      sites.bary,
+      metric,
+    );
     try {
       await this.#inSlices(() => core.call('stepDistances', voronoi, unitsPerStep), {
         signal,
@@ -263,7 +280,8 @@ export class LocalEngine implements Engine {
 
   close(object: Handle): void {
     const kept = this.#objects.get(object);
-    if (kept) this.#core?.run(kept.free, kept.pointer);
+    if (kept?.free) this.#core?.run(kept.free, kept.pointer);
+    if (kept?.mesh !== undefined) this.#objects.delete(kept.mesh);
     this.#objects.delete(object);
     this.#finished.delete(object);
   }
@@ -283,6 +301,14 @@ export class LocalEngine implements Engine {
     const kept = this.#objects.get(object);
     if (!kept) throw new GeodesicVoronoiError('disposed', 'the object has been disposed');
     return kept.pointer;
+  }
+
+  /** The mesh that an object is, or that a diagram is on. */
+  #meshOf(object: Handle): Handle {
+    const kept = this.#objects.get(object);
+    if (kept?.free !== 'freeVoronoi') return object;
+    kept.mesh ??= this.#keep({ pointer: this.#open().call('meshOfVoronoi', kept.pointer) });
+    return kept.mesh;
   }
 
   #keep(object: Kept): Handle {

@@ -7,14 +7,16 @@ import { EngineDiagram } from './diagram.js';
 import type { AdvancedCvt, Engine, OpenedMesh } from './engine.js';
 import { invalidArgument } from './errors.js';
 import {
-  cvtDefaults,
   isWorstFirst,
   maxCount,
+  tessellationDefaults,
   toCount,
   toCvtSettings,
   toDetail,
+  toMaxAdded,
   toMetric,
   toPerComponent,
+  toPlaces,
   toRadius,
   toSampling,
   toSeed,
@@ -23,6 +25,7 @@ import { disposeSymbol, Kept } from './kept.js';
 import {
   metrics,
   type BareComponents,
+  type ClosestPoints,
   type Distances,
   type MeshInfo,
   type MeshPart,
@@ -31,6 +34,7 @@ import {
   type SurfacePoints,
   type WorstRegion,
 } from './results.js';
+import { remesh } from './remesh.js';
 import type { Triangles } from './triangles.js';
 import type {
   CvtOptions,
@@ -38,6 +42,7 @@ import type {
   Diagram,
   DistancesOptions,
   Mesh,
+  RemeshOptions,
   SampleOptions,
   SurfacePointsInput,
   TaskOptions,
@@ -132,6 +137,11 @@ export class EngineMesh implements Mesh {
     return values;
   }
 
+  async closestPoints(positions: ArrayLike<number>, options?: TaskOptions): Promise<ClosestPoints> {
+    const task = toTask(options);
+    return this.#kept.call('closestPoints', [toPlaces('positions', positions)], task);
+  }
+
   async voronoi(sites: SurfacePointsInput, options?: VoronoiOptions): Promise<Diagram> {
     const { metric, detail, ...task } = toTaskOptions(options, { metric: metrics[0], detail: 0 });
     const form = { metric: toMetric(metric), detail: toDetail(detail) };
@@ -166,10 +176,11 @@ export class EngineMesh implements Mesh {
     sites: SurfacePointsInput,
     options?: CvtOptions,
   ): AsyncGenerator<CvtState, void, void> {
-    const { data, diagrams, density, signal, onProgress, ...others } = toTaskOptions(
-      options,
-      cvtDefaults,
-    );
+    const { data, diagrams, density, signal, onProgress, ...others } = toTaskOptions(options, {
+      ...tessellationDefaults,
+      data: false,
+      diagrams: false,
+    });
     const withData = toBoolean('data', data);
     const form = toBoolean('diagrams', diagrams) ? 'diagram' : withData ? 'data' : 'bare';
     const settings = toCvtSettings({
@@ -190,6 +201,20 @@ export class EngineMesh implements Mesh {
     } finally {
       engine.close(handle);
     }
+  }
+
+  async remesh(sites: SurfacePointsInput, options?: RemeshOptions): Promise<Diagram> {
+    const { maxAdded, density, signal, onProgress, ...others } = toTaskOptions(options, {
+      ...tessellationDefaults,
+      maxAdded: 1000,
+    });
+    toMaxAdded(maxAdded);
+    const settings = toCvtSettings({
+      ...others,
+      density: await this.#toDensity(density, signal),
+    });
+    const points = await this.#kept.points('sites', sites);
+    return remesh(this, points, { ...settings, maxAdded }, { signal, onProgress });
   }
 
   async #toDensity(

@@ -44,6 +44,12 @@ export interface SurfacePoints {
 /** Points with where they are in space: x, y, z each. */
 export type PlacedPoints = SurfacePoints & { position: Float64Array };
 
+/** The points of a surface closest to places in space, in the order of these. */
+export type ClosestPoints = PlacedPoints & {
+  /** How far each is from its place, along a straight line, in the input's units. */
+  distance: Float64Array;
+};
+
 /**
  * What the mesh builder did to the input to make a manifold of it, and triangles of all its faces;
  * all zero for a clean mesh. `core/include/gvd/triangle_mesh.h` holds the policy.
@@ -246,7 +252,10 @@ export interface PartitionRegions {
 export interface PolygonMesh {
   points: PlacedPoints;
   faces: PointLists;
-  /** Per point of a dual, its region: point i is site i, those after are on the boundary. */
+  /**
+   * Per point of a dual, its region. The sites come first, ascending by label: point i is site i, unless
+   * sites before it have been removed. Points after them are on the boundary.
+   */
   vertexLabel: Int32Array;
   /** Per face of the regions as polygons, its region. */
   faceLabel: Int32Array;

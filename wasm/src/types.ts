@@ -5,6 +5,7 @@
 
 import type {
   BareComponents,
+  ClosestPoints,
   CvtMethod,
   DiagramChange,
   DiagramData,
@@ -92,6 +93,11 @@ export interface CvtOptions extends TaskOptions {
   data?: boolean;
   /** Whether every state comes with its diagram, to be asked and changed. Default false. */
   diagrams?: boolean;
+}
+
+export interface RemeshOptions extends Omit<CvtOptions, 'data' | 'diagrams'> {
+  /** How many sites may be added until the dual is valid. Default 1000. */
+  maxAdded?: number;
 }
 
 /** A centroidal tessellation on its way; `core/include/gvd/cvt.h` holds the definitions. */
@@ -199,7 +205,10 @@ export interface Region {
  */
 export interface Diagram extends Disposable {
   readonly metric: Metric;
-  /** Of a label without a site, face -1. */
+  /**
+   * By label; one that has been removed is of face -1, with coordinates 0. Whatever takes sites takes
+   * this list, and gives the others the same labels.
+   */
   readonly sites: SurfacePoints;
   readonly data: DiagramData;
   readonly regions: readonly Region[];
@@ -207,8 +216,8 @@ export interface Diagram extends Disposable {
   insertSite(site: SurfacePointsInput, options?: TaskOptions): Promise<DiagramChange>;
   moveSite(label: number, site: SurfacePointsInput, options?: TaskOptions): Promise<DiagramChange>;
   /**
-   * The other sites keep their labels; this one's region is empty from then on. Labels at the end that
-   * have no site do not count any more.
+   * The other sites keep their labels; this one's region is empty from then on, and all that is made of
+   * the diagram leaves it out. Labels at the end that have no site do not count any more.
    */
   removeSite(label: number, options?: TaskOptions): Promise<DiagramChange>;
   /**
@@ -226,8 +235,8 @@ export interface Diagram extends Disposable {
   /** The mesh cut into the regions. */
   partition(options?: PartitionOptions): Promise<Partition>;
   /**
-   * The polygonal base mesh: a vertex per site, a polygon per Voronoi point. It is a manifold with
-   * the topology of the surface if there are no `violations`.
+   * The polygonal base mesh: a vertex per site, ascending by label (`vertexLabel` has it), a polygon per
+   * Voronoi point. It is a manifold with the topology of the surface if there are no `violations`.
    */
   dual(options?: DualOptions): Promise<PolygonMesh>;
   /** The sides of the dual as paths on the surface, one per arc. */
@@ -271,6 +280,14 @@ export interface Mesh extends Disposable {
    * the surface bends more. `core/include/gvd/curvature.h` holds the definition.
    */
   curvatureDensity(options?: TaskOptions): Promise<Float64Array>;
+  /**
+   * The points of the surface closest to places in space: x, y, z each, in the frame and the unit of
+   * `positions`. They can be sites at once. Of points that are as close, to rounding, it is any; of
+   * triangles at the very same distance, the first one has it. The first call makes a tree of the
+   * triangles, in O(n log n); a place near the surface then takes O(log n), a few microseconds.
+   */
+  closestPoints(positions: ArrayLike<number>, options?: TaskOptions): Promise<ClosestPoints>;
+  /** The diagram of sites, of which some may lie in one place; a label each, by their order. */
   voronoi(sites: SurfacePointsInput, options?: VoronoiOptions): Promise<Diagram>;
   /** The nearest site of every input vertex, how far it is, and in which direction from the site. */
   distances(sites: SurfacePointsInput, options?: DistancesOptions): Promise<Distances>;
@@ -285,6 +302,12 @@ export interface Mesh extends Disposable {
    * sites given. Leaving the loop ends it.
    */
   cvt(sites: SurfacePointsInput, options?: CvtOptions): AsyncGenerator<CvtState, void, void>;
+  /**
+   * An isotropic remesh: the diagram of the sites moved to the centroids of their regions, with as many
+   * more as it takes until its dual is valid. These move, too, in two more rounds at most, so `dual()`
+   * and `remeshQuality()` of it are the remesh and how good that is. Sites given keep their labels.
+   */
+  remesh(sites: SurfacePointsInput, options?: RemeshOptions): Promise<Diagram>;
   dispose(): void;
 }
 

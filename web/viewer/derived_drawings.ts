@@ -140,7 +140,7 @@ export class DerivedDrawings {
     if (!model) return undefined;
     const { drawing, picker } = model;
     await picker.prepared;
-    const siteCount = diagram.sites.face.length;
+    const siteCount = diagram.sites.face.filter((face) => face >= 0).length;
     const inside = chainEnds(drawing.mesh, paths);
     const beside = boundarySides(drawing.mesh, dual, siteCount, (place) => picker.nearest(place));
     const ends = new Float32Array(inside.length + beside.length);

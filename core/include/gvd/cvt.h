@@ -65,8 +65,9 @@ struct CvtIteration {
 /// Fast Computation. 2009.
 class Cvt {
  public:
-  /// `sites` in terms of the mesh's faces, one label each; the mesh must outlive this. Throws
-  /// `Error(kInvalidArgument)` if there is no site or an option does not fit mesh and sites.
+  /// `sites` in terms of the mesh's faces, one label each; one of face -1, a label without a site,
+  /// stays that. The mesh must outlive this. Throws `Error(kInvalidArgument)` if there is no site
+  /// or an option does not fit mesh and sites.
   Cvt(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, CvtOptions options = {});
   ~Cvt();
   Cvt(Cvt&&) noexcept;

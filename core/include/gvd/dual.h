@@ -17,9 +17,10 @@
 
 namespace gvd {
 
-/// The dual of a diagram: a polygonal base mesh. Vertex l is site l, and every Voronoi point of
-/// degree d is a d-gon of the sites around it; where no three sites are equidistant by chance, a
-/// geodesic Delaunay triangulation.
+/// The dual of a diagram: a polygonal base mesh. The first vertices are the sites, ascending by
+/// label (`vertexLabel`): vertex l is site l, unless labels before it have no site. Every Voronoi
+/// point of degree d is a d-gon of the sites around it; where no three sites are equidistant by
+/// chance, a geodesic Delaunay triangulation.
 ///
 /// Without more, the dual would end at the outermost sites. So every *run*, a piece of the mesh
 /// boundary in one region, gets a vertex of its own: in its middle, with the region's label,
@@ -31,7 +32,8 @@ namespace gvd {
 /// Sites without region, or whose region meets no three others, are in no face. The dual is a
 /// manifold with the topology of the surface if `findViolations` has none.
 ///
-/// `sites` are those of the diagram. Costs as much as `partition`.
+/// `sites` are those of the diagram, here as in what follows: by label, face -1 where a label has
+/// none. Costs as much as `partition`.
 PolygonMesh dualMesh(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
                      const Diagram& diagram);
 
@@ -80,7 +82,8 @@ struct Violation {
 /// Euler characteristic, the genus and the boundary loops of the surface. (That is a theorem, and
 /// checked nevertheless.) Costs as much as `partition`, and O(k²) for a region with k Voronoi
 /// points. Source: Herbert Edelsbrunner, Nimish Shah. Triangulating Topological Spaces. 1997.
-std::vector<Violation> findViolations(const TriangleMesh& mesh, const Diagram& diagram);
+std::vector<Violation> findViolations(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
+                                      const Diagram& diagram);
 
 /// One round of `repair`: the sites to add. For each violation that is the point, of those at which
 /// the violation can be seen, that is farthest from all sites; and in each component without a site
@@ -90,8 +93,9 @@ std::vector<Violation> findViolations(const TriangleMesh& mesh, const Diagram& d
 /// `field` holds the distances that the diagram was traced from. Costs as much as `findViolations`.
 /// Throws `Error(kInvalidArgument)`, naming the violation, if further sites do not help: a site has
 /// no region because another one is at its place.
-std::vector<SurfacePoint> repairingSites(const TriangleMesh& mesh, const Diagram& diagram,
-                                         const DistanceField& field);
+std::vector<SurfacePoint> repairingSites(const TriangleMesh& mesh,
+                                         std::span<const SurfacePoint> sites,
+                                         const Diagram& diagram, const DistanceField& field);
 
 struct RepairOptions {
   int maxAdded = 1000;  ///< how many sites may be added

@@ -37,18 +37,20 @@ struct DiagramChange {
 ///
 /// A site keeps its label until it is removed, and labels that are free have empty regions. So
 /// labels are not always consecutive: of n sites they are the lowest n unless sites were removed.
+/// `sites()` is a list that all functions take which take sites, with the same labels.
 class DynamicDiagram {
  public:
-  /// The mesh must outlive this. Sites are in terms of the mesh's faces; there may be none. Here
-  /// and below, a site that is not on the mesh is refused by `Error(kInvalidPoint)`, and nothing
-  /// has changed then.
+  /// The mesh must outlive this. Sites are in terms of the mesh's faces; there may be none, and
+  /// labels without a site (face -1). Here and below, a site that is not on the mesh is refused by
+  /// `Error(kInvalidPoint)`, and nothing has changed then.
   DynamicDiagram(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
                  Metric metric = Metric::kExact, const DiagramOptions& options = {});
   /// The diagram of the sites of which these are the distances, as `propagate` gives them with
-  /// `Spread::kAsNeeded`, for the same mesh. Takes as long as `traceDiagram`. Throws
+  /// `Spread::kAsNeeded`, for the same mesh. From now on they change with the diagram; if this
+  /// throws, they are as they were. Takes as long as `traceDiagram`. Throws
   /// `Error(kInvalidArgument)` if they come from elsewhere.
   static DynamicDiagram fromDistances(const TriangleMesh& mesh,
-                                      std::unique_ptr<DistanceField> distances,
+                                      std::shared_ptr<DistanceField> distances,
                                       const DiagramOptions& options = {});
   ~DynamicDiagram();
   DynamicDiagram(DynamicDiagram&&) noexcept;
@@ -68,6 +70,8 @@ class DynamicDiagram {
   int labelCount() const;
   bool hasSite(int label) const;
   const SurfacePoint& site(int label) const;
+  /// By label; face -1 where a label has no site.
+  std::vector<SurfacePoint> sites() const;
 
   /// Up to date after every change.
   const DistanceField& distances() const;

@@ -110,9 +110,9 @@ enum class Spread {
 };
 
 /// Starts the distances of all `sites` (in terms of the mesh's faces), one label each.
-/// Sites may coincide, share a face, lie on edges or vertices, and outnumber the vertices.
-/// Throws `Error(kInvalidArgument)` if there is no site, `Error(kInvalidPoint)` if one is not on
-/// the mesh.
+/// Sites may coincide, share a face, lie on edges or vertices, and outnumber the vertices. One of
+/// face -1 is a label without a site. Throws `Error(kInvalidArgument)` if there is no site,
+/// `Error(kInvalidPoint)` if one is not on the mesh.
 std::unique_ptr<Propagation> propagate(const TriangleMesh& mesh,
                                        std::span<const SurfacePoint> sites, Metric metric,
                                        Spread spread = Spread::kAsNeeded);

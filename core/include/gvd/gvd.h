@@ -18,7 +18,8 @@
 ///     const gvd::Diagram diagram = gvd::traceDiagram(mesh, *distances, sites.size());
 ///
 /// Then, as needed, in any order:
-///  - sampling.h: sites to begin with; curvature.h: densities for them
+///  - sampling.h: sites to begin with; curvature.h: densities for them; closest_point.h: points on
+///    the surface for places in space
 ///  - dynamic_diagram.h: sites that come, go and move
 ///  - cvt.h: sites at the centroids of their regions; straightest.h: how they are moved there
 ///  - partition.h: the mesh cut into regions, and facts of each region
@@ -33,6 +34,7 @@
 /// WebAssembly, differ by rounding (1e-12), not in what they decide.
 #pragma once
 
+#include "gvd/closest_point.h"
 #include "gvd/curvature.h"
 #include "gvd/cvt.h"
 #include "gvd/diagram.h"

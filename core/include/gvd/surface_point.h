@@ -13,6 +13,9 @@ namespace gvd {
 ///
 /// Whether `face` counts the faces of a `TriangleMesh` or the input's triangles is said by the
 /// function that takes or returns the point: `TriangleMesh::toInput` and `fromInput` convert.
+///
+/// In a list of sites, face -1 stands for a label without a site: one that has been removed. Its
+/// region is empty, and the other sites keep their labels.
 struct SurfacePoint {
   int face = -1;
   Eigen::Vector3d bary = Eigen::Vector3d::Zero();

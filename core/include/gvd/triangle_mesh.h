@@ -225,7 +225,7 @@ class TriangleMesh {
   /// these words.
   std::string faultOfPoint(const SurfacePoint& p) const;
 
-  /// A point of this mesh in terms of the input's triangles.
+  /// A point of this mesh in terms of the input's triangles; face -1 stays that.
   SurfacePoint toInput(const SurfacePoint& p) const;
   /// A point given by an input triangle, in terms of this mesh. A point on a dropped triangle is
   /// found on the edge or vertex of a kept one. Barycentric coordinates may be off by up to 1e-6
@@ -236,6 +236,11 @@ class TriangleMesh {
   /// The place of an input vertex; `Error(kInvalidPoint)` if it does not exist or is isolated. Of a
   /// split vertex, the fan of the first triangle that names this input vertex.
   SurfacePoint fromInputVertex(int inputVertex) const;
+  /// The vertex at that place, -1 if the input vertex is isolated. The input vertex exists.
+  int vertexOfInput(int inputVertex) const {
+    const int h = vertexOfInput_[inputVertex];
+    return h < 0 ? -1 : tail(h);
+  }
 
   const MeshRepairs& repairs() const { return repairs_; }
   const MeshTopology& topology() const { return topology_; }

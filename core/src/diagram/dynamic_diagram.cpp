@@ -25,24 +25,20 @@ void complete(SiteDistances& distances) {
   }
 }
 
-std::unique_ptr<SiteDistances> distancesOf(const TriangleMesh& mesh,
+std::shared_ptr<SiteDistances> distancesOf(const TriangleMesh& mesh,
                                            std::span<const SurfacePoint> sites, Metric metric) {
-  auto distances = std::make_unique<SiteDistances>(mesh, metric);
-  std::vector<SiteChange> changes;
-  for (const SurfacePoint& site : sites)
-    changes.push_back({static_cast<int>(changes.size()), site});
-  distances->change(changes);
+  auto distances = std::make_shared<SiteDistances>(mesh, metric);
+  distances->change(arrivals(sites));
   complete(*distances);
   return distances;
 }
 
 /// What `propagate` has made.
-std::unique_ptr<SiteDistances> asSiteDistances(std::unique_ptr<DistanceField> distances) {
-  auto* const found = dynamic_cast<SiteDistances*>(distances.get());
+std::shared_ptr<SiteDistances> asSiteDistances(const std::shared_ptr<DistanceField>& distances) {
+  auto found = std::dynamic_pointer_cast<SiteDistances>(distances);
   if (!found)
     throw Error(ErrorCode::kInvalidArgument, "the distances are not those that propagate gives");
-  static_cast<void>(distances.release());
-  return std::unique_ptr<SiteDistances>(found);
+  return found;
 }
 
 }  // namespace
@@ -50,7 +46,7 @@ std::unique_ptr<SiteDistances> asSiteDistances(std::unique_ptr<DistanceField> di
 class DynamicDiagram::Implementation {
  public:
   /// The last change of the distances is that in which all sites have come.
-  Implementation(const TriangleMesh& mesh, std::unique_ptr<SiteDistances> distances,
+  Implementation(const TriangleMesh& mesh, std::shared_ptr<SiteDistances> distances,
                  const DiagramOptions& options)
       : mesh_(mesh),
         options_(options),
@@ -218,7 +214,7 @@ class DynamicDiagram::Implementation {
 
   const TriangleMesh& mesh_;
   DiagramOptions options_;
-  std::unique_ptr<SiteDistances> distances_;
+  std::shared_ptr<SiteDistances> distances_;
   PartialTracer tracer_;
   DiagramPieces pieces_;
   IndexSet faces_;  ///< those that are gathered at the time
@@ -238,10 +234,10 @@ DynamicDiagram::DynamicDiagram(std::unique_ptr<Implementation> implementation)
     : implementation_(std::move(implementation)) {}
 
 DynamicDiagram DynamicDiagram::fromDistances(const TriangleMesh& mesh,
-                                             std::unique_ptr<DistanceField> distances,
+                                             std::shared_ptr<DistanceField> distances,
                                              const DiagramOptions& options) {
   return DynamicDiagram(
-      std::make_unique<Implementation>(mesh, asSiteDistances(std::move(distances)), options));
+      std::make_unique<Implementation>(mesh, asSiteDistances(distances), options));
 }
 
 DynamicDiagram::~DynamicDiagram() = default;
@@ -277,6 +273,13 @@ bool DynamicDiagram::hasSite(int label) const {
 const SurfacePoint& DynamicDiagram::site(int label) const {
   implementation_->expectSite(label);
   return implementation_->distances().sites()[label];
+}
+
+std::vector<SurfacePoint> DynamicDiagram::sites() const {
+  const SiteSet& all = implementation_->distances().sites();
+  std::vector<SurfacePoint> sites;
+  for (int label = 0; label < all.labelCount(); ++label) sites.push_back(all[label]);
+  return sites;
 }
 
 const DistanceField& DynamicDiagram::distances() const { return implementation_->distances(); }

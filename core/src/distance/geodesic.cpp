@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "gvd/geodesic.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "distance/site_distances.h"
@@ -14,10 +15,7 @@ class SitePropagation final : public Propagation {
   SitePropagation(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric,
                   Spread spread)
       : distances_(std::make_unique<SiteDistances>(mesh, metric, spread)) {
-    std::vector<SiteChange> changes;
-    for (const SurfacePoint& site : sites)
-      changes.push_back({static_cast<int>(changes.size()), site});
-    distances_->change(changes);
+    distances_->change(arrivals(sites));
   }
 
   bool step(long budget) override { return distances_->step(budget); }
@@ -33,7 +31,9 @@ class SitePropagation final : public Propagation {
 std::unique_ptr<Propagation> propagate(const TriangleMesh& mesh,
                                        std::span<const SurfacePoint> sites, Metric metric,
                                        Spread spread) {
-  if (sites.empty()) throw Error(ErrorCode::kInvalidArgument, "there is no site");
+  const auto isAbsent = [](const SurfacePoint& site) { return site.face == -1; };
+  if (std::all_of(sites.begin(), sites.end(), isAbsent))
+    throw Error(ErrorCode::kInvalidArgument, "there is no site");
   return std::make_unique<SitePropagation>(mesh, sites, metric, spread);
 }
 

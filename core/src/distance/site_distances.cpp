@@ -27,6 +27,13 @@ std::unique_ptr<LabelSpread> makeSpread(const TriangleMesh& mesh, Metric metric,
 
 }  // namespace
 
+std::vector<SiteChange> arrivals(std::span<const SurfacePoint> sites) {
+  std::vector<SiteChange> changes;
+  for (size_t label = 0; label < sites.size(); ++label)
+    if (sites[label].face != -1) changes.push_back({static_cast<int>(label), sites[label]});
+  return changes;
+}
+
 SiteDistances::SiteDistances(const TriangleMesh& mesh, Metric metric, Spread spread)
     : mesh_(mesh),
       hasOpenDistances_(metric == Metric::kExact && spread == Spread::kAsNeeded),

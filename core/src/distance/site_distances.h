@@ -25,6 +25,10 @@ struct SiteChange {
   std::optional<SurfacePoint> site;  ///< none: the label has no site any more
 };
 
+/// The changes by which all of these sites come, the labels in their order; face -1 is a label
+/// without a site.
+std::vector<SiteChange> arrivals(std::span<const SurfacePoint> sites);
+
 /// The distances of sites that come, go and move. A first diagram is one change, in which all sites
 /// come.
 ///

@@ -184,6 +184,7 @@ double TriangleMesh::boundingDiagonal() const {
 // --- To and from the input ---------------------------------------------------------------------
 
 SurfacePoint TriangleMesh::toInput(const SurfacePoint& p) const {
+  if (p.face < 0) return p;
   SurfacePoint input{inputFace_[p.face], p.bary};
   if (isFlipped(p.face)) std::swap(input.bary[1], input.bary[2]);
   return input;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numeric>
 #include <utility>
 
 #include "mesh/nearest_on_triangle.h"
@@ -17,7 +17,9 @@ Eigen::Vector3d sumOf(const TriangleTree::Triangle& t) { return t[0] + t[1] + t[
 
 }  // namespace
 
-TriangleTree::TriangleTree(std::vector<Triangle> triangles) : triangles_(std::move(triangles)) {
+TriangleTree::TriangleTree(std::vector<Triangle> triangles)
+    : triangles_(std::move(triangles)), order_(triangles_.size()) {
+  std::iota(order_.begin(), order_.end(), 0);
   if (!triangles_.empty()) build(0, static_cast<int>(triangles_.size()));
 }
 
@@ -27,8 +29,8 @@ int TriangleTree::build(int first, int last) {
   nodes_.push_back({{}, first, last, -1});
   Eigen::AlignedBox3d box, centres;
   for (int i = first; i < last; ++i) {
-    for (const Eigen::Vector3d& corner : triangles_[i]) box.extend(corner);
-    centres.extend(sumOf(triangles_[i]));
+    for (const Eigen::Vector3d& corner : triangles_[order_[i]]) box.extend(corner);
+    centres.extend(sumOf(triangles_[order_[i]]));
   }
   nodes_[node].box = box;
   if (last - first <= kLeafSize) return node;
@@ -36,30 +38,32 @@ int TriangleTree::build(int first, int last) {
   centres.sizes().maxCoeff(&axis);
   const int middle = (first + last) / 2;
   std::nth_element(
-      triangles_.begin() + first, triangles_.begin() + middle, triangles_.begin() + last,
-      [&](const Triangle& a, const Triangle& b) { return sumOf(a)[axis] < sumOf(b)[axis]; });
+      order_.begin() + first, order_.begin() + middle, order_.begin() + last,
+      [&](int a, int b) { return sumOf(triangles_[a])[axis] < sumOf(triangles_[b])[axis]; });
   build(first, middle);
   const int second = build(middle, last);
   nodes_[node].second = second;
   return node;
 }
 
-double TriangleTree::distance(const Eigen::Vector3d& p) const {
-  double least = std::numeric_limits<double>::infinity();  // squared
+TriangleTree::Nearest TriangleTree::nearest(const Eigen::Vector3d& p) const {
+  Nearest nearest;
   const auto toBox = [&](int node) { return nodes_[node].box.squaredExteriorDistance(p); };
   std::vector<std::pair<double, int>> open;
   if (!nodes_.empty()) open.emplace_back(toBox(0), 0);
   while (!open.empty()) {
     const auto [bound, index] = open.back();
     open.pop_back();
-    if (bound >= least) continue;
+    if (bound > nearest.squaredDistance) continue;
     const Node& node = nodes_[index];
     if (node.second < 0) {
       for (int i = node.first; i < node.last; ++i) {
-        const Triangle& t = triangles_[i];
+        const Triangle& t = triangles_[order_[i]];
         const Eigen::Vector3d bary = nearestOnTriangle(p, t);
-        least =
-            std::min(least, (bary[0] * t[0] + bary[1] * t[1] + bary[2] * t[2] - p).squaredNorm());
+        const double squared = (bary[0] * t[0] + bary[1] * t[1] + bary[2] * t[2] - p).squaredNorm();
+        if (squared < nearest.squaredDistance ||
+            (squared == nearest.squaredDistance && order_[i] < nearest.triangle))
+          nearest = {order_[i], bary, squared};
       }
       continue;
     }
@@ -68,7 +72,11 @@ double TriangleTree::distance(const Eigen::Vector3d& p) const {
     open.push_back(far);
     open.push_back(near);
   }
-  return std::sqrt(least);
+  return nearest;
+}
+
+double TriangleTree::distance(const Eigen::Vector3d& p) const {
+  return std::sqrt(nearest(p).squaredDistance);
 }
 
 }  // namespace gvd

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <array>
+#include <limits>
 #include <vector>
 
 namespace gvd {
@@ -15,11 +16,21 @@ class TriangleTree {
   /// O(n log² n).
   explicit TriangleTree(std::vector<Triangle> triangles);
 
+  /// The nearest triangle, -1 if there is none, and its point nearest to another one.
+  struct Nearest {
+    int triangle = -1;
+    Eigen::Vector3d bary = Eigen::Vector3d::Zero();
+    double squaredDistance = std::numeric_limits<double>::infinity();
+  };
+  /// Of triangles at the very same distance, the first.
+  Nearest nearest(const Eigen::Vector3d& p) const;
+
   /// The distance of a point from the nearest triangle; infinite if there is none.
   double distance(const Eigen::Vector3d& p) const;
 
  private:
-  /// Of the triangles `first` … `last - 1`. Its halves, if it has, are the next node and `second`.
+  /// Of the triangles from `first` to `last - 1` in `order_`. Its halves, if it has, are the next
+  /// node and `second`.
   struct Node {
     Eigen::AlignedBox3d box;
     int first, last;
@@ -29,6 +40,7 @@ class TriangleTree {
   int build(int first, int last);
 
   std::vector<Triangle> triangles_;
+  std::vector<int> order_;  ///< the triangles, those of a node together
   std::vector<Node> nodes_;
 };
 

@@ -45,8 +45,12 @@ SurfacePoint middle(const TriangleMesh& mesh, const Partition& p,
 PolygonMesh buildDual(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
                       const Partition& partition, const RegionComplex& complex) {
   PolygonMesh result;
-  for (size_t l = 0; l < sites.size(); ++l)
-    result.vertexLabel.push_back(addVertex(mesh, sites[l], result));
+  std::vector<int> vertexOfLabel(sites.size(), -1);
+  for (size_t l = 0; l < sites.size(); ++l) {
+    if (sites[l].face < 0) continue;
+    vertexOfLabel[l] = addVertex(mesh, sites[l], result);
+    result.vertexLabel.push_back(static_cast<int>(l));
+  }
   std::vector<int> vertexOfRun(complex.borders.size(), -1);
   for (size_t b = 0; b < complex.borders.size(); ++b) {
     const RegionComplex::Border& border = complex.borders[b];
@@ -58,6 +62,7 @@ PolygonMesh buildDual(const TriangleMesh& mesh, std::span<const SurfacePoint> si
   for (size_t n = 0; n < complex.nodes.size(); ++n) {
     const RegionComplex::Node& node = complex.nodes[n];
     polygon = complex.labelsAt(static_cast<int>(n));
+    for (int& vertex : polygon) vertex = vertexOfLabel[vertex];
     if (node.isOnBoundary()) {
       polygon.insert(polygon.begin(), vertexOfRun[node.borders.front()]);
       polygon.push_back(vertexOfRun[node.arrivingRun]);

@@ -24,7 +24,8 @@ struct Finding {
 };
 
 /// As `findViolations`, in the same order.
-std::vector<Finding> inspect(const TriangleMesh& mesh, const Diagram& diagram,
-                             const Partition& partition, const RegionComplex& complex);
+std::vector<Finding> inspect(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
+                             const Diagram& diagram, const Partition& partition,
+                             const RegionComplex& complex);
 
 }  // namespace gvd

@@ -15,15 +15,18 @@ namespace {
 /// One round of the repair: the sites that the violations of a diagram ask for.
 class RepairRound {
  public:
-  RepairRound(const TriangleMesh& mesh, const Diagram& diagram, const DistanceField& field)
+  RepairRound(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, const Diagram& diagram,
+              const DistanceField& field)
       : mesh_(mesh),
+        sites_(sites),
         diagram_(diagram),
         field_(field),
         partition_(partition(mesh, diagram, {.leaveOutUnreachable = true})),
         isTouched_(diagram.siteCount, false) {}
 
   std::vector<SurfacePoint> newSites() {
-    const auto findings = inspect(mesh_, diagram_, partition_, buildRegionComplex(partition_));
+    const auto findings =
+        inspect(mesh_, sites_, diagram_, partition_, buildRegionComplex(partition_));
     std::vector<SurfacePoint> result;
     for (const Finding& finding : findings) {
       const Violation& v = finding.violation;
@@ -74,6 +77,7 @@ class RepairRound {
   }
 
   const TriangleMesh& mesh_;
+  const std::span<const SurfacePoint> sites_;
   const Diagram& diagram_;
   const DistanceField& field_;
   const Partition partition_;
@@ -82,9 +86,10 @@ class RepairRound {
 
 }  // namespace
 
-std::vector<SurfacePoint> repairingSites(const TriangleMesh& mesh, const Diagram& diagram,
-                                         const DistanceField& field) {
-  return RepairRound(mesh, diagram, field).newSites();
+std::vector<SurfacePoint> repairingSites(const TriangleMesh& mesh,
+                                         std::span<const SurfacePoint> sites,
+                                         const Diagram& diagram, const DistanceField& field) {
+  return RepairRound(mesh, sites, diagram, field).newSites();
 }
 
 RepairedSites repair(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric,
@@ -96,13 +101,13 @@ RepairedSites repair(const TriangleMesh& mesh, std::span<const SurfacePoint> sit
     }
     const auto field = propagation->take();
     result.diagram = traceDiagram(mesh, *field, static_cast<int>(result.sites.size()));
-    const auto added = repairingSites(mesh, result.diagram, *field);
+    const auto added = repairingSites(mesh, result.sites, result.diagram, *field);
     if (added.empty()) return result;
     if (result.added + static_cast<int>(added.size()) > options.maxAdded)
       throw Error(ErrorCode::kInvalidArgument,
                   "the dual is not valid with " + std::to_string(options.maxAdded) +
-                      (options.maxAdded == 1 ? " site" : " sites") +
-                      " more: " + findViolations(mesh, result.diagram).front().message);
+                      (options.maxAdded == 1 ? " site" : " sites") + " more: " +
+                      findViolations(mesh, result.sites, result.diagram).front().message);
     result.sites.insert(result.sites.end(), added.begin(), added.end());
     result.added += static_cast<int>(added.size());
   }

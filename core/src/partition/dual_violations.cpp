@@ -29,13 +29,14 @@ std::string regions(const std::vector<int>& labels) {
 
 class Inspector {
  public:
-  Inspector(const TriangleMesh& mesh, const Diagram& diagram, const Partition& partition,
-            const RegionComplex& complex)
-      : mesh_(mesh), diagram_(diagram), partition_(partition), complex_(complex) {}
+  Inspector(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, const Diagram& diagram,
+            const Partition& partition, const RegionComplex& complex)
+      : mesh_(mesh), sites_(sites), diagram_(diagram), partition_(partition), complex_(complex) {}
 
   std::vector<Finding> inspect() {
     inspectComponents();
-    for (const RegionPatch& region : partition_.regions) inspectRegion(region);
+    for (const RegionPatch& region : partition_.regions)
+      if (sites_[region.label].face >= 0) inspectRegion(region);
     inspectPairs();
     inspectTriples();
     inspectBoundary();
@@ -207,8 +208,7 @@ class Inspector {
   }
 
   void inspectDual() {
-    const std::vector<SurfacePoint> sites(diagram_.siteCount, {0, Eigen::Vector3d::Unit(0)});
-    const PolygonTopology dual = topologyOf(buildDual(mesh_, sites, partition_, complex_));
+    const PolygonTopology dual = topologyOf(buildDual(mesh_, sites_, partition_, complex_));
     const MeshTopology& surface = mesh_.topology();
     if (!dual.isManifold || dual.eulerCharacteristic != surface.eulerCharacteristic ||
         dual.boundaryLoops != surface.boundaryLoops || dual.components != surface.components)
@@ -216,6 +216,7 @@ class Inspector {
   }
 
   const TriangleMesh& mesh_;
+  const std::span<const SurfacePoint> sites_;
   const Diagram& diagram_;
   const Partition& partition_;
   const RegionComplex& complex_;
@@ -224,15 +225,17 @@ class Inspector {
 
 }  // namespace
 
-std::vector<Finding> inspect(const TriangleMesh& mesh, const Diagram& diagram,
-                             const Partition& partition, const RegionComplex& complex) {
-  return Inspector(mesh, diagram, partition, complex).inspect();
+std::vector<Finding> inspect(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
+                             const Diagram& diagram, const Partition& partition,
+                             const RegionComplex& complex) {
+  return Inspector(mesh, sites, diagram, partition, complex).inspect();
 }
 
-std::vector<Violation> findViolations(const TriangleMesh& mesh, const Diagram& diagram) {
+std::vector<Violation> findViolations(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
+                                      const Diagram& diagram) {
   const Partition p = partition(mesh, diagram, {.leaveOutUnreachable = true});
   std::vector<Violation> violations;
-  for (Finding& finding : inspect(mesh, diagram, p, buildRegionComplex(p)))
+  for (Finding& finding : inspect(mesh, sites, diagram, p, buildRegionComplex(p)))
     violations.push_back(std::move(finding.violation));
   return violations;
 }

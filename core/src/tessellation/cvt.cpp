@@ -66,6 +66,8 @@ class Cvt::Solver {
       : mesh_(mesh), options_(std::move(options)), isFixed_(sites.size(), false) {
     validate(mesh, sites.size(), options_);
     for (const int label : options_.fixedSites) isFixed_[label] = true;
+    for (size_t l = 0; l < sites.size(); ++l)
+      if (sites[l].face < 0) isFixed_[l] = true;  // no site, to stay none
     trial_.sites.assign(sites.begin(), sites.end());
     trial_.frames.assign(sites.size(), Vector2d(1, 0));
     for (size_t l = 0; l < sites.size(); ++l)

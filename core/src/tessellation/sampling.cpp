@@ -274,7 +274,8 @@ std::vector<SurfacePoint> coverComponents(const TriangleMesh& mesh,
 
 BareComponents bareComponents(const TriangleMesh& mesh, std::span<const SurfacePoint> points) {
   std::vector<char> isBare(mesh.topology().components, true);
-  for (const SurfacePoint& p : points) isBare[mesh.component(p.face)] = false;
+  for (const SurfacePoint& p : points)
+    if (p.face >= 0) isBare[mesh.component(p.face)] = false;
   BareComponents bare;
   bare.components = static_cast<int>(std::count(isBare.begin(), isBare.end(), true));
   for (int f = 0; f < mesh.faceCount(); ++f)

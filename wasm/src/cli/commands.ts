@@ -2,7 +2,7 @@
 //
 // What each command does.
 import { load } from '../node.js';
-import type { MeshInfo, Metric, PolygonMesh, SurfacePath } from '../results.js';
+import type { MeshInfo, Metric, PolygonMesh, SurfacePath, Violation } from '../results.js';
 import type { CvtOptions, CvtState, Diagram, Mesh, SurfacePointsInput } from '../types.js';
 import {
   toDiagramEncoder,
@@ -12,7 +12,7 @@ import {
   toPolygonEncoder,
 } from './encoders.js';
 import { fail } from './failure.js';
-import { FileError, Output, readModel, readNumbers, readPoints } from './files.js';
+import { FileError, Output, readModel, readNumbers, readPoints, type PointsFile } from './files.js';
 import { meshReport } from './mesh_report.js';
 import type { CommandName, Invocation, Values } from './options.js';
 import { ProgressBar } from './progress.js';
@@ -47,9 +47,6 @@ export function execute(invocation: Invocation): Promise<void> {
   }
 }
 
-/** How sites come to be centroids. */
-type CvtSettings = Pick<Values<'cvt'>, 'method' | 'metric' | 'iterations'> &
-  Pick<CvtOptions, 'density' | 'fixedSites'>;
 /** Where sites come from. */
 type SiteSource = Pick<
   Values<'diagram'>,
@@ -118,8 +115,8 @@ async function locate({ mesh: path, values }: Request<'locate'>): Promise<void> 
   const scale = values.units;
   const output = await Output.open(values.output);
   const points = await readPoints(values.points);
-  const { diagram } = await compute(path, values);
-  const { label, distance } = await diagram.locate(points);
+  const { mesh, diagram } = await compute(path, values);
+  const { label, distance } = await diagram.locate(await onSurface(mesh, points, values));
   await output.write(
     `${JSON.stringify({
       label: [...label],
@@ -153,14 +150,15 @@ async function path({ mesh: model, values }: Request<'path'>): Promise<void> {
   const scale = values.units;
   const encode = toPathsEncoder(values);
   const output = await Output.open(values.output);
-  const starts = singlePoints(await readPoints(values.from));
-  const ends = singlePoints(await readPoints(values.to));
+  const [from, to] = [await readPoints(values.from), await readPoints(values.to)];
+  const mesh = await openMesh(model, values);
+  const starts = singlePoints(await onSurface(mesh, from, values));
+  const ends = singlePoints(await onSurface(mesh, to, values));
   if (ends.length !== 1 && ends.length !== starts.length) {
     throw new FileError(
       `there are ${starts.length} points to start at, but ${ends.length} to end at: give as many, or one`,
     );
   }
-  const mesh = await openMesh(model, values);
   const paths = await withProgress(values, async (onProgress) => {
     const toOneEnd = ends.length === 1 ? await mesh.voronoi(ends[0]) : undefined;
     const found: SurfacePath[] = [];
@@ -185,15 +183,13 @@ async function path({ mesh: model, values }: Request<'path'>): Promise<void> {
 async function cvt({ mesh: path, values }: Request<'cvt'>): Promise<void> {
   const scale = values.units;
   const output = await Output.open(values.output);
-  const numbers = (file?: string) => (file === undefined ? undefined : readNumbers(file));
-  const named = (['attribute', 'curvature'] as const).find((name) => name === values.density);
-  const density = named ?? (await numbers(values.density));
-  const fixedSites = await numbers(values.fixed);
+  const settings = await cvtSettings(values);
   const { mesh, sites } = await openWithSites(path, values);
-  const settings = { ...values, density, fixedSites };
-  const states = await withProgress(values, (onProgress) =>
-    tessellate(mesh, sites, settings, onProgress),
-  );
+  const states = await withProgress(values, async (onProgress) => {
+    const all: CvtState[] = [];
+    for await (const state of mesh.cvt(sites, { ...settings, onProgress })) all.push(state);
+    return all;
+  });
   const energy = states.map((state) => scale ** 4 * state.energy); // area times squared length
   const { iteration, sites: last } = states.at(-1)!;
   const { face, bary } = last;
@@ -230,21 +226,40 @@ async function dual({ mesh: path, values }: Request<'dual'>): Promise<void> {
   const encode = toPolygonEncoder(values);
   const output = await Output.open(values.output);
   const { mesh, diagram: given } = await compute(path, values);
-  const diagram = values.repair ? await repaired(given, values) : given;
+  const diagram = values.repair
+    ? await withProgress(values, (onProgress) =>
+        explained(mesh, () => given.repair({ onProgress })),
+      )
+    : given;
   const polygons = await diagram.dual({ primal: values.primal });
   const violations = await diagram.violations();
+  if (values.check && violations.length > 0) throw new FileError(faultsOf(violations));
   await output.write(encode({ mesh, sites: diagram.sites, polygons, violations }, scale));
   summarise(output, values, polygonSummary(given.sites.face.length, diagram, polygons));
-  if (!values.quiet)
-    for (const { message } of violations) process.stderr.write(`not valid: ${message}\n`);
+  if (violations.length === 0) return;
+  if (values.quiet) process.stderr.write(`warning: ${faultsOf(violations)}\n`);
+  else for (const { message } of violations) process.stderr.write(`not valid: ${message}\n`);
+}
+
+/** One line about a dual that is not valid. */
+function faultsOf([first, ...more]: Violation[]): string {
+  return (
+    `the dual is not valid: ${first.message}` +
+    (more.length > 0 ? `, and ${more.length} more` : '') +
+    ' (--repair adds sites until it is)'
+  );
 }
 
 async function remesh({ mesh: path, values }: Request<'remesh'>): Promise<void> {
   const scale = values.units;
   const encode = toPolygonEncoder(values);
   const output = await Output.open(values.output);
+  const settings = await cvtSettings(values);
   const { mesh, sites } = await openWithSites(path, values);
-  const [first, diagram] = await validTessellation(mesh, sites, values);
+  const diagram = await withProgress(values, (onProgress) =>
+    explained(mesh, () => mesh.remesh(sites, { ...settings, onProgress })),
+  );
+  const first = 'vertex' in sites ? sites.vertex.length : sites.face.length;
   const polygons = await diagram.dual();
   const quality = await diagram.remeshQuality();
   await output.write(encode({ mesh, sites: diagram.sites, polygons, quality }, scale));
@@ -262,31 +277,31 @@ async function remesh({ mesh: path, values }: Request<'remesh'>): Promise<void> 
   );
 }
 
-/** Sites that repair adds are no centroids: after some were, everything moves again, this often. */
-const mostRounds = 3;
-
-/** How many sites there were first, and a diagram with a valid dual. */
-async function validTessellation(
-  mesh: Mesh,
-  given: SurfacePointsInput,
-  values: Notices & CvtSettings,
-): Promise<[number, Diagram]> {
-  let sites = given;
-  let first: number | undefined;
-  for (let round = 1; ; ++round) {
-    const diagram = await withProgress(values, async (onProgress) => {
-      const states = await tessellate(mesh, sites, values, onProgress);
-      return mesh.voronoi(states.at(-1)!.sites, { metric: values.metric });
-    });
-    first ??= diagram.sites.face.length;
-    const valid = await repaired(diagram, values);
-    if (valid === diagram || round === mostRounds) return [first, valid];
-    sites = valid.sites;
-  }
+/** How sites come to be centroids. */
+async function cvtSettings(
+  values: Pick<Values<'cvt'>, 'method' | 'metric' | 'iterations' | 'density' | 'fixed'>,
+): Promise<CvtOptions> {
+  const { method, metric, iterations } = values;
+  const numbers = (file?: string) => (file === undefined ? undefined : readNumbers(file));
+  const named = (['attribute', 'curvature'] as const).find((name) => name === values.density);
+  const density = named ?? (await numbers(values.density));
+  return { method, metric, iterations, density, fixedSites: await numbers(values.fixed) };
 }
 
-function repaired(diagram: Diagram, values: Notices): Promise<Diagram> {
-  return withProgress(values, (onProgress) => diagram.repair({ onProgress }));
+/** Carries a repair out; if that would take too many sites on a mesh of many components, says what may help. */
+async function explained<Result>(mesh: Mesh, repair: () => Promise<Result>): Promise<Result> {
+  try {
+    return await repair();
+  } catch (error) {
+    const { components } = mesh.info;
+    const tooFewSites = /^the dual is not valid/.test((error as Error).message);
+    if (components === 1 || !tooFewSites) throw error;
+    throw new FileError(
+      `${(error as Error).message} (the mesh has ${components} components: --min-component drops small ones, ` +
+        '--per-component 3 begins with sites on each)',
+      { cause: error },
+    );
+  }
 }
 
 function polygonSummary(first: number, diagram: Diagram, { topology }: PolygonMesh): string {
@@ -299,27 +314,6 @@ function polygonSummary(first: number, diagram: Diagram, { topology }: PolygonMe
       ? `Euler characteristic ${eulerCharacteristic}, genus ${genus}, ${boundaryLoops} boundary loops`
       : 'no manifold')
   );
-}
-
-/** All states on the way to a centroidal tessellation. */
-async function tessellate(
-  mesh: Mesh,
-  sites: SurfacePointsInput,
-  { method, metric, iterations, density, fixedSites }: CvtSettings,
-  onProgress: (share: number) => void,
-): Promise<CvtState[]> {
-  const states: CvtState[] = [];
-  for await (const state of mesh.cvt(sites, {
-    method,
-    metric,
-    iterations,
-    density,
-    fixedSites,
-  })) {
-    states.push(state);
-    onProgress(iterations > 0 ? state.iteration / iterations : 1);
-  }
-  return states;
 }
 
 /** The points of a list, as lists of one. */
@@ -366,12 +360,29 @@ async function openWithSites(
 ): Promise<{ mesh: Mesh; sites: SurfacePointsInput }> {
   const given = typeof values.sites === 'string' ? await readPoints(values.sites) : undefined;
   const mesh = await openMesh(path, values);
-  const sites = given ?? (await sampled(mesh, values));
+  const sites = given ? await onSurface(mesh, given, values) : await sampled(mesh, values);
   if (!values.quiet) {
     const notes = [...mesh.info.notes, ...(await bareNotes(mesh, sites))];
     for (const note of notes) process.stderr.write(`note: ${note}\n`);
   }
   return { mesh, sites };
+}
+
+/** Points of a file; of places in space, the closest points, however far these are. */
+async function onSurface(
+  mesh: Mesh,
+  points: PointsFile,
+  { quiet, units }: Pick<Values<'diagram'>, 'quiet' | 'units'>,
+): Promise<SurfacePointsInput> {
+  if (!('position' in points) || 'face' in points) return points as SurfacePointsInput;
+  const closest = await mesh.closestPoints(points.position);
+  const farthest = closest.distance.reduce((most, d) => Math.max(most, d), 0);
+  if (!quiet) {
+    process.stderr.write(
+      `note: ${closest.face.length} places, the farthest ${(units * farthest).toPrecision(4)} from the surface\n`,
+    );
+  }
+  return closest;
 }
 
 function sampled(mesh: Mesh, values: Notices & SiteSource): Promise<SurfacePointsInput> {

@@ -88,7 +88,11 @@ interface PartitionResult {
 }
 
 export function toPartitionEncoder(target: Values<'partition'>): Encoder<PartitionResult> {
-  const { layout } = target;
+  const { layout, output, json } = target;
+  if (layout && (json || extname(output).toLowerCase() !== '.glb'))
+    throw new UsageError(
+      `--layout is about .glb files: ${json ? '--json' : `'${output}'`} has none`,
+    );
   return encoderOf(
     {
       '.json': ({ partition, sites }, scale) => text(partitionJson(partition, sites, scale)),

@@ -124,13 +124,18 @@ export async function readNumbers(path: string): Promise<number[]> {
   throw new FileError(`${nameOf(path)} holds no list of numbers`);
 }
 
+/** Points as files have them: on the surface, or places in space. */
+export type PointsFile = SurfacePointsInput | { position: ArrayLike<number> };
+
 /** Reads a list of sites or points; also the sites of a diagram that this command wrote. */
-export async function readPoints(path: string): Promise<SurfacePointsInput> {
+export async function readPoints(path: string): Promise<PointsFile> {
   const json = await readJson(path);
   const list = has(json, 'sites') ? json.sites : json;
-  if (has(list, 'vertex') || (has(list, 'face') && has(list, 'bary')))
-    return list as SurfacePointsInput;
-  throw new FileError(`${nameOf(path)} holds no points: {"face", "bary"} or {"vertex"}`);
+  if (has(list, 'vertex') || (has(list, 'face') && has(list, 'bary')) || has(list, 'position'))
+    return list as PointsFile;
+  throw new FileError(
+    `${nameOf(path)} holds no points: {"face", "bary"}, {"vertex"} or {"position"}`,
+  );
 }
 
 function has<Key extends string>(value: unknown, key: Key): value is Record<Key, unknown> {

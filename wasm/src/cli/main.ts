@@ -6,7 +6,7 @@
 import { readFile } from 'node:fs/promises';
 import { execute } from './commands.js';
 import { fail } from './failure.js';
-import { parseCommandLine } from './options.js';
+import { parseCommandLine } from './command_line.js';
 
 async function main(args: string[]): Promise<void> {
   const packageFile = new URL('../../package.json', import.meta.url);

@@ -3,7 +3,6 @@
 // The command line's one table: what can be given, to which command, what it means, and what the help
 // says of it.
 
-import { parseArgs } from 'node:util';
 import { maxCount, maxDetail, maxLimit } from '../input.js';
 import { partitionLayouts } from '../partition_formats.js';
 import { cvtMethods, metrics, orientations, samplings, worstRegions } from '../results.js';
@@ -18,7 +17,6 @@ import {
   path,
   scale,
   units,
-  UsageError,
   type Parser,
 } from './values.js';
 
@@ -26,7 +24,7 @@ import {
 export const standard = '-';
 
 /** One with a value, or a switch. */
-interface OptionSpec {
+export interface OptionSpec {
   short?: string;
   /** What the help calls its value. */
   value?: string;
@@ -38,12 +36,12 @@ interface OptionSpec {
 }
 
 /** In the order of the help. */
-const options = {
+export const options = {
   sites: {
     value: 'N|FILE',
     parse: numberOrPath(1, maxCount),
     optional: true,
-    help: 'Number of sites to sample, or a JSON file of them',
+    help: 'Number of sites to sample, or a JSON file of them, on the surface or by coordinates',
   },
   radius: {
     value: 'R',
@@ -103,13 +101,14 @@ const options = {
   layout: {
     value: 'LAYOUT',
     parse: oneOf(partitionLayouts),
-    default: 'regions',
-    help: 'Of a .glb: regions: a node with a primitive for each; features: one mesh with region ids (EXT_mesh_features)',
+    optional: true,
+    help: `Of a .glb: regions: a node with a primitive for each; features: one mesh with region ids, EXT_mesh_features (default: ${partitionLayouts[0]})`,
   },
   holes: {
     help: 'Leave holes where regions tie on whole triangles, instead of giving these to the lowest',
   },
   repair: { help: 'Add sites until the dual is valid' },
+  check: { help: 'Write nothing and fail if the dual is not valid' },
   primal: { help: 'The regions as polygons, instead of the dual' },
   metric: {
     value: 'METRIC',
@@ -162,11 +161,11 @@ const options = {
   },
   json: { help: 'Write JSON, whatever FILE is called' },
   progress: { help: 'Show progress even if standard error is no terminal' },
-  quiet: { short: 'q', help: 'Write nothing to standard error but errors' },
+  quiet: { short: 'q', help: 'Write nothing to standard error but errors and warnings' },
   help: { short: 'h', help: 'Show this help' },
 } as const satisfies Record<string, OptionSpec>;
 
-type OptionName = keyof typeof options;
+export type OptionName = keyof typeof options;
 
 /** What all options mean, given or not. */
 type AllValues = {
@@ -181,7 +180,7 @@ const ofSites = ['sites', 'radius', 'sampling', 'per-component', 'seed'] as cons
 const ofMesh = ['weld', 'orientation', 'min-component', 'limits'] as const;
 const ofAll = [...ofMesh, 'units', 'output', 'json', 'quiet', 'help'] as const;
 
-interface CommandSpec {
+export interface CommandSpec {
   summary: string;
   /** What -o writes, for the help. */
   result: string;
@@ -231,8 +230,9 @@ export const commands = {
       '{"face": […], "bary": […], "energy": […]}: the sites, and the energy of the first ones and after each iteration.',
     examples: [
       'mesh.glb --sites 300 -o sites.json',
-      'mesh.glb --sites sites.json --fixed fixed.json --density density.json -o moved.json',
+      'mesh.glb --sites sites.json --fixed fixed.json --density rho.json -o new.json',
       'mesh.glb --sites 300 --per-component 1 --density curvature -o sites.json',
+      'mesh.glb --sites 300 --sampling poisson --iterations 0 -o sampled.json',
     ],
     options: [
       ...ofSites,
@@ -258,13 +258,25 @@ export const commands = {
     summary: 'The polygonal base mesh of sites: a vertex each, a polygon per Voronoi point',
     result: `By FILE's ending: .obj or .ply (polygons), .glb (triangles), .json (polygons, sites, and what is wrong with the dual).`,
     examples: ['mesh.glb --sites 300 --repair -o base.obj'],
-    options: [...ofSites, 'repair', 'primal', 'metric', 'progress', ...ofAll],
+    options: [...ofSites, 'repair', 'check', 'primal', 'metric', 'progress', ...ofAll],
   },
   remesh: {
-    summary: 'An isotropic remesh: the valid dual of a centroidal tessellation',
+    summary: 'An isotropic or adaptive remesh: the valid dual of a centroidal tessellation',
     result: `By FILE's ending: .obj or .ply (polygons), .glb (triangles), .json (polygons, sites and quality). Sites may be added until it is valid.`,
-    examples: ['mesh.glb --sites 1000 -o fine.obj'],
-    options: [...ofSites, 'iterations', 'method', 'metric', 'progress', ...ofAll],
+    examples: [
+      'mesh.glb --sites 1000 -o fine.obj',
+      'mesh.glb --sites 1000 --density curvature -o adaptive.obj',
+    ],
+    options: [
+      ...ofSites,
+      'iterations',
+      'method',
+      'density',
+      'fixed',
+      'metric',
+      'progress',
+      ...ofAll,
+    ],
   },
 } as const satisfies Record<string, CommandSpec>;
 
@@ -286,128 +298,6 @@ export type Invocation = {
   };
 }[CommandName];
 
-/** Takes a command line apart. A text is what to print instead of doing anything. */
-export function parseCommandLine(args: string[], version: string): Invocation | string {
-  const [command, ...rest] = args;
-  if (command === undefined)
-    throw new UsageError('a command is missing: see geodesic-voronoi --help');
-  if (command === '--help' || command === '-h') return overview();
-  if (command === '--version') return `${version}\n`;
-  if (!isCommand(command))
-    throw new UsageError(`'${command}' is not one of ${listed(Object.keys(commands))}`);
-
-  const { texts, positionals } = parseOptions(command, rest);
-  if (texts.help) return commandHelp(command);
-  if (positionals.length === 0) throw new UsageError('a mesh is missing');
-  if (positionals.length > 1 && command !== 'info')
-    throw new UsageError(`one mesh at a time: '${positionals[1]}' is one too many`);
-  const { sites, points, from, to, density, fixed } = texts;
-  const paths = [...positionals, sites, points, from, to, density, fixed];
-  if (paths.filter((path) => path === standard).length > 1)
-    throw new UsageError('only one file can be standard input');
-  const names: readonly OptionName[] = commands[command].options;
-  const values = Object.fromEntries(names.map((name) => [name, parsedValue(name, texts[name])]));
-  if (names.includes('sites')) requireSites(values as Values<'diagram'>);
-  return { command, mesh: positionals[0], meshes: positionals, values } as Invocation;
-}
-
-/** There is one source of sites; those of a file are where they are. */
-function requireSites(values: Values<'diagram'>): void {
-  const { sites, radius, sampling } = values;
-  if (sites === undefined && radius === undefined) throw new UsageError('--sites is missing');
-  if (sites !== undefined && radius !== undefined)
-    throw new UsageError('--radius is instead of --sites: give one of them');
-  if (radius !== undefined && sampling && sampling !== 'farthest' && sampling !== 'poisson')
-    throw new UsageError(`--sampling ${sampling} takes a number of sites, not --radius`);
-  if (typeof sites === 'string' && values['per-component'] > 0)
-    throw new UsageError('--per-component is for sites that are sampled, not those of a file');
-}
-
-/** Options as they are given. */
-type Texts = { [Name in OptionName]?: string | boolean };
-
-function parseOptions(
-  command: CommandName,
-  args: string[],
-): { texts: Texts; positionals: string[] } {
-  const known = commands[command].options.map((name) => {
-    const { short, value }: OptionSpec = options[name];
-    return [name, { type: value ? 'string' : 'boolean', ...(short && { short }) }] as const;
-  });
-  try {
-    const { values, positionals } = parseArgs({
-      args,
-      options: Object.fromEntries(known),
-      allowPositionals: true,
-    });
-    return { texts: values as Texts, positionals };
-  } catch (error) {
-    if (!(error instanceof TypeError)) throw error;
-    // Node's hint about '--' that follows the first sentence only confuses here.
-    throw new UsageError(error.message.split(/\.\s/)[0]);
-  }
-}
-
-function parsedValue(name: OptionName, given: string | boolean | undefined): unknown {
-  const { parse, default: usual, optional }: OptionSpec = options[name];
-  if (!parse) return given === true;
-  const text = given ?? usual;
-  if (text === undefined && optional) return undefined;
-  if (typeof text !== 'string') throw new UsageError(`--${name} is missing`);
-  return parse(text, `--${name}`);
-}
-
-function isCommand(name: string): name is CommandName {
+export function isCommand(name: string): name is CommandName {
   return Object.hasOwn(commands, name);
-}
-
-function overview(): string {
-  return `Geodesic Voronoi diagrams on triangle meshes
-
-Usage: geodesic-voronoi COMMAND MESH [OPTIONS]
-
-${table(Object.entries(commands).map(([name, { summary }]) => [name, summary]))}
-
-MESH is a glTF (.glb, or .gltf with its buffers in its folder; also with Draco or meshopt), an OBJ, a PLY
-or an STL file, a .zip or a folder with one of them (of several: parts.zip#wheel.obj), or - for standard
-input.
-geodesic-voronoi COMMAND --help shows a command's options, geodesic-voronoi --version the version.
-
-A file of sites or points is {"face": [i, …], "bary": [b0, b1, b2, …]} or {"vertex": [i, …]}; faces
-count the mesh's triangles, vertices its positions, both in scene order.
-
-Exit status: 0 done, 1 bad input, 2 a wrong command line.
-`;
-}
-
-function commandHelp(command: CommandName): string {
-  const { summary, result, examples, options: taken }: CommandSpec = commands[command];
-  const names = Object.keys(options) as OptionName[];
-  const rows = names
-    .filter((name) => taken.includes(name))
-    .map((name): [string, string] => {
-      const { short, value, default: usual, help }: OptionSpec = options[name];
-      return [
-        `${short ? `-${short}, ` : '    '}--${name}${value ? ` ${value}` : ''}`,
-        !usual ? help : `${help} (default: ${usual})`,
-      ];
-    });
-  return `${summary}
-
-Usage: geodesic-voronoi ${command} MESH${command === 'info' ? '...' : ''} [OPTIONS]
-
-${table(rows)}
-
-Output: ${result}
-
-Examples:
-${examples.map((example) => `  geodesic-voronoi ${command} ${example}`).join('\n')}
-
-Exit status: 0 done, 1 bad input, 2 a wrong command line.
-`;
-}
-
-function table(rows: [string, string][]): string {
-  const width = Math.max(...rows.map(([name]) => name.length));
-  return rows.map(([name, text]) => `  ${name.padEnd(width)}  ${text}`).join('\n');
 }

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+//
+// The command line, taken apart by the table of commands and options.
+
+import { parseArgs } from 'node:util';
+import { nearestName } from '../checks.js';
+import { commandHelp, help, overview } from './help.js';
+import {
+  commands,
+  isCommand,
+  options,
+  standard,
+  type CommandName,
+  type CommandSpec,
+  type Invocation,
+  type OptionName,
+  type OptionSpec,
+  type Values,
+} from './options.js';
+import { listed, UsageError } from './values.js';
+
+/** Takes a command line apart. A text is what to print instead of doing anything. */
+export function parseCommandLine(args: string[], version: string): Invocation | string {
+  const [command, ...rest] = args;
+  if (command === undefined)
+    throw new UsageError('a command is missing: see geodesic-voronoi --help');
+  if (command === '--help' || command === '-h') return overview();
+  if (command === 'help') return help(rest);
+  if (command === '--version') return `${version}\n`;
+  if (!isCommand(command))
+    throw new UsageError(`'${command}' is not one of ${listed(Object.keys(commands))}`);
+
+  const { texts, positionals } = parseOptions(command, rest);
+  if (texts.help) return commandHelp(command);
+  if (positionals.length === 0) throw new UsageError('a mesh is missing');
+  if (positionals.length > 1 && command !== 'info')
+    throw new UsageError(`one mesh at a time: '${positionals[1]}' is one too many`);
+  const { sites, points, from, to, density, fixed } = texts;
+  const paths = [...positionals, sites, points, from, to, density, fixed];
+  if (paths.filter((path) => path === standard).length > 1)
+    throw new UsageError('only one file can be standard input');
+  const names: readonly OptionName[] = commands[command].options;
+  const values = Object.fromEntries(names.map((name) => [name, parsedValue(name, texts[name])]));
+  if (names.includes('sites')) requireSites(values as Values<'diagram'>);
+  return { command, mesh: positionals[0], meshes: positionals, values } as Invocation;
+}
+
+/** There is one source of sites; those of a file are where they are. */
+function requireSites(values: Values<'diagram'>): void {
+  const { sites, radius, sampling } = values;
+  if (sites === undefined && radius === undefined) throw new UsageError('--sites is missing');
+  if (sites !== undefined && radius !== undefined)
+    throw new UsageError('--radius is instead of --sites: give one of them');
+  if (radius !== undefined && sampling && sampling !== 'farthest' && sampling !== 'poisson')
+    throw new UsageError(`--sampling ${sampling} takes a number of sites, not --radius`);
+  if (typeof sites === 'string' && values['per-component'] > 0)
+    throw new UsageError('--per-component is for sites that are sampled, not those of a file');
+}
+
+/** Options as they are given. */
+type Texts = { [Name in OptionName]?: string | boolean };
+
+function parseOptions(
+  command: CommandName,
+  args: string[],
+): { texts: Texts; positionals: string[] } {
+  const known = commands[command].options.map((name) => {
+    const { short, value }: OptionSpec = options[name];
+    return [name, { type: value ? 'string' : 'boolean', ...(short && { short }) }] as const;
+  });
+  const { values, positionals, tokens } = parseArgs({
+    args,
+    options: Object.fromEntries(known),
+    allowPositionals: true,
+    strict: false, // its own sentences tell programmers what to do
+    tokens: true,
+  });
+  for (const token of tokens) if (token.kind === 'option') requireKnown(command, token);
+  return { texts: values as Texts, positionals };
+}
+
+/** An option as it stands on the command line. */
+interface OptionToken {
+  name: string;
+  rawName: string;
+  value?: string;
+  inlineValue?: boolean;
+}
+
+/** The option is one of the command's, and has a value if it takes one. */
+function requireKnown(
+  command: CommandName,
+  { name, rawName, value, inlineValue }: OptionToken,
+): void {
+  const taken: readonly string[] = commands[command].options;
+  if (!taken.includes(name)) {
+    const nearest = nearestName(name.slice(0, 40), Object.keys(options));
+    const takers = Object.entries<CommandSpec>(commands)
+      .filter(([, { options: own }]) => own.some((option) => option === nearest))
+      .map(([taker]) => taker);
+    throw new UsageError(
+      `${command} has no option ${rawName.slice(0, 40)}: ` +
+        (taken.includes(nearest)
+          ? `the nearest is --${nearest}`
+          : `--${nearest} is an option of ${listed(takers)}`),
+    );
+  }
+  const takesValue = 'value' in options[name as OptionName];
+  if (!takesValue && value !== undefined)
+    throw new UsageError(`${rawName} is '${value}', and takes no value`);
+  // What begins with a dash is an option, unless it is a number or standard input.
+  if (takesValue && (value === undefined || (!inlineValue && /^-[^\d.]/.test(value))))
+    throw new UsageError(`${rawName} needs a value`);
+}
+
+function parsedValue(name: OptionName, given: string | boolean | undefined): unknown {
+  const { parse, default: usual, optional }: OptionSpec = options[name];
+  if (!parse) return given === true;
+  const text = given ?? usual;
+  if (text === undefined && optional) return undefined;
+  if (typeof text !== 'string') throw new UsageError(`--${name} is missing`);
+  return parse(text, `--${name}`);
+}
