@@ -14,7 +14,7 @@ export function setUpCvtControls(viewer: GeodesicVoronoiElement, readings: CvtRe
 const actions: Record<CvtStatus, string> = {
   idle: 'Even out regions',
   running: 'Pause',
-  paused: 'Go on',
+  paused: 'Even out further',
   done: 'Even out regions',
 };
 

@@ -56,6 +56,9 @@ function setUpScatter(viewer: GeodesicVoronoiElement): void {
   adopt();
   // A link that was opened says how its sites were placed.
   listen(viewer, 'load', adopt);
+  listen(viewer, 'load', ({ info }) => {
+    byId('per-component-label', HTMLElement).hidden = info.components < 2;
+  });
   form.addEventListener('submit', (event) => {
     event.preventDefault();
     if (sampling.value === 'farthest') {
