@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// The menu of files to take away.
+
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { byId, listen } from './dom.js';
 import { showError } from './feedback.js';
@@ -56,18 +59,15 @@ const rows: readonly Row[] = [
 ];
 
 /** One menu of files to take away, named after the model. */
-export function setUpDownloads(viewer: GeodesicVoronoiElement): void {
+export function setUpDownloads(viewer: GeodesicVoronoiElement, modelName: () => string): void {
   const menu = byId('download', HTMLElement);
-  let model = 'model';
-  listen(viewer, 'load', ({ name }) => {
-    model = name.replace(/\.[^.]*$/, '') || 'model';
-  });
 
   const download = async ({ name }: Row, format: string) => {
     try {
       // What writes files is fetched when somebody wants one.
       const { fileOf } = await import('./exports.js');
       const file = await fileOf(viewer, name, format);
+      const model = modelName().replace(/\.[^.]*$/, '') || 'model';
       save(file.blob, `${model}-${name}.${file.ending}`);
       menu.hidePopover();
     } catch (error) {

@@ -48,6 +48,12 @@ export class FatLines {
     this.#adopt();
   }
 
+  /** The same, of arrays that may have room for more segments than there are keys, and are given away. */
+  adopt(ends: Float32Array, keys: Keys): void {
+    this.#segments.adopt(keys, [new InstancedInterleavedBuffer(ends, 6)], ends.length / 6);
+    this.#adopt();
+  }
+
   /** Others instead of the segments that are gone. */
   replace(gone: Marks, ends: Float32Array, keys: Keys): void {
     this.#segments.replace(gone, keys, [ends]);

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// The surface of a model in the colours of its regions.
+
 import type { DiagramChange, DiagramData } from 'geodesic-voronoi';
 import {
   BufferAttribute,
@@ -25,6 +28,9 @@ import type { SceneMesh } from './scene_mesh.js';
 /** `DiagramData.faceLabel` of a face that several regions share; others below zero have no region. */
 const shared = -2;
 const dropped = -3;
+
+/** As a share of all faces. */
+const manyShare = 1 / 16;
 
 const noColour = new Uint8Array(3);
 
@@ -55,20 +61,21 @@ export class RegionSurface {
   readonly #material: MeshLambertMaterial;
   readonly #parts: Mesh<BufferGeometry, MeshLambertMaterial>;
   /** Triangles of the parts: per corner place, normal and colour; their keys are face and label. */
-  readonly #triangles = new RecordBuffer((n) => [
-    new BufferAttribute(new Float32Array(9 * n), 3),
-    new BufferAttribute(new Float32Array(9 * n), 3),
-    new BufferAttribute(new Uint8Array(9 * n), 3, true),
-  ]);
+  readonly #triangles = new RecordBuffer((n) =>
+    cornerBuffers(new Float32Array(9 * n), new Float32Array(9 * n), new Uint8Array(9 * n)),
+  );
   #diagram: TonedDiagram | undefined;
   /** As `DiagramData.faceLabel`, of what is drawn; without a diagram all are as if dropped. */
   readonly #faceLabels: Int32Array;
+  /** Room for as many faces as there are. */
+  readonly #changedFaces: Int32Array;
   #filled = true;
   #tints: Float32Array | undefined;
 
   constructor(mesh: SceneMesh, occlusion: Data3DTexture) {
     this.#mesh = mesh;
     this.#faceLabels = new Int32Array(mesh.faceCount).fill(dropped);
+    this.#changedFaces = new Int32Array(mesh.faceCount);
     this.#material = new MeshLambertMaterial({
       vertexColors: true,
       side: DoubleSide,
@@ -113,14 +120,17 @@ export class RegionSurface {
     const faceLabel = diagram?.data.faceLabel;
     const isRecoloured = recoloured(before, diagram?.tones);
     const drawn = this.#faceLabels;
-    const faces: number[] = [];
+    const changed = this.#changedFaces;
+    const colours = new LabelColours(diagram?.tones);
+    let count = 0;
+    // Of every face of every iteration of a tessellation: nothing is made per face.
     for (let face = 0; face < drawn.length; ++face) {
       const label = faceLabel ? faceLabel[face] : dropped;
-      if (label !== drawn[face] || isRecoloured[label]) faces.push(face);
+      if (label === drawn[face] && !(label >= 0 && isRecoloured[label])) continue;
+      this.#writeFace(face, label, colours);
+      changed[count++] = face;
     }
-    const colours = new LabelColours(diagram?.tones);
-    for (const face of faces) this.#writeFace(face, faceLabel ? faceLabel[face] : dropped, colours);
-    this.#uploadFaces(faces);
+    this.#uploadFaces(changed.subarray(0, count));
     this.#replaceParts(undefined, cells ?? this.#cut(diagram?.data), colours);
   }
 
@@ -218,7 +228,13 @@ export class RegionSurface {
     }
   }
 
+  /** Where many have changed, all of them: telling them apart takes longer. */
   #uploadFaces(faces: ArrayLike<number>): void {
+    if (faces.length > manyShare * this.#mesh.faceCount) {
+      uploadAll(this.#corners);
+      uploadAll(this.#colour);
+      return;
+    }
     uploadRecords(this.#corners, faces, 3);
     uploadRecords(this.#colour, faces, 9);
   }
@@ -238,9 +254,9 @@ export class RegionSurface {
     for (let triangle = 0; triangle < keys.length / 2; ++triangle) {
       this.#writeColours(keys, triangle, position, colours, colour, 9 * triangle);
     }
-    const numbers = [position, normal, colour];
-    if (gone) this.#triangles.replace(gone, keys, numbers);
-    else this.#triangles.set(keys, numbers);
+    const capacity = position.length / 9;
+    if (gone) this.#triangles.replace(gone, keys, [position, normal, colour]);
+    else this.#triangles.adopt(keys, cornerBuffers(position, normal, colour), capacity);
     this.#adoptParts();
   }
 
@@ -302,10 +318,19 @@ function recoloured(before: Uint16Array | undefined, after: Uint16Array | undefi
   );
 }
 
+/** Of three corners per triangle. */
+function cornerBuffers(position: Float32Array, normal: Float32Array, colour: Uint8Array) {
+  return [
+    new BufferAttribute(position, 3),
+    new BufferAttribute(normal, 3),
+    new BufferAttribute(colour, 3, true),
+  ];
+}
+
 function wholeFaceGeometry(mesh: SceneMesh): BufferGeometry {
   const { indices } = mesh;
   const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(mesh.cornerPositions(), 3));
+  geometry.setAttribute('position', new BufferAttribute(mesh.cornerPositions, 3));
   geometry.setAttribute('normal', new BufferAttribute(mesh.normals, 3));
   geometry.setAttribute('color', new BufferAttribute(new Uint8Array(3 * indices.length), 3, true));
   geometry.setIndex(new BufferAttribute(new Uint32Array(indices.length), 1));
