@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// The buttons and fields of the centroidal tessellation.
+
 import type { CvtStatus, GeodesicVoronoiElement } from '../viewer/element.js';
 import type { CvtReadings } from './cvt_readings.js';
 import { byId, listen, onClick } from './dom.js';

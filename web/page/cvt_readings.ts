@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// What the panel tells of a centroidal tessellation: its state, energy and moves.
+
 import type { CvtIteration, CvtStatus, GeodesicVoronoiElement } from '../viewer/element.js';
 import { byId } from './dom.js';
 import { EnergyCurve } from './energy_curve.js';

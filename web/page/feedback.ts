@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// What the page says back.
+
 import type { GeodesicVoronoiElement, ViewerEvents } from '../viewer/element.js';
 import { byId, listen, onClick } from './dom.js';
 import { counted, duration, integer, measure } from './numbers.js';

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// Choosing a model: a sample, files, a folder, or any of them dropped on the page.
+
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { byId, listen, onClick } from './dom.js';
 import { openSites } from './sites_file.js';

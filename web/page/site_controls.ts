@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// Placing and removing sites, and the list of them.
+
 import type { Sampling } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { byId, listen, onClick } from './dom.js';

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// Sites as a file.
+
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { showError } from './feedback.js';
 

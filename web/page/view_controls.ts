@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// What is shown, and by which distance.
+
 import { type GeodesicVoronoiElement, type Layer, layers } from '../viewer/element.js';
 import { byId, listen, onClick } from './dom.js';
 import { showNote } from './feedback.js';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The parts of faces that several regions share, cut into triangles that can be drawn.
+// The cells of mixed faces, cut into triangles that can be drawn.
 
 import type { DiagramData } from 'geodesic-voronoi';
 import type { SceneMesh } from './scene_mesh.js';
@@ -11,7 +11,7 @@ export interface Cells {
   points: Pick<DiagramData['points'], 'position'>;
 }
 
-/** The parts of shared faces, cut into triangles: as many as there are pairs of keys; other arrays may be longer. */
+/** Cells as triangles: as many as there are pairs of keys; the other arrays may have room for more. */
 export interface CellTriangles {
   /** Per triangle its face and its label. */
   keys: Int32Array;
@@ -23,7 +23,7 @@ export interface CellTriangles {
 }
 
 /**
- * The parts of shared faces as triangle fans; they are convex. An iteration of a tessellation draws tens
+ * The cells of a diagram as triangle fans; they are convex. An iteration of a tessellation draws tens
  * of thousands of them: nothing is made per cell or corner. `roomFor` says for how many triangles there is to
  * be room in arrays for so many.
  */
@@ -110,7 +110,7 @@ function copyCorners(
 }
 
 /**
- * Whether a polygon in a face winds against the face, as the parts do of a triangle that the mesh
+ * Whether a polygon in a face winds against the face, as the cells do of a triangle that the mesh
  * builder turned over. Its normals are those of the input's triangle.
  */
 function isClockwise(barys: Float64Array, corners: number): boolean {

@@ -45,7 +45,7 @@ export interface CvtRunListener {
  * last stays the last, and what was asked for by then is not lost but comes first when it plays again.
  */
 export class CvtRun {
-  readonly settings: CvtSettings;
+  readonly #settings: CvtSettings;
   readonly #listener: CvtRunListener;
   readonly #stopping = new AbortController();
   readonly #makeGeometry: MakeGeometry;
@@ -65,7 +65,7 @@ export class CvtRun {
     makeGeometry: MakeGeometry,
     listener: CvtRunListener,
   ) {
-    this.settings = settings;
+    this.#settings = settings;
     this.#makeGeometry = makeGeometry;
     this.#listener = listener;
     this.#states = mesh.cvt(surfacePointsOf(sites), {
@@ -75,6 +75,11 @@ export class CvtRun {
       diagrams: true,
       signal: this.#stopping.signal,
     });
+  }
+
+  hasSettings(settings: CvtSettings): boolean {
+    const names = Object.keys(settings) as (keyof CvtSettings)[];
+    return names.every((name) => settings[name] === this.#settings[name]);
   }
 
   get playing(): boolean {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// The inside of the element: its canvas, and what lies on it.
 
 const style = `
   :host {

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// What is known of the point under the pointer.
+
 import type { SurfacePath } from 'geodesic-voronoi';
 import { LatestTask } from './latest_task.js';
 import type { SurfaceHit } from './picking.js';

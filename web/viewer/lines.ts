@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// Lines of the scene: bisectors, outlines, paths, the dual's sides, the wireframe.
+
 import type { DiagramData, PolygonMesh } from 'geodesic-voronoi';
 import {
   BufferAttribute,

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// All that is drawn of a model.
+
 import type { DiagramChange, DiagramData, SurfacePath } from 'geodesic-voronoi';
 import {
   type BufferGeometry,

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// From a model's coordinates to those of the scene.
 
 /**
  * Where a model stands in the scene: its bounding box is centred on the origin and its farthest

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// The model that is open, with all that the viewer has of it.
+
 import { DensityPaint } from './density_paint.js';
 import type { DrawingBuilder } from './drawing_builder.js';
 import type { OpenedMesh } from './mesh_opening.js';

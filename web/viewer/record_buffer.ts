@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// Arrays on the graphics card of which parts change.
+
 import { type BufferAttribute, type InterleavedBuffer, Sphere, Vector3 } from 'three';
 import { roomFor } from './record_room.js';
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// How much room there is in the buffers of `RecordBuffer`: apart from it, for workers need no three.js.
 
 /** How much larger than needed a buffer of records is made. */
 const slack = 1.25;

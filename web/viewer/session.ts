@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// The state of a viewer: model, sites, diagram, tessellation, history.
+
 import type { Mesh, Metric } from 'geodesic-voronoi';
 import { type CvtPicture, CvtRun, type CvtSettings } from './cvt_run.js';
 import type { MakeGeometry } from './diagram_geometry.js';
@@ -340,11 +343,7 @@ export class Session {
     if (!this.#mesh || this.sites.length === 0) return;
     this.#move = undefined;
     const wanted = { ...settings, metric: this.#settings.metric };
-    const present = this.#cvt?.settings ?? {};
-    const isOther = (Object.keys(wanted) as (keyof CvtSettings)[]).some(
-      (name) => wanted[name] !== present[name],
-    );
-    if (this.#cvt && (isOther || this.#cvt.done)) this.#stopCvt();
+    if (this.#cvt && (this.#cvt.done || !this.#cvt.hasSettings(wanted))) this.#stopCvt();
     this.#cvt ??= this.#newCvt(this.#mesh, wanted);
     this.#cvt.play(until(this.#cvt.iteration));
     this.#task.cancel();

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// The scene and its camera.
+
 import {
   DirectionalLight,
   HemisphereLight,

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// What the pointer does on the surface.
+
 import type { Vector2 } from 'three';
 import type { Attributes } from './attributes.js';
 import { brushRing } from './brush_ring.js';

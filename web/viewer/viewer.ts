@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// What fills an element: it joins the session, the scene and the tools.
+
 import type { DiagramData, SurfacePath } from 'geodesic-voronoi';
 import { Vector3 } from 'three';
 import type { Attributes } from './attributes.js';
@@ -28,13 +31,6 @@ import { paddingAround } from './view_padding.js';
 /** In milliseconds: markers of sites arrive before the eye has left them. */
 const longestGlide = 250;
 
-/** As it was when it last came to rest. */
-interface Density {
-  perVertex: Float64Array;
-  /** ∫ √ρ. */
-  rootIntegral: number;
-}
-
 /** What the viewer wants of the element that it fills. */
 export interface ViewerHost extends ContextListener {
   readonly attributes: Attributes;
@@ -55,7 +51,8 @@ export class Viewer implements Workpiece {
   readonly #gestures: PointerGestures;
   readonly #resizing: ResizeObserver;
   #model: OpenModel | undefined;
-  #density: Density | undefined;
+  /** As it was when it last came to rest, and ∫ √ρ. */
+  #density: { perVertex: Float64Array; rootIntegral: number } | undefined;
   #selected: number | undefined;
   /** When sites were moved by it last. */
   #lastIteration = 0;
