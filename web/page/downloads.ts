@@ -62,7 +62,10 @@ const rows: readonly Row[] = [
 export function setUpDownloads(viewer: GeodesicVoronoiElement, modelName: () => string): void {
   const menu = byId('download', HTMLElement);
 
-  const download = async ({ name }: Row, format: string) => {
+  const download = async ({ name }: Row, format: string, button: HTMLButtonElement) => {
+    // Of a large model it takes seconds.
+    button.ariaBusy = 'true';
+    button.disabled = true;
     try {
       // What writes files is fetched when somebody wants one.
       const { fileOf } = await import('./exports.js');
@@ -72,20 +75,26 @@ export function setUpDownloads(viewer: GeodesicVoronoiElement, modelName: () => 
       menu.hidePopover();
     } catch (error) {
       showError(`The file cannot be made: ${(error as Error).message}.`);
+    } finally {
+      button.ariaBusy = null;
+      update();
     }
   };
-  menu.append(...rows.map((row) => rowOf(row, (format) => void download(row, format))));
 
   const update = () => {
     for (const button of menu.querySelectorAll('button')) {
-      button.disabled = button.dataset.name !== 'picture' && viewer.diagram === undefined;
+      const isMissing = button.dataset.name !== 'picture' && viewer.diagram === undefined;
+      button.disabled = isMissing || button.ariaBusy === 'true';
     }
   };
+  menu.append(
+    ...rows.map((row) => rowOf(row, (format, button) => void download(row, format, button))),
+  );
   menu.addEventListener('beforetoggle', update);
   listen(viewer, 'diagram', update);
 }
 
-function rowOf(row: Row, choose: (format: string) => void): HTMLElement {
+function rowOf(row: Row, choose: (format: string, button: HTMLButtonElement) => void): HTMLElement {
   const element = document.createElement('div');
   element.className = 'menu-row';
   element.role = 'group';
@@ -102,7 +111,7 @@ function rowOf(row: Row, choose: (format: string) => void): HTMLElement {
     button.dataset.name = row.name;
     button.textContent = format.toUpperCase();
     button.ariaLabel = `${row.title}, ${format.toUpperCase()}`;
-    button.addEventListener('click', () => choose(format));
+    button.addEventListener('click', () => choose(format, button));
     return button;
   });
   element.append(title, ...buttons);
