@@ -83,6 +83,7 @@ export class EngineDiagram implements Diagram {
   async fetchData(options?: TaskOptions): Promise<DiagramData> {
     const task = toTask(options);
     const result = this.#lastChange.then(async () => {
+      task.signal?.throwIfAborted();
       if (this.#changes.length > 0) {
         this.#data = await this.#kept.call<DiagramData>('voronoiDiagram', [], task);
         this.#changes = [];
