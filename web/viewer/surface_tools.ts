@@ -104,16 +104,18 @@ export class SurfaceTools implements GestureTarget {
     if (!hit) return;
     this.#playsOn ||= session.cvtStatus === 'running';
     session.moveSite(site, hit);
-    this.#work.hover.moveTo(hit);
+    this.#work.hover.drag(hit, site);
   }
 
   endMove(): void {
     this.#work.session.endMove();
+    this.#work.hover.endDrag();
     this.#playOn();
   }
 
   cancelMove(): void {
     this.#work.session.cancelMove();
+    this.#work.hover.endDrag();
     this.#playOn();
   }
 
