@@ -41,7 +41,7 @@ export interface CvtRunListener {
 
 /**
  * A centroidal tessellation on its way: plays until some iteration and pauses. The next iteration is
- * computed while one is made ready and drawn. A pause takes effect at once: the iteration that was told of
+ * computed while one is made ready and drawn. A pause takes effect at once: the iteration reported
  * last stays the last, and what was asked for by then is not lost but comes first when it plays again.
  */
 export class CvtRun {
@@ -50,7 +50,7 @@ export class CvtRun {
   readonly #stopping = new AbortController();
   readonly #makeGeometry: MakeGeometry;
   readonly #states: AsyncGenerator<CvtState, void, void>;
-  /** The iteration after the last one told of. */
+  /** The iteration after the last one reported. */
   #asked: Promise<CvtPicture | undefined> | undefined;
   /** The state after that one. */
   #coming: Promise<TimedState> | undefined;

@@ -7,7 +7,7 @@ import type { DiagramChange, DiagramData } from 'geodesic-voronoi';
 type Lines = Pick<DiagramData, 'segments' | 'arcs' | 'voronoiPoints'>;
 
 /**
- * What a diagram is told by and coloured by, without its geometry: small, and quickly brought up to
+ * Counts, areas and adjacency of a diagram, which its colours follow: small, and quickly brought up to
  * date where `Diagram.data` would have to be put together.
  */
 export class DiagramSummary {

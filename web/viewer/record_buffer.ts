@@ -14,7 +14,7 @@ export type UploadedBuffer = BufferAttribute | InterleavedBuffer;
  */
 export const wholeScene = new Sphere(new Vector3(), 1);
 
-/** Uploading this many records that have not changed costs less than to think about it. */
+/** Uploading this many unchanged records costs less than another range to upload. */
 const negligibleGap = 32;
 /** Drivers complain of more calls than this in a frame: uploading what lies between costs less. */
 const mostRanges = 8;

@@ -30,7 +30,7 @@ export function sceneArrays({
   const frame = ModelFrame.around(positions, indices);
   const scene = frame.toScene(positions);
   const isPlaced = scene.every(Number.isFinite);
-  // What is nowhere belongs to no face of the surface, but three.js would measure it.
+  // Vertices without finite coordinates belong to no face of the surface, but three.js would measure them.
   const placed = isPlaced ? scene : scene.map((x) => (Number.isFinite(x) ? x : 0));
   const faces = isPlaced ? indices : withoutNowhere(indices, scene);
   return {
@@ -54,7 +54,7 @@ function cornerPositions(positions: Float32Array, indices: Int32Array): Float32A
   return corners;
 }
 
-/** Faces with a corner that is nowhere become points. */
+/** Faces with a corner without finite coordinates are collapsed to a point. */
 function withoutNowhere(indices: Int32Array, scene: Float32Array): Int32Array {
   const isSomewhere = (vertex: number) =>
     scene.subarray(3 * vertex, 3 * vertex + 3).every(Number.isFinite);
