@@ -97,16 +97,18 @@ export async function buildPage() {
   await step(
     'Page',
     { inputs: ['web', 'dist', 'package-lock.json'], output: 'build/page/index.html' },
-    () => {
+    async () => {
       run(tool('tsc'), ['-p', 'web/page']);
-      run(tool('vite'), ['build', 'web/page']);
+      // Not by its command: there are two Vites, the older one for the tests of the package.
+      const { build } = await import('vite');
+      await build({ root: at('web/page') });
       checkPageSize();
     },
   );
 }
 
 /** Compressed, in kilobytes, of what the page fetches until the first diagram is seen, the model aside. */
-const mostKilobytes = { page: 224, all: 420 };
+const mostKilobytes = { page: 212, all: 410 };
 /** What that is, by the names before Vite's hashes; the scripts that these import come with them. */
 const firstFiles = [
   ...['index', 'main', 'worker', 'drawing_worker', 'ply_reader'],

@@ -41,7 +41,25 @@ const states = {
   layers: evaluate((viewer) => {
     viewer.layers = ['regions', 'bisectors', 'sites', 'voronoi-points', 'dual', 'wireframe'];
   }),
+  distances: evaluate((viewer) => {
+    viewer.layers = ['distances', 'sites'];
+  }),
   exploded: (viewer) => viewer.after('exploded', () => viewer.evaluate((v) => (v.exploded = 0.6))),
+  note: async (viewer) => {
+    await states.exploded(viewer);
+    await viewer.page.click('#view', { position: { x: 200, y: 300 } });
+  },
+  hover: async (viewer) => {
+    const { x, y } = await viewer.freePlace();
+    await viewer.page.mouse.move(x, y);
+    await viewer.page.waitForSelector('#readout:not([hidden])');
+  },
+  drop: ({ page }) =>
+    page.evaluate(() => {
+      const dataTransfer = new DataTransfer();
+      dataTransfer.items.add(new File([''], 'model.glb'));
+      dispatchEvent(new DragEvent('dragover', { dataTransfer }));
+    }),
   download: click('#download-button'),
   share: click('#share-button'),
   help: click('#help-button'),

@@ -13,7 +13,8 @@ import { extname, join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { build as buildWithEsbuild } from 'esbuild';
 import { chromium } from 'playwright-core';
-import { build as buildWithVite, createServer as createViteServer } from 'vite';
+import * as vite8 from 'vite';
+import * as vite6 from 'vite6';
 import { glb, octahedron } from '../wasm/meshes.mjs';
 import { browserOptions } from '../web/browser.mjs';
 import { install } from './installed.mjs';
@@ -133,35 +134,41 @@ after(async () => {
   installed?.remove();
 });
 
-test('Vite: a production build', async () => {
-  const outDir = join(installed.folder, 'out-vite');
-  await buildWithVite({
-    configFile: false,
-    logLevel: 'error',
-    root: installed.folder,
-    base: './',
-    build: { outDir, target: 'es2022', assetsInlineLimit: 0, chunkSizeWarningLimit: 2000 },
-    worker: { format: 'es' },
+for (const [name, vite] of [
+  ['Vite 6', vite6],
+  ['Vite 8', vite8],
+]) {
+  test(`${name}: a production build`, async () => {
+    const outDir = join(installed.folder, `out-${name}`);
+    await vite.build({
+      configFile: false,
+      logLevel: 'error',
+      root: installed.folder,
+      base: './',
+      build: { outDir, target: 'es2022', assetsInlineLimit: 0, chunkSizeWarningLimit: 2000 },
+      worker: { format: 'es' },
+    });
+    await assertFolderWorks(outDir);
   });
-  await assertFolderWorks(outDir);
-});
 
-test('Vite: the development server', async () => {
-  const server = await createViteServer({
-    configFile: false,
-    logLevel: 'error',
-    root: installed.folder,
-    // Bundled in advance, a package's addresses of its own files would be those of the bundle.
-    optimizeDeps: { exclude: ['geodesic-voronoi'] },
-    server: { host: '127.0.0.1', port: 0, fs: { strict: false } },
+  test(`${name}: the development server`, async () => {
+    const server = await vite.createServer({
+      configFile: false,
+      logLevel: 'error',
+      root: installed.folder,
+      cacheDir: join(installed.folder, `cache-${name}`),
+      // Bundled in advance, a package's addresses of its own files would be those of the bundle.
+      optimizeDeps: { exclude: ['geodesic-voronoi'] },
+      server: { host: '127.0.0.1', port: 0, fs: { strict: false } },
+    });
+    try {
+      await server.listen();
+      await assertWorks(`http://127.0.0.1:${server.httpServer.address().port}/`);
+    } finally {
+      await server.close();
+    }
   });
-  try {
-    await server.listen();
-    await assertWorks(`http://127.0.0.1:${server.httpServer.address().port}/`);
-  } finally {
-    await server.close();
-  }
-});
+}
 
 test('webpack', async () => {
   const outDir = join(installed.folder, 'out-webpack');

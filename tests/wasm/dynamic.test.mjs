@@ -97,6 +97,42 @@ for (const metric of ['exact', 'dgpc'])
       diagram.dispose();
     });
 
+    it('all arrays are fetched in their turn, and are those that are put together here', async () => {
+      const sites = await mesh.sampleSites(12);
+      const places = await mesh.sampleSites(4, { seed: 5 });
+      const [fetched, together] = [
+        await mesh.voronoi(sites, { metric }),
+        await mesh.voronoi(sites, { metric }),
+      ];
+      assert.equal(await fetched.fetchData(), fetched.data, 'nothing has changed');
+      for (const diagram of [fetched, together]) {
+        for (let i = 0; i < 3; ++i) void diagram.moveSite(i, single(places, i));
+      }
+      const before = fetched.regions;
+      const fetching = fetched.fetchData();
+      const inserted = fetched.insertSite(single(places, 3));
+      const data = await fetching;
+      assert.equal(data.siteCount, 12, 'what was asked for later is not in it');
+      const changed = await together.removeSite(11);
+      assert.equal(changed.label, 11);
+      await inserted;
+      await assertUpToDate(fetched);
+      await fetched.removeSite(12);
+      await fetched.removeSite(11);
+      const own = [...sites.face.keys()];
+      await fetched.fetchData();
+      assert.deepEqual(summary(fetched, own), summary(together, own));
+      assert.notEqual(fetched.regions, before, 'regions are of the new points');
+      fetched.regions.forEach(({ label, area, loops }) => {
+        assert.ok(close(area, together.regions[label].area));
+        assert.equal(
+          loops.flatMap((loop) => [...loop]).length,
+          together.regions[label].loops.flatMap((loop) => [...loop]).length,
+        );
+      });
+      for (const diagram of [fetched, together]) diagram.dispose();
+    });
+
     it('carries changes out in the order in which they are asked for', async () => {
       const diagram = await mesh.voronoi({ vertex: [0, 100] }, { metric });
       const inserted = diagram.insertSite({ vertex: [300] });

@@ -199,6 +199,7 @@ const tasks = [
   (options) => diagram.dual(options),
   (options) => diagram.dualPaths(options),
   (options) => diagram.violations(options),
+  (options) => diagram.fetchData(options),
   (options) => diagram.remeshQuality(options),
   (options) => diagram.repair(options),
 ];

@@ -114,4 +114,30 @@ suite('files', () => {
       assert.equal(`#${hex(pbrMetallicRoughness.baseColorFactor)}`, colours[label]);
     });
   });
+
+  test('every file of the menu can be had, also after a change', async () => {
+    await viewer.after('diagram', () =>
+      viewer.evaluate((viewer) => viewer.addSite({ face: 0, bary: [1, 0, 0] })),
+    );
+    const regions = await viewer.siteCount();
+    const isGlb = (content) => content.subarray(0, 4).toString() === 'glTF';
+    const isObj = (content) => /^v /m.test(content) && /^[fl] /m.test(content);
+    const isPly = (content) => content.subarray(0, 3).toString() === 'ply';
+    const isDiagram = (content) => JSON.parse(content).regions.length === regions;
+    const isPng = (content) => content.subarray(1, 4).toString() === 'PNG';
+    const files = [
+      ['diagram', 'json', isDiagram],
+      ['bisectors', 'glb', isGlb],
+      ['bisectors', 'obj', isObj],
+      ['picture', '1x', isPng],
+    ];
+    for (const row of ['parts', 'polygons', 'dual']) {
+      files.push([row, 'glb', isGlb], [row, 'obj', isObj], [row, 'ply', isPly]);
+    }
+    for (const [row, format, isRight] of files) {
+      const { name, content } = await download(row, format);
+      assert.equal(name, `bunny-${row}.${row === 'picture' ? 'png' : format}`);
+      assert.ok(isRight(content), name);
+    }
+  });
 });

@@ -133,6 +133,19 @@ suite('first sight', () => {
     await viewer.close();
   });
 
+  test('where the worker that draws cannot be had, the page makes what it draws', async () => {
+    const viewer = await browser.open({
+      prepare: (page) => page.route(/drawing_worker/, (route) => route.abort()),
+    });
+    await viewer.settled();
+    assert.equal(await viewer.regionCount(), 60);
+    assert.ok((await viewer.coverage(await viewer.picture())) > 0.15);
+    const place = await viewer.freePlace();
+    await viewer.after('diagram', () => viewer.page.mouse.click(place.x, place.y));
+    assert.equal(await viewer.siteCount(), 61);
+    await viewer.close();
+  });
+
   test('a link brings model, sites and view back; a damaged one is told of', async () => {
     const first = await browser.open({ hash: '#v=1&model=torus.glb&sites=12&seed=3' });
     await first.settled();

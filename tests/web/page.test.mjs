@@ -55,7 +55,7 @@ suite('the page', () => {
 
   test('opens with a sample model and its diagram', async () => {
     assert.equal(await viewer.regionCount(), 60);
-    await status(viewer, /^60 regions, \d+ bisector arcs, \d+ Voronoi points in /);
+    await status(viewer, /^60 regions, computed in /);
     assert.match(
       await text(viewer, '#report'),
       /Triangles58,784.*Components1.*Boundary loops0.*Genus0/,
@@ -415,7 +415,7 @@ suite('the page', () => {
   test('the distance is chosen; a choice that is cancelled is taken back', async () => {
     assert.equal(await viewer.page.locator('input[value="exact"]').isChecked(), true);
     assert.equal(await viewer.evaluate(({ diagram }) => diagram.metric), 'exact');
-    await group(viewer, 'Distance').click();
+    await group(viewer, 'Diagram').click();
     const fast = await viewer.after('diagram', () => viewer.page.getByText('Fast').click());
     assert.equal(fast.metric, 'dgpc');
     assert.equal(fast.regions, 60);

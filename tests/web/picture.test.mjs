@@ -83,7 +83,7 @@ test('markers stay on the surface: none reaches beyond the silhouette', async ()
 });
 
 test('markers grow with the zoom, up to a size', async () => {
-  const viewer = await opened(grid(40), { sites: 60 });
+  const viewer = await opened(grid(40), { sites: 60, viewport: { width: 800, height: 560 } });
   const marked = async () => {
     const [bare, sites] = [
       await viewer.picture(['regions']),

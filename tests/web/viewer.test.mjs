@@ -12,6 +12,7 @@ import { apart, bumpySphere, grid, octahedron } from '../wasm/meshes.mjs';
 const { DensityPaint, greatestDensity } = await viewerModule('density_paint');
 const { DiagramSummary } = await viewerModule('diagram_summary');
 const { hexagonEnergy, rootDensityIntegral } = await viewerModule('hexagon_energy');
+const { sceneArrays } = await viewerModule('scene_arrays');
 const { SceneMesh } = await viewerModule('scene_mesh');
 const { cornerNormals } = await viewerModule('corner_normals');
 const { LatestTask } = await viewerModule('latest_task');
@@ -235,7 +236,7 @@ suite('a diagram that changes', () => {
     const library = await load();
     const mesh = await library.mesh(bumpySphere(40, 60));
     const diagram = await mesh.voronoi(await mesh.sampleSites(60));
-    const scene = new SceneMesh(mesh);
+    const scene = new SceneMesh(sceneArrays(mesh));
     const colours = new RegionColours();
     const ids = () => [...diagram.sites.face.keys()];
     const layers = new Set(['regions', 'bisectors', 'voronoi-points']);
@@ -403,7 +404,12 @@ suite('energy of hexagons', () => {
 
 suite('density paint', () => {
   const sceneMesh = ({ positions, indices }) =>
-    new SceneMesh({ positions: Float64Array.from(positions), indices: Int32Array.from(indices) });
+    new SceneMesh(
+      sceneArrays({
+        positions: Float64Array.from(positions),
+        indices: Int32Array.from(indices),
+      }),
+    );
   const centreOf = ({ positions, indices }, face) => ({
     face,
     place: Object.fromEntries(

@@ -79,6 +79,23 @@ export class EngineDiagram implements Diagram {
     return (this.#regions ??= regionsOf(this.data));
   }
 
+  /** In its turn, like a change: those asked for later come after it. */
+  async fetchData(options?: TaskOptions): Promise<DiagramData> {
+    const task = toTask(options);
+    const result = this.#lastChange.then(async () => {
+      task.signal?.throwIfAborted();
+      if (this.#changes.length > 0) {
+        this.#data = await this.#kept.call<DiagramData>('voronoiDiagram', [], task);
+        this.#changes = [];
+        // Their loops are of other points.
+        this.#regions = undefined;
+      }
+      return this.#data;
+    });
+    this.#lastChange = result.catch(() => undefined);
+    return result;
+  }
+
   insertSite(site: SurfacePointsInput, options?: TaskOptions): Promise<DiagramChange> {
     return this.#inTurn(options, async (change) => {
       const point = await this.#kept.point('site', site);

@@ -210,8 +210,14 @@ export interface Diagram extends Disposable {
    * this list, and gives the others the same labels.
    */
   readonly sites: SurfacePoints;
+  /** Put together on the calling thread when it is asked for after changes. */
   readonly data: DiagramData;
   readonly regions: readonly Region[];
+  /**
+   * The same as `data` after all changes asked for so far, put together by the engine after changes: with
+   * `loadWorker()`, the calling thread has no work with it. `data` and `regions` are of it then.
+   */
+  fetchData(options?: TaskOptions): Promise<DiagramData>;
   /** Adds a site, given as a list of one; it gets the lowest label that is free. */
   insertSite(site: SurfacePointsInput, options?: TaskOptions): Promise<DiagramChange>;
   moveSite(label: number, site: SurfacePointsInput, options?: TaskOptions): Promise<DiagramChange>;

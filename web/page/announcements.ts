@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// Tells those who do not see the page which site is chosen.
+
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { byId, listen } from './dom.js';
 import { integer, measure } from './numbers.js';

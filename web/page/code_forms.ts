@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// The diagram that is shown as code that makes it elsewhere: a script, a page, a command.
+
 import type { Sampling } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// The buttons and fields of the centroidal tessellation.
+
 import type { CvtStatus, GeodesicVoronoiElement } from '../viewer/element.js';
 import type { CvtReadings } from './cvt_readings.js';
 import { byId, listen, onClick } from './dom.js';
@@ -14,7 +17,7 @@ export function setUpCvtControls(viewer: GeodesicVoronoiElement, readings: CvtRe
 const actions: Record<CvtStatus, string> = {
   idle: 'Even out regions',
   running: 'Pause',
-  paused: 'Go on',
+  paused: 'Even out further',
   done: 'Even out regions',
 };
 

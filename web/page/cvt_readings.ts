@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// What the panel tells of a centroidal tessellation: its state, energy and moves.
+
 import type { CvtIteration, CvtStatus, GeodesicVoronoiElement } from '../viewer/element.js';
 import { byId } from './dom.js';
 import { EnergyCurve } from './energy_curve.js';
@@ -32,7 +35,7 @@ export class CvtReadings {
     this.#move.textContent = iteration === 0 ? '–' : measure(largestMove);
   }
 
-  /** When it is idle, the sites that the readings told of are no more. */
+  /** Idle: the readings are cleared, for the sites they were of have been replaced. */
   tell(status: CvtStatus): void {
     this.#state.textContent = this.#sentence(status);
     if (status !== 'idle') return;

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// The controls of density: a brush, curvature, none.
+
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { byId, listen, onClick } from './dom.js';
 

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// Finding elements of the page and listening to them.
+
 import type { GeodesicVoronoiElement, ViewerEvents } from '../viewer/element.js';
 
 /** The element with this id, which is of this class. */

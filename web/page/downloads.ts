@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// The menu of files to take away.
+
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { byId, listen } from './dom.js';
 import { showError } from './feedback.js';
@@ -56,36 +59,42 @@ const rows: readonly Row[] = [
 ];
 
 /** One menu of files to take away, named after the model. */
-export function setUpDownloads(viewer: GeodesicVoronoiElement): void {
+export function setUpDownloads(viewer: GeodesicVoronoiElement, modelName: () => string): void {
   const menu = byId('download', HTMLElement);
-  let model = 'model';
-  listen(viewer, 'load', ({ name }) => {
-    model = name.replace(/\.[^.]*$/, '') || 'model';
-  });
 
-  const download = async ({ name }: Row, format: string) => {
+  const download = async ({ name }: Row, format: string, button: HTMLButtonElement) => {
+    // Of a large model it takes seconds.
+    button.ariaBusy = 'true';
+    button.disabled = true;
     try {
       // What writes files is fetched when somebody wants one.
       const { fileOf } = await import('./exports.js');
       const file = await fileOf(viewer, name, format);
+      const model = modelName().replace(/\.[^.]*$/, '') || 'model';
       save(file.blob, `${model}-${name}.${file.ending}`);
       menu.hidePopover();
     } catch (error) {
       showError(`The file cannot be made: ${(error as Error).message}.`);
+    } finally {
+      button.ariaBusy = null;
+      update();
     }
   };
-  menu.append(...rows.map((row) => rowOf(row, (format) => void download(row, format))));
 
   const update = () => {
     for (const button of menu.querySelectorAll('button')) {
-      button.disabled = button.dataset.name !== 'picture' && viewer.diagram === undefined;
+      const isMissing = button.dataset.name !== 'picture' && viewer.diagram === undefined;
+      button.disabled = isMissing || button.ariaBusy === 'true';
     }
   };
+  menu.append(
+    ...rows.map((row) => rowOf(row, (format, button) => void download(row, format, button))),
+  );
   menu.addEventListener('beforetoggle', update);
   listen(viewer, 'diagram', update);
 }
 
-function rowOf(row: Row, choose: (format: string) => void): HTMLElement {
+function rowOf(row: Row, choose: (format: string, button: HTMLButtonElement) => void): HTMLElement {
   const element = document.createElement('div');
   element.className = 'menu-row';
   element.role = 'group';
@@ -102,7 +111,7 @@ function rowOf(row: Row, choose: (format: string) => void): HTMLElement {
     button.dataset.name = row.name;
     button.textContent = format.toUpperCase();
     button.ariaLabel = `${row.title}, ${format.toUpperCase()}`;
-    button.addEventListener('click', () => choose(format));
+    button.addEventListener('click', () => choose(format, button));
     return button;
   });
   element.append(title, ...buttons);

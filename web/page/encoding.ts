@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// Files made in a worker.
+
 import type { Encoders, EncodingRequest } from './encoding_worker.js';
 
 /**

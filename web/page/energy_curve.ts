@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-
 //
 // The energy by iteration as a small drawing. The axis of energies is logarithmic: with a painted
 // density they begin far above the end, where the differences that count are small.

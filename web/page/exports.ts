@@ -26,22 +26,30 @@ const mediaTypes = {
 /** Of the diagram: by name, then by format. */
 const encoders: Record<string, Record<string, Encoder>> = {
   outlines: {
-    svg: async ({ data }, _, viewer) =>
-      new Blob([await outlinesSvg(viewer, data)], { type: mediaTypes.svg }),
+    svg: async (diagram, _, viewer) =>
+      new Blob([await outlinesSvg(viewer, await diagram.fetchData())], { type: mediaTypes.svg }),
   },
   sites: {
     json: (_, __, viewer) =>
       new Blob([JSON.stringify(sitesJson(viewer))], { type: mediaTypes.json }),
   },
   diagram: {
-    json: ({ metric, sites, data }) =>
-      encode(mediaTypes.json, 'diagramJson', { metric, sites, data }),
+    json: async (diagram) => {
+      const data = await diagram.fetchData();
+      const { metric, sites } = diagram;
+      return encode(mediaTypes.json, 'diagramJson', { metric, sites, data });
+    },
   },
   bisectors: {
     // What is not needed is not copied.
-    glb: ({ data: { points, segments } }) =>
-      encode(mediaTypes.glb, 'diagramGlb', { points, segments }),
-    obj: ({ data: { points, arcs } }) => encode(mediaTypes.obj, 'diagramObj', { points, arcs }),
+    glb: async (diagram) => {
+      const { points, segments } = await diagram.fetchData();
+      return encode(mediaTypes.glb, 'diagramGlb', { points, segments });
+    },
+    obj: async (diagram) => {
+      const { points, arcs } = await diagram.fetchData();
+      return encode(mediaTypes.obj, 'diagramObj', { points, arcs });
+    },
   },
   parts: {
     glb: async (diagram, options, viewer) =>

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
+//
+// What the page says back.
+
 import type { GeodesicVoronoiElement, ViewerEvents } from '../viewer/element.js';
 import { byId, listen, onClick } from './dom.js';
-import { counted, duration, measure } from './numbers.js';
+import { counted, duration, integer, measure } from './numbers.js';
 
 /** Work that is done sooner shows no progress bar: it would only flicker. */
 const patienceMilliseconds = 300;
@@ -53,14 +56,9 @@ function setUpStatus(viewer: GeodesicVoronoiElement): void {
   });
 }
 
-function sentenceOf({ sites, arcs, voronoiPoints, milliseconds }: ViewerEvents['diagram']): string {
+function sentenceOf({ sites, milliseconds }: ViewerEvents['diagram']): string {
   if (sites === 0) return 'No sites yet: click the model to add one.';
-  const parts = [
-    counted(sites, 'region'),
-    counted(arcs, 'bisector arc'),
-    counted(voronoiPoints, 'Voronoi point'),
-  ];
-  return `${parts.join(', ')} in ${duration(milliseconds)}`;
+  return `${counted(sites, 'region')}, computed in ${duration(milliseconds)}`;
 }
 
 function setUpProgress(viewer: GeodesicVoronoiElement): void {
@@ -116,8 +114,10 @@ function setUpReadout(viewer: GeodesicVoronoiElement): void {
   });
 }
 
-/** How long each stage took, the last time. */
+/** What the diagram is made of, and how long each stage took, the last time. */
 function setUpTimes(viewer: GeodesicVoronoiElement): void {
+  const arcCount = byId('arc-count', HTMLElement);
+  const voronoiPointCount = byId('voronoi-point-count', HTMLElement);
   const opening = byId('time-open', HTMLElement);
   const diagram = byId('time-diagram', HTMLElement);
   const drawing = byId('time-draw', HTMLElement);
@@ -128,7 +128,9 @@ function setUpTimes(viewer: GeodesicVoronoiElement): void {
   listen(viewer, 'load', () => {
     opening.textContent = duration(performance.now() - start);
   });
-  listen(viewer, 'diagram', ({ milliseconds }) => {
+  listen(viewer, 'diagram', ({ arcs, voronoiPoints, milliseconds }) => {
+    arcCount.textContent = integer(arcs);
+    voronoiPointCount.textContent = integer(voronoiPoints);
     diagram.textContent = duration(milliseconds);
     const drawn = performance.now();
     requestAnimationFrame(() =>

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// Which model the page opens with.
+
 import samples from './samples.json' with { type: 'json' };
 
 /** The address of the sample that the page opens with: a link may name one. */

@@ -22,9 +22,8 @@ export function setUpFirstSight(viewer: GeodesicVoronoiElement, readings: CvtRea
 /** Controls are disabled until there is something for them to do. */
 function enableWithModel(viewer: GeodesicVoronoiElement): void {
   const groups = ['toolbar', 'lead', 'panel'].map((id) => byId(id, HTMLFieldSetElement));
-  const buttons = ['share-button', 'download-button'].map((id) => byId(id, HTMLButtonElement));
   listen(viewer, 'load', () => {
-    for (const group of [...groups, ...buttons]) group.disabled = false;
+    for (const group of groups) group.disabled = false;
   });
 }
 

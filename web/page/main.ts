@@ -11,14 +11,12 @@ import { setUpCvtControls } from './cvt_controls.js';
 import { CvtReadings } from './cvt_readings.js';
 import { setUpDensityControls } from './density_controls.js';
 import { byId } from './dom.js';
-import { setUpDownloads } from './downloads.js';
-import { setUpFeedback } from './feedback.js';
+import { setUpFeedback, showError } from './feedback.js';
 import { modelOf } from './first_model.js';
 import { setUpFirstSight } from './first_sight.js';
 import { setUpKeyboard } from './keyboard.js';
 import { setUpMeshReport } from './mesh_report.js';
 import { setUpModelChoice } from './model_choice.js';
-import { setUpShare } from './share.js';
 import { setUpSheet } from './sheet.js';
 import { setUpSiteControls } from './site_controls.js';
 import { setUpSizeWarning } from './size_warning.js';
@@ -40,10 +38,18 @@ export function setUpPage(modules: Promise<LoadOptions>, model: Promise<Response
   setUpCvtControls(viewer, readings);
   setUpDensityControls(viewer);
   setUpViewControls(viewer);
-  setUpDownloads(viewer);
-  setUpShare(viewer);
   setUpToolbar(viewer);
   setUpKeyboard(viewer);
   setUpAnnouncements(viewer);
   setUpSheet();
+  viewer.addEventListener('load', () => void addMenus(viewer), { once: true });
+}
+
+async function addMenus(viewer: GeodesicVoronoiElement): Promise<void> {
+  try {
+    const { setUpMenus } = await import('./menus.js');
+    setUpMenus(viewer);
+  } catch (error) {
+    showError(`Downloads and links cannot be had: ${(error as Error).message}.`);
+  }
 }

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// The panel's report on the mesh, and the fields that say how it is made of its file.
+
 import type { MeshInfo, MeshRepairs } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { byId, listen } from './dom.js';

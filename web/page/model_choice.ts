@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
+//
+// Choosing a model: a sample, files, a folder, or any of them dropped on the page.
+
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
+import { lastSegment } from '../viewer/model_files.js';
 import { byId, listen, onClick } from './dom.js';
+import { modelOf } from './first_model.js';
 import { openSites } from './sites_file.js';
 import samples from './samples.json' with { type: 'json' };
 
@@ -19,6 +24,7 @@ function setUpMenu(viewer: GeodesicVoronoiElement): void {
   menu.replaceChildren(ownFile, ...samples.map(({ title, file }) => new Option(title, file)));
 
   menu.disabled = false;
+  menu.value = lastSegment(modelOf(location.hash)); // which is on its way
 
   let current = '';
   const choose = () => {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// Numbers as the page writes them.
 
 const integers = new Intl.NumberFormat('en');
 const measures = new Intl.NumberFormat('en', { maximumSignificantDigits: 3 });

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// The bisectors that are seen, as a drawing.
+
 import type { DiagramData } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { nextFrame } from '../viewer/next_frame.js';

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: MIT
+//
+// The menu that gives a link and code.
+
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { codeOf, originOf } from './code_forms.js';
-import { byId, listen, onClick } from './dom.js';
+import { byId, onClick } from './dom.js';
 import { pageState } from './page_state.js';
 import samples from './samples.json' with { type: 'json' };
 
 /** A link that brings this diagram back, and code that makes it. */
-export function setUpShare(viewer: GeodesicVoronoiElement): void {
+export function setUpShare(viewer: GeodesicVoronoiElement, modelName: () => string): void {
   const menu = byId('share', HTMLElement);
   const note = byId('share-note', HTMLElement);
   const link = byId('share-link', HTMLInputElement);
   const code = byId('code', HTMLElement);
-  let model = '';
-  listen(viewer, 'load', ({ name }) => {
-    model = name;
-  });
 
   const fill = () => {
+    const model = modelName();
     const isSample = samples.some(({ file }) => file === model);
     const address = new URL(location.href);
     address.hash = pageState(viewer, isSample ? model : '');

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// The controls on a phone: a sheet at the bottom.
+
 import { byId, onClick } from './dom.js';
 
 /** A press that moves farther than this, in CSS pixels, is a swipe. */

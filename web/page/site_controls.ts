@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// Placing and removing sites, and the list of them.
+
 import type { Sampling } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { byId, listen, onClick } from './dom.js';
@@ -56,6 +59,9 @@ function setUpScatter(viewer: GeodesicVoronoiElement): void {
   adopt();
   // A link that was opened says how its sites were placed.
   listen(viewer, 'load', adopt);
+  listen(viewer, 'load', ({ info }) => {
+    byId('per-component-label', HTMLElement).hidden = info.components < 2;
+  });
   form.addEventListener('submit', (event) => {
     event.preventDefault();
     if (sampling.value === 'farthest') {

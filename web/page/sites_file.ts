@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// Sites as a file.
+
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { showError } from './feedback.js';
 
@@ -12,7 +15,7 @@ export function sitesJson({ sites }: GeodesicVoronoiElement): SitesJson {
   return { face: [...sites.face], bary: [...sites.bary] };
 }
 
-/** Sites from a file in place of those there are; a step to undo. What is none is told in a sentence. */
+/** Replaces the sites by those of a file, a step to undo; if it holds none, a sentence says why. */
 export async function openSites(viewer: GeodesicVoronoiElement, file: File): Promise<void> {
   const { name } = file;
   let sites: unknown;

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// A word of warning about models that are too large.
+
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { listen } from './dom.js';
 import { showNote } from './feedback.js';

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// The buttons on the view.
+
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { byId, listen, onClick } from './dom.js';
 

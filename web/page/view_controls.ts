@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: MIT
+//
+// What is shown, and by which distance.
+
 import { type GeodesicVoronoiElement, type Layer, layers } from '../viewer/element.js';
 import { byId, listen, onClick } from './dom.js';
 import { showNote } from './feedback.js';
 
-const layerTitles: Record<Layer, string> = {
-  regions: 'Regions',
-  bisectors: 'Bisectors',
-  sites: 'Sites',
-  'voronoi-points': 'Voronoi points',
-  dual: 'Dual',
-  distances: 'Distances',
-  original: 'Original material',
-  wireframe: 'Wireframe',
+/** What the layers are called, and what they show. */
+const layerTexts: Record<Layer, { title: string; hint: string }> = {
+  regions: { title: 'Regions', hint: 'A colour for each region' },
+  bisectors: { title: 'Bisectors', hint: 'The lines between regions' },
+  sites: { title: 'Sites', hint: 'The dots' },
+  'voronoi-points': { title: 'Voronoi points', hint: 'Where three regions or more meet' },
+  dual: { title: 'Dual', hint: 'Lines that join the sites of neighbouring regions' },
+  distances: { title: 'Distances', hint: 'How far it is to the nearest site, along the surface' },
+  original: { title: 'Original material', hint: 'The colours and textures of the file' },
+  wireframe: { title: 'Wireframe', hint: 'The triangles of the model' },
 };
 
 /** What is shown, and by which distance. */
@@ -31,8 +35,9 @@ function setUpLayers(viewer: GeodesicVoronoiElement): void {
     box.value = layer;
     box.checked = viewer.layers.includes(layer);
     const title = document.createElement('span');
-    title.textContent = layerTitles[layer];
+    title.textContent = layerTexts[layer].title;
     const label = document.createElement('label');
+    label.title = layerTexts[layer].hint;
     label.append(box, title);
     group.append(label);
     return box;

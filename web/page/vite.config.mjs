@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// How the page is built: what it needs at first sight as small, and as early, as it goes.
+
 import { statSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
@@ -38,9 +41,34 @@ const neededByNothing = {
   ShaderChunk:
     /physical|phong|toon|transmission|iridescence|clearcoat|lightprobes|shadowmap_pars_fragment|tonemapping_pars/,
 };
-const leaveOutShaders = {
-  name: 'leave-out-shaders',
+
+/**
+ * Modules of three.js that its renderer makes or names, and that do nothing here: virtual reality, shadows,
+ * light probes, passes after the picture, uniforms in groups. In their place stands as much as the renderer
+ * asks of them when they are not used.
+ */
+const idleModules = {
+  'extras/PMREMGenerator.js': 'export class PMREMGenerator {}',
+  'renderers/webgl/WebGLOutput.js': 'export class WebGLOutput {}',
+  'renderers/webgl/WebGLShadowMap.js':
+    'export class WebGLShadowMap { enabled = false; render() {} }',
+  'renderers/webgl/WebGLUniformsGroups.js': 'export class WebGLUniformsGroups { dispose() {} }',
+  'renderers/webxr/WebXRManager.js': `
+    import { EventDispatcher } from '../../core/EventDispatcher.js';
+    export class WebXRManager extends EventDispatcher {
+      enabled = false;
+      isPresenting = false;
+      getEnvironmentBlendMode() {}
+      setAnimationLoop() {}
+      dispose() {}
+    }`,
+};
+
+const leaveOutOfThree = {
+  name: 'leave-out-of-three',
   load(id) {
+    const [, module] = /three\/src\/([\w/]+\.js)$/.exec(id) ?? [];
+    if (idleModules[module]) return idleModules[module];
     const [, folder, name] =
       /three\/src\/renderers\/shaders\/(?:(\w+)\/)?(\w+)[.\w]*\.js$/.exec(id) ?? [];
     if (name === 'DFGLUTData') return 'export const getDFGLUT = () => null;';
@@ -62,7 +90,7 @@ export default defineConfig(({ isPreview }) => {
   return {
     define: { firstBytes },
     base: './',
-    plugins: [preloadMain, leaveOutShaders],
+    plugins: [preloadMain, leaveOutOfThree],
     // Of its many modules, those that nothing at first sight needs come with what does.
     resolve: { alias: [{ find: /^three$/, replacement: 'three/src/Three.js' }] },
     publicDir,

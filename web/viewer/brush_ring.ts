@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// The outline of the brush that paints density.
+
 import { Vector3 } from 'three';
 import type { SurfaceHit } from './picking.js';
 import type { SceneMesh } from './scene_mesh.js';

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// Where the camera is, as text: the attribute `camera-orbit`.
 
 /** Where the camera is around the model, as `<model-viewer>` has it. */
 export interface CameraOrbit {

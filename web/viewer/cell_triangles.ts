@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// The cells of mixed faces, cut into triangles that can be drawn.
+
 import type { DiagramData } from 'geodesic-voronoi';
 import type { SceneMesh } from './scene_mesh.js';
 
@@ -8,7 +11,7 @@ export interface Cells {
   points: Pick<DiagramData['points'], 'position'>;
 }
 
-/** The parts of shared faces, cut into triangles. */
+/** Cells as triangles: as many as there are pairs of keys; the other arrays may have room for more. */
 export interface CellTriangles {
   /** Per triangle its face and its label. */
   keys: Int32Array;
@@ -19,20 +22,23 @@ export interface CellTriangles {
   points: Int32Array;
 }
 
-/** Makes the cells of a diagram ready to be drawn; undefined if whoever draws has to. */
-export type CutCells = (data: DiagramData) => Promise<CellTriangles | undefined>;
-
 /**
- * The parts of shared faces as triangle fans; they are convex. An iteration of a tessellation draws tens
- * of thousands of them: nothing is made per cell or corner.
+ * The cells of a diagram as triangle fans; they are convex. An iteration of a tessellation draws tens
+ * of thousands of them: nothing is made per cell or corner. `roomFor` says for how many triangles there is to
+ * be room in arrays for so many.
  */
-export function cellTriangles(mesh: SceneMesh, { cells, points }: Cells): CellTriangles {
+export function cellTriangles(
+  mesh: SceneMesh,
+  { cells, points }: Cells,
+  roomFor: (count: number) => number = (count) => count,
+): CellTriangles {
   const cellCount = cells.face.length;
   // A fan of n corners has n - 2 triangles; no cell has less than three.
   const count = cells.points.length - 2 * cellCount;
   const keys = new Int32Array(2 * count);
-  const position = new Float32Array(9 * count);
-  const normal = new Float32Array(9 * count);
+  const room = roomFor(count);
+  const position = new Float32Array(9 * room);
+  const normal = new Float32Array(9 * room);
   const named = new Int32Array(3 * count);
 
   const places = mesh.frame.toScene(points.position);
@@ -104,7 +110,7 @@ function copyCorners(
 }
 
 /**
- * Whether a polygon in a face winds against the face, as the parts do of a triangle that the mesh
+ * Whether a polygon in a face winds against the face, as the cells do of a triangle that the mesh
  * builder turned over. Its normals are those of the input's triangle.
  */
 function isClockwise(barys: Float64Array, corners: number): boolean {

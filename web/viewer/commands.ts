@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// What the viewer does at a key.
+
 import { Vector2 } from 'three';
 import type { Viewer } from './viewer.js';
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// Normals for shading, with creases.
 
 /** Faces that meet at a sharper angle than this are shaded as an edge, others as one smooth surface. */
 const creaseCosine = Math.cos((40 * Math.PI) / 180);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
-import type { CvtMethod, CvtState, DiagramData, Mesh, Metric } from 'geodesic-voronoi';
-import type { CellTriangles } from './cell_triangles.js';
+//
+// A centroidal tessellation that plays, pauses and goes on.
+
+import type { CvtMethod, CvtState, Mesh, Metric } from 'geodesic-voronoi';
+import type { DiagramGeometry, MakeGeometry } from './diagram_geometry.js';
 import { nextFrame } from './next_frame.js';
 import { type Sites, surfacePointsOf } from './site_history.js';
 
@@ -17,8 +20,8 @@ export interface CvtSettings {
 /** An iteration, ready to be drawn. */
 export interface CvtPicture {
   state: CvtState;
-  /** Of its diagram, if they could be cut. */
-  cells: CellTriangles | undefined;
+  /** Of its diagram, if it could be made. */
+  geometry: DiagramGeometry | undefined;
   /** From asking for it to having it. */
   milliseconds: number;
 }
@@ -38,16 +41,16 @@ export interface CvtRunListener {
 
 /**
  * A centroidal tessellation on its way: plays until some iteration and pauses. The next iteration is
- * computed while one is made ready and drawn. A pause takes effect at once: the iteration that was told of
+ * computed while one is made ready and drawn. A pause takes effect at once: the iteration reported
  * last stays the last, and what was asked for by then is not lost but comes first when it plays again.
  */
 export class CvtRun {
-  readonly settings: CvtSettings;
+  readonly #settings: CvtSettings;
   readonly #listener: CvtRunListener;
   readonly #stopping = new AbortController();
-  readonly #cut: (data: DiagramData) => Promise<CellTriangles | undefined>;
+  readonly #makeGeometry: MakeGeometry;
   readonly #states: AsyncGenerator<CvtState, void, void>;
-  /** The iteration after the last one told of. */
+  /** The iteration after the last one reported. */
   #asked: Promise<CvtPicture | undefined> | undefined;
   /** The state after that one. */
   #coming: Promise<TimedState> | undefined;
@@ -59,11 +62,11 @@ export class CvtRun {
     mesh: Mesh,
     sites: Sites,
     settings: CvtSettings,
-    cut: (data: DiagramData) => Promise<CellTriangles | undefined>,
+    makeGeometry: MakeGeometry,
     listener: CvtRunListener,
   ) {
-    this.settings = settings;
-    this.#cut = cut;
+    this.#settings = settings;
+    this.#makeGeometry = makeGeometry;
     this.#listener = listener;
     this.#states = mesh.cvt(surfacePointsOf(sites), {
       ...settings,
@@ -72,6 +75,11 @@ export class CvtRun {
       diagrams: true,
       signal: this.#stopping.signal,
     });
+  }
+
+  hasSettings(settings: CvtSettings): boolean {
+    const names = Object.keys(settings) as (keyof CvtSettings)[];
+    return names.every((name) => settings[name] === this.#settings[name]);
   }
 
   get playing(): boolean {
@@ -127,7 +135,7 @@ export class CvtRun {
         if (this.#playing !== playing) return;
         this.#asked = undefined;
         if (picture) {
-          this.#latest = { ...picture, cells: undefined }; // large, and drawn now
+          this.#latest = { ...picture, geometry: undefined }; // large, and drawn now
           this.#listener.iterated(picture);
         } else {
           this.#done = true;
@@ -161,8 +169,8 @@ export class CvtRun {
       this.#coming.catch(() => {});
     }
     const isWanted = !this.#stopping.signal.aborted;
-    const cells = state.data && isWanted ? await this.#cut(state.data) : undefined;
-    return { state, cells, milliseconds };
+    const geometry = state.data && isWanted ? await this.#makeGeometry(state.data) : undefined;
+    return { state, geometry, milliseconds };
   }
 
   async #nextState(): Promise<TimedState> {

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// A density painted on a model.
+
 import type { SurfaceHit } from './picking.js';
 import type { SceneMesh } from './scene_mesh.js';
 

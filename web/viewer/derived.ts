@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// What is computed from a diagram that may be replaced meanwhile.
+
 import type { Diagram } from 'geodesic-voronoi';
 import type { ShownDiagram } from './shown_diagram.js';
 

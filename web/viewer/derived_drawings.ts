@@ -107,7 +107,7 @@ export class DerivedDrawings {
     const { model } = this.#place;
     if (!model) return undefined;
     const { indices, positions } = model.drawing.mesh;
-    const { points, cells, faceLabel } = diagram.data;
+    const { points, cells, faceLabel } = await diagram.fetchData();
     const { vertex, points: corners } = cornersToAsk(indices, { faceLabel });
     const [atPoints, atCorners] = [await diagram.locate(points), await diagram.locate(corners)];
     const atVertices = new Float64Array(positions.length / 3).fill(Infinity);

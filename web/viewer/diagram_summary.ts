@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
+//
+// A diagram without its geometry.
+
 import type { DiagramChange, DiagramData } from 'geodesic-voronoi';
 
 type Lines = Pick<DiagramData, 'segments' | 'arcs' | 'voronoiPoints'>;
 
 /**
- * What a diagram is told by and coloured by, without its geometry: small, and quickly brought up to
+ * Counts, areas and adjacency of a diagram, which its colours follow: small, and quickly brought up to
  * date where `Diagram.data` would have to be put together.
  */
 export class DiagramSummary {
@@ -14,24 +17,30 @@ export class DiagramSummary {
   readonly arcs: { readonly labels: readonly number[] };
   /** Per arc. */
   readonly #segments: readonly number[];
-  /** The labels around every Voronoi point. */
-  readonly #around: readonly Int32Array[];
+  readonly voronoiPointCount: number;
+  /** The labels around every Voronoi point: only changes ask for them. */
+  readonly #around: () => readonly Int32Array[];
 
   private constructor(
     regionArea: Float64Array,
     labels: readonly number[],
     segments: readonly number[],
-    around: readonly Int32Array[],
+    voronoiPointCount: number,
+    around: () => readonly Int32Array[],
   ) {
     this.regionArea = regionArea;
     this.arcs = { labels };
     this.#segments = segments;
+    this.voronoiPointCount = voronoiPointCount;
     this.#around = around;
   }
 
   static of(data: DiagramData): DiagramSummary {
     const labels = [...data.arcs.labels];
-    return new DiagramSummary(data.regionArea, labels, segmentCounts(data), labelsAround(data));
+    const { voronoiPoints } = data;
+    const around = () => labelsAround({ voronoiPoints });
+    const { length } = voronoiPoints.point;
+    return new DiagramSummary(data.regionArea, labels, segmentCounts(data), length, around);
   }
 
   get siteCount(): number {
@@ -48,10 +57,6 @@ export class DiagramSummary {
 
   get segmentCount(): number {
     return this.#segments.reduce((sum, count) => sum + count, 0);
-  }
-
-  get voronoiPointCount(): number {
-    return this.#around.length;
   }
 
   /** That of the diagram of so many sites after a change. */
@@ -73,9 +78,9 @@ export class DiagramSummary {
     }
     labels.push(...part.arcs.labels);
     segments.push(...segmentCounts(part));
-    const around = this.#around.filter((each) => !each.some((label) => isChanged[label] > 0));
+    const around = this.#around().filter((each) => !each.some((label) => isChanged[label] > 0));
     around.push(...labelsAround(part));
-    return new DiagramSummary(regionArea, labels, segments, around);
+    return new DiagramSummary(regionArea, labels, segments, around.length, () => around);
   }
 }
 

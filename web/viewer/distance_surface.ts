@@ -60,7 +60,7 @@ export class DistanceSurface {
     // See `ExplodedParts`.
     this.#material.customProgramCacheKey = () => 'distances';
     occlude(this.#material, occlusion);
-    const whole = geometryOf(mesh.cornerPositions(), mesh.normals, faceReach);
+    const whole = geometryOf(mesh.cornerPositions, mesh.normals, faceReach);
     whole.setIndex(new BufferAttribute(corners, 1));
     for (const geometry of [whole, geometryOf(position, normal, reach)]) {
       const surface = new Mesh(geometry, this.#material);

@@ -17,22 +17,22 @@ export interface DistanceSamples {
 }
 
 /**
- * Where one label owns a triangle, or a part of one, paths come from one virtual source: unfolded into the
+ * Where one label owns a triangle, or a cell of one, paths come from one virtual source: unfolded into the
  * plane of the triangle, squared distance is |p - s|², so squared distance less |p|² is linear. This
  * *reach* is given at corners; whoever interpolates it and adds |p|² has the distance at every point.
  */
 export interface DistanceTriangles {
-  /** Of whole triangles, the reach at their corners, and their corners: shared ones are without extent. */
+  /** Of whole triangles, the reach at their corners, and their corners: mixed ones are collapsed to a point. */
   faceReach: Float32Array;
   corners: Uint32Array;
-  /** Of the parts of shared triangles: place, shading normal and reach at their corners. */
+  /** Of the triangles of cells: place, shading normal and reach at their corners. */
   position: Float32Array;
   normal: Float32Array;
   reach: Float32Array;
 }
 
 /** `DiagramData.faceLabel` of a face that several regions share. */
-const shared = -2;
+const mixed = -2;
 /** The reach of what no site reaches. */
 export const noReach = 1e6;
 
@@ -47,7 +47,7 @@ export function cornersToAsk(
   const isKnown = new Uint8Array(1 + indices.reduce((most, v) => Math.max(most, v), 0));
   for (let corner = 0; corner < indices.length; ++corner) {
     const face = Math.floor(corner / 3);
-    if (isKnown[indices[corner]] || (faceLabel[face] < 0 && faceLabel[face] !== shared)) continue;
+    if (isKnown[indices[corner]] || (faceLabel[face] < 0 && faceLabel[face] !== mixed)) continue;
     isKnown[indices[corner]] = 1;
     vertices.push(indices[corner]);
     faces.push(face);
@@ -75,7 +75,7 @@ export function distanceTriangles(
   for (let corner = 0; corner < count; ++corner) {
     const face = Math.floor(corner / 3);
     const vertex = mesh.indices[corner];
-    corners[corner] = faceLabel[face] === shared ? 3 * face : corner;
+    corners[corner] = faceLabel[face] === mixed ? 3 * face : corner;
     faceReach[corner] =
       faceLabel[face] < 0 ? noReach : reachAt(atVertices[vertex], mesh.positions, 3 * vertex);
   }

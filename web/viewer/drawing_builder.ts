@@ -3,17 +3,30 @@
 // Work of drawing that would keep the page from answering, done in a worker.
 
 import type { DiagramData, Mesh } from 'geodesic-voronoi';
-import type { Cells, CellTriangles } from './cell_triangles.js';
+import type { DiagramGeometry, DiagramLines } from './diagram_geometry.js';
 import type { DistanceSamples, DistanceTriangles } from './distance_triangles.js';
 import type { Parts, PartTriangles } from './part_triangles.js';
 import { PortedWorker } from './ported_worker.js';
+import type { SceneArrays } from './scene_arrays.js';
+import type { BuiltTree } from './search_tree.js';
 
-/** First the mesh, then whatever is to be drawn of it. */
-export type DrawingRequest =
+/** First the mesh, then whatever is wanted of it. */
+export type DrawingTask =
   | { kind: 'mesh'; mesh: Pick<Mesh, 'positions' | 'indices'> }
-  | { kind: 'cells'; cells: Cells }
+  | { kind: 'tree' }
+  | { kind: 'diagram'; diagram: DiagramLines }
   | { kind: 'parts'; partition: Parts; tones: Uint16Array }
   | { kind: 'distances'; samples: DistanceSamples };
+
+/** What is asked for, and what comes back under the same number: undefined if it cannot be made there. */
+export interface DrawingRequest {
+  id: number;
+  task: DrawingTask;
+}
+export interface DrawingAnswer {
+  id: number;
+  result: unknown;
+}
 
 const worker = new PortedWorker(
   () =>
@@ -23,53 +36,65 @@ const worker = new PortedWorker(
     }),
 );
 
-/** Makes triangles of what belongs to one mesh, in a worker, one for all elements. */
+/**
+ * Makes what is drawn of one mesh, in a worker, one for all elements. All that it makes is undefined if
+ * there is no worker any more: whoever draws has to make it then.
+ */
 export class DrawingBuilder {
   readonly #port = worker.open(() => this.dispose());
   #isOver = false;
-  /** Of the requests that are not answered, in their order. */
-  readonly #waiting: ((result: never) => void)[] = [];
+  /** The requests that are not answered, by their numbers. */
+  readonly #waiting = new Map<number, (result: never) => void>();
+  #lastId = 0;
 
-  constructor({ positions, indices }: Pick<Mesh, 'positions' | 'indices'>) {
-    this.#port.onmessage = ({ data }) => this.#waiting.shift()?.(data as never);
-    this.#port.postMessage({ kind: 'mesh', mesh: { positions, indices } } satisfies DrawingRequest);
+  constructor() {
+    this.#port.onmessage = ({ data: { id, result } }: MessageEvent<DrawingAnswer>) => {
+      this.#waiting.get(id)?.(result as never);
+      this.#waiting.delete(id);
+    };
   }
 
-  /** The cells of a diagram. Undefined if there is no worker any more: whoever draws has to cut them. */
-  cells({ cells, points }: DiagramData): Promise<CellTriangles | undefined> {
+  /** Comes first. */
+  scene({ positions, indices }: Pick<Mesh, 'positions' | 'indices'>) {
+    return this.#ask<SceneArrays>({ kind: 'mesh', mesh: { positions, indices } });
+  }
+
+  /** What finds triangles quickly; also undefined where its code cannot be had in a worker. */
+  tree() {
+    return this.#ask<BuiltTree>({ kind: 'tree' });
+  }
+
+  diagram({ cells, points: { position }, segments: { points } }: DiagramData) {
     // What is not asked for is not copied.
-    return this.#ask({ kind: 'cells', cells: { cells, points: { position: points.position } } });
+    const diagram = { cells, points: { position }, segments: { points } };
+    return this.#ask<DiagramGeometry>({ kind: 'diagram', diagram });
   }
 
-  /** The regions, in these tones; the arrays of the partition are given away. Undefined as above. */
-  parts(
-    { points: { position }, triangles, regions: { centroid } }: Parts,
-    tones: Uint16Array,
-  ): Promise<PartTriangles | undefined> {
+  /** The regions, in these tones; the arrays of the partition are given away. */
+  parts({ points: { position }, triangles, regions: { centroid } }: Parts, tones: Uint16Array) {
     const partition = { points: { position }, triangles, regions: { centroid } };
     const given = [position, ...Object.values(triangles)].map(({ buffer }) => buffer);
-    return this.#ask({ kind: 'parts', partition, tones }, given as ArrayBuffer[]);
+    return this.#ask<PartTriangles>({ kind: 'parts', partition, tones }, given as ArrayBuffer[]);
   }
 
-  /** The surface with distances. Undefined as above. */
-  distances(samples: DistanceSamples): Promise<DistanceTriangles | undefined> {
-    return this.#ask({ kind: 'distances', samples });
+  /** The surface with distances. */
+  distances(samples: DistanceSamples) {
+    return this.#ask<DistanceTriangles>({ kind: 'distances', samples });
   }
 
   dispose(): void {
     this.#isOver = true;
     worker.close(this.#port);
-    for (const resolve of this.#waiting.splice(0)) resolve(undefined as never);
+    for (const resolve of this.#waiting.values()) resolve(undefined as never);
+    this.#waiting.clear();
   }
 
-  #ask<Result>(
-    request: DrawingRequest,
-    transfer: Transferable[] = [],
-  ): Promise<Result | undefined> {
+  #ask<Result>(task: DrawingTask, transfer: Transferable[] = []): Promise<Result | undefined> {
+    if (this.#isOver) return Promise.resolve(undefined);
+    const id = ++this.#lastId;
     return new Promise((resolve) => {
-      this.#waiting.push(resolve);
-      if (this.#isOver) this.dispose();
-      else this.#port.postMessage(request, transfer);
+      this.#waiting.set(id, resolve);
+      this.#port.postMessage({ id, task } satisfies DrawingRequest, transfer);
     });
   }
 }

@@ -3,31 +3,65 @@
 // The script of the worker that `DrawingBuilder` starts: through each port that it gets come a mesh, then
 // what is to be drawn of it.
 
-import { cellTriangles } from './cell_triangles.js';
+import { diagramGeometry } from './diagram_geometry.js';
 import { distanceTriangles } from './distance_triangles.js';
-import type { DrawingRequest } from './drawing_builder.js';
+import type { DrawingAnswer, DrawingRequest, DrawingTask } from './drawing_builder.js';
 import { partTriangles } from './part_triangles.js';
+import { sceneArrays } from './scene_arrays.js';
 import { SceneMesh } from './scene_mesh.js';
 
 globalThis.onmessage = ({ data: port }: MessageEvent<MessagePort>) => {
   let mesh: SceneMesh;
-  const answer = (result: object) => {
-    const buffers = Object.values(result).map(
-      ({ buffer }: ArrayBufferView) => buffer as ArrayBuffer,
-    );
-    port.postMessage(result, buffers);
-  };
-  port.onmessage = ({ data: request }: MessageEvent<DrawingRequest>) => {
-    switch (request.kind) {
-      case 'mesh':
-        mesh = new SceneMesh(request.mesh);
-        return;
-      case 'cells':
-        return answer(cellTriangles(mesh, request.cells));
+
+  const make = (task: DrawingTask): unknown => {
+    switch (task.kind) {
+      case 'mesh': {
+        const arrays = sceneArrays(task.mesh);
+        const { positions, indices, normals } = arrays;
+        // Arrays that are answered are given away: what is needed here stays as a copy.
+        mesh = new SceneMesh({
+          ...arrays,
+          positions: positions.slice(),
+          indices: indices.slice(),
+          normals: normals.slice(),
+        });
+        return arrays;
+      }
+      case 'tree':
+        return builtTree(mesh);
+      case 'diagram':
+        return diagramGeometry(mesh, task.diagram);
       case 'parts':
-        return answer(partTriangles(mesh, request.partition, request.tones));
+        return partTriangles(mesh, task.partition, task.tones);
       case 'distances':
-        return answer(distanceTriangles(mesh, request.samples));
+        return distanceTriangles(mesh, task.samples);
     }
   };
+
+  const answer = (id: number, result: unknown) =>
+    port.postMessage({ id, result } satisfies DrawingAnswer, buffersOf(result));
+
+  // Most answers are made at once, in the order of the requests.
+  port.onmessage = ({ data: { id, task } }: MessageEvent<DrawingRequest>) => {
+    const result = make(task);
+    if (result instanceof Promise) void result.then((made) => answer(id, made));
+    else answer(id, result);
+  };
 };
+
+/** Its code is fetched when it is first asked for: no first picture needs it. */
+async function builtTree(mesh: SceneMesh): Promise<unknown> {
+  try {
+    return (await import('./search_tree.js')).buildTree(mesh);
+  } catch {
+    // A page with an import map finds modules by it, its workers do not.
+    return undefined;
+  }
+}
+
+function buffersOf(value: unknown): ArrayBuffer[] {
+  if (value instanceof ArrayBuffer) return [value];
+  if (ArrayBuffer.isView(value)) return [value.buffer as ArrayBuffer];
+  if (typeof value !== 'object' || value === null) return [];
+  return Object.values(value).flatMap(buffersOf);
+}

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
+//
+// The inside of the element: its canvas, and what lies on it.
 
 const style = `
   :host {
     display: block;
     position: relative;
+    box-sizing: border-box;
     width: 300px;
     height: 200px;
     overflow: hidden;
@@ -11,7 +14,8 @@ const style = `
   }
   :host([hidden]) { display: none; }
   canvas {
-    display: block; width: 100%; height: 100%; outline: none;
+    /* All of the element; its padding is room for what lies on the view. */
+    position: absolute; inset: 0; width: 100%; height: 100%; outline: none;
     /* The camera's controls would have it "none" everywhere. */
     touch-action: var(--own-touch-action, none) !important;
   }
@@ -33,7 +37,8 @@ const style = `
     color: var(--message-color, inherit); background: var(--message-background, none);
   }
   .poster {
-    position: absolute; inset: 0; pointer-events: none; background: var(--poster-color, none);
+    position: absolute; inset: 0; box-sizing: border-box; padding: inherit;
+    pointer-events: none; background: var(--poster-color, none);
   }
   .poster img { width: 100%; height: 100%; object-fit: contain; }
   .poster[hidden], .poster img[hidden] { display: none; }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// Errors as sentences.
 
 /** What happened and, from the library, why. */
 export function sentence(what: string, cause: unknown): Error {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// Places that move to others within a time.
 
 /**
  * Places (x, y, z triples) that are seen on their way from where they were to where they are: what jumps

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// The energy that the one of a tessellation is compared with.
+
 import type { DiagramData, Mesh } from 'geodesic-voronoi';
 
 /**

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// What is known of the point under the pointer.
+
 import type { SurfacePath } from 'geodesic-voronoi';
 import { LatestTask } from './latest_task.js';
 import type { SurfaceHit } from './picking.js';
@@ -20,6 +23,8 @@ export class Hover {
   readonly #tell: (point: HoveredPoint | undefined, path?: SurfacePath) => void;
   readonly #asking = new LatestTask<SurfaceHit | undefined>((hit) => this.#ask(hit));
   #hit: SurfaceHit | undefined;
+  /** The identity of the site that is dragged. */
+  #dragged: number | undefined;
 
   /** `tell` also gets the shortest path to the region's site. */
   constructor(
@@ -34,12 +39,38 @@ export class Hover {
   moveTo(hit: SurfaceHit | undefined): void {
     if (!hit && !this.#hit) return;
     this.#hit = hit;
+    this.#dragged = undefined;
     this.#asking.request(hit, { patient: true });
+  }
+
+  /**
+   * The pointer drags a site, by its identity, there: nothing is asked, for the point is the site. Of a
+   * diagram that has just changed, an answer may take as long as the change.
+   */
+  drag(hit: SurfaceHit, site: number): void {
+    this.#hit = hit;
+    this.#dragged = site;
+    this.#tellDragged();
+  }
+
+  endDrag(): void {
+    this.#dragged = undefined;
+    this.refresh();
   }
 
   /** The diagram is another one now. */
   refresh(): void {
-    if (this.#hit) this.#asking.request(this.#hit, { patient: true });
+    if (this.#dragged !== undefined) this.#tellDragged();
+    else if (this.#hit) this.#asking.request(this.#hit, { patient: true });
+  }
+
+  #tellDragged(): void {
+    const { shown } = this.#session;
+    const region = shown?.sites.findIndex(({ id }) => id === this.#dragged) ?? -1;
+    if (!this.#hit || region < 0) return;
+    const { face, bary } = this.#hit;
+    const area = shown?.summary?.regionArea[region] ?? 0;
+    this.#tell({ face, bary, region, area, distance: 0 });
   }
 
   async #ask(hit: SurfaceHit | undefined): Promise<void> {

@@ -16,39 +16,47 @@ const tintOpacity = 0.75;
 
 /** The label of what no site reaches. */
 const unreachable = -1;
+/** Of the labels that `DiagramData.faceLabel` has for faces without one region. */
+const lowestLabel = -3;
 
 /** Linear RGB, a byte per channel. */
 export class LabelColours {
-  readonly #ofTone: Uint8Array[] = [];
-  readonly #tones: Uint16Array | undefined;
-  readonly #neutral = linearBytes(neutralColour);
-  readonly #unreachable = linearBytes(unreachableColour);
+  /** Three bytes for every label from the lowest on: read for every face of every diagram. */
+  readonly #table: Uint8Array;
   readonly #dense = linearBytes(denseColour);
   readonly #sparse = linearBytes(sparseColour);
 
-  /** By the tones of labels; without, all is neutral. */
-  constructor(tones: Uint16Array | undefined) {
-    this.#tones = tones;
+  /** By the tones of labels; faces without a region are neutral. */
+  constructor(tones: Uint16Array = new Uint16Array()) {
+    this.#table = new Uint8Array(3 * (tones.length - lowestLabel));
+    const ofTone: Uint8Array[] = [];
+    const neutral = linearBytes(neutralColour);
+    for (let label = lowestLabel; label < 0; ++label) this.#table.set(neutral, at(label));
+    this.#table.set(linearBytes(unreachableColour), at(unreachable));
+    tones.forEach((tone, label) => {
+      this.#table.set((ofTone[tone] ??= linearBytes(toneColour(tone))), at(label));
+    });
   }
 
-  /** Writes a label's colour to `target[at…]`, with a tint, -1 … 1, over it. */
-  write(label: number, tint: number, target: { [i: number]: number }, at: number): void {
-    const bytes = this.of(label);
-    if (tint === 0) {
-      for (let k = 0; k < 3; ++k) target[at + k] = bytes[k];
-      return;
-    }
+  /** Writes a label's colour to `target[at…]`. */
+  write(label: number, target: { [i: number]: number }, to: number): void {
+    const from = at(label);
+    target[to] = this.#table[from];
+    target[to + 1] = this.#table[from + 1];
+    target[to + 2] = this.#table[from + 2];
+  }
+
+  /** The same with a tint, -1 … 1, over it. */
+  writeTinted(label: number, tint: number, target: { [i: number]: number }, to: number): void {
+    this.write(label, target, to);
     const over = tint < 0 ? this.#sparse : this.#dense;
     const share = tintOpacity * Math.abs(tint);
-    for (let k = 0; k < 3; ++k) target[at + k] = bytes[k] + share * (over[k] - bytes[k]);
+    for (let k = 0; k < 3; ++k) target[to + k] += share * (over[k] - target[to + k]);
   }
+}
 
-  of(label: number): Uint8Array {
-    if (label === unreachable) return this.#unreachable;
-    if (label < 0 || !this.#tones) return this.#neutral;
-    const tone = this.#tones[label];
-    return (this.#ofTone[tone] ??= linearBytes(toneColour(tone)));
-  }
+function at(label: number): number {
+  return 3 * (label - lowestLabel);
 }
 
 function linearBytes(srgb: number): Uint8Array {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// Work that is asked for more often than it can be done.
 
 /** Runs one job at a time, and of those that wait only the latest. */
 export class LatestTask<Job> {

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// Lines of the scene: bisectors, outlines, paths, the dual's sides, the wireframe.
+
 import type { DiagramData, PolygonMesh } from 'geodesic-voronoi';
 import {
   BufferAttribute,
@@ -45,6 +48,12 @@ export class FatLines {
   /** x, y, z of both ends, segment after segment, and two keys for each, if any is to be told from others. */
   set(ends: Float32Array, keys: Keys = new Int32Array(ends.length / 3)): void {
     this.#segments.set(keys, [ends]);
+    this.#adopt();
+  }
+
+  /** The same, of arrays that may have room for more segments than there are keys, and are given away. */
+  adopt(ends: Float32Array, keys: Keys): void {
+    this.#segments.adopt(keys, [new InstancedInterleavedBuffer(ends, 6)], ends.length / 6);
     this.#adopt();
   }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// From a model's files to its mesh with sites scattered on it.
+// From a model's files to its mesh, with sites scattered on it and made ready to be drawn.
 
 import type { GeodesicVoronoi, Mesh, MeshOptions, SurfacePoints } from 'geodesic-voronoi';
+import { DrawingBuilder } from './drawing_builder.js';
 import { sentence } from './failure.js';
 import { lastSegment, type NamedFiles } from './model_files.js';
+import { SceneMesh } from './scene_mesh.js';
 import type { Scattering } from './session_listener.js';
 
 /** How a model is opened. */
@@ -25,6 +27,9 @@ export interface OpenedMesh {
   /** What it was read from. */
   files: NamedFiles;
   sites: PointList;
+  scene: SceneMesh;
+  /** Makes more of what is drawn of it. */
+  builder: DrawingBuilder;
 }
 
 type PointList = SurfacePoints | { face: number[]; bary: number[] };
@@ -36,18 +41,30 @@ export async function openMesh(
   { build, scattering }: Opening,
   { signal, onProgress }: { signal: AbortSignal; onProgress: (share: number) => void },
 ): Promise<OpenedMesh> {
-  const files = await read(signal, onProgress);
-  const mesh = await library.mesh(files.files, { ...build, file: files.file }).catch((error) => {
-    throw sentence(`${files.name} cannot be opened`, error);
-  });
+  // Its worker starts while the files are read.
+  const builder = new DrawingBuilder();
+  let mesh: Mesh | undefined;
   try {
-    const sites = await scatterSites(mesh, scattering);
+    const files = await read(signal, onProgress);
+    mesh = await library.mesh(files.files, { ...build, file: files.file }).catch((error) => {
+      throw sentence(`${files.name} cannot be opened`, error);
+    });
+    const [sites, scene] = await Promise.all([
+      scatterSites(mesh, scattering),
+      sceneOf(mesh, builder),
+    ]);
     signal.throwIfAborted();
-    return { mesh, name: lastSegment(mesh.info.origin.file), files, sites };
+    return { mesh, name: lastSegment(mesh.info.origin.file), files, sites, scene, builder };
   } catch (error) {
-    mesh.dispose();
+    mesh?.dispose();
+    builder.dispose();
     throw error;
   }
+}
+
+async function sceneOf(mesh: Mesh, builder: DrawingBuilder): Promise<SceneMesh> {
+  const arrays = await builder.scene(mesh);
+  return new SceneMesh(arrays ?? (await import('./scene_arrays.js')).sceneArrays(mesh));
 }
 
 export async function scatterSites(

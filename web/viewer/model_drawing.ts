@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// All that is drawn of a model.
+
 import type { DiagramChange, DiagramData, SurfacePath } from 'geodesic-voronoi';
 import {
   type BufferGeometry,
@@ -8,7 +11,7 @@ import {
   type LineSegments,
   Vector3,
 } from 'three';
-import type { CellTriangles } from './cell_triangles.js';
+import type { DiagramGeometry } from './diagram_geometry.js';
 import type { DiagramSummary } from './diagram_summary.js';
 import type { DistanceRange } from './distance_legend.js';
 import { DistanceSurface } from './distance_surface.js';
@@ -21,7 +24,7 @@ import type { OriginalMaterial } from './original_material.js';
 import { RegionColours, toneColour } from './region_colours.js';
 import { RegionSurface, type TonedDiagram } from './region_surface.js';
 import type { PartTriangles } from './part_triangles.js';
-import { occlusionTexture, surfaceDensity } from './occlusion.js';
+import { occlusionTexture } from './occlusion.js';
 import type { SceneMesh } from './scene_mesh.js';
 import type { Sites } from './site_history.js';
 import { lightTheme, type Theme } from './theme.js';
@@ -95,7 +98,7 @@ export class ModelDrawing {
   constructor(mesh: SceneMesh, colours = new RegionColours()) {
     this.#mesh = mesh;
     this.#colours = colours;
-    this.#occlusion = occlusionTexture(surfaceDensity(mesh));
+    this.#occlusion = occlusionTexture(mesh.surfaceDensity);
     this.#surface = new RegionSurface(mesh, this.#occlusion);
     this.#voronoiPoints = new VoronoiPointMarkers(mesh, { least: 1.5, most: 4.5, rim: 0.3 });
     this.theme = this.#theme;
@@ -141,15 +144,15 @@ export class ModelDrawing {
     this.#showBisectors();
   }
 
-  /** `cells` are the diagram's if they have been cut already. */
-  setDiagram(diagram: DrawnDiagram | undefined, cells?: CellTriangles): void {
+  /** `geometry` is the diagram's if it has been made already. It is given away. */
+  setDiagram(diagram: DrawnDiagram | undefined, geometry?: DiagramGeometry): void {
     const data = diagram?.data;
     this.#tones = diagram
       ? this.#colours.assign(diagram.summary, diagram.siteIds)
       : new Uint16Array();
-    this.#surface.setDiagram(diagram && toned(diagram, this.#tones), cells);
+    this.#surface.setDiagram(diagram && toned(diagram, this.#tones), geometry?.cells);
     this.#adoptAreas(diagram);
-    this.#replaceLines(undefined, data);
+    this.#setLines(data, geometry);
     this.#loops = data;
     this.#outlines.clear();
     this.outline(-1);
@@ -357,20 +360,24 @@ export class ModelDrawing {
     return outlineEnds(this.#mesh, this.#loops, label);
   }
 
-  /** Other bisectors and Voronoi points instead of those of the marked labels; of all if none are given. */
-  #replaceLines(isChanged: Uint8Array | undefined, part: Lines | undefined): void {
-    const places = (points: Int32Array | undefined) =>
-      part && points ? pointPlaces(this.#mesh, part, points) : new Float32Array();
-    const segments = places(part?.segments.points);
-    const between = part?.segments.labels ?? new Int32Array();
-    if (isChanged && part) {
-      this.#bisectors.replace({ first: isChanged, second: isChanged }, segments, between);
-      this.#voronoiPoints.replace(isChanged, part, pointShare * this.#markerSize);
-    } else {
-      this.#bisectors.set(segments, between);
-      this.#voronoiPoints.set(part, pointShare * this.#markerSize);
-    }
+  /** The bisectors and Voronoi points of a diagram. */
+  #setLines(lines: Lines | undefined, geometry: DiagramGeometry | undefined): void {
+    const ends = geometry?.segmentEnds ?? this.#segmentEnds(lines);
+    this.#bisectors.adopt(ends, lines?.segments.labels ?? new Int32Array());
+    this.#voronoiPoints.set(lines, pointShare * this.#markerSize);
     this.#showBisectors();
+  }
+
+  /** Others instead of those of the marked labels. */
+  #replaceLines(isChanged: Uint8Array, lines: Lines): void {
+    const gone = { first: isChanged, second: isChanged };
+    this.#bisectors.replace(gone, this.#segmentEnds(lines), lines.segments.labels);
+    this.#voronoiPoints.replace(isChanged, lines, pointShare * this.#markerSize);
+    this.#showBisectors();
+  }
+
+  #segmentEnds(lines: Lines | undefined): Float32Array {
+    return lines ? pointPlaces(this.#mesh, lines, lines.segments.points) : new Float32Array();
   }
 }
 

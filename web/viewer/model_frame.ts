@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// From a model's coordinates to those of the scene.
 
 /**
  * Where a model stands in the scene: its bounding box is centred on the origin and its farthest
@@ -11,7 +13,7 @@ export class ModelFrame {
   /** Lengths in the scene per length in the model. */
   readonly scale: number;
 
-  private constructor(centre: readonly number[], scale: number) {
+  constructor(centre: readonly number[], scale: number) {
     this.centre = centre;
     this.scale = scale;
   }
@@ -45,6 +47,12 @@ export class ModelFrame {
   /** Those of the triples that are named, one after the other, as `toScene` has them. */
   namedToScene(positions: ArrayLike<number>, named: ArrayLike<number>): Float32Array {
     const scene = new Float32Array(3 * named.length);
+    this.writeToScene(positions, named, scene);
+    return scene;
+  }
+
+  /** The same, written to `scene`. */
+  writeToScene(positions: ArrayLike<number>, named: ArrayLike<number>, scene: Float32Array): void {
     const [x, y, z] = this.centre;
     const { scale } = this;
     for (let i = 0; i < named.length; ++i) {
@@ -53,7 +61,6 @@ export class ModelFrame {
       scene[3 * i + 1] = (positions[from + 1] - y) * scale;
       scene[3 * i + 2] = (positions[from + 2] - z) * scale;
     }
-    return scene;
   }
 
   /** x, y, z triples of the model in the scene. Subtracted before rounding: far origins cost nothing. */

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// Whether an element is near what is seen of the page.
 
 /** An element so far out of view, in shares of the view, is near. */
 const margin = '25%';

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// Waiting for the page to draw.
 
 /** In milliseconds. */
 const longestFrame = 100;

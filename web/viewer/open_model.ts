@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
+//
+// The model that is open, with all that the viewer has of it.
+
 import { DensityPaint } from './density_paint.js';
-import { DrawingBuilder } from './drawing_builder.js';
+import type { DrawingBuilder } from './drawing_builder.js';
 import type { OpenedMesh } from './mesh_opening.js';
 import { ModelDrawing } from './model_drawing.js';
 import type { NamedFiles } from './model_files.js';
 import { Picker } from './picking.js';
-import { SceneMesh } from './scene_mesh.js';
 import type { Theme } from './theme.js';
 
 /** What the viewer has of every model that it opens: its drawing and what the tools need. */
@@ -17,14 +19,13 @@ export class OpenModel {
 
   readonly files: NamedFiles;
 
-  constructor({ mesh: model, files }: Pick<OpenedMesh, 'mesh' | 'files'>, theme: Theme) {
+  constructor({ scene, builder, files }: OpenedMesh, theme: Theme) {
     this.files = files;
-    const mesh = new SceneMesh(model);
-    this.drawing = new ModelDrawing(mesh);
+    this.builder = builder;
+    this.drawing = new ModelDrawing(scene);
     this.drawing.theme = theme;
-    this.picker = new Picker(mesh);
-    this.paint = new DensityPaint(mesh);
-    this.builder = new DrawingBuilder(model);
+    this.picker = new Picker(scene, builder.tree());
+    this.paint = new DensityPaint(scene);
   }
 
   dispose(): void {

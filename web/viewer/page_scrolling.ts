@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// Whom the wheel and swipes over the view belong to.
 
 /** A view that takes this share of the window in both directions leaves no page to scroll beside it. */
 const aloneShare = 0.95;

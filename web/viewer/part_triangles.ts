@@ -52,7 +52,7 @@ export function partTriangles(
     }
     mesh.writeNormal(triangles.face[triangle], bary, outward, 0);
     for (let axis = 0; axis < 3; ++axis) normal[3 * c + axis] = one * outward[axis];
-    colours.write(label, 0, colour, 3 * c);
+    colours.write(label, colour, 3 * c);
   }
   return { position, direction, normal, colour };
 }

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// Which point of the surface is under a place of the view, and which points the surface hides.
+
 import {
   BufferAttribute,
   BufferGeometry,
@@ -13,7 +16,7 @@ import {
 } from 'three';
 import { wholeScene } from './record_buffer.js';
 import type { SceneMesh } from './scene_mesh.js';
-import type { RayHit, SearchTree } from './search_tree.js';
+import type { BuiltTree, RayHit, SearchTree } from './search_tree.js';
 
 /** A point of the surface: face and barycentric coordinates as everywhere, and its place in the scene. */
 export interface SurfaceHit {
@@ -23,11 +26,11 @@ export interface SurfaceHit {
 }
 
 /**
- * What lies under a place of the view. The code of the search tree is fetched meanwhile, for the first
- * picture does not need it; until then every triangle is asked. The tree is built when first needed.
+ * What lies under a place of the view. Until there is a search tree, which no first picture needs, every
+ * triangle is asked.
  */
 export class Picker {
-  /** When the code has come, or it is known that it does not. */
+  /** When there is a tree, or can be one, or it is known that there cannot. */
   readonly prepared: Promise<void>;
   readonly #mesh: SceneMesh;
   readonly #raycaster = new Raycaster();
@@ -36,14 +39,15 @@ export class Picker {
   #Tree: typeof SearchTree | undefined;
   #tree: SearchTree | undefined;
 
-  constructor(mesh: SceneMesh) {
+  /** `tree` is built elsewhere; if that cannot be, it is built here when first needed. */
+  constructor(mesh: SceneMesh, tree: Promise<BuiltTree | undefined>) {
     this.#mesh = mesh;
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(mesh.positions, 3));
     geometry.setIndex(new BufferAttribute(mesh.indices, 1));
     geometry.boundingSphere = wholeScene;
     this.#triangles = new Mesh(geometry, new MeshBasicMaterial({ side: DoubleSide }));
-    this.prepared = this.#prepare();
+    this.prepared = this.#prepare(tree);
   }
 
   /** The nearest point of the surface there, in device coordinates. */
@@ -71,9 +75,11 @@ export class Picker {
     return hit !== undefined && hit.distance < distance - slack;
   }
 
-  async #prepare(): Promise<void> {
+  async #prepare(tree: Promise<BuiltTree | undefined>): Promise<void> {
     try {
-      this.#Tree = (await import('./search_tree.js')).SearchTree;
+      const [{ SearchTree }, built] = await Promise.all([import('./search_tree.js'), tree]);
+      if (built) this.#tree = new SearchTree(this.#mesh, built);
+      this.#Tree = SearchTree;
     } catch {
       // Without it everything works, slowly.
     }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// Clicks, drags and long presses, told from each other.
 
 /** A press that moves farther than this, in CSS pixels, is a drag and never a click. */
 const clickRadius = 4;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// A worker that several share.
 
 /**
  * A worker with several owners, each of which talks to it through a port of its own. It starts with the

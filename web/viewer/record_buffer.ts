@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
+//
+// Arrays on the graphics card of which parts change.
+
 import { type BufferAttribute, type InterleavedBuffer, Sphere, Vector3 } from 'three';
+import { roomFor } from './record_room.js';
 
 /** Numbers of the same kind for every record, as the graphics card gets them. */
 export type UploadedBuffer = BufferAttribute | InterleavedBuffer;
@@ -10,12 +14,10 @@ export type UploadedBuffer = BufferAttribute | InterleavedBuffer;
  */
 export const wholeScene = new Sphere(new Vector3(), 1);
 
-/** Uploading this many records that have not changed costs less than to think about it. */
+/** Uploading this many unchanged records costs less than another range to upload. */
 const negligibleGap = 32;
 /** Drivers complain of more calls than this in a frame: uploading what lies between costs less. */
 const mostRanges = 8;
-/** How much larger than needed a buffer is made. */
-const slack = 1.4;
 
 /** Two numbers per record that tell what it belongs to: `keys[2 * record]` and the one after. */
 export type Keys = Int32Array;
@@ -62,6 +64,15 @@ export class RecordBuffer {
       (buffer.array as Float32Array).set(numbers[b]);
       uploadAll(buffer, numbers[b].length);
     });
+  }
+
+  /** These records and no others, in buffers made elsewhere, which have room for so many. */
+  adopt(keys: Keys, buffers: readonly UploadedBuffer[], capacity: number): void {
+    this.#count = keys.length / 2;
+    this.#capacity = capacity;
+    this.#buffers = buffers;
+    this.#keys = new Int32Array(2 * capacity);
+    this.#keys.set(keys);
   }
 
   /** Other records instead of those that are gone. O(count), with little for each. */
@@ -151,7 +162,7 @@ export class RecordBuffer {
     if (count <= this.#capacity) return;
     const { buffers: before } = this;
     const keysBefore = this.#keys;
-    this.#capacity = Math.ceil(slack * count);
+    this.#capacity = roomFor(count);
     this.#buffers = this.#make(this.#capacity);
     this.#keys = new Int32Array(2 * this.#capacity);
     if (this.#count === 0) return;

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// Attributes of the element that are properties, too.
+
 import { Attributes } from './attributes.js';
 import type { ViewerEventMap } from './events.js';
 import type { Layer } from './model_drawing.js';

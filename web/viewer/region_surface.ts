@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// The surface of a model in the colours of its regions.
+
 import type { DiagramChange, DiagramData } from 'geodesic-voronoi';
 import {
   BufferAttribute,
@@ -23,10 +26,11 @@ import {
 import type { SceneMesh } from './scene_mesh.js';
 
 /** `DiagramData.faceLabel` of a face that several regions share; others below zero have no region. */
-const shared = -2;
+const mixed = -2;
 const dropped = -3;
 
-const noColour = new Uint8Array(3);
+/** As a share of all faces. */
+const manyShare = 1 / 16;
 
 const noCells: CellTriangles = {
   keys: new Int32Array(),
@@ -43,8 +47,8 @@ export interface TonedDiagram {
 
 /**
  * The model's surface filled by region. Faces with one owner are drawn whole from arrays made once;
- * only their colours change with the diagram, and in the list of corners shared faces are without
- * extent. Their parts are drawn as they were traced: the fill ends exactly where the bisector runs.
+ * only their colours change with the diagram, and in the list of corners mixed faces are collapsed to a
+ * point. Their cells are drawn as they were traced: the fill ends exactly where the bisector runs.
  */
 export class RegionSurface {
   readonly object = new Group();
@@ -53,22 +57,23 @@ export class RegionSurface {
   readonly #colour: BufferAttribute;
   readonly #corners: BufferAttribute;
   readonly #material: MeshLambertMaterial;
-  readonly #parts: Mesh<BufferGeometry, MeshLambertMaterial>;
-  /** Triangles of the parts: per corner place, normal and colour; their keys are face and label. */
-  readonly #triangles = new RecordBuffer((n) => [
-    new BufferAttribute(new Float32Array(9 * n), 3),
-    new BufferAttribute(new Float32Array(9 * n), 3),
-    new BufferAttribute(new Uint8Array(9 * n), 3, true),
-  ]);
+  readonly #cells: Mesh<BufferGeometry, MeshLambertMaterial>;
+  /** Triangles of the cells: per corner place, normal and colour; their keys are face and label. */
+  readonly #cellTriangles = new RecordBuffer((n) =>
+    cornerBuffers(new Float32Array(9 * n), new Float32Array(9 * n), new Uint8Array(9 * n)),
+  );
   #diagram: TonedDiagram | undefined;
   /** As `DiagramData.faceLabel`, of what is drawn; without a diagram all are as if dropped. */
   readonly #faceLabels: Int32Array;
+  /** Room for as many faces as there are. */
+  readonly #changedFaces: Int32Array;
   #filled = true;
   #tints: Float32Array | undefined;
 
   constructor(mesh: SceneMesh, occlusion: Data3DTexture) {
     this.#mesh = mesh;
     this.#faceLabels = new Int32Array(mesh.faceCount).fill(dropped);
+    this.#changedFaces = new Int32Array(mesh.faceCount);
     this.#material = new MeshLambertMaterial({
       vertexColors: true,
       side: DoubleSide,
@@ -84,9 +89,9 @@ export class RegionSurface {
     this.#corners = this.#wholeFaces.index as BufferAttribute;
     const faces = new Mesh(this.#wholeFaces, this.#material);
     faces.frustumCulled = false;
-    this.#parts = new Mesh(new BufferGeometry(), this.#material);
-    this.#parts.frustumCulled = false;
-    this.object.add(faces, this.#parts);
+    this.#cells = new Mesh(new BufferGeometry(), this.#material);
+    this.#cells.frustumCulled = false;
+    this.object.add(faces, this.#cells);
     this.#drawAll();
   }
 
@@ -113,15 +118,18 @@ export class RegionSurface {
     const faceLabel = diagram?.data.faceLabel;
     const isRecoloured = recoloured(before, diagram?.tones);
     const drawn = this.#faceLabels;
-    const faces: number[] = [];
+    const changed = this.#changedFaces;
+    const colours = new LabelColours(diagram?.tones);
+    let count = 0;
+    // Of every face of every iteration of a tessellation: nothing is made per face.
     for (let face = 0; face < drawn.length; ++face) {
       const label = faceLabel ? faceLabel[face] : dropped;
-      if (label !== drawn[face] || isRecoloured[label]) faces.push(face);
+      if (label === drawn[face] && !(label >= 0 && isRecoloured[label])) continue;
+      this.#writeFace(face, label, colours);
+      changed[count++] = face;
     }
-    const colours = new LabelColours(diagram?.tones);
-    for (const face of faces) this.#writeFace(face, faceLabel ? faceLabel[face] : dropped, colours);
-    this.#uploadFaces(faces);
-    this.#replaceParts(undefined, cells ?? this.#cut(diagram?.data), colours);
+    this.#uploadFaces(changed.subarray(0, count));
+    this.#replaceCells(undefined, cells ?? this.#cut(diagram?.data), colours);
   }
 
   /** What the diagram has become by a change. */
@@ -136,7 +144,7 @@ export class RegionSurface {
       this.#writeFace(faces[i], part.faceLabel[i], colours);
     }
     this.#uploadFaces(faces);
-    this.#replaceParts({ first: isChanged }, this.#cut(part), colours);
+    this.#replaceCells({ first: isChanged }, this.#cut(part), colours);
     const isRecoloured = recoloured(before, diagram.tones);
     if (isRecoloured.includes(1)) this.#recolour({ second: isRecoloured }, colours);
   }
@@ -158,7 +166,7 @@ export class RegionSurface {
   }
 
   dispose(): void {
-    this.#parts.geometry.dispose();
+    this.#cells.geometry.dispose();
     this.#wholeFaces.dispose();
     this.#material.dispose();
   }
@@ -172,11 +180,11 @@ export class RegionSurface {
     }
     uploadAll(this.#colour);
     uploadAll(this.#corners);
-    this.#replaceParts(undefined, this.#cut(data), colours);
+    this.#replaceCells(undefined, this.#cut(data), colours);
   }
 
   /**
-   * The faces, and the parts of faces, that have another colour though nothing else has changed: by face
+   * The faces, and the cells, that have another colour though nothing else has changed: by face
    * first, by label second.
    */
   #recolour(meant: Marks, colours: LabelColours): void {
@@ -189,8 +197,8 @@ export class RegionSurface {
       faces.push(face);
     }
     uploadRecords(this.#colour, faces, 9);
-    const [position] = this.#triangles.buffers;
-    this.#triangles.rewrite(meant, 2, (keys, record, target, at) => {
+    const [position] = this.#cellTriangles.buffers;
+    this.#cellTriangles.rewrite(meant, 2, (keys, record, target, at) => {
       this.#writeColours(keys, record, position.array, colours, target, at);
     });
   }
@@ -200,25 +208,24 @@ export class RegionSurface {
     const colour = this.#colour.array;
     const corners = this.#corners.array;
     const tints = this.#tints;
-    const isShared = label === shared;
-    // An iteration of a tessellation writes most of the faces: the common case is as short as may be.
-    const bytes = tints ? noColour : colours.of(label);
-    const red = bytes[0];
-    const green = bytes[1];
-    const blue = bytes[2];
+    const isMixed = label === mixed;
     for (let corner = 3 * face; corner < 3 * face + 3; ++corner) {
       if (tints) {
-        colours.write(label, tints[this.#mesh.indices[corner]], colour, 3 * corner);
+        colours.writeTinted(label, tints[this.#mesh.indices[corner]], colour, 3 * corner);
       } else {
-        colour[3 * corner] = red;
-        colour[3 * corner + 1] = green;
-        colour[3 * corner + 2] = blue;
+        colours.write(label, colour, 3 * corner);
       }
-      corners[corner] = isShared ? 3 * face : corner;
+      corners[corner] = isMixed ? 3 * face : corner;
     }
   }
 
+  /** Where many have changed, all of them: telling them apart takes longer. */
   #uploadFaces(faces: ArrayLike<number>): void {
+    if (faces.length > manyShare * this.#mesh.faceCount) {
+      uploadAll(this.#corners);
+      uploadAll(this.#colour);
+      return;
+    }
     uploadRecords(this.#corners, faces, 3);
     uploadRecords(this.#colour, faces, 9);
   }
@@ -228,7 +235,7 @@ export class RegionSurface {
   }
 
   /** Others instead of those that are gone; of all if that is not given. */
-  #replaceParts(
+  #replaceCells(
     gone: Marks | undefined,
     cells: CellTriangles | undefined,
     colours: LabelColours,
@@ -238,13 +245,13 @@ export class RegionSurface {
     for (let triangle = 0; triangle < keys.length / 2; ++triangle) {
       this.#writeColours(keys, triangle, position, colours, colour, 9 * triangle);
     }
-    const numbers = [position, normal, colour];
-    if (gone) this.#triangles.replace(gone, keys, numbers);
-    else this.#triangles.set(keys, numbers);
-    this.#adoptParts();
+    const capacity = position.length / 9;
+    if (gone) this.#cellTriangles.replace(gone, keys, [position, normal, colour]);
+    else this.#cellTriangles.adopt(keys, cornerBuffers(position, normal, colour), capacity);
+    this.#adoptCells();
   }
 
-  /** The colours of the three corners of a triangle of a part. */
+  /** The colours of the three corners of a triangle of a cell. */
   #writeColours(
     keys: Int32Array,
     triangle: number,
@@ -255,7 +262,6 @@ export class RegionSurface {
   ): void {
     const face = keys[2 * triangle];
     const label = keys[2 * triangle + 1];
-    const bytes = this.#tints ? noColour : colours.of(label);
     for (let k = 0; k < 9; k += 3) {
       if (this.#tints) {
         const corner = 9 * triangle + k;
@@ -265,11 +271,9 @@ export class RegionSurface {
           position[corner + 1],
           position[corner + 2],
         );
-        colours.write(label, tint, target, at + k);
+        colours.writeTinted(label, tint, target, at + k);
       } else {
-        target[at + k] = bytes[0];
-        target[at + k + 1] = bytes[1];
-        target[at + k + 2] = bytes[2];
+        colours.write(label, target, at + k);
       }
     }
   }
@@ -278,19 +282,19 @@ export class RegionSurface {
     return this.#mesh.interpolate(face, this.#mesh.barycentric(face, x, y, z), this.#tints ?? []);
   }
 
-  #adoptParts(): void {
-    const [position, normal, colour] = this.#triangles.buffers as readonly BufferAttribute[];
-    if (this.#parts.geometry.getAttribute('position') !== position) {
+  #adoptCells(): void {
+    const [position, normal, colour] = this.#cellTriangles.buffers as readonly BufferAttribute[];
+    if (this.#cells.geometry.getAttribute('position') !== position) {
       // Disposing of the old one frees its buffers on the graphics card.
-      this.#parts.geometry.dispose();
-      this.#parts.geometry = new BufferGeometry();
-      this.#parts.geometry.setAttribute('position', position);
-      this.#parts.geometry.setAttribute('normal', normal);
-      this.#parts.geometry.setAttribute('color', colour);
-      this.#parts.geometry.boundingSphere = wholeScene;
+      this.#cells.geometry.dispose();
+      this.#cells.geometry = new BufferGeometry();
+      this.#cells.geometry.setAttribute('position', position);
+      this.#cells.geometry.setAttribute('normal', normal);
+      this.#cells.geometry.setAttribute('color', colour);
+      this.#cells.geometry.boundingSphere = wholeScene;
     }
-    this.#parts.geometry.setDrawRange(0, 3 * this.#triangles.count);
-    this.#parts.visible = this.#triangles.count > 0;
+    this.#cells.geometry.setDrawRange(0, 3 * this.#cellTriangles.count);
+    this.#cells.visible = this.#cellTriangles.count > 0;
   }
 }
 
@@ -302,10 +306,19 @@ function recoloured(before: Uint16Array | undefined, after: Uint16Array | undefi
   );
 }
 
+/** Of three corners per triangle. */
+function cornerBuffers(position: Float32Array, normal: Float32Array, colour: Uint8Array) {
+  return [
+    new BufferAttribute(position, 3),
+    new BufferAttribute(normal, 3),
+    new BufferAttribute(colour, 3, true),
+  ];
+}
+
 function wholeFaceGeometry(mesh: SceneMesh): BufferGeometry {
   const { indices } = mesh;
   const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(mesh.cornerPositions(), 3));
+  geometry.setAttribute('position', new BufferAttribute(mesh.cornerPositions, 3));
   geometry.setAttribute('normal', new BufferAttribute(mesh.normals, 3));
   geometry.setAttribute('color', new BufferAttribute(new Uint8Array(3 * indices.length), 3, true));
   geometry.setIndex(new BufferAttribute(new Uint32Array(indices.length), 1));

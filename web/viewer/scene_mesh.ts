@@ -1,41 +1,30 @@
 // SPDX-License-Identifier: MIT
-import type { Mesh } from 'geodesic-voronoi';
-import { cornerNormals } from './corner_normals.js';
+//
+// A model's mesh as the scene has it, and places and normals on it.
+
 import { ModelFrame } from './model_frame.js';
+import type { SceneArrays } from './scene_arrays.js';
 
 /** A model's triangles as the scene has them; faces keep the numbers of the input. */
 export class SceneMesh {
   readonly frame: ModelFrame;
-  /** Per input vertex. */
   readonly positions: Float32Array;
   readonly indices: Int32Array;
-  /** Per corner of every face. */
   readonly normals: Float32Array;
+  readonly cornerPositions: Float32Array;
+  readonly surfaceDensity: Uint8Array;
 
-  constructor({ positions, indices }: Pick<Mesh, 'positions' | 'indices'>) {
-    this.frame = ModelFrame.around(positions, indices);
-    const scene = this.frame.toScene(positions);
-    const isPlaced = scene.every(Number.isFinite);
-    // What is nowhere belongs to no face of the surface, but three.js would measure it.
-    this.positions = isPlaced ? scene : scene.map((x) => (Number.isFinite(x) ? x : 0));
-    this.indices = isPlaced ? indices : withoutNowhere(indices, scene);
-    this.normals = cornerNormals(this.positions, indices);
+  constructor(arrays: SceneArrays) {
+    this.frame = new ModelFrame(arrays.centre, arrays.scale);
+    this.positions = arrays.positions;
+    this.indices = arrays.indices;
+    this.normals = arrays.normals;
+    this.cornerPositions = arrays.cornerPositions;
+    this.surfaceDensity = arrays.surfaceDensity;
   }
 
   get faceCount(): number {
     return this.indices.length / 3;
-  }
-
-  /** x, y, z of every corner of every face. */
-  cornerPositions(): Float32Array {
-    const { positions, indices } = this;
-    const corners = new Float32Array(3 * indices.length);
-    for (let corner = 0; corner < indices.length; ++corner) {
-      for (let axis = 0; axis < 3; ++axis) {
-        corners[3 * corner + axis] = positions[3 * indices[corner] + axis];
-      }
-    }
-    return corners;
   }
 
   /** The place of a point of a face, written to `target[at…]`. */
@@ -109,14 +98,4 @@ export class SceneMesh {
     target[1] = second / excess;
     target[2] = third / excess;
   }
-}
-
-/** Faces with a corner that is nowhere become points. */
-function withoutNowhere(indices: Int32Array, scene: Float32Array): Int32Array {
-  const isSomewhere = (vertex: number) =>
-    scene.subarray(3 * vertex, 3 * vertex + 3).every(Number.isFinite);
-  return indices.map((vertex, i) => {
-    const face = indices.subarray(i - (i % 3), i - (i % 3) + 3);
-    return face.every(isSomewhere) ? vertex : face[0];
-  });
 }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
+//
+// The state of a viewer: model, sites, diagram, tessellation, history.
+
 import type { Mesh, Metric } from 'geodesic-voronoi';
-import type { CutCells } from './cell_triangles.js';
 import { type CvtPicture, CvtRun, type CvtSettings } from './cvt_run.js';
+import type { MakeGeometry } from './diagram_geometry.js';
 import { DiagramSummary } from './diagram_summary.js';
 import { sentence } from './failure.js';
 import { LatestTask } from './latest_task.js';
@@ -31,7 +34,7 @@ import { without } from './site_step.js';
  * diagram there is. Where one site has moved, come or gone, only its surroundings are computed.
  */
 export class Session {
-  readonly #cut: CutCells;
+  readonly #makeGeometry: MakeGeometry;
   readonly #listener: SessionListener;
   readonly #history = new SiteHistory();
   readonly #task = new LatestTask<DiagramRequest>((wanted, signal) =>
@@ -50,9 +53,9 @@ export class Session {
   #hasFailed = false;
   #status: Status = 'empty';
 
-  /** `cut` makes the cells of a diagram of the present model ready to be drawn. */
-  constructor(cut: CutCells, listener: SessionListener) {
-    this.#cut = cut;
+  /** `makeGeometry` is of a diagram of the present model. */
+  constructor(makeGeometry: MakeGeometry, listener: SessionListener) {
+    this.#makeGeometry = makeGeometry;
     this.#listener = listener;
   }
 
@@ -303,7 +306,7 @@ export class Session {
         : await computeDiagram(mesh, wanted, { signal, onProgress });
       const milliseconds = performance.now() - start;
       const isAnew = diagram && !changes && mesh === this.#mesh;
-      const cells = isAnew ? await this.#cut(diagram.data) : undefined;
+      const geometry = isAnew ? await this.#makeGeometry(diagram.data) : undefined;
       // An iteration of a tessellation may have been shown meanwhile.
       if (!mesh || mesh !== this.#mesh || (changes && before !== this.#shown)) {
         diagram?.dispose();
@@ -318,7 +321,7 @@ export class Session {
         : diagram && DiagramSummary.of(diagram.data);
       const shown = shownDiagram(wanted, diagram, summary);
       this.#show(shown);
-      this.#listener.diagramChanged(shown, milliseconds, { changes, cells });
+      this.#listener.diagramChanged(shown, milliseconds, { changes, geometry });
     } catch (error) {
       // What follows shows the sites as they are now.
       const isFollowed = this.#task.superseded || this.#cvt?.playing;
@@ -340,11 +343,7 @@ export class Session {
     if (!this.#mesh || this.sites.length === 0) return;
     this.#move = undefined;
     const wanted = { ...settings, metric: this.#settings.metric };
-    const present = this.#cvt?.settings ?? {};
-    const isOther = (Object.keys(wanted) as (keyof CvtSettings)[]).some(
-      (name) => wanted[name] !== present[name],
-    );
-    if (this.#cvt && (isOther || this.#cvt.done)) this.#stopCvt();
+    if (this.#cvt && (this.#cvt.done || !this.#cvt.hasSettings(wanted))) this.#stopCvt();
     this.#cvt ??= this.#newCvt(this.#mesh, wanted);
     this.#cvt.play(until(this.#cvt.iteration));
     this.#task.cancel();
@@ -352,7 +351,7 @@ export class Session {
   }
 
   #newCvt(mesh: Mesh, settings: CvtSettings): CvtRun {
-    return new CvtRun(mesh, this.sites, settings, this.#cut, {
+    return new CvtRun(mesh, this.sites, settings, this.#makeGeometry, {
       iterated: (picture) => this.#showIteration(picture, settings.metric ?? 'exact'),
       paused: () => this.#rest(),
       failed: (error) => {
@@ -363,7 +362,7 @@ export class Session {
     });
   }
 
-  #showIteration({ state, cells }: CvtPicture, metric: Metric): void {
+  #showIteration({ state, geometry }: CvtPicture, metric: Metric): void {
     if (state.iteration > 0) {
       const sites = this.sites.map(({ id }, i) => ({ id, ...placeOf(state.sites, i) }));
       if (state.iteration === 1) this.#history.record(sites);
@@ -373,7 +372,7 @@ export class Session {
     const summary = state.data && DiagramSummary.of(state.data);
     const shown = shownDiagram({ sites: this.sites, metric, detail: 0 }, state.diagram, summary);
     this.#show(shown);
-    this.#listener.cvtIterated(shown, state, { cells });
+    this.#listener.cvtIterated(shown, state, { geometry });
   }
 
   /**

@@ -3,7 +3,7 @@
 // What a session tells, and its words.
 
 import type { CvtState, DiagramChange, Sampling } from 'geodesic-voronoi';
-import type { CellTriangles } from './cell_triangles.js';
+import type { DiagramGeometry } from './diagram_geometry.js';
 import type { OpenedMesh } from './mesh_opening.js';
 import type { DiagramSettings, ShownDiagram } from './shown_diagram.js';
 import type { Sites, Tints } from './site_history.js';
@@ -30,8 +30,8 @@ export interface Scattering {
 export interface Drawable {
   /** The diagram drawn before has become this one by these. */
   changes?: readonly DiagramChange[];
-  /** Its cells, if they have been cut already. */
-  cells?: CellTriangles;
+  /** Of all of it, if it has been made already. */
+  geometry?: DiagramGeometry;
 }
 
 /** Told what changed, after it did. */

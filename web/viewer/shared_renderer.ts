@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// The one WebGL context of a page.
+
 import {
   type Camera,
   type Material,

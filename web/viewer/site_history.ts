@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// Sites and density, with the steps that can be undone.
+
 import type { SurfacePoints } from 'geodesic-voronoi';
 
 /** A site as the viewer edits it. The identity stays when it moves and when others come and go. */

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// Which few changes lead from one list of sites to another.
+
 import type { Site, Sites } from './site_history.js';
 
 /** A change of one site in a list: the last one goes, one becomes another, or one more comes at the end. */

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// The scene and its camera.
+
 import {
   DirectionalLight,
   HemisphereLight,
@@ -14,10 +17,13 @@ import {
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { CameraOrbit } from './camera_orbit.js';
 import { type ContextListener, SharedRenderer } from './shared_renderer.js';
+import type { Padding } from './view_padding.js';
 
 const fieldOfView = 32;
-/** Room around a framed model, as a share of the view. */
+/** Room around a framed model, as a share of the view within its padding. */
 const margin = 0.12;
+/** However much padding there is, a model has this share of the view. */
+const leastShare = 0.25;
 /** Where a framed model is looked at from, if y points up. */
 const firstDirection = new Vector3(0.45, 0.4, 1).normalize();
 
@@ -53,6 +59,7 @@ export class Stage {
   #controls: OrbitControls;
   /** In CSS pixels. */
   #size = { width: 0, height: 0 };
+  #padding: Padding = { top: 0, right: 0, bottom: 0, left: 0 };
   /** What was framed last. */
   #points: Float32Array = new Float32Array();
   #isFramed = false;
@@ -162,13 +169,17 @@ export class Stage {
 
   /**
    * In CSS pixels. Draws at once: the canvas stretches what was drawn before. What filled the view fills
-   * it again.
+   * it again. What the camera looks at is in the middle of what the padding leaves.
    */
-  resize(width: number, height: number): void {
+  resize(width: number, height: number, padding: Padding): void {
     if (width === 0 || height === 0) return;
     this.#size = { width, height };
+    this.#padding = padding;
     this.camera.aspect = width / height;
-    this.camera.updateProjectionMatrix();
+    const right = (padding.right - padding.left) / 2;
+    const down = (padding.bottom - padding.top) / 2;
+    // It updates the projection, too.
+    this.camera.setViewOffset(width, height, right, down, width, height);
     if (this.#isFramed) this.frame(this.#points);
     else this.#framingDistance = this.#distanceToFit();
     this.draw();
@@ -208,8 +219,14 @@ export class Stage {
     const back = this.#firstDirection;
     const right = this.camera.up.clone().cross(back).normalize();
     const up = back.clone().cross(right);
-    const halfHeight = Math.tan((fieldOfView * Math.PI) / 360) * (1 - margin);
-    const halfWidth = halfHeight * this.camera.aspect;
+    const { width, height } = this.#size;
+    const padding = this.#padding;
+    const share = (free: number, whole: number) =>
+      (1 - margin) * (whole > 0 ? Math.max(leastShare, free / whole) : 1);
+    const half = Math.tan((fieldOfView * Math.PI) / 360);
+    const halfHeight = half * share(height - padding.top - padding.bottom, height);
+    const halfWidth =
+      half * this.camera.aspect * share(width - padding.left - padding.right, width);
     let distance = 0;
     // Parts that go apart are framed anew in every frame: nothing is made or called per point.
     const [ax, ay, az] = right.divideScalar(halfWidth);

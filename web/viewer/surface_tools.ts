@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// What the pointer does on the surface.
+
 import type { Vector2 } from 'three';
 import type { Attributes } from './attributes.js';
 import { brushRing } from './brush_ring.js';
@@ -101,16 +104,18 @@ export class SurfaceTools implements GestureTarget {
     if (!hit) return;
     this.#playsOn ||= session.cvtStatus === 'running';
     session.moveSite(site, hit);
-    this.#work.hover.moveTo(hit);
+    this.#work.hover.drag(hit, site);
   }
 
   endMove(): void {
     this.#work.session.endMove();
+    this.#work.hover.endDrag();
     this.#playOn();
   }
 
   cancelMove(): void {
     this.#work.session.cancelMove();
+    this.#work.hover.endDrag();
     this.#playOn();
   }
 

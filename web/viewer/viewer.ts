@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// What fills an element: it joins the session, the scene and the tools.
+
 import type { DiagramData, SurfacePath } from 'geodesic-voronoi';
 import { Vector3 } from 'three';
 import type { Attributes } from './attributes.js';
@@ -23,16 +26,10 @@ import type { ContextListener } from './shared_renderer.js';
 import { Stage } from './stage.js';
 import { SurfaceTools, type Workpiece } from './surface_tools.js';
 import { themeOf, watchTheme } from './theme.js';
+import { paddingAround } from './view_padding.js';
 
 /** In milliseconds: markers of sites arrive before the eye has left them. */
 const longestGlide = 250;
-
-/** As it was when it last came to rest. */
-interface Density {
-  perVertex: Float64Array;
-  /** ∫ √ρ. */
-  rootIntegral: number;
-}
 
 /** What the viewer wants of the element that it fills. */
 export interface ViewerHost extends ContextListener {
@@ -54,7 +51,8 @@ export class Viewer implements Workpiece {
   readonly #gestures: PointerGestures;
   readonly #resizing: ResizeObserver;
   #model: OpenModel | undefined;
-  #density: Density | undefined;
+  /** As it was when it last came to rest, and ∫ √ρ. */
+  #density: { perVertex: Float64Array; rootIntegral: number } | undefined;
   #selected: number | undefined;
   /** When sites were moved by it last. */
   #lastIteration = 0;
@@ -88,12 +86,12 @@ export class Viewer implements Workpiece {
     this.#derived = new DerivedDrawings(this, host.emit);
     this.#original = new OriginalLayer(this, host.emit);
     this.session = new Session(
-      async (data) => this.#model?.builder.cells(data),
+      async (data) => this.#model?.builder.diagram(data),
       this.#sessionListener(),
     );
     this.hover = new Hover(this.session, (point, path) => this.#tellHovered(point, path));
     this.#resizing = new ResizeObserver(() => {
-      this.stage.resize(canvas.clientWidth, canvas.clientHeight);
+      this.stage.resize(canvas.clientWidth, canvas.clientHeight, paddingAround(canvas));
       this.scrolling.update();
     });
     this.#resizing.observe(canvas);
@@ -344,9 +342,6 @@ export class Viewer implements Workpiece {
     this.showLayers();
     this.refit();
     this.orbit();
-    // The first drawing compiles shaders, which takes longer than many a diagram. Done now, it is not
-    // counted as the diagram's time.
-    this.stage.draw();
   }
 
   /** Asks for what is shown of the diagram besides itself; not for that of every iteration. */
@@ -389,11 +384,11 @@ export class Viewer implements Workpiece {
     }
   }
 
-  #showDiagram(shown: ShownDiagram, { changes, cells }: Drawable): void {
+  #showDiagram(shown: ShownDiagram, { changes, geometry }: Drawable): void {
     const drawn = drawnDiagram(shown);
     const drawing = this.#model?.drawing;
     if (drawn && changes) for (const change of changes) drawing?.changeDiagram(change, drawn);
-    else drawing?.setDiagram(drawn, cells);
+    else drawing?.setDiagram(drawn, geometry);
     this.stage.invalidate();
     this.hover.refresh();
     this.#derive();

@@ -16,6 +16,8 @@ const width = 6;
 export class VoronoiPointMarkers {
   readonly markers: Markers;
   readonly #mesh: SceneMesh;
+  /** Those of a whole diagram, as long as nobody has asked for them. */
+  #pending: Points | undefined;
   #records: Float32Array = new Float32Array();
   /** The labels around each. */
   #labels: readonly Int32Array[] = [];
@@ -34,13 +36,15 @@ export class VoronoiPointMarkers {
 
   /** Those of a diagram, of markers of this radius in the scene. */
   set(part: Points | undefined, size: number): void {
-    this.#records = part ? this.#recordsOf(part) : new Float32Array();
-    this.#labels = part ? labelsAround(part) : [];
+    this.#pending = part;
+    this.#records = new Float32Array();
+    this.#labels = [];
     this.#adopt(size);
   }
 
   /** Others instead of those beside the marked labels. They are few. */
   replace(isChanged: Uint8Array, part: Points, size: number): void {
+    this.#read();
     const kept: number[] = [];
     this.#labels.forEach((around, i) => {
       if (!around.some((label) => isChanged[label] > 0)) kept.push(i);
@@ -52,6 +56,13 @@ export class VoronoiPointMarkers {
     this.#records = all;
     this.#labels = [...kept.map((i) => this.#labels[i]), ...labelsAround(part)];
     this.#adopt(size);
+  }
+
+  #read(): void {
+    if (!this.#pending) return;
+    this.#records = this.#recordsOf(this.#pending);
+    this.#labels = labelsAround(this.#pending);
+    this.#pending = undefined;
   }
 
   #recordsOf({ points, voronoiPoints }: Points): Float32Array {
@@ -79,6 +90,7 @@ export class VoronoiPointMarkers {
   #draw(): void {
     if (this.#isDrawn) return;
     this.#isDrawn = true;
+    this.#read();
     const records = this.#records;
     const order = Array.from({ length: records.length / width }, (_, i) => i);
     const difference = (i: number, j: number, axis: number) =>

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+//
+// What the panel and the menus tell, and the parts of them that no other test uses.
+
+import assert from 'node:assert/strict';
+import { after, afterEach, before, beforeEach, suite, test } from 'node:test';
+import { glb, grid } from '../wasm/meshes.mjs';
+import { torus } from '../../web/page/sample_shapes.mjs';
+import { startBrowser } from './browser.mjs';
+
+suite('the panel', () => {
+  let browser;
+  let viewer;
+  before(async () => {
+    browser = await startBrowser();
+  });
+  after(() => browser.stop());
+  beforeEach(async () => {
+    viewer = await browser.open({
+      viewport: { width: 1280, height: 720 },
+      permissions: ['clipboard-read', 'clipboard-write'],
+    });
+    await viewer.settled();
+  });
+  afterEach(async () => {
+    assert.deepEqual(viewer.complaints, []);
+    await viewer.close();
+  });
+
+  const text = (selector) => viewer.page.locator(selector).textContent();
+  const click = (selector) => viewer.page.click(selector);
+  const open = (name, triangles) =>
+    viewer.after('diagram', () =>
+      viewer.page.setInputFiles('#files', [
+        { name, mimeType: '', buffer: Buffer.from(glb(triangles)) },
+      ]),
+    );
+  const showGroup = (title) =>
+    viewer.page.getByRole('heading', { name: title, exact: true }).click();
+
+  test('at first sight nothing lies on the model, and the main controls are seen', async () => {
+    const caption = await viewer.page.locator('#caption').boundingBox();
+    const hit = await viewer.evaluate((viewer, { x, y, width, height }) => {
+      for (let px = x; px <= x + width; px += 4) {
+        for (let py = y; py <= y + height; py += 2) {
+          if (viewer.surfaceFromPoint(px, py)) return [px, py];
+        }
+      }
+      return undefined;
+    }, caption);
+    assert.equal(hit, undefined);
+    for (const selector of ['#cvt-play', '#cvt-move', '#count', '#scatter [type=submit]']) {
+      const { y, height } = await viewer.page.locator(selector).boundingBox();
+      assert.ok(y + height <= 720, `${selector} ends at ${y + height} of 720 pixels`);
+    }
+  });
+
+  test('sites are chosen from a list, which tells their regions', async () => {
+    await viewer.page.getByText('List of sites').click();
+    const list = viewer.page.locator('#site-list');
+    assert.equal(await list.locator('option').count(), 60);
+    await list.selectOption({ index: 12 });
+    assert.equal(await viewer.evaluate(({ selected }) => selected), 12);
+    assert.match(await text('#announcement'), /^Site 12 chosen, of 60, region of area /);
+    await list.focus();
+    await viewer.after('diagram', () => viewer.page.keyboard.press('Delete'));
+    assert.equal(await list.locator('option').count(), 59);
+  });
+
+  test('what the diagram is made of and what its stages took is told', async () => {
+    const diagram = await open('torus.glb', torus());
+    await showGroup('Diagram');
+    assert.equal(await text('#arc-count'), String(diagram.arcs));
+    assert.equal(await text('#voronoi-point-count'), String(diagram.voronoiPoints));
+    await viewer.page.waitForFunction(() =>
+      ['open', 'diagram', 'draw'].every((stage) =>
+        /^[\d.]+ m?s$/.test(document.getElementById(`time-${stage}`).textContent),
+      ),
+    );
+  });
+
+  test('the report counts what was mended', async () => {
+    const { positions, indices } = grid(4);
+    // Three triangles at one edge, and one vertex twice.
+    const edge = [indices[0], indices[1]];
+    const apex = positions.length / 3;
+    const faulty = {
+      positions: [...positions, 0.1, 0.1, 1, 0.1, 0.1, -1],
+      indices: [...indices, ...edge, apex, ...edge, apex + 1],
+    };
+    await open('faulty.glb', faulty);
+    await showGroup('Model');
+    assert.match(await text('#repairs'), /non-manifold edges? cut/);
+    assert.match(await text('#report'), /Triangles34/);
+  });
+
+  test('a field about components is there for models of several', async () => {
+    const field = viewer.page.locator('#per-component');
+    assert.equal(await field.isVisible(), false);
+    await open('two.glb', {
+      positions: [...grid(2).positions, ...grid(2).positions.map((x) => x + 5)],
+      indices: [
+        ...grid(2).indices,
+        ...grid(2).indices.map((v) => v + grid(2).positions.length / 3),
+      ],
+    });
+    assert.equal(await field.isVisible(), true);
+  });
+
+  test('F fits the model again; wheel and right drag zoom and shift', async () => {
+    const orbit = () => viewer.evaluate(({ cameraOrbit }) => cameraOrbit);
+    const first = await orbit();
+    const box = await viewer.page.locator('geodesic-voronoi').boundingBox();
+    const at = { x: box.x + 60, y: box.y + box.height - 60 };
+    await viewer.page.mouse.move(at.x, at.y);
+    await viewer.after('camera-change', () => viewer.page.mouse.wheel(0, -300));
+    assert.notEqual(await orbit(), first);
+    await viewer.after('camera-change', async () => {
+      await viewer.page.mouse.down({ button: 'right' });
+      await viewer.page.mouse.move(at.x + 80, at.y - 40, { steps: 4 });
+      await viewer.page.mouse.up({ button: 'right' });
+    });
+    assert.ok((await orbit()).split(' ').length > 3, 'it looks elsewhere');
+    await viewer.after('camera-change', () => viewer.page.keyboard.press('f'));
+    assert.equal(await orbit(), first);
+    assert.equal(await viewer.siteCount(), 60, 'nothing was added');
+  });
+
+  test('long work is seen to go on, and is given up by the button', async () => {
+    await open('torus.glb', torus(320, 160));
+    const before = await viewer.sites();
+    const bar = viewer.page.locator('#progress-bar');
+    await viewer.page.fill('#count', '8000');
+    await viewer.page.selectOption('#sampling', 'farthest');
+    await click('#scatter [type=submit]');
+    // As soon as it is seen: the work would be done before a slow machine lets a pointer press it.
+    await viewer.page.waitForFunction(() => {
+      const cancel = document.getElementById('cancel');
+      const isSeen = cancel.checkVisibility();
+      if (isSeen) cancel.click();
+      return isSeen;
+    });
+    await viewer.settled();
+    assert.equal(await bar.isVisible(), false);
+    assert.deepEqual(await viewer.sites(), before);
+  });
+
+  test('link and code are copied', async () => {
+    await click('#share-button');
+    await click('#copy-link');
+    const clipboard = () => viewer.page.evaluate(() => navigator.clipboard.readText());
+    await viewer.page.locator('#copy-link', { hasText: 'Copied' }).waitFor();
+    const link = await clipboard();
+    assert.equal(link, await viewer.page.inputValue('#share-link'));
+    assert.match(link, /#v=1&model=bunny\.ply/);
+    for (const [form, pattern] of [
+      ['script', /^import \{ load \}/],
+      ['element', /^<geodesic-voronoi src="bunny\.ply"/],
+      ['command', /^geodesic-voronoi diagram bunny\.ply/],
+    ]) {
+      await viewer.page.locator(`input[name=code][value=${form}]`).check({ force: true });
+      await viewer.page.locator('#code').filter({ hasText: pattern }).waitFor();
+      await click('#copy-code');
+      await viewer.page.locator('#copy-code', { hasText: 'Copied' }).waitFor();
+      assert.match(await clipboard(), pattern);
+    }
+  });
+
+  test('an error or a note takes the place of the caption', async () => {
+    const caption = viewer.page.locator('#caption');
+    assert.equal(await caption.isVisible(), true);
+    await viewer.after('error', () =>
+      viewer.page.setInputFiles('#files', [
+        { name: 'a.txt', mimeType: '', buffer: Buffer.from('a') },
+      ]),
+    );
+    assert.equal(await caption.isVisible(), false);
+    await click('#error-close');
+    assert.equal(await caption.isVisible(), true);
+  });
+
+  test('the view fills the screen and comes back', async () => {
+    await click('#fullscreen');
+    await viewer.page.waitForFunction(() => document.fullscreenElement?.id === 'view');
+    await click('#fullscreen');
+    await viewer.page.waitForFunction(() => document.fullscreenElement === null);
+  });
+});

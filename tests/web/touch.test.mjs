@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+//
+// A phone in the hand: everything by fingers.
+
+import assert from 'node:assert/strict';
+import { after, afterEach, before, beforeEach, suite, test } from 'node:test';
+import { startBrowser } from './browser.mjs';
+
+suite('by fingers', () => {
+  let browser;
+  let viewer;
+  let touch;
+  before(async () => {
+    browser = await startBrowser();
+  });
+  after(() => browser.stop());
+  beforeEach(async () => {
+    viewer = await browser.open({
+      viewport: { width: 390, height: 640 },
+      hasTouch: true,
+      isMobile: true,
+    });
+    await viewer.settled();
+    const session = await viewer.page.context().newCDPSession(viewer.page);
+    touch = (type, ...touchPoints) =>
+      session.send('Input.dispatchTouchEvent', {
+        type,
+        touchPoints: touchPoints.map(({ x, y }, id) => ({ x, y, id })),
+      });
+  });
+  afterEach(async () => {
+    assert.deepEqual(viewer.complaints, []);
+    await viewer.close();
+  });
+
+  const orbit = () => viewer.evaluate(({ cameraOrbit }) => cameraOrbit);
+  const distanceOf = (orbit) => Number(/([\d.]+)%/.exec(orbit)[1]);
+  const targetOf = (orbit) => orbit.split(' ').slice(3).map(Number);
+  const shifted = ({ x, y }, right, down) => ({ x: x + right, y: y + down });
+
+  /** Two fingers, so far apart at the beginning and at the end, whose middle goes so far down. */
+  async function useTwoFingers({ from, to, down }) {
+    const box = await viewer.page.locator('geodesic-voronoi').boundingBox();
+    const middle = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+    const at = (share) => {
+      const reach = (from + share * (to - from)) / 2;
+      return [shifted(middle, -reach, share * down), shifted(middle, reach, share * down)];
+    };
+    await touch('touchStart', ...at(0));
+    for (const share of [0.2, 0.4, 0.6, 0.8, 1]) await touch('touchMove', ...at(share));
+    await touch('touchEnd');
+  }
+
+  test('a tap adds a site, a drag moves it, a long press removes it', async () => {
+    const before = await viewer.siteCount();
+    const place = await viewer.freePlace();
+    await viewer.after('diagram', () => viewer.page.touchscreen.tap(place.x, place.y));
+    assert.equal(await viewer.siteCount(), before + 1);
+    assert.equal(await viewer.evaluate(({ selected }) => selected), before);
+
+    const there = shifted(place, 12, 0);
+    // At once, or a slow machine takes the first of it for a long press.
+    await viewer.after('diagram', () =>
+      Promise.all([
+        touch('touchStart', place),
+        ...[3, 6, 9, 12].map((way) => touch('touchMove', shifted(place, way, 0))),
+        touch('touchEnd'),
+      ]),
+    );
+    assert.equal(await viewer.siteCount(), before + 1);
+    const moved = await viewer.sitePosition(before);
+    assert.ok(Math.hypot(moved.x - there.x, moved.y - there.y) < 3, 'it is under the finger');
+
+    const removed = viewer.after('diagram', async () => {
+      await touch('touchStart', moved);
+      await viewer.page.waitForFunction(
+        (count) => document.querySelector('geodesic-voronoi').sites.face.length === count,
+        before,
+      );
+      await touch('touchEnd');
+    });
+    await removed;
+    assert.equal(await viewer.siteCount(), before);
+  });
+
+  test('two fingers zoom and shift the view, and add nothing', async () => {
+    const before = await viewer.sites();
+    const first = await orbit();
+    await viewer.after('camera-change', () => useTwoFingers({ from: 60, to: 180, down: 0 }));
+    const near = await orbit();
+    assert.ok(distanceOf(near) < 0.8 * distanceOf(first), `${first} became ${near}`);
+    await viewer.after('camera-change', () => useTwoFingers({ from: 100, to: 100, down: 60 }));
+    const aside = await orbit();
+    assert.ok(Math.hypot(...targetOf(aside)) > 0.05, `${near} became ${aside}`);
+    assert.deepEqual(await viewer.sites(), before);
+  });
+
+  test('the site that is chosen is removed by a button', async () => {
+    const remove = viewer.page.locator('#remove');
+    assert.equal(await remove.isEnabled(), false, 'there is none');
+    const place = await viewer.freePlace();
+    await viewer.after('diagram', () => viewer.page.touchscreen.tap(place.x, place.y));
+    await viewer.after('diagram', () => remove.tap());
+    assert.equal(await viewer.siteCount(), 60);
+    assert.equal(await remove.isEnabled(), false);
+    await viewer.after('diagram', () => viewer.page.tap('#undo'));
+    assert.equal(await viewer.siteCount(), 61);
+  });
+
+  test('all controls in the sheet are reached by a finger', async () => {
+    await viewer.page.tap('#sheet');
+    const { x, y, width } = await viewer.page.locator('#panel').boundingBox();
+    const at = { x: x + width / 2, y: y + 150 };
+    const isSeen = () =>
+      viewer.page.evaluate(() => {
+        const { bottom } = document.getElementById('documents').getBoundingClientRect();
+        return bottom <= innerHeight;
+      });
+    for (let swipes = 0; swipes < 40 && !(await isSeen()); ++swipes) {
+      await touch('touchStart', at);
+      for (let way = 25; way <= 125; way += 25) await touch('touchMove', shifted(at, 0, -way));
+      await touch('touchEnd');
+    }
+    assert.ok(await isSeen(), 'the end of the panel');
+    assert.equal(await viewer.page.evaluate(() => document.documentElement.scrollTop), 0);
+  });
+
+  test('help tells what fingers do, and nothing of a mouse or of keys', async () => {
+    await viewer.page.tap('#help-button');
+    const help = viewer.page.locator('#help');
+    const seen = await help.innerText();
+    assert.match(seen, /Tap\s+Add a site/);
+    assert.match(seen, /Pinch\s+Zoom/);
+    assert.doesNotMatch(seen, /click|wheel|Ctrl/i);
+  });
+
+  test('buttons and sentences do not lie on the model, the sheet open or not', async () => {
+    for (const isOpen of [false, true]) {
+      const top = await viewer.evaluate((viewer) => {
+        const box = viewer.getBoundingClientRect();
+        for (let y = box.top; y < box.bottom; y += 2) {
+          for (let x = box.left; x < box.right; x += 4) {
+            if (viewer.surfaceFromPoint(x, y)) return y;
+          }
+        }
+        return undefined;
+      });
+      for (const selector of isOpen ? ['#toolbar'] : ['#caption']) {
+        const { y, height } = await viewer.page.locator(selector).boundingBox();
+        assert.ok(
+          top > y + height,
+          `${selector} ends at ${y + height}, the model begins at ${top}`,
+        );
+      }
+      await viewer.page.tap('#sheet');
+      await viewer.settled();
+    }
+  });
+});
