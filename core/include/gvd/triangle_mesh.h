@@ -5,14 +5,14 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
+#include "gvd/sliced_work.h"
 #include "gvd/surface_point.h"
 
 namespace gvd {
-
-struct IntrinsicTriangle;
 
 /// What becomes of the sides that triangles are given by, the order of their corners.
 enum class Orientation {
@@ -193,7 +193,9 @@ class TriangleMesh {
     } while (h >= 0 && h != first);
   }
 
-  Eigen::Vector3d position(int v) const { return positions_.col(v); }
+  Eigen::Vector3d position(int v) const {
+    return Eigen::Vector3d::Map(&positions_[3 * static_cast<std::size_t>(v)]);
+  }
   Eigen::Vector3d position(const SurfacePoint& p) const;
   /// The interior angle at corner h % 3 of face h / 3, in (0, π).
   double cornerAngle(int h) const { return faces_[faceOf(h)].angles[h % 3]; }
@@ -235,12 +237,10 @@ class TriangleMesh {
   const MeshTopology& topology() const { return topology_; }
 
  private:
-  void copyPositions(std::span<const double> positions);
-  void measureFaces();
-  void setFace(int f, const IntrinsicTriangle& triangle);
-  void countTopology(int components);
+  friend class MeshBuilding;
+  TriangleMesh() = default;
 
-  Eigen::Matrix3Xd positions_;
+  std::vector<double> positions_;
   std::vector<int> tail_, twin_;
   std::vector<Face> faces_;
   std::vector<double> faceArea_;
@@ -259,5 +259,11 @@ class TriangleMesh {
   MeshRepairs repairs_;
   MeshTopology topology_;
 };
+
+/// The same mesh in steps; throws as its constructor does, at once or in a step. It needs less
+/// memory: positions become those of the mesh in place.
+std::unique_ptr<SlicedWork<TriangleMesh>> startMesh(std::vector<double> positions,
+                                                    std::vector<int> triangles,
+                                                    const MeshOptions& options = {});
 
 }  // namespace gvd

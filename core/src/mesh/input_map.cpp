@@ -2,87 +2,87 @@
 #include "mesh/input_map.h"
 
 #include <algorithm>
-#include <map>
-#include <utility>
 
 #include "mesh/triangle_selection.h"
 
 namespace gvd {
-namespace {
 
-/// For each degenerate triangle, a face with corners at both of its positions, or -1; the other
-/// entries of `face` stay.
-void findFacesOfDegenerateTriangles(const std::vector<Corners>& triangles,
-                                    const std::vector<Corners>& faces, std::vector<int>& face) {
-  const auto isSought = [&](int t) { return isFinite(triangles[t]) && isDegenerate(triangles[t]); };
-  const auto ends = [&](int t) {
-    const auto [low, high] = std::minmax_element(triangles[t].begin(), triangles[t].end());
-    return std::pair(*low, *high);
+bool InputMap::step(long& budget) {
+  const std::size_t vertices = representative_.size();
+  const auto forTriangles = [&](long perUnit, auto body) {
+    return loop_.run(corners_.size(), budget, perUnit, body);
   };
-  std::map<std::pair<int, int>, int> faceWith;
-  for (int t = 0; t < static_cast<int>(triangles.size()); ++t) {
-    if (isSought(t)) faceWith.emplace(ends(t), -1);
-  }
-  if (faceWith.empty()) return;
+  return sequence_.run(
+      // Of each degenerate triangle, a face with corners at both of its positions.
+      [&] {
+        return forTriangles(4, [&](int t) {
+          if (isSought(t)) faceWith_.emplace(ends(t), -1);
+        });
+      },
+      [&] {
+        return faceWith_.empty() || loop_.run(3 * faces_.size(), budget, 4, [&](int h) {
+          offer(tailOf(faces_, h), tailOf(faces_, h), h / 3);
+          offer(tailOf(faces_, h), tipOf(faces_, h), h / 3);
+        });
+      },
+      [&] {
+        return faceWith_.empty() || forTriangles(4, [&](int t) {
+                 if (isSought(t)) kept_[t] = faceWith_.at(ends(t));
+               });
+      },
+      [&] {
+        faceWith_.clear();
+        return forTriangles(kQuickRounds, [&](int t) { mapCorners(t); });
+      },
+      [&] { return fillInSlices(ofVertex_, vertices, -1, budget); },
+      [&] { return fillInSlices(ofRepresentative_, vertices, -1, budget); },
+      [&] {
+        release(kept_);
+        return loop_.run(triangles_.size(), budget, kQuickRounds, [&](int i) { mapVertexOf(i); });
+      },
+      [&] { return loop_.run(vertices, budget, kQuickRounds, [&](int v) { mapVertex(v); }); });
+}
 
-  const auto offer = [&](int a, int b, int f) {
-    const auto sought = faceWith.find(std::minmax(a, b));
-    if (sought != faceWith.end() && sought->second < 0) sought->second = f;
-  };
-  for (int h = 0; h < 3 * static_cast<int>(faces.size()); ++h) {
-    offer(tailOf(faces, h), tailOf(faces, h), h / 3);
-    offer(tailOf(faces, h), tipOf(faces, h), h / 3);
+bool InputMap::isSought(int t) const { return isFinite(corners_[t]) && isDegenerate(corners_[t]); }
+
+std::pair<int, int> InputMap::ends(int t) const {
+  const auto [low, high] = std::minmax_element(corners_[t].begin(), corners_[t].end());
+  return {*low, *high};
+}
+
+void InputMap::offer(int a, int b, int face) {
+  const auto sought = faceWith_.find(std::minmax(a, b));
+  if (sought != faceWith_.end() && sought->second < 0) sought->second = face;
+}
+
+void InputMap::mapCorners(int t) {
+  Corners& corners = corners_[t];
+  if (kept_[t] < 0) {
+    corners = {-1, -1, -1};
+    return;
   }
-  for (int t = 0; t < static_cast<int>(triangles.size()); ++t) {
-    if (isSought(t)) face[t] = faceWith.at(ends(t));
+  const Corners& face = faces_[kept_[t]];
+  for (int& corner : corners) {
+    const auto at = std::find(face.begin(), face.end(), corner);
+    corner = 3 * kept_[t] + static_cast<int>(at - face.begin());
   }
 }
 
-}  // namespace
-
-std::vector<Corners> mapInputCorners(const std::vector<Corners>& welded,
-                                     const std::vector<Corners>& faces, std::vector<int> kept) {
-  findFacesOfDegenerateTriangles(welded, faces, kept);
-  std::vector<Corners> halfedges(welded.size(), {-1, -1, -1});
-  for (std::size_t t = 0; t < welded.size(); ++t) {
-    if (kept[t] < 0) continue;
-    const Corners& corners = faces[kept[t]];
-    for (int i = 0; i < 3; ++i) {
-      const auto at = std::find(corners.begin(), corners.end(), welded[t][i]);
-      halfedges[t][i] = 3 * kept[t] + static_cast<int>(at - corners.begin());
-    }
-  }
-  return halfedges;
+void InputMap::mapVertexOf(int corner) {
+  const int h = corners_[corner / 3][corner % 3];
+  if (h < 0) return;
+  const int vertex = triangles_[corner];
+  for (int* slot : {&ofVertex_[vertex], &ofRepresentative_[representative_[vertex]]})
+    if (*slot < 0) *slot = h;
 }
 
-std::vector<int> mapInputVertices(std::span<const int> triangles,
-                                  const std::vector<int>& representative,
-                                  const std::vector<Corners>& halfedgesOfInput) {
-  const std::size_t count = representative.size();
-  std::vector<int> ofVertex(count, -1), ofRepresentative(count, -1);
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    const int h = halfedgesOfInput[i / 3][i % 3];
-    if (h < 0) continue;
-    for (int* slot : {&ofVertex[triangles[i]], &ofRepresentative[representative[triangles[i]]]}) {
-      if (*slot < 0) *slot = h;
-    }
-  }
-  for (std::size_t v = 0; v < count; ++v) {
-    if (ofVertex[v] < 0 && representative[v] >= 0)
-      ofVertex[v] = ofRepresentative[representative[v]];
-  }
-  return ofVertex;
-}
-
-void countInputVertices(const std::vector<int>& halfedgeOfVertex,
-                        const std::vector<int>& representative, MeshRepairs& repairs) {
-  for (int v = 0; v < static_cast<int>(representative.size()); ++v) {
-    if (halfedgeOfVertex[v] < 0) {
-      ++repairs.isolatedVertices;
-    } else if (representative[v] != v) {
-      ++repairs.weldedVertices;
-    }
-  }
+void InputMap::mapVertex(int v) {
+  const int representative = representative_[v];
+  if (ofVertex_[v] < 0 && representative >= 0) ofVertex_[v] = ofRepresentative_[representative];
+  if (ofVertex_[v] < 0)
+    ++repairs_.isolatedVertices;
+  else if (representative != v)
+    ++repairs_.weldedVertices;
 }
 
 }  // namespace gvd

@@ -34,6 +34,24 @@ class SlicedLoop {
 /// Rounds per unit of loops that read or write a few numbers in each.
 inline constexpr long kQuickRounds = 32;
 
+/// Things to do one after the other, each of which may stop where a budget is used up: it is called
+/// again until it returns true.
+class SlicedSequence {
+ public:
+  /// Goes on with the first of `parts` that is not done; true when all are.
+  template <class... Parts>
+  bool run(Parts... parts) {
+    count_ = sizeof...(parts);
+    int i = 0;
+    return ((i++ < done_ || (parts() && ++done_ > 0)) && ...);
+  }
+  /// The share of the parts that is done; 0 before the first call.
+  double progress() const { return count_ > 0 ? static_cast<double>(done_) / count_ : 0; }
+
+ private:
+  int done_ = 0, count_ = 0;
+};
+
 /// Lengthens a list to `count` items; true when it is that long.
 template <class Item>
 bool fillInSlices(std::vector<Item>& list, std::size_t count, const Item& value, long& budget) {
@@ -45,6 +63,12 @@ bool fillInSlices(std::vector<Item>& list, std::size_t count, const Item& value,
   list.resize(list.size() + std::min(left, units * kItemsPerUnit), value);
   budget -= units;
   return list.size() == count;
+}
+
+/// Gives up the memory of a list that is not needed any more.
+template <class Item>
+void release(std::vector<Item>& list) {
+  std::vector<Item>().swap(list);
 }
 
 }  // namespace gvd
