@@ -12,8 +12,9 @@ class TriangleTree {
  public:
   using Triangle = std::array<Eigen::Vector3d, 3>;
 
-  /// O(n log² n).
   explicit TriangleTree(std::vector<Triangle> triangles);
+  /// Builds it, in slices; true when it can be used. Dividing a node is not divided. O(n log n).
+  bool build(long& budget);
 
   /// The distance of a point from the nearest triangle; infinite if there is none.
   double distance(const Eigen::Vector3d& p) const;
@@ -26,10 +27,17 @@ class TriangleTree {
     int second;  ///< -1 in a leaf
   };
 
-  int build(int first, int last);
+  /// A node to be made; if it is a second half, of which node.
+  struct Task {
+    int first, last;
+    int parent;
+  };
+
+  void make(const Task& task);
 
   std::vector<Triangle> triangles_;
   std::vector<Node> nodes_;
+  std::vector<Task> tasks_;  ///< the next one last
 };
 
 }  // namespace gvd

@@ -13,15 +13,16 @@ namespace {
 /// One round of the repair: the sites that the violations of a diagram ask for.
 class RepairRound {
  public:
-  RepairRound(const TriangleMesh& mesh, const Diagram& diagram, const DistanceField& field)
+  RepairRound(const TriangleMesh& mesh, const Diagram& diagram, const DistanceField& field,
+              const Partition& partition)
       : mesh_(mesh),
         diagram_(diagram),
         field_(field),
-        partition_(partition(mesh, diagram, {.leaveOutUnreachable = true})),
+        partition_(partition),
         isTouched_(diagram.siteCount, false) {}
 
-  std::vector<SurfacePoint> newSites() {
-    const auto findings = inspect(mesh_, diagram_, partition_, buildRegionComplex(partition_));
+  std::vector<SurfacePoint> newSites(const RegionComplex& complex) {
+    const auto findings = inspect(mesh_, diagram_, partition_, complex);
     std::vector<SurfacePoint> result;
     for (const Finding& finding : findings) {
       const Violation& v = finding.violation;
@@ -74,15 +75,22 @@ class RepairRound {
   const TriangleMesh& mesh_;
   const Diagram& diagram_;
   const DistanceField& field_;
-  const Partition partition_;
+  const Partition& partition_;
   std::vector<char> isTouched_;  ///< regions that a new site changes, or may
 };
 
 }  // namespace
 
+std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> startRepairingSites(
+    const TriangleMesh& mesh, const Diagram& diagram, const DistanceField& field) {
+  return fromRegions(mesh, diagram, [&](const Partition& partition, const RegionComplex& complex) {
+    return RepairRound(mesh, diagram, field, partition).newSites(complex);
+  });
+}
+
 std::vector<SurfacePoint> repairingSites(const TriangleMesh& mesh, const Diagram& diagram,
                                          const DistanceField& field) {
-  return RepairRound(mesh, diagram, field).newSites();
+  return finished(startRepairingSites(mesh, diagram, field));
 }
 
 RepairedSites repair(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric,

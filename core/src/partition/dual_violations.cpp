@@ -228,12 +228,18 @@ std::vector<Finding> inspect(const TriangleMesh& mesh, const Diagram& diagram,
   return Inspector(mesh, diagram, partition, complex).inspect();
 }
 
+std::unique_ptr<SlicedWork<std::vector<Violation>>> startViolations(const TriangleMesh& mesh,
+                                                                    const Diagram& diagram) {
+  return fromRegions(mesh, diagram, [&](const Partition& partition, const RegionComplex& complex) {
+    std::vector<Violation> violations;
+    for (Finding& finding : inspect(mesh, diagram, partition, complex))
+      violations.push_back(std::move(finding.violation));
+    return violations;
+  });
+}
+
 std::vector<Violation> findViolations(const TriangleMesh& mesh, const Diagram& diagram) {
-  const Partition p = partition(mesh, diagram, {.leaveOutUnreachable = true});
-  std::vector<Violation> violations;
-  for (Finding& finding : inspect(mesh, diagram, p, buildRegionComplex(p)))
-    violations.push_back(std::move(finding.violation));
-  return violations;
+  return finished(startViolations(mesh, diagram));
 }
 
 }  // namespace gvd
