@@ -6,11 +6,11 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "abi.h"
@@ -18,6 +18,7 @@
 #include "gvd/diagram.h"
 #include "gvd/dynamic_diagram.h"
 #include "gvd/geodesic.h"
+#include "gvd/sliced_work.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
 
@@ -26,6 +27,12 @@ namespace gvd::abi {
 /// A mesh that diagrams may outlive the caller's handle of.
 struct MeshHandle {
   std::shared_ptr<const TriangleMesh> mesh;
+};
+
+/// A mesh and a diagram of it.
+struct Surface {
+  std::shared_ptr<const TriangleMesh> mesh;
+  std::shared_ptr<const Diagram> diagram;
 };
 
 /// A diagram, from the first slice of its propagation to the last point located in it. Its address
@@ -38,8 +45,8 @@ struct VoronoiHandle {
   std::unique_ptr<Propagation> propagation;              // until it is done
   std::unique_ptr<DistanceField> distances;              // from then on
   std::shared_ptr<const DistanceField> sharedDistances;  // or these, of a tessellation
-  std::optional<DiagramTracing> tracing;                 // while it goes on
-  std::optional<Diagram> traced;                         // once it is traced
+  std::unique_ptr<SlicedWork<Diagram>> tracing;          // while it goes on
+  std::shared_ptr<const Diagram> traced;                 // once it is traced
   std::unique_ptr<DynamicDiagram> dynamic;               // instead, once sites have changed
 
   const TriangleMesh& mesh() const { return *surface.mesh; }
@@ -48,6 +55,8 @@ struct VoronoiHandle {
   }
   /// Of the sites there are.
   Diagram diagram() const;
+  /// The mesh and the diagram of now, for work that may last longer than these.
+  Surface snapshot() const;
   /// The sites by label. Throws `Error(kInvalidArgument)` if a label has none.
   std::vector<SurfacePoint> allSites() const;
   /// The diagram of which sites can change; made when the first one does.
@@ -63,8 +72,27 @@ struct CvtHandle {
 };
 static_assert(std::is_standard_layout_v<CvtHandle>);
 
-/// How a slice of work ended; zero when it failed, as with every function here.
-enum SliceEnd { kFailed = 0, kMoreToDo = 1, kDone = 2 };
+/// A record made of what a core's work comes to.
+template <class Result, class ToRecord>
+class RecordOfResult final : public RecordWork {
+ public:
+  RecordOfResult(std::unique_ptr<SlicedWork<Result>> work, ToRecord toRecord)
+      : toRecord_(std::move(toRecord)), work_(std::move(work)) {}
+  bool step(long budget) override { return work_->step(budget); }
+  double progress() const override { return work_->progress(); }
+  Record take() override { return toRecord_(work_->take()); }
+
+ private:
+  ToRecord toRecord_;  // keeps what the work refers to: first to come, last to go
+  std::unique_ptr<SlicedWork<Result>> work_;
+};
+
+/// An answer that takes the work of the core in slices; `toRecord(result)` is its record.
+template <class Result, class ToRecord>
+Answer* answerOf(std::unique_ptr<SlicedWork<Result>> work, ToRecord toRecord) {
+  return new Answer{
+      std::make_unique<RecordOfResult<Result, ToRecord>>(std::move(work), std::move(toRecord)), {}};
+}
 
 Metric metricOf(std::string_view name);
 

@@ -218,7 +218,7 @@ class TriangleMesh {
   bool isFlipped(int f) const { return flipped_[f]; }
   /// The first input vertex at the place of v.
   int inputVertex(int v) const { return inputVertex_[v]; }
-  int inputFaceCount() const { return static_cast<int>(faceOfInput_.size()); }
+  int inputFaceCount() const { return static_cast<int>(halfedgeOfInput_.size() / 3); }
   int inputVertexCount() const { return static_cast<int>(vertexOfInput_.size()); }
 
   /// A point of this mesh in terms of the input's triangles.
@@ -251,10 +251,10 @@ class TriangleMesh {
   std::vector<int> boundaryLoops_;
   std::vector<int> inputFace_, inputVertex_;
   std::vector<char> flipped_;
-  /// For every input triangle, the three halfedges that leave its corners, all on one face: on its
-  /// own, or, if the triangle was dropped, on some face that has all of its corners; -1 if there is
-  /// none.
-  std::vector<std::array<int, 3>> faceOfInput_;
+  /// For every corner of every input triangle, a halfedge that leaves it, all three on one face: on
+  /// its own, or, if the triangle was dropped, on some face that has all of its corners; -1 if
+  /// there is none.
+  std::vector<int> halfedgeOfInput_;
   std::vector<int> vertexOfInput_;  ///< a halfedge leaving the vertex's place, or -1
   MeshRepairs repairs_;
   MeshTopology topology_;

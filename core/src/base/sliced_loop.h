@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -18,16 +17,14 @@ class SlicedLoop {
   /// loop then starts from 0.
   template <class Body>
   bool run(std::size_t count, long& budget, long perUnit, Body body) {
-    const auto left = static_cast<long>(count - next_);
-    const long units = std::min(budget, (left + perUnit - 1) / perUnit);
-    const std::size_t end = units > left / perUnit ? count : next_ + units * perUnit;
-    for (std::size_t i = next_; i < end; ++i) body(static_cast<int>(i));
-    budget -= units;
-    next_ = end < count ? end : 0;
+    const std::size_t begin = next_, end = advance(count, budget, perUnit);
+    for (std::size_t i = begin; i < end; ++i) body(static_cast<int>(i));
     return end == count;
   }
 
  private:
+  std::size_t advance(std::size_t count, long& budget, long perUnit);
+
   std::size_t next_ = 0;
 };
 
@@ -52,16 +49,16 @@ class SlicedSequence {
   int done_ = 0, count_ = 0;
 };
 
+/// How far a budget leads from a place in a list of `count` items; what that takes is taken off it.
+std::size_t endOfSlice(std::size_t begin, std::size_t count, long& budget, long perUnit);
+
 /// Lengthens a list to `count` items; true when it is that long.
 template <class Item>
 bool fillInSlices(std::vector<Item>& list, std::size_t count, const Item& value, long& budget) {
   constexpr long kItemsPerUnit = 256;
   if (list.size() >= count) return true;
   list.reserve(count);
-  const auto left = static_cast<long>(count - list.size());
-  const long units = std::min(budget, (left + kItemsPerUnit - 1) / kItemsPerUnit);
-  list.resize(list.size() + std::min(left, units * kItemsPerUnit), value);
-  budget -= units;
+  list.resize(endOfSlice(list.size(), count, budget, kItemsPerUnit), value);
   return list.size() == count;
 }
 

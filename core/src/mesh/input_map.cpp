@@ -6,17 +6,29 @@
 #include "mesh/triangle_selection.h"
 
 namespace gvd {
+namespace {
+
+bool isSought(const Corners& corners) { return isFinite(corners) && isDegenerate(corners); }
+
+/// The two positions of a degenerate triangle.
+std::pair<int, int> endsOf(const Corners& corners) {
+  const auto [low, high] = std::minmax_element(corners.begin(), corners.end());
+  return {*low, *high};
+}
+
+}  // namespace
 
 bool InputMap::step(long& budget) {
   const std::size_t vertices = representative_.size();
   const auto forTriangles = [&](long perUnit, auto body) {
-    return loop_.run(corners_.size(), budget, perUnit, body);
+    return loop_.run(kept_.size(), budget, perUnit, body);
   };
   return sequence_.run(
       // Of each degenerate triangle, a face with corners at both of its positions.
       [&] {
-        return forTriangles(4, [&](int t) {
-          if (isSought(t)) faceWith_.emplace(ends(t), -1);
+        return forTriangles(8, [&](int t) {
+          if (const Corners corners = welded()[t]; isSought(corners))
+            faceWith_.emplace(endsOf(corners), -1);
         });
       },
       [&] {
@@ -27,27 +39,17 @@ bool InputMap::step(long& budget) {
       },
       [&] {
         return faceWith_.empty() || forTriangles(4, [&](int t) {
-                 if (isSought(t)) kept_[t] = faceWith_.at(ends(t));
+                 if (const Corners corners = welded()[t]; isSought(corners))
+                   kept_[t] = faceWith_.at(endsOf(corners));
                });
       },
       [&] {
         faceWith_.clear();
-        return forTriangles(kQuickRounds, [&](int t) { mapCorners(t); });
+        return fillInSlices(ofVertex_, vertices, -1, budget);
       },
-      [&] { return fillInSlices(ofVertex_, vertices, -1, budget); },
       [&] { return fillInSlices(ofRepresentative_, vertices, -1, budget); },
-      [&] {
-        release(kept_);
-        return loop_.run(triangles_.size(), budget, kQuickRounds, [&](int i) { mapVertexOf(i); });
-      },
+      [&] { return forTriangles(8, [&](int t) { mapTriangle(t); }); },
       [&] { return loop_.run(vertices, budget, kQuickRounds, [&](int v) { mapVertex(v); }); });
-}
-
-bool InputMap::isSought(int t) const { return isFinite(corners_[t]) && isDegenerate(corners_[t]); }
-
-std::pair<int, int> InputMap::ends(int t) const {
-  const auto [low, high] = std::minmax_element(corners_[t].begin(), corners_[t].end());
-  return {*low, *high};
 }
 
 void InputMap::offer(int a, int b, int face) {
@@ -55,25 +57,18 @@ void InputMap::offer(int a, int b, int face) {
   if (sought != faceWith_.end() && sought->second < 0) sought->second = face;
 }
 
-void InputMap::mapCorners(int t) {
-  Corners& corners = corners_[t];
-  if (kept_[t] < 0) {
-    corners = {-1, -1, -1};
-    return;
+void InputMap::mapTriangle(int t) {
+  int* const corners = &triangles_[3 * static_cast<std::size_t>(t)];
+  for (int* corner = corners; corner < corners + 3; ++corner) {
+    const int vertex = std::exchange(*corner, -1);
+    if (kept_[t] < 0) continue;
+    const Corners& face = faces_[kept_[t]];
+    const int representative = representative_[vertex];
+    const auto at = std::find(face.begin(), face.end(), representative);
+    *corner = 3 * kept_[t] + static_cast<int>(at - face.begin());
+    for (int* slot : {&ofVertex_[vertex], &ofRepresentative_[representative]})
+      if (*slot < 0) *slot = *corner;
   }
-  const Corners& face = faces_[kept_[t]];
-  for (int& corner : corners) {
-    const auto at = std::find(face.begin(), face.end(), corner);
-    corner = 3 * kept_[t] + static_cast<int>(at - face.begin());
-  }
-}
-
-void InputMap::mapVertexOf(int corner) {
-  const int h = corners_[corner / 3][corner % 3];
-  if (h < 0) return;
-  const int vertex = triangles_[corner];
-  for (int* slot : {&ofVertex_[vertex], &ofRepresentative_[representative_[vertex]]})
-    if (*slot < 0) *slot = h;
 }
 
 void InputMap::mapVertex(int v) {

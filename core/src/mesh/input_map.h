@@ -4,7 +4,6 @@
 #pragma once
 
 #include <map>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -23,34 +22,28 @@ namespace gvd {
 class InputMap {
  public:
   /// `triangles` and their vertices' representatives are the input's, `faces` the mesh's by
-  /// representatives: all these must outlive this. `corners` are the input's triangles by
-  /// representatives, `kept` is the face of each or -1: both are changed in place.
-  InputMap(std::span<const int> triangles, const std::vector<int>& representative,
-           const std::vector<Corners>& faces, std::vector<Corners> corners, std::vector<int> kept,
-           MeshRepairs& repairs)
+  /// representatives, `kept` is the face of each input triangle or -1. All must outlive this; the
+  /// vertices in `triangles` become the halfedges.
+  InputMap(std::vector<int>& triangles, const std::vector<int>& representative,
+           const std::vector<Corners>& faces, std::vector<int>& kept, MeshRepairs& repairs)
       : triangles_(triangles),
         representative_(representative),
         faces_(faces),
-        corners_(std::move(corners)),
-        kept_(std::move(kept)),
+        kept_(kept),
         repairs_(repairs) {}
   bool step(long& budget);
-  std::vector<Corners> takeHalfedgesOfTriangles() { return std::move(corners_); }
   std::vector<int> takeHalfedgeOfVertices() { return std::move(ofVertex_); }
 
  private:
-  bool isSought(int t) const;
-  std::pair<int, int> ends(int t) const;
+  WeldedTriangles welded() const { return {triangles_, representative_}; }
   void offer(int a, int b, int face);
-  void mapCorners(int t);
-  void mapVertexOf(int corner);
+  void mapTriangle(int t);
   void mapVertex(int v);
 
-  const std::span<const int> triangles_;
+  std::vector<int>& triangles_;
   const std::vector<int>& representative_;
   const std::vector<Corners>& faces_;
-  std::vector<Corners> corners_;  ///< then halfedges
-  std::vector<int> kept_;
+  std::vector<int>& kept_;
   MeshRepairs& repairs_;
 
   SlicedSequence sequence_;

@@ -73,13 +73,12 @@ bool MeshBuilding::step(long budget) {
             [&] { representative_ = welding_->take(); });
       },
       [&] {
-        welded_.resize(triangles_.size() / 3);
-        return loop_.run(welded_.size(), budget, 8, [&](int t) { weldCorners(t); });
-      },
-      [&] {
         return runPart(
             selecting_, budget,
-            [&] { selecting_.emplace(welded_, inputVertexCount(), m.repairs_); },
+            [&] {
+              selecting_.emplace(WeldedTriangles{triangles_, representative_}, inputVertexCount(),
+                                 m.repairs_);
+            },
             [&] { selection_ = selecting_->take(); });
       },
       [&] {
@@ -116,18 +115,17 @@ bool MeshBuilding::step(long budget) {
         return runPart(
             mapping_, budget,
             [&] {
-              mapping_.emplace(triangles_, representative_, selection_.corners, std::move(welded_),
-                               std::move(selection_.kept), m.repairs_);
+              mapping_.emplace(triangles_, representative_, selection_.corners, selection_.kept,
+                               m.repairs_);
             },
             [&] {
-              m.faceOfInput_ = mapping_->takeHalfedgesOfTriangles();
+              m.halfedgeOfInput_ = std::move(triangles_);
               m.vertexOfInput_ = mapping_->takeHalfedgeOfVertices();
             });
       },
       [&] {
-        release(triangles_);
         release(representative_);
-        release(selection_.corners);
+        selection_ = {};
         if (const std::size_t size = 3 * m.inputVertex_.size(); size > positions_.size()) {
           positions_.reserve(size);
           positions_.resize(size);
@@ -186,10 +184,6 @@ void MeshBuilding::requireVertices(int triangle) const {
     rejectMesh("triangle " + std::to_string(triangle) + " has vertex index " + std::to_string(v) +
                ", but there are " + std::to_string(inputVertexCount()) + " vertices");
   }
-}
-
-void MeshBuilding::weldCorners(int triangle) {
-  for (int i = 0; i < 3; ++i) welded_[triangle][i] = representative_[triangles_[3 * triangle + i]];
 }
 
 void MeshBuilding::takeFans() {

@@ -29,7 +29,6 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
  private:
   int inputVertexCount() const { return static_cast<int>(positions_.size() / 3); }
   void requireVertices(int triangle) const;
-  void weldCorners(int triangle);
   void takeFans();
   void takePosition(int vertex);
   void requireMeasurable() const;
@@ -41,7 +40,7 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
   void countTopology();
 
   std::vector<double> positions_;  ///< the input's, then those of the mesh
-  std::vector<int> triangles_;
+  std::vector<int> triangles_;     ///< the input's, then halfedges of the mesh
   const MeshOptions options_;
   TriangleMesh mesh_;
 
@@ -49,7 +48,6 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
   SlicedLoop loop_;
   std::optional<VertexWelding> welding_;
   std::vector<int> representative_;
-  std::vector<Corners> welded_;  ///< the input's triangles by representatives
   std::optional<TriangleSelection> selecting_;
   Selection selection_;
   std::optional<HalfedgeMatching> matching_;

@@ -63,7 +63,7 @@ SurfacePoint TriangleMesh::fromInput(const SurfacePoint& p) const {
   if (p.face < 0 || p.face >= inputFaceCount()) {
     rejectPoint("there is no triangle " + std::to_string(p.face));
   }
-  const std::array<int, 3>& halfedges = faceOfInput_[p.face];
+  const int* const halfedges = &halfedgeOfInput_[3 * static_cast<std::size_t>(p.face)];
   if (halfedges[0] < 0) {
     rejectPoint("triangle " + std::to_string(p.face) +
                 " was dropped and no other triangle has its points");

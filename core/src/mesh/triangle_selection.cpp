@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <string>
 #include <tuple>
@@ -19,7 +19,10 @@ namespace {
 int hashOf(const Eigen::Vector3d& p, int count) {
   std::uint64_t hash = 0;
   for (const double x : p) {
-    hash = (hash ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0x9E3779B97F4A7C15;
+    const double unsignedZero = x + 0.0;
+    std::uint64_t bits;
+    std::memcpy(&bits, &unsignedZero, sizeof bits);
+    hash = (hash ^ bits) * 0x9E3779B97F4A7C15;
     hash ^= hash >> 32;
   }
   return static_cast<int>((hash & 0xFFFFFFFF) * static_cast<std::uint64_t>(count) >> 32);
@@ -121,9 +124,9 @@ bool isDegenerate(const Corners& corners) {
 }
 
 bool TriangleSelection::step(long& budget) {
-  const int count = static_cast<int>(welded_.size());
+  const int count = welded_.size();
   const auto lowestCorner = [&](int t) {
-    const Corners& corners = welded_[t];
+    const Corners corners = welded_[t];
     return isDegenerate(corners) ? -1 : std::min({corners[0], corners[1], corners[2]});
   };
   return sequence_.run(
@@ -147,9 +150,10 @@ bool TriangleSelection::step(long& budget) {
 }
 
 void TriangleSelection::count(int t) {
-  if (!isFinite(welded_[t]))
+  const Corners corners = welded_[t];
+  if (!isFinite(corners))
     ++repairs_.nonFiniteTriangles;
-  else if (isDegenerate(welded_[t]))
+  else if (isDegenerate(corners))
     ++repairs_.degenerateTriangles;
 }
 
@@ -183,7 +187,7 @@ void TriangleSelection::keep(int t) {
 
 void TriangleSelection::requireAny() const {
   if (!out_.input.empty()) return;
-  const std::size_t count = welded_.size();
+  const int count = welded_.size();
   throw Error(ErrorCode::kInvalidMesh,
               count == 0 ? "there are no triangles"
                          : "no triangle is left: of " + std::to_string(count) + " triangles " +

@@ -66,9 +66,7 @@ struct Selection {
 /// counts them. Throws `Error(kInvalidMesh)` if none is left. O(n), but O(n log n) for duplicates.
 class TriangleSelection {
  public:
-  /// `welded` must outlive this: the input's triangles with representatives for corners, -1 where a
-  /// corner is not finite.
-  TriangleSelection(const std::vector<Corners>& welded, int vertexCount, MeshRepairs& repairs)
+  TriangleSelection(const WeldedTriangles& welded, int vertexCount, MeshRepairs& repairs)
       : welded_(welded), vertexCount_(vertexCount), repairs_(repairs) {}
   bool step(long& budget);
   Selection take() { return std::move(out_); }
@@ -79,7 +77,7 @@ class TriangleSelection {
   void keep(int t);
   void requireAny() const;
 
-  const std::vector<Corners>& welded_;
+  const WeldedTriangles welded_;
   const int vertexCount_;
   MeshRepairs& repairs_;
 

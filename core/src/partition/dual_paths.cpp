@@ -38,7 +38,7 @@ class DualPathFinding final : public SlicedWork<std::vector<DualPath>> {
 
   bool step(long budget) override {
     constexpr int kSegmentsAtATime = 64;
-    constexpr long kSegmentUnits = 8, kPathUnits = 200;
+    constexpr long kSegmentUnits = 16, kPathUnits = 1000;
     for (; nextSegment_ < diagram_.segments.size(); nextSegment_ += kSegmentsAtATime) {
       if (budget <= 0) return false;
       const std::size_t left = diagram_.segments.size() - nextSegment_;

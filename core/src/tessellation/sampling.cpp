@@ -187,8 +187,8 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
 
   bool step(long budget) override {
     return sequence_.run([&] { return longestEdge_.step(budget); },
+                         [&] { return fillInSlices(known_, mesh_.vertexCount(), {}, budget); },
                          [&] {
-                           known_.resize(mesh_.vertexCount());
                            sums_ = cumulative(faceWeights(mesh_));
                            return true;
                          },
