@@ -106,6 +106,21 @@ GVD_ABI void release(void* memory) { std::free(memory); }
 GVD_ABI const char* errorCode() { return lastCode; }
 GVD_ABI const char* errorMessage() { return lastMessage.c_str(); }
 
+/// Works on an answer, which can be read when that is done.
+GVD_ABI SliceEnd stepAnswer(Answer* answer, int budget) {
+  return guarded([&] {
+    if (!answer->work) return kDone;
+    if (!answer->work->step(budget)) return kMoreToDo;
+    answer->record = answer->work->take();
+    answer->rows = answer->record.rows();
+    answer->work.reset();
+    return kDone;
+  });
+}
+/// The share that is done, 0 … 1.
+GVD_ABI double answerProgress(const Answer* answer) {
+  return answer->work ? answer->work->progress() : 1;
+}
 GVD_ABI std::size_t answerRowCount(const Answer* answer) { return answer->rows.size(); }
 GVD_ABI const Record::Row* answerRows(const Answer* answer) { return answer->rows.data(); }
 GVD_ABI void freeAnswer(Answer* answer) { delete answer; }

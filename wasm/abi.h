@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <exception>
 #include <list>
+#include <memory>
 #include <new>
 #include <span>
 #include <stdexcept>
@@ -89,8 +90,22 @@ class Record {
   std::list<Entry> entries_;
 };
 
-/// A record on its way out, until JavaScript has copied and freed it.
+/// How a slice of work ended; zero when it failed, as with every function here.
+enum SliceEnd { kFailed = 0, kMoreToDo = 1, kDone = 2 };
+
+/// Work that is done in slices before there is a record.
+class RecordWork {
+ public:
+  virtual ~RecordWork() = default;
+  virtual bool step(long budget) = 0;
+  virtual double progress() const = 0;
+  virtual Record take() = 0;
+};
+
+/// A record on its way out, until JavaScript has copied and freed it; before that, the work that it
+/// comes from, if any.
 struct Answer {
+  std::unique_ptr<RecordWork> work;
   Record record;
   std::vector<Record::Row> rows = record.rows();
 };
@@ -115,7 +130,7 @@ auto guarded(F&& f) -> decltype(f()) {
 /// Runs `f`, which returns a `Record`.
 template <class F>
 Answer* answer(F&& f) {
-  return guarded([&] { return new Answer{f()}; });
+  return guarded([&] { return new Answer{nullptr, f()}; });
 }
 
 /// An enumerator and its name in JavaScript.

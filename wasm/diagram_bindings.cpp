@@ -105,8 +105,8 @@ GVD_ABI Answer* pathToSite(const VoronoiHandle* voronoi, Ints face, Doubles bary
 GVD_ABI SliceEnd startTracing(VoronoiHandle* voronoi, int detail) {
   return guarded([&] {
     voronoi->options = {.detail = detail};
-    voronoi->tracing.emplace(voronoi->mesh(), voronoi->field(),
-                             static_cast<int>(voronoi->sites.size()), voronoi->options);
+    voronoi->tracing = startDiagram(voronoi->mesh(), voronoi->field(),
+                                    static_cast<int>(voronoi->sites.size()), voronoi->options);
     return kMoreToDo;
   });
 }
@@ -115,7 +115,7 @@ GVD_ABI SliceEnd startTracing(VoronoiHandle* voronoi, int detail) {
 GVD_ABI SliceEnd stepTracing(VoronoiHandle* voronoi, int budget) {
   return guarded([&] {
     if (!voronoi->tracing->step(budget)) return kMoreToDo;
-    voronoi->traced = voronoi->tracing->take();
+    voronoi->traced = std::make_shared<const Diagram>(voronoi->tracing->take());
     voronoi->tracing.reset();
     return kDone;
   });

@@ -6,6 +6,8 @@
 #include <limits>
 #include <memory>
 #include <span>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "gvd/curvature.h"
@@ -25,29 +27,15 @@ constexpr Named<Sampling> kSamplings[] = {{"random", Sampling::kRandom},
                                           {"farthest", Sampling::kFarthest},
                                           {"poisson", Sampling::kPoisson}};
 
-std::vector<SurfacePoint> sample(const TriangleMesh& mesh, int count, Sampling sampling,
-                                 std::uint64_t seed) {
-  switch (sampling) {
-    case Sampling::kFarthest:
-      return sampleFarthest(mesh, count, seed);
-    case Sampling::kPoisson:
-      return samplePoissonDiskCount(mesh, count, seed).points;
-    default:
-      return sampleUniform(mesh, count, seed);
-  }
-}
-
-std::vector<SurfacePoint> sampleByRadius(const TriangleMesh& mesh, double radius, Sampling sampling,
-                                         std::uint64_t seed) {
-  constexpr int kAny = std::numeric_limits<int>::max();
-  switch (sampling) {
-    case Sampling::kFarthest:
-      return sampleFarthest(mesh, kAny, seed, radius);
-    case Sampling::kPoisson:
-      return samplePoissonDisk(mesh, radius, seed).points;
-    default:
-      throw Error(ErrorCode::kInvalidArgument, "random sites have no radius: ask for a number");
-  }
+/// A sampling as points alone.
+template <class Result>
+Answer* pointsAnswer(const MeshHandle& handle, std::unique_ptr<SlicedWork<Result>> work) {
+  return answerOf(std::move(work), [mesh = handle.mesh](const Result& result) {
+    if constexpr (std::is_same_v<Result, PoissonDisk>)
+      return pointsRecord(*mesh, result.points);
+    else
+      return pointsRecord(*mesh, result);
+  });
 }
 
 Record repairsRecord(const MeshRepairs& repairs) {
@@ -68,47 +56,80 @@ Record repairsRecord(const MeshRepairs& repairs) {
   return out;
 }
 
+Record infoRecord(const TriangleMesh& mesh) {
+  const MeshTopology& topology = mesh.topology();
+  Record out;
+  out.add("vertices", mesh.vertexCount());
+  out.add("faces", mesh.faceCount());
+  out.add("edges", topology.edges);
+  out.add("inputVertices", mesh.inputVertexCount());
+  out.add("inputFaces", mesh.inputFaceCount());
+  out.add("components", topology.components);
+  out.add("boundaryLoops", topology.boundaryLoops);
+  out.add("eulerCharacteristic", topology.eulerCharacteristic);
+  out.add("genus", topology.genus);
+  out.add("area", mesh.area());
+  out.add("boundingDiagonal", mesh.boundingDiagonal());
+  out.add("repairs", repairsRecord(mesh.repairs()));
+  return out;
+}
+
 }  // namespace
 
 GVD_ABI const char* version() { return GVD_VERSION; }
 
-GVD_ABI MeshHandle* createMesh(Doubles positions, Ints triangles, double weld, Text orientation,
-                               int minComponent) {
+/// What a mesh is made of comes piece by piece: so that copying it does not take the thread, and it
+/// is never here twice.
+struct MeshArrays {
+  std::vector<double> positions;
+  std::vector<int> triangles;
+};
+
+GVD_ABI MeshArrays* newMeshArrays(int coordinates, int indices) {
+  return guarded([&] {
+    auto arrays = std::make_unique<MeshArrays>();
+    arrays->positions.reserve(coordinates);
+    arrays->triangles.reserve(indices);
+    return arrays.release();
+  });
+}
+
+GVD_ABI MeshArrays* appendToMeshArrays(MeshArrays* arrays, Doubles positions, Ints triangles) {
+  return guarded([&] {
+    const auto append = [](auto& list, const auto& piece) {
+      list.insert(list.end(), piece.span().begin(), piece.span().end());
+    };
+    append(arrays->positions, positions);
+    append(arrays->triangles, triangles);
+    return arrays;
+  });
+}
+
+GVD_ABI void freeMeshArrays(MeshArrays* arrays) { delete arrays; }
+
+/// `MeshInfo`, but for the notes of the reader, and `mesh`: a `MeshHandle`. The arrays are empty
+/// then.
+GVD_ABI Answer* createMesh(MeshArrays* arrays, double weld, Text orientation, int minComponent) {
   return guarded([&] {
     const MeshOptions options = {
         .weld = weld,
         .orientation = valueOf(kOrientations, "orientation", toView(orientation)),
         .minComponent = minComponent};
-    return new MeshHandle{
-        std::make_shared<const TriangleMesh>(positions.span(), triangles.span(), options), {}};
+    return answerOf(
+        startMesh(std::move(arrays->positions), std::move(arrays->triangles), options),
+        [](TriangleMesh mesh) {
+          auto handle = std::make_unique<MeshHandle>();
+          handle->mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
+          Record out = infoRecord(*handle->mesh);
+          out.add("mesh", static_cast<double>(reinterpret_cast<std::uintptr_t>(handle.release())));
+          return out;
+        });
   });
 }
 
 GVD_ABI void freeMesh(MeshHandle* handle) { delete handle; }
 
-/// `MeshInfo`, but for the notes of the glTF reader.
-GVD_ABI Answer* meshInfo(const MeshHandle* handle) {
-  return answer([&] {
-    const TriangleMesh& mesh = *handle->mesh;
-    const MeshTopology& topology = mesh.topology();
-    Record out;
-    out.add("vertices", mesh.vertexCount());
-    out.add("faces", mesh.faceCount());
-    out.add("edges", topology.edges);
-    out.add("inputVertices", mesh.inputVertexCount());
-    out.add("inputFaces", mesh.inputFaceCount());
-    out.add("components", topology.components);
-    out.add("boundaryLoops", topology.boundaryLoops);
-    out.add("eulerCharacteristic", topology.eulerCharacteristic);
-    out.add("genus", topology.genus);
-    out.add("area", mesh.area());
-    out.add("boundingDiagonal", mesh.boundingDiagonal());
-    out.add("repairs", repairsRecord(mesh.repairs()));
-    return out;
-  });
-}
-
-/// `SurfacePoints` at input vertices.
+/// `SurfacePoints` at input vertices; of a mesh or a diagram.
 GVD_ABI Answer* pointsAtVertices(const MeshHandle* handle, Ints vertex) {
   return answer([&] {
     std::vector<SurfacePoint> points;
@@ -145,21 +166,36 @@ GVD_ABI Answer* closestPoints(MeshHandle* handle, Doubles places) {
 
 /// `SurfacePoints`. `seed` is an integer below 2^53.
 GVD_ABI Answer* sampleSites(const MeshHandle* handle, int count, Text sampling, double seed) {
-  return answer([&] {
+  return guarded([&] {
     const TriangleMesh& mesh = *handle->mesh;
-    return pointsRecord(mesh, sample(mesh, count, valueOf(kSamplings, "sampling", toView(sampling)),
-                                     static_cast<std::uint64_t>(seed)));
+    const auto from = static_cast<std::uint64_t>(seed);
+    switch (valueOf(kSamplings, "sampling", toView(sampling))) {
+      case Sampling::kFarthest:
+        return pointsAnswer(*handle, startFarthest(mesh, count, from));
+      case Sampling::kPoisson:
+        return pointsAnswer(*handle, startPoissonDiskCount(mesh, count, from));
+      default:
+        return new Answer{nullptr, pointsRecord(mesh, sampleUniform(mesh, count, from))};
+    }
   });
 }
 
 /// The same, as many as the radius takes.
 GVD_ABI Answer* sampleSitesByRadius(const MeshHandle* handle, double radius, Text sampling,
                                     double seed) {
-  return answer([&] {
+  return guarded([&] {
     const TriangleMesh& mesh = *handle->mesh;
-    return pointsRecord(
-        mesh, sampleByRadius(mesh, radius, valueOf(kSamplings, "sampling", toView(sampling)),
-                             static_cast<std::uint64_t>(seed)));
+    const auto from = static_cast<std::uint64_t>(seed);
+    switch (valueOf(kSamplings, "sampling", toView(sampling))) {
+      case Sampling::kFarthest: {
+        constexpr int kAny = std::numeric_limits<int>::max();
+        return pointsAnswer(*handle, startFarthest(mesh, kAny, from, radius));
+      }
+      case Sampling::kPoisson:
+        return pointsAnswer(*handle, startPoissonDisk(mesh, radius, from));
+      default:
+        throw Error(ErrorCode::kInvalidArgument, "random sites have no radius: ask for a number");
+    }
   });
 }
 

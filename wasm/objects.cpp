@@ -29,6 +29,10 @@ Diagram VoronoiHandle::diagram() const {
   return diagram;
 }
 
+Surface VoronoiHandle::snapshot() const {
+  return {surface.mesh, dynamic ? std::make_shared<const Diagram>(diagram()) : traced};
+}
+
 std::vector<SurfacePoint> VoronoiHandle::sitesByLabel() const {
   if (!dynamic) return sites;
   std::vector<SurfacePoint> all = dynamic->sites();

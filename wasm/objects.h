@@ -6,10 +6,10 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "abi.h"
@@ -19,6 +19,7 @@
 #include "gvd/dynamic_diagram.h"
 #include "gvd/geodesic.h"
 #include "gvd/sampling.h"
+#include "gvd/sliced_work.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
 
@@ -30,6 +31,12 @@ struct MeshHandle {
   std::shared_ptr<const ClosestPointQuery> closestPoints;  // once it is asked for
 };
 
+/// A mesh and a diagram of it.
+struct Surface {
+  std::shared_ptr<const TriangleMesh> mesh;
+  std::shared_ptr<const Diagram> diagram;
+};
+
 /// A diagram, from the first slice of its propagation to the last point located in it.
 struct VoronoiHandle {
   MeshHandle surface;
@@ -39,8 +46,8 @@ struct VoronoiHandle {
   std::unique_ptr<Propagation> propagation;              // until it is done
   std::shared_ptr<DistanceField> distances;              // from then on
   std::shared_ptr<const DistanceField> sharedDistances;  // or these, of a tessellation
-  std::optional<DiagramTracing> tracing;                 // while it goes on
-  std::optional<Diagram> traced;                         // once it is traced
+  std::unique_ptr<SlicedWork<Diagram>> tracing;          // while it goes on
+  std::shared_ptr<const Diagram> traced;                 // once it is traced
   std::unique_ptr<DynamicDiagram> dynamic;               // instead, once sites have changed
   std::unique_ptr<WorstRegions> worstRegions;            // of that, once they have been asked for
 
@@ -50,6 +57,8 @@ struct VoronoiHandle {
   }
   /// Of the sites there are.
   Diagram diagram() const;
+  /// The mesh and the diagram of now, for work that may last longer than these.
+  Surface snapshot() const;
   /// The sites by label; face -1 where one has been removed. Labels at the end that have none do
   /// not count.
   std::vector<SurfacePoint> sitesByLabel() const;
@@ -66,8 +75,27 @@ struct CvtHandle {
   std::unique_ptr<Cvt> cvt;
 };
 
-/// How a slice of work ended; zero when it failed, as with every function here.
-enum SliceEnd { kFailed = 0, kMoreToDo = 1, kDone = 2 };
+/// A record made of what a core's work comes to.
+template <class Result, class ToRecord>
+class RecordOfResult final : public RecordWork {
+ public:
+  RecordOfResult(std::unique_ptr<SlicedWork<Result>> work, ToRecord toRecord)
+      : toRecord_(std::move(toRecord)), work_(std::move(work)) {}
+  bool step(long budget) override { return work_->step(budget); }
+  double progress() const override { return work_->progress(); }
+  Record take() override { return toRecord_(work_->take()); }
+
+ private:
+  ToRecord toRecord_;  // keeps what the work refers to: first to come, last to go
+  std::unique_ptr<SlicedWork<Result>> work_;
+};
+
+/// An answer that takes the work of the core in slices; `toRecord(result)` is its record.
+template <class Result, class ToRecord>
+Answer* answerOf(std::unique_ptr<SlicedWork<Result>> work, ToRecord toRecord) {
+  return new Answer{
+      std::make_unique<RecordOfResult<Result, ToRecord>>(std::move(work), std::move(toRecord)), {}};
+}
 
 Metric metricOf(std::string_view name);
 

@@ -320,10 +320,10 @@ TEST(Diagram, IsTheSameInSlices) {
     const auto traced = trace(mesh, sites);
     for (const int detail : {0, 1, 2})
       for (const long budget : {1, 7, 100}) {
-        DiagramTracing tracing(mesh, *traced.field, count, {.detail = detail});
-        while (!tracing.step(budget)) {
+        const auto tracing = startDiagram(mesh, *traced.field, count, {.detail = detail});
+        while (!tracing->step(budget)) {
         }
-        EXPECT_TRUE(areIdentical(tracing.take(),
+        EXPECT_TRUE(areIdentical(tracing->take(),
                                  traceDiagram(mesh, *traced.field, count, {.detail = detail})))
             << "seed " << seed << ", detail " << detail << ", budget " << budget;
       }

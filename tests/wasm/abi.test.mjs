@@ -54,8 +54,17 @@ test('a call that does not fit the function is refused before it is made', async
 test('enumerators have the same names on both sides', async () => {
   const core = await WasmModule.instantiate(modules.core);
   const { positions, indices } = octahedron();
-  const triangles = [Float64Array.from(positions), Int32Array.from(indices)];
-  const mesh = core.call('createMesh', ...triangles, 0, orientations[0], 0);
+  const meshOf = (orientation) => {
+    const arrays = core.call('newMeshArrays', positions.length, indices.length);
+    const triangles = [Float64Array.from(positions), Int32Array.from(indices)];
+    core.call('appendToMeshArrays', arrays, ...triangles);
+    return finished(core.call('createMesh', arrays, 0, orientation, 0)).mesh;
+  };
+  const finished = (answer) => {
+    while (core.call('stepAnswer', answer, 1000) !== 2);
+    return core.take(answer);
+  };
+  const mesh = meshOf(orientations[0]);
   const site = [Int32Array.of(0), Float64Array.of(1, 0, 0)];
   const none = [0, 0, new Float64Array(), new Int32Array()];
   const voronoi = core.call('startVoronoi', mesh, ...site, metrics[0]);
@@ -64,9 +73,9 @@ test('enumerators have the same names on both sides', async () => {
   while (core.call('stepTracing', voronoi, 1000) !== 2);
   const named = [
     [metrics, (name) => core.call('startVoronoi', mesh, ...site, name)],
-    [orientations, (name) => core.call('createMesh', ...triangles, 0, name, 0)],
+    [orientations, meshOf],
     [worstRegions, (name) => core.answer('worstRegionPoint', voronoi, name)],
-    [samplings, (name) => core.answer('sampleSites', mesh, 1, name, 1)],
+    [samplings, (name) => finished(core.call('sampleSites', mesh, 1, name, 1))],
     [cvtMethods, (name) => core.call('startCvt', mesh, ...site, name, metrics[0], 1, ...none)],
   ];
   for (const [names, call] of named) {

@@ -34,6 +34,8 @@ import { WasmModule, type Argument } from './wasm_module.js';
 
 /** Units of work between two looks at the clock: well below a slice, well above its price. */
 const unitsPerStep = 256;
+/** Numbers that are copied between two looks at the clock. */
+const numbersPerStep = 2 ** 15;
 /** About the part of the time that reading a file takes; making the mesh is the rest. */
 const readingShare = 0.7;
 /** About the distances' part of the time that a diagram takes; tracing it is the rest. */
@@ -43,6 +45,7 @@ const distancesShare = 0.9;
 type Pointer = number;
 
 /** How a slice of work has ended: `SliceEnd` in `objects.h`. */
+const sliceMoreToDo = 1;
 const sliceDone = 2;
 
 /** An object that is kept until it is closed, with the function that frees it. */
@@ -51,7 +54,11 @@ interface Kept {
   free?: 'freeMesh' | 'freeVoronoi' | 'freeCvt';
   /** Of a diagram the mesh that it is on, once that is asked for: freed with the diagram. */
   mesh?: Handle;
+  lastCall?: Promise<unknown>;
 }
+
+/** What `createMesh` answers: the mesh and what is told about it. */
+type CreatedMesh = Omit<MeshInfo, 'origin' | 'notes'> & { mesh: Pointer };
 
 export class LocalEngine implements Engine {
   readonly version: string;
@@ -76,15 +83,20 @@ export class LocalEngine implements Engine {
     });
   }
 
-  async call<Result>(
+  /** Those about one object have their turn one after the other. */
+  call<Result>(
     name: string,
     object: Handle,
     args: readonly Argument[],
     { signal, onProgress }: TaskOptions,
   ): Promise<Result> {
-    signal?.throwIfAborted();
-    const result = this.#open().answer<Result>(name, this.#pointer(object), ...args);
-    onProgress?.(1);
+    const kept = this.#objects.get(object);
+    const result = (kept?.lastCall ?? Promise.resolve()).then(async () => {
+      signal?.throwIfAborted();
+      const pointer = () => this.#pointer(object); // it may be closed between slices
+      return this.#answer<Result>(name, [pointer(), ...args], { signal, onProgress }, pointer);
+    });
+    if (kept) kept.lastCall = result.catch(() => undefined);
     return result;
   }
 
@@ -103,11 +115,9 @@ export class LocalEngine implements Engine {
     { signal, onProgress }: TaskOptions,
   ): Promise<OpenedMesh> {
     signal?.throwIfAborted();
-    const opened = await ('positions' in source
-      ? this.#openTriangles(source, build)
-      : this.#openFiles(source, build, { signal, onProgress }));
-    onProgress?.(1);
-    return opened;
+    return 'positions' in source
+      ? this.#openTriangles(source, build, { signal, onProgress })
+      : this.#openFiles(source, build, { signal, onProgress });
   }
 
   async #openFiles(
@@ -119,17 +129,66 @@ export class LocalEngine implements Engine {
       signal,
       onProgress: (share) => onProgress?.(readingShare * share),
     });
-    const { handle, info } = this.#openTriangles(triangles, build);
+    const { handle, info } = await this.#openTriangles(triangles, build, {
+      signal,
+      onProgress: (share) => onProgress?.(readingShare + (1 - readingShare) * share),
+    });
     return { handle, info: { ...info, origin, notes }, parts, triangles };
   }
 
-  #openTriangles({ positions, indices }: Triangles, build: MeshBuild): OpenedMesh {
+  async #openTriangles(
+    { positions, indices }: Triangles,
+    { weld, orientation, minComponent }: MeshBuild,
+    task: TaskOptions,
+  ): Promise<OpenedMesh> {
     const core = this.#open();
-    const { weld, orientation, minComponent } = build;
-    const mesh = core.call('createMesh', positions, indices, weld, orientation, minComponent);
-    const counts = core.answer<Omit<MeshInfo, 'origin' | 'notes'>>('meshInfo', mesh);
-    const info: MeshInfo = { ...counts, origin: { format: 'arrays', file: '' }, notes: [] };
-    return { handle: this.#keep({ pointer: mesh, free: 'freeMesh' }), info, parts: [] };
+    const arrays = core.call('newMeshArrays', positions.length, indices.length);
+    try {
+      const length = Math.max(positions.length, indices.length);
+      let at = 0;
+      const copyMore = () => {
+        const part = [at, (at += numbersPerStep)];
+        const pieces = [positions.subarray(...part), indices.subarray(...part)];
+        core.call('appendToMeshArrays', arrays, ...pieces);
+        return at < length ? sliceMoreToDo : sliceDone;
+      };
+      await this.#inSlices(copyMore, { signal: task.signal });
+      const args = [arrays, weld, orientation, minComponent];
+      const { mesh, ...counts } = await this.#answer<CreatedMesh>('createMesh', args, task);
+      const info: MeshInfo = { ...counts, origin: { format: 'arrays', file: '' }, notes: [] };
+      return { handle: this.#keep({ pointer: mesh, free: 'freeMesh' }), info, parts: [] };
+    } finally {
+      core.run('freeMeshArrays', arrays);
+    }
+  }
+
+  /** The answer of a function of core.wasm, worked on in slices. */
+  async #answer<Result>(
+    name: string,
+    args: readonly Argument[],
+    { signal, onProgress }: TaskOptions,
+    requireOpen: () => unknown = () => {},
+  ): Promise<Result> {
+    const core = this.#open();
+    const answer = core.call(name, ...args);
+    const step = () => {
+      requireOpen();
+      return core.call('stepAnswer', answer, unitsPerStep);
+    };
+    try {
+      if (step() !== sliceDone) {
+        await this.#inSlices(step, {
+          signal,
+          onProgress: () => onProgress?.(core.run('answerProgress', answer) ?? 0),
+        });
+      }
+    } catch (error) {
+      core.run('freeAnswer', answer);
+      throw error;
+    }
+    const result = core.take<Result>(answer);
+    onProgress?.(1);
+    return result;
   }
 
   async openDiagram(

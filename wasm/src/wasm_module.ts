@@ -132,9 +132,13 @@ export class WasmModule {
     }
   }
 
-  /** Calls a function that returns an `Answer`: a copy of it as an object. */
+  /** Calls a function that returns an `Answer` at once: a copy of it as an object. */
   answer<Result>(name: string, ...args: readonly Argument[]): Result {
-    const answer = this.call(name, ...args);
+    return this.take(this.call(name, ...args));
+  }
+
+  /** A copy of an `Answer` that is there, which is freed. */
+  take<Result>(answer: number): Result {
     try {
       return this.#copyOut(answer) as Result;
     } catch (cause) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "gvd/geodesic.h"
+#include "gvd/sliced_work.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
 
@@ -112,26 +113,9 @@ struct DiagramOptions {
 Diagram traceDiagram(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,
                      const DiagramOptions& options = {});
 
-/// The same in slices, so that a caller keeps responding and can give up.
-class DiagramTracing {
- public:
-  /// The mesh and the distances must outlive this.
-  DiagramTracing(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,
-                 const DiagramOptions& options = {});
-  ~DiagramTracing();
-  DiagramTracing(DiagramTracing&&) noexcept;
-  DiagramTracing& operator=(DiagramTracing&&) noexcept;
-
-  /// Works on at most `budget` mixed faces, each of which takes about a microsecond, or does as
-  /// much work of another kind; true when everything is done. A single face (with all the sites in
-  /// it) and a single loop are never divided, so a step may take longer by one of these.
-  bool step(long budget);
-  /// The result; call once, after `step` returned true.
-  Diagram take();
-
- private:
-  class Implementation;
-  std::unique_ptr<Implementation> implementation_;
-};
+/// The same in steps. The mesh and the distances must outlive it.
+std::unique_ptr<SlicedWork<Diagram>> startDiagram(const TriangleMesh& mesh,
+                                                  const DistanceField& distances, int siteCount,
+                                                  const DiagramOptions& options = {});
 
 }  // namespace gvd

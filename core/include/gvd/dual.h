@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "gvd/diagram.h"
 #include "gvd/geodesic.h"
 #include "gvd/polygon_mesh.h"
+#include "gvd/sliced_work.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
 
@@ -44,6 +46,14 @@ PolygonMesh dualMesh(const TriangleMesh& mesh, std::span<const SurfacePoint> sit
 /// none at all: it is left out then. Costs as much as `partition`.
 PolygonMesh regionMesh(const TriangleMesh& mesh, const Diagram& diagram);
 
+/// Both in steps, as are other works of this file: what they are given by reference must outlive
+/// them.
+std::unique_ptr<SlicedWork<PolygonMesh>> startDualMesh(const TriangleMesh& mesh,
+                                                       std::vector<SurfacePoint> sites,
+                                                       const Diagram& diagram);
+std::unique_ptr<SlicedWork<PolygonMesh>> startRegionMesh(const TriangleMesh& mesh,
+                                                         const Diagram& diagram);
+
 /// A side of a dual as a path on the surface.
 struct DualPath {
   std::array<int, 2> labels;         ///< those of the arc that it crosses, the lower one first
@@ -57,6 +67,9 @@ struct DualPath {
 /// `field` holds the distances that the diagram was traced from. O(vertices) per arc.
 std::vector<DualPath> dualPaths(const TriangleMesh& mesh, const Diagram& diagram,
                                 const DistanceField& field);
+std::unique_ptr<SlicedWork<std::vector<DualPath>>> startDualPaths(const TriangleMesh& mesh,
+                                                                  const Diagram& diagram,
+                                                                  const DistanceField& field);
 
 /// A reason why a dual does not have the topology of the surface: something that keeps the regions
 /// from having the *closed ball property* (Edelsbrunner & Shah 1997): every region is a disk, any
@@ -84,6 +97,8 @@ struct Violation {
 /// points. Source: Herbert Edelsbrunner, Nimish Shah. Triangulating Topological Spaces. 1997.
 std::vector<Violation> findViolations(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
                                       const Diagram& diagram);
+std::unique_ptr<SlicedWork<std::vector<Violation>>> startViolations(
+    const TriangleMesh& mesh, std::span<const SurfacePoint> sites, const Diagram& diagram);
 
 /// One round of `repair`: the sites to add. For each violation that is the point, of those at which
 /// the violation can be seen, that is farthest from all sites; and in each component without a site
@@ -96,6 +111,9 @@ std::vector<Violation> findViolations(const TriangleMesh& mesh, std::span<const 
 std::vector<SurfacePoint> repairingSites(const TriangleMesh& mesh,
                                          std::span<const SurfacePoint> sites,
                                          const Diagram& diagram, const DistanceField& field);
+std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> startRepairingSites(
+    const TriangleMesh& mesh, std::span<const SurfacePoint> sites, const Diagram& diagram,
+    const DistanceField& field);
 
 struct RepairOptions {
   int maxAdded = 1000;  ///< how many sites may be added

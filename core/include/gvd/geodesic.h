@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "gvd/sliced_work.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
 
@@ -90,18 +91,8 @@ class DistanceField {
 /// infinity if two points in succession have no face in common.
 double lengthOf(const TriangleMesh& mesh, std::span<const SurfacePoint> path);
 
-/// A propagation that can be done in slices, so that a caller keeps responding and can give up.
-class Propagation {
- public:
-  virtual ~Propagation() = default;
-  /// Works on at most `budget` queue entries; true when everything is done.
-  virtual bool step(long budget) = 0;
-  /// The share of the work done, an estimate in [0, 1] that never falls.
-  virtual double progress() const = 0;
-  /// The result; call once, after `step` returned true. The field refers to the mesh, which must
-  /// outlive it.
-  virtual std::unique_ptr<DistanceField> take() = 0;
-};
+/// The distances of sites in the making. The field refers to the mesh, which must outlive it.
+using Propagation = SlicedWork<std::unique_ptr<DistanceField>>;
 
 /// How far each site's distances are carried.
 enum class Spread {

@@ -17,6 +17,9 @@
 ///     const auto distances = propagation->take();
 ///     const gvd::Diagram diagram = gvd::traceDiagram(mesh, *distances, sites.size());
 ///
+/// What takes long can be done in steps (sliced_work.h): `propagate` is, and `startMesh`,
+/// `startDiagram`, `startPartition` … are what their namesakes return at once.
+///
 /// Then, as needed, in any order:
 ///  - sampling.h: sites to begin with; curvature.h: densities for them; closest_point.h: points on
 ///    the surface for places in space
@@ -46,6 +49,7 @@
 #include "gvd/polygon_mesh.h"
 #include "gvd/remesh.h"
 #include "gvd/sampling.h"
+#include "gvd/sliced_work.h"
 #include "gvd/straightest.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"

@@ -7,9 +7,11 @@
 #include <Eigen/Core>
 #include <array>
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "gvd/diagram.h"
+#include "gvd/sliced_work.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
 
@@ -91,6 +93,11 @@ struct PartitionOptions {
 /// Triangulated Surfaces. 2014.
 Partition partition(const TriangleMesh& mesh, const Diagram& diagram,
                     const PartitionOptions& options = {});
+
+/// The same in steps. Mesh and diagram must outlive it.
+std::unique_ptr<SlicedWork<Partition>> startPartition(const TriangleMesh& mesh,
+                                                      const Diagram& diagram,
+                                                      const PartitionOptions& options = {});
 
 /// The corners of a triangle of a partition in terms of `triangleFace[triangle]`: column i holds
 /// the barycentric coordinates of corner i. `Partition::points` gives a vertex that lies on an edge

@@ -3,7 +3,10 @@
 /// How good the dual of a tessellation is as a remesh of the surface.
 #pragma once
 
+#include <memory>
+
 #include "gvd/polygon_mesh.h"
+#include "gvd/sliced_work.h"
 #include "gvd/triangle_mesh.h"
 
 namespace gvd {
@@ -27,5 +30,9 @@ struct RemeshQuality {
 /// the centres of the faces of the surface, and at points of the remesh that are about as dense.
 /// O(n log n) for n faces and samples.
 RemeshQuality measureQuality(const TriangleMesh& surface, const PolygonMesh& remesh);
+
+/// The same in steps, making the remesh included. The surface must outlive it.
+std::unique_ptr<SlicedWork<RemeshQuality>> startQuality(
+    const TriangleMesh& surface, std::unique_ptr<SlicedWork<PolygonMesh>> remeshing);
 
 }  // namespace gvd

@@ -9,12 +9,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "gvd/diagram.h"
 #include "gvd/dynamic_diagram.h"
 #include "gvd/geodesic.h"
+#include "gvd/sliced_work.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
 
@@ -44,6 +46,11 @@ std::vector<SurfacePoint> sampleByDensity(const TriangleMesh& mesh, std::span<co
 std::vector<SurfacePoint> sampleFarthest(const TriangleMesh& mesh, int count, std::uint64_t seed,
                                          double coveringRadius = 0);
 
+/// The same in steps. The mesh must outlive it.
+std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> startFarthest(const TriangleMesh& mesh,
+                                                                     int count, std::uint64_t seed,
+                                                                     double coveringRadius = 0);
+
 struct PoissonDisk {
   std::vector<SurfacePoint> points;
   double radius;  ///< no two points are nearer to each other, in the mesh's units
@@ -59,6 +66,12 @@ PoissonDisk samplePoissonDisk(const TriangleMesh& mesh, double radius, std::uint
 /// so the first of them are a Poisson disk sample themselves, a coarser one.
 /// Source: Michael McCool, Eugene Fiume. Hierarchical Poisson Disk Sampling Distributions. 1992.
 PoissonDisk samplePoissonDiskCount(const TriangleMesh& mesh, int count, std::uint64_t seed);
+
+/// Both in steps. The mesh must outlive them.
+std::unique_ptr<SlicedWork<PoissonDisk>> startPoissonDisk(const TriangleMesh& mesh, double radius,
+                                                          std::uint64_t seed);
+std::unique_ptr<SlicedWork<PoissonDisk>> startPoissonDiskCount(const TriangleMesh& mesh, int count,
+                                                               std::uint64_t seed);
 
 /// Which region of a diagram is the worst, and gets the next site.
 enum class WorstRegion {

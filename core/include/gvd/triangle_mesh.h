@@ -5,15 +5,15 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "gvd/sliced_work.h"
 #include "gvd/surface_point.h"
 
 namespace gvd {
-
-struct IntrinsicTriangle;
 
 /// What becomes of the sides that triangles are given by, the order of their corners.
 enum class Orientation {
@@ -194,7 +194,9 @@ class TriangleMesh {
     } while (h >= 0 && h != first);
   }
 
-  Eigen::Vector3d position(int v) const { return positions_.col(v); }
+  Eigen::Vector3d position(int v) const {
+    return Eigen::Vector3d::Map(&positions_[3 * static_cast<std::size_t>(v)]);
+  }
   Eigen::Vector3d position(const SurfacePoint& p) const;
   /// The interior angle at corner h % 3 of face h / 3, in (0, π).
   double cornerAngle(int h) const { return faces_[faceOf(h)].angles[h % 3]; }
@@ -217,7 +219,7 @@ class TriangleMesh {
   bool isFlipped(int f) const { return flipped_[f]; }
   /// The first input vertex at the place of v.
   int inputVertex(int v) const { return inputVertex_[v]; }
-  int inputFaceCount() const { return static_cast<int>(faceOfInput_.size()); }
+  int inputFaceCount() const { return static_cast<int>(halfedgeOfInput_.size() / 3); }
   int inputVertexCount() const { return static_cast<int>(vertexOfInput_.size()); }
 
   /// Why a point is none of this mesh, in words, as far as 1e-6 of its barycentric coordinates;
@@ -246,12 +248,10 @@ class TriangleMesh {
   const MeshTopology& topology() const { return topology_; }
 
  private:
-  void copyPositions(std::span<const double> positions);
-  void measureFaces();
-  void setFace(int f, const IntrinsicTriangle& triangle);
-  void countTopology(int components);
+  friend class MeshBuilding;
+  TriangleMesh() = default;
 
-  Eigen::Matrix3Xd positions_;
+  std::vector<double> positions_;
   std::vector<int> tail_, twin_;
   std::vector<Face> faces_;
   std::vector<double> faceArea_;
@@ -262,13 +262,19 @@ class TriangleMesh {
   std::vector<int> boundaryLoops_;
   std::vector<int> inputFace_, inputVertex_;
   std::vector<char> flipped_;
-  /// For every input triangle, the three halfedges that leave its corners, all on one face: on its
-  /// own, or, if the triangle was dropped, on some face that has all of its corners; -1 if there is
-  /// none.
-  std::vector<std::array<int, 3>> faceOfInput_;
+  /// For every corner of every input triangle, a halfedge that leaves it, all three on one face: on
+  /// its own, or, if the triangle was dropped, on some face that has all of its corners; -1 if
+  /// there is none.
+  std::vector<int> halfedgeOfInput_;
   std::vector<int> vertexOfInput_;  ///< a halfedge leaving the vertex's place, or -1
   MeshRepairs repairs_;
   MeshTopology topology_;
 };
+
+/// The same mesh in steps; throws as its constructor does, at once or in a step. It needs less
+/// memory: positions become those of the mesh in place.
+std::unique_ptr<SlicedWork<TriangleMesh>> startMesh(std::vector<double> positions,
+                                                    std::vector<int> triangles,
+                                                    const MeshOptions& options = {});
 
 }  // namespace gvd

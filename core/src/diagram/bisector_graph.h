@@ -5,8 +5,8 @@
 #include <array>
 #include <vector>
 
+#include "base/sliced_loop.h"
 #include "diagram/point_merging.h"
-#include "diagram/sliced_loop.h"
 #include "gvd/diagram.h"
 
 namespace gvd {

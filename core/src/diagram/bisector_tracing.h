@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "base/sliced_loop.h"
 #include "diagram/bisector_graph.h"
 #include "diagram/face_complex.h"
 #include "diagram/face_envelope.h"
-#include "diagram/sliced_loop.h"
 #include "gvd/triangle_mesh.h"
 
 namespace gvd {

@@ -37,12 +37,44 @@ class Tracing {
         nodePoints_(nodePoints) {}
 
   bool step(long& budget) {
-    while (stage_ != Stage::kDone) {
-      if (!runStage(budget)) return false;
-      stage_ = static_cast<Stage>(static_cast<int>(stage_) + 1);
-    }
-    return true;
+    return sequence_.run([&] { return complex_.step(budget); },
+                         [&] {
+                           if (complex_.hasWholeFacesOnly()) return true;
+                           if (!completion_) completion_.emplace(complex_);
+                           return completion_->step(budget);
+                         },
+                         [&] {
+                           if (!bisectors_)
+                             bisectors_.emplace(complex_, siteCount_, nodePoints_, graph_);
+                           if (!bisectors_->step(budget)) return false;
+                           bisectors_.reset();
+                           return true;
+                         },
+                         [&] {
+                           if (!outlines_)
+                             outlines_.emplace(mesh_, distances_, nodePoints_, isTraced_, graph_);
+                           return outlines_->step(budget);
+                         },
+                         [&] { return points_.prepare(budget); },
+                         [&] {
+                           if (!segments_)
+                             segments_.emplace(mesh_, graph_, outlines_->boundarySteps(), points_,
+                                               out_);
+                           return segments_->step(budget);
+                         },
+                         [&] { return arcs_.step(budget); },
+                         [&] {
+                           if (!voronoiPoints_)
+                             voronoiPoints_.emplace(graph_, *outlines_, points_, out_);
+                           return voronoiPoints_->step(budget);
+                         },
+                         [&] { return collectLoops(budget); },
+                         [&] {
+                           if (!cells_) cells_.emplace(complex_, graph_, points_, out_);
+                           return cells_->step(budget);
+                         });
   }
+  double progress() const { return sequence_.progress(); }
 
   TracedDiagram take() {
     out_.siteCount = siteCount_;
@@ -54,57 +86,6 @@ class Tracing {
   }
 
  private:
-  enum class Stage {
-    kComplex,
-    kCompletion,
-    kGraph,
-    kOutlines,
-    kPoints,
-    kSegments,
-    kArcs,
-    kVoronoiPoints,
-    kLoops,
-    kCells,
-    kDone
-  };
-
-  bool runStage(long& budget) {
-    switch (stage_) {
-      case Stage::kComplex:
-        return complex_.step(budget);
-      case Stage::kCompletion:
-        if (complex_.hasWholeFacesOnly()) return true;
-        if (!completion_) completion_.emplace(complex_);
-        return completion_->step(budget);
-      case Stage::kGraph:
-        if (!bisectors_) bisectors_.emplace(complex_, siteCount_, nodePoints_, graph_);
-        if (!bisectors_->step(budget)) return false;
-        bisectors_.reset();
-        return true;
-      case Stage::kOutlines:
-        if (!outlines_) outlines_.emplace(mesh_, distances_, nodePoints_, isTraced_, graph_);
-        return outlines_->step(budget);
-      case Stage::kPoints:
-        return points_.prepare(budget);
-      case Stage::kSegments:
-        if (!segments_) segments_.emplace(mesh_, graph_, outlines_->boundarySteps(), points_, out_);
-        return segments_->step(budget);
-      case Stage::kArcs:
-        return arcs_.step(budget);
-      case Stage::kVoronoiPoints:
-        if (!voronoiPoints_) voronoiPoints_.emplace(graph_, *outlines_, points_, out_);
-        return voronoiPoints_->step(budget);
-      case Stage::kLoops:
-        return collectLoops(budget);
-      case Stage::kCells:
-        if (!cells_) cells_.emplace(complex_, graph_, points_, out_);
-        return cells_->step(budget);
-      case Stage::kDone:
-        break;
-    }
-    return true;
-  }
-
   bool collectLoops(long& budget) {
     out_.loops.points.reserve(outlines_->pointCount());
     return loop_.run(outlines_->size(), budget, 1, [&](int outline) {
@@ -121,7 +102,7 @@ class Tracing {
   const std::span<const char> isTraced_;
   NodePoints& nodePoints_;
 
-  Stage stage_ = Stage::kComplex;
+  SlicedSequence sequence_;
   SlicedLoop loop_;
   BisectorGraph graph_;
   Diagram out_;
@@ -151,7 +132,7 @@ void requireLabels(const TriangleMesh& mesh, const DistanceField& distances, int
 }
 
 /// The tracing of all of a diagram.
-class WholeTracing {
+class WholeTracing final : public SlicedWork<Diagram> {
  public:
   WholeTracing(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,
                const DiagramOptions& options)
@@ -161,8 +142,10 @@ class WholeTracing {
     requireLabels(mesh, distances, siteCount);
   }
 
-  bool step(long& budget) { return tracing_.step(budget); }
-  TracedDiagram take() { return tracing_.take(); }
+  bool step(long budget) override { return tracing_.step(budget); }
+  double progress() const override { return tracing_.progress(); }
+  Diagram take() override { return takeAll().diagram; }
+  TracedDiagram takeAll() { return tracing_.take(); }
 
  private:
   FaceComplex complex_;
@@ -172,22 +155,11 @@ class WholeTracing {
 
 }  // namespace
 
-class DiagramTracing::Implementation : public WholeTracing {
- public:
-  using WholeTracing::WholeTracing;
-};
-
-DiagramTracing::DiagramTracing(const TriangleMesh& mesh, const DistanceField& distances,
-                               int siteCount, const DiagramOptions& options)
-    : implementation_(std::make_unique<Implementation>(mesh, distances, siteCount, options)) {}
-
-DiagramTracing::~DiagramTracing() = default;
-DiagramTracing::DiagramTracing(DiagramTracing&&) noexcept = default;
-DiagramTracing& DiagramTracing::operator=(DiagramTracing&&) noexcept = default;
-
-bool DiagramTracing::step(long budget) { return implementation_->step(budget); }
-
-Diagram DiagramTracing::take() { return implementation_->take().diagram; }
+std::unique_ptr<SlicedWork<Diagram>> startDiagram(const TriangleMesh& mesh,
+                                                  const DistanceField& distances, int siteCount,
+                                                  const DiagramOptions& options) {
+  return std::make_unique<WholeTracing>(mesh, distances, siteCount, options);
+}
 
 Diagram traceDiagram(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,
                      const DiagramOptions& options) {
@@ -197,9 +169,8 @@ Diagram traceDiagram(const TriangleMesh& mesh, const DistanceField& distances, i
 TracedDiagram traceAll(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,
                        const DiagramOptions& options) {
   WholeTracing tracing(mesh, distances, siteCount, options);
-  long unlimited = std::numeric_limits<long>::max();
-  tracing.step(unlimited);
-  return tracing.take();
+  tracing.step(std::numeric_limits<long>::max());
+  return tracing.takeAll();
 }
 
 PartialTracer::PartialTracer(const TriangleMesh& mesh, const DistanceField& distances,

@@ -34,8 +34,8 @@ std::shared_ptr<SiteDistances> distancesOf(const TriangleMesh& mesh,
 }
 
 /// What `propagate` has made.
-std::shared_ptr<SiteDistances> asSiteDistances(const std::shared_ptr<DistanceField>& distances) {
-  auto found = std::dynamic_pointer_cast<SiteDistances>(distances);
+std::shared_ptr<SiteDistances> asSiteDistances(std::shared_ptr<DistanceField> distances) {
+  auto found = std::dynamic_pointer_cast<SiteDistances>(std::move(distances));
   if (!found)
     throw Error(ErrorCode::kInvalidArgument, "the distances are not those that propagate gives");
   return found;
@@ -237,7 +237,7 @@ DynamicDiagram DynamicDiagram::fromDistances(const TriangleMesh& mesh,
                                              std::shared_ptr<DistanceField> distances,
                                              const DiagramOptions& options) {
   return DynamicDiagram(
-      std::make_unique<Implementation>(mesh, asSiteDistances(distances), options));
+      std::make_unique<Implementation>(mesh, asSiteDistances(std::move(distances)), options));
 }
 
 DynamicDiagram::~DynamicDiagram() = default;
@@ -278,6 +278,7 @@ const SurfacePoint& DynamicDiagram::site(int label) const {
 std::vector<SurfacePoint> DynamicDiagram::sites() const {
   const SiteSet& all = implementation_->distances().sites();
   std::vector<SurfacePoint> sites;
+  sites.reserve(all.labelCount());
   for (int label = 0; label < all.labelCount(); ++label) sites.push_back(all[label]);
   return sites;
 }

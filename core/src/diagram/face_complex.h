@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "diagram/sliced_loop.h"
+#include "base/sliced_loop.h"
 #include "gvd/geodesic.h"
 #include "gvd/triangle_mesh.h"
 

@@ -3,10 +3,10 @@
 
 #include <vector>
 
+#include "base/sliced_loop.h"
 #include "diagram/bisector_graph.h"
 #include "diagram/face_complex.h"
 #include "diagram/final_points.h"
-#include "diagram/sliced_loop.h"
 #include "gvd/diagram.h"
 
 namespace gvd {

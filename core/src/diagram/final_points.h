@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "base/sliced_loop.h"
 #include "diagram/bisector_graph.h"
-#include "diagram/sliced_loop.h"
 #include "gvd/surface_point.h"
 
 namespace gvd {

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
+#include "base/sliced_loop.h"
 #include "diagram/bisector_graph.h"
 #include "diagram/bisector_tracing.h"
-#include "diagram/sliced_loop.h"
 #include "gvd/geodesic.h"
 #include "gvd/triangle_mesh.h"
 

@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
+#include "base/sliced_loop.h"
 #include "diagram/bisector_graph.h"
 #include "diagram/final_points.h"
 #include "diagram/region_outlines.h"
-#include "diagram/sliced_loop.h"
 #include "gvd/diagram.h"
 
 namespace gvd {

@@ -4,6 +4,7 @@
 #include "gvd/closest_point.h"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -26,7 +27,10 @@ std::vector<TriangleTree::Triangle> facesOf(const TriangleMesh& mesh) {
 
 class ClosestPointQuery::Implementation {
  public:
-  explicit Implementation(const TriangleMesh& mesh) : tree_(facesOf(mesh)) {}
+  explicit Implementation(const TriangleMesh& mesh) : tree_(facesOf(mesh)) {
+    long unlimited = std::numeric_limits<long>::max();
+    tree_.build(unlimited);
+  }
 
   ClosestPoint closestTo(const Eigen::Vector3d& place) const {
     const TriangleTree::Nearest nearest = tree_.nearest(place);

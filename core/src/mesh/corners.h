@@ -2,12 +2,27 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <span>
 #include <vector>
 
 namespace gvd {
 
 /// The three vertices of a triangle.
 using Corners = std::array<int, 3>;
+
+/// The input's triangles with representatives for corners, -1 where a corner is not finite. (Looked
+/// up, for a list of them would be as large as the input.)
+struct WeldedTriangles {
+  std::span<const int> triangles;
+  std::span<const int> representative;
+
+  int size() const { return static_cast<int>(triangles.size() / 3); }
+  Corners operator[](int t) const {
+    const int* const v = &triangles[3 * static_cast<std::size_t>(t)];
+    return {representative[v[0]], representative[v[1]], representative[v[2]]};
+  }
+};
 
 /// Halfedges of a list of triangles are numbered as those of `TriangleMesh`: halfedge h is side
 /// h % 3 of triangle h / 3 and runs from corner h % 3 to the next one.

@@ -2,87 +2,82 @@
 #include "mesh/input_map.h"
 
 #include <algorithm>
-#include <map>
-#include <utility>
 
 #include "mesh/triangle_selection.h"
 
 namespace gvd {
 namespace {
 
-/// For each degenerate triangle, a face with corners at both of its positions, or -1; the other
-/// entries of `face` stay.
-void findFacesOfDegenerateTriangles(const std::vector<Corners>& triangles,
-                                    const std::vector<Corners>& faces, std::vector<int>& face) {
-  const auto isSought = [&](int t) { return isFinite(triangles[t]) && isDegenerate(triangles[t]); };
-  const auto ends = [&](int t) {
-    const auto [low, high] = std::minmax_element(triangles[t].begin(), triangles[t].end());
-    return std::pair(*low, *high);
-  };
-  std::map<std::pair<int, int>, int> faceWith;
-  for (int t = 0; t < static_cast<int>(triangles.size()); ++t) {
-    if (isSought(t)) faceWith.emplace(ends(t), -1);
-  }
-  if (faceWith.empty()) return;
+bool isSought(const Corners& corners) { return isFinite(corners) && isDegenerate(corners); }
 
-  const auto offer = [&](int a, int b, int f) {
-    const auto sought = faceWith.find(std::minmax(a, b));
-    if (sought != faceWith.end() && sought->second < 0) sought->second = f;
-  };
-  for (int h = 0; h < 3 * static_cast<int>(faces.size()); ++h) {
-    offer(tailOf(faces, h), tailOf(faces, h), h / 3);
-    offer(tailOf(faces, h), tipOf(faces, h), h / 3);
-  }
-  for (int t = 0; t < static_cast<int>(triangles.size()); ++t) {
-    if (isSought(t)) face[t] = faceWith.at(ends(t));
-  }
+/// The two positions of a degenerate triangle.
+std::pair<int, int> endsOf(const Corners& corners) {
+  const auto [low, high] = std::minmax_element(corners.begin(), corners.end());
+  return {*low, *high};
 }
 
 }  // namespace
 
-std::vector<Corners> mapInputCorners(const std::vector<Corners>& welded,
-                                     const std::vector<Corners>& faces, std::vector<int> kept) {
-  findFacesOfDegenerateTriangles(welded, faces, kept);
-  std::vector<Corners> halfedges(welded.size(), {-1, -1, -1});
-  for (std::size_t t = 0; t < welded.size(); ++t) {
-    if (kept[t] < 0) continue;
-    const Corners& corners = faces[kept[t]];
-    for (int i = 0; i < 3; ++i) {
-      const auto at = std::find(corners.begin(), corners.end(), welded[t][i]);
-      halfedges[t][i] = 3 * kept[t] + static_cast<int>(at - corners.begin());
-    }
-  }
-  return halfedges;
+bool InputMap::step(long& budget) {
+  const std::size_t vertices = representative_.size();
+  const auto forTriangles = [&](long perUnit, auto body) {
+    return loop_.run(kept_.size(), budget, perUnit, body);
+  };
+  return sequence_.run(
+      // Of each degenerate triangle, a face with corners at both of its positions.
+      [&] {
+        return forTriangles(8, [&](int t) {
+          if (const Corners corners = welded()[t]; isSought(corners))
+            faceWith_.emplace(endsOf(corners), -1);
+        });
+      },
+      [&] {
+        return faceWith_.empty() || loop_.run(3 * faces_.size(), budget, 4, [&](int h) {
+          offer(tailOf(faces_, h), tailOf(faces_, h), h / 3);
+          offer(tailOf(faces_, h), tipOf(faces_, h), h / 3);
+        });
+      },
+      [&] {
+        return faceWith_.empty() || forTriangles(4, [&](int t) {
+                 if (const Corners corners = welded()[t]; isSought(corners))
+                   kept_[t] = faceWith_.at(endsOf(corners));
+               });
+      },
+      [&] {
+        faceWith_.clear();
+        return fillInSlices(ofVertex_, vertices, -1, budget);
+      },
+      [&] { return fillInSlices(ofRepresentative_, vertices, -1, budget); },
+      [&] { return forTriangles(8, [&](int t) { mapTriangle(t); }); },
+      [&] { return loop_.run(vertices, budget, kQuickRounds, [&](int v) { mapVertex(v); }); });
 }
 
-std::vector<int> mapInputVertices(std::span<const int> triangles,
-                                  const std::vector<int>& representative,
-                                  const std::vector<Corners>& halfedgesOfInput) {
-  const std::size_t count = representative.size();
-  std::vector<int> ofVertex(count, -1), ofRepresentative(count, -1);
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    const int h = halfedgesOfInput[i / 3][i % 3];
-    if (h < 0) continue;
-    for (int* slot : {&ofVertex[triangles[i]], &ofRepresentative[representative[triangles[i]]]}) {
-      if (*slot < 0) *slot = h;
-    }
-  }
-  for (std::size_t v = 0; v < count; ++v) {
-    if (ofVertex[v] < 0 && representative[v] >= 0)
-      ofVertex[v] = ofRepresentative[representative[v]];
-  }
-  return ofVertex;
+void InputMap::offer(int a, int b, int face) {
+  const auto sought = faceWith_.find(std::minmax(a, b));
+  if (sought != faceWith_.end() && sought->second < 0) sought->second = face;
 }
 
-void countInputVertices(const std::vector<int>& halfedgeOfVertex,
-                        const std::vector<int>& representative, MeshRepairs& repairs) {
-  for (int v = 0; v < static_cast<int>(representative.size()); ++v) {
-    if (halfedgeOfVertex[v] < 0) {
-      ++repairs.isolatedVertices;
-    } else if (representative[v] != v) {
-      ++repairs.weldedVertices;
-    }
+void InputMap::mapTriangle(int t) {
+  int* const corners = &triangles_[3 * static_cast<std::size_t>(t)];
+  for (int* corner = corners; corner < corners + 3; ++corner) {
+    const int vertex = std::exchange(*corner, -1);
+    if (kept_[t] < 0) continue;
+    const Corners& face = faces_[kept_[t]];
+    const int representative = representative_[vertex];
+    const auto at = std::find(face.begin(), face.end(), representative);
+    *corner = 3 * kept_[t] + static_cast<int>(at - face.begin());
+    for (int* slot : {&ofVertex_[vertex], &ofRepresentative_[representative]})
+      if (*slot < 0) *slot = *corner;
   }
+}
+
+void InputMap::mapVertex(int v) {
+  const int representative = representative_[v];
+  if (ofVertex_[v] < 0 && representative >= 0) ofVertex_[v] = ofRepresentative_[representative];
+  if (ofVertex_[v] < 0)
+    ++repairs_.isolatedVertices;
+  else if (representative != v)
+    ++repairs_.weldedVertices;
 }
 
 }  // namespace gvd

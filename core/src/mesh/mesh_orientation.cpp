@@ -3,200 +3,244 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <numeric>
 #include <string>
-#include <utility>
 
 #include "gvd/error.h"
-#include "mesh/counting_sort.h"
 
 namespace gvd {
-namespace {
 
-/// Spreads the orientation of each component's first triangle breadth first, then turns the whole
-/// component over if that suits the majority better.
-OrientedComponents orient(const std::vector<Corners>& triangles, const std::vector<int>& twin) {
-  const int count = static_cast<int>(triangles.size());
-  OrientedComponents result{std::vector<int>(count, -1), std::vector<char>(count, false)};
-  std::vector<int> queue;
-  queue.reserve(count);
-  for (int root = 0; root < count; ++root) {
-    if (result.component[root] >= 0) continue;
-    const std::size_t begin = queue.size();
-    result.component[root] = result.components;
-    queue.push_back(root);
-    int flips = 0;
-    for (std::size_t i = begin; i < queue.size(); ++i) {
-      const int f = queue[i];
-      for (int h = 3 * f; h < 3 * f + 3; ++h) {
-        if (twin[h] < 0 || result.component[twin[h] / 3] >= 0) continue;
-        const int neighbour = twin[h] / 3;
-        const bool disagree = tailOf(triangles, h) == tailOf(triangles, twin[h]);
-        result.component[neighbour] = result.components;
-        result.flipped[neighbour] = static_cast<char>(result.flipped[f] != disagree);
-        flips += result.flipped[neighbour];
-        queue.push_back(neighbour);
-      }
-    }
-    const int members = static_cast<int>(queue.size() - begin);
-    if (2 * static_cast<std::int64_t>(flips) > members) {
-      for (std::size_t i = begin; i < queue.size(); ++i) result.flipped[queue[i]] ^= 1;
-    }
-    ++result.components;
-  }
-  return result;
+// --- Twins -------------------------------------------------------------------------------------
+
+bool HalfedgeMatching::step(long& budget) {
+  const int count = 3 * static_cast<int>(triangles_.size());
+  const auto lowerEnd = [&](int h) {
+    return std::min(tailOf(triangles_, h), tipOf(triangles_, h));
+  };
+  return sequence_.run([&] { return fillInSlices(twin_, count, -1, budget); },
+                       [&] { return byLowerEnd_.run(count, vertexCount_, lowerEnd, budget); },
+                       [&] {
+                         return loop_.run(vertexCount_, budget, 2,
+                                          [&](int group) { match(byLowerEnd_.items(group)); });
+                       });
 }
 
-/// Cuts the edges whose two triangles disagree once some of all have been turned over.
-void cutWhereOrientationsDisagree(const std::vector<Corners>& triangles,
-                                  const std::vector<char>& flipped, std::vector<int>& twin,
-                                  MeshRepairs& repairs) {
-  for (int h = 0; h < static_cast<int>(twin.size()); ++h) {
-    if (twin[h] < h) continue;  // no twin, or seen from there
-    const bool disagreed = tailOf(triangles, h) == tailOf(triangles, twin[h]);
-    if ((flipped[h / 3] != flipped[twin[h] / 3]) == disagreed) continue;
-    twin[twin[h]] = -1;
-    twin[h] = -1;
-    ++repairs.orientationCuts;
-  }
-}
-
-/// Turns the flipped triangles over: (a, b, c) becomes (a, c, b), so that side i becomes side 2 -
-/// i. The sides keep their neighbours.
-void turnOver(const std::vector<char>& flipped, std::vector<Corners>& triangles,
-              std::vector<int>& twin) {
-  const auto moved = [&](int h) { return flipped[h / 3] ? h - h % 3 + (2 - h % 3) : h; };
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    if (!flipped[t]) continue;
-    std::swap(triangles[t][1], triangles[t][2]);
-    std::swap(twin[3 * t], twin[3 * t + 2]);
-  }
-  for (int& h : twin) {
-    if (h >= 0) h = moved(h);
-  }
-}
-
-}  // namespace
-
-std::vector<int> matchHalfedges(const std::vector<Corners>& triangles, int vertexCount,
-                                MeshRepairs& repairs) {
-  const int halfedgeCount = 3 * static_cast<int>(triangles.size());
-  std::vector<std::pair<int, int>> ends(halfedgeCount);
-  for (int h = 0; h < halfedgeCount; ++h) {
-    ends[h] = std::minmax({tailOf(triangles, h), tipOf(triangles, h)});
-  }
-  std::vector<int> order(halfedgeCount);
-  std::iota(order.begin(), order.end(), 0);
-  order = countingSort(order, vertexCount, [&](int h) { return ends[h].second; });
-  order = countingSort(order, vertexCount, [&](int h) { return ends[h].first; });
-
-  std::vector<int> twin(halfedgeCount, -1);
+/// Those with the same lower end.
+void HalfedgeMatching::match(std::span<int> halfedges) {
+  const auto higherEnd = [&](int h) {
+    return std::max(tailOf(triangles_, h), tipOf(triangles_, h));
+  };
+  std::sort(halfedges.begin(), halfedges.end(),
+            [&](int g, int h) { return higherEnd(g) < higherEnd(h); });
   forEachRun(
-      order, [&](int g, int h) { return ends[g] == ends[h]; },
+      halfedges, [&](int g, int h) { return higherEnd(g) == higherEnd(h); },
       [&](std::span<const int> run) {
         if (run.size() == 2) {
-          twin[run[0]] = run[1];
-          twin[run[1]] = run[0];
+          twin_[run[0]] = run[1];
+          twin_[run[1]] = run[0];
         } else if (run.size() > 2) {
-          ++repairs.nonManifoldEdges;
+          ++repairs_.nonManifoldEdges;
         }
       });
-  return twin;
 }
 
-OrientedComponents orientTriangles(std::vector<Corners>& triangles, std::vector<int>& twin,
-                                   Orientation orientation, MeshRepairs& repairs) {
-  if (orientation == Orientation::kKeep) {
-    const std::vector<char> none(triangles.size(), false);
-    cutWhereOrientationsDisagree(triangles, none, twin, repairs);
+// --- Orientation -------------------------------------------------------------------------------
+
+bool TriangleOrienting::step(long& budget) {
+  const std::size_t count = triangles_.size();
+  const auto cutEdges = [&] {
+    return loop_.run(twin_.size(), budget, kQuickRounds, [&](int h) { cutIfInconsistent(h); });
+  };
+  return sequence_.run(
+      [&] { return fillInSlices(out_.flipped, count, '\0', budget); },
+      [&] { return orientation_ == Orientation::kUnify || cutEdges(); },
+      [&] { return fillInSlices(out_.component, count, -1, budget); },
+      [&] {
+        queue_.reserve(count);
+        return loop_.run(count, budget, 8, [&](int place) { visit(place); });
+      },
+      [&] {
+        endComponent();
+        release(queue_);
+        return true;
+      },
+      [&] {
+        return loop_.run(count, budget, kQuickRounds,
+                         [&](int t) { out_.flipped[t] ^= isComponentTurned_[out_.component[t]]; });
+      },
+      cutEdges,
+      // Side i of a triangle that is turned over becomes side 2 - i. The sides keep their
+      // neighbours.
+      [&] { return loop_.run(count, budget, kQuickRounds, [&](int t) { turnOver(t); }); },
+      [&] {
+        return loop_.run(twin_.size(), budget, kQuickRounds, [&](int h) {
+          int& twin = twin_[h];
+          if (twin >= 0 && out_.flipped[twin / 3]) twin += 2 - 2 * (twin % 3);
+        });
+      });
+}
+
+/// Whether the two triangles of an edge have it in the same direction.
+bool TriangleOrienting::disagree(int h) const {
+  return tailOf(triangles_, h) == tailOf(triangles_, twin_[h]);
+}
+
+/// Cuts an edge whose two triangles disagree once those have been turned over that are.
+void TriangleOrienting::cutIfInconsistent(int h) {
+  const int twin = twin_[h];
+  if (twin < h) return;  // none, or seen from there
+  if ((out_.flipped[h / 3] != out_.flipped[twin / 3]) == disagree(h)) return;
+  twin_[twin] = twin_[h] = -1;
+  ++repairs_.orientationCuts;
+}
+
+/// Spreads the orientation of each component's first triangle breadth first.
+void TriangleOrienting::visit(int place) {
+  if (static_cast<std::size_t>(place) == queue_.size()) {
+    endComponent();
+    while (out_.component[nextRoot_] >= 0) ++nextRoot_;
+    out_.component[nextRoot_] = out_.components++;
+    queue_.push_back(nextRoot_);
   }
-  OrientedComponents oriented = orient(triangles, twin);
-  cutWhereOrientationsDisagree(triangles, oriented.flipped, twin, repairs);
-  turnOver(oriented.flipped, triangles, twin);
-  return oriented;
+  const int f = queue_[place];
+  for (int h = 3 * f; h < 3 * f + 3; ++h) {
+    if (twin_[h] < 0 || out_.component[twin_[h] / 3] >= 0) continue;
+    const int neighbour = twin_[h] / 3;
+    out_.component[neighbour] = out_.component[f];
+    out_.flipped[neighbour] = (out_.flipped[f] != 0) != disagree(h);
+    flips_ += out_.flipped[neighbour];
+    queue_.push_back(neighbour);
+  }
 }
 
-void dropSmallComponents(int least, Selection& selection, std::vector<int>& twin,
-                         OrientedComponents& oriented, MeshRepairs& repairs) {
-  std::vector<int> size(oriented.components, 0);
-  for (const int component : oriented.component) ++size[component];
-  std::vector<int> newComponent(size.size(), -1);
+/// If that suits the majority better, all of a component is turned over again.
+void TriangleOrienting::endComponent() {
+  const std::size_t members = queue_.size() - firstOfComponent_;
+  if (members > 0) isComponentTurned_.push_back(2 * static_cast<std::size_t>(flips_) > members);
+  firstOfComponent_ = queue_.size();
+  flips_ = 0;
+}
+
+void TriangleOrienting::turnOver(int t) {
+  if (!out_.flipped[t]) return;
+  std::swap(triangles_[t][1], triangles_[t][2]);
+  std::swap(twin_[3 * t], twin_[3 * t + 2]);
+}
+
+// --- Small components --------------------------------------------------------------------------
+
+bool SmallComponents::step(long& budget) {
+  if (least_ <= 1) return true;
+  const auto nothingIsDropped = [&] { return repairs_.smallComponents == 0; };
+  return sequence_.run(
+      [&] { return fillInSlices(size_, oriented_.components, 0, budget); },
+      [&] {
+        return loop_.run(count_, budget, kQuickRounds,
+                         [&](int t) { ++size_[oriented_.component[t]]; });
+      },
+      [&] {
+        numberAnew();
+        return true;
+      },
+      [&] { return nothingIsDropped() || fillInSlices(newTriangle_, count_, -1, budget); },
+      [&] { return nothingIsDropped() || loop_.run(count_, budget, 8, [&](int t) { moveUp(t); }); },
+      [&] {
+        if (!nothingIsDropped()) shorten();
+        return true;
+      },
+      [&] {
+        return nothingIsDropped() || loop_.run(twin_.size(), budget, kQuickRounds, [&](int h) {
+          if (int& twin = twin_[h]; twin >= 0) twin = 3 * newTriangle_[twin / 3] + twin % 3;
+        });
+      },
+      [&] {
+        return nothingIsDropped() ||
+               loop_.run(selection_.kept.size(), budget, kQuickRounds, [&](int t) {
+                 if (int& kept = selection_.kept[t]; kept >= 0) kept = newTriangle_[kept];
+               });
+      });
+}
+
+void SmallComponents::numberAnew() {
+  newComponent_.assign(size_.size(), -1);
   int components = 0;
-  for (std::size_t c = 0; c < size.size(); ++c)
-    if (size[c] >= least) newComponent[c] = components++;
-  if (components == oriented.components) return;
+  for (std::size_t c = 0; c < size_.size(); ++c)
+    if (size_[c] >= least_) newComponent_[c] = components++;
   if (components == 0)
     throw Error(ErrorCode::kInvalidMesh,
-                "no component has " + std::to_string(least) + " triangles: the largest has " +
-                    std::to_string(*std::max_element(size.begin(), size.end())));
-  repairs.smallComponents = oriented.components - components;
-
-  // Triangles that stay move up in all lists.
-  const int count = static_cast<int>(oriented.component.size());
-  std::vector<int> newTriangle(count, -1);
-  int kept = 0;
-  for (int t = 0; t < count; ++t) {
-    const int component = newComponent[oriented.component[t]];
-    if (component < 0) continue;
-    newTriangle[t] = kept;
-    oriented.component[kept] = component;
-    oriented.flipped[kept] = oriented.flipped[t];
-    selection.input[kept] = selection.input[t];
-    selection.corners[kept] = selection.corners[t];
-    for (int i = 0; i < 3; ++i) twin[3 * kept + i] = twin[3 * t + i];
-    ++kept;
-  }
-  repairs.smallComponentTriangles = count - kept;
-  oriented.components = components;
-  oriented.component.resize(kept);
-  oriented.flipped.resize(kept);
-  selection.input.resize(kept);
-  selection.corners.resize(kept);
-  twin.resize(3 * static_cast<std::size_t>(kept));
-  for (int& h : twin)
-    if (h >= 0) h = 3 * newTriangle[h / 3] + h % 3;
-  for (int& t : selection.kept)
-    if (t >= 0) t = newTriangle[t];
+                "no component has " + std::to_string(least_) + " triangles: the largest has " +
+                    std::to_string(*std::max_element(size_.begin(), size_.end())));
+  repairs_.smallComponents = oriented_.components - components;
+  oriented_.components = components;
 }
 
-Fans splitFans(const std::vector<Corners>& triangles, const std::vector<int>& twin,
-               int inputVertexCount, MeshRepairs& repairs) {
-  const int halfedgeCount = 3 * static_cast<int>(triangles.size());
-  Fans fans;
-  std::vector<int> firstVertex(inputVertexCount, -1);  // of each representative
-  for (const Corners& corners : triangles) {
-    for (int representative : corners) firstVertex[representative] = 0;
-  }
-  for (int representative = 0; representative < inputVertexCount; ++representative) {
-    if (firstVertex[representative] < 0) continue;
-    firstVertex[representative] = static_cast<int>(fans.representative.size());
-    fans.representative.push_back(representative);
-  }
+/// Triangles that stay move up in all lists.
+void SmallComponents::moveUp(int t) {
+  const int component = newComponent_[oriented_.component[t]];
+  if (component < 0) return;
+  newTriangle_[t] = kept_;
+  oriented_.component[kept_] = component;
+  oriented_.flipped[kept_] = oriented_.flipped[t];
+  selection_.input[kept_] = selection_.input[t];
+  selection_.corners[kept_] = selection_.corners[t];
+  for (int i = 0; i < 3; ++i) twin_[3 * kept_ + i] = twin_[3 * t + i];
+  ++kept_;
+}
 
-  fans.outgoing.assign(fans.representative.size(), -1);
-  fans.tail.assign(halfedgeCount, -1);
-  const auto clockwise = [&](int h) { return twin[h] < 0 ? -1 : TriangleMesh::next(twin[h]); };
-  for (int h = 0; h < halfedgeCount; ++h) {
-    if (fans.tail[h] >= 0) continue;
-    const int representative = tailOf(triangles, h);
-    int v = firstVertex[representative];
-    if (fans.outgoing[v] >= 0) {  // another fan has it already
-      v = static_cast<int>(fans.outgoing.size());
-      fans.outgoing.push_back(-1);
-      fans.representative.push_back(representative);
-      ++repairs.splitVertices;
-    }
-    int first = h;
-    while (clockwise(first) >= 0 && clockwise(first) != h) first = clockwise(first);
-    if (clockwise(first) == h) first = h;  // a full turn: an inner vertex
-    fans.outgoing[v] = first;
-    int g = first;
-    do {
-      fans.tail[g] = v;
-      g = twin[TriangleMesh::previous(g)];
-    } while (g >= 0 && g != first);
+void SmallComponents::shorten() {
+  repairs_.smallComponentTriangles = static_cast<int>(count_) - kept_;
+  oriented_.component.resize(kept_);
+  oriented_.flipped.resize(kept_);
+  selection_.input.resize(kept_);
+  selection_.corners.resize(kept_);
+  twin_.resize(3 * static_cast<std::size_t>(kept_));
+}
+
+// --- Fans --------------------------------------------------------------------------------------
+
+bool FanSplitting::step(long& budget) {
+  const std::size_t halfedgeCount = 3 * triangles_.size();
+  return sequence_.run(
+      [&] { return fillInSlices(firstVertex_, inputVertexCount_, -1, budget); },
+      [&] {
+        return loop_.run(triangles_.size(), budget, 8, [&](int t) {
+          for (const int representative : triangles_[t])
+            used_ += std::exchange(firstVertex_[representative], 0) < 0;
+        });
+      },
+      [&] {
+        out_.representative.reserve(used_);
+        return loop_.run(inputVertexCount_, budget, kQuickRounds, [&](int representative) {
+          if (firstVertex_[representative] < 0) return;
+          firstVertex_[representative] = static_cast<int>(out_.representative.size());
+          out_.representative.push_back(representative);
+        });
+      },
+      [&] { return fillInSlices(out_.outgoing, out_.representative.size(), -1, budget); },
+      [&] { return fillInSlices(out_.tail, halfedgeCount, -1, budget); },
+      [&] { return loop_.run(halfedgeCount, budget, 8, [&](int h) { takeFan(h); }); });
+}
+
+/// Gives the fan of a halfedge's tail its vertex, unless it has it.
+void FanSplitting::takeFan(int h) {
+  if (out_.tail[h] >= 0) return;
+  const auto clockwise = [&](int g) { return twin_[g] < 0 ? -1 : TriangleMesh::next(twin_[g]); };
+  const int representative = tailOf(triangles_, h);
+  int v = firstVertex_[representative];
+  if (out_.outgoing[v] >= 0) {  // another fan has it already
+    v = static_cast<int>(out_.outgoing.size());
+    out_.outgoing.push_back(-1);
+    out_.representative.push_back(representative);
+    ++repairs_.splitVertices;
   }
-  return fans;
+  int first = h;
+  while (clockwise(first) >= 0 && clockwise(first) != h) first = clockwise(first);
+  if (clockwise(first) == h) first = h;  // a full turn: an inner vertex
+  out_.outgoing[v] = first;
+  int g = first;
+  do {
+    out_.tail[g] = v;
+    g = twin_[TriangleMesh::previous(g)];
+  } while (g >= 0 && g != first);
 }
 
 }  // namespace gvd

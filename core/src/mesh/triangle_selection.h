@@ -1,36 +1,54 @@
 // SPDX-License-Identifier: MIT
 //
-// Steps 1 to 3 of building a `TriangleMesh`: which of the input's triangles stay.
+// Steps 1 to 3 of building a `TriangleMesh`, in slices: which of the input's triangles stay.
 #pragma once
 
+#include <Eigen/Core>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "base/sliced_loop.h"
 #include "gvd/triangle_mesh.h"
 #include "mesh/corners.h"
+#include "mesh/grouping.h"
+#include "mesh/point_grid.h"
 
 namespace gvd {
 
-/// Throws `Error(kInvalidArgument)` if an option is not in its range.
-void requireValid(const MeshOptions& options);
-
-/// Throws `Error(kInvalidMesh)` unless both arrays are made of triples and every index names a
-/// vertex.
-void requireIndexedTriangles(std::span<const double> positions, std::span<const int> triangles);
-
 /// For every input vertex its *representative*: the first vertex at the same position; -1 where a
-/// coordinate is not finite. O(n log n).
-std::vector<int> findRepresentatives(std::span<const double> positions);
+/// coordinate is not finite. O(n), but O(n log n) for places that many vertices share.
+///
+/// With a tolerance, `weld` times the diagonal of the bounding box of all triangles, each vertex in
+/// turn has the first representative that is no farther away, or is one itself. Of them, a ball has
+/// a bounded number, so this is O(n log n).
+class VertexWelding {
+ public:
+  /// All must outlive this.
+  VertexWelding(std::span<const double> positions, std::span<const int> triangles, double weld);
+  bool step(long& budget);
+  std::vector<int> take() { return std::move(representative_); }
 
-/// Those of a tolerance, `weld` times the diagonal of the bounding box of all `triangles`: each
-/// vertex in turn has the first representative that is no farther away, or is one itself. Of them,
-/// a ball has a bounded number, so this is O(n log n) as well.
-std::vector<int> findRepresentatives(std::span<const double> positions,
-                                     std::span<const int> triangles, double weld);
+ private:
+  Eigen::Vector3d position(int v) const;
+  int placeGroup(int v) const;
+  void weldGroup(std::span<int> vertices);
+  void addToBox(int v);
+  void openGrid();
+  void weldToNear(int v);
 
-/// The input's triangles with representatives for corners, -1 where a corner is not finite.
-std::vector<Corners> weldCorners(std::span<const int> triangles,
-                                 const std::vector<int>& representative);
+  const std::span<const double> positions_;
+  const std::span<const int> triangles_;
+  const double weld_;
+
+  SlicedSequence sequence_;
+  SlicedLoop loop_;
+  std::vector<int> representative_;
+  Grouping places_;  ///< the vertices of a place are in one group, by its hash
+  Eigen::Vector3d least_, most_;
+  std::optional<PointGrid> staying_;  ///< where there is a tolerance
+};
 
 /// Whether no corner of a welded triangle is -1.
 bool isFinite(const Corners& corners);
@@ -45,8 +63,29 @@ struct Selection {
 };
 
 /// Drops welded triangles that are not finite, degenerate, or duplicates of earlier ones, and
-/// counts them. Throws `Error(kInvalidMesh)` if none is left. O(n).
-Selection selectTriangles(const std::vector<Corners>& welded, int vertexCount,
-                          MeshRepairs& repairs);
+/// counts them. Throws `Error(kInvalidMesh)` if none is left. O(n), but O(n log n) for duplicates.
+class TriangleSelection {
+ public:
+  TriangleSelection(const WeldedTriangles& welded, int vertexCount, MeshRepairs& repairs)
+      : welded_(welded), vertexCount_(vertexCount), repairs_(repairs) {}
+  bool step(long& budget);
+  Selection take() { return std::move(out_); }
+
+ private:
+  void count(int t);
+  void findOriginals(std::span<int> triangles);
+  void keep(int t);
+  void requireAny() const;
+
+  const WeldedTriangles welded_;
+  const int vertexCount_;
+  MeshRepairs& repairs_;
+
+  SlicedSequence sequence_;
+  SlicedLoop loop_;
+  Grouping byLowestCorner_;
+  std::size_t originals_ = 0;
+  Selection out_;
+};
 
 }  // namespace gvd

@@ -20,30 +20,41 @@ Eigen::Vector3d sumOf(const TriangleTree::Triangle& t) { return t[0] + t[1] + t[
 TriangleTree::TriangleTree(std::vector<Triangle> triangles)
     : triangles_(std::move(triangles)), order_(triangles_.size()) {
   std::iota(order_.begin(), order_.end(), 0);
-  if (!triangles_.empty()) build(0, static_cast<int>(triangles_.size()));
+  if (!triangles_.empty()) tasks_.push_back({0, static_cast<int>(triangles_.size()), -1});
+}
+
+bool TriangleTree::build(long& budget) {
+  constexpr int kTrianglesPerUnit = 16;
+  while (!tasks_.empty()) {
+    if (budget <= 0) return false;
+    const Task task = tasks_.back();
+    tasks_.pop_back();
+    budget -= 1 + (task.last - task.first) / kTrianglesPerUnit;
+    make(task);
+  }
+  return true;
 }
 
 /// Halves the triangles along the longest side of the box of their centres.
-int TriangleTree::build(int first, int last) {
+void TriangleTree::make(const Task& task) {
+  const auto [first, last, parent] = task;
   const int node = static_cast<int>(nodes_.size());
-  nodes_.push_back({{}, first, last, -1});
+  if (parent >= 0) nodes_[parent].second = node;
   Eigen::AlignedBox3d box, centres;
   for (int i = first; i < last; ++i) {
     for (const Eigen::Vector3d& corner : triangles_[order_[i]]) box.extend(corner);
     centres.extend(sumOf(triangles_[order_[i]]));
   }
-  nodes_[node].box = box;
-  if (last - first <= kLeafSize) return node;
+  nodes_.push_back({box, first, last, -1});
+  if (last - first <= kLeafSize) return;
   Eigen::Index axis;
   centres.sizes().maxCoeff(&axis);
   const int middle = (first + last) / 2;
   std::nth_element(
       order_.begin() + first, order_.begin() + middle, order_.begin() + last,
       [&](int a, int b) { return sumOf(triangles_[a])[axis] < sumOf(triangles_[b])[axis]; });
-  build(first, middle);
-  const int second = build(middle, last);
-  nodes_[node].second = second;
-  return node;
+  tasks_.push_back({middle, last, node});
+  tasks_.push_back({first, middle, -1});
 }
 
 TriangleTree::Nearest TriangleTree::nearest(const Eigen::Vector3d& p) const {

@@ -13,8 +13,9 @@ class TriangleTree {
  public:
   using Triangle = std::array<Eigen::Vector3d, 3>;
 
-  /// O(n log² n).
   explicit TriangleTree(std::vector<Triangle> triangles);
+  /// Builds it, in slices; true when it can be used. Dividing a node is not divided. O(n log n).
+  bool build(long& budget);
 
   /// The nearest triangle, -1 if there is none, and its point nearest to another one.
   struct Nearest {
@@ -37,11 +38,18 @@ class TriangleTree {
     int second;  ///< -1 in a leaf
   };
 
-  int build(int first, int last);
+  /// A node to be made; if it is a second half, of which node.
+  struct Task {
+    int first, last;
+    int parent;
+  };
+
+  void make(const Task& task);
 
   std::vector<Triangle> triangles_;
   std::vector<int> order_;  ///< the triangles, those of a node together
   std::vector<Node> nodes_;
+  std::vector<Task> tasks_;  ///< the next one last
 };
 
 }  // namespace gvd

@@ -72,31 +72,56 @@ PolygonMesh buildDual(const TriangleMesh& mesh, std::span<const SurfacePoint> si
   return result;
 }
 
-PolygonMesh dualMesh(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
-                     const Diagram& diagram) {
-  const Partition p = partition(mesh, diagram, {.leaveOutUnreachable = true});
-  return buildDual(mesh, sites, p, buildRegionComplex(p));
-}
+namespace {
 
-PolygonMesh regionMesh(const TriangleMesh& mesh, const Diagram& diagram) {
-  const Partition p = partition(mesh, diagram, {.leaveOutUnreachable = true});
-  const RegionComplex complex = buildRegionComplex(p);
+PolygonMesh buildRegions(const TriangleMesh& mesh, const Partition& partition,
+                         const RegionComplex& complex) {
   PolygonMesh result;
   for (const RegionComplex::Node& node : complex.nodes)
-    addVertex(mesh, p.points[node.vertex], result);
+    addVertex(mesh, partition.points[node.vertex], result);
   std::vector<int> polygon;
   for (const RegionComplex::Loop& loop : complex.loops) {
     polygon.clear();
     for (int b = loop.firstBorder; b < loop.firstBorder + loop.borderCount; ++b) {
       const RegionComplex::Border& border = complex.borders[b];
       if (border.fromNode >= 0) polygon.push_back(border.fromNode);
-      if (isRun(border)) polygon.push_back(addVertex(mesh, middle(mesh, p, border), result));
+      if (isRun(border))
+        polygon.push_back(addVertex(mesh, middle(mesh, partition, border), result));
     }
     if (polygon.empty()) continue;
     result.faces.add(polygon);
     result.faceLabel.push_back(loop.label);
   }
   return result;
+}
+
+}  // namespace
+
+std::unique_ptr<SlicedWork<PolygonMesh>> startDualMesh(const TriangleMesh& mesh,
+                                                       std::vector<SurfacePoint> sites,
+                                                       const Diagram& diagram) {
+  return fromRegions(
+      mesh, diagram,
+      [&mesh, sites = std::move(sites)](const Partition& partition, const RegionComplex& complex) {
+        return buildDual(mesh, sites, partition, complex);
+      });
+}
+
+PolygonMesh dualMesh(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
+                     const Diagram& diagram) {
+  return finished(startDualMesh(mesh, {sites.begin(), sites.end()}, diagram));
+}
+
+std::unique_ptr<SlicedWork<PolygonMesh>> startRegionMesh(const TriangleMesh& mesh,
+                                                         const Diagram& diagram) {
+  return fromRegions(mesh, diagram,
+                     [&mesh](const Partition& partition, const RegionComplex& complex) {
+                       return buildRegions(mesh, partition, complex);
+                     });
+}
+
+PolygonMesh regionMesh(const TriangleMesh& mesh, const Diagram& diagram) {
+  return finished(startRegionMesh(mesh, diagram));
 }
 
 }  // namespace gvd

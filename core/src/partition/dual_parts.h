@@ -3,9 +3,13 @@
 // What the dual, its checks and its repair have in common.
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "base/sliced_loop.h"
 #include "gvd/dual.h"
 #include "gvd/partition.h"
 #include "partition/region_complex.h"
@@ -15,6 +19,54 @@ namespace gvd {
 /// As `dualMesh`, of a partition without what no site reaches.
 PolygonMesh buildDual(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
                       const Partition& partition, const RegionComplex& complex);
+
+/// What is made of the regions of a diagram: their partition first, without what no site reaches,
+/// then the complex of that, and of both the result, at one go.
+template <class Result, class Make>
+class FromRegions final : public SlicedWork<Result> {
+ public:
+  FromRegions(const TriangleMesh& mesh, const Diagram& diagram, Make make)
+      : partitioning_(startPartition(mesh, diagram, {.leaveOutUnreachable = true})),
+        make_(std::move(make)) {}
+
+  bool step(long budget) override {
+    return sequence_.run(
+        [&] {
+          if (!partitioning_->step(budget)) return false;
+          partition_ = partitioning_->take();
+          partitioning_.reset();
+          complex_.emplace(partition_);
+          return true;
+        },
+        [&] { return complex_->step(budget); },
+        [&] {
+          if (budget <= 0) return false;
+          result_ = make_(partition_, complex_->take());
+          return true;
+        });
+  }
+  double progress() const override {
+    constexpr double kPartitionsShare = 0.8;
+    return partitioning_ ? kPartitionsShare * partitioning_->progress() : kPartitionsShare;
+  }
+  Result take() override { return std::move(result_); }
+
+ private:
+  std::unique_ptr<SlicedWork<Partition>> partitioning_;
+  Make make_;
+  SlicedSequence sequence_;
+  Partition partition_;
+  std::optional<RegionComplexBuilding> complex_;
+  Result result_;
+};
+
+/// Starts it; `make(partition, complex)` is the result.
+template <class Make>
+auto fromRegions(const TriangleMesh& mesh, const Diagram& diagram, Make make) {
+  using Result = decltype(make(std::declval<const Partition&>(), std::declval<RegionComplex>()));
+  return std::unique_ptr<SlicedWork<Result>>(
+      new FromRegions<Result, Make>(mesh, diagram, std::move(make)));
+}
 
 /// A violation, and the vertices of the partition at which it can be seen: of these the one
 /// farthest from all sites is a good place for another.

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "distance/path_points.h"
@@ -27,18 +29,50 @@ SurfacePoint inFace(const TriangleMesh& mesh, const SurfacePoint& p, int face) {
   return result;
 }
 
-/// The points of each arc at which the way from site to site is shortest. Distances at all points
-/// in question are asked for at once.
-class NearestCrossings {
+/// First the point of each arc at which the way from site to site is shortest, then the paths to
+/// it.
+class DualPathFinding final : public SlicedWork<std::vector<DualPath>> {
  public:
-  NearestCrossings(const TriangleMesh& mesh, const Diagram& diagram, const DistanceField& field)
-      : mesh_(mesh), diagram_(diagram), field_(field), nearest_(diagram.arcLabels.size()) {
+  DualPathFinding(const TriangleMesh& mesh, const Diagram& diagram, const DistanceField& field)
+      : mesh_(mesh), diagram_(diagram), field_(field), nearest_(diagram.arcLabels.size()) {}
+
+  bool step(long budget) override {
+    constexpr int kSegmentsAtATime = 64;
+    constexpr long kSegmentUnits = 16, kPathUnits = 1000;
+    for (; nextSegment_ < diagram_.segments.size(); nextSegment_ += kSegmentsAtATime) {
+      if (budget <= 0) return false;
+      const std::size_t left = diagram_.segments.size() - nextSegment_;
+      offerSegments(std::span(diagram_.segments)
+                        .subspan(nextSegment_, std::min<std::size_t>(left, kSegmentsAtATime)));
+      budget -= kSegmentUnits * kSegmentsAtATime;
+    }
+    for (; paths_.size() < nearest_.size(); budget -= kPathUnits) {
+      if (budget <= 0) return false;
+      addPath(static_cast<int>(paths_.size()));
+    }
+    return true;
+  }
+  double progress() const override {
+    const double all = diagram_.segments.size() + nearest_.size();
+    return all > 0 ? std::min(1.0, (nextSegment_ + paths_.size()) / all) : 1;
+  }
+  std::vector<DualPath> take() override { return std::move(paths_); }
+
+ private:
+  /// A point of a segment, by its share of the way.
+  struct Place {
+    const Diagram::Segment* segment;
+    double share;
+  };
+
+  /// Distances at all points in question are asked for at once.
+  void offerSegments(std::span<const Diagram::Segment> segments) {
     // Where the paths to the virtual sources are the same all along a segment, the sum of the
     // squared distances is a quadratic function: the one through three of its values has its least
     // value at the same place. Elsewhere an end of the segment may be nearer.
     const std::array shares = {0.0, 0.5, 1.0};
     std::vector<Place> places;
-    for (const Diagram::Segment& segment : diagram.segments)
+    for (const Diagram::Segment& segment : segments)
       for (const double share : shares) places.push_back({&segment, share});
     const std::vector<Eigen::Vector2d> distances = offer(places);
     std::vector<Place> least;
@@ -51,16 +85,6 @@ class NearestCrossings {
     }
     offer(least);
   }
-
-  /// Of an arc; without a face if the distances of its sites are not known there.
-  const SurfacePoint& of(int arc) const { return nearest_[arc].point; }
-
- private:
-  /// A point of a segment, by its share of the way.
-  struct Place {
-    const Diagram::Segment* segment;
-    double share;
-  };
 
   SurfacePoint pointAt(const Place& place) const {
     const Diagram::Segment& segment = *place.segment;
@@ -85,32 +109,40 @@ class NearestCrossings {
     return both;
   }
 
-  const TriangleMesh& mesh_;
-  const Diagram& diagram_;
-  const DistanceField& field_;
-  std::vector<Crossing> nearest_;
-};
-
-}  // namespace
-
-std::vector<DualPath> dualPaths(const TriangleMesh& mesh, const Diagram& diagram,
-                                const DistanceField& field) {
-  const NearestCrossings crossings(mesh, diagram, field);
-  std::vector<DualPath> paths(diagram.arcLabels.size());
-  for (size_t arc = 0; arc < paths.size(); ++arc) {
-    DualPath& path = paths[arc];
-    path.labels = diagram.arcLabels[arc];
-    const SurfacePoint& crossing = crossings.of(static_cast<int>(arc));
-    if (crossing.face < 0) continue;
-    path.points = field.path(path.labels[0], crossing);
-    const auto rest = field.path(path.labels[1], crossing);
+  /// Without points if the distances of its sites are not known on the arc.
+  void addPath(int arc) {
+    DualPath& path = paths_.emplace_back();
+    path.labels = diagram_.arcLabels[arc];
+    const SurfacePoint& crossing = nearest_[arc].point;
+    if (crossing.face < 0) return;
+    path.points = field_.path(path.labels[0], crossing);
+    const auto rest = field_.path(path.labels[1], crossing);
     std::reverse(path.points.begin(), path.points.end());
     if (rest.empty() || path.points.empty())
       path.points.clear();
     else
       path.points.insert(path.points.end(), rest.begin() + 1, rest.end());
   }
-  return paths;
+
+  const TriangleMesh& mesh_;
+  const Diagram& diagram_;
+  const DistanceField& field_;
+  std::size_t nextSegment_ = 0;
+  std::vector<Crossing> nearest_;
+  std::vector<DualPath> paths_;
+};
+
+}  // namespace
+
+std::unique_ptr<SlicedWork<std::vector<DualPath>>> startDualPaths(const TriangleMesh& mesh,
+                                                                  const Diagram& diagram,
+                                                                  const DistanceField& field) {
+  return std::make_unique<DualPathFinding>(mesh, diagram, field);
+}
+
+std::vector<DualPath> dualPaths(const TriangleMesh& mesh, const Diagram& diagram,
+                                const DistanceField& field) {
+  return finished(startDualPaths(mesh, diagram, field));
 }
 
 }  // namespace gvd

@@ -16,17 +16,16 @@ namespace {
 class RepairRound {
  public:
   RepairRound(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, const Diagram& diagram,
-              const DistanceField& field)
+              const DistanceField& field, const Partition& partition)
       : mesh_(mesh),
         sites_(sites),
         diagram_(diagram),
         field_(field),
-        partition_(partition(mesh, diagram, {.leaveOutUnreachable = true})),
+        partition_(partition),
         isTouched_(diagram.siteCount, false) {}
 
-  std::vector<SurfacePoint> newSites() {
-    const auto findings =
-        inspect(mesh_, sites_, diagram_, partition_, buildRegionComplex(partition_));
+  std::vector<SurfacePoint> newSites(const RegionComplex& complex) {
+    const auto findings = inspect(mesh_, sites_, diagram_, partition_, complex);
     std::vector<SurfacePoint> result;
     for (const Finding& finding : findings) {
       const Violation& v = finding.violation;
@@ -80,16 +79,26 @@ class RepairRound {
   const std::span<const SurfacePoint> sites_;
   const Diagram& diagram_;
   const DistanceField& field_;
-  const Partition partition_;
+  const Partition& partition_;
   std::vector<char> isTouched_;  ///< regions that a new site changes, or may
 };
 
 }  // namespace
 
+std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> startRepairingSites(
+    const TriangleMesh& mesh, std::span<const SurfacePoint> sites, const Diagram& diagram,
+    const DistanceField& field) {
+  return fromRegions(mesh, diagram,
+                     [&mesh, sites = std::vector(sites.begin(), sites.end()), &diagram, &field](
+                         const Partition& partition, const RegionComplex& complex) {
+                       return RepairRound(mesh, sites, diagram, field, partition).newSites(complex);
+                     });
+}
+
 std::vector<SurfacePoint> repairingSites(const TriangleMesh& mesh,
                                          std::span<const SurfacePoint> sites,
                                          const Diagram& diagram, const DistanceField& field) {
-  return RepairRound(mesh, sites, diagram, field).newSites();
+  return finished(startRepairingSites(mesh, sites, diagram, field));
 }
 
 RepairedSites repair(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric,

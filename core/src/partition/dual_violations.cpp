@@ -231,13 +231,21 @@ std::vector<Finding> inspect(const TriangleMesh& mesh, std::span<const SurfacePo
   return Inspector(mesh, sites, diagram, partition, complex).inspect();
 }
 
+std::unique_ptr<SlicedWork<std::vector<Violation>>> startViolations(
+    const TriangleMesh& mesh, std::span<const SurfacePoint> sites, const Diagram& diagram) {
+  return fromRegions(mesh, diagram,
+                     [&mesh, sites = std::vector(sites.begin(), sites.end()), &diagram](
+                         const Partition& partition, const RegionComplex& complex) {
+                       std::vector<Violation> violations;
+                       for (Finding& finding : inspect(mesh, sites, diagram, partition, complex))
+                         violations.push_back(std::move(finding.violation));
+                       return violations;
+                     });
+}
+
 std::vector<Violation> findViolations(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
                                       const Diagram& diagram) {
-  const Partition p = partition(mesh, diagram, {.leaveOutUnreachable = true});
-  std::vector<Violation> violations;
-  for (Finding& finding : inspect(mesh, sites, diagram, p, buildRegionComplex(p)))
-    violations.push_back(std::move(finding.violation));
-  return violations;
+  return finished(startViolations(mesh, sites, diagram));
 }
 
 }  // namespace gvd

@@ -6,10 +6,13 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <memory>
+#include <optional>
 #include <span>
 #include <tuple>
 #include <utility>
 
+#include "base/sliced_loop.h"
 #include "base/sorting.h"
 #include "mesh/convex_triangulation.h"
 #include "mesh/surface_geometry.h"
@@ -20,21 +23,20 @@ namespace {
 
 /// While triangles are made, vertices have the mesh's numbers, and points of the diagram theirs,
 /// above.
-class Partitioner {
+class Partitioner final : public SlicedWork<Partition> {
  public:
   Partitioner(const TriangleMesh& mesh, const Diagram& diagram, const PartitionOptions& options)
       : mesh_(mesh), diagram_(diagram), options_(options) {}
 
-  Partition compute() {
-    nameVertices();
-    collectPointsOnWholeSides();
-    cutFaces();
-    groupByLabel();
-    numberVertices();
-    findTwins();
-    measurePatches(mesh_, diagram_.siteCount, areas_, out_);
-    return std::move(out_);
+  bool step(long budget) override {
+    return sequence_.run([&] { return nameVertices(budget); },
+                         [&] { return collectPointsOnWholeSides(budget); },
+                         [&] { return cutFaces(budget); }, [&] { return groupByLabel(budget); },
+                         [&] { return numberVertices(budget); }, [&] { return findTwins(budget); },
+                         [&] { return measurePatches(budget); });
   }
+  double progress() const override { return sequence_.progress(); }
+  Partition take() override { return std::move(out_); }
 
  private:
   /// A triangle as it was made.
@@ -52,42 +54,44 @@ class Partitioner {
 
   // --- Triangles -------------------------------------------------------------------------------
 
-  void nameVertices() {
+  bool nameVertices(long& budget) {
     vertexOfPoint_.resize(diagram_.points.size());
-    for (size_t i = 0; i < vertexOfPoint_.size(); ++i) {
+    return loop_.run(vertexOfPoint_.size(), budget, 8, [&](int i) {
       const SurfacePoint& p = diagram_.points[i];
       Eigen::Index corner;
       vertexOfPoint_[i] = p.bary.maxCoeff(&corner) == 1
                               ? mesh_.tail(3 * p.face + static_cast<int>(corner))
-                              : mesh_.vertexCount() + static_cast<int>(i);
-    }
+                              : mesh_.vertexCount() + i;
+    });
   }
 
   bool isWhole(int face) const { return diagram_.faceLabel[face] != Diagram::kMixed; }
 
   /// A diagram of more detail has points on the sides of mixed faces that a region triangle beyond
   /// does not name.
-  void collectPointsOnWholeSides() {
-    const int cells = diagram_.cells.size();
-    for (int first = 0, last = 0; first < cells; first = last) {
+  bool collectPointsOnWholeSides(long& budget) {
+    const bool isDone = loop_.run(diagram_.cells.size(), budget, 2, [&](int first) {
       const int face = diagram_.cellFace[first];
-      while (last < cells && diagram_.cellFace[last] == face) ++last;
+      if (first > 0 && diagram_.cellFace[first - 1] == face) return;
       bool isGathered = false;
       for (int h = 3 * face; h < 3 * (face + 1); ++h) {
         if (mesh_.twin(h) < 0 || !isWhole(TriangleMesh::faceOf(mesh_.twin(h)))) continue;
-        if (!isGathered) gatherSides(first, last);
+        if (!isGathered) gatherSides(first);
         isGathered = true;
         followSide(h);
       }
-    }
-    sortStably(std::span(sidePoints_), [](const SidePoint& a, const SidePoint& b) {
-      return std::tie(a.halfedge, a.order) < std::tie(b.halfedge, b.order);
     });
+    if (isDone)
+      sortStably(std::span(sidePoints_), [](const SidePoint& a, const SidePoint& b) {
+        return std::tie(a.halfedge, a.order) < std::tie(b.halfedge, b.order);
+      });
+    return isDone;
   }
 
-  void gatherSides(int firstCell, int lastCell) {
+  void gatherSides(int firstCell) {
     sides_.clear();
-    for (int c = firstCell; c < lastCell; ++c) {
+    const int face = diagram_.cellFace[firstCell];
+    for (int c = firstCell; c < diagram_.cells.size() && diagram_.cellFace[c] == face; ++c) {
       const auto cell = diagram_.cells[c];
       for (size_t i = 0; i < cell.size(); ++i)
         sides_.emplace_back(vertexOfPoint_[cell[i]], vertexOfPoint_[cell[(i + 1) % cell.size()]]);
@@ -114,35 +118,42 @@ class Partitioner {
     }
   }
 
-  void cutFaces() {
-    std::vector<char> isLeftOut(mesh_.faceCount(), false);
-    if (options_.leaveOutIndifferent)
-      for (const int f : diagram_.indifferentFaces) isLeftOut[f] = true;
-    pieces_.reserve(mesh_.faceCount() + diagram_.cells.points.size());
-    plainPiece_.assign(mesh_.faceCount(), -1);
-    auto sidePoint = sidePoints_.cbegin();
-    int cell = 0;
-    for (int f = 0; f < mesh_.faceCount(); ++f) {
-      const size_t firstPiece = pieces_.size();
-      if (!isWhole(f)) {
-        for (; cell < diagram_.cells.size() && diagram_.cellFace[cell] == f; ++cell) addCell(cell);
-        measurePieces(firstPiece);
-        continue;
-      }
-      const int label = diagram_.faceLabel[f];
-      const auto first = sidePoint;
-      while (sidePoint != sidePoints_.cend() && sidePoint->halfedge < 3 * (f + 1)) ++sidePoint;
-      if (isLeftOut[f] || (label < 0 && options_.leaveOutUnreachable)) continue;
-      if (first == sidePoint) {
-        plainPiece_[f] = static_cast<int>(pieces_.size());
-        pieces_.push_back({{mesh_.tail(3 * f), mesh_.tail(3 * f + 1), mesh_.tail(3 * f + 2)},
-                           label,
-                           f,
-                           mesh_.faceArea(f)});
-      } else {
-        addFaceWithSidePoints(f, first, sidePoint);
-        measurePieces(firstPiece);
-      }
+  bool cutFaces(long& budget) {
+    const int faces = mesh_.faceCount();
+    return cutting_.run([&] { return fillInSlices(isLeftOut_, faces, '\0', budget); },
+                        [&] {
+                          if (options_.leaveOutIndifferent)
+                            for (const int f : diagram_.indifferentFaces) isLeftOut_[f] = true;
+                          pieces_.reserve(faces + diagram_.cells.points.size());
+                          return true;
+                        },
+                        [&] { return fillInSlices(plainPiece_, faces, -1, budget); },
+                        [&] { return loop_.run(faces, budget, 4, [&](int f) { cutFace(f); }); });
+  }
+
+  void cutFace(int f) {
+    const size_t firstPiece = pieces_.size();
+    if (!isWhole(f)) {
+      for (; nextCell_ < diagram_.cells.size() && diagram_.cellFace[nextCell_] == f; ++nextCell_)
+        addCell(nextCell_);
+      measurePieces(firstPiece);
+      return;
+    }
+    const int label = diagram_.faceLabel[f];
+    const size_t first = nextSidePoint_;
+    while (nextSidePoint_ < sidePoints_.size() &&
+           sidePoints_[nextSidePoint_].halfedge < 3 * (f + 1))
+      ++nextSidePoint_;
+    if (isLeftOut_[f] || (label < 0 && options_.leaveOutUnreachable)) return;
+    if (first == nextSidePoint_) {
+      plainPiece_[f] = static_cast<int>(pieces_.size());
+      pieces_.push_back({{mesh_.tail(3 * f), mesh_.tail(3 * f + 1), mesh_.tail(3 * f + 2)},
+                         label,
+                         f,
+                         mesh_.faceArea(f)});
+    } else {
+      addFaceWithSidePoints(f, std::span(sidePoints_).subspan(first, nextSidePoint_ - first));
+      measurePieces(firstPiece);
     }
   }
 
@@ -166,12 +177,13 @@ class Partitioner {
     pieces_[largest].area = std::max(0.0, pieces_[largest].area + rest);
   }
 
-  void addFaceWithSidePoints(int face, std::vector<SidePoint>::const_iterator point,
-                             std::vector<SidePoint>::const_iterator last) {
+  void addFaceWithSidePoints(int face, std::span<const SidePoint> points) {
     polygon_.clear();
+    auto point = points.begin();
     for (int h = 3 * face; h < 3 * (face + 1); ++h) {
       polygon_.push_back(mesh_.tail(h));
-      for (; point != last && point->halfedge == h; ++point) polygon_.push_back(point->vertex);
+      for (; point != points.end() && point->halfedge == h; ++point)
+        polygon_.push_back(point->vertex);
     }
     triangulate(polygon_, diagram_.faceLabel[face], face);
   }
@@ -225,72 +237,97 @@ class Partitioner {
   int partOf(int label) const { return label < 0 ? diagram_.siteCount : label; }
 
   /// Puts the pieces in the order of the result, by counting.
-  void groupByLabel() {
-    std::vector<int> next(diagram_.siteCount + 2, 0);
-    for (const Piece& piece : pieces_) ++next[partOf(piece.label) + 1];
-    for (size_t i = 1; i < next.size(); ++i) next[i] += next[i - 1];
+  bool groupByLabel(long& budget) {
     const size_t n = pieces_.size();
-    out_.triangles.resize(n);
-    out_.triangleLabel.resize(n);
-    out_.triangleFace.resize(n);
-    triangleOfPiece_.resize(n);
-    isWholeFace_.resize(n);
-    areas_.resize(n);
-    for (size_t i = 0; i < n; ++i) {
-      const Piece& piece = pieces_[i];
-      const int t = next[partOf(piece.label)]++;
-      triangleOfPiece_[i] = t;
-      out_.triangles[t] = piece.vertices;
-      out_.triangleLabel[t] = piece.label;
-      out_.triangleFace[t] = piece.face;
-      isWholeFace_[t] = static_cast<char>(plainPiece_[piece.face] >= 0);
-      areas_[t] = piece.area;
+    return grouping_.run(
+        [&] { return fillInSlices(nextOfPart_, diagram_.siteCount + 2, 0, budget); },
+        [&] {
+          return loop_.run(n, budget, kQuickRounds,
+                           [&](int i) { ++nextOfPart_[partOf(pieces_[i].label) + 1]; });
+        },
+        [&] {
+          for (size_t i = 1; i < nextOfPart_.size(); ++i) nextOfPart_[i] += nextOfPart_[i - 1];
+          return true;
+        },
+        [&] { return fillInSlices(out_.triangles, n, {}, budget); },
+        [&] { return fillInSlices(out_.triangleLabel, n, 0, budget); },
+        [&] { return fillInSlices(out_.triangleFace, n, 0, budget); },
+        [&] { return fillInSlices(triangleOfPiece_, n, 0, budget); },
+        [&] { return fillInSlices(isWholeFace_, n, '\0', budget); },
+        [&] { return fillInSlices(areas_, n, 0., budget); },
+        [&] {
+          return loop_.run(n, budget, 8, [&](int i) {
+            const Piece& piece = pieces_[i];
+            const int t = nextOfPart_[partOf(piece.label)]++;
+            triangleOfPiece_[i] = t;
+            out_.triangles[t] = piece.vertices;
+            out_.triangleLabel[t] = piece.label;
+            out_.triangleFace[t] = piece.face;
+            isWholeFace_[t] = static_cast<char>(plainPiece_[piece.face] >= 0);
+            areas_[t] = piece.area;
+          });
+        });
+  }
+
+  bool numberVertices(long& budget) {
+    const size_t n = out_.triangles.size(), all = mesh_.vertexCount() + diagram_.points.size();
+    return numbering_.run(
+        [&] {
+          release(pieces_);
+          return fillInSlices(number_, all, -1, budget);
+        },
+        [&] {
+          return loop_.run(n, budget, 8, [&](int t) {
+            for (const int v : out_.triangles[t]) used_ += std::exchange(number_[v], 0) < 0;
+          });
+        },
+        [&] {
+          out_.points.reserve(used_);
+          out_.positions.reserve(used_);
+          return loop_.run(all, budget, 8, [&](int v) { numberVertex(v); });
+        },
+        [&] {
+          return loop_.run(n, budget, 8, [&](int t) {
+            for (int& v : out_.triangles[t]) v = number_[v];
+          });
+        });
+  }
+
+  void numberVertex(int v) {
+    if (number_[v] < 0) return;
+    number_[v] = static_cast<int>(out_.points.size());
+    if (v < mesh_.vertexCount()) {
+      const int h = mesh_.outgoing(v);
+      out_.points.push_back({TriangleMesh::faceOf(h), Eigen::Vector3d::Unit(h % 3)});
+      out_.positions.push_back(mesh_.position(v));
+    } else {
+      out_.points.push_back(diagram_.points[v - mesh_.vertexCount()]);
+      out_.positions.push_back(mesh_.position(out_.points.back()));
     }
   }
 
-  void numberVertices() {
-    const int meshVertices = mesh_.vertexCount();
-    std::vector<int> number(meshVertices + diagram_.points.size(), -1);
-    for (const auto& triangle : out_.triangles)
-      for (const int v : triangle) number[v] = 0;
-    const size_t used = number.size() - std::count(number.begin(), number.end(), -1);
-    out_.points.reserve(used);
-    out_.positions.reserve(used);
-    for (int v = 0; v < static_cast<int>(number.size()); ++v) {
-      if (number[v] < 0) continue;
-      number[v] = static_cast<int>(out_.points.size());
-      if (v < meshVertices) {
-        const int h = mesh_.outgoing(v);
-        out_.points.push_back({TriangleMesh::faceOf(h), Eigen::Vector3d::Unit(h % 3)});
-        out_.positions.push_back(mesh_.position(v));
-      } else {
-        out_.points.push_back(diagram_.points[v - meshVertices]);
-        out_.positions.push_back(mesh_.position(out_.points.back()));
-      }
-    }
-    for (auto& triangle : out_.triangles)
-      for (int& v : triangle) v = number[v];
+  bool findTwins(long& budget) {
+    const size_t n = out_.triangles.size();
+    return matching_.run([&] { return fillInSlices(out_.twins, 3 * n, -1, budget); },
+                         [&] { return fillInSlices(firstOpen_, out_.points.size(), -1, budget); },
+                         [&] { return fillInSlices(nextOpen_, 3 * n, -1, budget); },
+                         [&] { return loop_.run(n, budget, 4, [&](int t) { findTwinsOf(t); }); });
   }
 
   /// Between whole faces, the mesh's; the others are matched by their ends.
-  void findTwins() {
-    out_.twins.assign(3 * out_.triangles.size(), -1);
-    firstOpen_.assign(out_.points.size(), -1);
-    nextOpen_.resize(out_.twins.size());
-    for (int t = 0; t < static_cast<int>(out_.triangles.size()); ++t) {
-      const int face = out_.triangleFace[t];
-      for (int i = 0; i < 3; ++i) {
-        if (isWholeFace_[t]) {
-          const int beyond = mesh_.twin(3 * face + i);
-          if (beyond < 0) continue;
-          const int piece = plainPiece_[TriangleMesh::faceOf(beyond)];
-          if (piece >= 0) {
-            out_.twins[3 * t + i] = 3 * triangleOfPiece_[piece] + beyond % 3;
-            continue;
-          }
+  void findTwinsOf(int t) {
+    const int face = out_.triangleFace[t];
+    for (int i = 0; i < 3; ++i) {
+      if (isWholeFace_[t]) {
+        const int beyond = mesh_.twin(3 * face + i);
+        if (beyond < 0) continue;
+        const int piece = plainPiece_[TriangleMesh::faceOf(beyond)];
+        if (piece >= 0) {
+          out_.twins[3 * t + i] = 3 * triangleOfPiece_[piece] + beyond % 3;
+          continue;
         }
-        findTwin(3 * t + i);
       }
+      findTwin(3 * t + i);
     }
   }
 
@@ -331,31 +368,51 @@ class Partitioner {
     return false;
   }
 
+  bool measurePatches(long& budget) {
+    if (!patches_) patches_.emplace(mesh_, diagram_.siteCount, areas_, out_);
+    return patches_->step(budget);
+  }
+
   const TriangleMesh& mesh_;
   const Diagram& diagram_;
   const PartitionOptions options_;
   Partition out_;
 
+  SlicedSequence sequence_, cutting_, grouping_, numbering_, matching_;
+  SlicedLoop loop_;
   std::vector<int> vertexOfPoint_;
   std::vector<SidePoint> sidePoints_;       ///< ascending by halfedge and order
   std::vector<std::pair<int, int>> sides_;  ///< of the cells of the face at hand
   std::vector<Piece> pieces_;
+  std::vector<char> isLeftOut_;  ///< faces
+  int nextCell_ = 0;
+  size_t nextSidePoint_ = 0;
   std::vector<int> plainPiece_;  ///< per face, the piece that is all of it, or -1
   std::vector<int> triangleOfPiece_;
   std::vector<char> isWholeFace_;  ///< per triangle
   std::vector<double> areas_;      ///< per triangle
+  std::vector<int> nextOfPart_;    ///< per region, where its next triangle goes
+  std::vector<int> number_;        ///< of a vertex in the result, -1 if it is not in use
+  size_t used_ = 0;
   /// Lists of the halfedges without a twin so far, by the lower of their ends.
   std::vector<int> firstOpen_, nextOpen_;
   std::vector<int> polygon_;
   std::vector<Eigen::Vector2d> corners_;
   ConvexTriangulation triangulation_;
+  std::optional<PatchMeasuring> patches_;
 };
 
 }  // namespace
 
+std::unique_ptr<SlicedWork<Partition>> startPartition(const TriangleMesh& mesh,
+                                                      const Diagram& diagram,
+                                                      const PartitionOptions& options) {
+  return std::make_unique<Partitioner>(mesh, diagram, options);
+}
+
 Partition partition(const TriangleMesh& mesh, const Diagram& diagram,
                     const PartitionOptions& options) {
-  return Partitioner(mesh, diagram, options).compute();
+  return finished(startPartition(mesh, diagram, options));
 }
 
 Eigen::Matrix3d cornersInFace(const TriangleMesh& mesh, const Partition& partition, int triangle) {

@@ -9,125 +9,98 @@
 #include "partition/region_patches.h"
 
 namespace gvd {
-namespace {
 
-class Builder {
- public:
-  explicit Builder(const Partition& partition)
-      : partition_(partition),
-        nodeOfVertex_(partition.points.size(), -1),
-        borderAt_(partition.twins.size(), -1) {}
+bool RegionComplexBuilding::step(long& budget) {
+  const std::size_t points = partition_.points.size(), halfedges = partition_.twins.size();
+  return sequence_.run(
+      [&] { return fillInSlices(nodeOfVertex_, points, -1, budget); },
+      [&] { return fillInSlices(borderAt_, halfedges, -1, budget); },
+      [&] { return fillInSlices(sectors_, points, 0, budget); },
+      [&] { return fillInSlices(isOnBoundary_, points, '\0', budget); },
+      [&] { return fillInSlices(isWalked_, halfedges, '\0', budget); },
+      [&] { return loop_.run(halfedges, budget, 8, [&](int h) { countSector(h); }); },
+      [&] { return loop_.run(points, budget, kQuickRounds, [&](int v) { findNode(v); }); },
+      [&] { return loop_.run(halfedges, budget, 8, [&](int h) { walkLoopFrom(h); }); },
+      [&] { return loop_.run(out_.borders.size(), budget, 2, [&](int b) { listBorder(b); }); },
+      [&] { return loop_.run(out_.nodes.size(), budget, 1, [&](int n) { turnAround(n); }); });
+}
 
-  RegionComplex build() {
-    findNodes();
-    walkLoops();
-    listBordersOfNodes();
-    return std::move(out_);
+/// The outline's halfedge that ends the sector which one leaving a vertex starts: turning
+/// counterclockwise within the region.
+int RegionComplexBuilding::endOfSector(int h) const {
+  int last = TriangleMesh::previous(h);
+  while (!isOnOutline(partition_, last)) last = TriangleMesh::previous(partition_.twins[last]);
+  return last;
+}
+
+void RegionComplexBuilding::countSector(int h) {
+  if (!isOnOutline(partition_, h)) return;
+  ++sectors_[tail(h)];
+  if (partition_.twins[h] < 0) isOnBoundary_[tail(h)] = true;
+}
+
+/// A vertex on outlines is a node unless it has two sectors that close, or one on the boundary.
+void RegionComplexBuilding::findNode(int v) {
+  if (sectors_[v] < (isOnBoundary_[v] ? 2 : 3)) return;
+  nodeOfVertex_[v] = static_cast<int>(out_.nodes.size());
+  out_.nodes.push_back({v, {}, -1});
+}
+
+void RegionComplexBuilding::walkLoopFrom(int start) {
+  if (isWalked_[start] || !isOnOutline(partition_, start)) return;
+  steps_.clear();
+  for (int h = start; !isWalked_[h]; h = nextOnOutline(partition_, h)) {
+    isWalked_[h] = true;
+    steps_.push_back(h);
   }
-
- private:
-  int tail(int h) const { return partition_.triangles[h / 3][h % 3]; }
-  bool isOnOutline(int h) const { return gvd::isOnOutline(partition_, h); }
-
-  /// The outline's halfedge that ends the sector which one leaving a vertex starts: turning
-  /// counterclockwise within the region.
-  int endOfSector(int h) const {
-    int last = TriangleMesh::previous(h);
-    while (!isOnOutline(last)) last = TriangleMesh::previous(partition_.twins[last]);
-    return last;
+  const auto leavesNode = [&](int h) { return nodeOfVertex_[tail(h)] >= 0; };
+  const auto first = std::find_if(steps_.begin(), steps_.end(), leavesNode);
+  if (first != steps_.end()) std::rotate(steps_.begin(), first, steps_.end());
+  const int firstBorder = static_cast<int>(out_.borders.size());
+  for (const int h : steps_) {
+    if (leavesNode(h) || h == steps_.front()) startBorder(h);
+    out_.borders.back().path.push_back(h);
   }
+  const int end = static_cast<int>(out_.borders.size());
+  for (int b = firstBorder; b < end; ++b)
+    out_.borders[b].toNode = out_.borders[b + 1 < end ? b + 1 : firstBorder].fromNode;
+  out_.loops.push_back({partition_.triangleLabel[start / 3], firstBorder, end - firstBorder});
+}
 
-  /// A vertex on outlines is a node unless it has two sectors that close, or one on the boundary.
-  void findNodes() {
-    std::vector<int> sectors(partition_.points.size(), 0);
-    std::vector<char> isOnBoundary(partition_.points.size(), false);
-    for (int h = 0; h < static_cast<int>(partition_.twins.size()); ++h) {
-      if (!isOnOutline(h)) continue;
-      ++sectors[tail(h)];
-      if (partition_.twins[h] < 0) isOnBoundary[tail(h)] = true;
-    }
-    for (int v = 0; v < static_cast<int>(sectors.size()); ++v) {
-      if (sectors[v] < (isOnBoundary[v] ? 2 : 3)) continue;
-      nodeOfVertex_[v] = static_cast<int>(out_.nodes.size());
-      out_.nodes.push_back({v, {}, -1});
-    }
+void RegionComplexBuilding::startBorder(int h) {
+  const int twin = partition_.twins[h];
+  borderAt_[h] = static_cast<int>(out_.borders.size());
+  out_.borders.push_back({partition_.triangleLabel[h / 3],
+                          twin < 0 ? RegionComplex::kOutside : partition_.triangleLabel[twin / 3],
+                          nodeOfVertex_[tail(h)],
+                          -1,
+                          {}});
+}
+
+/// As the first of the node that it leaves: a run, wherever others start, else the first one.
+void RegionComplexBuilding::listBorder(int b) {
+  const RegionComplex::Border& border = out_.borders[b];
+  if (border.fromNode < 0) return;
+  std::vector<int>& borders = out_.nodes[border.fromNode].borders;
+  const bool isRun = border.beyond == RegionComplex::kOutside;
+  if (isRun) out_.nodes[border.toNode].arrivingRun = b;
+  if (isRun || borders.empty()) borders.assign(1, b);
+}
+
+void RegionComplexBuilding::turnAround(int n) {
+  std::vector<int>& borders = out_.nodes[n].borders;
+  for (;;) {
+    const int last = endOfSector(out_.borders[borders.back()].path.front());
+    const int beyond = partition_.twins[last];
+    if (beyond < 0 || borderAt_[beyond] == borders.front()) break;
+    borders.push_back(borderAt_[beyond]);
   }
-
-  void walkLoops() {
-    std::vector<char> isWalked(partition_.twins.size(), false);
-    std::vector<int> steps;
-    for (int start = 0; start < static_cast<int>(partition_.twins.size()); ++start) {
-      if (isWalked[start] || !isOnOutline(start)) continue;
-      steps.clear();
-      for (int h = start; !isWalked[h]; h = nextOnOutline(partition_, h)) {
-        isWalked[h] = true;
-        steps.push_back(h);
-      }
-      addLoop(steps);
-    }
-  }
-
-  void addLoop(std::vector<int>& steps) {
-    const auto leavesNode = [&](int h) { return nodeOfVertex_[tail(h)] >= 0; };
-    const auto first = std::find_if(steps.begin(), steps.end(), leavesNode);
-    if (first != steps.end()) std::rotate(steps.begin(), first, steps.end());
-    const int firstBorder = static_cast<int>(out_.borders.size());
-    for (const int h : steps) {
-      if (leavesNode(h) || h == steps.front()) startBorder(h);
-      out_.borders.back().path.push_back(h);
-    }
-    const int end = static_cast<int>(out_.borders.size());
-    for (int b = firstBorder; b < end; ++b)
-      out_.borders[b].toNode = out_.borders[b + 1 < end ? b + 1 : firstBorder].fromNode;
-    out_.loops.push_back(
-        {partition_.triangleLabel[steps.front() / 3], firstBorder, end - firstBorder});
-  }
-
-  void startBorder(int h) {
-    const int twin = partition_.twins[h];
-    borderAt_[h] = static_cast<int>(out_.borders.size());
-    out_.borders.push_back({partition_.triangleLabel[h / 3],
-                            twin < 0 ? RegionComplex::kOutside : partition_.triangleLabel[twin / 3],
-                            nodeOfVertex_[tail(h)],
-                            -1,
-                            {}});
-  }
-
-  void listBordersOfNodes() {
-    for (int b = 0; b < static_cast<int>(out_.borders.size()); ++b) {
-      const RegionComplex::Border& border = out_.borders[b];
-      if (border.fromNode < 0) continue;
-      if (border.beyond == RegionComplex::kOutside) {
-        out_.nodes[border.toNode].arrivingRun = b;
-        out_.nodes[border.fromNode].borders.assign(1, b);  // the first, wherever others start
-      } else if (out_.nodes[border.fromNode].borders.empty()) {
-        out_.nodes[border.fromNode].borders.assign(1, b);
-      }
-    }
-    for (RegionComplex::Node& node : out_.nodes) {
-      for (;;) {
-        const int last = endOfSector(out_.borders[node.borders.back()].path.front());
-        const int beyond = partition_.twins[last];
-        if (beyond < 0 || borderAt_[beyond] == node.borders.front()) break;
-        node.borders.push_back(borderAt_[beyond]);
-      }
-    }
-  }
-
-  const Partition& partition_;
-  std::vector<int> nodeOfVertex_;
-  std::vector<int> borderAt_;  ///< the border that starts with a halfedge, or -1
-  RegionComplex out_;
-};
-
-}  // namespace
+}
 
 std::vector<int> RegionComplex::labelsAt(int node) const {
   std::vector<int> labels;
   for (const int b : nodes[node].borders) labels.push_back(borders[b].label);
   return labels;
 }
-
-RegionComplex buildRegionComplex(const Partition& partition) { return Builder(partition).build(); }
 
 }  // namespace gvd

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <utility>
 #include <vector>
 
+#include "base/sliced_loop.h"
 #include "gvd/partition.h"
 
 namespace gvd {
@@ -44,7 +46,34 @@ struct RegionComplex {
   std::vector<int> labelsAt(int node) const;
 };
 
-/// Of a partition without what no site reaches.
-RegionComplex buildRegionComplex(const Partition& partition);
+/// The complex of a partition without what no site reaches, in slices.
+class RegionComplexBuilding {
+ public:
+  /// The partition must outlive this.
+  explicit RegionComplexBuilding(const Partition& partition) : partition_(partition) {}
+  bool step(long& budget);
+  RegionComplex take() { return std::move(out_); }
+
+ private:
+  int tail(int h) const { return partition_.triangles[h / 3][h % 3]; }
+  int endOfSector(int h) const;
+  void countSector(int h);
+  void findNode(int v);
+  void walkLoopFrom(int start);
+  void startBorder(int h);
+  void listBorder(int b);
+  void turnAround(int n);
+
+  const Partition& partition_;
+  SlicedSequence sequence_;
+  SlicedLoop loop_;
+  std::vector<int> nodeOfVertex_;
+  std::vector<int> borderAt_;       ///< the border that starts with a halfedge, or -1
+  std::vector<int> sectors_;        ///< of regions around a vertex
+  std::vector<char> isOnBoundary_;  ///< vertices
+  std::vector<char> isWalked_;      ///< halfedges
+  std::vector<int> steps_;          ///< of the loop at hand
+  RegionComplex out_;
+};
 
 }  // namespace gvd

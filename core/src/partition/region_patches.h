@@ -1,17 +1,70 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Core>
+#include <array>
 #include <span>
+#include <vector>
 
+#include "base/sliced_loop.h"
 #include "gvd/partition.h"
 #include "gvd/triangle_mesh.h"
 
 namespace gvd {
 
-/// Fills in `regions` and `unreachable` of a partition whose triangles and twins are known, and the
-/// areas of its triangles.
-void measurePatches(const TriangleMesh& mesh, int siteCount, std::span<const double> areas,
-                    Partition& partition);
+/// Fills in `regions` and `unreachable` of a partition whose triangles and twins are known, in
+/// slices.
+class PatchMeasuring {
+ public:
+  /// `areas` are those of its triangles. All must outlive this.
+  PatchMeasuring(const TriangleMesh& mesh, int siteCount, std::span<const double> areas,
+                 Partition& partition);
+  bool step(long& budget);
+
+ private:
+  static constexpr int kNoLabel = -2;  // no region's, nor that of what no site reaches
+
+  int tail(int h) const { return partition_.triangles[h / 3][h % 3]; }
+  int tip(int h) const { return tail(TriangleMesh::next(h)); }
+  std::array<Eigen::Vector3d, 3> cornersOf(int t) const;
+  double squaredDistanceToCentroid(int t, const RegionPatch& region) const;
+  RegionPatch& patchOf(int label);
+
+  bool surveyAll(long& budget);
+  bool survey(RegionPatch& region, long& budget);
+  void noteOutline(int h);
+  void addArea(int t, RegionPatch& region);
+  void walkOutlineFrom(int start, RegionPatch& region);
+  void addStep(int h, RegionPatch& region);
+  void countInnerVertices(int t);
+  bool countComponents(RegionPatch& region, long& budget);
+  void countTopology(RegionPatch& region);
+  void offerTriangle(int t, const RegionPatch& region);
+
+  const TriangleMesh& mesh_;
+  const int siteCount_;
+  const std::span<const double> areas_;
+  Partition& partition_;
+
+  SlicedSequence sequence_, survey_;
+  SlicedLoop loop_;
+  int surveyed_ = 0;               ///< regions
+  std::vector<char> isOnOutline_;  ///< halfedges
+  std::vector<char> isSeen_;       ///< triangles
+  std::vector<char> isWalked_;     ///< halfedges on outlines
+  std::vector<char> isOnBorder_;
+  std::vector<int> lastLabel_;  ///< per vertex, of the last region whose outline came by
+
+  // Of the region at hand.
+  Eigen::Vector3d moment_, sum_;
+  double reach_ = 0;  ///< the square of how far a point of a triangle is from its first corner
+  int outlineSteps_ = 0, innerVertices_ = 0;
+  int nextToSee_ = 0;       ///< triangle
+  std::vector<int> stack_;  ///< triangles seen, whose neighbours are not
+  int nearest_ = 0;
+  double least_ = 0;  ///< the square of a distance to the centroid
+  Eigen::Vector3d nearestBary_;
+};
 
 /// The next halfedge along the outline of a region, from one that has another region beyond it, or
 /// nothing: around its tip, within the region.

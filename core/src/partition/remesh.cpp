@@ -6,12 +6,14 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <memory>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
 
+#include "base/sliced_loop.h"
 #include "mesh/triangle_tree.h"
 
 namespace gvd {
@@ -62,48 +64,111 @@ void measureValences(const PolygonTriangles& cut, int vertexCount, RemeshQuality
   if (inside > 0) quality.regularShare = static_cast<double>(regular) / inside;
 }
 
-double farthestOfSurface(const TriangleMesh& surface, const TriangleTree& from) {
-  double most = 0;
-  for (int v = 0; v < surface.vertexCount(); ++v)
-    most = std::max(most, from.distance(surface.position(v)));
-  for (int f = 0; f < surface.faceCount(); ++f)
-    most = std::max(most, from.distance(surface.position({f, Vector3d::Constant(1.0 / 3)})));
-  return most;
-}
+class QualityMeasuring final : public SlicedWork<RemeshQuality> {
+ public:
+  QualityMeasuring(const TriangleMesh& surface, std::unique_ptr<SlicedWork<PolygonMesh>> remeshing)
+      : surface_(surface), remeshing_(std::move(remeshing)) {}
 
-/// Of the points of a regular grid on each triangle, not wider than `spacing`.
-double farthestOf(const Triangles& triangles, double spacing, const TriangleTree& from) {
-  constexpr int kMostSteps = 64;
-  double most = 0;
-  for (const auto& [a, b, c] : triangles) {
-    const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
-    const int steps =
-        static_cast<int>(std::clamp(std::ceil(longest / spacing), 1.0, double{kMostSteps}));
-    for (int i = 0; i <= steps; ++i)
-      for (int k = 0; i + k <= steps; ++k)
-        most = std::max(most, from.distance((i * a + k * b + (steps - i - k) * c) / steps));
+  bool step(long budget) override {
+    const int vertices = surface_.vertexCount(), faces = surface_.faceCount();
+    return sequence_.run(
+        [&] { return remeshing_->step(budget); },
+        [&] {
+          measureRemesh(remeshing_->take());
+          fineTriangles_.reserve(faces);
+          return true;
+        },
+        [&] {
+          return loop_.run(faces, budget, 8, [&](int f) {
+            const auto corner = [&](int i) { return surface_.position(surface_.tail(3 * f + i)); };
+            fineTriangles_.push_back({corner(0), corner(1), corner(2)});
+          });
+        },
+        [&] {
+          if (!coarse_) coarse_.emplace(triangles_);
+          return coarse_->build(budget);
+        },
+        [&] {
+          if (!fine_) fine_.emplace(std::move(fineTriangles_));
+          return fine_->build(budget);
+        },
+        [&] {
+          return loop_.run(vertices, budget, 1,
+                           [&](int v) { note(coarse_->distance(surface_.position(v))); });
+        },
+        [&] {
+          return loop_.run(faces, budget, 1, [&](int f) {
+            note(coarse_->distance(surface_.position({f, Vector3d::Constant(1.0 / 3)})));
+          });
+        },
+        [&] { return visitRemesh(budget); });
   }
-  return most;
-}
+  double progress() const override { return sequence_.progress(); }
+  RemeshQuality take() override { return quality_; }
+
+ private:
+  void measureRemesh(const PolygonMesh& remesh) {
+    const PolygonTriangles cut = triangulate(remesh);
+    for (const auto& [a, b, c] : cut.triangles)
+      triangles_.push_back({remesh.positions[a], remesh.positions[b], remesh.positions[c]});
+    measureAngles(triangles_, quality_);
+    measureValences(cut, static_cast<int>(remesh.positions.size()), quality_);
+  }
+
+  void note(double distance) { quality_.hausdorff = std::max(quality_.hausdorff, distance); }
+
+  /// The points of a regular grid on each triangle, not wider than the surface's edges, row by row.
+  bool visitRemesh(long& budget) {
+    constexpr int kMostSteps = 64;
+    for (; triangle_ < triangles_.size(); ++triangle_, row_ = 0) {
+      const auto& [a, b, c] = triangles_[triangle_];
+      const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+      const int steps = static_cast<int>(
+          std::clamp(std::ceil(longest / surface_.meanEdgeLength()), 1.0, double{kMostSteps}));
+      for (; row_ <= steps; ++row_) {
+        if (budget <= 0) return false;
+        for (int k = 0; row_ + k <= steps; ++k, --budget)
+          note(fine_->distance((row_ * a + k * b + (steps - row_ - k) * c) / steps));
+      }
+    }
+    return true;
+  }
+
+  const TriangleMesh& surface_;
+  std::unique_ptr<SlicedWork<PolygonMesh>> remeshing_;
+
+  SlicedSequence sequence_;
+  SlicedLoop loop_;
+  Triangles triangles_;  ///< of the remesh
+  Triangles fineTriangles_;
+  std::optional<TriangleTree> coarse_, fine_;
+  std::size_t triangle_ = 0;  ///< of the remesh, to be visited next
+  int row_ = 0;               ///< of that
+  RemeshQuality quality_;
+};
+
+/// A result that is there already.
+template <class Result>
+class Ready final : public SlicedWork<Result> {
+ public:
+  explicit Ready(Result result) : result_(std::move(result)) {}
+  bool step(long /*budget*/) override { return true; }
+  double progress() const override { return 1; }
+  Result take() override { return std::move(result_); }
+
+ private:
+  Result result_;
+};
 
 }  // namespace
 
+std::unique_ptr<SlicedWork<RemeshQuality>> startQuality(
+    const TriangleMesh& surface, std::unique_ptr<SlicedWork<PolygonMesh>> remeshing) {
+  return std::make_unique<QualityMeasuring>(surface, std::move(remeshing));
+}
+
 RemeshQuality measureQuality(const TriangleMesh& surface, const PolygonMesh& remesh) {
-  const PolygonTriangles cut = triangulate(remesh);
-  Triangles coarse, fine;
-  for (const auto& [a, b, c] : cut.triangles)
-    coarse.push_back({remesh.positions[a], remesh.positions[b], remesh.positions[c]});
-  for (int f = 0; f < surface.faceCount(); ++f)
-    fine.push_back({surface.position(surface.tail(3 * f)),
-                    surface.position(surface.tail(3 * f + 1)),
-                    surface.position(surface.tail(3 * f + 2))});
-  RemeshQuality quality;
-  measureAngles(coarse, quality);
-  measureValences(cut, static_cast<int>(remesh.positions.size()), quality);
-  quality.hausdorff =
-      std::max(farthestOfSurface(surface, TriangleTree(coarse)),
-               farthestOf(coarse, surface.meanEdgeLength(), TriangleTree(std::move(fine))));
-  return quality;
+  return finished(startQuality(surface, std::make_unique<Ready<PolygonMesh>>(remesh)));
 }
 
 }  // namespace gvd

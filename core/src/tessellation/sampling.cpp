@@ -8,6 +8,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <optional>
 #include <queue>
 #include <random>
 #include <span>
@@ -16,6 +18,7 @@
 
 #include "base/number_text.h"
 #include "base/random.h"
+#include "base/sliced_loop.h"
 #include "distance/common_labels.h"
 #include "distance/dgpc/unfolding_sweep.h"
 #include "gvd/error.h"
@@ -53,69 +56,208 @@ SurfacePoint atVertex(const TriangleMesh& mesh, int vertex) {
   return {TriangleMesh::faceOf(h), Eigen::Vector3d::Unit(h % 3)};
 }
 
-template <class Spreads>
-void spreadFrom(dgpc::UnfoldingSweep& sweep, const SurfacePoint& site, Spreads spreads) {
-  long budget = std::numeric_limits<long>::max();
-  sweep.start(site);
-  sweep.run(spreads, budget);
-}
-
-/// The distance from every vertex to the nearest of the points so far, and the farthest vertex.
-class Farthest {
+/// The longest edge at each vertex, in slices.
+class LongestEdges {
  public:
-  explicit Farthest(const TriangleMesh& mesh)
-      : sweep_(mesh), longestEdge_(longestEdges(mesh)), least_(mesh.vertexCount(), kInfinity) {
-    for (int v = 0; v < mesh.vertexCount(); ++v) queue_.push({kInfinity, -v});
+  explicit LongestEdges(const TriangleMesh& mesh) : mesh_(mesh) {}
+
+  bool step(long& budget) {
+    return sequence_.run([&] { return fillInSlices(longest_, mesh_.vertexCount(), 0., budget); },
+                         [&] {
+                           return loop_.run(mesh_.halfedgeCount(), budget, 8, [&](int h) {
+                             for (const int v : {mesh_.tail(h), mesh_.tip(h)})
+                               longest_[v] = std::max(longest_[v], mesh_.length(h));
+                           });
+                         });
+  }
+  double operator[](int vertex) const { return longest_[vertex]; }
+
+ private:
+  const TriangleMesh& mesh_;
+  SlicedSequence sequence_;
+  SlicedLoop loop_;
+  std::vector<double> longest_;
+};
+
+/// One vertex after the other that is farthest from the points so far.
+class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
+ public:
+  FarthestSampling(const TriangleMesh& mesh, int count, std::uint64_t seed, double coveringRadius)
+      : mesh_(mesh),
+        count_(count),
+        seed_(seed),
+        coveringRadius_(coveringRadius),
+        sweep_(mesh),
+        longestEdge_(mesh) {
+    requireCount(count);
   }
 
+  bool step(long budget) override {
+    return sequence_.run(
+        [&] { return longestEdge_.step(budget); },
+        [&] { return fillInSlices(least_, mesh_.vertexCount(), kInfinity, budget); },
+        [&] {
+          return loop_.run(mesh_.vertexCount(), budget, 8, [&](int v) {
+            queue_.push({kInfinity, -v});
+          });
+        },
+        [&] {
+          if (count_ > 0) add(sampleUniform(mesh_, 1, seed_).front());
+          return true;
+        },
+        [&] { return count_ == 0 || addOthers(budget); });
+  }
+  double progress() const override {
+    return count_ > 0 ? static_cast<double>(points_.size()) / count_ : 1;
+  }
+  std::vector<SurfacePoint> take() override { return std::move(points_); }
+
+ private:
   void add(const SurfacePoint& point) {
+    points_.push_back(point);
+    sweep_.start(point);
+    spread_ = {};
+  }
+
+  bool isComplete() const { return static_cast<int>(points_.size()) == count_; }
+
+  bool addOthers(long& budget) {
     // Where a point is the nearest, its distance is right if it is at both ends of every edge that
     // the path crosses: these are no farther beyond the point's region than an edge is long.
-    spreadFrom(sweep_, point,
-               [&](int v, double distance) { return distance < least_[v] + longestEdge_[v]; });
-    for (const int v : sweep_.reached()) least_[v] = std::min(least_[v], sweep_.distance(v));
+    const auto spreads = [&](int v, double distance) {
+      return distance < least_[v] + longestEdge_[v];
+    };
+    const auto& reached = sweep_.reached();
+    while (spread_.run([&] { return sweep_.run(spreads, budget); },
+                       [&] {
+                         return loop_.run(reached.size(), budget, 8, [&](int i) {
+                           const int v = reached[i];
+                           least_[v] = std::min(least_[v], sweep_.distance(v));
+                         });
+                       },
+                       [&] { return isComplete() || findFarthest(budget); })) {
+      if (isComplete()) return true;
+      const auto [distance, negative] = queue_.top();
+      if (!(distance > coveringRadius_)) return true;
+      add(atVertex(mesh_, -negative));
+    }
+    return false;
   }
 
   /// Distances only fall: the first vertex whose distance in the queue is up to date is the
   /// farthest.
-  std::pair<double, int> farthest() {
-    for (;;) {
+  bool findFarthest(long& budget) {
+    for (; budget > 0; --budget) {
       const auto [distance, negative] = queue_.top();
-      if (distance == least_[-negative]) return {distance, -negative};
+      if (distance == least_[-negative]) return true;
       queue_.pop();
       queue_.push({least_[-negative], negative});
     }
+    return false;
   }
 
- private:
+  const TriangleMesh& mesh_;
+  const int count_;
+  const std::uint64_t seed_;
+  const double coveringRadius_;
+
+  SlicedSequence sequence_, spread_;
+  SlicedLoop loop_;
   dgpc::UnfoldingSweep sweep_;
-  const std::vector<double> longestEdge_;
-  std::vector<double> least_;
+  LongestEdges longestEdge_;
+  std::vector<double> least_;                          ///< from the nearest point, per vertex
   std::priority_queue<std::pair<double, int>> queue_;  ///< vertices negated: the lowest first
+  std::vector<SurfacePoint> points_;
 };
 
 /// Points that keep their distance. Each of them is known at all vertices of the faces that its
 /// disk reaches into, so that whether a place is free can be told from its own face.
-class Disks {
+class DiskSampling final : public SlicedWork<PoissonDisk> {
  public:
-  explicit Disks(const TriangleMesh& mesh)
-      : mesh_(mesh), sweep_(mesh), longestEdge_(longestEdges(mesh)), known_(mesh.vertexCount()) {}
-
-  const std::vector<SurfacePoint>& points() const { return points_; }
-
-  /// Adds a point unless another one is nearer than the radius, which must never grow.
-  bool add(const SurfacePoint& p, double radius) {
-    if (!isFree(p, radius)) return false;
-    const int label = static_cast<int>(points_.size());
-    points_.push_back(p);
-    spreadFrom(sweep_, p,
-               [&](int v, double distance) { return distance < radius + 2 * longestEdge_[v]; });
-    for (const int v : sweep_.reached()) known_[v].push_back({label, sweep_.distance(v)});
-    return true;
+  /// Darts are thrown until as many in a row have missed as make it unlikely that there is much
+  /// room left, or there are `count` points. Then, without a count, the vertices that are free are
+  /// added; with one, the radius falls.
+  DiskSampling(const TriangleMesh& mesh, std::optional<int> count, double radius,
+               std::uint64_t seed)
+      : mesh_(mesh),
+        count_(count),
+        radius_(radius),
+        random_(seed),
+        sweep_(mesh),
+        longestEdge_(mesh) {
+    if (count) requireCount(*count);
   }
 
+  bool step(long budget) override {
+    return sequence_.run([&] { return longestEdge_.step(budget); },
+                         [&] { return fillInSlices(known_, mesh_.vertexCount(), {}, budget); },
+                         [&] {
+                           sums_ = cumulative(faceWeights(mesh_));
+                           return true;
+                         },
+                         [&] { return addAll(budget); });
+  }
+  double progress() const override {
+    return count_.value_or(0) > 0 ? static_cast<double>(points_.size()) / *count_
+                                  : static_cast<double>(nextVertex_) / mesh_.vertexCount();
+  }
+  PoissonDisk take() override { return {std::move(points_), radius_}; }
+
  private:
-  bool isFree(const SurfacePoint& p, double radius) const {
+  bool addAll(long& budget) {
+    for (;;) {
+      if (isSpreading_ && !spread(budget)) return false;
+      if (isDone()) return true;
+      if (budget-- <= 0) return false;
+      offer(next());
+    }
+  }
+
+  bool isDone() const {
+    return count_ ? static_cast<int>(points_.size()) == *count_
+                  : nextVertex_ == mesh_.vertexCount();
+  }
+
+  SurfacePoint next() {
+    constexpr size_t kFewestMisses = 100;
+    constexpr double kShrink = 0.95;
+    if (nextVertex_ > 0 || misses_ >= points_.size() + kFewestMisses) {
+      if (!count_) return atVertex(mesh_, nextVertex_++);
+      radius_ *= kShrink;
+      misses_ = 0;
+    }
+    return drawPoint(random_, sums_);
+  }
+
+  /// Adds a point unless another one is nearer than the radius.
+  void offer(const SurfacePoint& p) {
+    ++misses_;
+    if (!isFree(p)) return;
+    if (nextVertex_ == 0) misses_ = 0;
+    points_.push_back(p);
+    sweep_.start(p);
+    spread_ = {};
+    isSpreading_ = true;
+  }
+
+  bool spread(long& budget) {
+    const auto& reached = sweep_.reached();
+    const int label = static_cast<int>(points_.size()) - 1;
+    isSpreading_ = !spread_.run(
+        [&] {
+          return sweep_.run(
+              [&](int v, double distance) { return distance < radius_ + 2 * longestEdge_[v]; },
+              budget);
+        },
+        [&] {
+          return loop_.run(reached.size(), budget, 4, [&](int i) {
+            known_[reached[i]].push_back({label, sweep_.distance(reached[i])});
+          });
+        });
+    return !isSpreading_;
+  }
+
+  bool isFree(const SurfacePoint& p) const {
     const auto sides = squaredSides(mesh_, p.face);
     const double excess = p.bary[0] * p.bary[1] * sides[0] + p.bary[1] * p.bary[2] * sides[1] +
                           p.bary[2] * p.bary[0] * sides[2];
@@ -128,25 +270,25 @@ class Disks {
                         least = std::min(least, p.bary[0] * d[0] * d[0] + p.bary[1] * d[1] * d[1] +
                                                     p.bary[2] * d[2] * d[2] - excess);
                       });
-    return !(least < radius * radius);
+    return !(least < radius_ * radius_);
   }
 
   const TriangleMesh& mesh_;
+  const std::optional<int> count_;
+  double radius_;
+  std::mt19937_64 random_;
+
+  SlicedSequence sequence_, spread_;
+  SlicedLoop loop_;
   dgpc::UnfoldingSweep sweep_;
-  const std::vector<double> longestEdge_;
+  LongestEdges longestEdge_;
+  std::vector<double> sums_;  ///< of the faces' weights
+  size_t misses_ = 0;         ///< since the last dart that hit
+  int nextVertex_ = 0;        ///< to be tried, once all darts are thrown
+  bool isSpreading_ = false;
   std::vector<std::vector<LabelledDistance>> known_;  ///< per vertex, ascending by label
   std::vector<SurfacePoint> points_;
 };
-
-/// Throws darts until as many in a row have missed as make it unlikely that there is much room
-/// left, or there are `count` points.
-void throwDarts(Disks& disks, double radius, size_t count, std::mt19937_64& random,
-                const std::vector<double>& sums) {
-  constexpr size_t kFewest = 100;
-  size_t misses = 0;
-  while (disks.points().size() < count && misses < disks.points().size() + kFewest)
-    misses = disks.add(drawPoint(random, sums), radius) ? 0 : misses + 1;
-}
 
 }  // namespace
 
@@ -184,48 +326,38 @@ std::vector<SurfacePoint> sampleByDensity(const TriangleMesh& mesh, std::span<co
   return points;
 }
 
-std::vector<SurfacePoint> sampleFarthest(const TriangleMesh& mesh, int count, std::uint64_t seed,
-                                         double coveringRadius) {
-  requireCount(count);
-  std::vector<SurfacePoint> points;
-  if (count == 0) return points;
-  points = sampleUniform(mesh, 1, seed);
-  Farthest field(mesh);
-  field.add(points.back());
-  while (static_cast<int>(points.size()) < count) {
-    const auto [distance, vertex] = field.farthest();
-    if (!(distance > coveringRadius)) break;
-    points.push_back(atVertex(mesh, vertex));
-    field.add(points.back());
-  }
-  return points;
+std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> startFarthest(const TriangleMesh& mesh,
+                                                                     int count, std::uint64_t seed,
+                                                                     double coveringRadius) {
+  return std::make_unique<FarthestSampling>(mesh, count, seed, coveringRadius);
 }
 
-PoissonDisk samplePoissonDisk(const TriangleMesh& mesh, double radius, std::uint64_t seed) {
+std::vector<SurfacePoint> sampleFarthest(const TriangleMesh& mesh, int count, std::uint64_t seed,
+                                         double coveringRadius) {
+  return finished(startFarthest(mesh, count, seed, coveringRadius));
+}
+
+std::unique_ptr<SlicedWork<PoissonDisk>> startPoissonDisk(const TriangleMesh& mesh, double radius,
+                                                          std::uint64_t seed) {
   if (!(radius > 0 && std::isfinite(radius)))
     throw Error(ErrorCode::kInvalidArgument,
                 "a Poisson disk cannot have the radius " + numberText(radius));
-  Disks disks(mesh);
-  std::mt19937_64 random(seed);
-  throwDarts(disks, radius, std::numeric_limits<size_t>::max(), random,
-             cumulative(faceWeights(mesh)));
-  for (int v = 0; v < mesh.vertexCount(); ++v) disks.add(atVertex(mesh, v), radius);
-  return {disks.points(), radius};
+  return std::make_unique<DiskSampling>(mesh, std::nullopt, radius, seed);
+}
+
+PoissonDisk samplePoissonDisk(const TriangleMesh& mesh, double radius, std::uint64_t seed) {
+  return finished(startPoissonDisk(mesh, radius, seed));
+}
+
+std::unique_ptr<SlicedWork<PoissonDisk>> startPoissonDiskCount(const TriangleMesh& mesh, int count,
+                                                               std::uint64_t seed) {
+  // In the plane no more than this many disks fit, in a hexagonal lattice.
+  const double radius = count > 0 ? std::sqrt(2 * mesh.area() / (std::sqrt(3.0) * count)) : 0;
+  return std::make_unique<DiskSampling>(mesh, count, radius, seed);
 }
 
 PoissonDisk samplePoissonDiskCount(const TriangleMesh& mesh, int count, std::uint64_t seed) {
-  requireCount(count);
-  constexpr double kShrink = 0.95;
-  // In the plane no more than this many disks fit, in a hexagonal lattice.
-  double radius = count > 0 ? std::sqrt(2 * mesh.area() / (std::sqrt(3.0) * count)) : 0;
-  Disks disks(mesh);
-  std::mt19937_64 random(seed);
-  const std::vector<double> sums = cumulative(faceWeights(mesh));
-  for (;;) {
-    throwDarts(disks, radius, count, random, sums);
-    if (disks.points().size() == static_cast<size_t>(count)) return {disks.points(), radius};
-    radius *= kShrink;
-  }
+  return finished(startPoissonDiskCount(mesh, count, seed));
 }
 
 std::vector<SurfacePoint> coverComponents(const TriangleMesh& mesh,

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A typed array that grows at its end: numbers whose count is known only when all are there. It grows
-// chunk by chunk: one that is copied as it grows would take the thread, and twice its memory.
+// A typed array that grows at its end: numbers whose count is known only when all are there, or is just
+// promised. It grows chunk by chunk: one that is copied as it grows would take the thread, and twice its
+// memory.
 
 import type { SlicedWork } from '../slices.js';
 
@@ -13,24 +14,29 @@ export class GrowingArray<Array extends Numbers> {
   readonly #type: new (
     length: number,
   ) => Array;
-  #chunks: Array[] = [];
+  #chunks: Array[];
   #last: Array;
-  #length = 0;
+  /** How many numbers are in the last chunk, and in those before it. */
+  #inLast = 0;
+  #inOthers = 0;
 
-  constructor(type: new (length: number) => Array) {
+  /** If it comes to just as many as expected, they are never copied. */
+  constructor(type: new (length: number) => Array, expected = 0) {
     this.#type = type;
-    this.#last = new type(0);
+    this.#chunks = [(this.#last = new type(expected))];
   }
 
   get length(): number {
-    return this.#length;
+    return this.#inOthers + this.#inLast;
   }
 
   push(number: number): void {
-    const at = this.#length % chunkLength;
-    if (at === 0) this.#chunks.push((this.#last = new this.#type(chunkLength)));
-    this.#last[at] = number;
-    ++this.#length;
+    if (this.#inLast === this.#last.length) {
+      this.#chunks.push((this.#last = new this.#type(chunkLength)));
+      this.#inOthers += this.#inLast;
+      this.#inLast = 0;
+    }
+    this.#last[this.#inLast++] = number;
   }
 
   /** Gives up what there is, as one array. */
@@ -43,15 +49,21 @@ export class GrowingArray<Array extends Numbers> {
 
   /** The same, in steps: yields between chunks. */
   *take(): SlicedWork<Array> {
-    const all = new this.#type(this.#length);
-    for (const [i, chunk] of this.#chunks.entries()) {
-      const start = i * chunkLength;
-      all.set(chunk.subarray(0, this.#length - start), start);
-      this.#chunks[i] = this.#last;
-      yield 1;
+    const chunks = this.#chunks;
+    const { length } = this;
+    this.#chunks = [(this.#last = new this.#type(0))];
+    this.#inLast = this.#inOthers = 0;
+    if (chunks[0].length === length) return chunks[0];
+    const all = new this.#type(length);
+    for (let at = 0; at < length; ) {
+      const chunk = chunks.shift()!; // none is kept once it is copied
+      for (let from = 0; from < chunk.length && at < length; yield 1) {
+        const part = chunk.subarray(from, Math.min(from + chunkLength, from + length - at));
+        all.set(part, at);
+        from += part.length;
+        at += part.length;
+      }
     }
-    this.#chunks = [];
-    this.#length = 0;
     return all;
   }
 }

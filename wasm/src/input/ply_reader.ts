@@ -28,7 +28,12 @@ export function* readPly(bytes: Uint8Array, limits: SizeLimits): SlicedWork<Read
     header.format === 'ascii'
       ? new TextValues(bytes, header)
       : new BinaryValues(bytes, header.bytes, header.format === 'binary_little_endian');
-  const reader = new PlyReader(values, limits);
+  // What it promises, as far as it has the bytes for that.
+  const promised = (name: string, leastBytes: number) => {
+    const { count } = header.elements.find((element) => element.name === name) ?? { count: 0 };
+    return Math.min(count, Math.floor(bytes.length / leastBytes));
+  };
+  const reader = new PlyReader(values, limits, promised('vertex', 3), promised('face', 4));
   for (const element of header.elements) yield* reader.read(element);
   return yield* reader.take();
 }
@@ -54,15 +59,16 @@ interface Use {
 
 class PlyReader {
   readonly #values: Values;
-  readonly #positions = new GrowingArray(Float64Array);
+  readonly #positions: GrowingArray<Float64Array>;
   readonly #density = new GrowingArray(Float64Array);
   readonly #polygons: Polygons;
   readonly #limits: SizeLimits;
   #highest = { vertex: -1, place: '' };
 
-  constructor(values: Values, limits: SizeLimits) {
+  constructor(values: Values, limits: SizeLimits, vertices: number, triangles: number) {
     this.#values = values;
-    this.#polygons = new Polygons(limits);
+    this.#positions = new GrowingArray(Float64Array, 3 * vertices);
+    this.#polygons = new Polygons(limits, triangles);
     this.#limits = limits;
   }
 

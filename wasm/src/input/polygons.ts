@@ -8,55 +8,75 @@ import type { SlicedWork } from '../slices.js';
 import { GrowingArray } from './growing_array.js';
 import { requireCorners, requireTriangles, type SizeLimits } from './limits.js';
 
+/** Between two places where copying can be left. */
+const trianglesPerStep = 2 ** 16;
+
 export class Polygons {
   readonly #limits: SizeLimits;
-  /** All corners, polygon after polygon, and where each one's end. */
-  readonly #corners = new GrowingArray(Int32Array);
-  readonly #ends = new GrowingArray(Int32Array);
-  #lastEnd = 0;
+  /** Of all polygons, one after the other. */
+  readonly #corners: GrowingArray<Int32Array>;
+  /** Of each polygon that is no triangle, its first corner among those of all, and how many it has. */
+  readonly #larger = new GrowingArray(Int32Array);
+  #start = 0;
+  #count = 0;
   #triangles = 0;
 
-  constructor(limits: SizeLimits) {
+  /** As many triangles as are `expected` take the least memory. */
+  constructor(limits: SizeLimits, expected = 0) {
     this.#limits = limits;
+    this.#corners = new GrowingArray(Int32Array, 3 * expected);
   }
 
   get count(): number {
-    return this.#ends.length;
+    return this.#count;
   }
 
   addCorner(vertex: number): void {
     this.#corners.push(vertex);
-    requireCorners(this.#corners.length - this.#lastEnd);
+    requireCorners(this.#corners.length - this.#start);
   }
 
   /** Ends a polygon of three corners at least. */
   endPolygon(): void {
-    const size = this.#corners.length - this.#lastEnd;
+    const size = this.#corners.length - this.#start;
+    if (size > 3) {
+      this.#larger.push(this.#start);
+      this.#larger.push(size);
+    }
+    ++this.#count;
     this.#triangles += size - 2;
     requireTriangles(this.#triangles, this.#limits);
-    this.#lastEnd = this.#corners.length;
-    this.#ends.push(this.#lastEnd);
+    this.#start += size;
   }
 
   /** Gives up three vertices per triangle, and a sentence about what was cut. */
   *take(positions: Float64Array): SlicedWork<{ indices: Int32Array; notes: string[] }> {
     const corners = yield* this.#corners.take();
-    if (this.#triangles === this.#ends.length) return { indices: corners, notes: [] };
+    const larger = yield* this.#larger.take();
+    if (larger.length === 0) return { indices: corners, notes: [] };
     const indices = new Int32Array(3 * this.#triangles);
-    let at = 0;
-    let cut = 0;
-    let start = 0;
-    for (const end of yield* this.#ends.take()) {
+    let [at, behind] = [0, 0];
+    for (let i = 0; i <= larger.length; i += 2) {
+      const isLast = i === larger.length;
+      const start = isLast ? corners.length : larger[i];
+      for (; behind < start; yield 1) {
+        const triangles = corners.subarray(behind, Math.min(start, behind + trianglesPerStep * 3));
+        indices.set(triangles, at);
+        at += triangles.length;
+        behind += triangles.length;
+      }
+      if (isLast) break;
+      const polygon = corners.subarray(start, start + larger[i + 1]);
+      indices.set(cutPolygon(polygon, positions), at);
+      at += 3 * (polygon.length - 2);
+      behind += polygon.length;
       yield 1;
-      const polygon = corners.subarray(start, end);
-      const triangles = polygon.length === 3 ? polygon : cutPolygon(polygon, positions);
-      indices.set(triangles, at);
-      at += triangles.length;
-      cut += polygon.length === 3 ? 0 : 1;
-      start = end;
     }
-    const what = cut === 1 ? '1 polygon was' : `${cut} polygons were`;
-    return { indices, notes: cut > 0 ? [`${what} cut into triangles`] : [] };
+    const cut = larger.length / 2;
+    return {
+      indices,
+      notes: [`${cut === 1 ? '1 polygon was' : `${cut} polygons were`} cut into triangles`],
+    };
   }
 }
 

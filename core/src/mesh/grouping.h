@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "base/sliced_loop.h"
+
+namespace gvd {
+
+/// The numbers from 0 to below a count put into groups, by counting, in slices. O(items + groups).
+class Grouping {
+ public:
+  /// `groupOf(item)` is below `groupCount`, or negative for an item that is in no group. Call it
+  /// with the same arguments until it returns true.
+  template <class GroupOf>
+  bool run(int itemCount, int groupCount, GroupOf groupOf, long& budget) {
+    constexpr long kItemsPerUnit = 16;  // which are looked up all over the memory
+    return sequence_.run([&] { return fillInSlices(end_, groupCount + 1, 0, budget); },
+                         [&] {
+                           return loop_.run(itemCount, budget, kItemsPerUnit, [&](int item) {
+                             if (const int group = groupOf(item); group >= 0) ++end_[group + 1];
+                           });
+                         },
+                         [&] {
+                           return loop_.run(groupCount, budget, kQuickRounds,
+                                            [&](int group) { end_[group + 1] += end_[group]; });
+                         },
+                         [&] { return fillInSlices(items_, end_[groupCount], 0, budget); },
+                         // What begins where the group does comes to be where it ends.
+                         [&] {
+                           return loop_.run(itemCount, budget, kItemsPerUnit, [&](int item) {
+                             if (const int group = groupOf(item); group >= 0)
+                               items_[end_[group]++] = item;
+                           });
+                         });
+  }
+
+  int groupCount() const { return static_cast<int>(end_.size()) - 1; }
+  /// Ascending, until they are put into another order.
+  std::span<int> items(int group) {
+    const int begin = group > 0 ? end_[group - 1] : 0;
+    return std::span(items_).subspan(begin, end_[group] - begin);
+  }
+
+ private:
+  SlicedSequence sequence_;
+  SlicedLoop loop_;
+  std::vector<int> end_;  ///< of each group in `items_`
+  std::vector<int> items_;
+};
+
+/// Calls visit(run) for every maximal run of items that are the same as the run's first.
+template <class Same, class Visit>
+void forEachRun(std::span<const int> items, Same same, Visit visit) {
+  for (auto first = items.begin(); first != items.end();) {
+    const auto last =
+        std::find_if(first, items.end(), [&](int item) { return !same(*first, item); });
+    visit(std::span(first, last));
+    first = last;
+  }
+}
+
+}  // namespace gvd

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/mesh_building.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "base/number_text.h"
+#include "gvd/error.h"
+
+namespace gvd {
+namespace {
+
+/// The products of four lengths that areas are made of neither overflow nor underflow between these
+/// limits, however thin the triangles: no edge is shorter than 2^-38 of the mean one, see
+/// `kMollificationMargin`.
+constexpr double kLongestDiagonal = 0x1p200;
+constexpr double kShortestMeanEdge = 0x1p-200;
+
+/// Faces per unit: measuring one takes three arctangents.
+constexpr long kMeasuredFaces = 2;
+
+[[noreturn]] void rejectMesh(const std::string& why) { throw Error(ErrorCode::kInvalidMesh, why); }
+
+void requireValid(const MeshOptions& options) {
+  const auto reject = [](const std::string& why) { throw Error(ErrorCode::kInvalidArgument, why); };
+  if (!(options.weld >= 0 && options.weld <= 1))
+    reject("weld is " + numberText(options.weld) + ", not a number from 0 to 1");
+  if (options.minComponent < 0)
+    reject("minComponent is " + std::to_string(options.minComponent) + ", not a number from 0");
+}
+
+void requireTriples(std::size_t count, const std::string& what) {
+  if (count % 3 != 0)
+    rejectMesh("there are " + std::to_string(count) + " " + what + ", not a multiple of three");
+  if (count > std::numeric_limits<int>::max()) rejectMesh("there are too many " + what);
+}
+
+/// Works on a part, made when it is first come to; `finish` takes what it made, and it goes.
+template <class Part, class Make, class Finish>
+bool runPart(std::optional<Part>& part, long& budget, Make make, Finish finish) {
+  if (!part) make();
+  if (!part->step(budget)) return false;
+  finish();
+  part.reset();
+  return true;
+}
+
+}  // namespace
+
+MeshBuilding::MeshBuilding(std::vector<double> positions, std::vector<int> triangles,
+                           const MeshOptions& options)
+    : positions_(std::move(positions)), triangles_(std::move(triangles)), options_(options) {
+  requireValid(options);
+  requireTriples(positions_.size(), "coordinates");
+  requireTriples(triangles_.size(), "vertex indices");
+}
+
+bool MeshBuilding::step(long budget) {
+  TriangleMesh& m = mesh_;
+  const auto forFaces = [&](long perUnit, auto body) {
+    return loop_.run(m.faceCount(), budget, perUnit, body);
+  };
+  const auto isLengthened = [&] { return m.repairs_.mollification > 0; };
+  return sequence_.run(
+      [&] {
+        return loop_.run(triangles_.size() / 3, budget, kQuickRounds,
+                         [&](int t) { requireVertices(t); });
+      },
+      [&] {
+        return runPart(
+            welding_, budget, [&] { welding_.emplace(positions_, triangles_, options_.weld); },
+            [&] { representative_ = welding_->take(); });
+      },
+      [&] {
+        return runPart(
+            selecting_, budget,
+            [&] {
+              selecting_.emplace(WeldedTriangles{triangles_, representative_}, inputVertexCount(),
+                                 m.repairs_);
+            },
+            [&] { selection_ = selecting_->take(); });
+      },
+      [&] {
+        return runPart(
+            matching_, budget,
+            [&] { matching_.emplace(selection_.corners, inputVertexCount(), m.repairs_); },
+            [&] { m.twin_ = matching_->take(); });
+      },
+      [&] {
+        return runPart(
+            orienting_, budget,
+            [&] {
+              orienting_.emplace(selection_.corners, m.twin_, options_.orientation, m.repairs_);
+            },
+            [&] { oriented_ = orienting_->take(); });
+      },
+      [&] {
+        return runPart(
+            dropping_, budget,
+            [&] {
+              dropping_.emplace(options_.minComponent, selection_, m.twin_, oriented_, m.repairs_);
+            },
+            [] {});
+      },
+      [&] {
+        return runPart(
+            splitting_, budget,
+            [&] {
+              splitting_.emplace(selection_.corners, m.twin_, inputVertexCount(), m.repairs_);
+            },
+            [&] { takeFans(); });
+      },
+      [&] {
+        return runPart(
+            mapping_, budget,
+            [&] {
+              mapping_.emplace(triangles_, representative_, selection_.corners, selection_.kept,
+                               m.repairs_);
+            },
+            [&] {
+              m.halfedgeOfInput_ = std::move(triangles_);
+              m.vertexOfInput_ = mapping_->takeHalfedgeOfVertices();
+            });
+      },
+      [&] {
+        release(representative_);
+        selection_ = {};
+        if (const std::size_t size = 3 * m.inputVertex_.size(); size > positions_.size()) {
+          positions_.reserve(size);
+          positions_.resize(size);
+        }
+        return loop_.run(m.inputVertex_.size(), budget, 8, [&](int v) { takePosition(v); });
+      },
+      [&] {
+        positions_.resize(3 * m.inputVertex_.size());
+        positions_.shrink_to_fit();
+        m.positions_ = std::move(positions_);
+        requireMeasurable();
+        return true;
+      },
+      [&] { return fillInSlices(m.faces_, m.faceCount(), {}, budget); },
+      [&] { return fillInSlices(m.faceArea_, m.faceCount(), 0., budget); },
+      [&] { return fillInSlices(leastExcess_, m.faceCount(), 0., budget); },
+      [&] { return forFaces(kMeasuredFaces, [&](int f) { measureFace(f); }); },
+      [&] {
+        if (!(m.meanEdgeLength_ >= kShortestMeanEdge))
+          rejectMesh("the positions are too close together to measure distances");
+        return forFaces(kQuickRounds, [&](int f) { noteFlatness(f); });
+      },
+      [&] {
+        release(leastExcess_);
+        return !isLengthened() || forFaces(kMeasuredFaces, [&](int f) {
+          setFace(f, lengthened(triangle(f), m.repairs_.mollification));
+        });
+      },
+      [&] {
+        m.meanEdgeLength_ += m.repairs_.mollification;
+        return true;
+      },
+      [&] { return fillInSlices(m.angleSum_, m.vertexCount(), 0., budget); },
+      [&] {
+        return forFaces(8, [&](int f) {
+          for (int h = 3 * f; h < 3 * f + 3; ++h) m.angleSum_[m.tail_[h]] += m.cornerAngle(h);
+          m.area_ += m.faceArea_[f];
+        });
+      },
+      [&] { return fillInSlices(isOnFoundLoop_, m.vertexCount(), '\0', budget); },
+      [&] {
+        return loop_.run(m.vertexCount(), budget, kQuickRounds, [&](int v) { followLoopFrom(v); });
+      },
+      [&] {
+        countTopology();
+        return true;
+      });
+}
+
+// --- The manifold ------------------------------------------------------------------------------
+
+void MeshBuilding::requireVertices(int triangle) const {
+  for (int i = 0; i < 3; ++i) {
+    const int v = triangles_[3 * triangle + i];
+    if (v >= 0 && v < inputVertexCount()) continue;
+    rejectMesh("triangle " + std::to_string(triangle) + " has vertex index " + std::to_string(v) +
+               ", but there are " + std::to_string(inputVertexCount()) + " vertices");
+  }
+}
+
+void MeshBuilding::takeFans() {
+  Fans fans = splitting_->take();
+  mesh_.tail_ = std::move(fans.tail);
+  mesh_.vertexHalfedge_ = std::move(fans.outgoing);
+  mesh_.inputVertex_ = std::move(fans.representative);
+  mesh_.inputFace_ = std::move(selection_.input);
+  mesh_.flipped_ = std::move(oriented_.flipped);
+  mesh_.component_ = std::move(oriented_.component);
+  firstCopy_ = mesh_.vertexCount() - mesh_.repairs_.splitVertices;
+  mesh_.repairs_.flippedTriangles =
+      static_cast<int>(std::count(mesh_.flipped_.begin(), mesh_.flipped_.end(), true));
+}
+
+/// In place: vertices are in the order of the input, so their positions only move up; those of
+/// copies are by then where the first fan of their vertex has its own.
+void MeshBuilding::takePosition(int vertex) {
+  const auto at = [&](int v) { return positions_.begin() + 3 * static_cast<std::ptrdiff_t>(v); };
+  int from = mesh_.inputVertex_[vertex];
+  if (vertex >= firstCopy_) {
+    const auto begin = mesh_.inputVertex_.begin();
+    from = static_cast<int>(std::lower_bound(begin, begin + firstCopy_, from) - begin);
+  }
+  std::copy(at(from), at(from + 1), at(vertex));
+}
+
+// --- Measures ----------------------------------------------------------------------------------
+
+void MeshBuilding::requireMeasurable() const {
+  if (!(mesh_.boundingDiagonal() <= kLongestDiagonal))
+    rejectMesh("the positions are too far apart to measure distances");
+}
+
+/// Coordinates are not centred first: their differences are as good as the input already, and
+/// centring would round it.
+IntrinsicTriangle MeshBuilding::triangle(int face) const {
+  const int* const tails = &mesh_.tail_[3 * static_cast<std::size_t>(face)];
+  return measureTriangle(
+      {mesh_.position(tails[0]), mesh_.position(tails[1]), mesh_.position(tails[2])});
+}
+
+void MeshBuilding::measureFace(int face) {
+  const IntrinsicTriangle t = triangle(face);
+  setFace(face, t);
+  leastExcess_[face] = t.leastExcess();
+  for (const double length : t.lengths) mesh_.meanEdgeLength_ += length / mesh_.halfedgeCount();
+}
+
+void MeshBuilding::noteFlatness(int face) {
+  const auto& lengths = mesh_.faces_[face].lengths;
+  const double longest = *std::max_element(lengths.begin(), lengths.end());
+  const double missing = leastExcessWanted(longest, mesh_.meanEdgeLength_) - leastExcess_[face];
+  if (missing <= 0) return;
+  MeshRepairs& repairs = mesh_.repairs_;
+  ++repairs.mollifiedTriangles;
+  repairs.mollification = std::max(repairs.mollification, missing);
+}
+
+void MeshBuilding::setFace(int f, const IntrinsicTriangle& t) {
+  TriangleMesh::Face& face = mesh_.faces_[f];
+  face.lengths = t.lengths;
+  for (int i = 0; i < 3; ++i) {
+    const int h = 3 * f + i;
+    const double product = t.lengths[i] * t.lengths[TriangleMesh::previous(i)];
+    face.cosines[i] = t.dots[i] / product;
+    face.sines[i] = t.twiceArea / product;
+    face.vertices[i] = mesh_.tail_[h];
+    face.twins[i] = mesh_.twin_[h];
+    face.angles[i] = std::atan2(t.twiceArea, t.dots[i]);
+  }
+  mesh_.faceArea_[f] = t.twiceArea / 2;
+}
+
+// --- Topology ----------------------------------------------------------------------------------
+
+void MeshBuilding::followLoopFrom(int vertex) {
+  if (!mesh_.onBoundary(vertex) || isOnFoundLoop_[vertex]) return;
+  mesh_.boundaryLoops_.push_back(mesh_.outgoing(vertex));
+  for (int v = vertex; !isOnFoundLoop_[v]; v = mesh_.tip(mesh_.outgoing(v)))
+    isOnFoundLoop_[v] = true;
+}
+
+void MeshBuilding::countTopology() {
+  const std::vector<int>& twins = mesh_.twin_;
+  const int boundaryEdges = static_cast<int>(std::count(twins.begin(), twins.end(), -1));
+  MeshTopology& topology = mesh_.topology_;
+  topology.edges = (mesh_.halfedgeCount() + boundaryEdges) / 2;
+  topology.components = oriented_.components;
+  topology.eulerCharacteristic = mesh_.vertexCount() - topology.edges + mesh_.faceCount();
+  topology.boundaryLoops = static_cast<int>(mesh_.boundaryLoops_.size());
+  topology.genus =
+      (2 * topology.components - topology.boundaryLoops - topology.eulerCharacteristic) / 2;
+}
+
+std::unique_ptr<SlicedWork<TriangleMesh>> startMesh(std::vector<double> positions,
+                                                    std::vector<int> triangles,
+                                                    const MeshOptions& options) {
+  return std::make_unique<MeshBuilding>(std::move(positions), std::move(triangles), options);
+}
+
+TriangleMesh::TriangleMesh(std::span<const double> positions, std::span<const int> triangles,
+                           const MeshOptions& options)
+    : TriangleMesh(finished(startMesh({positions.begin(), positions.end()},
+                                      {triangles.begin(), triangles.end()}, options))) {}
+
+}  // namespace gvd

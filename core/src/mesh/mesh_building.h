@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "base/sliced_loop.h"
+#include "gvd/sliced_work.h"
+#include "gvd/triangle_mesh.h"
+#include "mesh/input_map.h"
+#include "mesh/mesh_orientation.h"
+#include "mesh/mollification.h"
+#include "mesh/triangle_selection.h"
+
+namespace gvd {
+
+/// From any list of triangles to a manifold, step by step as written at `TriangleMesh`. What a step
+/// made for the next ones alone goes as soon as these are done: a mesh takes more memory than
+/// anything else that it is made of, and that has to do.
+class MeshBuilding final : public SlicedWork<TriangleMesh> {
+ public:
+  MeshBuilding(std::vector<double> positions, std::vector<int> triangles,
+               const MeshOptions& options);
+  bool step(long budget) override;
+  double progress() const override { return sequence_.progress(); }
+  TriangleMesh take() override { return std::move(mesh_); }
+
+ private:
+  int inputVertexCount() const { return static_cast<int>(positions_.size() / 3); }
+  void requireVertices(int triangle) const;
+  void takeFans();
+  void takePosition(int vertex);
+  void requireMeasurable() const;
+  void measureFace(int face);
+  void noteFlatness(int face);
+  void setFace(int face, const IntrinsicTriangle& triangle);
+  IntrinsicTriangle triangle(int face) const;
+  void followLoopFrom(int vertex);
+  void countTopology();
+
+  std::vector<double> positions_;  ///< the input's, then those of the mesh
+  std::vector<int> triangles_;     ///< the input's, then halfedges of the mesh
+  const MeshOptions options_;
+  TriangleMesh mesh_;
+
+  SlicedSequence sequence_;
+  SlicedLoop loop_;
+  std::optional<VertexWelding> welding_;
+  std::vector<int> representative_;
+  std::optional<TriangleSelection> selecting_;
+  Selection selection_;
+  std::optional<HalfedgeMatching> matching_;
+  std::optional<TriangleOrienting> orienting_;
+  OrientedComponents oriented_;
+  std::optional<SmallComponents> dropping_;
+  std::optional<FanSplitting> splitting_;
+  int firstCopy_ = 0;  ///< the vertices from there on are copies for further fans
+  std::optional<InputMap> mapping_;
+  std::vector<double> leastExcess_;  ///< of each face
+  std::vector<char> isOnFoundLoop_;  ///< vertices
+};
+
+}  // namespace gvd

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/point_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gvd {
+namespace {
+
+/// The next integer among numbers of double precision.
+double after(double x) {
+  return std::max(x + 1, std::nextafter(x, std::numeric_limits<double>::infinity()));
+}
+
+}  // namespace
+
+void PointGrid::add(int v) { cubes_[cubeOf(position(v))].push_back(v); }
+
+int PointGrid::firstNear(const Eigen::Vector3d& p) const {
+  // Rounding keeps the order of numbers, so no point within the radius is in any other cube.
+  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(radius_);
+  const Cube low = cubeOf(p - reach), high = cubeOf(p + reach);
+  int first = -1;
+  for (double x = low[0]; x <= high[0]; x = after(x))
+    for (double y = low[1]; y <= high[1]; y = after(y))
+      for (double z = low[2]; z <= high[2]; z = after(z))
+        if (const auto cube = cubes_.find({x, y, z}); cube != cubes_.end())
+          for (const int v : cube->second)
+            if ((first < 0 || v < first) && (position(v) - p).norm() <= radius_) first = v;
+  return first;
+}
+
+PointGrid::Cube PointGrid::cubeOf(const Eigen::Vector3d& p) const {
+  const double side = 4 * radius_;
+  return {std::floor(p.x() / side), std::floor(p.y() / side), std::floor(p.z() / side)};
+}
+
+Eigen::Vector3d PointGrid::position(int v) const {
+  return Eigen::Vector3d::Map(&positions_[3 * static_cast<std::size_t>(v)]);
+}
+
+}  // namespace gvd

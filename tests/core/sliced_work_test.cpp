@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+//
+// What is made in steps is what is made at once, however small the steps are.
+#include "gvd/sliced_work.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "diagram_checks.h"
+#include "gvd/dual.h"
+#include "gvd/error.h"
+#include "gvd/partition.h"
+#include "gvd/remesh.h"
+#include "gvd/sampling.h"
+#include "shapes.h"
+#include "wild_mesh.h"
+
+namespace gvd {
+namespace {
+
+/// Steps of changing size, the first of which does nothing; the work tells how far it is.
+template <class Result>
+Result inSteps(std::unique_ptr<SlicedWork<Result>> work) {
+  double before = work->progress();
+  EXPECT_GE(before, 0);
+  for (long budget = 0; !work->step(budget); budget = (budget + 1) % 5) {
+    const double share = work->progress();
+    EXPECT_GE(share, before);
+    EXPECT_LE(share, 1);
+    before = share;
+  }
+  return work->take();
+}
+
+bool operator==(const MeshRepairs& a, const MeshRepairs& b) {
+  const auto all = [](const MeshRepairs& r) {
+    return std::vector<double>{1.0 * r.weldedVertices,
+                               1.0 * r.isolatedVertices,
+                               1.0 * r.nonFiniteTriangles,
+                               1.0 * r.degenerateTriangles,
+                               1.0 * r.duplicateTriangles,
+                               1.0 * r.nonManifoldEdges,
+                               1.0 * r.orientationCuts,
+                               1.0 * r.flippedTriangles,
+                               1.0 * r.smallComponents,
+                               1.0 * r.splitVertices,
+                               1.0 * r.smallComponentTriangles,
+                               1.0 * r.mollifiedTriangles,
+                               r.mollification};
+  };
+  return all(a) == all(b);
+}
+
+bool samePoints(const std::vector<SurfacePoint>& a, const std::vector<SurfacePoint>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const SurfacePoint& p, const SurfacePoint& q) {
+                      return p.face == q.face && p.bary == q.bary;
+                    });
+}
+
+void expectSame(const TriangleMesh& a, const TriangleMesh& b, const shapes::Shape& shape) {
+  ASSERT_TRUE(std::ranges::equal(a.tails(), b.tails()));
+  EXPECT_TRUE(std::ranges::equal(a.twins(), b.twins()));
+  EXPECT_TRUE(std::ranges::equal(a.boundaryLoops(), b.boundaryLoops()));
+  EXPECT_TRUE(a.repairs() == b.repairs());
+  EXPECT_EQ(a.area(), b.area());
+  EXPECT_EQ(a.meanEdgeLength(), b.meanEdgeLength());
+  EXPECT_EQ(a.topology().genus, b.topology().genus);
+  for (int h = 0; h < a.halfedgeCount(); ++h) EXPECT_EQ(a.length(h), b.length(h));
+  for (int v = 0; v < a.vertexCount(); ++v) {
+    EXPECT_EQ(a.position(v), b.position(v));
+    EXPECT_EQ(a.position(v), shape.position(a.inputVertex(v)));
+    EXPECT_EQ(a.angleSum(v), b.angleSum(v));
+  }
+  for (int f = 0; f < a.faceCount(); ++f) {
+    EXPECT_EQ(a.component(f), b.component(f));
+    EXPECT_EQ(a.inputFace(f), b.inputFace(f));
+    EXPECT_EQ(a.isFlipped(f), b.isFlipped(f));
+  }
+}
+
+std::string errorOf(const std::function<void()>& make) {
+  try {
+    make();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(SlicedWork, MakesTheSameMeshes) {
+  for (int seed = 0; seed < 300; ++seed) {
+    SCOPED_TRACE(seed);
+    shapes::Random random(seed);
+    const shapes::Shape shape = wildMesh(random, 60);
+    const MeshOptions options = {.weld = seed % 3 ? 0 : random.uniform() * 0.1,
+                                 .orientation = seed % 2 ? Orientation::kKeep : Orientation::kUnify,
+                                 .minComponent = seed % 5 ? 0 : random.below(5)};
+    const auto stepped = [&] {
+      return inSteps(startMesh(shape.positions, shape.triangles, options));
+    };
+    const std::string error = errorOf([&] { shape.mesh(options); });
+    EXPECT_EQ(errorOf([&] { stepped(); }), error);
+    if (error.empty()) expectSame(stepped(), shape.mesh(options), shape);
+  }
+}
+
+TEST(SlicedWork, GivesTheSameSamples) {
+  for (int seed = 0; seed < 12; ++seed) {
+    SCOPED_TRACE(seed);
+    const TriangleMesh mesh = shapes::randomMesh(seed);
+    const double radius = mesh.boundingDiagonal() / 8;
+    EXPECT_TRUE(samePoints(inSteps(startFarthest(mesh, 20, seed)), sampleFarthest(mesh, 20, seed)));
+    EXPECT_TRUE(samePoints(inSteps(startFarthest(mesh, 1000, seed, radius)),
+                           sampleFarthest(mesh, 1000, seed, radius)));
+    EXPECT_TRUE(samePoints(inSteps(startPoissonDisk(mesh, radius, seed)).points,
+                           samplePoissonDisk(mesh, radius, seed).points));
+    const PoissonDisk disk = inSteps(startPoissonDiskCount(mesh, 20, seed)),
+                      expected = samplePoissonDiskCount(mesh, 20, seed);
+    EXPECT_TRUE(samePoints(disk.points, expected.points));
+    EXPECT_EQ(disk.radius, expected.radius);
+  }
+}
+
+TEST(SlicedWork, SamplesNothingIfNothingIsAskedFor) {
+  const TriangleMesh mesh = shapes::cube().mesh();
+  EXPECT_TRUE(inSteps(startFarthest(mesh, 0, 1)).empty());
+  EXPECT_TRUE(inSteps(startPoissonDiskCount(mesh, 0, 1)).points.empty());
+}
+
+class OfADiagram : public ::testing::TestWithParam<int> {
+ protected:
+  const TriangleMesh mesh = shapes::randomMesh(GetParam());
+  const std::vector<SurfacePoint> sites = sampleUniform(mesh, 12, GetParam());
+  const checks::Traced traced = checks::trace(mesh, sites, Metric::kExact, GetParam() % 3);
+  const Diagram& diagram = traced.diagram;
+};
+
+TEST_P(OfADiagram, ThePartitionIsTheSame) {
+  const PartitionOptions options = {.leaveOutIndifferent = GetParam() % 2 == 0,
+                                    .leaveOutUnreachable = GetParam() % 2 == 1};
+  const Partition a = inSteps(startPartition(mesh, diagram, options)),
+                  b = partition(mesh, diagram, options);
+  EXPECT_TRUE(samePoints(a.points, b.points));
+  EXPECT_EQ(a.positions, b.positions);
+  EXPECT_EQ(a.triangles, b.triangles);
+  EXPECT_EQ(a.triangleLabel, b.triangleLabel);
+  EXPECT_EQ(a.triangleFace, b.triangleFace);
+  EXPECT_EQ(a.twins, b.twins);
+  ASSERT_EQ(a.regions.size(), b.regions.size());
+  for (size_t l = 0; l < a.regions.size(); ++l) {
+    const RegionPatch &p = a.regions[l], &q = b.regions[l];
+    EXPECT_EQ(p.label, static_cast<int>(l));
+    EXPECT_EQ(p.area, q.area);
+    EXPECT_EQ(p.perimeter, q.perimeter);
+    EXPECT_EQ(p.eulerCharacteristic, q.eulerCharacteristic);
+    EXPECT_EQ(p.components, q.components);
+    EXPECT_TRUE(samePoints({p.nearCentroid}, {q.nearCentroid}));
+  }
+}
+
+TEST_P(OfADiagram, TheDualAndWhatIsToldAboutItAreTheSame) {
+  const PolygonMesh dual = inSteps(startDualMesh(mesh, sites, diagram)),
+                    expected = dualMesh(mesh, sites, diagram);
+  EXPECT_TRUE(samePoints(dual.points, expected.points));
+  EXPECT_EQ(dual.faces.points, expected.faces.points);
+  EXPECT_EQ(inSteps(startRegionMesh(mesh, diagram)).faces.points,
+            regionMesh(mesh, diagram).faces.points);
+
+  const auto violations = inSteps(startViolations(mesh, sites, diagram));
+  const auto others = findViolations(mesh, sites, diagram);
+  ASSERT_EQ(violations.size(), others.size());
+  for (size_t i = 0; i < others.size(); ++i) EXPECT_EQ(violations[i].message, others[i].message);
+  EXPECT_TRUE(samePoints(inSteps(startRepairingSites(mesh, sites, diagram, *traced.field)),
+                         repairingSites(mesh, sites, diagram, *traced.field)));
+
+  const auto paths = inSteps(startDualPaths(mesh, diagram, *traced.field));
+  const auto atOnce = dualPaths(mesh, diagram, *traced.field);
+  ASSERT_EQ(paths.size(), atOnce.size());
+  for (size_t i = 0; i < paths.size(); ++i) {
+    EXPECT_EQ(paths[i].labels, atOnce[i].labels);
+    EXPECT_TRUE(samePoints(paths[i].points, atOnce[i].points));
+  }
+
+  const RemeshQuality a = inSteps(startQuality(mesh, startDualMesh(mesh, sites, diagram))),
+                      b = measureQuality(mesh, expected);
+  EXPECT_EQ(a.triangles, b.triangles);
+  EXPECT_EQ(a.minAngle, b.minAngle);
+  EXPECT_EQ(a.hausdorff, b.hausdorff);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, OfADiagram, ::testing::Range(0, 12));
+
+}  // namespace
+}  // namespace gvd

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+//
+// Long work is done in slices: the thread has its turn in between, callers hear how far it is, and may give
+// up. What comes of it is the same.
+
+import assert from 'node:assert/strict';
+import { afterEach, before, test } from 'node:test';
+import { load } from 'geodesic-voronoi';
+import { bumpySphere } from './meshes.mjs';
+
+let gvd;
+let mesh;
+let diagram;
+before(async () => {
+  gvd = await load();
+  mesh = await gvd.mesh(bumpySphere(40, 60));
+  diagram = await mesh.voronoi(await mesh.sampleSites(20));
+});
+
+/** What is told of a mesh: objects of two meshes differ. */
+const opened = async (source, options) => {
+  const { info, positions, indices } = await gvd.mesh(source, options);
+  return { info, positions, indices };
+};
+
+const tasks = {
+  'a mesh': (options) => opened(bumpySphere(40, 60), options),
+  'a mesh with a tolerance': (options) =>
+    opened(bumpySphere(40, 60), { weld: 1e-4, minComponent: 3, ...options }),
+  'farthest points': (options) => mesh.sampleSites(40, { sampling: 'farthest', ...options }),
+  'farthest points by radius': (options) => mesh.sampleSites({ radius: 0.5 }, options),
+  'a Poisson disk': (options) => mesh.sampleSites(40, { sampling: 'poisson', ...options }),
+  'a Poisson disk by radius': (options) =>
+    mesh.sampleSites({ radius: 0.5 }, { sampling: 'poisson', ...options }),
+  'a partition': (options) => diagram.partition(options),
+  'a dual': (options) => diagram.dual(options),
+  'the regions as polygons': (options) => diagram.dual({ primal: true, ...options }),
+  'the paths of a dual': (options) => diagram.dualPaths(options),
+  'violations of a dual': (options) => diagram.violations(options),
+  'the quality of a dual': (options) => diagram.remeshQuality(options),
+};
+
+/** A clock that is always later than the end of a slice: how fast the machine is must not matter. */
+let clock = 0;
+const now = performance.now;
+const hurry = () => {
+  performance.now = () => (clock += 1000);
+};
+afterEach(() => {
+  performance.now = now;
+});
+
+for (const [name, task] of Object.entries(tasks)) {
+  test(`${name}: in slices, as at one go, and given up after one of them`, async () => {
+    performance.now = () => 0; // no slice ends
+    const expected = await task({});
+
+    hurry();
+    const shares = [];
+    let turns = 0;
+    const turn = setInterval(() => ++turns, 0);
+    const result = await task({ onProgress: (share) => shares.push(share) });
+    clearInterval(turn);
+    assert.deepEqual(result, expected);
+    assert.ok(turns > 0, 'nothing else had its turn');
+    assert.ok(shares.length > 2, `${shares}`);
+    shares.forEach((share, i) => {
+      assert.ok(share >= (shares[i - 1] ?? 0) && share <= 1, `${shares}`);
+    });
+    assert.equal(shares.at(-1), 1);
+
+    const control = new AbortController();
+    const heard = [];
+    const givenUp = task({
+      signal: control.signal,
+      onProgress: (share) => {
+        heard.push(share);
+        control.abort(new Error('enough'));
+      },
+    });
+    await assert.rejects(givenUp, { message: 'enough' });
+    assert.equal(heard.length, 1);
+
+    performance.now = now;
+    assert.deepEqual(await task({}), expected);
+  });
+}
+
+test('a diagram that is disposed, or a library, ends the work on it', async () => {
+  hurry();
+  const own = await mesh.voronoi(diagram.sites);
+  const partition = own.partition({ onProgress: () => own.dispose() });
+  await assert.rejects(partition, { code: 'disposed' });
+
+  const library = await load();
+  const other = library.mesh(bumpySphere(40, 60), { onProgress: () => library.dispose() });
+  await assert.rejects(other, { code: 'disposed' });
+});
+
+test('what is asked of a diagram while it is at work has its turn after that', async () => {
+  hurry();
+  const own = await mesh.voronoi(diagram.sites);
+  const order = [];
+  const partition = own.partition().finally(() => order.push('partition'));
+  const change = own.removeSite(19).finally(() => order.push('change'));
+  assert.equal((await partition).regions.area.length, 20);
+  assert.equal((await change).label, 19);
+  assert.deepEqual(order, ['partition', 'change']);
+  assert.equal((await own.partition()).regions.area.length, 19);
+});
