@@ -26,6 +26,7 @@ export interface GestureTarget {
 }
 
 interface Press {
+  event: PointerEvent;
   pointer: number;
   x: number;
   y: number;
@@ -45,6 +46,7 @@ export class PointerGestures {
   readonly #listening = new AbortController();
   #press: Press | undefined;
   #longPress = 0;
+  #isHandingOver = false;
 
   /** Make it before the camera's controls, or they see a press on a site first. */
   constructor(canvas: HTMLCanvasElement, target: GestureTarget) {
@@ -79,14 +81,17 @@ export class PointerGestures {
   }
 
   #down(event: PointerEvent): void {
+    if (this.#isHandingOver) return;
     if (this.#press) {
       // A second finger: what began as a click or a drag of a site is a gesture of the camera now.
+      const { site, event: first } = this.#press;
       this.cancel();
+      if (site !== undefined) this.#handOver(first);
       return;
     }
     const { clientX: x, clientY: y, pointerId: pointer } = event;
     const site = isPlain(event) ? this.#grasped(x, y, reachOf(event)) : undefined;
-    this.#press = { pointer, x, y, site, moved: false };
+    this.#press = { event, pointer, x, y, site, moved: false };
     if (event.pointerType === 'touch') this.#target.hover(x, y);
     if (site === undefined) return;
 
@@ -101,6 +106,13 @@ export class PointerGestures {
         this.#target.remove(site);
       }, longPressMilliseconds);
     }
+  }
+
+  /** The camera's controls, which this press was kept from, see it now. */
+  #handOver(press: PointerEvent): void {
+    this.#isHandingOver = true;
+    this.#canvas.dispatchEvent(new PointerEvent('pointerdown', press));
+    this.#isHandingOver = false;
   }
 
   #grasped(x: number, y: number, reach: number): number | 'brush' | undefined {
