@@ -231,8 +231,8 @@ void WindowSweep::queueSource(int v) {
   push(-1 - v, vertices_[v].distance);
 }
 
-/// Queues a halfedge at which the first windows wait. It has its turn at once if neither of its ends
-/// has a distance: paths that graze them have been cut off.
+/// Queues a halfedge at which the first windows wait. It has its turn at once if neither of its
+/// ends has a distance: paths that graze them have been cut off.
 void WindowSweep::queueBatch(int halfedge, double key) {
   push(halfedge, key < kInfinity ? key : 0);
   prefetch(mesh_.face(halfedge / 3));
