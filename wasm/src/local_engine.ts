@@ -357,6 +357,7 @@ export class LocalEngine implements Engine {
   }
 
   #pointer(object: Handle): Pointer {
+    this.#open(); // else the library has been disposed, and with it the object
     const kept = this.#objects.get(object);
     if (!kept) throw new GeodesicVoronoiError('disposed', 'the object has been disposed');
     return kept.pointer;
