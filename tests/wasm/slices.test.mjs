@@ -32,6 +32,7 @@ const tasks = {
   'a Poisson disk': (options) => mesh.sampleSites(40, { sampling: 'poisson', ...options }),
   'a Poisson disk by radius': (options) =>
     mesh.sampleSites({ radius: 0.5 }, { sampling: 'poisson', ...options }),
+  'sites in the worst region': (options) => mesh.sampleSites(6, { sampling: 'size', ...options }),
   'a partition': (options) => diagram.partition(options),
   'a dual': (options) => diagram.dual(options),
   'the regions as polygons': (options) => diagram.dual({ primal: true, ...options }),

@@ -35,6 +35,7 @@ import {
   type WorstRegion,
 } from './results.js';
 import { remesh } from './remesh.js';
+import { nextTask } from './slices.js';
 import type { Triangles } from './triangles.js';
 import type {
   CvtOptions,
@@ -101,7 +102,7 @@ export class EngineMesh implements Mesh {
     return this.#kept.call('coverComponents', [sites.face, sites.bary, least, count, seed], task);
   }
 
-  /** Always one more in the worst region of the diagram so far: `sampleWorstFirst` of the core, in slices. */
+  /** Always one more in the worst region of the diagram so far: `sampleWorstFirst` of the core, a site per slice. */
   async #sampleWorstFirst(
     count: number,
     worst: WorstRegion,
@@ -114,6 +115,7 @@ export class EngineMesh implements Mesh {
       for (let n = 1; n < count; ++n) {
         await diagram.insertSite(await diagram.worstRegionPoint(worst, { signal }), { signal });
         onProgress?.((n + 1) / count);
+        await nextTask();
       }
       return diagram.sites;
     } finally {
