@@ -50,7 +50,7 @@ class DynamicDiagram {
   /// throws, they are as they were. Takes as long as `traceDiagram`. Throws
   /// `Error(kInvalidArgument)` if they come from elsewhere.
   static DynamicDiagram fromDistances(const TriangleMesh& mesh,
-                                      std::shared_ptr<DistanceField> distances,
+                                      const std::shared_ptr<DistanceField>& distances,
                                       const DiagramOptions& options = {});
   ~DynamicDiagram();
   DynamicDiagram(DynamicDiagram&&) noexcept;

@@ -34,8 +34,8 @@ std::shared_ptr<SiteDistances> distancesOf(const TriangleMesh& mesh,
 }
 
 /// What `propagate` has made.
-std::shared_ptr<SiteDistances> asSiteDistances(std::shared_ptr<DistanceField> distances) {
-  auto found = std::dynamic_pointer_cast<SiteDistances>(std::move(distances));
+std::shared_ptr<SiteDistances> asSiteDistances(const std::shared_ptr<DistanceField>& distances) {
+  auto found = std::dynamic_pointer_cast<SiteDistances>(distances);
   if (!found)
     throw Error(ErrorCode::kInvalidArgument, "the distances are not those that propagate gives");
   return found;
@@ -234,10 +234,10 @@ DynamicDiagram::DynamicDiagram(std::unique_ptr<Implementation> implementation)
     : implementation_(std::move(implementation)) {}
 
 DynamicDiagram DynamicDiagram::fromDistances(const TriangleMesh& mesh,
-                                             std::shared_ptr<DistanceField> distances,
+                                             const std::shared_ptr<DistanceField>& distances,
                                              const DiagramOptions& options) {
   return DynamicDiagram(
-      std::make_unique<Implementation>(mesh, asSiteDistances(std::move(distances)), options));
+      std::make_unique<Implementation>(mesh, asSiteDistances(distances), options));
 }
 
 DynamicDiagram::~DynamicDiagram() = default;

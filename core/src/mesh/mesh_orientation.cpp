@@ -64,8 +64,9 @@ bool TriangleOrienting::step(long& budget) {
         return true;
       },
       [&] {
-        return loop_.run(count, budget, kQuickRounds,
-                         [&](int t) { out_.flipped[t] ^= isComponentTurned_[out_.component[t]]; });
+        return loop_.run(count, budget, kQuickRounds, [&](int t) {
+          if (isComponentTurned_[out_.component[t]]) out_.flipped[t] ^= 1;
+        });
       },
       cutEdges,
       // Side i of a triangle that is turned over becomes side 2 - i. The sides keep their
@@ -106,7 +107,7 @@ void TriangleOrienting::visit(int place) {
     if (twin_[h] < 0 || out_.component[twin_[h] / 3] >= 0) continue;
     const int neighbour = twin_[h] / 3;
     out_.component[neighbour] = out_.component[f];
-    out_.flipped[neighbour] = (out_.flipped[f] != 0) != disagree(h);
+    out_.flipped[neighbour] = static_cast<char>((out_.flipped[f] != 0) != disagree(h));
     flips_ += out_.flipped[neighbour];
     queue_.push_back(neighbour);
   }
@@ -115,7 +116,8 @@ void TriangleOrienting::visit(int place) {
 /// If that suits the majority better, all of a component is turned over again.
 void TriangleOrienting::endComponent() {
   const std::size_t members = queue_.size() - firstOfComponent_;
-  if (members > 0) isComponentTurned_.push_back(2 * static_cast<std::size_t>(flips_) > members);
+  if (members > 0)
+    isComponentTurned_.push_back(static_cast<char>(2 * static_cast<std::size_t>(flips_) > members));
   firstOfComponent_ = queue_.size();
   flips_ = 0;
 }

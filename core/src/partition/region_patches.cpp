@@ -184,7 +184,7 @@ bool PatchMeasuring::countComponents(RegionPatch& region, long& budget) {
 }
 
 /// V - E + F, with one vertex per fan: as many on outlines as there are steps along them.
-void PatchMeasuring::countTopology(RegionPatch& region) {
+void PatchMeasuring::countTopology(RegionPatch& region) const {
   sortStably(std::span(region.neighbours),
              [](const auto& a, const auto& b) { return a.label < b.label; });
   const int edges = (3 * region.triangleCount + outlineSteps_) / 2;

@@ -38,7 +38,7 @@ class PatchMeasuring {
   void addStep(int h, RegionPatch& region);
   void countInnerVertices(int t);
   bool countComponents(RegionPatch& region, long& budget);
-  void countTopology(RegionPatch& region);
+  void countTopology(RegionPatch& region) const;
   void offerTriangle(int t, const RegionPatch& region);
 
   const TriangleMesh& mesh_;
