@@ -132,14 +132,16 @@ suite('the panel', () => {
     const bar = viewer.page.locator('#progress-bar');
     await viewer.page.fill('#count', '8000');
     await viewer.page.selectOption('#sampling', 'farthest');
-    await click('#scatter [type=submit]');
-    // As soon as it is seen: the work would be done before a slow machine lets a pointer press it.
-    await viewer.page.waitForFunction(() => {
+    // As soon as it is seen: the work would be done before a pointer presses it.
+    await viewer.page.evaluate(() => {
       const cancel = document.getElementById('cancel');
-      const isSeen = cancel.checkVisibility();
-      if (isSeen) cancel.click();
-      return isSeen;
+      new MutationObserver(() => {
+        globalThis.wasSeen ||= cancel.checkVisibility();
+        if (globalThis.wasSeen) cancel.click();
+      }).observe(document.getElementById('progress'), { attributeFilter: ['hidden'] });
     });
+    await click('#scatter [type=submit]');
+    await viewer.page.waitForFunction(() => globalThis.wasSeen);
     await viewer.settled();
     assert.equal(await bar.isVisible(), false);
     assert.deepEqual(await viewer.sites(), before);
