@@ -52,6 +52,7 @@ export async function buildPackage() {
     run(tool('tsc'), ['-p', 'web/viewer']);
     for (const module of modules) copyFileSync(at(module), at('dist', basename(module)));
     copyDraco();
+    copyImported();
     for (const module of ['core.wasm', 'gltf.wasm', 'draco.wasm']) {
       copyFileSync(at('wasm/module_address.d.ts'), at('dist', `${module}.d.ts`));
     }
@@ -70,6 +71,27 @@ function checkSizes() {
     const size = `${compressed.toFixed(1)} KB compressed, ${(bytes.length / 1000).toFixed(1)} KB plain`;
     console.log(`${name}.wasm: ${size}; at most ${limit} KB compressed`);
     if (compressed > limit) throw new Error(`${name}.wasm is larger than ${limit} KB compressed`);
+  }
+}
+
+/**
+ * The modules that readers of files import, beside these. Readers run in a worker, where a page's import map does
+ * not count: there, nothing can be imported by the name of its package.
+ */
+function copyImported() {
+  const imported = [
+    { reader: 'polygons', name: 'earcut', file: 'earcut/src/earcut.js' },
+    { reader: 'zip', name: 'fflate', file: 'fflate/esm/browser.js' },
+    { reader: 'meshopt', name: 'meshoptimizer/decoder', file: 'meshoptimizer/meshopt_decoder.mjs' },
+  ];
+  for (const { reader, name, file } of imported) {
+    const copy = `${file.split('/')[0]}_module.js`;
+    copyFileSync(at('node_modules', file), at('dist/input', copy));
+    const path = at('dist/input', `${reader}.js`);
+    const script = readFileSync(path, 'utf8');
+    const moved = script.replace(`from '${name}'`, `from './${copy}'`);
+    if (moved === script) throw new Error(`${reader}.js does not import ${name}`);
+    writeFileSync(path, moved);
   }
 }
 
