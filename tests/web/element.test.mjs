@@ -40,6 +40,7 @@ before(async () => {
     '/one.html': page(`<geodesic-voronoi ${model}></geodesic-voronoi>`),
     '/twenty.html': page(twenty),
     '/empty.html': page(''),
+    '/pentagon.obj': { html: 'v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 2 0\nv 0 1 0\nf 1 2 3 4 5\n' },
     '/article.html': page(`<geodesic-voronoi ${model}></geodesic-voronoi>${longText}`),
     '/import-map.html': {
       ...page(
@@ -106,6 +107,15 @@ suite('plain pages', () => {
     const viewer = await opened(context, 'import-map.html');
     await viewer.settled();
     assert.equal(await viewer.regionCount(), 12);
+    // What readers import is found in the worker as well, where import maps do not count.
+    await viewer.page.evaluate(() => {
+      const element = document.querySelector('geodesic-voronoi');
+      return new Promise((resolve, reject) => {
+        element.addEventListener('diagram', resolve, { once: true });
+        element.addEventListener('error', ({ detail }) => reject(detail), { once: true });
+        element.src = '/pentagon.obj';
+      });
+    });
   });
 });
 
