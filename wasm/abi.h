@@ -25,6 +25,7 @@
 #include <vector>
 
 #include "gvd/error.h"
+#include "gvd/sliced_work.h"
 
 /// A C function that JavaScript calls.
 #define GVD_ABI extern "C" EMSCRIPTEN_KEEPALIVE
@@ -93,19 +94,10 @@ class Record {
 /// How a slice of work ended; zero when it failed, as with every function here.
 enum SliceEnd { kFailed = 0, kMoreToDo = 1, kDone = 2 };
 
-/// Work that is done in slices before there is a record.
-class RecordWork {
- public:
-  virtual ~RecordWork() = default;
-  virtual bool step(long budget) = 0;
-  virtual double progress() const = 0;
-  virtual Record take() = 0;
-};
-
 /// A record on its way out, until JavaScript has copied and freed it; before that, the work that it
 /// comes from, if any.
 struct Answer {
-  std::unique_ptr<RecordWork> work;
+  std::unique_ptr<SlicedWork<Record>> work;
   Record record;
   std::vector<Record::Row> rows = record.rows();
 };

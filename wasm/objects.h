@@ -77,7 +77,7 @@ struct CvtHandle {
 
 /// A record made of what a core's work comes to.
 template <class Result, class ToRecord>
-class RecordOfResult final : public RecordWork {
+class RecordOfResult final : public SlicedWork<Record> {
  public:
   RecordOfResult(std::unique_ptr<SlicedWork<Result>> work, ToRecord toRecord)
       : toRecord_(std::move(toRecord)), work_(std::move(work)) {}

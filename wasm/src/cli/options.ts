@@ -177,6 +177,15 @@ type AllValues = {
 };
 
 const ofSites = ['sites', 'radius', 'sampling', 'per-component', 'seed'] as const;
+const ofTessellation = [
+  ...ofSites,
+  'iterations',
+  'method',
+  'density',
+  'fixed',
+  'metric',
+  'progress',
+] as const;
 const ofMesh = ['weld', 'orientation', 'min-component', 'limits'] as const;
 const ofAll = [...ofMesh, 'units', 'output', 'json', 'quiet', 'help'] as const;
 
@@ -234,16 +243,7 @@ export const commands = {
       'mesh.glb --sites 300 --per-component 1 --density curvature -o sites.json',
       'mesh.glb --sites 300 --sampling poisson --iterations 0 -o sampled.json',
     ],
-    options: [
-      ...ofSites,
-      'iterations',
-      'method',
-      'density',
-      'fixed',
-      'metric',
-      'progress',
-      ...ofAll,
-    ],
+    options: [...ofTessellation, ...ofAll],
   },
   partition: {
     summary: 'The mesh cut into the regions of sites, watertight where it was',
@@ -267,16 +267,7 @@ export const commands = {
       'mesh.glb --sites 1000 -o fine.obj',
       'mesh.glb --sites 1000 --density curvature -o adaptive.obj',
     ],
-    options: [
-      ...ofSites,
-      'iterations',
-      'method',
-      'density',
-      'fixed',
-      'metric',
-      'progress',
-      ...ofAll,
-    ],
+    options: [...ofTessellation, ...ofAll],
   },
 } as const satisfies Record<string, CommandSpec>;
 

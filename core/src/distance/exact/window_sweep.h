@@ -159,7 +159,7 @@ class WindowSweep {
   LabelState* state_ = nullptr;
   WindowRecord* record_ = nullptr;
   bool isWinding_ = false;  ///< whether windows are dropped that enter a face again
-  long mayFollow_ = 0;      ///< faces that windows may be followed back across for that
+  long mayFollow_ = 0;      ///< how many more faces windows may be followed back across to tell
   SurfacePoint site_;
   RequiredPlaces required_;
   double mostExcess_ = 0;            ///< of them, when the label began to go on
