@@ -92,12 +92,7 @@ GVD_ABI Answer* pathToSite(const VoronoiHandle* voronoi, Ints face, Doubles bary
     const DistanceField& field = voronoi->field();
     const SurfacePoint from = pointFromInput(mesh, face, bary);
     const int label = field.nearest(from).label;
-    std::vector<SurfacePoint> path;
-    if (label >= 0) path = field.path(label, from);
-    Record out;
-    out.add("points", placedRecord(mesh, path));
-    out.add("length", path.empty() ? kInfinity : lengthOf(mesh, path));
-    return out;
+    return pathRecord(mesh, label < 0 ? std::vector<SurfacePoint>() : field.path(label, from));
   });
 }
 

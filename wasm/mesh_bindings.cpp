@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "gvd/curvature.h"
+#include "gvd/geodesic.h"
 #include "gvd/sampling.h"
 #include "objects.h"
 #include "records.h"
@@ -161,6 +162,18 @@ GVD_ABI Answer* closestPoints(MeshHandle* handle, Doubles places) {
     Record out = placedRecord(mesh, points);
     out.add("distance", std::move(distance));
     return out;
+  });
+}
+
+/// `SurfacePath`: the shortest one between two points; no points and infinity if there is none.
+GVD_ABI Answer* shortestPath(const MeshHandle* handle, Ints fromFace, Doubles fromBary, Ints toFace,
+                             Doubles toBary) {
+  return guarded([&] {
+    const std::shared_ptr<const TriangleMesh> mesh = handle->mesh;
+    return answerOf(
+        startShortestPath(*mesh, pointFromInput(*mesh, fromFace, fromBary),
+                          pointFromInput(*mesh, toFace, toBary)),
+        [mesh](const std::vector<SurfacePoint>& path) { return pathRecord(*mesh, path); });
   });
 }
 

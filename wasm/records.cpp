@@ -227,6 +227,13 @@ Record placedRecord(const TriangleMesh& mesh, std::span<const SurfacePoint> poin
   return out;
 }
 
+Record pathRecord(const TriangleMesh& mesh, std::span<const SurfacePoint> path) {
+  Record out;
+  out.add("points", placedRecord(mesh, path));
+  out.add("length", path.empty() ? kInfinity : lengthOf(mesh, path));
+  return out;
+}
+
 Record diagramRecord(const TriangleMesh& mesh, Diagram diagram) {
   Record out;
   out.add("siteCount", diagram.siteCount);

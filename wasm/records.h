@@ -21,6 +21,8 @@ namespace gvd::abi {
 Record pointsRecord(const TriangleMesh& mesh, std::span<const SurfacePoint> points);
 /// `PlacedPoints`.
 Record placedRecord(const TriangleMesh& mesh, std::span<const SurfacePoint> points);
+/// `SurfacePath`.
+Record pathRecord(const TriangleMesh& mesh, std::span<const SurfacePoint> path);
 /// `DiagramData`.
 Record diagramRecord(const TriangleMesh& mesh, Diagram diagram);
 /// `DiagramChange`, of the site that had or has the label.

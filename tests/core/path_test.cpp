@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "gvd/error.h"
 #include "gvd/geodesic.h"
 #include "gvd/sampling.h"
 #include "mechanical_shapes.h"
@@ -105,6 +106,29 @@ int checkExact(const TriangleMesh& mesh, const std::vector<SurfacePoint>& sites,
   return count;
 }
 
+/// Checks that the paths between points are as long as distances that have spread everywhere.
+/// Returns how many there are.
+int checkBetween(const TriangleMesh& mesh, const std::vector<SurfacePoint>& ends,
+                 const std::vector<SurfacePoint>& points) {
+  int count = 0;
+  for (const SurfacePoint& to : ends) {
+    const auto field = fieldOf(mesh, {to}, Metric::kExact);
+    for (const SurfacePoint& from : points) {
+      const Path path = shortestPath(mesh, from, to);
+      const double distance = field->distance(0, from);
+      if (distance == kInfinity) {
+        EXPECT_TRUE(path.empty());
+        continue;
+      }
+      ++count;
+      expectPolyline(mesh, path, from, to);
+      EXPECT_NEAR(lengthOf(mesh, path), distance, kTolerance * distance)
+          << "from face " << from.face << ", " << from.bary.transpose();
+    }
+  }
+  return count;
+}
+
 /// Sums over paths of DGPC.
 struct Lengths {
   double relative = 0;  ///< of | length - distance | / distance
@@ -189,6 +213,32 @@ TEST(ExactPath, LeadsToEveryKnownSite) {
         EXPECT_NEAR(lengthOf(mesh, path), known.distance, kTolerance * known.distance);
       }
   }
+}
+
+TEST(ShortestPath, IsAsLongAsTheDistance) {
+  int seed = 0;
+  for (const TriangleMesh& mesh : meshes()) {
+    SCOPED_TRACE("mesh " + std::to_string(seed));
+    EXPECT_GT(checkBetween(mesh, sitesOf(mesh, 3, seed), sitesOf(mesh, 60, seed + 100)), 0);
+    ++seed;
+  }
+}
+
+TEST(ShortestPath, IsAsLongAsTheDistanceInDegenerateCases) {
+  for (int seed = 0; seed < 400; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const RandomCase random = randomCase(seed);
+    const TriangleMesh mesh = random.mesh();
+    checkBetween(mesh, sitesOf(mesh, 2, seed), pointsOf(mesh, 20, seed));
+  }
+}
+
+TEST(ShortestPath, IsBetweenPointsOfTheMesh) {
+  const TriangleMesh mesh = shapes::cube().mesh();
+  const SurfacePoint point = {0, {0.2, 0.3, 0.5}}, nowhere;
+  EXPECT_THROW(startShortestPath(mesh, nowhere, point), Error);
+  EXPECT_THROW(startShortestPath(mesh, point, nowhere), Error);
+  EXPECT_EQ(shortestPath(mesh, point, point).size(), 1u);
 }
 
 TEST(ExactPath, TurnsAtTheInnerCornerOfAnL) {

@@ -11,7 +11,6 @@ import type {
   MeshPart,
   Metric,
   Orientation,
-  SurfacePath,
   SurfacePoints,
   VertexDistances,
 } from './results.js';
@@ -123,13 +122,6 @@ export interface Engine {
     metric: Metric,
     task: TaskOptions,
   ): Promise<VertexDistances>;
-  /** `from` and `to` are one point each. */
-  path(
-    mesh: Handle,
-    from: SurfacePoints,
-    to: SurfacePoints,
-    task: TaskOptions,
-  ): Promise<SurfacePath>;
   openCvt(
     mesh: Handle,
     sites: SurfacePoints,

@@ -19,14 +19,7 @@ import type {
 } from './engine.js';
 import { GeodesicVoronoiError } from './errors.js';
 import { type InputModules, readModel } from './input/read_model.js';
-import type {
-  DiagramData,
-  MeshInfo,
-  Metric,
-  SurfacePath,
-  SurfacePoints,
-  VertexDistances,
-} from './results.js';
+import type { DiagramData, MeshInfo, Metric, SurfacePoints, VertexDistances } from './results.js';
 import { nextTask, sliceMilliseconds } from './slices.js';
 import type { Triangles } from './triangles.js';
 import type { TaskOptions } from './types.js';
@@ -224,21 +217,6 @@ export class LocalEngine implements Engine {
     const core = this.#open();
     try {
       return core.answer('distancesAtVertices', voronoi);
-    } finally {
-      core.run('freeVoronoi', voronoi);
-    }
-  }
-
-  async path(
-    mesh: Handle,
-    from: SurfacePoints,
-    to: SurfacePoints,
-    task: TaskOptions,
-  ): Promise<SurfacePath> {
-    const voronoi = await this.#spread(mesh, to, 'exact', task);
-    const core = this.#open();
-    try {
-      return core.answer('pathToSite', voronoi, from.face, from.bary);
     } finally {
       core.run('freeVoronoi', voronoi);
     }

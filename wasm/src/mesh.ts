@@ -170,8 +170,7 @@ export class EngineMesh implements Mesh {
     const task = toTask(options);
     const start = await this.#kept.point('from', from);
     const end = await this.#kept.point('to', to);
-    const { engine, handle } = this.#kept;
-    return engine.path(handle, start, end, task);
+    return this.#kept.call('shortestPath', [start.face, start.bary, end.face, end.bary], task);
   }
 
   async *cvt(

@@ -297,7 +297,10 @@ export interface Mesh extends Disposable {
   voronoi(sites: SurfacePointsInput, options?: VoronoiOptions): Promise<Diagram>;
   /** The nearest site of every input vertex, how far it is, and in which direction from the site. */
   distances(sites: SurfacePointsInput, options?: DistancesOptions): Promise<Distances>;
-  /** The shortest path between two points, given as a list of one each; exact. */
+  /**
+   * The shortest path between two points, given as a list of one each; exact. What lies farther off than
+   * the path is long is not looked at.
+   */
   path(
     from: SurfacePointsInput,
     to: SurfacePointsInput,

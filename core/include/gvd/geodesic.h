@@ -94,6 +94,18 @@ double lengthOf(const TriangleMesh& mesh, std::span<const SurfacePoint> path);
 /// The distances of sites in the making. The field refers to the mesh, which must outlive it.
 using Propagation = SlicedWork<std::unique_ptr<DistanceField>>;
 
+/// Starts the shortest path between two points, by the exact metric, as `DistanceField::path` gives
+/// it from `from` to a site at `to`; empty if the two are in different components. Windows spread
+/// from `to` no farther than they can still be part of it: O(vertices) to begin with, then as long
+/// as distances up to the path's length take. Throws `Error(kInvalidPoint)` if a point is not on
+/// the mesh, which must outlive the work.
+std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> startShortestPath(const TriangleMesh& mesh,
+                                                                         const SurfacePoint& from,
+                                                                         const SurfacePoint& to);
+/// The same without steps.
+std::vector<SurfacePoint> shortestPath(const TriangleMesh& mesh, const SurfacePoint& from,
+                                       const SurfacePoint& to);
+
 /// How far each site's distances are carried.
 enum class Spread {
   kAsNeeded,    ///< while the site may still own a point beyond

@@ -10,7 +10,7 @@
 #include "base/index_set.h"
 #include "distance/dgpc/unfolding_spread.h"
 #include "distance/exact/window_spread.h"
-#include "gvd/error.h"
+#include "mesh/surface_geometry.h"
 
 namespace gvd {
 namespace {
@@ -43,16 +43,11 @@ SiteDistances::SiteDistances(const TriangleMesh& mesh, Metric metric, Spread spr
       spread_(makeSpread(mesh, metric, spread, sites_, edgeBounds_, bounds_)),
       known_(mesh, sites_, bounds_, *spread_, spread == Spread::kEverywhere) {}
 
-void SiteDistances::requireOnMesh(const SurfacePoint& p, const std::string& what) const {
-  if (const std::string fault = mesh_.faultOfPoint(p); !fault.empty())
-    throw Error(ErrorCode::kInvalidPoint, what + fault);
-}
-
 // --- A change ----------------------------------------------------------------------------------
 
 void SiteDistances::change(std::span<const SiteChange> changes) {
   for (const SiteChange& c : changes)
-    if (c.site) requireOnMesh(*c.site, "site " + std::to_string(c.label) + ": ");
+    if (c.site) requireOnMesh(mesh_, *c.site, "site " + std::to_string(c.label) + ": ");
   started_.clear();
   resumed_.clear();
   resetVertices_.clear();
@@ -216,7 +211,7 @@ SiteDistances::LabelInFace SiteDistances::nearestAround(int vertex) const {
 // --- Queries -----------------------------------------------------------------------------------
 
 LabelledDistance SiteDistances::nearest(const SurfacePoint& p) const {
-  requireOnMesh(p);
+  requireOnMesh(mesh_, p);
   for (int i = 0; i < 3; ++i)
     if (p.bary[i] == 1) return nearestOf(at(mesh_.tail(3 * p.face + i)));
   std::vector<int> labels;
@@ -249,7 +244,7 @@ std::array<double, 3> SiteDistances::distancesAtCorners(int face, int label) con
 }
 
 double SiteDistances::distance(int label, const SurfacePoint& p) const {
-  requireOnMesh(p);
+  requireOnMesh(mesh_, p);
   const double distance = boundAt(label, p);
   if (!hasOpenDistances_ || distance == kInfinity || p.bary.maxCoeff() == 1) return distance;
   // The nearest label has come to what it owns; another one goes on to the point.
@@ -278,7 +273,7 @@ Eigen::Vector2d SiteDistances::direction(int label, int vertex) const {
 }
 
 std::vector<SurfacePoint> SiteDistances::path(int label, const SurfacePoint& p) const {
-  requireOnMesh(p);
+  requireOnMesh(mesh_, p);
   if (!sites_.contains(label)) return {};
   if (!(boundAt(label, p) < kInfinity) && nearest(p).label != label) return {};
   return spread_->path(label, p);

@@ -75,8 +75,6 @@ class SiteDistances final : public DistanceField {
   bool spread(long& budget);
   bool requireMissed();
   LabelInFace nearestAround(int vertex) const;
-  /// Throws `Error(kInvalidPoint)` that begins with what the point is, if it is not on the mesh.
-  void requireOnMesh(const SurfacePoint& p, const std::string& what = {}) const;
   SurfacePoint unique(const SurfacePoint& p) const;
   double boundAt(int label, const SurfacePoint& p) const;
   std::array<double, 3> distancesAtCorners(int face, int label) const;

@@ -6,6 +6,7 @@
 #include "base/sorting.h"
 #include "distance/face_layout.h"
 #include "distance/site_distances.h"
+#include "mesh/surface_geometry.h"
 
 namespace gvd {
 
@@ -31,7 +32,7 @@ std::vector<double> SiteDistances::distancesAt(std::span<const LabelledPoint> po
   SurfacePoint last;
   double nearestThere = kInfinity;
   for (const auto& [label, point] : points) {
-    requireOnMesh(point);
+    requireOnMesh(mesh_, point);
     const LabelledPoint p = {label, unique(point)};
     distances.push_back(found_.find(p));
     if (distances.back() < kInfinity) continue;

@@ -4,8 +4,10 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
+#include <string>
 #include <vector>
 
+#include "gvd/error.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
 
@@ -47,6 +49,13 @@ inline std::vector<double> longestEdges(const TriangleMesh& mesh) {
   for (int h = 0; h < mesh.halfedgeCount(); ++h)
     for (const int v : {mesh.tail(h), mesh.tip(h)}) result[v] = std::max(result[v], mesh.length(h));
   return result;
+}
+
+/// Throws `Error(kInvalidPoint)` that begins with what the point is, if it is not on the mesh.
+inline void requireOnMesh(const TriangleMesh& mesh, const SurfacePoint& p,
+                          const std::string& what = {}) {
+  if (const std::string fault = mesh.faultOfPoint(p); !fault.empty())
+    throw Error(ErrorCode::kInvalidPoint, what + fault);
 }
 
 /// The vertex that a point lies on, -1 if on none.

@@ -60,7 +60,7 @@ std::vector<SurfacePoint> WindowPath::take() {
   while (vertex >= 0) {
     points_.add(pointAtVertex(mesh_, vertex));
     if (points_.endAtSite()) return points_.take();
-    if (index_[vertex] < 0) return {};
+    if (distanceAt(vertex) == kInfinity) return {};
     bound_ = distanceAt(vertex);
     vertex = follow(lastPiece(vertex));
   }
@@ -134,14 +134,29 @@ int WindowPath::nearestVertex() const {
 
 // --- The path of a label -----------------------------------------------------------------------
 
+std::vector<SurfacePoint> pathToSite(const TriangleMesh& mesh, const SurfacePoint& site,
+                                     const LabelState& label, const WindowRecord& windows,
+                                     const SurfacePoint& p) {
+  WindowPath path(mesh, site, label);
+  path.start(p);
+  if (vertexAt(mesh, p) >= 0) return path.take();
+  visitPlaces(mesh, p, [&](const SurfacePoint& place) {
+    for (int i = 0; i < 3; ++i) {
+      if (place.bary[cornerBefore(i)] == 0) continue;  // on the side: the face beyond tells
+      const int halfedge = 3 * place.face + i;
+      windows.visit(halfedge, [&](const Window& w) { path.offer(w, halfedge, place); });
+      // Where another label is nearer, the path may come through a window that has stopped.
+      for (const WaitingWindow& w : label.waiting)
+        if (w.halfedge == halfedge) path.offer(w.window, halfedge, place);
+    }
+  });
+  return path.take();
+}
+
 /// The path to a vertex follows from what is kept of the label, that to another point from the
 /// recording, in which the label comes to the point first.
 std::vector<SurfacePoint> WindowSpread::path(int label, const SurfacePoint& p) {
-  if (vertexAt(mesh_, p) >= 0) {
-    WindowPath path(mesh_, sites_[label], labels_[label].state);
-    path.start(p);
-    return path.take();
-  }
+  if (vertexAt(mesh_, p) >= 0) return pathToSite(mesh_, sites_[label], labels_[label].state, {}, p);
   double nearest = 0;  // at least
   for (int i = 0; i < 3; ++i) {
     const Vector2d way = layOut(mesh_.face(p.face), 0, p.bary - Eigen::Vector3d::Unit(i));
@@ -150,19 +165,7 @@ std::vector<SurfacePoint> WindowSpread::path(int label, const SurfacePoint& p) {
   RequiredPoint required = {p, kInfinity, nearest};
   require(label, {&required, 1});
   const Recording& recording = recordingOf(label);
-  WindowPath path(mesh_, sites_[label], recording.state);
-  path.start(p);
-  visitPlaces(mesh_, p, [&](const SurfacePoint& place) {
-    for (int i = 0; i < 3; ++i) {
-      if (place.bary[cornerBefore(i)] == 0) continue;  // on the side: the face beyond tells
-      const int halfedge = 3 * place.face + i;
-      recording.windows.visit(halfedge, [&](const Window& w) { path.offer(w, halfedge, place); });
-      // Where another label is nearer, the path may come through a window that has stopped.
-      for (const WaitingWindow& w : recording.state.waiting)
-        if (w.halfedge == halfedge) path.offer(w.window, halfedge, place);
-    }
-  });
-  return path.take();
+  return pathToSite(mesh_, sites_[label], recording.state, recording.windows, p);
 }
 
 }  // namespace gvd::exact

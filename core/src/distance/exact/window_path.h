@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "distance/exact/label_state.h"
+#include "distance/exact/window_record.h"
 #include "distance/path_points.h"
 #include "distance/straight_line.h"
 #include "gvd/surface_point.h"
@@ -56,5 +57,11 @@ class WindowPath {
   double least_ = kInfinity;
   Piece first_;
 };
+
+/// The shortest path from a point to the site of a label that has come to the point. `windows` are
+/// those by which the label has crossed faces; not needed if the point is a vertex.
+std::vector<SurfacePoint> pathToSite(const TriangleMesh& mesh, const SurfacePoint& site,
+                                     const LabelState& label, const WindowRecord& windows,
+                                     const SurfacePoint& p);
 
 }  // namespace gvd::exact

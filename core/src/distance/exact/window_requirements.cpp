@@ -2,6 +2,7 @@
 //
 // WindowSweep::require: a label goes on to vertices or other points that it does not own.
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -106,8 +107,8 @@ void WindowSweep::offerToCorners(const Window& w, int h) {
     const double crossing = std::clamp(straight, w.begin, w.end);
     // A path that turns at a vertex is offered by that vertex, with the direction of the path to
     // it.
-    const bool turnsAtVertex =
-        crossing != straight && (crossing < grazing || crossing > length - grazing);
+    const bool turnsAtVertex = std::abs(crossing - straight) > grazing &&
+                               (crossing < grazing || crossing > length - grazing);
     if (!turnsAtVertex)
       offerRequired(face.vertices[k], w.distance(p.x(), p.y()),
                     {crossing, w.sourceDistance, w.direction, h});
@@ -125,8 +126,8 @@ void WindowSweep::offerToCorners(const Window& w, int h) {
 // --- Points --------------------------------------------------------------------------------------
 
 void WindowSweep::require(int label, LabelState& state, std::span<const RequiredPoint> points,
-                          WindowRecord& record) {
-  begin(label, SpreadTo::kRequired, state, &record);
+                          WindowRecord* record) {
+  begin(label, SpreadTo::kRequired, state, record);
   load();
   pointDistances_.clear();
   for (const RequiredPoint& required : points) {

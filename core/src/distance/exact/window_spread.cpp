@@ -97,7 +97,7 @@ void WindowSpread::finish(Recording& recording) {
 
 void WindowSpread::require(int label, std::span<RequiredPoint> points) {
   Recording& recording = recordingOf(label);
-  sweep_.require(label, recording.state, points, recording.windows);
+  sweep_.require(label, recording.state, points, &recording.windows);
   finish(recording);
   for (size_t i = 0; i < points.size(); ++i)
     points[i].distance = sweep_.distanceAtPoint(static_cast<int>(i));

@@ -51,14 +51,17 @@ class WindowSweep {
   /// Begins with a label that has not spread yet, to record its windows. Bounds remain as they are.
   void start(int label, const SurfacePoint& site, SpreadTo to, LabelState& state,
              WindowRecord& record);
-  /// Begins with a label that is to find its distances at some points, and goes on recording.
+  /// Begins with a label that is to find its distances at some points, and goes on recording if
+  /// there is a record. Of a single point, the windows at its faces wait there in the end.
   void require(int label, LabelState& state, std::span<const RequiredPoint> points,
-               WindowRecord& record);
+               WindowRecord* record);
   /// The distance at one of these points; for use before the next label begins.
   double distanceAtPoint(int index) const { return pointDistances_[index]; }
   /// Works on at most `budget` batches and lowers it by their number; true when the label is done,
   /// and what it has come to is in its state.
   bool run(long& budget);
+  /// The distance that the wavefront of the label at hand has come to, up to a bucket of the queue.
+  double front() const { return static_cast<double>(bucket_) / bucketsPerUnit_; }
   /// The faces that the last label has crossed, some several times.
   std::span<const int> crossedFaces() const { return crossedFaces_; }
 
