@@ -27,38 +27,20 @@ RegionOutlines::RegionOutlines(const TriangleMesh& mesh, const DistanceField& di
       graph_(graph) {}
 
 bool RegionOutlines::step(long& budget) {
-  while (stage_ != Stage::kDone) {
-    if (!runStage(budget)) return false;
-    stage_ = static_cast<Stage>(static_cast<int>(stage_) + 1);
-  }
-  return true;
-}
-
-bool RegionOutlines::runStage(long& budget) {
-  switch (stage_) {
-    case Stage::kBoundary:
-      orderBoundary();
-      return true;
-    case Stage::kRings:
-      points_.reserve(2 * graph_.segments.size());
-      return fillInSlices(isVisited_, 2 * graph_.segments.size(), '\0', budget) &&
-             traceRings(budget);
-    case Stage::kUnbroken:
-      return traceUnbrokenBoundaries(budget);
-    case Stage::kCancel:
-      return loop_.run(steps_.size(), budget, 1, [&](int s) { cancelStep(s); });
-    case Stage::kForget:
-      for (; !waiting_.empty() && budget > 0; --budget) waiting_.erase(waiting_.begin());
-      return waiting_.empty();
-    case Stage::kCollect:
-      return loop_.run(steps_.size(), budget, kQuickRounds, [&](int s) { collectOutline(s); });
-    case Stage::kSort:
-      sort();
-      return true;
-    case Stage::kDone:
-      break;
-  }
-  return true;
+  const size_t darts = 2 * graph_.segments.size();
+  return sequence_.run(
+      [&] {
+        orderBoundary();
+        points_.reserve(darts);
+      },
+      [&] { return fillInSlices(isVisited_, darts, '\0', budget); },
+      [&] { return traceRings(budget); }, [&] { return traceUnbrokenBoundaries(budget); },
+      [&] { return loop_.run(steps_.size(), budget, 1, [&](int s) { cancelStep(s); }); },
+      [&] { return forgetWaiting(budget); },
+      [&] {
+        return loop_.run(steps_.size(), budget, kQuickRounds, [&](int s) { collectOutline(s); });
+      },
+      [&] { sort(); });
 }
 
 // --- The mesh boundary ---------------------------------------------------------------------------
@@ -270,6 +252,12 @@ void RegionOutlines::cancelStep(int s) {
       others.push_back(s);
     }
   }
+}
+
+/// Frees the lists of those that nothing cancels, which takes a while where they are many.
+bool RegionOutlines::forgetWaiting(long& budget) {
+  for (; !waiting_.empty() && budget > 0; --budget) waiting_.erase(waiting_.begin());
+  return waiting_.empty();
 }
 
 /// Takes out two opposite steps: the step before each is followed by the step after the other.

@@ -29,9 +29,10 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
  private:
   int inputVertexCount() const { return static_cast<int>(positions_.size() / 3); }
   void requireVertices(int triangle) const;
-  void takeFans();
+  void takeFans(Fans fans);
   void takePosition(int vertex);
-  void requireMeasurable() const;
+  void requireExtent() const;
+  void requireEdgeLength() const;
   void measureFace(int face);
   void noteFlatness(int face);
   void setFace(int face, const IntrinsicTriangle& triangle);

@@ -61,7 +61,6 @@ bool TriangleOrienting::step(long& budget) {
       [&] {
         endComponent();
         release(queue_);
-        return true;
       },
       [&] {
         return loop_.run(count, budget, kQuickRounds, [&](int t) {
@@ -131,35 +130,31 @@ void TriangleOrienting::turnOver(int t) {
 // --- Small components --------------------------------------------------------------------------
 
 bool SmallComponents::step(long& budget) {
-  if (least_ <= 1) return true;
-  const auto nothingIsDropped = [&] { return repairs_.smallComponents == 0; };
-  return sequence_.run(
-      [&] { return fillInSlices(size_, oriented_.components, 0, budget); },
-      [&] {
-        return loop_.run(count_, budget, kQuickRounds,
-                         [&](int t) { ++size_[oriented_.component[t]]; });
-      },
-      [&] {
-        numberAnew();
-        return true;
-      },
-      [&] { return nothingIsDropped() || fillInSlices(newTriangle_, count_, -1, budget); },
-      [&] { return nothingIsDropped() || loop_.run(count_, budget, 8, [&](int t) { moveUp(t); }); },
-      [&] {
-        if (!nothingIsDropped()) shorten();
-        return true;
-      },
-      [&] {
-        return nothingIsDropped() || loop_.run(twin_.size(), budget, kQuickRounds, [&](int h) {
-          if (int& twin = twin_[h]; twin >= 0) twin = 3 * newTriangle_[twin / 3] + twin % 3;
-        });
-      },
-      [&] {
-        return nothingIsDropped() ||
-               loop_.run(selection_.kept.size(), budget, kQuickRounds, [&](int t) {
-                 if (int& kept = selection_.kept[t]; kept >= 0) kept = newTriangle_[kept];
-               });
-      });
+  return least_ <= 1 ||
+         sequence_.run([&] { return fillInSlices(size_, oriented_.components, 0, budget); },
+                       [&] {
+                         return loop_.run(count_, budget, kQuickRounds,
+                                          [&](int t) { ++size_[oriented_.component[t]]; });
+                       },
+                       [&] { numberAnew(); },
+                       [&] { return repairs_.smallComponents == 0 || drop(budget); });
+}
+
+bool SmallComponents::drop(long& budget) {
+  return dropping_.run([&] { return fillInSlices(newTriangle_, count_, -1, budget); },
+                       [&] { return loop_.run(count_, budget, 8, [&](int t) { moveUp(t); }); },
+                       [&] { shorten(); },
+                       [&] {
+                         return loop_.run(twin_.size(), budget, kQuickRounds, [&](int h) {
+                           if (int& twin = twin_[h]; twin >= 0)
+                             twin = 3 * newTriangle_[twin / 3] + twin % 3;
+                         });
+                       },
+                       [&] {
+                         return loop_.run(selection_.kept.size(), budget, kQuickRounds, [&](int t) {
+                           if (int& kept = selection_.kept[t]; kept >= 0) kept = newTriangle_[kept];
+                         });
+                       });
 }
 
 void SmallComponents::numberAnew() {

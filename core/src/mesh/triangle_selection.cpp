@@ -59,10 +59,7 @@ bool VertexWelding::step(long& budget) {
         return weld_ == 0 || loop_.run(triangles_.size(), budget, kQuickRounds,
                                        [&](int i) { addToBox(triangles_[i]); });
       },
-      [&] {
-        openGrid();
-        return true;
-      },
+      [&] { openGrid(); },
       [&] { return !staying_ || loop_.run(count, budget, 1, [&](int v) { weldToNear(v); }); });
 }
 
@@ -143,10 +140,7 @@ bool TriangleSelection::step(long& budget) {
         out_.corners.reserve(originals_);
         return loop_.run(count, budget, kQuickRounds, [&](int t) { keep(t); });
       },
-      [&] {
-        requireAny();
-        return true;
-      });
+      [&] { requireAny(); });
 }
 
 void TriangleSelection::count(int t) {

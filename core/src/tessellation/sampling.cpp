@@ -103,7 +103,6 @@ class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
         },
         [&] {
           if (count_ > 0) add(sampleUniform(mesh_, 1, seed_).front());
-          return true;
         },
         [&] { return count_ == 0 || addOthers(budget); });
   }
@@ -191,10 +190,7 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
   bool step(long budget) override {
     return sequence_.run([&] { return longestEdge_.step(budget); },
                          [&] { return fillInSlices(known_, mesh_.vertexCount(), {}, budget); },
-                         [&] {
-                           sums_ = cumulative(faceWeights(mesh_));
-                           return true;
-                         },
+                         [&] { sums_ = cumulative(faceWeights(mesh_)); },
                          [&] { return addAll(budget); });
   }
   double progress() const override {
