@@ -96,11 +96,10 @@ int RegionOutlines::firstOnBoundary(int halfedge) const {
 }
 
 int RegionOutlines::vertexPoint(int vertex) {
-  if (const int known = nodePoints_[vertex]; known >= 0) return known;
-  const int h = mesh_.outgoing(vertex);
-  nodePoints_.note(vertex);
-  return nodePoints_[vertex] =
-             graph_.addNode(TriangleMesh::faceOf(h), Eigen::Vector3d::Unit(h % 3));
+  return nodePoints_.at(vertex, [&] {
+    const int h = mesh_.outgoing(vertex);
+    return graph_.addNode(TriangleMesh::faceOf(h), Eigen::Vector3d::Unit(h % 3));
+  });
 }
 
 /// From a point where a region comes to the mesh boundary, forward along it to the next point where
