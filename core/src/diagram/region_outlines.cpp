@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/sorting.h"
+#include "distance/path_points.h"
 
 namespace gvd {
 
@@ -97,8 +98,8 @@ int RegionOutlines::firstOnBoundary(int halfedge) const {
 
 int RegionOutlines::vertexPoint(int vertex) {
   return nodePoints_.at(vertex, [&] {
-    const int h = mesh_.outgoing(vertex);
-    return graph_.addNode(TriangleMesh::faceOf(h), Eigen::Vector3d::Unit(h % 3));
+    const SurfacePoint place = pointAtVertex(mesh_, vertex);
+    return graph_.addNode(place.face, place.bary);
   });
 }
 

@@ -65,7 +65,11 @@ void KnownLabels::leave(int label) {
       mesh_.visitFaces(r.vertex, [&](int f) {
         if (owners_.has(f, label)) affectedFaces_.add(f);
       });
-  for (const int f : sites_.facesOf(label)) affectedFaces_.add(f);
+  addFacesOfSite(label);
+}
+
+void KnownLabels::addFacesOfSite(int label) {
+  sites_.visitFacesOf(label, [&](const SurfacePoint& site) { affectedFaces_.add(site.face); });
 }
 
 void KnownLabels::start(std::span<const int> started, std::span<const int> resumed,
@@ -150,7 +154,7 @@ void KnownLabels::findAffected() {
   for (const int label : started_) {
     for (const ReachedVertex& r : spread_.reached(label))
       if (r.isFinal) addFacesAround(r.vertex);
-    for (const int f : sites_.facesOf(label)) affectedFaces_.add(f);
+    addFacesOfSite(label);
   }
   for (const int f : affectedFaces_.list())
     for (int h = 3 * f; h < 3 * f + 3; ++h) changedVertices_.add(mesh_.tail(h));

@@ -64,6 +64,7 @@ class KnownLabels {
   template <class Work>
   bool forEach(size_t count, long& budget, Work work);
 
+  void addFacesOfSite(int label);
   bool markFinal(long& budget);
   void findAffected();
   void resetInterpolatedAround();

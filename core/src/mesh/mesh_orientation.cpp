@@ -24,7 +24,7 @@ bool HalfedgeMatching::step(long& budget) {
                        });
 }
 
-/// Those with the same lower end.
+/// Pairs the halfedges with one lower end by their higher ends.
 void HalfedgeMatching::match(std::span<int> halfedges) {
   const auto higherEnd = [&](int h) {
     return std::max(tailOf(triangles_, h), tipOf(triangles_, h));
@@ -84,7 +84,7 @@ bool TriangleOrienting::disagree(int h) const {
   return tailOf(triangles_, h) == tailOf(triangles_, twin_[h]);
 }
 
-/// Cuts an edge whose two triangles disagree once those have been turned over that are.
+/// Cuts an edge if its two triangles disagree, each taken as turned over if it is marked so.
 void TriangleOrienting::cutIfInconsistent(int h) {
   const int twin = twin_[h];
   if (twin < h) return;  // none, or seen from there
@@ -112,7 +112,7 @@ void TriangleOrienting::visit(int place) {
   }
 }
 
-/// If that suits the majority better, all of a component is turned over again.
+/// If most triangles of a component are marked as turned over, all are to be turned once more.
 void TriangleOrienting::endComponent() {
   const std::size_t members = queue_.size() - firstOfComponent_;
   if (members > 0)

@@ -15,7 +15,7 @@
 namespace gvd {
 namespace {
 
-/// From 0 to below `count`, the same for -0 and 0. Whose hashes agree is compared.
+/// A hash of a position, from 0 to below `count`; the same for -0 and 0.
 int hashOf(const Eigen::Vector3d& p, int count) {
   std::uint64_t hash = 0;
   for (const double x : p) {
@@ -101,7 +101,7 @@ void VertexWelding::openGrid() {
 
 void VertexWelding::weldToNear(int v) {
   int& same = representative_[v];
-  if (same != v) {  // not finite, or what holds of the first one at the same position
+  if (same != v) {  // not finite, or where an earlier vertex is: welded as that one is
     if (same >= 0) same = representative_[same];
     return;
   }

@@ -14,6 +14,7 @@
 
 #include "base/sliced_loop.h"
 #include "base/sorting.h"
+#include "distance/path_points.h"
 #include "mesh/convex_triangulation.h"
 #include "mesh/surface_geometry.h"
 #include "partition/region_patches.h"
@@ -295,8 +296,7 @@ class Partitioner final : public SlicedWork<Partition> {
     if (number_[v] < 0) return;
     number_[v] = static_cast<int>(out_.points.size());
     if (v < mesh_.vertexCount()) {
-      const int h = mesh_.outgoing(v);
-      out_.points.push_back({TriangleMesh::faceOf(h), Eigen::Vector3d::Unit(h % 3)});
+      out_.points.push_back(pointAtVertex(mesh_, v));
       out_.positions.push_back(mesh_.position(v));
     } else {
       out_.points.push_back(diagram_.points[v - mesh_.vertexCount()]);
