@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Small tools of the core: a sort, and numbers in messages.
+// Small tools of the core: loops in slices, a sort, and numbers in messages.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/number_text.h"
+#include "base/sliced_loop.h"
 #include "base/sorting.h"
 
 namespace gvd {
@@ -29,6 +30,19 @@ TEST(NumberText, IsThatOfSixSignificantDigits) {
     EXPECT_EQ(numberText(number), expected);
   }
   EXPECT_EQ(numberText(std::numeric_limits<double>::quiet_NaN()), "nan");
+}
+
+TEST(SlicedLoop, TakesABudgetThatIsOverdrawnForOneThatIsUsedUp) {
+  SlicedLoop loop;
+  std::vector<int> visited;
+  long budget = -5;
+  EXPECT_FALSE(loop.run(4, budget, 2, [&](int i) { visited.push_back(i); }));
+  EXPECT_EQ(budget, -5);
+  budget = 1;
+  EXPECT_FALSE(loop.run(4, budget, 2, [&](int i) { visited.push_back(i); }));
+  budget = 1;
+  EXPECT_TRUE(loop.run(4, budget, 2, [&](int i) { visited.push_back(i); }));
+  EXPECT_EQ(visited, (std::vector<int>{0, 1, 2, 3}));
 }
 
 TEST(SortStably, SortsAsTheStandardLibraryDoes) {

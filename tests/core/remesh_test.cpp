@@ -33,7 +33,7 @@ TEST(TriangleTree, FindsWhatLookingAtEveryTriangleFinds) {
       for (Vector3d& corner : triangle) corner = centre + 0.2 * randomPoint(random);
     }
     TriangleTree tree(triangles);
-    for (long budget = 3; !tree.build(budget); budget = 3) {
+    for (long budget = 3; !tree.step(budget); budget = 3) {
     }
     for (int i = 0; i < 100; ++i) {
       const Vector3d p = 1.5 * randomPoint(random);

@@ -176,7 +176,6 @@ TEST(WalkStraight, TurnsFramesByTheCurvatureWalkedAround) {
     const int corner = apexIn(at.face);
     const Vector3d apex = mesh.position(0);
     const Vector3d out = mesh.position(at) - apex;
-    const auto [x, y] = axes(mesh, at.face);
     const Vector2d radial = components(mesh, at.face, out);
     const double corners = mesh.cornerAngle(corner);
     const Vector2d target = rotated(radial, corners);

@@ -63,8 +63,8 @@ export function combinedChange(first: DiagramChange, second: DiagramChange): Dia
 }
 
 /**
- * Shortens a list of changes, after each that has been appended. Those before it of which it replaces everything
- * are dropped, as often when a site is dragged; it is combined with those that are no larger.
+ * Shortens a list of changes after one has been appended. Drops earlier changes that the newest one fully
+ * overwrites, as happens during a drag, and combines it with those that are at most twice as large.
  */
 export function shortenChanges(changes: DiagramChange[]): void {
   let last = changes.pop();
@@ -79,7 +79,7 @@ export function shortenChanges(changes: DiagramChange[]): void {
   changes.push(last);
 }
 
-/** Whether nothing is left of a change after another one. */
+/** Whether a second change overwrites all of a first one. */
 function isReplaced(first: DiagramChange, second: DiagramChange): boolean {
   return isSubset(first.labels, second.labels) && isSubset(first.faces, second.faces);
 }
@@ -94,7 +94,7 @@ function sizeOf({ part }: DiagramChange): number {
   return part.points.face.length;
 }
 
-/** Values by ascending keys, the second ones where both have any. */
+/** Values by ascending keys; where several layers have a key, the value of the last one. */
 function overlaid(
   ...layers: [Int32Array, ArrayLike<number>][]
 ): [keys: Int32Array, values: number[]] {
@@ -104,7 +104,7 @@ function overlaid(
   return [keys, Array.from(keys, (key) => valueByKey.get(key)!)];
 }
 
-/** What a diagram and the part of a change are made of alike: all but the values per label and face. */
+/** What a diagram and the part of a change have in common: all but the values per label and face. */
 type Pieces = Omit<DiagramData, 'siteCount' | 'regionArea' | 'faceLabel'>;
 
 /** One of the two sources of a merged diagram: its arrays, and where its points went. */
@@ -231,8 +231,8 @@ class Merge {
   }
 
   /**
-   * Lists of both sources, ascending by a key; those of the old one only if theirs is unchanged. Each is
-   * told of in its turn.
+   * The lists of both sources, ascending by their keys; those of the old one whose key has changed are left
+   * out. Calls `taken` with each list that is taken.
    */
   #inOrder(
     listsOf: (arrays: Pieces) => PointLists,
@@ -270,8 +270,8 @@ class MergedPoints {
   readonly #shared = new Map<number, { point: number; b0: number; b1: number }[]>();
 
   /**
-   * The merged index of a source's point, given when first asked for. Points at a place of the
-   * `other` source are one with those.
+   * Numbers the points of a source in the merged diagram, each when it is first asked for. Points at a place
+   * of the `other` source are one with those.
    */
   from(points: DiagramData['points'], other?: DiagramData['points']): (point: number) => number {
     const merged = new Int32Array(points.face.length).fill(-1);

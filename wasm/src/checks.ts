@@ -6,16 +6,16 @@ import type { AttributeSource } from './attributes.js';
 import { invalidArgument } from './errors.js';
 import type { TaskOptions } from './types.js';
 
-/** Of every option, what holds if it is left out. */
+/** The default of every option. */
 type Usual<Options> = { [Name in keyof Required<Options>]: Options[Name] };
-/** Options of which only those without a default may be missing. */
+/** Options with defaults filled in: only those without a default may be undefined. */
 type Complete<Options, Defaults> = {
   [Name in keyof Defaults & keyof Options]: undefined extends Defaults[Name]
     ? Options[Name]
     : Exclude<Options[Name], undefined>;
 };
 
-/** The options of a call, each given or as usual; one that the call does not know is refused, by its name. */
+/** The options of a call, with defaults for those left out. Refuses one that the call does not know. */
 export function toOptions<Options extends object, const Defaults extends Usual<Options>>(
   options: Options | undefined,
   usual: Defaults,
@@ -39,7 +39,7 @@ export function toOptions<Options extends object, const Defaults extends Usual<O
   return Object.fromEntries(values) as Complete<Options, Defaults>;
 }
 
-/** Those of a task, and others. */
+/** The same of a call that is a task: `onProgress` and `signal` are options of all of these. */
 export function toTaskOptions<
   Options extends TaskOptions,
   const Defaults extends Usual<Omit<Options, keyof TaskOptions>>,
@@ -57,12 +57,12 @@ export function toTaskOptions<
   return all as Complete<Options, Defaults> & TaskOptions;
 }
 
-/** The options of what has no others. */
+/** The options of a task that has none of its own. */
 export function toTask(options: TaskOptions | undefined): TaskOptions {
   return toTaskOptions(options, {});
 }
 
-/** Also one of another realm. */
+/** Also of a signal from another frame or worker, which is no instance of this one's class. */
 function isSignal(value: unknown): value is AbortSignal {
   return Object.prototype.toString.call(value) === '[object AbortSignal]';
 }

@@ -40,7 +40,7 @@ export class EngineDiagram implements Diagram {
   readonly #kept: Kept;
   #sites: SurfacePoints;
   #data: DiagramData;
-  /** What `data` does not know yet: that is merged when somebody asks for all of it. */
+  /** The changes that `#data` does not have yet: they are merged when the arrays are asked for. */
   #changes: DiagramChange[] = [];
   #regions: readonly Region[] | undefined;
   #lastChange: Promise<unknown> = Promise.resolve();
@@ -79,7 +79,7 @@ export class EngineDiagram implements Diagram {
     return (this.#regions ??= regionsOf(this.data));
   }
 
-  /** In its turn, like a change: those asked for later come after it. */
+  /** Waits for the changes asked for before it; later ones wait for it. */
   async fetchData(options?: TaskOptions): Promise<DiagramData> {
     const task = toTask(options);
     const result = this.#lastChange.then(async () => {
@@ -87,7 +87,7 @@ export class EngineDiagram implements Diagram {
       if (this.#changes.length > 0) {
         this.#data = await this.#kept.call<DiagramData>('voronoiDiagram', [], task);
         this.#changes = [];
-        // Their loops are of other points.
+        // Their loops count the points of the former arrays.
         this.#regions = undefined;
       }
       return this.#data;
@@ -115,8 +115,8 @@ export class EngineDiagram implements Diagram {
   }
 
   /**
-   * One change after the other, in the order in which they were asked for. What has begun is carried
-   * out: else the engine's diagram could be another one than this.
+   * Makes changes one after the other, in the order in which they were asked for. One that has begun cannot
+   * be aborted: the engine's diagram could then differ from this one.
    */
   async #inTurn(
     options: TaskOptions | undefined,
@@ -203,7 +203,7 @@ export class EngineDiagram implements Diagram {
       try {
         const sites = await before.#moreSites(most, signal);
         if (!sites) break;
-        // How many rounds there will be, nobody knows: each is half of what is left.
+        // The number of rounds is not known: each counts as half of what is left.
         const rest = (1 - share) / 2;
         diagram = await before.#anew(sites, {
           signal,

@@ -29,9 +29,9 @@ import { WasmModule, type Argument } from './wasm_module.js';
 const unitsPerStep = 256;
 /** Numbers that are copied between two looks at the clock. */
 const numbersPerStep = 2 ** 15;
-/** About the part of the time that reading a file takes; making the mesh is the rest. */
+/** The share of the time for a mesh from a file that reading takes, about; the rest makes the mesh. */
 const readingShare = 0.7;
-/** About the distances' part of the time that a diagram takes; tracing it is the rest. */
+/** The share of the time for a diagram that the distances take, about; the rest is tracing. */
 const distancesShare = 0.9;
 
 /** The address of an object in core.wasm. */
@@ -45,7 +45,7 @@ const sliceDone = 2;
 interface Kept {
   pointer: Pointer;
   free?: 'freeMesh' | 'freeVoronoi' | 'freeCvt';
-  /** Of a diagram the mesh that it is on, once that is asked for: freed with the diagram. */
+  /** Of a diagram, the mesh that it is on, kept once it is asked for: freed with the diagram. */
   mesh?: Handle;
   lastCall?: Promise<unknown>;
 }
@@ -58,7 +58,7 @@ export class LocalEngine implements Engine {
   #core: WasmModule | undefined;
   readonly #inputModules: InputModules;
   readonly #objects = new Map<Handle, Kept>();
-  /** Tessellations of which every iteration has been asked for. */
+  /** Tessellations that have no further iteration. */
   readonly #finished = new Set<Handle>();
   #lastHandle: Handle = 0;
 
@@ -76,7 +76,7 @@ export class LocalEngine implements Engine {
     });
   }
 
-  /** Those about one object have their turn one after the other. */
+  /** Calls about one object are answered one after the other. */
   call<Result>(
     name: string,
     object: Handle,

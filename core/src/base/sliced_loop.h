@@ -2,6 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace gvd {
@@ -32,7 +35,7 @@ class SlicedLoop {
 inline constexpr long kQuickRounds = 32;
 
 /// Things to do one after the other, each of which may stop where a budget is used up: it is called
-/// again until it returns true.
+/// again until it returns true. What returns nothing is done at one go.
 class SlicedSequence {
  public:
   /// Goes on with the first of `parts` that is not done; true when all are.
@@ -40,14 +43,40 @@ class SlicedSequence {
   bool run(Parts... parts) {
     count_ = sizeof...(parts);
     int i = 0;
-    return ((i++ < done_ || (parts() && ++done_ > 0)) && ...);
+    return ((i++ < done_ || (isDone(parts) && ++done_ > 0)) && ...);
   }
   /// The share of the parts that is done; 0 before the first call.
   double progress() const { return count_ > 0 ? static_cast<double>(done_) / count_ : 0; }
 
  private:
+  template <class Part>
+  static bool isDone(Part& part) {
+    if constexpr (std::is_void_v<decltype(part())>) {
+      part();
+      return true;
+    } else {
+      return part();
+    }
+  }
+
   int done_ = 0, count_ = 0;
 };
+
+/// Works on a part of a whole, which is made of `arguments` when it is first come to; true when it
+/// is done.
+template <class Part, class... Arguments>
+bool runPart(std::optional<Part>& part, long& budget, Arguments&&... arguments) {
+  if (!part) part.emplace(std::forward<Arguments>(arguments)...);
+  return part->step(budget);
+}
+
+/// What a part has made; the part goes, and all its memory with it.
+template <class Part>
+auto taken(std::optional<Part>& part) {
+  auto result = part->take();
+  part.reset();
+  return result;
+}
 
 /// How far a budget leads from a place in a list of `count` items; what that takes is taken off it.
 std::size_t endOfSlice(std::size_t begin, std::size_t count, long& budget, long perUnit);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What counts as equal: of distances, and of points of a diagram.
+// What counts as equal: of distances, of points, of shapes. The one table, but for what belongs to
+// one computation: the margin of mollification.h, the error bounds of predicates.cpp, and what
+// windows may differ by, in distance/exact.
 #pragma once
 
 #include <span>
@@ -19,6 +21,34 @@ inline constexpr double kDistanceTolerance = 0x1p-41;
 /// Points of a diagram are one point if their error bounds overlap; this caps the bounds, as a
 /// share of the longest edge at hand, where nearly parallel bisectors would make them large.
 inline constexpr double kMaxPointError = 1e-9;
+
+/// Barycentric coordinates of sites below this are zero: 512 times what one rounds by, 2^-53, and
+/// far less than `kMaxPointError`.
+inline constexpr double kCoordinateRounding = 0x1p-44;
+
+/// How far barycentric coordinates may be off that come from elsewhere: some have been written with
+/// single precision, 2^-24 = 6e-8, and summed.
+inline constexpr double kBarycentricTolerance = 1e-6;
+
+/// How far rounding may move the place on an edge where two squared distances are equal, as a share
+/// of the edge. That is a quotient of their differences, which are exact where they are small: it
+/// rounds by a few 2^-53.
+inline constexpr double kEdgeShareRounding = 1e-14;
+
+/// How far rounding may move what is unfolded, beyond a halfedge or its line, as a share of
+/// lengths.
+inline constexpr double kUnfoldingRounding = 1e-12;
+
+/// What passes a vertex closer than this, as a share of an edge or in radians, meets it: some
+/// thousand times what a coordinate rounds by.
+inline constexpr double kVertexSnap = 1e-12;
+
+/// A mean distortion below this is rounding: of distances, and of the difference that it comes
+/// from.
+inline constexpr double kFlatDistortion = 1e-12;
+
+/// So is a mean squared curvature below this, times the square of the mesh's size: angles round.
+inline constexpr double kFlatCurvature = 1e-9;
 
 /// Makes those distances at one place equal that are equal up to rounding, to the least of them.
 /// Every list that a diagram is traced from has passed here, so that later comparisons can be

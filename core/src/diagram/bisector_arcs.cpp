@@ -49,44 +49,32 @@ FinalSegments::FinalSegments(const TriangleMesh& mesh, BisectorGraph& graph,
 }
 
 bool FinalSegments::step(long& budget) {
-  while (stage_ != Stage::kDone) {
-    if (!runStage(budget)) return false;
-    stage_ = static_cast<Stage>(static_cast<int>(stage_) + 1);
-  }
-  return true;
-}
-
-bool FinalSegments::runStage(long& budget) {
   constexpr long kSegmentsPerUnit = 8;
-  switch (stage_) {
-    case Stage::kSegments:
-      if (!loop_.run(out_.segments.size(), budget, kSegmentsPerUnit,
-                     [&](int s) { addSegment(out_.segments[s]); }))
-        return false;
-      out_.segments.resize(kept_);
-      return true;
-    case Stage::kBoundary:
-      return loop_.run(boundarySteps_.size(), budget, 1, [&](int i) {
-        const RegionOutlines::BoundaryStep& step = boundarySteps_[i];
-        if (step.from != step.to) stack(step.from, step.to, step.label, -1, step.face);
+  const auto forSegments = [&](long perUnit, auto body) {
+    return loop_.run(out_.segments.size(), budget, perUnit, [&](int s) { body(out_.segments[s]); });
+  };
+  const auto areAllNamed = [&] { return !graph_.merging.any(); };
+  return sequence_.run(
+      [&] {
+        return forSegments(kSegmentsPerUnit, [&](const Diagram::Segment& s) { addSegment(s); });
+      },
+      [&] { out_.segments.resize(kept_); },
+      [&] {
+        return loop_.run(boundarySteps_.size(), budget, 1, [&](int i) {
+          const RegionOutlines::BoundaryStep& step = boundarySteps_[i];
+          if (step.from != step.to) stack(step.from, step.to, step.label, -1, step.face);
+        });
+      },
+      [&] { return addStacks(budget); },
+      [&] { return areAllNamed() || fillInSlices(isNamed_, out_.points.size(), '\0', budget); },
+      [&] {
+        return areAllNamed() ||
+               forSegments(kQuickRounds, [&](const Diagram::Segment& s) { noteNamed(s); });
+      },
+      [&] {
+        return areAllNamed() ||
+               forSegments(kQuickRounds, [&](const Diagram::Segment& s) { nameInFaceOf(s); });
       });
-    case Stage::kStacks:
-      for (; !stacks_.empty() && budget > 0; --budget) {
-        const auto lowest = stacks_.extract(stacks_.begin());
-        addStack(lowest.key(), lowest.mapped());
-      }
-      return stacks_.empty();
-    case Stage::kNamed:
-      return !graph_.merging.any() || (fillInSlices(isNamed_, out_.points.size(), '\0', budget) &&
-                                       loop_.run(out_.segments.size(), budget, kQuickRounds,
-                                                 [&](int s) { noteNamed(out_.segments[s]); }));
-    case Stage::kRename:
-      return !graph_.merging.any() || loop_.run(out_.segments.size(), budget, kQuickRounds,
-                                                [&](int s) { nameInFaceOf(out_.segments[s]); });
-    case Stage::kDone:
-      break;
-  }
-  return true;
 }
 
 /// Puts a segment in the place of one before it, or stacks it up with others.
@@ -111,6 +99,14 @@ void FinalSegments::stack(int from, int to, int left, int right, int face) {
   (isSwapped ? stack.right : stack.left).push_back(left);
   if (right >= 0) (isSwapped ? stack.left : stack.right).push_back(right);
   stack.face = face;
+}
+
+bool FinalSegments::addStacks(long& budget) {
+  for (; !stacks_.empty() && budget > 0; --budget) {
+    const auto lowest = stacks_.extract(stacks_.begin());
+    addStack(lowest.key(), lowest.mapped());
+  }
+  return stacks_.empty();
 }
 
 void FinalSegments::addStack(const PlaceOfLine& place, Stack& stack) {
@@ -158,33 +154,21 @@ void FinalSegments::nameInFaceOf(const Diagram::Segment& segment) {
 // --- Arcs ----------------------------------------------------------------------------------------
 
 bool ArcChaining::step(long& budget) {
-  while (stage_ != Stage::kDone) {
-    if (!runStage(budget)) return false;
-    stage_ = static_cast<Stage>(static_cast<int>(stage_) + 1);
-  }
-  return true;
-}
-
-bool ArcChaining::runStage(long& budget) {
   const size_t count = out_.segments.size();
-  switch (stage_) {
-    case Stage::kLists:
-      out_.arcs.points.reserve(count + count / 2);
-      return fillInSlices(ends_, out_.points.size(), Ends(), budget);
-    case Stage::kEnds:
-      return loop_.run(count, budget, kQuickRounds, [&](int s) { noteEnds(s); });
-    case Stage::kOpen:
-      return loop_.run(count, budget, kQuickRounds, [&](int s) {
-        if (!passes(out_.segments[s].points[0])) follow(s);
-      });
-    case Stage::kClosed:
-      return loop_.run(count, budget, kQuickRounds, [&](int s) {
-        if (out_.segments[s].arc < 0) follow(s);
-      });
-    case Stage::kDone:
-      break;
-  }
-  return true;
+  const auto forSegments = [&](auto body) { return loop_.run(count, budget, kQuickRounds, body); };
+  return sequence_.run([&] { out_.arcs.points.reserve(count + count / 2); },
+                       [&] { return fillInSlices(ends_, out_.points.size(), Ends(), budget); },
+                       [&] { return forSegments([&](int s) { noteEnds(s); }); },
+                       [&] {
+                         return forSegments([&](int s) {
+                           if (!passes(out_.segments[s].points[0])) follow(s);
+                         });
+                       },
+                       [&] {
+                         return forSegments([&](int s) {
+                           if (out_.segments[s].arc < 0) follow(s);
+                         });
+                       });
 }
 
 void ArcChaining::noteEnds(int segment) {

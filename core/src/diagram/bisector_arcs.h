@@ -32,11 +32,9 @@ class FinalSegments {
     std::vector<int> left, right;
     int face;
   };
-  enum class Stage { kSegments, kBoundary, kStacks, kNamed, kRename, kDone };
-
-  bool runStage(long& budget);
   void addSegment(const Diagram::Segment& segment);
   void stack(int from, int to, int left, int right, int face);
+  bool addStacks(long& budget);
   void addStack(const PlaceOfLine& place, Stack& stack);
   static void cancelLabels(Stack& stack);
   void noteNamed(const Diagram::Segment& segment);
@@ -47,7 +45,7 @@ class FinalSegments {
   const std::span<const RegionOutlines::BoundaryStep> boundarySteps_;
   FinalPoints& points_;
   Diagram& out_;
-  Stage stage_ = Stage::kSegments;
+  SlicedSequence sequence_;
   SlicedLoop loop_;
   size_t kept_ = 0;
   std::map<PlaceOfLine, Stack> stacks_;
@@ -67,14 +65,13 @@ class ArcChaining {
     int incoming = kNone, outgoing = kNone;
   };
   static constexpr int kNone = -1, kSeveral = -2;
-  enum class Stage { kLists, kEnds, kOpen, kClosed, kDone } stage_ = Stage::kLists;
 
-  bool runStage(long& budget);
   void noteEnds(int segment);
   bool passes(int point) const;
   void follow(int segment);
 
   Diagram& out_;
+  SlicedSequence sequence_;
   SlicedLoop loop_;
   std::vector<Ends> ends_;  ///< per point
 };

@@ -87,8 +87,15 @@ class NodePoints {
  public:
   /// Of at least `count` nodes; true when the list is that long.
   bool resize(size_t count, long& budget) { return fillInSlices(point_, count, -1, budget); }
-  int& operator[](int node) { return point_[node]; }
-  void note(int node) { known_.push_back(node); }
+  /// The point at a node, which `make` adds where there is none.
+  template <class Make>
+  int at(int node, Make make) {
+    if (point_[node] < 0) {
+      point_[node] = make();
+      known_.push_back(node);
+    }
+    return point_[node];
+  }
   /// Forgets all points, in time for their number.
   void clear() {
     for (const int node : known_) point_[node] = -1;

@@ -16,54 +16,30 @@
 
 namespace gvd {
 
-using Vertex = FaceEnvelope::Vertex;
-
 BisectorTracing::BisectorTracing(const FaceComplex& complex, int siteCount, NodePoints& nodePoints,
                                  BisectorGraph& graph)
     : mesh_(complex.mesh()),
       complex_(complex),
-      tail_(complex.tails()),
-      twin_(complex.twins()),
-      nodePoints_(nodePoints),
+      tails_(complex.tails()),
+      twins_(complex.twins()),
+      siteCount_(siteCount),
       graph_(graph),
-      unit_(std::ldexp(1.0, -std::ilogb(mesh_.boundingDiagonal()))),
-      siteCount_(siteCount) {}
+      functions_(complex),
+      points_(complex, nodePoints, graph) {}
 
 bool BisectorTracing::step(long& budget) {
-  const std::vector<int>& contested = complex_.contested();
-  if (stage_ == Stage::kLists) {
-    if (!fillLists(budget)) return false;
-    stage_ = Stage::kNoteMixed;
-  }
-  if (stage_ == Stage::kNoteMixed) {
-    if (!loop_.run(contested.size(), budget, kQuickRounds, [&](int i) { noteMixed(contested[i]); }))
-      return false;
-    reserve();
-    stage_ = Stage::kDivide;
-  }
-  if (stage_ == Stage::kDivide) {
-    if (!fillInSlices(firstOnSide_, 3 * mixedCount_, -1, budget) || !divideAll(budget))
-      return false;
-    stage_ = Stage::kDone;
-  }
-  return true;
-}
-
-bool BisectorTracing::fillLists(long& budget) {
-  return nodePoints_.resize(complex_.nodeCount(), budget) &&
-         fillInSlices(mixedIndex_, complex_.elementCount(), -1, budget) &&
-         fillInSlices(graph_.regionArea, siteCount_, 0.0, budget) &&
-         fillInSlices(graph_.faceLabel, complex_.faceCount(), Diagram::kMixed, budget);
-}
-
-void BisectorTracing::noteMixed(int element) {
-  if (complex_.soleOwner(element) == Diagram::kMixed) mixedIndex_[element] = mixedCount_++;
+  return sequence_.run(
+      [&] { return fillInSlices(graph_.regionArea, siteCount_, 0.0, budget); },
+      [&] { return fillInSlices(graph_.faceLabel, complex_.faceCount(), Diagram::kMixed, budget); },
+      [&] { return points_.prepare(budget); }, [&] { reserve(); },
+      [&] { return divideAll(budget); });
 }
 
 /// Room for what is usually needed: most mixed elements have two cells; every site adds some
 /// corners where its bisectors meet, which counts where sites are as many as elements.
 void BisectorTracing::reserve() {
-  const size_t mixed = mixedCount_, atSites = 6 * std::min(siteCount_, mixedCount_);
+  const int mixedCount = points_.mixedCount();
+  const size_t mixed = mixedCount, atSites = 6 * std::min(siteCount_, mixedCount);
   const size_t points = 5 * mixed / 2 + atSites + complex_.partialCount();
   graph_.points.reserve(points);
   graph_.places.reserve(points);
@@ -99,7 +75,7 @@ void BisectorTracing::divideContested(int element) {
   if (nextContested_ + kAhead < contested.size())
     prefetch(mesh_.face(complex_.face(contested[nextContested_ + kAhead])));
   const int owner = complex_.soleOwner(element);
-  if (owner == Diagram::kMixed) return divide(element, owner, 3 * mixedIndex_[element]);
+  if (owner == Diagram::kMixed) return divide(element);
   give(element, owner);
   if (owner >= 0 && complex_.isWhole(element) && isIndifferent(element, owner))
     graph_.indifferentFaces.push_back(complex_.face(element));
@@ -128,7 +104,7 @@ void BisectorTracing::giveUpTo(int end) {
 
 /// Gives all of an element to one label, or to none.
 void BisectorTracing::give(int element, int owner) {
-  if (!complex_.isWhole(element)) return divide(element, owner, -1);
+  if (!complex_.isWhole(element)) return divide(element);
   const int face = complex_.face(element);
   graph_.faceLabel[complex_.faceIndex(face)] = owner;
   if (owner >= 0) graph_.regionArea[owner] += mesh_.faceArea(face);
@@ -136,14 +112,14 @@ void BisectorTracing::give(int element, int owner) {
 
 /// Whether some other label ties with the owner at all three nodes.
 bool BisectorTracing::isIndifferent(int element, int owner) const {
-  const int* const node = &tail_[3 * element];
+  const int* const node = &tails_[3 * element];
   for (int i = 0; i < 3; ++i)
-    if (!complex_.hasTie(node[i])) return false;
+    if (!complex_.nodes().hasTie(node[i])) return false;
   bool isTie = false;
   std::array<double, 3> least{};
   const auto visit = [&](auto of) {
-    visitCommonLabels(complex_.labels(node[0]), complex_.labels(node[1]), complex_.labels(node[2]),
-                      of);
+    visitCommonLabels(complex_.nodes().labels(node[0]), complex_.nodes().labels(node[1]),
+                      complex_.nodes().labels(node[2]), of);
   };
   visit([&](int label, const std::array<double, 3>& d) {
     if (label == owner) least = d;
@@ -152,79 +128,24 @@ bool BisectorTracing::isIndifferent(int element, int owner) const {
   return isTie;
 }
 
-void BisectorTracing::divide(int element, int soleOwner, int firstSlot) {
-  gatherFunctions(element, soleOwner);
-  const FaceEnvelope::Cut* const cut = envelope_.compute(functions_);
-  const int face = complex_.face(element);
+void BisectorTracing::divide(int index) {
+  const int face = complex_.face(index);
   const auto squared = squaredSides(mesh_, face);
   const double longest = std::sqrt(std::max({squared[0], squared[1], squared[2]}));
-  const Element here{element, face, complex_.isWhole(element), firstSlot, squared, longest};
-  if (cut && here.isWhole && !hasUnmatchedSide(element)) return addCut(here, *cut);
-  if (cut) envelope_.build(*cut);
-  addPoints(here);
-  addCells(here);
-}
-
-/// The labels known at all three nodes of an element, without those that one owner of a node hides
-/// everywhere.
-void BisectorTracing::gatherFunctions(int element, int soleOwner) {
-  const int* const node = &tail_[3 * element];
-  const auto atA = complex_.labels(node[0]), atB = complex_.labels(node[1]),
-             atC = complex_.labels(node[2]);
-  // As `visitCommonLabels`, but without branches for a processor to guess wrong: each round writes
-  // a function, and the next one writes over it if it was not of all three nodes.
-  functions_.resize(std::min({atA.size(), atB.size(), atC.size()}) + 1);
-  LabelFunction* next = functions_.data();
-  for (auto a = atA.begin(), b = atB.begin(), c = atC.begin();
-       a != atA.end() && b != atB.end() && c != atC.end();) {
-    const int label = std::max({a->label, b->label, c->label});
-    const bool isCommon = (a->label == label) & (b->label == label) & (c->label == label);
-    next->label = label;
-    const double inA = unit_ * a->distance, inB = unit_ * b->distance, inC = unit_ * c->distance;
-    next->value[0] = inA * inA;
-    next->value[1] = inB * inB;
-    next->value[2] = inC * inC;
-    next += isCommon & ((soleOwner < 0) | (label == soleOwner));
-    a += isCommon | (a->label < label);
-    b += isCommon | (b->label < label);
-    c += isCommon | (c->label < label);
-  }
-  functions_.resize(next - functions_.data());
-  if (functions_.size() > 3) dropHiddenFunctions(element);
-}
-
-void BisectorTracing::dropHiddenFunctions(int element) {
-  std::array<LabelFunction, 3> owners;
-  for (int i = 0; i < 3; ++i)
-    owners[i] = *std::find_if(functions_.begin(), functions_.end(), [&](const LabelFunction& f) {
-      return f.label == complex_.owner(tail_[3 * element + i]);
-    });
-  LabelFunction* kept = functions_.data();
-  for (const LabelFunction& f : functions_) {
-    bool isHidden = false;  // by one owner at all nodes; without branches as above
-    for (const LabelFunction& owner : owners) {
-      const bool isLower = owner.label < f.label;
-      bool isBehind = owner.label != f.label;
-      for (int i = 0; i < 3; ++i)
-        isBehind &= (owner.value[i] < f.value[i]) | ((owner.value[i] == f.value[i]) & isLower);
-      isHidden |= isBehind;
-    }
-    *kept = f;
-    kept += !isHidden;
-  }
-  functions_.resize(kept - functions_.data());
-}
-
-// --- Cells and segments --------------------------------------------------------------------------
-
-void BisectorTracing::addCells(const Element& element) {
+  const double faceArea = mesh_.faceArea(face);
+  const Element element{index,   face,    complex_.isWhole(index),
+                        squared, longest, 2 * faceArea / longest};
+  envelope_.compute(functions_.of(index));
+  corners_ = points_.of(element, envelope_);
   cellAreas_.clear();
   for (const FaceEnvelope::Cell& cell : envelope_.cells()) {
     cellAreas_.push_back(addCell(element, cell));
-    graph_.closeCell(element.face, label(cell.function));
+    graph_.closeCell(face, envelope_.label(cell.function));
   }
-  addAreas(cellAreas_, mesh_.faceArea(element.face));
+  addAreas(faceArea);
 }
+
+// --- Cells and segments --------------------------------------------------------------------------
 
 /// Returns its area as a share of the face.
 double BisectorTracing::addCell(const Element& element, const FaceEnvelope::Cell& cell) {
@@ -240,10 +161,10 @@ double BisectorTracing::addCell(const Element& element, const FaceEnvelope::Cell
     const double qx = to.bary[0] - origin[0], qy = to.bary[1] - origin[1];
     area += px * qy - py * qx;
     if (across > cell.function) {
-      addSegment(element, from, to, label(cell.function), label(across));
+      addSegment(element, from, to, envelope_.label(cell.function), envelope_.label(across));
     } else if (FaceEnvelope::isTriangleSide(across)) {
       const int side = FaceEnvelope::triangleSide(across);
-      if (twin_[3 * element.index + side] < 0) addUnmatchedSide(element, side, vertex);
+      if (twins_[3 * element.index + side] < 0) addUnmatchedSide(element, side, vertex);
     }
   }
   return area;
@@ -264,7 +185,7 @@ void BisectorTracing::addSegment(const Element& element, const Corner& from, con
   const double squared = squaredLength(way, element.squaredLength);
   if (squared > error * error) return;
   // In a thin element, less of a way across it takes away as much area.
-  const double most = 2 * kMaxPointError * heightOf(element);
+  const double most = 2 * kMaxPointError * element.height;
   if (squared <= most * most) graph_.unite(from.point, to.point);
 }
 
@@ -275,30 +196,6 @@ bool BisectorTracing::mayBeOne(const Corner& a, const Corner& b) {
   if (!a.isInside && !b.isInside) return false;
   if (!a.isBetweenSides && !b.isBetweenSides) return true;
   return graph_.isNode(graph_.merging.root(a.point)) || graph_.isNode(graph_.merging.root(b.point));
-}
-
-/// The least height of an element's face.
-double BisectorTracing::heightOf(const Element& element) const {
-  return 2 * mesh_.faceArea(element.face) / element.longest;
-}
-
-/// `bary` is in terms of the element. A point is near a side within some tens of the distance at
-/// which points are merged: those that are merged with it may be nearer.
-bool BisectorTracing::isBetweenSides(const Element& element, const Eigen::Vector3d& bary) const {
-  const double near = 64 * kMaxPointError * heightOf(element);
-  const double height = 2 * mesh_.faceArea(element.face);  // times the side
-  double size = 1;
-  if (!element.isWhole) {
-    const Eigen::Vector3d side = complex_.faceBary(element.index, Eigen::Vector3d::UnitX()) -
-                                 complex_.faceBary(element.index, Eigen::Vector3d::UnitY());
-    size = side.lpNorm<Eigen::Infinity>();
-  }
-  int sides = 0;
-  for (int i = 0; i < 3; ++i) {
-    const double distance = size * bary[(i + 2) % 3] * height;
-    sides += distance * distance <= near * near * element.squaredLength[i];
-  }
-  return sides >= 2;
 }
 
 /// A dart of a region leaves a point: the one that comes there, if it is known, goes on with it.
@@ -327,7 +224,7 @@ void BisectorTracing::addUnmatchedSide(const Element& element, int side, int ver
     bary[side] = 1 - share;
     bary[(side + 1) % 3] = share;
     bary = complex_.faceBary(element.index, bary);
-    graph_.cells.points.push_back(pointOfNode(element, node, bary));
+    graph_.cells.points.push_back(points_.atNode(element, node, bary));
   }
 }
 
@@ -335,22 +232,26 @@ void BisectorTracing::addUnmatchedSide(const Element& element, int side, int ver
 void BisectorTracing::addBoundaryPoint(int h, int vertex) {
   const int boundary = complex_.boundaryHalfedge(h);
   if (boundary < 0) return;
-  const Vertex& v = envelope_.vertices()[vertex];
-  if (v.kind != Vertex::kOnSide) return;
+  const FaceEnvelope::Vertex& v = envelope_.vertices()[vertex];
+  if (v.kind != FaceEnvelope::Vertex::kOnSide) return;
   const Eigen::Vector3d start = complex_.faceBary(h / 3, Eigen::Vector3d::Unit(h % 3));
   graph_.boundary.push_back({boundary, start[(boundary + 1) % 3], corners_[vertex].point,
-                             label(v.functions[0]), label(v.functions[1])});
+                             envelope_.label(v.functions[0]), envelope_.label(v.functions[1])});
 }
 
-/// Adds the areas of the last cells, which are an element's, given as shares of its face, to those
-/// of the regions. Rounding may have turned a sliver over; what it has less than nothing is the
-/// largest cell's.
-void BisectorTracing::addAreas(std::span<double> areas, double faceArea) {
-  const auto largest = std::max_element(areas.begin(), areas.end());
-  for (double& area : areas)
-    if (area < 0) *largest += std::exchange(area, 0.0);
-  const auto labels = std::span(graph_.cellLabel).last(areas.size());
-  for (size_t c = 0; c < areas.size(); ++c) graph_.regionArea[labels[c]] += areas[c] * faceArea;
+/// Adds the areas of an element's cells, the last ones, which are given as shares of its face, to
+/// those of the regions. Rounding may have turned a sliver over; what it has less than nothing is
+/// the largest cell's.
+void BisectorTracing::addAreas(double faceArea) {
+  const auto isNegative = [](double area) { return area < 0; };
+  if (std::any_of(cellAreas_.begin(), cellAreas_.end(), isNegative)) {
+    const auto largest = std::max_element(cellAreas_.begin(), cellAreas_.end());
+    for (double& area : cellAreas_)
+      if (isNegative(area)) *largest += std::exchange(area, 0.0);
+  }
+  const auto labels = std::span(graph_.cellLabel).last(cellAreas_.size());
+  for (size_t c = 0; c < labels.size(); ++c)
+    graph_.regionArea[labels[c]] += cellAreas_[c] * faceArea;
 }
 
 }  // namespace gvd

@@ -37,42 +37,23 @@ class Tracing {
         nodePoints_(nodePoints) {}
 
   bool step(long& budget) {
-    return sequence_.run([&] { return complex_.step(budget); },
-                         [&] {
-                           if (complex_.hasWholeFacesOnly()) return true;
-                           if (!completion_) completion_.emplace(complex_);
-                           return completion_->step(budget);
-                         },
-                         [&] {
-                           if (!bisectors_)
-                             bisectors_.emplace(complex_, siteCount_, nodePoints_, graph_);
-                           if (!bisectors_->step(budget)) return false;
-                           bisectors_.reset();
-                           return true;
-                         },
-                         [&] {
-                           if (!outlines_)
-                             outlines_.emplace(mesh_, distances_, nodePoints_, isTraced_, graph_);
-                           return outlines_->step(budget);
-                         },
-                         [&] { return points_.prepare(budget); },
-                         [&] {
-                           if (!segments_)
-                             segments_.emplace(mesh_, graph_, outlines_->boundarySteps(), points_,
-                                               out_);
-                           return segments_->step(budget);
-                         },
-                         [&] { return arcs_.step(budget); },
-                         [&] {
-                           if (!voronoiPoints_)
-                             voronoiPoints_.emplace(graph_, *outlines_, points_, out_);
-                           return voronoiPoints_->step(budget);
-                         },
-                         [&] { return collectLoops(budget); },
-                         [&] {
-                           if (!cells_) cells_.emplace(complex_, graph_, points_, out_);
-                           return cells_->step(budget);
-                         });
+    return sequence_.run(
+        [&] { return complex_.step(budget); },
+        [&] { return complex_.hasWholeFacesOnly() || runPart(completion_, budget, complex_); },
+        [&] { return runPart(bisectors_, budget, complex_, siteCount_, nodePoints_, graph_); },
+        [&] { bisectors_.reset(); },
+        [&] {
+          return runPart(outlines_, budget, mesh_, distances_, nodePoints_, isTraced_, graph_);
+        },
+        [&] { return points_.prepare(budget); },
+        [&] {
+          return runPart(segments_, budget, mesh_, graph_, outlines_->boundarySteps(), points_,
+                         out_);
+        },
+        [&] { return arcs_.step(budget); },
+        [&] { return runPart(voronoiPoints_, budget, graph_, *outlines_, points_, out_); },
+        [&] { return collectLoops(budget); },
+        [&] { return runPart(cells_, budget, complex_, graph_, points_, out_); });
   }
   double progress() const { return sequence_.progress(); }
 

@@ -4,13 +4,11 @@
 #include "diagram/diagram_pieces.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <functional>
 #include <iterator>
-#include <unordered_map>
 #include <utility>
 
 #include "base/index_set.h"
+#include "mesh/place_map.h"
 
 namespace gvd {
 namespace {
@@ -33,21 +31,7 @@ class PlaceIndex {
   std::vector<SurfacePoint> take() { return std::move(places_); }
 
  private:
-  struct Hash {
-    size_t operator()(const SurfacePoint& p) const {
-      auto hash = static_cast<std::uint64_t>(p.face);
-      for (int i = 0; i < 2; ++i)
-        hash = (hash ^ std::hash<double>()(p.bary[i])) * 0x9e3779b97f4a7c15u;
-      return static_cast<size_t>(hash ^ hash >> 32);
-    }
-  };
-  struct Equal {
-    bool operator()(const SurfacePoint& a, const SurfacePoint& b) const {
-      return a.face == b.face && a.bary == b.bary;
-    }
-  };
-
-  std::unordered_map<SurfacePoint, int, Hash, Equal> index_;
+  PlaceMap<int> index_;
   std::vector<SurfacePoint> places_;
 };
 

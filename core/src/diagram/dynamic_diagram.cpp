@@ -121,7 +121,8 @@ class DynamicDiagram::Implementation {
       faces_.clear();
       for (const int f : distances_->changedFaces()) faces_.add(f);
       for (const int f : merged)
-        for (int h = 3 * f; h < 3 * f + 3; ++h) addFacesAround(mesh_.tail(h));
+        for (int h = 3 * f; h < 3 * f + 3; ++h)
+          mesh_.visitFaces(mesh_.tail(h), [&](int around) { faces_.add(around); });
       std::erase_if(mergedFaces_, [&](int f) { return isOneOf(tracedFaces, f); });
       mergedFaces_.insert(mergedFaces_.end(), traced.mergedFaces.begin(), traced.mergedFaces.end());
       makeSet(mergedFaces_);
@@ -201,15 +202,6 @@ class DynamicDiagram::Implementation {
       pieces_.setArea(label, area);
     }
     return change;
-  }
-
-  void addFacesAround(int vertex) {
-    const int first = mesh_.outgoing(vertex);
-    int h = first;
-    do {
-      faces_.add(TriangleMesh::faceOf(h));
-      h = mesh_.rotate(h);
-    } while (h >= 0 && h != first);
   }
 
   const TriangleMesh& mesh_;

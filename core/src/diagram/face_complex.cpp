@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The triangles that a diagram is traced on, their owners and their twins. How they are split for
-// more detail is in face_complex_detail.cpp.
+// The triangles that a diagram is traced on, with their owners and twins.
 #include "diagram/face_complex.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -14,95 +12,61 @@
 namespace gvd {
 
 FaceComplex::FaceComplex(const TriangleMesh& mesh, const DistanceField& distances, int detail)
-    : mesh_(mesh), distances_(distances), detail_(detail) {
-  nodes_.reserve(mesh.vertexCount());
-}
+    : mesh_(mesh),
+      distances_(distances),
+      isPart_(false),
+      detail_(detail),
+      isOwn_(detail > 0),
+      nodes_(distances, mesh.vertexCount()) {}
 
 FaceComplex::FaceComplex(const TriangleMesh& mesh, const DistanceField& distances)
     : mesh_(mesh),
       distances_(distances),
-      stage_(Stage::kDone),
-      nodes_(mesh.vertexCount()),
+      isPart_(true),
+      detail_(0),
       isOwn_(true),
-      indexInPart_(mesh.faceCount(), -1) {}
-
-bool FaceComplex::step(long& budget) {
-  while (stage_ != Stage::kDone) {
-    if (!runStage(budget)) return false;
-  }
-  return true;
+      nodes_(distances, mesh.vertexCount()),
+      indexInPart_(mesh.faceCount(), -1) {
+  nodes_.addVertices();
 }
 
-/// Works on the stage at hand, and enters the next one when this is done.
-bool FaceComplex::runStage(long& budget) {
-  switch (stage_) {
-    case Stage::kOwners:
-      if (!loop_.run(mesh_.vertexCount(), budget, kQuickRounds, [&](int v) {
-            nodes_.emplace_back();
-            noteOwner(v);
-          }))
-        return false;
-      enter(detail_ > 0 ? Stage::kCount : Stage::kContested);
-      return true;
-    case Stage::kCount:
-      if (!loop_.run(mesh_.faceCount(), budget, kQuickRounds,
-                     [&](int f) { mixedCount_ += commonOwner(f) == Diagram::kMixed; }))
-        return false;
-      enter(Stage::kTake);
-      return true;
-    case Stage::kTake:
-      if (!loop_.run(mesh_.faceCount(), budget, kQuickRounds, [&](int f) { takeFace(f); }))
-        return false;
-      enter(Stage::kSplit);
-      return true;
-    case Stage::kSplit:
-      if (!splitMixed(budget)) return false;
-      enter(Stage::kFollow);
-      return true;
-    case Stage::kFollow:
-      if (!follow(budget)) return false;
-      enter(++level_ < detail_ ? Stage::kSplit : Stage::kLink);
-      return true;
-    case Stage::kLink:
-      if (!fillInSlices(lastOut_, nodes_.size(), -1, budget) ||
-          !loop_.run(tail_.size(), budget, kQuickRounds, [&](int h) { linkHalfedge(h); }))
-        return false;
-      enter(Stage::kMatch);
-      return true;
-    case Stage::kMatch:
-      if (!loop_.run(tail_.size(), budget, kQuickRounds, [&](int h) { matchTwin(h); }))
-        return false;
-      enter(Stage::kContested);
-      return true;
-    case Stage::kContested:
-      soleOwner_.reserve(elementCount());
-      if (!loop_.run(elementCount(), budget, kQuickRounds, [&](int e) { noteContested(e); }))
-        return false;
-      enter(Stage::kDone);
-      return true;
-    case Stage::kDone:
-      break;
-  }
-  return true;
+bool FaceComplex::step(long& budget) { return (isPart_ || takeMesh(budget)) && finish(budget); }
+
+/// The vertices; the faces too, if they are to be split.
+bool FaceComplex::takeMesh(long& budget) {
+  const auto forFaces = [&](auto body) {
+    return !isOwn_ || loop_.run(mesh_.faceCount(), budget, kQuickRounds, body);
+  };
+  return taking_.run(
+      [&] { nodes_.reserve(mesh_.vertexCount()); },
+      [&] {
+        return loop_.run(mesh_.vertexCount(), budget, kQuickRounds,
+                         [&](int) { nodes_.addVertex(); });
+      },
+      [&] {
+        return forFaces([&](int f) {
+          mixedCount_ += nodes_.commonOwner(&mesh_.tails()[3 * f]) == Diagram::kMixed;
+        });
+      },
+      [&] {
+        // Room for what splitting adds, lest all be copied: three elements for each that is split,
+        // of which there are twice as many in every level, and some around them.
+        const size_t splits = static_cast<size_t>(mixedCount_) << std::min(detail_, 8);
+        if (isOwn_) elements_.reserve(mesh_.faceCount() + 4 * splits);
+      },
+      [&] { return forFaces([&](int f) { addFace(f); }); });
 }
 
-void FaceComplex::enter(Stage stage) {
-  stage_ = stage;
-  nextSplit_ = 0;
-  if (stage == Stage::kTake) {
-    isOwn_ = true;
-    // Room for what splitting adds, lest all be copied: three elements for each that is split, of
-    // which there are twice as many in every level, and some around them.
-    const size_t splits = static_cast<size_t>(mixedCount_) << std::min(detail_, 8);
-    tail_.reserve(3 * (mesh_.faceCount() + 4 * splits));
-    face_.reserve(mesh_.faceCount() + 4 * splits);
-    cornersOf_.reserve(mesh_.faceCount() + 4 * splits);
-  }
-  if (stage == Stage::kSplit) unsplitCount_ = static_cast<int>(face_.size());
-  if (stage == Stage::kLink) {
-    before_.reserve(tail_.size());
-    twin_.reserve(tail_.size());
-  }
+/// All else, from faces and what is known at their vertices.
+bool FaceComplex::finish(long& budget) {
+  return finishing_.run(
+      [&] {
+        return detail_ == 0 || runPart(splitting_, budget, distances_, detail_, elements_, nodes_);
+      },
+      [&] { return !isOwn_ || matchTwins(budget); }, [&] { soleOwner_.reserve(elementCount()); },
+      [&] {
+        return loop_.run(elementCount(), budget, kQuickRounds, [&](int e) { noteContested(e); });
+      });
 }
 
 void FaceComplex::take(std::span<const int> faces, int detail) {
@@ -110,104 +74,37 @@ void FaceComplex::take(std::span<const int> faces, int detail) {
   detail_ = detail;
   partSize_ = static_cast<int>(faces.size());
   for (const int f : faces) {
-    indexInPart_[f] = static_cast<int>(face_.size());
-    takeFace(f);
+    indexInPart_[f] = elements_.count();
+    addFace(f);
   }
-  for (const int v : tail_)
-    if (nodes_[v].owner < 0) noteOwner(v);
-  if (detail > 0) {
-    enter(Stage::kSplit);
-  } else {
-    matchTwinsOfFaces();
-    enter(Stage::kContested);
-  }
+  for (const int v : elements_.tail) nodes_.take(v);
   long unlimited = std::numeric_limits<long>::max();
-  step(unlimited);
+  finish(unlimited);
 }
 
 void FaceComplex::clear() {
-  nodes_.resize(mesh_.vertexCount());
-  for (const int node : tail_) {
-    if (node < nodeCount()) nodes_[node] = {};
-    if (node < static_cast<int>(firstMidpoint_.size())) firstMidpoint_[node] = -1;
-  }
-  for (const int f : face_) indexInPart_[f] = -1;
-  for (auto* list :
-       {&tail_, &twin_, &face_, &cornersOf_, &soleOwner_, &contested_, &lastOut_, &before_})
-    list->clear();
-  corners_.clear();
-  addedLabels_.clear();
-  midpoints_.clear();
-  labelChunks_.clear();
-  level_ = 0;
+  nodes_.clear(elements_.tail);
+  for (const int f : elements_.face) indexInPart_[f] = -1;
+  elements_.clear();
+  for (auto* list : {&twin_, &soleOwner_, &contested_, &lastOut_, &before_}) list->clear();
+  splitting_.reset();
+  finishing_ = matching_ = {};
 }
 
-void FaceComplex::takeFace(int face) {
-  face_.push_back(face);
-  cornersOf_.push_back(-1);
-  for (int h = 3 * face; h < 3 * face + 3; ++h) tail_.push_back(mesh_.tail(h));
-}
+void FaceComplex::addFace(int face) { elements_.addFace(face, mesh_.face(face).vertices); }
 
 void FaceComplex::noteContested(int element) {
   const int* const node = &tails()[3 * element];
-  const Node &a = nodes_[node[0]], &b = nodes_[node[1]], &c = nodes_[node[2]];
-  const bool hasOneOwner = a.owner == b.owner && b.owner == c.owner;
-  soleOwner_.push_back(hasOneOwner ? a.owner : Diagram::kMixed);
-  if (!hasOneOwner || a.owner < 0 || (a.hasTie && b.hasTie && c.hasTie))
+  soleOwner_.push_back(nodes_.commonOwner(node));
+  if (soleOwner_.back() < 0 || std::all_of(node, node + 3, [&](int n) { return nodes_.hasTie(n); }))
     contested_.push_back(element);
 }
 
-void FaceComplex::noteOwner(int node) {
-  LabelledDistance nearest;
-  bool hasTie = false;
-  for (const LabelledDistance& d : labels(node)) {
-    if (d.distance < nearest.distance) {
-      nearest = d;
-      hasTie = false;
-    } else if (d.distance == nearest.distance && nearest.label >= 0) {
-      hasTie = true;
-    }
-  }
-  nodes_[node].owner = nearest.label;
-  nodes_[node].hasTie = hasTie;
-}
-
-void FaceComplex::addLabel(int node, LabelledDistance added) {
-  if (!hasAddedLabels(node)) {
-    const auto known = labels(node);
-    addedLabels_[node].assign(known.begin(), known.end());
-    nodes_[node].hasAddedLabels = true;
-  }
-  std::vector<LabelledDistance>& here = addedLabels_[node];
-  const auto isBefore = [](const auto& a, const auto& b) { return a.label < b.label; };
-  const LabelledDistance owner{nodes_[node].owner, 0};
-  const auto known = std::lower_bound(here.begin(), here.end(), owner, isBefore);
-  if (known != here.end() && known->label == owner.label)
-    added.distance = std::max(added.distance, std::nextafter(known->distance, kInfinity));
-  here.insert(std::upper_bound(here.begin(), here.end(), added, isBefore), added);
-}
-
-int FaceComplex::commonOwner(int element) const {
-  const int* const node = &tails()[3 * element];
-  const int owner = nodes_[node[0]].owner;
-  return nodes_[node[1]].owner == owner && nodes_[node[2]].owner == owner ? owner : Diagram::kMixed;
-}
-
-std::vector<FaceComplex::InnerNode> FaceComplex::innerNodes(int h) const {
-  std::vector<InnerNode> nodes;
-  if (!midpoints_.empty() && twin_[h] < 0)
-    collectInnerNodes(tail_[h], tail_[TriangleMesh::next(h)], 0, 1, nodes);
-  return nodes;
-}
-
-void FaceComplex::collectInnerNodes(int a, int b, double from, double to,
-                                    std::vector<InnerNode>& nodes) const {
-  const int middle = middleOf(a, b);
-  if (middle < 0) return;
-  const double share = (from + to) / 2;
-  collectInnerNodes(a, middle, from, share, nodes);
-  nodes.push_back({middle, share});
-  collectInnerNodes(middle, b, share, to, nodes);
+std::vector<NodeLabels::InnerNode> FaceComplex::innerNodes(int h) const {
+  std::vector<NodeLabels::InnerNode> inner;
+  if (!hasWholeFacesOnly() && twin_[h] < 0)
+    nodes_.appendBetween(elements_.tail[h], elements_.tail[TriangleMesh::next(h)], inner);
+  return inner;
 }
 
 int FaceComplex::boundaryHalfedge(int h) const {
@@ -221,11 +118,11 @@ int FaceComplex::meshHalfedge(int h) const {
   const int element = h / 3, i = h % 3;
   if (isWhole(element)) return 3 * face(element) + i;
   // The side of the face that both ends lie on.
-  const Eigen::Matrix3d& corners = corners_[cornersOf_[element]];
+  const Eigen::Matrix3d& corners = elements_.corners[elements_.cornersOf[element]];
   const auto from = corners.col(i), to = corners.col((i + 1) % 3);
   for (int side = 0; side < 3; ++side) {
     const int opposite = (side + 2) % 3;
-    if (from[opposite] == 0 && to[opposite] == 0) return 3 * face_[element] + side;
+    if (from[opposite] == 0 && to[opposite] == 0) return 3 * face(element) + side;
   }
   return -1;
 }
@@ -237,11 +134,42 @@ bool FaceComplex::isOnMeshBoundary(int h) const {
   return side >= 0 && mesh_.twin(side) < 0;
 }
 
+bool FaceComplex::matchTwins(long& budget) {
+  if (detail_ == 0) {
+    matchTwinsOfFaces();
+    return true;
+  }
+  const size_t count = elements_.tail.size();
+  return matching_.run(
+      [&] {
+        before_.reserve(count);
+        twin_.reserve(count);
+      },
+      [&] { return fillInSlices(lastOut_, nodes_.count(), -1, budget); },
+      [&] { return loop_.run(count, budget, kQuickRounds, [&](int h) { linkHalfedge(h); }); },
+      [&] { return loop_.run(count, budget, kQuickRounds, [&](int h) { matchTwin(h); }); });
+}
+
+/// Puts a halfedge in the list of those that leave its tail.
+void FaceComplex::linkHalfedge(int h) {
+  before_.push_back(isOnMeshBoundary(h) ? -1 : std::exchange(lastOut_[elements_.tail[h]], h));
+}
+
+void FaceComplex::matchTwin(int h) {
+  int twin = -1;
+  if (!isOnMeshBoundary(h)) {
+    twin = lastOut_[elements_.tail[TriangleMesh::next(h)]];
+    while (twin >= 0 && elements_.tail[TriangleMesh::next(twin)] != elements_.tail[h])
+      twin = before_[twin];
+  }
+  twin_.push_back(twin);
+}
+
 /// The twins where the elements are the faces of a part.
 void FaceComplex::matchTwinsOfFaces() {
-  twin_.resize(tail_.size());
+  twin_.resize(elements_.tail.size());
   for (int h = 0; h < static_cast<int>(twin_.size()); ++h) {
-    const int twin = mesh_.twin(3 * face_[h / 3] + h % 3);
+    const int twin = mesh_.twin(3 * face(h / 3) + h % 3);
     const int element = twin < 0 ? -1 : indexInPart_[TriangleMesh::faceOf(twin)];
     twin_[h] = element < 0 ? -1 : 3 * element + twin % 3;
   }

@@ -19,8 +19,7 @@ double crossing(double aFirst, double bFirst, double aSecond, double bSecond) {
   return span == 0 ? 0.5 : std::clamp(first / span, 0.0, 1.0);
 }
 
-void FaceEnvelope::setBary(int vertex, Eigen::Vector3d& bary) const {
-  const Vertex& v = vertices_[vertex];
+void FaceEnvelope::setBary(const Vertex& v, Eigen::Vector3d& bary) const {
   if (v.kind == Vertex::kInside) return setInnerBary(v, bary);
   const int i = v.place, j = i < 2 ? i + 1 : 0;
   double share = 0;
@@ -61,20 +60,16 @@ bool FaceEnvelope::isBelow(int f, const Vertex& v) const {
   return orientation(a, b, value(v.functions[2]), c) < 0;
 }
 
-const FaceEnvelope::Cut* FaceEnvelope::compute(std::span<const LabelFunction> functions) {
+/// Most triangles are one cell or two: these are known before any list is made.
+void FaceEnvelope::compute(std::span<const LabelFunction> functions) {
   functions_ = functions;
   const int count = static_cast<int>(functions.size());
-  cut_ = {0, -1, {}};
+  cut_ = {};
   int f = 1;
   while (f < count && !cutsWhole(f)) ++f;
-  if (f < count) {
-    do ++f;
-    while (f < count && !isBelowCut(f));
-    if (f == count) return &cut_;
-  }
-  build(cut_);
+  for (++f; f < count && !isBelowCut(f);) ++f;
+  buildCut();
   for (; f < count; ++f) insert(f);
-  return nullptr;
 }
 
 /// Sets `cut_` while one function, `cut_.low`, has all of the triangle: f may be the next one that
@@ -104,23 +99,25 @@ bool FaceEnvelope::isBelowCut(int f) const {
   return isBelowAnywhere;
 }
 
-void FaceEnvelope::build(const Cut& cut) {
+/// Makes lists of `cut_`: of both cells, going through the corners and the sides from each in turn,
+/// those corners and crossings that the cell has.
+void FaceEnvelope::buildCut() {
   if (cells_.size() < 2) cells_.resize(2);
-  cellCount_ = cut.high < 0 ? 1 : 2;
-  cells_[0].function = cut.low;
-  cells_[1].function = cut.high;
+  cellCount_ = cut_.high < 0 ? 1 : 2;
+  cells_[0].function = cut_.low;
+  cells_[1].function = cut_.high;
   std::vector<CellSide>&low = cells_[0].sides, &high = cells_[1].sides;
   low.clear();
   high.clear();
   vertices_.clear();
   for (int i = 0; i < 3; ++i)
-    vertices_.push_back({Vertex::kCorner, i, {cut.functionAt(i), -1, -1}});
+    vertices_.push_back({Vertex::kCorner, i, {cut_.functionAt(i), -1, -1}});
   for (int i = 0; i < 3; ++i) {
-    const bool isHigh = cut.isHigh[i], nextIsHigh = cut.isHigh[i < 2 ? i + 1 : 0];
+    const bool isHigh = cut_.isHigh[i], nextIsHigh = cut_.isHigh[i < 2 ? i + 1 : 0];
     (isHigh ? high : low).push_back({i, across(i)});
     if (isHigh == nextIsHigh) continue;
     const int vertex = static_cast<int>(vertices_.size());
-    const int before = isHigh ? cut.high : cut.low, after = isHigh ? cut.low : cut.high;
+    const int before = isHigh ? cut_.high : cut_.low, after = isHigh ? cut_.low : cut_.high;
     vertices_.push_back({Vertex::kOnSide, i, {before, after, -1}});
     (isHigh ? high : low).push_back({vertex, after});
     (isHigh ? low : high).push_back({vertex, across(i)});

@@ -53,32 +53,32 @@ class FaceEnvelope {
     std::vector<CellSide> sides;
   };
 
-  /// What most triangles of several labels are: two cells with a straight cut between them.
+  /// `functions` ascending by label, at least one; they must outlive what is asked of this. O(n²)
+  /// for n cells.
+  void compute(std::span<const LabelFunction> functions);
+
+  const std::vector<Vertex>& vertices() const { return vertices_; }
+  std::span<const Cell> cells() const { return {cells_.data(), static_cast<size_t>(cellCount_)}; }
+  /// Sets `bary` to where a vertex lies: number by number, as in bisector_graph.h.
+  void setBary(const Vertex& v, Eigen::Vector3d& bary) const;
+  int label(int function) const { return functions_[function].label; }
+  const std::array<double, 3>& value(int function) const { return functions_[function].value; }
+
+ private:
+  /// What most triangles of several labels are: two cells with a straight cut between them. Those
+  /// of one label have no `high`.
   struct Cut {
-    int low, high;               ///< functions, ascending
-    std::array<bool, 3> isHigh;  ///< per corner: whether it is in the cell of `high`
+    int low = 0, high = -1;        ///< functions, ascending
+    std::array<bool, 3> isHigh{};  ///< per corner: whether it is in the cell of `high`
 
     int functionAt(int corner) const { return isHigh[corner] ? high : low; }
   };
 
-  /// `functions` ascending by label, at least one. Returns the cut if that is all; then the cells
-  /// are as `build` makes them only after its call. O(n²) for n cells.
-  const Cut* compute(std::span<const LabelFunction> functions);
-  /// The cells of a cut: of both, going through the corners and the sides from each in turn, those
-  /// corners and crossings that the cell has.
-  void build(const Cut& cut);
-
-  const std::vector<Vertex>& vertices() const { return vertices_; }
-  std::span<const Cell> cells() const { return {cells_.data(), static_cast<size_t>(cellCount_)}; }
-  /// Sets `bary` to where a vertex lies.
-  void setBary(int vertex, Eigen::Vector3d& bary) const;
-
- private:
-  const std::array<double, 3>& value(int function) const { return functions_[function].value; }
   void setInnerBary(const Vertex& v, Eigen::Vector3d& bary) const;
   bool isBelow(int f, const Vertex& v) const;
   bool cutsWhole(int f);
   bool isBelowCut(int f) const;
+  void buildCut();
   bool findBelow(int f);
   void insert(int f);
   int cutVertex(const Cell& cell, const CellSide& from, const CellSide& to, bool toIsBelow, int f);

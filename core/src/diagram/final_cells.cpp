@@ -10,46 +10,36 @@ namespace gvd {
 
 FinalCells::FinalCells(const FaceComplex& complex, BisectorGraph& graph, FinalPoints& points,
                        Diagram& diagram)
-    : complex_(complex),
-      graph_(graph),
-      points_(points),
-      out_(diagram),
-      stage_(complex.hasWholeFacesOnly() ? Stage::kCollect : Stage::kLists) {
+    : complex_(complex), graph_(graph), points_(points), out_(diagram) {
   out_.faceLabel = std::move(graph.faceLabel);
-  if (stage_ != Stage::kCollect) return;
-  out_.cells = std::move(graph.cells);
-  out_.cellFace = std::move(graph.cellFace);
-  out_.cellLabel = std::move(graph.cellLabel);
 }
 
 bool FinalCells::step(long& budget) {
-  while (stage_ != Stage::kDone) {
-    if (!runStage(budget)) return false;
-    stage_ = static_cast<Stage>(static_cast<int>(stage_) + 1);
-  }
-  return true;
+  return sequence_.run([&] { return putInOrder(budget); }, [&] { return collect(budget); });
 }
 
-bool FinalCells::runStage(long& budget) {
-  const int count = graph_.cells.size();
-  switch (stage_) {
-    case Stage::kLists:
-      nextOfFace_.reserve(count);
-      out_.cells.offset.reserve(count + 1);
-      out_.cells.points.reserve(graph_.cells.points.size());
-      out_.cellFace.reserve(count);
-      out_.cellLabel.reserve(count);
-      return fillInSlices(firstOfFace_, complex_.faceCount(), -1, budget);
-    case Stage::kFaces:
-      return loop_.run(count, budget, kQuickRounds, [&](int i) { linkCell(count - 1 - i); });
-    case Stage::kOrder:
-      return loop_.run(firstOfFace_.size(), budget, 1, [&](int f) { copyCellsOf(f); });
-    case Stage::kCollect:
-      return collect(budget);
-    case Stage::kDone:
-      break;
+/// The cells of the graph, ascending by face.
+bool FinalCells::putInOrder(long& budget) {
+  if (complex_.hasWholeFacesOnly()) {
+    out_.cells = std::move(graph_.cells);
+    out_.cellFace = std::move(graph_.cellFace);
+    out_.cellLabel = std::move(graph_.cellLabel);
+    return true;
   }
-  return true;
+  const int count = graph_.cells.size();
+  return order_.run(
+      [&] {
+        nextOfFace_.reserve(count);
+        out_.cells.offset.reserve(count + 1);
+        out_.cells.points.reserve(graph_.cells.points.size());
+        out_.cellFace.reserve(count);
+        out_.cellLabel.reserve(count);
+      },
+      [&] { return fillInSlices(firstOfFace_, complex_.faceCount(), -1, budget); },
+      [&] {
+        return loop_.run(count, budget, kQuickRounds, [&](int i) { linkCell(count - 1 - i); });
+      },
+      [&] { return loop_.run(firstOfFace_.size(), budget, 1, [&](int f) { copyCellsOf(f); }); });
 }
 
 /// Puts a cell at the front of the list of its face. Cells are linked from the last to the first.

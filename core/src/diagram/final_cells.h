@@ -22,9 +22,7 @@ class FinalCells {
   bool step(long& budget);
 
  private:
-  enum class Stage { kLists, kFaces, kOrder, kCollect, kDone };
-
-  bool runStage(long& budget);
+  bool putInOrder(long& budget);
   void linkCell(int cell);
   void copyCellsOf(int faceIndex);
   bool collect(long& budget);
@@ -36,7 +34,7 @@ class FinalCells {
   BisectorGraph& graph_;
   FinalPoints& points_;
   Diagram& out_;
-  Stage stage_;
+  SlicedSequence sequence_, order_;
   SlicedLoop loop_;
   /// Lists of cells by face, where they are not in order.
   std::vector<int> firstOfFace_, nextOfFace_;

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
+#include "distance/common_labels.h"
 #include "distance/edge_share.h"
 #include "mesh/surface_geometry.h"
 
@@ -74,36 +74,30 @@ void LabelCompletion::complete(int element) {
 /// Whether labels have been added at a node.
 bool LabelCompletion::hasAddedLabels(int element) const {
   const int* const node = &complex_.tails()[3 * element];
-  return std::any_of(node, node + 3, [&](int n) { return complex_.hasAddedLabels(n); });
+  return std::any_of(node, node + 3, [&](int n) { return complex_.nodes().hasAddedLabels(n); });
 }
 
 /// Whether an owner is not known at all nodes, or a label known at two of them is not plainly
 /// behind one of the owners at both.
 bool LabelCompletion::mayLackLabels(int element) const {
   const int* const node = &complex_.tails()[3 * element];
-  const Labels a = complex_.labels(node[0]), b = complex_.labels(node[1]),
-               c = complex_.labels(node[2]);
-  constexpr int kNoLabel = std::numeric_limits<int>::max();
-  const std::array<int, 3> owners = {complex_.owner(node[0]), complex_.owner(node[1]),
-                                     complex_.owner(node[2])};
-  auto i = a.begin(), j = b.begin(), k = c.begin();
-  for (;;) {
-    const int atA = i == a.end() ? kNoLabel : i->label;
-    const int atB = j == b.end() ? kNoLabel : j->label;
-    const int atC = k == c.end() ? kNoLabel : k->label;
-    const int label = std::min({atA, atB, atC});
-    if (label == kNoLabel) return false;
-    const bool isAtA = atA == label, isAtB = atB == label, isAtC = atC == label;
-    if (!(isAtA && isAtB && isAtC)) {
-      if (label == owners[0] || label == owners[1] || label == owners[2]) return true;
-      if (isAtA && isAtB && !isHidden(label, i->distance, j->distance, a, b, owners)) return true;
-      if (isAtB && isAtC && !isHidden(label, j->distance, k->distance, b, c, owners)) return true;
-      if (isAtC && isAtA && !isHidden(label, k->distance, i->distance, c, a, owners)) return true;
-    }
-    i += isAtA;
-    j += isAtB;
-    k += isAtC;
+  std::array<Labels, 3> known;
+  std::array<int, 3> owners;
+  for (int i = 0; i < 3; ++i) {
+    known[i] = complex_.nodes().labels(node[i]);
+    owners[i] = complex_.nodes().owner(node[i]);
   }
+  return anyLabel(known[0], known[1], known[2], [&](int label, const auto& at) {
+    if (at[0] && at[1] && at[2]) return false;
+    if (label == owners[0] || label == owners[1] || label == owners[2]) return true;
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3;
+      if (at[i] && at[j] &&
+          !isHidden(label, at[i]->distance, at[j]->distance, known[i], known[j], owners))
+        return true;
+    }
+    return false;
+  });
 }
 
 bool LabelCompletion::completeAcross(int element, int side) {
@@ -112,20 +106,21 @@ bool LabelCompletion::completeAcross(int element, int side) {
   const int tail = tails[i], tip = tails[TriangleMesh::next(i)];
   const int apex = tails[TriangleMesh::previous(i)];
   bool changed = false;
-  const Labels atTail = complex_.labels(tail);
-  Labels atTip = complex_.labels(tip), atApex = complex_.labels(apex);
-  if (const int owner = complex_.owner(tail); owner >= 0 && !find(atTip, owner)) {
+  const Labels atTail = complex_.nodes().labels(tail);
+  Labels atTip = complex_.nodes().labels(tip), atApex = complex_.nodes().labels(apex);
+  if (const int owner = complex_.nodes().owner(tail); owner >= 0 && !find(atTip, owner)) {
     const double distance = find(atTail, owner)->distance;
-    complex_.addLabel(tip, {owner, distance + std::sqrt(squaredLength(element, side, side + 1))});
-    atTip = complex_.labels(tip);
+    complex_.nodes().addLabel(
+        tip, {owner, distance + std::sqrt(squaredLength(element, side, side + 1))});
+    atTip = complex_.nodes().labels(tip);
     changed = true;
   }
   for (const LabelledDistance& d : atTail) {
     if (find(atApex, d.label)) continue;
     const LabelledDistance* const other = find(atTip, d.label);
     if (!other || !ownsPartOf(d.label, d.distance, other->distance, atTail, atTip)) continue;
-    complex_.addLabel(apex, {d.label, unfold(element, side, d.distance, other->distance)});
-    atApex = complex_.labels(apex);
+    complex_.nodes().addLabel(apex, {d.label, unfold(element, side, d.distance, other->distance)});
+    atApex = complex_.nodes().labels(apex);
     changed = true;
   }
   return changed;

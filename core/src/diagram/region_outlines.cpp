@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/sorting.h"
+#include "distance/path_points.h"
 
 namespace gvd {
 
@@ -27,38 +28,20 @@ RegionOutlines::RegionOutlines(const TriangleMesh& mesh, const DistanceField& di
       graph_(graph) {}
 
 bool RegionOutlines::step(long& budget) {
-  while (stage_ != Stage::kDone) {
-    if (!runStage(budget)) return false;
-    stage_ = static_cast<Stage>(static_cast<int>(stage_) + 1);
-  }
-  return true;
-}
-
-bool RegionOutlines::runStage(long& budget) {
-  switch (stage_) {
-    case Stage::kBoundary:
-      orderBoundary();
-      return true;
-    case Stage::kRings:
-      points_.reserve(2 * graph_.segments.size());
-      return fillInSlices(isVisited_, 2 * graph_.segments.size(), '\0', budget) &&
-             traceRings(budget);
-    case Stage::kUnbroken:
-      return traceUnbrokenBoundaries(budget);
-    case Stage::kCancel:
-      return loop_.run(steps_.size(), budget, 1, [&](int s) { cancelStep(s); });
-    case Stage::kForget:
-      for (; !waiting_.empty() && budget > 0; --budget) waiting_.erase(waiting_.begin());
-      return waiting_.empty();
-    case Stage::kCollect:
-      return loop_.run(steps_.size(), budget, kQuickRounds, [&](int s) { collectOutline(s); });
-    case Stage::kSort:
-      sort();
-      return true;
-    case Stage::kDone:
-      break;
-  }
-  return true;
+  const size_t darts = 2 * graph_.segments.size();
+  return sequence_.run(
+      [&] {
+        orderBoundary();
+        points_.reserve(darts);
+      },
+      [&] { return fillInSlices(isVisited_, darts, '\0', budget); },
+      [&] { return traceRings(budget); }, [&] { return traceUnbrokenBoundaries(budget); },
+      [&] { return loop_.run(steps_.size(), budget, 1, [&](int s) { cancelStep(s); }); },
+      [&] { return forgetWaiting(budget); },
+      [&] {
+        return loop_.run(steps_.size(), budget, kQuickRounds, [&](int s) { collectOutline(s); });
+      },
+      [&] { sort(); });
 }
 
 // --- The mesh boundary ---------------------------------------------------------------------------
@@ -114,11 +97,10 @@ int RegionOutlines::firstOnBoundary(int halfedge) const {
 }
 
 int RegionOutlines::vertexPoint(int vertex) {
-  if (const int known = nodePoints_[vertex]; known >= 0) return known;
-  const int h = mesh_.outgoing(vertex);
-  nodePoints_.note(vertex);
-  return nodePoints_[vertex] =
-             graph_.addNode(TriangleMesh::faceOf(h), Eigen::Vector3d::Unit(h % 3));
+  return nodePoints_.at(vertex, [&] {
+    const SurfacePoint place = pointAtVertex(mesh_, vertex);
+    return graph_.addNode(place.face, place.bary);
+  });
 }
 
 /// From a point where a region comes to the mesh boundary, forward along it to the next point where
@@ -270,6 +252,12 @@ void RegionOutlines::cancelStep(int s) {
       others.push_back(s);
     }
   }
+}
+
+/// Frees the lists of those that nothing cancels, which takes a while where they are many.
+bool RegionOutlines::forgetWaiting(long& budget) {
+  for (; !waiting_.empty() && budget > 0; --budget) waiting_.erase(waiting_.begin());
+  return waiting_.empty();
 }
 
 /// Takes out two opposite steps: the step before each is followed by the step after the other.

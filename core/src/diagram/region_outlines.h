@@ -64,9 +64,6 @@ class RegionOutlines {
     bool isOnBoundary, isGone;
   };
 
-  enum class Stage { kBoundary, kRings, kUnbroken, kCancel, kForget, kCollect, kSort, kDone };
-
-  bool runStage(long& budget);
   void orderBoundary();
   static void chain(std::span<BisectorGraph::BoundaryPoint> points);
   bool traceRings(long& budget);
@@ -82,6 +79,7 @@ class RegionOutlines {
   void addStep(int label, int point, int face, bool isOnBoundary);
   void closeRing(int first);
   void cancelStep(int s);
+  bool forgetWaiting(long& budget);
   void cancel(int s, int opposite);
   void collectOutline(int s);
   void sort();
@@ -97,7 +95,7 @@ class RegionOutlines {
   const std::span<const char> isTraced_;
   BisectorGraph& graph_;
 
-  Stage stage_ = Stage::kBoundary;
+  SlicedSequence sequence_;
   SlicedLoop loop_;
   std::vector<char> isVisited_;  ///< per dart
   int nextDart_ = 0, nextBoundary_ = 0;

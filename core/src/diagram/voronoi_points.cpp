@@ -10,33 +10,19 @@
 namespace gvd {
 
 bool VoronoiPoints::step(long& budget) {
-  while (stage_ != Stage::kDone) {
-    if (!runStage(budget)) return false;
-    stage_ = static_cast<Stage>(static_cast<int>(stage_) + 1);
-  }
-  return true;
-}
-
-bool VoronoiPoints::runStage(long& budget) {
   constexpr long kPointsPerUnit = 4;
   const int merged = graph_.merging.limit();
-  switch (stage_) {
-    case Stage::kLists:
-      out_.voronoiPoints.reserve(graph_.innerPoints.size());
-      return fillInSlices(lists_, merged, SectorList(), budget);
-    case Stage::kSectors:
-      return merged == 0 ||
-             loop_.run(outlines_.size(), budget, 1, [&](int o) { collectSectors(o); });
-    case Stage::kPoints:
-      return loop_.run(graph_.innerPoints.size(), budget, kPointsPerUnit,
-                       [&](int i) { addInner(graph_.innerPoints[i]); });
-    case Stage::kLastPoints:
-      for (; nextMerged_ < merged && budget > 0; --budget) addMergedBefore(nextMerged_ + 1);
-      return nextMerged_ == merged;
-    case Stage::kDone:
-      break;
-  }
-  return true;
+  return sequence_.run([&] { out_.voronoiPoints.reserve(graph_.innerPoints.size()); },
+                       [&] { return fillInSlices(lists_, merged, SectorList(), budget); },
+                       [&] {
+                         return merged == 0 || loop_.run(outlines_.size(), budget, 1,
+                                                         [&](int o) { collectSectors(o); });
+                       },
+                       [&] {
+                         return loop_.run(graph_.innerPoints.size(), budget, kPointsPerUnit,
+                                          [&](int i) { addInner(graph_.innerPoints[i]); });
+                       },
+                       [&] { return addLastMerged(budget); });
 }
 
 void VoronoiPoints::collectSectors(int outline) {
@@ -63,6 +49,12 @@ void VoronoiPoints::addInner(int point) {
 void VoronoiPoints::addMergedBefore(int point) {
   for (const int end = std::min(point, graph_.merging.limit()); nextMerged_ < end; ++nextMerged_)
     if (lists_[nextMerged_].first >= 0) addMerged(nextMerged_);
+}
+
+bool VoronoiPoints::addLastMerged(long& budget) {
+  const int merged = graph_.merging.limit();
+  for (; nextMerged_ < merged && budget > 0; --budget) addMergedBefore(nextMerged_ + 1);
+  return nextMerged_ == merged;
 }
 
 void VoronoiPoints::addMerged(int point) {

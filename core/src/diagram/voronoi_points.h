@@ -33,11 +33,10 @@ class VoronoiPoints {
   struct SectorList {
     int first = -1, last = -1;
   };
-  enum class Stage { kLists, kSectors, kPoints, kLastPoints, kDone } stage_ = Stage::kLists;
 
-  bool runStage(long& budget);
   void collectSectors(int outline);
   void addMergedBefore(int point);
+  bool addLastMerged(long& budget);
   void addMerged(int point);
   void addInner(int point);
   void add(int point, std::vector<int> labels);
@@ -48,6 +47,7 @@ class VoronoiPoints {
   const RegionOutlines& outlines_;
   FinalPoints& points_;
   Diagram& out_;
+  SlicedSequence sequence_;
   SlicedLoop loop_;
   std::vector<SectorList> lists_;  ///< per point up to the last merged one
   std::vector<Sector> sectors_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <span>
 
 #include "gvd/geodesic.h"
@@ -27,6 +28,29 @@ void visitCommonLabels(std::span<const LabelledDistance> a, std::span<const Labe
       visit(label, std::array<double, 3>{i->distance, j->distance, k->distance});
       ++i, ++j, ++k;
     }
+  }
+}
+
+/// Whether `isSought` says so of any label known at one corner of a triangle or more. Asks
+/// isSought(label, at) in ascending order, `at` with what is known at each corner: null for
+/// nothing.
+template <class IsSought>
+bool anyLabel(std::span<const LabelledDistance> a, std::span<const LabelledDistance> b,
+              std::span<const LabelledDistance> c, IsSought isSought) {
+  constexpr int kNone = std::numeric_limits<int>::max();
+  std::array<std::span<const LabelledDistance>, 3> rest = {a, b, c};
+  for (;;) {
+    int label = kNone;
+    for (const auto& list : rest)
+      if (!list.empty()) label = std::min(label, list.front().label);
+    if (label == kNone) return false;
+    std::array<const LabelledDistance*, 3> at{};
+    for (int i = 0; i < 3; ++i)
+      if (!rest[i].empty() && rest[i].front().label == label) {
+        at[i] = rest[i].data();
+        rest[i] = rest[i].subspan(1);
+      }
+    if (isSought(label, at)) return true;
   }
 }
 

@@ -6,7 +6,6 @@
 #include "distance/face_layout.h"
 
 namespace gvd {
-
 namespace {
 
 /// Calls `visit` with every neighbour of a vertex and the length of the edge to it.
@@ -33,12 +32,9 @@ EdgeBounds::EdgeBounds(const TriangleMesh& mesh, const SiteSet& sites)
       isQueued_(mesh.vertexCount(), false) {}
 
 void EdgeBounds::insert(int label) {
-  const SurfacePoint& site = sites_[label];
-  offerFrom({label, site.bary}, site.face);
-  const int side = incidenceOf(site.bary).side;
-  if (side < 0 || mesh_.twin(3 * site.face + side) < 0) return;
-  const SurfacePoint across = acrossEdge(mesh_, site, 3 * site.face + side);
-  offerFrom({label, across.bary}, across.face);
+  sites_.visitFacesOf(label, [&](const SurfacePoint& site) {
+    offerFrom({label, site.bary}, site.face);
+  });
 }
 
 void EdgeBounds::offerFrom(const FaceSite& site, int face) {

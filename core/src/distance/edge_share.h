@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/tolerances.h"
+
 namespace gvd {
 
 /// What other labels leave of an edge to one label, of which the distances at both ends are known.
@@ -29,12 +31,9 @@ class EdgeShare {
   }
 
   /// False if in doubt: rounding may move the ends of a share.
-  bool isEmpty() const { return from_ > to_ + kRounding; }
+  bool isEmpty() const { return from_ > to_ + kEdgeShareRounding; }
 
  private:
-  /// Differences of near numbers are exact, so only the quotient of two lags is rounded.
-  static constexpr double kRounding = 1e-14;
-
   bool isBehind(double lag, int other) const { return lag > 0 || (lag == 0 && other < label_); }
 
   int label_;

@@ -7,14 +7,28 @@
 #include <numeric>
 #include <utility>
 
-#include "distance/edge_share.h"
-#include "distance/face_layout.h"
-
 namespace gvd {
 namespace {
 
 /// Faces or vertices that take about as long as one unit of the budget, a batch of windows.
 constexpr int kPerUnit = 32;
+
+/// By label; labels in the order of the faces at which they are required first, for what they touch
+/// is in the cache then.
+void sortByLabel(std::vector<Requirement>& requirements, int labelCount) {
+  std::vector<int> rank(labelCount, -1), offset = {0};
+  for (const Requirement& r : requirements) {
+    if (rank[r.label] < 0) {
+      rank[r.label] = static_cast<int>(offset.size()) - 1;
+      offset.push_back(0);
+    }
+    ++offset[rank[r.label] + 1];
+  }
+  std::partial_sum(offset.begin(), offset.end(), offset.begin());
+  std::vector<Requirement> sorted(requirements.size());
+  for (const Requirement& r : requirements) sorted[offset[rank[r.label]]++] = r;
+  requirements.swap(sorted);
+}
 
 }  // namespace
 
@@ -27,6 +41,7 @@ KnownLabels::KnownLabels(const TriangleMesh& mesh, const SiteSet& sites,
       isUnbounded_(isUnbounded),
       owners_(mesh, sites, bounds),
       lists_(mesh.vertexCount()),
+      closure_(mesh, lists_, bounds, owners_),
       affectedFaces_(mesh.faceCount()),
       changedVertices_(mesh.vertexCount()),
       changedFaces_(mesh.faceCount()),
@@ -50,7 +65,11 @@ void KnownLabels::leave(int label) {
       mesh_.visitFaces(r.vertex, [&](int f) {
         if (owners_.has(f, label)) affectedFaces_.add(f);
       });
-  for (const int f : sites_.facesOf(label)) affectedFaces_.add(f);
+  addFacesOfSite(label);
+}
+
+void KnownLabels::addFacesOfSite(int label) {
+  sites_.visitFacesOf(label, [&](const SurfacePoint& site) { affectedFaces_.add(site.face); });
 }
 
 void KnownLabels::start(std::span<const int> started, std::span<const int> resumed,
@@ -60,57 +79,36 @@ void KnownLabels::start(std::span<const int> started, std::span<const int> resum
   resetVertices_ = resetVertices;
   hasStarted_.assign(sites_.labelCount(), false);
   for (const int label : started_) hasStarted_[label] = true;
-  isFirstRound_ = true;
-  cursor_ = 0;
-  stage_ = Stage::kFinal;
+  sequence_ = {};
+  progress_ = 0;
 }
 
 bool KnownLabels::step(long& budget) {
-  while (stage_ != Stage::kDone) {
-    if (!runStage(budget)) return false;
-    cursor_ = 0;
-    stage_ = nextStage();
-  }
-  return true;
+  return sequence_.run(
+      [&] { return markFinal(budget); }, [&] { findAffected(); },
+      [&] {
+        return forFaces(affectedFaces_, budget, [&](int f) { owners_.reset(f, requirements_); });
+      },
+      [&] { return findTies(budget); },
+      [&] {
+        const bool isDone = require(budget);
+        constexpr double kShare = 0.9;
+        progress_ = isDone ? kShare
+                           : kShare * static_cast<double>(cursor_) /
+                                 static_cast<double>(requirements_.size());
+        return isDone;
+      },
+      [&] { collectLists(); }, [&] { return listLabels(budget); },
+      [&] {
+        return isUnbounded_ || forFaces(changedFaces_, budget,
+                                        [&](int f) { closure_.closeFace(f, requirements_); });
+      },
+      [&] { return closeAdded(budget); }, [&] { progress_ = 1; });
 }
 
-KnownLabels::Stage KnownLabels::nextStage() {
-  if (stage_ == Stage::kRequire && !isFirstRound_) return Stage::kExtend;
-  if (stage_ == Stage::kLists) return Stage::kClosure;
-  if (stage_ == Stage::kClosure) {
-    isFirstRound_ = false;
-    return requirements_.empty() ? Stage::kDone : Stage::kRequire;
-  }
-  return static_cast<Stage>(static_cast<int>(stage_) + 1);
-}
-
-bool KnownLabels::runStage(long& budget) {
-  switch (stage_) {
-    case Stage::kFinal:
-      return markFinal(budget);
-    case Stage::kAffected:
-      findAffected();
-      return true;
-    case Stage::kCorners:
-      return findOwnersOfCorners(budget);
-    case Stage::kTies:
-      return findTies(budget);
-    case Stage::kRequire:
-      return require(budget);
-    case Stage::kCollect:
-      collectLists();
-      return true;
-    case Stage::kLists:
-      return listLabels(budget);
-    case Stage::kExtend:
-      extendLists();
-      return true;
-    case Stage::kClosure:
-      return close(budget);
-    case Stage::kDone:
-      break;
-  }
-  return true;
+template <class Body>
+bool KnownLabels::forFaces(const IndexSet& faces, long& budget, Body body) {
+  return loop_.run(faces.size(), budget, kPerUnit, [&](int i) { body(faces.list()[i]); });
 }
 
 /// Calls work(i), which returns the units that it took, for i from the cursor on up to `count`.
@@ -120,15 +118,8 @@ bool KnownLabels::forEach(size_t count, long& budget, Work work) {
     if (budget <= 0) return false;
     budget -= work(cursor_);
   }
+  cursor_ = 0;
   return true;
-}
-
-double KnownLabels::progress() const {
-  if (stage_ == Stage::kDone) return 1;
-  if (!isFirstRound_) return 0.95;
-  if (stage_ < Stage::kRequire) return 0;
-  if (stage_ > Stage::kRequire || requirements_.empty()) return 0.9;
-  return 0.9 * static_cast<double>(cursor_) / static_cast<double>(requirements_.size());
 }
 
 /// Marks the distances that are final because the label owns the vertex, and notes ties.
@@ -163,7 +154,7 @@ void KnownLabels::findAffected() {
   for (const int label : started_) {
     for (const ReachedVertex& r : spread_.reached(label))
       if (r.isFinal) addFacesAround(r.vertex);
-    for (const int f : sites_.facesOf(label)) affectedFaces_.add(f);
+    addFacesOfSite(label);
   }
   for (const int f : affectedFaces_.list())
     for (int h = 3 * f; h < 3 * f + 3; ++h) changedVertices_.add(mesh_.tail(h));
@@ -180,36 +171,23 @@ void KnownLabels::resetInterpolatedAround() {
     });
 }
 
-bool KnownLabels::findOwnersOfCorners(long& budget) {
-  const auto& faces = affectedFaces_.list();
-  return forEach(faces.size() / kPerUnit + 1, budget, [&](size_t i) {
-    const size_t end = std::min(faces.size(), (i + 1) * kPerUnit);
-    for (size_t f = i * kPerUnit; f < end; ++f) owners_.reset(faces[f], requirements_);
-    return 1;
-  });
-}
-
 /// Finds the labels that tie with the owner of a vertex: those that have spread now, and others
 /// that were known there.
 bool KnownLabels::findTies(long& budget) {
-  const auto& vertices = changedVertices_.list();
   const auto add = [&](int vertex, int label) {
     mesh_.visitFaces(vertex, [&](int f) {
       if (affectedFaces_.contains(f)) owners_.add(f, label, false, requirements_);
     });
   };
-  return forEach(vertices.size() / kPerUnit + 1, budget, [&](size_t i) {
-    if (i == 0)
-      for (const auto& [vertex, label] : ties_) add(vertex, label);
-    const size_t end = std::min(vertices.size(), (i + 1) * kPerUnit);
-    for (size_t v = i * kPerUnit; v < end; ++v)
-      for (const LabelledDistance& d : lists_[vertices[v]]) {
-        const LabelledDistance& nearest = bounds_[vertices[v]];
-        if (d.label != nearest.label && sites_.contains(d.label) &&
-            isAtMost(d.distance, nearest.distance) && !hasStarted_[d.label])
-          add(vertices[v], d.label);
-      }
-    return 1;
+  for (const auto& [vertex, label] : ties_) add(vertex, label);
+  ties_.clear();
+  return loop_.run(changedVertices_.size(), budget, kPerUnit, [&](int i) {
+    const int v = changedVertices_.list()[i];
+    const LabelledDistance& nearest = bounds_[v];
+    for (const LabelledDistance& d : lists_[v])
+      if (d.label != nearest.label && sites_.contains(d.label) &&
+          isAtMost(d.distance, nearest.distance) && !hasStarted_[d.label])
+        add(v, d.label);
   });
 }
 
@@ -217,7 +195,7 @@ bool KnownLabels::findTies(long& budget) {
 
 bool KnownLabels::require(long& budget) {
   if (isUnbounded_) requirements_.clear();
-  if (cursor_ == 0 && !isLabelBegun_) sortRequirements();
+  if (cursor_ == 0 && !isLabelBegun_) sortByLabel(requirements_, sites_.labelCount());
   while (cursor_ < requirements_.size()) {
     const int label = requirements_[cursor_].label;
     size_t end = cursor_;
@@ -231,24 +209,8 @@ bool KnownLabels::require(long& budget) {
     isLabelBegun_ = false;
     cursor_ = end;
   }
+  cursor_ = 0;
   return true;
-}
-
-/// By label; labels in the order of the faces at which they are required first, for what they touch
-/// is in the cache then.
-void KnownLabels::sortRequirements() {
-  std::vector<int> rank(sites_.labelCount(), -1), offset = {0};
-  for (const Requirement& r : requirements_) {
-    if (rank[r.label] < 0) {
-      rank[r.label] = static_cast<int>(offset.size()) - 1;
-      offset.push_back(0);
-    }
-    ++offset[rank[r.label] + 1];
-  }
-  std::partial_sum(offset.begin(), offset.end(), offset.begin());
-  std::vector<Requirement> sorted(requirements_.size());
-  for (const Requirement& r : requirements_) sorted[offset[rank[r.label]]++] = r;
-  requirements_.swap(sorted);
 }
 
 // --- Lists -------------------------------------------------------------------------------------
@@ -311,6 +273,20 @@ void KnownLabels::list(int label, int reachedIndex) {
   lists_.add(vertex, {label, listed}, reachedIndex);
 }
 
+/// A label that has become known at a vertex may have to be at others: round after round.
+bool KnownLabels::closeAdded(long& budget) {
+  while (round_.run([&] { return require(budget); }, [&] { extendLists(); },
+                    [&] {
+                      return loop_.run(added_.size(), budget, kPerUnit, [&](int i) {
+                        closure_.closeAround(added_[i].vertex, added_[i].label, requirements_);
+                      });
+                    })) {
+    round_ = {};
+    if (requirements_.empty()) return true;
+  }
+  return false;
+}
+
 /// Adds what the last round of the closure has required.
 void KnownLabels::extendLists() {
   added_.clear();
@@ -344,89 +320,6 @@ bool KnownLabels::isKnownAround(int vertex, int label) const {
   bool isKnown = false;
   mesh_.visitFaces(vertex, [&](int f) { isKnown = isKnown || owners_.has(f, label); });
   return isKnown;
-}
-
-// --- Closure -----------------------------------------------------------------------------------
-
-/// A diagram takes squared distances as linear within a face, up to what all labels have in common.
-/// If by that a label owns part of an edge, the faces on both sides have to know it.
-bool KnownLabels::close(long& budget) {
-  if (isUnbounded_) return true;
-  const size_t count = isFirstRound_ ? changedFaces_.size() : added_.size();
-  return forEach(count / kPerUnit + 1, budget, [&](size_t i) {
-    const size_t end = std::min(count, (i + 1) * kPerUnit);
-    for (size_t k = i * kPerUnit; k < end; ++k) {
-      if (isFirstRound_)
-        closeFace(changedFaces_.list()[k]);
-      else
-        closeAround(added_[k].vertex, added_[k].label);
-    }
-    return 1;
-  });
-}
-
-/// Finds the labels that are known at two corners of a face, and looks at the edge between them.
-void KnownLabels::closeFace(int f) {
-  const auto& corners = mesh_.face(f).vertices;
-  const auto atA = lists_[corners[0]], atB = lists_[corners[1]], atC = lists_[corners[2]];
-  if ((atA.size() > 1) + (atB.size() > 1) + (atC.size() > 1) < 2) return;
-  constexpr int kNone = std::numeric_limits<int>::max();
-  auto a = atA.begin(), b = atB.begin(), c = atC.begin();
-  while (true) {
-    const int labelA = a == atA.end() ? kNone : a->label;
-    const int labelB = b == atB.end() ? kNone : b->label;
-    const int labelC = c == atC.end() ? kNone : c->label;
-    const int label = std::min({labelA, labelB, labelC});
-    if (label == kNone) return;
-    const bool isAtA = labelA == label, isAtB = labelB == label, isAtC = labelC == label;
-    if (isAtA + isAtB + isAtC == 2) requireAcross(3 * f + (isAtC ? isAtB ? 1 : 2 : 0), label);
-    a += isAtA;
-    b += isAtB;
-    c += isAtC;
-  }
-}
-
-/// Looks at the edges around a vertex at which a label has become known.
-void KnownLabels::closeAround(int vertex, int label) {
-  mesh_.visitFaces(vertex, [&](int f) {
-    const auto& corners = mesh_.face(f).vertices;
-    const int i = corners[0] == vertex ? 0 : corners[1] == vertex ? 1 : 2;
-    const bool isAfter = lists_.distance(corners[cornerAfter(i)], label) < kInfinity;
-    const bool isBefore = lists_.distance(corners[cornerBefore(i)], label) < kInfinity;
-    if (isAfter != isBefore) requireAcross(3 * f + (isAfter ? i : cornerBefore(i)), label);
-  });
-}
-
-/// Requires, at the apex of a halfedge, a label that is known at both ends, if the label owns part
-/// of the halfedge.
-void KnownLabels::requireAcross(int h, int label) {
-  const int tail = mesh_.tail(h), tip = mesh_.tip(h), owner = bounds_[tail].label;
-  // Most labels are farther than one owner at both ends.
-  if (lists_.distance(tail, label) > bounds_[tail].distance &&
-      lists_.distance(tip, label) > lists_.distance(tip, owner))
-    return;
-  if (ownsPartOfEdge(label, h)) owners_.add(TriangleMesh::faceOf(h), label, true, requirements_);
-}
-
-/// Whether a label is least anywhere on an edge by interpolation, compared with the true owners of
-/// the faces beside it: so what is found does not depend on the order in which it is.
-bool KnownLabels::ownsPartOfEdge(int label, int h) const {
-  EdgeShare share(label, lists_.distance(mesh_.tail(h), label),
-                  lists_.distance(mesh_.tip(h), label));
-  const auto yieldTo = [&](int other) {
-    const double atTail = lists_.distance(mesh_.tail(h), other);
-    const double atTip = lists_.distance(mesh_.tip(h), other);
-    if (other != label && atTail < kInfinity && atTip < kInfinity)
-      share.yieldTo(other, atTail, atTip);
-  };
-  for (const int side : {h, mesh_.twin(h)}) {
-    if (side < 0) continue;
-    const int face = TriangleMesh::faceOf(side);
-    if (owners_.sole(face) >= 0) yieldTo(owners_.sole(face));
-    for (const FaceOwners::Owner& owner : owners_.several(face))
-      if (!owner.isInterpolated) yieldTo(owner.label);
-  }
-  return !share.isEmpty();
 }
 
 }  // namespace gvd

@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "base/index_set.h"
+#include "base/sliced_loop.h"
 #include "distance/face_owners.h"
+#include "distance/label_closure.h"
 #include "distance/label_lists.h"
 #include "distance/label_spread.h"
 #include "distance/nearest_bounds.h"
@@ -45,7 +47,7 @@ class KnownLabels {
              std::span<const int> resetVertices);
   /// Works on at most `budget` units and lowers it by their number; true when all is known.
   bool step(long& budget);
-  double progress() const;
+  double progress() const { return progress_; }
 
   /// The faces and the labels that the change may have altered: all others are known at the same
   /// vertices as before, with the same distances.
@@ -53,44 +55,27 @@ class KnownLabels {
   const std::vector<int>& changedLabels() const { return changedLabels_; }
 
  private:
-  enum class Stage {
-    kFinal,
-    kAffected,
-    kCorners,
-    kTies,
-    kRequire,
-    kCollect,
-    kLists,
-    kExtend,
-    kClosure,
-    kDone
-  };
   struct LabelAtVertex {
     int vertex, label;
   };
 
-  bool runStage(long& budget);
-  Stage nextStage();
+  template <class Body>
+  bool forFaces(const IndexSet& faces, long& budget, Body body);
   template <class Work>
   bool forEach(size_t count, long& budget, Work work);
 
+  void addFacesOfSite(int label);
   bool markFinal(long& budget);
   void findAffected();
   void resetInterpolatedAround();
-  bool findOwnersOfCorners(long& budget);
   bool findTies(long& budget);
   bool require(long& budget);
-  void sortRequirements();
   void collectLists();
   bool listLabels(long& budget);
   void list(int label, int reachedIndex);
+  bool closeAdded(long& budget);
   void extendLists();
   void noteAdded(int vertex);
-  bool close(long& budget);
-  void closeFace(int face);
-  void closeAround(int vertex, int label);
-  void requireAcross(int halfedge, int label);
-  bool ownsPartOfEdge(int label, int halfedge) const;
   bool isKnownAround(int vertex, int label) const;
   bool areAllNew() const { return sites_.count() == static_cast<int>(started_.size()); }
 
@@ -101,14 +86,16 @@ class KnownLabels {
   const bool isUnbounded_;
   FaceOwners owners_;
   LabelLists lists_;
+  LabelClosure closure_;
 
   // The change at hand.
   std::span<const int> started_, resumed_, resetVertices_;
-  std::vector<char> hasStarted_;  ///< per label
-  Stage stage_ = Stage::kDone;
-  size_t cursor_ = 0;
+  std::vector<char> hasStarted_;     ///< per label
+  SlicedSequence sequence_, round_;  ///< a round is one of the closure
+  SlicedLoop loop_;
+  size_t cursor_ = 0;  ///< of loops whose rounds differ in length
   bool isLabelBegun_ = false;
-  bool isFirstRound_ = true;         ///< from the requirements to the closure
+  double progress_ = 1;
   std::vector<LabelAtVertex> ties_;  ///< labels that are as near as the owner
   IndexSet affectedFaces_;           ///< those of which the owners may have changed
   IndexSet changedVertices_;         ///< those of which the lists may have changed

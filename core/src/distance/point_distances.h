@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
-#include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 #include "gvd/geodesic.h"
-#include "gvd/surface_point.h"
+#include "mesh/place_map.h"
 
 namespace gvd {
 
@@ -32,21 +29,7 @@ class PointDistances {
   }
 
  private:
-  struct Hash {
-    size_t operator()(const SurfacePoint& p) const {
-      auto hash = static_cast<std::uint64_t>(p.face);
-      for (int i = 0; i < 2; ++i)
-        hash = (hash ^ Eigen::numext::bit_cast<std::uint64_t>(p.bary[i])) * 0x9e3779b97f4a7c15u;
-      return static_cast<size_t>(hash ^ hash >> 32);
-    }
-  };
-  struct Equal {
-    bool operator()(const SurfacePoint& a, const SurfacePoint& b) const {
-      return a.face == b.face && a.bary == b.bary;
-    }
-  };
-
-  std::vector<std::unordered_map<SurfacePoint, double, Hash, Equal>> ofLabel_;
+  std::vector<PlaceMap<double>> ofLabel_;
 };
 
 }  // namespace gvd

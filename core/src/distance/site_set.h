@@ -29,11 +29,13 @@ class SiteSet {
     return label >= 0 && label < labelCount() && points_[label].face >= 0;
   }
   const SurfacePoint& operator[](int label) const { return points_[label]; }
-  /// The faces of which `inFace` has the label.
-  std::vector<int> facesOf(int label) const {
-    std::vector<int> faces;
-    visitFaces(points_[label], [&](const SurfacePoint& p) { faces.push_back(p.face); });
-    return faces;
+  /// Calls `visit` with the site of a label in terms of each face of which `inFace` has it.
+  template <class Visit>
+  void visitFacesOf(int label, Visit visit) const {
+    const SurfacePoint& point = points_[label];
+    visit(point);
+    const int side = incidenceOf(point.bary).side, h = 3 * point.face + side;
+    if (side >= 0 && mesh_.twin(h) >= 0) visit(acrossEdge(mesh_, point, h));
   }
   std::span<const FaceSite> inFace(int face) const { return inFace_[face]; }
 
@@ -41,14 +43,6 @@ class SiteSet {
   void remove(int label);
 
  private:
-  template <class Visit>
-  void visitFaces(const SurfacePoint& point, Visit visit) const {
-    visit(point);
-    const int side = incidenceOf(point.bary).side;
-    if (side >= 0 && mesh_.twin(3 * point.face + side) >= 0)
-      visit(acrossEdge(mesh_, point, 3 * point.face + side));
-  }
-
   const TriangleMesh& mesh_;
   std::vector<SurfacePoint> points_;  ///< face -1: there is no site with this label
   SmallLists<FaceSite> inFace_;

@@ -11,8 +11,8 @@
 
 namespace gvd::gltf {
 
-/// How numbers of one component type lie in memory. Integers that are `normalized` stand for
-/// themselves over `largest`; 0: no integers.
+/// How numbers of one component type lie in memory. `largest` is what integers are divided by where
+/// they are `normalized`, and 0 where numbers are not integers.
 struct ComponentType {
   int id;
   std::uint64_t size;

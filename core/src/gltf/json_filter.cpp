@@ -109,7 +109,7 @@ class JsonFilter {
         path_ += "[]";
         if (++level.length > level.rule->most) return nullptr;
       } else {
-        // Such a member could be taken for one at the end of another path.
+        // A name like "a.b" could be taken for the member b of a member a.
         if (key_.empty() || key_.find_first_of(".[") != std::string::npos) return nullptr;
         if (!path_.empty()) path_ += '.';
         path_ += key_;
@@ -118,7 +118,7 @@ class JsonFilter {
     return findRule(path_);
   }
 
-  /// `what` stands where the rule, if there is one, wants something else.
+  /// Skips a value; if there is a rule for it, that is a fault: it is `what` instead.
   bool reject(const JsonRule* rule, const std::string& what) {
     if (rule) {
       setFault(pathWithIndices(rule->path) + " is " + what + "; it must be " + expectation(*rule));

@@ -29,7 +29,7 @@ class ClosestPointQuery::Implementation {
  public:
   explicit Implementation(const TriangleMesh& mesh) : tree_(facesOf(mesh)) {
     long unlimited = std::numeric_limits<long>::max();
-    tree_.build(unlimited);
+    tree_.step(unlimited);
   }
 
   ClosestPoint closestTo(const Eigen::Vector3d& place) const {

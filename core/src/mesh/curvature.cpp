@@ -11,6 +11,7 @@
 #include <numbers>
 #include <utility>
 
+#include "base/tolerances.h"
 #include "gvd/error.h"
 
 namespace gvd {
@@ -116,10 +117,8 @@ std::vector<double> curvatureDensity(const TriangleMesh& mesh,
   const std::vector<double> areas = vertexAreas(mesh);
   for (int i = 0; i < options.smoothing; ++i) smooth(mesh, areas, density);
 
-  // Angles round: what is left of them on a flat surface is no curvature.
-  constexpr double kFlat = 1e-9;
   const double before = mean(areas, density), size = mesh.boundingDiagonal();
-  if (!(before * size * size > kFlat)) return std::vector<double>(density.size(), 1.0);
+  if (!(before * size * size > kFlatCurvature)) return std::vector<double>(density.size(), 1.0);
   for (double& rho : density) rho = (rho / before + options.floor) / (1 + options.floor);
   return density;
 }

@@ -28,7 +28,7 @@ class Grouping {
                                             [&](int group) { end_[group + 1] += end_[group]; });
                          },
                          [&] { return fillInSlices(items_, end_[groupCount], 0, budget); },
-                         // What begins where the group does comes to be where it ends.
+                         // `end_` is where each group begins, and moves on to where it ends.
                          [&] {
                            return loop_.run(itemCount, budget, kItemsPerUnit, [&](int item) {
                              if (const int group = groupOf(item); group >= 0)

@@ -8,6 +8,7 @@
 namespace gvd {
 namespace {
 
+/// Whether a dropped triangle is an edge or a vertex, which a face may have.
 bool isSought(const Corners& corners) { return isFinite(corners) && isDegenerate(corners); }
 
 /// The two positions of a degenerate triangle.

@@ -32,7 +32,8 @@ class InputMap {
         kept_(kept),
         repairs_(repairs) {}
   bool step(long& budget);
-  std::vector<int> takeHalfedgeOfVertices() { return std::move(ofVertex_); }
+  /// The halfedges of the vertices.
+  std::vector<int> take() { return std::move(ofVertex_); }
 
  private:
   WeldedTriangles welded() const { return {triangles_, representative_}; }

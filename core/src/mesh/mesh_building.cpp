@@ -37,16 +37,6 @@ void requireTriples(std::size_t count, const std::string& what) {
   if (count > std::numeric_limits<int>::max()) rejectMesh("there are too many " + what);
 }
 
-/// Works on a part, made when it is first come to; `finish` takes what it made, and it goes.
-template <class Part, class Make, class Finish>
-bool runPart(std::optional<Part>& part, long& budget, Make make, Finish finish) {
-  if (!part) make();
-  if (!part->step(budget)) return false;
-  finish();
-  part.reset();
-  return true;
-}
-
 }  // namespace
 
 MeshBuilding::MeshBuilding(std::vector<double> positions, std::vector<int> triangles,
@@ -68,97 +58,71 @@ bool MeshBuilding::step(long budget) {
         return loop_.run(triangles_.size() / 3, budget, kQuickRounds,
                          [&](int t) { requireVertices(t); });
       },
+      [&] { return runPart(welding_, budget, positions_, triangles_, options_.weld); },
+      [&] { representative_ = taken(welding_); },
       [&] {
-        return runPart(
-            welding_, budget, [&] { welding_.emplace(positions_, triangles_, options_.weld); },
-            [&] { representative_ = welding_->take(); });
+        return runPart(selecting_, budget, WeldedTriangles{triangles_, representative_},
+                       inputVertexCount(), m.repairs_);
+      },
+      [&] { selection_ = taken(selecting_); },
+      [&] {
+        return runPart(matching_, budget, selection_.corners, inputVertexCount(), m.repairs_);
+      },
+      [&] { m.twin_ = taken(matching_); },
+      [&] {
+        return runPart(orienting_, budget, selection_.corners, m.twin_, options_.orientation,
+                       m.repairs_);
+      },
+      [&] { oriented_ = taken(orienting_); },
+      [&] {
+        return runPart(dropping_, budget, options_.minComponent, selection_, m.twin_, oriented_,
+                       m.repairs_);
       },
       [&] {
-        return runPart(
-            selecting_, budget,
-            [&] {
-              selecting_.emplace(WeldedTriangles{triangles_, representative_}, inputVertexCount(),
-                                 m.repairs_);
-            },
-            [&] { selection_ = selecting_->take(); });
+        dropping_.reset();
+        m.inputFace_ = std::move(selection_.input);
+        m.flipped_ = std::move(oriented_.flipped);
+        m.component_ = std::move(oriented_.component);
       },
       [&] {
-        return runPart(
-            matching_, budget,
-            [&] { matching_.emplace(selection_.corners, inputVertexCount(), m.repairs_); },
-            [&] { m.twin_ = matching_->take(); });
+        return runPart(splitting_, budget, selection_.corners, m.twin_, inputVertexCount(),
+                       m.repairs_);
+      },
+      [&] { takeFans(taken(splitting_)); },
+      [&] {
+        return runPart(mapping_, budget, triangles_, representative_, selection_.corners,
+                       selection_.kept, m.repairs_);
       },
       [&] {
-        return runPart(
-            orienting_, budget,
-            [&] {
-              orienting_.emplace(selection_.corners, m.twin_, options_.orientation, m.repairs_);
-            },
-            [&] { oriented_ = orienting_->take(); });
-      },
-      [&] {
-        return runPart(
-            dropping_, budget,
-            [&] {
-              dropping_.emplace(options_.minComponent, selection_, m.twin_, oriented_, m.repairs_);
-            },
-            [] {});
-      },
-      [&] {
-        return runPart(
-            splitting_, budget,
-            [&] {
-              splitting_.emplace(selection_.corners, m.twin_, inputVertexCount(), m.repairs_);
-            },
-            [&] { takeFans(); });
-      },
-      [&] {
-        return runPart(
-            mapping_, budget,
-            [&] {
-              mapping_.emplace(triangles_, representative_, selection_.corners, selection_.kept,
-                               m.repairs_);
-            },
-            [&] {
-              m.halfedgeOfInput_ = std::move(triangles_);
-              m.vertexOfInput_ = mapping_->takeHalfedgeOfVertices();
-            });
-      },
-      [&] {
+        m.vertexOfInput_ = taken(mapping_);
+        m.halfedgeOfInput_ = std::move(triangles_);
         release(representative_);
         selection_ = {};
         if (const std::size_t size = 3 * m.inputVertex_.size(); size > positions_.size()) {
           positions_.reserve(size);
           positions_.resize(size);
         }
-        return loop_.run(m.inputVertex_.size(), budget, 8, [&](int v) { takePosition(v); });
       },
+      [&] { return loop_.run(m.inputVertex_.size(), budget, 8, [&](int v) { takePosition(v); }); },
       [&] {
         positions_.resize(3 * m.inputVertex_.size());
         positions_.shrink_to_fit();
         m.positions_ = std::move(positions_);
-        requireMeasurable();
-        return true;
+        requireExtent();
       },
       [&] { return fillInSlices(m.faces_, m.faceCount(), {}, budget); },
       [&] { return fillInSlices(m.faceArea_, m.faceCount(), 0., budget); },
       [&] { return fillInSlices(leastExcess_, m.faceCount(), 0., budget); },
       [&] { return forFaces(kMeasuredFaces, [&](int f) { measureFace(f); }); },
+      [&] { requireEdgeLength(); },
+      [&] { return forFaces(kQuickRounds, [&](int f) { noteFlatness(f); }); },
+      [&] { release(leastExcess_); },
       [&] {
-        if (!(m.meanEdgeLength_ >= kShortestMeanEdge))
-          rejectMesh("the positions are too close together to measure distances");
-        return forFaces(kQuickRounds, [&](int f) { noteFlatness(f); });
-      },
-      [&] {
-        release(leastExcess_);
         return !isLengthened() || forFaces(kMeasuredFaces, [&](int f) {
           setFace(f, lengthened(triangle(f), m.repairs_.mollification));
         });
       },
-      [&] {
-        m.meanEdgeLength_ += m.repairs_.mollification;
-        return true;
-      },
+      [&] { m.meanEdgeLength_ += m.repairs_.mollification; },
       [&] { return fillInSlices(m.angleSum_, m.vertexCount(), 0., budget); },
       [&] {
         return forFaces(8, [&](int f) {
@@ -170,10 +134,7 @@ bool MeshBuilding::step(long budget) {
       [&] {
         return loop_.run(m.vertexCount(), budget, kQuickRounds, [&](int v) { followLoopFrom(v); });
       },
-      [&] {
-        countTopology();
-        return true;
-      });
+      [&] { countTopology(); });
 }
 
 // --- The manifold ------------------------------------------------------------------------------
@@ -187,14 +148,10 @@ void MeshBuilding::requireVertices(int triangle) const {
   }
 }
 
-void MeshBuilding::takeFans() {
-  Fans fans = splitting_->take();
+void MeshBuilding::takeFans(Fans fans) {
   mesh_.tail_ = std::move(fans.tail);
   mesh_.vertexHalfedge_ = std::move(fans.outgoing);
   mesh_.inputVertex_ = std::move(fans.representative);
-  mesh_.inputFace_ = std::move(selection_.input);
-  mesh_.flipped_ = std::move(oriented_.flipped);
-  mesh_.component_ = std::move(oriented_.component);
   firstCopy_ = mesh_.vertexCount() - mesh_.repairs_.splitVertices;
   mesh_.repairs_.flippedTriangles =
       static_cast<int>(std::count(mesh_.flipped_.begin(), mesh_.flipped_.end(), true));
@@ -214,9 +171,14 @@ void MeshBuilding::takePosition(int vertex) {
 
 // --- Measures ----------------------------------------------------------------------------------
 
-void MeshBuilding::requireMeasurable() const {
+void MeshBuilding::requireExtent() const {
   if (!(mesh_.boundingDiagonal() <= kLongestDiagonal))
     rejectMesh("the positions are too far apart to measure distances");
+}
+
+void MeshBuilding::requireEdgeLength() const {
+  if (!(mesh_.meanEdgeLength_ >= kShortestMeanEdge))
+    rejectMesh("the positions are too close together to measure distances");
 }
 
 /// Coordinates are not centred first: their differences are as good as the input already, and

@@ -16,8 +16,8 @@
 namespace gvd {
 
 /// From any list of triangles to a manifold, step by step as written at `TriangleMesh`. What a step
-/// made for the next ones alone goes as soon as these are done: a mesh takes more memory than
-/// anything else that it is made of, and that has to do.
+/// has made for the next ones alone is freed as soon as these are done, so that no more memory is
+/// needed than the mesh itself takes in the end.
 class MeshBuilding final : public SlicedWork<TriangleMesh> {
  public:
   MeshBuilding(std::vector<double> positions, std::vector<int> triangles,
@@ -29,9 +29,10 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
  private:
   int inputVertexCount() const { return static_cast<int>(positions_.size() / 3); }
   void requireVertices(int triangle) const;
-  void takeFans();
+  void takeFans(Fans fans);
   void takePosition(int vertex);
-  void requireMeasurable() const;
+  void requireExtent() const;
+  void requireEdgeLength() const;
   void measureFace(int face);
   void noteFlatness(int face);
   void setFace(int face, const IntrinsicTriangle& triangle);

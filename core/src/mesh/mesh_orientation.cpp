@@ -24,7 +24,7 @@ bool HalfedgeMatching::step(long& budget) {
                        });
 }
 
-/// Those with the same lower end.
+/// Pairs the halfedges with one lower end by their higher ends.
 void HalfedgeMatching::match(std::span<int> halfedges) {
   const auto higherEnd = [&](int h) {
     return std::max(tailOf(triangles_, h), tipOf(triangles_, h));
@@ -61,7 +61,6 @@ bool TriangleOrienting::step(long& budget) {
       [&] {
         endComponent();
         release(queue_);
-        return true;
       },
       [&] {
         return loop_.run(count, budget, kQuickRounds, [&](int t) {
@@ -85,7 +84,7 @@ bool TriangleOrienting::disagree(int h) const {
   return tailOf(triangles_, h) == tailOf(triangles_, twin_[h]);
 }
 
-/// Cuts an edge whose two triangles disagree once those have been turned over that are.
+/// Cuts an edge if its two triangles disagree, each taken as turned over if it is marked so.
 void TriangleOrienting::cutIfInconsistent(int h) {
   const int twin = twin_[h];
   if (twin < h) return;  // none, or seen from there
@@ -113,7 +112,7 @@ void TriangleOrienting::visit(int place) {
   }
 }
 
-/// If that suits the majority better, all of a component is turned over again.
+/// If most triangles of a component are marked as turned over, all are to be turned once more.
 void TriangleOrienting::endComponent() {
   const std::size_t members = queue_.size() - firstOfComponent_;
   if (members > 0)
@@ -131,35 +130,31 @@ void TriangleOrienting::turnOver(int t) {
 // --- Small components --------------------------------------------------------------------------
 
 bool SmallComponents::step(long& budget) {
-  if (least_ <= 1) return true;
-  const auto nothingIsDropped = [&] { return repairs_.smallComponents == 0; };
-  return sequence_.run(
-      [&] { return fillInSlices(size_, oriented_.components, 0, budget); },
-      [&] {
-        return loop_.run(count_, budget, kQuickRounds,
-                         [&](int t) { ++size_[oriented_.component[t]]; });
-      },
-      [&] {
-        numberAnew();
-        return true;
-      },
-      [&] { return nothingIsDropped() || fillInSlices(newTriangle_, count_, -1, budget); },
-      [&] { return nothingIsDropped() || loop_.run(count_, budget, 8, [&](int t) { moveUp(t); }); },
-      [&] {
-        if (!nothingIsDropped()) shorten();
-        return true;
-      },
-      [&] {
-        return nothingIsDropped() || loop_.run(twin_.size(), budget, kQuickRounds, [&](int h) {
-          if (int& twin = twin_[h]; twin >= 0) twin = 3 * newTriangle_[twin / 3] + twin % 3;
-        });
-      },
-      [&] {
-        return nothingIsDropped() ||
-               loop_.run(selection_.kept.size(), budget, kQuickRounds, [&](int t) {
-                 if (int& kept = selection_.kept[t]; kept >= 0) kept = newTriangle_[kept];
-               });
-      });
+  return least_ <= 1 ||
+         sequence_.run([&] { return fillInSlices(size_, oriented_.components, 0, budget); },
+                       [&] {
+                         return loop_.run(count_, budget, kQuickRounds,
+                                          [&](int t) { ++size_[oriented_.component[t]]; });
+                       },
+                       [&] { numberAnew(); },
+                       [&] { return repairs_.smallComponents == 0 || drop(budget); });
+}
+
+bool SmallComponents::drop(long& budget) {
+  return dropping_.run([&] { return fillInSlices(newTriangle_, count_, -1, budget); },
+                       [&] { return loop_.run(count_, budget, 8, [&](int t) { moveUp(t); }); },
+                       [&] { shorten(); },
+                       [&] {
+                         return loop_.run(twin_.size(), budget, kQuickRounds, [&](int h) {
+                           if (int& twin = twin_[h]; twin >= 0)
+                             twin = 3 * newTriangle_[twin / 3] + twin % 3;
+                         });
+                       },
+                       [&] {
+                         return loop_.run(selection_.kept.size(), budget, kQuickRounds, [&](int t) {
+                           if (int& kept = selection_.kept[t]; kept >= 0) kept = newTriangle_[kept];
+                         });
+                       });
 }
 
 void SmallComponents::numberAnew() {

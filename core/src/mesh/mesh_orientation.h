@@ -98,6 +98,7 @@ class SmallComponents {
 
  private:
   void numberAnew();
+  bool drop(long& budget);
   void moveUp(int t);
   void shorten();
 
@@ -108,7 +109,7 @@ class SmallComponents {
   OrientedComponents& oriented_;
   MeshRepairs& repairs_;
 
-  SlicedSequence sequence_;
+  SlicedSequence sequence_, dropping_;
   SlicedLoop loop_;
   std::vector<int> size_;          ///< of each component
   std::vector<int> newComponent_;  ///< of each component, -1 if it is dropped

@@ -8,7 +8,7 @@
 namespace gvd {
 namespace {
 
-/// The next integer among numbers of double precision.
+/// The next larger integer that a double can hold: beyond 2^53, not all can.
 double after(double x) {
   return std::max(x + 1, std::nextafter(x, std::numeric_limits<double>::infinity()));
 }
@@ -18,7 +18,7 @@ double after(double x) {
 void PointGrid::add(int v) { cubes_[cubeOf(position(v))].push_back(v); }
 
 int PointGrid::firstNear(const Eigen::Vector3d& p) const {
-  // Rounding keeps the order of numbers, so no point within the radius is in any other cube.
+  // Rounding is monotone, so no point within the radius is in a cube beyond these.
   const Eigen::Vector3d reach = Eigen::Vector3d::Constant(radius_);
   const Cube low = cubeOf(p - reach), high = cubeOf(p + reach);
   int first = -1;

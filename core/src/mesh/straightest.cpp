@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "base/plane.h"
+#include "base/tolerances.h"
 
 namespace gvd {
 namespace {
@@ -18,9 +19,9 @@ using std::numbers::pi;
 
 double angleOf(const Vector2d& v) { return std::atan2(v.y(), v.x()); }
 
-/// Walks from face to face. Where it is, is a point of a face; where to, a direction in the frame
-/// of one halfedge of that face (`TriangleMesh::Layout`). Nothing is ever divided by the height of
-/// a face, which may be tiny: points within a face are found between those on its sides.
+/// Walks from face to face: from a point of a face, in a direction that is given in the frame of
+/// one halfedge of that face (`TriangleMesh::Layout`). Nothing is ever divided by the height of a
+/// face, which may be tiny: points within a face are found between those on its sides.
 class Walk {
  public:
   Walk(const TriangleMesh& mesh, const SurfacePoint& start, const Vector2d& move,
@@ -38,7 +39,7 @@ class Walk {
     direction_ = move / total_;
     frame_ = turnedBackBy({1, 0}, direction_);
     for (int i = 0; i < 3; ++i) {
-      if (bary_[i] < 1 - kSnap) continue;
+      if (bary_[i] < 1 - kVertexSnap) continue;
       startAtVertex(3 * start.face + i);
       break;
     }
@@ -66,7 +67,6 @@ class Walk {
   }
 
  private:
-  static constexpr double kSnap = 1e-12;  ///< of an edge, or of a radian
   static constexpr double kNever = 1e300;
   static constexpr long kMostCrossings = 1 << 16;  ///< and more on larger meshes
 
@@ -118,8 +118,8 @@ class Walk {
       const int j = (i + 1) % 3;
       if (!(left[i] <= 0 && left[j] > 0)) continue;  // the side where the line leaves the face
       const double share = left[i] / (left[i] - left[j]);
-      if (share <= kSnap) return goToCorner(sides[i], corners[i] - here);
-      if (share >= 1 - kSnap) return goToCorner(sides[j], corners[j] - here);
+      if (share <= kVertexSnap) return goToCorner(sides[i], corners[i] - here);
+      if (share >= 1 - kVertexSnap) return goToCorner(sides[j], corners[j] - here);
       const Vector2d there = corners[i] + share * (corners[j] - corners[i]);
       Eigen::Vector3d bary = Eigen::Vector3d::Zero();
       bary[sides[i] % 3] = 1 - share;
@@ -212,7 +212,7 @@ class Walk {
     }
   }
 
-  /// Comes to a vertex; behind is what lies at angle `back` from the corner's halfedge.
+  /// Passes a vertex, having come from the direction at angle `back` from the corner's halfedge.
   void passVertex(int corner, double back) {
     const int vertex = mesh_.tail(corner);
     const double from = angleBefore(corner) + back;
@@ -224,11 +224,13 @@ class Walk {
     }
   }
 
-  /// Straight on is at angle `straight`, or 2π less; both may be off the surface, or none.
+  /// Straight on is at angle `straight`, or, what is the same direction, at 2π less: the surface
+  /// may have one of these angles, both or none.
   void leaveBoundaryVertex(int vertex, double straight) {
     const double sum = mesh_.angleSum(vertex);
-    if (straight <= sum + kSnap) return leaveVertex(vertex, std::min(straight, sum));
-    if (straight >= 2 * pi - kSnap) return leaveVertex(vertex, std::max(0.0, straight - 2 * pi));
+    if (straight <= sum + kVertexSnap) return leaveVertex(vertex, std::min(straight, sum));
+    if (straight >= 2 * pi - kVertexSnap)
+      return leaveVertex(vertex, std::max(0.0, straight - 2 * pi));
     metBoundary_ = true;
     const bool toLast = straight - sum < 2 * pi - straight;
     const double turn = toLast ? sum - straight : 2 * pi - straight;
@@ -248,16 +250,16 @@ class Walk {
     for (;;) {
       const double own = mesh_.cornerAngle(corner);
       const int next = mesh_.rotate(corner);
-      if (angle < own - kSnap || next < 0) break;
+      if (angle < own - kVertexSnap || next < 0) break;
       angle = std::max(0.0, angle - own);
       corner = next;
       if (corner == first) break;  // rounding: once around
     }
     bary_ = Eigen::Vector3d::Unit(corner % 3);
     halfedge_ = corner;
-    if (angle <= kSnap) {
+    if (angle <= kVertexSnap) {
       startAlongEdge(corner, true);
-    } else if (angle >= mesh_.cornerAngle(corner) - kSnap) {
+    } else if (angle >= mesh_.cornerAngle(corner) - kVertexSnap) {
       startAlongEdge(TriangleMesh::previous(corner), false);
     } else {
       direction_ = unitVector(angle);

@@ -8,13 +8,11 @@
 #include <utility>
 
 #include "base/number_text.h"
+#include "base/tolerances.h"
 #include "gvd/error.h"
 
 namespace gvd {
 namespace {
-
-/// How far barycentric coordinates given from outside may be off.
-constexpr double kBarycentricTolerance = 1e-6;
 
 // --- Points from outside ------------------------------------------------------------------------
 

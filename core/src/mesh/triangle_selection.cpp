@@ -15,7 +15,7 @@
 namespace gvd {
 namespace {
 
-/// From 0 to below `count`, the same for -0 and 0. Whose hashes agree is compared.
+/// A hash of a position, from 0 to below `count`; the same for -0 and 0.
 int hashOf(const Eigen::Vector3d& p, int count) {
   std::uint64_t hash = 0;
   for (const double x : p) {
@@ -59,10 +59,7 @@ bool VertexWelding::step(long& budget) {
         return weld_ == 0 || loop_.run(triangles_.size(), budget, kQuickRounds,
                                        [&](int i) { addToBox(triangles_[i]); });
       },
-      [&] {
-        openGrid();
-        return true;
-      },
+      [&] { openGrid(); },
       [&] { return !staying_ || loop_.run(count, budget, 1, [&](int v) { weldToNear(v); }); });
 }
 
@@ -104,7 +101,7 @@ void VertexWelding::openGrid() {
 
 void VertexWelding::weldToNear(int v) {
   int& same = representative_[v];
-  if (same != v) {  // not finite, or what holds of the first one at the same position
+  if (same != v) {  // not finite, or where an earlier vertex is: welded as that one is
     if (same >= 0) same = representative_[same];
     return;
   }
@@ -143,10 +140,7 @@ bool TriangleSelection::step(long& budget) {
         out_.corners.reserve(originals_);
         return loop_.run(count, budget, kQuickRounds, [&](int t) { keep(t); });
       },
-      [&] {
-        requireAny();
-        return true;
-      });
+      [&] { requireAny(); });
 }
 
 void TriangleSelection::count(int t) {

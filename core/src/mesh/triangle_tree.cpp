@@ -23,7 +23,7 @@ TriangleTree::TriangleTree(std::vector<Triangle> triangles)
   if (!triangles_.empty()) tasks_.push_back({0, static_cast<int>(triangles_.size()), -1});
 }
 
-bool TriangleTree::build(long& budget) {
+bool TriangleTree::step(long& budget) {
   constexpr int kTrianglesPerUnit = 16;
   while (!tasks_.empty()) {
     if (budget <= 0) return false;

@@ -15,7 +15,7 @@ class TriangleTree {
 
   explicit TriangleTree(std::vector<Triangle> triangles);
   /// Builds it, in slices; true when it can be used. Dividing a node is not divided. O(n log n).
-  bool build(long& budget);
+  bool step(long& budget);
 
   /// The nearest triangle, -1 if there is none, and its point nearest to another one.
   struct Nearest {

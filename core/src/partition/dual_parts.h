@@ -30,20 +30,17 @@ class FromRegions final : public SlicedWork<Result> {
         make_(std::move(make)) {}
 
   bool step(long budget) override {
-    return sequence_.run(
-        [&] {
-          if (!partitioning_->step(budget)) return false;
-          partition_ = partitioning_->take();
-          partitioning_.reset();
-          complex_.emplace(partition_);
-          return true;
-        },
-        [&] { return complex_->step(budget); },
-        [&] {
-          if (budget <= 0) return false;
-          result_ = make_(partition_, complex_->take());
-          return true;
-        });
+    return sequence_.run([&] { return partitioning_->step(budget); },
+                         [&] {
+                           partition_ = partitioning_->take();
+                           partitioning_.reset();
+                         },
+                         [&] { return runPart(complex_, budget, partition_); },
+                         [&] {
+                           if (budget <= 0) return false;
+                           result_ = make_(partition_, complex_->take());
+                           return true;
+                         });
   }
   double progress() const override {
     constexpr double kPartitionsShare = 0.8;

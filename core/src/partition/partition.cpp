@@ -14,6 +14,7 @@
 
 #include "base/sliced_loop.h"
 #include "base/sorting.h"
+#include "distance/path_points.h"
 #include "mesh/convex_triangulation.h"
 #include "mesh/surface_geometry.h"
 #include "partition/region_patches.h"
@@ -29,11 +30,11 @@ class Partitioner final : public SlicedWork<Partition> {
       : mesh_(mesh), diagram_(diagram), options_(options) {}
 
   bool step(long budget) override {
-    return sequence_.run([&] { return nameVertices(budget); },
-                         [&] { return collectPointsOnWholeSides(budget); },
-                         [&] { return cutFaces(budget); }, [&] { return groupByLabel(budget); },
-                         [&] { return numberVertices(budget); }, [&] { return findTwins(budget); },
-                         [&] { return measurePatches(budget); });
+    return sequence_.run(
+        [&] { return nameVertices(budget); }, [&] { return collectPointsOnWholeSides(budget); },
+        [&] { return cutFaces(budget); }, [&] { return groupByLabel(budget); },
+        [&] { return numberVertices(budget); }, [&] { return findTwins(budget); },
+        [&] { return runPart(patches_, budget, mesh_, diagram_.siteCount, areas_, out_); });
   }
   double progress() const override { return sequence_.progress(); }
   Partition take() override { return std::move(out_); }
@@ -125,7 +126,6 @@ class Partitioner final : public SlicedWork<Partition> {
                           if (options_.leaveOutIndifferent)
                             for (const int f : diagram_.indifferentFaces) isLeftOut_[f] = true;
                           pieces_.reserve(faces + diagram_.cells.points.size());
-                          return true;
                         },
                         [&] { return fillInSlices(plainPiece_, faces, -1, budget); },
                         [&] { return loop_.run(faces, budget, 4, [&](int f) { cutFace(f); }); });
@@ -247,7 +247,6 @@ class Partitioner final : public SlicedWork<Partition> {
         },
         [&] {
           for (size_t i = 1; i < nextOfPart_.size(); ++i) nextOfPart_[i] += nextOfPart_[i - 1];
-          return true;
         },
         [&] { return fillInSlices(out_.triangles, n, {}, budget); },
         [&] { return fillInSlices(out_.triangleLabel, n, 0, budget); },
@@ -297,8 +296,7 @@ class Partitioner final : public SlicedWork<Partition> {
     if (number_[v] < 0) return;
     number_[v] = static_cast<int>(out_.points.size());
     if (v < mesh_.vertexCount()) {
-      const int h = mesh_.outgoing(v);
-      out_.points.push_back({TriangleMesh::faceOf(h), Eigen::Vector3d::Unit(h % 3)});
+      out_.points.push_back(pointAtVertex(mesh_, v));
       out_.positions.push_back(mesh_.position(v));
     } else {
       out_.points.push_back(diagram_.points[v - mesh_.vertexCount()]);
@@ -366,11 +364,6 @@ class Partitioner final : public SlicedWork<Partition> {
       if (isOnSide) return true;
     }
     return false;
-  }
-
-  bool measurePatches(long& budget) {
-    if (!patches_) patches_.emplace(mesh_, diagram_.siteCount, areas_, out_);
-    return patches_->step(budget);
   }
 
   const TriangleMesh& mesh_;

@@ -78,7 +78,6 @@ bool PatchMeasuring::survey(RegionPatch& region, long& budget) {
         reach_ = 0;
         outlineSteps_ = innerVertices_ = 0;
         nextToSee_ = nearest_ = first;
-        return true;
       },
       [&] { return forTriangles(8, [&](int t) { addArea(t, region); }); },
       [&] {
@@ -93,7 +92,6 @@ bool PatchMeasuring::survey(RegionPatch& region, long& budget) {
                                           : Vector3d(sum_ / region.triangleCount);
         least_ = kInfinity;
         nearestBary_ = Vector3d::Unit(0);
-        return true;
       },
       [&] {
         return forTriangles(8, [&](int t) {
@@ -107,7 +105,6 @@ bool PatchMeasuring::survey(RegionPatch& region, long& budget) {
       [&] {
         region.nearCentroid = {partition_.triangleFace[nearest_],
                                cornersInFace(mesh_, partition_, nearest_) * nearestBary_};
-        return true;
       });
 }
 

@@ -76,7 +76,6 @@ class QualityMeasuring final : public SlicedWork<RemeshQuality> {
         [&] {
           measureRemesh(remeshing_->take());
           fineTriangles_.reserve(faces);
-          return true;
         },
         [&] {
           return loop_.run(faces, budget, 8, [&](int f) {
@@ -84,14 +83,8 @@ class QualityMeasuring final : public SlicedWork<RemeshQuality> {
             fineTriangles_.push_back({corner(0), corner(1), corner(2)});
           });
         },
-        [&] {
-          if (!coarse_) coarse_.emplace(triangles_);
-          return coarse_->build(budget);
-        },
-        [&] {
-          if (!fine_) fine_.emplace(std::move(fineTriangles_));
-          return fine_->build(budget);
-        },
+        [&] { return runPart(coarse_, budget, triangles_); },
+        [&] { return runPart(fine_, budget, std::move(fineTriangles_)); },
         [&] {
           return loop_.run(vertices, budget, 1,
                            [&](int v) { note(coarse_->distance(surface_.position(v))); });

@@ -21,6 +21,7 @@
 #include "base/sliced_loop.h"
 #include "distance/common_labels.h"
 #include "distance/dgpc/unfolding_sweep.h"
+#include "distance/path_points.h"
 #include "gvd/error.h"
 #include "gvd/geodesic.h"
 #include "mesh/surface_geometry.h"
@@ -49,11 +50,6 @@ SurfacePoint drawPoint(std::mt19937_64& random, const std::vector<double>& sums)
   p.face = drawIndex(random, sums);
   p.bary = drawBarycentric(random);
   return p;
-}
-
-SurfacePoint atVertex(const TriangleMesh& mesh, int vertex) {
-  const int h = mesh.outgoing(vertex);
-  return {TriangleMesh::faceOf(h), Eigen::Vector3d::Unit(h % 3)};
 }
 
 /// The longest edge at each vertex, in slices.
@@ -103,7 +99,6 @@ class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
         },
         [&] {
           if (count_ > 0) add(sampleUniform(mesh_, 1, seed_).front());
-          return true;
         },
         [&] { return count_ == 0 || addOthers(budget); });
   }
@@ -139,7 +134,7 @@ class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
       if (isComplete()) return true;
       const auto [distance, negative] = queue_.top();
       if (!(distance > coveringRadius_)) return true;
-      add(atVertex(mesh_, -negative));
+      add(pointAtVertex(mesh_, -negative));
     }
     return false;
   }
@@ -191,10 +186,7 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
   bool step(long budget) override {
     return sequence_.run([&] { return longestEdge_.step(budget); },
                          [&] { return fillInSlices(known_, mesh_.vertexCount(), {}, budget); },
-                         [&] {
-                           sums_ = cumulative(faceWeights(mesh_));
-                           return true;
-                         },
+                         [&] { sums_ = cumulative(faceWeights(mesh_)); },
                          [&] { return addAll(budget); });
   }
   double progress() const override {
@@ -222,7 +214,7 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
     constexpr size_t kFewestMisses = 100;
     constexpr double kShrink = 0.95;
     if (nextVertex_ > 0 || misses_ >= points_.size() + kFewestMisses) {
-      if (!count_) return atVertex(mesh_, nextVertex_++);
+      if (!count_) return pointAtVertex(mesh_, nextVertex_++);
       radius_ *= kShrink;
       misses_ = 0;
     }

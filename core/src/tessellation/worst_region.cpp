@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/tolerances.h"
+#include "distance/path_points.h"
 #include "gvd/dynamic_diagram.h"
 #include "gvd/sampling.h"
 #include "mesh/surface_geometry.h"
@@ -17,9 +19,6 @@ namespace gvd {
 namespace {
 
 using Eigen::Vector2d;
-
-/// A mean distortion below this is rounding, of distances and of the difference that it comes from.
-constexpr double kFlat = 1e-12;
 
 /// (σ₁ - 1)² + (σ₂ - 1)² of the logarithmic map of a label on a face. Where the map is not known,
 /// that of a map to one point.
@@ -103,7 +102,7 @@ void WorstRegions::followDistortion(const DiagramChange& change) {
       if (isChanged[label]) regions_[label].distortion += distortion;
   for (const int label : change.labels) {
     Region& region = regions_[label];
-    if (region.distortion <= kFlat * region.area) region.distortion = 0;
+    if (region.distortion <= kFlatDistortion * region.area) region.distortion = 0;
   }
 }
 
@@ -126,8 +125,7 @@ SurfacePoint WorstRegions::point() const {
   };
   for (int v = 0; v < mesh_.vertexCount(); ++v)
     if (const LabelledDistance d = nearestOf(distances_.at(v)); d.label == label)
-      offer({TriangleMesh::faceOf(mesh_.outgoing(v)), Eigen::Vector3d::Unit(mesh_.outgoing(v) % 3)},
-            d.distance);
+      offer(pointAtVertex(mesh_, v), d.distance);
   for (const SurfacePoint& p : worst->outline) offer(p, distances_.nearest(p).distance);
   return farthest;
 }

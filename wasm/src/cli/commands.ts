@@ -19,7 +19,7 @@ import { ProgressBar } from './progress.js';
 
 interface Request<Command extends CommandName> {
   mesh: string;
-  /** All of those named; only `info` takes several. */
+  /** All meshes named; only `info` takes several. */
   meshes: string[];
   values: Values<Command>;
 }
@@ -57,7 +57,7 @@ type Reading = Pick<Values, 'limits' | 'weld' | 'orientation' | 'min-component'>
 /** What may be written to standard error. */
 type Notices = Pick<Values<'diagram'>, 'quiet' | 'progress'>;
 
-/** One that fails leaves the others. */
+/** A mesh that fails does not keep the others from being reported. */
 async function info({ meshes, values }: Request<'info'>): Promise<void> {
   const output = await Output.open(values.output);
   const isOnly = meshes.length === 1;
@@ -277,7 +277,7 @@ async function remesh({ mesh: path, values }: Request<'remesh'>): Promise<void> 
   );
 }
 
-/** How sites come to be centroids. */
+/** The options of a tessellation, by those of the command line. */
 async function cvtSettings(
   values: Pick<Values<'cvt'>, 'method' | 'metric' | 'iterations' | 'density' | 'fixed'>,
 ): Promise<CvtOptions> {
@@ -393,7 +393,7 @@ function sampled(mesh: Mesh, values: Notices & SiteSource): Promise<SurfacePoint
   );
 }
 
-/** What the sites leave out, if anything. */
+/** Notes the components that no site is on, if there are any. */
 async function bareNotes(mesh: Mesh, sites: SurfacePointsInput): Promise<string[]> {
   const { components, area } = mesh.info;
   const bare = await mesh.bareComponents(sites);
@@ -405,7 +405,7 @@ async function bareNotes(mesh: Mesh, sites: SurfacePointsInput): Promise<string[
   ];
 }
 
-/** Shows how far the work is, where that is wanted. */
+/** Shows how far the work is, if `--progress` is given. */
 async function withProgress<Result>(
   { quiet, progress }: Notices,
   work: (onProgress: (share: number) => void) => Promise<Result>,

@@ -26,7 +26,7 @@ import type { Diagram, Mesh } from '../types.js';
 import { standard, type Values } from './options.js';
 import { listed, unitOf, UsageError } from './values.js';
 
-/** Where the result goes, and whether it is JSON whatever that is called. */
+/** Where the result goes, and whether it is JSON whatever the name of the file. */
 type Target = Pick<Values, 'output' | 'json'>;
 
 /** Makes a file of a result; `scale` is the output's unit. */

@@ -146,7 +146,7 @@ function nameOf(path: string): string {
   return path === standard ? 'standard input' : path;
 }
 
-/** Of what is piped in, which may never end. */
+/** The most bytes read from a pipe, which may never end. */
 const maxStandardInput = 2 ** 30;
 
 async function readStandardInput(): Promise<Uint8Array> {
@@ -197,7 +197,7 @@ export class Output {
     return this.#path !== standard;
   }
 
-  /** All or nothing: a file appears, or is replaced, when it is complete. */
+  /** Writes all or nothing: a file appears, or is replaced, when it is complete. */
   async write(content: string | Uint8Array): Promise<void> {
     if (!this.isFile) return writeStandardOutput(content);
     try {
@@ -243,13 +243,13 @@ async function replaceFile(path: string, content: string | Uint8Array): Promise<
   }
 }
 
-/** With which others ask a program to end. */
+/** The signals by which other programs ask one to end. */
 const endSignals = ['SIGINT', 'SIGTERM', 'SIGHUP'] as const;
 
 function writeStandardOutput(content: string | Uint8Array): Promise<void> {
   return new Promise((done, fail) => {
     process.stdout.write(content, (error) => {
-      // Who reads, for example head, may have enough.
+      // The reader of a pipe, for example head, may close it early.
       if (error && (error as NodeJS.ErrnoException).code !== 'EPIPE')
         fail(new FileError(`standard output cannot be written: ${reason(error)}`));
       else done();

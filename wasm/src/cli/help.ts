@@ -13,7 +13,7 @@ import {
 } from './options.js';
 import { listed, UsageError } from './values.js';
 
-/** Columns. */
+/** The width of the text, in columns. */
 const helpWidth = 100;
 
 /** `help COMMAND` is `COMMAND --help`. */

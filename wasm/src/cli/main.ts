@@ -16,9 +16,9 @@ async function main(args: string[]): Promise<void> {
   else await execute(invocation);
 }
 
-// A reader that has enough, for example head, is no failure of ours.
+// A reader that closes the pipe early, for example head, is no failure.
 process.stdout.on('error', () => {});
-// Nor is it one if nobody can be told.
+// Nor is it one if standard error is closed.
 process.stderr.on('error', () => {});
 
 main(process.argv.slice(2)).catch(fail);

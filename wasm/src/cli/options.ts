@@ -23,13 +23,13 @@ import {
 /** Standard input or output, where a file is asked for. */
 export const standard = '-';
 
-/** One with a value, or a switch. */
+/** An option with a value, or a switch. */
 export interface OptionSpec {
   short?: string;
   /** What the help calls its value. */
   value?: string;
   parse?: Parser<unknown>;
-  /** What counts if it is not given; without this, it has to be, unless it is optional. */
+  /** The default; an option without one has to be given, unless it is optional. */
   default?: string;
   optional?: true;
   help: string;

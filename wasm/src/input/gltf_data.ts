@@ -12,7 +12,7 @@ import {
   type Resources,
 } from './gltf_document.js';
 
-/** Of all that is decompressed together; a file of a few bytes can ask for any amount. */
+/** The most bytes that may be decompressed in all: a file of a few bytes can ask for any amount. */
 const maxDecompressedBytes = 2 ** 30;
 /** The new buffer's parts begin at multiples of this, as numbers of up to eight bytes want it. */
 const alignment = 8;

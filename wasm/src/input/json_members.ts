@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// JSON from anywhere, so that a file takes no more memory than some times its size, of which a few bytes can
-// make a hundred. No file that is read has as much where it is read.
+// JSON of unknown origin. Limits keep a file from taking much more memory than its size, of which a few
+// bytes can make a hundred; no real file comes near them.
 
-/** Lists and objects, which take the most. */
+/** The most lists and objects, which take more memory than other values. */
 const maxLists = 2 ** 22;
 const maxValues = 2 ** 24;
 const maxDepth = 128;

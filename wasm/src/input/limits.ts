@@ -8,10 +8,10 @@ import type { GltfLimits } from '../types.js';
 /** Those of the glTF reader that have a meaning in every format. */
 export type SizeLimits = Required<Pick<GltfLimits, 'maxVertices' | 'maxTriangles'>>;
 
-/** Of one polygon: the time that cutting takes may grow with its square. */
+/** The most corners of one polygon: the time that cutting takes may grow with their square. */
 const maxCorners = 2 ** 14;
 
-/** By default as many as the glTF reader takes. */
+/** The default limits: those of the glTF reader. */
 export function toSizeLimits({
   maxVertices = 2 ** 24,
   maxTriangles = 2 ** 24,

@@ -22,7 +22,7 @@ const filters: Record<string, (stride: number) => boolean> = {
   COLOR: (stride) => stride === 4 || stride === 8,
 };
 
-/** Of a content to its packed form: a byte of control stands for four columns of 256 rows at most. */
+/** The largest ratio of a content to its packed form: a control byte stands for at most four columns of 256 rows. */
 const maxRatio = 1024;
 
 /** The content of a buffer view with such an extension. */
@@ -47,7 +47,7 @@ export async function decodeMeshopt(
     throw gltfFault(`${where} has ${count} corners of triangles, which is no multiple of three`);
   }
   data.reserve(count * stride);
-  // The codec keeps a byte at least for so many: of a few bytes, none can make millions.
+  // The codec keeps at least one byte for so many, so a few bytes cannot ask for millions.
   if (count * stride > maxRatio * packed.length) {
     throw gltfFault(`${where} cannot be decompressed: its data are damaged`);
   }

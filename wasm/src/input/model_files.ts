@@ -60,7 +60,7 @@ export class FileSet {
     try {
       return new Uint8Array(await file.arrayBuffer());
     } catch (cause) {
-      // What an archive is to be blamed for, it says itself.
+      // A fault of an archive is reported by what reads it.
       if (cause instanceof GeodesicVoronoiError) throw cause;
       throw new GeodesicVoronoiError(
         'invalid-file',

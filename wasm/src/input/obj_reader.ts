@@ -12,7 +12,7 @@ import { Polygons } from './polygons.js';
 import type { ReadModel } from './read_model.js';
 import { lineFault, TextWords } from './text_words.js';
 
-/** Lines between two places where reading can be left. */
+/** Lines read between two places where the work can be interrupted. */
 const linesPerStep = 64;
 
 export function* readObj(bytes: Uint8Array, limits: SizeLimits): SlicedWork<ReadModel> {

@@ -22,7 +22,7 @@ export const plyTypes = {
 } as const;
 export type PlyType = keyof typeof plyTypes;
 
-/** Names of the first files. */
+/** Type names of the first PLY files, beside today's. */
 const aliases: Record<string, PlyType> = {
   char: 'int8',
   uchar: 'uint8',
@@ -58,7 +58,7 @@ export interface PlyHeader {
 const formats = ['ascii', 'binary_little_endian', 'binary_big_endian'] as const;
 type PlyFormat = (typeof formats)[number];
 
-/** No header is as long: what has no end within it is none. */
+/** The most bytes of a header: a file whose header has not ended by then is no PLY. */
 const maxHeaderBytes = 2 ** 16;
 
 export function readPlyHeader(bytes: Uint8Array): PlyHeader {

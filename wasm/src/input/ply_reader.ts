@@ -47,7 +47,7 @@ interface Values {
   readonly share: number;
 }
 
-/** Values between two places where reading can be left. */
+/** Values read between two places where the work can be interrupted. */
 const valuesPerStep = 256;
 
 /** What becomes of a property's values, or of the list that it is. */

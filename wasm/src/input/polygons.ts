@@ -8,14 +8,14 @@ import type { SlicedWork } from '../slices.js';
 import { GrowingArray } from './growing_array.js';
 import { requireCorners, requireTriangles, type SizeLimits } from './limits.js';
 
-/** Between two places where copying can be left. */
+/** Triangles copied between two places where the work can be interrupted. */
 const trianglesPerStep = 2 ** 16;
 
 export class Polygons {
   readonly #limits: SizeLimits;
-  /** Of all polygons, one after the other. */
+  /** The corners of all polygons, one after the other. */
   readonly #corners: GrowingArray<Int32Array>;
-  /** Of each polygon that is no triangle, its first corner among those of all, and how many it has. */
+  /** Of each polygon that is no triangle, the place of its first corner in `#corners`, and their number. */
   readonly #larger = new GrowingArray(Int32Array);
   #start = 0;
   #count = 0;

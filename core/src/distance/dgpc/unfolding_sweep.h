@@ -17,9 +17,6 @@
 
 namespace gvd::dgpc {
 
-/// A place that rounding alone may have put beyond a halfedge or its line, as a share of lengths.
-inline constexpr double kUnfoldingRounding = 1e-12;
-
 /// A virtual source, given by the ways from it to the corners of a face.
 struct Unfolding {
   Eigen::Vector2d toTail, toTip, toApex;

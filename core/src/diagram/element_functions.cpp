@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "diagram/element_functions.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace gvd {
+
+ElementFunctions::ElementFunctions(const FaceComplex& complex)
+    : complex_(complex), unit_(std::ldexp(1.0, -std::ilogb(complex.mesh().boundingDiagonal()))) {}
+
+std::span<const LabelFunction> ElementFunctions::of(int element) {
+  const int* const node = &complex_.tails()[3 * element];
+  const int soleOwner = complex_.soleOwner(element);
+  const auto atA = complex_.nodes().labels(node[0]), atB = complex_.nodes().labels(node[1]),
+             atC = complex_.nodes().labels(node[2]);
+  // As `visitCommonLabels`, but without branches for a processor to guess wrong: each round writes
+  // a function, and the next one writes over it if it was not of all three nodes.
+  functions_.resize(std::min({atA.size(), atB.size(), atC.size()}) + 1);
+  LabelFunction* next = functions_.data();
+  for (auto a = atA.begin(), b = atB.begin(), c = atC.begin();
+       a != atA.end() && b != atB.end() && c != atC.end();) {
+    const int label = std::max({a->label, b->label, c->label});
+    const bool isCommon = (a->label == label) & (b->label == label) & (c->label == label);
+    next->label = label;
+    const double inA = unit_ * a->distance, inB = unit_ * b->distance, inC = unit_ * c->distance;
+    next->value[0] = inA * inA;
+    next->value[1] = inB * inB;
+    next->value[2] = inC * inC;
+    next += isCommon & ((soleOwner < 0) | (label == soleOwner));
+    a += isCommon | (a->label < label);
+    b += isCommon | (b->label < label);
+    c += isCommon | (c->label < label);
+  }
+  functions_.resize(next - functions_.data());
+  if (functions_.size() > 3) dropHidden(node);
+  return functions_;
+}
+
+void ElementFunctions::dropHidden(const int* nodes) {
+  std::array<LabelFunction, 3> owners;
+  for (int i = 0; i < 3; ++i)
+    owners[i] = *std::find_if(functions_.begin(), functions_.end(), [&](const LabelFunction& f) {
+      return f.label == complex_.nodes().owner(nodes[i]);
+    });
+  LabelFunction* kept = functions_.data();
+  for (const LabelFunction& f : functions_) {
+    bool isHidden = false;  // by one owner at all nodes; without branches as above
+    for (const LabelFunction& owner : owners) {
+      const bool isLower = owner.label < f.label;
+      bool isBehind = owner.label != f.label;
+      for (int i = 0; i < 3; ++i)
+        isBehind &= (owner.value[i] < f.value[i]) | ((owner.value[i] == f.value[i]) & isLower);
+      isHidden |= isBehind;
+    }
+    *kept = f;
+    kept += !isHidden;
+  }
+  functions_.resize(kept - functions_.data());
+}
+
+}  // namespace gvd

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "base/sliced_loop.h"
+#include "diagram/bisector_graph.h"
+#include "diagram/face_complex.h"
+#include "diagram/face_envelope.h"
+#include "gvd/triangle_mesh.h"
+
+namespace gvd {
+
+/// An element, and the measures of its face.
+struct Element {
+  int index, face;
+  bool isWhole;                         ///< it is all of its face
+  std::array<double, 3> squaredLength;  ///< of the face's sides
+  double longest;                       ///< of these sides
+  double height;                        ///< the least one of the face
+};
+
+/// The points of the graph that the vertices of envelopes are: each has a bound on how far rounding
+/// has moved it. Two elements have the points on their common side, and at its ends, in common. Of
+/// points that the bounds do not tell apart, those on one side become one here.
+class ElementPoints {
+ public:
+  /// A vertex of an envelope.
+  struct Corner {
+    int point = -1;        ///< -1: of no cell any more
+    Eigen::Vector3d bary;  ///< in terms of the face
+    bool isInside = false;
+    /// Whether it is inside, and about as near to two sides as points are merged at.
+    bool isBetweenSides = false;
+  };
+
+  ElementPoints(const FaceComplex& complex, NodePoints& nodePoints, BisectorGraph& graph);
+  /// Before any point is made; true when the lists are there.
+  bool prepare(long& budget);
+  /// How many elements several regions have a part of.
+  int mixedCount() const { return mixedCount_; }
+
+  /// The points of an element, per vertex of its envelope; good until the next call.
+  std::span<const Corner> of(const Element& element, const FaceEnvelope& envelope);
+  /// The point at a node, which lies at `bary` in an element's face.
+  int atNode(const Element& element, int node, const Eigen::Vector3d& bary);
+
+ private:
+  using Vertex = FaceEnvelope::Vertex;
+
+  int make(const Element& element, const FaceEnvelope& envelope, const Vertex& v,
+           const Eigen::Vector3d& bary);
+  int makeOnSide(const Element& element, const FaceEnvelope& envelope, const Vertex& v,
+                 const Eigen::Vector3d& bary);
+  void mergeOnSide(const Element& element, int side, int point, int others,
+                   const Eigen::Vector3d& bary);
+  static bool isApart(const Element& element, int side, double share, double distance);
+  bool isBetweenSides(const Element& element, const Eigen::Vector3d& bary) const;
+  void tellApartInnerPoints();
+  int slotOf(const Element& element, int side) const;
+  double sideError(const Element& element, const FaceEnvelope& envelope, const Vertex& v) const;
+
+  const TriangleMesh& mesh_;
+  const FaceComplex& complex_;
+  const std::span<const int> tails_, twins_;  ///< of elements
+  NodePoints& nodePoints_;
+  BisectorGraph& graph_;
+
+  SlicedSequence sequence_;
+  SlicedLoop loop_;
+  int mixedCount_ = 0;
+  std::vector<int> mixedIndex_;  ///< per element, -1 if it has one owner or none
+  /// Per side of mixed elements, the first in a list of points of the graph, -1 for none. A side
+  /// that two have in common is the one of that with the lower index.
+  std::vector<int> firstOnSide_;
+  std::vector<Corner> corners_;  ///< of the element at hand
+};
+
+}  // namespace gvd

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include "diagram/element_splitting.h"
+
+#include <algorithm>
+
+#include "base/tolerances.h"
+#include "gvd/diagram.h"
+
+namespace gvd {
+namespace {
+
+/// How many elements it takes as long to look at as to split one.
+constexpr int kLooksPerSplit = 8;
+/// Elements that are split at once, for it takes a while to let a label go on to new nodes, but
+/// hardly longer for many of them.
+constexpr size_t kBatch = 256;
+
+}  // namespace
+
+// --- Elements ------------------------------------------------------------------------------------
+
+void Elements::reserve(std::size_t count) {
+  tail.reserve(3 * count);
+  face.reserve(count);
+  cornersOf.reserve(count);
+}
+
+void Elements::clear() {
+  tail.clear();
+  face.clear();
+  cornersOf.clear();
+  corners.clear();
+}
+
+void Elements::addFace(int whole, const std::array<int, 3>& nodes) {
+  tail.insert(tail.end(), nodes.begin(), nodes.end());
+  face.push_back(whole);
+  cornersOf.push_back(-1);
+}
+
+///          c
+///         / \          ab, bc, ca: `middle`
+///       ca---bc
+///       / \ / \        .
+///      a---ab--b
+void Elements::split(int element, const std::array<int, 3>& middle) {
+  const Eigen::Matrix3d whole = cornersIn(element);
+  Eigen::Matrix3d middles;
+  for (int i = 0; i < 3; ++i) middles.col(i) = (whole.col(i) + whole.col((i + 1) % 3)) / 2;
+  for (int i = 0; i < 3; ++i) {
+    const int before = (i + 2) % 3;
+    tail.insert(tail.end(), {tail[3 * element + i], middle[i], middle[before]});
+    face.push_back(face[element]);
+    cornersOf.push_back(static_cast<int>(corners.size()));
+    corners.emplace_back() << whole.col(i), middles.col(i), middles.col(before);
+  }
+  std::copy(middle.begin(), middle.end(), tail.begin() + 3 * element);
+  if (isWhole(element)) {
+    cornersOf[element] = static_cast<int>(corners.size());
+    corners.emplace_back();
+  }
+  corners[cornersOf[element]] = middles;
+}
+
+// --- Which of them are split ---------------------------------------------------------------------
+
+bool ElementSplitting::step(long& budget) {
+  for (; level_ < detail_; ++level_) {
+    if (!sequence_.run([&] { unsplitCount_ = elements_.count(); },
+                       [&] { return splitMixed(budget); }, [&] { return follow(budget); }))
+      return false;
+    sequence_ = {};
+  }
+  return true;
+}
+
+/// Splits what has several owners, but not what has just been split.
+bool ElementSplitting::splitMixed(long& budget) {
+  while (next_ < unsplitCount_) {
+    if (budget <= 0) return false;
+    const int element = next_++;
+    if (commonOwner(element) == Diagram::kMixed) batch_.push_back(element);
+    if (element % kLooksPerSplit == 0) --budget;
+    if (batch_.size() == kBatch) splitBatch(budget);
+  }
+  splitBatch(budget);
+  next_ = 0;
+  return true;
+}
+
+/// Splits what the new nodes of neighbours leave no choice about, round after round: an element
+/// that is split may have neighbours that were passed already.
+bool ElementSplitting::follow(long& budget) {
+  do {
+    hasChanged_ = hasChanged_ && next_ > 0;
+    while (next_ < elements_.count()) {
+      if (budget <= 0) return false;
+      const int element = next_++;
+      if (mustSplit(element)) batch_.push_back(element);
+      if (element % kLooksPerSplit == 0) --budget;
+      if (batch_.size() == kBatch || next_ == elements_.count()) {
+        hasChanged_ = hasChanged_ || !batch_.empty();
+        splitBatch(budget);
+      }
+    }
+    next_ = 0;
+  } while (hasChanged_);
+  return true;
+}
+
+/// Whether an element beside smaller ones would not agree with them: it has several owners, or some
+/// node on its sides has another one.
+bool ElementSplitting::mustSplit(int element) const {
+  const int owner = commonOwner(element);
+  for (int i = 0; i < 3; ++i) {
+    const int a = elements_.tail[3 * element + i], b = elements_.tail[3 * element + (i + 1) % 3];
+    if (owner == Diagram::kMixed ? nodes_.middleOf(a, b) >= 0 : !isUniform(a, b, owner))
+      return true;
+  }
+  return false;
+}
+
+bool ElementSplitting::isUniform(int a, int b, int owner) const {
+  const int m = nodes_.middleOf(a, b);
+  if (m < 0) return true;
+  return nodes_.owner(m) == owner && isUniform(a, m, owner) && isUniform(m, b, owner);
+}
+
+/// Splits the elements of the batch, after finding the distances at all their new nodes.
+void ElementSplitting::splitBatch(long& budget) {
+  int node = nodes_.count();
+  for (const int element : batch_)
+    for (int side = 0; side < 3; ++side) addMiddle(element, side);
+  const std::vector<double> distances = distances_.distancesAt(required_);
+  auto distance = distances.begin();
+  auto point = required_.begin();
+  for (const int count : requiredCounts_) {
+    found_.clear();
+    for (int i = 0; i < count; ++i, ++point, ++distance)
+      if (*distance < kInfinity) found_.push_back({point->label, *distance});
+    equalizeTies(found_);
+    nodes_.setLabels(node++, found_);
+  }
+  budget -= static_cast<long>(batch_.size() + required_.size());
+  required_.clear();
+  requiredCounts_.clear();
+  for (const int element : batch_) {
+    const int* const corner = &elements_.tail[3 * element];
+    elements_.split(element,
+                    {nodes_.middleOf(corner[0], corner[1]), nodes_.middleOf(corner[1], corner[2]),
+                     nodes_.middleOf(corner[2], corner[0])});
+  }
+  batch_.clear();
+}
+
+/// Adds the node in the middle of a side if there is none yet, and requires there the distances of
+/// the labels known at both ends.
+void ElementSplitting::addMiddle(int element, int side) {
+  const int next = (side + 1) % 3;
+  const int a = elements_.tail[3 * element + side], b = elements_.tail[3 * element + next];
+  if (nodes_.middleOf(a, b) >= 0) return;
+  nodes_.addMiddle(a, b);
+  const Eigen::Matrix3d corners = elements_.cornersIn(element);
+  const SurfacePoint p{elements_.face[element], (corners.col(side) + corners.col(next)) / 2};
+  const size_t requiredBefore = required_.size();
+  const auto atA = nodes_.labels(a), atB = nodes_.labels(b);
+  for (auto i = atA.begin(), j = atB.begin(); i != atA.end() && j != atB.end();) {
+    if (i->label < j->label) {
+      ++i;
+    } else if (j->label < i->label) {
+      ++j;
+    } else {
+      required_.push_back({i->label, p});
+      ++i, ++j;
+    }
+  }
+  requiredCounts_.push_back(static_cast<int>(required_.size() - requiredBefore));
+}
+
+}  // namespace gvd

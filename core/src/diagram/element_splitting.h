@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <deque>
+#include <vector>
+
+#include "base/sliced_loop.h"
+#include "diagram/node_labels.h"
+#include "gvd/geodesic.h"
+
+namespace gvd {
+
+/// Triangles that are faces of a mesh, or parts of them: their corners are nodes.
+struct Elements {
+  std::vector<int> tail;       ///< of each halfedge, numbered as in `TriangleMesh`
+  std::vector<int> face;       ///< of each element
+  std::vector<int> cornersOf;  ///< of each element, in `corners`; -1 if it is all of its face
+  std::deque<Eigen::Matrix3d> corners;  ///< of the others: barycentric, in columns
+
+  int count() const { return static_cast<int>(face.size()); }
+  bool isWhole(int element) const { return cornersOf[element] < 0; }
+  Eigen::Matrix3d cornersIn(int element) const {
+    return isWhole(element) ? Eigen::Matrix3d::Identity() : corners[cornersOf[element]];
+  }
+  void reserve(std::size_t count);
+  void clear();
+  /// Adds all of a face.
+  void addFace(int whole, const std::array<int, 3>& nodes);
+  /// Splits an element in four, given the nodes in the middle of its sides. The part between these
+  /// takes the element's place, the others come last.
+  void split(int element, const std::array<int, 3>& middle);
+};
+
+/// Splits the elements of several regions in four, `detail` times, with distances at the new nodes;
+/// and those around them, until no side with smaller elements beyond has several owners.
+class ElementSplitting {
+ public:
+  ElementSplitting(const DistanceField& distances, int detail, Elements& elements,
+                   NodeLabels& nodes)
+      : distances_(distances), detail_(detail), elements_(elements), nodes_(nodes) {}
+  bool step(long& budget);
+
+ private:
+  bool splitMixed(long& budget);
+  bool follow(long& budget);
+  bool mustSplit(int element) const;
+  bool isUniform(int a, int b, int owner) const;
+  void splitBatch(long& budget);
+  void addMiddle(int element, int side);
+  int commonOwner(int element) const { return nodes_.commonOwner(&elements_.tail[3 * element]); }
+
+  const DistanceField& distances_;
+  const int detail_;
+  Elements& elements_;
+  NodeLabels& nodes_;
+
+  SlicedSequence sequence_;              ///< of a level
+  int level_ = 0;                        ///< of splitting
+  int unsplitCount_ = 0;                 ///< elements before it
+  int next_ = 0;                         ///< the element to be looked at next
+  bool hasChanged_ = false;              ///< in this round of `follow`
+  std::vector<int> batch_;               ///< elements to be split next
+  std::vector<LabelledPoint> required_;  ///< labels at their new nodes
+  std::vector<int> requiredCounts_;      ///< of each of these nodes
+  std::vector<LabelledDistance> found_;  ///< at the node at hand
+};
+
+}  // namespace gvd

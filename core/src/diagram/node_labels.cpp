@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "diagram/node_labels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "gvd/diagram.h"
+
+namespace gvd {
+
+void NodeLabels::addVertex() {
+  nodes_.emplace_back();
+  noteOwner(count() - 1);
+}
+
+void NodeLabels::clear(std::span<const int> nodes) {
+  for (const int node : nodes) nodes_[node] = {};
+  nodes_.resize(vertexCount_);
+  for (const Midpoint& m : midpoints_) firstMidpoint_[m.lowerEnd] = -1;
+  midpoints_.clear();
+  labelChunks_.clear();
+  addedLabels_.clear();
+}
+
+void NodeLabels::noteOwner(int node) {
+  LabelledDistance nearest;
+  bool hasTie = false;
+  for (const LabelledDistance& d : labels(node)) {
+    if (d.distance < nearest.distance) {
+      nearest = d;
+      hasTie = false;
+    } else if (d.distance == nearest.distance && nearest.label >= 0) {
+      hasTie = true;
+    }
+  }
+  nodes_[node].owner = nearest.label;
+  nodes_[node].hasTie = hasTie;
+}
+
+int NodeLabels::commonOwner(const int* nodes) const {
+  const int first = owner(nodes[0]);
+  return owner(nodes[1]) == first && owner(nodes[2]) == first ? first : Diagram::kMixed;
+}
+
+void NodeLabels::addLabel(int node, LabelledDistance added) {
+  if (!hasAddedLabels(node)) {
+    const auto known = labels(node);
+    addedLabels_[node].assign(known.begin(), known.end());
+    nodes_[node].hasAddedLabels = true;
+  }
+  std::vector<LabelledDistance>& here = addedLabels_[node];
+  const auto isBefore = [](const auto& a, const auto& b) { return a.label < b.label; };
+  const LabelledDistance sought{owner(node), 0};
+  const auto known = std::lower_bound(here.begin(), here.end(), sought, isBefore);
+  if (known != here.end() && known->label == sought.label)
+    added.distance = std::max(added.distance, std::nextafter(known->distance, kInfinity));
+  here.insert(std::upper_bound(here.begin(), here.end(), added, isBefore), added);
+}
+
+int NodeLabels::middleOf(int a, int b) const {
+  const auto [low, high] = std::minmax(a, b);
+  if (low >= static_cast<int>(firstMidpoint_.size())) return -1;
+  int middle = firstMidpoint_[low];
+  while (middle >= 0 && midpoint(middle).higherEnd != high) middle = midpoint(middle).next;
+  return middle;
+}
+
+void NodeLabels::addMiddle(int a, int b) {
+  const auto [low, high] = std::minmax(a, b);
+  if (low >= static_cast<int>(firstMidpoint_.size())) firstMidpoint_.resize(low + 1, -1);
+  midpoints_.push_back({low, high, std::exchange(firstMidpoint_[low], count()), {}});
+  nodes_.emplace_back();
+}
+
+void NodeLabels::setLabels(int node, std::span<const LabelledDistance> labels) {
+  constexpr size_t kChunk = 4096;
+  if (labelChunks_.empty() ||
+      labelChunks_.back().capacity() - labelChunks_.back().size() < labels.size()) {
+    labelChunks_.emplace_back();
+    labelChunks_.back().reserve(std::max(kChunk, labels.size()));
+  }
+  std::vector<LabelledDistance>& chunk = labelChunks_.back();
+  chunk.insert(chunk.end(), labels.begin(), labels.end());
+  midpoints_[node - vertexCount_].labels = std::span(chunk).last(labels.size());
+  noteOwner(node);
+}
+
+void NodeLabels::appendBetween(int a, int b, double from, double to,
+                               std::vector<InnerNode>& nodes) const {
+  const int middle = middleOf(a, b);
+  if (middle < 0) return;
+  const double share = (from + to) / 2;
+  appendBetween(a, middle, from, share, nodes);
+  nodes.push_back({middle, share});
+  appendBetween(middle, b, share, to, nodes);
+}
+
+}  // namespace gvd

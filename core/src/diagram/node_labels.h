@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <deque>
+#include <map>
+#include <span>
+#include <vector>
+
+#include "gvd/geodesic.h"
+
+namespace gvd {
+
+/// The labels known at the *nodes*, the corners of the triangles that a diagram is traced on, with
+/// their distances. The first nodes are the vertices of the mesh, the others midpoints of sides
+/// that were split.
+class NodeLabels {
+ public:
+  NodeLabels(const DistanceField& distances, int vertexCount)
+      : distances_(distances), vertexCount_(vertexCount) {}
+
+  int count() const { return static_cast<int>(nodes_.size()); }
+  void reserve(int count) { nodes_.reserve(count); }
+  /// The vertices, of which nothing is known yet.
+  void addVertices() { nodes_.resize(vertexCount_); }
+  /// The next vertex, and what is known there.
+  void addVertex();
+  /// Reads what is known at a vertex, unless that was done.
+  void take(int vertex) {
+    if (nodes_[vertex].owner < 0) noteOwner(vertex);
+  }
+  /// Forgets all midpoints, and what is known at the nodes in a list.
+  void clear(std::span<const int> nodes);
+
+  std::span<const LabelledDistance> labels(int node) const {
+    if (hasAddedLabels(node)) return addedLabels_.at(node);
+    return node < vertexCount_ ? distances_.at(node) : midpoint(node).labels;
+  }
+  /// The nearest label, the lowest of those that tie; -1 if none is known.
+  int owner(int node) const { return nodes_[node].owner; }
+  /// Whether another label is as near.
+  bool hasTie(int node) const { return nodes_[node].hasTie; }
+  /// The owner of all three nodes, else `Diagram::kMixed`.
+  int commonOwner(const int* nodes) const;
+
+  /// Whether labels have been added at a node.
+  bool hasAddedLabels(int node) const { return nodes_[node].hasAddedLabels; }
+  /// Adds a label that is not known at a node and does not own it: it stays behind the owner.
+  void addLabel(int node, LabelledDistance added);
+
+  /// The node in the middle of the side between two nodes, -1 if it is not split.
+  int middleOf(int a, int b) const;
+  /// Adds that node; its labels are to be set.
+  void addMiddle(int a, int b);
+  void setLabels(int node, std::span<const LabelledDistance> labels);
+  /// A node between the ends of a side, and its share of the way.
+  struct InnerNode {
+    int node;
+    double share;
+  };
+  /// Appends the nodes between two others, in order.
+  void appendBetween(int a, int b, std::vector<InnerNode>& nodes) const {
+    appendBetween(a, b, 0, 1, nodes);
+  }
+
+ private:
+  /// The owner, and what else there is to know of a node, in one word: there are many.
+  struct Node {
+    int owner : 30 = -1;
+    unsigned hasTie : 1 = false;
+    unsigned hasAddedLabels : 1 = false;
+  };
+  /// A node in the middle of a split side, in a list for the lower of the side's ends.
+  struct Midpoint {
+    int lowerEnd, higherEnd;
+    int next;                                  ///< node, -1 for none
+    std::span<const LabelledDistance> labels;  ///< in labelChunks_
+  };
+
+  const Midpoint& midpoint(int node) const { return midpoints_[node - vertexCount_]; }
+  void noteOwner(int node);
+  void appendBetween(int a, int b, double from, double to, std::vector<InnerNode>& nodes) const;
+
+  const DistanceField& distances_;
+  const int vertexCount_;
+  std::vector<Node> nodes_;
+  std::deque<Midpoint> midpoints_;  ///< the nodes after the vertices
+  std::vector<int> firstMidpoint_;  ///< per node, -1 for none
+  /// The labels of midpoints, list after list, each in one chunk.
+  std::deque<std::vector<LabelledDistance>> labelChunks_;
+  /// All labels of the nodes where some were added.
+  std::map<int, std::vector<LabelledDistance>> addedLabels_;
+};
+
+}  // namespace gvd

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "distance/label_closure.h"
+
+#include "distance/common_labels.h"
+#include "distance/edge_share.h"
+#include "distance/face_layout.h"
+
+namespace gvd {
+
+void LabelClosure::closeFace(int f, std::vector<Requirement>& required) {
+  const auto& corners = mesh_.face(f).vertices;
+  const auto a = lists_[corners[0]], b = lists_[corners[1]], c = lists_[corners[2]];
+  if ((a.size() > 1) + (b.size() > 1) + (c.size() > 1) < 2) return;
+  anyLabel(a, b, c, [&](int label, const auto& at) {
+    const int known = (at[0] != nullptr) + (at[1] != nullptr) + (at[2] != nullptr);
+    if (known == 2) requireAcross(3 * f + (at[2] ? at[1] ? 1 : 2 : 0), label, required);
+    return false;
+  });
+}
+
+void LabelClosure::closeAround(int vertex, int label, std::vector<Requirement>& required) {
+  mesh_.visitFaces(vertex, [&](int f) {
+    const auto& corners = mesh_.face(f).vertices;
+    const int i = corners[0] == vertex ? 0 : corners[1] == vertex ? 1 : 2;
+    const bool isAfter = lists_.distance(corners[cornerAfter(i)], label) < kInfinity;
+    const bool isBefore = lists_.distance(corners[cornerBefore(i)], label) < kInfinity;
+    if (isAfter != isBefore)
+      requireAcross(3 * f + (isAfter ? i : cornerBefore(i)), label, required);
+  });
+}
+
+/// Requires, at the apex of a halfedge, a label that is known at both ends, if the label owns part
+/// of the halfedge.
+void LabelClosure::requireAcross(int h, int label, std::vector<Requirement>& required) {
+  const int tail = mesh_.tail(h), tip = mesh_.tip(h), owner = bounds_[tail].label;
+  // Most labels are farther than one owner at both ends.
+  if (lists_.distance(tail, label) > bounds_[tail].distance &&
+      lists_.distance(tip, label) > lists_.distance(tip, owner))
+    return;
+  if (ownsPartOfEdge(label, h)) owners_.add(TriangleMesh::faceOf(h), label, true, required);
+}
+
+/// Whether a label is least anywhere on an edge by interpolation, compared with the true owners of
+/// the faces beside it: so what is found does not depend on the order in which it is.
+bool LabelClosure::ownsPartOfEdge(int label, int h) const {
+  EdgeShare share(label, lists_.distance(mesh_.tail(h), label),
+                  lists_.distance(mesh_.tip(h), label));
+  const auto yieldTo = [&](int other) {
+    const double atTail = lists_.distance(mesh_.tail(h), other);
+    const double atTip = lists_.distance(mesh_.tip(h), other);
+    if (other != label && atTail < kInfinity && atTip < kInfinity)
+      share.yieldTo(other, atTail, atTip);
+  };
+  for (const int side : {h, mesh_.twin(h)}) {
+    if (side < 0) continue;
+    const int face = TriangleMesh::faceOf(side);
+    if (owners_.sole(face) >= 0) yieldTo(owners_.sole(face));
+    for (const FaceOwners::Owner& owner : owners_.several(face))
+      if (!owner.isInterpolated) yieldTo(owner.label);
+  }
+  return !share.isEmpty();
+}
+
+}  // namespace gvd
