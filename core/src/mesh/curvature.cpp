@@ -31,7 +31,9 @@ class CurvatureMeasuring final : public SlicedWork<VertexCurvatures> {
     const auto forVertices = [&](auto body) { return loop_.run(vertices, budget, 8, body); };
     return sequence_.run(
         [&] { return fillInSlices(areas_, vertices, 0., budget); },
-        [&] { return fillInSlices(areaGradients_, vertices, {0, 0, 0}, budget); },
+        [&] {
+          return fillInSlices(areaGradients_, vertices, {0, 0, 0}, budget);
+        },
         [&] { return fillInSlices(curvatures_.gaussian, vertices, 0., budget); },
         [&] { return fillInSlices(curvatures_.mean, vertices, 0., budget); },
         [&] { return loop_.run(mesh_.faceCount(), budget, 4, [&](int f) { addFace(f); }); },
@@ -123,7 +125,9 @@ class DensityMaking final : public SlicedWork<std::vector<double>> {
             if (!smooth(budget)) return false;
           return true;
         },
-        [&] { return forVertices([&](int v) { mean_ += areas_[v] * density_[v] / mesh_.area(); }); },
+        [&] {
+          return forVertices([&](int v) { mean_ += areas_[v] * density_[v] / mesh_.area(); });
+        },
         [&] {
           // Angles round: what is left of them on a flat surface is no curvature.
           constexpr double kFlat = 1e-9;
@@ -133,9 +137,7 @@ class DensityMaking final : public SlicedWork<std::vector<double>> {
         },
         [&] { return forVertices([&](int v) { density_[v] = scaled(density_[v]); }); });
   }
-  double progress() const override {
-    return (measuring_.progress() + sequence_.progress()) / 2;
-  }
+  double progress() const override { return (measuring_.progress() + sequence_.progress()) / 2; }
   std::vector<double> take() override { return std::move(density_); }
 
  private:
@@ -145,8 +147,7 @@ class DensityMaking final : public SlicedWork<std::vector<double>> {
         [&] {
           return loop_.run(mesh_.faceCount(), budget, 8, [&](int f) {
             const int a = mesh_.tail(3 * f), b = mesh_.tail(3 * f + 1), c = mesh_.tail(3 * f + 2);
-            const double share =
-                mesh_.faceArea(f) * (density_[a] + density_[b] + density_[c]) / 9;
+            const double share = mesh_.faceArea(f) * (density_[a] + density_[b] + density_[c]) / 9;
             for (const int v : {a, b, c}) sums_[v] += share;
           });
         },

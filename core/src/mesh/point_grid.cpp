@@ -35,8 +35,7 @@ int PointGrid::firstNear(const Eigen::Vector3d& p) const {
 PointGrid::Cube PointGrid::cubeOf(const Eigen::Vector3d& p) const {
   constexpr double kMost = std::numeric_limits<double>::max();
   Cube cube;
-  for (int i = 0; i < 3; ++i)
-    cube[i] = std::clamp(std::floor(p[i] / (4 * radius_)), -kMost, kMost);
+  for (int i = 0; i < 3; ++i) cube[i] = std::clamp(std::floor(p[i] / (4 * radius_)), -kMost, kMost);
   return cube;
 }
 

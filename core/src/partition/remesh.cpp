@@ -131,7 +131,7 @@ class QualityMeasuring final : public SlicedWork<RemeshQuality> {
   SlicedLoop loop_;
   Triangles triangles_;  ///< of the remesh
   std::optional<TriangleTree> coarse_;
-  TriangleTree fine_;  ///< of the surface
+  TriangleTree fine_;         ///< of the surface
   std::size_t triangle_ = 0;  ///< of the remesh, to be visited next
   int row_ = 0;               ///< of that
   RemeshQuality quality_;
