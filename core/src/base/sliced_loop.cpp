@@ -13,7 +13,7 @@ std::size_t SlicedLoop::advance(std::size_t count, long& budget, long perUnit) {
 
 std::size_t endOfSlice(std::size_t begin, std::size_t count, long& budget, long perUnit) {
   const auto left = static_cast<long>(count - begin);
-  const long units = std::min(budget, (left + perUnit - 1) / perUnit);
+  const long units = std::min(std::max(budget, 0L), (left + perUnit - 1) / perUnit);
   budget -= units;
   return units > left / perUnit ? count : begin + units * perUnit;
 }
