@@ -51,29 +51,50 @@ void keepError() {
   }
 }
 
+/// Values stay where they are: what they come in is kept.
+template <class Values>
+void Record::addValues(const char* name, Type type, Values values, std::size_t numbersPerItem) {
+  auto kept = std::make_shared<const Values>(std::move(values));
+  const void* data = kept->data();
+  const std::size_t length = kept->size() * numbersPerItem;
+  entries_.push_back({name, type, std::move(kept), data, length});
+}
+
 void Record::add(const char* name, std::vector<int> values) {
-  entries_.push_back({name, Type::kInts, std::move(values)});
+  addValues(name, Type::kInts, std::move(values));
 }
 
 void Record::add(const char* name, std::vector<double> values) {
-  entries_.push_back({name, Type::kDoubles, std::move(values)});
+  addValues(name, Type::kDoubles, std::move(values));
+}
+
+void Record::add(const char* name, std::vector<std::array<int, 2>> values) {
+  addValues(name, Type::kInts, std::move(values), 2);
+}
+
+void Record::add(const char* name, std::vector<std::array<int, 3>> values) {
+  addValues(name, Type::kInts, std::move(values), 3);
+}
+
+void Record::add(const char* name, std::vector<Eigen::Vector3d> values) {
+  addValues(name, Type::kDoubles, std::move(values), 3);
 }
 
 void Record::add(const char* name, std::string utf8) {
-  entries_.push_back({name, Type::kText, std::move(utf8)});
+  addValues(name, Type::kText, std::move(utf8));
 }
 
 void Record::add(const char* name, std::vector<std::string> texts) {
-  entries_.push_back({name, Type::kTexts, std::string()});
-  for (std::string& text : texts) entries_.push_back({name, Type::kText, std::move(text)});
+  addValues(name, Type::kTexts, std::string());
+  for (std::string& text : texts) add(name, std::move(text));
 }
 
 void Record::add(const char* name, double number) {
-  entries_.push_back({name, Type::kNumber, std::vector<double>{number}});
+  addValues(name, Type::kNumber, std::array<double, 1>{number});
 }
 
 void Record::add(const char* name, bool truth) {
-  entries_.push_back({name, Type::kBoolean, std::vector<double>{truth ? 1. : 0.}});
+  addValues(name, Type::kBoolean, std::array<double, 1>{truth ? 1. : 0.});
 }
 
 void Record::add(const char* name, Record inner) {
@@ -85,16 +106,11 @@ void Record::add(Record others) { entries_.splice(entries_.end(), others.entries
 
 std::vector<Record::Row> Record::rows() const {
   std::vector<Row> rows;
-  for (const auto& [name, type, values] : entries_) {
-    std::visit(
-        [&, &name = name, type = type](const auto& all) {
-          rows.push_back({{name.data(), name.size()},
-                          all.data(),
-                          static_cast<std::uint32_t>(all.size()),
-                          type});
-        },
-        values);
-  }
+  for (const Entry& entry : entries_)
+    rows.push_back({{entry.name.data(), entry.name.size()},
+                    entry.data,
+                    static_cast<std::uint32_t>(entry.length),
+                    entry.type});
   return rows;
 }
 

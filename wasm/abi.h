@@ -10,6 +10,8 @@
 
 #include <emscripten/em_macros.h>
 
+#include <Eigen/Core>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -21,7 +23,6 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "gvd/error.h"
@@ -54,6 +55,10 @@ class Record {
  public:
   void add(const char* name, std::vector<int> values);
   void add(const char* name, std::vector<double> values);
+  /// The numbers of all items, in one list.
+  void add(const char* name, std::vector<std::array<int, 2>> values);
+  void add(const char* name, std::vector<std::array<int, 3>> values);
+  void add(const char* name, std::vector<Eigen::Vector3d> values);
   void add(const char* name, std::string utf8);
   void add(const char* name, const char* utf8) { add(name, std::string(utf8)); }
   void add(const char* name, std::vector<std::string> texts);
@@ -81,12 +86,17 @@ class Record {
   std::vector<Row> rows() const;
 
  private:
-  using Values = std::variant<std::vector<int>, std::vector<double>, std::string>;
   struct Entry {
     std::string name;
     Type type;
-    Values values;
+    std::shared_ptr<const void> values;
+    const void* data;  ///< of the values
+    std::size_t length;
   };
+
+  template <class Values>
+  void addValues(const char* name, Type type, Values values, std::size_t numbersPerItem = 1);
+
   // A list: joining two leaves everything where it is.
   std::list<Entry> entries_;
 };

@@ -3,6 +3,8 @@
 // What is derived from a diagram, for JavaScript: the partition of the mesh, the dual, how valid
 // and how good that is.
 
+#include <algorithm>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,17 +30,58 @@ constexpr Named<Violation::Kind> kViolationKinds[] = {
     {"no-manifold", Violation::kNoManifold},
 };
 
+/// `Partition`.
+class PartitionAnswer final : public SlicedWork<Record> {
+ public:
+  PartitionAnswer(Surface on, const PartitionOptions& options)
+      : on_(std::move(on)), work_(startPartition(*on_.mesh, *on_.diagram, options)) {}
+
+  bool step(long budget) override {
+    if (work_) {
+      if (!work_->step(budget)) return false;
+      partition_ = work_->take();
+      work_.reset();
+      corners_.reserve(3 * partition_.triangles.size());
+    }
+    constexpr int kTrianglesPerUnit = 4;
+    const int count = static_cast<int>(partition_.triangles.size());
+    const long most = budget < count ? budget * kTrianglesPerUnit : count;
+    for (const long end = std::min<long>(count, next_ + most); next_ < end; ++next_) addCorners();
+    return next_ == count;
+  }
+  double progress() const override {
+    constexpr double kPartitionShare = 0.9;
+    if (work_) return kPartitionShare * work_->progress();
+    const double count = static_cast<double>(partition_.triangles.size());
+    return count > 0 ? kPartitionShare + (1 - kPartitionShare) * next_ / count : 1;
+  }
+  Record take() override {
+    return partitionRecord(*on_.mesh, std::move(partition_), std::move(corners_));
+  }
+
+ private:
+  void addCorners() {
+    const Eigen::Matrix3d corners = cornersInFace(*on_.mesh, partition_, next_);
+    for (const auto& corner : corners.colwise())
+      corners_.push_back(on_.mesh->toInput({partition_.triangleFace[next_], corner}).bary);
+  }
+
+  const Surface on_;
+  std::unique_ptr<SlicedWork<Partition>> work_;
+  Partition partition_;
+  std::vector<Eigen::Vector3d> corners_;
+  int next_ = 0;  ///< triangle
+};
+
 }  // namespace
 
 /// `Partition`.
 GVD_ABI Answer* partition(const VoronoiHandle* voronoi, bool leaveOutIndifferent,
                           bool leaveOutUnreachable) {
   return guarded([&] {
-    const Surface on = voronoi->snapshot();
-    return answerOf(startPartition(*on.mesh, *on.diagram,
-                                   {.leaveOutIndifferent = leaveOutIndifferent,
-                                    .leaveOutUnreachable = leaveOutUnreachable}),
-                    [on](const Partition& result) { return partitionRecord(*on.mesh, result); });
+    const PartitionOptions options = {.leaveOutIndifferent = leaveOutIndifferent,
+                                      .leaveOutUnreachable = leaveOutUnreachable};
+    return new Answer{std::make_unique<PartitionAnswer>(voronoi->snapshot(), options), {}};
   });
 }
 

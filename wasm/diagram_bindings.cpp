@@ -17,6 +17,40 @@ namespace {
 constexpr Named<WorstRegion> kWorstRegions[] = {{"size", WorstRegion::kLargest},
                                                 {"distortion", WorstRegion::kMostDistorted}};
 
+/// `Located`.
+class LocatedPoints final : public PointLookup {
+ public:
+  /// The diagram must outlive the steps.
+  LocatedPoints(const VoronoiHandle& voronoi, std::span<const int> face,
+                std::span<const double> bary)
+      : PointLookup(face.size()),
+        voronoi_(voronoi),
+        face_(face.begin(), face.end()),
+        bary_(bary.begin(), bary.end()) {}
+
+  Record take() override {
+    Record out;
+    out.add("label", std::move(label_));
+    out.add("distance", std::move(distance_));
+    return out;
+  }
+
+ private:
+  void lookUp(std::size_t i) override {
+    const SurfacePoint point = naming(
+        "point", i, [&] { return pointFromInput(voronoi_.mesh(), face_[i], &bary_[3 * i]); });
+    const LabelledDistance nearest = voronoi_.field().nearest(point);
+    label_.push_back(nearest.label);
+    distance_.push_back(nearest.distance);
+  }
+
+  const VoronoiHandle& voronoi_;
+  const std::vector<int> face_;
+  const std::vector<double> bary_;
+  std::vector<int> label_;
+  std::vector<double> distance_;
+};
+
 /// `DiagramChange`: what the site of a label has changed.
 Record changed(VoronoiHandle& voronoi, int label, const DiagramChange& change) {
   if (voronoi.worstRegions) voronoi.worstRegions->follow(change);
@@ -152,20 +186,8 @@ GVD_ABI Answer* worstRegionPoint(VoronoiHandle* voronoi, Text worst) {
 
 /// `Located`.
 GVD_ABI Answer* locate(const VoronoiHandle* voronoi, Ints face, Doubles bary) {
-  return answer([&] {
-    std::vector<int> label;
-    std::vector<double> distance;
-    label.reserve(face.size);
-    distance.reserve(face.size);
-    for (const SurfacePoint& point : pointsFromInput(voronoi->mesh(), "point", face, bary)) {
-      const LabelledDistance nearest = voronoi->field().nearest(point);
-      label.push_back(nearest.label);
-      distance.push_back(nearest.distance);
-    }
-    Record out;
-    out.add("label", std::move(label));
-    out.add("distance", std::move(distance));
-    return out;
+  return guarded([&] {
+    return new Answer{std::make_unique<LocatedPoints>(*voronoi, face.span(), bary.span()), {}};
   });
 }
 

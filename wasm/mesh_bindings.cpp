@@ -39,6 +39,46 @@ Answer* pointsAnswer(const MeshHandle& handle, std::unique_ptr<SlicedWork<Result
   });
 }
 
+/// `ClosestPoints`; the first one makes the query that finds them.
+class ClosestPointLookup final : public PointLookup {
+ public:
+  /// The handle must outlive the steps.
+  ClosestPointLookup(MeshHandle& handle, std::span<const double> places)
+      : PointLookup(places.size() / 3),
+        handle_(handle),
+        mesh_(handle.mesh),
+        places_(places.begin(), places.end()) {}
+
+  Record take() override {
+    Record out = placedRecord(*mesh_, points_);
+    out.add("distance", std::move(distance_));
+    return out;
+  }
+
+ private:
+  bool prepare(long budget) override {
+    if (handle_.closestPoints) return true;
+    if (!building_) building_ = startClosestPointQuery(*mesh_);
+    if (!building_->step(budget)) return false;
+    handle_.closestPoints = std::make_shared<const ClosestPointQuery>(building_->take());
+    return true;
+  }
+  void lookUp(std::size_t i) override {
+    const ClosestPoint closest = naming("position", i, [&] {
+      return handle_.closestPoints->closestTo(Eigen::Vector3d::Map(&places_[3 * i]));
+    });
+    points_.push_back(closest.point);
+    distance_.push_back(closest.distance);
+  }
+
+  MeshHandle& handle_;
+  const std::shared_ptr<const TriangleMesh> mesh_;
+  const std::vector<double> places_;
+  std::unique_ptr<SlicedWork<ClosestPointQuery>> building_;
+  std::vector<SurfacePoint> points_;
+  std::vector<double> distance_;
+};
+
 Record repairsRecord(const MeshRepairs& repairs) {
   Record out;
   out.add("weldedVertices", repairs.weldedVertices);
@@ -143,25 +183,10 @@ GVD_ABI Answer* pointsAtVertices(const MeshHandle* handle, Ints vertex) {
   });
 }
 
-/// `ClosestPoints` to places, three numbers each. The first call makes what finds them.
+/// `ClosestPoints` to places, three numbers each.
 GVD_ABI Answer* closestPoints(MeshHandle* handle, Doubles places) {
-  return answer([&] {
-    const TriangleMesh& mesh = *handle->mesh;
-    if (!handle->closestPoints)
-      handle->closestPoints = std::make_shared<const ClosestPointQuery>(mesh);
-    std::vector<SurfacePoint> points;
-    std::vector<double> distance;
-    for (std::size_t i = 0; i + 2 < places.size; i += 3) {
-      const double* p = places.data + i;
-      const ClosestPoint closest = naming("position", i / 3, [&] {
-        return handle->closestPoints->closestTo({p[0], p[1], p[2]});
-      });
-      points.push_back(closest.point);
-      distance.push_back(closest.distance);
-    }
-    Record out = placedRecord(mesh, points);
-    out.add("distance", std::move(distance));
-    return out;
+  return guarded([&] {
+    return new Answer{std::make_unique<ClosestPointLookup>(*handle, places.span()), {}};
   });
 }
 
@@ -238,11 +263,13 @@ GVD_ABI Answer* bareComponents(const MeshHandle* handle, Ints face, Doubles bary
 
 /// `values`: a density per input vertex; of one that is on no triangle, 1.
 GVD_ABI Answer* curvatureDensity(const MeshHandle* handle) {
-  return answer([&] {
-    const TriangleMesh& mesh = *handle->mesh;
-    Record out;
-    out.add("values", valuesAtInput(mesh, gvd::curvatureDensity(mesh), 1));
-    return out;
+  return guarded([&] {
+    return answerOf(startCurvatureDensity(*handle->mesh),
+                    [mesh = handle->mesh](const std::vector<double>& density) {
+                      Record out;
+                      out.add("values", valuesAtInput(*mesh, density, 1));
+                      return out;
+                    });
   });
 }
 

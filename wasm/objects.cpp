@@ -13,11 +13,17 @@ namespace {
 
 constexpr Named<Metric> kMetrics[] = {{"exact", Metric::kExact}, {"dgpc", Metric::kDgpc}};
 
-SurfacePoint pointFromInput(const TriangleMesh& mesh, int face, const double* bary) {
-  return mesh.fromInput({face, {bary[0], bary[1], bary[2]}});
-}
-
 }  // namespace
+
+bool PointLookup::step(long budget) {
+  constexpr long kUnits = 16;
+  if (!prepare(budget)) return false;
+  for (; next_ < count_; budget -= kUnits) {
+    if (budget <= 0) return false;
+    lookUp(next_++);
+  }
+  return true;
+}
 
 Metric metricOf(std::string_view name) { return valueOf(kMetrics, "metric", name); }
 
@@ -81,6 +87,10 @@ std::vector<SurfacePoint> sitesFromInput(const TriangleMesh& mesh, Ints face, Do
     }));
   }
   return sites;
+}
+
+SurfacePoint pointFromInput(const TriangleMesh& mesh, int face, const double* bary) {
+  return mesh.fromInput({face, {bary[0], bary[1], bary[2]}});
 }
 
 SurfacePoint pointFromInput(const TriangleMesh& mesh, Ints face, Doubles bary) {

@@ -97,6 +97,23 @@ Answer* answerOf(std::unique_ptr<SlicedWork<Result>> work, ToRecord toRecord) {
       std::make_unique<RecordOfResult<Result, ToRecord>>(std::move(work), std::move(toRecord)), {}};
 }
 
+/// An answer about points that are looked up one after the other.
+class PointLookup : public SlicedWork<Record> {
+ public:
+  explicit PointLookup(std::size_t count) : count_(count) {}
+  bool step(long budget) final;
+  double progress() const final { return count_ > 0 ? static_cast<double>(next_) / count_ : 1; }
+
+ protected:
+  /// Makes what points are looked up in; true when it is there.
+  virtual bool prepare(long /*budget*/) { return true; }
+  virtual void lookUp(std::size_t i) = 0;
+
+ private:
+  const std::size_t count_;
+  std::size_t next_ = 0;
+};
+
 Metric metricOf(std::string_view name);
 
 /// Calls `f`; its error, if any, is said to be about `what` number `index`.
@@ -118,7 +135,8 @@ std::vector<SurfacePoint> pointsFromInput(const TriangleMesh& mesh, const char* 
 /// without a site.
 std::vector<SurfacePoint> sitesFromInput(const TriangleMesh& mesh, Ints face, Doubles bary);
 
-/// One point of the input.
+/// One point of the input, `bary` being its three coordinates.
+SurfacePoint pointFromInput(const TriangleMesh& mesh, int face, const double* bary);
 SurfacePoint pointFromInput(const TriangleMesh& mesh, Ints face, Doubles bary);
 
 /// Values given per input vertex, per vertex of the mesh; none stay none. `what` they are, for

@@ -12,24 +12,6 @@ namespace {
 /// `faceLabel` of an input triangle that the mesh builder dropped.
 constexpr int kDropped = -3;
 
-/// One list of all numbers of small arrays or vectors.
-template <class T, class Tuple>
-std::vector<T> flat(std::span<const Tuple> tuples) {
-  std::vector<T> values;
-  for (const Tuple& tuple : tuples) values.insert(values.end(), tuple.begin(), tuple.end());
-  return values;
-}
-
-std::vector<int> flat(const std::vector<std::array<int, 2>>& pairs) {
-  return flat<int, std::array<int, 2>>(pairs);
-}
-std::vector<int> flat(const std::vector<std::array<int, 3>>& triples) {
-  return flat<int, std::array<int, 3>>(triples);
-}
-std::vector<double> flat(const std::vector<Eigen::Vector3d>& positions) {
-  return flat<double, Eigen::Vector3d>(positions);
-}
-
 std::vector<int> inputFaces(const TriangleMesh& mesh, std::vector<int> faces) {
   for (int& face : faces) face = mesh.inputFace(face);
   return faces;
@@ -86,7 +68,7 @@ std::vector<int> inputFaceLabels(const TriangleMesh& mesh, std::span<const int> 
 /// for every face of a diagram, but of a change for the changed ones.
 Record piecesRecord(const TriangleMesh& mesh, Diagram diagram) {
   Record arcs = listsRecord(std::move(diagram.arcs));
-  arcs.add("labels", flat(diagram.arcLabels));
+  arcs.add("labels", std::move(diagram.arcLabels));
   Record loops = listsRecord(std::move(diagram.loops));
   loops.add("label", std::move(diagram.loopLabel));
   Record cells = listsRecord(std::move(diagram.cells));
@@ -159,7 +141,7 @@ Record regionsRecord(const TriangleMesh& mesh, std::span<const RegionPatch> regi
   out.add("area", factOf(regions, &RegionPatch::area));
   out.add("perimeter", factOf(regions, &RegionPatch::perimeter));
   out.add("boundaryLength", factOf(regions, &RegionPatch::boundaryLength));
-  out.add("centroid", flat(factOf(regions, &RegionPatch::centroid)));
+  out.add("centroid", factOf(regions, &RegionPatch::centroid));
   out.add("nearCentroid", nearCentroidsRecord(mesh, regions));
   out.add("components", factOf(regions, &RegionPatch::components));
   out.add("loops", factOf(regions, &RegionPatch::loops));
@@ -168,20 +150,6 @@ Record regionsRecord(const TriangleMesh& mesh, std::span<const RegionPatch> regi
   out.add("selfTouchings", factOf(regions, &RegionPatch::selfTouchings));
   out.add("neighbours", neighboursRecord(regions));
   return out;
-}
-
-/// The corners of a partition's triangles in terms of the input triangles that these are part of.
-std::vector<double> cornerCoordinates(const TriangleMesh& mesh, const Partition& partition) {
-  std::vector<double> bary;
-  bary.reserve(9 * partition.triangles.size());
-  for (int t = 0; t < static_cast<int>(partition.triangles.size()); ++t) {
-    const Eigen::Matrix3d corners = cornersInFace(mesh, partition, t);
-    for (int i = 0; i < 3; ++i) {
-      const SurfacePoint corner = mesh.toInput({partition.triangleFace[t], corners.col(i)});
-      bary.insert(bary.end(), corner.bary.begin(), corner.bary.end());
-    }
-  }
-  return bary;
 }
 
 Record topologyRecord(const PolygonTopology& topology) {
@@ -255,15 +223,16 @@ Record changeRecord(const TriangleMesh& mesh, int label, DiagramChange change) {
   return out;
 }
 
-Record partitionRecord(const TriangleMesh& mesh, const Partition& partition) {
+Record partitionRecord(const TriangleMesh& mesh, Partition partition,
+                       std::vector<Eigen::Vector3d> corners) {
   Record points = pointsRecord(mesh, partition.points);
-  points.add("position", flat(partition.positions));
+  points.add("position", std::move(partition.positions));
 
   Record triangles;
-  triangles.add("points", flat(partition.triangles));
-  triangles.add("label", partition.triangleLabel);
-  triangles.add("face", inputFaces(mesh, partition.triangleFace));
-  triangles.add("bary", cornerCoordinates(mesh, partition));
+  triangles.add("points", std::move(partition.triangles));
+  triangles.add("label", std::move(partition.triangleLabel));
+  triangles.add("face", inputFaces(mesh, std::move(partition.triangleFace)));
+  triangles.add("bary", std::move(corners));
 
   Record out;
   out.add("points", std::move(points));
@@ -273,12 +242,11 @@ Record partitionRecord(const TriangleMesh& mesh, const Partition& partition) {
 }
 
 Record polygonRecord(const TriangleMesh& mesh, PolygonMesh polygons) {
-  Record points = pointsRecord(mesh, polygons.points);
-  points.add("position", flat(polygons.positions));
-
   PolygonTriangles cut = triangulate(polygons);
+  Record points = pointsRecord(mesh, polygons.points);
+  points.add("position", std::move(polygons.positions));
   Record triangles;
-  triangles.add("points", flat(cut.triangles));
+  triangles.add("points", std::move(cut.triangles));
   triangles.add("face", std::move(cut.face));
 
   Record out;

@@ -27,8 +27,10 @@ Record pathRecord(const TriangleMesh& mesh, std::span<const SurfacePoint> path);
 Record diagramRecord(const TriangleMesh& mesh, Diagram diagram);
 /// `DiagramChange`, of the site that had or has the label.
 Record changeRecord(const TriangleMesh& mesh, int label, DiagramChange change);
-/// `Partition`.
-Record partitionRecord(const TriangleMesh& mesh, const Partition& partition);
+/// `Partition`; `corners` are those of its triangles, three each, in terms of the input triangles
+/// that these are part of.
+Record partitionRecord(const TriangleMesh& mesh, Partition partition,
+                       std::vector<Eigen::Vector3d> corners);
 /// `PolygonMesh`.
 Record polygonRecord(const TriangleMesh& mesh, PolygonMesh polygons);
 

@@ -32,7 +32,7 @@ CvtEnergy integrated(const TriangleMesh& mesh, std::span<const SurfacePoint> sit
   }
   const auto distances = propagation->take();
   const Diagram diagram = traceDiagram(mesh, *distances, static_cast<int>(sites.size()));
-  return integrateCvt(mesh, *distances, diagram, density);
+  return finished(startCvtEnergy(mesh, *distances, diagram, density));
 }
 
 void finish(Cvt& cvt) {

@@ -14,6 +14,7 @@ const std::string kRemedy =
     ", which is not decompressed here: save the model without it, or open it with the JavaScript "
     "library or the command geodesic-voronoi";
 
+const std::string kNoVersion = "the JSON has no asset.version, so it is not a glTF";
 const std::string kUnknownFormat = ": glTF, OBJ, PLY or STL, or a zip with one of them";
 
 using Word = std::array<unsigned char, 4>;
@@ -105,6 +106,10 @@ void addGlbCases(GltfCases& cases) {
                 glbOfChunks({{json, jsonChunk}, {"MORE", file.bin}, {bin, file.bin}}));
   cases.refused("GLB with an empty JSON chunk", "the JSON is malformed at byte 1",
                 glbOfChunks({{json, {}}, {bin, file.bin}}));
+  for (const char* text : {"null", "[]  ", "1   ", "\"a\" "}) {
+    cases.refused("GLB whose JSON is " + std::string(text), kNoVersion,
+                  glbOfChunks({{json, bytesOf(text)}, {bin, file.bin}}));
+  }
   ByteVector shorter = file.glb();
   const std::string size = std::to_string(shorter.size());
   shorter.pop_back();
@@ -126,11 +131,10 @@ void addJsonCases(GltfCases& cases) {
   for (const char* text : {"  \n", "[]", "null", "\"glTF\"", "\xFF\xFE{\0}", "<html></html>"}) {
     cases.refused("text: " + std::string(text), neither, bytesOf(text));
   }
-  const std::string noVersion = "the JSON has no asset.version, so it is not a glTF";
   for (const char* text :
        {"{}", R"({"asset":[]})", R"({"asset":{}})", R"({"asset":{"version":2.0}})",
         R"({"asset":{"version":null}})", R"({"version":"2.0"})"}) {
-    cases.refused("JSON: " + std::string(text), noVersion, bytesOf(text));
+    cases.refused("JSON: " + std::string(text), kNoVersion, bytesOf(text));
   }
   const auto malformed = [&](const std::string& text, int byte) {
     cases.refused("JSON: " + text, "the JSON is malformed at byte " + std::to_string(byte),

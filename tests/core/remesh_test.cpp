@@ -47,7 +47,8 @@ TEST(TriangleTree, FindsWhatLookingAtEveryTriangleFinds) {
       EXPECT_DOUBLE_EQ(tree.distance(p), least);
     }
   }
-  EXPECT_EQ(TriangleTree({}).distance({0, 0, 0}), std::numeric_limits<double>::infinity());
+  const TriangleTree empty(std::vector<TriangleTree::Triangle>{});
+  EXPECT_EQ(empty.distance({0, 0, 0}), std::numeric_limits<double>::infinity());
 }
 
 TEST(NearestOnTriangle, IsNotFartherThanAnySample) {

@@ -93,6 +93,15 @@ std::string errorOf(const std::function<void()>& make) {
   return "";
 }
 
+TEST(SlicedWork, ALongOutlineThatUsesUpTheBudgetLeavesNothingOut) {
+  // The one outline is the last thing of its stage, and takes more than all the budget there is.
+  const TriangleMesh mesh = shapes::grid(400, 400).mesh();
+  const std::vector<SurfacePoint> sites = {mesh.fromInputVertex(0)};
+  const checks::Traced traced = checks::trace(mesh, sites);
+  const Diagram stepped = inSteps(startDiagram(mesh, *traced.field, 1));
+  EXPECT_EQ(stepped.loops.points, traced.diagram.loops.points);
+}
+
 TEST(SlicedWork, MakesTheSameMeshes) {
   for (int seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE(seed);
@@ -140,6 +149,17 @@ class OfADiagram : public ::testing::TestWithParam<int> {
   const checks::Traced traced = checks::trace(mesh, sites, Metric::kExact, GetParam() % 3);
   const Diagram& diagram = traced.diagram;
 };
+
+TEST_P(OfADiagram, TheDiagramIsTheSame) {
+  const Diagram stepped =
+      inSteps(startDiagram(mesh, *traced.field, 12, {.detail = GetParam() % 3}));
+  EXPECT_EQ(stepped.faceLabel, diagram.faceLabel);
+  EXPECT_EQ(stepped.regionArea, diagram.regionArea);
+  EXPECT_TRUE(samePoints(stepped.points, diagram.points));
+  EXPECT_EQ(stepped.loops.points, diagram.loops.points);
+  EXPECT_EQ(stepped.arcs.points, diagram.arcs.points);
+  EXPECT_EQ(stepped.cells.points, diagram.cells.points);
+}
 
 TEST_P(OfADiagram, ThePartitionIsTheSame) {
   const PartitionOptions options = {.leaveOutIndifferent = GetParam() % 2 == 0,

@@ -592,9 +592,11 @@ TEST(Weld, JoinsWhatRoundingHasTornApart) {
 }
 
 TEST(Weld, IsRelativeToTheBoxOfTheTrianglesAlone) {
-  Shape shape = shapes::grid(2, 2);
-  shape.addVertex({1e9, 0, 0});  // no triangle's
-  EXPECT_EQ(shape.mesh({.weld = 1e-3}).faceCount(), 8);
+  for (const double x : {1e9, 1e308}) {
+    Shape shape = shapes::grid(2, 2);
+    shape.addVertex({x, 0, 0});  // no triangle's
+    EXPECT_EQ(shape.mesh({.weld = 1e-3}).faceCount(), 8) << x;
+  }
 }
 
 TEST(Weld, LeavesVerticesThatAreFartherApart) {

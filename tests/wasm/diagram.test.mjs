@@ -104,6 +104,19 @@ function checkArrays(mesh, { data, regions }) {
   });
 }
 
+test('an outline of 60,000 steps, which is longer than a slice', async () => {
+  const n = 30_000;
+  const positions = Array.from({ length: n + 1 }, (_, i) => [i, 0, 0, i, 1, 0]).flat();
+  const quad = (i) => [i, i + 2, i + 1, i + 1, i + 2, i + 3];
+  const strip = await gvd.mesh({
+    positions,
+    indices: Array.from({ length: n }, (_, i) => quad(2 * i)).flat(),
+  });
+  const { regions } = await strip.voronoi({ vertex: [0] });
+  assert.equal(regions[0].loops[0].length, 2 * (n + 1));
+  assert.ok(Math.abs(regions[0].area - n) < 1e-6);
+});
+
 test('the arrays of a diagram fit together, and the areas make up the surface', async () => {
   for (const shape of [grid(7), octahedron()]) {
     const mesh = await gvd.mesh(shape);

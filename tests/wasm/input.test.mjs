@@ -6,7 +6,7 @@
 import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
 import { zipSync } from 'fflate';
-import { findModel, load } from 'geodesic-voronoi';
+import { findModel, listModels, load } from 'geodesic-voronoi';
 import { total } from './files.mjs';
 import { bumpySphere, glb, gltf, octahedron } from './meshes.mjs';
 import {
@@ -359,6 +359,24 @@ test('findModel tells which file the model is, and what it means by a URI', asyn
     assert.deepEqual(await resource('maps/red.png'), bytesOf('red'));
     assert.equal(await resource('maps/blue.png'), undefined);
   }
+});
+
+test('listModels tells all models, of which file names one', async () => {
+  const obj = bytesOf('v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n');
+  const files = { 'b.obj': obj, 'a/b.OBJ': obj, 'note.txt': obj, '__MACOSX/a.obj': obj };
+  for (const given of [files, zipSync(files), { 'all.zip': zipSync(files) }]) {
+    const models = await listModels(given);
+    assert.deepEqual(models, ['b.obj', 'a/b.OBJ']);
+    for (const file of models)
+      assert.equal((await gvd.mesh(given, { file })).info.origin.file, file);
+  }
+  assert.deepEqual(await listModels({ anything: obj }), ['anything']);
+  // One beside an archive is meant, as everywhere.
+  assert.deepEqual(await listModels({ 'b.obj': obj, 'all.zip': zipSync(files) }), ['b.obj']);
+  await assert.rejects(
+    listModels({ 'note.txt': obj, 'more.txt': obj }),
+    /^GeodesicVoronoiError: there is no model in /,
+  );
 });
 
 test('textures in any format do not matter, required or not', async () => {

@@ -475,6 +475,11 @@ test('what writes files', async () => {
   }
   await refused([...notObjects, [], {}], (bytes) => api.gltfResourceUris(bytes), /^bytes is /);
   await refused([...notObjects, [], { a: 1 }], (files) => api.findModel(files), /^a mesh is made /);
+  await refused(
+    [...notObjects, [], { a: 1 }],
+    (files) => api.listModels(files),
+    /^a mesh is made /,
+  );
 });
 
 test('what has been disposed', async () => {

@@ -33,6 +33,14 @@ const tasks = {
   'a Poisson disk by radius': (options) =>
     mesh.sampleSites({ radius: 0.5 }, { sampling: 'poisson', ...options }),
   'sites in the worst region': (options) => mesh.sampleSites(6, { sampling: 'size', ...options }),
+  'the closest points of places': (options) =>
+    mesh.closestPoints(
+      Float64Array.from({ length: 300 }, (_, i) => Math.sin(i)),
+      options,
+    ),
+  'a density by curvature': (options) => mesh.curvatureDensity(options),
+  'points located': (options) =>
+    diagram.locate({ vertex: Array.from({ length: 500 }, (_, v) => v) }, options),
   'a partition': (options) => diagram.partition(options),
   'a dual': (options) => diagram.dual(options),
   'the regions as polygons': (options) => diagram.dual({ primal: true, ...options }),

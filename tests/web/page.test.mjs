@@ -216,7 +216,7 @@ suite('the page', () => {
       file('scene.gltf', JSON.stringify(json)),
     );
     await expectError(/^broken\.glb cannot be opened: .+\.$/, file('broken.glb', 'this is no GLB'));
-    await expectError(/a\.glb and b\.glb are several models/, file('a.glb', ''), file('b.glb', ''));
+    await expectError(/^a\.glb cannot be opened: /, file('a.glb', ''), file('b.glb', ''));
 
     assert.deepEqual(await viewer.sites(), before);
     assert.equal(await viewer.page.locator('#samples').inputValue(), 'bunny.ply');
@@ -285,6 +285,43 @@ suite('the page', () => {
     } finally {
       rmSync(folder, { recursive: true });
     }
+  });
+
+  test('of several models, each can be chosen', async () => {
+    const menu = viewer.page.locator('#samples');
+    const checked = () => viewer.page.locator('#samples option:checked').textContent();
+    const choices = () => viewer.page.locator('#samples optgroup option').allTextContents();
+    const is = async (name, triangles) => {
+      assert.equal(await checked(), name);
+      assert.match(await text(viewer, '#report'), new RegExp(`Triangles${triangles}\\D`));
+    };
+    const pick = (name) => viewer.after('diagram', () => menu.selectOption({ label: name }));
+    const fine = file('grid 10.obj', meshObj(grid(3)));
+
+    await viewer.after('diagram', () => choose(fine, file('grid 2.obj', meshObj(octahedron()))));
+    await is('grid 2.obj', 8);
+    assert.match(await text(viewer, '#note-text'), /^This is one of 2 models: choose another /);
+    await pick('grid 10.obj');
+    await is('grid 10.obj', 18);
+    assert.equal(await viewer.page.locator('#note').isVisible(), false);
+    await pick('Bunny');
+    await pick('grid 2.obj');
+    await is('grid 2.obj', 8);
+
+    // In a zip the first is broken: the others can be had all the same.
+    const parts = { 'a/scene.obj': strToU8('v 0 0 0\nf 1 2 3\n'), 'b/scene.obj': fine.buffer };
+    await viewer.after('error', () => choose(file('both.zip', zipSync(parts))));
+    await is('grid 2.obj', 8);
+    await pick('b/scene.obj');
+    await is('b/scene.obj', 18);
+    assert.equal(await viewer.page.locator('#error').isVisible(), false);
+    const all = ['grid 2.obj', 'grid 10.obj', 'a/scene.obj', 'b/scene.obj'];
+    assert.deepEqual(await choices(), all);
+
+    // The same files again are no further choices.
+    await viewer.after('diagram', () => choose(fine));
+    await is('grid 10.obj', 18);
+    assert.equal((await choices()).length, all.length);
   });
 
   test('a folder is dropped', async () => {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Which of several files is the model.
+// Which of several files are models.
 import { toTaskOptions } from './checks.js';
 import { toFileName, toFiles } from './input.js';
-import { type FoundModel, modelIn } from './input/read_model.js';
+import { type FoundModel, modelIn, modelsIn } from './input/read_model.js';
 import type { MeshOptions, ModelFile, ModelFiles, TaskOptions } from './types.js';
 
 export type { FoundModel };
@@ -17,4 +17,15 @@ export async function findModel(
 ): Promise<FoundModel> {
   const { file, ...task } = toTaskOptions(options, { file: undefined });
   return modelIn(toFiles(files), toFileName(file), task);
+}
+
+/**
+ * The paths of all models among files, by their names; of a .zip alone, those in it. Each can be the option
+ * `file` of `mesh`, which takes one of several only if that says which.
+ */
+export async function listModels(
+  files: ModelFile | ModelFiles,
+  options?: TaskOptions,
+): Promise<string[]> {
+  return modelsIn(toFiles(files), toTaskOptions(options, {}));
 }

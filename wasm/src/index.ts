@@ -15,7 +15,7 @@ export type * from './types.js';
 export type { ErrorCode, LoadOptions, Modules, WasmSource };
 export { GeodesicVoronoiError };
 export { gltfResourceUris } from './input/gltf_document.js';
-export { type FindModelOptions, type FoundModel, findModel } from './find_model.js';
+export { type FindModelOptions, type FoundModel, findModel, listModels } from './find_model.js';
 export { diagramGlb, diagramJson, diagramObj } from './formats.js';
 export {
   distancesGlb,

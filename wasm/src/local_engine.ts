@@ -20,7 +20,7 @@ import type {
 import { GeodesicVoronoiError } from './errors.js';
 import { type InputModules, readModel } from './input/read_model.js';
 import type { DiagramData, MeshInfo, Metric, SurfacePoints, VertexDistances } from './results.js';
-import { nextTask, sliceMilliseconds } from './slices.js';
+import { inSlices, nextTask, sliceMilliseconds } from './slices.js';
 import type { Triangles } from './triangles.js';
 import type { TaskOptions } from './types.js';
 import { WasmModule, type Argument } from './wasm_module.js';
@@ -175,13 +175,12 @@ export class LocalEngine implements Engine {
           onProgress: () => onProgress?.(core.run('answerProgress', answer) ?? 0),
         });
       }
-    } catch (error) {
+      const result = await inSlices(core.copying<Result>(answer), { signal });
+      onProgress?.(1);
+      return result;
+    } finally {
       core.run('freeAnswer', answer);
-      throw error;
     }
-    const result = core.take<Result>(answer);
-    onProgress?.(1);
-    return result;
   }
 
   async openDiagram(
@@ -198,7 +197,7 @@ export class LocalEngine implements Engine {
     try {
       core.call('startTracing', voronoi, detail);
       await this.#inSlices(() => core.call('stepTracing', voronoi, unitsPerStep), { signal });
-      const data = core.answer<DiagramData>('voronoiDiagram', voronoi);
+      const data = await this.#answer<DiagramData>('voronoiDiagram', [voronoi], { signal });
       onProgress?.(1);
       return { handle: this.#keep({ pointer: voronoi, free: 'freeVoronoi' }), data };
     } catch (error) {
@@ -216,7 +215,7 @@ export class LocalEngine implements Engine {
     const voronoi = await this.#spread(mesh, sites, metric, task);
     const core = this.#open();
     try {
-      return core.answer('distancesAtVertices', voronoi);
+      return await this.#answer('distancesAtVertices', [voronoi], { signal: task.signal });
     } finally {
       core.run('freeVoronoi', voronoi);
     }
@@ -289,7 +288,8 @@ export class LocalEngine implements Engine {
     );
     if (isLast) this.#finished.add(handle);
     if (form === 'bare') return state;
-    const withData = { ...state, data: core.answer<DiagramData>('cvtDiagram', cvt()) };
+    const data = await this.#answer<DiagramData>('cvtDiagram', [cvt()], { signal });
+    const withData = { ...state, data };
     if (form === 'data') return withData;
     const pointer = core.call('cvtVoronoi', cvt());
     return { ...withData, handle: this.#keep({ pointer, free: 'freeVoronoi' }) };

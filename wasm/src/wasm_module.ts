@@ -4,6 +4,7 @@
 // C++ functions say what there is, see `abi.h`; nothing here knows any of them but those of `abi.cpp`.
 
 import { GeodesicVoronoiError, outOfMemory, type ErrorCode } from './errors.js';
+import type { SlicedWork } from './slices.js';
 
 /** What a function takes: a string as UTF-8, an array as a copy for the length of the call. */
 export type Argument = number | boolean | Memory;
@@ -21,6 +22,9 @@ interface Exports {
   answerRows(answer: number): number;
   freeAnswer(answer: number): void;
 }
+
+/** Of results that are copied between two looks at the clock. */
+const bytesPerStep = 2 ** 18;
 
 const encoder = new TextEncoder();
 const decoder = new TextDecoder();
@@ -139,12 +143,22 @@ export class WasmModule {
 
   /** A copy of an `Answer` that is there, which is freed. */
   take<Result>(answer: number): Result {
+    const copying = this.copying<Result>(answer);
     try {
-      return this.#copyOut(answer) as Result;
-    } catch (cause) {
-      throw outOfMemory(cause);
+      let next = copying.next();
+      while (!next.done) next = copying.next();
+      return next.value;
     } finally {
       this.#exports.freeAnswer(answer);
+    }
+  }
+
+  /** The same in steps; it is freed by whoever asked for it. */
+  *copying<Result>(answer: number): SlicedWork<Result> {
+    try {
+      return (yield* this.#copyOut(answer)) as Result;
+    } catch (cause) {
+      throw outOfMemory(cause);
     }
   }
 
@@ -197,15 +211,19 @@ export class WasmModule {
   }
 
   /** The object of an `Answer`, from the rows of its `Record`. */
-  #copyOut(answer: number): object {
-    const { buffer } = this.#exports.memory;
+  *#copyOut(answer: number): SlicedWork<object> {
+    const { memory } = this.#exports;
     const count = this.#exports.answerRowCount(answer);
-    const rows = new Uint32Array(buffer, this.#exports.answerRows(answer) >>> 0, 5 * count);
+    const rows = new Uint32Array(
+      memory.buffer,
+      this.#exports.answerRows(answer) >>> 0,
+      5 * count,
+    ).slice();
     const result = {};
     for (let i = 0; i < count; ++i) {
       const [nameAddress, nameLength, address, length, type] = rows.subarray(5 * i);
-      const name = decoder.decode(new Uint8Array(buffer, nameAddress, nameLength));
-      setValue(result, name, valueAt(buffer, address, length, type));
+      const name = decoder.decode(new Uint8Array(memory.buffer, nameAddress, nameLength));
+      setValue(result, name, yield* valueAt(memory, address, length, type));
     }
     return result;
   }
@@ -244,16 +262,42 @@ function setValue(object: object, dotted: string, value: unknown): void {
 }
 
 /** A copy of a value, by its type as `Record` of `abi.h` numbers them. */
-function valueAt(buffer: ArrayBuffer, address: number, length: number, type: number): unknown {
+function* valueAt(
+  memory: WebAssembly.Memory,
+  address: number,
+  length: number,
+  type: number,
+): SlicedWork<unknown> {
   const at = length === 0 ? 0 : address; // an empty vector has no address worth the name
-  const doubles = () => new Float64Array(buffer, at, length).slice();
-  const readers = [
-    () => new Int32Array(buffer, at, length).slice(),
-    doubles,
-    () => decoder.decode(new Uint8Array(buffer, at, length)),
-    () => doubles()[0],
-    () => doubles()[0] === 1,
-    () => [],
-  ];
-  return readers[type]();
+  const number = () => new Float64Array(memory.buffer, at, 1)[0];
+  switch (type) {
+    case 0:
+      return yield* copied(memory, at, new Int32Array(length));
+    case 1:
+      return yield* copied(memory, at, new Float64Array(length));
+    case 2:
+      return decoder.decode(new Uint8Array(memory.buffer, at, length));
+    case 3:
+      return number();
+    case 4:
+      return number() === 1;
+    default:
+      return [];
+  }
+}
+
+/** Fills an array with the numbers at an address, some at a time. */
+function* copied<Array extends Int32Array | Float64Array>(
+  memory: WebAssembly.Memory,
+  address: number,
+  array: Array,
+): SlicedWork<Array> {
+  const bytes = new Uint8Array(array.buffer);
+  for (let at = 0; at < bytes.length; at += bytesPerStep) {
+    if (at > 0) yield at / bytes.length;
+    // The memory's buffer is asked for anew each time: growing replaces it.
+    const part = Math.min(bytesPerStep, bytes.length - at);
+    bytes.set(new Uint8Array(memory.buffer, address + at, part), at);
+  }
+  return array;
 }

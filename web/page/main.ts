@@ -29,8 +29,8 @@ export function setUpPage(modules: Promise<LoadOptions>, model: Promise<Response
   provideModel(modelOf(location.hash), model);
   const viewer = byId('viewer', GeodesicVoronoiElement);
   setUpFeedback(viewer);
-  setUpSizeWarning(viewer);
   setUpModelChoice(viewer);
+  setUpSizeWarning(viewer);
   setUpMeshReport(viewer);
   const readings = new CvtReadings(viewer);
   setUpFirstSight(viewer, readings);

@@ -2,62 +2,125 @@
 //
 // Choosing a model: a sample, files, a folder, or any of them dropped on the page.
 
+import type { ModelFiles } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
-import { lastSegment } from '../viewer/model_files.js';
+import { chosenFiles, droppedFiles, lastSegment } from '../viewer/model_files.js';
 import { byId, listen, onClick } from './dom.js';
+import { showError, showNote } from './feedback.js';
 import { modelOf } from './first_model.js';
 import { openSites } from './sites_file.js';
 import samples from './samples.json' with { type: 'json' };
 
-/** How a model gets into the page: the menu of samples, the pickers of files and folders, and dropping them on it. */
+/** How a model gets into the page: the menu of models, the pickers of files and folders, and dropping them on it. */
 export function setUpModelChoice(viewer: GeodesicVoronoiElement): void {
-  setUpMenu(viewer);
-  setUpPicker(viewer);
-  setUpDrop(viewer);
-}
-
-function setUpMenu(viewer: GeodesicVoronoiElement): void {
-  const menu = byId('samples', HTMLSelectElement);
-  const credit = byId('credit', HTMLElement);
-  const ownFile = new Option('', '');
-  ownFile.hidden = true;
-  menu.replaceChildren(ownFile, ...samples.map(({ title, file }) => new Option(title, file)));
-
-  menu.disabled = false;
-  menu.value = lastSegment(modelOf(location.hash)); // which is on its way
-
-  let current = '';
-  const choose = () => {
-    menu.value = current;
+  const menu = new ModelMenu(viewer);
+  const open = async (files: readonly File[], all: ModelFiles | Promise<ModelFiles>) => {
+    if (isSites(files)) return openSites(viewer, files[0]);
+    try {
+      await menu.openFiles(await all);
+    } catch (error) {
+      showError((error as Error).message);
+    }
   };
-  menu.addEventListener('change', async () => {
-    // A model that cannot be opened leaves the one before, which is then what the menu says.
-    if (!(await viewer.load(`./samples/${menu.value}`))) choose();
-  });
-  listen(viewer, 'load', ({ name }) => {
-    const sample = samples.find(({ file }) => file === name);
-    ownFile.text = sample ? '' : name;
-    current = sample?.file ?? '';
-    credit.textContent = sample?.credit ?? '';
-    choose();
+  setUpPicker((files) => void open(files, chosenFiles(files)));
+  setUpDrop((dropped) => {
+    void open([...dropped.files], droppedFiles(dropped));
   });
 }
 
-/** Sites for the model there is, or a model. */
-function openFiles(viewer: GeodesicVoronoiElement, files: readonly File[]): Promise<unknown> {
-  return isSites(files) ? openSites(viewer, files[0]) : viewer.loadFiles(files);
+/** A model that can be chosen. */
+interface Choice {
+  option: HTMLOptionElement;
+  open(): Promise<boolean>;
+  credit: string;
 }
 
-function openDropped(viewer: GeodesicVoronoiElement, dropped: DataTransfer): Promise<unknown> {
-  const files = [...dropped.files];
-  return isSites(files) ? openSites(viewer, files[0]) : viewer.loadDropped(dropped);
+/** The samples, and the models among the files that a person has opened. */
+class ModelMenu {
+  readonly #viewer: GeodesicVoronoiElement;
+  readonly #menu = byId('samples', HTMLSelectElement);
+  readonly #ownFiles = document.createElement('optgroup');
+  readonly #choices = new Map<HTMLOptionElement, Choice>();
+  #shown: Choice;
+  /** On its way, or shown already. */
+  #asked: Choice;
+
+  constructor(viewer: GeodesicVoronoiElement) {
+    this.#viewer = viewer;
+    const choices = samples.map(({ title, file, credit }) => ({
+      option: new Option(title, file),
+      open: () => viewer.load(`./samples/${file}`),
+      credit,
+    }));
+    this.#ownFiles.label = 'Your files';
+    this.#menu.replaceChildren();
+    for (const choice of choices) this.#add(choice, this.#menu);
+    const first = lastSegment(modelOf(location.hash)); // which is on its way
+    this.#shown = this.#asked = choices.find(({ option }) => option.value === first) ?? choices[0];
+    this.#shown.option.selected = true;
+    this.#menu.disabled = false;
+
+    this.#menu.addEventListener('change', () => {
+      void this.#open(this.#choices.get(this.#menu.selectedOptions[0])!);
+    });
+    listen(viewer, 'load', () => this.#show(this.#asked));
+  }
+
+  /** Opens the first of the models among files; all are in the menu then. */
+  async openFiles(files: ModelFiles): Promise<void> {
+    const { ownModels } = await import('./own_models.js');
+    const paths = await ownModels(files);
+    const choices = paths.map((path) => ({
+      option: new Option(paths.length > 1 ? path : lastSegment(path)),
+      open: () => this.#viewer.loadFiles(files, path),
+      credit: '',
+    }));
+    if (choices.length === 0) {
+      await this.#viewer.loadFiles(files);
+      return;
+    }
+    if (choices.length > 1) for (const choice of choices) this.#addOwn(choice);
+    if ((await this.#open(choices[0])) && choices.length > 1) {
+      showNote(`This is one of ${choices.length} models: choose another in the menu “Model”.`);
+    }
+  }
+
+  /** A model that cannot be opened leaves the one before, which is then what the menu says. */
+  async #open(choice: Choice): Promise<boolean> {
+    this.#asked = choice;
+    const isOpen = await choice.open();
+    if (!isOpen && this.#asked === choice) this.#show(this.#shown);
+    return isOpen;
+  }
+
+  #show(choice: Choice): void {
+    this.#shown = this.#asked = choice;
+    if (!choice.option.isConnected) this.#addOwn(choice);
+    choice.option.selected = true;
+    byId('credit', HTMLElement).textContent = choice.credit;
+  }
+
+  /** In place of one with the same path, which is an earlier state of the file. */
+  #addOwn(choice: Choice): void {
+    const before = [...this.#ownFiles.children].find(
+      (option) => (option as HTMLOptionElement).text === choice.option.text,
+    );
+    before?.remove();
+    this.#add(choice, this.#ownFiles);
+    this.#menu.prepend(this.#ownFiles);
+  }
+
+  #add(choice: Choice, list: HTMLElement): void {
+    this.#choices.set(choice.option, choice);
+    list.append(choice.option);
+  }
 }
 
 function isSites(files: readonly File[]): boolean {
   return files.length === 1 && /\.json$/i.test(files[0].name);
 }
 
-function setUpPicker(viewer: GeodesicVoronoiElement): void {
+function setUpPicker(open: (files: readonly File[]) => void): void {
   for (const [button, files] of [
     ['open', 'files'],
     ['open-folder', 'folder'],
@@ -65,14 +128,14 @@ function setUpPicker(viewer: GeodesicVoronoiElement): void {
     const input = byId(files, HTMLInputElement);
     onClick(button, () => input.click()).disabled = false;
     input.addEventListener('change', () => {
-      if (input.files?.length) void openFiles(viewer, [...input.files]);
+      if (input.files?.length) open([...input.files]);
       // The same file may be chosen again.
       input.value = '';
     });
   }
 }
 
-function setUpDrop(viewer: GeodesicVoronoiElement): void {
+function setUpDrop(open: (dropped: DataTransfer) => void): void {
   const overlay = byId('drop', HTMLElement);
   const carriesFiles = (event: DragEvent) => event.dataTransfer?.types.includes('Files') ?? false;
   addEventListener('dragover', (event) => {
@@ -88,6 +151,6 @@ function setUpDrop(viewer: GeodesicVoronoiElement): void {
     overlay.hidden = true;
     if (!carriesFiles(event)) return;
     event.preventDefault();
-    if (event.dataTransfer) void openDropped(viewer, event.dataTransfer);
+    if (event.dataTransfer) open(event.dataTransfer);
   });
 }

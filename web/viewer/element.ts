@@ -2,7 +2,14 @@
 //
 // Importing this file defines <geodesic-voronoi>. Where there is no DOM it defines nothing and does no harm.
 
-import type { Diagram, Mesh, MeshInfo, Sampling, SurfacePoints } from 'geodesic-voronoi';
+import type {
+  Diagram,
+  Mesh,
+  MeshInfo,
+  ModelFiles,
+  Sampling,
+  SurfacePoints,
+} from 'geodesic-voronoi';
 import { formatCameraOrbit } from './camera_orbit.js';
 import { type Command, commandOf, perform } from './commands.js';
 import { ElementShadow } from './element_shadow.js';
@@ -10,7 +17,7 @@ import type { CvtIteration, ViewerEventMap, ViewerEvents } from './events.js';
 import type { HoveredPoint } from './hover.js';
 import type { Reader } from './mesh_opening.js';
 import { type Layer, layers } from './model_drawing.js';
-import { chosenFiles, droppedFiles, fetchModelFiles } from './model_files.js';
+import { chosenFiles, droppedFiles, fetchModelFiles, named } from './model_files.js';
 import { watchNearness } from './nearness.js';
 import { ReflectingElement } from './reflecting_element.js';
 import type { CvtStatus, Status } from './session_listener.js';
@@ -117,16 +124,19 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     return this.#open((signal, onProgress) => fetchModelFiles(address, { signal, onProgress }));
   }
 
-  /** Opens a model from files: one with the files that it names and any others, or a .zip of these. */
-  loadFiles(files: Iterable<File>): Promise<boolean> {
-    const list = [...files];
-    return this.#open(async () => chosenFiles(list));
+  /**
+   * Opens a model from files, or from files by their paths: one with the files that it names and any others, or a
+   * .zip of these. Of several models, `file` is the path of the one that is meant; `listModels` has them all.
+   */
+  loadFiles(files: Iterable<File> | ModelFiles, file?: string): Promise<boolean> {
+    const now = Symbol.iterator in files ? [...files] : files; // a list of a page's input is emptied
+    return this.#open(async () => named(Array.isArray(now) ? chosenFiles(now) : now, file));
   }
 
   /** Opens a model from files or folders that were dropped; to be called before the event is over. */
   loadDropped(dropped: DataTransfer): Promise<boolean> {
     const files = droppedFiles(dropped);
-    return this.#open(() => files);
+    return this.#open(async () => named(await files));
   }
 
   /** A picture of the view, so many times as large. */

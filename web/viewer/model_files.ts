@@ -15,12 +15,19 @@ export interface NamedFiles {
 }
 
 /** Files that were chosen: those of a folder have a path. They are read if the model needs them. */
-export function chosenFiles(files: Iterable<File>): NamedFiles {
-  return named([...files].map((file) => [file.webkitRelativePath || file.name, file]));
+export function chosenFiles(files: Iterable<File>): ModelFiles {
+  return byPath([...files].map((file) => [file.webkitRelativePath || file.name, file]));
+}
+
+/** Files with the name of the model that is wanted, or of the only one. */
+export function named(files: ModelFiles, file?: string): NamedFiles {
+  const paths = Object.keys(files);
+  const path = file ?? (paths.length === 1 ? paths[0] : undefined);
+  return { name: path === undefined ? 'The model' : lastSegment(path), files, file };
 }
 
 /** Files and folders that were dropped; to be called before the drop's event is over. */
-export async function droppedFiles(dropped: DataTransfer): Promise<NamedFiles> {
+export async function droppedFiles(dropped: DataTransfer): Promise<ModelFiles> {
   const found = [...dropped.items]
     .filter(({ kind }) => kind === 'file')
     .map((item) => {
@@ -28,7 +35,7 @@ export async function droppedFiles(dropped: DataTransfer): Promise<NamedFiles> {
       const file = item.getAsFile();
       return entry?.isDirectory || !file ? filesIn(entry) : [[file.name, file] as [string, File]];
     });
-  return named((await Promise.all(found)).flat());
+  return byPath((await Promise.all(found)).flat());
 }
 
 /** Answers to requests that a page has made before, by address; each is read once. */
@@ -59,14 +66,11 @@ export async function fetchModelFiles(
 /** Folders of models have a few files; one with this many more was not meant. */
 const maxFiles = 10_000;
 
-function named(files: [string, File][]): NamedFiles {
+function byPath(files: [string, File][]): ModelFiles {
   if (files.length > maxFiles) {
     throw new Error(`There are more than ${maxFiles} files: choose the model and those it needs.`);
   }
-  return {
-    name: files.length === 1 ? files[0][1].name : 'The model',
-    files: Object.fromEntries(files),
-  };
+  return Object.fromEntries(files);
 }
 
 /** All files in a folder, by their paths. */

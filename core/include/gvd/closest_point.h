@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <memory>
 
+#include "gvd/sliced_work.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
 
@@ -35,7 +36,14 @@ class ClosestPointQuery {
 
  private:
   class Implementation;
+  class Building;
+  friend std::unique_ptr<SlicedWork<ClosestPointQuery>> startClosestPointQuery(const TriangleMesh&);
+  explicit ClosestPointQuery(std::unique_ptr<Implementation> implementation);
+
   std::unique_ptr<Implementation> implementation_;
 };
+
+/// The same query, made in steps. The mesh must outlive both.
+std::unique_ptr<SlicedWork<ClosestPointQuery>> startClosestPointQuery(const TriangleMesh& mesh);
 
 }  // namespace gvd

@@ -4,8 +4,10 @@
 /// finer where the surface bends more.
 #pragma once
 
+#include <memory>
 #include <vector>
 
+#include "gvd/sliced_work.h"
 #include "gvd/triangle_mesh.h"
 
 namespace gvd {
@@ -20,7 +22,7 @@ struct VertexCurvatures {
 };
 
 /// The curvatures at all vertices. Boundary vertices, where neither formula holds, get the mean of
-/// their inner neighbours, or zero if there is none; so do vertices without area. O(F).
+/// their inner neighbours, or zero if there is none. O(F).
 /// Source: Mark Meyer, Mathieu Desbrun, Peter Schröder, Alan Barr. Discrete Differential-Geometry
 /// Operators for Triangulated 2-Manifolds. 2003.
 VertexCurvatures vertexCurvatures(const TriangleMesh& mesh);
@@ -41,5 +43,8 @@ struct CurvatureDensityOptions {
 /// `Error(kInvalidArgument)` if an option is negative or not finite. O(smoothing · F).
 std::vector<double> curvatureDensity(const TriangleMesh& mesh,
                                      const CurvatureDensityOptions& options = {});
+/// The same in steps. The mesh must outlive the work.
+std::unique_ptr<SlicedWork<std::vector<double>>> startCurvatureDensity(
+    const TriangleMesh& mesh, const CurvatureDensityOptions& options = {});
 
 }  // namespace gvd

@@ -79,6 +79,8 @@ auto taken(std::optional<Part>& part) {
 }
 
 /// How far a budget leads from a place in a list of `count` items; what that takes is taken off it.
+/// A budget below zero, since something that cannot be divided took more than there was, leads
+/// nowhere.
 std::size_t endOfSlice(std::size_t begin, std::size_t count, long& budget, long perUnit);
 
 /// Lengthens a list to `count` items; true when it is that long.

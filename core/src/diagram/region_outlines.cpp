@@ -129,10 +129,7 @@ bool RegionOutlines::traceRings(long& budget) {
   const int count = static_cast<int>(isVisited_.size());
   for (; nextDart_ < count; ++nextDart_) {
     if (nextDart_ % kQuickRounds == 0) --budget;
-    if (budget < 0) {
-      budget = 0;
-      return false;
-    }
+    if (budget < 0) return false;
     if (!isVisited_[nextDart_] && isTraced(graph_.labelOf(nextDart_))) traceRing(nextDart_, budget);
   }
   return true;
@@ -161,10 +158,7 @@ void RegionOutlines::walkRing(int start, Visit visit) {
 bool RegionOutlines::traceUnbrokenBoundaries(long& budget) {
   const auto loops = mesh_.boundaryLoops();
   for (; nextBoundary_ < static_cast<int>(loops.size()); ++nextBoundary_) {
-    if (budget <= 0) {
-      budget = 0;
-      return false;
-    }
+    if (budget <= 0) return false;
     const int start = loops[nextBoundary_];
     const int owner = nearestOf(distances_.at(mesh_.tail(start))).label;
     if (owner >= 0 && isTraced(owner)) traceUnbroken(start, owner, budget);

@@ -12,7 +12,7 @@ namespace {
 using nlohmann::json;
 
 void requireVersion2(const json& document) {
-  const json asset = document.value("asset", json());
+  const json asset = document.is_object() ? document.value("asset", json()) : json();
   const json version = asset.is_object() ? asset.value("version", json()) : json();
   if (!version.is_string()) reject("the JSON has no asset.version, so it is not a glTF");
   const json minVersion = asset.value("minVersion", json("2.0"));

@@ -4,33 +4,19 @@
 #include "gvd/closest_point.h"
 
 #include <cmath>
-#include <limits>
 #include <utility>
-#include <vector>
 
 #include "gvd/error.h"
 #include "mesh/triangle_tree.h"
 
 namespace gvd {
-namespace {
-
-std::vector<TriangleTree::Triangle> facesOf(const TriangleMesh& mesh) {
-  std::vector<TriangleTree::Triangle> faces;
-  faces.reserve(mesh.faceCount());
-  for (int h = 0; h < mesh.halfedgeCount(); h += 3)
-    faces.push_back({mesh.position(mesh.tail(h)), mesh.position(mesh.tail(h + 1)),
-                     mesh.position(mesh.tail(h + 2))});
-  return faces;
-}
-
-}  // namespace
 
 class ClosestPointQuery::Implementation {
  public:
-  explicit Implementation(const TriangleMesh& mesh) : tree_(facesOf(mesh)) {
-    long unlimited = std::numeric_limits<long>::max();
-    tree_.step(unlimited);
-  }
+  explicit Implementation(const TriangleMesh& mesh) : tree_(mesh) {}
+
+  bool step(long budget) { return tree_.step(budget); }
+  double progress() const { return tree_.progress(); }
 
   ClosestPoint closestTo(const Eigen::Vector3d& place) const {
     const TriangleTree::Nearest nearest = tree_.nearest(place);
@@ -43,8 +29,26 @@ class ClosestPointQuery::Implementation {
   TriangleTree tree_;
 };
 
+class ClosestPointQuery::Building final : public SlicedWork<ClosestPointQuery> {
+ public:
+  explicit Building(const TriangleMesh& mesh)
+      : implementation_(std::make_unique<Implementation>(mesh)) {}
+  bool step(long budget) override { return implementation_->step(budget); }
+  double progress() const override { return implementation_->progress(); }
+  ClosestPointQuery take() override { return ClosestPointQuery(std::move(implementation_)); }
+
+ private:
+  std::unique_ptr<Implementation> implementation_;
+};
+
+std::unique_ptr<SlicedWork<ClosestPointQuery>> startClosestPointQuery(const TriangleMesh& mesh) {
+  return std::make_unique<ClosestPointQuery::Building>(mesh);
+}
+
 ClosestPointQuery::ClosestPointQuery(const TriangleMesh& mesh)
-    : implementation_(std::make_unique<Implementation>(mesh)) {}
+    : ClosestPointQuery(finished(startClosestPointQuery(mesh))) {}
+ClosestPointQuery::ClosestPointQuery(std::unique_ptr<Implementation> implementation)
+    : implementation_(std::move(implementation)) {}
 ClosestPointQuery::~ClosestPointQuery() = default;
 ClosestPointQuery::ClosestPointQuery(ClosestPointQuery&&) noexcept = default;
 ClosestPointQuery& ClosestPointQuery::operator=(ClosestPointQuery&&) noexcept = default;

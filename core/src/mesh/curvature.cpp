@@ -8,9 +8,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <utility>
 
+#include "base/sliced_loop.h"
 #include "base/tolerances.h"
 #include "gvd/error.h"
 
@@ -19,108 +21,174 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A third of the area of the faces around each vertex.
-std::vector<double> vertexAreas(const TriangleMesh& mesh) {
-  std::vector<double> areas(mesh.vertexCount(), 0.0);
-  for (int h = 0; h < mesh.halfedgeCount(); ++h)
-    areas[mesh.tail(h)] += mesh.faceArea(TriangleMesh::faceOf(h)) / 3;
-  return areas;
-}
+/// The curvatures, and what else is made on the way to them.
+class CurvatureMeasuring final : public SlicedWork<VertexCurvatures> {
+ public:
+  explicit CurvatureMeasuring(const TriangleMesh& mesh) : mesh_(mesh) {}
 
-/// The gradient of the surface's area when a vertex moves. A face contributes half the side across,
-/// turned towards the vertex by 90°: no cotangent of an angle that may be zero.
-std::vector<Vector3d> areaGradients(const TriangleMesh& mesh) {
-  std::vector<Vector3d> gradients(mesh.vertexCount(), Vector3d::Zero());
-  for (int f = 0; f < mesh.faceCount(); ++f) {
-    std::array<Vector3d, 3> p;
-    for (int i = 0; i < 3; ++i) p[i] = mesh.position(mesh.tail(3 * f + i));
-    const Vector3d normal = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
-    for (int i = 0; i < 3; ++i)
-      gradients[mesh.tail(3 * f + i)] += normal.cross(p[(i + 2) % 3] - p[(i + 1) % 3]) / 2;
+  bool step(long budget) override { return advance(budget); }
+  bool advance(long& budget) {
+    const int vertices = mesh_.vertexCount();
+    const auto forVertices = [&](auto body) { return loop_.run(vertices, budget, 8, body); };
+    return sequence_.run(
+        [&] { return fillInSlices(areas_, vertices, 0., budget); },
+        [&] {
+          return fillInSlices(areaGradients_, vertices, {0, 0, 0}, budget);
+        },
+        [&] { return fillInSlices(curvatures_.gaussian, vertices, 0., budget); },
+        [&] { return fillInSlices(curvatures_.mean, vertices, 0., budget); },
+        [&] { return loop_.run(mesh_.faceCount(), budget, 4, [&](int f) { addFace(f); }); },
+        [&] { return forVertices([&](int v) { measure(v); }); },
+        [&] { return forVertices([&](int v) { takeFromNeighbours(v); }); });
   }
-  return gradients;
-}
+  double progress() const override { return sequence_.progress(); }
+  VertexCurvatures take() override { return std::move(curvatures_); }
+  /// A third of the area of the faces around each vertex.
+  std::vector<double> takeAreas() { return std::move(areas_); }
 
-/// Replaces the values at vertices that have none of their own by the mean of their neighbours'.
-void fillIn(const TriangleMesh& mesh, const std::vector<char>& hasValue,
-            std::vector<double>& values) {
-  std::vector<double> sums(values.size(), 0.0);
-  std::vector<int> counts(values.size(), 0);
-  for (int h = 0; h < mesh.halfedgeCount(); ++h) {
-    for (const auto& [to, from] :
-         {std::pair(mesh.tail(h), mesh.tip(h)), std::pair(mesh.tip(h), mesh.tail(h))}) {
-      if (hasValue[to] || !hasValue[from]) continue;
-      sums[to] += values[from];
-      ++counts[to];
+ private:
+  /// The gradient of the surface's area when a vertex moves: a face contributes half the side
+  /// across, turned towards the vertex by 90°. No cotangent of an angle that may be zero.
+  void addFace(int f) {
+    std::array<Vector3d, 3> p;
+    for (int i = 0; i < 3; ++i) p[i] = mesh_.position(mesh_.tail(3 * f + i));
+    const Vector3d normal = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
+    for (int i = 0; i < 3; ++i) {
+      const int v = mesh_.tail(3 * f + i);
+      areas_[v] += mesh_.faceArea(f) / 3;
+      areaGradients_[v] += normal.cross(p[(i + 2) % 3] - p[(i + 1) % 3]) / 2;
     }
   }
-  for (size_t v = 0; v < values.size(); ++v)
-    if (!hasValue[v]) values[v] = counts[v] > 0 ? sums[v] / counts[v] : 0;
-}
 
-/// Every vertex the mean, by area, of the means over the faces around it.
-void smooth(const TriangleMesh& mesh, const std::vector<double>& areas,
-            std::vector<double>& values) {
-  std::vector<double> sums(values.size(), 0.0);
-  for (int f = 0; f < mesh.faceCount(); ++f) {
-    const int a = mesh.tail(3 * f), b = mesh.tail(3 * f + 1), c = mesh.tail(3 * f + 2);
-    const double share = mesh.faceArea(f) * (values[a] + values[b] + values[c]) / 9;
-    for (const int v : {a, b, c}) sums[v] += share;
+  void measure(int v) {
+    if (mesh_.onBoundary(v)) return;
+    curvatures_.gaussian[v] = (2 * std::numbers::pi - mesh_.angleSum(v)) / areas_[v];
+    curvatures_.mean[v] = areaGradients_[v].norm() / (2 * areas_[v]);
   }
-  for (size_t v = 0; v < values.size(); ++v)
-    if (areas[v] > 0) values[v] = sums[v] / areas[v];
-}
 
-/// By area; 0 if there is none.
-double mean(const std::vector<double>& areas, const std::vector<double>& values) {
-  double sum = 0, area = 0;
-  for (size_t v = 0; v < values.size(); ++v) {
-    sum += areas[v] * values[v];
-    area += areas[v];
+  /// On the boundary, where the formulas do not hold, the mean of the inner neighbours.
+  void takeFromNeighbours(int v) {
+    if (!mesh_.onBoundary(v)) return;
+    double gaussian = 0, mean = 0;
+    int count = 0;
+    mesh_.visitNeighbours(v, [&](int neighbour) {
+      if (mesh_.onBoundary(neighbour)) return;
+      gaussian += curvatures_.gaussian[neighbour];
+      mean += curvatures_.mean[neighbour];
+      ++count;
+    });
+    if (count == 0) return;
+    curvatures_.gaussian[v] = gaussian / count;
+    curvatures_.mean[v] = mean / count;
   }
-  return area > 0 ? sum / area : 0;
-}
+
+  const TriangleMesh& mesh_;
+  SlicedSequence sequence_;
+  SlicedLoop loop_;
+  std::vector<double> areas_;
+  std::vector<Vector3d> areaGradients_;
+  VertexCurvatures curvatures_;
+};
+
+class DensityMaking final : public SlicedWork<std::vector<double>> {
+ public:
+  DensityMaking(const TriangleMesh& mesh, const CurvatureDensityOptions& options)
+      : mesh_(mesh), options_(options), measuring_(mesh) {
+    if (options.smoothing < 0 || !(options.floor > 0 && std::isfinite(options.floor)))
+      throw Error(ErrorCode::kInvalidArgument,
+                  "the smoothing is negative, or the floor not positive and finite");
+  }
+
+  bool step(long budget) override {
+    const int vertices = mesh_.vertexCount();
+    const auto forVertices = [&](auto body) {
+      return loop_.run(vertices, budget, kQuickRounds, body);
+    };
+    return sequence_.run(
+        [&] { return measuring_.advance(budget); },
+        [&] {
+          if (density_.empty()) {
+            areas_ = measuring_.takeAreas();
+            curvatures_ = measuring_.take();
+          }
+          return fillInSlices(density_, vertices, 0., budget);
+        },
+        [&] {
+          return forVertices([&](int v) {
+            const double h = curvatures_.mean[v], k = curvatures_.gaussian[v];
+            // κ₁² + κ₂² >= 2 |κ₁ κ₂|, which the discrete values may violate at sharp corners.
+            density_[v] = std::max(4 * h * h - 2 * k, 2 * std::abs(k));
+          });
+        },
+        [&] { return fillInSlices(sums_, vertices, 0., budget); },
+        [&] {
+          for (; round_ < options_.smoothing; ++round_, smoothing_ = {})
+            if (!smooth(budget)) return false;
+          return true;
+        },
+        [&] {
+          return forVertices([&](int v) { mean_ += areas_[v] * density_[v] / mesh_.area(); });
+        },
+        [&] {
+          const double size = mesh_.boundingDiagonal();
+          isFlat_ = !(mean_ * size * size > kFlatCurvature);
+        },
+        [&] { return forVertices([&](int v) { density_[v] = scaled(density_[v]); }); });
+  }
+  double progress() const override { return (measuring_.progress() + sequence_.progress()) / 2; }
+  std::vector<double> take() override { return std::move(density_); }
+
+ private:
+  /// Every vertex the mean, by area, of the means over the faces around it.
+  bool smooth(long& budget) {
+    return smoothing_.run(
+        [&] {
+          return loop_.run(mesh_.faceCount(), budget, 8, [&](int f) {
+            const int a = mesh_.tail(3 * f), b = mesh_.tail(3 * f + 1), c = mesh_.tail(3 * f + 2);
+            const double share = mesh_.faceArea(f) * (density_[a] + density_[b] + density_[c]) / 9;
+            for (const int v : {a, b, c}) sums_[v] += share;
+          });
+        },
+        [&] {
+          return loop_.run(mesh_.vertexCount(), budget, kQuickRounds, [&](int v) {
+            density_[v] = sums_[v] / areas_[v];
+            sums_[v] = 0;
+          });
+        });
+  }
+
+  /// Raised by the floor, the mean being 1.
+  double scaled(double density) const {
+    return isFlat_ ? 1 : (density / mean_ + options_.floor) / (1 + options_.floor);
+  }
+
+  const TriangleMesh& mesh_;
+  const CurvatureDensityOptions options_;
+  CurvatureMeasuring measuring_;
+  SlicedSequence sequence_, smoothing_;
+  SlicedLoop loop_;
+  std::vector<double> areas_;
+  VertexCurvatures curvatures_;
+  std::vector<double> density_, sums_;
+  int round_ = 0;
+  double mean_ = 0;  ///< over the surface
+  bool isFlat_ = false;
+};
 
 }  // namespace
 
 VertexCurvatures vertexCurvatures(const TriangleMesh& mesh) {
-  const std::vector<double> areas = vertexAreas(mesh);
-  const std::vector<Vector3d> gradients = areaGradients(mesh);
-  VertexCurvatures result;
-  result.gaussian.assign(mesh.vertexCount(), 0.0);
-  result.mean.assign(mesh.vertexCount(), 0.0);
-  std::vector<char> hasValue(mesh.vertexCount());
-  for (int v = 0; v < mesh.vertexCount(); ++v) {
-    hasValue[v] = static_cast<char>(areas[v] > 0 && !mesh.onBoundary(v));
-    if (!hasValue[v]) continue;
-    result.gaussian[v] = (2 * std::numbers::pi - mesh.angleSum(v)) / areas[v];
-    result.mean[v] = gradients[v].norm() / (2 * areas[v]);
-  }
-  fillIn(mesh, hasValue, result.gaussian);
-  fillIn(mesh, hasValue, result.mean);
-  return result;
+  return finished<VertexCurvatures>(std::make_unique<CurvatureMeasuring>(mesh));
+}
+
+std::unique_ptr<SlicedWork<std::vector<double>>> startCurvatureDensity(
+    const TriangleMesh& mesh, const CurvatureDensityOptions& options) {
+  return std::make_unique<DensityMaking>(mesh, options);
 }
 
 std::vector<double> curvatureDensity(const TriangleMesh& mesh,
                                      const CurvatureDensityOptions& options) {
-  if (options.smoothing < 0 || !(options.floor > 0 && std::isfinite(options.floor)))
-    throw Error(ErrorCode::kInvalidArgument,
-                "the smoothing is negative, or the floor not positive and finite");
-  const VertexCurvatures curvatures = vertexCurvatures(mesh);
-  std::vector<double> density(mesh.vertexCount());
-  for (int v = 0; v < mesh.vertexCount(); ++v) {
-    const double h = curvatures.mean[v];
-    const double k = curvatures.gaussian[v];
-    // κ₁² + κ₂² >= 2 |κ₁ κ₂|, which the discrete values may violate at sharp corners.
-    density[v] = std::max(4 * h * h - 2 * k, 2 * std::abs(k));
-  }
-  const std::vector<double> areas = vertexAreas(mesh);
-  for (int i = 0; i < options.smoothing; ++i) smooth(mesh, areas, density);
-
-  const double before = mean(areas, density), size = mesh.boundingDiagonal();
-  if (!(before * size * size > kFlatCurvature)) return std::vector<double>(density.size(), 1.0);
-  for (double& rho : density) rho = (rho / before + options.floor) / (1 + options.floor);
-  return density;
+  return finished(startCurvatureDensity(mesh, options));
 }
 
 }  // namespace gvd

@@ -31,9 +31,12 @@ int PointGrid::firstNear(const Eigen::Vector3d& p) const {
   return first;
 }
 
+/// Finite, also where the quotient overflows: after infinity, there is no next cube.
 PointGrid::Cube PointGrid::cubeOf(const Eigen::Vector3d& p) const {
-  const double side = 4 * radius_;
-  return {std::floor(p.x() / side), std::floor(p.y() / side), std::floor(p.z() / side)};
+  constexpr double kMost = std::numeric_limits<double>::max();
+  Cube cube;
+  for (int i = 0; i < 3; ++i) cube[i] = std::clamp(std::floor(p[i] / (4 * radius_)), -kMost, kMost);
+  return cube;
 }
 
 Eigen::Vector3d PointGrid::position(int v) const {

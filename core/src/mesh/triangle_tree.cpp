@@ -17,27 +17,39 @@ Eigen::Vector3d sumOf(const TriangleTree::Triangle& t) { return t[0] + t[1] + t[
 
 }  // namespace
 
-TriangleTree::TriangleTree(std::vector<Triangle> triangles)
-    : triangles_(std::move(triangles)), order_(triangles_.size()) {
-  std::iota(order_.begin(), order_.end(), 0);
-  if (!triangles_.empty()) tasks_.push_back({0, static_cast<int>(triangles_.size()), -1});
-}
+TriangleTree::TriangleTree(std::vector<Triangle> triangles) : triangles_(std::move(triangles)) {}
+
+TriangleTree::TriangleTree(const TriangleMesh& mesh) : mesh_(&mesh) {}
 
 bool TriangleTree::step(long& budget) {
-  constexpr int kTrianglesPerUnit = 16;
-  while (!tasks_.empty()) {
-    if (budget <= 0) return false;
-    const Task task = tasks_.back();
-    tasks_.pop_back();
-    budget -= 1 + (task.last - task.first) / kTrianglesPerUnit;
-    make(task);
-  }
-  return true;
+  return sequence_.run([&] { return !mesh_ || takeFaces(budget); },
+                       [&] {
+                         order_.resize(triangles_.size());
+                         std::iota(order_.begin(), order_.end(), 0);
+                         if (!order_.empty())
+                           tasks_.push_back({0, static_cast<int>(order_.size()), -1});
+                         return true;
+                       },
+                       [&] {
+                         while (!tasks_.empty() && budget > 0) makeNext(budget);
+                         return tasks_.empty();
+                       });
 }
 
-/// Halves the triangles along the longest side of the box of their centres.
-void TriangleTree::make(const Task& task) {
-  const auto [first, last, parent] = task;
+bool TriangleTree::takeFaces(long& budget) {
+  triangles_.reserve(mesh_->faceCount());
+  return loop_.run(mesh_->faceCount(), budget, 8, [&](int f) {
+    const auto corner = [&](int i) { return mesh_->position(mesh_->tail(3 * f + i)); };
+    triangles_.push_back({corner(0), corner(1), corner(2)});
+  });
+}
+
+/// Halves the triangles of a node along the longest side of the box of their centres.
+void TriangleTree::makeNext(long& budget) {
+  constexpr int kTrianglesPerUnit = 16;
+  const auto [first, last, parent] = tasks_.back();
+  tasks_.pop_back();
+  budget -= 1 + (last - first) / kTrianglesPerUnit;
   const int node = static_cast<int>(nodes_.size());
   if (parent >= 0) nodes_[parent].second = node;
   Eigen::AlignedBox3d box, centres;

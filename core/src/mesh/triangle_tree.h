@@ -6,6 +6,9 @@
 #include <limits>
 #include <vector>
 
+#include "base/sliced_loop.h"
+#include "gvd/triangle_mesh.h"
+
 namespace gvd {
 
 /// Triangles in space, in a tree of boxes.
@@ -14,8 +17,12 @@ class TriangleTree {
   using Triangle = std::array<Eigen::Vector3d, 3>;
 
   explicit TriangleTree(std::vector<Triangle> triangles);
+  /// Of the faces of a mesh, which must outlive this.
+  explicit TriangleTree(const TriangleMesh& mesh);
   /// Builds it, in slices; true when it can be used. Dividing a node is not divided. O(n log n).
   bool step(long& budget);
+  /// The share of that which is done, 0 … 1.
+  double progress() const { return sequence_.progress(); }
 
   /// The nearest triangle, -1 if there is none, and its point nearest to another one.
   struct Nearest {
@@ -44,8 +51,12 @@ class TriangleTree {
     int parent;
   };
 
-  void make(const Task& task);
+  bool takeFaces(long& budget);
+  void makeNext(long& budget);
 
+  const TriangleMesh* mesh_ = nullptr;  ///< if it is of one
+  SlicedSequence sequence_;
+  SlicedLoop loop_;
   std::vector<Triangle> triangles_;
   std::vector<int> order_;  ///< the triangles, those of a node together
   std::vector<Node> nodes_;

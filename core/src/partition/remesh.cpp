@@ -67,7 +67,7 @@ void measureValences(const PolygonTriangles& cut, int vertexCount, RemeshQuality
 class QualityMeasuring final : public SlicedWork<RemeshQuality> {
  public:
   QualityMeasuring(const TriangleMesh& surface, std::unique_ptr<SlicedWork<PolygonMesh>> remeshing)
-      : surface_(surface), remeshing_(std::move(remeshing)) {}
+      : surface_(surface), remeshing_(std::move(remeshing)), fine_(surface) {}
 
   bool step(long budget) override {
     const int vertices = surface_.vertexCount(), faces = surface_.faceCount();
@@ -75,16 +75,9 @@ class QualityMeasuring final : public SlicedWork<RemeshQuality> {
         [&] { return remeshing_->step(budget); },
         [&] {
           measureRemesh(remeshing_->take());
-          fineTriangles_.reserve(faces);
-        },
-        [&] {
-          return loop_.run(faces, budget, 8, [&](int f) {
-            const auto corner = [&](int i) { return surface_.position(surface_.tail(3 * f + i)); };
-            fineTriangles_.push_back({corner(0), corner(1), corner(2)});
-          });
         },
         [&] { return runPart(coarse_, budget, triangles_); },
-        [&] { return runPart(fine_, budget, std::move(fineTriangles_)); },
+        [&] { return fine_.step(budget); },
         [&] {
           return loop_.run(vertices, budget, 1,
                            [&](int v) { note(coarse_->distance(surface_.position(v))); });
@@ -121,7 +114,7 @@ class QualityMeasuring final : public SlicedWork<RemeshQuality> {
       for (; row_ <= steps; ++row_) {
         if (budget <= 0) return false;
         for (int k = 0; row_ + k <= steps; ++k, --budget)
-          note(fine_->distance((row_ * a + k * b + (steps - row_ - k) * c) / steps));
+          note(fine_.distance((row_ * a + k * b + (steps - row_ - k) * c) / steps));
       }
     }
     return true;
@@ -133,8 +126,8 @@ class QualityMeasuring final : public SlicedWork<RemeshQuality> {
   SlicedSequence sequence_;
   SlicedLoop loop_;
   Triangles triangles_;  ///< of the remesh
-  Triangles fineTriangles_;
-  std::optional<TriangleTree> coarse_, fine_;
+  std::optional<TriangleTree> coarse_;
+  TriangleTree fine_;         ///< of the surface
   std::size_t triangle_ = 0;  ///< of the remesh, to be visited next
   int row_ = 0;               ///< of that
   RemeshQuality quality_;

@@ -6,12 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <string>
 #include <utility>
 
 #include "base/plane.h"
 #include "base/random.h"
+#include "base/sliced_loop.h"
 #include "gvd/error.h"
 #include "gvd/straightest.h"
 #include "tessellation/cvt_energy.h"
@@ -77,8 +79,7 @@ class Cvt::Solver {
 
   bool step(long budget) {
     if (isDone_) return true;
-    if (!propagation_->step(budget)) return false;
-    evaluate();
+    if (!evaluate(budget)) return false;
     if (!accepted_.distances) {
       accept();
     } else if (isLowEnough()) {
@@ -115,10 +116,31 @@ class Cvt::Solver {
 
   // --- One set of sites ---
 
-  void evaluate() {
-    trial_.distances = propagation_->take();
-    trial_.diagram = traceDiagram(mesh_, *trial_.distances, siteCount());
-    trial_.energy = integrateCvt(mesh_, *trial_.distances, trial_.diagram, options_.density);
+  bool evaluate(long budget) {
+    return evaluation_.run(
+        [&] {
+          if (!propagation_->step(budget)) return false;
+          trial_.distances = propagation_->take();
+          tracing_ = startDiagram(mesh_, *trial_.distances, siteCount());
+          return true;
+        },
+        [&] {
+          if (!tracing_->step(budget)) return false;
+          trial_.diagram = tracing_->take();
+          tracing_.reset();
+          integration_ = startCvtEnergy(mesh_, *trial_.distances, trial_.diagram, options_.density);
+          return true;
+        },
+        [&] {
+          if (!integration_->step(budget)) return false;
+          trial_.energy = integration_->take();
+          integration_.reset();
+          takeGradient();
+          return true;
+        });
+  }
+
+  void takeGradient() {
     trial_.gradient = VectorXd::Zero(2 * siteCount());
     for (int l = 0; l < siteCount(); ++l)
       if (!isFixed_[l])
@@ -206,6 +228,7 @@ class Cvt::Solver {
         move(l, stepLength * direction_.segment<2>(2 * l));
     }
     propagation_ = propagate(mesh_, trial_.sites, options_.metric);
+    evaluation_ = {};
   }
 
   void move(int label, const Vector2d& step) {
@@ -263,7 +286,10 @@ class Cvt::Solver {
   const CvtOptions options_;
   std::vector<char> isFixed_;
   State accepted_, trial_;
+  SlicedSequence evaluation_;  ///< of the trial: by distances, diagram and integrals
   std::unique_ptr<Propagation> propagation_;
+  std::unique_ptr<SlicedWork<Diagram>> tracing_;
+  std::unique_ptr<SlicedWork<CvtEnergy>> integration_;
   CvtIteration iteration_;
   bool isDone_ = false;
 

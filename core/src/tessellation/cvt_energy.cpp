@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/sliced_loop.h"
 #include "mesh/surface_geometry.h"
 
 namespace gvd {
@@ -25,17 +26,19 @@ class LogMaps {
     Vector2d vector;
   };
 
-  LogMaps(const TriangleMesh& mesh, const DistanceField& distances) {
+  explicit LogMaps(const TriangleMesh& mesh) {
     offset_.reserve(mesh.vertexCount() + 1);
     values_.reserve(mesh.vertexCount());
-    for (int v = 0; v < mesh.vertexCount(); ++v) {
-      for (const LabelledDistance& d : distances.at(v)) {
-        const Vector2d u = d.distance * distances.direction(d.label, v);
-        values_.push_back(
-            {d.label, d.distance * d.distance, u.allFinite() ? u : Vector2d(Vector2d::Zero())});
-      }
-      offset_.push_back(static_cast<int>(values_.size()));
+  }
+
+  /// Takes those at the next vertex.
+  void add(const DistanceField& distances, int vertex) {
+    for (const LabelledDistance& d : distances.at(vertex)) {
+      const Vector2d u = d.distance * distances.direction(d.label, vertex);
+      values_.push_back(
+          {d.label, d.distance * d.distance, u.allFinite() ? u : Vector2d(Vector2d::Zero())});
     }
+    offset_.push_back(static_cast<int>(values_.size()));
   }
 
   /// Null if the label is not known at the vertex.
@@ -51,25 +54,38 @@ class LogMaps {
   std::vector<Value> values_;
 };
 
-class Integrator {
+class Integrator final : public SlicedWork<CvtEnergy> {
  public:
   Integrator(const TriangleMesh& mesh, const DistanceField& distances, const Diagram& diagram,
              std::span<const double> density)
-      : mesh_(mesh), diagram_(diagram), density_(density), logMaps_(mesh, distances) {
-    out_.faceEnergy.assign(mesh.faceCount(), 0.0);
+      : mesh_(mesh), distances_(distances), diagram_(diagram), density_(density), logMaps_(mesh) {
     out_.regions.resize(diagram.siteCount);
   }
 
-  CvtEnergy integrate() {
-    for (int f = 0; f < mesh_.faceCount(); ++f)
-      if (diagram_.faceLabel[f] >= 0 && enterFace(f, diagram_.faceLabel[f]))
-        add(mesh_.faceArea(f), rho_, squared_, {sides_[1], sides_[2], sides_[0]}, vectors_);
-    for (int c = 0; c < diagram_.cells.size(); ++c) addCell(c);
-    for (const double energy : out_.faceEnergy) out_.energy += energy;
-    return std::move(out_);
+  bool step(long budget) override {
+    const int faces = mesh_.faceCount();
+    return sequence_.run(
+        [&] {
+          return loop_.run(mesh_.vertexCount(), budget, 4,
+                           [&](int v) { logMaps_.add(distances_, v); });
+        },
+        [&] { return fillInSlices(out_.faceEnergy, faces, 0., budget); },
+        [&] { return loop_.run(faces, budget, 4, [&](int f) { addFace(f); }); },
+        [&] { return loop_.run(diagram_.cells.size(), budget, 2, [&](int c) { addCell(c); }); },
+        [&] {
+          return loop_.run(faces, budget, kQuickRounds,
+                           [&](int f) { out_.energy += out_.faceEnergy[f]; });
+        });
   }
+  double progress() const override { return sequence_.progress(); }
+  CvtEnergy take() override { return std::move(out_); }
 
  private:
+  void addFace(int face) {
+    if (diagram_.faceLabel[face] >= 0 && enterFace(face, diagram_.faceLabel[face]))
+      add(mesh_.faceArea(face), rho_, squared_, {sides_[1], sides_[2], sides_[0]}, vectors_);
+  }
+
   /// Prepares what is linear on a face for a label; false if the label is not known there.
   bool enterFace(int face, int label) {
     for (int i = 0; i < 3; ++i) {
@@ -134,9 +150,12 @@ class Integrator {
   }
 
   const TriangleMesh& mesh_;
+  const DistanceField& distances_;
   const Diagram& diagram_;
   const std::span<const double> density_;
-  const LogMaps logMaps_;
+  SlicedSequence sequence_;
+  SlicedLoop loop_;
+  LogMaps logMaps_;
   CvtEnergy out_;
 
   // Of the face and label at hand, by corner.
@@ -149,9 +168,11 @@ class Integrator {
 
 }  // namespace
 
-CvtEnergy integrateCvt(const TriangleMesh& mesh, const DistanceField& distances,
-                       const Diagram& diagram, std::span<const double> density) {
-  return Integrator(mesh, distances, diagram, density).integrate();
+std::unique_ptr<SlicedWork<CvtEnergy>> startCvtEnergy(const TriangleMesh& mesh,
+                                                      const DistanceField& distances,
+                                                      const Diagram& diagram,
+                                                      std::span<const double> density) {
+  return std::make_unique<Integrator>(mesh, distances, diagram, density);
 }
 
 }  // namespace gvd

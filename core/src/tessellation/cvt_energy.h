@@ -10,6 +10,7 @@
 
 #include "gvd/diagram.h"
 #include "gvd/geodesic.h"
+#include "gvd/sliced_work.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
 
@@ -34,8 +35,10 @@ struct CvtEnergy {
 /// Σ bᵢ bⱼ |eᵢⱼ|² and u = Σ bᵢ Uᵢ (cos θᵢ, sin θᵢ), U and θ the polar coordinates of the corners.
 /// In the site's own face that is |p - s|² and p - s. For these, -2 ∫ ρ u is the exact gradient of
 /// the energy wherever it has one: what regions exchange when their bisector moves has the same d²
-/// on both sides, and ∂(U²)/∂s = -2 U (cos θ, sin θ). O(F).
-CvtEnergy integrateCvt(const TriangleMesh& mesh, const DistanceField& distances,
-                       const Diagram& diagram, std::span<const double> density);
+/// on both sides, and ∂(U²)/∂s = -2 U (cos θ, sin θ). O(F). All must outlive the work.
+std::unique_ptr<SlicedWork<CvtEnergy>> startCvtEnergy(const TriangleMesh& mesh,
+                                                      const DistanceField& distances,
+                                                      const Diagram& diagram,
+                                                      std::span<const double> density);
 
 }  // namespace gvd

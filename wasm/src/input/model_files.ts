@@ -24,9 +24,8 @@ export class FileSet {
    */
   model(wanted?: string): string {
     if (wanted !== undefined && this.#files.has(wanted)) return wanted;
-    const all = [...this.#files.keys()];
-    const paths = all.length === 1 ? all : all.filter((path) => !isHidden(path));
-    const models = paths.filter((path) => modelName.test(path));
+    const paths = this.#shown();
+    const models = this.models();
     const archives = paths.filter((path) => archiveName.test(path));
     const isModelGiven = wanted === undefined && models.length > 0;
     const candidates = paths.length === 1 ? paths : isModelGiven ? models : archives;
@@ -43,6 +42,11 @@ export class FileSet {
       'invalid-file',
       `there is no model${found}; a model is a .glb, .gltf, .obj, .ply or .stl, or a .zip with one`,
     );
+  }
+
+  /** Those that have the names of models. */
+  models(): string[] {
+    return this.#shown().filter((path) => modelName.test(path));
   }
 
   /** What to say if the wanted file is not there. */
@@ -77,6 +81,11 @@ export class FileSet {
     if (place === undefined) return undefined;
     const path = this.#paths.get(place) ?? this.#fileNamed(place);
     return path === undefined ? undefined : this.read(path);
+  }
+
+  #shown(): string[] {
+    const all = [...this.#files.keys()];
+    return all.length === 1 ? all : all.filter((path) => !isHidden(path));
   }
 
   /** Files that were chosen one by one have lost their folders: there, the name alone decides. */

@@ -74,6 +74,15 @@ export async function modelIn(
   return { ...model, format };
 }
 
+/** The paths of all models among files; of a .zip alone, those in it. */
+export async function modelsIn(files: ModelFiles, task: TaskOptions): Promise<string[]> {
+  const models = new FileSet(files).models();
+  if (models.length > 0) return models;
+  const { file, format, bytes } = await modelAmong(files, undefined);
+  if (format !== 'zip') return [file];
+  return new FileSet((await import('./zip.js')).zipFiles(bytes, task)).models();
+}
+
 async function modelAmong(
   files: ModelFiles,
   wanted: string | undefined,
