@@ -97,6 +97,8 @@ suite('access', () => {
         ),
       );
       assert.ok(reached <= width, `${reached} of ${width} pixels`);
+      const samples = await viewer.page.locator('#samples').boundingBox();
+      assert.ok(samples.width >= 80, `${samples.width} pixels for the model's name at ${width}`);
     }
     await viewer.close();
   });

@@ -527,6 +527,8 @@ suite('the page', () => {
     );
     assert.equal(lost.type, 'webglcontextlost');
     assert.equal(await message.isVisible(), true);
+    // Said once, where it goes by itself.
+    assert.equal(await viewer.page.locator('#error').isVisible(), false);
     await viewer.evaluate((viewer) => viewer.loss.restoreContext());
     await message.waitFor({ state: 'hidden' });
     assert.equal(await changedSince(picture), 0);

@@ -92,9 +92,10 @@ function setUpErrors(viewer: GeodesicVoronoiElement): void {
     byId('error', HTMLElement).hidden = true;
   };
   onClick('error-close', close);
-  listen(viewer, 'error', ({ message }) => {
+  listen(viewer, 'error', ({ type, message }) => {
     byId('progress', HTMLElement).hidden = true;
-    showError(message);
+    // Else the view itself says why there is nothing to see, for as long as that is so.
+    if (type === 'loadfailure' && viewer.loaded) showError(message);
   });
   listen(viewer, 'load', close);
 }
