@@ -108,10 +108,13 @@ function setUpReadout(viewer: GeodesicVoronoiElement): void {
     box.hidden = point === null;
     if (!point) return;
     colour.style.background = point.colour ?? 'gray';
+    const { region, area } = point;
+    // On the site itself, rounding leaves some of it.
+    const distance = point.distance < 1e-9 * Math.sqrt(area) ? 0 : point.distance;
     text.textContent =
-      point.region < 0
+      region < 0
         ? 'No site reaches this part'
-        : `Region ${point.region} · area ${measure(point.area)} · ${measure(point.distance)} from its site`;
+        : `Region ${region} · area ${measure(area)} · ${measure(distance)} from its site`;
   });
 }
 
