@@ -4,7 +4,7 @@
 
 import { copyFileSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
-import { basename } from 'node:path';
+import { basename, posix } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { thirdPartyNotices } from './notices.mjs';
 import { setUp } from './setup.mjs';
@@ -75,23 +75,29 @@ function checkSizes() {
 }
 
 /**
- * The modules that readers of files import, beside these. Readers run in a worker, where a page's import map does
- * not count: there, nothing can be imported by the name of its package.
+ * Modules of other packages, copied to where all of dist/ finds them by their address. By its name, nothing can be
+ * imported in a worker of a page with an import map, which does not count there.
  */
+const copiedModules = {
+  earcut: 'earcut/src/earcut.js',
+  fflate: 'fflate/esm/browser.js',
+  'meshoptimizer/decoder': 'meshoptimizer/meshopt_decoder.mjs',
+};
+
 function copyImported() {
-  const imported = [
-    { reader: 'polygons', name: 'earcut', file: 'earcut/src/earcut.js' },
-    { reader: 'zip', name: 'fflate', file: 'fflate/esm/browser.js' },
-    { reader: 'meshopt', name: 'meshoptimizer/decoder', file: 'meshoptimizer/meshopt_decoder.mjs' },
-  ];
-  for (const { reader, name, file } of imported) {
-    const copy = `${file.split('/')[0]}_module.js`;
-    copyFileSync(at('node_modules', file), at('dist/input', copy));
-    const path = at('dist/input', `${reader}.js`);
-    const script = readFileSync(path, 'utf8');
-    const moved = script.replace(`from '${name}'`, `from './${copy}'`);
-    if (moved === script) throw new Error(`${reader}.js does not import ${name}`);
-    writeFileSync(path, moved);
+  const copyOf = (name) => `input/${name.split('/')[0]}_module.js`;
+  for (const [name, file] of Object.entries(copiedModules)) {
+    copyFileSync(at('node_modules', file), at('dist', copyOf(name)));
+  }
+  const scripts = readdirSync(at('dist'), { recursive: true }).filter((p) => p.endsWith('.js'));
+  for (const path of scripts) {
+    const script = readFileSync(at('dist', path), 'utf8');
+    const moved = script.replace(/(\bfrom |\bimport\()'([^']+)'/g, (whole, before, name) => {
+      if (!Object.hasOwn(copiedModules, name)) return whole;
+      const address = posix.relative(posix.dirname(path), copyOf(name));
+      return `${before}'${address.startsWith('.') ? address : `./${address}`}'`;
+    });
+    if (moved !== script) writeFileSync(at('dist', path), moved);
   }
 }
 

@@ -20,9 +20,16 @@ const evaluate = (f) => async (viewer) => {
   await viewer.evaluate(f);
   await viewer.settled();
 };
-const openSheet = async ({ page }) => {
-  if ((await page.getAttribute('#sheet', 'aria-expanded')) === 'false') await page.click('#sheet');
+const isSheetOpen = async ({ page }) =>
+  (await page.getAttribute('#sheet', 'aria-expanded')) === 'true';
+const openSheet = async (viewer) => {
+  if (!(await isSheetOpen(viewer))) await viewer.page.click('#sheet');
 };
+/** Where there is one: beside the view, the controls stay. */
+const closeSheet = async (viewer) => {
+  if (await viewer.page.isVisible('#sheet')) await viewer.page.click('#sheet');
+};
+const toggleLayer = ({ page }, name) => page.click(`#layers label:has-text("${name}")`);
 
 /** What is done to the page, by the name of the picture. */
 const states = {
@@ -38,12 +45,21 @@ const states = {
   chosen: evaluate((viewer) => {
     viewer.selected = 12;
   }),
-  layers: evaluate((viewer) => {
-    viewer.layers = ['regions', 'bisectors', 'sites', 'voronoi-points', 'dual', 'wireframe'];
-  }),
-  distances: evaluate((viewer) => {
-    viewer.layers = ['distances', 'sites'];
-  }),
+  layers: async (viewer) => {
+    await openSheet(viewer);
+    for (const name of ['Voronoi points', 'Wireframe']) await toggleLayer(viewer, name);
+    await viewer.after('dual', () => toggleLayer(viewer, 'Dual'));
+    await closeSheet(viewer);
+  },
+  distances: async (viewer) => {
+    await openSheet(viewer);
+    for (const name of ['Bisectors', 'Distances']) await toggleLayer(viewer, name);
+    await viewer.page.waitForFunction(() => {
+      const { shadowRoot } = document.querySelector('geodesic-voronoi');
+      return !shadowRoot.querySelector('.distances').hidden;
+    });
+    await closeSheet(viewer);
+  },
   exploded: (viewer) => viewer.after('exploded', () => viewer.evaluate((v) => (v.exploded = 0.6))),
   note: async (viewer) => {
     await states.exploded(viewer);

@@ -23,13 +23,20 @@ const webpack = createRequire(import.meta.url)('webpack');
 
 const page = (head) => `<!doctype html>
 <html lang="en"><head><meta charset="utf-8" /><title>App</title>${head}</head>
-<body><geodesic-voronoi src="model.glb" sites="3"></geodesic-voronoi></body></html>
+<body>
+<geodesic-voronoi src="model.glb" sites="3" layers="regions original"></geodesic-voronoi>
+</body></html>
 `;
 
-/** Counts the regions of three sites, here and in a worker, and waits for the element. */
+/** Counts the regions of three sites, here and in a worker, and waits for the element and its readers. */
 const app = `
 import { load, loadWorker } from 'geodesic-voronoi';
 import 'geodesic-voronoi/element';
+
+const element = document.querySelector('geodesic-voronoi');
+const original = new Promise((resolve) =>
+  element.addEventListener('original', ({ detail }) => resolve(detail.problem ?? 'no problem')),
+);
 
 async function countRegions(library) {
   const mesh = await library.mesh(${JSON.stringify(octahedron())});
@@ -40,11 +47,10 @@ async function countRegions(library) {
 
 async function run() {
   const result = [await countRegions(await load()), await countRegions(await loadWorker())];
-  const element = document.querySelector('geodesic-voronoi');
   while (!['ready', 'failed'].includes(element.status)) {
     await new Promise((resolve) => setTimeout(resolve, 50));
   }
-  return [...result, element.status];
+  return [...result, element.status, await original];
 }
 run().then((result) => (window.result = result), (error) => (window.result = String(error)));
 `;
@@ -107,7 +113,7 @@ async function assertWorks(address) {
     await tab.goto(address, { timeout: 120_000 });
     await tab.waitForFunction(() => window.result, undefined, { timeout: 120_000 });
     assert.deepEqual(complaints, []);
-    assert.deepEqual(await tab.evaluate(() => window.result), [3, 3, 'ready']);
+    assert.deepEqual(await tab.evaluate(() => window.result), [3, 3, 'ready', 'no problem']);
   } finally {
     await tab.close();
   }

@@ -22,7 +22,7 @@ export function run(command, args, cwd) {
   return stdout;
 }
 
-/** Installs the package with its dependencies and with others beside it; `remove()` takes the folder away. */
+/** Installs the package, which depends on none, with others beside it; `remove()` takes the folder away. */
 export function install(...beside) {
   // Bundlers compare real paths, and a folder for temporary files may be a link.
   const folder = realpathSync(mkdtempSync(join(tmpdir(), 'geodesic-voronoi-')));
@@ -32,8 +32,7 @@ export function install(...beside) {
   const [{ filename, files }] = JSON.parse(run('npm', ['pack', ...options], root));
   const tarball = join(folder, filename);
   run('tar', ['-xf', tarball, '-C', packageFolder, '--strip-components=1']);
-  const { dependencies } = JSON.parse(readFileSync(join(packageFolder, 'package.json'), 'utf8'));
-  for (const name of [...Object.keys(dependencies), ...beside]) {
+  for (const name of beside) {
     const link = join(folder, 'node_modules', name);
     mkdirSync(dirname(link), { recursive: true });
     symlinkSync(inModules(name), link);

@@ -52,11 +52,11 @@ test('everything that package.json names is there', () => {
 });
 
 test('everything that its modules import is declared', () => {
-  const { name, dependencies = {}, peerDependencies } = JSON.parse(read('package.json'));
-  const declared = [name, ...Object.keys({ ...dependencies, ...peerDependencies })];
+  const { name, peerDependencies } = JSON.parse(read('package.json'));
+  const declared = [name, ...Object.keys(peerDependencies)];
   for (const path of installed.files.filter((file) => /^dist\/.*\.js$/.test(file))) {
     const imports = read(path).matchAll(
-      /^(?:import|export)\b(?:[\w\s{},*]*\bfrom)?\s*['"]([^.'"][^'"]*)['"];/gm,
+      /(?:^(?:import|export)\b(?:[\w\s{},*]*\bfrom)?\s*|\bimport\()['"]([^.'"][^'"]*)['"]/gm,
     );
     for (const [, specifier] of imports) {
       const isDeclared = declared.some((known) => `${specifier}/`.startsWith(`${known}/`));

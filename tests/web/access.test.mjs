@@ -80,7 +80,7 @@ suite('access', () => {
     });
     const place = await viewer.freePlace();
     await viewer.after('diagram', () => page.touchscreen.tap(place.x, place.y));
-    await page.locator('#readout-text', { hasText: 'Region 60' }).waitFor();
+    await page.locator('#readout-text', { hasText: /Region 60 .* · 0 from its site/ }).waitFor();
     await viewer.close();
   });
 
@@ -97,8 +97,39 @@ suite('access', () => {
         ),
       );
       assert.ok(reached <= width, `${reached} of ${width} pixels`);
+      const samples = await viewer.page.locator('#samples').boundingBox();
+      assert.ok(samples.width >= 80, `${samples.width} pixels for the model's name at ${width}`);
     }
     await viewer.close();
+  });
+
+  test('readout, scale of distances and toolbar lie side by side', async () => {
+    for (const [width, height] of [
+      [844, 390],
+      [390, 844],
+      [1280, 720],
+    ]) {
+      const viewer = await browser.open({ viewport: { width, height } });
+      await viewer.settled();
+      await viewer.evaluate((viewer) => {
+        viewer.layers = ['distances', 'sites'];
+      });
+      const shown = ['#readout', 'geodesic-voronoi [part=distances]', '#toolbar'].map((selector) =>
+        viewer.page.locator(selector),
+      );
+      const { x, y } = await viewer.freePlace();
+      await viewer.page.mouse.move(x, y);
+      for (const each of shown) await each.waitFor();
+      const boxes = await Promise.all(shown.map((each) => each.boundingBox()));
+      boxes.forEach((a, i) =>
+        boxes.slice(0, i).forEach((b) => {
+          const isBeside = a.x >= b.x + b.width || b.x >= a.x + a.width;
+          const isAbove = a.y >= b.y + b.height || b.y >= a.y + a.height;
+          assert.ok(isBeside || isAbove, `${width} × ${height}: ${JSON.stringify([a, b])}`);
+        }),
+      );
+      await viewer.close();
+    }
   });
 
   test('what is chosen is seen in the system’s colours', async () => {

@@ -5,6 +5,7 @@
 import assert from 'node:assert/strict';
 import { existsSync } from 'node:fs';
 import { after, before, suite, test } from 'node:test';
+import { bumpySphere, glb } from '../wasm/meshes.mjs';
 import { startBrowser } from './browser.mjs';
 
 const hasDocuments = existsSync(new URL('../../build/page/docs/index.html', import.meta.url));
@@ -180,5 +181,58 @@ suite('first sight', () => {
     await damaged.settled();
     assert.equal(await damaged.siteCount(), 12);
     await damaged.close();
+
+    const uncountable = await browser.open({ hash: '#v=1&model=torus.glb&sites=1e9' });
+    await uncountable.settled();
+    assert.equal(await uncountable.siteCount(), 60);
+    assert.deepEqual(uncountable.complaints, []);
+    await uncountable.close();
+  });
+
+  test('a link of a file of my own asks for it, and brings its sites back', async () => {
+    const file = {
+      name: 'mine.glb',
+      mimeType: 'model/gltf-binary',
+      buffer: Buffer.from(glb(bumpySphere(12, 16))),
+    };
+    const openFile = (viewer) =>
+      viewer.after('diagram', () => viewer.page.setInputFiles('#files', [file]));
+    const first = await browser.open();
+    await first.settled();
+    await openFile(first);
+    const place = await first.freePlace();
+    await first.after('diagram', () => first.page.mouse.click(place.x, place.y));
+    const { face } = await first.sites();
+    await first.page.click('#share-button');
+    const link = await first.page.locator('#share-link').inputValue();
+    await first.close();
+
+    const second = await browser.open({ hash: new URL(link).hash });
+    await second.page.locator('#note-text', { hasText: 'This link is of mine.glb' }).waitFor();
+    await second.settled();
+    await openFile(second);
+    await second.page.waitForFunction(
+      (count) => document.querySelector('geodesic-voronoi').sites.face.length === count,
+      face.length,
+    );
+    await second.settled();
+    assert.deepEqual((await second.sites()).face, face);
+    assert.equal(await second.page.locator('#note').isVisible(), false);
+    assert.deepEqual(second.complaints, []);
+    await second.close();
+  });
+
+  test('a link that is pasted where the page is open is followed', async () => {
+    const viewer = await browser.open();
+    await viewer.settled();
+    await viewer.page.evaluate(() => {
+      window.isOld = true;
+      location.hash = '#v=1&model=torus.glb&sites=12&seed=3';
+    });
+    await viewer.page.waitForFunction(() => !window.isOld);
+    await viewer.settled();
+    assert.equal(await viewer.siteCount(), 12);
+    assert.equal(await viewer.page.locator('#samples').inputValue(), 'torus.glb');
+    await viewer.close();
   });
 });

@@ -58,6 +58,7 @@ suite('the panel', () => {
   test('sites are chosen from a list, which tells their regions', async () => {
     await viewer.page.getByText('List of sites').click();
     const list = viewer.page.locator('#site-list');
+    await list.locator('option').nth(59).waitFor({ state: 'attached' });
     assert.equal(await list.locator('option').count(), 60);
     await list.selectOption({ index: 12 });
     assert.equal(await viewer.evaluate(({ selected }) => selected), 12);

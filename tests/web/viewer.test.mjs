@@ -240,11 +240,15 @@ suite('a diagram that changes', () => {
     const colours = new RegionColours();
     const ids = () => [...diagram.sites.face.keys()];
     const layers = new Set(['regions', 'bisectors', 'voronoi-points']);
-    const whole = () => ({
-      data: diagram.data,
-      summary: DiagramSummary.of(diagram.data),
-      siteIds: ids(),
-    });
+    const wholeSummary = () => DiagramSummary.of(diagram.data);
+    const setWhole = (drawing) => {
+      const summary = wholeSummary();
+      const tones = drawing.assignTones(
+        summary,
+        ids().map((id) => ({ id })),
+      );
+      drawing.setDiagram(diagram.data, { summary, tones });
+    };
     const newDrawing = () => {
       const drawing = new ModelDrawing(scene, colours);
       drawing.show(layers);
@@ -254,9 +258,9 @@ suite('a diagram that changes', () => {
 
     const drawing = newDrawing();
     const card = new Card();
-    let summary = DiagramSummary.of(diagram.data);
+    let summary = wholeSummary();
     card.upload(drawing);
-    drawing.setDiagram(whole()); // not uploaded before the first change
+    setWhole(drawing); // not uploaded before the first change
     const all = [...buffersOf(drawing.object)].reduce(
       (sum, { array }) => sum + array.byteLength,
       0,
@@ -284,7 +288,7 @@ suite('a diagram that changes', () => {
       if (i % 3) assert.ok(card.uploaded < 0.5 * all, `${card.uploaded} of ${all} bytes`);
       if (i % 5 > 0 && i !== 6) continue;
 
-      const { siteCount, regionCount, arcCount, segmentCount, voronoiPointCount } = whole().summary;
+      const { siteCount, regionCount, arcCount, segmentCount, voronoiPointCount } = wholeSummary();
       assert.deepEqual(
         [summary.siteCount, summary.regionCount, summary.arcCount, summary.segmentCount],
         [siteCount, regionCount, arcCount, segmentCount],
@@ -293,7 +297,7 @@ suite('a diagram that changes', () => {
       assertNeighboursDiffer(colours.assign(summary, ids()), pairsOf(summary));
 
       const anew = newDrawing();
-      anew.setDiagram(whole());
+      setWhole(anew);
       for (const each of [drawing, anew]) each.outline(change.labels[0]);
       const cardAnew = new Card();
       cardAnew.upload(anew);

@@ -52,7 +52,10 @@ export class EnergyCurve {
       text('end', plot.right, plot.bottom + 14, `${lastIteration} iterations`),
       text('start', plot.left + 6, plot.top + 8, 'energy (log)'),
     ];
-    if (last >= 0) {
+    const middle = (plot.left + plot.right) / 2;
+    if (last < 0) {
+      parts.push(text('middle', middle, 0.6 * plot.bottom, 'falls as regions become even'));
+    } else {
       parts.push(
         line('hexagons', plot.left, y(1), plot.right, y(1)),
         text('end', plot.left - 6, y(highest) + 6, highest.toFixed(2)),
@@ -85,7 +88,12 @@ function line(className: string, x1: number, y1: number, x2: number, y2: number)
   return make('line', { class: className, x1, y1, x2, y2 });
 }
 
-function text(anchor: 'start' | 'end', x: number, y: number, content: string): SVGElement {
+function text(
+  anchor: 'start' | 'middle' | 'end',
+  x: number,
+  y: number,
+  content: string,
+): SVGElement {
   const element = make('text', { x, y, 'text-anchor': anchor });
   element.textContent = content;
   return element;

@@ -92,9 +92,10 @@ function setUpErrors(viewer: GeodesicVoronoiElement): void {
     byId('error', HTMLElement).hidden = true;
   };
   onClick('error-close', close);
-  listen(viewer, 'error', ({ message }) => {
+  listen(viewer, 'error', ({ type, message }) => {
     byId('progress', HTMLElement).hidden = true;
-    showError(message);
+    // Else the view itself says why there is nothing to see, for as long as that is so.
+    if (type === 'loadfailure' && viewer.loaded) showError(message);
   });
   listen(viewer, 'load', close);
 }
@@ -107,10 +108,13 @@ function setUpReadout(viewer: GeodesicVoronoiElement): void {
     box.hidden = point === null;
     if (!point) return;
     colour.style.background = point.colour ?? 'gray';
+    const { region, area } = point;
+    // On the site itself, rounding leaves some of it.
+    const distance = point.distance < 1e-9 * Math.sqrt(area) ? 0 : point.distance;
     text.textContent =
-      point.region < 0
+      region < 0
         ? 'No site reaches this part'
-        : `Region ${point.region} · area ${measure(point.area)} · ${measure(point.distance)} from its site`;
+        : `Region ${region} · area ${measure(area)} · ${measure(distance)} from its site`;
   });
 }
 

@@ -14,6 +14,8 @@ import { isPageState, readPageState } from './page_state.js';
 export function setUpFirstSight(viewer: GeodesicVoronoiElement, readings: CvtReadings): void {
   enableWithModel(viewer);
   endCaption(viewer);
+  // A link that is pasted into the page's own window changes nothing but the hash.
+  addEventListener('hashchange', () => location.reload());
   viewer.src = modelOf(location.hash);
   if (isPageState(location.hash)) readPageState(viewer, location.hash);
   else viewer.addEventListener('diagram', () => void evenOut(viewer, readings), { once: true });

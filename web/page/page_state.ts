@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// What a shared link tells after its #: v=1, the sample, how sites were placed and where they are, the
+// What a shared link tells after its #: v=1, the model's name, how sites were placed and where they are, the
 // distance, and the view.
 
 import type { SurfacePoints } from 'geodesic-voronoi';
-import type { GeodesicVoronoiElement } from '../viewer/element.js';
-import { showError } from './feedback.js';
+import type { GeodesicVoronoiElement, ViewerEvents } from '../viewer/element.js';
+import { byId } from './dom.js';
+import { showError, showNote } from './feedback.js';
 
 const version = '1';
 /** More of them would make an address that some programs cut off. */
@@ -25,10 +26,9 @@ export function isPageState(hash: string): boolean {
   return parametersOf(hash).has('v');
 }
 
-/** The hash that brings this back; `model` is the file of a sample, empty for a file of one's own. */
+/** The hash that brings this back; `model` is the name of its file. */
 export function pageState(viewer: GeodesicVoronoiElement, model: string): string {
-  const parameters = new URLSearchParams({ v: version });
-  if (model) parameters.set('model', model);
+  const parameters = new URLSearchParams({ v: version, model });
   for (const name of attributes) {
     const value = name === 'camera-orbit' ? viewer.cameraOrbit : viewer.getAttribute(name);
     if (value) parameters.set(name, value);
@@ -44,19 +44,32 @@ export function readPageState(viewer: GeodesicVoronoiElement, hash: string): voi
   if (parameters.get('v') !== version) return;
   for (const name of attributes) {
     const value = parameters.get(name);
-    if (value) viewer.setAttribute(name, value);
+    if (value && (name !== 'sites' || isCount(value))) viewer.setAttribute(name, value);
   }
-  // Sites on a file of somebody's own are nothing without it.
-  const at = parameters.has('model') ? parameters.get('at') : null;
-  viewer.addEventListener(
-    'load',
-    () => {
-      if (at) showSites(viewer, at);
-      // It is of this model alone.
-      viewer.removeAttribute('camera-orbit');
-    },
-    { once: true },
-  );
+  const at = parameters.get('at');
+  const model = parameters.get('model');
+  const waiting = new AbortController();
+  const bringBack = ({ detail: { name } }: CustomEvent<ViewerEvents['load']>) => {
+    // Sites on a file of somebody's own are nothing without it: until it is opened, a sample is shown.
+    if (model && name !== model) {
+      showNote(`This link is of ${model}, which it does not hold: open that file, too.`, {
+        title: 'Open file…',
+        act: () => byId('open', HTMLButtonElement).click(),
+      });
+      return;
+    }
+    waiting.abort();
+    if (model && at) showSites(viewer, at);
+    // It is of this model alone.
+    viewer.removeAttribute('camera-orbit');
+  };
+  viewer.addEventListener('load', bringBack, { signal: waiting.signal });
+}
+
+/** As many sites as may be placed. */
+function isCount(value: string): boolean {
+  const { min, max } = byId('count', HTMLInputElement);
+  return Number(value) >= Number(min) && Number(value) <= Number(max);
 }
 
 function showSites(viewer: GeodesicVoronoiElement, text: string): void {

@@ -19,7 +19,7 @@ export function setUpShare(viewer: GeodesicVoronoiElement, modelName: () => stri
     const model = modelName();
     const isSample = samples.some(({ file }) => file === model);
     const address = new URL(location.href);
-    address.hash = pageState(viewer, isSample ? model : '');
+    address.hash = pageState(viewer, model);
     link.value = address.href;
     note.textContent = isSample
       ? 'Whoever opens the link sees this model, these sites and this view.'

@@ -31,15 +31,15 @@ const preloadMain = {
 };
 
 /**
- * What three.js brings for materials that the page has none of, and for shadows, probes of light and tone
- * mapping: texts of shaders, which no bundler sees are not needed, a tenth of what is fetched at first.
+ * What three.js brings for materials that the page has none of, for maps other than that of the colour, and for
+ * shadows, fog, skins, probes of light, cutting planes and tone mapping: texts of shaders, which no bundler sees are not needed, a tenth of what is fetched at first.
  * Whoever gives the page such a material finds it not to compile, and takes it off this list.
  */
 const neededByNothing = {
   ShaderLib:
     /background|cube|depth|distance|equirect|linedashed|matcap|normal|phong|physical|points|shadow|sprite|toon|vsm/,
   ShaderChunk:
-    /physical|phong|toon|transmission|iridescence|clearcoat|lightprobes|shadowmap_pars_fragment|tonemapping_pars/,
+    /physical|phong|toon|transmission|iridescence|clearcoat|lightprobes|tonemapping_pars|shadowm|(ao|bump|displacement|emissive|env|gradient|light|metalness|normal|roughness)map|normal_fragment_maps|alphahash|batching|clipping|fog|logdepth|skin/,
 };
 
 /**

@@ -3,7 +3,7 @@
 // A centroidal tessellation that plays, pauses and goes on.
 
 import type { CvtMethod, CvtState, Mesh, Metric } from 'geodesic-voronoi';
-import type { DiagramGeometry, MakeGeometry } from './diagram_geometry.js';
+import type { PrepareDiagram, PreparedDiagram } from './diagram_geometry.js';
 import { nextFrame } from './next_frame.js';
 import { type Sites, surfacePointsOf } from './site_history.js';
 
@@ -20,8 +20,8 @@ export interface CvtSettings {
 /** An iteration, ready to be drawn. */
 export interface CvtPicture {
   state: CvtState;
-  /** Of its diagram, if it could be made. */
-  geometry: DiagramGeometry | undefined;
+  /** Its diagram. */
+  prepared: PreparedDiagram | undefined;
   /** From asking for it to having it. */
   milliseconds: number;
 }
@@ -48,7 +48,8 @@ export class CvtRun {
   readonly #settings: CvtSettings;
   readonly #listener: CvtRunListener;
   readonly #stopping = new AbortController();
-  readonly #makeGeometry: MakeGeometry;
+  readonly #sites: Sites;
+  readonly #prepare: PrepareDiagram;
   readonly #states: AsyncGenerator<CvtState, void, void>;
   /** The iteration after the last one reported. */
   #asked: Promise<CvtPicture | undefined> | undefined;
@@ -62,11 +63,12 @@ export class CvtRun {
     mesh: Mesh,
     sites: Sites,
     settings: CvtSettings,
-    makeGeometry: MakeGeometry,
+    prepare: PrepareDiagram,
     listener: CvtRunListener,
   ) {
     this.#settings = settings;
-    this.#makeGeometry = makeGeometry;
+    this.#sites = sites;
+    this.#prepare = prepare;
     this.#listener = listener;
     this.#states = mesh.cvt(surfacePointsOf(sites), {
       ...settings,
@@ -135,7 +137,7 @@ export class CvtRun {
         if (this.#playing !== playing) return;
         this.#asked = undefined;
         if (picture) {
-          this.#latest = { ...picture, geometry: undefined }; // large, and drawn now
+          this.#latest = { ...picture, prepared: undefined }; // large, and drawn now
           this.#listener.iterated(picture);
         } else {
           this.#done = true;
@@ -169,8 +171,9 @@ export class CvtRun {
       this.#coming.catch(() => {});
     }
     const isWanted = !this.#stopping.signal.aborted;
-    const geometry = state.data && isWanted ? await this.#makeGeometry(state.data) : undefined;
-    return { state, geometry, milliseconds };
+    const prepared =
+      state.data && isWanted ? await this.#prepare(state.data, this.#sites) : undefined;
+    return { state, prepared, milliseconds };
   }
 
   async #nextState(): Promise<TimedState> {

@@ -106,12 +106,12 @@ export class DerivedDrawings {
   async #makeDistances(diagram: Diagram): Promise<Distances | undefined> {
     const { model } = this.#place;
     if (!model) return undefined;
-    const { indices, positions } = model.drawing.mesh;
+    const { mesh } = model.drawing;
     const { points, cells, faceLabel } = await diagram.fetchData();
-    const { vertex, points: corners } = cornersToAsk(indices, { faceLabel });
+    const { vertex, points: corners } = cornersToAsk(mesh, { faceLabel });
     const [atPoints, atCorners] = [await diagram.locate(points), await diagram.locate(corners)];
-    const atVertices = new Float64Array(positions.length / 3).fill(Infinity);
-    vertex.forEach((v, i) => (atVertices[v] = atCorners.distance[i]));
+    const atVertices = new Float64Array(mesh.positions.length / 3).fill(Infinity);
+    for (let i = 0; i < vertex.length; ++i) atVertices[vertex[i]] = atCorners.distance[i];
     let longest = 0;
     for (const { distance } of [atPoints, atCorners]) {
       for (const each of distance) if (each > longest && each < Infinity) longest = each;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// A diagram in the scene, ready to be drawn: a worker makes it of each that is drawn as a whole.
+// A diagram in the scene, ready to be drawn: a worker makes the geometry of each that is drawn as a whole.
 
 import type { DiagramData } from 'geodesic-voronoi';
 import { type Cells, type CellTriangles, cellTriangles } from './cell_triangles.js';
+import type { DiagramSummary } from './diagram_summary.js';
 import { roomFor } from './record_room.js';
 import type { SceneMesh } from './scene_mesh.js';
+import type { Sites } from './site_history.js';
 
 /** As much of a diagram as is looked at. */
 export interface DiagramLines extends Cells {
@@ -18,8 +20,20 @@ export interface DiagramGeometry {
   segmentEnds: Float32Array;
 }
 
-/** Makes a diagram ready to be drawn; undefined if whoever draws has to. */
-export type MakeGeometry = (data: DiagramData) => Promise<DiagramGeometry | undefined>;
+/** All that is drawn of a diagram. */
+export interface PreparedDiagram {
+  summary: DiagramSummary;
+  /** Per label. */
+  tones: Uint16Array;
+  /** Undefined if whoever draws has to make it. */
+  geometry: DiagramGeometry | undefined;
+}
+
+/** Makes a diagram of these sites ready to be drawn; undefined if there is no model any more. */
+export type PrepareDiagram = (
+  data: DiagramData,
+  sites: Sites,
+) => Promise<PreparedDiagram | undefined>;
 
 export function diagramGeometry(
   mesh: SceneMesh,

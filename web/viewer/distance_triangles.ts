@@ -38,24 +38,30 @@ export const noReach = 1e6;
 
 /** A corner of a triangle that a diagram knows, for each vertex; `vertex[i]` is the one of point i. */
 export function cornersToAsk(
-  indices: Int32Array,
+  { indices, positions }: Pick<SceneMesh, 'indices' | 'positions'>,
   { faceLabel }: Pick<DiagramData, 'faceLabel'>,
 ): { vertex: Int32Array; points: SurfacePoints } {
-  const vertices: number[] = [];
-  const faces: number[] = [];
-  const corners: number[] = [];
-  const isKnown = new Uint8Array(1 + indices.reduce((most, v) => Math.max(most, v), 0));
-  for (let corner = 0; corner < indices.length; ++corner) {
-    const face = Math.floor(corner / 3);
-    if (isKnown[indices[corner]] || (faceLabel[face] < 0 && faceLabel[face] !== mixed)) continue;
-    isKnown[indices[corner]] = 1;
-    vertices.push(indices[corner]);
-    faces.push(face);
-    corners.push(corner % 3);
+  const vertexCount = positions.length / 3;
+  const vertex = new Int32Array(vertexCount);
+  const face = new Int32Array(vertexCount);
+  const bary = new Float64Array(3 * vertexCount);
+  const isKnown = new Uint8Array(vertexCount);
+  let count = 0;
+  for (let f = 0; f < faceLabel.length; ++f) {
+    if (faceLabel[f] < 0 && faceLabel[f] !== mixed) continue;
+    for (let corner = 0; corner < 3; ++corner) {
+      const v = indices[3 * f + corner];
+      if (isKnown[v]) continue;
+      isKnown[v] = 1;
+      vertex[count] = v;
+      face[count] = f;
+      bary[3 * count++ + corner] = 1;
+    }
   }
-  const bary = new Float64Array(3 * faces.length);
-  corners.forEach((corner, i) => (bary[3 * i + corner] = 1));
-  return { vertex: Int32Array.from(vertices), points: { face: Int32Array.from(faces), bary } };
+  return {
+    vertex: vertex.subarray(0, count),
+    points: { face: face.subarray(0, count), bary: bary.subarray(0, 3 * count) },
+  };
 }
 
 export function distanceTriangles(

@@ -14,6 +14,7 @@ import type { BuiltTree } from './search_tree.js';
 export type DrawingTask =
   | { kind: 'mesh'; mesh: Pick<Mesh, 'positions' | 'indices'> }
   | { kind: 'tree' }
+  | { kind: 'edges' }
   | { kind: 'diagram'; diagram: DiagramLines }
   | { kind: 'parts'; partition: Parts; tones: Uint16Array }
   | { kind: 'distances'; samples: DistanceSamples };
@@ -62,6 +63,11 @@ export class DrawingBuilder {
   /** What finds triangles quickly; also undefined where its code cannot be had in a worker. */
   tree() {
     return this.#ask<BuiltTree>({ kind: 'tree' });
+  }
+
+  /** See `meshEdges`. */
+  edges() {
+    return this.#ask<Uint32Array>({ kind: 'edges' });
   }
 
   diagram({ cells, points: { position }, segments: { points } }: DiagramData) {

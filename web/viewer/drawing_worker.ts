@@ -6,6 +6,7 @@
 import { diagramGeometry } from './diagram_geometry.js';
 import { distanceTriangles } from './distance_triangles.js';
 import type { DrawingAnswer, DrawingRequest, DrawingTask } from './drawing_builder.js';
+import { meshEdges } from './mesh_edges.js';
 import { partTriangles } from './part_triangles.js';
 import { sceneArrays } from './scene_arrays.js';
 import { SceneMesh } from './scene_mesh.js';
@@ -29,6 +30,8 @@ globalThis.onmessage = ({ data: port }: MessageEvent<MessagePort>) => {
       }
       case 'tree':
         return builtTree(mesh);
+      case 'edges':
+        return meshEdges(mesh.indices);
       case 'diagram':
         return diagramGeometry(mesh, task.diagram);
       case 'parts':

@@ -32,9 +32,10 @@ const style = `
   }
   canvas:focus-visible + .aim { opacity: 1; }
   .message {
-    position: absolute; inset: auto 0 50%; margin: auto; max-width: 28em; padding: 1em 1.25em;
-    text-align: center; overflow-wrap: anywhere;
-    color: var(--message-color, inherit); background: var(--message-background, none);
+    position: absolute; inset: auto 0 50%; margin: auto; padding: 1em 1.25em;
+    width: fit-content; max-width: 28em; text-align: center; overflow-wrap: anywhere;
+    color: var(--message-color, CanvasText); border-radius: 10px;
+    background: var(--message-background, color-mix(in srgb, Canvas 88%, transparent));
   }
   .poster {
     position: absolute; inset: 0; box-sizing: border-box; padding: inherit;

@@ -11,7 +11,7 @@ import {
   type LineSegments,
   Vector3,
 } from 'three';
-import type { DiagramGeometry } from './diagram_geometry.js';
+import type { DiagramGeometry, PreparedDiagram } from './diagram_geometry.js';
 import type { DiagramSummary } from './diagram_summary.js';
 import type { DistanceRange } from './distance_legend.js';
 import { DistanceSurface } from './distance_surface.js';
@@ -48,7 +48,7 @@ const markerShare = 0.14;
 /** Of a Voronoi point's, as a share of that of a site's. */
 const pointShare = 0.45;
 
-/** A diagram to be drawn; `data` is read only to draw all of it. */
+/** A diagram that has been changed; `data` is read only to draw all of it. */
 export interface DrawnDiagram {
   readonly data: DiagramData;
   summary: DiagramSummary;
@@ -135,24 +135,25 @@ export class ModelDrawing {
     this.#surface.filled = shown.has('regions');
     this.#siteMarkers.object.visible = shown.has('sites');
     this.#voronoiPoints.visible = shown.has('voronoi-points');
-    if (shown.has('wireframe') && !this.#wireframe) {
-      this.#wireframe = wireframe(this.#mesh);
-      this.#wireframe.material.color.set(this.#theme.ink);
-      this.#together.add(this.#wireframe);
-    }
     if (this.#wireframe) this.#wireframe.visible = shown.has('wireframe');
     this.#showBisectors();
   }
 
-  /** `geometry` is the diagram's if it has been made already. It is given away. */
-  setDiagram(diagram: DrawnDiagram | undefined, geometry?: DiagramGeometry): void {
-    const data = diagram?.data;
-    this.#tones = diagram
-      ? this.#colours.assign(diagram.summary, diagram.siteIds)
-      : new Uint16Array();
-    this.#surface.setDiagram(diagram && toned(diagram, this.#tones), geometry?.cells);
-    this.#adoptAreas(diagram);
-    this.#setLines(data, geometry);
+  /** Tones per label for a diagram that is to be drawn. */
+  assignTones(summary: DiagramSummary, sites: Sites): Uint16Array {
+    return this.#colours.assign(
+      summary,
+      sites.map(({ id }) => id),
+    );
+  }
+
+  /** What is `prepared` of it is given away. Undefined for none. */
+  setDiagram(data: DiagramData | undefined, prepared: PreparedDiagram | undefined): void {
+    this.#tones = prepared?.tones ?? new Uint16Array();
+    const { cells } = prepared?.geometry ?? {};
+    this.#surface.setDiagram(data && { data, tones: this.#tones }, cells);
+    this.#adoptAreas(prepared?.summary);
+    this.#setLines(data, prepared?.geometry);
     this.#loops = data;
     this.#outlines.clear();
     this.outline(-1);
@@ -163,7 +164,7 @@ export class ModelDrawing {
     const { labels, part } = change;
     this.#tones = this.#colours.assign(diagram.summary, diagram.siteIds, new Set(labels));
     this.#surface.changeDiagram(change, toned(diagram, this.#tones));
-    this.#adoptAreas(diagram);
+    this.#adoptAreas(diagram.summary);
     // Of labels there may be one more than tones: that of a site that has gone.
     const isChanged = new Uint8Array(1 + Math.max(this.#tones.length, labels[labels.length - 1]));
     for (const label of labels) isChanged[label] = 1;
@@ -198,6 +199,14 @@ export class ModelDrawing {
     this.#original = original;
     if (original) this.#together.add(original.object);
     this.#showSurface();
+  }
+
+  /** Two vertices for every edge: the wireframe's. */
+  setEdges(edges: Uint32Array): void {
+    this.#wireframe = wireframe(this.#mesh, edges);
+    this.#wireframe.material.color.set(this.#theme.ink);
+    this.#wireframe.visible = this.#shown.has('wireframe');
+    this.#together.add(this.#wireframe);
   }
 
   /** One of them, or they would be drawn in the same place. */
@@ -293,8 +302,8 @@ export class ModelDrawing {
     this.#siteMarkers.set(places, this.#siteNormals, sizes, this.#selected);
   }
 
-  #adoptAreas(diagram: DrawnDiagram | undefined): void {
-    this.#regionAreas = diagram?.summary.regionArea ?? new Float64Array();
+  #adoptAreas(summary: DiagramSummary | undefined): void {
+    this.#regionAreas = summary?.regionArea ?? new Float64Array();
     this.#showSites();
   }
 

@@ -2,12 +2,16 @@
 //
 // The model that is open, with all that the viewer has of it.
 
+import type { DiagramData } from 'geodesic-voronoi';
 import { DensityPaint } from './density_paint.js';
+import type { PreparedDiagram } from './diagram_geometry.js';
+import { DiagramSummary } from './diagram_summary.js';
 import type { DrawingBuilder } from './drawing_builder.js';
 import type { OpenedMesh } from './mesh_opening.js';
 import { ModelDrawing } from './model_drawing.js';
 import type { NamedFiles } from './model_files.js';
 import { Picker } from './picking.js';
+import type { Sites } from './site_history.js';
 import type { Theme } from './theme.js';
 
 /** What the viewer has of every model that it opens: its drawing and what the tools need. */
@@ -26,6 +30,14 @@ export class OpenModel {
     this.drawing.theme = theme;
     this.picker = new Picker(scene, builder.tree());
     this.paint = new DensityPaint(scene);
+  }
+
+  /** Makes a diagram ready to be drawn; what the worker does not make is made while it works. */
+  async prepare(data: DiagramData, sites: Sites): Promise<PreparedDiagram> {
+    const geometry = this.builder.diagram(data);
+    const summary = DiagramSummary.of(data);
+    const tones = this.drawing.assignTones(summary, sites);
+    return { summary, tones, geometry: await geometry };
   }
 
   dispose(): void {

@@ -4,8 +4,7 @@
 
 import type { Mesh, Metric } from 'geodesic-voronoi';
 import { type CvtPicture, CvtRun, type CvtSettings } from './cvt_run.js';
-import type { MakeGeometry } from './diagram_geometry.js';
-import { DiagramSummary } from './diagram_summary.js';
+import type { PrepareDiagram } from './diagram_geometry.js';
 import { sentence } from './failure.js';
 import { LatestTask } from './latest_task.js';
 import { LibraryLease } from './library_pool.js';
@@ -34,7 +33,7 @@ import { without } from './site_step.js';
  * diagram there is. Where one site has moved, come or gone, only its surroundings are computed.
  */
 export class Session {
-  readonly #makeGeometry: MakeGeometry;
+  readonly #prepare: PrepareDiagram;
   readonly #listener: SessionListener;
   readonly #history = new SiteHistory();
   readonly #task = new LatestTask<DiagramRequest>((wanted, signal) =>
@@ -53,9 +52,9 @@ export class Session {
   #hasFailed = false;
   #status: Status = 'empty';
 
-  /** `makeGeometry` is of a diagram of the present model. */
-  constructor(makeGeometry: MakeGeometry, listener: SessionListener) {
-    this.#makeGeometry = makeGeometry;
+  /** `prepare` gets diagrams of the present model. */
+  constructor(prepare: PrepareDiagram, listener: SessionListener) {
+    this.#prepare = prepare;
     this.#listener = listener;
   }
 
@@ -306,7 +305,7 @@ export class Session {
         : await computeDiagram(mesh, wanted, { signal, onProgress });
       const milliseconds = performance.now() - start;
       const isAnew = diagram && !changes && mesh === this.#mesh;
-      const geometry = isAnew ? await this.#makeGeometry(diagram.data) : undefined;
+      const prepared = isAnew ? await this.#prepare(diagram.data, wanted.sites) : undefined;
       // An iteration of a tessellation may have been shown meanwhile.
       if (!mesh || mesh !== this.#mesh || (changes && before !== this.#shown)) {
         diagram?.dispose();
@@ -318,10 +317,10 @@ export class Session {
       }
       const summary = changes
         ? changes.reduce((sum, change) => sum?.after(change, wanted.sites.length), before?.summary)
-        : diagram && DiagramSummary.of(diagram.data);
+        : prepared?.summary;
       const shown = shownDiagram(wanted, diagram, summary);
       this.#show(shown);
-      this.#listener.diagramChanged(shown, milliseconds, { changes, geometry });
+      this.#listener.diagramChanged(shown, milliseconds, { changes, prepared });
     } catch (error) {
       // What follows shows the sites as they are now.
       const isFollowed = this.#task.superseded || this.#cvt?.playing;
@@ -351,7 +350,7 @@ export class Session {
   }
 
   #newCvt(mesh: Mesh, settings: CvtSettings): CvtRun {
-    return new CvtRun(mesh, this.sites, settings, this.#makeGeometry, {
+    return new CvtRun(mesh, this.sites, settings, this.#prepare, {
       iterated: (picture) => this.#showIteration(picture, settings.metric ?? 'exact'),
       paused: () => this.#rest(),
       failed: (error) => {
@@ -362,17 +361,17 @@ export class Session {
     });
   }
 
-  #showIteration({ state, geometry }: CvtPicture, metric: Metric): void {
+  #showIteration({ state, prepared }: CvtPicture, metric: Metric): void {
     if (state.iteration > 0) {
       const sites = this.sites.map(({ id }, i) => ({ id, ...placeOf(state.sites, i) }));
       if (state.iteration === 1) this.#history.record(sites);
       else this.#history.revise(sites);
       this.#listener.sitesChanged(sites);
     }
-    const summary = state.data && DiagramSummary.of(state.data);
-    const shown = shownDiagram({ sites: this.sites, metric, detail: 0 }, state.diagram, summary);
+    const settings = { sites: this.sites, metric, detail: 0 };
+    const shown = shownDiagram(settings, state.diagram, prepared?.summary);
     this.#show(shown);
-    this.#listener.cvtIterated(shown, state, { geometry });
+    this.#listener.cvtIterated(shown, state, { prepared });
   }
 
   /**

@@ -3,7 +3,7 @@
 // What a session tells, and its words.
 
 import type { CvtState, DiagramChange, Sampling } from 'geodesic-voronoi';
-import type { DiagramGeometry } from './diagram_geometry.js';
+import type { PreparedDiagram } from './diagram_geometry.js';
 import type { OpenedMesh } from './mesh_opening.js';
 import type { DiagramSettings, ShownDiagram } from './shown_diagram.js';
 import type { Sites, Tints } from './site_history.js';
@@ -30,8 +30,8 @@ export interface Scattering {
 export interface Drawable {
   /** The diagram drawn before has become this one by these. */
   changes?: readonly DiagramChange[];
-  /** Of all of it, if it has been made already. */
-  geometry?: DiagramGeometry;
+  /** All of it; undefined without sites. */
+  prepared?: PreparedDiagram;
 }
 
 /** Told what changed, after it did. */

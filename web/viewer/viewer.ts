@@ -27,6 +27,7 @@ import { Stage } from './stage.js';
 import { SurfaceTools, type Workpiece } from './surface_tools.js';
 import { themeOf, watchTheme } from './theme.js';
 import { paddingAround } from './view_padding.js';
+import { WireframeLayer } from './wireframe_layer.js';
 
 /** In milliseconds: markers of sites arrive before the eye has left them. */
 const longestGlide = 250;
@@ -59,6 +60,7 @@ export class Viewer implements Workpiece {
   #gliding = 0;
   readonly #derived: DerivedDrawings;
   readonly #original: OriginalLayer;
+  readonly #wireframe: WireframeLayer;
   /** Ends with the viewer. */
   readonly #watching = new AbortController();
 
@@ -85,8 +87,9 @@ export class Viewer implements Workpiece {
     this.legend = new DistanceLegend(canvas.getRootNode() as ShadowRoot);
     this.#derived = new DerivedDrawings(this, host.emit);
     this.#original = new OriginalLayer(this, host.emit);
+    this.#wireframe = new WireframeLayer(this);
     this.session = new Session(
-      async (data) => this.#model?.builder.diagram(data),
+      async (data, sites) => this.#model?.prepare(data, sites),
       this.#sessionListener(),
     );
     this.hover = new Hover(this.session, (point, path) => this.#tellHovered(point, path));
@@ -262,6 +265,7 @@ export class Viewer implements Workpiece {
   showLayers(): void {
     this.#model?.drawing.show(new Set(this.attributes.layers));
     void this.#original.update();
+    void this.#wireframe.update();
     this.stage.invalidate();
     this.#derive();
   }
@@ -384,11 +388,11 @@ export class Viewer implements Workpiece {
     }
   }
 
-  #showDiagram(shown: ShownDiagram, { changes, geometry }: Drawable): void {
+  #showDiagram(shown: ShownDiagram, { changes, prepared }: Drawable): void {
     const drawn = drawnDiagram(shown);
     const drawing = this.#model?.drawing;
     if (drawn && changes) for (const change of changes) drawing?.changeDiagram(change, drawn);
-    else drawing?.setDiagram(drawn, geometry);
+    else drawing?.setDiagram(shown.data, prepared);
     this.stage.invalidate();
     this.hover.refresh();
     this.#derive();

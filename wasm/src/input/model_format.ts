@@ -35,7 +35,7 @@ export function formatOf(bytes: Uint8Array, name: string): FileFormat {
     case 'ply':
       return 'PLY';
   }
-  throw unknown('the file is no model that is read');
+  throw unknown('the file has none of the formats that are read');
 }
 
 function unknown(what: string): GeodesicVoronoiError {
