@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "diagram/element_splitting.h"
 
-#include <algorithm>
-
 #include "base/tolerances.h"
 #include "gvd/diagram.h"
 
@@ -54,7 +52,7 @@ void Elements::split(int element, const std::array<int, 3>& middle) {
     cornersOf.push_back(static_cast<int>(corners.size()));
     corners.emplace_back() << whole.col(i), middles.col(i), middles.col(before);
   }
-  std::copy(middle.begin(), middle.end(), tail.begin() + 3 * element);
+  for (int i = 0; i < 3; ++i) tail[3 * element + i] = middle[i];
   if (isWhole(element)) {
     cornersOf[element] = static_cast<int>(corners.size());
     corners.emplace_back();
@@ -145,7 +143,7 @@ void ElementSplitting::splitBatch(long& budget) {
   required_.clear();
   requiredCounts_.clear();
   for (const int element : batch_) {
-    const int* const corner = &elements_.tail[3 * element];
+    const int* const corner = elements_.nodes(element);
     elements_.split(element,
                     {nodes_.middleOf(corner[0], corner[1]), nodes_.middleOf(corner[1], corner[2]),
                      nodes_.middleOf(corner[2], corner[0])});

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <deque>
 #include <vector>
 
@@ -20,6 +21,10 @@ struct Elements {
   std::deque<Eigen::Matrix3d> corners;  ///< of the others: barycentric, in columns
 
   int count() const { return static_cast<int>(face.size()); }
+  /// The three nodes of an element.
+  const int* nodes(int element) const {
+    return tail.data() + 3 * static_cast<std::ptrdiff_t>(element);
+  }
   bool isWhole(int element) const { return cornersOf[element] < 0; }
   Eigen::Matrix3d cornersIn(int element) const {
     return isWhole(element) ? Eigen::Matrix3d::Identity() : corners[cornersOf[element]];
@@ -49,7 +54,7 @@ class ElementSplitting {
   bool isUniform(int a, int b, int owner) const;
   void splitBatch(long& budget);
   void addMiddle(int element, int side);
-  int commonOwner(int element) const { return nodes_.commonOwner(&elements_.tail[3 * element]); }
+  int commonOwner(int element) const { return nodes_.commonOwner(elements_.nodes(element)); }
 
   const DistanceField& distances_;
   const int detail_;
