@@ -28,7 +28,6 @@ bool TriangleTree::step(long& budget) {
                          std::iota(order_.begin(), order_.end(), 0);
                          if (!order_.empty())
                            tasks_.push_back({0, static_cast<int>(order_.size()), -1});
-                         return true;
                        },
                        [&] {
                          while (!tasks_.empty() && budget > 0) makeNext(budget);

@@ -72,12 +72,8 @@ class QualityMeasuring final : public SlicedWork<RemeshQuality> {
   bool step(long budget) override {
     const int vertices = surface_.vertexCount(), faces = surface_.faceCount();
     return sequence_.run(
-        [&] { return remeshing_->step(budget); },
-        [&] {
-          measureRemesh(remeshing_->take());
-        },
-        [&] { return runPart(coarse_, budget, triangles_); },
-        [&] { return fine_.step(budget); },
+        [&] { return remeshing_->step(budget); }, [&] { measureRemesh(remeshing_->take()); },
+        [&] { return runPart(coarse_, budget, triangles_); }, [&] { return fine_.step(budget); },
         [&] {
           return loop_.run(vertices, budget, 1,
                            [&](int v) { note(coarse_->distance(surface_.position(v))); });
