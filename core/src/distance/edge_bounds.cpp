@@ -29,7 +29,7 @@ EdgeBounds::EdgeBounds(const TriangleMesh& mesh, const SiteSet& sites)
       inverseWidth_(2 / mesh.meanEdgeLength()),
       bounds_(mesh.vertexCount()),
       isChanged_(mesh.vertexCount(), false),
-      isQueued_(mesh.vertexCount(), false) {}
+      bucketOf_(mesh.vertexCount(), kNone) {}
 
 void EdgeBounds::insert(int label) {
   sites_.visitFacesOf(label, [&](const SurfacePoint& site) {
@@ -74,7 +74,8 @@ bool EdgeBounds::run(long& budget) {
       if (budget-- <= 0) return false;
       const int v = buckets_[bucket_].back();
       buckets_[bucket_].pop_back();
-      isQueued_[v] = false;
+      if (bucketOf_[v] != static_cast<int>(bucket_)) continue;  // it was lowered, and had its turn
+      bucketOf_[v] = kNone;
       const LabelledDistance from = bounds_[v];
       visitEdges(mesh_, v, [&](int neighbour, double length) {
         offer(neighbour, from.label, from.distance + length);
@@ -90,9 +91,9 @@ void EdgeBounds::offer(int vertex, int label, double distance) {
   if (!(distance < bound.distance)) return;
   bound = {label, distance};
   noteChange(vertex);
-  if (isQueued_[vertex]) return;
-  isQueued_[vertex] = true;
   const size_t b = std::max(bucket_, static_cast<size_t>(distance * inverseWidth_));
+  if (bucketOf_[vertex] == static_cast<int>(b)) return;
+  bucketOf_[vertex] = static_cast<int>(b);
   if (b >= buckets_.size()) buckets_.resize(b + 1);
   buckets_[b].push_back(vertex);
 }

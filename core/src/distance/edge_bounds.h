@@ -39,10 +39,14 @@ class EdgeBounds {
   const SiteSet& sites_;
   double inverseWidth_;
   std::vector<LabelledDistance> bounds_;
+  static constexpr int kNone = -1;
   std::vector<std::vector<int>> buckets_;  ///< vertices by distance, in steps of half a mean edge
   size_t bucket_ = 0;
   std::vector<int> changed_;
-  std::vector<char> isChanged_, isQueued_;
+  std::vector<char> isChanged_;
+  /// The bucket in which a vertex has its turn, `kNone`. After a removal, the vertices beside the
+  /// gap wait in far buckets; one that a nearer site comes to has its turn before them.
+  std::vector<int> bucketOf_;
 };
 
 }  // namespace gvd

@@ -73,7 +73,8 @@ void SiteDistances::forget(int label) {
   known_.leave(label);
   for (const ReachedVertex& r : spread_->reached(label)) {
     if (!r.isFinal) continue;
-    for (const LabelledDistance& d : known_[r.vertex]) resumed_.push_back(d.label);
+    for (const LabelledDistance& d : known_[r.vertex])
+      if (d.label != label) resumed_.push_back(d.label);
     if (bounds_[r.vertex].label != label) continue;
     spread_->appendReaching(r.vertex, resumed_);
     bounds_[r.vertex] = {};
