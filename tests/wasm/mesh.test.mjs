@@ -116,7 +116,7 @@ test('a mesh that cannot be made says why', async () => {
     [null, 'invalid-argument'],
     ['model.glb', 'invalid-argument'],
     [new Uint8Array(0), 'invalid-file', /empty/],
-    [new TextEncoder().encode('no model'), 'invalid-file', /no model.*OBJ, PLY or STL/],
+    [new TextEncoder().encode('no model'), 'invalid-file', /none of the formats.*OBJ, PLY or STL/],
     [glb(octahedron()).subarray(0, 300), 'invalid-gltf'],
   ];
   for (const [source, code, message = /./] of cases) {

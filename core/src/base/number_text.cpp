@@ -24,13 +24,13 @@ std::string numberText(double number) {
 
   const int count = static_cast<int>(text.size());
   if (exponent < -4 || exponent > 5) {
-    if (count > 1) text.insert(1, ".");
+    if (count > 1) text.insert(1, 1, '.');
     return sign + text + (exponent < 0 ? "e-" : "e+") + (std::abs(exponent) < 10 ? "0" : "") +
            std::to_string(std::abs(exponent));
   }
   if (exponent < 0) return sign + "0." + std::string(-exponent - 1, '0') + text;
   if (count <= exponent + 1) return sign + text + std::string(exponent + 1 - count, '0');
-  return sign + text.insert(exponent + 1, ".");
+  return sign + text.insert(exponent + 1, 1, '.');
 }
 
 }  // namespace gvd

@@ -31,7 +31,7 @@ class BisectorTracing {
   void giveUpTo(int end);
   void divideContested(int element);
   void give(int element, int owner);
-  void divide(int element);
+  void divide(int index);
   bool isIndifferent(int element, int owner) const;
   double addCell(const Element& element, const FaceEnvelope::Cell& cell);
   void addAreas(double faceArea);

@@ -48,7 +48,7 @@ void ElementFunctions::dropHidden(const int* nodes) {
   for (const LabelFunction& f : functions_) {
     bool isHidden = false;  // by one owner at all nodes; without branches as above
     for (const LabelFunction& owner : owners) {
-      const bool isLower = owner.label < f.label;
+      const int isLower = owner.label < f.label;
       bool isBehind = owner.label != f.label;
       for (int i = 0; i < 3; ++i)
         isBehind &= (owner.value[i] < f.value[i]) | ((owner.value[i] == f.value[i]) & isLower);
