@@ -52,7 +52,7 @@ class PartitionAnswer final : public SlicedWork<Record> {
   double progress() const override {
     constexpr double kPartitionShare = 0.9;
     if (work_) return kPartitionShare * work_->progress();
-    const double count = static_cast<double>(partition_.triangles.size());
+    const auto count = static_cast<double>(partition_.triangles.size());
     return count > 0 ? kPartitionShare + (1 - kPartitionShare) * next_ / count : 1;
   }
   Record take() override {
