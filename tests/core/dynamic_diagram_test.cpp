@@ -296,7 +296,10 @@ TEST(DynamicDiagram, RefusesForeignDistances) {
     std::span<const LabelledDistance> at(int) const override { return {}; }
     LabelledDistance nearest(const SurfacePoint&) const override { return {}; }
     double distance(int, const SurfacePoint&) const override { return 0; }
-    std::vector<double> distancesAt(std::span<const LabelledPoint>) const override { return {}; }
+    std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
+        std::span<const LabelledPoint>) const override {
+      return nullptr;
+    }
     Eigen::Vector2d direction(int, int) const override { return {1, 0}; }
     std::vector<SurfacePoint> path(int, const SurfacePoint&) const override { return {}; }
   };

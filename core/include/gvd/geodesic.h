@@ -66,9 +66,15 @@ class DistanceField {
   virtual LabelledDistance nearest(const SurfacePoint& p) const = 0;
   /// The distance of one site at a point; infinity where it is not known.
   virtual double distance(int label, const SurfacePoint& p) const = 0;
-  /// The same at many points. Where another site is nearer, the exact metric has to carry the site
-  /// on to the point: here for all points of one label at once.
-  virtual std::vector<double> distancesAt(std::span<const LabelledPoint> points) const = 0;
+  /// Starts the same at many points. Where another site is nearer, the exact metric has to carry
+  /// the site on to the point: here for all points of one label at once. Until it is done, the
+  /// field must last, and nothing else may be asked of it.
+  virtual std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
+      std::span<const LabelledPoint> points) const = 0;
+  /// The same without steps.
+  std::vector<double> distancesAt(std::span<const LabelledPoint> points) const {
+    return finished(startDistancesAt(points));
+  }
   /// The direction in which the shortest path from a site to a vertex leaves the site, as a unit
   /// vector: together with the distance, geodesic polar coordinates (the logarithmic map). With the
   /// exact metric it is also the negative gradient of the distance with respect to the site. The

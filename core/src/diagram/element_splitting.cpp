@@ -7,11 +7,8 @@
 namespace gvd {
 namespace {
 
-/// How many elements it takes as long to look at as to split one.
-constexpr int kLooksPerSplit = 8;
-/// Elements that are split at once, for it takes a while to let a label go on to new nodes, but
-/// hardly longer for many of them.
-constexpr size_t kBatch = 256;
+/// Elements that take about as long to look at as one unit of the budget.
+constexpr long kLooksPerUnit = 8;
 
 }  // namespace
 
@@ -63,47 +60,35 @@ void Elements::split(int element, const std::array<int, 3>& middle) {
 // --- Which of them are split ---------------------------------------------------------------------
 
 bool ElementSplitting::step(long& budget) {
-  for (; level_ < detail_; ++level_) {
-    if (!sequence_.run([&] { unsplitCount_ = elements_.count(); },
-                       [&] { return splitMixed(budget); }, [&] { return follow(budget); }))
+  for (; levelCount_ < detail_; ++levelCount_) {
+    if (!level_.run([&] { return addMixed(budget); }, [&] { return splitRounds(budget); }))
       return false;
-    sequence_ = {};
+    level_ = {};
   }
   return true;
 }
 
-/// Splits what has several owners, but not what has just been split.
-bool ElementSplitting::splitMixed(long& budget) {
-  while (next_ < unsplitCount_) {
-    if (budget <= 0) return false;
-    const int element = next_++;
+/// Splits the batch, and what the new nodes of neighbours leave no choice about, round after round.
+bool ElementSplitting::splitRounds(long& budget) {
+  while (round_.run([&] { return splitBatch(budget); }, [&] { return addForced(budget); })) {
+    round_ = {};
+    if (batch_.empty()) return true;
+  }
+  return false;
+}
+
+/// Adds the elements that have several owners to the batch.
+bool ElementSplitting::addMixed(long& budget) {
+  return loop_.run(elements_.count(), budget, kLooksPerUnit, [&](int element) {
     if (commonOwner(element) == Diagram::kMixed) batch_.push_back(element);
-    if (element % kLooksPerSplit == 0) --budget;
-    if (batch_.size() == kBatch) splitBatch(budget);
-  }
-  splitBatch(budget);
-  next_ = 0;
-  return true;
+  });
 }
 
-/// Splits what the new nodes of neighbours leave no choice about, round after round: an element
-/// that is split may have neighbours that were passed already.
-bool ElementSplitting::follow(long& budget) {
-  do {
-    hasChanged_ = hasChanged_ && next_ > 0;
-    while (next_ < elements_.count()) {
-      if (budget <= 0) return false;
-      const int element = next_++;
-      if (mustSplit(element)) batch_.push_back(element);
-      if (element % kLooksPerSplit == 0) --budget;
-      if (batch_.size() == kBatch || next_ == elements_.count()) {
-        hasChanged_ = hasChanged_ || !batch_.empty();
-        splitBatch(budget);
-      }
-    }
-    next_ = 0;
-  } while (hasChanged_);
-  return true;
+/// Adds the elements that do not agree with smaller ones beside them.
+bool ElementSplitting::addForced(long& budget) {
+  return loop_.run(elements_.count(), budget, kLooksPerUnit, [&](int element) {
+    if (mustSplit(element)) batch_.push_back(element);
+  });
 }
 
 /// Whether an element beside smaller ones would not agree with them: it has several owners, or some
@@ -124,31 +109,46 @@ bool ElementSplitting::isUniform(int a, int b, int owner) const {
   return nodes_.owner(m) == owner && isUniform(a, m, owner) && isUniform(m, b, owner);
 }
 
-/// Splits the elements of the batch, after finding the distances at all their new nodes.
-void ElementSplitting::splitBatch(long& budget) {
-  int node = nodes_.count();
-  for (const int element : batch_)
-    for (int side = 0; side < 3; ++side) addMiddle(element, side);
-  const std::vector<double> distances = distances_.distancesAt(required_);
-  auto distance = distances.begin();
-  auto point = required_.begin();
-  for (const int count : requiredCounts_) {
-    found_.clear();
-    for (int i = 0; i < count; ++i, ++point, ++distance)
-      if (*distance < kInfinity) found_.push_back({point->label, *distance});
-    equalizeTies(found_);
-    nodes_.setLabels(node++, found_);
-  }
-  budget -= static_cast<long>(batch_.size() + required_.size());
+/// Splits the elements of the batch, after finding the distances at all their new nodes: of a label
+/// that takes hardly longer at many points than at one.
+bool ElementSplitting::splitBatch(long& budget) {
+  if (!split_.run(
+          [&] {
+            return loop_.run(batch_.size(), budget, 1, [&](int i) {
+              for (int side = 0; side < 3; ++side) addMiddle(batch_[i], side);
+            });
+          },
+          [&] { atNodes_ = distances_.startDistancesAt(required_); },
+          [&] { return atNodes_->step(budget); }, [&] { setLabels(atNodes_->take()); },
+          [&] {
+            return loop_.run(batch_.size(), budget, 1, [&](int i) {
+              const int* const corner = elements_.nodes(batch_[i]);
+              elements_.split(batch_[i], {nodes_.middleOf(corner[0], corner[1]),
+                                          nodes_.middleOf(corner[1], corner[2]),
+                                          nodes_.middleOf(corner[2], corner[0])});
+            });
+          }))
+    return false;
+  split_ = {};
+  batch_.clear();
   required_.clear();
   requiredCounts_.clear();
-  for (const int element : batch_) {
-    const int* const corner = elements_.nodes(element);
-    elements_.split(element,
-                    {nodes_.middleOf(corner[0], corner[1]), nodes_.middleOf(corner[1], corner[2]),
-                     nodes_.middleOf(corner[2], corner[0])});
+  return true;
+}
+
+/// Sets the labels of the nodes that have been added last.
+void ElementSplitting::setLabels(std::span<const double> distances) {
+  int node = nodes_.count() - static_cast<int>(requiredCounts_.size());
+  auto distance = distances.begin();
+  auto point = required_.begin();
+  std::vector<LabelledDistance> found;
+  for (const int count : requiredCounts_) {
+    found.clear();
+    for (int i = 0; i < count; ++i, ++point, ++distance)
+      if (*distance < kInfinity) found.push_back({point->label, *distance});
+    equalizeTies(found);
+    nodes_.setLabels(node++, found);
   }
-  batch_.clear();
 }
 
 /// Adds the node in the middle of a side if there is none yet, and requires there the distances of

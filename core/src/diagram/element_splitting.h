@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 #include <deque>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "base/sliced_loop.h"
@@ -48,12 +50,14 @@ class ElementSplitting {
   bool step(long& budget);
 
  private:
-  bool splitMixed(long& budget);
-  bool follow(long& budget);
+  bool addMixed(long& budget);
+  bool addForced(long& budget);
+  bool splitRounds(long& budget);
+  bool splitBatch(long& budget);
   bool mustSplit(int element) const;
   bool isUniform(int a, int b, int owner) const;
-  void splitBatch(long& budget);
   void addMiddle(int element, int side);
+  void setLabels(std::span<const double> distances);
   int commonOwner(int element) const { return nodes_.commonOwner(elements_.nodes(element)); }
 
   const DistanceField& distances_;
@@ -61,15 +65,13 @@ class ElementSplitting {
   Elements& elements_;
   NodeLabels& nodes_;
 
-  SlicedSequence sequence_;              ///< of a level
-  int level_ = 0;                        ///< of splitting
-  int unsplitCount_ = 0;                 ///< elements before it
-  int next_ = 0;                         ///< the element to be looked at next
-  bool hasChanged_ = false;              ///< in this round of `follow`
+  SlicedSequence level_, round_, split_;
+  SlicedLoop loop_;
+  int levelCount_ = 0;                   ///< how often what is mixed has been split
   std::vector<int> batch_;               ///< elements to be split next
   std::vector<LabelledPoint> required_;  ///< labels at their new nodes
   std::vector<int> requiredCounts_;      ///< of each of these nodes
-  std::vector<LabelledDistance> found_;  ///< at the node at hand
+  std::unique_ptr<SlicedWork<std::vector<double>>> atNodes_;
 };
 
 }  // namespace gvd

@@ -2,15 +2,26 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
-#include "distance/label_distances.h"
-#include "distance/required_point.h"
+#include "gvd/geodesic.h"
+#include "gvd/sliced_work.h"
 #include "gvd/surface_point.h"
 
 namespace gvd {
+
+class KnownLabels;
+
+/// A vertex that a label has reached.
+struct ReachedVertex {
+  int vertex;
+  /// Whether the distance is final: the label owns the vertex, or its distance was required there.
+  /// Otherwise it is an upper bound, for the label was stopped before.
+  bool isFinal;
+  double distance;
+};
 
 /// How the labels spread from their sites: what the two metrics differ in. One label is worked on
 /// at a time: one of the first three functions begins, and `run` carries on until it is done.
@@ -24,9 +35,6 @@ class LabelSpread {
   virtual void resume(int label) = 0;
   /// On to all corners of some faces, each of which the label owns some part of.
   virtual void require(int label, std::span<const int> faces) = 0;
-  /// Goes on to some points that are no vertices, and lowers the distances given with them to what
-  /// the label finds. Not to be continued by `run`.
-  virtual void require(int label, std::span<RequiredPoint> points) = 0;
   /// Works on at most `budget` units and lowers it by their number. True when the label is done.
   virtual bool run(long& budget) = 0;
   /// Forgets a label.
@@ -40,13 +48,14 @@ class LabelSpread {
   /// Appends the labels that have reached a vertex, if those known at the vertices around it need
   /// not be all that may own it in place of a label that goes.
   virtual void appendReaching(int vertex, std::vector<int>& labels) = 0;
-  /// Appends labels, some several times, that may be nearest at some point of a face although they
-  /// are not known at its corners.
-  virtual void appendLabelsInside(int face, std::vector<int>& labels) const = 0;
-  /// The distance of a label at a point that is no vertex, given its distances at the corners of
-  /// the face, infinity where it is not known.
-  virtual double distance(int label, const SurfacePoint& p,
-                          const std::array<double, 3>& atCorners) = 0;
+  /// The labels that may be nearest at a point that is no vertex, with their distances: all labels
+  /// that are, each once. `known` is what is known of all labels.
+  virtual std::vector<LabelledDistance> nearestAt(const SurfacePoint& p,
+                                                  const KnownLabels& known) = 0;
+  /// Starts the distances of labels at points that are no vertices; each is known around its
+  /// points. There must be no change until it is done.
+  virtual std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
+      std::vector<LabelledPoint> points, const KnownLabels& known) = 0;
   /// The direction at the site of the path to the vertex `reached(label)[index]`
   /// (`DistanceField::direction`).
   virtual Eigen::Vector2d direction(int label, int index) const = 0;

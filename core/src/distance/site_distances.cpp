@@ -36,7 +36,6 @@ std::vector<SiteChange> arrivals(std::span<const SurfacePoint> sites) {
 
 SiteDistances::SiteDistances(const TriangleMesh& mesh, Metric metric, Spread spread)
     : mesh_(mesh),
-      hasOpenDistances_(metric == Metric::kExact && spread == Spread::kAsNeeded),
       sites_(mesh),
       edgeBounds_(mesh, sites_),
       bounds_(mesh.vertexCount()),
@@ -82,7 +81,6 @@ void SiteDistances::forget(int label) {
   }
   makeSet(resumed_);
   spread_->remove(label);
-  found_.remove(label);
 }
 
 bool SiteDistances::step(long budget) {
@@ -213,23 +211,15 @@ SiteDistances::LabelInFace SiteDistances::nearestAround(int vertex) const {
 
 LabelledDistance SiteDistances::nearest(const SurfacePoint& p) const {
   requireOnMesh(mesh_, p);
-  for (int i = 0; i < 3; ++i)
-    if (p.bary[i] == 1) return nearestOf(at(mesh_.tail(3 * p.face + i)));
-  std::vector<int> labels;
-  for (int h = 3 * p.face; h < 3 * p.face + 3; ++h)
-    for (const LabelledDistance& d : at(mesh_.tail(h))) labels.push_back(d.label);
-  spread_->appendLabelsInside(p.face, labels);
-  makeSet(labels);
+  if (const int v = vertexAt(mesh_, p); v >= 0) return nearestOf(at(v));
   LabelledDistance best;
   bool isBestKnown = false;
-  for (const int label : labels) {
-    const std::array<double, 3> atCorners = distancesAtCorners(p.face, label);
-    const double distance = spread_->distance(label, p, atCorners);
+  for (const auto& [label, distance] : spread_->nearestAt(p, known_)) {
     if (!(isAtMost(distance, best.distance) && distance < kInfinity)) continue;
-    bool isKnown = true;
-    for (int i = 0; i < 3; ++i) isKnown = isKnown && !(p.bary[i] > 0 && atCorners[i] == kInfinity);
     // Of labels that tie, the lowest, but first those that are known around the point.
-    if (!isAtMost(best.distance, distance) || best.label < 0 || isKnown > isBestKnown) {
+    const bool isKnown = isKnownAround(label, p);
+    const bool isTie = isAtMost(best.distance, distance);
+    if (!isTie || isKnown > isBestKnown || (isKnown == isBestKnown && label < best.label)) {
       best.label = label;
       isBestKnown = isKnown;
     }
@@ -238,33 +228,56 @@ LabelledDistance SiteDistances::nearest(const SurfacePoint& p) const {
   return best;
 }
 
-std::array<double, 3> SiteDistances::distancesAtCorners(int face, int label) const {
-  const auto& corners = mesh_.face(face).vertices;
-  return {known_.distance(corners[0], label), known_.distance(corners[1], label),
-          known_.distance(corners[2], label)};
+/// Whether a label is known at the corners of the face, or of the side, that has the point.
+bool SiteDistances::isKnownAround(int label, const SurfacePoint& p) const {
+  for (int i = 0; i < 3; ++i)
+    if (p.bary[i] > 0 && known_.distance(mesh_.tail(3 * p.face + i), label) == kInfinity)
+      return false;
+  return true;
 }
 
 double SiteDistances::distance(int label, const SurfacePoint& p) const {
-  requireOnMesh(mesh_, p);
-  const double distance = boundAt(label, p);
-  if (!hasOpenDistances_ || distance == kInfinity || p.bary.maxCoeff() == 1) return distance;
-  // The nearest label has come to what it owns; another one goes on to the point.
-  const double nearestThere = nearest(p).distance;
-  if (isAtMost(distance, nearestThere)) return distance;
-  RequiredPoint required = {p, distance, nearestThere};
-  spread_->require(label, {&required, 1});
-  return required.distance;
+  if (const LabelledDistance there = nearest(p); there.label == label) return there.distance;
+  const LabelledPoint point = {label, p};
+  return distancesAt({&point, 1})[0];
 }
 
-/// The distance of a label at a point; where another label is nearer, with the exact metric, an
-/// upper bound.
-double SiteDistances::boundAt(int label, const SurfacePoint& p) const {
-  const std::array<double, 3> atCorners = distancesAtCorners(p.face, label);
-  for (int i = 0; i < 3; ++i) {
-    if (p.bary[i] == 1) return atCorners[i];
-    if (p.bary[i] > 0 && atCorners[i] == kInfinity) return kInfinity;
+/// The spread is asked about what is no vertex.
+class SiteDistances::PointDistances final : public SlicedWork<std::vector<double>> {
+ public:
+  PointDistances(const SiteDistances& field, std::span<const LabelledPoint> points)
+      : distances_(points.size(), kInfinity) {
+    std::vector<LabelledPoint> open;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const auto& [label, p] = points[i];
+      requireOnMesh(field.mesh_, p);
+      if (const int v = vertexAt(field.mesh_, p); v >= 0) {
+        distances_[i] = field.known_.distance(v, label);
+      } else if (field.isKnownAround(label, p)) {
+        open.push_back(points[i]);
+        openIndices_.push_back(i);
+      }
+    }
+    atPoints_ = field.spread_->startDistancesAt(std::move(open), field.known_);
   }
-  return spread_->distance(label, p, atCorners);
+
+  bool step(long budget) override { return atPoints_->step(budget); }
+  double progress() const override { return atPoints_->progress(); }
+  std::vector<double> take() override {
+    const std::vector<double> found = atPoints_->take();
+    for (std::size_t i = 0; i < found.size(); ++i) distances_[openIndices_[i]] = found[i];
+    return std::move(distances_);
+  }
+
+ private:
+  std::vector<double> distances_;
+  std::vector<std::size_t> openIndices_;
+  std::unique_ptr<SlicedWork<std::vector<double>>> atPoints_;
+};
+
+std::unique_ptr<SlicedWork<std::vector<double>>> SiteDistances::startDistancesAt(
+    std::span<const LabelledPoint> points) const {
+  return std::make_unique<PointDistances>(*this, points);
 }
 
 Eigen::Vector2d SiteDistances::direction(int label, int vertex) const {
@@ -276,7 +289,7 @@ Eigen::Vector2d SiteDistances::direction(int label, int vertex) const {
 std::vector<SurfacePoint> SiteDistances::path(int label, const SurfacePoint& p) const {
   requireOnMesh(mesh_, p);
   if (!sites_.contains(label)) return {};
-  if (!(boundAt(label, p) < kInfinity) && nearest(p).label != label) return {};
+  if (!isKnownAround(label, p) && nearest(p).label != label) return {};
   return spread_->path(label, p);
 }
 

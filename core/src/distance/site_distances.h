@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,7 +11,6 @@
 #include "distance/known_labels.h"
 #include "distance/label_spread.h"
 #include "distance/nearest_bounds.h"
-#include "distance/point_distances.h"
 #include "distance/site_set.h"
 #include "gvd/geodesic.h"
 #include "gvd/triangle_mesh.h"
@@ -59,11 +57,13 @@ class SiteDistances final : public DistanceField {
   std::span<const LabelledDistance> at(int vertex) const override { return known_[vertex]; }
   LabelledDistance nearest(const SurfacePoint& p) const override;
   double distance(int label, const SurfacePoint& p) const override;
-  std::vector<double> distancesAt(std::span<const LabelledPoint> points) const override;
+  std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
+      std::span<const LabelledPoint> points) const override;
   Eigen::Vector2d direction(int label, int vertex) const override;
   std::vector<SurfacePoint> path(int label, const SurfacePoint& p) const override;
 
  private:
+  class PointDistances;
   enum class Stage { kBounds, kSpread, kKnown, kDone };
   struct LabelInFace {
     int label, face;
@@ -75,19 +75,14 @@ class SiteDistances final : public DistanceField {
   bool spread(long& budget);
   bool requireMissed();
   LabelInFace nearestAround(int vertex) const;
-  SurfacePoint unique(const SurfacePoint& p) const;
-  double boundAt(int label, const SurfacePoint& p) const;
-  std::array<double, 3> distancesAtCorners(int face, int label) const;
+  bool isKnownAround(int label, const SurfacePoint& p) const;
 
   const TriangleMesh& mesh_;
-  /// Whether the distance of a label at a point may be an upper bound, for the label was stopped.
-  const bool hasOpenDistances_;
   SiteSet sites_;
   EdgeBounds edgeBounds_;
   NearestBounds bounds_;
   std::unique_ptr<LabelSpread> spread_;
   KnownLabels known_;
-  mutable PointDistances found_;
 
   // The change at hand.
   Stage stage_ = Stage::kDone;

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "base/sliced_loop.h"
 #include "distance/path_points.h"
 #include "gvd/dual.h"
 
@@ -30,31 +31,31 @@ SurfacePoint inFace(const TriangleMesh& mesh, const SurfacePoint& p, int face) {
 }
 
 /// First the point of each arc at which the way from site to site is shortest, then the paths to
-/// it.
+/// it. Where the paths to the virtual sources are the same all along a segment, the sum of the
+/// squared distances is a quadratic function: the one through three of its values has its least
+/// value at the same place. Elsewhere an end of the segment may be nearer.
 class DualPathFinding final : public SlicedWork<std::vector<DualPath>> {
  public:
   DualPathFinding(const TriangleMesh& mesh, const Diagram& diagram, const DistanceField& field)
       : mesh_(mesh), diagram_(diagram), field_(field), nearest_(diagram.arcLabels.size()) {}
 
   bool step(long budget) override {
-    constexpr int kSegmentsAtATime = 64;
-    constexpr long kSegmentUnits = 16, kPathUnits = 1000;
-    for (; nextSegment_ < diagram_.segments.size(); nextSegment_ += kSegmentsAtATime) {
-      if (budget <= 0) return false;
-      const std::size_t left = diagram_.segments.size() - nextSegment_;
-      offerSegments(std::span(diagram_.segments)
-                        .subspan(nextSegment_, std::min<std::size_t>(left, kSegmentsAtATime)));
-      budget -= kSegmentUnits * kSegmentsAtATime;
-    }
-    for (; paths_.size() < nearest_.size(); budget -= kPathUnits) {
-      if (budget <= 0) return false;
-      addPath(static_cast<int>(paths_.size()));
-    }
-    return true;
+    constexpr long kPathUnits = 1000;
+    return sequence_.run(
+        [&] { return addEvenPlaces(budget); }, [&] { return offerPlaces(budget); },
+        [&] { return addLeastPlaces(budget); }, [&] { return offerPlaces(budget); },
+        [&] {
+          for (; paths_.size() < nearest_.size(); budget -= kPathUnits) {
+            if (budget <= 0) return false;
+            addPath(static_cast<int>(paths_.size()));
+          }
+          return true;
+        });
   }
   double progress() const override {
-    const double all = diagram_.segments.size() + nearest_.size();
-    return all > 0 ? std::min(1.0, (nextSegment_ + paths_.size()) / all) : 1;
+    const double ofPaths =
+        nearest_.empty() ? 1 : static_cast<double>(paths_.size()) / nearest_.size();
+    return std::min(1.0, sequence_.progress() + 0.2 * ofPaths);
   }
   std::vector<DualPath> take() override { return std::move(paths_); }
 
@@ -65,25 +66,22 @@ class DualPathFinding final : public SlicedWork<std::vector<DualPath>> {
     double share;
   };
 
-  /// Distances at all points in question are asked for at once.
-  void offerSegments(std::span<const Diagram::Segment> segments) {
-    // Where the paths to the virtual sources are the same all along a segment, the sum of the
-    // squared distances is a quadratic function: the one through three of its values has its least
-    // value at the same place. Elsewhere an end of the segment may be nearer.
-    const std::array shares = {0.0, 0.5, 1.0};
-    std::vector<Place> places;
-    for (const Diagram::Segment& segment : segments)
-      for (const double share : shares) places.push_back({&segment, share});
-    const std::vector<Eigen::Vector2d> distances = offer(places);
-    std::vector<Place> least;
-    for (size_t i = 0; i < places.size(); i += shares.size()) {
-      const double first = distances[i].squaredNorm(), middle = distances[i + 1].squaredNorm(),
-                   last = distances[i + 2].squaredNorm();
-      const double curvature = first - 2 * middle + last;
-      const double share = 0.5 + (first - last) / (4 * curvature);
-      if (curvature > 0 && share > 0 && share < 1) least.push_back({places[i].segment, share});
-    }
-    offer(least);
+  /// The places on each segment where the function is evaluated first.
+  bool addEvenPlaces(long& budget) {
+    return loop_.run(diagram_.segments.size(), budget, kPlacesPerUnit, [&](int i) {
+      for (const double share : kEvenShares) places_.push_back({&diagram_.segments[i], share});
+    });
+  }
+
+  /// The places on the segments where it is least, in place of those.
+  bool addLeastPlaces(long& budget) {
+    return loop_.run(diagram_.segments.size(), budget, kPlacesPerUnit, [&](int i) {
+             const auto* const values = &squaredSums_[kEvenShares.size() * i];
+             const double curvature = values[0] - 2 * values[1] + values[2];
+             const double share = 0.5 + (values[0] - values[2]) / (4 * curvature);
+             if (curvature > 0 && share > 0 && share < 1)
+               places_.push_back({&diagram_.segments[i], share});
+           });
   }
 
   SurfacePoint pointAt(const Place& place) const {
@@ -94,19 +92,34 @@ class DualPathFinding final : public SlicedWork<std::vector<DualPath>> {
     return {begin.face, (1 - place.share) * begin.bary + place.share * end.bary};
   }
 
-  /// Takes the places as crossings if they are nearer; returns the distances of both sites there.
-  std::vector<Eigen::Vector2d> offer(const std::vector<Place>& places) {
-    std::vector<LabelledPoint> points;
-    for (const Place& place : places)
-      for (const int label : place.segment->labels) points.push_back({label, pointAt(place)});
-    const std::vector<double> distances = field_.distancesAt(points);
-    std::vector<Eigen::Vector2d> both;
-    for (size_t i = 0; i < places.size(); ++i) {
-      both.emplace_back(distances[2 * i], distances[2 * i + 1]);
-      Crossing& nearest = nearest_[places[i].segment->arc];
-      if (both[i].sum() < nearest.length) nearest = {points[2 * i].point, both[i].sum()};
+  /// Takes the places as crossings if they are nearer. The distances at all of them are asked for at
+  /// once.
+  bool offerPlaces(long& budget) {
+    if (!round_.run(
+            [&] {
+              return loop_.run(places_.size(), budget, kPlacesPerUnit, [&](int i) {
+                for (const int label : places_[i].segment->labels)
+                  points_.push_back({label, pointAt(places_[i])});
+              });
+            },
+            [&] { atPoints_ = field_.startDistancesAt(points_); },
+            [&] { return atPoints_->step(budget); },
+            [&] { offer(atPoints_->take()); }))
+      return false;
+    round_ = {};
+    points_.clear();
+    places_.clear();
+    return true;
+  }
+
+  void offer(std::span<const double> distances) {
+    squaredSums_.clear();
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      const Eigen::Vector2d both(distances[2 * i], distances[2 * i + 1]);
+      squaredSums_.push_back(both.squaredNorm());
+      Crossing& nearest = nearest_[places_[i].segment->arc];
+      if (both.sum() < nearest.length) nearest = {points_[2 * i].point, both.sum()};
     }
-    return both;
   }
 
   /// Without points if the distances of its sites are not known on the arc.
@@ -124,11 +137,19 @@ class DualPathFinding final : public SlicedWork<std::vector<DualPath>> {
       path.points.insert(path.points.end(), rest.begin() + 1, rest.end());
   }
 
+  static constexpr std::array kEvenShares = {0.0, 0.5, 1.0};
+  static constexpr long kPlacesPerUnit = 8;
+
   const TriangleMesh& mesh_;
   const Diagram& diagram_;
   const DistanceField& field_;
-  std::size_t nextSegment_ = 0;
-  std::vector<Crossing> nearest_;
+  SlicedSequence sequence_, round_;
+  SlicedLoop loop_;
+  std::vector<Place> places_;
+  std::vector<LabelledPoint> points_;  ///< both labels at each place
+  std::unique_ptr<SlicedWork<std::vector<double>>> atPoints_;
+  std::vector<double> squaredSums_;  ///< of the two distances at each place
+  std::vector<Crossing> nearest_;    ///< of each arc
   std::vector<DualPath> paths_;
 };
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "distance/label_distances.h"
+#include "distance/label_spread.h"
 #include "distance/path_points.h"
 #include "distance/straight_line.h"
 #include "gvd/geodesic.h"

@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "base/index_set.h"
+#include "base/sliced_loop.h"
 #include "distance/face_layout.h"
+#include "distance/known_labels.h"
 #include "mesh/surface_geometry.h"
 
 namespace gvd::dgpc {
@@ -133,18 +135,63 @@ void UnfoldingSpread::appendReaching(int vertex, std::vector<int>& labels) {
 
 // --- Queries -----------------------------------------------------------------------------------
 
-/// There are none: the distance at a point follows from those at the corners of its face.
-void UnfoldingSpread::appendLabelsInside(int /*face*/, std::vector<int>& /*labels*/) const {}
+std::vector<LabelledDistance> UnfoldingSpread::nearestAt(const SurfacePoint& p,
+                                                         const KnownLabels& known) {
+  std::vector<int> labels;
+  for (const int v : mesh_.face(p.face).vertices)
+    for (const LabelledDistance& d : known[v]) labels.push_back(d.label);
+  makeSet(labels);
+  std::vector<LabelledDistance> distances;
+  for (const int label : labels) distances.push_back({label, distanceAt(label, p, known)});
+  return distances;
+}
 
-double UnfoldingSpread::distance(int label, const SurfacePoint& p,
-                                 const std::array<double, 3>& atCorners) {
+/// The distances of labels at points follow from those at the corners of the faces.
+class UnfoldingSpread::PointDistances final : public SlicedWork<std::vector<double>> {
+ public:
+  PointDistances(const UnfoldingSpread& spread, const KnownLabels& known,
+                 std::vector<LabelledPoint> points)
+      : spread_(spread), known_(known), points_(std::move(points)) {}
+
+  bool step(long budget) override {
+    constexpr long kPointsPerUnit = 8;
+    return loop_.run(points_.size(), budget, kPointsPerUnit, [&](int i) {
+      distances_.push_back(spread_.distanceAt(points_[i].label, points_[i].point, known_));
+    });
+  }
+  double progress() const override {
+    return points_.empty() ? 1 : static_cast<double>(distances_.size()) / points_.size();
+  }
+  std::vector<double> take() override { return std::move(distances_); }
+
+ private:
+  const UnfoldingSpread& spread_;
+  const KnownLabels& known_;
+  const std::vector<LabelledPoint> points_;
+  std::vector<double> distances_;
+  SlicedLoop loop_;
+};
+
+std::unique_ptr<SlicedWork<std::vector<double>>> UnfoldingSpread::startDistancesAt(
+    std::vector<LabelledPoint> points, const KnownLabels& known) {
+  return std::make_unique<PointDistances>(*this, known, std::move(points));
+}
+
+/// Squared distances are interpolated linearly between the corners of a face, as those of a plane
+/// are, less the squared distances within the face that this leaves out. Infinity if the label is
+/// not known there.
+double UnfoldingSpread::distanceAt(int label, const SurfacePoint& p,
+                                   const KnownLabels& known) const {
   const auto sides = squaredSides(mesh_, p.face);
   for (const FaceSite& site : sites_.inFace(p.face))
     if (site.label == label) return std::sqrt(squaredDistance(p.bary, site.bary, sides));
   double squared = 0;
   for (int i = 0; i < 3; ++i) {
-    if (p.bary[i] > 0 && atCorners[i] == kInfinity) return kInfinity;
-    if (p.bary[i] > 0) squared += p.bary[i] * atCorners[i] * atCorners[i];
+    if (p.bary[i] > 0) {
+      const double atCorner = known.distance(mesh_.tail(3 * p.face + i), label);
+      if (atCorner == kInfinity) return kInfinity;
+      squared += p.bary[i] * atCorner * atCorner;
+    }
     squared -= p.bary[i] * p.bary[(i + 1) % 3] * sides[i];
   }
   return std::sqrt(std::max(squared, 0.0));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -26,8 +27,6 @@ class UnfoldingSpread final : public LabelSpread {
   void start(int label) override;
   void resume(int label) override;
   void require(int label, std::span<const int> faces) override;
-  /// The distance at a point follows from those at the corners of its face.
-  void require(int /*label*/, std::span<RequiredPoint> /*points*/) override {}
   bool run(long& budget) override;
   void remove(int label) override;
 
@@ -37,9 +36,9 @@ class UnfoldingSpread final : public LabelSpread {
   }
   std::vector<int> outdated(std::span<const int> changedVertices) override;
   void appendReaching(int vertex, std::vector<int>& labels) override;
-  void appendLabelsInside(int face, std::vector<int>& labels) const override;
-  double distance(int label, const SurfacePoint& p,
-                  const std::array<double, 3>& atCorners) override;
+  std::vector<LabelledDistance> nearestAt(const SurfacePoint& p, const KnownLabels& known) override;
+  std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
+      std::vector<LabelledPoint> points, const KnownLabels& known) override;
   Eigen::Vector2d direction(int label, int index) const override;
   std::vector<SurfacePoint> path(int label, const SurfacePoint& p) override;
 
@@ -52,6 +51,8 @@ class UnfoldingSpread final : public LabelSpread {
   void store();
   void requireVertex(Label& known, int vertex) const;
   void indexReaching();
+  class PointDistances;
+  double distanceAt(int label, const SurfacePoint& p, const KnownLabels& known) const;
 
   const TriangleMesh& mesh_;
   const SiteSet& sites_;

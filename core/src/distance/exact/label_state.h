@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "distance/exact/window.h"
-#include "distance/label_distances.h"
+#include "distance/label_spread.h"
 
 namespace gvd::exact {
 
@@ -27,7 +27,8 @@ struct WaitingWindow {
 };
 
 /// What is kept of a label when it has spread: its distances, and where it goes on when it is
-/// continued. The windows that have crossed their faces are not (`WindowRecord`).
+/// continued. The windows that have crossed their faces are not: they would take several times the
+/// memory of all else (`BackwardSearch`).
 struct LabelState {
   std::vector<ReachedVertex> vertices;
   std::vector<LastPiece> pieces;       ///< of each of these vertices

@@ -10,7 +10,6 @@
 #include "distance/exact/window_path.h"
 #include "distance/exact/window_sweep.h"
 #include "distance/nearest_bounds.h"
-#include "distance/required_point.h"
 #include "gvd/geodesic.h"
 #include "mesh/surface_geometry.h"
 
@@ -37,11 +36,11 @@ class PathSearch final : public SlicedWork<std::vector<SurfacePoint>> {
     // As long as nothing is required, all windows wait at the faces around the site.
     long unlimited = std::numeric_limits<long>::max();
     sweep_.run(unlimited);
-    const RequiredPoint point = {from, kInfinity, 0};
+    const exact::RequiredPoint point = {from, kInfinity, 0};
     if (vertexAt(mesh, from) >= 0)
       sweep_.require(kLabel, state_, {&from.face, 1});
     else
-      sweep_.require(kLabel, state_, {&point, 1}, nullptr);
+      sweep_.require(kLabel, state_, {&point, 1});
   }
 
   bool step(long budget) override { return isDone_ = sweep_.run(budget); }
@@ -53,7 +52,9 @@ class PathSearch final : public SlicedWork<std::vector<SurfacePoint>> {
   }
 
   std::vector<SurfacePoint> take() override {
-    return exact::pathToSite(mesh_, to_, state_, {}, from_);
+    exact::ReachedIndex index(mesh_.vertexCount());
+    index.reset(state_.vertices);
+    return exact::pathToSite(mesh_, to_, state_, index, {}, from_);
   }
 
  private:

@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "base/tolerances.h"
+#include "distance/face_layout.h"
 #include "gvd/geodesic.h"
+#include "gvd/triangle_mesh.h"
 
 namespace gvd::exact {
 
@@ -62,6 +64,37 @@ inline double meetSide(double at, double x, double y, double cosine, double sine
   const double denominator = -cosine * y - sine * (at - x);
   if (!(at > 0)) return 0;
   return denominator * length > numerator ? numerator / denominator : length;
+}
+
+/// The sides by which windows leave a face, as seen from their halfedge.
+enum class Side { kLeft, kRight };
+
+/// What goes on of a window of side i beyond another side of the face, in the coordinates of the
+/// face beyond. `crossing` is where the line from the source to the apex crosses side i: the window
+/// must have a part on that side of it. Inlined, for all windows of a halfedge share the face.
+template <Side kSide>
+[[gnu::always_inline]] inline Window windowBeyond(const Window& w, const TriangleMesh::Face& face,
+                                                  int i, double crossing) {
+  const int j = cornerAfter(i), k = cornerBefore(i);
+  Window beyond;
+  beyond.sourceDistance = w.sourceDistance;
+  if constexpr (kSide == Side::kLeft) {
+    const double c = face.cosines[i], s = face.sines[i], side = face.lengths[k];
+    beyond.begin = meetSide(w.begin, w.x, w.y, c, s, side);
+    beyond.end = crossing < w.end ? side : meetSide(w.end, w.x, w.y, c, s, side);
+    beyond.x = w.x * c + w.y * s;
+    beyond.y = w.y * c - w.x * s;
+    beyond.direction = w.sourceDistance > 0 ? w.direction : w.direction + face.angles[i];
+  } else {
+    const double c = face.cosines[j], s = face.sines[j], side = face.lengths[j];
+    const double length = face.lengths[i], x = length - w.x;
+    beyond.begin = crossing > w.begin ? 0 : side - meetSide(length - w.begin, x, w.y, c, s, side);
+    beyond.end = side - meetSide(length - w.end, x, w.y, c, s, side);
+    beyond.x = side - (x * c + w.y * s);
+    beyond.y = w.y * c - x * s;
+    beyond.direction = w.sourceDistance > 0 ? w.direction : w.direction - face.angles[j];
+  }
+  return beyond;
 }
 
 /// How far from a vertex, along an edge, the path over the vertex is shorter than a window's: up to

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "distance/exact/window_spread.h"
 #include "distance/face_layout.h"
 #include "mesh/surface_geometry.h"
 
@@ -24,11 +23,9 @@ constexpr double kSourceError = 1e-6;
 
 }  // namespace
 
-WindowPath::WindowPath(const TriangleMesh& mesh, const SurfacePoint& site, const LabelState& label)
-    : mesh_(mesh), label_(label), points_(mesh, site), index_(mesh.vertexCount(), -1) {
-  for (size_t i = 0; i < label.vertices.size(); ++i)
-    index_[label.vertices[i].vertex] = static_cast<int>(i);
-}
+WindowPath::WindowPath(const TriangleMesh& mesh, const SurfacePoint& site, const LabelState& label,
+                       const ReachedIndex& index)
+    : mesh_(mesh), label_(label), points_(mesh, site), index_(index) {}
 
 // --- The beginning -----------------------------------------------------------------------------
 
@@ -49,6 +46,12 @@ void WindowPath::offer(const Window& w, int halfedge, const SurfacePoint& place)
   least_ = distance;
   const double crossing = std::clamp(w.crossing(p.x(), p.y()), w.begin, w.end);
   first_ = {{halfedge, crossing, {w.x, w.y}}, w.sourceDistance};
+}
+
+void WindowPath::offer(const FirstPiece& piece, const SurfacePoint& p) {
+  if (!(piece.distance < least_) || piece.halfedge < 0) return;
+  least_ = piece.distance;
+  first_ = {lineAlong(mesh_, p, piece), piece.vertex < 0 ? 0 : distanceAt(piece.vertex)};
 }
 
 std::vector<SurfacePoint> WindowPath::take() {
@@ -135,37 +138,21 @@ int WindowPath::nearestVertex() const {
 // --- The path of a label -----------------------------------------------------------------------
 
 std::vector<SurfacePoint> pathToSite(const TriangleMesh& mesh, const SurfacePoint& site,
-                                     const LabelState& label, const WindowRecord& windows,
-                                     const SurfacePoint& p) {
-  WindowPath path(mesh, site, label);
+                                     const LabelState& label, const ReachedIndex& index,
+                                     std::span<const FirstPiece> found, const SurfacePoint& p) {
+  WindowPath path(mesh, site, label, index);
   path.start(p);
   if (vertexAt(mesh, p) >= 0) return path.take();
+  for (const FirstPiece& piece : found) path.offer(piece, p);
   visitPlaces(mesh, p, [&](const SurfacePoint& place) {
     for (int i = 0; i < 3; ++i) {
       if (place.bary[cornerBefore(i)] == 0) continue;  // on the side: the face beyond tells
       const int halfedge = 3 * place.face + i;
-      windows.visit(halfedge, [&](const Window& w) { path.offer(w, halfedge, place); });
-      // Where another label is nearer, the path may come through a window that has stopped.
       for (const WaitingWindow& w : label.waiting)
         if (w.halfedge == halfedge) path.offer(w.window, halfedge, place);
     }
   });
   return path.take();
-}
-
-/// The path to a vertex follows from what is kept of the label, that to another point from the
-/// recording, in which the label comes to the point first.
-std::vector<SurfacePoint> WindowSpread::path(int label, const SurfacePoint& p) {
-  if (vertexAt(mesh_, p) >= 0) return pathToSite(mesh_, sites_[label], labels_[label].state, {}, p);
-  double nearest = 0;  // at least
-  for (int i = 0; i < 3; ++i) {
-    const Vector2d way = layOut(mesh_.face(p.face), 0, p.bary - Eigen::Vector3d::Unit(i));
-    nearest = std::max(nearest, bounds_[mesh_.tail(3 * p.face + i)].distance - way.norm());
-  }
-  RequiredPoint required = {p, kInfinity, nearest};
-  require(label, {&required, 1});
-  const Recording& recording = recordingOf(label);
-  return pathToSite(mesh_, sites_[label], recording.state, recording.windows, p);
 }
 
 }  // namespace gvd::exact

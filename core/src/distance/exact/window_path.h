@@ -2,10 +2,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
+#include "distance/exact/backward_search.h"
 #include "distance/exact/label_state.h"
-#include "distance/exact/window_record.h"
+#include "distance/exact/reached_index.h"
 #include "distance/path_points.h"
 #include "distance/straight_line.h"
 #include "gvd/surface_point.h"
@@ -18,14 +20,17 @@ namespace gvd::exact {
 /// unfolded faces, of which the virtual source is known, and which is followed from face to face.
 class WindowPath {
  public:
-  WindowPath(const TriangleMesh& mesh, const SurfacePoint& site, const LabelState& label);
+  WindowPath(const TriangleMesh& mesh, const SurfacePoint& site, const LabelState& label,
+             const ReachedIndex& index);
 
   /// Begins the path at a point.
   void start(const SurfacePoint& p);
   /// Offers a window of a face that the point lies in; `place` is the point in terms of that face.
   void offer(const Window& w, int halfedge, const SurfacePoint& place);
-  /// The path by the best of the windows offered, of the corners around the point, and of the
-  /// straight line in a face. Empty if none leads to the site.
+  /// Offers what a search from the point has found.
+  void offer(const FirstPiece& piece, const SurfacePoint& p);
+  /// The path by the best of what was offered, of the corners around the point, and of the straight
+  /// line in a face. Empty if none leads to the site.
   std::vector<SurfacePoint> take();
 
  private:
@@ -50,7 +55,7 @@ class WindowPath {
   const TriangleMesh& mesh_;
   const LabelState& label_;
   PathPoints points_;
-  std::vector<int> index_;  ///< of each vertex among those that the label has reached, -1
+  const ReachedIndex& index_;
   /// The vertices at which the path turns or passes come ever nearer to the site: it ends.
   double bound_ = kInfinity;
   // The best beginning.
@@ -58,10 +63,10 @@ class WindowPath {
   Piece first_;
 };
 
-/// The shortest path from a point to the site of a label that has come to the point. `windows` are
-/// those by which the label has crossed faces; not needed if the point is a vertex.
+/// The shortest path from a point to the site of a label that has come to the point. `found` is
+/// what a search from the point has found; what it cannot find comes through windows that wait.
 std::vector<SurfacePoint> pathToSite(const TriangleMesh& mesh, const SurfacePoint& site,
-                                     const LabelState& label, const WindowRecord& windows,
-                                     const SurfacePoint& p);
+                                     const LabelState& label, const ReachedIndex& index,
+                                     std::span<const FirstPiece> found, const SurfacePoint& p);
 
 }  // namespace gvd::exact

@@ -125,10 +125,24 @@ void WindowSweep::offerToCorners(const Window& w, int h) {
 
 // --- Points --------------------------------------------------------------------------------------
 
-void WindowSweep::require(int label, LabelState& state, std::span<const RequiredPoint> points,
-                          WindowRecord* record) {
-  begin(label, SpreadTo::kRequired, state, record);
+void WindowSweep::start(int label, const SurfacePoint& site, SpreadTo to, LabelState& state,
+                        std::span<const RequiredPoint> points) {
+  begin(label, to, state);
+  lowersBounds_ = false;
+  addPoints(points);
+  startAt(site);
+}
+
+void WindowSweep::require(int label, LabelState& state, std::span<const RequiredPoint> points) {
+  begin(label, SpreadTo::kRequired, state);
+  lowersBounds_ = false;
   load();
+  addPoints(points);
+  for (const WaitingWindow& w : state.waiting) offerToPoints(w.window, w.halfedge);
+  continueNeeded();
+}
+
+void WindowSweep::addPoints(std::span<const RequiredPoint> points) {
   pointDistances_.clear();
   for (const RequiredPoint& required : points) {
     const SurfacePoint& p = required.point;
@@ -141,8 +155,6 @@ void WindowSweep::require(int label, LabelState& state, std::span<const Required
   sortStably(std::span(points_), [](const PointInFace& a, const PointInFace& b) {
     return std::tie(a.face, a.index) < std::tie(b.face, b.index);
   });
-  for (const WaitingWindow& w : state.waiting) offerToPoints(w.window, w.halfedge);
-  continueNeeded();
 }
 
 /// Adds a required point in a face, and offers it the paths that are straight from a corner.

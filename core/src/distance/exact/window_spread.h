@@ -5,8 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "distance/exact/backward_search.h"
 #include "distance/exact/label_state.h"
-#include "distance/exact/window_record.h"
+#include "distance/exact/point_distances.h"
+#include "distance/exact/reached_index.h"
 #include "distance/exact/window_sweep.h"
 #include "distance/label_spread.h"
 #include "distance/nearest_bounds.h"
@@ -15,9 +17,7 @@
 namespace gvd::exact {
 
 /// The exact metric: polyhedral distance by windows (Mitchell et al. 1987). Distances at vertices
-/// are kept. At other points they follow from the windows that have crossed the face, which would
-/// take several times the memory of all else: a label that is asked for such a point spreads once
-/// more, and its windows are kept until it changes.
+/// are kept. Those at other points are searched for from the point, back to the vertices and sites.
 class WindowSpread final : public LabelSpread {
  public:
   WindowSpread(const TriangleMesh& mesh, const SiteSet& sites, NearestBounds& bounds,
@@ -26,53 +26,35 @@ class WindowSpread final : public LabelSpread {
   void start(int label) override;
   void resume(int label) override;
   void require(int label, std::span<const int> faces) override;
-  void require(int label, std::span<RequiredPoint> points) override;
-  bool run(long& budget) override;
+  bool run(long& budget) override { return sweep_.run(budget); }
   void remove(int label) override;
 
-  std::vector<ReachedVertex>& reached(int label) override { return labels_[label].state.vertices; }
+  std::vector<ReachedVertex>& reached(int label) override { return labels_[label].vertices; }
   const std::vector<ReachedVertex>& reached(int label) const override {
-    return labels_[label].state.vertices;
+    return labels_[label].vertices;
   }
   std::vector<int> outdated(std::span<const int> /*changedVertices*/) override { return {}; }
   void appendReaching(int /*vertex*/, std::vector<int>& /*labels*/) override {}
-  void appendLabelsInside(int face, std::vector<int>& labels) const override;
-  double distance(int label, const SurfacePoint& p,
-                  const std::array<double, 3>& atCorners) override;
+  std::vector<LabelledDistance> nearestAt(const SurfacePoint& p, const KnownLabels& known) override;
+  std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
+      std::vector<LabelledPoint> points, const KnownLabels& known) override;
   Eigen::Vector2d direction(int label, int index) const override;
   std::vector<SurfacePoint> path(int label, const SurfacePoint& p) override;
 
  private:
-  /// A label's second run, of which the windows are recorded.
-  struct Recording {
-    LabelState state;
-    WindowRecord windows;
-  };
-  struct Label {
-    LabelState state;
-    std::vector<int> crossedFaces;
-    std::unique_ptr<Recording> recording;  ///< if a point has been asked for
-  };
-  /// A label that has crossed a face, in a list of those of the face.
-  struct Crossing {
-    int label;
-    int next;
-  };
-  void begin(int label);
-  void noteCrossedFaces();
-  Recording& recordingOf(int label);
-  void finish(Recording& recording);
+  class NearestLabels;
+  class OneLabel;
+  LabelState& begin(int label);
 
   const TriangleMesh& mesh_;
   const SiteSet& sites_;
-  const NearestBounds& bounds_;
+  NearestBounds& bounds_;
   const SpreadTo startTo_;
   WindowSweep sweep_;
-  std::vector<Label> labels_;
-  std::vector<int> firstCrossing_;  ///< per face, -1
-  std::vector<Crossing> crossings_;
-  std::vector<int> freeCrossings_;
-  int label_ = -1;  ///< the label at hand
+  BackwardSearch search_;
+  ReachedIndex index_;
+  std::vector<LabelState> labels_;
+  FoundDistances found_;
 };
 
 }  // namespace gvd::exact

@@ -69,30 +69,24 @@ WindowSweep::WindowSweep(const TriangleMesh& mesh, NearestBounds& bounds)
 
 // --- One label ---------------------------------------------------------------------------------
 
-void WindowSweep::begin(int label, SpreadTo to, LabelState& state, WindowRecord* record) {
+void WindowSweep::begin(int label, SpreadTo to, LabelState& state) {
   label_ = label;
   to_ = to;
   state_ = &state;
-  record_ = record;
+  lowersBounds_ = true;
   isWinding_ = false;
   mayFollow_ = 0;
   ++epoch_;
   required_.clear();
   points_.clear();
   reached_.clear();
-  crossedFaces_.clear();
+  crossedCount_ = 0;
   waiting_.clear();
   waitingSources_.clear();
 }
 
 void WindowSweep::start(int label, const SurfacePoint& site, SpreadTo to, LabelState& state) {
   begin(label, to, state);
-  startAt(site);
-}
-
-void WindowSweep::start(int label, const SurfacePoint& site, SpreadTo to, LabelState& state,
-                        WindowRecord& record) {
-  begin(label, to, state, &record);
   startAt(site);
 }
 
@@ -205,7 +199,7 @@ void WindowSweep::offer(int v, double distance, const LastPiece& piece) {
   own.distance = distance;
   own.piece = piece;
   if (own.required >= 0) required_.shorten(own.required, distance);
-  if (!record_) lower(bounds_[v], label_, distance);
+  if (lowersBounds_) lower(bounds_[v], label_, distance);
   if (own.isSaddle || piece.arrival < 0) queueSource(v);
 }
 
@@ -313,14 +307,14 @@ void WindowSweep::crossFace(int h) {
   if (left >= 0) windows_.prefetch(left);
   if (right >= 0) windows_.prefetch(right);
   WindowLists::Chunk* const list = windows_.take(h);
-  crossedFaces_.push_back(h / 3);
-  isWinding_ = crossedFaces_.size() > kMostCrossingsPerVertex * reached_.size();
-  if (record_) WindowLists::visit(list, [&](const Window& w) { record_->add(h, w); });
+  isWinding_ = ++crossedCount_ > kMostCrossingsPerVertex * reached_.size();
   offerToApex(h, list);
+  if (!points_.empty() && to_ != SpreadTo::kRequired)
+    WindowLists::visit(list, [&](const Window& w) { offerToPoints(w, h); });
   const End tail = endAt(face.vertices[i]), tip = endAt(face.vertices[j]),
             apex = endAt(face.vertices[k]);
-  if (left >= 0) crossSide<true>(h, list, portal(left, face.lengths[k], tail, apex));
-  if (right >= 0) crossSide<false>(h, list, portal(right, face.lengths[j], apex, tip));
+  if (left >= 0) crossSide<Side::kLeft>(h, list, portal(left, face.lengths[k], tail, apex));
+  if (right >= 0) crossSide<Side::kRight>(h, list, portal(right, face.lengths[j], apex, tip));
   windows_.free(list);
 }
 
@@ -391,16 +385,14 @@ inline bool WindowSweep::isBeaten(const Window& w, double crossing, int h,
 }
 
 /// Lets the batch at hand leave its face on the left or on the right of the apex.
-template <bool kLeft>
+template <Side kSide>
 void WindowSweep::crossSide(int h, const WindowLists::Chunk* list, const Portal& portal) {
   const TriangleMesh::Face& face = mesh_.face(h / 3);
-  const int i = h % 3, j = cornerAfter(i), k = cornerBefore(i);
-  const double length = face.lengths[i], side = portal.length;
-  const double c = face.cosines[kLeft ? i : j], s = face.sines[kLeft ? i : j];
-  const double turn = kLeft ? face.angles[i] : -face.angles[j];
+  constexpr bool kLeft = kSide == Side::kLeft;
+  const int i = h % 3;
   // Of the windows over the apex from the same halfedge only the shortest goes on on both sides of
   // it (Chen & Han 1990).
-  const Vertex& apex = vertices_[face.vertices[k]];
+  const Vertex& apex = vertices_[face.vertices[cornerBefore(i)]];
   const bool isApexFromHere = apex.epoch == epoch_ && apex.piece.arrival == h;
 
   const bool isFirst = windows_.isEmpty(portal.halfedge);
@@ -411,22 +403,8 @@ void WindowSweep::crossSide(int h, const WindowLists::Chunk* list, const Portal&
     if (isApexFromHere && (crossing < apex.piece.crossing) != kLeft &&
         isBeaten(w, crossing, h, apex.distance))
       return;
-    Window child;
-    if constexpr (kLeft) {
-      child.begin = meetSide(w.begin, w.x, w.y, c, s, side);
-      child.end = crossing < w.end ? side : meetSide(w.end, w.x, w.y, c, s, side);
-      child.x = w.x * c + w.y * s;
-      child.y = w.y * c - w.x * s;
-    } else {
-      const double x = length - w.x;
-      child.begin = crossing > w.begin ? 0 : side - meetSide(length - w.begin, x, w.y, c, s, side);
-      child.end = side - meetSide(length - w.end, x, w.y, c, s, side);
-      child.x = side - (x * c + w.y * s);
-      child.y = w.y * c - x * s;
-    }
-    child.sourceDistance = w.sourceDistance;
-    child.direction = w.sourceDistance > 0 ? w.direction : w.direction + turn;
-    keep(child, portal);
+    Window beyond = windowBeyond<kSide>(w, face, i, crossing);
+    keep(beyond, portal);
   });
   if (isFirst && !windows_.isEmpty(portal.halfedge))
     queueBatch(portal.halfedge, std::min(portal.own.atTail, portal.own.atTip));

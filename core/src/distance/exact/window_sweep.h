@@ -8,14 +8,19 @@
 #include "distance/exact/label_state.h"
 #include "distance/exact/required_places.h"
 #include "distance/exact/window_lists.h"
-#include "distance/exact/window_record.h"
 #include "distance/face_layout.h"
 #include "distance/nearest_bounds.h"
-#include "distance/required_point.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
 
 namespace gvd::exact {
+
+/// A point, no vertex, at which the distance of a label is required.
+struct RequiredPoint {
+  SurfacePoint point;
+  double distance;  ///< of the label, as far as it is known
+  double nearest;   ///< that of the nearest label
+};
 
 /// How far a label spreads.
 enum class SpreadTo {
@@ -48,13 +53,13 @@ class WindowSweep {
   void resume(int label, LabelState& state);
   /// Begins with a label that is to reach all corners of some faces.
   void require(int label, LabelState& state, std::span<const int> faces);
-  /// Begins with a label that has not spread yet, to record its windows. Bounds remain as they are.
+  /// Begins with a label that has not spread yet, to find its distances at points on the way.
+  /// Bounds remain as they are.
   void start(int label, const SurfacePoint& site, SpreadTo to, LabelState& state,
-             WindowRecord& record);
-  /// Begins with a label that is to find its distances at some points, and goes on recording if
-  /// there is a record. Of a single point, the windows at its faces wait there in the end.
-  void require(int label, LabelState& state, std::span<const RequiredPoint> points,
-               WindowRecord* record);
+             std::span<const RequiredPoint> points);
+  /// Begins with a label that is to go on to some points. Bounds remain as they are. Of a single
+  /// point, the windows at its faces wait there in the end.
+  void require(int label, LabelState& state, std::span<const RequiredPoint> points);
   /// The distance at one of these points; for use before the next label begins.
   double distanceAtPoint(int index) const { return pointDistances_[index]; }
   /// Works on at most `budget` batches and lowers it by their number; true when the label is done,
@@ -62,8 +67,6 @@ class WindowSweep {
   bool run(long& budget);
   /// The distance that the wavefront of the label at hand has come to, up to a bucket of the queue.
   double front() const { return static_cast<double>(bucket_) / bucketsPerUnit_; }
-  /// The faces that the last label has crossed, some several times.
-  std::span<const int> crossedFaces() const { return crossedFaces_; }
 
  private:
   /// What the label at hand knows at a vertex.
@@ -94,7 +97,7 @@ class WindowSweep {
     bool isContested;  ///< whether another label is nearer at an end
   };
 
-  void begin(int label, SpreadTo to, LabelState& state, WindowRecord* record = nullptr);
+  void begin(int label, SpreadTo to, LabelState& state);
   void load();
   void store();
 
@@ -116,7 +119,7 @@ class WindowSweep {
 
   void crossFace(int halfedge);
   void offerToApex(int halfedge, const WindowLists::Chunk* list);
-  template <bool kLeft>
+  template <Side kSide>
   void crossSide(int halfedge, const WindowLists::Chunk* list, const Portal& portal);
   End endAt(int vertex) const;
   Portal portal(int halfedge, double length, const End& tail, const End& tip) const;
@@ -125,6 +128,7 @@ class WindowSweep {
   void keep(Window& w, const Portal& portal);
 
   void requireCorners(int face);
+  void addPoints(std::span<const RequiredPoint> points);
   void addPoint(const SurfacePoint& point, int index);
   std::span<const PointInFace> pointsIn(int face) const;
   void offerToPoint(int index, double distance);
@@ -160,7 +164,7 @@ class WindowSweep {
   int label_ = -1;
   SpreadTo to_ = SpreadTo::kOwned;
   LabelState* state_ = nullptr;
-  WindowRecord* record_ = nullptr;
+  bool lowersBounds_ = true;
   bool isWinding_ = false;  ///< whether windows are dropped that enter a face again
   long mayFollow_ = 0;      ///< how many more faces windows may be followed back across to tell
   SurfacePoint site_;
@@ -175,7 +179,7 @@ class WindowSweep {
   std::vector<Vertex> vertices_;
   WindowLists windows_;
   std::vector<int> reached_;
-  std::vector<int> crossedFaces_;
+  size_t crossedCount_ = 0;  ///< of faces, each as often as it was crossed
   std::vector<WaitingWindow> waiting_;  ///< where the label has stopped
   std::vector<int> waitingSources_;
   std::vector<double> crossings_;          ///< of the batch at hand, with the line to the apex

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "distance/exact/point_distances.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/sorting.h"
+#include "distance/face_layout.h"
+#include "distance/path_points.h"
+
+namespace gvd::exact {
+namespace {
+
+/// A point on an edge in terms of the same face, wherever it comes from.
+SurfacePoint unique(const TriangleMesh& mesh, const SurfacePoint& p) {
+  SurfacePoint least = p;
+  visitPlaces(mesh, p, [&](const SurfacePoint& place) {
+    if (place.face < least.face) least = place;
+  });
+  return least;
+}
+
+}  // namespace
+
+// --- What has been found -----------------------------------------------------------------------
+
+double FoundDistances::find(const LabelledPoint& p) const {
+  if (p.label >= static_cast<int>(ofLabel_.size())) return kInfinity;
+  const auto found = ofLabel_[p.label].find(p.point);
+  return found == ofLabel_[p.label].end() ? kInfinity : found->second;
+}
+
+void FoundDistances::add(const LabelledPoint& p, double distance) {
+  if (p.label >= static_cast<int>(ofLabel_.size())) ofLabel_.resize(p.label + 1);
+  ofLabel_[p.label].emplace(p.point, distance);
+}
+
+void FoundDistances::remove(int label) {
+  if (label < static_cast<int>(ofLabel_.size())) ofLabel_[label].clear();
+}
+
+// --- What has not ------------------------------------------------------------------------------
+
+PointDistances::PointDistances(const TriangleMesh& mesh, const SiteSet& sites,
+                               NearestBounds& bounds, SpreadTo startTo, FoundDistances& found,
+                               std::vector<LabelledPoint> points)
+    : mesh_(mesh),
+      sites_(sites),
+      bounds_(bounds),
+      startTo_(startTo),
+      found_(found),
+      sweep_(mesh, bounds) {
+  distances_.reserve(points.size());
+  for (const auto& [label, point] : points) {
+    const LabelledPoint at = {label, unique(mesh, point)};
+    distances_.push_back(found_.find(at));
+    if (distances_.back() == kInfinity)
+      open_.push_back({at, static_cast<int>(distances_.size()) - 1});
+  }
+  sortStably(std::span(open_),
+             [](const OpenPoint& a, const OpenPoint& b) { return a.at.label < b.at.label; });
+}
+
+bool PointDistances::step(long budget) {
+  while (begin_ < open_.size()) {
+    if (stage_ == Stage::kNone) startLabel();
+    if (!sweep_.run(budget)) return false;
+    if (stage_ == Stage::kSpread) {
+      for (size_t i = 0; i < required_.size(); ++i)
+        required_[i].distance = sweep_.distanceAtPoint(static_cast<int>(i));
+      sweep_.require(open_[begin_].at.label, state_, required_);
+      stage_ = Stage::kRequire;
+    } else {
+      finishLabel();
+      stage_ = Stage::kNone;
+    }
+  }
+  return true;
+}
+
+double PointDistances::progress() const {
+  return open_.empty() ? 1 : static_cast<double>(begin_) / static_cast<double>(open_.size());
+}
+
+void PointDistances::startLabel() {
+  const int label = open_[begin_].at.label;
+  state_ = {};
+  required_.clear();
+  for (end_ = begin_; end_ < open_.size() && open_[end_].at.label == label; ++end_) {
+    const SurfacePoint& p = open_[end_].at.point;
+    required_.push_back({p, straightTo(label, p), nearestAtLeast(p)});
+  }
+  sweep_.start(label, sites_[label], startTo_, state_, required_);
+  stage_ = Stage::kSpread;
+}
+
+void PointDistances::finishLabel() {
+  for (size_t i = begin_; i < end_; ++i) {
+    const double distance = sweep_.distanceAtPoint(static_cast<int>(i - begin_));
+    distances_[open_[i].index] = distance;
+    found_.add(open_[i].at, distance);
+  }
+  begin_ = end_;
+}
+
+/// No label is nearer to a point than this, by the distances at the corners of its face.
+double PointDistances::nearestAtLeast(const SurfacePoint& p) const {
+  const TriangleMesh::Face& face = mesh_.face(p.face);
+  double nearest = 0;
+  for (int i = 0; i < 3; ++i)
+    nearest = std::max(nearest, bounds_[face.vertices[i]].distance -
+                                    wayToCorner(face, p.bary, i).norm());
+  return nearest;
+}
+
+/// The distance from a site in the face of a point, infinity if the site is in another one.
+double PointDistances::straightTo(int label, const SurfacePoint& p) const {
+  double least = kInfinity;
+  visitPlaces(mesh_, p, [&](const SurfacePoint& place) {
+    for (const FaceSite& site : sites_.inFace(place.face))
+      if (site.label == label)
+        least =
+            std::min(least, layOut(mesh_.face(place.face), 0, place.bary - site.bary).norm());
+  });
+  return least;
+}
+
+}  // namespace gvd::exact

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "distance/exact/window_sweep.h"
+#include "distance/nearest_bounds.h"
+#include "distance/site_set.h"
+#include "gvd/geodesic.h"
+#include "gvd/sliced_work.h"
+#include "mesh/place_map.h"
+
+namespace gvd::exact {
+
+/// The distances of labels at points as they were found first. A label that has gone on since may
+/// find the same path by other windows, and round its length differently; but where a live diagram
+/// is traced again in part, that part must fit the rest to the last bit.
+class FoundDistances {
+ public:
+  /// Infinity if it has not been found yet.
+  double find(const LabelledPoint& p) const;
+  void add(const LabelledPoint& p, double distance);
+  /// Forgets all of a label.
+  void remove(int label);
+
+ private:
+  std::vector<PlaceMap<double>> ofLabel_;
+};
+
+/// The distances of labels at many points that are no vertices. The windows by which a label has
+/// crossed faces are not kept. So one label after another spreads once more, with its points: first
+/// as far as it is nearest, then on to those where another label is nearer.
+class PointDistances final : public SlicedWork<std::vector<double>> {
+ public:
+  /// The labels must be known around the points. `bounds` are final.
+  PointDistances(const TriangleMesh& mesh, const SiteSet& sites, NearestBounds& bounds,
+                 SpreadTo startTo, FoundDistances& found, std::vector<LabelledPoint> points);
+
+  bool step(long budget) override;
+  double progress() const override;
+  std::vector<double> take() override { return std::move(distances_); }
+
+ private:
+  /// A point at which the distance has not been found before.
+  struct OpenPoint {
+    LabelledPoint at;
+    int index;  ///< in `distances_`
+  };
+
+  void startLabel();
+  void finishLabel();
+  double nearestAtLeast(const SurfacePoint& p) const;
+  double straightTo(int label, const SurfacePoint& p) const;
+
+  const TriangleMesh& mesh_;
+  const SiteSet& sites_;
+  const NearestBounds& bounds_;
+  const SpreadTo startTo_;
+  FoundDistances& found_;
+  WindowSweep sweep_;
+  std::vector<double> distances_;
+  std::vector<OpenPoint> open_;  ///< by label
+
+  // The label at hand.
+  enum class Stage { kNone, kSpread, kRequire } stage_ = Stage::kNone;
+  size_t begin_ = 0, end_ = 0;  ///< of its points in `open_`
+  LabelState state_;
+  std::vector<RequiredPoint> required_;
+};
+
+}  // namespace gvd::exact

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "distance/label_spread.h"
+
+namespace gvd::exact {
+
+/// The index of each vertex in the list of those that a label has reached.
+class ReachedIndex {
+ public:
+  explicit ReachedIndex(int vertexCount) : indices_(vertexCount, -1) {}
+
+  /// Takes up another list.
+  void reset(std::span<const ReachedVertex> reached) {
+    for (const int v : vertices_) indices_[v] = -1;
+    vertices_.clear();
+    for (const ReachedVertex& r : reached) {
+      indices_[r.vertex] = static_cast<int>(vertices_.size());
+      vertices_.push_back(r.vertex);
+    }
+  }
+  /// -1 if the label has not reached the vertex.
+  int operator[](int vertex) const { return indices_[vertex]; }
+
+ private:
+  std::vector<int> indices_;
+  std::vector<int> vertices_;  ///< those of the list
+};
+
+}  // namespace gvd::exact
