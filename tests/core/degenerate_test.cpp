@@ -554,7 +554,8 @@ TEST_P(Degenerate, NearestSiteIsKnownAtTheCornersAround) {
       for (const double y : {0.1, 0.25, 0.4}) {
         const SurfacePoint p{f, {x, y, 1 - x - y}};
         const LabelledDistance nearest = field->nearest(p);
-        EXPECT_NEAR(field->distance(nearest.label, p), nearest.distance, 1e-9) << p.bary;
+        const LabelledPoint labelled = {nearest.label, p};
+        EXPECT_NEAR(field->distancesAt({&labelled, 1})[0], nearest.distance, 1e-9) << p.bary;
       }
 }
 

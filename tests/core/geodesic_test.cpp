@@ -81,10 +81,12 @@ TEST(Windows, GoAroundASpikeOnce) {
 
   std::vector<LabelledPoint> points;
   for (int f = 0; f < kFaces; ++f) points.push_back({0, centroid(f)});
-  const auto distances = propagation->take()->distancesAt(points);
+  const auto field = propagation->take();
+  const auto distances = field->distancesAt(points);
   for (int f = 0; f < kFaces; ++f) {
     const double turn = std::min(f, kFaces - f) * kAngle / kFaces;
     EXPECT_NEAR(distances[f], 2.0 / 3 * turn, 1e-6 * kAngle) << "face " << f;
+    EXPECT_NEAR(field->nearest(points[f].point).distance, distances[f], 1e-15) << "face " << f;
   }
 }
 
@@ -119,6 +121,36 @@ TEST(Distances, AtPointsAreThoseOfBruteForce) {
                   1e-12 * mesh.boundingDiagonal())
           << "seed " << seed;
     EXPECT_EQ(field->distancesAt(points), found) << "asked again, seed " << seed;
+  }
+}
+
+/// The nearest site is searched for from the point; brute force spreads from the sites.
+TEST(Distances, NearestIsTheLeastOfBruteForce) {
+  for (int seed = 0; seed < 200; ++seed) {
+    const RandomCase random = seed % 2 == 0 ? randomCase(seed) : wildCase(seed);
+    const TriangleMesh mesh = random.mesh();
+    const std::vector<SurfacePoint> sites = random.sitesOn(mesh);
+    if (sites.size() > 20) continue;
+    const auto field = inSlices(mesh, sites, Metric::kExact, 1000);
+    const auto brute = finished(propagate(mesh, sites, Metric::kExact, Spread::kEverywhere));
+    std::vector<LabelledPoint> points;
+    for (int f = 0; f < mesh.faceCount(); ++f)
+      for (const Eigen::Vector3d& bary : {Eigen::Vector3d(0.2, 0.3, 0.5), {0.25, 0.75, 0}})
+        for (int label = 0; label < static_cast<int>(sites.size()); ++label)
+          points.push_back({label, {f, bary}});
+    const auto distances = brute->distancesAt(points);
+    for (size_t i = 0; i < points.size(); i += sites.size()) {
+      const auto there = std::span(distances).subspan(i, sites.size());
+      const LabelledDistance nearest = field->nearest(points[i].point);
+      const double least = *std::ranges::min_element(there);
+      if (least == kInfinity) {
+        EXPECT_EQ(nearest.label, -1) << "seed " << seed;
+        continue;
+      }
+      const double rounding = 1e-9 * least + 1e-13 * mesh.boundingDiagonal();
+      ASSERT_NEAR(nearest.distance, least, rounding) << "seed " << seed;
+      ASSERT_NEAR(there[nearest.label], least, rounding) << "seed " << seed;
+    }
   }
 }
 

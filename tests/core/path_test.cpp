@@ -241,6 +241,27 @@ TEST(ShortestPath, IsBetweenPointsOfTheMesh) {
   EXPECT_EQ(shortestPath(mesh, point, point).size(), 1u);
 }
 
+/// Windows that begin just beside the apex of a flat face go on beside it, even if another window
+/// has a shorter way to the apex. Found with the paths between random points of wild meshes.
+TEST(ShortestPath, IsTheSameInBothDirectionsThroughFlatFaces) {
+  const TriangleMesh mesh =
+      shapes::Shape{
+          {0.29999999999999999, 0.69999999999999996, 0,
+           0.89999999999999969, 0.69999999999999973, 0.90000000000000002,
+           0.33148571757586387, 0.53338371723219613, 0.014150906736873248,
+           0.89999999999999947, 0.69999999999999951, 0.90000000000000002,
+           0.90000000000000013, 0.70000000000000018, 0.90000000000000002,
+           0.59999999999999953, 0.10000000000000001, 0.90000000000000002,
+           0.60000000000000042, 0.10000000000000001, 0.90000000000000002,
+           0.19010287455857044, 0.71485055488800431, 0.90966852521472852},
+          {0, 1, 2, 3, 2, 1, 0, 4, 5, 3, 5, 4, 3, 6, 5, 3, 7, 6, 0, 7, 1, 3, 1, 7}}
+          .mesh();
+  const SurfacePoint a{0, {0.55739304336724038, 0.23514544684552241, 0.20746150978723721}};
+  const SurfacePoint b{2, {0.018595576278197523, 0.71550005997796173, 0.26590436374384074}};
+  const double there = lengthOf(mesh, shortestPath(mesh, a, b));
+  EXPECT_NEAR(lengthOf(mesh, shortestPath(mesh, b, a)), there, 1e-9 * there);
+}
+
 TEST(ExactPath, TurnsAtTheInnerCornerOfAnL) {
   for (int n = 1; n < 6; ++n) {
     const TriangleMesh mesh = shapes::ell(n).mesh();

@@ -54,21 +54,23 @@ inline LabelledDistance nearestOf(std::span<const LabelledDistance> sites) {
 /// With `kDgpc`, the distance at a corner that another site owns may be extended from the vertices
 /// around it instead of being propagated to it. Ties go to the lower label everywhere.
 ///
-/// Points are in terms of the mesh's faces; `Error(kInvalidPoint)` if one is not on the mesh. What
-/// queries at points find is kept for the next one: two threads may read `at` and `direction` at a
-/// time, but not ask at points.
+/// Points are in terms of the mesh's faces; `Error(kInvalidPoint)` if one is not on the mesh.
+/// Queries at points share working memory: two threads may read `at` and `direction` at a time, but
+/// not ask at points.
 class DistanceField {
  public:
   virtual ~DistanceField() = default;
   /// The labels known at vertex v, ascending by label; empty if no site reaches v.
   virtual std::span<const LabelledDistance> at(int vertex) const = 0;
   /// The nearest site at a point and its distance; label -1 and infinity if no site reaches it.
+  /// With the exact metric, O(faces that the shortest path crosses) where they are well shaped.
   virtual LabelledDistance nearest(const SurfacePoint& p) const = 0;
-  /// The distance of one site at a point; infinity where it is not known.
+  /// The distance of one site at a point; infinity where it is not known. Unless the site is the
+  /// nearest one, as long as `distancesAt`.
   virtual double distance(int label, const SurfacePoint& p) const = 0;
-  /// Starts the same at many points. Where another site is nearer, the exact metric has to carry
-  /// the site on to the point: here for all points of one label at once. Until it is done, the
-  /// field must last, and nothing else may be asked of it.
+  /// Starts the same at many points. With the exact metric, each of the sites spreads once more, as
+  /// far as it is nearest and on to its points: about as long as it took at first. The field must
+  /// last, and the sites must not change, until it is done.
   virtual std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
       std::span<const LabelledPoint> points) const = 0;
   /// The same without steps.
@@ -89,7 +91,7 @@ class DistanceField {
   /// is at the site; empty where `distance` is infinite and the site is not the nearest one. With
   /// the exact metric the path is as long as the distance (`lengthOf`). With DGPC it follows from
   /// the distances at vertices, which do not promise that there is a path of that very length.
-  /// O(vertices) to begin with, then O(faces around the points of the path).
+  /// O(vertices that the site has reached), then O(faces around the points of the path).
   virtual std::vector<SurfacePoint> path(int label, const SurfacePoint& p) const = 0;
 };
 

@@ -28,7 +28,7 @@ struct WaitingWindow {
 
 /// What is kept of a label when it has spread: its distances, and where it goes on when it is
 /// continued. The windows that have crossed their faces are not: they would take several times the
-/// memory of all else (`BackwardSearch`).
+/// memory of all else.
 struct LabelState {
   std::vector<ReachedVertex> vertices;
   std::vector<LastPiece> pieces;       ///< of each of these vertices

@@ -54,7 +54,7 @@ class PathSearch final : public SlicedWork<std::vector<SurfacePoint>> {
   std::vector<SurfacePoint> take() override {
     exact::ReachedIndex index(mesh_.vertexCount());
     index.reset(state_.vertices);
-    return exact::pathToSite(mesh_, to_, state_, index, {}, from_);
+    return exact::pathToSite(mesh_, to_, state_, index, from_);
   }
 
  private:

@@ -48,12 +48,6 @@ void WindowPath::offer(const Window& w, int halfedge, const SurfacePoint& place)
   first_ = {{halfedge, crossing, {w.x, w.y}}, w.sourceDistance};
 }
 
-void WindowPath::offer(const FirstPiece& piece, const SurfacePoint& p) {
-  if (!(piece.distance < least_) || piece.halfedge < 0) return;
-  least_ = piece.distance;
-  first_ = {lineAlong(mesh_, p, piece), piece.vertex < 0 ? 0 : distanceAt(piece.vertex)};
-}
-
 std::vector<SurfacePoint> WindowPath::take() {
   int vertex = vertexAt(mesh_, points_.last());
   if (vertex < 0) {
@@ -139,11 +133,10 @@ int WindowPath::nearestVertex() const {
 
 std::vector<SurfacePoint> pathToSite(const TriangleMesh& mesh, const SurfacePoint& site,
                                      const LabelState& label, const ReachedIndex& index,
-                                     std::span<const FirstPiece> found, const SurfacePoint& p) {
+                                     const SurfacePoint& p) {
   WindowPath path(mesh, site, label, index);
   path.start(p);
   if (vertexAt(mesh, p) >= 0) return path.take();
-  for (const FirstPiece& piece : found) path.offer(piece, p);
   visitPlaces(mesh, p, [&](const SurfacePoint& place) {
     for (int i = 0; i < 3; ++i) {
       if (place.bary[cornerBefore(i)] == 0) continue;  // on the side: the face beyond tells

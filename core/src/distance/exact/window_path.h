@@ -2,10 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <span>
 #include <vector>
 
-#include "distance/exact/backward_search.h"
 #include "distance/exact/label_state.h"
 #include "distance/exact/reached_index.h"
 #include "distance/path_points.h"
@@ -27,8 +25,6 @@ class WindowPath {
   void start(const SurfacePoint& p);
   /// Offers a window of a face that the point lies in; `place` is the point in terms of that face.
   void offer(const Window& w, int halfedge, const SurfacePoint& place);
-  /// Offers what a search from the point has found.
-  void offer(const FirstPiece& piece, const SurfacePoint& p);
   /// The path by the best of what was offered, of the corners around the point, and of the straight
   /// line in a face. Empty if none leads to the site.
   std::vector<SurfacePoint> take();
@@ -63,10 +59,10 @@ class WindowPath {
   Piece first_;
 };
 
-/// The shortest path from a point to the site of a label that has come to the point. `found` is
-/// what a search from the point has found; what it cannot find comes through windows that wait.
+/// The shortest path from a point to the site of a label that has come to the point: unless that is
+/// a vertex, through a window that waits at a face which has the point.
 std::vector<SurfacePoint> pathToSite(const TriangleMesh& mesh, const SurfacePoint& site,
                                      const LabelState& label, const ReachedIndex& index,
-                                     std::span<const FirstPiece> found, const SurfacePoint& p);
+                                     const SurfacePoint& p);
 
 }  // namespace gvd::exact

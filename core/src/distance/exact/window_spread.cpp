@@ -12,16 +12,6 @@
 
 namespace gvd::exact {
 
-namespace {
-
-double leastDistance(std::span<const FirstPiece> pieces) {
-  double least = kInfinity;
-  for (const FirstPiece& piece : pieces) least = std::min(least, piece.distance);
-  return least;
-}
-
-}  // namespace
-
 WindowSpread::WindowSpread(const TriangleMesh& mesh, const SiteSet& sites, NearestBounds& bounds,
                            SpreadTo startTo)
     : mesh_(mesh),
@@ -29,7 +19,6 @@ WindowSpread::WindowSpread(const TriangleMesh& mesh, const SiteSet& sites, Neare
       bounds_(bounds),
       startTo_(startTo),
       sweep_(mesh, bounds),
-      search_(mesh, sites),
       index_(mesh.vertexCount()) {}
 
 // --- At vertices -------------------------------------------------------------------------------
@@ -67,33 +56,36 @@ Eigen::Vector2d WindowSpread::direction(int label, int index) const {
 // --- At other points ---------------------------------------------------------------------------
 
 /// The distances of the nearest labels.
-class WindowSpread::NearestLabels final : public VertexDistances {
+class WindowSpread::NearestLabels final : public KnownDistances {
  public:
   explicit NearestLabels(const NearestBounds& bounds) : bounds_(bounds) {}
   double atLeast(int v) const override { return bounds_[v].distance; }
   double atMost(int v) const override { return bounds_[v].distance; }
+  bool isAbout(int /*label*/) const override { return true; }
 
  private:
   const NearestBounds& bounds_;
 };
 
 /// The distances of one label: where they are not final, it is not nearer than the nearest.
-class WindowSpread::OneLabel final : public VertexDistances {
+class WindowSpread::OneLabel final : public KnownDistances {
  public:
-  OneLabel(const LabelState& label, const ReachedIndex& index, const NearestBounds& bounds,
-           bool isFinal)
-      : label_(label), index_(index), bounds_(bounds), isFinal_(isFinal) {}
+  OneLabel(int label, const LabelState& state, const ReachedIndex& index,
+           const NearestBounds& bounds, bool isFinal)
+      : label_(label), state_(state), index_(index), bounds_(bounds), isFinal_(isFinal) {}
   double atLeast(int v) const override {
     const int i = index_[v];
-    return i >= 0 && (isFinal_ || label_.vertices[i].isFinal) ? label_.vertices[i].distance
+    return i >= 0 && (isFinal_ || state_.vertices[i].isFinal) ? state_.vertices[i].distance
                                                               : bounds_[v].distance;
   }
   double atMost(int v) const override {
-    return index_[v] < 0 ? kInfinity : label_.vertices[index_[v]].distance;
+    return index_[v] < 0 ? kInfinity : state_.vertices[index_[v]].distance;
   }
+  bool isAbout(int label) const override { return label == label_; }
 
  private:
-  const LabelState& label_;
+  const int label_;
+  const LabelState& state_;
   const ReachedIndex& index_;
   const NearestBounds& bounds_;
   const bool isFinal_;  ///< everywhere
@@ -111,13 +103,12 @@ std::vector<LabelledDistance> WindowSpread::nearestAt(const SurfacePoint& p,
     else
       found->distance = std::min(found->distance, distance);
   };
-  for (const FirstPiece& piece : search_.run(p, -1, NearestLabels(bounds_))) {
-    if (piece.label >= 0)
-      offer(piece.label, piece.length);
-    else
-      for (const LabelledDistance& d : known[piece.vertex])
-        offer(d.label, piece.length + d.distance);
-  }
+  searched_ = {};
+  sweep_.search(p, NearestLabels(bounds_), sites_, searched_);
+  for (const LabelledDistance& site : sweep_.foundSites()) offer(site.label, site.distance);
+  for (const ReachedVertex& r : searched_.vertices)
+    if (isAtMost(r.distance + bounds_[r.vertex].distance, sweep_.shortest()))
+      for (const LabelledDistance& d : known[r.vertex]) offer(d.label, r.distance + d.distance);
   return labels;
 }
 
@@ -131,21 +122,54 @@ std::unique_ptr<SlicedWork<std::vector<double>>> WindowSpread::startDistancesAt(
 /// or, where another label is nearer, through one that has stopped, which goes on to the point.
 std::vector<SurfacePoint> WindowSpread::path(int label, const SurfacePoint& p) {
   const LabelState& known = labels_[label];
-  index_.reset(known.vertices);
-  if (vertexAt(mesh_, p) >= 0) return pathToSite(mesh_, sites_[label], known, index_, {}, p);
-  const bool isFinal = startTo_ == SpreadTo::kEverywhere;
-  const double nearest = leastDistance(search_.run(p, -1, NearestLabels(bounds_)));
-  const auto& found = search_.run(p, label, OneLabel(known, index_, bounds_, isFinal));
-  if (isFinal || isAtMost(leastDistance(found), nearest))
-    return pathToSite(mesh_, sites_[label], known, index_, found, p);
+  if (vertexAt(mesh_, p) >= 0) {
+    index_.reset(known.vertices);
+    return pathToSite(mesh_, sites_[label], known, index_, p);
+  }
+  searched_ = {};
+  sweep_.search(p, NearestLabels(bounds_), sites_, searched_);
+  const double nearest = sweep_.shortest();
+  std::vector<SurfacePoint> path = pathBack(p, label, known);
+  if (startTo_ == SpreadTo::kEverywhere || isAtMost(sweep_.shortest(), nearest)) return path;
+  const double least = sweep_.shortest();
   LabelState state = known;
-  const RequiredPoint point = {p, leastDistance(found), nearest};
+  const RequiredPoint point = {p, least, nearest};
   sweep_.require(label, state, {&point, 1});
   long unlimited = std::numeric_limits<long>::max();
   sweep_.run(unlimited);
+  if (isAtMost(least, sweep_.distanceAtPoint(0))) return path;
   index_.reset(state.vertices);
-  return pathToSite(mesh_, sites_[label], state, index_,
-                    search_.run(p, label, OneLabel(state, index_, bounds_, isFinal)), p);
+  return pathToSite(mesh_, sites_[label], state, index_, p);
+}
+
+/// The shortest path from a point through windows by which a label has crossed faces: straight to
+/// the site or to a vertex, found by a search that starts at the point, and on from there.
+std::vector<SurfacePoint> WindowSpread::pathBack(const SurfacePoint& p, int label,
+                                                 const LabelState& state) {
+  index_.reset(state.vertices);
+  const OneLabel known(label, state, index_, bounds_, startTo_ == SpreadTo::kEverywhere);
+  searched_ = {};
+  sweep_.search(p, known, sites_, searched_);
+  int vertex = -1;
+  double least = kInfinity;
+  for (const LabelledDistance& site : sweep_.foundSites()) least = std::min(least, site.distance);
+  for (const ReachedVertex& r : searched_.vertices)
+    if (r.distance + known.atMost(r.vertex) < least) {
+      least = r.distance + known.atMost(r.vertex);
+      vertex = r.vertex;
+    }
+  const bool endsAtSite = vertex < 0 || known.atMost(vertex) == 0;
+  const SurfacePoint end = endsAtSite ? sites_[label] : pointAtVertex(mesh_, vertex);
+  index_.reset(searched_.vertices);
+  std::vector<SurfacePoint> path = pathToSite(mesh_, p, searched_, index_, end);
+  std::reverse(path.begin(), path.end());
+  if (endsAtSite || path.empty()) return path;
+  index_.reset(state.vertices);
+  const auto rest = pathToSite(mesh_, sites_[label], state, index_, end);
+  if (rest.empty()) return {};
+  path.pop_back();
+  path.insert(path.end(), rest.begin(), rest.end());
+  return path;
 }
 
 }  // namespace gvd::exact

@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "distance/exact/backward_search.h"
 #include "distance/exact/label_state.h"
 #include "distance/exact/point_distances.h"
 #include "distance/exact/reached_index.h"
@@ -45,13 +44,14 @@ class WindowSpread final : public LabelSpread {
   class NearestLabels;
   class OneLabel;
   LabelState& begin(int label);
+  std::vector<SurfacePoint> pathBack(const SurfacePoint& p, int label, const LabelState& state);
 
   const TriangleMesh& mesh_;
   const SiteSet& sites_;
   NearestBounds& bounds_;
   const SpreadTo startTo_;
   WindowSweep sweep_;
-  BackwardSearch search_;
+  LabelState searched_;  ///< what the last search from a point has come to
   ReachedIndex index_;
   std::vector<LabelState> labels_;
   FoundDistances found_;

@@ -198,6 +198,10 @@ void WindowSweep::offer(int v, double distance, const LastPiece& piece) {
   if (!(distance < own.distance)) return;
   own.distance = distance;
   own.piece = piece;
+  if (to_ == SpreadTo::kSites) {
+    shorten(distance + known_->atMost(v));
+    return;  // the rest of the path is known
+  }
   if (own.required >= 0) required_.shorten(own.required, distance);
   if (lowersBounds_) lower(bounds_[v], label_, distance);
   if (own.isSaddle || piece.arrival < 0) queueSource(v);
@@ -309,6 +313,7 @@ void WindowSweep::crossFace(int h) {
   WindowLists::Chunk* const list = windows_.take(h);
   isWinding_ = ++crossedCount_ > kMostCrossingsPerVertex * reached_.size();
   offerToApex(h, list);
+  if (to_ == SpreadTo::kSites) offerSites(h, list);
   if (!points_.empty() && to_ != SpreadTo::kRequired)
     WindowLists::visit(list, [&](const Window& w) { offerToPoints(w, h); });
   const End tail = endAt(face.vertices[i]), tip = endAt(face.vertices[j]),
@@ -334,6 +339,7 @@ void WindowSweep::offerToApex(int h, const WindowLists::Chunk* list) {
 }
 
 inline WindowSweep::End WindowSweep::endAt(int v) const {
+  if (to_ == SpreadTo::kSites) return {v, distanceAt(v), mostUpTo(v)};
   return {v, distanceAt(v), bounds_[v].distance + leeway_};
 }
 
@@ -343,7 +349,8 @@ inline WindowSweep::Portal WindowSweep::portal(int h, double length, const End& 
           length,
           {tail.own, tip.own},
           {tail.nearest, tip.nearest},
-          to_ == SpreadTo::kOwned && (tail.nearest < tail.own || tip.nearest < tip.own)};
+          (to_ == SpreadTo::kOwned || to_ == SpreadTo::kSites) &&
+              (tail.nearest < tail.own || tip.nearest < tip.own)};
 }
 
 WindowSweep::Portal WindowSweep::portalTo(int h) const {
@@ -366,20 +373,22 @@ WindowSweep::Portal WindowSweep::portalTo(int h) const {
     Window owned = w;
     trim(owned, portal.length, portal.nearest);
     if (!(owned.begin < owned.end)) {
-      waiting_.push_back({w, portal.halfedge});
+      if (to_ == SpreadTo::kOwned) waiting_.push_back({w, portal.halfedge});
       return;
     }
+    if (to_ == SpreadTo::kSites) w = owned;
   }
   windows_.add(portal.halfedge, w);
 }
 
-/// Whether a window over the apex is longer there than the label's distance.
+/// Whether the apex is in sight of a window, and the window's distance longer there than the
+/// label's. Beside the window, however little, all of its lines pass the apex on one side.
 inline bool WindowSweep::isBeaten(const Window& w, double crossing, int h,
                                   double apexDistance) const {
   const TriangleMesh::Face& face = mesh_.face(h / 3);
   const int i = h % 3;
-  const double length = face.lengths[i], grazing = kGrazing * length;
-  if (crossing < w.begin - grazing || crossing > w.end + grazing) return false;
+  const double length = face.lengths[i];
+  if (!(crossing >= w.begin && crossing <= w.end)) return false;
   const Eigen::Vector2d p = apexOf(face, i);
   return w.distance(p.x(), p.y()) > apexDistance + kDistanceTolerance * (apexDistance + length);
 }

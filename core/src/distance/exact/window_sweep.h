@@ -10,6 +10,7 @@
 #include "distance/exact/window_lists.h"
 #include "distance/face_layout.h"
 #include "distance/nearest_bounds.h"
+#include "distance/site_set.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
 
@@ -26,7 +27,20 @@ struct RequiredPoint {
 enum class SpreadTo {
   kOwned,       ///< as far as no other label is nearer
   kRequired,    ///< as far as a required distance can still become less
+  kSites,       ///< from a point back, as far as the path to a site can still become shorter
   kEverywhere,  ///< over the whole component
+};
+
+/// What is known of the labels that a point's shortest path may lead to.
+class KnownDistances {
+ public:
+  virtual ~KnownDistances() = default;
+  /// None of the labels is nearer to the vertex than this.
+  virtual double atLeast(int vertex) const = 0;
+  /// The length of a path of one of the labels to the vertex, infinity if none is known.
+  virtual double atMost(int vertex) const = 0;
+  /// Whether the label is one of them.
+  virtual bool isAbout(int label) const = 0;
 };
 
 /// Spreads the windows of one label after another. The working memory has room for the whole mesh,
@@ -60,6 +74,18 @@ class WindowSweep {
   /// Begins with a label that is to go on to some points. Bounds remain as they are. Of a single
   /// point, the windows at its faces wait there in the end.
   void require(int label, LabelState& state, std::span<const RequiredPoint> points);
+  /// Begins with a point, which lies on no vertex, instead of a site, to find the way back to the
+  /// sites that it is nearest to. Through any place of an edge, the path is as long as a window's
+  /// distance there and that of the site, which is not less than its distance at an end of the edge
+  /// less the way from there. What is longer than a path that is known is cut off, and a strip of
+  /// few faces around the shortest path remains. Bounds remain as they are. In the end, windows
+  /// through which there are sites wait at the faces of these.
+  void search(const SurfacePoint& p, const KnownDistances& known, const SiteSet& sites,
+              LabelState& state);
+  /// The length of the shortest path that the search has found, infinity if there is none.
+  double shortest() const { return shortest_; }
+  /// The sites in faces, with their distances from the point, that the search has come to.
+  std::span<const LabelledDistance> foundSites() const { return foundSites_; }
   /// The distance at one of these points; for use before the next label begins.
   double distanceAtPoint(int index) const { return pointDistances_[index]; }
   /// Works on at most `budget` batches and lowers it by their number; true when the label is done,
@@ -134,6 +160,11 @@ class WindowSweep {
   void offerToPoint(int index, double distance);
   void offerToPoints(const Window& w, int halfedge);
   void offerToPointsFrom(int vertex, int corner, int face);
+  double mostUpTo(int vertex) const;
+  void shorten(double length);
+  bool isSearchedFor(const FaceSite& site) const;
+  void offerSites(int halfedge, const WindowLists::Chunk* list);
+
   bool isRequired(int vertex) const;
   bool hasRequiredCorner(int face) const;
   void offerRequired(int vertex, double distance, const LastPiece& piece);
@@ -173,6 +204,12 @@ class WindowSweep {
   std::vector<PointInFace> points_;  ///< by face
   std::vector<double> pointDistances_;
   std::vector<int> inFace_;  ///< those of `required_` in the face at hand
+
+  // The search at hand.
+  const KnownDistances* known_ = nullptr;
+  const SiteSet* sites_ = nullptr;
+  double shortest_ = kInfinity;
+  std::vector<LabelledDistance> foundSites_;
 
   // Working memory, of which a label leaves nothing behind but vertices of an old epoch.
   int epoch_ = 0;

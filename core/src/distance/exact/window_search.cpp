@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+//
+// WindowSweep::search: from a point back to the sites that it is nearest to.
+#include <algorithm>
+#include <limits>
+
+#include "distance/exact/window_sweep.h"
+#include "distance/path_points.h"
+
+namespace gvd::exact {
+
+void WindowSweep::search(const SurfacePoint& p, const KnownDistances& known, const SiteSet& sites,
+                         LabelState& state) {
+  begin(-1, SpreadTo::kSites, state);
+  known_ = &known;
+  sites_ = &sites;
+  shortest_ = kInfinity;
+  foundSites_.clear();
+  visitPlaces(mesh_, p, [&](const SurfacePoint& place) {
+    const TriangleMesh::Face& face = mesh_.face(place.face);
+    for (int i = 0; i < 3; ++i)
+      shorten(known.atMost(face.vertices[i]) + wayToCorner(face, place.bary, i).norm());
+    for (const FaceSite& site : sites.inFace(place.face)) {
+      if (!isSearchedFor(site)) continue;
+      foundSites_.push_back({site.label, layOut(face, 0, site.bary - place.bary).norm()});
+      shorten(foundSites_.back().distance);
+    }
+  });
+  if (shortest_ < kInfinity) startAt(p);
+  long unlimited = std::numeric_limits<long>::max();
+  run(unlimited);
+}
+
+/// How far a vertex may be from the point if the shortest path is to lead over it, or over an edge
+/// to which the way from the vertex is added. Paths that tie with the shortest one are found too.
+double WindowSweep::mostUpTo(int v) const {
+  return shortest_ * (1 + kDistanceTolerance) - known_->atLeast(v);
+}
+
+void WindowSweep::shorten(double length) { shortest_ = std::min(shortest_, length); }
+
+/// Not a site on a vertex, which has a distance there.
+bool WindowSweep::isSearchedFor(const FaceSite& site) const {
+  return known_->isAbout(site.label) && incidenceOf(site.bary).corner < 0;
+}
+
+/// Offers the straight paths through windows to the sites in their face.
+void WindowSweep::offerSites(int h, const WindowLists::Chunk* list) {
+  const TriangleMesh::Face& face = mesh_.face(h / 3);
+  for (const FaceSite& site : sites_->inFace(h / 3)) {
+    if (!isSearchedFor(site)) continue;
+    const Eigen::Vector2d s = layOut(face, h % 3, site.bary);
+    WindowLists::visit(list, [&](const Window& w) {
+      const double length = w.distance(s.x(), s.y());
+      if (!(length <= shortest_ * (1 + kDistanceTolerance))) return;
+      shorten(length);
+      foundSites_.push_back({site.label, length});
+      waiting_.push_back({w, h});
+    });
+  }
+}
+
+}  // namespace gvd::exact
