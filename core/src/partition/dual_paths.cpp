@@ -41,16 +41,16 @@ class DualPathFinding final : public SlicedWork<std::vector<DualPath>> {
 
   bool step(long budget) override {
     constexpr long kPathUnits = 1000;
-    return sequence_.run(
-        [&] { return addEvenPlaces(budget); }, [&] { return offerPlaces(budget); },
-        [&] { return addLeastPlaces(budget); }, [&] { return offerPlaces(budget); },
-        [&] {
-          for (; paths_.size() < nearest_.size(); budget -= kPathUnits) {
-            if (budget <= 0) return false;
-            addPath(static_cast<int>(paths_.size()));
-          }
-          return true;
-        });
+    return sequence_.run([&] { return addEvenPlaces(budget); }, [&] { return offerPlaces(budget); },
+                         [&] { return addLeastPlaces(budget); },
+                         [&] { return offerPlaces(budget); },
+                         [&] {
+                           for (; paths_.size() < nearest_.size(); budget -= kPathUnits) {
+                             if (budget <= 0) return false;
+                             addPath(static_cast<int>(paths_.size()));
+                           }
+                           return true;
+                         });
   }
   double progress() const override {
     const double ofPaths =
@@ -76,12 +76,12 @@ class DualPathFinding final : public SlicedWork<std::vector<DualPath>> {
   /// The places on the segments where it is least, in place of those.
   bool addLeastPlaces(long& budget) {
     return loop_.run(diagram_.segments.size(), budget, kPlacesPerUnit, [&](int i) {
-             const auto* const values = &squaredSums_[kEvenShares.size() * i];
-             const double curvature = values[0] - 2 * values[1] + values[2];
-             const double share = 0.5 + (values[0] - values[2]) / (4 * curvature);
-             if (curvature > 0 && share > 0 && share < 1)
-               places_.push_back({&diagram_.segments[i], share});
-           });
+      const auto* const values = &squaredSums_[kEvenShares.size() * i];
+      const double curvature = values[0] - 2 * values[1] + values[2];
+      const double share = 0.5 + (values[0] - values[2]) / (4 * curvature);
+      if (curvature > 0 && share > 0 && share < 1)
+        places_.push_back({&diagram_.segments[i], share});
+    });
   }
 
   SurfacePoint pointAt(const Place& place) const {
@@ -92,8 +92,8 @@ class DualPathFinding final : public SlicedWork<std::vector<DualPath>> {
     return {begin.face, (1 - place.share) * begin.bary + place.share * end.bary};
   }
 
-  /// Takes the places as crossings if they are nearer. The distances at all of them are asked for at
-  /// once.
+  /// Takes the places as crossings if they are nearer. The distances at all of them are asked for
+  /// at once.
   bool offerPlaces(long& budget) {
     if (!round_.run(
             [&] {
@@ -103,8 +103,7 @@ class DualPathFinding final : public SlicedWork<std::vector<DualPath>> {
               });
             },
             [&] { atPoints_ = field_.startDistancesAt(points_); },
-            [&] { return atPoints_->step(budget); },
-            [&] { offer(atPoints_->take()); }))
+            [&] { return atPoints_->step(budget); }, [&] { offer(atPoints_->take()); }))
       return false;
     round_ = {};
     points_.clear();

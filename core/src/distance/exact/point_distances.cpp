@@ -108,8 +108,8 @@ double PointDistances::nearestAtLeast(const SurfacePoint& p) const {
   const TriangleMesh::Face& face = mesh_.face(p.face);
   double nearest = 0;
   for (int i = 0; i < 3; ++i)
-    nearest = std::max(nearest, bounds_[face.vertices[i]].distance -
-                                    wayToCorner(face, p.bary, i).norm());
+    nearest =
+        std::max(nearest, bounds_[face.vertices[i]].distance - wayToCorner(face, p.bary, i).norm());
   return nearest;
 }
 
@@ -119,8 +119,7 @@ double PointDistances::straightTo(int label, const SurfacePoint& p) const {
   visitPlaces(mesh_, p, [&](const SurfacePoint& place) {
     for (const FaceSite& site : sites_.inFace(place.face))
       if (site.label == label)
-        least =
-            std::min(least, layOut(mesh_.face(place.face), 0, place.bary - site.bary).norm());
+        least = std::min(least, layOut(mesh_.face(place.face), 0, place.bary - site.bary).norm());
   });
   return least;
 }

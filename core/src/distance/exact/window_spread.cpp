@@ -28,9 +28,7 @@ LabelState& WindowSpread::begin(int label) {
   return labels_[label];
 }
 
-void WindowSpread::start(int label) {
-  sweep_.start(label, sites_[label], startTo_, begin(label));
-}
+void WindowSpread::start(int label) { sweep_.start(label, sites_[label], startTo_, begin(label)); }
 
 void WindowSpread::resume(int label) { sweep_.resume(label, begin(label)); }
 
@@ -95,9 +93,8 @@ std::vector<LabelledDistance> WindowSpread::nearestAt(const SurfacePoint& p,
                                                       const KnownLabels& known) {
   std::vector<LabelledDistance> labels;
   const auto offer = [&](int label, double distance) {
-    const auto found = std::find_if(labels.begin(), labels.end(), [&](const LabelledDistance& d) {
-      return d.label == label;
-    });
+    const auto found = std::find_if(labels.begin(), labels.end(),
+                                    [&](const LabelledDistance& d) { return d.label == label; });
     if (found == labels.end())
       labels.push_back({label, distance});
     else

@@ -216,7 +216,7 @@ class WindowSweep {
   std::vector<Vertex> vertices_;
   WindowLists windows_;
   std::vector<int> reached_;
-  size_t crossedCount_ = 0;  ///< of faces, each as often as it was crossed
+  size_t crossedCount_ = 0;             ///< of faces, each as often as it was crossed
   std::vector<WaitingWindow> waiting_;  ///< where the label has stopped
   std::vector<int> waitingSources_;
   std::vector<double> crossings_;          ///< of the batch at hand, with the line to the apex
