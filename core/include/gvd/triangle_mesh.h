@@ -170,17 +170,23 @@ class TriangleMesh {
   /// The next outgoing halfedge counterclockwise, -1 past the last face of a boundary vertex.
   int rotate(int h) const { return twin_[previous(h)]; }
 
-  /// Calls `visit` with every vertex that shares an edge with v.
+  /// Calls `visit` with every vertex that shares an edge with v, and the length of the edge.
   template <class Visit>
-  void visitNeighbours(int v, Visit visit) const {
+  void visitEdges(int v, Visit visit) const {
     const int first = outgoing(v);
     int h = first, last;
     do {
-      visit(tip(h));
+      visit(tip(h), length(h));
       last = previous(h);
       h = twin(last);
     } while (h >= 0 && h != first);
-    if (h < 0) visit(tail(last));
+    if (h < 0) visit(tail(last), length(last));
+  }
+
+  /// Calls `visit` with every vertex that shares an edge with v.
+  template <class Visit>
+  void visitNeighbours(int v, Visit visit) const {
+    visitEdges(v, [&](int neighbour, double) { visit(neighbour); });
   }
 
   /// Calls `visit` with every face around v.

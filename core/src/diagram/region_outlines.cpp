@@ -120,7 +120,9 @@ int RegionOutlines::followBoundary(int point, int label, Visit visit) {
     visit(vertexPoint(vertex), TriangleMesh::faceOf(halfedge), true);
     index = firstOnBoundary(halfedge);
   }
-  return graph_.dartAt(boundary[index].point, label);
+  const int dart = graph_.dartAt(boundary[index].point, label);
+  if (dart < 0) throw std::logic_error("a region's outline ends at the boundary of the mesh");
+  return dart;
 }
 
 // --- Rings ---------------------------------------------------------------------------------------
@@ -146,7 +148,10 @@ template <class Visit>
 void RegionOutlines::walkRing(int start, Visit visit) {
   const int label = graph_.labelOf(start);
   int dart = start;
+  size_t count = 0;
   do {
+    if (++count > isVisited_.size())
+      throw std::logic_error("a region's outline does not come back to where it begins");
     isVisited_[dart] = true;
     visit(graph_.tail(dart), graph_.segments[dart / 2].face, false);
     const int next = graph_.nextDart[dart];

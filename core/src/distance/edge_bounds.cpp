@@ -6,23 +6,6 @@
 #include "distance/face_layout.h"
 
 namespace gvd {
-namespace {
-
-/// Calls `visit` with every neighbour of a vertex and the length of the edge to it.
-template <class Visit>
-void visitEdges(const TriangleMesh& mesh, int vertex, Visit visit) {
-  const int first = mesh.outgoing(vertex);
-  int h = first;
-  do {
-    visit(mesh.tip(h), mesh.length(h));
-    const int last = TriangleMesh::previous(h);
-    h = mesh.twin(last);
-    if (h < 0) visit(mesh.tail(last), mesh.length(last));
-  } while (h >= 0 && h != first);
-}
-
-}  // namespace
-
 EdgeBounds::EdgeBounds(const TriangleMesh& mesh, const SiteSet& sites)
     : mesh_(mesh),
       sites_(sites),
@@ -58,7 +41,7 @@ void EdgeBounds::remove(int label, const SurfacePoint& site) {
   }
   for (size_t i = 0; i < former.size(); ++i) mesh_.visitNeighbours(former[i], take);
   for (const int v : former) {
-    visitEdges(mesh_, v, [&](int neighbour, double length) {
+    mesh_.visitEdges(v, [&](int neighbour, double length) {
       const LabelledDistance& beyond = bounds_[neighbour];
       if (beyond.label >= 0) offer(v, beyond.label, beyond.distance + length);
     });
@@ -77,7 +60,7 @@ bool EdgeBounds::run(long& budget) {
       if (bucketOf_[v] != static_cast<int>(bucket_)) continue;  // it was lowered, and had its turn
       bucketOf_[v] = kNone;
       const LabelledDistance from = bounds_[v];
-      visitEdges(mesh_, v, [&](int neighbour, double length) {
+      mesh_.visitEdges(v, [&](int neighbour, double length) {
         offer(neighbour, from.label, from.distance + length);
       });
     }

@@ -55,7 +55,7 @@ class LabelSpread {
   /// Starts the distances of labels at points that are no vertices; each is known around its
   /// points. There must be no change until it is done.
   virtual std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
-      std::vector<LabelledPoint> points, const KnownLabels& known) = 0;
+      std::span<const LabelledPoint> points, const KnownLabels& known) = 0;
   /// The direction at the site of the path to the vertex `reached(label)[index]`
   /// (`DistanceField::direction`).
   virtual Eigen::Vector2d direction(int label, int index) const = 0;

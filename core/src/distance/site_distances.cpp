@@ -258,7 +258,7 @@ class SiteDistances::PointDistances final : public SlicedWork<std::vector<double
         openIndices_.push_back(i);
       }
     }
-    atPoints_ = field.spread_->startDistancesAt(std::move(open), field.known_);
+    atPoints_ = field.spread_->startDistancesAt(open, field.known_);
   }
 
   bool step(long budget) override { return atPoints_->step(budget); }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <queue>
+#include <set>
 #include <utility>
 
 #include "base/index_set.h"
@@ -108,8 +110,38 @@ void UnfoldingSpread::requireVertex(Label& known, int vertex) const {
     if (tail >= 0) offer(atTail + face.lengths[k], tail);
     if (tip >= 0) offer(atTip + face.lengths[j], tip);
   });
+  if (required.distance == kInfinity) {
+    const auto [from, way] = nearestAlongEdges(vertex, [&](int v) {
+      return sweptAt(v) < 0 ? kInfinity : known.vertices[sweptAt(v)].distance;
+    });
+    if (from >= 0) offer(known.vertices[sweptAt(from)].distance + way, sweptAt(from));
+  }
   known.vertices.push_back(required);
   known.directions.push_back(direction);
+}
+
+/// The vertex from which a path along edges to another one is shortest, given the distances at
+/// vertices, and that way; -1 if none is connected. Needed only where edges are so much longer than
+/// distances that the sweep has found no neighbour of what is required.
+std::pair<int, double> UnfoldingSpread::nearestAlongEdges(
+    int vertex, const std::function<double(int)>& distanceAt) const {
+  using Entry = std::pair<double, int>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  std::set<int> isDone;
+  std::pair<int, double> nearest = {-1, 0};
+  double least = kInfinity;
+  for (queue.push({0, vertex}); !queue.empty() && queue.top().first < least;) {
+    const auto [way, v] = queue.top();
+    queue.pop();
+    if (!isDone.insert(v).second) continue;
+    if (way + distanceAt(v) < least) {
+      least = way + distanceAt(v);
+      nearest = {v, way};
+    }
+    mesh_.visitEdges(
+        v, [&](int neighbour, double length) { queue.push({way + length, neighbour}); });
+  }
+  return nearest;
 }
 
 // --- Changes -----------------------------------------------------------------------------------
@@ -142,6 +174,7 @@ std::vector<LabelledDistance> UnfoldingSpread::nearestAt(const SurfacePoint& p,
     for (const LabelledDistance& d : known[v]) labels.push_back(d.label);
   makeSet(labels);
   std::vector<LabelledDistance> distances;
+  distances.reserve(labels.size());
   for (const int label : labels) distances.push_back({label, distanceAt(label, p, known)});
   return distances;
 }
@@ -150,8 +183,8 @@ std::vector<LabelledDistance> UnfoldingSpread::nearestAt(const SurfacePoint& p,
 class UnfoldingSpread::PointDistances final : public SlicedWork<std::vector<double>> {
  public:
   PointDistances(const UnfoldingSpread& spread, const KnownLabels& known,
-                 std::vector<LabelledPoint> points)
-      : spread_(spread), known_(known), points_(std::move(points)) {}
+                 std::span<const LabelledPoint> points)
+      : spread_(spread), known_(known), points_(points.begin(), points.end()) {}
 
   bool step(long budget) override {
     constexpr long kPointsPerUnit = 8;
@@ -173,8 +206,8 @@ class UnfoldingSpread::PointDistances final : public SlicedWork<std::vector<doub
 };
 
 std::unique_ptr<SlicedWork<std::vector<double>>> UnfoldingSpread::startDistancesAt(
-    std::vector<LabelledPoint> points, const KnownLabels& known) {
-  return std::make_unique<PointDistances>(*this, known, std::move(points));
+    std::span<const LabelledPoint> points, const KnownLabels& known) {
+  return std::make_unique<PointDistances>(*this, known, points);
 }
 
 /// Squared distances are interpolated linearly between the corners of a face, as those of a plane

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "distance/dgpc/unfolding_sweep.h"
@@ -38,7 +40,7 @@ class UnfoldingSpread final : public LabelSpread {
   void appendReaching(int vertex, std::vector<int>& labels) override;
   std::vector<LabelledDistance> nearestAt(const SurfacePoint& p, const KnownLabels& known) override;
   std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
-      std::vector<LabelledPoint> points, const KnownLabels& known) override;
+      std::span<const LabelledPoint> points, const KnownLabels& known) override;
   Eigen::Vector2d direction(int label, int index) const override;
   std::vector<SurfacePoint> path(int label, const SurfacePoint& p) override;
 
@@ -50,6 +52,8 @@ class UnfoldingSpread final : public LabelSpread {
   };
   void store();
   void requireVertex(Label& known, int vertex) const;
+  std::pair<int, double> nearestAlongEdges(int vertex,
+                                           const std::function<double(int)>& distanceAt) const;
   void indexReaching();
   class PointDistances;
   double distanceAt(int label, const SurfacePoint& p, const KnownLabels& known) const;

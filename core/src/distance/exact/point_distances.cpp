@@ -43,7 +43,7 @@ void FoundDistances::remove(int label) {
 
 PointDistances::PointDistances(const TriangleMesh& mesh, const SiteSet& sites,
                                NearestBounds& bounds, SpreadTo startTo, FoundDistances& found,
-                               std::vector<LabelledPoint> points)
+                               std::span<const LabelledPoint> points)
     : mesh_(mesh),
       sites_(sites),
       bounds_(bounds),

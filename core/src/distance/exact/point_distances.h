@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "distance/exact/window_sweep.h"
@@ -34,7 +35,7 @@ class PointDistances final : public SlicedWork<std::vector<double>> {
  public:
   /// The labels must be known around the points. `bounds` are final.
   PointDistances(const TriangleMesh& mesh, const SiteSet& sites, NearestBounds& bounds,
-                 SpreadTo startTo, FoundDistances& found, std::vector<LabelledPoint> points);
+                 SpreadTo startTo, FoundDistances& found, std::span<const LabelledPoint> points);
 
   bool step(long budget) override;
   double progress() const override;

@@ -110,9 +110,8 @@ std::vector<LabelledDistance> WindowSpread::nearestAt(const SurfacePoint& p,
 }
 
 std::unique_ptr<SlicedWork<std::vector<double>>> WindowSpread::startDistancesAt(
-    std::vector<LabelledPoint> points, const KnownLabels& /*known*/) {
-  return std::make_unique<PointDistances>(mesh_, sites_, bounds_, startTo_, found_,
-                                          std::move(points));
+    std::span<const LabelledPoint> points, const KnownLabels& /*known*/) {
+  return std::make_unique<PointDistances>(mesh_, sites_, bounds_, startTo_, found_, points);
 }
 
 /// The path to a point leads through windows that have crossed their faces, which is searched for;
