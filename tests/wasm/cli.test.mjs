@@ -175,11 +175,11 @@ test('--weld, --orientation and --min-component: how the mesh is made', () => {
   assert.match(succeeds('info torn.obj').stdout, /components +8\n/);
 
   write('turned.glb', glb(withFlipped(octahedron(), 2)));
-  assert.match(succeeds('info turned.glb').stdout, /repair: 1 triangles turned over/);
+  assert.match(succeeds('info turned.glb').stdout, /repair: 1 triangle turned over/);
   assert.match(succeeds('info turned.glb --orientation keep').stdout, /repair: 3 edges cut/);
 
   const large = succeeds('info two.glb --min-component 3').stdout;
-  assert.match(large, /components +1\n[^]*repair: 1 components .*\nrepair: 2 triangles of these/);
+  assert.match(large, /components +1\n[^]*repair: 1 component .*\nrepair: 2 triangles of these/);
   succeeds('partition two.glb --min-component 3 --sites 3 --sampling farthest -o parts.glb');
   assertValidGlb(readFileSync(join(folder, 'parts.glb')));
   fails(1, 'info shape.glb --min-component 9', /no component has 9 triangles/);

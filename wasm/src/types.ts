@@ -229,6 +229,7 @@ export interface Diagram extends Disposable {
   /**
    * The nearest site by distance. Beside a bisector that may be the site beyond it: regions, as they
    * are drawn, end at bisectors that are straight within each triangle, or part of one (`detail`).
+   * The site is searched for from each point: as long as the way to it has triangles to cross.
    */
   locate(points: SurfacePointsInput, options?: TaskOptions): Promise<Located>;
   /**

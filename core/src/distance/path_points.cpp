@@ -3,18 +3,11 @@
 
 #include <algorithm>
 
+#include "base/tolerances.h"
 #include "gvd/geodesic.h"
 #include "mesh/surface_geometry.h"
 
 namespace gvd {
-namespace {
-
-/// What is closer to a vertex than this share of an edge is at the vertex: some thousand times the
-/// rounding of a coordinate.
-constexpr double kSnap = 1e-12;
-
-}  // namespace
-
 SurfacePoint pointAtVertex(const TriangleMesh& mesh, int vertex) {
   const int h = mesh.outgoing(vertex);
   return {TriangleMesh::faceOf(h), Eigen::Vector3d::Unit(h % 3)};
@@ -23,8 +16,8 @@ SurfacePoint pointAtVertex(const TriangleMesh& mesh, int vertex) {
 SurfacePoint pointOnHalfedge(const TriangleMesh& mesh, int halfedge, double along) {
   const int i = halfedge % 3;
   double share = along / mesh.length(halfedge);
-  if (!(share > kSnap)) share = 0;
-  if (!(share < 1 - kSnap)) share = 1;
+  if (!(share > kVertexSnap)) share = 0;
+  if (!(share < 1 - kVertexSnap)) share = 1;
   SurfacePoint p{TriangleMesh::faceOf(halfedge), Eigen::Vector3d::Zero()};
   p.bary[i] = 1 - share;
   p.bary[cornerAfter(i)] = share;

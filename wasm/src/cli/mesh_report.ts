@@ -3,7 +3,7 @@
 // The facts of a mesh, as `info` prints them.
 import type { MeshInfo, MeshRepairs } from '../results.js';
 
-/** What each repair did, after its count. */
+/** What each repair did, after its count. Begins with what is counted. */
 const repairTexts: Record<Exclude<keyof MeshRepairs, 'mollification'>, string> = {
   weldedVertices: 'vertices welded to earlier ones at their place',
   isolatedVertices: 'vertices without a triangle',
@@ -18,6 +18,18 @@ const repairTexts: Record<Exclude<keyof MeshRepairs, 'mollification'>, string> =
   splitVertices: 'vertices split that joined separate fans of triangles',
   mollifiedTriangles: 'triangles flat or tiny: for distances, all edges are longer',
 };
+
+const singular: Record<string, string> = {
+  vertices: 'vertex',
+  triangles: 'triangle',
+  edges: 'edge',
+  components: 'component',
+};
+
+/** A count and a text that begins with what is counted, in the plural. */
+function counted(count: number, text: string): string {
+  return `${count} ${count === 1 ? text.replace(/^\w+/, (plural) => singular[plural] ?? plural) : text}`;
+}
 
 /** The facts of a mesh, a line each, for people. */
 export function meshReport(facts: MeshInfo): string {
@@ -38,7 +50,7 @@ export function meshReport(facts: MeshInfo): string {
   const lines = rows.map(([name, value]) => `${name.padEnd(22)}${value}`);
   for (const [name, text] of Object.entries(repairTexts)) {
     const count = facts.repairs[name as keyof MeshRepairs];
-    if (count > 0) lines.push(`repair: ${count} ${text}`);
+    if (count > 0) lines.push(`repair: ${counted(count, text)}`);
   }
   const { mollification } = facts.repairs;
   if (mollification > 0) lines[lines.length - 1] += ` by ${number(mollification)}`;
