@@ -3,8 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
-#include <set>
+#include <limits>
 #include <utility>
 
 #include "base/index_set.h"
@@ -82,7 +81,12 @@ void UnfoldingSpread::require(int label, std::span<const int> faces) {
       }
       known.vertices[indexOf_[v]].isFinal = true;
     }
-  for (const ReachedVertex& r : known.vertices) indexOf_[r.vertex] = -1;
+  bool isAllKnown = true;
+  for (const ReachedVertex& r : known.vertices) {
+    indexOf_[r.vertex] = -1;
+    isAllKnown &= r.distance < kInfinity;
+  }
+  if (!isAllKnown) sweepToRequired(label);
 }
 
 /// Adds a vertex that the label has not come to. Its distance follows from those around it as in
@@ -110,38 +114,23 @@ void UnfoldingSpread::requireVertex(Label& known, int vertex) const {
     if (tail >= 0) offer(atTail + face.lengths[k], tail);
     if (tip >= 0) offer(atTip + face.lengths[j], tip);
   });
-  if (required.distance == kInfinity) {
-    const auto [from, way] = nearestAlongEdges(vertex, [&](int v) {
-      return sweptAt(v) < 0 ? kInfinity : known.vertices[sweptAt(v)].distance;
-    });
-    if (from >= 0) offer(known.vertices[sweptAt(from)].distance + way, sweptAt(from));
-  }
   known.vertices.push_back(required);
   known.directions.push_back(direction);
 }
 
-/// The vertex from which a path along edges to another one is shortest, given the distances at
-/// vertices, and that way; -1 if none is connected. Needed only where edges are so much longer than
-/// distances that the sweep has found no neighbour of what is required.
-std::pair<int, double> UnfoldingSpread::nearestAlongEdges(
-    int vertex, const std::function<double(int)>& distanceAt) const {
-  using Entry = std::pair<double, int>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  std::set<int> isDone;
-  std::pair<int, double> nearest = {-1, 0};
-  double least = kInfinity;
-  for (queue.push({0, vertex}); !queue.empty() && queue.top().first < least;) {
-    const auto [way, v] = queue.top();
-    queue.pop();
-    if (!isDone.insert(v).second) continue;
-    if (way + distanceAt(v) < least) {
-      least = way + distanceAt(v);
-      nearest = {v, way};
-    }
-    mesh_.visitEdges(
-        v, [&](int neighbour, double length) { queue.push({way + length, neighbour}); });
+/// Where edges are much longer than distances, the sweep may have found no neighbour of a vertex
+/// that is required: it is done once more, over the whole component.
+void UnfoldingSpread::sweepToRequired(int label) {
+  sweep_.start(sites_[label]);
+  long unlimited = std::numeric_limits<long>::max();
+  sweep_.run([](int, double) { return true; }, unlimited);
+  Label& known = labels_[label];
+  for (size_t i = 0; i < known.vertices.size(); ++i) {
+    ReachedVertex& r = known.vertices[i];
+    if (r.distance < kInfinity) continue;
+    r.distance = sweep_.distance(r.vertex);
+    known.directions[i] = sweep_.direction(r.vertex);
   }
-  return nearest;
 }
 
 // --- Changes -----------------------------------------------------------------------------------

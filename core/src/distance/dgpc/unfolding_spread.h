@@ -2,10 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <functional>
 #include <memory>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "distance/dgpc/unfolding_sweep.h"
@@ -52,8 +50,7 @@ class UnfoldingSpread final : public LabelSpread {
   };
   void store();
   void requireVertex(Label& known, int vertex) const;
-  std::pair<int, double> nearestAlongEdges(int vertex,
-                                           const std::function<double(int)>& distanceAt) const;
+  void sweepToRequired(int label);
   void indexReaching();
   class PointDistances;
   double distanceAt(int label, const SurfacePoint& p, const KnownLabels& known) const;
