@@ -142,7 +142,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
   /** A picture of the view, so many times as large. */
   async toBlob(type = 'image/png', quality?: number, scale = 1): Promise<Blob> {
     if (!this.#viewer) throw new Error('The element is in no document, or has not been in view.');
-    return this.#viewer.stage.toBlob(scale, type, quality);
+    return this.#viewer.toBlob(scale, { type, quality });
   }
 
   // --- Sites ----------------------------------------------------------------------------------
