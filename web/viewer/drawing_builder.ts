@@ -119,3 +119,15 @@ export class DrawingBuilder {
     });
   }
 }
+
+/** The file of a picture whose pixels are given away; a builder makes it if there is one. */
+export async function fileOfPicture(
+  drawn: DrawnPixels,
+  format: PictureFormat,
+  builder: DrawingBuilder | undefined,
+): Promise<Blob> {
+  const made = await builder?.picture(drawn, format);
+  if (made) return made;
+  if (drawn.pixels.length === 0) throw new Error('The picture cannot be made.');
+  return (await import('./picture_file.js')).pictureFile(drawn, format);
+}

@@ -17,7 +17,6 @@ import type { DrawnDiagram } from './model_drawing.js';
 import { OpenModel } from './open_model.js';
 import { OriginalLayer } from './original_layer.js';
 import { PageScrolling } from './page_scrolling.js';
-import type { PictureFormat } from './picture_file.js';
 import { PointerGestures } from './pointer_gestures.js';
 import { Session } from './session.js';
 import type { Drawable, Scattering, SessionListener } from './session_listener.js';
@@ -230,15 +229,6 @@ export class Viewer implements Workpiece {
       if (!client || picker.hides(place, this.stage.camera)) return undefined;
       return { x: client.x - left, y: client.y - top };
     });
-  }
-
-  /** The view as a picture, so many times as large as it is shown. */
-  async toBlob(scale: number, format: PictureFormat): Promise<Blob> {
-    const drawn = await this.stage.read(scale);
-    const made = await this.#model?.builder.picture(drawn, format);
-    if (made) return made;
-    if (drawn.pixels.length === 0) throw new Error('The picture cannot be made.');
-    return (await import('./picture_file.js')).pictureFile(drawn, format);
   }
 
   recordDensity(): void {
