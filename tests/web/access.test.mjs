@@ -65,7 +65,11 @@ suite('access', () => {
       [640, 360],
       [844, 390],
     ]) {
-      const viewer = await browser.open({ viewport: { width, height }, hasTouch: true });
+      const viewer = await browser.open({
+        viewport: { width, height },
+        hasTouch: true,
+        isMobile: true,
+      });
       await viewer.settled();
       const covered = await viewer.page.evaluate(() =>
         [...document.querySelectorAll('#toolbar button')]
