@@ -53,10 +53,37 @@ suite('access', () => {
       await page.click(`#${menu}-button`);
       assert.deepEqual(await violations(page), [], menu);
       await page.keyboard.press('Escape');
+      assert.equal(await page.locator(`#${menu}`).isVisible(), false, 'Escape closes it');
     }
     await page.click('#help-button');
     assert.deepEqual(await violations(page), [], 'help');
     await viewer.close();
+  });
+
+  test('in a low window no button on the view is covered or cut off', async () => {
+    for (const [width, height] of [
+      [640, 360],
+      [844, 390],
+    ]) {
+      const viewer = await browser.open({
+        viewport: { width, height },
+        hasTouch: true,
+        isMobile: true,
+      });
+      await viewer.settled();
+      const covered = await viewer.page.evaluate(() =>
+        [...document.querySelectorAll('#toolbar button')]
+          .filter((button) => button.checkVisibility())
+          .filter((button) => {
+            const { left, right, top, bottom } = button.getBoundingClientRect();
+            const places = [top + 2, bottom - 2].map((y) => [(left + right) / 2, y]);
+            return !places.every(([x, y]) => document.elementFromPoint(x, y)?.closest('#toolbar'));
+          })
+          .map(({ id }) => id),
+      );
+      assert.deepEqual(covered, [], `${width} × ${height}`);
+      await viewer.close();
+    }
   });
 
   test('on a phone everything to press is 44 pixels high, and a tap reads a region', async () => {

@@ -134,6 +134,39 @@ suite('first sight', () => {
     await viewer.close();
   });
 
+  test('what cannot be loaded is told in a sentence, and nothing goes on', async () => {
+    const cases = [
+      [/\/worker-/, 'geodesic-voronoi [role=alert]', /^Nothing can be computed: the worker .+\.$/],
+      [/\/core-/, 'geodesic-voronoi [role=alert]', /^Nothing can be computed: .+core.+\.$/],
+      [/\/main-/, '#error-text', /^The page cannot be loaded: .+ Reload it to try again\.$/],
+    ];
+    for (const [missing, place, sentence] of cases) {
+      const viewer = await browser.open({
+        prepare: (page) => page.route(missing, (route) => route.abort()),
+      });
+      const told = viewer.page.locator(place);
+      await told.waitFor();
+      assert.match(await told.textContent(), sentence);
+      for (const hidden of ['#progress', '#caption']) {
+        assert.equal(await viewer.page.locator(hidden).isVisible(), false, hidden);
+      }
+      assert.match(await viewer.page.textContent('#status'), /^No model is open\./);
+      await viewer.close();
+    }
+  });
+
+  test('a library that could not be loaded is there for the next model', async () => {
+    const viewer = await browser.open({
+      prepare: (page) => page.route(/\/worker-/, (route) => route.abort()),
+    });
+    await viewer.page.locator('geodesic-voronoi [role=alert]').waitFor();
+    await viewer.page.unroute(/\/worker-/);
+    await viewer.after('diagram', () => viewer.page.selectOption('#samples', 'torus.glb'));
+    assert.equal(await viewer.regionCount(), 60);
+    assert.equal(await viewer.page.locator('#caption').isVisible(), true);
+    await viewer.close();
+  });
+
   test('where the worker that draws cannot be had, the page makes what it draws', async () => {
     const viewer = await browser.open({
       prepare: (page) => page.route(/drawing_worker/, (route) => route.abort()),

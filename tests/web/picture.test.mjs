@@ -49,6 +49,33 @@ const pixels = (viewer, picture, kind) =>
     { picture, kind },
   );
 
+test('a file of the picture is what is seen, edges that are half transparent too', async () => {
+  const viewer = await browser.open();
+  await viewer.settled();
+  const { count, worst } = await viewer.evaluate(async (viewer) => {
+    const canvas = viewer.shadowRoot.querySelector('canvas');
+    const { width, height } = canvas;
+    const pixelsOf = (picture) => {
+      const context = new OffscreenCanvas(width, height).getContext('2d');
+      context.drawImage(picture, 0, 0);
+      return context.getImageData(0, 0, width, height).data;
+    };
+    const file = pixelsOf(await createImageBitmap(await viewer.toBlob()));
+    const seen = pixelsOf(canvas);
+    // Divided by little opacity, colours are less exact.
+    const share = (i) => seen[i - (i % 4) + 3] / 255;
+    const differences = seen.map((channel, i) => Math.abs(channel - file[i]) * share(i));
+    const isEdge = (channel, i) => i % 4 === 3 && channel > 0 && channel < 255;
+    return {
+      count: seen.filter(isEdge).length,
+      worst: differences.reduce((most, each) => Math.max(most, each), 0),
+    };
+  });
+  assert.ok(count > 100, `${count} pixels of edges`);
+  assert.ok(worst <= 2, `they differ by ${worst} of 255`);
+  await viewer.close();
+});
+
 test('bisectors are dark on light pages and bright on dark ones', async () => {
   for (const colorScheme of ['light', 'dark']) {
     const viewer = await opened(torus(60, 30), { colorScheme });

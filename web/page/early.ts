@@ -34,4 +34,14 @@ const modules = WebAssembly.compileStreaming(fetchCounted(core)).then((wasm) => 
 const model = fetchCounted(modelOf(location.hash));
 for (const each of [modules, model]) each.catch(() => {});
 
-void import('./main.js').then(({ setUpPage }) => setUpPage(modules, model));
+void import('./main.js').then(({ setUpPage }) => setUpPage(modules, model), tellFailure);
+
+/** Without the large script this one is all that can tell. */
+function tellFailure({ message }: Error): void {
+  byId('progress', HTMLElement).hidden = true;
+  byId('error-close', HTMLElement).hidden = true;
+  byId('error-text', HTMLElement).textContent =
+    `The page cannot be loaded: ${message}. Reload it to try again.`;
+  byId('error', HTMLElement).hidden = false;
+  byId('status', HTMLElement).textContent = 'No model is open.';
+}

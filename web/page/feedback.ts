@@ -94,8 +94,12 @@ function setUpErrors(viewer: GeodesicVoronoiElement): void {
   onClick('error-close', close);
   listen(viewer, 'error', ({ type, message }) => {
     byId('progress', HTMLElement).hidden = true;
-    // Else the view itself says why there is nothing to see, for as long as that is so.
-    if (type === 'loadfailure' && viewer.loaded) showError(message);
+    // Without a model the view itself says why there is none, for as long as that is so.
+    if (!viewer.loaded) {
+      byId('status', HTMLElement).textContent = 'No model is open. Reload the page to try again.';
+    } else if (type === 'loadfailure') {
+      showError(message);
+    }
   });
   listen(viewer, 'load', close);
 }

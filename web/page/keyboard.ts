@@ -33,6 +33,8 @@ export function setUpKeyboard(viewer: GeodesicVoronoiElement): void {
     }
     const command = commandOf(event);
     if (command === undefined || !everywhere.has(command)) return;
+    // The browser closes the menu that is open.
+    if (command === 'cancel' && document.querySelector(':popover-open')) return;
     event.preventDefault();
     viewer.perform(command);
   });

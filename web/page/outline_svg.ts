@@ -4,13 +4,12 @@
 
 import type { DiagramData } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
-import { nextFrame } from '../viewer/next_frame.js';
+import { Slices } from '../viewer/next_frame.js';
 
 /** A point of the surface as it is seen in the view, in CSS pixels; none if it is hidden. */
 type SeenPoint = { x: number; y: number } | undefined;
 
-/** Whether a point is hidden takes a ray: they are cast for so long, in milliseconds, between two frames. */
-const sliceMilliseconds = 12;
+/** Whether a point is hidden takes a ray: so many are cast before the page may have waited long enough. */
 const pointsPerStep = 256;
 
 /** The bisectors that are seen in the view, as a drawing of its size in CSS pixels. */
@@ -19,11 +18,13 @@ export async function outlinesSvg(
   data: DiagramData,
 ): Promise<string> {
   const { clientWidth: width, clientHeight: height } = viewer;
-  const places = await seenPoints(viewer, data.points.position);
+  const work = new Slices();
+  const places = await seenPoints(viewer, data.points.position, work);
   const { points } = data.segments;
   const parts: string[] = [];
   let last = -1;
   for (let s = 0; s < points.length; s += 2) {
+    if (work.isDue) await work.next();
     const [a, b] = [points[s], points[s + 1]];
     const [from, to] = [places[a], places[b]];
     if (!from || !to) continue;
@@ -41,14 +42,12 @@ export async function outlinesSvg(
 async function seenPoints(
   viewer: GeodesicVoronoiElement,
   positions: Float64Array,
+  work: Slices,
 ): Promise<SeenPoint[]> {
   const places: SeenPoint[] = [];
-  let end = performance.now() + sliceMilliseconds;
   for (let i = 0; i < positions.length; i += 3 * pointsPerStep) {
     places.push(...viewer.project(positions.subarray(i, i + 3 * pointsPerStep)));
-    if (performance.now() < end) continue;
-    await nextFrame();
-    end = performance.now() + sliceMilliseconds;
+    if (work.isDue) await work.next();
   }
   return places;
 }

@@ -142,7 +142,9 @@ export class DerivedDrawings {
     await picker.prepared;
     const siteCount = diagram.sites.face.filter((face) => face >= 0).length;
     const inside = chainEnds(drawing.mesh, paths);
-    const beside = boundarySides(drawing.mesh, dual, siteCount, (place) => picker.nearest(place));
+    const beside = await boundarySides(drawing.mesh, dual, siteCount, (place) =>
+      picker.nearest(place),
+    );
     const ends = new Float32Array(inside.length + beside.length);
     ends.set(inside);
     ends.set(beside, inside.length);

@@ -6,6 +6,8 @@ import type { DiagramData, Mesh } from 'geodesic-voronoi';
 import type { DiagramGeometry, DiagramLines } from './diagram_geometry.js';
 import type { DistanceSamples, DistanceTriangles } from './distance_triangles.js';
 import type { Parts, PartTriangles } from './part_triangles.js';
+import type { DrawnPixels, PictureFormat } from './picture_file.js';
+import type { PlySurface } from './ply_surface.js';
 import { PortedWorker } from './ported_worker.js';
 import type { SceneArrays } from './scene_arrays.js';
 import type { BuiltTree } from './search_tree.js';
@@ -17,7 +19,9 @@ export type DrawingTask =
   | { kind: 'edges' }
   | { kind: 'diagram'; diagram: DiagramLines }
   | { kind: 'parts'; partition: Parts; tones: Uint16Array }
-  | { kind: 'distances'; samples: DistanceSamples };
+  | { kind: 'distances'; samples: DistanceSamples }
+  | { kind: 'ply'; bytes: Uint8Array }
+  | { kind: 'picture'; drawn: DrawnPixels; format: PictureFormat };
 
 /** What is asked for, and what comes back under the same number: undefined if it cannot be made there. */
 export interface DrawingRequest {
@@ -88,6 +92,17 @@ export class DrawingBuilder {
     return this.#ask<DistanceTriangles>({ kind: 'distances', samples });
   }
 
+  /** See `plySurface`; undefined also where its code cannot be had in a worker. */
+  plySurface(bytes: Uint8Array) {
+    const own = bytes.slice();
+    return this.#ask<PlySurface | null>({ kind: 'ply', bytes: own }, [own.buffer]);
+  }
+
+  /** The pixels are given away. */
+  picture(drawn: DrawnPixels, format: PictureFormat) {
+    return this.#ask<Blob>({ kind: 'picture', drawn, format }, [drawn.pixels.buffer]);
+  }
+
   dispose(): void {
     this.#isOver = true;
     worker.close(this.#port);
@@ -103,4 +118,16 @@ export class DrawingBuilder {
       this.#port.postMessage({ id, task } satisfies DrawingRequest, transfer);
     });
   }
+}
+
+/** The file of a picture whose pixels are given away; a builder makes it if there is one. */
+export async function fileOfPicture(
+  drawn: DrawnPixels,
+  format: PictureFormat,
+  builder: DrawingBuilder | undefined,
+): Promise<Blob> {
+  const made = await builder?.picture(drawn, format);
+  if (made) return made;
+  if (drawn.pixels.length === 0) throw new Error('The picture cannot be made.');
+  return (await import('./picture_file.js')).pictureFile(drawn, format);
 }

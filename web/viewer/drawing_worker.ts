@@ -38,6 +38,12 @@ globalThis.onmessage = ({ data: port }: MessageEvent<MessagePort>) => {
         return partTriangles(mesh, task.partition, task.tones);
       case 'distances':
         return distanceTriangles(mesh, task.samples);
+      case 'ply':
+        return import('./ply_surface.js').then(({ plySurface }) => plySurface(task.bytes));
+      case 'picture':
+        return import('./picture_file.js').then(({ pictureFile }) =>
+          pictureFile(task.drawn, task.format),
+        );
     }
   };
 
@@ -47,19 +53,15 @@ globalThis.onmessage = ({ data: port }: MessageEvent<MessagePort>) => {
   // Most answers are made at once, in the order of the requests.
   port.onmessage = ({ data: { id, task } }: MessageEvent<DrawingRequest>) => {
     const result = make(task);
-    if (result instanceof Promise) void result.then((made) => answer(id, made));
-    else answer(id, result);
+    if (!(result instanceof Promise)) answer(id, result);
+    else void result.catch(() => undefined).then((made) => answer(id, made));
   };
 };
 
 /** Its code is fetched when it is first asked for: no first picture needs it. */
 async function builtTree(mesh: SceneMesh): Promise<unknown> {
-  try {
-    return (await import('./search_tree.js')).buildTree(mesh);
-  } catch {
-    // A page with an import map finds modules by it, its workers do not.
-    return undefined;
-  }
+  // It fails where a page finds modules by an import map, which its workers do not.
+  return (await import('./search_tree.js')).buildTree(mesh);
 }
 
 function buffersOf(value: unknown): ArrayBuffer[] {

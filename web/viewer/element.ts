@@ -12,6 +12,7 @@ import type {
 } from 'geodesic-voronoi';
 import { formatCameraOrbit } from './camera_orbit.js';
 import { type Command, commandOf, perform } from './commands.js';
+import { fileOfPicture } from './drawing_builder.js';
 import { ElementShadow } from './element_shadow.js';
 import type { CvtIteration, ViewerEventMap, ViewerEvents } from './events.js';
 import type { HoveredPoint } from './hover.js';
@@ -142,7 +143,8 @@ export class GeodesicVoronoiElement extends ReflectingElement {
   /** A picture of the view, so many times as large. */
   async toBlob(type = 'image/png', quality?: number, scale = 1): Promise<Blob> {
     if (!this.#viewer) throw new Error('The element is in no document, or has not been in view.');
-    return this.#viewer.stage.toBlob(scale, type, quality);
+    const { stage, model } = this.#viewer;
+    return fileOfPicture(await stage.read(scale), { type, quality }, model?.builder);
   }
 
   // --- Sites ----------------------------------------------------------------------------------

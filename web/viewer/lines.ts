@@ -15,6 +15,7 @@ import {
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
+import { Slices } from './next_frame.js';
 import { type Keys, type Marks, RecordBuffer, wholeScene } from './record_buffer.js';
 import type { SceneMesh } from './scene_mesh.js';
 
@@ -119,14 +120,14 @@ export function chainEnds(
   { points, offset }: { points: { position: ArrayLike<number> }; offset: ArrayLike<number> },
 ): Float32Array {
   const places = mesh.frame.toScene(points.position);
-  const chains = offset.length - 1;
-  const ends: number[] = [];
-  for (let chain = 0; chain < chains; ++chain) {
-    for (let i = offset[chain]; i + 1 < offset[chain + 1]; ++i) {
-      for (let k = 3 * i; k < 3 * i + 6; ++k) ends.push(places[k]);
+  const ends = new Float32Array(2 * places.length); // more than there are: the last of a chain begins no piece
+  let written = 0;
+  for (let chain = 0; chain + 1 < offset.length; ++chain) {
+    for (let i = offset[chain]; i + 1 < offset[chain + 1]; ++i, written += 6) {
+      for (let k = 0; k < 6; ++k) ends[written + k] = places[3 * i + k];
     }
   }
-  return Float32Array.from(ends);
+  return ends.subarray(0, written);
 }
 
 /**
@@ -134,19 +135,21 @@ export function chainEnds(
  * scene, laid onto the surface: straight ones would run below it where it is bent outwards. `nearest`
  * finds the point of the surface.
  */
-export function boundarySides(
+export async function boundarySides(
   mesh: SceneMesh,
   { points, faces, vertexLabel }: PolygonMesh,
   siteCount: number,
   nearest: (place: Vector3) => Vector3,
-): Float32Array {
+): Promise<Float32Array> {
   if (vertexLabel.length === siteCount) return new Float32Array();
   const places = mesh.frame.toScene(points.position);
   const ends: number[] = [];
   const drawn = new Set<number>();
   const from = new Vector3();
   const to = new Vector3();
+  const work = new Slices();
   for (let f = 0; f + 1 < faces.offset.length; ++f) {
+    if (work.isDue) await work.next();
     const [first, end] = [faces.offset[f], faces.offset[f + 1]];
     for (let i = first; i < end; ++i) {
       const a = faces.points[i];

@@ -4,6 +4,7 @@
 
 /** In milliseconds. */
 const longestFrame = 100;
+const longestSlice = 12;
 
 /**
  * Lets the page draw and answer. A page that is hidden, or has to wait for a slow graphics card, draws
@@ -14,4 +15,19 @@ export function nextFrame(): Promise<void> {
     setTimeout(resolve, document.hidden ? 0 : longestFrame);
     requestAnimationFrame(() => resolve());
   });
+}
+
+/** Long work in slices, between which the page draws and answers. */
+export class Slices {
+  #end = performance.now() + longestSlice;
+
+  /** Whether the present one has been long enough. */
+  get isDue(): boolean {
+    return performance.now() >= this.#end;
+  }
+
+  async next(): Promise<void> {
+    await nextFrame();
+    this.#end = performance.now() + longestSlice;
+  }
 }

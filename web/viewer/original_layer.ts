@@ -42,7 +42,8 @@ export class OriginalLayer {
   async #read(model: OpenModel | undefined): Promise<OriginalMaterial | undefined> {
     if (!model) return undefined;
     const { originalMaterial } = await import('./original_material.js');
-    const material = await originalMaterial(model.files, model.drawing.mesh.frame);
+    const { files, drawing, builder } = model;
+    const material = await originalMaterial(files, drawing.mesh.frame, builder);
     if (material) await this.#place.stage.compile(material.object);
     return material;
   }

@@ -5,7 +5,8 @@
 
 import { findModel } from 'geodesic-voronoi';
 import {
-  type BufferGeometry,
+  BufferAttribute,
+  BufferGeometry,
   DoubleSide,
   Group,
   type Material,
@@ -16,8 +17,10 @@ import {
   Texture,
 } from 'three';
 import type { GLTFParser } from 'three/addons/loaders/GLTFLoader.js';
+import type { DrawingBuilder } from './drawing_builder.js';
 import type { NamedFiles } from './model_files.js';
 import type { ModelFrame } from './model_frame.js';
+import { wholeScene } from './record_buffer.js';
 
 /** What is shown of a file's own material. */
 export interface OriginalMaterial {
@@ -34,6 +37,7 @@ type Resource = (uri: string) => Promise<Uint8Array | undefined>;
 export async function originalMaterial(
   { files, file, fetchBeside }: NamedFiles,
   frame: ModelFrame,
+  builder: DrawingBuilder,
 ): Promise<OriginalMaterial | undefined> {
   const { format, bytes, resource: given } = await findModel(files, { file });
   /** Of the files there are, or from where the model came. */
@@ -43,7 +47,7 @@ export async function originalMaterial(
     format === 'glTF'
       ? await gltfScene(bytes, resource)
       : format === 'PLY'
-        ? await plySurface(bytes)
+        ? await plyScene(bytes, builder)
         : undefined;
   if (!surface) return undefined;
   const object = new Group();
@@ -153,11 +157,18 @@ async function contentOf(uri: string, resource: Resource): Promise<Uint8Array<Ar
   return bytes.slice();
 }
 
-async function plySurface(bytes: Uint8Array): Promise<Object3D | undefined> {
-  const { PLYLoader } = await import('three/addons/loaders/PLYLoader.js');
-  const geometry = new PLYLoader().parse(bytes.slice().buffer);
-  if (!geometry.hasAttribute('color')) return undefined;
-  if (!geometry.hasAttribute('normal')) geometry.computeVertexNormals();
+async function plyScene(bytes: Uint8Array, builder: DrawingBuilder): Promise<Object3D | undefined> {
+  const made = await builder.plySurface(bytes);
+  const surface = made === undefined ? (await import('./ply_surface.js')).plySurface(bytes) : made;
+  if (!surface) return undefined;
+  const geometry = new BufferGeometry();
+  for (const name of ['position', 'normal', 'color'] as const) {
+    const { array, normalized } = surface[name];
+    geometry.setAttribute(name, new BufferAttribute(array, 3, normalized));
+  }
+  if (surface.index) geometry.setIndex(new BufferAttribute(surface.index, 1));
+  // Else it would be computed of all vertices, for the order of drawing.
+  geometry.boundingSphere = wholeScene;
   const material: Material = new MeshLambertMaterial({ vertexColors: true });
   return new Mesh(geometry, material);
 }

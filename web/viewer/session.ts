@@ -91,7 +91,9 @@ export class Session {
     const { signal } = opening;
     try {
       this.#lease ??= new LibraryLease();
-      const library = await this.#lease.library;
+      const library = await this.#lease.library.catch((error) => {
+        throw sentence('Nothing can be computed', error);
+      });
       const onProgress = (share: number) => this.#listener.progressed(share);
       this.#adopt(await openMesh(library, read, how, { signal, onProgress }));
       return true;

@@ -12,6 +12,7 @@ import {
   WebGLRenderer,
 } from 'three';
 import { nextFrame } from './next_frame.js';
+import type { DrawnPixels } from './picture_file.js';
 
 /** Told when the graphics card drops the renderer's context, and when it is there again. */
 export interface ContextListener {
@@ -30,6 +31,9 @@ export interface Picture {
 
 /** A part of three.js that its types leave out. */
 type CompiledProgram = WebGLProgram & { isReady(): boolean };
+
+/** Of a picture, so many are read between two frames. */
+const bytesPerFrame = 2 ** 22;
 
 let present: SharedRenderer | undefined;
 
@@ -69,16 +73,9 @@ export class SharedRenderer {
 
   /** Draws onto a canvas, which takes the picture's size. */
   draw(picture: Picture, target: CanvasRenderingContext2D): void {
-    const { scene, camera, width, height, pixelRatio } = picture;
-    const renderer = this.#renderer;
     // What was drawn last stays to be seen.
-    if (renderer.getContext().isContextLost()) return;
-    if (renderer.getPixelRatio() !== pixelRatio) renderer.setPixelRatio(pixelRatio);
-    if (!renderer.getSize(this.#size).equals({ x: width, y: height })) {
-      renderer.setSize(width, height, false);
-    }
-    renderer.render(scene, camera);
-    const source = renderer.domElement;
+    if (!this.#render(picture)) return;
+    const source = this.#renderer.domElement;
     const { canvas } = target;
     if (canvas.width !== source.width || canvas.height !== source.height) {
       canvas.width = source.width;
@@ -86,6 +83,36 @@ export class SharedRenderer {
     }
     target.globalCompositeOperation = 'copy';
     target.drawImage(source, 0, 0);
+  }
+
+  /**
+   * Draws what nobody is to see, and reads it once the graphics card has drawn it. Reading it at once, as
+   * a canvas does for its files, would keep the page waiting.
+   */
+  async read(picture: Picture): Promise<DrawnPixels> {
+    if (!this.#render(picture)) throw new Error('The graphics card has dropped this view.');
+    const gl = this.#renderer.getContext() as WebGL2RenderingContext;
+    const { drawingBufferWidth: width, drawingBufferHeight: height } = gl;
+    const pixels = new Uint8ClampedArray(4 * width * height);
+    const buffer = gl.createBuffer();
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
+    gl.bufferData(gl.PIXEL_PACK_BUFFER, pixels.length, gl.STREAM_READ);
+    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, 0);
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
+    const drawn = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0) as WebGLSync;
+    gl.flush();
+    do await nextFrame();
+    while (!gl.isContextLost() && gl.clientWaitSync(drawn, 0, 0) === gl.TIMEOUT_EXPIRED);
+    for (let from = 0; from < pixels.length; from += bytesPerFrame) {
+      if (from > 0) await nextFrame();
+      gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
+      gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, from, pixels.subarray(from, from + bytesPerFrame));
+      gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
+    }
+    gl.deleteSync(drawn);
+    gl.deleteBuffer(buffer);
+    if (gl.isContextLost()) throw new Error('The graphics card has dropped this view.');
+    return { width, height, pixels };
   }
 
   /** Until the shaders of an object of a scene are compiled: else its first drawing waits for them. */
@@ -97,6 +124,18 @@ export class SharedRenderer {
     };
     const materials = [...this.#renderer.compile(object, camera, scene)];
     while (!materials.every(isCompiled)) await nextFrame();
+  }
+
+  /** Onto its own canvas; returns whether there is a graphics card to do it. */
+  #render({ scene, camera, width, height, pixelRatio }: Picture): boolean {
+    const renderer = this.#renderer;
+    if (renderer.getContext().isContextLost()) return false;
+    if (renderer.getPixelRatio() !== pixelRatio) renderer.setPixelRatio(pixelRatio);
+    if (!renderer.getSize(this.#size).equals({ x: width, y: height })) {
+      renderer.setSize(width, height, false);
+    }
+    renderer.render(scene, camera);
+    return true;
   }
 
   return(user: ContextListener): void {

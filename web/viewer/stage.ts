@@ -16,7 +16,8 @@ import {
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { CameraOrbit } from './camera_orbit.js';
-import { type ContextListener, SharedRenderer } from './shared_renderer.js';
+import type { DrawnPixels } from './picture_file.js';
+import { type ContextListener, type Picture, SharedRenderer } from './shared_renderer.js';
 import type { Padding } from './view_padding.js';
 
 const fieldOfView = 32;
@@ -128,23 +129,9 @@ export class Stage {
     });
   }
 
-  /** So many times as large as it is shown. */
-  draw(scale = 1): void {
+  draw(): void {
     this.#isOutdated = false;
-    const { width, height } = this.#size;
-    if (width === 0) return;
-    this.#fitDepthRange();
-    const largest = this.#renderer.largestSize / Math.max(width, height);
-    this.#renderer.draw(
-      {
-        scene: this.#scene,
-        camera: this.camera,
-        width,
-        height,
-        pixelRatio: Math.min(scale * Math.min(devicePixelRatio, 2), largest),
-      },
-      this.#picture,
-    );
+    if (this.#size.width > 0) this.#renderer.draw(this.#view(1), this.#picture);
   }
 
   /** Until something that is to be drawn can be drawn at once. */
@@ -152,19 +139,15 @@ export class Stage {
     return this.#renderer.compile(object, this.#scene, this.camera);
   }
 
-  /** The view as a picture, so many times as large as it is shown. */
-  toBlob(scale: number, type: string, quality?: number): Promise<Blob> {
-    this.draw(scale);
-    // It is of what the canvas shows now.
-    const blob = new Promise<Blob>((resolve, reject) => {
-      this.canvas.toBlob(
-        (blob) => (blob ? resolve(blob) : reject(new Error('The picture cannot be made.'))),
-        type,
-        quality,
-      );
-    });
-    this.draw();
-    return blob;
+  /** The view as it is now, so many times as large as it is shown. */
+  async read(scale: number): Promise<DrawnPixels> {
+    if (this.#size.width === 0) throw new Error('The view has no size.');
+    try {
+      return await this.#renderer.read(this.#view(scale));
+    } finally {
+      // The renderer is as large as it is shown again.
+      this.invalidate();
+    }
   }
 
   /**
@@ -363,6 +346,20 @@ export class Stage {
     rim.target.position.set(0, 0, -1);
     this.camera.add(key, key.target, rim, rim.target);
     this.#scene.add(sky);
+  }
+
+  /** So many times as large as it is shown. */
+  #view(scale: number): Picture {
+    this.#fitDepthRange();
+    const { width, height } = this.#size;
+    const largest = this.#renderer.largestSize / Math.max(width, height);
+    return {
+      scene: this.#scene,
+      camera: this.camera,
+      width,
+      height,
+      pixelRatio: Math.min(scale * Math.min(devicePixelRatio, 2), largest),
+    };
   }
 
   /** As tight around what stands there as it goes: depth is what tells lines from the surface. */
