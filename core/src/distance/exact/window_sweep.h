@@ -31,7 +31,7 @@ enum class SpreadTo {
   kEverywhere,  ///< over the whole component
 };
 
-/// What is known of the labels that a point's shortest path may lead to.
+/// What is known of the labels to which the shortest path from a point may lead.
 class KnownDistances {
  public:
   virtual ~KnownDistances() = default;
@@ -56,6 +56,9 @@ class KnownDistances {
 /// another one at some point of a path is farther along all the rest of the path, so the label owns
 /// nothing beyond such a window. It goes on from there when its distances beyond are required, or
 /// when the other label has left.
+///
+/// The same windows, spread from a point up to vertices whose distances are known, find the nearest
+/// site of the point and the path to it (`search`).
 class WindowSweep {
  public:
   /// `bounds` are read, and lowered by what the labels find.
@@ -74,20 +77,20 @@ class WindowSweep {
   /// Begins with a label that is to go on to some points. Bounds remain as they are. Of a single
   /// point, the windows at its faces wait there in the end.
   void require(int label, LabelState& state, std::span<const RequiredPoint> points);
+  /// The distance at one of these points; for use before the next label begins.
+  double distanceAtPoint(int index) const { return pointDistances_[index]; }
   /// Begins with a point, which lies on no vertex, instead of a site, to find the way back to the
   /// sites that it is nearest to. Through any place of an edge, the path is as long as a window's
   /// distance there and that of the site, which is not less than its distance at an end of the edge
   /// less the way from there. What is longer than a path that is known is cut off, and a strip of
-  /// few faces around the shortest path remains. Bounds remain as they are. In the end, windows
-  /// through which there are sites wait at the faces of these.
+  /// few faces around the shortest path remains. Bounds remain as they are. Done when it returns;
+  /// then windows through which there are sites wait at the faces of these.
   void search(const SurfacePoint& p, const KnownDistances& known, const SiteSet& sites,
               LabelState& state);
   /// The length of the shortest path that the search has found, infinity if there is none.
   double shortest() const { return shortest_; }
   /// The sites in faces, with their distances from the point, that the search has come to.
   std::span<const LabelledDistance> foundSites() const { return foundSites_; }
-  /// The distance at one of these points; for use before the next label begins.
-  double distanceAtPoint(int index) const { return pointDistances_[index]; }
   /// Works on at most `budget` batches and lowers it by their number; true when the label is done,
   /// and what it has come to is in its state.
   bool run(long& budget);
