@@ -54,6 +54,17 @@ double areaOfCell(const TriangleMesh& mesh, const Diagram& diagram, int cell) {
   return std::max(0.0, share) * mesh.faceArea(face);
 }
 
+/// The distance of the nearest site to a point is no more than this: that to a corner of its face,
+/// and the way from there.
+double distanceAtMost(const TriangleMesh& mesh, const DistanceField& distances,
+                      const SurfacePoint& p) {
+  double least = kInfinity;
+  for (int i = 0; i < 3; ++i)
+    least = std::min(least, nearestOf(distances.at(mesh.tail(3 * p.face + i))).distance +
+                                wayToCorner(mesh.face(p.face), p.bary, i).norm());
+  return least;
+}
+
 }  // namespace
 
 WorstRegions::WorstRegions(const TriangleMesh& mesh, const DistanceField& distances,
@@ -126,7 +137,8 @@ SurfacePoint WorstRegions::point() const {
   for (int v = 0; v < mesh_.vertexCount(); ++v)
     if (const LabelledDistance d = nearestOf(distances_.at(v)); d.label == label)
       offer(pointAtVertex(mesh_, v), d.distance);
-  for (const SurfacePoint& p : worst->outline) offer(p, distances_.nearest(p).distance);
+  for (const SurfacePoint& p : worst->outline)
+    if (distanceAtMost(mesh_, distances_, p) > most) offer(p, distances_.nearest(p).distance);
   return farthest;
 }
 
