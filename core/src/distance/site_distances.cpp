@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/index_set.h"
+#include "base/sliced_loop.h"
 #include "distance/dgpc/unfolding_spread.h"
 #include "distance/exact/window_spread.h"
 #include "mesh/surface_geometry.h"
@@ -246,23 +247,17 @@ double SiteDistances::distance(int label, const SurfacePoint& p) const {
 class SiteDistances::PointDistances final : public SlicedWork<std::vector<double>> {
  public:
   PointDistances(const SiteDistances& field, std::span<const LabelledPoint> points)
-      : distances_(points.size(), kInfinity) {
-    std::vector<LabelledPoint> open;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const auto& [label, p] = points[i];
-      requireOnMesh(field.mesh_, p);
-      if (const int v = vertexAt(field.mesh_, p); v >= 0) {
-        distances_[i] = field.known_.distance(v, label);
-      } else if (field.isKnownAround(label, p)) {
-        open.push_back(points[i]);
-        openIndices_.push_back(i);
-      }
-    }
-    atPoints_ = field.spread_->startDistancesAt(open, field.known_);
-  }
+      : field_(field),
+        points_(points.begin(), points.end()),
+        distances_(points.size(), kInfinity) {}
 
-  bool step(long budget) override { return atPoints_->step(budget); }
-  double progress() const override { return atPoints_->progress(); }
+  bool step(long budget) override {
+    return sequence_.run(
+        [&] { return loop_.run(points_.size(), budget, kQuickRounds, [&](int i) { look(i); }); },
+        [&] { atPoints_ = field_.spread_->startDistancesAt(open_, field_.known_); },
+        [&] { return atPoints_->step(budget); });
+  }
+  double progress() const override { return atPoints_ ? atPoints_->progress() : 0; }
   std::vector<double> take() override {
     const std::vector<double> found = atPoints_->take();
     for (std::size_t i = 0; i < found.size(); ++i) distances_[openIndices_[i]] = found[i];
@@ -270,8 +265,24 @@ class SiteDistances::PointDistances final : public SlicedWork<std::vector<double
   }
 
  private:
+  void look(int i) {
+    const auto& [label, p] = points_[i];
+    requireOnMesh(field_.mesh_, p);
+    if (const int v = vertexAt(field_.mesh_, p); v >= 0) {
+      distances_[i] = field_.known_.distance(v, label);
+    } else if (field_.isKnownAround(label, p)) {
+      open_.push_back(points_[i]);
+      openIndices_.push_back(i);
+    }
+  }
+
+  const SiteDistances& field_;
+  const std::vector<LabelledPoint> points_;
   std::vector<double> distances_;
-  std::vector<std::size_t> openIndices_;
+  SlicedSequence sequence_;
+  SlicedLoop loop_;
+  std::vector<LabelledPoint> open_;
+  std::vector<int> openIndices_;
   std::unique_ptr<SlicedWork<std::vector<double>>> atPoints_;
 };
 

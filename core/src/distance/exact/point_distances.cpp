@@ -11,6 +11,8 @@
 namespace gvd::exact {
 namespace {
 
+constexpr long kPointsPerUnit = 4;
+
 /// A point on an edge in terms of the same face, wherever it comes from.
 SurfacePoint unique(const TriangleMesh& mesh, const SurfacePoint& p) {
   SurfacePoint least = p;
@@ -49,19 +51,29 @@ PointDistances::PointDistances(const TriangleMesh& mesh, const SiteSet& sites,
       bounds_(bounds),
       startTo_(startTo),
       found_(found),
-      sweep_(mesh, bounds) {
-  distances_.reserve(points.size());
-  for (const auto& [label, point] : points) {
-    const LabelledPoint at = {label, unique(mesh, point)};
-    distances_.push_back(found_.find(at));
-    if (distances_.back() == kInfinity)
-      open_.push_back({at, static_cast<int>(distances_.size()) - 1});
-  }
-  sortStably(std::span(open_),
-             [](const OpenPoint& a, const OpenPoint& b) { return a.at.label < b.at.label; });
-}
+      points_(points.begin(), points.end()),
+      sweep_(mesh, bounds) {}
 
 bool PointDistances::step(long budget) {
+  return sequence_.run(
+      [&] {
+        return loop_.run(points_.size(), budget, kPointsPerUnit, [&](int i) { look(points_[i]); });
+      },
+      [&] {
+        sortStably(std::span(open_),
+                   [](const OpenPoint& a, const OpenPoint& b) { return a.at.label < b.at.label; });
+      },
+      [&] { return spread(budget); });
+}
+
+void PointDistances::look(const LabelledPoint& p) {
+  const LabelledPoint at = {p.label, unique(mesh_, p.point)};
+  distances_.push_back(found_.find(at));
+  if (distances_.back() == kInfinity)
+    open_.push_back({at, static_cast<int>(distances_.size()) - 1});
+}
+
+bool PointDistances::spread(long& budget) {
   while (begin_ < open_.size()) {
     if (stage_ == Stage::kNone) startLabel();
     if (!sweep_.run(budget)) return false;
@@ -79,7 +91,8 @@ bool PointDistances::step(long budget) {
 }
 
 double PointDistances::progress() const {
-  return open_.empty() ? 1 : static_cast<double>(begin_) / static_cast<double>(open_.size());
+  if (open_.empty()) return sequence_.progress();
+  return static_cast<double>(begin_) / static_cast<double>(open_.size());
 }
 
 void PointDistances::startLabel() {

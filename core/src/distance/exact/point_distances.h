@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/sliced_loop.h"
 #include "distance/exact/window_sweep.h"
 #include "distance/nearest_bounds.h"
 #include "distance/site_set.h"
@@ -48,6 +49,8 @@ class PointDistances final : public SlicedWork<std::vector<double>> {
     int index;  ///< in `distances_`
   };
 
+  void look(const LabelledPoint& p);
+  bool spread(long& budget);
   void startLabel();
   void finishLabel();
   double nearestAtLeast(const SurfacePoint& p) const;
@@ -58,7 +61,10 @@ class PointDistances final : public SlicedWork<std::vector<double>> {
   const NearestBounds& bounds_;
   const SpreadTo startTo_;
   FoundDistances& found_;
+  const std::vector<LabelledPoint> points_;
   WindowSweep sweep_;
+  SlicedSequence sequence_;
+  SlicedLoop loop_;
   std::vector<double> distances_;
   std::vector<OpenPoint> open_;  ///< by label
 
