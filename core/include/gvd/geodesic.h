@@ -65,8 +65,8 @@ class DistanceField {
   /// The nearest site at a point and its distance; label -1 and infinity if no site reaches it.
   /// With the exact metric, O(faces that the shortest path crosses) where they are well shaped.
   virtual LabelledDistance nearest(const SurfacePoint& p) const = 0;
-  /// The distance of one site at a point; infinity where it is not known. Unless the site is the
-  /// nearest one, as long as `distancesAt`.
+  /// The distance of one site at a point; infinity where it is not known. Of the nearest site it is
+  /// as quick as `nearest`, of another one it takes as long as `distancesAt`.
   virtual double distance(int label, const SurfacePoint& p) const = 0;
   /// Starts the same at many points. With the exact metric, each of the sites spreads once more, as
   /// far as it is nearest and on to its points: about as long as it took at first. The field must

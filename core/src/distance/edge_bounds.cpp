@@ -6,6 +6,7 @@
 #include "distance/face_layout.h"
 
 namespace gvd {
+
 EdgeBounds::EdgeBounds(const TriangleMesh& mesh, const SiteSet& sites)
     : mesh_(mesh),
       sites_(sites),

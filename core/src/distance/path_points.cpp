@@ -8,6 +8,7 @@
 #include "mesh/surface_geometry.h"
 
 namespace gvd {
+
 SurfacePoint pointAtVertex(const TriangleMesh& mesh, int vertex) {
   const int h = mesh.outgoing(vertex);
   return {TriangleMesh::faceOf(h), Eigen::Vector3d::Unit(h % 3)};

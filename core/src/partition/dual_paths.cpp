@@ -137,6 +137,7 @@ class DualPathFinding final : public SlicedWork<std::vector<DualPath>> {
   }
 
   static constexpr std::array kEvenShares = {0.0, 0.5, 1.0};
+  /// Places that take about as long to add as one unit of the budget.
   static constexpr long kPlacesPerUnit = 8;
 
   const TriangleMesh& mesh_;

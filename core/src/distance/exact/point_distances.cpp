@@ -11,6 +11,7 @@
 namespace gvd::exact {
 namespace {
 
+/// Points that take about as long to look at as one unit of the budget.
 constexpr long kPointsPerUnit = 4;
 
 /// A point on an edge in terms of the same face, wherever it comes from.
