@@ -179,8 +179,22 @@ export class ViewerPage {
     return this.evaluate((viewer, index) => viewer.sitePosition(index), index);
   }
 
+  /** Waits until the view has stopped gliding: all sites are seen where they were. */
+  async still() {
+    const places = () =>
+      this.evaluate((viewer) =>
+        JSON.stringify([...viewer.sites.face.keys()].map((i) => viewer.sitePosition(i))),
+      );
+    let last;
+    for (let now = await places(); now !== last; now = await places()) {
+      last = now;
+      await this.page.waitForTimeout(200);
+    }
+  }
+
   /** A place on the page where the surface is seen, as far as may be from all sites and from its edge. */
   async freePlace() {
+    await this.still();
     const place = await this.evaluate((viewer) => {
       const box = viewer.getBoundingClientRect();
       const sites = [...viewer.sites.face.keys()]
