@@ -83,7 +83,11 @@ class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
         count_(count),
         seed_(seed),
         coveringRadius_(coveringRadius),
-        sweep_(mesh),
+        // Where a point is the nearest, its distance is right if it is at both ends of every edge
+        // that the path crosses: these are no farther beyond the point's region than an edge is
+        // long.
+        sweep_(mesh,
+               [this](int v, double distance) { return distance < least_[v] + longestEdge_[v]; }),
         longestEdge_(mesh) {
     requireCount(count);
   }
@@ -117,13 +121,8 @@ class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
   bool isComplete() const { return static_cast<int>(points_.size()) == count_; }
 
   bool addOthers(long& budget) {
-    // Where a point is the nearest, its distance is right if it is at both ends of every edge that
-    // the path crosses: these are no farther beyond the point's region than an edge is long.
-    const auto spreads = [&](int v, double distance) {
-      return distance < least_[v] + longestEdge_[v];
-    };
     const auto& reached = sweep_.reached();
-    while (spread_.run([&] { return sweep_.run(spreads, budget); },
+    while (spread_.run([&] { return sweep_.run(budget); },
                        [&] {
                          return loop_.run(reached.size(), budget, 8, [&](int i) {
                            const int v = reached[i];
@@ -178,7 +177,8 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
         count_(count),
         radius_(radius),
         random_(seed),
-        sweep_(mesh),
+        sweep_(mesh,
+               [this](int v, double distance) { return distance < radius_ + 2 * longestEdge_[v]; }),
         longestEdge_(mesh) {
     if (count) requireCount(*count);
   }
@@ -235,17 +235,13 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
   bool spread(long& budget) {
     const auto& reached = sweep_.reached();
     const int label = static_cast<int>(points_.size()) - 1;
-    isSpreading_ = !spread_.run(
-        [&] {
-          return sweep_.run(
-              [&](int v, double distance) { return distance < radius_ + 2 * longestEdge_[v]; },
-              budget);
-        },
-        [&] {
-          return loop_.run(reached.size(), budget, 4, [&](int i) {
-            known_[reached[i]].push_back({label, sweep_.distance(reached[i])});
-          });
-        });
+    isSpreading_ =
+        !spread_.run([&] { return sweep_.run(budget); },
+                     [&] {
+                       return loop_.run(reached.size(), budget, 4, [&](int i) {
+                         known_[reached[i]].push_back({label, sweep_.distance(reached[i])});
+                       });
+                     });
     return !isSpreading_;
   }
 

@@ -23,7 +23,10 @@ UnfoldingSpread::UnfoldingSpread(const TriangleMesh& mesh, const SiteSet& sites,
       bounds_(bounds),
       isUnbounded_(isUnbounded),
       longestEdge_(longestEdges(mesh)),
-      sweep_(mesh),
+      sweep_(mesh,
+             [this](int v, double distance) {
+               return isUnbounded_ || distance <= edgeBounds_[v] + longestEdge_[v];
+             }),
       indexOf_(mesh.vertexCount(), -1),
       reaching_(mesh.vertexCount()) {}
 
@@ -38,10 +41,7 @@ void UnfoldingSpread::resume(int /*label*/) {}
 
 bool UnfoldingSpread::run(long& budget) {
   if (running_ < 0) return true;
-  const auto spreads = [&](int v, double distance) {
-    return isUnbounded_ || distance <= edgeBounds_[v] + longestEdge_[v];
-  };
-  if (!sweep_.run(spreads, budget)) return false;
+  if (!sweep_.run(budget)) return false;
   store();
   return true;
 }
@@ -121,15 +121,16 @@ void UnfoldingSpread::requireVertex(Label& known, int vertex) const {
 /// Where edges are much longer than distances, the sweep may have found no neighbour of a vertex
 /// that is required: it is done once more, over the whole component.
 void UnfoldingSpread::sweepToRequired(int label) {
-  sweep_.start(sites_[label]);
+  UnfoldingSweep sweep(mesh_, [](int, double) { return true; });
+  sweep.start(sites_[label]);
   long unlimited = std::numeric_limits<long>::max();
-  sweep_.run([](int, double) { return true; }, unlimited);
+  sweep.run(unlimited);
   Label& known = labels_[label];
   for (size_t i = 0; i < known.vertices.size(); ++i) {
     ReachedVertex& r = known.vertices[i];
     if (r.distance < kInfinity) continue;
-    r.distance = sweep_.distance(r.vertex);
-    known.directions[i] = sweep_.direction(r.vertex);
+    r.distance = sweep.distance(r.vertex);
+    known.directions[i] = sweep.direction(r.vertex);
   }
 }
 

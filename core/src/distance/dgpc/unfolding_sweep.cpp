@@ -54,6 +54,21 @@ void UnfoldingSweep::startInFace(const SurfacePoint& site, const Vector2d& first
   }
 }
 
+bool UnfoldingSweep::run(long& budget) {
+  for (; bucket_ < buckets_.size(); ++bucket_, cursor_ = 0) {
+    while (cursor_ < buckets_[bucket_].size()) {
+      if (budget <= 0) return false;
+      const int v = buckets_[bucket_][cursor_++];
+      if (!std::exchange(vertices_[v].isQueued, false)) continue;
+      --budget;
+      passOn(v);
+    }
+    buckets_[bucket_].clear();
+  }
+  bucket_ = 0;
+  return true;
+}
+
 void UnfoldingSweep::offer(int v, double distance, const Vector2d& direction) {
   Vertex& own = vertices_[v];
   if (own.epoch != epoch_) {
@@ -64,48 +79,49 @@ void UnfoldingSweep::offer(int v, double distance, const Vector2d& direction) {
   if (!(distance < own.distance * (1 - kDistanceTolerance))) return;
   own.distance = distance;
   own.direction = direction;
-  own.isQueued = true;
+  own.isQueued = spreads_(v, distance);
+  if (!own.isQueued) return;
   // Where it is queued already, that is later: what is met first counts.
   const size_t b = std::max(bucket_, static_cast<size_t>(distance * bucketsPerUnit_));
   if (b >= buckets_.size()) buckets_.resize(b + 1);
   buckets_[b].push_back(v);
 }
 
-/// Lets a vertex take part in the distances of its neighbours.
+/// Lets a vertex take part in the distances of its neighbours: along its edges, and across the
+/// sides of the faces around it that end at it. A side is left to its other end if that is still to
+/// pass on its distance, which may become less before.
 void UnfoldingSweep::passOn(int v) {
+  const Vertex& own = vertices_[v];
+  const auto isLater = [&](const Vertex& end) { return end.epoch != epoch_ || end.isQueued; };
   const int first = mesh_.outgoing(v);
   int h = first;
   do {
-    const int last = TriangleMesh::previous(h);
-    const int next = mesh_.face(TriangleMesh::faceOf(h)).twins[last % 3];
-    if (next >= 0) prefetch(mesh_.face(TriangleMesh::faceOf(next)));
-    unfoldAcross(h);
-    unfoldAcross(last);
+    const TriangleMesh::Face& face = mesh_.face(TriangleMesh::faceOf(h));
+    const int i = h % 3, k = cornerBefore(i), next = face.twins[k];
+    const int tip = face.vertices[cornerAfter(i)], tail = face.vertices[k];
+    if (next >= 0) prefetch(mesh_.face(TriangleMesh::faceOf(next)).lengths);
+    if (!isLater(vertices_[tip])) unfoldAcross(face, i);
+    if (!isLater(vertices_[tail])) unfoldAcross(face, k);
+    offer(tip, own.distance + face.lengths[i], own.direction);
+    // Along the boundary the last edge only comes in.
+    if (next < 0) offer(tail, own.distance + face.lengths[k], own.direction);
     h = next;
   } while (h >= 0 && h != first);
 }
 
-/// Gives the apex of a halfedge the distance from the virtual source that the distances at the
-/// halfedge's ends put behind it, if that source sees the apex through the halfedge; otherwise the
-/// one along an edge.
-void UnfoldingSweep::unfoldAcross(int h) {
-  const TriangleMesh::Face& face = mesh_.face(TriangleMesh::faceOf(h));
-  const int i = h % 3, j = cornerAfter(i), k = cornerBefore(i);
-  const int tail = face.vertices[i], tip = face.vertices[j], apex = face.vertices[k];
-  const double atTail = distance(tail), atTip = distance(tip);
-  if (!(std::min(atTail, atTip) < distance(apex))) return;
-  if (const auto unfolding = unfold(face, i, atTail, atTip)) {
-    const double limit = distance(apex) * (1 - kDistanceTolerance);
-    const double squared = unfolding->toApex.squaredNorm();
-    if (squared < limit * limit)
-      offer(apex, std::sqrt(squared), directionToApex(*unfolding, tail, tip));
-    return;
-  }
-  const double overTail = atTail + face.lengths[k], overTip = atTip + face.lengths[j];
-  if (overTail <= overTip)
-    offer(apex, overTail, vertices_[tail].direction);
-  else
-    offer(apex, overTip, vertices_[tip].direction);
+/// Gives the apex of a side the distance from the virtual source that the distances at the side's
+/// ends put behind it, if that source sees the apex through the side.
+void UnfoldingSweep::unfoldAcross(const TriangleMesh::Face& face, int side) {
+  const int tail = face.vertices[side], tip = face.vertices[cornerAfter(side)];
+  const int apex = face.vertices[cornerBefore(side)];
+  const double atTail = vertices_[tail].distance, atTip = vertices_[tip].distance;
+  const double limit = distance(apex) * (1 - kDistanceTolerance);
+  if (!(std::min(atTail, atTip) < limit)) return;
+  const auto unfolding = unfold(face, side, atTail, atTip);
+  if (!unfolding) return;
+  const double squared = unfolding->toApex.squaredNorm();
+  if (squared < limit * limit)
+    offer(apex, std::sqrt(squared), directionToApex(*unfolding, tail, tip));
 }
 
 /// Between the directions of both ends of a halfedge, each turned by the angle under which the

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -36,11 +37,14 @@ inline std::optional<Eigen::Vector2d> virtualSource(double length, double atTail
 /// in the coordinates of the side; nothing unless it exists and sees the apex through the side.
 inline std::optional<Unfolding> unfold(const TriangleMesh::Face& face, int side, double atTail,
                                        double atTip) {
-  const double length = face.lengths[side];
+  const double length = face.lengths[side], inverse = 1 / (2 * length);
   const auto source = virtualSource(length, atTail, atTip);
   if (!source) return std::nullopt;
-  const Unfolding u = {-*source, Eigen::Vector2d(length, 0) - *source,
-                       apexOf(face, side) - *source};
+  // Where `apexOf` puts it, from the first cache line of the face alone.
+  const double toTail = face.lengths[cornerBefore(side)], toTip = face.lengths[cornerAfter(side)];
+  const Eigen::Vector2d apex(((toTail - toTip) * (toTail + toTip) + length * length) * inverse,
+                             4 * face.area * inverse);
+  const Unfolding u = {-*source, Eigen::Vector2d(length, 0) - *source, apex - *source};
   // The line from the source to the apex crosses the side's line between its ends.
   const double slack = kUnfoldingRounding * length * u.toApex.y();
   if (cross(u.toApex, u.toTail) < -slack || cross(u.toTip, u.toApex) < -slack) return std::nullopt;
@@ -55,17 +59,21 @@ inline std::optional<Unfolding> unfold(const TriangleMesh::Face& face, int side,
 /// how far it spreads only.
 class UnfoldingSweep {
  public:
-  explicit UnfoldingSweep(const TriangleMesh& mesh)
+  /// Whether a site spreads on from a vertex at which it has come to a distance; if so, then also
+  /// from a smaller one.
+  using Spreads = std::function<bool(int vertex, double distance)>;
+
+  UnfoldingSweep(const TriangleMesh& mesh, Spreads spreads)
       : mesh_(mesh),
+        spreads_(std::move(spreads)),
         bucketsPerUnit_(kBucketsPerEdge / mesh.meanEdgeLength()),
         vertices_(mesh.vertexCount()) {}
 
   /// Begins with a site; what the last one has reached is forgotten.
   void start(const SurfacePoint& site);
-  /// Passes on at most `budget` distances and lowers it by their number; a vertex does so where
-  /// spreads(vertex, distance). True when there is none left.
-  template <class Spreads>
-  bool run(Spreads spreads, long& budget);
+  /// Passes on at most `budget` distances and lowers it by their number. True when there is none
+  /// left.
+  bool run(long& budget);
 
   /// The vertices that the site has reached; it may not have spread on from them.
   const std::vector<int>& reached() const { return reached_; }
@@ -86,16 +94,17 @@ class UnfoldingSweep {
     double distance;
     Eigen::Vector2d direction;
     int epoch = 0;  ///< of the site that this is about
-    bool isQueued;
+    bool isQueued;  ///< whether it still passes on its distance
   };
 
   void startInFace(const SurfacePoint& site, const Eigen::Vector2d& firstSide);
   void offer(int vertex, double distance, const Eigen::Vector2d& direction);
   void passOn(int vertex);
-  void unfoldAcross(int halfedge);
+  void unfoldAcross(const TriangleMesh::Face& face, int side);
   Eigen::Vector2d directionToApex(const Unfolding& unfolding, int tail, int tip) const;
 
   const TriangleMesh& mesh_;
+  const Spreads spreads_;
   const double bucketsPerUnit_;
   int epoch_ = 0;
   std::vector<Vertex> vertices_;
@@ -103,21 +112,5 @@ class UnfoldingSweep {
   std::vector<std::vector<int>> buckets_;  ///< vertices by distance
   size_t bucket_ = 0, cursor_ = 0;
 };
-
-template <class Spreads>
-bool UnfoldingSweep::run(Spreads spreads, long& budget) {
-  for (; bucket_ < buckets_.size(); ++bucket_, cursor_ = 0) {
-    while (cursor_ < buckets_[bucket_].size()) {
-      if (budget <= 0) return false;
-      const int v = buckets_[bucket_][cursor_++];
-      if (!std::exchange(vertices_[v].isQueued, false)) continue;
-      --budget;
-      if (spreads(v, vertices_[v].distance)) passOn(v);
-    }
-    buckets_[bucket_].clear();
-  }
-  bucket_ = 0;
-  return true;
-}
 
 }  // namespace gvd::dgpc
