@@ -92,6 +92,17 @@ TEST(Windows, GoAroundASpikeOnce) {
 
 /// On edges, where a label is known at both ends, whichever label is nearer in between; and inside
 /// faces.
+/// In a long tetrahedron, the way through the middle of an edge to the corner beyond is shorter
+/// than to both ends of the edge, and so is another one that comes before it, round the back.
+TEST(Dgpc, ReachesACornerThatIsNearerThanBothEndsOfTheSideBefore) {
+  const std::vector<double> positions = {0, 0, 0, 12, 0, 0, 6, 1, 0, 6, 0, 1};
+  const std::vector<int> triangles = {0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2};
+  const TriangleMesh mesh(positions, triangles);
+  const std::vector<SurfacePoint> sites = {{2, {0.475, 0.05, 0.475}}};  // 0.05 from the edge 0-1
+  const auto field = inSlices(mesh, sites, Metric::kDgpc, 1L << 40);
+  EXPECT_NEAR(field->distance(0, {0, Eigen::Vector3d::Unit(2)}), 1.05, 1e-9);
+}
+
 TEST(Distances, AtPointsAreThoseOfBruteForce) {
   for (int seed = 0; seed < 100; ++seed) {
     const TriangleMesh mesh = shapes::randomMesh(seed);

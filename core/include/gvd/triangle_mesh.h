@@ -131,8 +131,8 @@ class TriangleMesh {
   /// Positive, and the same bits for both halfedges of an edge.
   double length(int h) const { return faces_[faceOf(h)].lengths[h % 3]; }
 
-  /// What unfolding needs of a face, in two cache lines; the first of them is enough for lengths and
-  /// what lies where. Side i is halfedge 3f+i, from corner i to the next.
+  /// What unfolding needs of a face, in two cache lines; the first of them is enough for lengths
+  /// and what lies where. Side i is halfedge 3f+i, from corner i to the next.
   struct alignas(64) Face {
     std::array<double, 3> lengths;  ///< of side i
     double area;                    ///< positive

@@ -88,23 +88,23 @@ void UnfoldingSweep::offer(int v, double distance, const Vector2d& direction) {
 }
 
 /// Lets a vertex take part in the distances of its neighbours: along its edges, and across the
-/// sides of the faces around it that end at it. A side is left to its other end if that is still to
-/// pass on its distance, which may become less before.
+/// sides of the faces around it that end at it. A face of which both other corners are still to
+/// pass on their distances, which may become less before, is left to them.
 void UnfoldingSweep::passOn(int v) {
   const Vertex& own = vertices_[v];
-  const auto isLater = [&](const Vertex& end) { return end.epoch != epoch_ || end.isQueued; };
   const int first = mesh_.outgoing(v);
+  offer(mesh_.tip(first), own.distance + mesh_.length(first), own.direction);
   int h = first;
   do {
     const TriangleMesh::Face& face = mesh_.face(TriangleMesh::faceOf(h));
     const int i = h % 3, k = cornerBefore(i), next = face.twins[k];
     const int tip = face.vertices[cornerAfter(i)], tail = face.vertices[k];
     if (next >= 0) prefetch(mesh_.face(TriangleMesh::faceOf(next)).lengths);
-    if (!isLater(vertices_[tip])) unfoldAcross(face, i);
-    if (!isLater(vertices_[tail])) unfoldAcross(face, k);
-    offer(tip, own.distance + face.lengths[i], own.direction);
-    // Along the boundary the last edge only comes in.
-    if (next < 0) offer(tail, own.distance + face.lengths[k], own.direction);
+    offer(tail, own.distance + face.lengths[k], own.direction);
+    if (!(vertices_[tip].isQueued && vertices_[tail].isQueued)) {
+      unfoldAcross(face, i);
+      unfoldAcross(face, k);
+    }
     h = next;
   } while (h >= 0 && h != first);
 }
@@ -116,7 +116,7 @@ void UnfoldingSweep::unfoldAcross(const TriangleMesh::Face& face, int side) {
   const int apex = face.vertices[cornerBefore(side)];
   const double atTail = vertices_[tail].distance, atTip = vertices_[tip].distance;
   const double limit = distance(apex) * (1 - kDistanceTolerance);
-  if (!(std::min(atTail, atTip) < limit)) return;
+  if (!(leastSquaredToApex(face, side, atTail, atTip) < limit * limit)) return;
   const auto unfolding = unfold(face, side, atTail, atTip);
   if (!unfolding) return;
   const double squared = unfolding->toApex.squaredNorm();

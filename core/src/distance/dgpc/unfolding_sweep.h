@@ -33,6 +33,19 @@ inline std::optional<Eigen::Vector2d> virtualSource(double length, double atTail
   return Eigen::Vector2d(x, -std::sqrt(std::max(squaredY, 0.0)));
 }
 
+/// A lower bound on the squared distance of the virtual source from the apex: the two lie on
+/// opposite sides of the side's line, so that it is not less than the sum of their squared
+/// distances from the line and of how far they are apart along it.
+inline double leastSquaredToApex(const TriangleMesh::Face& face, int side, double atTail,
+                                 double atTip) {
+  const double length = face.lengths[side];
+  const double toTail = face.lengths[cornerBefore(side)], toTip = face.lengths[cornerAfter(side)];
+  // Of both, 2 * length times the coordinate along the side, from its tail.
+  const double apex = (toTail - toTip) * (toTail + toTip) + length * length;
+  const double source = (atTail - atTip) * (atTail + atTip) + length * length;
+  return atTail * atTail + toTail * toTail - apex * source / (2 * length * length);
+}
+
 /// The virtual source behind a side of a face that has these distances from its two ends,
 /// in the coordinates of the side; nothing unless it exists and sees the apex through the side.
 inline std::optional<Unfolding> unfold(const TriangleMesh::Face& face, int side, double atTail,
