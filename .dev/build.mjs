@@ -120,8 +120,9 @@ export default DracoDecoderModule;
   copyFileSync(at('node_modules/draco3d/draco_decoder.wasm'), at('dist/draco.wasm'));
 }
 
-/** build/page: the demo, ready for a static host. */
+/** build/page: the demo, ready for a static host; and the package, of which it is made. */
 export async function buildPage() {
+  await buildPackage();
   await step(
     'Page',
     { inputs: ['web', 'dist', 'package-lock.json'], output: 'build/page/index.html' },
@@ -175,7 +176,6 @@ function checkPageSize() {
 if (isScript(import.meta.url)) {
   await main(async () => {
     setUp('build');
-    await buildPackage();
-    if (process.argv[2] !== 'package') await buildPage();
+    await (process.argv[2] === 'package' ? buildPackage() : buildPage());
   });
 }

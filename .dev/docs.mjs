@@ -5,7 +5,7 @@
 // photographed too, which takes a browser.
 
 import { readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { buildPackage, buildPage } from './build.mjs';
+import { buildPage } from './build.mjs';
 import { setUp } from './setup.mjs';
 import { announce, at, exists, hasCommand, isScript, main, run, step } from './tasks.mjs';
 
@@ -66,7 +66,6 @@ async function writeFigures() {
 if (isScript(import.meta.url)) {
   await main(async () => {
     setUp(process.argv.includes('pictures') ? 'test' : 'build');
-    await buildPackage();
     await buildPage();
     announce('Figures, plots and tables');
     await writeFigures();

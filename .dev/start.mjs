@@ -3,7 +3,7 @@
 // npm start [-- --port N --host ADDRESS]: builds what has changed and serves the page.
 
 import { parseArgs } from 'node:util';
-import { buildPackage, buildPage } from './build.mjs';
+import { buildPage } from './build.mjs';
 import { buildDocs } from './docs.mjs';
 import { setUp } from './setup.mjs';
 import { at, main } from './tasks.mjs';
@@ -16,7 +16,6 @@ await main(async () => {
     },
   });
   setUp('build');
-  await buildPackage();
   await buildPage();
   await buildDocs();
 

@@ -55,7 +55,6 @@ const runners = [
     // Their code, their links, and what scripts wrote into them.
     name: 'docs',
     prepare: async () => {
-      await buildPackage();
       await buildPage();
       await buildDocs();
     },
