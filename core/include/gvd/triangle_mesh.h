@@ -131,16 +131,15 @@ class TriangleMesh {
   /// Positive, and the same bits for both halfedges of an edge.
   double length(int h) const { return faces_[faceOf(h)].lengths[h % 3]; }
 
-  /// What unfolding needs of a face, in two cache lines; the first of them is enough for lengths
-  /// and what lies where. Side i is halfedge 3f+i, from corner i to the next.
+  /// What unfolding needs of a face, in two cache lines. Side i is halfedge 3f+i, from corner i to
+  /// the next.
   struct alignas(64) Face {
     std::array<double, 3> lengths;  ///< of side i
-    double area;                    ///< positive
-    std::array<int, 3> vertices;    ///< at corner i: `tail(3f+i)`
-    std::array<int, 3> twins;       ///< of side i: `twin(3f+i)`
     std::array<double, 3> angles;   ///< the interior angle at corner i, in (0, π)
     std::array<double, 3> cosines;  ///< of that angle
     std::array<double, 3> sines;    ///< positive, to full relative precision
+    std::array<int, 3> vertices;    ///< at corner i: `tail(3f+i)`
+    std::array<int, 3> twins;       ///< of side i: `twin(3f+i)`
   };
   const Face& face(int f) const { return faces_[f]; }
 
@@ -210,7 +209,7 @@ class TriangleMesh {
   /// The sum of the corner angles at v: > 2π at an inner saddle vertex.
   double angleSum(int v) const { return angleSum_[v]; }
   /// Positive, of the intrinsic triangle.
-  double faceArea(int f) const { return faces_[f].area; }
+  double faceArea(int f) const { return faceArea_[f]; }
   /// The sum of all `faceArea`.
   double area() const { return area_; }
   /// The mean of `length` over all halfedges: an inner edge counts twice.
@@ -261,6 +260,7 @@ class TriangleMesh {
   std::vector<double> positions_;
   std::vector<int> tail_, twin_;
   std::vector<Face> faces_;
+  std::vector<double> faceArea_;
   std::vector<int> vertexHalfedge_;
   std::vector<double> angleSum_;
   double area_ = 0, meanEdgeLength_ = 0;

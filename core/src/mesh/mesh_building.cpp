@@ -111,6 +111,7 @@ bool MeshBuilding::step(long budget) {
         requireExtent();
       },
       [&] { return fillInSlices(m.faces_, m.faceCount(), {}, budget); },
+      [&] { return fillInSlices(m.faceArea_, m.faceCount(), 0., budget); },
       [&] { return fillInSlices(leastExcess_, m.faceCount(), 0., budget); },
       [&] { return forFaces(kMeasuredFaces, [&](int f) { measureFace(f); }); },
       [&] { requireEdgeLength(); },
@@ -126,7 +127,7 @@ bool MeshBuilding::step(long budget) {
       [&] {
         return forFaces(8, [&](int f) {
           for (int h = 3 * f; h < 3 * f + 3; ++h) m.angleSum_[m.tail_[h]] += m.cornerAngle(h);
-          m.area_ += m.faceArea(f);
+          m.area_ += m.faceArea_[f];
         });
       },
       [&] { return fillInSlices(isOnFoundLoop_, m.vertexCount(), '\0', budget); },
@@ -208,7 +209,6 @@ void MeshBuilding::noteFlatness(int face) {
 void MeshBuilding::setFace(int f, const IntrinsicTriangle& t) {
   TriangleMesh::Face& face = mesh_.faces_[f];
   face.lengths = t.lengths;
-  face.area = t.twiceArea / 2;
   for (int i = 0; i < 3; ++i) {
     const int h = 3 * f + i;
     const double product = t.lengths[i] * t.lengths[TriangleMesh::previous(i)];
@@ -218,6 +218,7 @@ void MeshBuilding::setFace(int f, const IntrinsicTriangle& t) {
     face.twins[i] = mesh_.twin_[h];
     face.angles[i] = std::atan2(t.twiceArea, t.dots[i]);
   }
+  mesh_.faceArea_[f] = t.twiceArea / 2;
 }
 
 // --- Topology ----------------------------------------------------------------------------------

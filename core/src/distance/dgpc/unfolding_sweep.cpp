@@ -99,7 +99,7 @@ void UnfoldingSweep::passOn(int v) {
     const TriangleMesh::Face& face = mesh_.face(TriangleMesh::faceOf(h));
     const int i = h % 3, k = cornerBefore(i), next = face.twins[k];
     const int tip = face.vertices[cornerAfter(i)], tail = face.vertices[k];
-    if (next >= 0) prefetch(mesh_.face(TriangleMesh::faceOf(next)).lengths);
+    if (next >= 0) prefetch(mesh_.face(TriangleMesh::faceOf(next)));
     offer(tail, own.distance + face.lengths[k], own.direction);
     if (!(vertices_[tip].isQueued && vertices_[tail].isQueued)) {
       unfoldAcross(face, i);

@@ -33,31 +33,25 @@ inline std::optional<Eigen::Vector2d> virtualSource(double length, double atTail
   return Eigen::Vector2d(x, -std::sqrt(std::max(squaredY, 0.0)));
 }
 
-/// A lower bound on the squared distance of the virtual source from the apex: the two lie on
-/// opposite sides of the side's line, so that it is not less than the sum of their squared
-/// distances from the line and of how far they are apart along it.
+/// A lower bound on the squared distance of that source from the apex, without a root. Let the two
+/// be d apart along the side, and y and a away from its line: they lie on opposite sides of it, so
+/// their squared distance is d² + (y + a)²; this is d² + y² + a².
 inline double leastSquaredToApex(const TriangleMesh::Face& face, int side, double atTail,
                                  double atTip) {
-  const double length = face.lengths[side];
-  const double toTail = face.lengths[cornerBefore(side)], toTip = face.lengths[cornerAfter(side)];
-  // Of both, 2 * length times the coordinate along the side, from its tail.
-  const double apex = (toTail - toTip) * (toTail + toTip) + length * length;
-  const double source = (atTail - atTip) * (atTail + atTip) + length * length;
-  return atTail * atTail + toTail * toTail - apex * source / (2 * length * length);
+  const double length = face.lengths[side], toApex = face.lengths[cornerBefore(side)];
+  const double twiceX = ((atTail - atTip) * (atTail + atTip) + length * length) / length;
+  return atTail * atTail + toApex * (toApex - face.cosines[side] * twiceX);
 }
 
 /// The virtual source behind a side of a face that has these distances from its two ends,
 /// in the coordinates of the side; nothing unless it exists and sees the apex through the side.
 inline std::optional<Unfolding> unfold(const TriangleMesh::Face& face, int side, double atTail,
                                        double atTip) {
-  const double length = face.lengths[side], inverse = 1 / (2 * length);
+  const double length = face.lengths[side];
   const auto source = virtualSource(length, atTail, atTip);
   if (!source) return std::nullopt;
-  // Where `apexOf` puts it, from the first cache line of the face alone.
-  const double toTail = face.lengths[cornerBefore(side)], toTip = face.lengths[cornerAfter(side)];
-  const Eigen::Vector2d apex(((toTail - toTip) * (toTail + toTip) + length * length) * inverse,
-                             4 * face.area * inverse);
-  const Unfolding u = {-*source, Eigen::Vector2d(length, 0) - *source, apex - *source};
+  const Unfolding u = {-*source, Eigen::Vector2d(length, 0) - *source,
+                       apexOf(face, side) - *source};
   // The line from the source to the apex crosses the side's line between its ends.
   const double slack = kUnfoldingRounding * length * u.toApex.y();
   if (cross(u.toApex, u.toTail) < -slack || cross(u.toTip, u.toApex) < -slack) return std::nullopt;
