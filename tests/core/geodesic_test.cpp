@@ -103,6 +103,19 @@ TEST(Dgpc, ReachesACornerThatIsNearerThanBothEndsOfTheSideBefore) {
   EXPECT_NEAR(field->distance(0, {0, Eigen::Vector3d::Unit(2)}), 1.05, 1e-9);
 }
 
+/// Two vertices 1e-6 apart see the site through opposite faces of their edge, and virtual sources
+/// there that contradict each other: each lowered the distance of the other 14 million times.
+TEST(Dgpc, NeighboursDoNotLowerTheirDistancesByTurns) {
+  const std::vector<double> positions = {6e-7, 0,    7e-7,      0, 3, 3, 0.14, 0.29, -0.43,
+                                         0.14, 0.29, -0.430004, 0, 0, 0, 3,    3,    3};
+  const std::vector<int> triangles = {0, 2, 3, 1, 3, 2, 0, 3, 4, 1, 4, 3,
+                                      0, 4, 5, 1, 5, 4, 0, 5, 2, 1, 2, 5};
+  const TriangleMesh mesh(positions, triangles);
+  const std::vector<SurfacePoint> sites = {{7, {0.35, 0.58, 0.07}}};
+  const auto propagation = propagate(mesh, sites, Metric::kDgpc);
+  EXPECT_TRUE(propagation->step(1000));
+}
+
 TEST(Distances, AtPointsAreThoseOfBruteForce) {
   for (int seed = 0; seed < 100; ++seed) {
     const TriangleMesh mesh = shapes::randomMesh(seed);

@@ -23,7 +23,8 @@ bool haveUnequalTies(std::span<const LabelledDistance> here) {
 }  // namespace
 
 void equalizeTies(std::span<LabelledDistance> here) {
-  if (!haveUnequalTies(here)) return;
+  constexpr size_t kFew = 32;  // for so many, looking at all pairs takes less than sorting
+  if (here.size() <= kFew && !haveUnequalTies(here)) return;
   sortStably(here, [](const LabelledDistance& a, const LabelledDistance& b) {
     return a.distance < b.distance;
   });

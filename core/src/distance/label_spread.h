@@ -37,8 +37,8 @@ class LabelSpread {
   virtual void require(int label, std::span<const int> faces) = 0;
   /// Works on at most `budget` units and lowers it by their number. True when the label is done.
   virtual bool run(long& budget) = 0;
-  /// Forgets a label.
-  virtual void remove(int label) = 0;
+  /// Forgets some labels.
+  virtual void remove(std::span<const int> labels) = 0;
 
   /// The vertices that a label has reached. Their order stays, further ones come last.
   virtual std::vector<ReachedVertex>& reached(int label) = 0;

@@ -52,12 +52,14 @@ void SiteDistances::change(std::span<const SiteChange> changes) {
   resumed_.clear();
   resetVertices_.clear();
   known_.beginChange();
-  for (const SiteChange& c : changes) {
-    if (!sites_.contains(c.label)) continue;
-    forget(c.label);
-    const SurfacePoint site = sites_[c.label];
-    sites_.remove(c.label);
-    edgeBounds_.remove(c.label, site);
+  std::vector<int> leaving;
+  for (const SiteChange& c : changes)
+    if (sites_.contains(c.label)) leaving.push_back(c.label);
+  forget(leaving);
+  for (const int label : leaving) {
+    const SurfacePoint site = sites_[label];
+    sites_.remove(label);
+    edgeBounds_.remove(label, site);
   }
   for (const SiteChange& c : changes) {
     if (!c.site) continue;
@@ -68,20 +70,24 @@ void SiteDistances::change(std::span<const SiteChange> changes) {
   stage_ = Stage::kBounds;
 }
 
-/// Forgets what a label has found. The labels that were known there may have to go on.
-void SiteDistances::forget(int label) {
-  known_.leave(label);
-  for (const ReachedVertex& r : spread_->reached(label)) {
-    if (!r.isFinal) continue;
-    for (const LabelledDistance& d : known_[r.vertex])
-      if (d.label != label) resumed_.push_back(d.label);
-    if (bounds_[r.vertex].label != label) continue;
-    spread_->appendReaching(r.vertex, resumed_);
-    bounds_[r.vertex] = {};
-    resetVertices_.push_back(r.vertex);
+/// Forgets what labels have found. Those that were known there may have to go on.
+void SiteDistances::forget(std::span<const int> labels) {
+  IndexSet vertices(mesh_.vertexCount());
+  for (const int label : labels) {
+    known_.leave(label);
+    for (const ReachedVertex& r : spread_->reached(label)) {
+      if (!r.isFinal) continue;
+      vertices.add(r.vertex);
+      if (bounds_[r.vertex].label != label) continue;
+      spread_->appendReaching(r.vertex, resumed_);
+      bounds_[r.vertex] = {};
+      resetVertices_.push_back(r.vertex);
+    }
   }
+  for (const int v : vertices.list())
+    for (const LabelledDistance& d : known_[v]) resumed_.push_back(d.label);
   makeSet(resumed_);
-  spread_->remove(label);
+  spread_->remove(labels);
 }
 
 bool SiteDistances::step(long budget) {
@@ -115,11 +121,11 @@ double SiteDistances::progress() const {
 /// Limits the distance of the nearest site by paths along edges, and by what labels that may go on
 /// know already.
 void SiteDistances::lowerBounds() {
-  if (sites_.count() > static_cast<int>(started_.size()))
-    for (const int label : spread_->outdated(edgeBounds_.changed())) {
-      forget(label);
-      started_.push_back(label);
-    }
+  if (sites_.count() > static_cast<int>(started_.size())) {
+    const std::vector<int> outdated = spread_->outdated(edgeBounds_.changed());
+    forget(outdated);
+    started_.insert(started_.end(), outdated.begin(), outdated.end());
+  }
   // Labels near one another in succession, for what they touch is in the cache then.
   std::sort(started_.begin(), started_.end(), [&](int a, int b) {
     return std::pair(sites_[a].face, a) < std::pair(sites_[b].face, b);

@@ -69,7 +69,7 @@ class SiteDistances final : public DistanceField {
     int label, face;
   };
 
-  void forget(int label);
+  void forget(std::span<const int> labels);
   void lowerBounds();
   void lowerBy(int label);
   bool spread(long& budget);

@@ -60,11 +60,16 @@ void UnfoldingSpread::store() {
   known.sweptCount = static_cast<int>(known.vertices.size());
 }
 
-void UnfoldingSpread::remove(int label) {
-  if (isReachingKnown_)
-    for (const ReachedVertex& r : labels_[label].vertices)
-      reaching_.eraseIf(r.vertex, [&](int l) { return l == label; });
-  labels_[label] = {};
+void UnfoldingSpread::remove(std::span<const int> labels) {
+  if (isReachingKnown_) {
+    const IndexSet gone(static_cast<int>(labels_.size()), labels);
+    IndexSet vertices(mesh_.vertexCount());
+    for (const int label : labels)
+      for (const ReachedVertex& r : labels_[label].vertices)
+        if (vertices.add(r.vertex))
+          reaching_.eraseIf(r.vertex, [&](int l) { return gone.contains(l); });
+  }
+  for (const int label : labels) labels_[label] = {};
 }
 
 // --- Required distances ------------------------------------------------------------------------

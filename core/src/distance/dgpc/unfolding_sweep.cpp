@@ -10,6 +10,12 @@ namespace gvd::dgpc {
 
 using Eigen::Vector2d;
 
+namespace {
+
+constexpr std::array<int, 2> kFromSite = {-1, -1};
+
+}  // namespace
+
 void UnfoldingSweep::start(const SurfacePoint& site) {
   ++epoch_;
   reached_.clear();
@@ -17,16 +23,16 @@ void UnfoldingSweep::start(const SurfacePoint& site) {
   const Incidence place = incidenceOf(site.bary);
   if (place.corner >= 0) {
     const int vertex = face.vertices[place.corner], first = mesh_.outgoing(vertex);
-    offer(vertex, 0, {1, 0});
+    offer(vertex, 0, {1, 0}, kFromSite);
     int h = first;
     do {
-      offer(mesh_.tip(h), mesh_.length(h), unitVector(angleOfOutgoing(mesh_, site, h)));
+      offer(mesh_.tip(h), mesh_.length(h), unitVector(angleOfOutgoing(mesh_, site, h)), kFromSite);
       const int last = TriangleMesh::previous(h);
       h = mesh_.twin(last);
       if (h < 0) {  // the last side along the boundary leads here only
         const int out = TriangleMesh::next(last);
         offer(mesh_.tail(last), mesh_.length(last),
-              unitVector(angleOfOutgoing(mesh_, site, out) + mesh_.cornerAngle(out)));
+              unitVector(angleOfOutgoing(mesh_, site, out) + mesh_.cornerAngle(out)), kFromSite);
       }
     } while (h >= 0 && h != first);
     return;
@@ -50,7 +56,7 @@ void UnfoldingSweep::startInFace(const SurfacePoint& site, const Vector2d& first
   for (int i = 0; i < 3; ++i) {
     const Vector2d way = wayToCorner(face, site.bary, i);
     const double length = way.norm();
-    offer(face.vertices[i], length, turnedBy(way / length, firstSide));
+    offer(face.vertices[i], length, turnedBy(way / length, firstSide), kFromSite);
   }
 }
 
@@ -69,16 +75,27 @@ bool UnfoldingSweep::run(long& budget) {
   return true;
 }
 
-void UnfoldingSweep::offer(int v, double distance, const Vector2d& direction) {
+/// What a vertex's distance has to fall below to be an improvement.
+double UnfoldingSweep::limit(int v) const {
+  if (!isReached(v)) return kInfinity;
+  const double share = kDistanceTolerance * static_cast<double>(1ULL << vertices_[v].improvements);
+  return vertices_[v].distance * (1 - share);
+}
+
+void UnfoldingSweep::offer(int v, double distance, const Vector2d& direction,
+                           const Origin& origin) {
+  if (!(distance < limit(v))) return;
   Vertex& own = vertices_[v];
-  if (own.epoch != epoch_) {
+  if (isReached(v)) {
+    ++own.improvements;
+  } else {
     own.epoch = epoch_;
-    own.distance = kInfinity;
+    own.improvements = 0;
     reached_.push_back(v);
   }
-  if (!(distance < own.distance * (1 - kDistanceTolerance))) return;
   own.distance = distance;
   own.direction = direction;
+  own.origin = origin;
   own.isQueued = spreads_(v, distance);
   if (!own.isQueued) return;
   // Where it is queued already, that is later: what is met first counts.
@@ -93,14 +110,14 @@ void UnfoldingSweep::offer(int v, double distance, const Vector2d& direction) {
 void UnfoldingSweep::passOn(int v) {
   const Vertex& own = vertices_[v];
   const int first = mesh_.outgoing(v);
-  offer(mesh_.tip(first), own.distance + mesh_.length(first), own.direction);
+  offer(mesh_.tip(first), own.distance + mesh_.length(first), own.direction, {v, v});
   int h = first;
   do {
     const TriangleMesh::Face& face = mesh_.face(TriangleMesh::faceOf(h));
     const int i = h % 3, k = cornerBefore(i), next = face.twins[k];
     const int tip = face.vertices[cornerAfter(i)], tail = face.vertices[k];
     if (next >= 0) prefetch(mesh_.face(TriangleMesh::faceOf(next)));
-    offer(tail, own.distance + face.lengths[k], own.direction);
+    offer(tail, own.distance + face.lengths[k], own.direction, {v, v});
     if (!(vertices_[tip].isQueued && vertices_[tail].isQueued)) {
       unfoldAcross(face, i);
       unfoldAcross(face, k);
@@ -114,14 +131,15 @@ void UnfoldingSweep::passOn(int v) {
 void UnfoldingSweep::unfoldAcross(const TriangleMesh::Face& face, int side) {
   const int tail = face.vertices[side], tip = face.vertices[cornerAfter(side)];
   const int apex = face.vertices[cornerBefore(side)];
-  const double atTail = vertices_[tail].distance, atTip = vertices_[tip].distance;
-  const double limit = distance(apex) * (1 - kDistanceTolerance);
-  if (!(leastSquaredToApex(face, side, atTail, atTip) < limit * limit)) return;
+  const double atTail = distance(tail), atTip = distance(tip);
+  const double most = limit(apex);
+  if (!(leastSquaredToApex(face, side, atTail, atTip) < most * most)) return;
+  if (followsFrom(tail, apex) || followsFrom(tip, apex)) return;
   const auto unfolding = unfold(face, side, atTail, atTip);
   if (!unfolding) return;
   const double squared = unfolding->toApex.squaredNorm();
-  if (squared < limit * limit)
-    offer(apex, std::sqrt(squared), directionToApex(*unfolding, tail, tip));
+  if (squared < most * most)
+    offer(apex, std::sqrt(squared), directionToApex(*unfolding, tail, tip), {tail, tip});
 }
 
 /// Between the directions of both ends of a halfedge, each turned by the angle under which the

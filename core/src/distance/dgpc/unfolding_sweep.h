@@ -3,7 +3,9 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <utility>
@@ -64,6 +66,11 @@ inline std::optional<Unfolding> unfold(const TriangleMesh::Face& face, int side,
 /// may get a better one and pass that on again (label-correcting), which makes the distances exact
 /// in the plane where the way is free, obtuse triangles included. What one site costs depends on
 /// how far it spreads only.
+///
+/// Where paths bend, virtual sources contradict each other, and two vertices next to each other
+/// could lower their distances by turns, a little each time. So a distance does not go back to a
+/// vertex that it came from; and the least share by which a vertex's distance has to improve
+/// doubles each time, which ends longer cycles as well, after at most 41 improvements.
 class UnfoldingSweep {
  public:
   /// Whether a site spreads on from a vertex at which it has come to a distance; if so, then also
@@ -86,7 +93,7 @@ class UnfoldingSweep {
   const std::vector<int>& reached() const { return reached_; }
   /// Infinite where the site has not come to.
   double distance(int vertex) const {
-    return vertices_[vertex].epoch == epoch_ ? vertices_[vertex].distance : kInfinity;
+    return isReached(vertex) ? vertices_[vertex].distance : kInfinity;
   }
   /// The direction of the path at the site (`DistanceField::direction`), where the site has come
   /// to.
@@ -97,15 +104,26 @@ class UnfoldingSweep {
   /// passed on again.
   static constexpr double kBucketsPerEdge = 16;
 
+  /// The two ends of the side, or twice the vertex, that a distance follows from; -1 for a site.
+  using Origin = std::array<int, 2>;
+
   struct Vertex {
     double distance;
     Eigen::Vector2d direction;
-    int epoch = 0;  ///< of the site that this is about
-    bool isQueued;  ///< whether it still passes on its distance
+    Origin origin;              ///< what the distance follows from
+    int epoch = 0;              ///< of the site that this is about
+    std::uint8_t improvements;  ///< how often the distance has become less
+    bool isQueued;              ///< whether it still passes on its distance
   };
 
   void startInFace(const SurfacePoint& site, const Eigen::Vector2d& firstSide);
-  void offer(int vertex, double distance, const Eigen::Vector2d& direction);
+  bool isReached(int vertex) const { return vertices_[vertex].epoch == epoch_; }
+  double limit(int vertex) const;
+  /// Whether the distance of a vertex follows from that of another one.
+  bool followsFrom(int vertex, int other) const {
+    return vertices_[vertex].origin[0] == other || vertices_[vertex].origin[1] == other;
+  }
+  void offer(int vertex, double distance, const Eigen::Vector2d& direction, const Origin& origin);
   void passOn(int vertex);
   void unfoldAcross(const TriangleMesh::Face& face, int side);
   Eigen::Vector2d directionToApex(const Unfolding& unfolding, int tail, int tip) const;

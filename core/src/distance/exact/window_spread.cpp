@@ -36,9 +36,11 @@ void WindowSpread::require(int label, std::span<const int> faces) {
   sweep_.require(label, begin(label), faces);
 }
 
-void WindowSpread::remove(int label) {
-  labels_[label] = {};
-  found_.remove(label);
+void WindowSpread::remove(std::span<const int> labels) {
+  for (const int label : labels) {
+    labels_[label] = {};
+    found_.remove(label);
+  }
 }
 
 Eigen::Vector2d WindowSpread::direction(int label, int index) const {

@@ -26,7 +26,7 @@ class WindowSpread final : public LabelSpread {
   void resume(int label) override;
   void require(int label, std::span<const int> faces) override;
   bool run(long& budget) override { return sweep_.run(budget); }
-  void remove(int label) override;
+  void remove(std::span<const int> labels) override;
 
   std::vector<ReachedVertex>& reached(int label) override { return labels_[label].vertices; }
   const std::vector<ReachedVertex>& reached(int label) const override {
