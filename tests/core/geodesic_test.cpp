@@ -31,6 +31,19 @@ std::unique_ptr<DistanceField> inSlices(const TriangleMesh& mesh,
   return propagation->take();
 }
 
+/// The same labels with the same distances, bit by bit, at all vertices.
+void expectSame(const TriangleMesh& mesh, const DistanceField& field, const DistanceField& expected,
+                int seed) {
+  for (int v = 0; v < mesh.vertexCount(); ++v) {
+    const auto found = field.at(v), wanted = expected.at(v);
+    ASSERT_EQ(found.size(), wanted.size()) << "seed " << seed << ", vertex " << v;
+    for (size_t i = 0; i < found.size(); ++i) {
+      EXPECT_EQ(found[i].label, wanted[i].label) << "seed " << seed << ", vertex " << v;
+      EXPECT_EQ(found[i].distance, wanted[i].distance) << "seed " << seed << ", vertex " << v;
+    }
+  }
+}
+
 class Metrics : public ::testing::TestWithParam<Metric> {};
 
 TEST_P(Metrics, GiveTheSameInSlicesOfAnySize) {
@@ -41,19 +54,12 @@ TEST_P(Metrics, GiveTheSameInSlicesOfAnySize) {
     const auto whole = inSlices(mesh, sites, GetParam(), 1L << 40);
     for (const long budget : {1L, 7L}) {
       const auto sliced = inSlices(mesh, sites, GetParam(), budget);
-      for (int v = 0; v < mesh.vertexCount(); ++v) {
-        const auto expected = whole->at(v), found = sliced->at(v);
-        ASSERT_EQ(found.size(), expected.size()) << "seed " << seed << ", vertex " << v;
-        for (size_t i = 0; i < found.size(); ++i) {
-          EXPECT_EQ(found[i].label, expected[i].label) << "seed " << seed << ", vertex " << v;
-          EXPECT_EQ(found[i].distance, expected[i].distance) << "seed " << seed << ", vertex " << v;
-        }
-      }
+      expectSame(mesh, *sliced, *whole, seed);
     }
   }
 }
 
-/// A vertex of a mesh may be out of sight of all its neighbours' views; it is reached all the same,
+/// A vertex may be out of sight of all windows of its neighbours; it is reached all the same,
 /// unless nothing connects it to a site.
 TEST_P(Metrics, ReachEveryVertexOfAComponentWithASite) {
   for (int seed = 0; seed < 300; ++seed) {
@@ -101,6 +107,28 @@ TEST(Dgpc, ReachesACornerThatIsNearerThanBothEndsOfTheSideBefore) {
   const std::vector<SurfacePoint> sites = {{2, {0.475, 0.05, 0.475}}};  // 0.05 from the edge 0-1
   const auto field = inSlices(mesh, sites, Metric::kDgpc, 1L << 40);
   EXPECT_NEAR(field->distance(0, {0, Eigen::Vector3d::Unit(2)}), 1.05, 1e-9);
+}
+
+/// A double fan of vertices on one line, which is far from the origin: there, a point between two
+/// vertices is rounded by more than the mesh is large. Distances follow from differences, which are
+/// the same.
+TEST_P(Metrics, AreTheSameFarFromTheOrigin) {
+  constexpr int kAround = 100;
+  for (int seed = 0; seed < 10; ++seed) {
+    shapes::Random random(seed);
+    shapes::Shape shape;
+    for (int v = 0; v < kAround + 2; ++v) shape.addVertex({0, 0, random.uniform()});
+    for (int i = 0; i < kAround; ++i) {
+      const int v = 2 + i, next = 2 + (i + 1) % kAround;
+      shape.addTriangle(0, v, next);
+      shape.addTriangle(1, next, v);
+    }
+    const TriangleMesh mesh = shape.mesh();
+    const TriangleMesh farMesh = shapes::moved(shape, {1e16, -1e16, 0}).mesh();
+    const auto sites = sampleUniform(mesh, 5, seed);
+    expectSame(farMesh, *inSlices(farMesh, sites, GetParam(), 1L << 40),
+               *inSlices(mesh, sites, GetParam(), 1L << 40), seed);
+  }
 }
 
 /// Two vertices 1e-6 apart see the site through opposite faces of their edge, and virtual sources

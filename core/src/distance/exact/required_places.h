@@ -17,6 +17,9 @@ namespace gvd::exact {
 /// distances.
 class RequiredPlaces {
  public:
+  /// `rounding` is what distances between places in space may be off by.
+  explicit RequiredPlaces(double rounding) : rounding_(rounding) {}
+
   void clear() {
     for (auto* values : {&x_, &y_, &z_, &bound_, &nearest_}) values->clear();
   }
@@ -50,7 +53,7 @@ class RequiredPlaces {
     for (const int i : without) bounds_.push_back(std::exchange(bound_[i], -kInfinity));
     bool canGain = false;  // without branches, so that several places are looked at at once
     for (int i = 0; i < size(); ++i) {
-      const double rest = bound_[i] - length + radius;
+      const double rest = bound_[i] - length + radius + rounding_;
       const double dx = x_[i] - place.x(), dy = y_[i] - place.y(), dz = z_[i] - place.z();
       canGain |= (rest > 0) & (dx * dx + dy * dy + dz * dz < rest * rest) &
                  (excess < bound_[i] - nearest_[i]);
@@ -60,6 +63,7 @@ class RequiredPlaces {
   }
 
  private:
+  const double rounding_;
   std::vector<double> x_, y_, z_, bound_, nearest_;
   std::vector<double> bounds_;  ///< of the places that do not count
 };

@@ -56,7 +56,7 @@ void WindowSweep::requireCorners(int f) {
     Vertex& own = vertices_[v];
     if (own.epoch != epoch_) reach(v);
     if (own.isFinal || own.required >= 0) continue;
-    own.required = required_.add(mesh_.position(v), own.distance, bounds_[v].distance);
+    own.required = required_.add(placeOf(v), own.distance, bounds_[v].distance);
   }
 }
 
@@ -146,7 +146,9 @@ void WindowSweep::addPoints(std::span<const RequiredPoint> points) {
   pointDistances_.clear();
   for (const RequiredPoint& required : points) {
     const SurfacePoint& p = required.point;
-    const int index = required_.add(mesh_.position(p), required.distance, required.nearest);
+    Eigen::Vector3d place = Eigen::Vector3d::Zero();
+    for (int i = 0; i < 3; ++i) place += p.bary[i] * placeOf(mesh_.tail(3 * p.face + i));
+    const int index = required_.add(place, required.distance, required.nearest);
     pointDistances_.push_back(required.distance);
     addPoint(p, index);
     if (const int side = incidenceOf(p.bary).side; side >= 0 && mesh_.face(p.face).twins[side] >= 0)
@@ -221,7 +223,7 @@ bool WindowSweep::canGain(int h, const Windows& windows) {
   if (excess == kInfinity) return false;
   const double middle = (begin + end) / 2, share = middle / length;
   const Eigen::Vector3d place =
-      (1 - share) * mesh_.position(face.vertices[i]) + share * mesh_.position(face.vertices[j]);
+      (1 - share) * placeOf(face.vertices[i]) + share * placeOf(face.vertices[j]);
   inFace_.clear();
   for (const int v : face.vertices)
     if (isRequired(v)) inFace_.push_back(vertices_[v].required);

@@ -35,6 +35,8 @@ constexpr size_t kMostCrossingsPerVertex = 30;
 constexpr long kFollowedPerWindow = 16;
 /// The distance, in bounding diagonals, up to which labels go on to wherever they tie.
 constexpr double kFarthestTie = 8;
+/// What distances between places in space are rounded by, in bounding diagonals: a few 2^-53.
+constexpr double kPlaceRounding = 0x1p-50;
 /// A line followed back ends at its virtual source up to rounding: a share of the line's length.
 constexpr double kLineRounding = 1e-9;
 
@@ -62,6 +64,7 @@ WindowSweep::WindowSweep(const TriangleMesh& mesh, NearestBounds& bounds)
       bucketsPerUnit_(kBucketsPerEdge / mesh.meanEdgeLength()),
       leeway_(kDistanceTolerance * kFarthestTie * mesh.boundingDiagonal()),
       fan_(mesh),
+      required_(kPlaceRounding * mesh.boundingDiagonal()),
       vertices_(mesh.vertexCount()),
       windows_(mesh.halfedgeCount()) {
   for (int v = 0; v < mesh.vertexCount(); ++v) vertices_[v].isSaddle = isSaddle(mesh, v);
@@ -265,7 +268,7 @@ bool WindowSweep::maySpreadFrom(int v) {
   if (to_ == SpreadTo::kEverywhere || own.distance <= nearest + leeway_) return true;
   if (to_ != SpreadTo::kRequired) return false;
   const std::span<const int> itself(&own.required, own.required < 0 ? 0 : 1);
-  return required_.canGain(mesh_.position(v), 0, own.distance, own.distance - nearest, itself);
+  return required_.canGain(placeOf(v), 0, own.distance, own.distance - nearest, itself);
 }
 
 /// Lets a vertex see through the opposite side in a face around it. `direction` is the angle at

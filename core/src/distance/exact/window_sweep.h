@@ -156,6 +156,9 @@ class WindowSweep {
   bool isBeaten(const Window& w, double crossing, int halfedge, double apexDistance) const;
   void keep(Window& w, const Portal& portal);
 
+  /// A place in space, as seen from a vertex of the mesh: those of a mesh far from the origin would
+  /// be rounded by more than the mesh is large.
+  Eigen::Vector3d placeOf(int vertex) const { return mesh_.position(vertex) - mesh_.position(0); }
   void requireCorners(int face);
   void addPoints(std::span<const RequiredPoint> points);
   void addPoint(const SurfacePoint& point, int index);
