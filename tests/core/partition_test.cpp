@@ -163,6 +163,21 @@ TEST(Partition, HasAnEmptyRegionForACoincidentSite) {
   EXPECT_FALSE(p.regions[2].isDisk());
 }
 
+/// Bisectors run up a spike that is 1e11 times as high as wide: points on its edges were merged
+/// with its tip from farther away than points between the edges, which left a region pinched off
+/// there.
+TEST(Partition, IsNotPinchedAtTheTipOfASpike) {
+  const std::vector<double> positions = {3, 3, 2, 0, 0, 0, 0, 0, 1, 3, 1, 1, -1e30, 1, 3};
+  const std::vector<int> triangles = {0, 2, 3, 1, 3, 2, 0, 3, 4, 1, 4, 3, 0, 4, 2, 1, 2, 4};
+  const TriangleMesh mesh(positions, triangles);
+  const std::vector<SurfacePoint> sites = {{0, {0, 0, 1}},
+                                           {0, {0x1p-16, 0, 1 - 0x1p-16}},
+                                           {0, {0.01171875, 0, 0.98828125}},
+                                           {0, {0, 0.04296875, 0.95703125}}};
+  const Diagram diagram = trace(mesh, sites, Metric::kExact).diagram;
+  EXPECT_TRUE(isSound(mesh, diagram, partition(mesh, diagram)));
+}
+
 TEST(Partition, LeavesHolesForIndifferentFaces) {
   const auto mesh = shapes::icosphere(2).mesh();
   Diagram d = trace(mesh, sampleFarthest(mesh, 2, 1)).diagram;

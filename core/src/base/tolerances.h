@@ -18,8 +18,9 @@ namespace gvd {
 /// 2^-41 · d² / |s - s'| where two distances are taken for equal that are not.
 inline constexpr double kDistanceTolerance = 0x1p-41;
 
-/// Points of a diagram are one point if their error bounds overlap; this caps the bounds, as a
-/// share of the longest edge at hand, where nearly parallel bisectors would make them large.
+/// Points of a diagram are one point if their error bounds overlap; this caps the bounds, in
+/// barycentric coordinates, where nearly parallel bisectors would make them large. By these
+/// coordinates, points across a thin face are as far apart as along it: no region there gets lost.
 inline constexpr double kMaxPointError = 1e-9;
 
 /// Barycentric coordinates of sites below this are zero: 512 times what one rounds by, 2^-53, and

@@ -24,7 +24,7 @@ struct BisectorGraph {
   /// A point where bisectors meet or cross a side, or a node that the mesh boundary or a cell
   /// passes.
   struct Point {
-    double error;               ///< bound on how far rounding has moved it
+    double error;               ///< bound on how far rounding has moved it, barycentric
     std::array<int, 3> labels;  ///< of the regions that meet here, -1 for none; a node has none
     std::array<int, 3> darts;   ///< of each, the dart that came or left here first, -1 for none
     int nextOnSide;             ///< list of the points on one side of elements

@@ -130,11 +130,7 @@ bool BisectorTracing::isIndifferent(int element, int owner) const {
 
 void BisectorTracing::divide(int index) {
   const int face = complex_.face(index);
-  const auto squared = squaredSides(mesh_, face);
-  const double longest = std::sqrt(std::max({squared[0], squared[1], squared[2]}));
-  const double faceArea = mesh_.faceArea(face);
-  const Element element{index,   face,    complex_.isWhole(index),
-                        squared, longest, 2 * faceArea / longest};
+  const Element element{index, face, complex_.isWhole(index)};
   envelope_.compute(functions_.of(index));
   corners_ = points_.of(element, envelope_);
   cellAreas_.clear();
@@ -142,7 +138,7 @@ void BisectorTracing::divide(int index) {
     cellAreas_.push_back(addCell(element, cell));
     graph_.closeCell(face, envelope_.label(cell.function));
   }
-  addAreas(faceArea);
+  addAreas(mesh_.faceArea(face));
 }
 
 // --- Cells and segments --------------------------------------------------------------------------
@@ -180,13 +176,7 @@ void BisectorTracing::addSegment(const Element& element, const Corner& from, con
   leave(to.point, right, dart + 1);
   if (!mayBeOne(from, to)) return;
   const double error = graph_.points[from.point].error + graph_.points[to.point].error;
-  const Eigen::Vector3d way(from.bary[0] - to.bary[0], from.bary[1] - to.bary[1],
-                            from.bary[2] - to.bary[2]);
-  const double squared = squaredLength(way, element.squaredLength);
-  if (squared > error * error) return;
-  // In a thin element, less of a way across it takes away as much area.
-  const double most = 2 * kMaxPointError * element.height;
-  if (squared <= most * most) graph_.unite(from.point, to.point);
+  if ((from.bary - to.bary).lpNorm<Eigen::Infinity>() <= error) graph_.unite(from.point, to.point);
 }
 
 /// Whether the ends of a segment may become one point. Not if that could join two sides of the

@@ -13,19 +13,29 @@
 namespace gvd {
 namespace {
 
-/// As a share of the longest side, a distance that is far beyond what points are merged at.
-constexpr double kPlainlyApart = 1000 * kMaxPointError;
+/// How far an error of the functions moves the place where they are equal: in barycentric
+/// coordinates, the noise of their differences over the slope.
+double placeError(double noise, double slope) {
+  return noise < kMaxPointError * slope ? noise / slope : kMaxPointError;
+}
 
-/// How far an error of the functions moves the place where three of them are equal.
-double insideError(const FaceEnvelope& envelope, const FaceEnvelope::Vertex& v, double longest) {
+/// Of a place inside, where three functions are equal.
+double insideError(const FaceEnvelope& envelope, const FaceEnvelope::Vertex& v) {
   const auto &a = envelope.value(v.functions[0]), &b = envelope.value(v.functions[1]),
              &c = envelope.value(v.functions[2]);
   const Eigen::Vector3d p(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
   const Eigen::Vector3d q(c[0] - a[0], c[1] - a[1], c[2] - a[2]);
   const double noise =
       2 * kDistanceTolerance * std::max({a[0], a[1], a[2]}) * (p.lpNorm<1>() + q.lpNorm<1>());
-  const double slope = p.cross(q).lpNorm<1>();
-  return longest * (noise < kMaxPointError * slope ? noise / slope : kMaxPointError);
+  return placeError(noise, p.cross(q).lpNorm<1>());
+}
+
+/// Of a place on a side, where two functions are equal.
+double sideError(const FaceEnvelope& envelope, const FaceEnvelope::Vertex& v) {
+  const int i = v.place, j = (i + 1) % 3;
+  const auto &a = envelope.value(v.functions[0]), &b = envelope.value(v.functions[1]);
+  const double noise = 2 * kDistanceTolerance * std::max({a[i], a[j], b[i], b[j]});
+  return placeError(noise, std::abs((a[i] - b[i]) - (a[j] - b[j])));
 }
 
 }  // namespace
@@ -78,20 +88,14 @@ std::span<const ElementPoints::Corner> ElementPoints::of(const Element& element,
 /// `bary` is in terms of the element. A point is near a side within some tens of the distance at
 /// which points are merged: those that are merged with it may be nearer.
 bool ElementPoints::isBetweenSides(const Element& element, const Eigen::Vector3d& bary) const {
-  const double near = 64 * kMaxPointError * element.height;
-  const double height = 2 * mesh_.faceArea(element.face);  // times the side
+  constexpr double kNear = 64 * kMaxPointError;
   double size = 1;
   if (!element.isWhole) {
     const Eigen::Vector3d side = complex_.faceBary(element.index, Eigen::Vector3d::UnitX()) -
                                  complex_.faceBary(element.index, Eigen::Vector3d::UnitY());
     size = side.lpNorm<Eigen::Infinity>();
   }
-  int sides = 0;
-  for (int i = 0; i < 3; ++i) {
-    const double distance = size * bary[(i + 2) % 3] * height;
-    sides += distance * distance <= near * near * element.squaredLength[i];
-  }
-  return sides >= 2;
+  return (size * bary.array() <= kNear).count() >= 2;
 }
 
 /// Where slivers meet, an inner point may be where another one is, or a corner, that no segment
@@ -114,7 +118,7 @@ int ElementPoints::make(const Element& element, const FaceEnvelope& envelope, co
   if (v.kind == Vertex::kCorner) return atNode(element, tails_[3 * element.index + v.place], bary);
   if (v.kind == Vertex::kOnSide) return makeOnSide(element, envelope, v, bary);
   graph_.innerPoints.push_back(static_cast<int>(graph_.points.size()));
-  return graph_.addPoint(element.face, bary, insideError(envelope, v, element.longest),
+  return graph_.addPoint(element.face, bary, insideError(envelope, v),
                          envelope.label(v.functions[0]), envelope.label(v.functions[1]),
                          envelope.label(v.functions[2]));
 }
@@ -132,8 +136,7 @@ int ElementPoints::makeOnSide(const Element& element, const FaceEnvelope& envelo
     const auto& labels = graph_.points[p].labels;
     if ((labels[0] == a && labels[1] == b) || (labels[0] == b && labels[1] == a)) return p;
   }
-  const double error = sideError(element, envelope, v);
-  const int point = graph_.addPoint(element.face, bary, error, a, b, -1);
+  const int point = graph_.addPoint(element.face, bary, sideError(envelope, v), a, b, -1);
   mergeOnSide(element, v.place, point, first, bary);
   graph_.points[point].nextOnSide = std::exchange(first, point);
   return point;
@@ -143,29 +146,17 @@ int ElementPoints::makeOnSide(const Element& element, const FaceEnvelope& envelo
 void ElementPoints::mergeOnSide(const Element& element, int side, int point, int others,
                                 const Eigen::Vector3d& bary) {
   const double error = graph_.points[point].error;
-  for (const int end : {0, 1}) {
-    const int corner = end == 0 ? side : (side + 1) % 3;
-    if (isApart(element, side, bary[end == 0 ? (side + 1) % 3 : side], 2 * error)) continue;
-    const Eigen::Vector3d unit = Eigen::Vector3d::Unit(corner);
-    const Eigen::Vector3d place = complex_.faceBary(element.index, unit);
-    if (squaredDistance(bary, place, element.squaredLength) <= error * error)
+  const auto isNear = [&](const Eigen::Vector3d& place, double distance) {
+    return (bary - place).lpNorm<Eigen::Infinity>() <= distance;
+  };
+  for (const int corner : {side, (side + 1) % 3}) {
+    const Eigen::Vector3d place = complex_.faceBary(element.index, Eigen::Vector3d::Unit(corner));
+    if (isNear(place, error))
       graph_.unite(point, atNode(element, tails_[3 * element.index + corner], place));
   }
-  for (int p = others; p >= 0; p = graph_.points[p].nextOnSide) {
-    const SurfacePoint& other = graph_.places[p];
-    if (other.face == element.face &&
-        isApart(element, side, other.bary[side] - bary[side], kPlainlyApart * element.longest))
-      continue;
-    const double both = graph_.points[p].error + error;
-    const Eigen::Vector3d place = baryInFace(mesh_, other, element.face);
-    if (squaredDistance(bary, place, element.squaredLength) <= both * both) graph_.unite(point, p);
-  }
-}
-
-/// Whether a share of a side is longer than a distance. A quick way out, for most points are not
-/// one. Elements that are a part of their face are measured in another way: false for them.
-bool ElementPoints::isApart(const Element& element, int side, double share, double distance) {
-  return element.isWhole && share * share * element.squaredLength[side] > distance * distance;
+  for (int p = others; p >= 0; p = graph_.points[p].nextOnSide)
+    if (isNear(baryInFace(mesh_, graph_.places[p], element.face), graph_.points[p].error + error))
+      graph_.unite(point, p);
 }
 
 /// Where in `firstOnSide_` a side of an element is. Of two elements with points on their common
@@ -174,17 +165,6 @@ int ElementPoints::slotOf(const Element& element, int side) const {
   const int twin = twins_[3 * element.index + side], neighbour = twin / 3;
   const bool isLater = twin < 0 || neighbour > element.index || mixedIndex_[neighbour] < 0;
   return isLater ? 3 * mixedIndex_[element.index] + side : 3 * mixedIndex_[neighbour] + twin % 3;
-}
-
-/// The share of a side by which an error of the functions moves a crossing, times the side.
-double ElementPoints::sideError(const Element& element, const FaceEnvelope& envelope,
-                                const Vertex& v) const {
-  const int i = v.place, j = (i + 1) % 3;
-  const auto &a = envelope.value(v.functions[0]), &b = envelope.value(v.functions[1]);
-  const double noise = 2 * kDistanceTolerance * std::max({a[i], a[j], b[i], b[j]});
-  const double slope = std::abs((a[i] - b[i]) - (a[j] - b[j]));
-  const double side = element.isWhole ? mesh_.length(3 * element.face + i) : element.longest;
-  return side * (noise < kMaxPointError * slope ? noise / slope : kMaxPointError);
 }
 
 }  // namespace gvd

@@ -14,13 +14,9 @@
 
 namespace gvd {
 
-/// An element, and the measures of its face.
 struct Element {
   int index, face;
-  bool isWhole;                         ///< it is all of its face
-  std::array<double, 3> squaredLength;  ///< of the face's sides
-  double longest;                       ///< of these sides
-  double height;                        ///< the least one of the face
+  bool isWhole;  ///< it is all of its face
 };
 
 /// The points of the graph that the vertices of envelopes are: each has a bound on how far rounding
@@ -57,11 +53,9 @@ class ElementPoints {
                  const Eigen::Vector3d& bary);
   void mergeOnSide(const Element& element, int side, int point, int others,
                    const Eigen::Vector3d& bary);
-  static bool isApart(const Element& element, int side, double share, double distance);
   bool isBetweenSides(const Element& element, const Eigen::Vector3d& bary) const;
   void tellApartInnerPoints();
   int slotOf(const Element& element, int side) const;
-  double sideError(const Element& element, const FaceEnvelope& envelope, const Vertex& v) const;
 
   const TriangleMesh& mesh_;
   const FaceComplex& complex_;
