@@ -274,6 +274,37 @@ TEST(Diagram, JoinsCocircularSitesInOneVoronoiPoint) {
   }
 }
 
+/// Sites 1e-11 apart in faces as thin: on both sides of one edge, between the same two vertices,
+/// runs a bisector of other regions, and between the two another one turns beside the edge.
+TEST(Diagram, KeepsBothBisectorsBesideAThinRegion) {
+  const std::vector<double> positions = {0.30000000000000021,
+                                         0.70000000000000018,
+                                         0,
+                                         4.4408920985006262e-16,
+                                         0.1,
+                                         0,
+                                         0.89999999999999969,
+                                         0.69999999999999973,
+                                         0.090000000000000011,
+                                         0.3,
+                                         0.7,
+                                         0,
+                                         0.89999999999999991,
+                                         0.7,
+                                         0.090000000000000011,
+                                         0.6,
+                                         0.1,
+                                         0.090000000000000011};
+  const std::vector<int> triangles = {0, 1, 2, 0, 2, 3, 1, 4, 2, 3, 2, 5, 2, 4, 5};
+  const TriangleMesh mesh(positions, triangles);
+  const std::vector<SurfacePoint> sites = {
+      {2, {2.8285470703762107e-12, 0.28284671053088811, 0.71715328946628332}},
+      {4, {0.71715340615759871, 0.28284659383782462, 4.5766537018318763e-12}},
+      {3, {4.2134979853870699e-12, 0.99999999999197564, 3.810828832845928e-12}},
+      {1, {3.5780832650393628e-12, 0.99999999999284372, 3.5780832650393616e-12}}};
+  EXPECT_TRUE(checks::isConsistent(mesh, trace(mesh, sites, Metric::kDgpc).diagram));
+}
+
 TEST(Diagram, HandlesManySitesInOneFace) {
   const auto mesh = shapes::triangle().mesh();
   shapes::Random random(3);

@@ -95,41 +95,44 @@ void FinalSegments::addSegment(const Diagram::Segment& segment) {
 /// `right` is -1 on the mesh boundary.
 void FinalSegments::stack(int from, int to, int left, int right, int face) {
   const bool isSwapped = to < from;
-  Stack& stack = stacks_[placeOfLine(graph_, from, to, face)];
-  (isSwapped ? stack.right : stack.left).push_back(left);
-  if (right >= 0) (isSwapped ? stack.left : stack.right).push_back(right);
-  stack.face = face;
+  stacks_[placeOfLine(graph_, from, to, face)].push_back(
+      {isSwapped ? right : left, isSwapped ? left : right, face});
 }
 
 bool FinalSegments::addStacks(long& budget) {
   for (; !stacks_.empty() && budget > 0; --budget) {
     const auto lowest = stacks_.extract(stacks_.begin());
-    addStack(lowest.key(), lowest.mapped());
+    addLines(lowest.key(), lowest.mapped());
   }
   return stacks_.empty();
 }
 
-void FinalSegments::addStack(const PlaceOfLine& place, Stack& stack) {
-  cancelLabels(stack);
-  if (stack.left.empty() || stack.right.empty()) return;
-  const int left = stack.left.front(), right = stack.right.front();
+/// Several lines may remain: at merged points, they may run on both sides of others that do not.
+void FinalSegments::addLines(const PlaceOfLine& place, std::vector<Line>& lines) {
+  joinLines(lines);
   const int first = points_.number(place[0]), second = points_.number(place[1]);
-  if (left < right)
-    out_.segments.push_back({{first, second}, {left, right}, stack.face, -1});
-  else
-    out_.segments.push_back({{second, first}, {right, left}, stack.face, -1});
+  for (const auto& [left, right, face] : lines) {
+    if (left < 0 || right < 0 || left == right) continue;
+    if (left < right)
+      out_.segments.push_back({{first, second}, {left, right}, face, -1});
+    else
+      out_.segments.push_back({{second, first}, {right, left}, face, -1});
+  }
 }
 
-/// Drops labels that are on both sides of a line: between its two bisectors a region has no width.
-void FinalSegments::cancelLabels(Stack& stack) {
-  for (auto label = stack.left.begin(); label != stack.left.end();) {
-    const auto same = std::find(stack.right.begin(), stack.right.end(), *label);
-    if (same == stack.right.end()) {
-      ++label;
-    } else {
-      stack.right.erase(same);
-      label = stack.left.erase(label);
+/// Makes one line of two that have a region between them, which is of no width there.
+void FinalSegments::joinLines(std::vector<Line>& lines) {
+  for (size_t i = 0; i < lines.size();) {
+    const int between = lines[i].right;
+    const auto next = std::find_if(lines.begin(), lines.end(), [&](const Line& line) {
+      return between >= 0 && line.left == between && &line != &lines[i];
+    });
+    if (next == lines.end()) {
+      ++i;
+      continue;
     }
+    next->left = lines[i].left;
+    lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(i));
   }
 }
 

@@ -27,16 +27,15 @@ class FinalSegments {
   bool step(long& budget);
 
  private:
-  /// The labels on both sides of lines in one place, going from the lower point to the higher one.
-  struct Stack {
-    std::vector<int> left, right;
-    int face;
+  /// A line, going from the lower point to the higher one: what is on its sides, -1 for nothing.
+  struct Line {
+    int left, right, face;
   };
   void addSegment(const Diagram::Segment& segment);
   void stack(int from, int to, int left, int right, int face);
   bool addStacks(long& budget);
-  void addStack(const PlaceOfLine& place, Stack& stack);
-  static void cancelLabels(Stack& stack);
+  void addLines(const PlaceOfLine& place, std::vector<Line>& lines);
+  static void joinLines(std::vector<Line>& lines);
   void noteNamed(const Diagram::Segment& segment);
   void nameInFaceOf(const Diagram::Segment& segment);
 
@@ -48,7 +47,7 @@ class FinalSegments {
   SlicedSequence sequence_;
   SlicedLoop loop_;
   size_t kept_ = 0;
-  std::map<PlaceOfLine, Stack> stacks_;
+  std::map<PlaceOfLine, std::vector<Line>> stacks_;  ///< lines that are in one place
   std::vector<char> isNamed_;  ///< per point: in terms of a face of one of its segments
 };
 
