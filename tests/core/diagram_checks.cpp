@@ -7,6 +7,7 @@
 #include <numeric>
 #include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "mesh/surface_geometry.h"
@@ -106,14 +107,14 @@ AssertionResult checkLoops(const TriangleMesh& mesh, const Diagram& d) {
 
 AssertionResult checkArcs(const Diagram& d) {
   size_t segments = 0;
-  std::map<std::pair<int, int>, std::array<int, 2>> labels;
-  for (const Diagram::Segment& s : d.segments) labels[{s.points[0], s.points[1]}] = s.labels;
+  using Piece = std::tuple<int, int, std::array<int, 2>>;  // two points and the labels
+  std::set<Piece> pieces;
+  for (const Diagram::Segment& s : d.segments) pieces.insert({s.points[0], s.points[1], s.labels});
   for (int a = 0; a < d.arcs.size(); ++a) {
     const auto arc = d.arcs[a];
     segments += arc.size() - 1;
     for (size_t i = 0; i + 1 < arc.size(); ++i) {
-      const auto segment = labels.find({arc[i], arc[i + 1]});
-      if (segment == labels.end() || segment->second != d.arcLabels[a])
+      if (!pieces.contains({arc[i], arc[i + 1], d.arcLabels[a]}))
         return AssertionFailure() << "an arc is no chain of its bisector's segments";
     }
   }

@@ -19,12 +19,13 @@ namespace gvd {
 inline constexpr double kDistanceTolerance = 0x1p-41;
 
 /// Points of a diagram are one point if their error bounds overlap; this caps the bounds, in
-/// barycentric coordinates, where nearly parallel bisectors would make them large. By these
-/// coordinates, points across a thin face are as far apart as along it: no region there gets lost.
-inline constexpr double kMaxPointError = 1e-9;
+/// barycentric coordinates, where nearly parallel bisectors would make them large. A tenth of what
+/// the thinnest faces are wide, as a share of their length (`kMollificationMargin`), so that no
+/// region gets lost that is as long as wide there.
+inline constexpr double kMaxPointError = 1e-12;
 
 /// Barycentric coordinates of sites below this are zero: 512 times what one rounds by, 2^-53, and
-/// far less than `kMaxPointError`.
+/// less than `kMaxPointError`.
 inline constexpr double kCoordinateRounding = 0x1p-44;
 
 /// How far barycentric coordinates may be off that come from elsewhere: some have been written with
