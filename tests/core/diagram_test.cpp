@@ -305,6 +305,23 @@ TEST(Diagram, KeepsBothBisectorsBesideAThinRegion) {
   EXPECT_TRUE(checks::isConsistent(mesh, trace(mesh, sites, Metric::kDgpc).diagram));
 }
 
+/// At the tip of a spike, the distances of two labels are equal up to rounding. One of them becomes
+/// known there later: the other one's distance, now less, makes it own part of an edge.
+TEST(Diagram, LooksAgainAtLabelsThatTieWithALaterOne) {
+  const std::vector<double> positions = {3, 3, 2, 0, 0, 0, 2, 0, 1, 3, 3, 3, 1, 1, 1, -1e30, 1, 3};
+  const std::vector<int> triangles = {0, 2, 3, 1, 3, 2, 0, 3, 4, 1, 4, 3,
+                                      0, 4, 5, 1, 5, 4, 0, 5, 2, 1, 2, 5};
+  const TriangleMesh mesh(positions, triangles);
+  const std::vector<SurfacePoint> sites = {
+      {2, {0.0430908203125, 0.0052490234375, 0.95166015625}},
+      {0, {0.66802978515625, 0, 0.33197021484375}},
+      {3, {0, 0.0017852783203125, 0.9982147216796875}},
+      {0, {0.124237060546875, 0.36181640625, 0.513946533203125}},
+      {0, {1, 0, 0}},
+      {1, {0.471954345703125, 0.367462158203125, 0.16058349609375}}};
+  EXPECT_TRUE(checks::isConsistent(mesh, trace(mesh, sites).diagram));
+}
+
 TEST(Diagram, HandlesManySitesInOneFace) {
   const auto mesh = shapes::triangle().mesh();
   shapes::Random random(3);

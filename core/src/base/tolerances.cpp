@@ -4,6 +4,7 @@
 #include "base/tolerances.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/sorting.h"
 
@@ -22,21 +23,23 @@ bool haveUnequalTies(std::span<const LabelledDistance> here) {
 
 }  // namespace
 
-void equalizeTies(std::span<LabelledDistance> here) {
+bool equalizeTies(std::span<LabelledDistance> here) {
   constexpr size_t kFew = 32;  // for so many, looking at all pairs takes less than sorting
-  if (here.size() <= kFew && !haveUnequalTies(here)) return;
+  if (here.size() <= kFew && !haveUnequalTies(here)) return false;
   sortStably(here, [](const LabelledDistance& a, const LabelledDistance& b) {
     return a.distance < b.distance;
   });
   double least = here.front().distance;
+  bool hasChanged = false;
   for (LabelledDistance& d : here) {
     if (d.distance <= least * (1 + kDistanceTolerance))
-      d.distance = least;
+      hasChanged |= std::exchange(d.distance, least) != least;
     else
       least = d.distance;
   }
   sortStably(
       here, [](const LabelledDistance& a, const LabelledDistance& b) { return a.label < b.label; });
+  return hasChanged;
 }
 
 }  // namespace gvd

@@ -54,7 +54,7 @@ inline constexpr double kFlatCurvature = 1e-9;
 
 /// Makes those distances at one place equal that are equal up to rounding, to the least of them.
 /// Every list that a diagram is traced from has passed here, so that later comparisons can be
-/// exact.
-void equalizeTies(std::span<LabelledDistance> here);
+/// exact. Whether any distance has changed.
+bool equalizeTies(std::span<LabelledDistance> here);
 
 }  // namespace gvd

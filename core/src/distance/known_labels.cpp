@@ -300,15 +300,18 @@ void KnownLabels::extendLists() {
       if (marked_.contains(reached[r].vertex)) list(label, r);
     marked_.clear();
   }
-  for (const LabelAtVertex& added : added_)
-    if (marked_.add(added.vertex)) noteAdded(added.vertex);
+  for (size_t i = 0, count = added_.size(); i < count; ++i)
+    if (marked_.add(added_[i].vertex)) noteAdded(added_[i].vertex);
   marked_.clear();
   requirements_.clear();
   makeSet(changedLabels_);
 }
 
+/// Where a label that is added makes the distances of others less, which tie with it, these have to
+/// be looked at again as well.
 void KnownLabels::noteAdded(int vertex) {
-  lists_.equalizeTies(vertex);
+  if (lists_.equalizeTies(vertex))
+    for (const LabelledDistance& d : lists_[vertex]) added_.push_back({vertex, d.label});
   if (areAllNew()) return;
   mesh_.visitFaces(vertex, [&](int f) { changedFaces_.add(f); });
   for (const LabelledDistance& d : lists_[vertex]) changedLabels_.push_back(d.label);

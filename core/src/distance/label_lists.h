@@ -47,7 +47,7 @@ class LabelLists {
     distances_.insert(vertex, place, added);
     indices_.insert(vertex, place, reachedIndex);
   }
-  void equalizeTies(int vertex) { gvd::equalizeTies(distances_[vertex]); }
+  bool equalizeTies(int vertex) { return gvd::equalizeTies(distances_[vertex]); }
 
  private:
   SmallLists<LabelledDistance> distances_;
