@@ -14,13 +14,6 @@
 namespace gvd::bench {
 namespace {
 
-/// A diagram whose sites can be moved; none where the metric doesn't allow that.
-std::optional<DynamicDiagram> liveDiagram(const TriangleMesh& mesh,
-                                          std::span<const SurfacePoint> sites, Metric metric,
-                                          const DiagramOptions& options) {
-  return DynamicDiagram(mesh, sites, metric, options);
-}
-
 /// A place in the next face; in the same one if no face lies beside it.
 SurfacePoint besides(const TriangleMesh& mesh, const SurfacePoint& site) {
   int h = 3 * site.face;
@@ -95,8 +88,8 @@ Speed measureSpeed(const TriangleMesh& mesh, std::span<const SurfacePoint> sites
   // Afterwards: a live diagram keeps more than a diagram, which is none of the others' business.
   for (MetricSpeed& metric : speed.metrics) {
     unlessItFails(metric, [&] {
-      auto live = liveDiagram(mesh, sites, metric.metric.metric, diagramOptions);
-      if (live) metric.change = changeSeconds(mesh, *live, options.runs);
+      DynamicDiagram live(mesh, sites, metric.metric.metric, diagramOptions);
+      metric.change = changeSeconds(mesh, live, options.runs);
     });
   }
   return speed;

@@ -6,13 +6,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "base/prefetch.h"
-#include "base/tolerances.h"
 #include "distance/common_labels.h"
-#include "mesh/surface_geometry.h"
 
 namespace gvd {
 
@@ -180,11 +177,11 @@ void BisectorTracing::addSegment(const Element& element, const Corner& from, con
 }
 
 /// Whether the ends of a segment may become one point. Not if that could join two sides of the
-/// element: around a spike or across a neck that is as narrow as the errors of points, a surface
-/// would be pinched off. Then the ends stay two points, however near.
+/// element beside the corner between them, for the surface would be pinched off there. Then the
+/// ends stay two points, however near.
 bool BisectorTracing::mayBeOne(const Corner& a, const Corner& b) {
   if (!a.isInside && !b.isInside) return false;
-  if (!a.isBetweenSides && !b.isBetweenSides) return true;
+  if (!a.isNearCorner && !b.isNearCorner) return true;
   return graph_.isNode(graph_.merging.root(a.point)) || graph_.isNode(graph_.merging.root(b.point));
 }
 

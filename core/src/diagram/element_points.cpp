@@ -76,7 +76,7 @@ std::span<const ElementPoints::Corner> ElementPoints::of(const Element& element,
       envelope.setBary(v, corner.bary);
       if (v.kind == Vertex::kInside) {
         corner.isInside = hasInnerPoint = true;
-        corner.isBetweenSides = isBetweenSides(element, corner.bary);
+        corner.isNearCorner = isNearCorner(element, corner.bary);
       }
       if (!element.isWhole) corner.bary = complex_.faceBary(element.index, corner.bary);
       corner.point = make(element, envelope, v, corner.bary);
@@ -85,9 +85,9 @@ std::span<const ElementPoints::Corner> ElementPoints::of(const Element& element,
   return corners_;
 }
 
-/// `bary` is in terms of the element. A point is near a side within some tens of the distance at
-/// which points are merged: those that are merged with it may be nearer.
-bool ElementPoints::isBetweenSides(const Element& element, const Eigen::Vector3d& bary) const {
+/// Whether a point, in terms of the element, is near two sides: within some tens of the distance at
+/// which points are merged, for those that are merged with it may be nearer.
+bool ElementPoints::isNearCorner(const Element& element, const Eigen::Vector3d& bary) const {
   constexpr double kNear = 64 * kMaxPointError;
   double size = 1;
   if (!element.isWhole) {

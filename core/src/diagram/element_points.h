@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <span>
 #include <vector>
 
@@ -29,8 +28,8 @@ class ElementPoints {
     int point = -1;        ///< -1: of no cell any more
     Eigen::Vector3d bary;  ///< in terms of the face
     bool isInside = false;
-    /// Whether it is inside, and about as near to two sides as points are merged at.
-    bool isBetweenSides = false;
+    /// Whether it is inside, and about as near to a corner of the element as points are merged at.
+    bool isNearCorner = false;
   };
 
   ElementPoints(const FaceComplex& complex, NodePoints& nodePoints, BisectorGraph& graph);
@@ -53,7 +52,7 @@ class ElementPoints {
                  const Eigen::Vector3d& bary);
   void mergeOnSide(const Element& element, int side, int point, int others,
                    const Eigen::Vector3d& bary);
-  bool isBetweenSides(const Element& element, const Eigen::Vector3d& bary) const;
+  bool isNearCorner(const Element& element, const Eigen::Vector3d& bary) const;
   void tellApartInnerPoints();
   int slotOf(const Element& element, int side) const;
 
