@@ -216,8 +216,8 @@ class TriangleMesh {
   double meanEdgeLength() const { return meanEdgeLength_; }
   /// The component of a face, numbered from 0 in order of the first face.
   int component(int f) const { return component_[f]; }
-  /// The length of the bounding box's diagonal, of positions. O(vertices).
-  double boundingDiagonal() const;
+  /// The length of the bounding box's diagonal, of positions.
+  double boundingDiagonal() const { return boundingDiagonal_; }
 
   /// The input triangle a face was made from, and whether it was turned over (corners 1 and 2
   /// swapped).
@@ -263,7 +263,7 @@ class TriangleMesh {
   std::vector<double> faceArea_;
   std::vector<int> vertexHalfedge_;
   std::vector<double> angleSum_;
-  double area_ = 0, meanEdgeLength_ = 0;
+  double area_ = 0, meanEdgeLength_ = 0, boundingDiagonal_ = 0;
   std::vector<int> component_;
   std::vector<int> boundaryLoops_;
   std::vector<int> inputFace_, inputVertex_;

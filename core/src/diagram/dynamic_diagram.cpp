@@ -82,11 +82,10 @@ class DynamicDiagram::Implementation {
     mixedFaces_.resize(labelCount());
     const std::vector<int>& labels = distances_->changedLabels();
     const std::vector<char> isChanged = marks(labels);
-    std::vector<int> faces = distances_->changedFaces();
-    makeSet(faces);
+    gather(distances_->changedFaces());
     for (const int label : labels)
-      std::erase_if(mixedFaces_[label], [&](int f) { return isOneOf(faces, f); });
-    for (const int f : faces)
+      std::erase_if(mixedFaces_[label], [&](int f) { return faces_.contains(f); });
+    for (const int f : faces_.list())
       for (int h = 3 * f; h < 3 * f + 3; ++h) {
         const auto known = distances_->at(mesh_.tail(h));
         if (known.size() < 2) continue;
@@ -96,7 +95,6 @@ class DynamicDiagram::Implementation {
           if (mixed.empty() || mixed.back() != f) mixed.push_back(f);
         }
       }
-    for (const int label : labels) makeSet(mixedFaces_[label]);
   }
 
   /// Cells can differ only in the faces around changed vertices, and in those for which the tracer
@@ -118,8 +116,7 @@ class DynamicDiagram::Implementation {
       for (const int f : merged) addLabelsAround(f, labels);
       if (labels.size() > static_cast<int>(tracedLabels.size())) continue;
 
-      faces_.clear();
-      for (const int f : distances_->changedFaces()) faces_.add(f);
+      gather(distances_->changedFaces());
       for (const int f : merged)
         for (int h = 3 * f; h < 3 * f + 3; ++h)
           mesh_.visitFaces(mesh_.tail(h), [&](int around) { faces_.add(around); });
@@ -128,6 +125,12 @@ class DynamicDiagram::Implementation {
       makeSet(mergedFaces_);
       return replaced(tracedLabels, faces_.sorted(), traced.diagram);
     }
+  }
+
+  /// Begins to gather faces with these.
+  void gather(std::span<const int> faces) {
+    faces_.clear();
+    for (const int f : faces) faces_.add(f);
   }
 
   /// Adds the labels that are known in a face or in one that has a corner in common with it.
@@ -174,12 +177,11 @@ class DynamicDiagram::Implementation {
 
   /// All faces of which several labels are known at a corner, one of the given ones among them;
   /// ascending.
-  std::vector<int> facesWhereMet(std::span<const int> labels) const {
-    std::vector<int> faces;
+  std::vector<int> facesWhereMet(std::span<const int> labels) {
+    gather({});
     for (const int label : labels)
-      faces.insert(faces.end(), mixedFaces_[label].begin(), mixedFaces_[label].end());
-    makeSet(faces);
-    return faces;
+      for (const int f : mixedFaces_[label]) faces_.add(f);
+    return faces_.sorted();
   }
 
   /// Puts what has been traced of the changed labels and faces in the place of what there was.
@@ -210,9 +212,10 @@ class DynamicDiagram::Implementation {
   PartialTracer tracer_;
   DiagramPieces pieces_;
   IndexSet faces_;  ///< those that are gathered at the time
-  // Ascending:
-  std::vector<int> mergedFaces_;     ///< where points have become one, and some where they had
-  std::vector<int> completedFaces_;  ///< where the tracer had to add labels when all was traced
+  /// Where points have become one, and some where they had; ascending.
+  std::vector<int> mergedFaces_;
+  /// Where the tracer had to add labels when all was traced; ascending.
+  std::vector<int> completedFaces_;
   /// Per label the faces with a corner where it and others are known.
   std::vector<std::vector<int>> mixedFaces_;
 };

@@ -108,7 +108,7 @@ bool MeshBuilding::step(long budget) {
         positions_.resize(3 * m.inputVertex_.size());
         positions_.shrink_to_fit();
         m.positions_ = std::move(positions_);
-        requireExtent();
+        measureExtent();
       },
       [&] { return fillInSlices(m.faces_, m.faceCount(), {}, budget); },
       [&] { return fillInSlices(m.faceArea_, m.faceCount(), 0., budget); },
@@ -171,8 +171,10 @@ void MeshBuilding::takePosition(int vertex) {
 
 // --- Measures ----------------------------------------------------------------------------------
 
-void MeshBuilding::requireExtent() const {
-  if (!(mesh_.boundingDiagonal() <= kLongestDiagonal))
+void MeshBuilding::measureExtent() {
+  const auto all = Eigen::Matrix3Xd::Map(mesh_.positions_.data(), 3, mesh_.vertexCount());
+  mesh_.boundingDiagonal_ = (all.rowwise().maxCoeff() - all.rowwise().minCoeff()).norm();
+  if (!(mesh_.boundingDiagonal_ <= kLongestDiagonal))
     rejectMesh("the positions are too far apart to measure distances");
 }
 

@@ -31,7 +31,7 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
   void requireVertices(int triangle) const;
   void takeFans(Fans fans);
   void takePosition(int vertex);
-  void requireExtent() const;
+  void measureExtent();
   void requireEdgeLength() const;
   void measureFace(int face);
   void noteFlatness(int face);

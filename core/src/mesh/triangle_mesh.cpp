@@ -50,11 +50,6 @@ Eigen::Vector3d TriangleMesh::position(const SurfacePoint& p) const {
   return sum;
 }
 
-double TriangleMesh::boundingDiagonal() const {
-  const auto all = Eigen::Matrix3Xd::Map(positions_.data(), 3, vertexCount());
-  return (all.rowwise().maxCoeff() - all.rowwise().minCoeff()).norm();
-}
-
 // --- To and from the input ---------------------------------------------------------------------
 
 SurfacePoint TriangleMesh::toInput(const SurfacePoint& p) const {
