@@ -135,6 +135,28 @@ Answer* answer(F&& f) {
   return guarded([&] { return new Answer{nullptr, f()}; });
 }
 
+/// A record made of what sliced work comes to.
+template <class Result, class ToRecord>
+class RecordOfResult final : public SlicedWork<Record> {
+ public:
+  RecordOfResult(std::unique_ptr<SlicedWork<Result>> work, ToRecord toRecord)
+      : toRecord_(std::move(toRecord)), work_(std::move(work)) {}
+  bool step(long budget) override { return work_->step(budget); }
+  double progress() const override { return work_->progress(); }
+  Record take() override { return toRecord_(work_->take()); }
+
+ private:
+  ToRecord toRecord_;  // keeps what the work refers to: first to come, last to go
+  std::unique_ptr<SlicedWork<Result>> work_;
+};
+
+/// An answer that is worked on in slices (`stepAnswer`); `toRecord(result)` is its record.
+template <class Result, class ToRecord>
+Answer* answerOf(std::unique_ptr<SlicedWork<Result>> work, ToRecord toRecord) {
+  return new Answer{
+      std::make_unique<RecordOfResult<Result, ToRecord>>(std::move(work), std::move(toRecord)), {}};
+}
+
 /// An enumerator and its name in JavaScript.
 template <class Enum>
 struct Named {

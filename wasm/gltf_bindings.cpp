@@ -3,6 +3,7 @@
 // gltf.wasm: glTF files to plain triangles, for JavaScript. A module of its own because the parser
 // is several times the size of everything else: only who opens a glTF file loads it.
 
+#include <memory>
 #include <span>
 #include <string>
 #include <utility>
@@ -41,31 +42,37 @@ std::vector<int> partNumbers(std::span<const GltfScene::Part> parts) {
   return numbers;
 }
 
+Record recordOf(GltfScene scene) {
+  std::vector<std::string> names;
+  for (GltfScene::Part& part : scene.parts) names.push_back(std::move(part.name));
+  Record out;
+  out.add("positions", std::move(scene.positions));
+  out.add("indices", std::move(scene.triangles));
+  out.add("normals", std::move(scene.normals));
+  out.add("uvs", std::move(scene.uvs));
+  out.add("density", std::move(scene.density));
+  out.add("partNumbers", partNumbers(scene.parts));
+  out.add("partNames", std::move(names));
+  out.add("notes", std::move(scene.notes));
+  return out;
+}
+
 }  // namespace
 
 /// `uris[i]` names the file that `files[i]` is the content of; `limitNames[i]` is set to
-/// `limitValues[i]`.
+/// `limitValues[i]`. All bytes must outlive the answer.
 GVD_ABI Answer* readGltfScene(Bytes bytes, const Array<Array<char>>& uris,
                               const Array<Array<std::byte>>& files,
                               const Array<Array<char>>& limitNames, Doubles limitValues) {
-  return answer([&] {
-    std::vector<GltfResource> resources;
+  return guarded([&] {
+    auto resources = std::make_unique<std::vector<GltfResource>>();
     for (std::size_t i = 0; i < uris.size; ++i)
-      resources.push_back({std::string(toView(uris.data[i])), files.data[i].span()});
-    GltfScene scene =
-        readGltf(bytes.span(), resources, toLimits(limitNames.span(), limitValues.span()));
-    std::vector<std::string> names;
-    for (GltfScene::Part& part : scene.parts) names.push_back(std::move(part.name));
-    Record out;
-    out.add("positions", std::move(scene.positions));
-    out.add("indices", std::move(scene.triangles));
-    out.add("normals", std::move(scene.normals));
-    out.add("uvs", std::move(scene.uvs));
-    out.add("density", std::move(scene.density));
-    out.add("partNumbers", partNumbers(scene.parts));
-    out.add("partNames", std::move(names));
-    out.add("notes", std::move(scene.notes));
-    return out;
+      resources->push_back({std::string(toView(uris.data[i])), files.data[i].span()});
+    auto reading =
+        startGltf(bytes.span(), *resources, toLimits(limitNames.span(), limitValues.span()));
+    return answerOf(std::move(reading), [resources = std::move(resources)](GltfScene scene) {
+      return recordOf(std::move(scene));
+    });
   });
 }
 

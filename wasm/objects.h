@@ -75,28 +75,6 @@ struct CvtHandle {
   std::unique_ptr<Cvt> cvt;
 };
 
-/// A record made of what a core's work comes to.
-template <class Result, class ToRecord>
-class RecordOfResult final : public SlicedWork<Record> {
- public:
-  RecordOfResult(std::unique_ptr<SlicedWork<Result>> work, ToRecord toRecord)
-      : toRecord_(std::move(toRecord)), work_(std::move(work)) {}
-  bool step(long budget) override { return work_->step(budget); }
-  double progress() const override { return work_->progress(); }
-  Record take() override { return toRecord_(work_->take()); }
-
- private:
-  ToRecord toRecord_;  // keeps what the work refers to: first to come, last to go
-  std::unique_ptr<SlicedWork<Result>> work_;
-};
-
-/// An answer that takes the work of the core in slices; `toRecord(result)` is its record.
-template <class Result, class ToRecord>
-Answer* answerOf(std::unique_ptr<SlicedWork<Result>> work, ToRecord toRecord) {
-  return new Answer{
-      std::make_unique<RecordOfResult<Result, ToRecord>>(std::move(work), std::move(toRecord)), {}};
-}
-
 /// An answer about points that are looked up one after the other.
 class PointLookup : public SlicedWork<Record> {
  public:

@@ -17,25 +17,14 @@
 #include "gvd/partition.h"
 #include "gvd/remesh.h"
 #include "gvd/sampling.h"
+#include "in_steps.h"
 #include "shapes.h"
 #include "wild_mesh.h"
 
 namespace gvd {
 namespace {
 
-/// Steps of changing size, the first of which does nothing; the work tells how far it is.
-template <class Result>
-Result inSteps(std::unique_ptr<SlicedWork<Result>> work) {
-  double before = work->progress();
-  EXPECT_GE(before, 0);
-  for (long budget = 0; !work->step(budget); budget = (budget + 1) % 5) {
-    const double share = work->progress();
-    EXPECT_GE(share, before);
-    EXPECT_LE(share, 1);
-    before = share;
-  }
-  return work->take();
-}
+using checks::inSteps;
 
 bool operator==(const MeshRepairs& a, const MeshRepairs& b) {
   const auto all = [](const MeshRepairs& r) {

@@ -6,7 +6,7 @@
 import assert from 'node:assert/strict';
 import { afterEach, before, test } from 'node:test';
 import { load } from 'geodesic-voronoi';
-import { bumpySphere } from './meshes.mjs';
+import { bumpySphere, glb } from './meshes.mjs';
 
 let gvd;
 let mesh;
@@ -25,6 +25,7 @@ const opened = async (source, options) => {
 
 const tasks = {
   'a mesh': (options) => opened(bumpySphere(40, 60), options),
+  'a glTF': (options) => opened(glb(bumpySphere(40, 60)), options),
   'a mesh with a tolerance': (options) =>
     opened(bumpySphere(40, 60), { weld: 1e-4, minComponent: 3, ...options }),
   'farthest points': (options) => mesh.sampleSites(40, { sampling: 'farthest', ...options }),

@@ -4,8 +4,9 @@
 
 import type { GltfFile } from './input/gltf_document.js';
 import type { MeshPart } from './results.js';
+import { inSlices } from './slices.js';
 import type { Triangles } from './triangles.js';
-import type { GltfLimits } from './types.js';
+import type { GltfLimits, TaskOptions } from './types.js';
 import { WasmModule } from './wasm_module.js';
 
 /** The triangles of a glTF scene in world space. */
@@ -25,16 +26,21 @@ export async function readGltf(
   module: WebAssembly.Module,
   { bytes, resources }: GltfFile,
   limits: GltfLimits,
+  { signal, onProgress }: TaskOptions,
 ): Promise<GltfScene> {
   const wasm = await WasmModule.instantiate(module);
-  const { partNumbers, partNames, ...scene } = wasm.answer<GltfArrays>(
+  const reading = wasm.call(
     'readGltfScene',
-    bytes,
-    Object.keys(resources),
-    Object.values(resources),
+    wasm.keep(bytes),
+    wasm.keep(Object.keys(resources)),
+    wasm.keep(Object.values(resources)),
     Object.keys(limits),
     Float64Array.from(Object.values(limits)),
   );
+  await inSlices(wasm.working(reading), { signal, onProgress });
+  const { partNumbers, partNames, ...scene } = await inSlices(wasm.copying<GltfArrays>(reading), {
+    signal,
+  });
   const parts = partNames.map((name, i) => {
     const [node, mesh, primitive, firstTriangle, triangleCount] = partNumbers.subarray(5 * i);
     return { name, node, mesh, primitive, firstTriangle, triangleCount };

@@ -23,10 +23,14 @@ import type { DiagramData, MeshInfo, Metric, SurfacePoints, VertexDistances } fr
 import { inSlices, nextTask, sliceMilliseconds } from './slices.js';
 import type { Triangles } from './triangles.js';
 import type { TaskOptions } from './types.js';
-import { WasmModule, type Argument } from './wasm_module.js';
+import {
+  type Argument,
+  sliceDone,
+  sliceMoreToDo,
+  unitsPerStep,
+  WasmModule,
+} from './wasm_module.js';
 
-/** Units of work between two looks at the clock: well below a slice, well above its price. */
-const unitsPerStep = 256;
 /** Numbers that are copied between two looks at the clock. */
 const numbersPerStep = 2 ** 15;
 /** The share of the time for a mesh from a file that reading takes, about; the rest makes the mesh. */
@@ -36,10 +40,6 @@ const distancesShare = 0.9;
 
 /** The address of an object in core.wasm. */
 type Pointer = number;
-
-/** How a slice of work has ended: `SliceEnd` in `objects.h`. */
-const sliceMoreToDo = 1;
-const sliceDone = 2;
 
 /** An object that is kept until it is closed, with the function that frees it. */
 interface Kept {
@@ -164,17 +164,12 @@ export class LocalEngine implements Engine {
   ): Promise<Result> {
     const core = this.#open();
     const answer = core.call(name, ...args);
-    const step = () => {
+    const requireBoth = () => {
+      this.#open();
       requireOpen();
-      return core.call('stepAnswer', answer, unitsPerStep);
     };
     try {
-      if (step() !== sliceDone) {
-        await this.#inSlices(step, {
-          signal,
-          onProgress: () => onProgress?.(core.run('answerProgress', answer) ?? 0),
-        });
-      }
+      await inSlices(core.working(answer, requireBoth), { signal, onProgress });
       const result = await inSlices(core.copying<Result>(answer), { signal });
       onProgress?.(1);
       return result;

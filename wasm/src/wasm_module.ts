@@ -23,6 +23,12 @@ interface Exports {
   freeAnswer(answer: number): void;
 }
 
+/** How a slice of work has ended: `SliceEnd` in `abi.h`. */
+export const sliceMoreToDo = 1;
+export const sliceDone = 2;
+
+/** Units of work between two looks at the clock: well below a slice, well above its price. */
+export const unitsPerStep = 256;
 /** Of results that are copied between two looks at the clock. */
 const bytesPerStep = 2 ** 18;
 
@@ -136,9 +142,26 @@ export class WasmModule {
     }
   }
 
+  /**
+   * Copies an argument that has to last longer than a call: an instance that is used once keeps it, and
+   * its memory goes with it. The address stands for the argument.
+   */
+  keep(argument: Memory): number {
+    return this.#toNumber(argument, []);
+  }
+
   /** Calls a function that returns an `Answer` at once: a copy of it as an object. */
   answer<Result>(name: string, ...args: readonly Argument[]): Result {
     return this.take(this.call(name, ...args));
+  }
+
+  /** Works on an `Answer` in steps; `requireOpen` throws when it should not go on. */
+  *working(answer: number, requireOpen: () => unknown = () => {}): SlicedWork<void> {
+    for (;;) {
+      requireOpen();
+      if (this.call('stepAnswer', answer, unitsPerStep) === sliceDone) return;
+      yield this.run('answerProgress', answer) ?? 0;
+    }
   }
 
   /** A copy of an `Answer` that is there, which is freed. */

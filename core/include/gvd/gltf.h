@@ -5,9 +5,12 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
+
+#include "gvd/sliced_work.h"
 
 namespace gvd {
 
@@ -73,5 +76,11 @@ struct GltfLimits {
 /// Throws `Error(kInvalidGltf)` with a sentence that names the offending object and its index.
 GltfScene readGltf(std::span<const std::byte> bytes, std::span<const GltfResource> resources = {},
                    const GltfLimits& limits = {});
+
+/// The same in steps, which throw as it does; all bytes must outlive them. The JSON is parsed in
+/// one step, whose length is that of the JSON.
+std::unique_ptr<SlicedWork<GltfScene>> startGltf(std::span<const std::byte> bytes,
+                                                 std::span<const GltfResource> resources = {},
+                                                 const GltfLimits& limits = {});
 
 }  // namespace gvd

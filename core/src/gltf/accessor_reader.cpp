@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <utility>
 
 #include "gltf/gltf_error.h"
@@ -58,56 +59,74 @@ const Accessor& AccessorReader::at(int index, const std::string& owner) const {
   return document_.accessors[index];
 }
 
-std::vector<double> AccessorReader::read(int index, const Format& format,
-                                         const std::string& owner) {
+AccessorReading AccessorReader::start(int index, const Format& format, const std::string& owner) {
   const Accessor& accessor = at(index, owner);
   const std::string name = "accessor " + std::to_string(index);
   if (accessor.type != format.type) reject(name + " has the wrong type for " + format.what);
   const ComponentType& type = componentType(accessor.componentType, format, name);
 
-  const bool normalized = accessor.normalized && type.largest > 0;
-  std::vector<double> values;
-  const auto store = [&](std::uint64_t element, const std::byte* bytes) {
-    for (std::uint64_t c = 0; c < format.components; ++c) {
-      const double value = type.load(bytes + c * type.size);
-      // The least of the signed integers stands for -1 as the next one does.
-      values[element * format.components + c] =
-          normalized ? std::max(value / type.largest, -1.0) : value;
-    }
-  };
+  AccessorReading reading;
+  reading.count_ = accessor.count;
+  reading.components_ = format.components;
+  reading.type_ = &type;
+  reading.isNormalized_ = accessor.normalized && type.largest > 0;
   if (accessor.elements) {
-    const Elements source =
-        elements(*accessor.elements, accessor.count, type, format.components, name);
-    values.resize(accessor.count * format.components);
-    for (std::uint64_t i = 0; i < accessor.count; ++i) store(i, source.at(i));
-  } else {
-    values.resize(accessor.count * format.components);
+    reading.elements_ = elements(*accessor.elements, accessor.count, type, format.components, name);
   }
   if (accessor.sparse) {
-    forEachSparse(accessor, type, format.components, "the sparse part of " + name, store);
+    const SparseElements& sparse = *accessor.sparse;
+    const std::string part = "the sparse part of " + name;
+    if (sparse.count > accessor.count) reject(part + " has more elements than the accessor itself");
+    const ComponentType& placeType = componentType(sparse.indices.componentType, kIndices, part);
+    reading.sparse_ = {sparse.count, &placeType,
+                       elements(sparse.indices, sparse.count, placeType, 1, part),
+                       elements(sparse.values, sparse.count, type, format.components, part), part};
   }
-  return values;
+  return reading;
 }
 
-template <class Store>
-void AccessorReader::forEachSparse(const Accessor& accessor, const ComponentType& valueType,
-                                   std::uint64_t components, const std::string& name, Store store) {
-  const SparseElements& sparse = *accessor.sparse;
-  if (sparse.count > accessor.count) reject(name + " has more elements than the accessor itself");
-  const ComponentType& type = componentType(sparse.indices.componentType, kIndices, name);
-  const Elements places = elements(sparse.indices, sparse.count, type, 1, name);
-  const Elements source = elements(sparse.values, sparse.count, valueType, components, name);
-  for (std::uint64_t i = 0; i < sparse.count; ++i) {
-    const auto place = static_cast<std::uint64_t>(type.load(places.at(i)));
-    if (place >= accessor.count) reject(name + " has the index " + number(place) + " past its end");
-    store(place, source.at(i));
+std::vector<double> AccessorReader::read(int index, const Format& format,
+                                         const std::string& owner) {
+  AccessorReading reading = start(index, format, owner);
+  for (long unlimited = std::numeric_limits<long>::max(); !reading.step(unlimited);) {
+  }
+  return reading.take();
+}
+
+bool AccessorReading::step(long& budget) {
+  constexpr long kElementsPerUnit = 8;
+  const std::size_t stored = elements_ ? count_ : 0, replaced = sparse_ ? sparse_->count : 0;
+  return sequence_.run([&] { return fillInSlices(values_, count_ * components_, 0., budget); },
+                       [&] {
+                         return loop_.run(stored, budget, kElementsPerUnit,
+                                          [&](int i) { store(i, elements_->at(i)); });
+                       },
+                       [&] {
+                         return loop_.run(replaced, budget, kElementsPerUnit,
+                                          [&](int i) { storeSparse(i); });
+                       });
+}
+
+void AccessorReading::store(std::uint64_t element, const std::byte* bytes) {
+  for (std::uint64_t c = 0; c < components_; ++c) {
+    const double value = type_->load(bytes + c * type_->size);
+    // The least of the signed integers stands for -1 as the next one does.
+    values_[element * components_ + c] =
+        isNormalized_ ? std::max(value / type_->largest, -1.0) : value;
   }
 }
 
-AccessorReader::Elements AccessorReader::elements(const ElementRange& range, std::uint64_t count,
-                                                  const ComponentType& type,
-                                                  std::uint64_t components,
-                                                  const std::string& owner) {
+void AccessorReading::storeSparse(std::uint64_t i) {
+  const auto place = static_cast<std::uint64_t>(sparse_->placeType->load(sparse_->places.at(i)));
+  if (place >= count_) {
+    reject(sparse_->name + " has the index " + number(place) + " past its end");
+  }
+  store(place, sparse_->values.at(i));
+}
+
+Elements AccessorReader::elements(const ElementRange& range, std::uint64_t count,
+                                  const ComponentType& type, std::uint64_t components,
+                                  const std::string& owner) {
   requireIndex(range.bufferView, document_.bufferViews.size(), "buffer view", owner);
   const BufferView& view = document_.bufferViews[range.bufferView];
   const std::string name = "buffer view " + std::to_string(range.bufferView);

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "base/sliced_loop.h"
 #include "gltf/buffers.h"
 #include "gltf/document.h"
 
@@ -32,7 +35,48 @@ extern const Format kIndices, kPositions, kNormals, kUvs, kDensities, kDisplacem
 /// Of EXT_mesh_gpu_instancing.
 extern const Format kTranslations, kRotations, kScales;
 
-/// Reads the numbers of accessors. All bytes are reached through `elements`, which checks the range
+/// Elements in memory, each of which lies inside its buffer view.
+struct Elements {
+  const std::byte* first;
+  std::uint64_t stride;
+  const std::byte* at(std::uint64_t i) const { return first + i * stride; }
+};
+
+/// Reads the numbers of one accessor in slices, element by element: those of its buffer view, or
+/// zeros, then the sparse ones in their places.
+class AccessorReading {
+ public:
+  /// True when all numbers are there.
+  bool step(long& budget);
+  const std::vector<double>& values() const { return values_; }
+  std::vector<double> take() { return std::move(values_); }
+
+ private:
+  friend class AccessorReader;
+
+  /// Elements that replace others.
+  struct Sparse {
+    std::uint64_t count;
+    const ComponentType* placeType;
+    Elements places, values;
+    std::string name;
+  };
+
+  AccessorReading() = default;
+  void store(std::uint64_t element, const std::byte* bytes);
+  void storeSparse(std::uint64_t i);
+
+  std::uint64_t count_ = 0, components_ = 0;
+  const ComponentType* type_ = nullptr;
+  bool isNormalized_ = false;
+  std::optional<Elements> elements_;  ///< none: all are zero
+  std::optional<Sparse> sparse_;
+  std::vector<double> values_;
+  SlicedSequence sequence_;
+  SlicedLoop loop_;
+};
+
+/// The accessors of a document. All bytes are reached through `elements`, which checks the range
 /// once for all elements.
 class AccessorReader {
  public:
@@ -40,26 +84,15 @@ class AccessorReader {
 
   const Accessor& at(int index, const std::string& owner) const;
 
-  /// All numbers of an accessor that `owner` names, element by element: those of its buffer view,
-  /// or zeros, then the sparse ones in their places.
+  /// Begins to read an accessor that `owner` names.
+  AccessorReading start(int index, const Format& format, const std::string& owner);
+  /// The same at one go.
   std::vector<double> read(int index, const Format& format, const std::string& owner);
 
  private:
-  /// Elements in memory, each of which lies inside its buffer view.
-  struct Elements {
-    const std::byte* first;
-    std::uint64_t stride;
-    const std::byte* at(std::uint64_t i) const { return first + i * stride; }
-  };
-
   /// `count` elements of `components` numbers; `owner` names them.
   Elements elements(const ElementRange& range, std::uint64_t count, const ComponentType& type,
                     std::uint64_t components, const std::string& owner);
-
-  /// Calls store(place, bytes) for every sparse element.
-  template <class Store>
-  void forEachSparse(const Accessor& accessor, const ComponentType& valueType,
-                     std::uint64_t components, const std::string& name, Store store);
 
   const Document& document_;
   Buffers buffers_;

@@ -2,7 +2,7 @@
 #include "gltf/primitive_triangles.h"
 
 #include <algorithm>
-#include <numeric>
+#include <array>
 
 #include "gltf/gltf_error.h"
 
@@ -14,38 +14,12 @@ std::uint64_t triangleCount(int mode, std::uint64_t corners) {
   return corners < 3 ? 0 : corners - 2;
 }
 
-/// Calls emit(i, j, k) for every triangle that a primitive of `corners` makes; corners too few for
-/// a last triangle make none.
-template <class Emit>
-void forEachTriangle(int mode, std::uint64_t corners, Emit emit) {
-  const std::uint64_t count = triangleCount(mode, corners);
-  for (std::uint64_t t = 0; t < count; ++t) {
-    if (mode == kTriangleList) emit(3 * t, 3 * t + 1, 3 * t + 2);
-    // Every other triangle would come out turned over.
-    if (mode == kTriangleStrip) emit(t, t + 1 + t % 2, t + 2 - t % 2);
-    if (mode == kTriangleFan) emit(t + 1, t + 2, 0);
-  }
-}
-
-/// The vertex at each corner of a primitive: as its indices say, else one after the other.
-std::vector<int> cornerVertices(const Primitive& primitive, std::size_t vertexCount,
-                                AccessorReader& accessors, const std::string& name) {
-  std::vector<int> corners;
-  if (!primitive.indices) {
-    corners.resize(vertexCount);
-    std::iota(corners.begin(), corners.end(), 0);
-    return corners;
-  }
-  const std::vector<double> indices = accessors.read(*primitive.indices, kIndices, name);
-  corners.reserve(indices.size());
-  for (double index : indices) {
-    if (index >= vertexCount) {
-      reject(name + " has vertex index " + number(static_cast<std::uint64_t>(index)) +
-             ", but there are " + number(vertexCount) + " positions");
-    }
-    corners.push_back(static_cast<int>(index));
-  }
-  return corners;
+/// The corners of a triangle that a primitive makes; corners too few for a last triangle make none.
+std::array<std::uint64_t, 3> cornersOf(int mode, std::uint64_t t) {
+  if (mode == kTriangleFan) return {t + 1, t + 2, 0};
+  // Every other triangle would come out turned over.
+  if (mode == kTriangleStrip) return {t, t + 1 + t % 2, t + 2 - t % 2};
+  return {3 * t, 3 * t + 1, 3 * t + 2};
 }
 
 /// Calls use(accessor, weight) for the morph targets of an attribute whose weight is not 0.
@@ -56,26 +30,6 @@ void forEachActiveTarget(const Primitive& primitive, std::span<const double> wei
     const auto target = primitive.targets[t].find(semantic);
     if (weights[t] != 0 && target != primitive.targets[t].end()) use(target->second, weights[t]);
   }
-}
-
-/// The values of an attribute with its morph targets applied; refuses any whose count is not that
-/// of the vertices.
-std::vector<double> morphed(const Primitive& primitive, const char* semantic, const Format& format,
-                            std::span<const double> weights, std::uint64_t vertexCount,
-                            AccessorReader& accessors, const std::string& name) {
-  const auto read = [&](int accessor, const Format& as) {
-    if (const std::uint64_t count = accessors.at(accessor, name).count; count != vertexCount) {
-      reject(name + " has " + number(count) + " elements of " + as.what + ", but there are " +
-             number(vertexCount) + " positions");
-    }
-    return accessors.read(accessor, as, name);
-  };
-  std::vector<double> values = read(primitive.attributes.at(semantic), format);
-  forEachActiveTarget(primitive, weights, semantic, [&](int accessor, double weight) {
-    const std::vector<double> displacements = read(accessor, kDisplacements);
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] += weight * displacements[i];
-  });
-  return values;
 }
 
 }  // namespace
@@ -114,36 +68,108 @@ PrimitiveSize sizeOf(const Primitive& primitive, std::span<const double> weights
   return size;
 }
 
-PrimitiveTriangles readTriangles(const Primitive& primitive, std::span<const double> weights,
-                                 AccessorReader& accessors, const std::string& name) {
-  PrimitiveTriangles read;
-  const std::uint64_t vertexCount = accessors.at(primitive.attributes.at("POSITION"), name).count;
-  read.positions =
-      morphed(primitive, "POSITION", kPositions, weights, vertexCount, accessors, name);
-  const std::vector<int> corners = cornerVertices(primitive, vertexCount, accessors, name);
-  read.triangles.reserve(3 * triangleCount(primitive.mode, corners.size()));
-  forEachTriangle(primitive.mode, corners.size(),
-                  [&](std::uint64_t i, std::uint64_t j, std::uint64_t k) {
-                    for (std::uint64_t corner : {i, j, k}) {
-                      read.triangles.push_back(corners[corner]);
-                    }
-                  });
+// --- One attribute -----------------------------------------------------------------------------
 
-  // A surface needs no attribute: one that does not fit is passed over.
-  const auto attribute = [&](const char* semantic, const Format& format,
-                             std::span<const double> of) -> std::vector<double> {
-    if (!primitive.attributes.contains(semantic)) return {};
-    try {
-      return morphed(primitive, semantic, format, of, vertexCount, accessors, name);
-    } catch (const Error&) {
-      ++read.badAttributes;
-      return {};
+AttributeReading::AttributeReading(const Primitive& primitive, const char* semantic,
+                                   const Format& format, std::span<const double> weights,
+                                   std::uint64_t vertexCount, AccessorReader& accessors,
+                                   const std::string& name) {
+  const auto addLayer = [&](int accessor, const Format& as, double weight) {
+    if (const std::uint64_t count = accessors.at(accessor, name).count; count != vertexCount) {
+      reject(name + " has " + number(count) + " elements of " + as.what + ", but there are " +
+             number(vertexCount) + " positions");
     }
+    layers_.push_back({accessors.start(accessor, as, name), weight});
   };
-  read.normals = attribute("NORMAL", kNormals, weights);
-  read.uvs = attribute("TEXCOORD_0", kUvs, {});
-  read.density = attribute("_DENSITY", kDensities, {});
-  return read;
+  addLayer(primitive.attributes.at(semantic), format, 1);
+  forEachActiveTarget(primitive, weights, semantic, [&](int accessor, double weight) {
+    addLayer(accessor, kDisplacements, weight);
+  });
+}
+
+bool AttributeReading::step(long& budget) {
+  for (; next_ < layers_.size(); ++next_) {
+    Layer& layer = layers_[next_];
+    if (!layer.reading.step(budget)) return false;
+    const auto add = [&](int i) { values_[i] += layer.weight * layer.reading.values()[i]; };
+    if (!loop_.run(values_.size(), budget, kQuickRounds, add)) return false;
+    std::vector<double> values = layer.reading.take();
+    if (next_ == 0) values_ = std::move(values);
+  }
+  return true;
+}
+
+// --- The primitive -----------------------------------------------------------------------------
+
+PrimitiveReading::PrimitiveReading(const Primitive& primitive, std::span<const double> weights,
+                                   AccessorReader& accessors, const std::string& name)
+    : primitive_(primitive),
+      weights_(weights),
+      accessors_(accessors),
+      name_(name),
+      vertexCount_(accessors.at(primitive.attributes.at("POSITION"), name).count) {}
+
+bool PrimitiveReading::step(long& budget) {
+  const bool hasIndices = primitive_.indices.has_value();
+  const auto triangles = [&] {
+    return triangleCount(primitive_.mode, hasIndices ? indices_.size() : vertexCount_);
+  };
+  return sequence_.run(
+      [&] {
+        return runPart(attribute_, budget, primitive_, "POSITION", kPositions, weights_,
+                       vertexCount_, accessors_, name_);
+      },
+      [&] { read_.positions = taken(attribute_); },
+      [&] {
+        if (hasIndices) indexReading_ = accessors_.start(*primitive_.indices, kIndices, name_);
+      },
+      [&] { return !hasIndices || indexReading_->step(budget); },
+      [&] {
+        if (hasIndices) indices_ = taken(indexReading_);
+      },
+      [&] {
+        return loop_.run(indices_.size(), budget, kQuickRounds,
+                         [&](int i) { requireVertex(indices_[i]); });
+      },
+      [&] { read_.triangles.reserve(3 * triangles()); },
+      [&] {
+        constexpr long kTrianglesPerUnit = 16;
+        return loop_.run(triangles(), budget, kTrianglesPerUnit, [&](int t) { addTriangle(t); });
+      },
+      [&] { release(indices_); },
+      [&] { return readOptional("NORMAL", kNormals, weights_, read_.normals, budget); },
+      [&] { return readOptional("TEXCOORD_0", kUvs, {}, read_.uvs, budget); },
+      [&] { return readOptional("_DENSITY", kDensities, {}, read_.density, budget); });
+}
+
+void PrimitiveReading::requireVertex(double index) const {
+  if (index < vertexCount_) return;
+  reject(name_ + " has vertex index " + number(static_cast<std::uint64_t>(index)) +
+         ", but there are " + number(vertexCount_) + " positions");
+}
+
+void PrimitiveReading::addTriangle(std::uint64_t t) {
+  for (const std::uint64_t corner : cornersOf(primitive_.mode, t)) {
+    read_.triangles.push_back(
+        static_cast<int>(primitive_.indices ? indices_[corner] : static_cast<double>(corner)));
+  }
+}
+
+/// A surface needs no attribute: one that does not fit is passed over.
+bool PrimitiveReading::readOptional(const char* semantic, const Format& format,
+                                    std::span<const double> weights, std::vector<double>& values,
+                                    long& budget) {
+  if (!primitive_.attributes.contains(semantic)) return true;
+  try {
+    if (!runPart(attribute_, budget, primitive_, semantic, format, weights, vertexCount_,
+                 accessors_, name_))
+      return false;
+    values = taken(attribute_);
+  } catch (const Error&) {
+    attribute_.reset();
+    ++read_.badAttributes;
+  }
+  return true;
 }
 
 }  // namespace gvd::gltf

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "base/sliced_loop.h"
 #include "gltf/accessor_reader.h"
 #include "gltf/document.h"
 
@@ -36,8 +39,57 @@ struct PrimitiveSize {
 PrimitiveSize sizeOf(const Primitive& primitive, std::span<const double> weights,
                      const AccessorReader& accessors, const std::string& name);
 
-/// Reads a primitive of triangles; `weights` are those of its morph targets.
-PrimitiveTriangles readTriangles(const Primitive& primitive, std::span<const double> weights,
-                                 AccessorReader& accessors, const std::string& name);
+/// Reads the values of an attribute, with its morph targets applied, in slices.
+class AttributeReading {
+ public:
+  /// Accessors whose count is not that of the vertices are refused.
+  AttributeReading(const Primitive& primitive, const char* semantic, const Format& format,
+                   std::span<const double> weights, std::uint64_t vertexCount,
+                   AccessorReader& accessors, const std::string& name);
+
+  bool step(long& budget);
+  std::vector<double> take() { return std::move(values_); }
+
+ private:
+  /// The attribute's own values, or a morph target's.
+  struct Layer {
+    AccessorReading reading;
+    double weight;
+  };
+
+  std::vector<Layer> layers_;
+  std::size_t next_ = 0;  ///< of these
+  std::vector<double> values_;
+  SlicedLoop loop_;
+};
+
+/// Reads a primitive of triangles in slices.
+class PrimitiveReading {
+ public:
+  /// `weights` are those of its morph targets. All of these must outlive this.
+  PrimitiveReading(const Primitive& primitive, std::span<const double> weights,
+                   AccessorReader& accessors, const std::string& name);
+
+  bool step(long& budget);
+  PrimitiveTriangles take() { return std::move(read_); }
+
+ private:
+  bool readOptional(const char* semantic, const Format& format, std::span<const double> weights,
+                    std::vector<double>& values, long& budget);
+  void requireVertex(double index) const;
+  void addTriangle(std::uint64_t t);
+
+  const Primitive& primitive_;
+  const std::span<const double> weights_;
+  AccessorReader& accessors_;
+  const std::string& name_;
+  const std::uint64_t vertexCount_;
+  PrimitiveTriangles read_;
+  std::optional<AttributeReading> attribute_;  ///< the one that is read
+  std::optional<AccessorReading> indexReading_;
+  std::vector<double> indices_;  ///< if it has any
+  SlicedSequence sequence_;
+  SlicedLoop loop_;
+};
 
 }  // namespace gvd::gltf

@@ -105,7 +105,12 @@ export async function readModel(
   switch (format) {
     case 'glTF': {
       const readable = await readableGltf(bytes, resource, modules.draco);
-      const { parts, notes, ...triangles } = await readGltf(await modules.gltf(), readable, limits);
+      const { parts, notes, ...triangles } = await readGltf(
+        await modules.gltf(),
+        readable,
+        limits,
+        task,
+      );
       return { triangles, parts, notes, origin: { file, format } };
     }
     case 'OBJ':

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "gvd/sliced_work.h"
+
+namespace gvd::checks {
+
+/// Steps of changing size, the first of which does nothing; the work tells how far it is.
+template <class Result>
+Result inSteps(std::unique_ptr<SlicedWork<Result>> work) {
+  double before = work->progress();
+  EXPECT_GE(before, 0);
+  for (long budget = 0; !work->step(budget); budget = (budget + 1) % 5) {
+    const double share = work->progress();
+    EXPECT_GE(share, before);
+    EXPECT_LE(share, 1);
+    before = share;
+  }
+  return work->take();
+}
+
+}  // namespace gvd::checks
