@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -51,10 +52,65 @@ class LocatedPoints final : public PointLookup {
   std::vector<double> distance_;
 };
 
-/// `DiagramChange`: what the site of a label has changed.
-Record changed(VoronoiHandle& voronoi, int label, const DiagramChange& change) {
-  if (voronoi.worstRegions) voronoi.worstRegions->follow(change);
-  return changeRecord(voronoi.mesh(), label, change);
+/// `DiagramChange`: what it changes that a site comes, goes or moves. The first change makes the
+/// diagram anew, as one that can change.
+class SiteChanging final : public SlicedWork<Record> {
+ public:
+  /// No label: a new site. No site: that of the label goes. The diagram must outlive the steps.
+  SiteChanging(VoronoiHandle& voronoi, std::optional<int> label, std::optional<SurfacePoint> site)
+      : voronoi_(voronoi), label_(label), site_(std::move(site)) {}
+
+  bool step(long budget) override {
+    if (!change_) {
+      if (!makeDynamic(budget)) return false;
+      start();
+    }
+    return change_->step(budget);
+  }
+  double progress() const override {
+    if (making_) return making_->progress() / 2;
+    const double own = change_ ? change_->progress() : 0;
+    return wasMade_ ? (1 + own) / 2 : own;
+  }
+  Record take() override {
+    const DiagramChange change = change_->take();
+    if (voronoi_.worstRegions) voronoi_.worstRegions->follow(change);
+    return changeRecord(voronoi_.mesh(), *label_, change);
+  }
+
+ private:
+  /// Makes the diagram that can change if there is none yet; true when it is there.
+  bool makeDynamic(long budget) {
+    if (voronoi_.dynamic) return true;
+    if (!making_) making_ = voronoi_.startDynamic();
+    if (!making_->step(budget)) return false;
+    voronoi_.takeDynamic(making_->take());
+    making_.reset();
+    wasMade_ = true;
+    return true;
+  }
+
+  void start() {
+    DynamicDiagram& diagram = *voronoi_.dynamic;
+    if (!label_) {
+      label_ = diagram.lowestFreeLabel();
+      change_ = diagram.startInsert(*site_);
+    } else {
+      change_ = site_ ? diagram.startMove(*label_, *site_) : diagram.startRemove(*label_);
+    }
+  }
+
+  VoronoiHandle& voronoi_;
+  std::optional<int> label_;
+  const std::optional<SurfacePoint> site_;
+  std::unique_ptr<SlicedWork<DynamicDiagram>> making_;
+  bool wasMade_ = false;
+  std::unique_ptr<SlicedWork<DiagramChange>> change_;
+};
+
+Answer* changeAnswer(VoronoiHandle& voronoi, std::optional<int> label,
+                     std::optional<SurfacePoint> site) {
+  return new Answer{std::make_unique<SiteChanging>(voronoi, label, std::move(site)), {}};
 }
 
 }  // namespace
@@ -155,24 +211,20 @@ GVD_ABI Answer* voronoiDiagram(const VoronoiHandle* voronoi) {
   return answer([&] { return diagramRecord(voronoi->mesh(), voronoi->diagram()); });
 }
 
-/// `DiagramChange`. The first change makes the diagram anew, as one that can change.
+/// `DiagramChange`. Nothing else may be asked of the diagram until it is done.
 GVD_ABI Answer* insertSite(VoronoiHandle* voronoi, Ints face, Doubles bary) {
-  return answer([&] {
-    const SurfacePoint site = pointFromInput(voronoi->mesh(), face, bary);
-    const int label = voronoi->changing().lowestFreeLabel();
-    return changed(*voronoi, label, voronoi->changing().insertSite(site));
+  return guarded([&] {
+    return changeAnswer(*voronoi, std::nullopt, pointFromInput(voronoi->mesh(), face, bary));
   });
 }
 
 GVD_ABI Answer* moveSite(VoronoiHandle* voronoi, int label, Ints face, Doubles bary) {
-  return answer([&] {
-    const SurfacePoint site = pointFromInput(voronoi->mesh(), face, bary);
-    return changed(*voronoi, label, voronoi->changing().moveSite(label, site));
-  });
+  return guarded(
+      [&] { return changeAnswer(*voronoi, label, pointFromInput(voronoi->mesh(), face, bary)); });
 }
 
 GVD_ABI Answer* removeSite(VoronoiHandle* voronoi, int label) {
-  return answer([&] { return changed(*voronoi, label, voronoi->changing().removeSite(label)); });
+  return guarded([&] { return changeAnswer(*voronoi, label, std::nullopt); });
 }
 
 /// `SurfacePoints`: one, for the worst region.

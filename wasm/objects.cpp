@@ -46,17 +46,17 @@ std::vector<SurfacePoint> VoronoiHandle::sitesByLabel() const {
   return all;
 }
 
-DynamicDiagram& VoronoiHandle::changing() {
-  if (!dynamic) {
-    // What there is stays until this is made: it may throw.
-    dynamic = std::make_unique<DynamicDiagram>(
-        distances ? DynamicDiagram::fromDistances(mesh(), distances, options)
-                  : DynamicDiagram(mesh(), sites, metric, options));
-    distances.reset();
-    sharedDistances.reset();
-    traced.reset();
-  }
-  return *dynamic;
+std::unique_ptr<SlicedWork<DynamicDiagram>> VoronoiHandle::startDynamic() const {
+  return distances ? DynamicDiagram::startFromDistances(mesh(), distances, options)
+                   : DynamicDiagram::start(mesh(), sites, metric, options);
+}
+
+/// What there was stays until then: making it may throw.
+void VoronoiHandle::takeDynamic(DynamicDiagram made) {
+  dynamic = std::make_unique<DynamicDiagram>(std::move(made));
+  distances.reset();
+  sharedDistances.reset();
+  traced.reset();
 }
 
 SurfacePoint VoronoiHandle::worstRegionPoint(WorstRegion worst) {

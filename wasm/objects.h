@@ -62,8 +62,9 @@ struct VoronoiHandle {
   /// The sites by label; face -1 where one has been removed. Labels at the end that have none do
   /// not count.
   std::vector<SurfacePoint> sitesByLabel() const;
-  /// The diagram of which sites can change; made when the first one does.
-  DynamicDiagram& changing();
+  /// Begins to make `dynamic`, which `takeDynamic` then takes.
+  std::unique_ptr<SlicedWork<DynamicDiagram>> startDynamic() const;
+  void takeDynamic(DynamicDiagram made);
   /// Where one more site would be.
   SurfacePoint worstRegionPoint(WorstRegion worst);
 };

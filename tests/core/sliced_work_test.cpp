@@ -13,6 +13,7 @@
 
 #include "diagram_checks.h"
 #include "gvd/dual.h"
+#include "gvd/dynamic_diagram.h"
 #include "gvd/error.h"
 #include "gvd/partition.h"
 #include "gvd/remesh.h"
@@ -139,15 +140,44 @@ class OfADiagram : public ::testing::TestWithParam<int> {
   const Diagram& diagram = traced.diagram;
 };
 
+void expectSame(const Diagram& a, const Diagram& b) {
+  EXPECT_EQ(a.faceLabel, b.faceLabel);
+  EXPECT_EQ(a.regionArea, b.regionArea);
+  EXPECT_TRUE(samePoints(a.points, b.points));
+  EXPECT_EQ(a.loops.points, b.loops.points);
+  EXPECT_EQ(a.arcs.points, b.arcs.points);
+  EXPECT_EQ(a.cells.points, b.cells.points);
+}
+
 TEST_P(OfADiagram, TheDiagramIsTheSame) {
-  const Diagram stepped =
-      inSteps(startDiagram(mesh, *traced.field, 12, {.detail = GetParam() % 3}));
-  EXPECT_EQ(stepped.faceLabel, diagram.faceLabel);
-  EXPECT_EQ(stepped.regionArea, diagram.regionArea);
-  EXPECT_TRUE(samePoints(stepped.points, diagram.points));
-  EXPECT_EQ(stepped.loops.points, diagram.loops.points);
-  EXPECT_EQ(stepped.arcs.points, diagram.arcs.points);
-  EXPECT_EQ(stepped.cells.points, diagram.cells.points);
+  expectSame(inSteps(startDiagram(mesh, *traced.field, 12, {.detail = GetParam() % 3})), diagram);
+}
+
+TEST_P(OfADiagram, ChangesOfItsSitesAreTheSame) {
+  const DiagramOptions options = {.detail = GetParam() % 2};
+  const Metric metric = GetParam() % 3 == 0 ? Metric::kDgpc : Metric::kExact;
+  DynamicDiagram stepped = inSteps(DynamicDiagram::start(mesh, sites, metric, options)),
+                 atOnce(mesh, sites, metric, options);
+  expectSame(stepped.diagram(), atOnce.diagram());
+  const std::vector<SurfacePoint> places = sampleUniform(mesh, 3, GetParam() + 100);
+  const auto expectSameChange = [&](std::unique_ptr<SlicedWork<DiagramChange>> change,
+                                    const DiagramChange& expected) {
+    const DiagramChange found = inSteps(std::move(change));
+    EXPECT_EQ(found.labels, expected.labels);
+    EXPECT_EQ(found.faces, expected.faces);
+    expectSame(found.part, expected.part);
+    expectSame(stepped.diagram(), atOnce.diagram());
+  };
+  expectSameChange(stepped.startInsert(places[0]), atOnce.insertSite(places[0]));
+  expectSameChange(stepped.startMove(3, places[1]), atOnce.moveSite(3, places[1]));
+  expectSameChange(stepped.startRemove(5), atOnce.removeSite(5));
+  expectSameChange(stepped.startInsert(places[2]), atOnce.insertSite(places[2]));
+}
+
+TEST_P(OfADiagram, ItIsTakenOverInStepsAsAtOnce) {
+  const std::shared_ptr<DistanceField> field = checks::trace(mesh, sites, Metric::kExact).field;
+  expectSame(inSteps(DynamicDiagram::startFromDistances(mesh, field)).diagram(),
+             DynamicDiagram(mesh, sites).diagram());
 }
 
 TEST_P(OfADiagram, ThePartitionIsTheSame) {

@@ -99,6 +99,29 @@ for (const [name, task] of Object.entries(tasks)) {
   });
 }
 
+test('a change of a site: in slices, as at one go, and not given up when it has begun', async () => {
+  const change = async (options) => {
+    const own = await mesh.voronoi(diagram.sites);
+    const { labels, faces } = await own.insertSite({ vertex: [7] }, options);
+    return { labels, faces, loops: own.data.loops };
+  };
+  performance.now = () => 0; // no slice ends
+  const expected = await change({});
+
+  hurry();
+  const control = new AbortController();
+  const shares = [];
+  const onProgress = (share) => {
+    shares.push(share);
+    control.abort();
+  };
+  assert.deepEqual(await change({ onProgress, signal: control.signal }), expected);
+  assert.ok(shares.length > 2, `${shares}`);
+  shares.forEach((share, i) => {
+    assert.ok(share >= (shares[i - 1] ?? 0) && share <= 1, `${shares}`);
+  });
+});
+
 test('a diagram that is disposed, or a library, ends the work on it', async () => {
   hurry();
   const own = await mesh.voronoi(diagram.sites);

@@ -9,6 +9,7 @@
 
 #include "gvd/diagram.h"
 #include "gvd/geodesic.h"
+#include "gvd/sliced_work.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
 
@@ -45,6 +46,11 @@ class DynamicDiagram {
   /// `Error(kInvalidPoint)`, and nothing has changed then.
   DynamicDiagram(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
                  Metric metric = Metric::kExact, const DiagramOptions& options = {});
+  /// The same in steps.
+  static std::unique_ptr<SlicedWork<DynamicDiagram>> start(const TriangleMesh& mesh,
+                                                           std::span<const SurfacePoint> sites,
+                                                           Metric metric = Metric::kExact,
+                                                           const DiagramOptions& options = {});
   /// The diagram of the sites of which these are the distances, as `propagate` gives them with
   /// `Spread::kAsNeeded`, for the same mesh. From now on they change with the diagram; if this
   /// throws, they are as they were. Takes as long as `traceDiagram`. Throws
@@ -52,6 +58,10 @@ class DynamicDiagram {
   static DynamicDiagram fromDistances(const TriangleMesh& mesh,
                                       const std::shared_ptr<DistanceField>& distances,
                                       const DiagramOptions& options = {});
+  /// The same in steps.
+  static std::unique_ptr<SlicedWork<DynamicDiagram>> startFromDistances(
+      const TriangleMesh& mesh, const std::shared_ptr<DistanceField>& distances,
+      const DiagramOptions& options = {});
   ~DynamicDiagram();
   DynamicDiagram(DynamicDiagram&&) noexcept;
   DynamicDiagram& operator=(DynamicDiagram&&) noexcept;
@@ -64,6 +74,13 @@ class DynamicDiagram {
   /// Throws `Error(kInvalidArgument)` if no site has the label.
   DiagramChange removeSite(int label);
   DiagramChange moveSite(int label, const SurfacePoint& site);
+
+  /// The same in steps. Errors are thrown here, before anything changes. Until the change is done
+  /// the diagram is neither that before it nor that after it: nothing else may be asked of it, and
+  /// it cannot be used any more if the change is dropped. It must outlive the change, but for that.
+  std::unique_ptr<SlicedWork<DiagramChange>> startInsert(const SurfacePoint& site);
+  std::unique_ptr<SlicedWork<DiagramChange>> startRemove(int label);
+  std::unique_ptr<SlicedWork<DiagramChange>> startMove(int label, const SurfacePoint& site);
 
   int lowestFreeLabel() const;
   /// Labels are less than this.
@@ -80,6 +97,7 @@ class DynamicDiagram {
 
  private:
   class Implementation;
+  class Opening;
   explicit DynamicDiagram(std::unique_ptr<Implementation> implementation);
 
   std::unique_ptr<Implementation> implementation_;

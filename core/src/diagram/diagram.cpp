@@ -4,7 +4,7 @@
 // outlines, segments, arcs, Voronoi points, loops, cells.
 #include "gvd/diagram.h"
 
-#include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -113,7 +113,7 @@ void requireLabels(const TriangleMesh& mesh, const DistanceField& distances, int
 }
 
 /// The tracing of all of a diagram.
-class WholeTracing final : public SlicedWork<Diagram> {
+class WholeTracing final : public SlicedWork<TracedDiagram> {
  public:
   WholeTracing(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,
                const DiagramOptions& options)
@@ -125,12 +125,43 @@ class WholeTracing final : public SlicedWork<Diagram> {
 
   bool step(long budget) override { return tracing_.step(budget); }
   double progress() const override { return tracing_.progress(); }
-  Diagram take() override { return takeAll().diagram; }
-  TracedDiagram takeAll() { return tracing_.take(); }
+  TracedDiagram take() override { return tracing_.take(); }
 
  private:
   FaceComplex complex_;
   NodePoints nodePoints_;
+  Tracing tracing_;
+};
+
+/// Of a tracing, the diagram alone.
+class DiagramOfTracing final : public SlicedWork<Diagram> {
+ public:
+  explicit DiagramOfTracing(std::unique_ptr<SlicedWork<TracedDiagram>> tracing)
+      : tracing_(std::move(tracing)) {}
+
+  bool step(long budget) override { return tracing_->step(budget); }
+  double progress() const override { return tracing_->progress(); }
+  Diagram take() override { return tracing_->take().diagram; }
+
+ private:
+  const std::unique_ptr<SlicedWork<TracedDiagram>> tracing_;
+};
+
+/// The tracing of a part, of which the tracer has the faces.
+class PartTracing final : public SlicedWork<TracedDiagram> {
+ public:
+  PartTracing(const TriangleMesh& mesh, const DistanceField& distances, FaceComplex& complex,
+              std::vector<char> isTraced, NodePoints& nodePoints)
+      : isTraced_(std::move(isTraced)),
+        tracing_(mesh, distances, complex, static_cast<int>(isTraced_.size()), isTraced_,
+                 nodePoints) {}
+
+  bool step(long budget) override { return tracing_.step(budget); }
+  double progress() const override { return tracing_.progress(); }
+  TracedDiagram take() override { return tracing_.take(); }
+
+ private:
+  const std::vector<char> isTraced_;
   Tracing tracing_;
 };
 
@@ -139,19 +170,18 @@ class WholeTracing final : public SlicedWork<Diagram> {
 std::unique_ptr<SlicedWork<Diagram>> startDiagram(const TriangleMesh& mesh,
                                                   const DistanceField& distances, int siteCount,
                                                   const DiagramOptions& options) {
-  return std::make_unique<WholeTracing>(mesh, distances, siteCount, options);
+  return std::make_unique<DiagramOfTracing>(startWhole(mesh, distances, siteCount, options));
 }
 
 Diagram traceDiagram(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,
                      const DiagramOptions& options) {
-  return traceAll(mesh, distances, siteCount, options).diagram;
+  return finished(startDiagram(mesh, distances, siteCount, options));
 }
 
-TracedDiagram traceAll(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,
-                       const DiagramOptions& options) {
-  WholeTracing tracing(mesh, distances, siteCount, options);
-  tracing.step(std::numeric_limits<long>::max());
-  return tracing.takeAll();
+std::unique_ptr<SlicedWork<TracedDiagram>> startWhole(const TriangleMesh& mesh,
+                                                      const DistanceField& distances, int siteCount,
+                                                      const DiagramOptions& options) {
+  return std::make_unique<WholeTracing>(mesh, distances, siteCount, options);
 }
 
 PartialTracer::PartialTracer(const TriangleMesh& mesh, const DistanceField& distances,
@@ -160,13 +190,11 @@ PartialTracer::PartialTracer(const TriangleMesh& mesh, const DistanceField& dist
   requireValid(options);
 }
 
-TracedDiagram PartialTracer::trace(std::span<const int> faces, std::span<const char> isTraced) {
+std::unique_ptr<SlicedWork<TracedDiagram>> PartialTracer::start(std::span<const int> faces,
+                                                                std::vector<char> isTraced) {
   complex_.take(faces, options_.detail);
-  const int siteCount = static_cast<int>(isTraced.size());
-  Tracing tracing(mesh_, distances_, complex_, siteCount, isTraced, nodePoints_);
-  long unlimited = std::numeric_limits<long>::max();
-  tracing.step(unlimited);
-  return tracing.take();
+  return std::make_unique<PartTracing>(mesh_, distances_, complex_, std::move(isTraced),
+                                       nodePoints_);
 }
 
 }  // namespace gvd

@@ -101,57 +101,70 @@ class Extract {
   Diagram out_;
 };
 
-}  // namespace
-
-void DiagramPieces::replace(const DiagramChange& change) {
-  removePieces(change);
-  const Diagram& part = change.part;
-  const auto setPlaces = [&](std::span<const int> points, std::vector<SurfacePoint>& to) {
-    to.clear();
-    for (const int p : points) to.push_back(part.points[p]);
-  };
-  for (int i = 0; i < part.loops.size(); ++i)
-    setPlaces(part.loops[i], regions_[part.loopLabel[i]].loops.emplace_back());
-  std::vector<int> arcOf;
-  for (int i = 0; i < part.arcs.size(); ++i) {
-    arcOf.push_back(arcs_.add());
-    Arc& arc = arcs_[arcOf.back()];
-    arc.labels = part.arcLabels[i];
-    setPlaces(part.arcs[i], arc.points);
-    arc.segments.clear();
-    for (const int label : arc.labels) regions_[label].arcs.push_back(arcOf.back());
-  }
-  for (const Diagram::Segment& s : part.segments)
-    arcs_[arcOf[s.arc]].segments.push_back(
-        {part.points[s.points[0]], part.points[s.points[1]], s.face});
-  for (const Diagram::VoronoiPoint& v : part.voronoiPoints) {
-    const int number = voronoiPoints_.add();
-    voronoiPoints_[number].place = part.points[v.point];
-    voronoiPoints_[number].labels = v.labels;
-    for (const int label : v.labels) regions_[label].voronoiPoints.push_back(number);
-  }
-  for (size_t i = 0; i < change.faces.size(); ++i) {
-    faceLabel_[change.faces[i]] = part.faceLabel[i];
-    if (part.faceLabel[i] >= 0) regions_[part.faceLabel[i]].faces.push_back(change.faces[i]);
-  }
-  for (const int face : part.indifferentFaces) isIndifferent_[face] = true;
-  for (int i = 0; i < part.cells.size(); ++i)
-    addCell(part.cellFace[i], part.cellLabel[i], part, part.cells[i]);
+void setPlaces(const Diagram& part, std::span<const int> points, std::vector<SurfacePoint>& to) {
+  to.clear();
+  for (const int p : points) to.push_back(part.points[p]);
 }
 
-void DiagramPieces::removePieces(const DiagramChange& change) {
-  if (!change.labels.empty() && change.labels.back() >= static_cast<int>(regions_.size()))
-    regions_.resize(change.labels.back() + 1);
-  for (const int label : change.labels) {
-    Region& region = regions_[label];
-    region.loops.clear();
-    while (!region.arcs.empty()) removeArc(region.arcs.back());
-    while (!region.voronoiPoints.empty()) removeVoronoiPoint(region.voronoiPoints.back());
-  }
-  for (const int face : change.faces) {
-    if (const int cells = std::exchange(cellsOf_[face], -1); cells >= 0) cells_.remove(cells);
-    isIndifferent_[face] = false;
-  }
+}  // namespace
+
+bool DiagramPieces::replace(const DiagramChange& change, long& budget) {
+  constexpr long kPerUnit = 4;
+  const Diagram& part = change.part;
+  const auto forEach = [&](size_t count, auto visit) {
+    return loop_.run(count, budget, kPerUnit, visit);
+  };
+  const bool isDone = replacing_.run(
+      [&] {
+        if (!change.labels.empty() && change.labels.back() >= static_cast<int>(regions_.size()))
+          regions_.resize(change.labels.back() + 1);
+      },
+      [&] {
+        return forEach(change.labels.size(), [&](int i) { removePiecesOf(change.labels[i]); });
+      },
+      [&] { return forEach(change.faces.size(), [&](int i) { removePiecesIn(change.faces[i]); }); },
+      [&] {
+        return forEach(part.loops.size(), [&](int i) {
+          setPlaces(part, part.loops[i], regions_[part.loopLabel[i]].loops.emplace_back());
+        });
+      },
+      [&] { arcOf_.clear(); },
+      [&] { return forEach(part.arcs.size(), [&](int i) { addArc(part, i); }); },
+      [&] {
+        return forEach(part.segments.size(), [&](int i) {
+          const Diagram::Segment& s = part.segments[i];
+          arcs_[arcOf_[s.arc]].segments.push_back(
+              {part.points[s.points[0]], part.points[s.points[1]], s.face});
+        });
+      },
+      [&] {
+        return forEach(part.voronoiPoints.size(),
+                       [&](int i) { addVoronoiPoint(part, part.voronoiPoints[i]); });
+      },
+      [&] {
+        return forEach(change.faces.size(), [&](int i) {
+          const int label = faceLabel_[change.faces[i]] = part.faceLabel[i];
+          if (label >= 0) regions_[label].faces.push_back(change.faces[i]);
+        });
+      },
+      [&] {
+        for (const int face : part.indifferentFaces) isIndifferent_[face] = true;
+      },
+      [&] { return forEach(part.cells.size(), [&](int i) { addCell(part, i); }); });
+  if (isDone) replacing_ = {};
+  return isDone;
+}
+
+void DiagramPieces::removePiecesOf(int label) {
+  Region& region = regions_[label];
+  region.loops.clear();
+  while (!region.arcs.empty()) removeArc(region.arcs.back());
+  while (!region.voronoiPoints.empty()) removeVoronoiPoint(region.voronoiPoints.back());
+}
+
+void DiagramPieces::removePiecesIn(int face) {
+  if (const int cells = std::exchange(cellsOf_[face], -1); cells >= 0) cells_.remove(cells);
+  isIndifferent_[face] = false;
 }
 
 void DiagramPieces::removeArc(int arc) {
@@ -165,16 +178,32 @@ void DiagramPieces::removeVoronoiPoint(int point) {
   voronoiPoints_.remove(point);
 }
 
-void DiagramPieces::addCell(int face, int label, const Diagram& part,
-                            std::span<const int> outline) {
-  if (cellsOf_[face] < 0) {
-    cellsOf_[face] = cells_.add();
-    cells_[cellsOf_[face]].cells.clear();
-    cells_[cellsOf_[face]].points.clear();
+void DiagramPieces::addArc(const Diagram& part, int arc) {
+  arcOf_.push_back(arcs_.add());
+  Arc& added = arcs_[arcOf_.back()];
+  added.labels = part.arcLabels[arc];
+  setPlaces(part, part.arcs[arc], added.points);
+  added.segments.clear();
+  for (const int label : added.labels) regions_[label].arcs.push_back(arcOf_.back());
+}
+
+void DiagramPieces::addVoronoiPoint(const Diagram& part, const Diagram::VoronoiPoint& point) {
+  const int number = voronoiPoints_.add();
+  voronoiPoints_[number].place = part.points[point.point];
+  voronoiPoints_[number].labels = point.labels;
+  for (const int label : point.labels) regions_[label].voronoiPoints.push_back(number);
+}
+
+void DiagramPieces::addCell(const Diagram& part, int cell) {
+  int& number = cellsOf_[part.cellFace[cell]];
+  if (number < 0) {
+    number = cells_.add();
+    cells_[number].cells.clear();
+    cells_[number].points.clear();
   }
-  auto& [cells, points] = cells_[cellsOf_[face]];
-  for (const int p : outline) points.push_back(part.points[p]);
-  cells.push_back({label, static_cast<int>(points.size())});
+  auto& [cells, points] = cells_[number];
+  for (const int p : part.cells[cell]) points.push_back(part.points[p]);
+  cells.push_back({part.cellLabel[cell], static_cast<int>(points.size())});
 }
 
 const std::vector<int>& DiagramPieces::wholeFaces(int label) {

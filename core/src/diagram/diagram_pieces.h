@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/sliced_loop.h"
 #include "gvd/diagram.h"
 #include "gvd/dynamic_diagram.h"
 #include "gvd/surface_point.h"
@@ -20,9 +21,9 @@ class DiagramPieces {
         isIndifferent_(faceCount),
         cellsOf_(faceCount, -1) {}
 
-  /// Puts the pieces of a change in the place of all that there was of its labels and faces.
-  /// Takes time for what is replaced only. Areas stay as they are.
-  void replace(const DiagramChange& change);
+  /// Puts the pieces of a change in the place of all that there was of its labels and faces, in
+  /// slices: true when it is done. Takes time for what is replaced only. Areas stay as they are.
+  bool replace(const DiagramChange& change, long& budget);
 
   void setArea(int label, double area) { regions_[label].area = area; }
 
@@ -96,10 +97,13 @@ class DiagramPieces {
     std::vector<SurfacePoint> points;
   };
 
-  void removePieces(const DiagramChange& change);
+  void removePiecesOf(int label);
+  void removePiecesIn(int face);
   void removeArc(int arc);
   void removeVoronoiPoint(int point);
-  void addCell(int face, int label, const Diagram& part, std::span<const int> outline);
+  void addArc(const Diagram& part, int arc);
+  void addVoronoiPoint(const Diagram& part, const Diagram::VoronoiPoint& point);
+  void addCell(const Diagram& part, int cell);
 
   std::vector<Region> regions_;
   Pool<Arc> arcs_;
@@ -108,6 +112,11 @@ class DiagramPieces {
   std::vector<char> isIndifferent_;
   std::vector<int> cellsOf_;  ///< per face, -1: it has none
   Pool<Cells> cells_;
+
+  // The change at hand.
+  SlicedSequence replacing_;
+  SlicedLoop loop_;
+  std::vector<int> arcOf_;  ///< the numbers of its arcs
 };
 
 /// Copies out of a diagram the loops, arcs and Voronoi points of the labels for which `isWanted`,

@@ -5,13 +5,13 @@
 #include "gvd/dynamic_diagram.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "base/index_set.h"
+#include "base/sliced_loop.h"
 #include "diagram/diagram_pieces.h"
 #include "diagram/trace_faces.h"
 #include "distance/site_distances.h"
@@ -20,16 +20,11 @@
 namespace gvd {
 namespace {
 
-void complete(SiteDistances& distances) {
-  while (!distances.step(std::numeric_limits<long>::max())) {
-  }
-}
-
+/// Of these sites, under way.
 std::shared_ptr<SiteDistances> distancesOf(const TriangleMesh& mesh,
                                            std::span<const SurfacePoint> sites, Metric metric) {
   auto distances = std::make_shared<SiteDistances>(mesh, metric);
   distances->change(arrivals(sites));
-  complete(*distances);
   return distances;
 }
 
@@ -45,7 +40,8 @@ std::shared_ptr<SiteDistances> asSiteDistances(const std::shared_ptr<DistanceFie
 
 class DynamicDiagram::Implementation {
  public:
-  /// The last change of the distances is that in which all sites have come.
+  /// The last change of the distances is that in which all sites have come. There is no diagram
+  /// yet: an `Update` makes it.
   Implementation(const TriangleMesh& mesh, std::shared_ptr<SiteDistances> distances,
                  const DiagramOptions& options)
       : mesh_(mesh),
@@ -53,10 +49,7 @@ class DynamicDiagram::Implementation {
         distances_(std::move(distances)),
         tracer_(mesh, *distances_, options),
         pieces_(mesh.faceCount()),
-        faces_(mesh.faceCount()) {
-    noteMixed();
-    replaceAll();
-  }
+        faces_(mesh.faceCount()) {}
 
   int labelCount() const { return distances_->sites().labelCount(); }
   const SiteDistances& distances() const { return *distances_; }
@@ -67,66 +60,13 @@ class DynamicDiagram::Implementation {
       throw Error(ErrorCode::kInvalidArgument, "there is no site " + std::to_string(label));
   }
 
-  /// Takes the site of a label away if it has one, and puts it to another place if one is given.
-  DiagramChange setSite(int label, const std::optional<SurfacePoint>& site) {
-    const SiteChange change = {label, site};
-    distances_->change({&change, 1});
-    complete(*distances_);
-    noteMixed();
-    return trace();
-  }
+  class Update;
+  /// Begins to take the site of a label away if it has one, and to put it to another place if one
+  /// is given.
+  std::unique_ptr<SlicedWork<DiagramChange>> startSite(int label,
+                                                       const std::optional<SurfacePoint>& site);
 
  private:
-  /// Keeps note of where the changed labels meet others.
-  void noteMixed() {
-    mixedFaces_.resize(labelCount());
-    const std::vector<int>& labels = distances_->changedLabels();
-    const std::vector<char> isChanged = marks(labels);
-    gather(distances_->changedFaces());
-    for (const int label : labels)
-      std::erase_if(mixedFaces_[label], [&](int f) { return faces_.contains(f); });
-    for (const int f : faces_.list())
-      for (int h = 3 * f; h < 3 * f + 3; ++h) {
-        const auto known = distances_->at(mesh_.tail(h));
-        if (known.size() < 2) continue;
-        for (const LabelledDistance& d : known) {
-          if (!isChanged[d.label]) continue;
-          std::vector<int>& mixed = mixedFaces_[d.label];
-          if (mixed.empty() || mixed.back() != f) mixed.push_back(f);
-        }
-      }
-  }
-
-  /// Cells can differ only in the faces around changed vertices, and in those for which the tracer
-  /// completes labels. Where points are merged, before the change or after it, a bisector may run
-  /// where a third region has no width left, and the order of regions around the point follows from
-  /// all labels known there: these labels and their faces are traced again too.
-  DiagramChange trace() {
-    IndexSet labels(labelCount(), distances_->changedLabels());
-    for (;;) {
-      const std::vector<int> tracedLabels = labels.sorted();
-      const std::vector<int> tracedFaces = facesWhereMet(tracedLabels);
-      TracedDiagram traced = tracer_.trace(tracedFaces, marks(tracedLabels));
-      if (!traced.completedFaces.empty() || haveCommon(tracedFaces, completedFaces_))
-        return replaceAll();
-      std::vector<int> merged = traced.mergedFaces;
-      for (const int f : mergedFaces_)
-        if (isOneOf(tracedFaces, f)) merged.push_back(f);
-      makeSet(merged);
-      for (const int f : merged) addLabelsAround(f, labels);
-      if (labels.size() > static_cast<int>(tracedLabels.size())) continue;
-
-      gather(distances_->changedFaces());
-      for (const int f : merged)
-        for (int h = 3 * f; h < 3 * f + 3; ++h)
-          mesh_.visitFaces(mesh_.tail(h), [&](int around) { faces_.add(around); });
-      std::erase_if(mergedFaces_, [&](int f) { return isOneOf(tracedFaces, f); });
-      mergedFaces_.insert(mergedFaces_.end(), traced.mergedFaces.begin(), traced.mergedFaces.end());
-      makeSet(mergedFaces_);
-      return replaced(tracedLabels, faces_.sorted(), traced.diagram);
-    }
-  }
-
   /// Begins to gather faces with these.
   void gather(std::span<const int> faces) {
     faces_.clear();
@@ -144,31 +84,6 @@ class DynamicDiagram::Implementation {
     }
   }
 
-  /// `faces` are ascending.
-  static bool isOneOf(std::span<const int> faces, int face) {
-    return std::binary_search(faces.begin(), faces.end(), face);
-  }
-
-  static bool haveCommon(std::span<const int> faces, std::span<const int> few) {
-    return std::any_of(few.begin(), few.end(), [&](int f) { return isOneOf(faces, f); });
-  }
-
-  /// Traces all of the diagram.
-  DiagramChange replaceAll() {
-    TracedDiagram traced = traceAll(mesh_, *distances_, labelCount(), options_);
-    mergedFaces_ = std::move(traced.mergedFaces);
-    completedFaces_ = std::move(traced.completedFaces);
-    makeSet(mergedFaces_);
-    makeSet(completedFaces_);
-    DiagramChange all{std::vector<int>(labelCount()), std::vector<int>(mesh_.faceCount()),
-                      std::move(traced.diagram)};
-    std::iota(all.labels.begin(), all.labels.end(), 0);
-    std::iota(all.faces.begin(), all.faces.end(), 0);
-    pieces_.replace(all);
-    for (const int label : all.labels) pieces_.setArea(label, all.part.regionArea[label]);
-    return all;
-  }
-
   std::vector<char> marks(std::span<const int> labels) const {
     std::vector<char> isOne(labelCount());
     for (const int label : labels) isOne[label] = true;
@@ -182,28 +97,6 @@ class DynamicDiagram::Implementation {
     for (const int label : labels)
       for (const int f : mixedFaces_[label]) faces_.add(f);
     return faces_.sorted();
-  }
-
-  /// Puts what has been traced of the changed labels and faces in the place of what there was.
-  DiagramChange replaced(const std::vector<int>& labels, std::vector<int> faces,
-                         const Diagram& traced) {
-    DiagramChange change{labels, std::move(faces), {}};
-    change.part = extract(traced, marks(labels), change.faces);
-    for (const int f : change.faces) {
-      const int index = tracer_.faceIndex(f);
-      change.part.faceLabel.push_back(index >= 0
-                                          ? traced.faceLabel[index]
-                                          : nearestOf(distances_->at(mesh_.tail(3 * f))).label);
-    }
-    pieces_.replace(change);
-    for (const int label : change.labels) {
-      double area = traced.regionArea[label];
-      for (const int f : pieces_.wholeFaces(label))
-        if (tracer_.faceIndex(f) < 0) area += mesh_.faceArea(f);
-      change.part.regionArea.push_back(area);
-      pieces_.setArea(label, area);
-    }
-    return change;
   }
 
   const TriangleMesh& mesh_;
@@ -220,38 +113,241 @@ class DynamicDiagram::Implementation {
   std::vector<std::vector<int>> mixedFaces_;
 };
 
+/// Makes the diagram follow a change of its distances, in slices.
+class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramChange> {
+ public:
+  /// The change of the distances has begun. The whole diagram is traced if there is none yet.
+  Update(Implementation& diagram, bool isFirst) : diagram_(diagram), isWhole_(isFirst) {}
+
+  bool step(long budget) override {
+    return sequence_.run(
+        [&] { return diagram_.distances_->step(budget); }, [&] { findMixed(); },
+        [&] { return noteMixed(budget); }, [&] { return isWhole_ || traceParts(budget); },
+        [&] { return !isWhole_ || traceWhole(budget); },
+        [&] { return diagram_.pieces_.replace(change_, budget); }, [&] { setAreas(); });
+  }
+  double progress() const override {
+    constexpr double kOfDistances = 0.9;  // mostly
+    return kOfDistances * diagram_.distances_->progress() +
+           (1 - kOfDistances) * sequence_.progress();
+  }
+  DiagramChange take() override { return std::move(change_); }
+
+ private:
+  int labelCount() const { return diagram_.labelCount(); }
+
+  /// Forgets where the changed labels met others in the changed faces.
+  void findMixed() {
+    const std::vector<int>& changed = diagram_.distances_->changedLabels();
+    labels_ = IndexSet(labelCount(), changed);
+    diagram_.mixedFaces_.resize(labelCount());
+    diagram_.gather(diagram_.distances_->changedFaces());
+    for (const int label : changed)
+      std::erase_if(diagram_.mixedFaces_[label],
+                    [&](int f) { return diagram_.faces_.contains(f); });
+  }
+
+  /// Keeps note of where they meet others now.
+  bool noteMixed(long& budget) {
+    constexpr long kFacesPerUnit = 16;
+    const std::vector<int>& faces = diagram_.distances_->changedFaces();
+    return loop_.run(faces.size(), budget, kFacesPerUnit, [&](int i) {
+      const int f = faces[i];
+      for (int h = 3 * f; h < 3 * f + 3; ++h) {
+        const auto known = diagram_.distances_->at(diagram_.mesh_.tail(h));
+        if (known.size() < 2) continue;
+        for (const LabelledDistance& d : known) {
+          if (!labels_.contains(d.label)) continue;
+          std::vector<int>& mixed = diagram_.mixedFaces_[d.label];
+          if (mixed.empty() || mixed.back() != f) mixed.push_back(f);
+        }
+      }
+    });
+  }
+
+  /// Cells can differ only in the faces around changed vertices, and in those for which the tracer
+  /// completes labels. Where points are merged, before the change or after it, a bisector may run
+  /// where a third region has no width left, and the order of regions around the point follows from
+  /// all labels known there: these labels and their faces are traced again too.
+  bool traceParts(long& budget) {
+    for (;;) {
+      if (!tracing_) {
+        tracedLabels_ = labels_.sorted();
+        tracedFaces_ = diagram_.facesWhereMet(tracedLabels_);
+        tracing_ = diagram_.tracer_.start(tracedFaces_, diagram_.marks(tracedLabels_));
+      }
+      if (!tracing_->step(budget)) return false;
+      TracedDiagram traced = tracing_->take();
+      tracing_.reset();
+      isWhole_ = !traced.completedFaces.empty() || isTraced(diagram_.completedFaces_);
+      if (isWhole_) return true;
+      std::vector<int> merged = traced.mergedFaces;
+      for (const int f : diagram_.mergedFaces_)
+        if (isTraced(f)) merged.push_back(f);
+      makeSet(merged);
+      for (const int f : merged) diagram_.addLabelsAround(f, labels_);
+      if (labels_.size() > static_cast<int>(tracedLabels_.size())) continue;
+
+      std::erase_if(diagram_.mergedFaces_, [&](int f) { return isTraced(f); });
+      diagram_.mergedFaces_.insert(diagram_.mergedFaces_.end(), traced.mergedFaces.begin(),
+                                   traced.mergedFaces.end());
+      makeSet(diagram_.mergedFaces_);
+      takeParts(traced.diagram, merged);
+      return true;
+    }
+  }
+
+  bool isTraced(int face) const {
+    return std::binary_search(tracedFaces_.begin(), tracedFaces_.end(), face);
+  }
+  bool isTraced(std::span<const int> anyOf) const {
+    return std::any_of(anyOf.begin(), anyOf.end(), [&](int f) { return isTraced(f); });
+  }
+
+  /// Of what has been traced, the changed labels, and the faces that have changed or have a corner
+  /// in common with one where points are merged.
+  void takeParts(const Diagram& traced, std::span<const int> merged) {
+    const TriangleMesh& mesh = diagram_.mesh_;
+    diagram_.gather(diagram_.distances_->changedFaces());
+    for (const int f : merged)
+      for (int h = 3 * f; h < 3 * f + 3; ++h)
+        mesh.visitFaces(mesh.tail(h), [&](int around) { diagram_.faces_.add(around); });
+    change_ = {tracedLabels_, diagram_.faces_.sorted(), {}};
+    change_.part = extract(traced, diagram_.marks(tracedLabels_), change_.faces);
+    for (const int f : change_.faces) {
+      const int index = diagram_.tracer_.faceIndex(f);
+      change_.part.faceLabel.push_back(
+          index >= 0 ? traced.faceLabel[index]
+                     : nearestOf(diagram_.distances_->at(mesh.tail(3 * f))).label);
+    }
+    areaInMixed_ = traced.regionArea;
+  }
+
+  bool traceWhole(long& budget) {
+    if (!tracing_)
+      tracing_ = startWhole(diagram_.mesh_, *diagram_.distances_, labelCount(), diagram_.options_);
+    if (!tracing_->step(budget)) return false;
+    TracedDiagram traced = tracing_->take();
+    diagram_.mergedFaces_ = std::move(traced.mergedFaces);
+    diagram_.completedFaces_ = std::move(traced.completedFaces);
+    makeSet(diagram_.mergedFaces_);
+    makeSet(diagram_.completedFaces_);
+    change_ = {std::vector<int>(labelCount()), std::vector<int>(diagram_.mesh_.faceCount()),
+               std::move(traced.diagram)};
+    std::iota(change_.labels.begin(), change_.labels.end(), 0);
+    std::iota(change_.faces.begin(), change_.faces.end(), 0);
+    return true;
+  }
+
+  void setAreas() {
+    std::vector<double>& areas = change_.part.regionArea;
+    if (!isWhole_)
+      for (const int label : change_.labels) areas.push_back(areaOf(label));
+    for (size_t i = 0; i < areas.size(); ++i) diagram_.pieces_.setArea(change_.labels[i], areas[i]);
+  }
+
+  /// What has been traced, and the faces that the region has all of.
+  double areaOf(int label) {
+    double area = areaInMixed_[label];
+    for (const int f : diagram_.pieces_.wholeFaces(label))
+      if (diagram_.tracer_.faceIndex(f) < 0) area += diagram_.mesh_.faceArea(f);
+    return area;
+  }
+
+  Implementation& diagram_;
+  bool isWhole_;  ///< whether all is traced
+  SlicedSequence sequence_;
+  SlicedLoop loop_;
+  IndexSet labels_{0};  ///< those to trace
+  std::unique_ptr<SlicedWork<TracedDiagram>> tracing_;
+  std::vector<int> tracedLabels_, tracedFaces_;  ///< ascending
+  std::vector<double> areaInMixed_;              ///< per label, in the traced faces
+  DiagramChange change_;
+};
+
+std::unique_ptr<SlicedWork<DiagramChange>> DynamicDiagram::Implementation::startSite(
+    int label, const std::optional<SurfacePoint>& site) {
+  const SiteChange change = {label, site};
+  distances_->change({&change, 1});
+  return std::make_unique<Update>(*this, false);
+}
+
+// --- Making one --------------------------------------------------------------------------------
+
+/// Traces the diagram of sites whose distances are known or under way.
+class DynamicDiagram::Opening final : public SlicedWork<DynamicDiagram> {
+ public:
+  Opening(const TriangleMesh& mesh, std::shared_ptr<SiteDistances> distances,
+          const DiagramOptions& options)
+      : implementation_(std::make_unique<Implementation>(mesh, std::move(distances), options)),
+        update_(*implementation_, true) {}
+
+  bool step(long budget) override { return update_.step(budget); }
+  double progress() const override { return update_.progress(); }
+  DynamicDiagram take() override { return DynamicDiagram(std::move(implementation_)); }
+
+ private:
+  std::unique_ptr<Implementation> implementation_;
+  Implementation::Update update_;
+};
+
 DynamicDiagram::DynamicDiagram(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
                                Metric metric, const DiagramOptions& options)
-    : implementation_(
-          std::make_unique<Implementation>(mesh, distancesOf(mesh, sites, metric), options)) {}
+    : DynamicDiagram(finished(start(mesh, sites, metric, options))) {}
 
 DynamicDiagram::DynamicDiagram(std::unique_ptr<Implementation> implementation)
     : implementation_(std::move(implementation)) {}
 
+std::unique_ptr<SlicedWork<DynamicDiagram>> DynamicDiagram::start(
+    const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric,
+    const DiagramOptions& options) {
+  return std::make_unique<Opening>(mesh, distancesOf(mesh, sites, metric), options);
+}
+
 DynamicDiagram DynamicDiagram::fromDistances(const TriangleMesh& mesh,
                                              const std::shared_ptr<DistanceField>& distances,
                                              const DiagramOptions& options) {
-  return DynamicDiagram(
-      std::make_unique<Implementation>(mesh, asSiteDistances(distances), options));
+  return finished(startFromDistances(mesh, distances, options));
+}
+
+std::unique_ptr<SlicedWork<DynamicDiagram>> DynamicDiagram::startFromDistances(
+    const TriangleMesh& mesh, const std::shared_ptr<DistanceField>& distances,
+    const DiagramOptions& options) {
+  return std::make_unique<Opening>(mesh, asSiteDistances(distances), options);
 }
 
 DynamicDiagram::~DynamicDiagram() = default;
 DynamicDiagram::DynamicDiagram(DynamicDiagram&&) noexcept = default;
 DynamicDiagram& DynamicDiagram::operator=(DynamicDiagram&&) noexcept = default;
 
+// --- Changes -----------------------------------------------------------------------------------
+
 DiagramChange DynamicDiagram::insertSite(const SurfacePoint& site) {
-  return implementation_->setSite(lowestFreeLabel(), site);
+  return finished(startInsert(site));
 }
 
-DiagramChange DynamicDiagram::removeSite(int label) {
-  implementation_->expectSite(label);
-  return implementation_->setSite(label, std::nullopt);
-}
+DiagramChange DynamicDiagram::removeSite(int label) { return finished(startRemove(label)); }
 
 DiagramChange DynamicDiagram::moveSite(int label, const SurfacePoint& site) {
-  implementation_->expectSite(label);
-  return implementation_->setSite(label, site);
+  return finished(startMove(label, site));
 }
+
+std::unique_ptr<SlicedWork<DiagramChange>> DynamicDiagram::startInsert(const SurfacePoint& site) {
+  return implementation_->startSite(lowestFreeLabel(), site);
+}
+
+std::unique_ptr<SlicedWork<DiagramChange>> DynamicDiagram::startRemove(int label) {
+  implementation_->expectSite(label);
+  return implementation_->startSite(label, std::nullopt);
+}
+
+std::unique_ptr<SlicedWork<DiagramChange>> DynamicDiagram::startMove(int label,
+                                                                     const SurfacePoint& site) {
+  implementation_->expectSite(label);
+  return implementation_->startSite(label, site);
+}
+
+// --- What there is -----------------------------------------------------------------------------
 
 int DynamicDiagram::lowestFreeLabel() const {
   int label = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "diagram/face_complex.h"
 #include "gvd/diagram.h"
 #include "gvd/geodesic.h"
+#include "gvd/sliced_work.h"
 #include "gvd/triangle_mesh.h"
 
 namespace gvd {
@@ -27,9 +29,10 @@ struct TracedDiagram {
   std::vector<int> completedFaces;
 };
 
-/// What `traceDiagram` does.
-TracedDiagram traceAll(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,
-                       const DiagramOptions& options);
+/// What `startDiagram` does.
+std::unique_ptr<SlicedWork<TracedDiagram>> startWhole(const TriangleMesh& mesh,
+                                                      const DistanceField& distances, int siteCount,
+                                                      const DiagramOptions& options);
 
 /// Traces parts of a diagram, one after the other, each in time for what it traces only.
 class PartialTracer {
@@ -38,10 +41,11 @@ class PartialTracer {
   PartialTracer(const TriangleMesh& mesh, const DistanceField& distances,
                 const DiagramOptions& options);
 
-  /// Traces the loops of the labels for which `isTraced`, one per label, says so, in some faces,
-  /// given ascending: all those of which one of these labels is known at a corner, and another one.
-  /// O(M log M), M faces.
-  TracedDiagram trace(std::span<const int> faces, std::span<const char> isTraced);
+  /// Begins to trace the loops of the labels for which `isTraced`, one per label, says so, in some
+  /// faces, given ascending: all those of which one of these labels is known at a corner, and
+  /// another one. Only the last trace can go on. O(M log M), M faces.
+  std::unique_ptr<SlicedWork<TracedDiagram>> start(std::span<const int> faces,
+                                                   std::vector<char> isTraced);
   /// Which of the faces of the last trace a face is, -1 if it is none.
   int faceIndex(int face) const { return complex_.faceIndex(face); }
 
