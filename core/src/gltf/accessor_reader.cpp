@@ -59,13 +59,15 @@ const Accessor& AccessorReader::at(int index, const std::string& owner) const {
   return document_.accessors[index];
 }
 
-AccessorReading AccessorReader::start(int index, const Format& format, const std::string& owner) {
+AccessorReading AccessorReader::start(int index, const Format& format, const std::string& owner,
+                                      std::vector<double>& to) {
   const Accessor& accessor = at(index, owner);
   const std::string name = "accessor " + std::to_string(index);
   if (accessor.type != format.type) reject(name + " has the wrong type for " + format.what);
   const ComponentType& type = componentType(accessor.componentType, format, name);
 
   AccessorReading reading;
+  reading.to_ = &to;
   reading.count_ = accessor.count;
   reading.components_ = format.components;
   reading.type_ = &type;
@@ -87,31 +89,33 @@ AccessorReading AccessorReader::start(int index, const Format& format, const std
 
 std::vector<double> AccessorReader::read(int index, const Format& format,
                                          const std::string& owner) {
-  AccessorReading reading = start(index, format, owner);
-  for (long unlimited = std::numeric_limits<long>::max(); !reading.step(unlimited);) {
-  }
-  return reading.take();
+  std::vector<double> values;
+  AccessorReading reading = start(index, format, owner, values);
+  long unlimited = std::numeric_limits<long>::max();
+  reading.step(unlimited);
+  return values;
 }
 
 bool AccessorReading::step(long& budget) {
   constexpr long kElementsPerUnit = 8;
   const std::size_t stored = elements_ ? count_ : 0, replaced = sparse_ ? sparse_->count : 0;
-  return sequence_.run([&] { return fillInSlices(values_, count_ * components_, 0., budget); },
-                       [&] {
-                         return loop_.run(stored, budget, kElementsPerUnit,
-                                          [&](int i) { store(i, elements_->at(i)); });
-                       },
-                       [&] {
-                         return loop_.run(replaced, budget, kElementsPerUnit,
-                                          [&](int i) { storeSparse(i); });
-                       });
+  return sequence_.run(
+      [&] { first_ = to_->size(); },
+      [&] { return fillInSlices(*to_, first_ + count_ * components_, 0., budget); },
+      [&] {
+        return loop_.run(stored, budget, kElementsPerUnit,
+                         [&](int i) { store(i, elements_->at(i)); });
+      },
+      [&] {
+        return loop_.run(replaced, budget, kElementsPerUnit, [&](int i) { storeSparse(i); });
+      });
 }
 
 void AccessorReading::store(std::uint64_t element, const std::byte* bytes) {
   for (std::uint64_t c = 0; c < components_; ++c) {
     const double value = type_->load(bytes + c * type_->size);
     // The least of the signed integers stands for -1 as the next one does.
-    values_[element * components_ + c] =
+    (*to_)[first_ + element * components_ + c] =
         isNormalized_ ? std::max(value / type_->largest, -1.0) : value;
   }
 }

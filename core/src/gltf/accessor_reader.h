@@ -42,14 +42,12 @@ struct Elements {
   const std::byte* at(std::uint64_t i) const { return first + i * stride; }
 };
 
-/// Reads the numbers of one accessor in slices, element by element: those of its buffer view, or
-/// zeros, then the sparse ones in their places.
+/// Reads the numbers of one accessor to the end of a list, in slices, element by element: those of
+/// its buffer view, or zeros, then the sparse ones in their places.
 class AccessorReading {
  public:
   /// True when all numbers are there.
   bool step(long& budget);
-  const std::vector<double>& values() const { return values_; }
-  std::vector<double> take() { return std::move(values_); }
 
  private:
   friend class AccessorReader;
@@ -71,7 +69,8 @@ class AccessorReading {
   bool isNormalized_ = false;
   std::optional<Elements> elements_;  ///< none: all are zero
   std::optional<Sparse> sparse_;
-  std::vector<double> values_;
+  std::vector<double>* to_ = nullptr;
+  std::size_t first_ = 0;  ///< where in the list the numbers begin
   SlicedSequence sequence_;
   SlicedLoop loop_;
 };
@@ -84,8 +83,9 @@ class AccessorReader {
 
   const Accessor& at(int index, const std::string& owner) const;
 
-  /// Begins to read an accessor that `owner` names.
-  AccessorReading start(int index, const Format& format, const std::string& owner);
+  /// Begins to read an accessor that `owner` names to the end that the list has at the first step.
+  AccessorReading start(int index, const Format& format, const std::string& owner,
+                        std::vector<double>& to);
   /// The same at one go.
   std::vector<double> read(int index, const Format& format, const std::string& owner);
 

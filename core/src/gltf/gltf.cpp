@@ -11,8 +11,6 @@
 
 #include "gvd/gltf.h"
 
-#include <Eigen/Geometry>
-#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -145,90 +143,33 @@ class SceneReading final : public SlicedWork<GltfScene> {
   }
 
   bool add(const Placed& placed, long& budget) {
-    const Eigen::Affine3d& transform = placed.at->transform;
-    return adding_.run([&] { name_ = nameOf(placed); },
-                       [&] {
-                         return runPart(reading_, budget, primitiveOf(placed), weightsOf(placed),
-                                        *accessors_, name_);
-                       },
-                       [&] {
-                         primitive_ = taken(reading_);
-                         firstVertex_ = static_cast<int>(scene_.positions.size() / 3);
-                         addPart(placed);
-                       },
-                       [&] { return addTriangles(transform.linear().determinant() < 0, budget); },
-                       [&] { return addPositions(transform, budget); },
-                       [&] { return addNormals(transform.linear(), budget); },
-                       [&] { return addUvs(budget); }, [&] { addDensity(); },
-                       [&] { primitive_ = {}; });
+    return adding_.run(
+        [&] {
+          name_ = nameOf(placed);
+          addPart(placed);
+        },
+        [&] {
+          return runPart(reading_, budget, primitiveOf(placed), weightsOf(placed),
+                         placed.at->transform, *accessors_, name_, scene_);
+        },
+        [&] {
+          badAttributes_ += reading_->badAttributes();
+          reading_.reset();
+          GltfScene::Part& part = scene_.parts.back();
+          part.triangleCount = triangleCount() - part.firstTriangle;
+          if (part.triangleCount == 0) scene_.parts.pop_back();
+        });
   }
 
+  /// Of a primitive whose triangles follow.
   void addPart(const Placed& placed) {
     const auto [mesh, node] = std::pair(placed.at->mesh, placed.at->node);
-    const int first = static_cast<int>(scene_.triangles.size() / 3);
-    const int count = static_cast<int>(primitive_.triangles.size() / 3);
-    badAttributes_ += primitive_.badAttributes;
-    if (count == 0) return;
     const bool isNamed = node >= 0 && !document_.nodes[node].name.empty();
-    scene_.parts.push_back({node, mesh, placed.index, first, count,
+    scene_.parts.push_back({node, mesh, placed.index, triangleCount(), 0,
                             isNamed ? document_.nodes[node].name : document_.meshes[mesh].name});
   }
 
-  bool addTriangles(bool isMirrored, long& budget) {
-    const std::vector<int>& own = primitive_.triangles;
-    return loop_.run(own.size() / 3, budget, kPerUnit, [&](int t) {
-      const int* const corners = &own[3 * static_cast<std::size_t>(t)];
-      const int second = isMirrored ? 2 : 1;
-      for (const int i : {0, second, 3 - second})
-        scene_.triangles.push_back(firstVertex_ + corners[i]);
-    });
-  }
-
-  bool addPositions(const Eigen::Affine3d& transform, long& budget) {
-    return loop_.run(primitive_.positions.size() / 3, budget, kPerUnit, [&](int v) {
-      const Eigen::Vector3d p = transform * vectorAt(primitive_.positions, v);
-      for (const double x : p) scene_.positions.push_back(x);
-    });
-  }
-
-  /// The cofactors of a matrix turn normals as it turns surfaces, singular or not.
-  bool addNormals(const Eigen::Matrix3d& m, long& budget) {
-    if (primitive_.normals.empty()) return true;
-    if (!std::exchange(hasNormals_, true)) scene_.normals.reserve(scene_.positions.capacity());
-    const std::size_t before = 3 * static_cast<std::size_t>(firstVertex_);
-    if (scene_.normals.size() < before) scene_.normals.resize(before);
-    Eigen::Matrix3d cofactors;
-    for (int i = 0; i < 3; ++i) cofactors.col(i) = m.col((i + 1) % 3).cross(m.col((i + 2) % 3));
-    if (m.determinant() < 0) cofactors = -cofactors;
-    return loop_.run(primitive_.normals.size() / 3, budget, kPerUnit, [&](int v) {
-      Eigen::Vector3d normal = (cofactors * vectorAt(primitive_.normals, v)).stableNormalized();
-      if (!normal.allFinite()) normal.setZero();
-      for (const double x : normal) scene_.normals.push_back(x);
-    });
-  }
-
-  bool addUvs(long& budget) {
-    if (primitive_.uvs.empty()) return true;
-    if (!std::exchange(hasUvs_, true)) scene_.uvs.reserve(scene_.positions.capacity() / 3 * 2);
-    const std::size_t before = 2 * static_cast<std::size_t>(firstVertex_);
-    if (scene_.uvs.size() < before) scene_.uvs.resize(before);
-    return loop_.run(primitive_.uvs.size(), budget, kQuickRounds, [&](int i) {
-      const double x = primitive_.uvs[i];
-      scene_.uvs.push_back(std::isfinite(x) ? x : 0);
-    });
-  }
-
-  void addDensity() {
-    if (primitive_.density.empty()) return;
-    hasDensity_ = true;
-    scene_.density.resize(firstVertex_, 1);
-    scene_.density.insert(scene_.density.end(), primitive_.density.begin(),
-                          primitive_.density.end());
-  }
-
-  static Eigen::Vector3d vectorAt(const std::vector<double>& numbers, int vertex) {
-    return Eigen::Vector3d::Map(&numbers[3 * static_cast<std::size_t>(vertex)]);
-  }
+  int triangleCount() const { return static_cast<int>(scene_.triangles.size() / 3); }
 
   void finish() {
     note(linePrimitives_, "primitives of points or lines were passed over");
@@ -242,17 +183,15 @@ class SceneReading final : public SlicedWork<GltfScene> {
       for (const std::string& text : scene_.notes) why += "; " + text;
       reject(why);
     }
-    if (hasNormals_) scene_.normals.resize(scene_.positions.size());
-    if (hasUvs_) scene_.uvs.resize(scene_.positions.size() / 3 * 2);
-    if (hasDensity_) scene_.density.resize(scene_.positions.size() / 3, 1);
+    const std::size_t vertices = scene_.positions.size() / 3;
+    if (!scene_.normals.empty()) scene_.normals.resize(3 * vertices);
+    if (!scene_.uvs.empty()) scene_.uvs.resize(2 * vertices);
+    if (!scene_.density.empty()) scene_.density.resize(vertices, 1);
   }
 
   void note(int count, const std::string& text) {
     if (count > 0) scene_.notes.push_back(text + " (" + std::to_string(count) + ")");
   }
-
-  /// Triangles or vertices per unit of work.
-  static constexpr long kPerUnit = 16;
 
   const std::span<const std::byte> bytes_;
   const std::span<const GltfResource> resources_;
@@ -264,16 +203,12 @@ class SceneReading final : public SlicedWork<GltfScene> {
   GltfScene scene_;
   int linePrimitives_ = 0, emptyPrimitives_ = 0, skins_ = 0, morphs_ = 0;
   int badAttributes_ = 0;
-  bool hasNormals_ = false, hasUvs_ = false, hasDensity_ = false;
   SlicedSequence sequence_, adding_;
-  SlicedLoop loop_;
   std::size_t next_ = 0;  ///< of `primitives_`
 
   // The primitive at hand.
   std::string name_;
   std::optional<PrimitiveReading> reading_;
-  PrimitiveTriangles primitive_;
-  int firstVertex_ = 0;  ///< its first one in the scene
 };
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <utility>
 
 #include "gltf/gltf_error.h"
 
@@ -73,13 +75,15 @@ PrimitiveSize sizeOf(const Primitive& primitive, std::span<const double> weights
 AttributeReading::AttributeReading(const Primitive& primitive, const char* semantic,
                                    const Format& format, std::span<const double> weights,
                                    std::uint64_t vertexCount, AccessorReader& accessors,
-                                   const std::string& name) {
+                                   const std::string& name, std::vector<double>& to)
+    : to_(to), first_(to.size()) {
   const auto addLayer = [&](int accessor, const Format& as, double weight) {
     if (const std::uint64_t count = accessors.at(accessor, name).count; count != vertexCount) {
       reject(name + " has " + number(count) + " elements of " + as.what + ", but there are " +
              number(vertexCount) + " positions");
     }
-    layers_.push_back({accessors.start(accessor, as, name), weight});
+    std::vector<double>& values = layers_.empty() ? to_ : displacements_;
+    layers_.push_back({accessors.start(accessor, as, name, values), weight});
   };
   addLayer(primitive.attributes.at(semantic), format, 1);
   forEachActiveTarget(primitive, weights, semantic, [&](int accessor, double weight) {
@@ -91,10 +95,9 @@ bool AttributeReading::step(long& budget) {
   for (; next_ < layers_.size(); ++next_) {
     Layer& layer = layers_[next_];
     if (!layer.reading.step(budget)) return false;
-    const auto add = [&](int i) { values_[i] += layer.weight * layer.reading.values()[i]; };
-    if (!loop_.run(values_.size(), budget, kQuickRounds, add)) return false;
-    std::vector<double> values = layer.reading.take();
-    if (next_ == 0) values_ = std::move(values);
+    const auto add = [&](int i) { to_[first_ + i] += layer.weight * displacements_[i]; };
+    if (!loop_.run(displacements_.size(), budget, kQuickRounds, add)) return false;
+    displacements_.clear();
   }
   return true;
 }
@@ -102,44 +105,69 @@ bool AttributeReading::step(long& budget) {
 // --- The primitive -----------------------------------------------------------------------------
 
 PrimitiveReading::PrimitiveReading(const Primitive& primitive, std::span<const double> weights,
-                                   AccessorReader& accessors, const std::string& name)
+                                   const Eigen::Affine3d& transform, AccessorReader& accessors,
+                                   const std::string& name, GltfScene& scene)
     : primitive_(primitive),
       weights_(weights),
+      transform_(transform),
       accessors_(accessors),
       name_(name),
-      vertexCount_(accessors.at(primitive.attributes.at("POSITION"), name).count) {}
+      scene_(scene),
+      firstVertex_(scene.positions.size() / 3),
+      vertexCount_(accessors.at(primitive.attributes.at("POSITION"), name).count) {
+  const Eigen::Matrix3d m = transform.linear();
+  for (int i = 0; i < 3; ++i) cofactors_.col(i) = m.col((i + 1) % 3).cross(m.col((i + 2) % 3));
+  isMirrored_ = m.determinant() < 0;
+  if (isMirrored_) cofactors_ = -cofactors_;
+}
 
 bool PrimitiveReading::step(long& budget) {
   const bool hasIndices = primitive_.indices.has_value();
-  const auto triangles = [&] {
-    return triangleCount(primitive_.mode, hasIndices ? indices_.size() : vertexCount_);
-  };
   return sequence_.run(
       [&] {
         return runPart(attribute_, budget, primitive_, "POSITION", kPositions, weights_,
-                       vertexCount_, accessors_, name_);
+                       vertexCount_, accessors_, name_, scene_.positions);
       },
-      [&] { read_.positions = taken(attribute_); },
+      [&] { attribute_.reset(); },
       [&] {
-        if (hasIndices) indexReading_ = accessors_.start(*primitive_.indices, kIndices, name_);
+        return forVertices(budget, [&](std::size_t v) {
+          auto position = Eigen::Vector3d::Map(&scene_.positions[3 * v]);
+          position = transform_ * Eigen::Vector3d(position);
+        });
+      },
+      [&] {
+        if (hasIndices)
+          indexReading_ = accessors_.start(*primitive_.indices, kIndices, name_, indices_);
       },
       [&] { return !hasIndices || indexReading_->step(budget); },
-      [&] {
-        if (hasIndices) indices_ = taken(indexReading_);
-      },
       [&] {
         return loop_.run(indices_.size(), budget, kQuickRounds,
                          [&](int i) { requireVertex(indices_[i]); });
       },
-      [&] { read_.triangles.reserve(3 * triangles()); },
       [&] {
         constexpr long kTrianglesPerUnit = 16;
-        return loop_.run(triangles(), budget, kTrianglesPerUnit, [&](int t) { addTriangle(t); });
+        const std::size_t corners = hasIndices ? indices_.size() : vertexCount_;
+        return loop_.run(triangleCount(primitive_.mode, corners), budget, kTrianglesPerUnit,
+                         [&](int t) { addTriangle(t); });
       },
       [&] { release(indices_); },
-      [&] { return readOptional("NORMAL", kNormals, weights_, read_.normals, budget); },
-      [&] { return readOptional("TEXCOORD_0", kUvs, {}, read_.uvs, budget); },
-      [&] { return readOptional("_DENSITY", kDensities, {}, read_.density, budget); });
+      [&] { return readOptional("NORMAL", kNormals, weights_, scene_.normals, 0, budget); },
+      [&] { return !isRead_ || forVertices(budget, [&](std::size_t v) { turnNormal(v); }); },
+      [&] { return readOptional("TEXCOORD_0", kUvs, {}, scene_.uvs, 0, budget); },
+      [&] {
+        return !isRead_ || forVertices(budget, [&](std::size_t v) {
+          for (const std::size_t i : {2 * v, 2 * v + 1})
+            if (!std::isfinite(scene_.uvs[i])) scene_.uvs[i] = 0;
+        });
+      },
+      [&] { return readOptional("_DENSITY", kDensities, {}, scene_.density, 1, budget); });
+}
+
+/// Calls `visit` with the primitive's vertices in the scene.
+template <class Visit>
+bool PrimitiveReading::forVertices(long& budget, Visit visit) {
+  constexpr long kVerticesPerUnit = 16;
+  return loop_.run(vertexCount_, budget, kVerticesPerUnit, [&](int v) { visit(firstVertex_ + v); });
 }
 
 void PrimitiveReading::requireVertex(double index) const {
@@ -148,27 +176,45 @@ void PrimitiveReading::requireVertex(double index) const {
          ", but there are " + number(vertexCount_) + " positions");
 }
 
+/// A mirroring transform would turn it over.
 void PrimitiveReading::addTriangle(std::uint64_t t) {
-  for (const std::uint64_t corner : cornersOf(primitive_.mode, t)) {
-    read_.triangles.push_back(
-        static_cast<int>(primitive_.indices ? indices_[corner] : static_cast<double>(corner)));
+  auto corners = cornersOf(primitive_.mode, t);
+  if (isMirrored_) std::swap(corners[1], corners[2]);
+  for (const std::uint64_t corner : corners) {
+    const auto vertex = static_cast<std::size_t>(primitive_.indices ? indices_[corner]
+                                                                    : static_cast<double>(corner));
+    scene_.triangles.push_back(static_cast<int>(firstVertex_ + vertex));
   }
+}
+
+/// The cofactors of a matrix turn normals as it turns surfaces, singular or not.
+void PrimitiveReading::turnNormal(std::size_t vertex) {
+  auto normal = Eigen::Vector3d::Map(&scene_.normals[3 * vertex]);
+  normal = (cofactors_ * normal).stableNormalized();
+  if (!normal.allFinite()) normal.setZero();
 }
 
 /// A surface needs no attribute: one that does not fit is passed over.
 bool PrimitiveReading::readOptional(const char* semantic, const Format& format,
                                     std::span<const double> weights, std::vector<double>& values,
-                                    long& budget) {
-  if (!primitive_.attributes.contains(semantic)) return true;
+                                    double padding, long& budget) {
+  isRead_ = primitive_.attributes.contains(semantic);
+  if (!isRead_) return true;
+  if (!attribute_) {
+    sizeBefore_ = values.size();
+    values.reserve(scene_.positions.capacity() / 3 * format.components);
+    values.resize(firstVertex_ * format.components, padding);
+  }
   try {
     if (!runPart(attribute_, budget, primitive_, semantic, format, weights, vertexCount_,
-                 accessors_, name_))
+                 accessors_, name_, values))
       return false;
-    values = taken(attribute_);
   } catch (const Error&) {
-    attribute_.reset();
-    ++read_.badAttributes;
+    values.resize(sizeBefore_);
+    isRead_ = false;
+    ++badAttributes_;
   }
+  attribute_.reset();
   return true;
 }
 

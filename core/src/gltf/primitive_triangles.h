@@ -1,27 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Geometry>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "base/sliced_loop.h"
 #include "gltf/accessor_reader.h"
 #include "gltf/document.h"
+#include "gvd/gltf.h"
 
 namespace gvd::gltf {
-
-/// The triangles of one primitive in the space of its mesh.
-struct PrimitiveTriangles {
-  std::vector<double> positions;  ///< x, y, z per vertex
-  /// Empty if the primitive has none that can be read.
-  std::vector<double> normals, uvs, density;
-  std::vector<int> triangles;  ///< three vertices of the primitive each
-  int badAttributes = 0;       ///< how many of these three cannot be read
-};
 
 enum class PrimitiveKind { kTriangles, kPointsOrLines, kWithoutPositions };
 
@@ -39,16 +32,18 @@ struct PrimitiveSize {
 PrimitiveSize sizeOf(const Primitive& primitive, std::span<const double> weights,
                      const AccessorReader& accessors, const std::string& name);
 
-/// Reads the values of an attribute, with its morph targets applied, in slices.
+/// Reads the values of an attribute, with its morph targets applied, to the end of a list, in
+/// slices.
 class AttributeReading {
  public:
-  /// Accessors whose count is not that of the vertices are refused.
+  /// Accessors whose count is not that of the vertices are refused. It must stay where it is.
   AttributeReading(const Primitive& primitive, const char* semantic, const Format& format,
                    std::span<const double> weights, std::uint64_t vertexCount,
-                   AccessorReader& accessors, const std::string& name);
+                   AccessorReader& accessors, const std::string& name, std::vector<double>& to);
+  AttributeReading(const AttributeReading&) = delete;
+  AttributeReading& operator=(const AttributeReading&) = delete;
 
   bool step(long& budget);
-  std::vector<double> take() { return std::move(values_); }
 
  private:
   /// The attribute's own values, or a morph target's.
@@ -57,35 +52,49 @@ class AttributeReading {
     double weight;
   };
 
+  std::vector<double>& to_;
+  const std::size_t first_;  ///< where in the list the values begin
   std::vector<Layer> layers_;
-  std::size_t next_ = 0;  ///< of these
-  std::vector<double> values_;
+  std::size_t next_ = 0;               ///< of these
+  std::vector<double> displacements_;  ///< of the morph target at hand
   SlicedLoop loop_;
 };
 
-/// Reads a primitive of triangles in slices.
+/// Adds a primitive of triangles to a scene, in slices: its vertices and triangles, with the
+/// attributes that can be read. Vertices before it that have none get zeros, or the density 1.
 class PrimitiveReading {
  public:
-  /// `weights` are those of its morph targets. All of these must outlive this.
+  /// `weights` are those of its morph targets. All but `transform` must outlive this.
   PrimitiveReading(const Primitive& primitive, std::span<const double> weights,
-                   AccessorReader& accessors, const std::string& name);
+                   const Eigen::Affine3d& transform, AccessorReader& accessors,
+                   const std::string& name, GltfScene& scene);
 
   bool step(long& budget);
-  PrimitiveTriangles take() { return std::move(read_); }
+  /// How many attributes cannot be read.
+  int badAttributes() const { return badAttributes_; }
 
  private:
+  template <class Visit>
+  bool forVertices(long& budget, Visit visit);
   bool readOptional(const char* semantic, const Format& format, std::span<const double> weights,
-                    std::vector<double>& values, long& budget);
+                    std::vector<double>& values, double padding, long& budget);
   void requireVertex(double index) const;
   void addTriangle(std::uint64_t t);
+  void turnNormal(std::size_t vertex);
 
   const Primitive& primitive_;
   const std::span<const double> weights_;
+  const Eigen::Affine3d transform_;
   AccessorReader& accessors_;
   const std::string& name_;
-  const std::uint64_t vertexCount_;
-  PrimitiveTriangles read_;
+  GltfScene& scene_;
+  const std::size_t firstVertex_, vertexCount_;
+  Eigen::Matrix3d cofactors_;  ///< of the transform: they turn normals
+  bool isMirrored_;            ///< by the transform
+  int badAttributes_ = 0;
   std::optional<AttributeReading> attribute_;  ///< the one that is read
+  std::size_t sizeBefore_ = 0;                 ///< of its list
+  bool isRead_ = false;                        ///< whether it has been
   std::optional<AccessorReading> indexReading_;
   std::vector<double> indices_;  ///< if it has any
   SlicedSequence sequence_;
