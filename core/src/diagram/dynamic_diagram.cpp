@@ -121,7 +121,7 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
 
   bool step(long budget) override {
     return sequence_.run(
-        [&] { return diagram_.distances_->step(budget); }, [&] { findMixed(); },
+        [&] { return diagram_.distances_->step(budget); }, [&] { forgetMixed(); },
         [&] { return noteMixed(budget); }, [&] { return isWhole_ || traceParts(budget); },
         [&] { return !isWhole_ || traceWhole(budget); },
         [&] { return diagram_.pieces_.replace(change_, budget); }, [&] { setAreas(); });
@@ -137,7 +137,7 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
   int labelCount() const { return diagram_.labelCount(); }
 
   /// Forgets where the changed labels met others in the changed faces.
-  void findMixed() {
+  void forgetMixed() {
     const std::vector<int>& changed = diagram_.distances_->changedLabels();
     labels_ = IndexSet(labelCount(), changed);
     diagram_.mixedFaces_.resize(labelCount());
