@@ -275,6 +275,35 @@ TEST(DynamicDiagram, TellsPointsInOnePlaceApart) {
   EXPECT_TRUE(checks::isConsistent(mesh, DynamicDiagram(mesh, own).diagram()));
 }
 
+/// Faces with a side of 1e-11: the way from a corner, measured across them, came out shorter than
+/// the edge, by more than rounding. The bound that it made kept all labels from the vertex.
+TEST(DynamicDiagram, FollowsSitesAtTheCornersOfNeedles) {
+  const shapes::Shape shape{
+      {-4.4408920985006262e-16, 0.1, 0, 0.89999999999999947, 0.69999999999999951, 0.9,
+       0.89999999999999991, 0.7, 0.9, 0.29999999999999954, 0.69999999999999951, 0, 0.6, 0.1, 0.9,
+       0.30000000000000021, 0.70000000000000018, 0},
+      {0, 1, 2, 1, 0, 3, 1, 3, 2, 2, 4, 1, 2, 3, 5, 2, 5, 4}};
+  const TriangleMesh mesh = shape.mesh();
+  ASSERT_GT(mesh.repairs().mollifiedTriangles, 0);
+  const SurfacePoint atOther = {0, {0, 0, 1}}, atNeedle = {5, {1, 0, 0}};
+  for (const Metric metric : {Metric::kDgpc, Metric::kExact}) {
+    const std::vector<SurfacePoint> sites = {
+        {0, {0.9156646728515625, 0.015625, 0.0687103271484375}},
+        atNeedle,
+        atOther,
+        {3, {0.484039306640625, 0.3421630859375, 0.173797607421875}},
+        {1, {0.7776336669921875, 0.056304931640625, 0.1660614013671875}},
+        {1, {0.5220184326171875, 0.01617431640625, 0.4618072509765625}}};
+    DynamicDiagram dynamic(mesh, sites, metric);
+    EXPECT_TRUE(isUpToDate(mesh, dynamic, metric));
+    dynamic.moveSite(1, atOther);
+    dynamic.moveSite(1, atNeedle);
+    EXPECT_TRUE(isUpToDate(mesh, dynamic, metric));
+    dynamic.insertSite(atNeedle);
+    EXPECT_TRUE(isUpToDate(mesh, dynamic, metric));
+  }
+}
+
 TEST(DynamicDiagram, TakesOverDistances) {
   const auto mesh = shapes::bumpySurface(1, 5, 0.3, 3).mesh();
   for (const Metric metric : {Metric::kExact, Metric::kDgpc}) {

@@ -21,7 +21,11 @@ void EdgeBounds::insert(int label) {
   });
 }
 
+/// From a corner, paths run along the edges: other ways to measure these round otherwise in
+/// needles.
 void EdgeBounds::offerFrom(const FaceSite& site, int face) {
+  const int corner = incidenceOf(site.bary).corner;
+  if (corner >= 0) return offer(mesh_.tail(3 * face + corner), site.label, 0);
   for (int i = 0; i < 3; ++i)
     offer(mesh_.tail(3 * face + i), site.label, wayToCorner(mesh_.face(face), site.bary, i).norm());
 }
