@@ -118,7 +118,7 @@ class TriangleMesh {
   TriangleMesh(std::span<const double> positions, std::span<const int> triangles,
                const MeshOptions& options = {});
 
-  int vertexCount() const { return static_cast<int>(vertexHalfedge_.size()); }
+  int vertexCount() const { return static_cast<int>(inputVertex_.size()); }
   int faceCount() const { return static_cast<int>(tail_.size() / 3); }
   int halfedgeCount() const { return static_cast<int>(tail_.size()); }
 
@@ -162,25 +162,30 @@ class TriangleMesh {
   std::span<const int> twins() const { return twin_; }
   /// Of each boundary loop the halfedge that leaves its lowest vertex; `outgoing(tip(h))` goes on.
   std::span<const int> boundaryLoops() const { return boundaryLoops_; }
-  bool onBoundary(int v) const { return twin_[vertexHalfedge_[v]] < 0; }
+  bool onBoundary(int v) const { return twin_[outgoing(v)] < 0; }
 
-  /// A halfedge that leaves v: on a boundary vertex the one without twin, so that turning with
-  /// `twin(previous(h))` from it meets every face around v, counterclockwise, and ends at -1.
-  int outgoing(int v) const { return vertexHalfedge_[v]; }
+  /// The halfedges that leave v, counterclockwise: one per face around it. On a boundary vertex the
+  /// first is the one without twin.
+  std::span<const int> fan(int v) const {
+    return {fanHalfedges_.data() + fanBegin_[v], fanHalfedges_.data() + fanBegin_[v + 1]};
+  }
+  /// The first halfedge of the fan.
+  int outgoing(int v) const { return fanHalfedges_[fanBegin_[v]]; }
   /// The next outgoing halfedge counterclockwise, -1 past the last face of a boundary vertex.
   int rotate(int h) const { return twin_[previous(h)]; }
 
   /// Calls `visit` with every vertex that shares an edge with v, and the length of the edge.
   template <class Visit>
   void visitEdges(int v, Visit visit) const {
-    const int first = outgoing(v);
-    int h = first, last;
-    do {
-      visit(tip(h), length(h));
-      last = previous(h);
-      h = twin(last);
-    } while (h >= 0 && h != first);
-    if (h < 0) visit(tail(last), length(last));
+    const Face* last = nullptr;
+    int side = 0;  // of the last face, the one that comes to v
+    for (const int h : fan(v)) {
+      last = &face(faceOf(h));
+      const int i = h % 3;
+      side = i == 0 ? 2 : i - 1;
+      visit(last->vertices[i == 2 ? 0 : i + 1], last->lengths[i]);
+    }
+    if (last->twins[side] < 0) visit(last->vertices[side], last->lengths[side]);
   }
 
   /// Calls `visit` with every vertex that shares an edge with v.
@@ -192,12 +197,7 @@ class TriangleMesh {
   /// Calls `visit` with every face around v.
   template <class Visit>
   void visitFaces(int v, Visit visit) const {
-    const int first = outgoing(v);
-    int h = first;
-    do {
-      visit(faceOf(h));
-      h = rotate(h);
-    } while (h >= 0 && h != first);
+    for (const int h : fan(v)) visit(faceOf(h));
   }
 
   Eigen::Vector3d position(int v) const {
@@ -212,6 +212,8 @@ class TriangleMesh {
   double faceArea(int f) const { return faceArea_[f]; }
   /// The sum of all `faceArea`.
   double area() const { return area_; }
+  /// The length of the longest edge at v.
+  double longestEdge(int v) const { return longestEdge_[v]; }
   /// The mean of `length` over all halfedges: an inner edge counts twice.
   double meanEdgeLength() const { return meanEdgeLength_; }
   /// The component of a face, numbered from 0 in order of the first face.
@@ -261,8 +263,8 @@ class TriangleMesh {
   std::vector<int> tail_, twin_;
   std::vector<Face> faces_;
   std::vector<double> faceArea_;
-  std::vector<int> vertexHalfedge_;
-  std::vector<double> angleSum_;
+  std::vector<int> fanBegin_, fanHalfedges_;  ///< fan after fan, and where each begins
+  std::vector<double> angleSum_, longestEdge_;
   double area_ = 0, meanEdgeLength_ = 0, boundingDiagonal_ = 0;
   std::vector<int> component_;
   std::vector<int> boundaryLoops_;

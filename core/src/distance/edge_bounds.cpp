@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "distance/face_layout.h"
+#include "mesh/surface_geometry.h"
 
 namespace gvd {
 
@@ -11,9 +12,7 @@ EdgeBounds::EdgeBounds(const TriangleMesh& mesh, const SiteSet& sites)
     : mesh_(mesh),
       sites_(sites),
       inverseWidth_(2 / mesh.meanEdgeLength()),
-      bounds_(mesh.vertexCount()),
-      isChanged_(mesh.vertexCount(), false),
-      bucketOf_(mesh.vertexCount(), kNone) {}
+      vertices_(mesh.vertexCount()) {}
 
 void EdgeBounds::insert(int label) {
   sites_.visitFacesOf(label, [&](const SurfacePoint& site) {
@@ -35,8 +34,9 @@ void EdgeBounds::offerFrom(const FaceSite& site, int face) {
 void EdgeBounds::remove(int label, const SurfacePoint& site) {
   std::vector<int> former;
   const auto take = [&](int v) {
-    if (bounds_[v].label != label) return;
-    bounds_[v] = {};
+    if (vertices_[v].label != label) return;
+    vertices_[v].label = -1;
+    vertices_[v].bound = kInfinity;
     noteChange(v);
     former.push_back(v);
   };
@@ -47,8 +47,8 @@ void EdgeBounds::remove(int label, const SurfacePoint& site) {
   for (size_t i = 0; i < former.size(); ++i) mesh_.visitNeighbours(former[i], take);
   for (const int v : former) {
     mesh_.visitEdges(v, [&](int neighbour, double length) {
-      const LabelledDistance& beyond = bounds_[neighbour];
-      if (beyond.label >= 0) offer(v, beyond.label, beyond.distance + length);
+      const Vertex& beyond = vertices_[neighbour];
+      if (beyond.label >= 0) offer(v, beyond.label, beyond.bound + length);
     });
     mesh_.visitFaces(v, [&](int face) {
       for (const FaceSite& other : sites_.inFace(face)) offerFrom(other, face);
@@ -57,16 +57,19 @@ void EdgeBounds::remove(int label, const SurfacePoint& site) {
 }
 
 bool EdgeBounds::run(long& budget) {
+  constexpr size_t kAhead = 2;
   for (; bucket_ < buckets_.size(); ++bucket_) {
     while (!buckets_[bucket_].empty()) {
       if (budget-- <= 0) return false;
-      const int v = buckets_[bucket_].back();
+      std::vector<int>& bucket = buckets_[bucket_];
+      if (bucket.size() > kAhead) prefetchFan(mesh_, bucket[bucket.size() - 1 - kAhead]);
+      const int v = bucket.back();
       buckets_[bucket_].pop_back();
-      if (bucketOf_[v] != static_cast<int>(bucket_)) continue;  // it was lowered, and had its turn
-      bucketOf_[v] = kNone;
-      const LabelledDistance from = bounds_[v];
+      Vertex& own = vertices_[v];
+      if (own.bucket != static_cast<int>(bucket_)) continue;  // it was lowered, and had its turn
+      own.bucket = kNone;
       mesh_.visitEdges(v, [&](int neighbour, double length) {
-        offer(neighbour, from.label, from.distance + length);
+        offer(neighbour, own.label, own.bound + length);
       });
     }
   }
@@ -74,26 +77,27 @@ bool EdgeBounds::run(long& budget) {
   return true;
 }
 
-void EdgeBounds::offer(int vertex, int label, double distance) {
-  LabelledDistance& bound = bounds_[vertex];
-  if (!(distance < bound.distance)) return;
-  bound = {label, distance};
-  noteChange(vertex);
+void EdgeBounds::offer(int v, int label, double distance) {
+  Vertex& own = vertices_[v];
+  if (!(distance < own.bound)) return;
+  own.bound = distance;
+  own.label = label;
+  noteChange(v);
   const size_t b = std::max(bucket_, static_cast<size_t>(distance * inverseWidth_));
-  if (bucketOf_[vertex] == static_cast<int>(b)) return;
-  bucketOf_[vertex] = static_cast<int>(b);
+  if (own.bucket == static_cast<int>(b)) return;
+  own.bucket = static_cast<int>(b);
   if (b >= buckets_.size()) buckets_.resize(b + 1);
-  buckets_[b].push_back(vertex);
+  buckets_[b].push_back(v);
 }
 
-void EdgeBounds::noteChange(int vertex) {
-  if (isChanged_[vertex]) return;
-  isChanged_[vertex] = true;
-  changed_.push_back(vertex);
+void EdgeBounds::noteChange(int v) {
+  if (vertices_[v].isChanged) return;
+  vertices_[v].isChanged = true;
+  changed_.push_back(v);
 }
 
 void EdgeBounds::clearChanged() {
-  for (const int v : changed_) isChanged_[v] = false;
+  for (const int v : changed_) vertices_[v].isChanged = false;
   changed_.clear();
 }
 

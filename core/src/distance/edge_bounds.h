@@ -25,12 +25,22 @@ class EdgeBounds {
   /// to date.
   bool run(long& budget);
 
-  double operator[](int vertex) const { return bounds_[vertex].distance; }
+  double operator[](int vertex) const { return vertices_[vertex].bound; }
   /// The vertices at which a bound has changed since the last `clearChanged`, each once.
   const std::vector<int>& changed() const { return changed_; }
   void clearChanged();
 
  private:
+  static constexpr int kNone = -1;
+  struct Vertex {
+    double bound = kInfinity;
+    int label = -1;  ///< of the site at the path's end
+    /// The bucket in which it has its turn, `kNone`. After a removal, the vertices beside the gap
+    /// wait in far buckets; one that a nearer site comes to has its turn before them.
+    int bucket : 31 = kNone;
+    bool isChanged : 1 = false;
+  };
+
   void offerFrom(const FaceSite& site, int face);
   void offer(int vertex, int label, double distance);
   void noteChange(int vertex);
@@ -38,15 +48,10 @@ class EdgeBounds {
   const TriangleMesh& mesh_;
   const SiteSet& sites_;
   double inverseWidth_;
-  std::vector<LabelledDistance> bounds_;
-  static constexpr int kNone = -1;
+  std::vector<Vertex> vertices_;
   std::vector<std::vector<int>> buckets_;  ///< vertices by distance, in steps of half a mean edge
   size_t bucket_ = 0;
   std::vector<int> changed_;
-  std::vector<char> isChanged_;
-  /// The bucket in which a vertex has its turn, `kNone`. After a removal, the vertices beside the
-  /// gap wait in far buckets; one that a nearer site comes to has its turn before them.
-  std::vector<int> bucketOf_;
 };
 
 }  // namespace gvd

@@ -88,7 +88,13 @@ bool MeshBuilding::step(long budget) {
         return runPart(splitting_, budget, selection_.corners, m.twin_, inputVertexCount(),
                        m.repairs_);
       },
-      [&] { takeFans(taken(splitting_)); },
+      [&] { fans_ = taken(splitting_); },
+      [&] { return fillInSlices(m.fanHalfedges_, fans_.tail.size(), -1, budget); },
+      [&] { takeFans(); },
+      [&] {
+        return loop_.run(m.vertexCount(), budget, kQuickRounds, [&](int v) { listFan(v); });
+      },
+      [&] { release(fans_.outgoing); },
       [&] {
         return runPart(mapping_, budget, triangles_, representative_, selection_.corners,
                        selection_.kept, m.repairs_);
@@ -124,12 +130,8 @@ bool MeshBuilding::step(long budget) {
       },
       [&] { m.meanEdgeLength_ += m.repairs_.mollification; },
       [&] { return fillInSlices(m.angleSum_, m.vertexCount(), 0., budget); },
-      [&] {
-        return forFaces(8, [&](int f) {
-          for (int h = 3 * f; h < 3 * f + 3; ++h) m.angleSum_[m.tail_[h]] += m.cornerAngle(h);
-          m.area_ += m.faceArea_[f];
-        });
-      },
+      [&] { return fillInSlices(m.longestEdge_, m.vertexCount(), 0., budget); },
+      [&] { return forFaces(8, [&](int f) { sumUp(f); }); },
       [&] { return fillInSlices(isOnFoundLoop_, m.vertexCount(), '\0', budget); },
       [&] {
         return loop_.run(m.vertexCount(), budget, kQuickRounds, [&](int v) { followLoopFrom(v); });
@@ -148,13 +150,25 @@ void MeshBuilding::requireVertices(int triangle) const {
   }
 }
 
-void MeshBuilding::takeFans(Fans fans) {
-  mesh_.tail_ = std::move(fans.tail);
-  mesh_.vertexHalfedge_ = std::move(fans.outgoing);
-  mesh_.inputVertex_ = std::move(fans.representative);
+void MeshBuilding::takeFans() {
+  mesh_.tail_ = std::move(fans_.tail);
+  mesh_.inputVertex_ = std::move(fans_.representative);
+  mesh_.fanBegin_.reserve(mesh_.inputVertex_.size() + 1);
+  mesh_.fanBegin_.push_back(0);
   firstCopy_ = mesh_.vertexCount() - mesh_.repairs_.splitVertices;
   mesh_.repairs_.flippedTriangles =
       static_cast<int>(std::count(mesh_.flipped_.begin(), mesh_.flipped_.end(), true));
+}
+
+/// Lists the halfedges that leave a vertex, after those of the vertices before it.
+void MeshBuilding::listFan(int vertex) {
+  int end = mesh_.fanBegin_.back();
+  int h = fans_.outgoing[vertex];
+  do {
+    mesh_.fanHalfedges_[end++] = h;
+    h = mesh_.rotate(h);
+  } while (h >= 0 && h != fans_.outgoing[vertex]);
+  mesh_.fanBegin_.push_back(end);
 }
 
 /// In place: vertices are in the order of the input, so their positions only move up; those of
@@ -221,6 +235,16 @@ void MeshBuilding::setFace(int f, const IntrinsicTriangle& t) {
     face.angles[i] = std::atan2(t.twiceArea, t.dots[i]);
   }
   mesh_.faceArea_[f] = t.twiceArea / 2;
+}
+
+/// Adds a face to what is known of its vertices and of the mesh.
+void MeshBuilding::sumUp(int f) {
+  for (int h = 3 * f; h < 3 * f + 3; ++h) {
+    mesh_.angleSum_[mesh_.tail(h)] += mesh_.cornerAngle(h);
+    for (const int v : {mesh_.tail(h), mesh_.tip(h)})
+      mesh_.longestEdge_[v] = std::max(mesh_.longestEdge_[v], mesh_.length(h));
+  }
+  mesh_.area_ += mesh_.faceArea_[f];
 }
 
 // --- Topology ----------------------------------------------------------------------------------

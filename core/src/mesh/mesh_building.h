@@ -29,7 +29,8 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
  private:
   int inputVertexCount() const { return static_cast<int>(positions_.size() / 3); }
   void requireVertices(int triangle) const;
-  void takeFans(Fans fans);
+  void takeFans();
+  void listFan(int vertex);
   void takePosition(int vertex);
   void measureExtent();
   void requireEdgeLength() const;
@@ -37,6 +38,7 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
   void noteFlatness(int face);
   void setFace(int face, const IntrinsicTriangle& triangle);
   IntrinsicTriangle triangle(int face) const;
+  void sumUp(int face);
   void followLoopFrom(int vertex);
   void countTopology();
 
@@ -56,6 +58,7 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
   OrientedComponents oriented_;
   std::optional<SmallComponents> dropping_;
   std::optional<FanSplitting> splitting_;
+  Fans fans_;
   int firstCopy_ = 0;  ///< the vertices from there on are copies for further fans
   std::optional<InputMap> mapping_;
   std::vector<double> leastExcess_;  ///< of each face

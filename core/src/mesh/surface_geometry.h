@@ -5,13 +5,18 @@
 #include <algorithm>
 #include <array>
 #include <string>
-#include <vector>
 
+#include "base/prefetch.h"
 #include "gvd/error.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
 
 namespace gvd {
+
+/// Fetches the faces around a vertex into the cache, for soon.
+inline void prefetchFan(const TriangleMesh& mesh, int vertex) {
+  for (const int h : mesh.fan(vertex)) prefetch(mesh.face(TriangleMesh::faceOf(h)));
+}
 
 /// Squared edge lengths of a face, entry i that of side i (corner i to the next).
 inline std::array<double, 3> squaredSides(const TriangleMesh& mesh, int face) {
@@ -41,14 +46,6 @@ inline double squaredLength(const Eigen::Vector3d& difference, const std::array<
 inline double squaredDistance(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                               const std::array<double, 3>& sides) {
   return squaredLength(a - b, sides);
-}
-
-/// The longest edge at each vertex.
-inline std::vector<double> longestEdges(const TriangleMesh& mesh) {
-  std::vector<double> result(mesh.vertexCount(), 0.0);
-  for (int h = 0; h < mesh.halfedgeCount(); ++h)
-    for (const int v : {mesh.tail(h), mesh.tip(h)}) result[v] = std::max(result[v], mesh.length(h));
-  return result;
 }
 
 /// Throws `Error(kInvalidPoint)` that begins with what the point is, if it is not on the mesh.

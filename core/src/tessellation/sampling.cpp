@@ -52,29 +52,6 @@ SurfacePoint drawPoint(std::mt19937_64& random, const std::vector<double>& sums)
   return p;
 }
 
-/// The longest edge at each vertex, in slices.
-class LongestEdges {
- public:
-  explicit LongestEdges(const TriangleMesh& mesh) : mesh_(mesh) {}
-
-  bool step(long& budget) {
-    return sequence_.run([&] { return fillInSlices(longest_, mesh_.vertexCount(), 0., budget); },
-                         [&] {
-                           return loop_.run(mesh_.halfedgeCount(), budget, 8, [&](int h) {
-                             for (const int v : {mesh_.tail(h), mesh_.tip(h)})
-                               longest_[v] = std::max(longest_[v], mesh_.length(h));
-                           });
-                         });
-  }
-  double operator[](int vertex) const { return longest_[vertex]; }
-
- private:
-  const TriangleMesh& mesh_;
-  SlicedSequence sequence_;
-  SlicedLoop loop_;
-  std::vector<double> longest_;
-};
-
 /// One vertex after the other that is farthest from the points so far.
 class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
  public:
@@ -86,15 +63,12 @@ class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
         // Where a point is the nearest, its distance is right if it is at both ends of every edge
         // that the path crosses: these are no farther beyond the point's region than an edge is
         // long.
-        sweep_(mesh,
-               [this](int v, double distance) { return distance < least_[v] + longestEdge_[v]; }),
-        longestEdge_(mesh) {
+        sweep_(mesh, [this](int v) { return least_[v] + mesh_.longestEdge(v); }) {
     requireCount(count);
   }
 
   bool step(long budget) override {
     return sequence_.run(
-        [&] { return longestEdge_.step(budget); },
         [&] { return fillInSlices(least_, mesh_.vertexCount(), kInfinity, budget); },
         [&] {
           return loop_.run(mesh_.vertexCount(), budget, 8, [&](int v) {
@@ -158,7 +132,6 @@ class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
   SlicedSequence sequence_, spread_;
   SlicedLoop loop_;
   dgpc::UnfoldingSweep sweep_;
-  LongestEdges longestEdge_;
   std::vector<double> least_;                          ///< from the nearest point, per vertex
   std::priority_queue<std::pair<double, int>> queue_;  ///< vertices negated: the lowest first
   std::vector<SurfacePoint> points_;
@@ -177,15 +150,12 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
         count_(count),
         radius_(radius),
         random_(seed),
-        sweep_(mesh,
-               [this](int v, double distance) { return distance < radius_ + 2 * longestEdge_[v]; }),
-        longestEdge_(mesh) {
+        sweep_(mesh, [this](int v) { return radius_ + 2 * mesh_.longestEdge(v); }) {
     if (count) requireCount(*count);
   }
 
   bool step(long budget) override {
-    return sequence_.run([&] { return longestEdge_.step(budget); },
-                         [&] { return fillInSlices(known_, mesh_.vertexCount(), {}, budget); },
+    return sequence_.run([&] { return fillInSlices(known_, mesh_.vertexCount(), {}, budget); },
                          [&] { sums_ = cumulative(faceWeights(mesh_)); },
                          [&] { return addAll(budget); });
   }
@@ -269,7 +239,6 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
   SlicedSequence sequence_, spread_;
   SlicedLoop loop_;
   dgpc::UnfoldingSweep sweep_;
-  LongestEdges longestEdge_;
   std::vector<double> sums_;  ///< of the faces' weights
   size_t misses_ = 0;         ///< since the last dart that hit
   int nextVertex_ = 0;        ///< to be tried, once all darts are thrown

@@ -22,10 +22,9 @@ UnfoldingSpread::UnfoldingSpread(const TriangleMesh& mesh, const SiteSet& sites,
       edgeBounds_(edgeBounds),
       bounds_(bounds),
       isUnbounded_(isUnbounded),
-      longestEdge_(longestEdges(mesh)),
       sweep_(mesh,
-             [this](int v, double distance) {
-               return isUnbounded_ || distance <= edgeBounds_[v] + longestEdge_[v];
+             [this](int v) {
+               return isUnbounded_ ? kInfinity : edgeBounds_[v] + mesh_.longestEdge(v);
              }),
       indexOf_(mesh.vertexCount(), -1),
       reaching_(mesh.vertexCount()) {}
@@ -126,7 +125,7 @@ void UnfoldingSpread::requireVertex(Label& known, int vertex) const {
 /// Where edges are much longer than distances, the sweep may have found no neighbour of a vertex
 /// that is required: it is done once more, over the whole component.
 void UnfoldingSpread::sweepToRequired(int label) {
-  UnfoldingSweep sweep(mesh_, [](int, double) { return true; });
+  UnfoldingSweep sweep(mesh_, [](int) { return kInfinity; });
   sweep.start(sites_[label]);
   long unlimited = std::numeric_limits<long>::max();
   sweep.run(unlimited);

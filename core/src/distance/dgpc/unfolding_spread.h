@@ -60,7 +60,6 @@ class UnfoldingSpread final : public LabelSpread {
   const EdgeBounds& edgeBounds_;
   NearestBounds& bounds_;
   const bool isUnbounded_;
-  const std::vector<double> longestEdge_;  ///< at each vertex
   UnfoldingSweep sweep_;
   std::vector<Label> labels_;
   int running_ = -1;

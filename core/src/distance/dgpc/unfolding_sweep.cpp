@@ -3,8 +3,8 @@
 // Eivind Lyche Melvær, Martin Reimers. Geodesic Polar Coordinates on Polygonal Meshes. 2012
 #include "distance/dgpc/unfolding_sweep.h"
 
-#include "base/prefetch.h"
 #include "distance/site_frame.h"
+#include "mesh/surface_geometry.h"
 
 namespace gvd::dgpc {
 
@@ -13,6 +13,7 @@ using Eigen::Vector2d;
 namespace {
 
 constexpr std::array<int, 2> kFromSite = {-1, -1};
+constexpr size_t kAhead = 2;
 
 }  // namespace
 
@@ -64,6 +65,8 @@ bool UnfoldingSweep::run(long& budget) {
   for (; bucket_ < buckets_.size(); ++bucket_, cursor_ = 0) {
     while (cursor_ < buckets_[bucket_].size()) {
       if (budget <= 0) return false;
+      const std::vector<int>& bucket = buckets_[bucket_];
+      if (cursor_ + kAhead < bucket.size()) prefetchFan(mesh_, bucket[cursor_ + kAhead]);
       const int v = buckets_[bucket_][cursor_++];
       if (!std::exchange(vertices_[v].isQueued, false)) continue;
       --budget;
@@ -75,13 +78,6 @@ bool UnfoldingSweep::run(long& budget) {
   return true;
 }
 
-/// What a vertex's distance has to fall below to be an improvement.
-double UnfoldingSweep::limit(int v) const {
-  if (!isReached(v)) return kInfinity;
-  const double share = kDistanceTolerance * static_cast<double>(1ULL << vertices_[v].improvements);
-  return vertices_[v].distance * (1 - share);
-}
-
 void UnfoldingSweep::offer(int v, double distance, const Vector2d& direction,
                            const Origin& origin) {
   if (!(distance < limit(v))) return;
@@ -91,12 +87,14 @@ void UnfoldingSweep::offer(int v, double distance, const Vector2d& direction,
   } else {
     own.epoch = epoch_;
     own.improvements = 0;
+    own.reach = reach_(v);
     reached_.push_back(v);
   }
   own.distance = distance;
+  own.limit = distance * (1 - kDistanceTolerance * static_cast<double>(1LL << own.improvements));
   own.direction = direction;
   own.origin = origin;
-  own.isQueued = spreads_(v, distance);
+  own.isQueued = distance <= own.reach;
   if (!own.isQueued) return;
   // Where it is queued already, that is later: what is met first counts.
   const size_t b = std::max(bucket_, static_cast<size_t>(distance * bucketsPerUnit_));
@@ -109,21 +107,17 @@ void UnfoldingSweep::offer(int v, double distance, const Vector2d& direction,
 /// pass on their distances, which may become less before, is left to them.
 void UnfoldingSweep::passOn(int v) {
   const Vertex& own = vertices_[v];
-  const int first = mesh_.outgoing(v);
-  offer(mesh_.tip(first), own.distance + mesh_.length(first), own.direction, {v, v});
-  int h = first;
-  do {
+  const std::span<const int> fan = mesh_.fan(v);
+  offer(mesh_.tip(fan.front()), own.distance + mesh_.length(fan.front()), own.direction, {v, v});
+  for (const int h : fan) {
     const TriangleMesh::Face& face = mesh_.face(TriangleMesh::faceOf(h));
-    const int i = h % 3, k = cornerBefore(i), next = face.twins[k];
+    const int i = h % 3, k = cornerBefore(i);
     const int tip = face.vertices[cornerAfter(i)], tail = face.vertices[k];
-    if (next >= 0) prefetch(mesh_.face(TriangleMesh::faceOf(next)));
     offer(tail, own.distance + face.lengths[k], own.direction, {v, v});
-    if (!(vertices_[tip].isQueued && vertices_[tail].isQueued)) {
-      unfoldAcross(face, i);
-      unfoldAcross(face, k);
-    }
-    h = next;
-  } while (h >= 0 && h != first);
+    if (vertices_[tip].isQueued && vertices_[tail].isQueued) continue;
+    unfoldAcross(face, i);
+    unfoldAcross(face, k);
+  }
 }
 
 /// Gives the apex of a side the distance from the virtual source that the distances at the side's
@@ -131,31 +125,33 @@ void UnfoldingSweep::passOn(int v) {
 void UnfoldingSweep::unfoldAcross(const TriangleMesh::Face& face, int side) {
   const int tail = face.vertices[side], tip = face.vertices[cornerAfter(side)];
   const int apex = face.vertices[cornerBefore(side)];
-  const double atTail = distance(tail), atTip = distance(tip);
+  if (!isReached(tail) || !isReached(tip)) return;
+  const Vertex &atTail = vertices_[tail], &atTip = vertices_[tip];
   const double most = limit(apex);
-  if (!(leastSquaredToApex(face, side, atTail, atTip) < most * most)) return;
-  if (followsFrom(tail, apex) || followsFrom(tip, apex)) return;
-  const auto unfolding = unfold(face, side, atTail, atTip);
+  if (!mayBeNearer(face, side, atTail.distance, atTip.distance, most)) return;
+  if (atTail.followsFrom(apex) || atTip.followsFrom(apex)) return;
+  const auto unfolding = unfold(face, side, atTail.distance, atTip.distance);
   if (!unfolding) return;
   const double squared = unfolding->toApex.squaredNorm();
   if (squared < most * most)
-    offer(apex, std::sqrt(squared), directionToApex(*unfolding, tail, tip), {tail, tip});
+    offer(apex, std::sqrt(squared), directionToApex(*unfolding, atTail, atTip), {tail, tip});
 }
 
 /// Between the directions of both ends of a halfedge, each turned by the angle under which the
 /// virtual source sees the apex beside it.
-Vector2d UnfoldingSweep::directionToApex(const Unfolding& u, int tail, int tip) const {
-  const auto turned = [&](int end, const Vector2d& toEnd) {
-    return turnedBy(vertices_[end].direction, turnedBackBy(u.toApex, toEnd).normalized());
+Vector2d UnfoldingSweep::directionToApex(const Unfolding& u, const Vertex& tail,
+                                         const Vertex& tip) {
+  const auto turned = [&](const Vertex& end, const Vector2d& toEnd) -> Vector2d {
+    return turnedBy(end.direction, turnedBackBy(u.toApex, toEnd)) / end.distance;
   };
   // A source at an end has no direction there.
-  if (u.toTail.squaredNorm() == 0) return turned(tip, u.toTip);
-  if (u.toTip.squaredNorm() == 0) return turned(tail, u.toTail);
+  if (tail.distance == 0) return turned(tip, u.toTip).normalized();
+  if (tip.distance == 0) return turned(tail, u.toTail).normalized();
   const double besideTail = cross(u.toApex, u.toTail), besideTip = cross(u.toTip, u.toApex);
   const double sum = besideTail + besideTip;
   const double share = sum > 0 ? std::clamp(besideTail / sum, 0.0, 1.0) : 0.5;
   const Vector2d mean = (1 - share) * turned(tail, u.toTail) + share * turned(tip, u.toTip);
-  return mean.squaredNorm() > 0 ? Vector2d(mean.normalized()) : turned(tail, u.toTail);
+  return mean.squaredNorm() > 0 ? mean.normalized() : turned(tail, u.toTail).normalized();
 }
 
 }  // namespace gvd::dgpc

@@ -35,14 +35,16 @@ inline std::optional<Eigen::Vector2d> virtualSource(double length, double atTail
   return Eigen::Vector2d(x, -std::sqrt(std::max(squaredY, 0.0)));
 }
 
-/// A lower bound on the squared distance of that source from the apex, without a root. Let the two
-/// be d apart along the side, and y and a away from its line: they lie on opposite sides of it, so
-/// their squared distance is d² + (y + a)²; this is d² + y² + a².
-inline double leastSquaredToApex(const TriangleMesh::Face& face, int side, double atTail,
-                                 double atTip) {
+/// Whether that source may be nearer to the apex than a distance; false only if it is not. Let the
+/// two be d apart along the side, and y and a away from its line: they lie on opposite sides of it,
+/// so their squared distance is d² + (y + a)². What is compared is d² + y² + a², times the side's
+/// length: without a root or a quotient.
+inline bool mayBeNearer(const TriangleMesh::Face& face, int side, double atTail, double atTip,
+                        double distance) {
   const double length = face.lengths[side], toApex = face.lengths[cornerBefore(side)];
-  const double twiceX = ((atTail - atTip) * (atTail + atTip) + length * length) / length;
-  return atTail * atTail + toApex * (toApex - face.cosines[side] * twiceX);
+  const double twiceX = (atTail - atTip) * (atTail + atTip) + length * length;  // times the length
+  return (atTail * atTail + toApex * toApex - distance * distance) * length <
+         toApex * face.cosines[side] * twiceX;
 }
 
 /// The virtual source behind a side of a face that has these distances from its two ends,
@@ -73,13 +75,13 @@ inline std::optional<Unfolding> unfold(const TriangleMesh::Face& face, int side,
 /// doubles each time, which ends longer cycles as well, after at most 41 improvements.
 class UnfoldingSweep {
  public:
-  /// Whether a site spreads on from a vertex at which it has come to a distance; if so, then also
-  /// from a smaller one.
-  using Spreads = std::function<bool(int vertex, double distance)>;
+  /// Up to which distance a site spreads on from a vertex; not asked for again before the next site
+  /// starts.
+  using Reach = std::function<double(int vertex)>;
 
-  UnfoldingSweep(const TriangleMesh& mesh, Spreads spreads)
+  UnfoldingSweep(const TriangleMesh& mesh, Reach reach)
       : mesh_(mesh),
-        spreads_(std::move(spreads)),
+        reach_(std::move(reach)),
         bucketsPerUnit_(kBucketsPerEdge / mesh.meanEdgeLength()),
         vertices_(mesh.vertexCount()) {}
 
@@ -107,29 +109,31 @@ class UnfoldingSweep {
   /// The two ends of the side, or twice the vertex, that a distance follows from; -1 for a site.
   using Origin = std::array<int, 2>;
 
-  struct Vertex {
+  struct alignas(64) Vertex {
     double distance;
+    double limit;  ///< what a distance has to fall below to be an improvement
+    double reach;  ///< up to which distance it is passed on
     Eigen::Vector2d direction;
     Origin origin;              ///< what the distance follows from
     int epoch = 0;              ///< of the site that this is about
     std::uint8_t improvements;  ///< how often the distance has become less
     bool isQueued;              ///< whether it still passes on its distance
+
+    /// Whether the distance follows from that of another vertex.
+    bool followsFrom(int other) const { return origin[0] == other || origin[1] == other; }
   };
 
   void startInFace(const SurfacePoint& site, const Eigen::Vector2d& firstSide);
   bool isReached(int vertex) const { return vertices_[vertex].epoch == epoch_; }
-  double limit(int vertex) const;
-  /// Whether the distance of a vertex follows from that of another one.
-  bool followsFrom(int vertex, int other) const {
-    return vertices_[vertex].origin[0] == other || vertices_[vertex].origin[1] == other;
-  }
+  double limit(int vertex) const { return isReached(vertex) ? vertices_[vertex].limit : kInfinity; }
   void offer(int vertex, double distance, const Eigen::Vector2d& direction, const Origin& origin);
   void passOn(int vertex);
   void unfoldAcross(const TriangleMesh::Face& face, int side);
-  Eigen::Vector2d directionToApex(const Unfolding& unfolding, int tail, int tip) const;
+  static Eigen::Vector2d directionToApex(const Unfolding& unfolding, const Vertex& tail,
+                                         const Vertex& tip);
 
   const TriangleMesh& mesh_;
-  const Spreads spreads_;
+  const Reach reach_;
   const double bucketsPerUnit_;
   int epoch_ = 0;
   std::vector<Vertex> vertices_;

@@ -14,17 +14,6 @@ bool isSaddle(const TriangleMesh& mesh, int vertex) {
   return mesh.angleSum(vertex) > (mesh.onBoundary(vertex) ? kPi - kRounding : 2 * kPi + kRounding);
 }
 
-void FanBehind::collectFan(int vertex) {
-  fan_.clear();
-  const int first = mesh_.outgoing(vertex);
-  int o = first;
-  do {
-    fan_.push_back(o);
-    o = mesh_.rotate(o);
-  } while (o >= 0 && o != first);
-  isClosed_ = o >= 0;
-}
-
 double FanBehind::oppositeLength(int outgoing) const {
   return mesh_.face(outgoing / 3).lengths[cornerAfter(outgoing % 3)];
 }
@@ -54,20 +43,21 @@ FanBehind::Turn FanBehind::turnByPi(Vector2d turned, int steps, OutgoingAt outgo
 }
 
 std::span<const OppositeSide> FanBehind::sides(int vertex, int arrival, double crossing) {
-  collectFan(vertex);
+  const std::span<const int> fan = mesh_.fan(vertex);
+  const bool isClosed = !mesh_.onBoundary(vertex);
   sides_.clear();
   if (arrival < 0) {
-    for (int o : fan_) sides_.push_back({o, 0, oppositeLength(o)});
+    for (const int o : fan) sides_.push_back({o, 0, oppositeLength(o)});
     return sides_;
   }
-  const int n = static_cast<int>(fan_.size());
+  const int n = static_cast<int>(fan.size());
   int in = 0;  // where the path comes from
-  while (fan_[in] / 3 != arrival / 3) ++in;
-  const auto leftwards = [&](int step) { return fan_[(in + step) % n]; };
-  const auto rightwards = [&](int step) { return fan_[(in - step + n) % n]; };
+  while (fan[in] / 3 != arrival / 3) ++in;
+  const auto leftwards = [&](int step) { return fan[(in + step) % n]; };
+  const auto rightwards = [&](int step) { return fan[(in - step + n) % n]; };
 
-  const TriangleMesh::Face& face = mesh_.face(fan_[in] / 3);
-  const int i = fan_[in] % 3;
+  const TriangleMesh::Face& face = mesh_.face(fan[in] / 3);
+  const int i = fan[in] % 3;
   const double c = face.cosines[i], s = face.sines[i];
   const double share = crossing / face.lengths[cornerAfter(i)];
   const double toPrevious = share * face.lengths[cornerBefore(i)];
@@ -75,9 +65,9 @@ std::span<const OppositeSide> FanBehind::sides(int vertex, int arrival, double c
   back.normalize();
   const Turn left =
       turnByPi({c * back.x() + s * back.y(), std::max(0.0, s * back.x() - c * back.y())},
-               isClosed_ ? n : n - in, leftwards);
+               isClosed ? n : n - in, leftwards);
   const Turn right =
-      turnByPi({back.x(), std::max(0.0, back.y())}, isClosed_ ? n : in + 1, rightwards);
+      turnByPi({back.x(), std::max(0.0, back.y())}, isClosed ? n : in + 1, rightwards);
   const auto from = [&](int step) {
     return step == left.step ? meetOpposite(leftwards(step), left.rest) : 0;
   };
@@ -88,7 +78,7 @@ std::span<const OppositeSide> FanBehind::sides(int vertex, int arrival, double c
     const Vector2d& rest = right.rest;
     return meetOpposite(o, {c * rest.x() + s * rest.y(), s * rest.x() - c * rest.y()});
   };
-  if (isClosed_) {
+  if (isClosed) {
     if (left.step < 0 || right.step < 0) return sides_;
     for (int step = left.step; step <= n - right.step; ++step)
       sides_.push_back({leftwards(step), from(step), to(n - step)});

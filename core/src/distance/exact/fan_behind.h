@@ -41,13 +41,10 @@ class FanBehind {
   template <class OutgoingAt>
   Turn turnByPi(Eigen::Vector2d turned, int steps, OutgoingAt outgoingAt) const;
 
-  void collectFan(int vertex);
   double oppositeLength(int outgoing) const;
   double meetOpposite(int outgoing, const Eigen::Vector2d& direction) const;
 
   const TriangleMesh& mesh_;
-  std::vector<int> fan_;  ///< halfedges that leave the vertex, counterclockwise
-  bool isClosed_ = false;
   std::vector<OppositeSide> sides_;
 };
 
