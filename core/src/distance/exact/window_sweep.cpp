@@ -16,6 +16,7 @@
 #include "base/prefetch.h"
 #include "distance/site_frame.h"
 #include "distance/straight_line.h"
+#include "mesh/surface_geometry.h"
 
 namespace gvd::exact {
 namespace {
@@ -236,6 +237,7 @@ void WindowSweep::push(int item, double key) {
 void WindowSweep::queueSource(int v) {
   if (std::exchange(vertices_[v].isQueued, true)) return;
   push(-1 - v, vertices_[v].distance);
+  prefetchFan(mesh_, v);
 }
 
 /// Queues a halfedge at which the first windows wait. It has its turn at once if neither of its
