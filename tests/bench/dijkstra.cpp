@@ -41,15 +41,9 @@ class Sweep {
 
   void spread(int vertex) {
     const LabelledDistance from = nearest_[vertex];
-    const int first = mesh_.outgoing(vertex);
-    int h = first;
-    do {
-      offer(mesh_.tip(h), from.label, from.distance + mesh_.length(h));
-      const int back = TriangleMesh::previous(h);
-      h = mesh_.twin(back);
-      // Along the boundary the last edge only comes in.
-      if (h < 0) offer(mesh_.tail(back), from.label, from.distance + mesh_.length(back));
-    } while (h >= 0 && h != first);
+    mesh_.visitEdges(vertex, [&](int neighbour, double length) {
+      offer(neighbour, from.label, from.distance + length);
+    });
   }
 
   const TriangleMesh& mesh_;

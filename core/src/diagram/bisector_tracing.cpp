@@ -35,7 +35,7 @@ bool BisectorTracing::step(long& budget) {
 /// Room for what is usually needed: most mixed elements have two cells; every site adds some
 /// corners where its bisectors meet, which counts where sites are as many as elements.
 void BisectorTracing::reserve() {
-  const int mixedCount = points_.mixedCount();
+  const int mixedCount = complex_.mixedCount();
   const size_t mixed = mixedCount, atSites = 6 * std::min(siteCount_, mixedCount);
   const size_t points = 5 * mixed / 2 + atSites + complex_.partialCount();
   graph_.points.reserve(points);

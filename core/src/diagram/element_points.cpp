@@ -50,17 +50,9 @@ ElementPoints::ElementPoints(const FaceComplex& complex, NodePoints& nodePoints,
       graph_(graph) {}
 
 bool ElementPoints::prepare(long& budget) {
-  const std::vector<int>& contested = complex_.contested();
   return sequence_.run(
       [&] { return nodePoints_.resize(complex_.nodes().count(), budget); },
-      [&] { return fillInSlices(mixedIndex_, complex_.elementCount(), -1, budget); },
-      [&] {
-        return loop_.run(contested.size(), budget, kQuickRounds, [&](int i) {
-          if (complex_.soleOwner(contested[i]) == Diagram::kMixed)
-            mixedIndex_[contested[i]] = mixedCount_++;
-        });
-      },
-      [&] { return fillInSlices(firstOnSide_, 3 * mixedCount_, -1, budget); });
+      [&] { return fillInSlices(firstOnSide_, 3 * complex_.elementCount(), -1, budget); });
 }
 
 std::span<const ElementPoints::Corner> ElementPoints::of(const Element& element,
@@ -131,7 +123,7 @@ int ElementPoints::atNode(const Element& element, int node, const Eigen::Vector3
 int ElementPoints::makeOnSide(const Element& element, const FaceEnvelope& envelope, const Vertex& v,
                               const Eigen::Vector3d& bary) {
   const int a = envelope.label(v.functions[0]), b = envelope.label(v.functions[1]);
-  int& first = firstOnSide_[slotOf(element, v.place)];
+  int& first = firstOnSide_[sideOf(element.index, v.place)];
   for (int p = first; p >= 0; p = graph_.points[p].nextOnSide) {
     const auto& labels = graph_.points[p].labels;
     if ((labels[0] == a && labels[1] == b) || (labels[0] == b && labels[1] == a)) return p;
@@ -159,12 +151,10 @@ void ElementPoints::mergeOnSide(const Element& element, int side, int point, int
       graph_.unite(point, p);
 }
 
-/// Where in `firstOnSide_` a side of an element is. Of two elements with points on their common
-/// side both are mixed, for the owners of its ends are not the same.
-int ElementPoints::slotOf(const Element& element, int side) const {
-  const int twin = twins_[3 * element.index + side], neighbour = twin / 3;
-  const bool isLater = twin < 0 || neighbour > element.index || mixedIndex_[neighbour] < 0;
-  return isLater ? 3 * mixedIndex_[element.index] + side : 3 * mixedIndex_[neighbour] + twin % 3;
+/// Where in `firstOnSide_` a side of an element is.
+int ElementPoints::sideOf(int element, int side) const {
+  const int h = 3 * element + side, twin = twins_[h];
+  return twin < 0 ? h : std::min(h, twin);
 }
 
 }  // namespace gvd

@@ -35,9 +35,6 @@ class ElementPoints {
   ElementPoints(const FaceComplex& complex, NodePoints& nodePoints, BisectorGraph& graph);
   /// Before any point is made; true when the lists are there.
   bool prepare(long& budget);
-  /// How many elements several regions have a part of.
-  int mixedCount() const { return mixedCount_; }
-
   /// The points of an element, per vertex of its envelope; good until the next call.
   std::span<const Corner> of(const Element& element, const FaceEnvelope& envelope);
   /// The point at a node, which lies at `bary` in an element's face.
@@ -54,7 +51,7 @@ class ElementPoints {
                    const Eigen::Vector3d& bary);
   bool isNearCorner(const Element& element, const Eigen::Vector3d& bary) const;
   void tellApartInnerPoints();
-  int slotOf(const Element& element, int side) const;
+  int sideOf(int element, int side) const;
 
   const TriangleMesh& mesh_;
   const FaceComplex& complex_;
@@ -63,11 +60,8 @@ class ElementPoints {
   BisectorGraph& graph_;
 
   SlicedSequence sequence_;
-  SlicedLoop loop_;
-  int mixedCount_ = 0;
-  std::vector<int> mixedIndex_;  ///< per element, -1 if it has one owner or none
-  /// Per side of mixed elements, the first in a list of points of the graph, -1 for none. A side
-  /// that two have in common is the one of that with the lower index.
+  /// Per halfedge, the lower one of a side's two, the first in a list of points of the graph, -1
+  /// for none.
   std::vector<int> firstOnSide_;
   std::vector<Corner> corners_;  ///< of the element at hand
 };

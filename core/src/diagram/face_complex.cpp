@@ -45,13 +45,13 @@ bool FaceComplex::takeMesh(long& budget) {
       },
       [&] {
         return forFaces([&](int f) {
-          mixedCount_ += nodes_.commonOwner(&mesh_.tails()[3 * f]) == Diagram::kMixed;
+          splitCount_ += nodes_.commonOwner(&mesh_.tails()[3 * f]) == Diagram::kMixed;
         });
       },
       [&] {
         // Room for what splitting adds, lest all be copied: three elements for each that is split,
         // of which there are twice as many in every level, and some around them.
-        const size_t splits = static_cast<size_t>(mixedCount_) << std::min(detail_, 8);
+        const size_t splits = static_cast<size_t>(splitCount_) << std::min(detail_, 8);
         if (isOwn_) elements_.reserve(mesh_.faceCount() + 4 * splits);
       },
       [&] { return forFaces([&](int f) { addFace(f); }); });
@@ -88,6 +88,7 @@ void FaceComplex::clear() {
   elements_.clear();
   for (auto* list : {&twin_, &soleOwner_, &contested_, &lastOut_, &before_}) list->clear();
   splitting_.reset();
+  mixedCount_ = 0;
   finishing_ = matching_ = {};
 }
 
@@ -96,6 +97,7 @@ void FaceComplex::addFace(int face) { elements_.addFace(face, mesh_.face(face).v
 void FaceComplex::noteContested(int element) {
   const int* const node = &tails()[3 * element];
   soleOwner_.push_back(nodes_.commonOwner(node));
+  mixedCount_ += soleOwner_.back() == Diagram::kMixed;
   if (soleOwner_.back() < 0 || std::all_of(node, node + 3, [&](int n) { return nodes_.hasTie(n); }))
     contested_.push_back(element);
 }

@@ -69,6 +69,8 @@ class FaceComplex {
   /// The elements, ascending, of several regions or of none, and those with ties at all nodes: on
   /// all of these, two labels may tie.
   const std::vector<int>& contested() const { return contested_; }
+  /// How many elements several regions have a part of.
+  int mixedCount() const { return mixedCount_; }
 
  private:
   bool takeMesh(long& budget);
@@ -98,7 +100,8 @@ class FaceComplex {
 
   SlicedSequence taking_, finishing_, matching_;
   SlicedLoop loop_;
-  int mixedCount_ = 0;  ///< faces
+  int splitCount_ = 0;  ///< faces of several regions, if these are split
+  int mixedCount_ = 0;
   std::optional<ElementSplitting> splitting_;
   std::vector<int> lastOut_, before_;  ///< lists of halfedges, per node and per halfedge
 };

@@ -8,7 +8,7 @@
 namespace gvd {
 
 void LabelClosure::closeFace(int f, std::vector<Requirement>& required) {
-  const auto& corners = mesh_.face(f).vertices;
+  const int* const corners = &mesh_.tails()[3 * static_cast<size_t>(f)];
   const auto a = lists_[corners[0]], b = lists_[corners[1]], c = lists_[corners[2]];
   if ((a.size() > 1) + (b.size() > 1) + (c.size() > 1) < 2) return;
   anyLabel(a, b, c, [&](int label, const auto& at) {
@@ -32,25 +32,23 @@ void LabelClosure::closeAround(int vertex, int label, std::vector<Requirement>& 
 /// Requires, at the apex of a halfedge, a label that is known at both ends, if the label owns part
 /// of the halfedge.
 void LabelClosure::requireAcross(int h, int label, std::vector<Requirement>& required) {
-  const int tail = mesh_.tail(h), tip = mesh_.tip(h), owner = bounds_[tail].label;
-  // Most labels are farther than one owner at both ends.
-  if (lists_.distance(tail, label) > bounds_[tail].distance &&
-      lists_.distance(tip, label) > lists_.distance(tip, owner))
-    return;
   if (ownsPartOfEdge(label, h)) owners_.add(TriangleMesh::faceOf(h), label, true, required);
 }
 
 /// Whether a label is least anywhere on an edge by interpolation, compared with the true owners of
 /// the faces beside it: so what is found does not depend on the order in which it is.
 bool LabelClosure::ownsPartOfEdge(int label, int h) const {
-  EdgeShare share(label, lists_.distance(mesh_.tail(h), label),
-                  lists_.distance(mesh_.tip(h), label));
+  const int tail = mesh_.tail(h), tip = mesh_.tip(h);
+  EdgeShare share(label, lists_.distance(tail, label), lists_.distance(tip, label));
   const auto yieldTo = [&](int other) {
-    const double atTail = lists_.distance(mesh_.tail(h), other);
-    const double atTip = lists_.distance(mesh_.tip(h), other);
-    if (other != label && atTail < kInfinity && atTip < kInfinity)
-      share.yieldTo(other, atTail, atTip);
+    if (other == label) return;
+    const double atTail = lists_.distance(tail, other), atTip = lists_.distance(tip, other);
+    if (atTail < kInfinity && atTip < kInfinity) share.yieldTo(other, atTail, atTip);
   };
+  // To the owners of the ends first: most labels are farther than one of them at both ends.
+  yieldTo(bounds_[tail].label);
+  yieldTo(bounds_[tip].label);
+  if (share.isEmpty()) return false;
   for (const int side : {h, mesh_.twin(h)}) {
     if (side < 0) continue;
     const int face = TriangleMesh::faceOf(side);
