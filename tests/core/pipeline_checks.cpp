@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "base/tolerances.h"
 #include "diagram_checks.h"
 #include "gvd/cvt.h"
 #include "gvd/dual.h"
@@ -62,32 +61,17 @@ void edit(DynamicDiagram& dynamic, const TriangleMesh& mesh, Random& random) {
   }
 }
 
-/// By site, the share of the mesh by which areas may differ that follow from the same distances in
-/// other ways: a bisector of sites s and s' moves by up to `kDistanceTolerance` d² / |s - s'|.
-std::vector<double> sharesOfRounding(const TriangleMesh& mesh,
-                                     std::span<const SurfacePoint> sites) {
-  const int count = static_cast<int>(sites.size());
-  std::vector<Eigen::Vector3d> places;
-  std::vector<int> order;
-  for (const SurfacePoint& site : sites) {
-    order.push_back(static_cast<int>(places.size()));
-    places.push_back(mesh.position(site));
-  }
-  std::sort(order.begin(), order.end(),
-            [&](int a, int b) { return places[a].x() < places[b].x(); });
-  std::vector<double> shares;
-  std::vector<double> nearest(count, kInfinity);  // of sites that are not in one place
-  for (int i = 0; i < count; ++i)
-    for (const int step : {-1, 1})
-      for (int j = i + step; j >= 0 && j < count; j += step) {
-        const Eigen::Vector3d way = places[order[i]] - places[order[j]];
-        double& least = nearest[order[i]];
-        if (std::abs(way.x()) >= least) break;
-        if (way.norm() > 0) least = std::min(least, way.norm());
-      }
-  for (const double apart : nearest)
-    shares.push_back(std::max(1e-9, kDistanceTolerance * mesh.boundingDiagonal() / apart));
-  return shares;
+/// Where two fields do not know the same distances, to the last bit: label l of `a` is label
+/// `labelInB[l]` of `b`.
+AssertionResult haveSameDistances(const TriangleMesh& mesh, const DistanceField& a,
+                                  const DistanceField& b, std::span<const int> labelInB) {
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+    if (!std::ranges::equal(a.at(v), b.at(v),
+                            [&](const LabelledDistance& x, const LabelledDistance& y) {
+                              return labelInB[x.label] == y.label && x.distance == y.distance;
+                            }))
+      return ::testing::AssertionFailure() << "the distances at vertex " << v << " differ";
+  return ::testing::AssertionSuccess();
 }
 
 std::string complaintAboutEdits(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
@@ -106,18 +90,11 @@ std::string complaintAboutEdits(const TriangleMesh& mesh, std::span<const Surfac
   }
   if (present.empty()) return {};
   const Traced anew = trace(mesh, present, options.metric);
-  const std::vector<double> shares = sharesOfRounding(mesh, present);
-  for (size_t l = 0; l < labels.size(); ++l) {
-    const double area = followed.regionArea[labels[l]], expected = anew.diagram.regionArea[l];
-    if (!(std::abs(area - expected) <= shares[l] * mesh.area()))
-      return "after edits: region " + std::to_string(l) + " has area " + std::to_string(area) +
-             " and " + std::to_string(expected);
-  }
-  const double most = *std::max_element(shares.begin(), shares.end());
-  // Where rounding moves bisectors that far, it also decides which faces they cross.
-  constexpr double kFar = 1e-4;
-  if (most > kFar) return {};
-  return complaint("after edits", areSame(mesh, anew.diagram, followed, labels, most));
+  if (const auto result = haveSameDistances(mesh, *anew.field, dynamic.distances(), labels);
+      !result)
+    return complaint("after edits", result);
+  constexpr double kTolerance = 1e-9;  // for areas, which are summed in another order
+  return complaint("after edits", areSame(mesh, anew.diagram, followed, labels, kTolerance));
 }
 
 std::string complaintAboutTessellation(const TriangleMesh& mesh,

@@ -34,9 +34,7 @@ struct DiagramChange {
 
 /// A diagram whose sites come, go and move. Only the surroundings of a change are computed anew;
 /// what results is the diagram of the present sites: combinatorially, and to rounding in its
-/// numbers, the one that `propagate` and `traceDiagram` give. Only where sites s and s' are so near
-/// to each other that rounding (2^-41 d² / |s - s'| at distance d) moves their bisector by more
-/// than 1e-4 of the mesh, it may also cross other faces there.
+/// numbers, the one that `propagate` and `traceDiagram` give. The distances have the same bits.
 ///
 /// A site keeps its label until it is removed, and labels that are free have empty regions. So
 /// labels are not always consecutive: of n sites they are the lowest n unless sites were removed.

@@ -134,11 +134,16 @@ void SiteDistances::lowerBounds() {
   for (const int label : started_) hasStarted[label] = true;
   makeSet(resumed_);
   std::erase_if(resumed_, [&](int label) { return !sites_.contains(label) || hasStarted[label]; });
+  for (const int v : resetVertices_) bounds_[v].distance = edgeBounds_[v];
+  // A label that has owned a vertex is no bound there if a path along edges is shorter now: whether
+  // labels come down to that does not depend on who was there before.
+  for (const int v : edgeBounds_.changed()) {
+    if (isAtMost(bounds_[v].distance, edgeBounds_[v])) continue;
+    bounds_[v] = {-1, edgeBounds_[v]};
+    resetVertices_.push_back(v);
+  }
   bounded_ = resetVertices_;
-  for (const int v : edgeBounds_.changed())
-    if (bounds_[v].label < 0) bounded_.push_back(v);
   edgeBounds_.clearChanged();
-  for (const int v : bounded_) bounds_[v].distance = edgeBounds_[v];
   turns_.clear();
   next_ = 0;
   for (const int label : started_) turns_.push_back({label, Turn::kStart, {}});

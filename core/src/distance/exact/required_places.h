@@ -32,7 +32,7 @@ class RequiredPlaces {
     y_.push_back(position.y());
     z_.push_back(position.z());
     nearest_.push_back(nearest);
-    bound_.push_back(bound * (1 - kDistanceTolerance));
+    bound_.push_back(bound * (1 + kDistanceTolerance));
     return size() - 1;
   }
   /// By how much a path that can gain anything is longer than the nearest label's, at most.
@@ -41,7 +41,8 @@ class RequiredPlaces {
     for (int i = 0; i < size(); ++i) most = std::max(most, bound_[i] - nearest_[i]);
     return most;
   }
-  void shorten(int index, double bound) { bound_[index] = bound * (1 - kDistanceTolerance); }
+  /// Paths that tie with the bound can still become the shortest.
+  void shorten(int index, double bound) { bound_[index] = bound * (1 + kDistanceTolerance); }
   /// Whether paths with a length of at least `length` up to points at most `radius` from `place`
   /// can become the shortest to a required place. Neither can a path be shorter than the straight
   /// line in space, nor can it lose its `excess` on the way: the amount by which it is longer than

@@ -16,6 +16,31 @@ namespace gvd::exact {
 /// covers them up to distances of 2^20 edges and more, and a path that turns is never too short.
 inline constexpr double kGrazing = 1e-7;
 
+/// How a path gets to a vertex. What windows end at depends on what else is known when they spread;
+/// the lengths of straight paths follow from the faces that they cross alone. So of paths that tie,
+/// a straight one counts: the distance is the same to the last bit, in whatever order labels
+/// spread.
+enum class Course : char {
+  kStraight,  ///< through windows, over virtual sources
+  kBeside,    ///< past the end of a window, by no more than rounding
+  kBent,      ///< turning at the end of a window, or at a vertex that need not be a virtual source
+};
+
+/// The length of a path, with how it comes to be.
+struct PathLength {
+  double length;
+  Course course;
+};
+
+/// More than rounding makes paths along one line differ by, as a share of their length; an eighth
+/// of what counts as a tie.
+inline constexpr double kLineDifference = 0x1p-44;
+
+/// What paths to one vertex are compared by.
+inline double rankOf(const PathLength& path) {
+  return path.length * (1 + kLineDifference * static_cast<double>(path.course));
+}
+
 /// A window: the part of a halfedge that a virtual source sees along straight lines of the unfolded
 /// faces (Mitchell et al. 1987). It belongs to the halfedge of the face that these lines enter, and
 /// is given in the coordinates of that halfedge.
@@ -46,14 +71,18 @@ struct Window {
   }
   /// Where the line from the source to a point of the face crosses the halfedge.
   double crossing(double px, double py) const { return x + (px - x) * (-y / (py - y)); }
-  /// The length of the shortest path through the window to a point of the face: straight if the
-  /// crossing is inside the window, else bent at the window's end next to it.
-  double distance(double px, double py) const {
+  /// The shortest path through the window to a point of the face: straight if the crossing is
+  /// inside the window, else bent at the window's end next to it.
+  PathLength path(double px, double py) const {
     const double at = crossing(px, py);
+    const double straight = sourceDistance + std::sqrt((px - x) * (px - x) + (py - y) * (py - y));
     const double bend = std::clamp(at, begin, end);
-    if (bend == at) return sourceDistance + std::sqrt((px - x) * (px - x) + (py - y) * (py - y));
-    return distanceOnEdge(bend) + std::sqrt((px - bend) * (px - bend) + py * py);
+    if (bend == at) return {straight, Course::kStraight};
+    const double bent = distanceOnEdge(bend) + std::sqrt((px - bend) * (px - bend) + py * py);
+    if (bent <= straight * (1 + kLineDifference)) return {straight, Course::kBeside};
+    return {bent, Course::kBent};
   }
+  double distance(double px, double py) const { return path(px, py).length; }
 };
 
 /// Where a ray from (x, y), y < 0, through (at, 0) meets the side that leaves the origin under an

@@ -71,8 +71,7 @@ bool WindowSweep::hasRequiredCorner(int f) const {
 }
 
 void WindowSweep::offerRequired(int v, double distance, const LastPiece& piece) {
-  if (isRequired(v) && distance < vertices_[v].distance * (1 - kDistanceTolerance))
-    offer(v, distance, piece);
+  if (isRequired(v)) offer(v, distance, piece);
 }
 
 /// Offers the corners of a face the paths along its sides from other corners.
@@ -85,8 +84,8 @@ void WindowSweep::offerAlongSides(int f) {
     if (distance == kInfinity || vertices_[v].piece.arrival < 0) continue;
     const auto offerTo = [&](int corner, double length, int arrival, double crossing) {
       const int to = face.vertices[corner];
-      if (isRequired(to) && distance + length < vertices_[to].distance * (1 - kDistanceTolerance))
-        offer(to, distance + length, {crossing, distance, directionAt(v), arrival});
+      if (isRequired(to) && distance + length < vertices_[to].distance)
+        offer(to, distance + length, {crossing, distance, directionAt(v), arrival, Course::kBent});
     };
     const int j = cornerAfter(i), k = cornerBefore(i);
     offerTo(j, face.lengths[i], 3 * f + k, face.lengths[k]);
@@ -109,18 +108,20 @@ void WindowSweep::offerToCorners(const Window& w, int h) {
     // it.
     const bool turnsAtVertex = std::abs(crossing - straight) > grazing &&
                                (crossing < grazing || crossing > length - grazing);
-    if (!turnsAtVertex)
-      offerRequired(face.vertices[k], w.distance(p.x(), p.y()),
-                    {crossing, w.sourceDistance, w.direction, h});
+    if (!turnsAtVertex) {
+      const PathLength path = w.path(p.x(), p.y());
+      offerRequired(face.vertices[k], path.length,
+                    {crossing, w.sourceDistance, w.direction, h, path.course});
+    }
   }
   // Along the halfedge from an end of the window. A window that ends at the vertex has offered the
   // straight path already, with the direction in which it arrives.
   if (isRequired(face.vertices[i]) && w.begin > grazing)
     offerRequired(face.vertices[i], w.distanceOnEdge(w.begin) + w.begin,
-                  {0, w.sourceDistance, w.direction, h - i + j});
+                  {0, w.sourceDistance, w.direction, h - i + j, Course::kBent});
   if (isRequired(face.vertices[j]) && w.end < length - grazing)
     offerRequired(face.vertices[j], w.distanceOnEdge(w.end) + length - w.end,
-                  {face.lengths[k], w.sourceDistance, w.direction, h - i + k});
+                  {face.lengths[k], w.sourceDistance, w.direction, h - i + k, Course::kBent});
 }
 
 // --- Points --------------------------------------------------------------------------------------

@@ -10,6 +10,7 @@
 #include "distance/exact/window_sweep.h"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -34,6 +35,10 @@ constexpr size_t kMostCrossingsPerVertex = 30;
 /// tubes of a few faces. To follow every window around a vertex of a thousand faces would take a
 /// hundred times as long as to cross these.
 constexpr long kFollowedPerWindow = 16;
+/// The shortest side of a needle as a share of its longest. A way around a spike of that width is
+/// longer than the straight one by some 1e-10, well more than a tie: around wider ones, lines that
+/// wind are cut off for their length.
+constexpr double kNeedle = 1e-5;
 /// The distance, in bounding diagonals, up to which labels go on to wherever they tie.
 constexpr double kFarthestTie = 8;
 /// What distances between places in space are rounded by, in bounding diagonals: a few 2^-53.
@@ -69,6 +74,13 @@ WindowSweep::WindowSweep(const TriangleMesh& mesh, NearestBounds& bounds)
       vertices_(mesh.vertexCount()),
       windows_(mesh.halfedgeCount()) {
   for (int v = 0; v < mesh.vertexCount(); ++v) vertices_[v].isSaddle = isSaddle(mesh, v);
+  for (int f = 0; f < mesh.faceCount(); ++f) {
+    const TriangleMesh::Face& face = mesh.face(f);
+    const auto [least, most] = std::minmax({face.lengths[0], face.lengths[1], face.lengths[2]});
+    if (!(least < kNeedle * most)) continue;
+    isNeedle_.resize(mesh.faceCount(), false);
+    isNeedle_[f] = true;
+  }
 }
 
 // --- One label ---------------------------------------------------------------------------------
@@ -199,7 +211,7 @@ void WindowSweep::startAcross(const SurfacePoint& site, int side, double angle) 
 void WindowSweep::offer(int v, double distance, const LastPiece& piece) {
   Vertex& own = vertices_[v];
   if (own.epoch != epoch_) reach(v);
-  if (!(distance < own.distance)) return;
+  if (!(rankOf({distance, piece.course}) < rankOf({own.distance, own.piece.course}))) return;
   own.distance = distance;
   own.piece = piece;
   if (to_ == SpreadTo::kSites) {
@@ -338,8 +350,9 @@ void WindowSweep::offerToApex(int h, const WindowLists::Chunk* list) {
   WindowLists::visit(list, [&](const Window& w) {
     const double crossing = w.crossing(p.x(), p.y());
     crossings_.push_back(crossing);
-    if (crossing >= w.begin - grazing && crossing <= w.end + grazing)
-      offer(apex, w.distance(p.x(), p.y()), {crossing, w.sourceDistance, w.direction, h});
+    if (!(crossing >= w.begin - grazing && crossing <= w.end + grazing)) return;
+    const PathLength path = w.path(p.x(), p.y());
+    offer(apex, path.length, {crossing, w.sourceDistance, w.direction, h, path.course});
   });
 }
 
@@ -374,6 +387,7 @@ WindowSweep::Portal WindowSweep::portalTo(int h) const {
   if (isWinding_ && (mayFollow_ += kFollowedPerWindow) > 0 &&
       entersFaceAgain(mesh_, w, portal.halfedge, mayFollow_))
     return;
+  if (windsAroundNeedle(w, portal.halfedge)) return;
   if (portal.isContested) {
     Window owned = w;
     trim(owned, portal.length, portal.nearest);
@@ -384,6 +398,15 @@ WindowSweep::Portal WindowSweep::portalTo(int h) const {
     if (to_ == SpreadTo::kSites) w = owned;
   }
   windows_.add(portal.halfedge, w);
+}
+
+/// Whether a window is about to enter a needle that its lines have crossed already. Around spikes of
+/// needles, lines tie with those that wind fewer times: how often they did would be up to rounding,
+/// and to when another label stops them.
+inline bool WindowSweep::windsAroundNeedle(const Window& w, int h) const {
+  if (isNeedle_.empty() || !isNeedle_[h / 3]) return false;
+  long unlimited = std::numeric_limits<long>::max();
+  return entersFaceAgain(mesh_, w, h, unlimited);
 }
 
 /// Whether the apex is in sight of a window, and the window's distance longer there than the

@@ -155,6 +155,7 @@ class WindowSweep {
   Portal portalTo(int halfedge) const;
   bool isBeaten(const Window& w, double crossing, int halfedge, double apexDistance) const;
   void keep(Window& w, const Portal& portal);
+  bool windsAroundNeedle(const Window& w, int halfedge) const;
 
   /// A place in space, as seen from a vertex of the mesh: those of a mesh far from the origin would
   /// be rounded by more than the mesh is large.
@@ -196,6 +197,7 @@ class WindowSweep {
   /// tie there have to come there, whichever of them spreads first.
   const double leeway_;
   FanBehind fan_;
+  std::vector<char> isNeedle_;  ///< per face; empty if none is
 
   // The label at hand.
   int label_ = -1;
