@@ -214,6 +214,8 @@ class TriangleMesh {
   double area() const { return area_; }
   /// The length of the longest edge at v.
   double longestEdge(int v) const { return longestEdge_[v]; }
+  /// The faces, ascending, of which the shortest side is below 1e-5 of the longest: few or none.
+  std::span<const int> needles() const { return needles_; }
   /// The mean of `length` over all halfedges: an inner edge counts twice.
   double meanEdgeLength() const { return meanEdgeLength_; }
   /// The component of a face, numbered from 0 in order of the first face.
@@ -265,6 +267,7 @@ class TriangleMesh {
   std::vector<double> faceArea_;
   std::vector<int> fanBegin_, fanHalfedges_;  ///< fan after fan, and where each begins
   std::vector<double> angleSum_, longestEdge_;
+  std::vector<int> needles_;
   double area_ = 0, meanEdgeLength_ = 0, boundingDiagonal_ = 0;
   std::vector<int> component_;
   std::vector<int> boundaryLoops_;

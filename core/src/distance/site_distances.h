@@ -97,7 +97,7 @@ class SiteDistances final : public DistanceField {
   size_t next_ = 0;  ///< of these
   bool isLabelBegun_ = false;
   std::vector<int> bounded_;        ///< vertices limited by paths along edges alone
-  std::vector<int> resetVertices_;  ///< those of which the owners have left, or are farther than the bound
+  std::vector<int> resetVertices_;  ///< those of which the owners have left or are beyond bounds
 };
 
 }  // namespace gvd

@@ -18,6 +18,11 @@ namespace {
 constexpr double kLongestDiagonal = 0x1p200;
 constexpr double kShortestMeanEdge = 0x1p-200;
 
+/// The shortest side of a needle as a share of its longest. A way around a spike of that width is
+/// longer than the straight one by some 1e-10, well more than a tie: around wider ones, lines that
+/// wind are cut off for their length.
+constexpr double kNeedle = 1e-5;
+
 /// Faces per unit: measuring one takes three arctangents.
 constexpr long kMeasuredFaces = 2;
 
@@ -237,7 +242,7 @@ void MeshBuilding::setFace(int f, const IntrinsicTriangle& t) {
   mesh_.faceArea_[f] = t.twiceArea / 2;
 }
 
-/// Adds a face to what is known of its vertices and of the mesh.
+/// Adds a face to what is known of its vertices and of the mesh. Faces come in their order.
 void MeshBuilding::sumUp(int f) {
   for (int h = 3 * f; h < 3 * f + 3; ++h) {
     mesh_.angleSum_[mesh_.tail(h)] += mesh_.cornerAngle(h);
@@ -245,6 +250,9 @@ void MeshBuilding::sumUp(int f) {
       mesh_.longestEdge_[v] = std::max(mesh_.longestEdge_[v], mesh_.length(h));
   }
   mesh_.area_ += mesh_.faceArea_[f];
+  const auto& lengths = mesh_.faces_[f].lengths;
+  const auto [shortest, longest] = std::minmax_element(lengths.begin(), lengths.end());
+  if (*shortest < kNeedle * *longest) mesh_.needles_.push_back(f);
 }
 
 // --- Topology ----------------------------------------------------------------------------------

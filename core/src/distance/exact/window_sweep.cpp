@@ -35,10 +35,6 @@ constexpr size_t kMostCrossingsPerVertex = 30;
 /// tubes of a few faces. To follow every window around a vertex of a thousand faces would take a
 /// hundred times as long as to cross these.
 constexpr long kFollowedPerWindow = 16;
-/// The shortest side of a needle as a share of its longest. A way around a spike of that width is
-/// longer than the straight one by some 1e-10, well more than a tie: around wider ones, lines that
-/// wind are cut off for their length.
-constexpr double kNeedle = 1e-5;
 /// The distance, in bounding diagonals, up to which labels go on to wherever they tie.
 constexpr double kFarthestTie = 8;
 /// What distances between places in space are rounded by, in bounding diagonals: a few 2^-53.
@@ -74,13 +70,8 @@ WindowSweep::WindowSweep(const TriangleMesh& mesh, NearestBounds& bounds)
       vertices_(mesh.vertexCount()),
       windows_(mesh.halfedgeCount()) {
   for (int v = 0; v < mesh.vertexCount(); ++v) vertices_[v].isSaddle = isSaddle(mesh, v);
-  for (int f = 0; f < mesh.faceCount(); ++f) {
-    const TriangleMesh::Face& face = mesh.face(f);
-    const auto [least, most] = std::minmax({face.lengths[0], face.lengths[1], face.lengths[2]});
-    if (!(least < kNeedle * most)) continue;
-    isNeedle_.resize(mesh.faceCount(), false);
-    isNeedle_[f] = true;
-  }
+  if (!mesh.needles().empty()) isNeedle_.resize(mesh.faceCount(), false);
+  for (const int f : mesh.needles()) isNeedle_[f] = true;
 }
 
 // --- One label ---------------------------------------------------------------------------------
