@@ -25,14 +25,15 @@ Record listsRecord(PointLists lists) {
 }
 
 Record segmentsRecord(const TriangleMesh& mesh, std::span<const Diagram::Segment> segments) {
-  std::vector<int> points, labels, face, arc;
-  points.reserve(2 * segments.size());
-  labels.reserve(2 * segments.size());
+  std::vector<std::array<int, 2>> points, labels;
+  std::vector<int> face, arc;
+  points.reserve(segments.size());
+  labels.reserve(segments.size());
   face.reserve(segments.size());
   arc.reserve(segments.size());
   for (const Diagram::Segment& segment : segments) {
-    points.insert(points.end(), segment.points.begin(), segment.points.end());
-    labels.insert(labels.end(), segment.labels.begin(), segment.labels.end());
+    points.push_back(segment.points);
+    labels.push_back(segment.labels);
     face.push_back(mesh.inputFace(segment.face));
     arc.push_back(segment.arc);
   }
@@ -122,12 +123,12 @@ Record neighboursRecord(std::span<const RegionPatch> regions) {
 /// The points nearest to the centroids; of a region without triangles, face -1.
 Record nearCentroidsRecord(const TriangleMesh& mesh, std::span<const RegionPatch> regions) {
   std::vector<int> face;
-  std::vector<double> bary;
+  std::vector<Eigen::Vector3d> bary;
   for (const RegionPatch& region : regions) {
     const SurfacePoint near =
         region.triangleCount > 0 ? mesh.toInput(region.nearCentroid) : SurfacePoint();
     face.push_back(near.face);
-    bary.insert(bary.end(), near.bary.begin(), near.bary.end());
+    bary.push_back(near.bary);
   }
   Record out;
   out.add("face", std::move(face));
@@ -169,13 +170,13 @@ Record topologyRecord(const PolygonTopology& topology) {
 
 Record pointsRecord(const TriangleMesh& mesh, std::span<const SurfacePoint> points) {
   std::vector<int> face;
-  std::vector<double> bary;
+  std::vector<Eigen::Vector3d> bary;
   face.reserve(points.size());
-  bary.reserve(3 * points.size());
+  bary.reserve(points.size());
   for (const SurfacePoint& p : points) {
     const SurfacePoint input = mesh.toInput(p);
     face.push_back(input.face);
-    bary.insert(bary.end(), input.bary.begin(), input.bary.end());
+    bary.push_back(input.bary);
   }
   Record out;
   out.add("face", std::move(face));
@@ -184,12 +185,9 @@ Record pointsRecord(const TriangleMesh& mesh, std::span<const SurfacePoint> poin
 }
 
 Record placedRecord(const TriangleMesh& mesh, std::span<const SurfacePoint> points) {
-  std::vector<double> positions;
-  positions.reserve(3 * points.size());
-  for (const SurfacePoint& p : points) {
-    const Eigen::Vector3d position = mesh.position(p);
-    positions.insert(positions.end(), position.begin(), position.end());
-  }
+  std::vector<Eigen::Vector3d> positions;
+  positions.reserve(points.size());
+  for (const SurfacePoint& p : points) positions.push_back(mesh.position(p));
   Record out = pointsRecord(mesh, points);
   out.add("position", std::move(positions));
   return out;
