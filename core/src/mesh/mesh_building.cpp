@@ -96,9 +96,7 @@ bool MeshBuilding::step(long budget) {
       [&] { fans_ = taken(splitting_); },
       [&] { return fillInSlices(m.fanHalfedges_, fans_.tail.size(), -1, budget); },
       [&] { takeFans(); },
-      [&] {
-        return loop_.run(m.vertexCount(), budget, kQuickRounds, [&](int v) { listFan(v); });
-      },
+      [&] { return loop_.run(m.vertexCount(), budget, kQuickRounds, [&](int v) { listFan(v); }); },
       [&] { release(fans_.outgoing); },
       [&] {
         return runPart(mapping_, budget, triangles_, representative_, selection_.corners,

@@ -146,11 +146,9 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
   /// added; with one, the radius falls.
   DiskSampling(const TriangleMesh& mesh, std::optional<int> count, double radius,
                std::uint64_t seed)
-      : mesh_(mesh),
-        count_(count),
-        radius_(radius),
-        random_(seed),
-        sweep_(mesh, [this](int v) { return radius_ + 2 * mesh_.longestEdge(v); }) {
+      : mesh_(mesh), count_(count), radius_(radius), random_(seed), sweep_(mesh, [this](int v) {
+          return radius_ + 2 * mesh_.longestEdge(v);
+        }) {
     if (count) requireCount(*count);
   }
 

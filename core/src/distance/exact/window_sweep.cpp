@@ -391,9 +391,9 @@ WindowSweep::Portal WindowSweep::portalTo(int h) const {
   windows_.add(portal.halfedge, w);
 }
 
-/// Whether a window is about to enter a needle that its lines have crossed already. Around spikes of
-/// needles, lines tie with those that wind fewer times: how often they did would be up to rounding,
-/// and to when another label stops them.
+/// Whether a window is about to enter a needle that its lines have crossed already. Around spikes
+/// of needles, lines tie with those that wind fewer times: how often they did would be up to
+/// rounding, and to when another label stops them.
 inline bool WindowSweep::windsAroundNeedle(const Window& w, int h) const {
   if (isNeedle_.empty() || !isNeedle_[h / 3]) return false;
   long unlimited = std::numeric_limits<long>::max();
