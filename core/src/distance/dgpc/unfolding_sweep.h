@@ -104,7 +104,7 @@ class UnfoldingSweep {
  private:
   /// Buckets of the queue per mean edge: what is passed on in the wrong order within a bucket is
   /// passed on again.
-  static constexpr double kBucketsPerEdge = 16;
+  static constexpr double kBucketsPerEdge = 8;
 
   /// The two ends of the side, or twice the vertex, that a distance follows from; -1 for a site.
   using Origin = std::array<int, 2>;
