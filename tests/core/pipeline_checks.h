@@ -21,8 +21,7 @@ struct PipelineOptions {
 /// Diagram, partition, dual, edits and tessellation. What is wrong with one of them, empty if
 /// nothing is:
 ///  - a diagram or partition is not sound (`isConsistent`, `isSound`, `hasTheAreasOf`);
-///  - a diagram that has followed its sites differs from a fresh one, its distances in a single
-///  bit;
+///  - a diagram that has followed its sites differs from a fresh one;
 ///  - the energy of a tessellation rises.
 /// The edits are random. Exceptions pass.
 std::string complaintAboutPipeline(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,

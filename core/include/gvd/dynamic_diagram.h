@@ -34,7 +34,9 @@ struct DiagramChange {
 
 /// A diagram whose sites come, go and move. Only the surroundings of a change are computed anew;
 /// what results is the diagram of the present sites: combinatorially, and to rounding in its
-/// numbers, the one that `propagate` and `traceDiagram` give. The distances have the same bits.
+/// numbers, the one that `propagate` and `traceDiagram` give. The distances have the same bits, but
+/// where several straight paths to a vertex are equally long: these differ by what they round by,
+/// less than 2^-44 of their length.
 ///
 /// A site keeps its label until it is removed, and labels that are free have empty regions. So
 /// labels are not always consecutive: of n sites they are the lowest n unless sites were removed.
