@@ -31,9 +31,8 @@ void visitCommonLabels(std::span<const LabelledDistance> a, std::span<const Labe
   }
 }
 
-/// Whether `isSought` says so of any label known at one corner of a triangle or more. Asks
-/// isSought(label, at) in ascending order, `at` with what is known at each corner: null for
-/// nothing.
+/// Whether isSought(label, at) is true for any label known at a corner of a triangle. Labels come
+/// in ascending order; `at` has the label's distance at each corner, null where it is not known.
 template <class IsSought>
 bool anyLabel(std::span<const LabelledDistance> a, std::span<const LabelledDistance> b,
               std::span<const LabelledDistance> c, IsSought isSought) {

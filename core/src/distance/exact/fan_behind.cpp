@@ -29,7 +29,8 @@ double FanBehind::meetOpposite(int outgoing, const Vector2d& direction) const {
   return denominator * f.lengths[j] > numerator ? numerator / denominator : f.lengths[j];
 }
 
-/// Turns on from an angle, given by its cosine and sine, by the angles of the faces that follow.
+/// Adds up the angles of successive faces until the turn, begun with the angle of cosine and sine
+/// `turned`, exceeds π.
 template <class OutgoingAt>
 FanBehind::Turn FanBehind::turnByPi(Vector2d turned, int steps, OutgoingAt outgoingAt) const {
   for (int step = 1; step < steps; ++step) {

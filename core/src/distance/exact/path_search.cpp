@@ -45,7 +45,7 @@ class PathSearch final : public SlicedWork<std::vector<SurfacePoint>> {
 
   bool step(long budget) override { return isDone_ = sweep_.run(budget); }
 
-  /// How far the windows have come of the way that is the least possible.
+  /// The wavefront's distance as a share of the straight line in space.
   double progress() const override {
     if (isDone_) return 1;
     return straight_ > 0 ? std::min(sweep_.front() / straight_, 0.9) : 0;

@@ -13,12 +13,12 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// A path over a vertex is as short as the straight line beside the vertex if it is longer by no
-/// more than this share: a hundredth of what tests ask for, some 10^4 times the rounding of
+/// A path over a vertex counts as no longer than the straight line beside the vertex if it exceeds
+/// it by at most this share: a hundredth of the tests' tolerance, some 10^4 times the rounding of
 /// distances.
 constexpr double kSameLength = 1e-11;
-/// How far a virtual source, unfolded face by face, may be from its vertex, as a share of the way
-/// to it. That the distances agree, too, decides.
+/// How far an unfolded virtual source may be from its vertex, as a share of the way to it. The
+/// distances must agree as well (`kSameLength`).
 constexpr double kSourceError = 1e-6;
 
 }  // namespace
