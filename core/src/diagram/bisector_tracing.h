@@ -15,7 +15,7 @@
 
 namespace gvd {
 
-/// Makes the graph: in every element of several regions the lower envelope.
+/// Builds the bisector graph from the lower envelope on every mixed element.
 class BisectorTracing {
  public:
   BisectorTracing(const FaceComplex& complex, int siteCount, NodePoints& nodePoints,

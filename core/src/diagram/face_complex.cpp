@@ -32,7 +32,7 @@ FaceComplex::FaceComplex(const TriangleMesh& mesh, const DistanceField& distance
 
 bool FaceComplex::step(long& budget) { return (isPart_ || takeMesh(budget)) && finish(budget); }
 
-/// The vertices; the faces too, if they are to be split.
+/// Takes the vertices, and the faces too if mixed ones are to be split.
 bool FaceComplex::takeMesh(long& budget) {
   const auto forFaces = [&](auto body) {
     return !isOwn_ || loop_.run(mesh_.faceCount(), budget, kQuickRounds, body);
@@ -57,7 +57,8 @@ bool FaceComplex::takeMesh(long& budget) {
       [&] { return forFaces([&](int f) { addFace(f); }); });
 }
 
-/// All else, from faces and what is known at their vertices.
+/// Splits elements, matches twins and finds owners, once faces and the labels of vertices are
+/// there.
 bool FaceComplex::finish(long& budget) {
   return finishing_.run(
       [&] {
@@ -129,8 +130,8 @@ int FaceComplex::meshHalfedge(int h) const {
   return -1;
 }
 
-/// Sides on the mesh boundary have no twin, also where the mesh was cut and another one has the
-/// same two nodes.
+/// A side on the mesh boundary gets no twin, even if the mesh was cut there and another side has
+/// the same two nodes.
 bool FaceComplex::isOnMeshBoundary(int h) const {
   const int side = meshHalfedge(h);
   return side >= 0 && mesh_.twin(side) < 0;

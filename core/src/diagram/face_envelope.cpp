@@ -60,7 +60,7 @@ bool FaceEnvelope::isBelow(int f, const Vertex& v) const {
   return orientation(a, b, value(v.functions[2]), c) < 0;
 }
 
-/// Most triangles are one cell or two: these are known before any list is made.
+/// Most triangles have one cell or two; `cut_` finds these without any lists.
 void FaceEnvelope::compute(std::span<const LabelFunction> functions) {
   functions_ = functions;
   const int count = static_cast<int>(functions.size());
@@ -72,8 +72,8 @@ void FaceEnvelope::compute(std::span<const LabelFunction> functions) {
   for (; f < count; ++f) insert(f);
 }
 
-/// Sets `cut_` while one function, `cut_.low`, has all of the triangle: f may be the next one that
-/// has, or take a part.
+/// Updates `cut_` by f while one function, `cut_.low`, has the whole triangle: f may replace it, or
+/// take a part.
 bool FaceEnvelope::cutsWhole(int f) {
   const auto &a = value(cut_.low), &c = value(f);
   const std::array<bool, 3> isBelow = {c[0] < a[0], c[1] < a[1], c[2] < a[2]};
@@ -88,7 +88,7 @@ bool FaceEnvelope::cutsWhole(int f) {
   return true;
 }
 
-/// Whether f is less than the envelope anywhere, of which `cut_` is all so far.
+/// Whether f is below the envelope anywhere, while `cut_` is the whole envelope.
 bool FaceEnvelope::isBelowCut(int f) const {
   bool isBelowAnywhere = false;
   for (int i = 0; i < 3; ++i) {
@@ -99,8 +99,8 @@ bool FaceEnvelope::isBelowCut(int f) const {
   return isBelowAnywhere;
 }
 
-/// Makes lists of `cut_`: of both cells, going through the corners and the sides from each in turn,
-/// those corners and crossings that the cell has.
+/// Turns `cut_` into lists: walks around the triangle and adds each corner and crossing to the
+/// cells that have it.
 void FaceEnvelope::buildCut() {
   if (cells_.size() < 2) cells_.resize(2);
   cellCount_ = cut_.high < 0 ? 1 : 2;
@@ -161,8 +161,8 @@ bool FaceEnvelope::findBelow(int f) {
   return any;
 }
 
-/// Adds one function: its cell is what it takes from the others. Each cell, convex, gives up one
-/// run of its vertices, and the cut closes both parts.
+/// Adds one function. Its cell is cut from the others: each convex cell gives up one run of its
+/// vertices, and the cut closes both parts.
 void FaceEnvelope::insert(int f) {
   const int vertexCount = static_cast<int>(vertices_.size());
   if (!findBelow(f)) return;
