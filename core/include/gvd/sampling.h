@@ -89,15 +89,15 @@ enum class WorstRegion {
 /// removed.
 class WorstRegions {
  public:
-  /// Of a diagram, which has detail 0, and of its distances. The mesh and the distances, which
-  /// change with the diagram, must outlive this. O(F).
+  /// Takes a diagram of detail 0 and its distances. The mesh and the distances, which change with
+  /// the diagram, must outlive this. O(F).
   WorstRegions(const TriangleMesh& mesh, const DistanceField& distances, const Diagram& diagram,
                WorstRegion worst);
-  /// Follows a change of the diagram, after which `distances` are those of the new one. As long as
-  /// it takes to look at the regions in `DiagramChange::labels`, and O(F).
+  /// Follows a change of the diagram; `distances` must have changed already. Takes time for the
+  /// regions in `DiagramChange::labels`, and O(F).
   void follow(const DiagramChange& change);
-  /// Where one more site would be: in the worst region, as far from its site as any vertex or point
-  /// of its outline; in a component without a site, if there is one. O(F).
+  /// The place for one more site: in a component without a site, if there is one, otherwise the
+  /// vertex or outline point of the worst region that is farthest from its site. O(F).
   SurfacePoint point() const;
   /// What makes a region the worst.
   WorstRegion kind() const { return worst_; }
@@ -108,7 +108,7 @@ class WorstRegions {
     double distortion = 0;
     std::vector<SurfacePoint> outline;
   };
-  /// What a label has of a face.
+  /// The share of one label in a face.
   struct Piece {
     int label;
     double distortion;
@@ -131,11 +131,10 @@ class WorstRegions {
 std::vector<SurfacePoint> sampleWorstFirst(const TriangleMesh& mesh, int count, std::uint64_t seed,
                                            WorstRegion worst);
 
-/// These points, with at least `perComponent` on each component of the mesh: where there are fewer,
-/// more are put there at random, uniform by area. They come last. For them, as long as there are
-/// more than `count` points, the last of those given goes whose component has more than it needs.
-/// Throws `Error(kInvalidArgument)` if `count` does not suffice for all components.
-/// O(F + P log F).
+/// These points, with at least `perComponent` on each component of the mesh: missing ones are drawn
+/// at random, uniform by area, and appended. While there are more than `count` points, the last
+/// given point is dropped whose component has more than it needs. Throws `Error(kInvalidArgument)`
+/// if `count` does not suffice for all components. O(F + P log F).
 std::vector<SurfacePoint> coverComponents(const TriangleMesh& mesh,
                                           std::vector<SurfacePoint> points, int perComponent,
                                           int count, std::uint64_t seed);
