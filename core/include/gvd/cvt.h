@@ -80,7 +80,7 @@ class Cvt {
   bool step(long budget);
   bool isDone() const;
 
-  /// Of the last iteration finished; valid after `step` has returned true for the first time.
+  /// The results of the last finished iteration; valid after `step` has first returned true.
   const CvtIteration& iteration() const;
   std::span<const SurfacePoint> sites() const;
   /// The distances stay valid as long as the pointer is kept: further iterations make new ones.

@@ -17,8 +17,8 @@
 ///     const auto distances = propagation->take();
 ///     const gvd::Diagram diagram = gvd::traceDiagram(mesh, *distances, sites.size());
 ///
-/// What takes long can be done in steps (sliced_work.h): `propagate` is, and `startMesh`,
-/// `startDiagram`, `startPartition` … are what their namesakes return at once.
+/// Long computations can be done in steps (sliced_work.h): `propagate` always is; `startMesh`,
+/// `startDiagram`, `startPartition` … yield in steps what their namesakes return at once.
 ///
 /// Then, as needed, in any order:
 ///  - sampling.h: sites to begin with; curvature.h: densities for them; closest_point.h: points on

@@ -19,8 +19,8 @@ namespace gvd {
 
 /// One region of a partition, as a patch of triangles. Lengths and areas are in the mesh's units.
 ///
-/// Where a region touches itself in a single point, its patch is taken as cut apart there: so it is
-/// a surface with boundary, and has the same inside. The counts below are of that surface;
+/// A patch is cut apart where its region touches itself in a single point, which makes it a surface
+/// with boundary and does not change its inside. The counts below are those of that surface;
 /// `selfTouchings` counts the cuts.
 struct RegionPatch {
   struct Neighbour {
@@ -39,8 +39,8 @@ struct RegionPatch {
   double boundaryLength = 0;          ///< of the perimeter, what has no region beyond it
   std::vector<Neighbour> neighbours;  ///< ascending by label; no part that was left out
 
-  /// The mean of its points by area, in space: off the surface where that is bent. (By triangle, if
-  /// the region has no area.)
+  /// The mean of its points by area (by triangle, if it has no area), in space: off the surface
+  /// where the surface is bent.
   Eigen::Vector3d centroid = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
   /// The point of the region that is nearest to the centroid, in space.
   SurfacePoint nearCentroid;
@@ -49,7 +49,8 @@ struct RegionPatch {
   int loops = 0;  ///< closed outlines
   int eulerCharacteristic = 0;
   int genus = 0;  ///< all components: (2·components - loops - eulerCharacteristic) / 2
-  /// How often it touches itself in a point: for each point, its fans of triangles there but one.
+  /// How often it touches itself in a point: at each point, the number of its fans of triangles
+  /// minus one.
   int selfTouchings = 0;
 
   /// Whether it is a closed disk.
@@ -69,7 +70,7 @@ struct Partition {
   std::vector<SurfacePoint> points;  ///< `face` counts the mesh's faces
   std::vector<Eigen::Vector3d> positions;
 
-  /// Ascending by label, those no site reaches last; of one label, ascending by face.
+  /// Ascending by label, then by face; triangles that no site reaches come last.
   std::vector<std::array<int, 3>> triangles;
   std::vector<int> triangleLabel;  ///< region, or `Diagram::kUnreachable`
   std::vector<int> triangleFace;   ///< the mesh face it is part of
@@ -78,7 +79,7 @@ struct Partition {
   std::vector<int> twins;
 
   std::vector<RegionPatch> regions;  ///< one per site; `regions[l].label == l`
-  RegionPatch unreachable;           ///< what no site reaches, as if it were a region
+  RegionPatch unreachable;           ///< the part that no site reaches, as if it were a region
 };
 
 struct PartitionOptions {
@@ -94,7 +95,7 @@ struct PartitionOptions {
 Partition partition(const TriangleMesh& mesh, const Diagram& diagram,
                     const PartitionOptions& options = {});
 
-/// The same in steps. Mesh and diagram must outlive it.
+/// The same in steps. Mesh and diagram must outlive the work.
 std::unique_ptr<SlicedWork<Partition>> startPartition(const TriangleMesh& mesh,
                                                       const Diagram& diagram,
                                                       const PartitionOptions& options = {});

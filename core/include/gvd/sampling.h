@@ -99,7 +99,7 @@ class WorstRegions {
   /// The place for one more site: in a component without a site, if there is one, otherwise the
   /// vertex or outline point of the worst region that is farthest from its site. O(F).
   SurfacePoint point() const;
-  /// What makes a region the worst.
+  /// The criterion for the worst region.
   WorstRegion kind() const { return worst_; }
 
  private:

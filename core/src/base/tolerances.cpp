@@ -11,7 +11,7 @@
 namespace gvd {
 namespace {
 
-/// Whether any two of them are equal up to rounding, but not equal.
+/// Whether any two distances are equal up to rounding, but not exactly.
 bool haveUnequalTies(std::span<const LabelledDistance> here) {
   for (size_t i = 1; i < here.size(); ++i)
     for (size_t j = 0; j < i; ++j) {

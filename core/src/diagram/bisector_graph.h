@@ -40,7 +40,7 @@ struct BisectorGraph {
 
   std::vector<Point> points;
   std::vector<SurfacePoint> places;  ///< per point
-  std::vector<int> innerPoints;      ///< those of three regions, ascending
+  std::vector<int> innerPoints;      ///< points of three regions, ascending
   PointMerging merging;
   std::vector<int> mergedFaces;  ///< faces with merged points, with repetitions
 
@@ -107,8 +107,8 @@ class NodePoints {
   std::vector<int> known_;
 };
 
-// These write number by number. The numbers are still in registers; assembling a struct first and
-// copying it in larger pieces would have to wait for memory.
+// The functions below write number by number. The numbers are still in registers; assembling a
+// struct first and copying it in larger pieces would have to wait for memory.
 
 inline int BisectorGraph::addPoint(int face, const Eigen::Vector3d& bary, double error, int labelA,
                                    int labelB, int labelC) {

@@ -56,7 +56,7 @@ class BisectorTracing {
   FaceEnvelope envelope_;
   ElementPoints points_;
 
-  // Of the element at hand.
+  // The element at hand.
   std::span<const Corner> corners_;  ///< per vertex of the envelope
   std::vector<double> cellAreas_;
 };

@@ -14,7 +14,8 @@ namespace gvd {
 
 double crossing(double aFirst, double bFirst, double aSecond, double bSecond) {
   const double first = aFirst - bFirst, second = aSecond - bSecond;
-  // Of opposite signs, or one of them zero; both only where a perturbed tie put the crossing.
+  // `first` and `second` have opposite signs or one is zero; both are zero only if a perturbed tie
+  // made the crossing.
   const double span = first - second;
   return span == 0 ? 0.5 : std::clamp(first / span, 0.0, 1.0);
 }
@@ -33,11 +34,12 @@ void FaceEnvelope::setBary(const Vertex& v, Eigen::Vector3d& bary) const {
   bary[3 - i - j] = 0;
 }
 
-/// The common zero of b - a and c - a is their cross product, up to scale. Where the functions are
-/// almost equal along a line, as those of two sites next to each other are, almost all of it
-/// cancels: rounded, the place would be anywhere on the line, and cells would be folded over each
-/// other. None of the coordinates is negative, nor all of them zero: the triangle has the place,
-/// and raising functions, as for ties, leaves the sum of the coordinates as it is.
+/// The common zero of b - a and c - a is their cross product, up to scale. It is computed with a
+/// bounded relative error, because it cancels almost entirely if the functions are almost equal
+/// along a line, as for two sites next to each other: rounding would put the place anywhere on the
+/// line and fold cells over each other. No coordinate is negative and not all are zero: the place
+/// is in the triangle, and raising functions to break ties does not change the sum of the
+/// coordinates.
 void FaceEnvelope::setInnerBary(const Vertex& v, Eigen::Vector3d& bary) const {
   const auto &a = value(v.functions[0]), &b = value(v.functions[1]), &c = value(v.functions[2]);
   for (int i = 0; i < 3; ++i) {
@@ -209,7 +211,7 @@ void FaceEnvelope::insert(int f) {
   for (size_t i = 0; i < links_.size(); ++i) {
     const auto link =
         std::find_if(links_.begin(), links_.end(), [&](const Link& l) { return l.from == at; });
-    // Where two former cells met on a side of the triangle there is nothing any more.
+    // A vertex on a side of the triangle where two former cells met is gone.
     const bool isGone = at < vertexCount && vertices_[at].kind == Vertex::kOnSide;
     if (!isGone) cell.sides.push_back({at, link->across});
     at = link->to;

@@ -105,7 +105,7 @@ class KnownLabels {
   std::vector<int> requiredFaces_;         ///< of the label at hand
   std::vector<int> listed_;                ///< the labels that may be known at the changed vertices
   IndexSet marked_;                        ///< vertices at hand
-  std::vector<LabelAtVertex> added_;       ///< what the last round of the closure has changed
+  std::vector<LabelAtVertex> added_;       ///< changed by the last round of the closure
 };
 
 }  // namespace gvd

@@ -30,7 +30,7 @@ class WindowPath {
   std::vector<SurfacePoint> take();
 
  private:
-  /// What is left of a straight piece of the path.
+  /// The rest of a straight piece of the path, up to its virtual source.
   struct Piece {
     StraightLine line;
     double sourceDistance;

@@ -52,7 +52,7 @@ class WindowSpread final : public LabelSpread {
   NearestBounds& bounds_;
   const SpreadTo startTo_;
   WindowSweep sweep_;
-  LabelState searched_;  ///< what the last search from a point has come to
+  LabelState searched_;  ///< the result of the last search from a point
   ReachedIndex index_;
   std::vector<LabelState> labels_;
   FoundDistances found_;
