@@ -42,8 +42,8 @@ struct CvtIteration {
 };
 
 /// A centroidal Voronoi tessellation of a mesh: moves sites so that the energy E = Σ ∫ ρ d² falls,
-/// d the geodesic distance to the nearest site, until every site is at the centroid of its
-/// region, where the mean of the logarithmic map vanishes. That is a local minimum, not the least.
+/// d the geodesic distance to the nearest site, until every site is at the centroid of its region,
+/// where the mean of the logarithmic map vanishes. The result is a local minimum, not a global one.
 ///
 ///     Cvt cvt(mesh, sites);
 ///     while (!cvt.isDone())
@@ -54,9 +54,9 @@ struct CvtIteration {
 /// the cells of mixed faces included; components without a site do not count.
 ///
 /// Two kinds of sites have no gradient, and are moved in other ways unless they are fixed. A site
-/// without region (it coincides with another one, or ρ is zero around it) is placed anew, at a
-/// random point, drawn with a probability in proportion to the energy there. A site on a vertex is
-/// moved off it by 1e-7 of a side: at a vertex, directions are not unique.
+/// without region (it coincides with another one, or ρ is zero around it) moves to a random point,
+/// drawn with a probability in proportion to the energy there. A site on a vertex is moved off it
+/// by 1e-7 of a side: at a vertex, directions are not unique.
 ///
 /// Deterministic. An iteration costs one diagram and its integrals, more where a step is shortened.
 ///

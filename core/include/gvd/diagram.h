@@ -39,7 +39,7 @@ struct PointLists {
 /// boundary, or closed; a *Voronoi point* is equidistant from three or more sites; a *loop* is a
 /// closed outline of a region. "Left" is as seen with the faces counterclockwise.
 struct Diagram {
-  static constexpr int kUnreachable = -1;  ///< label of what no site reaches
+  static constexpr int kUnreachable = -1;  ///< label of places that no site reaches
   static constexpr int kMixed = -2;        ///< faceLabel of a face with several regions
 
   int siteCount = 0;

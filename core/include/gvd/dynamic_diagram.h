@@ -24,7 +24,7 @@ struct DiagramChange {
   /// Replaces everything that the diagram had for these labels and faces:
   ///  - the loops of `labels`;
   ///  - all arcs, with their segments, and all Voronoi points that involve one of `labels`;
-  ///  - the cells of `faces`, and those of `faces` that are indifferent.
+  ///  - the cells of `faces`, and the indifferent ones of `faces`.
   ///
   /// Points are numbered anew. `faceLabel` is given per entry of `faces`, `regionArea` per entry of
   /// `labels`.

@@ -36,7 +36,7 @@ struct RegionPatch {
   double area = 0;
   /// The length of its outline: borders, mesh boundary, and holes left for indifferent faces.
   double perimeter = 0;
-  double boundaryLength = 0;          ///< of the perimeter, what has no region beyond it
+  double boundaryLength = 0;          ///< the part of the perimeter without a region beyond
   std::vector<Neighbour> neighbours;  ///< ascending by label; no part that was left out
 
   /// The mean of its points by area (by triangle, if it has no area), in space: off the surface
@@ -59,12 +59,12 @@ struct RegionPatch {
 
 /// A mesh cut into the regions of a diagram (Melvær & Reimers 2014, section 7.2): the mesh's own
 /// triangles where one region owns all of them, and the parts of the others, triangulated. It is
-/// one mesh: regions share the vertices on their borders, so that all of it is closed exactly where
+/// one mesh: regions share the vertices on their borders, so the partition is closed exactly where
 /// the input was. Triangles keep the side of the face they are part of.
 ///
 /// Parts of a face are convex; of their triangulations, the Delaunay triangulation is taken, the
-/// one with the largest least angle. A triangle has zero area only where its face has, or where
-/// points that differ by no more than rounding leave no choice.
+/// one with the largest least angle. A triangle has zero area only if its face has, or if points
+/// that differ only by rounding leave no choice.
 struct Partition {
   /// Vertices: those of the mesh that are in use, in their order, then the points of the diagram.
   std::vector<SurfacePoint> points;  ///< `face` counts the mesh's faces
@@ -102,8 +102,8 @@ std::unique_ptr<SlicedWork<Partition>> startPartition(const TriangleMesh& mesh,
 
 /// The corners of a triangle of a partition in terms of `triangleFace[triangle]`: column i holds
 /// the barycentric coordinates of corner i. `Partition::points` gives a vertex that lies on an edge
-/// or a vertex of the mesh in only one of the faces around it; whatever differs from face to face,
-/// such as a texture coordinate at a seam, is to be interpolated by these coordinates.
+/// or a vertex of the mesh in only one of the faces around it; use the coordinates given here to
+/// interpolate values that differ from face to face, such as texture coordinates at a seam.
 Eigen::Matrix3d cornersInFace(const TriangleMesh& mesh, const Partition& partition, int triangle);
 
 }  // namespace gvd

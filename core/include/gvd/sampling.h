@@ -36,9 +36,9 @@ std::vector<SurfacePoint> sampleByDensity(const TriangleMesh& mesh, std::span<co
 /// Farthest point sampling: a first point at random, uniform by area, then one vertex after the
 /// other, always the one that is farthest from all points so far (vertices that no point reaches
 /// come first; of equals, the lowest), until there are `count` points, or no vertex is farther than
-/// `coveringRadius` from them, or the points have come to every vertex. So every component gets a
-/// point early, and points are at least as far apart as the last one was from the others. The first
-/// n points do not depend on `count`.
+/// `coveringRadius` from them, or every vertex is a point. So every component gets a point early,
+/// and points are at least as far apart as the last one was from the others. The first n points do
+/// not depend on `count`.
 ///
 /// Distances are geodesic, by unfolding (DGPC without angles). A point spreads only where it is
 /// the nearest: O(V log V log count) for evenly spread vertices.
@@ -56,10 +56,10 @@ struct PoissonDisk {
   double radius;  ///< no two points are nearer to each other, in the mesh's units
 };
 
-/// Points of which no two are nearer to each other than `radius` (geodesic, as for
-/// `sampleFarthest`), placed at random until hardly any more fit; then vertices are added, so that
-/// none is farther than `radius` from a point. Throws `Error(kInvalidArgument)` if the radius is
-/// not positive and finite. Source: Robert Cook. Stochastic Sampling in Computer Graphics. 1986.
+/// Random points, no two of them nearer to each other than `radius` (geodesic, as for
+/// `sampleFarthest`), until hardly any more fit; then vertices are added, so that no vertex is
+/// farther than `radius` from a point. Throws `Error(kInvalidArgument)` if the radius is not
+/// positive and finite. Source: Robert Cook. Stochastic Sampling in Computer Graphics. 1986.
 PoissonDisk samplePoissonDisk(const TriangleMesh& mesh, double radius, std::uint64_t seed);
 
 /// `count` such points: the radius falls until as many fit. Points come in order of falling radius,
@@ -124,10 +124,10 @@ class WorstRegions {
   std::vector<std::vector<Piece>> pieces_;  ///< per face; none if the largest region is the worst
 };
 
-/// `count` points: a first one at random, uniform by area, then always the one that
-/// `WorstRegions::point` gives for the diagram of those so far, by exact distances. The first n
-/// points do not depend on `count`. As long as it takes to insert them one by one into a
-/// `DynamicDiagram`, and O(count · F).
+/// `count` points: the first at random, uniform by area, each further one where
+/// `WorstRegions::point` puts it in the diagram of the points so far, by exact distances. The first
+/// n points do not depend on `count`. Takes as long as inserting the points one by one into a
+/// `DynamicDiagram`, plus O(count · F).
 std::vector<SurfacePoint> sampleWorstFirst(const TriangleMesh& mesh, int count, std::uint64_t seed,
                                            WorstRegion worst);
 
@@ -139,7 +139,7 @@ std::vector<SurfacePoint> coverComponents(const TriangleMesh& mesh,
                                           std::vector<SurfacePoint> points, int perComponent,
                                           int count, std::uint64_t seed);
 
-/// The components without any of these points: how many, and their area.
+/// The number of components without any of these points, and their area.
 struct BareComponents {
   int components = 0;
   double area = 0;

@@ -47,7 +47,7 @@ struct MeshRepairs {
   int orientationCuts = 0;   ///< edges cut because no orientation fits both sides (Möbius strip)
   int flippedTriangles = 0;  ///< turned over to agree with the majority of their component
   int smallComponents = 0;   ///< dropped: fewer triangles than `MeshOptions::minComponent`
-  int smallComponentTriangles = 0;  ///< the triangles of these
+  int smallComponentTriangles = 0;  ///< the triangles of those components
   int splitVertices = 0;            ///< vertices of several fans, one copy made per further fan
   int mollifiedTriangles = 0;       ///< flat or tiny, the reason why all edges were lengthened
   double mollification = 0;         ///< the length added to every edge, in the positions' unit
@@ -100,22 +100,22 @@ struct MeshTopology {
 ///
 /// Lengths, angles and areas are those of the *intrinsic* surface, which is made of triangles with
 /// these edge lengths. They are the positions' own, to the last bits, unless step 8 was needed:
-/// then each edge is longer by at most 1e-11 of the longest, and no distance is shorter. A flat
-/// triangle, though, gets a height of about 2e-6 of its longest side if that is a mean edge (the
-/// square root of half the margin), by which distances across it are longer. Positions are never
+/// then each edge is longer by at most 1e-11 of the longest, and no distance is shorter. But a flat
+/// triangle whose longest side is a mean edge gets a height of about 2e-6 of that side (the square
+/// root of half the margin), and distances across it grow by that height. Positions are never
 /// moved, except that a welded vertex takes the position of the vertex it was welded into.
 ///
 /// Faces and vertices keep the order of the input; copies of split vertices come last. A clean mesh
 /// keeps all its indices. Where an edge was cut, two boundary edges may have the same two ends.
 class TriangleMesh {
  public:
-  /// `positions`: x, y, z per vertex, any unit. `triangles`: three vertex indices each.
-  /// Throws `Error(kInvalidMesh)` if an array's size is no multiple of three, an index is out of
-  /// range, or no triangle is left after the repairs; `Error(kInvalidArgument)` if an option is not
-  /// in its range; `Error(kInvalidMesh)` also if the bounding diagonal is longer than
-  /// 2^200 (1.6e60) or the mean edge shorter than 2^-200 (6e-61): between these limits, which all
-  /// numbers of single precision keep, no product of four lengths overflows or underflows. How far
-  /// the mesh is from the origin does not matter. O(n log n).
+  /// `positions`: x, y, z per vertex, any unit. `triangles`: three vertex indices each. Throws
+  /// `Error(kInvalidMesh)` if an array's size is no multiple of three, an index is out of range, or
+  /// no triangle is left after the repairs; `Error(kInvalidArgument)` if an option is not in its
+  /// range; `Error(kInvalidMesh)` also if the bounding diagonal is longer than 2^200 (1.6e60) or
+  /// the mean edge shorter than 2^-200 (6e-61): between these limits, which all numbers of single
+  /// precision keep, no product of four lengths overflows or underflows. The mesh may be anywhere
+  /// relative to the origin. O(n log n).
   TriangleMesh(std::span<const double> positions, std::span<const int> triangles,
                const MeshOptions& options = {});
 
@@ -148,7 +148,7 @@ class TriangleMesh {
   /// origin, the third corner, its *apex*, is at (x, y), y > 0.
   struct Layout {
     double length;
-    double inverse;  ///< 1 / (2 length): what unfolding divides by
+    double inverse;  ///< 1 / (2 length), a factor of unfolding
     double x, y;
   };
   Layout layout(int h) const {

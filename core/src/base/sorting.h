@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A stable sort for lists that are sorted once. The standard library's is compiled anew for each
-// kind of item and each order, which was a twentieth of core.wasm; here only indices are ever
-// sorted.
+// A stable sort that keeps core.wasm small. The standard library's is compiled for each kind of
+// item and each order, which took a twentieth of core.wasm; here it is compiled for indices only.
 #pragma once
 
 #include <algorithm>

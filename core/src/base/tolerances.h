@@ -48,8 +48,8 @@ inline constexpr double kVertexSnap = 1e-12;
 /// A mean distortion below this comes from rounding, of distances and of their differences.
 inline constexpr double kFlatDistortion = 1e-12;
 
-/// A mean squared curvature below this, times the square of the mesh's size, comes from the
-/// rounding of angles.
+/// A mean squared curvature comes from the rounding of angles if its product with the square of the
+/// mesh's size is below this.
 inline constexpr double kFlatCurvature = 1e-9;
 
 /// Sets distances at one place that are equal up to rounding to the least of them. All distances

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Segments and arcs of a diagram: those of the bisector graph, after points that rounding cannot
-// tell apart have become one.
+// Segments and arcs of a diagram: from those of the bisector graph, with points merged.
 #include "diagram/bisector_arcs.h"
 
 #include <algorithm>
@@ -22,7 +21,8 @@ bool shareFeature(const TriangleMesh& mesh, const SurfacePoint& p, int face) {
   return false;
 }
 
-/// Expresses a point on an edge or vertex in terms of another face there; false if it is not one.
+/// Expresses a point on an edge or vertex in another face there; false if `face` does not have the
+/// point.
 bool renameInFace(const TriangleMesh& mesh, int face, SurfacePoint& p) {
   if (!shareFeature(mesh, p, face)) return false;
   SurfacePoint renamed{face, Eigen::Vector3d::Zero()};

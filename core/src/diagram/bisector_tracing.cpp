@@ -32,8 +32,8 @@ bool BisectorTracing::step(long& budget) {
       [&] { return divideAll(budget); });
 }
 
-/// Room for what is usually needed: most mixed elements have two cells; every site adds some
-/// corners where its bisectors meet, which counts where sites are as many as elements.
+/// Reserves the usual memory: most mixed elements have two cells, and every site adds some corners
+/// where its bisectors meet, which matters if there are as many sites as elements.
 void BisectorTracing::reserve() {
   const int mixedCount = complex_.mixedCount();
   const size_t mixed = mixedCount, atSites = 6 * std::min(siteCount_, mixedCount);

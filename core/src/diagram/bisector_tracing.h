@@ -56,7 +56,7 @@ class BisectorTracing {
   FaceEnvelope envelope_;
   ElementPoints points_;
 
-  // The element at hand.
+  // The current element.
   std::span<const Corner> corners_;  ///< per vertex of the envelope
   std::vector<double> cellAreas_;
 };

@@ -112,7 +112,7 @@ class DiagramPieces {
   std::vector<int> cellsOf_;  ///< per face, -1: it has none
   Pool<Cells> cells_;
 
-  // The change at hand.
+  // The current change.
   SlicedSequence replacing_;
   SlicedLoop loop_;
   std::vector<int> arcOf_;  ///< the numbers of its arcs

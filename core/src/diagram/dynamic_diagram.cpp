@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A live diagram: after a site has come, gone or moved, the regions and faces that its distances
-// change are traced again.
+// A live diagram: after a site was inserted, removed or moved, the regions and faces with changed
+// distances are traced again.
 #include "gvd/dynamic_diagram.h"
 
 #include <algorithm>

@@ -26,7 +26,7 @@ class ElementPoints {
   /// A vertex of an envelope.
   struct Corner {
     int point = -1;        ///< -1: no cell has the vertex any more
-    Eigen::Vector3d bary;  ///< in terms of the face
+    Eigen::Vector3d bary;  ///< in the face
     bool isInside = false;
     /// Whether it is inside and so near to a corner of the element that it could be merged with it.
     bool isNearCorner = false;
@@ -63,7 +63,7 @@ class ElementPoints {
   /// The first point in the list of each side (`Point::nextOnSide`), by the lower of the side's two
   /// halfedges; -1 for none.
   std::vector<int> firstOnSide_;
-  std::vector<Corner> corners_;  ///< of the element at hand
+  std::vector<Corner> corners_;  ///< of the current element
 };
 
 }  // namespace gvd

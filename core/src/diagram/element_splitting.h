@@ -20,7 +20,7 @@ struct Elements {
   std::vector<int> tail;       ///< of each halfedge, numbered as in `TriangleMesh`
   std::vector<int> face;       ///< of each element
   std::vector<int> cornersOf;  ///< of each element, in `corners`; -1 if it is all of its face
-  std::deque<Eigen::Matrix3d> corners;  ///< of the others: barycentric, in columns
+  std::deque<Eigen::Matrix3d> corners;  ///< of partial elements: barycentric, in columns
 
   int count() const { return static_cast<int>(face.size()); }
   /// The three nodes of an element.
@@ -70,7 +70,7 @@ class ElementSplitting {
   int levelCount_ = 0;                   ///< how often mixed elements have been split
   std::vector<int> batch_;               ///< elements to be split next
   std::vector<LabelledPoint> required_;  ///< labels at their new nodes
-  std::vector<int> requiredCounts_;      ///< of each of these nodes
+  std::vector<int> requiredCounts_;      ///< the number of them per new node
   std::unique_ptr<SlicedWork<std::vector<double>>> atNodes_;
 };
 

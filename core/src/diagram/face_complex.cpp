@@ -49,8 +49,8 @@ bool FaceComplex::takeMesh(long& budget) {
         });
       },
       [&] {
-        // Room for what splitting adds, lest all be copied: three elements for each that is split,
-        // of which there are twice as many in every level, and some around them.
+        // Reserves memory for splitting, to avoid copying everything: three new elements for each
+        // split one, twice as many splits in every level, and some more around them.
         const size_t splits = static_cast<size_t>(splitCount_) << std::min(detail_, 8);
         if (isOwn_) elements_.reserve(mesh_.faceCount() + 4 * splits);
       },
@@ -168,7 +168,7 @@ void FaceComplex::matchTwin(int h) {
   twin_.push_back(twin);
 }
 
-/// The twins where the elements are the faces of a part.
+/// Matches twins if the elements are whole faces of a part.
 void FaceComplex::matchTwinsOfFaces() {
   twin_.resize(elements_.tail.size());
   for (int h = 0; h < static_cast<int>(twin_.size()); ++h) {

@@ -99,7 +99,7 @@ class FaceComplex {
 
   SlicedSequence taking_, finishing_, matching_;
   SlicedLoop loop_;
-  int splitCount_ = 0;  ///< faces of several regions, if these are split
+  int splitCount_ = 0;  ///< mixed faces, if they are to be split
   int mixedCount_ = 0;
   std::optional<ElementSplitting> splitting_;
   std::vector<int> lastOut_, before_;  ///< lists of halfedges, per node and per halfedge

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The lower envelope on a triangle, built by inserting one linear function after another: each cuts
-// its cell out of those that are there.
+// its cell out of the existing ones.
 #include "diagram/face_envelope.h"
 
 #include <Eigen/Geometry>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Labels that the small elements of a detailed diagram lack: the distance at the third node is
-// unfolded from those at the ends of a side.
+// Adds the labels that small elements of a detailed diagram lack: the distance at the third node is
+// unfolded from the distances at the ends of a side.
 #include "diagram/label_completion.h"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ const LabelledDistance* find(Labels labels, int label) {
   return nullptr;
 }
 
-/// Whether a label is least anywhere on a side, given what is known at its ends.
+/// Whether a label is nearest anywhere on a side, given the labels at the side's ends.
 bool ownsPartOf(int label, double atTail, double atTip, Labels tail, Labels tip) {
   EdgeShare share(label, atTail, atTip);
   for (const LabelledDistance& other : tail) {

@@ -11,7 +11,7 @@
 namespace gvd {
 
 /// Calls `visit` with every label known at all three corners of a triangle, ascending, and its
-/// distances there, given what is known at each.
+/// distances there. Takes the lists of the corners.
 template <class Visit>
 void visitCommonLabels(std::span<const LabelledDistance> a, std::span<const LabelledDistance> b,
                        std::span<const LabelledDistance> c, Visit visit) {

@@ -88,10 +88,10 @@ class KnownLabels {
   LabelLists lists_;
   LabelClosure closure_;
 
-  // The change at hand.
+  // The current change.
   std::span<const int> started_, resumed_, resetVertices_;
   std::vector<char> hasStarted_;     ///< per label
-  SlicedSequence sequence_, round_;  ///< a round is one of the closure
+  SlicedSequence sequence_, round_;  ///< `round_`: of the closure
   SlicedLoop loop_;
   size_t cursor_ = 0;  ///< of loops whose rounds differ in cost
   bool isLabelBegun_ = false;
@@ -102,9 +102,9 @@ class KnownLabels {
   IndexSet changedFaces_;            ///< faces around `changedVertices_`
   std::vector<int> changedLabels_;
   std::vector<Requirement> requirements_;  ///< by label
-  std::vector<int> requiredFaces_;         ///< of the label at hand
+  std::vector<int> requiredFaces_;         ///< of the current label
   std::vector<int> listed_;                ///< the labels that may be known at the changed vertices
-  IndexSet marked_;                        ///< vertices at hand
+  IndexSet marked_;                        ///< working memory of `extendLists`
   std::vector<LabelAtVertex> added_;       ///< changed by the last round of the closure
 };
 

@@ -11,7 +11,7 @@ namespace gvd {
 
 // Points and pieces of paths along the surface, for both metrics.
 
-/// Calls `visit` with a point in terms of every face that has it.
+/// Calls `visit` with every representation of a point, one per face that has it.
 template <class Visit>
 void visitPlaces(const TriangleMesh& mesh, const SurfacePoint& p, Visit visit) {
   const Incidence place = incidenceOf(p.bary);

@@ -85,7 +85,7 @@ class SiteDistances final : public DistanceField {
   std::unique_ptr<LabelSpread> spread_;
   KnownLabels known_;
 
-  // The change at hand.
+  // The current change.
   Stage stage_ = Stage::kDone;
   std::vector<int> started_, resumed_;  ///< labels that spread
   /// A label's turn to spread: from its site, from where it stopped, or to all corners of `faces`.

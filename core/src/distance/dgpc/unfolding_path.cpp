@@ -102,7 +102,7 @@ bool UnfoldingPath::goAlongEdges() {
   return false;
 }
 
-/// The vertex over which the path from the last point is shortest, of those in the same faces.
+/// The corner of the last point's faces over which the path on from there is shortest.
 UnfoldingPath::Step UnfoldingPath::nearestCorner() const {
   Step best;
   visitPlaces(mesh_, points_.last(), [&](const SurfacePoint& place) {

@@ -46,7 +46,7 @@ class UnfoldingSpread final : public LabelSpread {
  private:
   struct Label {
     std::vector<ReachedVertex> vertices;
-    std::vector<Eigen::Vector2d> directions;  ///< at the site, of each of these vertices
+    std::vector<Eigen::Vector2d> directions;  ///< at the site, per entry of `vertices`
     int sweptCount = 0;                       ///< these come first; the others were required
   };
   void store();
@@ -64,7 +64,7 @@ class UnfoldingSpread final : public LabelSpread {
   UnfoldingSweep sweep_;
   std::vector<Label> labels_;
   int running_ = -1;
-  std::vector<int> indexOf_;  ///< per vertex in the label at hand, -1
+  std::vector<int> indexOf_;  ///< per vertex in the current label, -1
   /// The labels that have reached each vertex; built on first use (`indexReaching`).
   SmallLists<int> reaching_;
   bool isReachingKnown_ = false;

@@ -9,7 +9,7 @@ namespace gvd::exact {
 using Eigen::Vector2d;
 
 bool isSaddle(const TriangleMesh& mesh, int vertex) {
-  // Angle sums carry rounding; what is flat within it needs no virtual source.
+  // Angle sums are rounded; a vertex that is flat within rounding needs no virtual source.
   constexpr double kRounding = 1e-12, kPi = std::numbers::pi;
   return mesh.angleSum(vertex) > (mesh.onBoundary(vertex) ? kPi - kRounding : 2 * kPi + kRounding);
 }

@@ -32,7 +32,7 @@ struct WaitingWindow {
 /// the memory of everything else.
 struct LabelState {
   std::vector<ReachedVertex> vertices;
-  std::vector<LastPiece> pieces;       ///< of each of these vertices
+  std::vector<LastPiece> pieces;       ///< of each entry of `vertices`
   std::vector<WaitingWindow> waiting;  ///< grouped by halfedge
   std::vector<int> waitingSources;     ///< vertices that would become virtual sources
 };

@@ -68,7 +68,7 @@ class PointDistances final : public SlicedWork<std::vector<double>> {
   std::vector<double> distances_;
   std::vector<OpenPoint> open_;  ///< by label
 
-  // The label at hand.
+  // The current label.
   enum class Stage { kNone, kSpread, kRequire } stage_ = Stage::kNone;
   size_t begin_ = 0, end_ = 0;  ///< of its points in `open_`
   LabelState state_;

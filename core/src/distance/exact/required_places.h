@@ -25,8 +25,8 @@ class RequiredPlaces {
   }
   int size() const { return static_cast<int>(bound_.size()); }
 
-  /// `bound` is the label's distance as far as it is known, `nearest` the least of all labels'.
-  /// Returns the index of the place.
+  /// `bound` is the least distance of the label known so far, `nearest` the distance of the nearest
+  /// label. Returns the index of the place.
   int add(const Eigen::Vector3d& position, double bound, double nearest) {
     x_.push_back(position.x());
     y_.push_back(position.y());

@@ -79,8 +79,8 @@ WindowPath::Piece WindowPath::lastPiece(int vertex) const {
 
 // --- A straight line ---------------------------------------------------------------------------
 
-/// Adds the points of a line up to the vertex at which it ends, which is returned, or up to the
-/// site. A line that misses its source by rounding ends at a vertex beside it.
+/// Adds the points of a line up to the site or up to the vertex at which it ends, and returns that
+/// end. A line that misses its source by rounding ends at a vertex beside it.
 int WindowPath::follow(Piece piece) {
   StraightLine& line = piece.line;
   for (int crossed = 0; crossed <= mesh_.faceCount(); ++crossed) {
@@ -112,7 +112,7 @@ bool WindowPath::leadsOn(int vertex, double distance) const {
   return known < bound_ && known <= distance + kSameLength * least_;
 }
 
-/// The vertex over which the path from its last point is shortest, of those in the same faces.
+/// The corner of the last point's faces over which the path on from there is shortest.
 int WindowPath::nearestVertex() const {
   int nearest = kLost;
   double least = kInfinity;
@@ -139,7 +139,7 @@ std::vector<SurfacePoint> pathToSite(const TriangleMesh& mesh, const SurfacePoin
   if (vertexAt(mesh, p) >= 0) return path.take();
   visitPlaces(mesh, p, [&](const SurfacePoint& place) {
     for (int i = 0; i < 3; ++i) {
-      if (place.bary[cornerBefore(i)] == 0) continue;  // on the side: the face beyond tells
+      if (place.bary[cornerBefore(i)] == 0) continue;  // on the side: see the face beyond
       const int halfedge = 3 * place.face + i;
       for (const WaitingWindow& w : label.waiting)
         if (w.halfedge == halfedge) path.offer(w.window, halfedge, place);

@@ -23,7 +23,7 @@ class WindowPath {
 
   /// Begins the path at a point.
   void start(const SurfacePoint& p);
-  /// Offers a window of a face that the point lies in; `place` is the point in terms of that face.
+  /// Offers a window of a face that the point lies in; `place` is the point in that face.
   void offer(const Window& w, int halfedge, const SurfacePoint& place);
   /// The shortest path: through an offered window, over a corner around the point, or straight
   /// within a face. Empty if none leads to the site.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// WindowSweep::require: a label goes on to vertices or other points that it does not own.
+// WindowSweep::require: spreads a label on to vertices or other points that it does not own.
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -199,7 +199,7 @@ void WindowSweep::offerToPointsFrom(int v, int corner, int f) {
                      layOut(mesh_.face(f), 0, p.bary - Eigen::Vector3d::Unit(corner)).norm());
 }
 
-// --- What goes on --------------------------------------------------------------------------------
+// --- Which windows go on -------------------------------------------------------------------------
 
 /// Whether windows at a halfedge can shorten a required distance outside the halfedge's face.
 /// Inside the face they have already offered their paths.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// WindowSweep::search: from a point back to the sites that it is nearest to.
+// WindowSweep::search: from a point back to the sites nearest to it.
 #include <algorithm>
 #include <limits>
 

@@ -78,7 +78,7 @@ class WindowSweep {
   /// Begins to spread a label on to some points. Does not lower bounds. If there is a single point,
   /// the windows of its faces wait there when `run` is done, for `pathToSite`.
   void require(int label, LabelState& state, std::span<const RequiredPoint> points);
-  /// The distance at one of these points; for use before the next label begins.
+  /// The distance at one of the points; valid until the next label begins.
   double distanceAtPoint(int index) const { return pointDistances_[index]; }
   /// Spreads windows from a point that is no vertex, to find the sites nearest to it. A path
   /// through a place on an edge is as long as the window's distance there plus the site's. The
@@ -201,7 +201,7 @@ class WindowSweep {
   FanBehind fan_;
   std::vector<char> isNeedle_;  ///< per face; empty if none is
 
-  // The label at hand.
+  // The current label.
   int label_ = -1;
   SpreadTo to_ = SpreadTo::kOwned;
   LabelState* state_ = nullptr;
@@ -215,7 +215,7 @@ class WindowSweep {
   std::vector<double> pointDistances_;
   std::vector<int> inFace_;  ///< indices in `required_` of the current face
 
-  // The search at hand.
+  // The current search.
   const KnownDistances* known_ = nullptr;
   const SiteSet* sites_ = nullptr;
   double shortest_ = kInfinity;
@@ -229,7 +229,7 @@ class WindowSweep {
   size_t crossedCount_ = 0;             ///< of batches that have crossed a face
   std::vector<WaitingWindow> waiting_;  ///< where the label has stopped
   std::vector<int> waitingSources_;
-  std::vector<double> crossings_;          ///< of the batch at hand, with the line to the apex
+  std::vector<double> crossings_;          ///< of the current batch, with the line to the apex
   std::vector<std::vector<int>> buckets_;  ///< halfedges, and vertices v as -1 - v
   size_t bucket_ = 0, cursor_ = 0;
 };
