@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// \file A diagram whose sites are inserted, moved and removed in time that depends on the
-/// surroundings only.
+/// \file
+/// A diagram whose sites are inserted, moved and removed in time that depends on the surroundings
+/// only.
 #pragma once
 
 #include <memory>

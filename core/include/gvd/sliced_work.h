@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// \file Results that are computed step by step, so that a caller stays responsive and can give up.
+/// \file
+/// Results that are computed step by step, so that a caller stays responsive and can give up.
 #pragma once
 
 #include <limits>

@@ -40,8 +40,8 @@ struct StraightestGeodesic {
 /// one stays at the start.
 ///
 /// O(faces crossed). It ends early if rounding keeps it in place, and after 65536 crossings plus 16
-/// per halfedge of the mesh, as when winding around a spike. Source: Konrad Polthier, Markus
-/// Schmies. Straightest Geodesics on Polyhedral Surfaces. 1998.
+/// per halfedge of the mesh, as when winding around a spike.
+/// Source: Konrad Polthier, Markus Schmies. Straightest Geodesics on Polyhedral Surfaces. 1998.
 StraightestGeodesic walkStraight(const TriangleMesh& mesh, const SurfacePoint& start,
                                  const Eigen::Vector2d& move,
                                  AtBoundary atBoundary = AtBoundary::kStop);

@@ -229,7 +229,7 @@ class WindowSweep {
   size_t crossedCount_ = 0;             ///< of batches that have crossed a face
   std::vector<WaitingWindow> waiting_;  ///< where the label has stopped
   std::vector<int> waitingSources_;
-  std::vector<double> crossings_;          ///< of the current batch, with the line to the apex
+  std::vector<double> crossings_;          ///< of the current batch with lines to the apex
   std::vector<std::vector<int>> buckets_;  ///< halfedges, and vertices v as -1 - v
   size_t bucket_ = 0, cursor_ = 0;
 };
