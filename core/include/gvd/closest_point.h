@@ -28,9 +28,9 @@ class ClosestPointQuery {
   ClosestPointQuery(ClosestPointQuery&&) noexcept;
   ClosestPointQuery& operator=(ClosestPointQuery&&) noexcept;
 
-  /// The closest point to a place given in the frame of the mesh's positions. Of several that are
-  /// as close, to rounding, it is any; of faces at the very same distance, the lowest has it.
-  /// O(log F) near the surface, up to O(F) where much of it is as far. Throws
+  /// The closest point to a place given in the frame of the mesh's positions. Of points equally
+  /// close up to rounding, any one is returned; of faces at exactly the same distance, the lowest.
+  /// O(log F) near the surface, up to O(F) where much of the surface is equally far. Throws
   /// `Error(kInvalidPoint)` if a coordinate, or the square of the distance, is not finite.
   ClosestPoint closestTo(const Eigen::Vector3d& place) const;
 

@@ -34,16 +34,16 @@ struct CvtOptions {
   std::vector<int> fixedSites;
 };
 
-/// What one iteration has come to.
+/// The result of one iteration.
 struct CvtIteration {
   int number = 0;          ///< 0: the initial sites
   double energy = 0;       ///< Σ over the labels of ∫ ρ d² over the label's region
-  double largestMove = 0;  ///< how far the site that has moved furthest has, in the mesh's units
+  double largestMove = 0;  ///< the largest distance a site has moved, in the mesh's units
 };
 
 /// A centroidal Voronoi tessellation of a mesh: moves sites so that the energy E = Σ ∫ ρ d² falls,
-/// d the geodesic distance to the nearest site, until every site is at the centroid of its
-/// region, where the mean of the logarithmic map vanishes. That is a local minimum, not the least.
+/// d the geodesic distance to the nearest site, until every site is at the centroid of its region,
+/// where the mean of the logarithmic map vanishes. The result is a local minimum, not a global one.
 ///
 ///     Cvt cvt(mesh, sites);
 ///     while (!cvt.isDone())
@@ -53,10 +53,10 @@ struct CvtIteration {
 /// no length helps, the tessellation is done. The energy is integrated over the regions as traced,
 /// the cells of mixed faces included; components without a site do not count.
 ///
-/// Two kinds of sites cannot be moved by a gradient, and are moved otherwise, unless they are
-/// fixed. A site without region (it coincides with another one, or ρ is zero around it) is placed
-/// anew, at a random point, drawn with a probability in proportion to the energy there. A site on a
-/// vertex is moved off it by 1e-7 of a side: at a vertex, directions are not unique.
+/// Two kinds of sites have no gradient, and are moved in other ways unless they are fixed. A site
+/// without region (it coincides with another one, or ρ is zero around it) moves to a random point,
+/// drawn with a probability in proportion to the energy there. A site on a vertex is moved off it
+/// by 1e-7 of a side: at a vertex, directions are not unique.
 ///
 /// Deterministic. An iteration costs one diagram and its integrals, more where a step is shortened.
 ///
@@ -65,9 +65,9 @@ struct CvtIteration {
 /// Fast Computation. 2009.
 class Cvt {
  public:
-  /// `sites` in terms of the mesh's faces, one label each; one of face -1, a label without a site,
-  /// stays that. The mesh must outlive this. Throws `Error(kInvalidArgument)` if there is no site
-  /// or an option does not fit mesh and sites.
+  /// `sites` are given in the mesh's faces, one label each; face -1 is a label without a site and
+  /// stays so. The mesh must outlive this. Throws `Error(kInvalidArgument)` if there is no site or
+  /// an option does not fit mesh and sites.
   Cvt(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, CvtOptions options = {});
   ~Cvt();
   Cvt(Cvt&&) noexcept;
@@ -80,10 +80,10 @@ class Cvt {
   bool step(long budget);
   bool isDone() const;
 
-  /// Of the last iteration finished; valid after `step` has returned true for the first time.
+  /// The results of the last finished iteration; valid after `step` has first returned true.
   const CvtIteration& iteration() const;
   std::span<const SurfacePoint> sites() const;
-  /// Whoever keeps the pointer keeps these distances: further iterations make new ones.
+  /// The distances stay valid as long as the pointer is kept: further iterations make new ones.
   std::shared_ptr<const DistanceField> distances() const;
   const Diagram& diagram() const;
 

@@ -39,15 +39,15 @@ struct PointLists {
 /// boundary, or closed; a *Voronoi point* is equidistant from three or more sites; a *loop* is a
 /// closed outline of a region. "Left" is as seen with the faces counterclockwise.
 struct Diagram {
-  static constexpr int kUnreachable = -1;  ///< label of what no site reaches
+  static constexpr int kUnreachable = -1;  ///< label of places that no site reaches
   static constexpr int kMixed = -2;        ///< faceLabel of a face with several regions
 
   int siteCount = 0;
 
   /// Every point that the lists below refer to, each place once. `face` counts the mesh's faces.
-  /// Points that rounding cannot tell apart are one point; if it lies on an edge or a vertex, its
-  /// coordinates off that are exactly zero. A point at which segments end is given in a face of one
-  /// of these segments.
+  /// Points that rounding cannot tell apart are one point. On an edge or a vertex, the coordinates
+  /// of the opposite corners are exactly zero. The end of a segment is given in a face of one of
+  /// the segments that end there.
   std::vector<SurfacePoint> points;
 
   /// A bisector segment, oriented forwards: the lower label `labels[0]` is on its left,
@@ -81,39 +81,40 @@ struct Diagram {
   std::vector<double> regionArea;  ///< per label; sums to the area that any site reaches
 
   /// Per mesh face: its label if one region owns all of it (a region triangle), else `kMixed` or
-  /// `kUnreachable`. If bisectors in the neighbour faces meet on the side of a face, the face is
-  /// mixed even if one region owns all of it: it has one cell then, with the meeting point as a
+  /// `kUnreachable`. If bisectors of the neighbour faces meet on a side of a face, the face is
+  /// mixed even if one region owns all of it: it then has one cell, with the meeting point as a
   /// corner.
   std::vector<int> faceLabel;
-  /// Region triangles on all of which two or more labels tie; they are given to the lowest of these
-  /// labels. They lie behind saddle vertices and boundary corners that are as far from several
-  /// sites, for the shortest paths of all of these go on alike from there. Sites at the same place
-  /// tie on all of their region.
+  /// Region triangles on all of which two or more labels tie, given to the lowest of these labels.
+  /// They lie behind saddle vertices and boundary corners at the same distance from several sites,
+  /// because the shortest paths from all these sites go on alike from there. Sites at the same
+  /// place tie on all of their region.
   std::vector<int> indifferentFaces;
 
   /// The parts of mixed faces: convex polygons, counterclockwise, ascending by face. A point on the
-  /// outline of several cells is a corner of all of them, so angles may be straight. Not so with
-  /// region triangles: the points that cells beside them have on a common side, which `detail`
-  /// makes, are corners of these cells only.
+  /// outline of several cells is a corner of all of them, so angles may be straight. Points that
+  /// `detail` creates on the side of a region triangle are corners of the cells on the other side
+  /// only.
   PointLists cells;
   std::vector<int> cellFace;
   std::vector<int> cellLabel;
 };
 
 struct DiagramOptions {
-  /// How many times a mixed face is split in four, distances evaluated anew at the new corners:
-  /// the bisectors converge to the true curves. 0: one straight segment per face and bisector.
+  /// How many times a mixed face is split in four, with distances evaluated at the new corners.
+  /// With more detail the bisectors converge to the true curves. 0: one straight segment per face
+  /// and bisector.
   int detail = 0;
 };
 
 /// The diagram of the distances of `siteCount` sites. The same input gives the same diagram to the
 /// last bit; permuting the sites permutes the labels. O(F + M log M), M the number of points.
-/// Throws `Error(kInvalidArgument)` if the distances are those of more sites, or `detail` is
-/// negative.
+/// Throws `Error(kInvalidArgument)` if there are distances of more than `siteCount` sites, or if
+/// `detail` is negative.
 Diagram traceDiagram(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,
                      const DiagramOptions& options = {});
 
-/// The same in steps. The mesh and the distances must outlive it.
+/// The same in steps. The mesh and the distances must outlive the work.
 std::unique_ptr<SlicedWork<Diagram>> startDiagram(const TriangleMesh& mesh,
                                                   const DistanceField& distances, int siteCount,
                                                   const DiagramOptions& options = {});

@@ -24,8 +24,8 @@ namespace gvd {
 /// point of degree d is a d-gon of the sites around it; where no three sites are equidistant by
 /// chance, a geodesic Delaunay triangulation.
 ///
-/// Without more, the dual would end at the outermost sites. So every *run*, a piece of the mesh
-/// boundary in one region, gets a vertex of its own: in its middle, with the region's label,
+/// To extend the dual from the outermost sites to the mesh boundary, every *run*, a piece of the
+/// mesh boundary in one region, gets a vertex of its own: in its middle, with the region's label,
 /// numbered after all sites. Where an arc between the regions of A and B ends on the boundary, the
 /// dual has a quadrangle of the two sites and the middles of their two runs; where d - 1 arcs end
 /// in one point, a (d+2)-gon. So the boundary of the dual lies along that of the mesh. A boundary
@@ -34,20 +34,19 @@ namespace gvd {
 /// Sites without region, or whose region meets no three others, are in no face. The dual is a
 /// manifold with the topology of the surface if `findViolations` has none.
 ///
-/// `sites` are those of the diagram, here as in what follows: by label, face -1 where a label has
-/// none. Costs as much as `partition`.
+/// Here and below, `sites` are the sites of the diagram by label, with face -1 for a label without
+/// a site. Costs as much as `partition`.
 PolygonMesh dualMesh(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
                      const Diagram& diagram);
 
 /// The regions as polygons: vertices are the Voronoi points and the ends of arcs on the mesh
 /// boundary, then the middles of runs along it; each arc is a side, each run two, each loop of a
-/// region a face. One face per region, and the topology of the surface, if `findViolations` has
-/// none; else a loop may have fewer than three corners, or, meeting no other region or only one,
-/// none at all: it is left out then. Costs as much as `partition`.
+/// region a face. If `findViolations` returns none, there is one face per region, and the mesh has
+/// the topology of the surface. Otherwise a loop may have fewer than three corners; one that meets
+/// at most one other region may have none and is left out. Costs as much as `partition`.
 PolygonMesh regionMesh(const TriangleMesh& mesh, const Diagram& diagram);
 
-/// Both in steps, as are other works of this file: what they are given by reference must outlive
-/// them.
+/// Both in steps. Here and below, arguments given by reference must outlive the work.
 std::unique_ptr<SlicedWork<PolygonMesh>> startDualMesh(const TriangleMesh& mesh,
                                                        std::vector<SurfacePoint> sites,
                                                        const Diagram& diagram);
@@ -56,13 +55,13 @@ std::unique_ptr<SlicedWork<PolygonMesh>> startRegionMesh(const TriangleMesh& mes
 
 /// A side of a dual as a path on the surface.
 struct DualPath {
-  std::array<int, 2> labels;         ///< those of the arc that it crosses, the lower one first
+  std::array<int, 2> labels;         ///< the two of the arc it crosses, the lower one first
   std::vector<SurfacePoint> points;  ///< from site to site, as `DistanceField::path` names them
 };
 
-/// Per arc of the diagram, the shortest path between its two sites that crosses it: over the point
-/// of the arc that is nearest to them. It stays in the two regions; a geodesic, but for a corner at
-/// the end of an arc whose nearest point that is. No points where the metric knows none.
+/// Per arc of the diagram, the shortest path between its two sites that crosses it, over the arc's
+/// nearest point to them. The path stays in the two regions. It is a geodesic, but has a corner if
+/// the nearest point is an end of the arc. It has no points if the metric finds no path.
 ///
 /// `field` holds the distances that the diagram was traced from. O(vertices) per arc.
 std::vector<DualPath> dualPaths(const TriangleMesh& mesh, const Diagram& diagram,
@@ -71,9 +70,9 @@ std::unique_ptr<SlicedWork<std::vector<DualPath>>> startDualPaths(const Triangle
                                                                   const Diagram& diagram,
                                                                   const DistanceField& field);
 
-/// A reason why a dual does not have the topology of the surface: something that keeps the regions
-/// from having the *closed ball property* (Edelsbrunner & Shah 1997): every region is a disk, any
-/// two that meet do so in one arc or one point, any three in one point.
+/// A reason why a dual does not have the topology of the surface: a violation of the *closed ball
+/// property* (Edelsbrunner & Shah 1997), by which every region is a disk, two regions meet in at
+/// most one arc or point, and three in at most one point.
 struct Violation {
   enum Kind {
     kUnreachable,     ///< a component of the mesh has no site; no labels
@@ -100,10 +99,10 @@ std::vector<Violation> findViolations(const TriangleMesh& mesh, std::span<const 
 std::unique_ptr<SlicedWork<std::vector<Violation>>> startViolations(
     const TriangleMesh& mesh, std::span<const SurfacePoint> sites, const Diagram& diagram);
 
-/// One round of `repair`: the sites to add. For each violation that is the point, of those at which
-/// the violation can be seen, that is farthest from all sites; and in each component without a site
-/// one point. A violation is left to the next round if a region concerned is next to a region that
-/// gets a new site in this one: it may be gone then. Empty if there are no violations.
+/// The sites that one round of `repair` adds. For each violation, this is the point farthest from
+/// all sites among those that show the violation; a component without a site gets one point. A
+/// violation is left to the next round if a region concerned is next to one that gets a new site in
+/// this round, because it may then be gone. Empty if there are no violations.
 ///
 /// `field` holds the distances that the diagram was traced from. Costs as much as `findViolations`.
 /// Throws `Error(kInvalidArgument)`, naming the violation, if further sites do not help: a site has
@@ -121,7 +120,7 @@ struct RepairOptions {
 
 /// Sites with a valid dual.
 struct RepairedSites {
-  std::vector<SurfacePoint> sites;  ///< those given, then `added` more
+  std::vector<SurfacePoint> sites;  ///< the given sites, then `added` more
   int added = 0;
   Diagram diagram;
 };

@@ -24,19 +24,19 @@ enum class Metric {
 
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// The distance of one site at a place. A label is the index of a site in the list given.
+/// The distance of one site at a place. A label is the index of a site in the list of sites.
 struct LabelledDistance {
   int label = -1;               ///< -1: no site reaches this place
   double distance = kInfinity;  ///< in the mesh's units
 };
 
-/// A point of the surface, and the label of which the distance is asked for there.
+/// A point of the surface, and the label whose distance is wanted there.
 struct LabelledPoint {
   int label;
   SurfacePoint point;
 };
 
-/// The nearest of some sites, the first of those that tie; label -1 if there is none.
+/// The nearest of some sites; of sites that tie, the first. Label -1 if there is none.
 inline LabelledDistance nearestOf(std::span<const LabelledDistance> sites) {
   LabelledDistance nearest;
   for (const LabelledDistance& d : sites)
@@ -49,14 +49,14 @@ inline LabelledDistance nearestOf(std::span<const LabelledDistance> sites) {
 ///  - it is the nearest site at one of the corners,
 ///  - it lies in the face, or
 ///  - it is the nearest site somewhere on a side of the face, with squared distances interpolated
-///    linearly between the ends of the side: that is how diagrams are traced.
+///    linearly between the ends of the side, as diagrams are traced.
 ///
 /// With `kDgpc`, the distance at a corner that another site owns may be extended from the vertices
 /// around it instead of being propagated to it. Ties go to the lower label everywhere.
 ///
 /// Points are in terms of the mesh's faces; `Error(kInvalidPoint)` if one is not on the mesh.
-/// Queries at points share working memory: two threads may read `at` and `direction` at a time, but
-/// not ask at points.
+/// Queries at points share working memory: several threads may call `at` and `direction` at the
+/// same time, but no other function.
 class DistanceField {
  public:
   virtual ~DistanceField() = default;
@@ -65,12 +65,12 @@ class DistanceField {
   /// The nearest site at a point and its distance; label -1 and infinity if no site reaches it.
   /// With the exact metric, O(faces that the shortest path crosses) where they are well shaped.
   virtual LabelledDistance nearest(const SurfacePoint& p) const = 0;
-  /// The distance of one site at a point; infinity where it is not known. Of the nearest site it is
-  /// as quick as `nearest`, of another one it takes as long as `distancesAt`.
+  /// The distance of one site at a point; infinity where it is not known. For the nearest site as
+  /// quick as `nearest`, for another one as slow as `distancesAt`.
   virtual double distance(int label, const SurfacePoint& p) const = 0;
-  /// Starts the same at many points. With the exact metric, each of the sites spreads once more, as
-  /// far as it is nearest and on to its points: about as long as it took at first. The field must
-  /// last, and the sites must not change, until it is done.
+  /// Starts to find distances at many points. With the exact metric, each of the sites spreads once
+  /// more, as far as it is nearest and on to its points, which takes about as long as the first
+  /// time. The field must outlive the work, and sites must not change until it is done.
   virtual std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
       std::span<const LabelledPoint> points) const = 0;
   /// The same without steps.
@@ -89,9 +89,9 @@ class DistanceField {
   /// vertices are unit vectors; each is named in a face that the path runs through. Two points in
   /// succession have a face in common, in which the path between them is straight. One point if `p`
   /// is at the site; empty where `distance` is infinite and the site is not the nearest one. With
-  /// the exact metric the path is as long as the distance (`lengthOf`). With DGPC it follows from
-  /// the distances at vertices, which do not promise that there is a path of that very length.
-  /// O(vertices that the site has reached), then O(faces around the points of the path).
+  /// the exact metric the path is as long as the distance (`lengthOf`). With DGPC the path follows
+  /// from the distances at vertices, and its length may differ from the distance. O(vertices that
+  /// the site has reached), then O(faces around the points of the path).
   virtual std::vector<SurfacePoint> path(int label, const SurfacePoint& p) const = 0;
 };
 
@@ -99,14 +99,14 @@ class DistanceField {
 /// infinity if two points in succession have no face in common.
 double lengthOf(const TriangleMesh& mesh, std::span<const SurfacePoint> path);
 
-/// The distances of sites in the making. The field refers to the mesh, which must outlive it.
+/// Distances of sites, computed in steps. The field refers to the mesh, which must outlive it.
 using Propagation = SlicedWork<std::unique_ptr<DistanceField>>;
 
-/// Starts the shortest path between two points, by the exact metric, as `DistanceField::path` gives
-/// it from `from` to a site at `to`; empty if the two are in different components. Windows spread
-/// from `to` no farther than they can still be part of it: O(vertices) to begin with, then as long
-/// as distances up to the path's length take. Throws `Error(kInvalidPoint)` if a point is not on
-/// the mesh, which must outlive the work.
+/// Starts to find the shortest path between two points by the exact metric, as
+/// `DistanceField::path` gives it from `from` to a site at `to`; empty if the points are in
+/// different components. Windows spread from `to` only while they can still be part of the path:
+/// O(vertices) to begin with, then the time of distances up to the path's length. Throws
+/// `Error(kInvalidPoint)` if a point is not on the mesh, which must outlive the work.
 std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> startShortestPath(const TriangleMesh& mesh,
                                                                          const SurfacePoint& from,
                                                                          const SurfacePoint& to);
@@ -117,11 +117,11 @@ std::vector<SurfacePoint> shortestPath(const TriangleMesh& mesh, const SurfacePo
 /// How far each site's distances are carried.
 enum class Spread {
   kAsNeeded,    ///< while the site may still own a point beyond
-  kEverywhere,  ///< over the whole mesh: brute force, to test the other against
+  kEverywhere,  ///< over the whole mesh: brute force, for tests of `kAsNeeded`
 };
 
-/// Starts the distances of all `sites` (in terms of the mesh's faces), one label each.
-/// Sites may coincide, share a face, lie on edges or vertices, and outnumber the vertices. One of
+/// Starts to find the distances of all `sites`, given in the mesh's faces, one label each. Sites
+/// may coincide, share a face, lie on edges or vertices, and outnumber the vertices. A site with
 /// face -1 is a label without a site. Throws `Error(kInvalidArgument)` if there is no site,
 /// `Error(kInvalidPoint)` if one is not on the mesh.
 std::unique_ptr<Propagation> propagate(const TriangleMesh& mesh,

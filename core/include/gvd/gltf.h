@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Reads the triangles of a glTF scene. In a library of its own, `gvd_gltf`: whoever has triangles
-/// already does not need it.
+/// Reads the triangles of a glTF scene. A library of its own, `gvd_gltf`, because programs that
+/// have triangles already do not need it.
 #pragma once
 
 #include <cstddef>
@@ -30,11 +30,11 @@ struct GltfScene {
   /// Unit normals (x, y, z) and texture coordinates (u, v: TEXCOORD_0) per vertex; zeros where a
   /// primitive has none, empty if none has.
   std::vector<double> normals, uvs;
-  /// A density for samplings and tessellations per vertex, an attribute of this library's:
-  /// _DENSITY, one number of type float. 1 where a primitive has none, empty if none has.
+  /// A density for samplings and tessellations per vertex, from an attribute defined by this
+  /// library: _DENSITY, one number of type float. 1 where a primitive has none, empty if none has.
   std::vector<double> density;
   std::vector<Part> parts;
-  std::vector<std::string> notes;  ///< what was passed over, a sentence each (points, lines, …)
+  std::vector<std::string> notes;  ///< a sentence for everything passed over (points, lines, …)
 };
 
 /// A file that a glTF names as a buffer: the name as the glTF writes it, percent-encoded or not.
@@ -43,8 +43,8 @@ struct GltfResource {
   std::span<const std::byte> bytes;
 };
 
-/// What a file may ask for, so that a small one cannot take all memory or hours. All are checked
-/// before the work is done; the message names the limit.
+/// Limits on the demands of a file, so that a small file cannot take all memory or hours. All are
+/// checked before the work is done; the message names the limit.
 struct GltfLimits {
   std::size_t maxJsonBytes = std::size_t{1} << 29;
   /// Nodes, meshes, primitives, accessors, buffer views, … together; also the primitives and morph

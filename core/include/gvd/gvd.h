@@ -17,13 +17,13 @@
 ///     const auto distances = propagation->take();
 ///     const gvd::Diagram diagram = gvd::traceDiagram(mesh, *distances, sites.size());
 ///
-/// What takes long can be done in steps (sliced_work.h): `propagate` is, and `startMesh`,
-/// `startDiagram`, `startPartition` … are what their namesakes return at once.
+/// Long computations can be done in steps (sliced_work.h): `propagate` always is; `startMesh`,
+/// `startDiagram`, `startPartition` … yield in steps what their namesakes return at once.
 ///
 /// Then, as needed, in any order:
 ///  - sampling.h: sites to begin with; curvature.h: densities for them; closest_point.h: points on
 ///    the surface for places in space
-///  - dynamic_diagram.h: sites that come, go and move
+///  - dynamic_diagram.h: sites that are inserted, removed and moved
 ///  - cvt.h: sites at the centroids of their regions; straightest.h: how they are moved there
 ///  - partition.h: the mesh cut into regions, and facts of each region
 ///  - dual.h, polygon_mesh.h, remesh.h: polygonal base meshes and their quality
@@ -34,7 +34,7 @@
 /// Nothing keeps global state: threads that share no object are independent of one another. A mesh
 /// and a diagram may be read by several threads; so may distances at vertices, but not at other
 /// points (geodesic.h). The same input gives the same bits with one build; builds, native or
-/// WebAssembly, differ by rounding (1e-12), not in what they decide.
+/// WebAssembly, differ by rounding (1e-12), not in decisions.
 #pragma once
 
 #include "gvd/closest_point.h"

@@ -19,8 +19,8 @@ namespace gvd {
 
 /// One region of a partition, as a patch of triangles. Lengths and areas are in the mesh's units.
 ///
-/// Where a region touches itself in a single point, its patch is taken as cut apart there: so it is
-/// a surface with boundary, and has the same inside. The counts below are of that surface;
+/// A patch is cut apart where its region touches itself in a single point, which makes it a surface
+/// with boundary and does not change its inside. The counts below are those of that surface;
 /// `selfTouchings` counts the cuts.
 struct RegionPatch {
   struct Neighbour {
@@ -36,11 +36,11 @@ struct RegionPatch {
   double area = 0;
   /// The length of its outline: borders, mesh boundary, and holes left for indifferent faces.
   double perimeter = 0;
-  double boundaryLength = 0;          ///< of the perimeter, what has no region beyond it
+  double boundaryLength = 0;          ///< the part of the perimeter without a region beyond
   std::vector<Neighbour> neighbours;  ///< ascending by label; no part that was left out
 
-  /// The mean of its points by area, in space: off the surface where that is bent. (By triangle, if
-  /// the region has no area.)
+  /// The mean of its points by area (by triangle, if it has no area), in space: off the surface
+  /// where the surface is bent.
   Eigen::Vector3d centroid = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
   /// The point of the region that is nearest to the centroid, in space.
   SurfacePoint nearCentroid;
@@ -49,7 +49,8 @@ struct RegionPatch {
   int loops = 0;  ///< closed outlines
   int eulerCharacteristic = 0;
   int genus = 0;  ///< all components: (2·components - loops - eulerCharacteristic) / 2
-  /// How often it touches itself in a point: for each point, its fans of triangles there but one.
+  /// How often it touches itself in a point: at each point, the number of its fans of triangles
+  /// minus one.
   int selfTouchings = 0;
 
   /// Whether it is a closed disk.
@@ -58,18 +59,18 @@ struct RegionPatch {
 
 /// A mesh cut into the regions of a diagram (Melvær & Reimers 2014, section 7.2): the mesh's own
 /// triangles where one region owns all of them, and the parts of the others, triangulated. It is
-/// one mesh: regions share the vertices on their borders, so that all of it is closed exactly where
+/// one mesh: regions share the vertices on their borders, so the partition is closed exactly where
 /// the input was. Triangles keep the side of the face they are part of.
 ///
 /// Parts of a face are convex; of their triangulations, the Delaunay triangulation is taken, the
-/// one with the largest least angle. A triangle has zero area only where its face has, or where
-/// points that differ by no more than rounding leave no choice.
+/// one with the largest least angle. A triangle has zero area only if its face has, or if points
+/// that differ only by rounding leave no choice.
 struct Partition {
   /// Vertices: those of the mesh that are in use, in their order, then the points of the diagram.
   std::vector<SurfacePoint> points;  ///< `face` counts the mesh's faces
   std::vector<Eigen::Vector3d> positions;
 
-  /// Ascending by label, those no site reaches last; of one label, ascending by face.
+  /// Ascending by label, then by face; triangles that no site reaches come last.
   std::vector<std::array<int, 3>> triangles;
   std::vector<int> triangleLabel;  ///< region, or `Diagram::kUnreachable`
   std::vector<int> triangleFace;   ///< the mesh face it is part of
@@ -78,7 +79,7 @@ struct Partition {
   std::vector<int> twins;
 
   std::vector<RegionPatch> regions;  ///< one per site; `regions[l].label == l`
-  RegionPatch unreachable;           ///< what no site reaches, as if it were a region
+  RegionPatch unreachable;           ///< the part that no site reaches, as if it were a region
 };
 
 struct PartitionOptions {
@@ -94,15 +95,15 @@ struct PartitionOptions {
 Partition partition(const TriangleMesh& mesh, const Diagram& diagram,
                     const PartitionOptions& options = {});
 
-/// The same in steps. Mesh and diagram must outlive it.
+/// The same in steps. Mesh and diagram must outlive the work.
 std::unique_ptr<SlicedWork<Partition>> startPartition(const TriangleMesh& mesh,
                                                       const Diagram& diagram,
                                                       const PartitionOptions& options = {});
 
 /// The corners of a triangle of a partition in terms of `triangleFace[triangle]`: column i holds
 /// the barycentric coordinates of corner i. `Partition::points` gives a vertex that lies on an edge
-/// or a vertex of the mesh in only one of the faces around it; whatever differs from face to face,
-/// such as a texture coordinate at a seam, is to be interpolated by these coordinates.
+/// or a vertex of the mesh in only one of the faces around it; use the coordinates given here to
+/// interpolate values that differ from face to face, such as texture coordinates at a seam.
 Eigen::Matrix3d cornersInFace(const TriangleMesh& mesh, const Partition& partition, int triangle);
 
 }  // namespace gvd

@@ -16,9 +16,10 @@ struct RemeshQuality {
   int triangles = 0;
   /// Least angle of all triangles, and the mean of each one's least angle, in degrees: 60 at best.
   double minAngle = 0, meanMinAngle = 0;
-  /// The number of neighbours of a vertex, of those inside: 6 at best. Zero if none is inside.
+  /// The least and largest number of neighbours of an inner vertex: 6 at best. Zero if there is
+  /// none.
   int minValence = 0, maxValence = 0;
-  double regularShare = 0;  ///< of the vertices inside, those with 6 neighbours
+  double regularShare = 0;  ///< the share of inner vertices with 6 neighbours
   /// The largest distance of a point of one surface from the other, both ways, in the mesh's units.
   double hausdorff = 0;
 };
@@ -31,7 +32,7 @@ struct RemeshQuality {
 /// O(n log n) for n faces and samples.
 RemeshQuality measureQuality(const TriangleMesh& surface, const PolygonMesh& remesh);
 
-/// The same in steps, making the remesh included. The surface must outlive it.
+/// The same in steps, including making the remesh. The surface must outlive the work.
 std::unique_ptr<SlicedWork<RemeshQuality>> startQuality(
     const TriangleMesh& surface, std::unique_ptr<SlicedWork<PolygonMesh>> remeshing);
 

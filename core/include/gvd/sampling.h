@@ -36,9 +36,9 @@ std::vector<SurfacePoint> sampleByDensity(const TriangleMesh& mesh, std::span<co
 /// Farthest point sampling: a first point at random, uniform by area, then one vertex after the
 /// other, always the one that is farthest from all points so far (vertices that no point reaches
 /// come first; of equals, the lowest), until there are `count` points, or no vertex is farther than
-/// `coveringRadius` from them, or the points have come to every vertex. So every component gets a
-/// point early, and points are at least as far apart as the last one was from the others. The first
-/// n points do not depend on `count`.
+/// `coveringRadius` from them, or every vertex is a point. So every component gets a point early,
+/// and points are at least as far apart as the last one was from the others. The first n points do
+/// not depend on `count`.
 ///
 /// Distances are geodesic, by unfolding (DGPC without angles). A point spreads only where it is
 /// the nearest: O(V log V log count) for evenly spread vertices.
@@ -56,10 +56,10 @@ struct PoissonDisk {
   double radius;  ///< no two points are nearer to each other, in the mesh's units
 };
 
-/// Points of which no two are nearer to each other than `radius` (geodesic, as for
-/// `sampleFarthest`), placed at random until hardly any more fit; then vertices are added, so that
-/// none is farther than `radius` from a point. Throws `Error(kInvalidArgument)` if the radius is
-/// not positive and finite. Source: Robert Cook. Stochastic Sampling in Computer Graphics. 1986.
+/// Random points, no two of them nearer to each other than `radius` (geodesic, as for
+/// `sampleFarthest`), until hardly any more fit; then vertices are added, so that no vertex is
+/// farther than `radius` from a point. Throws `Error(kInvalidArgument)` if the radius is not
+/// positive and finite. Source: Robert Cook. Stochastic Sampling in Computer Graphics. 1986.
 PoissonDisk samplePoissonDisk(const TriangleMesh& mesh, double radius, std::uint64_t seed);
 
 /// `count` such points: the radius falls until as many fit. Points come in order of falling radius,
@@ -89,17 +89,17 @@ enum class WorstRegion {
 /// removed.
 class WorstRegions {
  public:
-  /// Of a diagram, which has detail 0, and of its distances. The mesh and the distances, which
-  /// change with the diagram, must outlive this. O(F).
+  /// Takes a diagram of detail 0 and its distances. The mesh and the distances, which change with
+  /// the diagram, must outlive this. O(F).
   WorstRegions(const TriangleMesh& mesh, const DistanceField& distances, const Diagram& diagram,
                WorstRegion worst);
-  /// Follows a change of the diagram, after which `distances` are those of the new one. As long as
-  /// it takes to look at the regions in `DiagramChange::labels`, and O(F).
+  /// Follows a change of the diagram; `distances` must have changed already. Takes time for the
+  /// regions in `DiagramChange::labels`, and O(F).
   void follow(const DiagramChange& change);
-  /// Where one more site would be: in the worst region, as far from its site as any vertex or point
-  /// of its outline; in a component without a site, if there is one. O(F).
+  /// The place for one more site: in a component without a site, if there is one, otherwise the
+  /// vertex or outline point of the worst region that is farthest from its site. O(F).
   SurfacePoint point() const;
-  /// What makes a region the worst.
+  /// The criterion for the worst region.
   WorstRegion kind() const { return worst_; }
 
  private:
@@ -108,7 +108,7 @@ class WorstRegions {
     double distortion = 0;
     std::vector<SurfacePoint> outline;
   };
-  /// What a label has of a face.
+  /// The share of one label in a face.
   struct Piece {
     int label;
     double distortion;
@@ -124,23 +124,22 @@ class WorstRegions {
   std::vector<std::vector<Piece>> pieces_;  ///< per face; none if the largest region is the worst
 };
 
-/// `count` points: a first one at random, uniform by area, then always the one that
-/// `WorstRegions::point` gives for the diagram of those so far, by exact distances. The first n
-/// points do not depend on `count`. As long as it takes to insert them one by one into a
-/// `DynamicDiagram`, and O(count · F).
+/// `count` points: the first at random, uniform by area, each further one where
+/// `WorstRegions::point` puts it in the diagram of the points so far, by exact distances. The first
+/// n points do not depend on `count`. Takes as long as inserting the points one by one into a
+/// `DynamicDiagram`, plus O(count · F).
 std::vector<SurfacePoint> sampleWorstFirst(const TriangleMesh& mesh, int count, std::uint64_t seed,
                                            WorstRegion worst);
 
-/// These points, with at least `perComponent` on each component of the mesh: where there are fewer,
-/// more are put there at random, uniform by area. They come last. For them, as long as there are
-/// more than `count` points, the last of those given goes whose component has more than it needs.
-/// Throws `Error(kInvalidArgument)` if `count` does not suffice for all components.
-/// O(F + P log F).
+/// These points, with at least `perComponent` on each component of the mesh: missing ones are drawn
+/// at random, uniform by area, and appended. While there are more than `count` points, the last
+/// given point is dropped whose component has more than it needs. Throws `Error(kInvalidArgument)`
+/// if `count` does not suffice for all components. O(F + P log F).
 std::vector<SurfacePoint> coverComponents(const TriangleMesh& mesh,
                                           std::vector<SurfacePoint> points, int perComponent,
                                           int count, std::uint64_t seed);
 
-/// The components without any of these points: how many, and their area.
+/// The number of components without any of these points, and their area.
 struct BareComponents {
   int components = 0;
   double area = 0;

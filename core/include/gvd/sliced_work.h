@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Results that are made step by step, so that a caller keeps responding and can give up.
+/// Results that are computed step by step, so that a caller stays responsive and can give up.
 #pragma once
 
 #include <limits>
@@ -8,14 +8,14 @@
 
 namespace gvd {
 
-/// Something that takes a while. Dropping it before it is done gives it up.
+/// A long computation. Destroying the object before the end cancels the computation.
 template <class Result>
 class SlicedWork {
  public:
   virtual ~SlicedWork() = default;
-  /// Works on it for `budget` units of about a microsecond; true when everything is done. What
-  /// cannot be divided (a single face with all the sites in it, say, or a list that is sorted)
-  /// makes a step longer. Where it throws, it is not to be called again.
+  /// Works for `budget` units of about a microsecond; true when everything is done. Indivisible
+  /// work (a single face with all the sites in it, say, or sorting a list) makes a step longer. Do
+  /// not call again after an exception.
   virtual bool step(long budget) = 0;
   /// The share of the work done, an estimate in [0, 1] that never falls.
   virtual double progress() const = 0;

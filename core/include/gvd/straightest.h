@@ -24,22 +24,23 @@ struct StraightestGeodesic {
   /// unit vector. A tangent vector (a, b) at the start is a · frame + b · (frame turned left by
   /// 90°) at the end.
   Eigen::Vector2d frame = {1, 0};
-  double length = 0;         ///< what has been walked, less than asked for at a boundary
+  double length = 0;         ///< the length walked, less than asked for if stopped at a boundary
   bool metBoundary = false;  ///< whether it has been stopped or turned there
 };
 
 /// The exponential map: walks from `start` straight on by the vector `move`, in the mesh's units.
 /// The frame of a point is that of its face: the x axis is the first side of the face, the y axis
 /// lies to its left (as for `DistanceField::direction`). Around a start on an edge or vertex, faces
-/// are unfolded counterclockwise; around a vertex, beginning with `TriangleMesh::outgoing`, and
-/// what points into the gap of a cone starts along its side.
+/// are unfolded counterclockwise; around a vertex, beginning with `TriangleMesh::outgoing`, and a
+/// direction in the gap of an unfolded cone is moved to the gap's side.
 ///
 /// Through a face and across an edge the geodesic is a straight line; at an inner vertex it leaves
-/// equal angles on both sides, total or not 2π, and the frame keeps its angle to it. What passes a
-/// vertex closer than 1e-12 of an edge hits it. A move of length 0 or not finite goes nowhere.
+/// equal angles on both sides, total or not 2π, and the frame keeps its angle to it. A geodesic
+/// that passes a vertex closer than 1e-12 of an edge hits it. A move of length 0 or a non-finite
+/// one stays at the start.
 ///
-/// O(faces crossed). It ends early, should rounding ever hold it in a place, and after 65536
-/// crossings and 16 more for each halfedge of the mesh, winding around a spike.
+/// O(faces crossed). It ends early if rounding keeps it in place, and after 65536 crossings plus 16
+/// per halfedge of the mesh, as when winding around a spike.
 /// Source: Konrad Polthier, Markus Schmies. Straightest Geodesics on Polyhedral Surfaces. 1998.
 StraightestGeodesic walkStraight(const TriangleMesh& mesh, const SurfacePoint& start,
                                  const Eigen::Vector2d& move,

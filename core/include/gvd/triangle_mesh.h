@@ -15,24 +15,25 @@
 
 namespace gvd {
 
-/// What becomes of the sides that triangles are given by, the order of their corners.
+/// Whether triangles may be turned over, so that neighbours agree on the order of their corners.
 enum class Orientation {
-  kUnify,  ///< all of a component agree with the majority; the others are turned over
+  kUnify,  ///< triangles that disagree with the majority of their component are turned over
   kKeep,   ///< no triangle is turned over; edges whose two triangles disagree are cut
 };
 
-/// How a `TriangleMesh` is made of its input; the steps are written there.
+/// Options for the repairs that are described at `TriangleMesh`.
 struct MeshOptions {
-  /// How far apart vertices may be to be welded, as a share of the bounding box's diagonal, from 0
-  /// to 1. 0, or less than coordinates are rounded by (2^-52): only at bit-equal positions.
+  /// The largest distance at which vertices are welded, as a share of the bounding box's diagonal,
+  /// from 0 to 1. Below the rounding of coordinates (2^-52), only vertices at bit-equal positions
+  /// are welded.
   double weld = 0;
   Orientation orientation = Orientation::kUnify;
   /// Components with fewer triangles than this are dropped; not negative.
   int minComponent = 0;
 };
 
-/// What `TriangleMesh` did to the input to make a manifold of it, and triangles of all its faces.
-/// All is zero for a clean mesh. The policy is written at `TriangleMesh`. The counts are complete:
+/// The repairs that made the input a manifold without flat triangles, as described at
+/// `TriangleMesh`. All counts are zero for a clean mesh. They are complete:
 ///
 ///     input triangles = faces + non-finite + degenerate + duplicate + small component
 ///     input vertices  = vertices - split + welded + isolated
@@ -46,10 +47,10 @@ struct MeshRepairs {
   int orientationCuts = 0;   ///< edges cut because no orientation fits both sides (Möbius strip)
   int flippedTriangles = 0;  ///< turned over to agree with the majority of their component
   int smallComponents = 0;   ///< dropped: fewer triangles than `MeshOptions::minComponent`
-  int smallComponentTriangles = 0;  ///< the triangles of these
+  int smallComponentTriangles = 0;  ///< the triangles of those components
   int splitVertices = 0;            ///< vertices of several fans, one copy made per further fan
-  int mollifiedTriangles = 0;       ///< kept, but flat or tiny: for their sake all edges are longer
-  double mollification = 0;         ///< what every edge is longer by, in the unit of the positions
+  int mollifiedTriangles = 0;       ///< flat or tiny, the reason why all edges were lengthened
+  double mollification = 0;         ///< the length added to every edge, in the positions' unit
 };
 
 /// Facts of topology, computed once with the mesh.
@@ -75,46 +76,46 @@ struct MeshTopology {
 ///
 /// From any list of triangles to a manifold, in this order, each step counted in `repairs()`:
 ///  1. triangles with a non-finite corner are dropped;
-///  2. vertices at bit-equal positions (-0 = +0) are welded; with a tolerance (`weld`), each vertex
-///     in the order of the input is welded into the first one that stays and is no farther away, so
-///     that those that stay are farther apart than that;
-///  3. triangles with two equal corners are dropped: they have two positions or one, so nothing but
-///     an edge or a vertex of the surface is lost. So are those with the same three corners as an
-///     earlier one (either orientation). Triangles of zero area with three distinct corners stay:
-///     dropping one would tear its neighbours apart;
+///  2. vertices at bit-equal positions (-0 = +0) are welded. With a tolerance (`weld`), vertices
+///     are taken in input order, and each is welded into the first vertex kept so far within the
+///     tolerance; kept vertices are farther apart than that;
+///  3. triangles with two equal corners are dropped, which loses an edge or a vertex at most.
+///     Triangles with the same three corners as an earlier one, in either orientation, are dropped,
+///     too. Triangles of zero area with three distinct corners stay, because dropping one would
+///     tear its neighbours apart;
 ///  4. an edge of three or more triangles is cut: each keeps a boundary there;
-///  5. each component is oriented, the majority of its triangles keeping theirs (on a draw, the
-///     first triangle); an edge that cannot agree (non-orientable surface) is cut. With
-///     `Orientation::kKeep` all triangles keep theirs, and every edge that does not agree is cut;
+///  5. each component is oriented like the majority of its triangles (on a draw, like the first);
+///     an edge whose triangles cannot agree (non-orientable surface) is cut. With
+///     `Orientation::kKeep` no triangle is turned over, and every edge whose triangles disagree is
+///     cut;
 ///  6. components of fewer than `minComponent` triangles are dropped;
 ///  7. a vertex whose triangles form several fans is split, one vertex per fan: no path passes
 ///     through it;
 ///  8. if a triangle is flat (two sides hardly longer than the third) or tiny, all edges are
 ///     lengthened by one amount, the least for which in every triangle two sides exceed the third
-///     by 1e-11 of the mean edge, or of the triangle's longest side where that is longer:
-///     intrinsic mollification (Sharp & Crane 2020, "A Laplacian for Nonmanifold Triangle Meshes",
-///     section 4.5). So every face is a triangle, and nothing that is computed on the mesh needs a
-///     tolerance for those that were none.
+///     by 1e-11 of the mean edge, or of the triangle's longest side where that is longer: intrinsic
+///     mollification (Sharp & Crane 2020, "A Laplacian for Nonmanifold Triangle Meshes", section
+///     4.5). So no face is degenerate, and computations on the mesh need no tolerance for such
+///     faces.
 ///
 /// Lengths, angles and areas are those of the *intrinsic* surface, which is made of triangles with
 /// these edge lengths. They are the positions' own, to the last bits, unless step 8 was needed:
-/// then each edge is longer by at most 1e-11 of the longest, and no distance is shorter. A flat
-/// triangle, though, gets a height of about 2e-6 of its longest side if that is a mean edge (the
-/// square root of half the margin), by which distances across it are longer. Positions are never
-/// moved, but a vertex that was welded is where the one is that it was welded into.
+/// then each edge is longer by at most 1e-11 of the longest, and no distance is shorter. But a flat
+/// triangle whose longest side is a mean edge gets a height of about 2e-6 of that side (the square
+/// root of half the margin), and distances across it grow by that height. Positions are never
+/// moved, except that a welded vertex takes the position of the vertex it was welded into.
 ///
-/// Faces keep the order of the input, and so do vertices; the copies of split ones come last. A
-/// clean mesh keeps all its numbers. Where an edge was cut, two boundary edges may have the same
-/// two ends.
+/// Faces and vertices keep the order of the input; copies of split vertices come last. A clean mesh
+/// keeps all its indices. Where an edge was cut, two boundary edges may have the same two ends.
 class TriangleMesh {
  public:
-  /// `positions`: x, y, z per vertex, any unit. `triangles`: three vertex indices each.
-  /// Throws `Error(kInvalidMesh)` if an array's size is no multiple of three, an index is out of
-  /// range, or no triangle is left after the repairs; `Error(kInvalidArgument)` if an option is not
-  /// in its range; `Error(kInvalidMesh)` also if the bounding diagonal is longer than
-  /// 2^200 (1.6e60) or the mean edge shorter than 2^-200 (6e-61): between these limits, which all
-  /// numbers of single precision keep, no product of four lengths overflows or underflows. How far
-  /// the mesh is from the origin does not matter. O(n log n).
+  /// `positions`: x, y, z per vertex, any unit. `triangles`: three vertex indices each. Throws
+  /// `Error(kInvalidMesh)` if an array's size is no multiple of three, an index is out of range, or
+  /// no triangle is left after the repairs; `Error(kInvalidArgument)` if an option is not in its
+  /// range; `Error(kInvalidMesh)` also if the bounding diagonal is longer than 2^200 (1.6e60) or
+  /// the mean edge shorter than 2^-200 (6e-61): between these limits, which all numbers of single
+  /// precision keep, no product of four lengths overflows or underflows. The mesh may be anywhere
+  /// relative to the origin. O(n log n).
   TriangleMesh(std::span<const double> positions, std::span<const int> triangles,
                const MeshOptions& options = {});
 
@@ -131,8 +132,8 @@ class TriangleMesh {
   /// Positive, and the same bits for both halfedges of an edge.
   double length(int h) const { return faces_[faceOf(h)].lengths[h % 3]; }
 
-  /// What unfolding needs of a face, in two cache lines. Side i is halfedge 3f+i, from corner i to
-  /// the next.
+  /// The data of a face for unfolding, in two cache lines. Side i is halfedge 3f+i, from corner i
+  /// to the next.
   struct alignas(64) Face {
     std::array<double, 3> lengths;  ///< of side i
     std::array<double, 3> angles;   ///< the interior angle at corner i, in (0, π)
@@ -147,7 +148,7 @@ class TriangleMesh {
   /// origin, the third corner, its *apex*, is at (x, y), y > 0.
   struct Layout {
     double length;
-    double inverse;  ///< 1 / (2 length): what unfolding divides by
+    double inverse;  ///< 1 / (2 length), a factor of unfolding
     double x, y;
   };
   Layout layout(int h) const {
@@ -160,7 +161,8 @@ class TriangleMesh {
   /// `tail` and `twin` of all halfedges.
   std::span<const int> tails() const { return tail_; }
   std::span<const int> twins() const { return twin_; }
-  /// Of each boundary loop the halfedge that leaves its lowest vertex; `outgoing(tip(h))` goes on.
+  /// For each boundary loop, the halfedge that leaves its lowest vertex; `outgoing(tip(h))` is the
+  /// next halfedge of the loop.
   std::span<const int> boundaryLoops() const { return boundaryLoops_; }
   bool onBoundary(int v) const { return twin_[outgoing(v)] < 0; }
 
@@ -214,7 +216,7 @@ class TriangleMesh {
   double area() const { return area_; }
   /// The length of the longest edge at v.
   double longestEdge(int v) const { return longestEdge_[v]; }
-  /// The faces, ascending, of which the shortest side is below 1e-5 of the longest: few or none.
+  /// The faces, ascending, whose shortest side is below 1e-5 of the longest: few or none.
   std::span<const int> needles() const { return needles_; }
   /// The mean of `length` over all halfedges: an inner edge counts twice.
   double meanEdgeLength() const { return meanEdgeLength_; }
@@ -232,12 +234,12 @@ class TriangleMesh {
   int inputFaceCount() const { return static_cast<int>(halfedgeOfInput_.size() / 3); }
   int inputVertexCount() const { return static_cast<int>(vertexOfInput_.size()); }
 
-  /// Why a point is none of this mesh, in words, as far as 1e-6 of its barycentric coordinates;
-  /// empty if it is one. Functions that take sites or points throw `Error(kInvalidPoint)` with
-  /// these words.
+  /// A sentence that says why a point is not on this mesh; empty if it is. Barycentric coordinates
+  /// may be off by 1e-6. Functions that take sites or points throw `Error(kInvalidPoint)` with this
+  /// text.
   std::string faultOfPoint(const SurfacePoint& p) const;
 
-  /// A point of this mesh in terms of the input's triangles; face -1 stays that.
+  /// A point of this mesh in terms of the input's triangles; face -1 stays -1.
   SurfacePoint toInput(const SurfacePoint& p) const;
   /// A point given by an input triangle, in terms of this mesh. A point on a dropped triangle is
   /// found on the edge or vertex of a kept one. Barycentric coordinates may be off by up to 1e-6
@@ -245,8 +247,8 @@ class TriangleMesh {
   /// off by more or not finite, if the triangle does not exist, or if no kept triangle has the
   /// point.
   SurfacePoint fromInput(const SurfacePoint& p) const;
-  /// The place of an input vertex; `Error(kInvalidPoint)` if it does not exist or is isolated. Of a
-  /// split vertex, the fan of the first triangle that names this input vertex.
+  /// The place of an input vertex; throws `Error(kInvalidPoint)` if the vertex does not exist or is
+  /// isolated. For a split vertex, its copy in the first triangle that names the input vertex.
   SurfacePoint fromInputVertex(int inputVertex) const;
   /// The vertex at that place, -1 if the input vertex is isolated. The input vertex exists.
   int vertexOfInput(int inputVertex) const {
@@ -273,8 +275,8 @@ class TriangleMesh {
   std::vector<int> boundaryLoops_;
   std::vector<int> inputFace_, inputVertex_;
   std::vector<char> flipped_;
-  /// For every corner of every input triangle, a halfedge that leaves it, all three on one face: on
-  /// its own, or, if the triangle was dropped, on some face that has all of its corners; -1 if
+  /// For every corner of every input triangle, a halfedge that leaves it. All three are on one
+  /// face: the triangle's own or, if it was dropped, some face that has all of its corners; -1 if
   /// there is none.
   std::vector<int> halfedgeOfInput_;
   std::vector<int> vertexOfInput_;  ///< a halfedge leaving the vertex's place, or -1

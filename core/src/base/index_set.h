@@ -19,7 +19,7 @@ class IndexSet {
     for (const int i : indices) add(i);
   }
 
-  /// Whether it was not there before.
+  /// Adds an index; returns whether it is new.
   bool add(int i) {
     if (isIn_[i]) return false;
     isIn_[i] = true;
@@ -32,14 +32,14 @@ class IndexSet {
     list_.resize(isIn_.size());
     std::iota(list_.begin(), list_.end(), 0);
   }
-  /// Takes all out, in time for what was in.
+  /// Empties the set, in time proportional to its size.
   void clear() {
     for (const int i : list_) isIn_[i] = false;
     list_.clear();
   }
   bool contains(int i) const { return isIn_[i]; }
   int size() const { return static_cast<int>(list_.size()); }
-  /// In the order in which they were added.
+  /// The indices in the order in which they were added.
   const std::vector<int>& list() const { return list_; }
   std::vector<int> sorted() const {
     std::vector<int> result = list_;
@@ -52,8 +52,8 @@ class IndexSet {
   std::vector<int> list_;
 };
 
-/// Sorts a list of indices and drops what occurs again. Takes little where most of the list is a
-/// set already, to which others have been added.
+/// Sorts a list of indices and drops duplicates. Quick if the list is mostly a sorted set to which
+/// a few indices were appended.
 inline void makeSet(std::vector<int>& indices) {
   const auto added = std::is_sorted_until(indices.begin(), indices.end());
   std::sort(added, indices.end());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Vectors of the plane, turned.
+// Rotations of vectors in the plane.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,7 +8,7 @@
 
 namespace gvd {
 
-// Vectors of the plane. Unit vectors stand for rotations, as complex numbers do; others scale too.
+// Rotations are unit vectors, multiplied like complex numbers; vectors of other lengths scale, too.
 
 inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();

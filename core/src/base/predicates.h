@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// Determinants of which the sign is right.
+// Determinants with the right sign.
 #pragma once
 
 #include <array>
 
 namespace gvd {
 
-/// Determinants of doubles and their signs: floating-point arithmetic where its error bound tells
-/// that it is good enough, exact expansion arithmetic for the rest (Shewchuk, Adaptive precision
-/// floating-point arithmetic and fast robust geometric predicates, 1997). As said while no product
-/// of three coordinates over- or underflows.
+/// Determinants of doubles and their signs: by floating-point arithmetic if its error bound
+/// permits, otherwise by exact expansion arithmetic (Shewchuk, Adaptive precision floating-point
+/// arithmetic and fast robust geometric predicates, 1997). Valid while no product of three
+/// coordinates overflows or underflows.
 
 /// The sign (-1, 0, 1) of | b-a ; c-a |.
 int orientation(const std::array<double, 2>& a, const std::array<double, 2>& b,

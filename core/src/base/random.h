@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Drawing numbers. The distributions of the standard library may differ from one to the next; its
-// generators may not.
+// Random draws. Distributions differ between implementations of the standard library; generators do
+// not.
 #pragma once
 
 #include <Eigen/Core>
@@ -28,7 +28,7 @@ inline std::vector<double> cumulative(std::span<const double> values) {
 /// An index with a probability in proportion to its value, from the cumulative sums of values that
 /// are not negative and not all zero.
 inline int drawIndex(std::mt19937_64& random, const std::vector<double>& sums) {
-  // u < 1 makes u · total < total, rounded too; so there is an index, and it has a value.
+  // u < 1 makes u · total < total, even rounded, so an index with a positive value is found.
   const double place = drawUniform(random) * sums.back();
   return static_cast<int>(std::upper_bound(sums.begin(), sums.end(), place) - sums.begin());
 }

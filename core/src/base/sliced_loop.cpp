@@ -13,7 +13,7 @@ std::size_t SlicedLoop::advance(std::size_t count, long& budget, long perUnit) {
 
 std::size_t endOfSlice(std::size_t begin, std::size_t count, long& budget, long perUnit) {
   const auto left = static_cast<long>(count - begin);
-  // What cannot be divided may have used up more than there was.
+  // The budget may be negative, because indivisible work may overdraw it.
   const long units = std::clamp(budget, 0L, (left + perUnit - 1) / perUnit);
   budget -= units;
   return units > left / perUnit ? count : begin + units * perUnit;

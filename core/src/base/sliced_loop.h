@@ -9,11 +9,11 @@
 
 namespace gvd {
 
-/// A loop over the indices from 0 to below a count that stops where a budget is used up, and goes
-/// on from there when it is called again.
+/// A loop over the indices 0 … count - 1 that stops when a budget is used up, and continues there
+/// when called again.
 ///
-/// A budget is what a caller lets one step do. Its unit is a microsecond or less: dividing one
-/// mixed face, or `perUnit` rounds of a loop that does little in each.
+/// A budget limits the work of one step. Its unit is a microsecond or less: dividing one mixed
+/// face, or `perUnit` rounds of a cheap loop.
 class SlicedLoop {
  public:
   /// Calls `body` with the indices. Returns true when it has been called with all of them; the next
@@ -31,11 +31,11 @@ class SlicedLoop {
   std::size_t next_ = 0;
 };
 
-/// Rounds per unit of loops that read or write a few numbers in each.
+/// Rounds per unit for loops that read or write a few numbers per round.
 inline constexpr long kQuickRounds = 32;
 
-/// Things to do one after the other, each of which may stop where a budget is used up: it is called
-/// again until it returns true. What returns nothing is done at one go.
+/// A sequence of parts, done one after the other. A part returns false if it has used up its
+/// budget, and is then called again; a part that returns void is always done after one call.
 class SlicedSequence {
  public:
   /// Goes on with the first of `parts` that is not done; true when all are.
@@ -62,15 +62,14 @@ class SlicedSequence {
   int done_ = 0, count_ = 0;
 };
 
-/// Works on a part of a whole, which is made of `arguments` when it is first come to; true when it
-/// is done.
+/// Works on a part, which is constructed from `arguments` in the first call; true when it is done.
 template <class Part, class... Arguments>
 bool runPart(std::optional<Part>& part, long& budget, Arguments&&... arguments) {
   if (!part) part.emplace(std::forward<Arguments>(arguments)...);
   return part->step(budget);
 }
 
-/// What a part has made; the part goes, and all its memory with it.
+/// Takes the result of a part and destroys the part.
 template <class Part>
 auto taken(std::optional<Part>& part) {
   auto result = part->take();
@@ -78,9 +77,9 @@ auto taken(std::optional<Part>& part) {
   return result;
 }
 
-/// How far a budget leads from a place in a list of `count` items; what that takes is taken off it.
-/// A budget below zero, since something that cannot be divided took more than there was, leads
-/// nowhere.
+/// The end of the slice of a list of `count` items, begun at `begin`, that a budget suffices for;
+/// lowers the budget by its cost. The slice is empty if the budget is negative because indivisible
+/// work has overdrawn it.
 std::size_t endOfSlice(std::size_t begin, std::size_t count, long& budget, long perUnit);
 
 /// Lengthens a list to `count` items; true when it is that long.
@@ -93,7 +92,7 @@ bool fillInSlices(std::vector<Item>& list, std::size_t count, const Item& value,
   return list.size() == count;
 }
 
-/// Gives up the memory of a list that is not needed any more.
+/// Frees the memory of a list that is not needed any more.
 template <class Item>
 void release(std::vector<Item>& list) {
   std::vector<Item>().swap(list);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A stable sort for lists that are sorted once. The standard library's is compiled anew for each
-// kind of item and each order, which was a twentieth of core.wasm; here only indices are ever
-// sorted.
+// A stable sort that keeps core.wasm small. The standard library's is compiled for each kind of
+// item and each order, which took a twentieth of core.wasm; here it is compiled for indices only.
 #pragma once
 
 #include <algorithm>
@@ -12,12 +11,11 @@
 
 namespace gvd {
 
-/// The indices below `count` in the order that `isBefore` says of two of them, which is given
-/// `context` too; in their own order where it says nothing.
+/// The indices below `count`, sorted stably by `isBefore(context, a, b)`.
 std::vector<int> sortedIndices(int count, bool (*isBefore)(const void* context, int a, int b),
                                const void* context);
 
-/// Sorts items by what `isBefore` says of two of them; those that are equal stay in their order.
+/// Sorts items by `isBefore(a, b)`; equal items keep their order.
 template <class Item, class Before>
 void sortStably(std::span<Item> items, const Before& isBefore) {
   if (std::is_sorted(items.begin(), items.end(), isBefore)) return;

@@ -11,7 +11,7 @@
 namespace gvd {
 namespace {
 
-/// Whether any two of them are equal up to rounding, but not equal.
+/// Whether any two distances are equal up to rounding, but not exactly.
 bool haveUnequalTies(std::span<const LabelledDistance> here) {
   for (size_t i = 1; i < here.size(); ++i)
     for (size_t j = 0; j < i; ++j) {
@@ -24,7 +24,7 @@ bool haveUnequalTies(std::span<const LabelledDistance> here) {
 }  // namespace
 
 bool equalizeTies(std::span<LabelledDistance> here) {
-  constexpr size_t kFew = 32;  // for so many, looking at all pairs takes less than sorting
+  constexpr size_t kFew = 32;  // up to here, comparing all pairs is quicker than sorting
   if (here.size() <= kFew && !haveUnequalTies(here)) return false;
   sortStably(here, [](const LabelledDistance& a, const LabelledDistance& b) {
     return a.distance < b.distance;

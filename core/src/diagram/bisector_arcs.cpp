@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Segments and arcs of a diagram: those of the bisector graph, after points that rounding cannot
-// tell apart have become one.
+// Segments and arcs of a diagram: from those of the bisector graph, with points merged.
 #include "diagram/bisector_arcs.h"
 
 #include <algorithm>
@@ -22,7 +21,8 @@ bool shareFeature(const TriangleMesh& mesh, const SurfacePoint& p, int face) {
   return false;
 }
 
-/// Expresses a point on an edge or vertex in terms of another face there; false if it is not one.
+/// Expresses a point on an edge or vertex in another face there; false if `face` does not have the
+/// point.
 bool renameInFace(const TriangleMesh& mesh, int face, SurfacePoint& p) {
   if (!shareFeature(mesh, p, face)) return false;
   SurfacePoint renamed{face, Eigen::Vector3d::Zero()};
@@ -77,7 +77,7 @@ bool FinalSegments::step(long& budget) {
       });
 }
 
-/// Puts a segment in the place of one before it, or stacks it up with others.
+/// Keeps a segment, moved forward over dropped ones; if an end is merged, stacks it instead.
 void FinalSegments::addSegment(const Diagram::Segment& segment) {
   const Diagram::Segment s = segment;
   const int from = graph_.merging.root(s.points[0]), to = graph_.merging.root(s.points[1]);
@@ -107,7 +107,7 @@ bool FinalSegments::addStacks(long& budget) {
   return stacks_.empty();
 }
 
-/// Several lines may remain: at merged points, they may run on both sides of others that do not.
+/// Lines with no region in common are not joined, so several may remain.
 void FinalSegments::addLines(const PlaceOfLine& place, std::vector<Line>& lines) {
   joinLines(lines);
   const int first = points_.number(place[0]), second = points_.number(place[1]);
@@ -120,7 +120,7 @@ void FinalSegments::addLines(const PlaceOfLine& place, std::vector<Line>& lines)
   }
 }
 
-/// Makes one line of two that have a region between them, which is of no width there.
+/// Joins two lines with the same region between them: the region has no width there.
 void FinalSegments::joinLines(std::vector<Line>& lines) {
   for (size_t i = 0; i < lines.size();) {
     const int between = lines[i].right;

@@ -15,9 +15,9 @@
 namespace gvd {
 
 /// Makes the bisector segments of a diagram from those of its graph. Segments that end at merged
-/// points may lie on top of each other, or on the boundary, with a region of no width between them;
-/// what remains there has the outermost labels. A point that lies on an edge or a vertex is named
-/// in terms of a face of one of its segments.
+/// points may lie on top of each other, or on the mesh boundary, with a region of no width between
+/// them. Such segments are joined, and the outermost labels remain. A point on an edge or a vertex
+/// is given in a face of one of its segments.
 class FinalSegments {
  public:
   /// Takes the segments out of the graph.
@@ -27,7 +27,7 @@ class FinalSegments {
   bool step(long& budget);
 
  private:
-  /// A line, going from the lower point to the higher one: what is on its sides, -1 for nothing.
+  /// The labels on the sides of a line from the lower point to the higher one; -1 off the mesh.
   struct Line {
     int left, right, face;
   };
@@ -47,8 +47,8 @@ class FinalSegments {
   SlicedSequence sequence_;
   SlicedLoop loop_;
   size_t kept_ = 0;
-  std::map<PlaceOfLine, std::vector<Line>> stacks_;  ///< lines that are in one place
-  std::vector<char> isNamed_;  ///< per point: in terms of a face of one of its segments
+  std::map<PlaceOfLine, std::vector<Line>> stacks_;  ///< the lines at each place
+  std::vector<char> isNamed_;  ///< per point: given in a face of one of its segments
 };
 
 /// Chains the segments of a diagram to arcs through the points where exactly two of one bisector
@@ -59,7 +59,7 @@ class ArcChaining {
   bool step(long& budget);
 
  private:
-  /// The segment that comes to a point and the one that leaves it, if there are no more.
+  /// The segment that arrives at a point and the one that leaves it; `kSeveral` if there are more.
   struct Ends {
     int incoming = kNone, outgoing = kNone;
   };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Points of the bisector graph that rounding cannot tell apart are made one.
+// Merges points of the bisector graph that rounding cannot tell apart.
 #include "diagram/bisector_graph.h"
 
 #include <utility>

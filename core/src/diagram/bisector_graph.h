@@ -12,25 +12,25 @@
 namespace gvd {
 
 /// The bisectors of a diagram as a graph, all ties broken: three segments meet at every inner
-/// point, two at every crossing of an element's side, one at a crossing of the mesh boundary. Seen
-/// from a region, every segment is a *dart* that has the region on its left: dart 2s of the lower
-/// label of segment s, which runs forwards, and dart 2s + 1 of the higher one. At each point at
-/// most one dart of a region comes and one leaves, so following darts, and the mesh boundary in
-/// between, closes the region's loops without a choice to make.
+/// point, two at every crossing of an element's side, one at a crossing of the mesh boundary. Every
+/// segment s has two *darts*, each with its region on the left: dart 2s belongs to the lower label
+/// and runs forwards, dart 2s + 1 to the higher one. At most one dart of a region arrives at a
+/// point and one leaves it, so the loops of a region follow from its darts, and the mesh boundary
+/// in between, without any choice.
 ///
-/// As doubles see it, some of its points are one: those whose error bounds overlap. That yields the
-/// Voronoi points of higher degree, those on edges and vertices, and bisectors along edges.
+/// Points whose error bounds overlap are merged. Merging yields Voronoi points of higher degree,
+/// Voronoi points on edges and vertices, and bisectors along edges.
 struct BisectorGraph {
-  /// A point where bisectors meet or cross a side, or a node that the mesh boundary or a cell
-  /// passes.
+  /// A point where bisectors meet or cross a side, or a node that is a corner of a cell or of an
+  /// outline on the mesh boundary.
   struct Point {
-    double error;               ///< bound on how far rounding has moved it, barycentric
+    double error;               ///< bound on the rounding of its place, barycentric
     std::array<int, 3> labels;  ///< of the regions that meet here, -1 for none; a node has none
-    std::array<int, 3> darts;   ///< of each, the dart that came or left here first, -1 for none
-    int nextOnSide;             ///< list of the points on one side of elements
+    std::array<int, 3> darts;   ///< per label, the first dart added here, -1 for none
+    int nextOnSide;             ///< the next point on the same side, -1 for none
   };
-  /// A point on the mesh boundary, between the regions that own what is before and after it going
-  /// forward; `start` is where its element's part of the halfedge begins.
+  /// A point on the mesh boundary where, going forward, the region `before` ends and `after`
+  /// begins; `start` is where its element's part of the halfedge begins.
   struct BoundaryPoint {
     int halfedge;
     double start;  ///< 0 … 1 along the halfedge, exact
@@ -40,19 +40,19 @@ struct BisectorGraph {
 
   std::vector<Point> points;
   std::vector<SurfacePoint> places;  ///< per point
-  std::vector<int> innerPoints;      ///< those of three regions, ascending
+  std::vector<int> innerPoints;      ///< points of three regions, ascending
   PointMerging merging;
-  std::vector<int> mergedFaces;  ///< where points have become one, some several times
+  std::vector<int> mergedFaces;  ///< faces with merged points, with repetitions
 
   std::vector<Diagram::Segment> segments;  ///< between points of the graph, without arcs
-  std::vector<int> nextDart;  ///< of the same region; -1 where it comes to the mesh boundary
+  std::vector<int> nextDart;  ///< next of the region; -1 where a dart ends at the mesh boundary
   std::vector<BoundaryPoint> boundary;
 
   /// The cells of mixed faces, in the order of elements, with points of the graph.
   PointLists cells;
   std::vector<int> cellFace, cellLabel;
 
-  std::vector<double> regionArea;  ///< as in `Diagram`, as are these:
+  std::vector<double> regionArea;  ///< these three as in `Diagram`
   std::vector<int> faceLabel, indifferentFaces;
 
   int labelOf(int dart) const { return segments[dart / 2].labels[dart % 2]; }
@@ -75,17 +75,17 @@ struct BisectorGraph {
     cellFace.push_back(face);
     cellLabel.push_back(label);
   }
-  /// Makes two points one. A node stands for all, so that a place on a vertex is exactly that; else
-  /// the first, at a place on a side if there is one. Two nodes stay two, however near: region
-  /// triangles have them as corners.
+  /// Merges two points. A node becomes the root, so that a merged point on a vertex has exactly its
+  /// place; otherwise the lower number does, with a place on a side if either has one. Two nodes
+  /// are never merged, however near, because region triangles have them as corners.
   void unite(int a, int b);
 };
 
-/// The points of the graph at nodes, -1 where there is none (yet). Of a caller that traces again
-/// and again, who then need not make the list anew.
+/// The points of the graph at nodes, -1 for none. Owned by the caller, so that repeated traces of
+/// parts do not have to allocate the list anew.
 class NodePoints {
  public:
-  /// Of at least `count` nodes; true when the list is that long.
+  /// Makes room for `count` nodes; true when done.
   bool resize(size_t count, long& budget) { return fillInSlices(point_, count, -1, budget); }
   /// The point at a node, which `make` adds where there is none.
   template <class Make>
@@ -96,7 +96,7 @@ class NodePoints {
     }
     return point_[node];
   }
-  /// Forgets all points, in time for their number.
+  /// Forgets all points, in time proportional to their number.
   void clear() {
     for (const int node : known_) point_[node] = -1;
     known_.clear();
@@ -107,8 +107,8 @@ class NodePoints {
   std::vector<int> known_;
 };
 
-// What these add is written number by number, for it was just computed so: put together first and
-// copied in larger pieces, it would have to get to memory in between.
+// The functions below write number by number. The numbers are still in registers; assembling a
+// struct first and copying it in larger pieces would have to wait for memory.
 
 inline int BisectorGraph::addPoint(int face, const Eigen::Vector3d& bary, double error, int labelA,
                                    int labelB, int labelC) {

@@ -32,8 +32,8 @@ bool BisectorTracing::step(long& budget) {
       [&] { return divideAll(budget); });
 }
 
-/// Room for what is usually needed: most mixed elements have two cells; every site adds some
-/// corners where its bisectors meet, which counts where sites are as many as elements.
+/// Reserves the usual memory: most mixed elements have two cells, and every site adds some corners
+/// where its bisectors meet, which matters if there are as many sites as elements.
 void BisectorTracing::reserve() {
   const int mixedCount = complex_.mixedCount();
   const size_t mixed = mixedCount, atSites = 6 * std::min(siteCount_, mixedCount);
@@ -49,7 +49,7 @@ void BisectorTracing::reserve() {
   graph_.cellLabel.reserve(cells);
 }
 
-/// In order, so that areas are always summed in the same one.
+/// Goes through elements in order, so that areas are always summed in the same order.
 bool BisectorTracing::divideAll(long& budget) {
   const std::vector<int>& contested = complex_.contested();
   const int count = complex_.elementCount();
@@ -176,16 +176,16 @@ void BisectorTracing::addSegment(const Element& element, const Corner& from, con
   if ((from.bary - to.bary).lpNorm<Eigen::Infinity>() <= error) graph_.unite(from.point, to.point);
 }
 
-/// Whether the ends of a segment may become one point. Not if that could join two sides of the
-/// element beside the corner between them, for the surface would be pinched off there. Then the
-/// ends stay two points, however near.
+/// Whether the ends of a segment may be merged. Merging must not join points of two sides beside
+/// their common corner without the corner itself: that would pinch off the surface.
 bool BisectorTracing::mayBeOne(const Corner& a, const Corner& b) {
   if (!a.isInside && !b.isInside) return false;
   if (!a.isNearCorner && !b.isNearCorner) return true;
   return graph_.isNode(graph_.merging.root(a.point)) || graph_.isNode(graph_.merging.root(b.point));
 }
 
-/// A dart of a region leaves a point: the one that comes there, if it is known, goes on with it.
+/// Notes that a dart of a region leaves a point, and links the dart that arrives there, once both
+/// are known.
 void BisectorTracing::leave(int point, int label, int dart) {
   int& other = graph_.dartAt(point, label);
   if (other < 0)
@@ -202,8 +202,8 @@ void BisectorTracing::arrive(int point, int label, int dart) {
     graph_.nextDart[dart] = other;
 }
 
-/// Goes on with a cell along a side without twin, past the corners of smaller elements there: one
-/// label owns all of it.
+/// Adds the corners of smaller elements along a side without twin to a cell. One label owns all of
+/// such a side.
 void BisectorTracing::addUnmatchedSide(const Element& element, int side, int vertex) {
   addBoundaryPoint(3 * element.index + side, vertex);
   for (const auto& [node, share] : complex_.innerNodes(3 * element.index + side)) {
@@ -215,7 +215,7 @@ void BisectorTracing::addUnmatchedSide(const Element& element, int side, int ver
   }
 }
 
-/// Notes where a piece of the mesh boundary that a cell owns starts.
+/// Notes a point on the mesh boundary where the owner changes.
 void BisectorTracing::addBoundaryPoint(int h, int vertex) {
   const int boundary = complex_.boundaryHalfedge(h);
   if (boundary < 0) return;
@@ -226,9 +226,8 @@ void BisectorTracing::addBoundaryPoint(int h, int vertex) {
                              envelope_.label(v.functions[0]), envelope_.label(v.functions[1])});
 }
 
-/// Adds the areas of an element's cells, the last ones, which are given as shares of its face, to
-/// those of the regions. Rounding may have turned a sliver over; what it has less than nothing is
-/// the largest cell's.
+/// Adds the areas of the element's cells, given as shares of the face, to those of the regions.
+/// Rounding may make the area of a sliver negative; it is then set off against the largest cell.
 void BisectorTracing::addAreas(double faceArea) {
   const auto isNegative = [](double area) { return area < 0; };
   if (std::any_of(cellAreas_.begin(), cellAreas_.end(), isNegative)) {

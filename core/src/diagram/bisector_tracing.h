@@ -15,7 +15,7 @@
 
 namespace gvd {
 
-/// Makes the graph: in every element of several regions the lower envelope.
+/// Builds the bisector graph from the lower envelope on every mixed element.
 class BisectorTracing {
  public:
   BisectorTracing(const FaceComplex& complex, int siteCount, NodePoints& nodePoints,
@@ -56,7 +56,7 @@ class BisectorTracing {
   FaceEnvelope envelope_;
   ElementPoints points_;
 
-  // Of the element at hand.
+  // The current element.
   std::span<const Corner> corners_;  ///< per vertex of the envelope
   std::vector<double> cellAreas_;
 };

@@ -22,11 +22,11 @@
 namespace gvd {
 namespace {
 
-/// Traces the diagram of a complex: its graph with all ties broken, the regions' outlines, and of
-/// these the diagram as doubles see it.
+/// Traces the diagram of a complex: the bisector graph with all ties broken, the outlines of
+/// regions, and from these the diagram with points merged.
 class Tracing {
  public:
-  /// The outlines are those of the labels that `isTraced` says, of all if it is empty.
+  /// Traces outlines of the labels with `isTraced[label]`, of all labels if it is empty.
   Tracing(const TriangleMesh& mesh, const DistanceField& distances, FaceComplex& complex,
           int siteCount, std::span<const char> isTraced, NodePoints& nodePoints)
       : mesh_(mesh),
@@ -133,7 +133,7 @@ class WholeTracing final : public SlicedWork<TracedDiagram> {
   Tracing tracing_;
 };
 
-/// Of a tracing, the diagram alone.
+/// Yields the diagram of a tracing without the rest.
 class DiagramOfTracing final : public SlicedWork<Diagram> {
  public:
   explicit DiagramOfTracing(std::unique_ptr<SlicedWork<TracedDiagram>> tracing)
@@ -147,7 +147,7 @@ class DiagramOfTracing final : public SlicedWork<Diagram> {
   const std::unique_ptr<SlicedWork<TracedDiagram>> tracing_;
 };
 
-/// The tracing of a part, of which the tracer has the faces.
+/// The tracing of a part, whose faces `complex` has already.
 class PartTracing final : public SlicedWork<TracedDiagram> {
  public:
   PartTracing(const TriangleMesh& mesh, const DistanceField& distances, FaceComplex& complex,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The pieces of a live diagram: replaced by what an edit changes, and put together to one diagram.
+// The pieces of a live diagram: an edit replaces some, and all of them can be joined to one
+// diagram.
 #include "diagram/diagram_pieces.h"
 
 #include <algorithm>
@@ -35,7 +36,7 @@ class PlaceIndex {
   std::vector<SurfacePoint> places_;
 };
 
-/// Copies what is wanted of a diagram, points numbered anew.
+/// Copies the wanted pieces of a diagram and numbers their points anew.
 class Extract {
  public:
   Extract(const Diagram& from, std::span<const char> isWanted)

@@ -15,32 +15,31 @@ namespace gvd {
 /// A diagram in pieces that are replaced one by one; each has its own copy of its points.
 class DiagramPieces {
  public:
-  /// That of no sites: no region reaches any face.
+  /// A diagram without sites: no region reaches any face.
   explicit DiagramPieces(int faceCount)
       : faceLabel_(faceCount, Diagram::kUnreachable),
         isIndifferent_(faceCount),
         cellsOf_(faceCount, -1) {}
 
-  /// Puts the pieces of a change in the place of all that there was of its labels and faces, in
-  /// slices: true when it is done. Takes time for what is replaced only. Areas stay as they are.
+  /// Replaces all pieces of a change's labels and faces by those of the change, in slices; true
+  /// when done. Takes time proportional to the pieces replaced. Areas do not change.
   bool replace(const DiagramChange& change, long& budget);
 
   void setArea(int label, double area) { regions_[label].area = area; }
 
-  /// The faces that a region has all of, ascending; good until the next call that changes
-  /// something.
+  /// The region triangles of a label, ascending; valid until the next change.
   const std::vector<int>& wholeFaces(int label);
 
-  /// All pieces as one diagram, which has each place once among its points.
+  /// All pieces as one diagram, in which each place is one point.
   Diagram whole() const;
 
  private:
-  /// Items with numbers that stay. The memory of those that are removed serves the next ones, lists
-  /// of theirs included: what an edit takes away it mostly puts back elsewhere.
+  /// Items with stable numbers. New items reuse the memory of removed ones, including their lists,
+  /// because an edit usually adds about as much as it removes.
   template <class Item>
   class Pool {
    public:
-    /// The number of a new item, which is as its memory was left.
+    /// The number of a new item, which still has the content of the removed item it reuses.
     int add() {
       if (free_.empty()) {
         free_.push_back(static_cast<int>(items_.size()));
@@ -71,7 +70,7 @@ class DiagramPieces {
   struct Region {
     double area = 0;
     std::vector<std::vector<SurfacePoint>> loops;
-    std::vector<int> faces;  ///< those it has all of, and some that it had
+    std::vector<int> faces;  ///< its region triangles, and some that no longer are
     std::vector<int> arcs, voronoiPoints;
   };
   struct Segment {
@@ -113,15 +112,15 @@ class DiagramPieces {
   std::vector<int> cellsOf_;  ///< per face, -1: it has none
   Pool<Cells> cells_;
 
-  // The change at hand.
+  // The current change.
   SlicedSequence replacing_;
   SlicedLoop loop_;
   std::vector<int> arcOf_;  ///< the numbers of its arcs
 };
 
-/// Copies out of a diagram the loops, arcs and Voronoi points of the labels for which `isWanted`,
-/// one per label, says so, and the cells of some faces, given ascending, with those of them that
-/// are indifferent. Points are numbered anew; the labels of faces and the areas are left out.
+/// Copies out of a diagram the loops, arcs and Voronoi points of the labels with `isWanted[label]`,
+/// the cells of some faces, given ascending, and which of these faces are indifferent. Points are
+/// numbered anew; `faceLabel` and areas are left empty.
 Diagram extract(const Diagram& from, std::span<const char> isWanted, std::span<const int> faces);
 
 }  // namespace gvd

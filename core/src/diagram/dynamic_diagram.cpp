@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A live diagram: after a site has come, gone or moved, the regions and faces that its distances
-// change are traced again.
+// A live diagram: after a site was inserted, removed or moved, the regions and faces with changed
+// distances are traced again.
 #include "gvd/dynamic_diagram.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@
 namespace gvd {
 namespace {
 
-/// Of these sites, under way.
+/// The distances of these sites, yet to be computed.
 std::shared_ptr<SiteDistances> distancesOf(const TriangleMesh& mesh,
                                            std::span<const SurfacePoint> sites, Metric metric) {
   auto distances = std::make_shared<SiteDistances>(mesh, metric);
@@ -28,7 +28,7 @@ std::shared_ptr<SiteDistances> distancesOf(const TriangleMesh& mesh,
   return distances;
 }
 
-/// What `propagate` has made.
+/// The implementation behind a field made by `propagate`.
 std::shared_ptr<SiteDistances> asSiteDistances(const std::shared_ptr<DistanceField>& distances) {
   auto found = std::dynamic_pointer_cast<SiteDistances>(distances);
   if (!found)
@@ -40,8 +40,8 @@ std::shared_ptr<SiteDistances> asSiteDistances(const std::shared_ptr<DistanceFie
 
 class DynamicDiagram::Implementation {
  public:
-  /// The last change of the distances is that in which all sites have come. There is no diagram
-  /// yet: an `Update` makes it.
+  /// All sites must have been inserted by the last change of the distances. There is no diagram
+  /// until the first `Update` is done.
   Implementation(const TriangleMesh& mesh, std::shared_ptr<SiteDistances> distances,
                  const DiagramOptions& options)
       : mesh_(mesh),
@@ -61,13 +61,13 @@ class DynamicDiagram::Implementation {
   }
 
   class Update;
-  /// Begins to take the site of a label away if it has one, and to put it to another place if one
-  /// is given.
+  /// Begins to remove the site of a label, if it has one, and to insert it at `site`, if that is
+  /// given.
   std::unique_ptr<SlicedWork<DiagramChange>> startSite(int label,
                                                        const std::optional<SurfacePoint>& site);
 
  private:
-  /// Begins to gather faces with these.
+  /// Restarts `faces_` with these faces.
   void gather(std::span<const int> faces) {
     faces_.clear();
     for (const int f : faces) faces_.add(f);
@@ -90,8 +90,7 @@ class DynamicDiagram::Implementation {
     return isOne;
   }
 
-  /// All faces of which several labels are known at a corner, one of the given ones among them;
-  /// ascending.
+  /// All faces with a corner where one of the given labels and another label are known; ascending.
   std::vector<int> facesWhereMet(std::span<const int> labels) {
     gather({});
     for (const int label : labels)
@@ -104,12 +103,12 @@ class DynamicDiagram::Implementation {
   std::shared_ptr<SiteDistances> distances_;
   PartialTracer tracer_;
   DiagramPieces pieces_;
-  IndexSet faces_;  ///< those that are gathered at the time
-  /// Where points have become one, and some where they had; ascending.
+  IndexSet faces_;  ///< working memory of `gather`
+  /// Faces with merged points, and some that had them before; ascending.
   std::vector<int> mergedFaces_;
-  /// Where the tracer had to add labels when all was traced; ascending.
+  /// Faces where the tracer added labels when the whole diagram was traced last; ascending.
   std::vector<int> completedFaces_;
-  /// Per label the faces with a corner where it and others are known.
+  /// Per label, the faces with a corner where it and other labels are known.
   std::vector<std::vector<int>> mixedFaces_;
 };
 
@@ -136,7 +135,7 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
  private:
   int labelCount() const { return diagram_.labelCount(); }
 
-  /// Forgets where the changed labels met others in the changed faces.
+  /// Removes the changed faces from the lists of the changed labels in `mixedFaces_`.
   void forgetMixed() {
     const std::vector<int>& changed = diagram_.distances_->changedLabels();
     labels_ = IndexSet(labelCount(), changed);
@@ -147,7 +146,7 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
                     [&](int f) { return diagram_.faces_.contains(f); });
   }
 
-  /// Keeps note of where they meet others now.
+  /// Adds the changed faces to the lists of the changed labels that meet others there now.
   bool noteMixed(long& budget) {
     constexpr long kFacesPerUnit = 16;
     const std::vector<int>& faces = diagram_.distances_->changedFaces();
@@ -165,10 +164,11 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
     });
   }
 
-  /// Cells can differ only in the faces around changed vertices, and in those for which the tracer
-  /// completes labels. Where points are merged, before the change or after it, a bisector may run
-  /// where a third region has no width left, and the order of regions around the point follows from
-  /// all labels known there: these labels and their faces are traced again too.
+  /// Traces the changed labels in the faces where they meet others. If points are merged there,
+  /// before or after the change, a bisector may run where a third region has no width left, and the
+  /// order of regions around the point depends on all labels known there: these labels are then
+  /// traced, too. If the tracer adds labels in a face, or had done so before, the whole diagram is
+  /// traced.
   bool traceParts(long& budget) {
     for (;;) {
       if (!tracing_) {
@@ -204,8 +204,8 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
     return std::any_of(anyOf.begin(), anyOf.end(), [&](int f) { return isTraced(f); });
   }
 
-  /// Of what has been traced, the changed labels, and the faces that have changed or have a corner
-  /// in common with one where points are merged.
+  /// Puts into the change the traced labels, and the faces that have changed or share a corner with
+  /// a face with merged points.
   void takeParts(const Diagram& traced, std::span<const int> merged) {
     const TriangleMesh& mesh = diagram_.mesh_;
     diagram_.gather(diagram_.distances_->changedFaces());
@@ -246,7 +246,7 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
     for (size_t i = 0; i < areas.size(); ++i) diagram_.pieces_.setArea(change_.labels[i], areas[i]);
   }
 
-  /// What has been traced, and the faces that the region has all of.
+  /// The area in the traced faces plus the region triangles outside of them.
   double areaOf(int label) {
     double area = areaInMixed_[label];
     for (const int f : diagram_.pieces_.wholeFaces(label))
@@ -258,7 +258,7 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
   bool isWhole_;  ///< whether all is traced
   SlicedSequence sequence_;
   SlicedLoop loop_;
-  IndexSet labels_{0};  ///< those to trace
+  IndexSet labels_{0};  ///< labels to trace
   std::unique_ptr<SlicedWork<TracedDiagram>> tracing_;
   std::vector<int> tracedLabels_, tracedFaces_;  ///< ascending
   std::vector<double> areaInMixed_;              ///< per label, in the traced faces

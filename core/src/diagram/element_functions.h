@@ -9,21 +9,21 @@
 
 namespace gvd {
 
-/// The squared distances of labels on one element after the other, as linear functions.
+/// The squared distances of labels on an element, as linear functions.
 class ElementFunctions {
  public:
   explicit ElementFunctions(const FaceComplex& complex);
-  /// Those of the labels known at all three nodes of an element, but not of labels that are behind
-  /// one owner of a node everywhere; of a label that owns all of the element, its own alone.
-  /// Ascending by label; good until the next call.
+  /// The functions of the labels known at all three nodes of an element, ascending by label; valid
+  /// until the next call. Of more than three, those farther everywhere than the owner of some node
+  /// are left out; of an element with one owner, all but the owner's.
   std::span<const LabelFunction> of(int element);
 
  private:
   void dropHidden(const int* nodes);
 
   const FaceComplex& complex_;
-  /// What distances are multiplied by: a power of two, so that nothing is rounded, by which they
-  /// are about 1. Determinants have products of six distances.
+  /// Scales distances to about 1, because determinants multiply six of them. A power of two, so
+  /// that scaling does not round.
   const double unit_;
   std::vector<LabelFunction> functions_;
 };

@@ -13,13 +13,13 @@
 namespace gvd {
 namespace {
 
-/// How far an error of the functions moves the place where they are equal: in barycentric
-/// coordinates, the noise of their differences over the slope.
+/// The error of a place where functions are equal, in barycentric coordinates: the noise of their
+/// differences over the slope.
 double placeError(double noise, double slope) {
   return noise < kMaxPointError * slope ? noise / slope : kMaxPointError;
 }
 
-/// Of a place inside, where three functions are equal.
+/// The error of an inner vertex, where three functions are equal.
 double insideError(const FaceEnvelope& envelope, const FaceEnvelope::Vertex& v) {
   const auto &a = envelope.value(v.functions[0]), &b = envelope.value(v.functions[1]),
              &c = envelope.value(v.functions[2]);
@@ -30,7 +30,7 @@ double insideError(const FaceEnvelope& envelope, const FaceEnvelope::Vertex& v) 
   return placeError(noise, p.cross(q).lpNorm<1>());
 }
 
-/// Of a place on a side, where two functions are equal.
+/// The error of a vertex on a side, where two functions are equal.
 double sideError(const FaceEnvelope& envelope, const FaceEnvelope::Vertex& v) {
   const int i = v.place, j = (i + 1) % 3;
   const auto &a = envelope.value(v.functions[0]), &b = envelope.value(v.functions[1]);
@@ -77,8 +77,8 @@ std::span<const ElementPoints::Corner> ElementPoints::of(const Element& element,
   return corners_;
 }
 
-/// Whether a point, in terms of the element, is near two sides: within some tens of the distance at
-/// which points are merged, for those that are merged with it may be nearer.
+/// Whether a point, given in the element, is near two of its sides. The limit is 64 times the
+/// largest error bound, because a chain of merged points may reach nearer to the corner.
 bool ElementPoints::isNearCorner(const Element& element, const Eigen::Vector3d& bary) const {
   constexpr double kNear = 64 * kMaxPointError;
   double size = 1;
@@ -90,8 +90,9 @@ bool ElementPoints::isNearCorner(const Element& element, const Eigen::Vector3d& 
   return (size * bary.array() <= kNear).count() >= 2;
 }
 
-/// Where slivers meet, an inner point may be where another one is, or a corner, that no segment
-/// joins it to: they stay two points, and so have to be told apart by their places.
+/// Where slivers meet, an inner point may get the same place as another point that no segment joins
+/// it to. The two are not merged, so the inner point is moved by one rounding step to have a place
+/// of its own.
 void ElementPoints::tellApartInnerPoints() {
   for (Corner& inner : corners_) {
     if (!inner.isInside) continue;
@@ -119,7 +120,7 @@ int ElementPoints::atNode(const Element& element, int node, const Eigen::Vector3
   return nodePoints_.at(node, [&] { return graph_.addNode(element.face, bary); });
 }
 
-/// The neighbour may have made the point already.
+/// Returns the point of the neighbour element if that has made it already.
 int ElementPoints::makeOnSide(const Element& element, const FaceEnvelope& envelope, const Vertex& v,
                               const Eigen::Vector3d& bary) {
   const int a = envelope.label(v.functions[0]), b = envelope.label(v.functions[1]);
@@ -134,7 +135,8 @@ int ElementPoints::makeOnSide(const Element& element, const FaceEnvelope& envelo
   return point;
 }
 
-/// The point may be no other than an end of the side, or another point there.
+/// Merges a new point on a side with the ends of the side and with other points there, within their
+/// error bounds.
 void ElementPoints::mergeOnSide(const Element& element, int side, int point, int others,
                                 const Eigen::Vector3d& bary) {
   const double error = graph_.points[point].error;
@@ -151,7 +153,7 @@ void ElementPoints::mergeOnSide(const Element& element, int side, int point, int
       graph_.unite(point, p);
 }
 
-/// Where in `firstOnSide_` a side of an element is.
+/// The index of an element's side in `firstOnSide_`.
 int ElementPoints::sideOf(int element, int side) const {
   const int h = 3 * element + side, twin = twins_[h];
   return twin < 0 ? h : std::min(h, twin);

@@ -15,27 +15,27 @@ namespace gvd {
 
 struct Element {
   int index, face;
-  bool isWhole;  ///< it is all of its face
+  bool isWhole;  ///< the element is all of its face
 };
 
-/// The points of the graph that the vertices of envelopes are: each has a bound on how far rounding
-/// has moved it. Two elements have the points on their common side, and at its ends, in common. Of
-/// points that the bounds do not tell apart, those on one side become one here.
+/// Makes the points of the graph for the vertices of envelopes, each with an error bound for
+/// rounding. Neighbouring elements share the points on their common side and at its ends. Points on
+/// one side whose error bounds overlap are merged here.
 class ElementPoints {
  public:
   /// A vertex of an envelope.
   struct Corner {
-    int point = -1;        ///< -1: of no cell any more
-    Eigen::Vector3d bary;  ///< in terms of the face
+    int point = -1;        ///< -1: no cell has the vertex any more
+    Eigen::Vector3d bary;  ///< in the face
     bool isInside = false;
-    /// Whether it is inside, and about as near to a corner of the element as points are merged at.
+    /// Whether it is inside and so near to a corner of the element that it could be merged with it.
     bool isNearCorner = false;
   };
 
   ElementPoints(const FaceComplex& complex, NodePoints& nodePoints, BisectorGraph& graph);
-  /// Before any point is made; true when the lists are there.
+  /// Allocates the lists, before any point is made; true when done.
   bool prepare(long& budget);
-  /// The points of an element, per vertex of its envelope; good until the next call.
+  /// The points of an element, per vertex of its envelope; valid until the next call.
   std::span<const Corner> of(const Element& element, const FaceEnvelope& envelope);
   /// The point at a node, which lies at `bary` in an element's face.
   int atNode(const Element& element, int node, const Eigen::Vector3d& bary);
@@ -60,10 +60,10 @@ class ElementPoints {
   BisectorGraph& graph_;
 
   SlicedSequence sequence_;
-  /// Per halfedge, the lower one of a side's two, the first in a list of points of the graph, -1
-  /// for none.
+  /// The first point in the list of each side (`Point::nextOnSide`), by the lower of the side's two
+  /// halfedges; -1 for none.
   std::vector<int> firstOnSide_;
-  std::vector<Corner> corners_;  ///< of the element at hand
+  std::vector<Corner> corners_;  ///< of the current element
 };
 
 }  // namespace gvd

@@ -68,7 +68,8 @@ bool ElementSplitting::step(long& budget) {
   return true;
 }
 
-/// Splits the batch, and what the new nodes of neighbours leave no choice about, round after round.
+/// Splits the batch, then the elements that must follow their smaller neighbours, round after
+/// round.
 bool ElementSplitting::splitRounds(long& budget) {
   while (round_.run([&] { return splitBatch(budget); }, [&] { return addForced(budget); })) {
     round_ = {};
@@ -84,15 +85,15 @@ bool ElementSplitting::addMixed(long& budget) {
   });
 }
 
-/// Adds the elements that do not agree with smaller ones beside them.
+/// Adds the elements that must be split because of smaller neighbours.
 bool ElementSplitting::addForced(long& budget) {
   return loop_.run(elements_.count(), budget, kLooksPerUnit, [&](int element) {
     if (mustSplit(element)) batch_.push_back(element);
   });
 }
 
-/// Whether an element beside smaller ones would not agree with them: it has several owners, or some
-/// node on its sides has another one.
+/// Whether an element with smaller neighbours would trace a side differently from them: it is
+/// mixed, or a node on its sides has another owner.
 bool ElementSplitting::mustSplit(int element) const {
   const int owner = commonOwner(element);
   for (int i = 0; i < 3; ++i) {
@@ -109,8 +110,8 @@ bool ElementSplitting::isUniform(int a, int b, int owner) const {
   return nodes_.owner(m) == owner && isUniform(a, m, owner) && isUniform(m, b, owner);
 }
 
-/// Splits the elements of the batch, after finding the distances at all their new nodes: of a label
-/// that takes hardly longer at many points than at one.
+/// Splits the elements of the batch, after finding the distances at all their new nodes together:
+/// for a label, many points take hardly longer than one.
 bool ElementSplitting::splitBatch(long& budget) {
   if (!split_.run(
           [&] {

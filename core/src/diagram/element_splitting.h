@@ -20,7 +20,7 @@ struct Elements {
   std::vector<int> tail;       ///< of each halfedge, numbered as in `TriangleMesh`
   std::vector<int> face;       ///< of each element
   std::vector<int> cornersOf;  ///< of each element, in `corners`; -1 if it is all of its face
-  std::deque<Eigen::Matrix3d> corners;  ///< of the others: barycentric, in columns
+  std::deque<Eigen::Matrix3d> corners;  ///< of partial elements: barycentric, in columns
 
   int count() const { return static_cast<int>(face.size()); }
   /// The three nodes of an element.
@@ -35,13 +35,13 @@ struct Elements {
   void clear();
   /// Adds all of a face.
   void addFace(int whole, const std::array<int, 3>& nodes);
-  /// Splits an element in four, given the nodes in the middle of its sides. The part between these
-  /// takes the element's place, the others come last.
+  /// Splits an element in four, given the nodes in the middle of its sides. The middle part takes
+  /// the element's index, the other three are appended.
   void split(int element, const std::array<int, 3>& middle);
 };
 
-/// Splits the elements of several regions in four, `detail` times, with distances at the new nodes;
-/// and those around them, until no side with smaller elements beyond has several owners.
+/// Splits mixed elements in four, `detail` times, with distances at the new nodes. Also splits
+/// neighbours until every side between elements of different size has a single owner.
 class ElementSplitting {
  public:
   ElementSplitting(const DistanceField& distances, int detail, Elements& elements,
@@ -67,10 +67,10 @@ class ElementSplitting {
 
   SlicedSequence level_, round_, split_;
   SlicedLoop loop_;
-  int levelCount_ = 0;                   ///< how often what is mixed has been split
+  int levelCount_ = 0;                   ///< how often mixed elements have been split
   std::vector<int> batch_;               ///< elements to be split next
   std::vector<LabelledPoint> required_;  ///< labels at their new nodes
-  std::vector<int> requiredCounts_;      ///< of each of these nodes
+  std::vector<int> requiredCounts_;      ///< the number of them per new node
   std::unique_ptr<SlicedWork<std::vector<double>>> atNodes_;
 };
 

@@ -32,7 +32,7 @@ FaceComplex::FaceComplex(const TriangleMesh& mesh, const DistanceField& distance
 
 bool FaceComplex::step(long& budget) { return (isPart_ || takeMesh(budget)) && finish(budget); }
 
-/// The vertices; the faces too, if they are to be split.
+/// Takes the vertices, and the faces too if mixed ones are to be split.
 bool FaceComplex::takeMesh(long& budget) {
   const auto forFaces = [&](auto body) {
     return !isOwn_ || loop_.run(mesh_.faceCount(), budget, kQuickRounds, body);
@@ -49,15 +49,16 @@ bool FaceComplex::takeMesh(long& budget) {
         });
       },
       [&] {
-        // Room for what splitting adds, lest all be copied: three elements for each that is split,
-        // of which there are twice as many in every level, and some around them.
+        // Reserves memory for splitting, to avoid copying everything: three new elements for each
+        // split one, twice as many splits in every level, and some more around them.
         const size_t splits = static_cast<size_t>(splitCount_) << std::min(detail_, 8);
         if (isOwn_) elements_.reserve(mesh_.faceCount() + 4 * splits);
       },
       [&] { return forFaces([&](int f) { addFace(f); }); });
 }
 
-/// All else, from faces and what is known at their vertices.
+/// Splits elements, matches twins and finds owners, once faces and the labels of vertices are
+/// there.
 bool FaceComplex::finish(long& budget) {
   return finishing_.run(
       [&] {
@@ -129,8 +130,8 @@ int FaceComplex::meshHalfedge(int h) const {
   return -1;
 }
 
-/// Sides on the mesh boundary have no twin, also where the mesh was cut and another one has the
-/// same two nodes.
+/// A side on the mesh boundary gets no twin, even if the mesh was cut there and another side has
+/// the same two nodes.
 bool FaceComplex::isOnMeshBoundary(int h) const {
   const int side = meshHalfedge(h);
   return side >= 0 && mesh_.twin(side) < 0;
@@ -167,7 +168,7 @@ void FaceComplex::matchTwin(int h) {
   twin_.push_back(twin);
 }
 
-/// The twins where the elements are the faces of a part.
+/// Matches twins if the elements are whole faces of a part.
 void FaceComplex::matchTwinsOfFaces() {
   twin_.resize(elements_.tail.size());
   for (int h = 0; h < static_cast<int>(twin_.size()); ++h) {

@@ -17,21 +17,20 @@ namespace gvd {
 /// The triangles a diagram is traced on, called *elements*: faces of the mesh, or for a finer
 /// diagram parts of them, as halfedges in the manner of `TriangleMesh`.
 ///
-/// Two elements with a common side agree on who owns which part of it if a label that is least
-/// anywhere on a side is known at all three nodes of both: faces have that from the distances,
-/// smaller elements from `LabelCompletion`.
+/// Two elements agree on the owners along their common side if every label that is nearest
+/// somewhere on it is known at all three nodes of both. The distance field guarantees this for
+/// faces, `LabelCompletion` for smaller elements.
 class FaceComplex {
  public:
-  /// Of all faces, once `step` has returned true. Those of several regions are split `detail` times
-  /// in four, with distances at the new nodes.
+  /// A complex of all faces, complete once `step` has returned true. Mixed faces are split in four
+  /// `detail` times, with distances at the new nodes.
   FaceComplex(const TriangleMesh& mesh, const DistanceField& distances, int detail);
   bool step(long& budget);
 
-  /// Of no faces yet.
+  /// An empty complex, for `take`.
   FaceComplex(const TriangleMesh& mesh, const DistanceField& distances);
-  /// The same of some faces, given ascending, and of no others; nothing is known at vertices that
-  /// these do not have. Only for a complex made without faces, again and again: takes time for
-  /// these faces and for those that it had.
+  /// Replaces the complex by one of some faces, given ascending; other vertices get no labels. Only
+  /// for a complex that was made empty. Takes time for the new faces and the previous ones only.
   void take(std::span<const int> faces, int detail);
 
   const TriangleMesh& mesh() const { return mesh_; }
@@ -39,16 +38,16 @@ class FaceComplex {
   NodeLabels& nodes() { return nodes_; }
   int elementCount() const { return static_cast<int>(tails().size() / 3); }
   std::span<const int> tails() const { return isOwn_ ? elements_.tail : mesh_.tails(); }
-  /// -1 on the mesh boundary, and where an element meets several smaller ones: one label owns all
-  /// of such a side.
+  /// -1 on the mesh boundary, at faces outside of the complex, and where an element meets several
+  /// smaller ones: one label owns all of such a side.
   std::span<const int> twins() const { return isOwn_ ? twin_ : mesh_.twins(); }
   /// The mesh's boundary halfedge that a halfedge without twin is part of, or -1.
   int boundaryHalfedge(int h) const;
-  /// How many faces it is made of, and which of them a face is, -1 if it is none.
+  /// The number of faces of the complex, and the index of a face among them, -1 if it is not in.
   int faceCount() const { return isPart_ ? partSize_ : mesh_.faceCount(); }
   int faceIndex(int face) const { return isPart_ ? indexInPart_[face] : face; }
   int face(int element) const { return isOwn_ ? elements_.face[element] : element; }
-  /// How many elements are a part of their face only.
+  /// The number of elements that are only part of their face.
   int partialCount() const { return static_cast<int>(elements_.corners.size()); }
   /// Whether every element is all of its face, so that they are in the order of their faces.
   bool hasWholeFacesOnly() const { return elements_.corners.empty(); }
@@ -66,10 +65,10 @@ class FaceComplex {
   std::vector<NodeLabels::InnerNode> innerNodes(int h) const;
   /// The label that owns all of an element: the owner of all its nodes; else -2, `Diagram::kMixed`.
   int soleOwner(int element) const { return soleOwner_[element]; }
-  /// The elements, ascending, of several regions or of none, and those with ties at all nodes: on
-  /// all of these, two labels may tie.
+  /// The elements, ascending, that are mixed, have no owner, or have ties at all nodes, where two
+  /// labels may tie on the whole element.
   const std::vector<int>& contested() const { return contested_; }
-  /// How many elements several regions have a part of.
+  /// The number of mixed elements.
   int mixedCount() const { return mixedCount_; }
 
  private:
@@ -100,7 +99,7 @@ class FaceComplex {
 
   SlicedSequence taking_, finishing_, matching_;
   SlicedLoop loop_;
-  int splitCount_ = 0;  ///< faces of several regions, if these are split
+  int splitCount_ = 0;  ///< mixed faces, if they are to be split
   int mixedCount_ = 0;
   std::optional<ElementSplitting> splitting_;
   std::vector<int> lastOut_, before_;  ///< lists of halfedges, per node and per halfedge

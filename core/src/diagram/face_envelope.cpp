@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The lower envelope on a triangle, built by inserting one linear function after another: each cuts
-// its cell out of those that are there.
+// its cell out of the existing ones.
 #include "diagram/face_envelope.h"
 
 #include <Eigen/Geometry>
@@ -14,7 +14,8 @@ namespace gvd {
 
 double crossing(double aFirst, double bFirst, double aSecond, double bSecond) {
   const double first = aFirst - bFirst, second = aSecond - bSecond;
-  // Of opposite signs, or one of them zero; both only where a perturbed tie put the crossing.
+  // `first` and `second` have opposite signs or one is zero; both are zero only if a perturbed tie
+  // made the crossing.
   const double span = first - second;
   return span == 0 ? 0.5 : std::clamp(first / span, 0.0, 1.0);
 }
@@ -33,11 +34,12 @@ void FaceEnvelope::setBary(const Vertex& v, Eigen::Vector3d& bary) const {
   bary[3 - i - j] = 0;
 }
 
-/// The common zero of b - a and c - a is their cross product, up to scale. Where the functions are
-/// almost equal along a line, as those of two sites next to each other are, almost all of it
-/// cancels: rounded, the place would be anywhere on the line, and cells would be folded over each
-/// other. None of the coordinates is negative, nor all of them zero: the triangle has the place,
-/// and raising functions, as for ties, leaves the sum of the coordinates as it is.
+/// The common zero of b - a and c - a is their cross product, up to scale. It is computed with a
+/// bounded relative error, because it cancels almost entirely if the functions are almost equal
+/// along a line, as for two sites next to each other: rounding would put the place anywhere on the
+/// line and fold cells over each other. No coordinate is negative and not all are zero: the place
+/// is in the triangle, and raising functions to break ties does not change the sum of the
+/// coordinates.
 void FaceEnvelope::setInnerBary(const Vertex& v, Eigen::Vector3d& bary) const {
   const auto &a = value(v.functions[0]), &b = value(v.functions[1]), &c = value(v.functions[2]);
   for (int i = 0; i < 3; ++i) {
@@ -60,7 +62,7 @@ bool FaceEnvelope::isBelow(int f, const Vertex& v) const {
   return orientation(a, b, value(v.functions[2]), c) < 0;
 }
 
-/// Most triangles are one cell or two: these are known before any list is made.
+/// Most triangles have one cell or two; `cut_` finds these without any lists.
 void FaceEnvelope::compute(std::span<const LabelFunction> functions) {
   functions_ = functions;
   const int count = static_cast<int>(functions.size());
@@ -72,8 +74,8 @@ void FaceEnvelope::compute(std::span<const LabelFunction> functions) {
   for (; f < count; ++f) insert(f);
 }
 
-/// Sets `cut_` while one function, `cut_.low`, has all of the triangle: f may be the next one that
-/// has, or take a part.
+/// Updates `cut_` by f while one function, `cut_.low`, has the whole triangle: f may replace it, or
+/// take a part.
 bool FaceEnvelope::cutsWhole(int f) {
   const auto &a = value(cut_.low), &c = value(f);
   const std::array<bool, 3> isBelow = {c[0] < a[0], c[1] < a[1], c[2] < a[2]};
@@ -88,7 +90,7 @@ bool FaceEnvelope::cutsWhole(int f) {
   return true;
 }
 
-/// Whether f is less than the envelope anywhere, of which `cut_` is all so far.
+/// Whether f is below the envelope anywhere, while `cut_` is the whole envelope.
 bool FaceEnvelope::isBelowCut(int f) const {
   bool isBelowAnywhere = false;
   for (int i = 0; i < 3; ++i) {
@@ -99,8 +101,8 @@ bool FaceEnvelope::isBelowCut(int f) const {
   return isBelowAnywhere;
 }
 
-/// Makes lists of `cut_`: of both cells, going through the corners and the sides from each in turn,
-/// those corners and crossings that the cell has.
+/// Turns `cut_` into lists: walks around the triangle and adds each corner and crossing to the
+/// cells that have it.
 void FaceEnvelope::buildCut() {
   if (cells_.size() < 2) cells_.resize(2);
   cellCount_ = cut_.high < 0 ? 1 : 2;
@@ -161,8 +163,8 @@ bool FaceEnvelope::findBelow(int f) {
   return any;
 }
 
-/// Adds one function: its cell is what it takes from the others. Each cell, convex, gives up one
-/// run of its vertices, and the cut closes both parts.
+/// Adds one function. Its cell is cut from the others: each convex cell gives up one run of its
+/// vertices, and the cut closes both parts.
 void FaceEnvelope::insert(int f) {
   const int vertexCount = static_cast<int>(vertices_.size());
   if (!findBelow(f)) return;
@@ -209,7 +211,7 @@ void FaceEnvelope::insert(int f) {
   for (size_t i = 0; i < links_.size(); ++i) {
     const auto link =
         std::find_if(links_.begin(), links_.end(), [&](const Link& l) { return l.from == at; });
-    // Where two former cells met on a side of the triangle there is nothing any more.
+    // A vertex on a side of the triangle where two former cells met is gone.
     const bool isGone = at < vertexCount && vertices_[at].kind == Vertex::kOnSide;
     if (!isGone) cell.sides.push_back({at, link->across});
     at = link->to;

@@ -9,9 +9,9 @@
 namespace gvd {
 
 /// One label's linear function on a triangle, by its values at the three corners: the squared
-/// distances there. |p|² being common to all labels, the least of these functions is the nearest
-/// site: in the plane exactly, on a surface as far as the corner distances are (Melvær & Reimers
-/// 2014, eq. 3: the crossing on an edge is the zero of the difference of two of them).
+/// distances there. The term |p|² is common to all labels, so the label with the least function is
+/// nearest: exactly in the plane, approximately on a surface (Melvær & Reimers 2014, eq. 3: the
+/// crossing on an edge is the zero of the difference of two functions).
 struct LabelFunction {
   int label;
   std::array<double, 3> value;
@@ -53,8 +53,8 @@ class FaceEnvelope {
     std::vector<CellSide> sides;
   };
 
-  /// `functions` ascending by label, at least one; they must outlive what is asked of this. O(n²)
-  /// for n cells.
+  /// `functions`: at least one, ascending by label. They must outlive all later calls. O(n²) for n
+  /// cells.
   void compute(std::span<const LabelFunction> functions);
 
   const std::vector<Vertex>& vertices() const { return vertices_; }
@@ -65,8 +65,8 @@ class FaceEnvelope {
   const std::array<double, 3>& value(int function) const { return functions_[function].value; }
 
  private:
-  /// What most triangles of several labels are: two cells with a straight cut between them. Those
-  /// of one label have no `high`.
+  /// The envelope of most mixed triangles: two cells with a straight cut between them. `high` is -1
+  /// if there is one cell only.
   struct Cut {
     int low = 0, high = -1;        ///< functions, ascending
     std::array<bool, 3> isHigh{};  ///< per corner: whether it is in the cell of `high`
@@ -101,9 +101,9 @@ class FaceEnvelope {
   std::vector<CellSide> kept_;
 };
 
-/// Where the functions a and b are equal between two corners, as a share of the way from the first
-/// corner to the second; `a` is the lower label's. The result does not depend on which triangle
-/// asks if both name the corners in the same order.
+/// The place between two corners where the functions a and b are equal, as a share of the way from
+/// the first corner; `a` is the lower label's. Two triangles that name the corners in the same
+/// order get the same bits.
 double crossing(double aFirst, double bFirst, double aSecond, double bSecond);
 
 }  // namespace gvd

@@ -71,7 +71,7 @@ bool FinalCells::collect(long& budget) {
   return true;
 }
 
-/// Puts what is left of a face's cells behind those of the faces before it.
+/// Compacts the remaining cells of a face behind those of earlier faces.
 void FinalCells::collectFace() {
   const int count = out_.cells.size(), face = out_.cellFace[read_];
   const int firstCell = written_, firstPoint = pointsWritten_;
@@ -88,7 +88,7 @@ void FinalCells::collectFace() {
     out_.cells.points[i] = points_.number(out_.cells.points[i]);
 }
 
-/// Adds what is left of a cell, if it has any width.
+/// Adds a cell with merged points, unless it has no width left.
 void FinalCells::addFinalPoints(int cell, int begin, int end) {
   std::vector<int>& points = out_.cells.points;
   const int first = pointsWritten_;

@@ -12,8 +12,8 @@
 namespace gvd {
 
 /// Makes the cells of a diagram from those of its graph, ascending by face. Cells that merging
-/// points has left no width go. A face of which all that is left is one region's, with no points on
-/// its outline but nodes, is a region triangle after all.
+/// points has left without width are dropped. A face whose remaining cells all belong to one
+/// region, with nodes as their only points, becomes a region triangle.
 class FinalCells {
  public:
   /// Takes the cells out of the graph, and the labels of faces.
@@ -38,7 +38,8 @@ class FinalCells {
   SlicedLoop loop_;
   /// Lists of cells by face, where they are not in order.
   std::vector<int> firstOfFace_, nextOfFace_;
-  // What is read of out_.cells and what is written to it, in one pass; the former is ahead.
+  // `out_.cells` is compacted in one pass: the positions read from and written to; the former is
+  // ahead.
   int read_ = 0, readBegin_ = 0;
   int written_ = 0, pointsWritten_ = 0;
 };

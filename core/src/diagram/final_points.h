@@ -9,14 +9,14 @@
 
 namespace gvd {
 
-/// The points of a diagram: those of its graph that something names, merged ones as one, numbered
-/// as they are named first.
+/// The points of a diagram: the points of its graph that are in use, merged points as one, numbered
+/// in order of first use.
 class FinalPoints {
  public:
   FinalPoints(BisectorGraph& graph, std::vector<SurfacePoint>& places)
       : graph_(graph), places_(places) {}
 
-  /// Before any point is named; true when there is room for all.
+  /// Makes room for all points, before any is numbered; true when done.
   bool prepare(long& budget) {
     places_.reserve(graph_.points.size());
     roots_.reserve(graph_.points.size());
@@ -41,7 +41,7 @@ class FinalPoints {
   BisectorGraph& graph_;
   std::vector<SurfacePoint>& places_;
   std::vector<int> roots_;
-  std::vector<int> index_;  ///< per point of the graph, -1 if nothing has named it yet
+  std::vector<int> index_;  ///< per point of the graph, -1 if not in use yet
 };
 
 }  // namespace gvd

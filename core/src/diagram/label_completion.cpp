@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Labels that the small elements of a detailed diagram lack: the distance at the third node is
-// unfolded from those at the ends of a side.
+// Adds the labels that small elements of a detailed diagram lack: the distance at the third node is
+// unfolded from the distances at the ends of a side.
 #include "diagram/label_completion.h"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ const LabelledDistance* find(Labels labels, int label) {
   return nullptr;
 }
 
-/// Whether a label is least anywhere on a side, given what is known at its ends.
+/// Whether a label is nearest anywhere on a side, given the labels at the side's ends.
 bool ownsPartOf(int label, double atTail, double atTip, Labels tail, Labels tip) {
   EdgeShare share(label, atTail, atTip);
   for (const LabelledDistance& other : tail) {
@@ -36,7 +36,7 @@ bool ownsPartOf(int label, double atTail, double atTip, Labels tail, Labels tip)
   return !share.isEmpty();
 }
 
-/// Whether one of the owners is before a label at both ends of a side.
+/// Whether one of the owners is nearer than a label at both ends of a side.
 bool isHidden(int label, double atTail, double atTip, Labels tail, Labels tip,
               const std::array<int, 3>& owners) {
   return std::any_of(owners.begin(), owners.end(), [&](int owner) {
@@ -71,14 +71,14 @@ void LabelCompletion::complete(int element) {
     }
 }
 
-/// Whether labels have been added at a node.
+/// Whether labels have been added at any node of an element.
 bool LabelCompletion::hasAddedLabels(int element) const {
   const int* const node = &complex_.tails()[3 * element];
   return std::any_of(node, node + 3, [&](int n) { return complex_.nodes().hasAddedLabels(n); });
 }
 
-/// Whether an owner is not known at all nodes, or a label known at two of them is not plainly
-/// behind one of the owners at both.
+/// Whether an owner is unknown at some node, or a label known at only two nodes is not farther than
+/// one of the owners at both.
 bool LabelCompletion::mayLackLabels(int element) const {
   const int* const node = &complex_.tails()[3 * element];
   std::array<Labels, 3> known;
@@ -126,8 +126,7 @@ bool LabelCompletion::completeAcross(int element, int side) {
   return changed;
 }
 
-/// The distance of an element's third node from where the distances at the ends of a side put the
-/// source in the plane.
+/// The distance of an element's third node from the virtual source behind a side.
 double LabelCompletion::unfold(int element, int side, double atTail, double atTip) const {
   const double squared = squaredLength(element, side, side + 1);
   const double fromTail = squaredLength(element, side, side + 2);

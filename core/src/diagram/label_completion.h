@@ -9,18 +9,17 @@
 
 namespace gvd {
 
-/// Adds labels to a refined complex where an element's third node lacks one that owns part of the
-/// side across. At its vertices a distance field promises that none is lacking (`DistanceField`),
-/// but not at the nodes in between, at which those labels are known that are known at both ends of
-/// a side. A label added may now own part of another side, hence elements where some were added are
-/// looked at again until none is. An element of one owner lacks none: where that one is least at
-/// all nodes, it is everywhere.
+/// Adds missing labels to a refined complex: a label that owns part of a side of an element has to
+/// be known at all three nodes. `DistanceField` guarantees this at vertices of the mesh, but a
+/// midpoint only has the labels known at both ends of its side. An added label may own part of
+/// another side, so elements with added labels are checked again until nothing is added. An element
+/// with one owner lacks no label: a function that is least at all nodes is least everywhere.
 class LabelCompletion {
  public:
   explicit LabelCompletion(FaceComplex& complex) : complex_(complex) {}
-  /// True when no element lacks a label any more.
+  /// True when no label is missing any more.
   bool step(long& budget);
-  /// The faces for which labels were added, some several times.
+  /// The faces for which labels were added, with repetitions.
   std::vector<int> takeFaces() { return std::move(faces_); }
 
  private:

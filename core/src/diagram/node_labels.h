@@ -20,15 +20,15 @@ class NodeLabels {
 
   int count() const { return static_cast<int>(nodes_.size()); }
   void reserve(int count) { nodes_.reserve(count); }
-  /// The vertices, of which nothing is known yet.
+  /// Adds the vertices, without labels yet (`take`).
   void addVertices() { nodes_.resize(vertexCount_); }
-  /// The next vertex, and what is known there.
+  /// Adds the next vertex with its labels.
   void addVertex();
-  /// Reads what is known at a vertex, unless that was done.
+  /// Reads the labels of a vertex, unless that has been done.
   void take(int vertex) {
     if (nodes_[vertex].owner < 0) noteOwner(vertex);
   }
-  /// Forgets all midpoints, and what is known at the nodes in a list.
+  /// Forgets all midpoints, and the labels of the listed nodes.
   void clear(std::span<const int> nodes);
 
   std::span<const LabelledDistance> labels(int node) const {
@@ -44,7 +44,7 @@ class NodeLabels {
 
   /// Whether labels have been added at a node.
   bool hasAddedLabels(int node) const { return nodes_[node].hasAddedLabels; }
-  /// Adds a label that is not known at a node and does not own it: it stays behind the owner.
+  /// Adds a label that is not known at a node. Its distance is kept above the owner's.
   void addLabel(int node, LabelledDistance added);
 
   /// The node in the middle of the side between two nodes, -1 if it is not split.
@@ -63,7 +63,7 @@ class NodeLabels {
   }
 
  private:
-  /// The owner, and what else there is to know of a node, in one word: there are many.
+  /// Packed in one word, because there are many nodes.
   struct Node {
     int owner : 30 = -1;
     unsigned hasTie : 1 = false;

@@ -7,18 +7,18 @@
 
 namespace gvd {
 
-/// Which points are one: a union-find structure over points by number (Tarjan 1975). Takes memory
-/// up to the last point that is one with another only, for mostly there are few or none.
+/// The merged points of a graph: a union-find structure over point numbers (Tarjan 1975). Allocates
+/// only up to the last merged point, because there are usually few or none.
 class PointMerging {
  public:
-  /// The point that stands for all that are one with `point`.
+  /// The representative of all points merged with `point`.
   int root(int point) {
     if (point >= limit()) return point;
     while (parent_[point] != point) point = parent_[point] = parent_[parent_[point]];
     return point;
   }
 
-  /// Makes the root `b` and all it stands for one with the root `a`, which stands for them then.
+  /// Merges the root `b` and its members into the root `a`.
   void unite(int a, int b) {
     while (limit() <= std::max(a, b)) {
       parent_.push_back(limit());
@@ -30,7 +30,7 @@ class PointMerging {
     isMerged_[a] = true;
   }
 
-  /// Whether `isOne` of any of the points that a root stands for.
+  /// Whether `isOne` is true for any member of a root.
   template <class Predicate>
   bool anyMember(int root, Predicate isOne) const {
     int point = root;
@@ -42,15 +42,15 @@ class PointMerging {
   }
 
   bool isRoot(int point) const { return point >= limit() || parent_[point] == point; }
-  /// Whether a root stands for several points.
+  /// Whether a root has several members.
   bool isMerged(int root) const { return root < limit() && isMerged_[root]; }
   bool any() const { return !parent_.empty(); }
-  /// All points from this on are one with no other.
+  /// All points from this number on are unmerged.
   int limit() const { return static_cast<int>(parent_.size()); }
 
  private:
   std::vector<int> parent_;
-  std::vector<int> nextMember_;  ///< rings of the points that are one
+  std::vector<int> nextMember_;  ///< rings of merged points
   std::vector<char> isMerged_;   ///< of roots
 };
 

@@ -103,8 +103,8 @@ int RegionOutlines::vertexPoint(int vertex) {
   });
 }
 
-/// From a point where a region comes to the mesh boundary, forward along it to the next point where
-/// the region leaves it; returns that dart.
+/// Follows the mesh boundary forward from the point where a region reaches it to the next point
+/// where the region leaves it. Returns the dart that leaves.
 template <class Visit>
 int RegionOutlines::followBoundary(int point, int label, Visit visit) {
   const auto& boundary = graph_.boundary;
@@ -142,8 +142,7 @@ void RegionOutlines::traceRing(int start, long& budget) {
       graph_.labelOf(start), [&](auto visit) { walkRing(start, visit); }, budget);
 }
 
-/// Calls visit(point, face, isOnBoundary) with what each step of a ring starts from and goes
-/// through.
+/// Calls visit(point, face, isOnBoundary) for each step of a ring: its first point and its face.
 template <class Visit>
 void RegionOutlines::walkRing(int start, Visit visit) {
   const int label = graph_.labelOf(start);
@@ -159,7 +158,7 @@ void RegionOutlines::walkRing(int start, Visit visit) {
   } while (dart != start);
 }
 
-/// Whole boundary loops that one region owns.
+/// Traces boundary loops that one region owns entirely; no dart leads to them.
 bool RegionOutlines::traceUnbrokenBoundaries(long& budget) {
   const auto loops = mesh_.boundaryLoops();
   for (; nextBoundary_ < static_cast<int>(loops.size()); ++nextBoundary_) {
@@ -193,8 +192,7 @@ void RegionOutlines::traceUnbroken(int start, int owner, long& budget) {
   addRing(owner, walk, budget);
 }
 
-/// Adds the ring that `walk` visits, as an outline if it has no merged points; else it is walked
-/// again as steps.
+/// Adds the ring that `walk` visits: as an outline if it has no merged points, otherwise as steps.
 template <class Walk>
 void RegionOutlines::addRing(int label, Walk walk, long& budget) {
   const int ring = ringCount_++, first = static_cast<int>(points_.size());
@@ -253,7 +251,7 @@ void RegionOutlines::cancelStep(int s) {
   }
 }
 
-/// Frees the lists of those that nothing cancels, which takes a while where they are many.
+/// Frees the lists of steps that stayed uncancelled, in slices because there may be many.
 bool RegionOutlines::forgetWaiting(long& budget) {
   for (; !waiting_.empty() && budget > 0; --budget) waiting_.erase(waiting_.begin());
   return waiting_.empty();
@@ -270,7 +268,7 @@ void RegionOutlines::cancel(int s, int opposite) {
   a.isGone = b.isGone = true;
 }
 
-/// Makes an outline of the ring that a step is in, if that is not done yet.
+/// Makes an outline of the ring of a step, unless that has been done.
 void RegionOutlines::collectOutline(int s) {
   const int first = static_cast<int>(points_.size());
   for (Step* step = &steps_[s]; !step->isGone; step = &steps_[step->next]) {
@@ -281,7 +279,7 @@ void RegionOutlines::collectOutline(int s) {
   if (count > 0) outlines_.push_back({steps_[s].label, steps_[s].ring, first, count});
 }
 
-/// By labels; those of one label as they were met.
+/// Sorts outlines by label, those of one label in the order of their rings.
 void RegionOutlines::sort() {
   sortStably(std::span(outlines_), [](const Outline& a, const Outline& b) {
     return std::pair(a.label, a.ring) < std::pair(b.label, b.ring);

@@ -14,25 +14,25 @@
 
 namespace gvd {
 
-/// The roots of two points of the graph, ascending, and the face that a straight line between them
-/// is in, -1 if it does not matter: between merged points, what is in two faces is along their
-/// edge. Lines of the same place lie on top of each other.
+/// Identifies a straight line: the roots of its two ends, ascending, and its face. The face is -1
+/// if both ends are merged, because lines in two faces between the same merged points run along
+/// their edge. Lines with equal keys lie on top of each other.
 using PlaceOfLine = std::array<int, 3>;
 PlaceOfLine placeOfLine(const BisectorGraph& graph, int from, int to, int face);
 
-/// The closed outlines of regions as doubles see them: rings of darts and steps along the mesh
-/// boundary, without what merging points has shrunk to nothing.
+/// The closed outlines of regions: rings of darts and steps along the mesh boundary, without the
+/// pieces that merging points has reduced to nothing.
 ///
-/// A ring without merged points is an outline as it is. The others become *steps* first, of which
-/// those of no length go, and those that the region takes in both directions: it has no width
-/// there. That may join two rings, or part one in two.
+/// A ring without merged points is an outline already. Other rings are turned into *steps* first.
+/// Steps of no length are removed, and so are pairs of opposite steps of a region, between which it
+/// has no width. This may join two rings, or split one.
 class RegionOutlines {
  public:
-  /// Of the labels for which `isTraced`, one per label, says so; of all if it is empty. Adds points
-  /// to the graph where outlines pass vertices on the mesh boundary.
+  /// Traces the labels with `isTraced[label]`, or all if `isTraced` is empty. Adds points to the
+  /// graph where outlines pass vertices on the mesh boundary.
   RegionOutlines(const TriangleMesh& mesh, const DistanceField& distances, NodePoints& nodePoints,
                  std::span<const char> isTraced, BisectorGraph& graph);
-  /// True when all outlines are there. A step works on whole rings, each as long as it is.
+  /// True when all outlines are traced. A step traces whole rings, whatever their length.
   bool step(long& budget);
 
   int size() const { return static_cast<int>(outlines_.size()); }
@@ -42,10 +42,10 @@ class RegionOutlines {
   std::span<const int> points(int outline) const {
     return std::span(points_).subspan(outlines_[outline].first, outlines_[outline].count);
   }
-  /// How many points all outlines have.
+  /// The number of points of all outlines together.
   size_t pointCount() const { return points_.size(); }
 
-  /// A step of a region along the mesh boundary, of which an end is merged.
+  /// A step of a region along the mesh boundary with a merged end.
   struct BoundaryStep {
     int label, from, to, face;
   };
@@ -54,10 +54,10 @@ class RegionOutlines {
  private:
   struct Outline {
     int label;
-    int ring;          ///< in which its first step was
+    int ring;          ///< of its first step
     int first, count;  ///< in points_
   };
-  /// Of a ring: across a face, or along a side of it that is on the mesh boundary.
+  /// A step of a ring: a dart across `face`, or along a side of the face on the mesh boundary.
   struct Step {
     int label, ring, from, face;
     int previous, next;
@@ -102,7 +102,7 @@ class RegionOutlines {
   int ringCount_ = 0;
   std::vector<std::array<int, 2>> boundaryIndex_;  ///< points on the boundary, each with its index
   std::vector<Step> steps_;
-  std::map<std::array<int, 4>, std::vector<int>> waiting_;  ///< steps by label and place
+  std::map<std::array<int, 4>, std::vector<int>> waiting_;  ///< uncancelled steps, by place
   std::vector<BoundaryStep> boundarySteps_;
   std::vector<Outline> outlines_;
   std::vector<int> points_;

@@ -14,39 +14,39 @@
 
 namespace gvd {
 
-/// A diagram, or a part of one. What it holds of the labels it was traced for, their loops, arcs,
-/// Voronoi points and cells, is as in the whole diagram; what it holds of others is not. Areas are
-/// those in the faces it was traced in only, and `faceLabel` has one label for each of these.
+/// A diagram, or a part of one. The loops, arcs, Voronoi points and cells of the traced labels are
+/// those of the whole diagram; those of other labels may not be. Areas and `faceLabel` cover the
+/// traced faces only, `faceLabel` with one entry for each of them.
 struct TracedDiagram {
   Diagram diagram;
-  /// The faces where points have become one, some several times. There a part is not certain: the
-  /// order of labels around such a point follows from the loops of all of them, which must be
-  /// traced as well.
+  /// The faces with merged points, with repetitions. The order of labels around a merged point
+  /// follows from the loops of all of them, so a part is reliable there only if all of them are
+  /// traced.
   std::vector<int> mergedFaces;
-  /// The faces of a refined diagram for which the tracer had to add labels to those known at their
-  /// nodes. There the distances at the corners do not tell which regions meet, and no part is
-  /// certain.
+  /// The faces of a refined diagram for which the tracer had to add labels (`LabelCompletion`).
+  /// There the regions that meet do not follow from the distances at the corners, so no part is
+  /// reliable.
   std::vector<int> completedFaces;
 };
 
-/// What `startDiagram` does.
+/// Like `startDiagram`.
 std::unique_ptr<SlicedWork<TracedDiagram>> startWhole(const TriangleMesh& mesh,
                                                       const DistanceField& distances, int siteCount,
                                                       const DiagramOptions& options);
 
-/// Traces parts of a diagram, one after the other, each in time for what it traces only.
+/// Traces parts of a diagram, one after the other, in time proportional to each part.
 class PartialTracer {
  public:
   /// The distances may change between traces. They and the mesh must outlive this.
   PartialTracer(const TriangleMesh& mesh, const DistanceField& distances,
                 const DiagramOptions& options);
 
-  /// Begins to trace the loops of the labels for which `isTraced`, one per label, says so, in some
-  /// faces, given ascending: all those of which one of these labels is known at a corner, and
-  /// another one. Only the last trace can go on. O(M log M), M faces.
+  /// Begins to trace the loops of the labels with `isTraced[label]`. `faces`, ascending, must be
+  /// all faces with a corner where one of these labels and another label are known. Invalidates the
+  /// previous trace. O(M log M), M faces.
   std::unique_ptr<SlicedWork<TracedDiagram>> start(std::span<const int> faces,
                                                    std::vector<char> isTraced);
-  /// Which of the faces of the last trace a face is, -1 if it is none.
+  /// The index of a face among those of the last trace, -1 if it is not one of them.
   int faceIndex(int face) const { return complex_.faceIndex(face); }
 
  private:

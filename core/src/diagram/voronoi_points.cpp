@@ -72,8 +72,8 @@ void VoronoiPoints::addMerged(int point) {
   add(point, std::move(labels));
 }
 
-/// Counterclockwise: each sector starts where the one before it ends. On the mesh boundary the
-/// first one starts where none ends.
+/// Orders sectors counterclockwise: each starts where the previous one ends. On the mesh boundary
+/// the first sector starts where no other ends.
 void VoronoiPoints::orderAround(std::span<Sector> sectors) {
   auto start = std::find_if(sectors.begin(), sectors.end(), [&](const Sector& s) {
     return std::none_of(sectors.begin(), sectors.end(),
@@ -95,8 +95,8 @@ void VoronoiPoints::orderAround(std::span<Sector> sectors) {
   }
 }
 
-/// Where a region comes to a point twice, between others that only it keeps apart, its loops pair
-/// the sides of its two sectors the wrong way: the sectors form two rounds instead of one.
+/// If a region comes to a point twice, its loops may pair the sides of its two sectors the wrong
+/// way, so that the sectors form two rounds instead of one. Swapping the pairing joins them.
 bool VoronoiPoints::joinRounds(std::span<Sector> chained, std::span<Sector> others) {
   for (Sector& a : chained)
     for (Sector& b : others)

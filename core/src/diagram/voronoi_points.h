@@ -12,9 +12,9 @@
 
 namespace gvd {
 
-/// Collects the Voronoi points of a diagram, in order of the graph's points. Where three regions of
-/// the exact graph meet, there is no more to say; where points have become one, the outlines tell
-/// who is around.
+/// Collects the Voronoi points of a diagram, in order of the graph's points. An unmerged inner
+/// point of the graph has its three labels. The labels around a merged point are found from the
+/// outlines through it.
 class VoronoiPoints {
  public:
   VoronoiPoints(BisectorGraph& graph, const RegionOutlines& outlines, FinalPoints& points,

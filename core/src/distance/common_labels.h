@@ -11,7 +11,7 @@
 namespace gvd {
 
 /// Calls `visit` with every label known at all three corners of a triangle, ascending, and its
-/// distances there, given what is known at each.
+/// distances there. Takes the lists of the corners.
 template <class Visit>
 void visitCommonLabels(std::span<const LabelledDistance> a, std::span<const LabelledDistance> b,
                        std::span<const LabelledDistance> c, Visit visit) {
@@ -31,9 +31,8 @@ void visitCommonLabels(std::span<const LabelledDistance> a, std::span<const Labe
   }
 }
 
-/// Whether `isSought` says so of any label known at one corner of a triangle or more. Asks
-/// isSought(label, at) in ascending order, `at` with what is known at each corner: null for
-/// nothing.
+/// Whether isSought(label, at) is true for any label known at a corner of a triangle. Labels come
+/// in ascending order; `at` has the label's distance at each corner, null where it is not known.
 template <class IsSought>
 bool anyLabel(std::span<const LabelledDistance> a, std::span<const LabelledDistance> b,
               std::span<const LabelledDistance> c, IsSought isSought) {

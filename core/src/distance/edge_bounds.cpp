@@ -20,8 +20,8 @@ void EdgeBounds::insert(int label) {
   });
 }
 
-/// From a corner, paths run along the edges: other ways to measure these round otherwise in
-/// needles.
+/// A site at a corner bounds that corner alone, and paths go on along the edges: in needles,
+/// distances from the site within the face would round differently from edge lengths.
 void EdgeBounds::offerFrom(const FaceSite& site, int face) {
   const int corner = incidenceOf(site.bary).corner;
   if (corner >= 0) return offer(mesh_.tail(3 * face + corner), site.label, 0);
@@ -29,8 +29,9 @@ void EdgeBounds::offerFrom(const FaceSite& site, int face) {
     offer(mesh_.tail(3 * face + i), site.label, wayToCorner(mesh_.face(face), site.bary, i).norm());
 }
 
-/// The vertices of a label are connected with its site by paths of its own. What is around them,
-/// vertices and sites, offers its bounds anew.
+/// The shortest edge path of a vertex bounded by a label runs over vertices bounded by the same
+/// label, so a flood fill from the site finds them all. Their neighbours, and the sites in the
+/// faces around them, offer bounds anew.
 void EdgeBounds::remove(int label, const SurfacePoint& site) {
   std::vector<int> former;
   const auto take = [&](int v) {
@@ -66,7 +67,7 @@ bool EdgeBounds::run(long& budget) {
       const int v = bucket.back();
       buckets_[bucket_].pop_back();
       Vertex& own = vertices_[v];
-      if (own.bucket != static_cast<int>(bucket_)) continue;  // it was lowered, and had its turn
+      if (own.bucket != static_cast<int>(bucket_)) continue;  // a stale entry
       own.bucket = kNone;
       mesh_.visitEdges(v, [&](int neighbour, double length) {
         offer(neighbour, own.label, own.bound + length);

@@ -10,16 +10,16 @@
 
 namespace gvd {
 
-/// The lengths of the shortest paths along edges from every vertex to a site (Dijkstra,
-/// multi-source), kept up to date while sites come and go: upper bounds on the distance of the
-/// nearest site. Which changes have led to the present sites makes no difference.
+/// Upper bounds on the distance of the nearest site at every vertex: the length of the shortest
+/// path along edges (multi-source Dijkstra). Kept up to date while sites are inserted and removed;
+/// the result does not depend on the history of changes.
 class EdgeBounds {
  public:
   EdgeBounds(const TriangleMesh& mesh, const SiteSet& sites);
 
-  /// To be called after `sites` has got the label.
+  /// Call after `sites.insert`.
   void insert(int label);
-  /// To be called after `sites` has lost the label; `site` is where it was.
+  /// Call after `sites.remove`; `site` is where the site was.
   void remove(int label, const SurfacePoint& site);
   /// Works on at most `budget` vertices and lowers it by their number; true when all bounds are up
   /// to date.
@@ -35,8 +35,8 @@ class EdgeBounds {
   struct Vertex {
     double bound = kInfinity;
     int label = -1;  ///< of the site at the path's end
-    /// The bucket in which it has its turn, `kNone`. After a removal, the vertices beside the gap
-    /// wait in far buckets; one that a nearer site comes to has its turn before them.
+    /// The bucket that the vertex is processed from, `kNone` if it is not queued. Other buckets may
+    /// hold stale entries of the vertex, which `run` skips.
     int bucket : 31 = kNone;
     bool isChanged : 1 = false;
   };

@@ -7,10 +7,10 @@
 
 namespace gvd {
 
-/// What other labels leave of an edge to one label, of which the distances at both ends are known.
-/// Squared distances are compared: along an edge they are linear, up to what is the same for all.
-/// They are rounded as those that a diagram is traced from, which takes the rounded ones for exact.
-/// Ties go to the lower label.
+/// The part of an edge that one label keeps when others take what they own. All labels have
+/// distances at both ends. Squared distances are compared, because along an edge they are linear up
+/// to a term common to all labels. The squares are rounded as in the tracer, which treats them as
+/// exact. Ties go to the lower label.
 class EdgeShare {
  public:
   EdgeShare(int label, double atTail, double atTip)
@@ -30,7 +30,7 @@ class EdgeShare {
       to_ = std::min(to_, tie);
   }
 
-  /// False if in doubt: rounding may move the ends of a share.
+  /// Errs towards false, because rounding may move the ends of the part.
   bool isEmpty() const { return from_ > to_ + kEdgeShareRounding; }
 
  private:

@@ -19,15 +19,15 @@ inline Eigen::Vector2d apexOf(const TriangleMesh::Face& face, int i) {
   return face.lengths[cornerBefore(i)] * Eigen::Vector2d(face.cosines[i], face.sines[i]);
 }
 
-/// A point in the coordinates of side i; linear, so of differences of points too.
+/// A point in the coordinates of side i. Linear, so it also takes differences of points.
 inline Eigen::Vector2d layOut(const TriangleMesh::Face& face, int i, const Eigen::Vector3d& bary) {
   const Eigen::Vector2d alongSide(bary[cornerAfter(i)] * face.lengths[i], 0);
   return alongSide + bary[cornerBefore(i)] * apexOf(face, i);
 }
 
-/// From a point to a corner, in the coordinates of side 0. The one formula for this: in a thin face
-/// others round elsewhere, and a bound that came out less than the distance would keep every label
-/// from a vertex.
+/// The vector from a point to a corner, in the coordinates of side 0. All callers must use this one
+/// formula: in a thin face another one would round differently, and an edge bound below the label's
+/// distance would keep every label from the vertex.
 inline Eigen::Vector2d wayToCorner(const TriangleMesh::Face& face, const Eigen::Vector3d& bary,
                                    int corner) {
   return layOut(face, 0, Eigen::Vector3d::Unit(corner) - bary);
@@ -40,7 +40,7 @@ struct Incidence {
 };
 Incidence incidenceOf(const Eigen::Vector3d& bary);
 
-/// A point of halfedge `h`, given in the halfedge's face, in terms of the face of its twin.
+/// Expresses a point of halfedge `h`, given in the halfedge's face, in the face of its twin.
 SurfacePoint acrossEdge(const TriangleMesh& mesh, const SurfacePoint& p, int h);
 
 }  // namespace gvd

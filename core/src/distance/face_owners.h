@@ -18,9 +18,9 @@ struct Requirement {
   int label, face;
 };
 
-/// The labels that own part of each closed face: those that own a corner, those with their site in
-/// the face, and those that are nearest somewhere on a side by interpolation between its ends
-/// (`KnownLabels::close`). This decides which distances a diagram needs: *a label that is least
+/// The labels that own part of each closed face: labels that own a corner, that have their site in
+/// the face, or that are nearest somewhere on a side by interpolation between its ends
+/// (`LabelClosure`). Owners decide which distances a diagram needs: *a label that is nearest
 /// anywhere on a closed face is known at all three corners*.
 class FaceOwners {
  public:
@@ -28,7 +28,7 @@ class FaceOwners {
 
   struct Owner {
     int label;
-    bool isInterpolated;  ///< shown by interpolation only
+    bool isInterpolated;  ///< found by `LabelClosure` only
   };
 
   FaceOwners(const TriangleMesh& mesh, const SiteSet& sites, const NearestBounds& bounds)
@@ -38,17 +38,17 @@ class FaceOwners {
         sole_(mesh.faceCount(), -1),
         several_(mesh.faceCount()) {}
 
-  /// The one label that owns all of a face, -1 if none reaches it, `kSeveral`.
+  /// The only owner of a face; -1 if no label reaches it, `kSeveral` if there are more.
   int sole(int face) const { return sole_[face]; }
-  /// The owners of a face, if these are several.
+  /// The owners of a face with several; empty if there is a sole owner.
   std::span<const Owner> several(int face) const { return several_[face]; }
   bool has(int face, int label) const;
 
-  /// Forgets the owners of a face and finds those of its corners.
+  /// Sets the owners of a face to those of its corners and the sites in it.
   void reset(int face, std::vector<Requirement>& found);
   /// Adds a label that owns part of a face.
   void add(int face, int label, bool isInterpolated, std::vector<Requirement>& found);
-  /// Takes out the labels that are owners by interpolation; returns whether there were any.
+  /// Removes the owners found by interpolation; returns whether there were any.
   bool removeInterpolated(int face);
 
  private:

@@ -13,8 +13,8 @@ namespace {
 /// Faces or vertices that take about as long as one unit of the budget, a batch of windows.
 constexpr int kPerUnit = 32;
 
-/// By label; labels in the order of the faces at which they are required first, for what they touch
-/// is in the cache then.
+/// Groups requirements by label. Labels come in order of their first required face, so that the
+/// memory they touch is still in the cache.
 void sortByLabel(std::vector<Requirement>& requirements, int labelCount) {
   std::vector<int> rank(labelCount, -1), offset = {0};
   for (const Requirement& r : requirements) {
@@ -111,7 +111,7 @@ bool KnownLabels::forFaces(const IndexSet& faces, long& budget, Body body) {
   return loop_.run(faces.size(), budget, kPerUnit, [&](int i) { body(faces.list()[i]); });
 }
 
-/// Calls work(i), which returns the units that it took, for i from the cursor on up to `count`.
+/// Calls work(i) for i from the cursor up to `count`; it returns the units of budget it used.
 template <class Work>
 bool KnownLabels::forEach(size_t count, long& budget, Work work) {
   for (; cursor_ < count; ++cursor_) {
@@ -139,8 +139,8 @@ bool KnownLabels::markFinal(long& budget) {
 
 // --- Owners ------------------------------------------------------------------------------------
 
-/// Finds the faces of which the owners may have changed: those around vertices that are or were
-/// owned by a label that has come or gone.
+/// Finds the faces whose owners may have changed: those around vertices whose owner has been
+/// inserted or removed.
 void KnownLabels::findAffected() {
   if (areAllNew()) {
     affectedFaces_.addAll();
@@ -161,8 +161,8 @@ void KnownLabels::findAffected() {
   resetInterpolatedAround();
 }
 
-/// Interpolation is done again around the affected faces, as far as it depends on what is known
-/// there.
+/// Drops the owners found by interpolation in faces around changed vertices, because they depend on
+/// the distances there. The corners of those faces then count as changed, too.
 void KnownLabels::resetInterpolatedAround() {
   for (int i = 0; i < changedVertices_.size(); ++i)
     mesh_.visitFaces(changedVertices_.list()[i], [&](int f) {
@@ -171,8 +171,8 @@ void KnownLabels::resetInterpolatedAround() {
     });
 }
 
-/// Finds the labels that tie with the owner of a vertex: those that have spread now, and others
-/// that were known there.
+/// Makes labels that tie with the owner of a vertex owners of the affected faces around it: labels
+/// that have spread in this change, and labels listed there before.
 bool KnownLabels::findTies(long& budget) {
   const auto add = [&](int vertex, int label) {
     mesh_.visitFaces(vertex, [&](int f) {
@@ -215,7 +215,7 @@ bool KnownLabels::require(long& budget) {
 
 // --- Lists -------------------------------------------------------------------------------------
 
-/// Finds the vertices of which the lists have to be made anew, and the labels in question.
+/// Clears the lists of changed vertices and collects the labels that may go into them.
 void KnownLabels::collectLists() {
   requirements_.clear();
   listed_.clear();
@@ -245,7 +245,7 @@ void KnownLabels::collectLists() {
 }
 
 bool KnownLabels::listLabels(long& budget) {
-  // Where all is new, what is final is required now.
+  // If all labels have just spread, every final distance goes into a list.
   const bool isAllWanted = areAllNew();
   if (!forEach(listed_.size(), budget, [&](size_t i) {
         const int label = listed_[i];
@@ -267,13 +267,14 @@ bool KnownLabels::listLabels(long& budget) {
 /// Adds a label to the list of a vertex that it has reached.
 void KnownLabels::list(int label, int reachedIndex) {
   const auto& [vertex, isFinal, distance] = spread_.reached(label)[reachedIndex];
-  // An approximation of a required distance may be too short: the owner remains nearer.
+  // An approximate (DGPC) distance may come out shorter than the owner's: keep the owner nearest.
   const double nearest = bounds_[vertex].distance;
   const double listed = distance < nearest ? std::nextafter(nearest, kInfinity) : distance;
   lists_.add(vertex, {label, listed}, reachedIndex);
 }
 
-/// A label that has become known at a vertex may have to be at others: round after round.
+/// Closes the faces around newly listed labels, round after round, because a label added at one
+/// vertex may be required at others.
 bool KnownLabels::closeAdded(long& budget) {
   while (round_.run([&] { return require(budget); }, [&] { extendLists(); },
                     [&] {
@@ -287,7 +288,7 @@ bool KnownLabels::closeAdded(long& budget) {
   return false;
 }
 
-/// Adds what the last round of the closure has required.
+/// Lists the distances that the last round of the closure has required.
 void KnownLabels::extendLists() {
   added_.clear();
   for (size_t begin = 0, end; begin < requirements_.size(); begin = end) {
@@ -307,8 +308,8 @@ void KnownLabels::extendLists() {
   makeSet(changedLabels_);
 }
 
-/// Where a label that is added makes the distances of others less, which tie with it, these have to
-/// be looked at again as well.
+/// A new label may lower the distances of labels that tie with it (`equalizeTies`); the closure
+/// then has to check these labels again.
 void KnownLabels::noteAdded(int vertex) {
   if (lists_.equalizeTies(vertex))
     for (const LabelledDistance& d : lists_[vertex]) added_.push_back({vertex, d.label});

@@ -16,16 +16,17 @@
 
 namespace gvd {
 
-/// Which labels are known at each vertex. After labels have spread:
+/// The labels known at each vertex. They are found in four steps after labels have spread:
 ///
-/// 1. *Owners*: the labels that own corners of a face, ties included, or have their site in it.
-/// 2. *Required distances*: each owner of a face goes on to those of its corners that it does not
-/// own.
-/// 3. *Lists* of the labels known at each vertex, by the owners of the faces around it.
-/// 4. *Closure*: a diagram interpolates between the corners of a face. A label that is nearest
-///    somewhere on an edge by that has to be known in the faces on both sides (back to 2).
+/// 1. *Owners* of a face: the labels that own a corner, ties included, or have their site in the
+///    face.
+/// 2. *Required distances*: each owner of a face spreads on to the corners that it does not own.
+/// 3. *Lists*: a vertex lists the owners of the faces around it.
+/// 4. *Closure*: a diagram interpolates squared distances between corners. A label that is nearest
+///    somewhere on an edge by interpolation becomes an owner of the faces on both sides (back to
+///    2).
 ///
-/// All of this follows from the distances of the labels, whatever changes have led to them.
+/// The result depends on the distances only, not on the changes that led to them.
 class KnownLabels {
  public:
   KnownLabels(const TriangleMesh& mesh, const SiteSet& sites, const NearestBounds& bounds,
@@ -40,17 +41,16 @@ class KnownLabels {
   /// Begins a change, during which labels may `leave` before they are forgotten.
   void beginChange();
   void leave(int label);
-  /// Begins to find what is known, now that labels have spread: some from the start, some on from
-  /// where they were; and the owners of some vertices had left. These lists must last until the
-  /// end.
+  /// Begins to find the known labels, after `started` labels have spread from their sites and
+  /// `resumed` ones from where they had stopped; the former owners of `resetVertices` are gone. The
+  /// three lists must outlive the change.
   void start(std::span<const int> started, std::span<const int> resumed,
              std::span<const int> resetVertices);
   /// Works on at most `budget` units and lowers it by their number; true when all is known.
   bool step(long& budget);
   double progress() const { return progress_; }
 
-  /// The faces and the labels that the change may have altered: all others are known at the same
-  /// vertices as before, with the same distances.
+  /// See `SiteDistances`.
   const std::vector<int>& changedFaces() const { return changedFaces_.list(); }
   const std::vector<int>& changedLabels() const { return changedLabels_; }
 
@@ -88,24 +88,24 @@ class KnownLabels {
   LabelLists lists_;
   LabelClosure closure_;
 
-  // The change at hand.
+  // The current change.
   std::span<const int> started_, resumed_, resetVertices_;
   std::vector<char> hasStarted_;     ///< per label
-  SlicedSequence sequence_, round_;  ///< a round is one of the closure
+  SlicedSequence sequence_, round_;  ///< `round_`: of the closure
   SlicedLoop loop_;
-  size_t cursor_ = 0;  ///< of loops whose rounds differ in length
+  size_t cursor_ = 0;  ///< of loops whose rounds differ in cost
   bool isLabelBegun_ = false;
   double progress_ = 1;
   std::vector<LabelAtVertex> ties_;  ///< labels that are as near as the owner
-  IndexSet affectedFaces_;           ///< those of which the owners may have changed
-  IndexSet changedVertices_;         ///< those of which the lists may have changed
-  IndexSet changedFaces_;            ///< those around them
+  IndexSet affectedFaces_;           ///< faces whose owners may have changed
+  IndexSet changedVertices_;         ///< vertices whose lists may have changed
+  IndexSet changedFaces_;            ///< faces around `changedVertices_`
   std::vector<int> changedLabels_;
   std::vector<Requirement> requirements_;  ///< by label
-  std::vector<int> requiredFaces_;         ///< of the label at hand
+  std::vector<int> requiredFaces_;         ///< of the current label
   std::vector<int> listed_;                ///< the labels that may be known at the changed vertices
-  IndexSet marked_;                        ///< vertices at hand
-  std::vector<LabelAtVertex> added_;       ///< what the last round of the closure has changed
+  IndexSet marked_;                        ///< working memory of `extendLists`
+  std::vector<LabelAtVertex> added_;       ///< changed by the last round of the closure
 };
 
 }  // namespace gvd

@@ -29,14 +29,14 @@ void LabelClosure::closeAround(int vertex, int label, std::vector<Requirement>& 
   });
 }
 
-/// Requires, at the apex of a halfedge, a label that is known at both ends, if the label owns part
-/// of the halfedge.
+/// Requires a label known at both ends of a halfedge at its apex if the label owns part of the
+/// edge.
 void LabelClosure::requireAcross(int h, int label, std::vector<Requirement>& required) {
   if (ownsPartOfEdge(label, h)) owners_.add(TriangleMesh::faceOf(h), label, true, required);
 }
 
-/// Whether a label is least anywhere on an edge by interpolation, compared with the true owners of
-/// the faces beside it: so what is found does not depend on the order in which it is.
+/// Whether a label is nearest anywhere on an edge by interpolation. Competes only with owners that
+/// were not themselves found by interpolation, so that the order of discovery does not matter.
 bool LabelClosure::ownsPartOfEdge(int label, int h) const {
   const int tail = mesh_.tail(h), tip = mesh_.tip(h);
   EdgeShare share(label, lists_.distance(tail, label), lists_.distance(tip, label));
@@ -45,7 +45,7 @@ bool LabelClosure::ownsPartOfEdge(int label, int h) const {
     const double atTail = lists_.distance(tail, other), atTip = lists_.distance(tip, other);
     if (atTail < kInfinity && atTip < kInfinity) share.yieldTo(other, atTail, atTip);
   };
-  // To the owners of the ends first: most labels are farther than one of them at both ends.
+  // The owners of the ends come first: for most labels, one of them is nearer at both ends.
   yieldTo(bounds_[tail].label);
   yieldTo(bounds_[tip].label);
   if (share.isEmpty()) return false;

@@ -10,23 +10,24 @@
 
 namespace gvd {
 
-/// Which labels have to be known at the third corner of a face, since they are at the other two.
+/// Finds labels known at two corners of a face that have to be known at the third as well.
 ///
-/// A diagram takes squared distances as linear within a face, up to what all labels have in common.
-/// If by that a label owns part of an edge, the faces on both sides have to know it at all corners.
+/// A diagram interpolates squared distances linearly within a face. If a label owns part of an edge
+/// by interpolation, it has to be known at all corners of the faces on both sides.
 ///
-/// `LabelCompletion` keeps the same rule on the parts of faces that a finer diagram is traced on.
-/// It has no spread to require distances of, and unfolds them from the two corners instead.
+/// `LabelCompletion` applies the same rule to the elements of a refined diagram. No label can
+/// spread to their corners, so it unfolds the missing distance from the two known ones.
 class LabelClosure {
  public:
-  /// All must outlive this, which adds owners of faces.
+  /// Adds to `owners`. All arguments must outlive this.
   LabelClosure(const TriangleMesh& mesh, const LabelLists& lists, const NearestBounds& bounds,
                FaceOwners& owners)
       : mesh_(mesh), lists_(lists), bounds_(bounds), owners_(owners) {}
 
-  /// Adds to `required` what labels known at two corners of a face require at the third.
+  /// Adds to `required` the labels that are known at two corners of a face and required at the
+  /// third.
   void closeFace(int face, std::vector<Requirement>& required);
-  /// The same of the faces around a vertex at which a label has become known.
+  /// The same for one label, newly known at a vertex, in all faces around the vertex.
   void closeAround(int vertex, int label, std::vector<Requirement>& required);
 
  private:

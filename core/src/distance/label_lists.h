@@ -9,8 +9,8 @@
 
 namespace gvd {
 
-/// The labels known at each vertex, ascending, with their distances; and where to find more about
-/// each of them.
+/// The labels known at each vertex, ascending, with their distances and their indices in
+/// `LabelSpread::reached`.
 class LabelLists {
  public:
   explicit LabelLists(int vertexCount) : distances_(vertexCount), indices_(vertexCount) {}

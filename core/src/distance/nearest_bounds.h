@@ -9,11 +9,11 @@
 
 namespace gvd {
 
-/// The least distance known at each vertex, an upper bound on that of the nearest site, and the
-/// label that it belongs to; -1 while it is but a bound (the length of a path along edges).
+/// At each vertex, the least distance known so far, an upper bound on that of the nearest site, and
+/// its label; -1 while the distance is only the length of a path along edges.
 using NearestBounds = std::vector<LabelledDistance>;
 
-/// Whether a distance is not larger than another one by more than rounding.
+/// Whether a distance is at most another one, up to rounding.
 inline bool isAtMost(double distance, double other) {
   return distance <= other * (1 + kDistanceTolerance);
 }

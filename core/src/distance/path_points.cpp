@@ -55,7 +55,7 @@ void PathPoints::add(const SurfacePoint& p) {
 
 bool PathPoints::endAtSite() {
   if (!isBesideSite(last())) return false;
-  // The site as it was given, also if a point at its place has been named in another face.
+  // The path ends with the site as given, not with a point at the same place named in another face.
   if (points_.size() > 1 && lengthBetween(mesh_, last(), site_) == 0) points_.pop_back();
   add(site_);
   return true;

@@ -9,9 +9,9 @@
 
 namespace gvd {
 
-// What paths along the surface are made of, whatever the metric.
+// Points and pieces of paths along the surface, for both metrics.
 
-/// Calls `visit` with a point in terms of every face that has it.
+/// Calls `visit` with every representation of a point, one per face that has it.
 template <class Visit>
 void visitPlaces(const TriangleMesh& mesh, const SurfacePoint& p, Visit visit) {
   const Incidence place = incidenceOf(p.bary);
@@ -32,22 +32,23 @@ void visitPlaces(const TriangleMesh& mesh, const SurfacePoint& p, Visit visit) {
 /// A vertex, named in one of the faces around it.
 SurfacePoint pointAtVertex(const TriangleMesh& mesh, int vertex);
 
-/// A point of a halfedge, so far from its tail, named in the halfedge's face. What is beside an end
-/// by rounding only is the vertex itself.
+/// A point of a halfedge, so far from its tail, named in the halfedge's face. A point closer to an
+/// end than `kVertexSnap` is placed on the vertex.
 SurfacePoint pointOnHalfedge(const TriangleMesh& mesh, int halfedge, double along);
 
 /// The length of the straight piece between two points of one face; infinity if no face has both.
 double lengthBetween(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b);
 
-/// A path in the making, which ends at a site. A point at the place of the one before is left out.
+/// Collects the points of a path that ends at a site. A point at the same place as the previous one
+/// is left out.
 class PathPoints {
  public:
   PathPoints(const TriangleMesh& mesh, const SurfacePoint& site);
 
   void add(const SurfacePoint& p);
   const SurfacePoint& last() const { return points_.back(); }
-  /// Ends the path if the last point and the site have a face in common, which the piece between
-  /// them runs through: nothing is shorter than a straight line.
+  /// Ends the path at the site if the last point and the site share a face: the straight line in it
+  /// is the shortest way.
   bool endAtSite();
   /// Whether a point and the site have a face in common.
   bool isBesideSite(const SurfacePoint& p) const;

@@ -70,7 +70,8 @@ void SiteDistances::change(std::span<const SiteChange> changes) {
   stage_ = Stage::kBounds;
 }
 
-/// Forgets what labels have found. Those that were known there may have to go on.
+/// Forgets the distances of some labels. Other labels known at those vertices may have to go on, so
+/// they are resumed.
 void SiteDistances::forget(std::span<const int> labels) {
   IndexSet vertices(mesh_.vertexCount());
   for (const int label : labels) {
@@ -118,15 +119,15 @@ double SiteDistances::progress() const {
   return kShareOfSpread + (1 - kShareOfSpread) * known_.progress();
 }
 
-/// Limits the distance of the nearest site by paths along edges, and by what labels that may go on
-/// know already.
+/// Sets the bounds at reset vertices: by paths along edges, and by the distances that resumed
+/// labels have already found.
 void SiteDistances::lowerBounds() {
   if (sites_.count() > static_cast<int>(started_.size())) {
     const std::vector<int> outdated = spread_->outdated(edgeBounds_.changed());
     forget(outdated);
     started_.insert(started_.end(), outdated.begin(), outdated.end());
   }
-  // Labels near one another in succession, for what they touch is in the cache then.
+  // Neighbouring labels in succession, so that the memory they touch is still in the cache.
   std::sort(started_.begin(), started_.end(), [&](int a, int b) {
     return std::pair(sites_[a].face, a) < std::pair(sites_[b].face, b);
   });
@@ -135,8 +136,8 @@ void SiteDistances::lowerBounds() {
   makeSet(resumed_);
   std::erase_if(resumed_, [&](int label) { return !sites_.contains(label) || hasStarted[label]; });
   for (const int v : resetVertices_) bounds_[v].distance = edgeBounds_[v];
-  // A label that has owned a vertex is no bound there if a path along edges is shorter now: whether
-  // labels come down to that does not depend on who was there before.
+  // If a path along edges is now shorter than the owner's distance, the owner is dropped: which
+  // labels reach the new bound must not depend on earlier changes.
   for (const int v : edgeBounds_.changed()) {
     if (isAtMost(bounds_[v].distance, edgeBounds_[v])) continue;
     bounds_[v] = {-1, edgeBounds_[v]};
@@ -153,7 +154,7 @@ void SiteDistances::lowerBounds() {
   }
 }
 
-/// Limits the distance of the nearest site by what a label knows.
+/// Lowers the bounds to the distances of a label.
 void SiteDistances::lowerBy(int label) {
   for (const ReachedVertex& r : spread_->reached(label))
     lower(bounds_[r.vertex], label, r.distance);
@@ -176,10 +177,10 @@ bool SiteDistances::spread(long& budget) {
   return true;
 }
 
-/// Where no label has come down to the bounds, rounding has made straight lines longer than a path
-/// along edges, or lost them: in faces that are much longer than a distance, and around needles.
-/// Lets the labels that are nearest at neighbours of such vertices go on to these, along edges if
-/// need be. False if there are no such vertices.
+/// Finds vertices where no label has reached the edge bound. In needles, and in faces much longer
+/// than the distance, rounding may make straight paths longer than the path along edges, or lose
+/// them. Requires the label that is nearest by way of a neighbour to go on to each such vertex,
+/// along the edge if need be. False if there are none.
 bool SiteDistances::requireMissed() {
   for (const Turn& turn : turns_)
     if (turn.how == Turn::kRequire) lowerBy(turn.label);
@@ -228,7 +229,7 @@ LabelledDistance SiteDistances::nearest(const SurfacePoint& p) const {
   bool isBestKnown = false;
   for (const auto& [label, distance] : spread_->nearestAt(p, known_)) {
     if (!(isAtMost(distance, best.distance) && distance < kInfinity)) continue;
-    // Of labels that tie, the lowest, but first those that are known around the point.
+    // Of labels that tie, prefer those known around the point, then the lowest.
     const bool isKnown = isKnownAround(label, p);
     const bool isTie = isAtMost(best.distance, distance);
     if (!isTie || isKnown > isBestKnown || (isKnown == isBestKnown && label < best.label)) {
@@ -254,7 +255,7 @@ double SiteDistances::distance(int label, const SurfacePoint& p) const {
   return distancesAt({&point, 1})[0];
 }
 
-/// The spread is asked about what is no vertex.
+/// Distances at vertices come from the lists, at other points from the spread.
 class SiteDistances::PointDistances final : public SlicedWork<std::vector<double>> {
  public:
   PointDistances(const SiteDistances& field, std::span<const LabelledPoint> points)

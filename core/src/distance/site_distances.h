@@ -17,38 +17,39 @@
 
 namespace gvd {
 
-/// What is to become of one label.
+/// A label whose site is set, moved or removed.
 struct SiteChange {
   int label;
-  std::optional<SurfacePoint> site;  ///< none: the label has no site any more
+  std::optional<SurfacePoint> site;  ///< none: the site is removed
 };
 
-/// The changes by which all of these sites come, the labels in their order; face -1 is a label
-/// without a site.
+/// The changes that insert a list of sites, labelled by their index; face -1 is a label without a
+/// site.
 std::vector<SiteChange> arrivals(std::span<const SurfacePoint> sites);
 
-/// The distances of sites that come, go and move. A first diagram is one change, in which all sites
-/// come.
+/// The distances of sites that are inserted, removed and moved. For a first diagram, all sites are
+/// inserted in one change. A change has three stages:
 ///
-/// 1. *Bounds*: paths along edges limit the distance of the nearest site at every vertex.
-/// 2. *Spread*: one label after another spreads from its site, to where it is not nearer than the
-///    bounds, and lowers these. What a label finds does not depend on the others; they only stop
-///    it. So after a change, new labels start, and those beside labels that have gone go on from
-///    where they stopped.
-/// 3. `KnownLabels`: distances that a diagram needs beyond those.
+/// 1. *Bounds*: the length of the shortest path along edges is an upper bound on the distance of
+///    the nearest site at every vertex.
+/// 2. *Spread*: each label in turn spreads from its site while it is nearer than the bounds, and
+///    lowers them. Other labels limit how far a label spreads, not the distances it finds. So after
+///    a change, new labels start, and the neighbours of removed labels resume from where they
+///    stopped.
+/// 3. `KnownLabels`: adds the distances that a diagram needs at vertices owned by other labels.
 class SiteDistances final : public DistanceField {
  public:
   SiteDistances(const TriangleMesh& mesh, Metric metric, Spread spread = Spread::kAsNeeded);
 
-  /// Begins a change of some labels, each named once. The one before must be done. Throws
+  /// Begins a change of some labels, each named once. The previous change must be done. Throws
   /// `Error(kInvalidPoint)`, and changes nothing, if a site is not on the mesh.
   void change(std::span<const SiteChange> changes);
   /// Works on at most `budget` units, about a microsecond each; true when the change is done.
   bool step(long budget);
   double progress() const;
 
-  /// The faces and the labels that the last change may have altered: all others are known at the
-  /// same vertices as before, with the same distances.
+  /// The faces and labels that the last change may have altered. Elsewhere the same labels are
+  /// known at the same vertices, with the same distances.
   const std::vector<int>& changedFaces() const { return known_.changedFaces(); }
   const std::vector<int>& changedLabels() const { return known_.changedLabels(); }
 
@@ -84,20 +85,20 @@ class SiteDistances final : public DistanceField {
   std::unique_ptr<LabelSpread> spread_;
   KnownLabels known_;
 
-  // The change at hand.
+  // The current change.
   Stage stage_ = Stage::kDone;
   std::vector<int> started_, resumed_;  ///< labels that spread
-  /// A label's turn to spread: from its site, on from where it was, or on to all corners of faces.
+  /// A label's turn to spread: from its site, from where it stopped, or to all corners of `faces`.
   struct Turn {
     int label;
     enum { kStart, kResume, kRequire } how;
     std::vector<int> faces;
   };
   std::vector<Turn> turns_;
-  size_t next_ = 0;  ///< of these
+  size_t next_ = 0;  ///< in `turns_`
   bool isLabelBegun_ = false;
   std::vector<int> bounded_;        ///< vertices limited by paths along edges alone
-  std::vector<int> resetVertices_;  ///< those of which the owners have left or are beyond bounds
+  std::vector<int> resetVertices_;  ///< the owner was removed or exceeds the edge bound
 };
 
 }  // namespace gvd

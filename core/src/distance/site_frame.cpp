@@ -21,8 +21,8 @@ double angleOfOutgoing(const TriangleMesh& mesh, const SurfacePoint& site, int h
   double angle = 0;
   while (mesh.tail(3 * site.face + corner) != vertex)
     angle += std::numbers::pi - mesh.cornerAngle(3 * site.face + ++corner);
-  // From the vertex's first halfedge, on which the angles of all faces there are counted, back to
-  // the site's face, and on to the one asked for.
+  // Angles around the vertex are counted from its first halfedge: subtract those up to the site's
+  // face, then add those up to `halfedge`.
   int h = mesh.outgoing(vertex);
   for (; TriangleMesh::faceOf(h) != site.face; h = mesh.rotate(h)) angle -= mesh.cornerAngle(h);
   for (h = mesh.outgoing(vertex); h != halfedge; h = mesh.rotate(h)) angle += mesh.cornerAngle(h);

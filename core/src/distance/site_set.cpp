@@ -6,8 +6,8 @@
 namespace gvd {
 namespace {
 
-/// A site that is off an edge or vertex by less than rounding is on it: the faces beside it would
-/// see it on the wrong side.
+/// Moves a site within rounding of an edge or vertex onto it: unfolded into the faces beside it,
+/// such a site might come out on the wrong side.
 SurfacePoint onEdgeOrVertex(SurfacePoint p) {
   if (!(p.bary.array() > 0 && p.bary.array() < kCoordinateRounding).any()) return p;
   p.bary = (p.bary.array() < kCoordinateRounding).select(0, p.bary).eval();

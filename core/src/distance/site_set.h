@@ -29,7 +29,7 @@ class SiteSet {
     return label >= 0 && label < labelCount() && points_[label].face >= 0;
   }
   const SurfacePoint& operator[](int label) const { return points_[label]; }
-  /// Calls `visit` with the site of a label in terms of each face of which `inFace` has it.
+  /// Calls `visit` with a label's site in each face whose `inFace` list has it.
   template <class Visit>
   void visitFacesOf(int label, Visit visit) const {
     const SurfacePoint& point = points_[label];

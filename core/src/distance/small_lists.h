@@ -76,7 +76,7 @@ class SmallLists {
       free.pop_back();
     }
     std::copy_n(items_.begin() + list.first, list.size, items_.begin() + first);
-    // Room that is no power of two is lost: `allot` has given it, once.
+    // Room that is no power of two comes from `allot` and is not reused.
     if (std::has_single_bit(list.capacity))
       free_[std::bit_width(list.capacity)].push_back(list.first);
     list.first = first;

@@ -7,7 +7,7 @@
 
 namespace gvd {
 
-/// What is left of a straight line of the unfolded faces: from a point of a halfedge to a virtual
+/// The rest of a straight line of the unfolded faces: from a point of a halfedge to a virtual
 /// source, in the coordinates of the halfedge. The line is about to leave the halfedge's face, so
 /// the source lies at y <= 0.
 struct StraightLine {
@@ -20,8 +20,8 @@ struct StraightLine {
   /// Turns to the face behind the halfedge: the source lies at y >= 0 then. False at the boundary.
   bool enterFace(const TriangleMesh& mesh);
   /// Goes on to the side by which the line leaves the face that it has entered; false if it ends
-  /// there. The line is aimed at its source anew in each face, so that it stays within the faces it
-  /// has met, should rounding put it on the wrong side of a vertex.
+  /// there. Each face aims the line at its source anew, so that it stays in connected faces even if
+  /// rounding puts it on the wrong side of a vertex.
   bool crossFace(const TriangleMesh& mesh);
 };
 

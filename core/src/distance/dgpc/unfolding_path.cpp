@@ -59,7 +59,7 @@ bool UnfoldingPath::goStraight() {
   return false;
 }
 
-/// The step by which the last point is nearest: to a corner, or across a side.
+/// The step with the least distance from the last point: to a corner, or across a side.
 UnfoldingPath::Step UnfoldingPath::best() const {
   Step best = nearestCorner();
   visitPlaces(mesh_, points_.last(), [&](const SurfacePoint& place) {
@@ -76,8 +76,8 @@ bool UnfoldingPath::goOverVertex() {
   return true;
 }
 
-/// Goes by the fewest edges to a vertex that is nearer, or beside the site: an unfolded distance
-/// may be less than all those around it.
+/// Goes along the fewest edges to a vertex that is nearer to the site, or beside it. Needed because
+/// an unfolded distance may be a local minimum.
 bool UnfoldingPath::goAlongEdges() {
   std::unordered_map<int, int> cameFrom;  // vertex by vertex; -1: from the last point
   std::vector<int> queue;
@@ -102,7 +102,7 @@ bool UnfoldingPath::goAlongEdges() {
   return false;
 }
 
-/// The vertex over which the path from the last point is shortest, of those in the same faces.
+/// The corner of the last point's faces over which the path on from there is shortest.
 UnfoldingPath::Step UnfoldingPath::nearestCorner() const {
   Step best;
   visitPlaces(mesh_, points_.last(), [&](const SurfacePoint& place) {

@@ -13,12 +13,12 @@
 
 namespace gvd::dgpc {
 
-/// A path from a point back to the site of a label, near the shortest one. At every point the
-/// distances at the ends of the sides around it put virtual sources behind these, by unfolding as
-/// in the sweep; the path heads for the nearest one, or along an edge for a vertex, up to the side
-/// or the vertex, and looks again. What it estimates of the distance falls with every point; where
-/// it would not, the path keeps to its straight line. Where that leads nowhere, the path goes on
-/// over a vertex. Vertices come ever nearer to the site, so it never loops.
+/// A path from a point back to the site of a label, near the shortest one. At each point, virtual
+/// sources are unfolded behind the surrounding sides as in the sweep. The path takes one step
+/// towards the nearest of them, or along an edge to a vertex if that is shorter, and repeats. The
+/// estimated distance must fall with every step; otherwise the path keeps to its previous straight
+/// line, and if that leads nowhere, goes on over a vertex. The distances of successive vertices
+/// fall, so the path never loops.
 class UnfoldingPath {
  public:
   UnfoldingPath(const TriangleMesh& mesh, const SurfacePoint& site,
@@ -28,11 +28,11 @@ class UnfoldingPath {
   std::vector<SurfacePoint> from(const SurfacePoint& p);
 
  private:
-  /// Where to go next, and the distance from the site that this makes of the point at hand.
+  /// The next point, and the distance of the current point from the site by way of it.
   struct Step {
     double distance = kInfinity;
     SurfacePoint to;
-    StraightLine line;  ///< the rest of the way from there, if it is across a side
+    StraightLine line;  ///< the rest of the way, if the step crosses a side
   };
 
   bool goStraight();
@@ -44,7 +44,7 @@ class UnfoldingPath {
 
   const TriangleMesh& mesh_;
   PathPoints points_;
-  std::vector<double> distances_;  ///< at vertices, infinity where the label has not come to
+  std::vector<double> distances_;  ///< at vertices, infinity where the label has not been
   double bound_ = kInfinity;       ///< the distance at the last vertex of the path
 };
 

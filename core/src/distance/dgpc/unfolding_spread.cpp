@@ -35,7 +35,7 @@ void UnfoldingSpread::start(int label) {
   sweep_.start(sites_[label]);
 }
 
-/// A label is never stopped by others: there is nothing to go on from.
+/// Does nothing: other labels never stop a label of this metric.
 void UnfoldingSpread::resume(int /*label*/) {}
 
 bool UnfoldingSpread::run(long& budget) {
@@ -93,9 +93,9 @@ void UnfoldingSpread::require(int label, std::span<const int> faces) {
   if (!isAllKnown) sweepToRequired(label);
 }
 
-/// Adds a vertex that the label has not come to. Its distance follows from those around it as in
-/// the sweep; from those that the sweep has found, so that it does not matter what else is
-/// required.
+/// Adds a vertex that the sweep has not reached, and unfolds its distance from the neighbours as in
+/// the sweep. Uses only neighbours that the sweep has reached, so that the result does not depend
+/// on what else is required.
 void UnfoldingSpread::requireVertex(Label& known, int vertex) const {
   ReachedVertex required = {vertex, true, kInfinity};
   Eigen::Vector2d direction(1, 0);
@@ -122,8 +122,8 @@ void UnfoldingSpread::requireVertex(Label& known, int vertex) const {
   known.directions.push_back(direction);
 }
 
-/// Where edges are much longer than distances, the sweep may have found no neighbour of a vertex
-/// that is required: it is done once more, over the whole component.
+/// Repeats the sweep without bounds, for required vertices without a swept neighbour. This happens
+/// where edges are much longer than distances.
 void UnfoldingSpread::sweepToRequired(int label) {
   UnfoldingSweep sweep(mesh_, [](int) { return kInfinity; });
   sweep.start(sites_[label]);
@@ -173,7 +173,7 @@ std::vector<LabelledDistance> UnfoldingSpread::nearestAt(const SurfacePoint& p,
   return distances;
 }
 
-/// The distances of labels at points follow from those at the corners of the faces.
+/// Distances at points, interpolated from the corners of their faces.
 class UnfoldingSpread::PointDistances final : public SlicedWork<std::vector<double>> {
  public:
   PointDistances(const UnfoldingSpread& spread, const KnownLabels& known,
@@ -204,9 +204,9 @@ std::unique_ptr<SlicedWork<std::vector<double>>> UnfoldingSpread::startDistances
   return std::make_unique<PointDistances>(*this, known, points);
 }
 
-/// Squared distances are interpolated linearly between the corners of a face, as those of a plane
-/// are, less the squared distances within the face that this leaves out. Infinity if the label is
-/// not known there.
+/// In the plane, the squared distance of a point is the linear interpolant of the corners' squared
+/// distances minus a quadratic term that depends on the point alone. Infinity if the label is not
+/// known at all corners.
 double UnfoldingSpread::distanceAt(int label, const SurfacePoint& p,
                                    const KnownLabels& known) const {
   const auto sides = squaredSides(mesh_, p.face);

@@ -15,10 +15,11 @@
 
 namespace gvd::dgpc {
 
-/// The approximate metric: geodesic polar coordinates. A label spreads from the vertices where it
-/// is not farther than the shortest path along edges to any site, by more than the longest edge
-/// there: the shortest path to what a label owns may cross edges of which other labels own both
-/// ends. So what a label finds depends on the sites alone, not on the order in which labels spread.
+/// The approximate metric: geodesic polar coordinates. A label spreads on from a vertex if its
+/// distance exceeds the edge bound (`EdgeBounds`) by at most the vertex's longest edge. The slack
+/// is needed because the shortest path to a point that a label owns may cross edges whose ends
+/// belong to other labels. Edge bounds depend on the sites alone, so the order in which labels
+/// spread does not matter.
 class UnfoldingSpread final : public LabelSpread {
  public:
   UnfoldingSpread(const TriangleMesh& mesh, const SiteSet& sites, const EdgeBounds& edgeBounds,
@@ -45,8 +46,8 @@ class UnfoldingSpread final : public LabelSpread {
  private:
   struct Label {
     std::vector<ReachedVertex> vertices;
-    std::vector<Eigen::Vector2d> directions;  ///< at the site, of each of these vertices
-    int sweptCount = 0;                       ///< the first of them; others were required
+    std::vector<Eigen::Vector2d> directions;  ///< at the site, per entry of `vertices`
+    int sweptCount = 0;                       ///< these come first; the others were required
   };
   void store();
   void requireVertex(Label& known, int vertex) const;
@@ -63,8 +64,8 @@ class UnfoldingSpread final : public LabelSpread {
   UnfoldingSweep sweep_;
   std::vector<Label> labels_;
   int running_ = -1;
-  std::vector<int> indexOf_;  ///< per vertex in the label at hand, -1
-  /// The labels that have reached each vertex; made when it is asked for first.
+  std::vector<int> indexOf_;  ///< per vertex in the current label, -1
+  /// The labels that have reached each vertex; built on first use (`indexReaching`).
   SmallLists<int> reaching_;
   bool isReachingKnown_ = false;
 };

@@ -96,15 +96,15 @@ void UnfoldingSweep::offer(int v, double distance, const Vector2d& direction,
   own.origin = origin;
   own.isQueued = distance <= own.reach;
   if (!own.isQueued) return;
-  // Where it is queued already, that is later: what is met first counts.
+  // Older entries of the vertex may remain in the queue: `run` acts on the first that it meets.
   const size_t b = std::max(bucket_, static_cast<size_t>(distance * bucketsPerUnit_));
   if (b >= buckets_.size()) buckets_.resize(b + 1);
   buckets_[b].push_back(v);
 }
 
-/// Lets a vertex take part in the distances of its neighbours: along its edges, and across the
-/// sides of the faces around it that end at it. A face of which both other corners are still to
-/// pass on their distances, which may become less before, is left to them.
+/// Passes on the distance of a vertex: along its edges, and across the sides that end at it in the
+/// faces around it. Skips a face while both other corners are queued: their distances may still
+/// fall, and they will unfold across the face themselves.
 void UnfoldingSweep::passOn(int v) {
   const Vertex& own = vertices_[v];
   const std::span<const int> fan = mesh_.fan(v);
@@ -120,8 +120,8 @@ void UnfoldingSweep::passOn(int v) {
   }
 }
 
-/// Gives the apex of a side the distance from the virtual source that the distances at the side's
-/// ends put behind it, if that source sees the apex through the side.
+/// Offers the apex of a side its distance from the virtual source behind the side, if the source
+/// sees the apex through the side.
 void UnfoldingSweep::unfoldAcross(const TriangleMesh::Face& face, int side) {
   const int tail = face.vertices[side], tip = face.vertices[cornerAfter(side)];
   const int apex = face.vertices[cornerBefore(side)];
@@ -137,8 +137,8 @@ void UnfoldingSweep::unfoldAcross(const TriangleMesh::Face& face, int side) {
     offer(apex, std::sqrt(squared), directionToApex(*unfolding, atTail, atTip), {tail, tip});
 }
 
-/// Between the directions of both ends of a halfedge, each turned by the angle under which the
-/// virtual source sees the apex beside it.
+/// The direction of the path to an apex: interpolated between the directions of the side's ends,
+/// each turned by the angle between that end and the apex as seen from the virtual source.
 Vector2d UnfoldingSweep::directionToApex(const Unfolding& u, const Vertex& tail,
                                          const Vertex& tip) {
   const auto turned = [&](const Vertex& end, const Vector2d& toEnd) -> Vector2d {

@@ -20,13 +20,14 @@
 
 namespace gvd::dgpc {
 
-/// A virtual source, given by the ways from it to the corners of a face.
+/// A virtual source, given by the vectors from it to the corners of a face.
 struct Unfolding {
   Eigen::Vector2d toTail, toTip, toApex;
 };
 
-/// The virtual source behind a halfedge of a length, from the ends of which it has these distances,
-/// in the coordinates of the halfedge (y <= 0); nothing if there is none.
+/// The virtual source behind a halfedge of a given length, by its distances from the two ends, in
+/// the coordinates of the halfedge (y <= 0). None if a distance is unknown, or if they violate the
+/// triangle inequality by more than rounding.
 inline std::optional<Eigen::Vector2d> virtualSource(double length, double atTail, double atTip) {
   if (!(atTail < kInfinity && atTip < kInfinity)) return std::nullopt;
   const double x = ((atTail - atTip) * (atTail + atTip) + length * length) / (2 * length);
@@ -35,10 +36,10 @@ inline std::optional<Eigen::Vector2d> virtualSource(double length, double atTail
   return Eigen::Vector2d(x, -std::sqrt(std::max(squaredY, 0.0)));
 }
 
-/// Whether that source may be nearer to the apex than a distance; false only if it is not. Let the
-/// two be d apart along the side, and y and a away from its line: they lie on opposite sides of it,
-/// so their squared distance is d² + (y + a)². What is compared is d² + y² + a², times the side's
-/// length: without a root or a quotient.
+/// Quick test whether the virtual source may be nearer to the apex than `distance`; false only if
+/// it certainly is not. Source and apex lie on opposite sides of the side's line. If they are d
+/// apart along it and y and a away from it, their squared distance is d² + (y + a)². The lower
+/// bound d² + y² + a², times the side's length, needs neither a root nor a quotient.
 inline bool mayBeNearer(const TriangleMesh::Face& face, int side, double atTail, double atTip,
                         double distance) {
   const double length = face.lengths[side], toApex = face.lengths[cornerBefore(side)];
@@ -47,8 +48,8 @@ inline bool mayBeNearer(const TriangleMesh::Face& face, int side, double atTail,
          toApex * face.cosines[side] * twiceX;
 }
 
-/// The virtual source behind a side of a face that has these distances from its two ends,
-/// in the coordinates of the side; nothing unless it exists and sees the apex through the side.
+/// The virtual source behind a side of a face, by its distances from the side's ends, in the
+/// coordinates of the side. None unless it exists and sees the apex through the side.
 inline std::optional<Unfolding> unfold(const TriangleMesh::Face& face, int side, double atTail,
                                        double atTip) {
   const double length = face.lengths[side];
@@ -63,20 +64,19 @@ inline std::optional<Unfolding> unfold(const TriangleMesh::Face& face, int side,
 }
 
 /// Geodesic polar coordinates of one site after another (Melvær & Reimers 2012): at each vertex a
-/// distance and the direction at the site. Both follow from those at two other corners of a face,
-/// by unfolding a virtual source, or else along an edge. A vertex that has passed its distance on
-/// may get a better one and pass that on again (label-correcting), which makes the distances exact
-/// in the plane where the way is free, obtuse triangles included. What one site costs depends on
-/// how far it spreads only.
+/// distance and the direction at the site. Both are computed from the values at the other two
+/// corners of a face by unfolding a virtual source, or else along an edge. A vertex that has passed
+/// on its distance may get a shorter one and pass it on again (label-correcting). This makes
+/// distances exact in the plane where the straight line is free, obtuse triangles included. A site
+/// costs time only for the part of the mesh that it reaches.
 ///
-/// Where paths bend, virtual sources contradict each other, and two vertices next to each other
-/// could lower their distances by turns, a little each time. So a distance does not go back to a
-/// vertex that it came from; and the least share by which a vertex's distance has to improve
-/// doubles each time, which ends longer cycles as well, after at most 41 improvements.
+/// Where paths bend, virtual sources are inconsistent, and two neighbouring vertices could lower
+/// each other's distances forever, a little each time. So a distance is not passed back to a vertex
+/// that it follows from. To end longer cycles, too, the relative improvement that a vertex requires
+/// doubles with each improvement, which allows at most 41.
 class UnfoldingSweep {
  public:
-  /// Up to which distance a site spreads on from a vertex; not asked for again before the next site
-  /// starts.
+  /// The distance up to which a site spreads on from a vertex. Called once per vertex and site.
   using Reach = std::function<double(int vertex)>;
 
   UnfoldingSweep(const TriangleMesh& mesh, Reach reach)
@@ -85,25 +85,24 @@ class UnfoldingSweep {
         bucketsPerUnit_(kBucketsPerEdge / mesh.meanEdgeLength()),
         vertices_(mesh.vertexCount()) {}
 
-  /// Begins with a site; what the last one has reached is forgotten.
+  /// Begins with a site and forgets the previous one.
   void start(const SurfacePoint& site);
-  /// Passes on at most `budget` distances and lowers it by their number. True when there is none
-  /// left.
+  /// Passes on the distances of at most `budget` vertices and lowers it by their number. True when
+  /// none is queued any more.
   bool run(long& budget);
 
-  /// The vertices that the site has reached; it may not have spread on from them.
+  /// The vertices that the site has reached, including those beyond their `Reach`.
   const std::vector<int>& reached() const { return reached_; }
-  /// Infinite where the site has not come to.
+  /// Infinite at vertices that the site has not reached.
   double distance(int vertex) const {
     return isReached(vertex) ? vertices_[vertex].distance : kInfinity;
   }
-  /// The direction of the path at the site (`DistanceField::direction`), where the site has come
-  /// to.
+  /// The direction of the path at the site (`DistanceField::direction`); for reached vertices only.
   const Eigen::Vector2d& direction(int vertex) const { return vertices_[vertex].direction; }
 
  private:
-  /// Buckets of the queue per mean edge: what is passed on in the wrong order within a bucket is
-  /// passed on again.
+  /// Buckets of the queue per mean edge. Order within a bucket is arbitrary; a distance that was
+  /// passed on too early is passed on again once it falls.
   static constexpr double kBucketsPerEdge = 8;
 
   /// The two ends of the side, or twice the vertex, that a distance follows from; -1 for a site.
@@ -111,13 +110,13 @@ class UnfoldingSweep {
 
   struct alignas(64) Vertex {
     double distance;
-    double limit;  ///< what a distance has to fall below to be an improvement
-    double reach;  ///< up to which distance it is passed on
+    double limit;  ///< only distances below this are improvements
+    double reach;  ///< the largest distance that is passed on
     Eigen::Vector2d direction;
     Origin origin;              ///< what the distance follows from
-    int epoch = 0;              ///< of the site that this is about
-    std::uint8_t improvements;  ///< how often the distance has become less
-    bool isQueued;              ///< whether it still passes on its distance
+    int epoch = 0;              ///< of the site that the other members belong to
+    std::uint8_t improvements;  ///< how often the distance has fallen
+    bool isQueued;              ///< whether the distance is still to be passed on
 
     /// Whether the distance follows from that of another vertex.
     bool followsFrom(int other) const { return origin[0] == other || origin[1] == other; }

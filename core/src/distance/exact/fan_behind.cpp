@@ -9,7 +9,7 @@ namespace gvd::exact {
 using Eigen::Vector2d;
 
 bool isSaddle(const TriangleMesh& mesh, int vertex) {
-  // Angle sums carry rounding; what is flat within it needs no virtual source.
+  // Angle sums are rounded; a vertex that is flat within rounding needs no virtual source.
   constexpr double kRounding = 1e-12, kPi = std::numbers::pi;
   return mesh.angleSum(vertex) > (mesh.onBoundary(vertex) ? kPi - kRounding : 2 * kPi + kRounding);
 }
@@ -29,7 +29,8 @@ double FanBehind::meetOpposite(int outgoing, const Vector2d& direction) const {
   return denominator * f.lengths[j] > numerator ? numerator / denominator : f.lengths[j];
 }
 
-/// Turns on from an angle, given by its cosine and sine, by the angles of the faces that follow.
+/// Adds up the angles of successive faces until the turn, begun with the angle of cosine and sine
+/// `turned`, exceeds π.
 template <class OutgoingAt>
 FanBehind::Turn FanBehind::turnByPi(Vector2d turned, int steps, OutgoingAt outgoingAt) const {
   for (int step = 1; step < steps; ++step) {

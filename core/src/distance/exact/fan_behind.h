@@ -32,8 +32,9 @@ class FanBehind {
   std::span<const OppositeSide> sides(int vertex, int arrival, double crossing);
 
  private:
-  /// Where a turn by π ends: in the face met after so many steps, -1 if before; and the direction
-  /// there, from the side by which the turn entered that face.
+  /// The end of a turn by π, begun in the face that the path arrives by: the number of faces
+  /// passed, -1 if the fan ends before π; and the direction, relative to the side by which the turn
+  /// entered its last face.
   struct Turn {
     int step = -1;
     Eigen::Vector2d rest = {0, 0};

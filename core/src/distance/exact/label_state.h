@@ -27,13 +27,13 @@ struct WaitingWindow {
   int halfedge;
 };
 
-/// What is kept of a label when it has spread: its distances, and where it goes on when it is
-/// continued. The windows that have crossed their faces are not: they would take several times the
-/// memory of all else.
+/// The state of a label after it has spread: its distances, and the windows and sources from which
+/// it can go on. Windows that have crossed their faces are not kept: they would take several times
+/// the memory of everything else.
 struct LabelState {
   std::vector<ReachedVertex> vertices;
-  std::vector<LastPiece> pieces;       ///< of each of these vertices
-  std::vector<WaitingWindow> waiting;  ///< those of one halfedge in succession
+  std::vector<LastPiece> pieces;       ///< of each entry of `vertices`
+  std::vector<WaitingWindow> waiting;  ///< grouped by halfedge
   std::vector<int> waitingSources;     ///< vertices that would become virtual sources
 };
 

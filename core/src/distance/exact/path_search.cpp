@@ -22,7 +22,7 @@ using exact::WindowSweep;
 
 constexpr int kLabel = 0;
 
-/// The windows of the one end spread until none of them can come to the other end by a shorter way.
+/// Windows spread from one end until none can reach the other end by a shorter path.
 class PathSearch final : public SlicedWork<std::vector<SurfacePoint>> {
  public:
   PathSearch(const TriangleMesh& mesh, const SurfacePoint& from, const SurfacePoint& to)
@@ -45,7 +45,7 @@ class PathSearch final : public SlicedWork<std::vector<SurfacePoint>> {
 
   bool step(long budget) override { return isDone_ = sweep_.run(budget); }
 
-  /// How far the windows have come of the way that is the least possible.
+  /// The wavefront's distance as a share of the straight line in space.
   double progress() const override {
     if (isDone_) return 1;
     return straight_ > 0 ? std::min(sweep_.front() / straight_, 0.9) : 0;
@@ -61,7 +61,7 @@ class PathSearch final : public SlicedWork<std::vector<SurfacePoint>> {
   const TriangleMesh& mesh_;
   const SurfacePoint from_, to_;
   const double straight_;  ///< the distance of the two ends in space
-  NearestBounds nearest_;  ///< zero: what there is of other labels is not known
+  NearestBounds nearest_;  ///< zero: there are no other labels to compare with
   WindowSweep sweep_;
   LabelState state_;
   bool isDone_ = false;

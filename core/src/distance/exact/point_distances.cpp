@@ -14,7 +14,7 @@ namespace {
 /// Points that take about as long to look at as one unit of the budget.
 constexpr long kPointsPerUnit = 4;
 
-/// A point on an edge in terms of the same face, wherever it comes from.
+/// One representation for a point on an edge, whichever face it is given in.
 SurfacePoint unique(const TriangleMesh& mesh, const SurfacePoint& p) {
   SurfacePoint least = p;
   visitPlaces(mesh, p, [&](const SurfacePoint& place) {

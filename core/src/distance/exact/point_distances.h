@@ -14,12 +14,12 @@
 
 namespace gvd::exact {
 
-/// The distances of labels at points as they were found first. A label that has gone on since may
-/// find the same path by other windows, and round its length differently; but where a live diagram
-/// is traced again in part, that part must fit the rest to the last bit.
+/// Caches the first distance found for a label at a point. After the label has spread on, the same
+/// path may come from other windows and round differently; but when part of a live diagram is
+/// traced again, it must match the rest to the last bit.
 class FoundDistances {
  public:
-  /// Infinity if it has not been found yet.
+  /// Infinity if not found yet.
   double find(const LabelledPoint& p) const;
   void add(const LabelledPoint& p, double distance);
   /// Forgets all of a label.
@@ -29,9 +29,9 @@ class FoundDistances {
   std::vector<PlaceMap<double>> ofLabel_;
 };
 
-/// The distances of labels at many points that are no vertices. The windows by which a label has
-/// crossed faces are not kept. So one label after another spreads once more, with its points: first
-/// as far as it is nearest, then on to those where another label is nearer.
+/// The distances of labels at many points that are no vertices. Windows that have crossed faces are
+/// not kept, so each label spreads once more with its points: first as far as it is nearest, then
+/// on to its points where another label is nearer.
 class PointDistances final : public SlicedWork<std::vector<double>> {
  public:
   /// The labels must be known around the points. `bounds` are final.
@@ -68,7 +68,7 @@ class PointDistances final : public SlicedWork<std::vector<double>> {
   std::vector<double> distances_;
   std::vector<OpenPoint> open_;  ///< by label
 
-  // The label at hand.
+  // The current label.
   enum class Stage { kNone, kSpread, kRequire } stage_ = Stage::kNone;
   size_t begin_ = 0, end_ = 0;  ///< of its points in `open_`
   LabelState state_;

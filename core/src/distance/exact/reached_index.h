@@ -27,7 +27,7 @@ class ReachedIndex {
 
  private:
   std::vector<int> indices_;
-  std::vector<int> vertices_;  ///< those of the list
+  std::vector<int> vertices_;  ///< the vertices of the current list
 };
 
 }  // namespace gvd::exact

@@ -17,7 +17,7 @@ namespace gvd::exact {
 /// distances.
 class RequiredPlaces {
  public:
-  /// `rounding` is what distances between places in space may be off by.
+  /// `rounding` is the error bound of distances between places in space.
   explicit RequiredPlaces(double rounding) : rounding_(rounding) {}
 
   void clear() {
@@ -25,8 +25,8 @@ class RequiredPlaces {
   }
   int size() const { return static_cast<int>(bound_.size()); }
 
-  /// `bound` is the label's distance as far as it is known, `nearest` the least of all labels'.
-  /// Returns the index of the place.
+  /// `bound` is the least distance of the label known so far, `nearest` the distance of the nearest
+  /// label. Returns the index of the place.
   int add(const Eigen::Vector3d& position, double bound, double nearest) {
     x_.push_back(position.x());
     y_.push_back(position.y());
@@ -35,7 +35,8 @@ class RequiredPlaces {
     bound_.push_back(bound * (1 + kDistanceTolerance));
     return size() - 1;
   }
-  /// By how much a path that can gain anything is longer than the nearest label's, at most.
+  /// The largest excess over the nearest label's distance with which a path can still shorten any
+  /// required distance.
   double mostExcess() const {
     double most = 0;
     for (int i = 0; i < size(); ++i) most = std::max(most, bound_[i] - nearest_[i]);
@@ -43,11 +44,10 @@ class RequiredPlaces {
   }
   /// Paths that tie with the bound can still become the shortest.
   void shorten(int index, double bound) { bound_[index] = bound * (1 + kDistanceTolerance); }
-  /// Whether paths with a length of at least `length` up to points at most `radius` from `place`
-  /// can become the shortest to a required place. Neither can a path be shorter than the straight
-  /// line in space, nor can it lose its `excess` on the way: the amount by which it is longer than
-  /// that of the nearest label.
-  /// The places with the indices `without` do not count.
+  /// Whether paths of at least `length` to points within `radius` of `place` can become the
+  /// shortest to a required place. The rest of a path is at least as long as the straight line in
+  /// space, and its `excess` over the distance of the nearest label does not fall along the way.
+  /// Ignores the places with the indices `without`.
   bool canGain(const Eigen::Vector3d& place, double radius, double length, double excess,
                std::span<const int> without) {
     bounds_.clear();

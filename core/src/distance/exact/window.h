@@ -11,32 +11,32 @@
 
 namespace gvd::exact {
 
-/// Beside a window, as a share of its halfedge, a vertex still gets the path that turns at the
-/// window's end. Neighbouring windows leave gaps of rounding, some 2^-53 of the distance; this
-/// covers them up to distances of 2^20 edges and more, and a path that turns is never too short.
+/// A vertex seen past the end of a window by at most this share of the halfedge gets the path that
+/// turns at that end. Rounding leaves gaps of some 2^-53 of the distance between neighbouring
+/// windows; this covers them up to distances of 2^20 edges and more. A path that turns exists, so
+/// it is never too short.
 inline constexpr double kGrazing = 1e-7;
 
-/// How a path gets to a vertex. What windows end at depends on what else is known when they spread;
-/// the lengths of straight paths follow from the faces that they cross alone. So of paths that tie,
-/// a straight one counts: the distance is the same to the last bit, in whatever order labels
-/// spread.
+/// How a path reaches a vertex. The ends of a window depend on the distances it was trimmed by, and
+/// so on the order in which labels spread; the length of a straight path depends only on the faces
+/// it crosses. So a straight path wins a tie, and distances have the same bits in any order.
 enum class Course : char {
   kStraight,  ///< through windows, over virtual sources
   kBeside,    ///< past the end of a window, by no more than rounding
   kBent,      ///< turning at the end of a window, or at a vertex that need not be a virtual source
 };
 
-/// The length of a path, with how it comes to be.
 struct PathLength {
   double length;
   Course course;
 };
 
-/// More than rounding makes paths along one line differ by, as a share of their length; an eighth
-/// of what counts as a tie.
+/// Rounding makes the lengths of paths along one line differ by less than this, relatively; an
+/// eighth of `kDistanceTolerance`.
 inline constexpr double kLineDifference = 0x1p-44;
 
-/// What paths to one vertex are compared by.
+/// The value by which paths to a vertex are compared: the length, raised so that a straighter
+/// course wins a tie.
 inline double rankOf(const PathLength& path) {
   return path.length * (1 + kLineDifference * static_cast<double>(path.course));
 }
@@ -60,7 +60,7 @@ struct Window {
   /// at which the shortest path to the source leaves the site.
   double direction;
 
-  /// The least distance of a point of the window.
+  /// The least distance from the site of any point of the window.
   double least() const {
     const double beside = x < begin ? begin - x : x > end ? x - end : 0;
     return sourceDistance + (beside > 0 ? std::sqrt(beside * beside + y * y) : -y);
@@ -98,9 +98,9 @@ inline double meetSide(double at, double x, double y, double cosine, double sine
 /// The sides by which windows leave a face, as seen from their halfedge.
 enum class Side { kLeft, kRight };
 
-/// What goes on of a window of side i beyond another side of the face, in the coordinates of the
-/// face beyond. `crossing` is where the line from the source to the apex crosses side i: the window
-/// must have a part on that side of it. Inlined, for all windows of a halfedge share the face.
+/// The child of a window of side i beyond the left or right side of the face, in the coordinates of
+/// the face beyond. The line from the source to the apex crosses side i at `crossing`; part of the
+/// window must lie left or right of it. Inlined because all windows of a halfedge share the face.
 template <Side kSide>
 [[gnu::always_inline]] inline Window windowBeyond(const Window& w, const TriangleMesh::Face& face,
                                                   int i, double crossing) {
@@ -126,13 +126,12 @@ template <Side kSide>
   return beyond;
 }
 
-/// How far from a vertex, along an edge, the path over the vertex is shorter than a window's: up to
-/// the t where `atVertex` + t = sourceDistance + |source, t|. There the square roots cancel and t
-/// follows by division. 0 if the path over the vertex is nowhere shorter, infinity if it is shorter
-/// everywhere. `along` is the source's coordinate from the vertex towards the edge's other end,
-/// `height2` its squared distance from the edge's line.
-/// A window that is not longer by more than rounding keeps its ground: a path lost is an error, a
-/// path too many is not.
+/// The length along an edge, from a vertex, on which the path over the vertex is shorter than a
+/// window's: the t where `atVertex` + t = sourceDistance + |source, t|. Squared, this is linear in
+/// t. 0 if the path over the vertex is nowhere shorter, infinity if it is shorter everywhere.
+/// `along` is the source's coordinate from the vertex towards the edge's other end, `height2` its
+/// squared distance from the edge's line. Within rounding the window wins: a lost path makes a
+/// distance wrong, a superfluous one does not.
 inline double reachOfVertex(double atVertex, double sourceDistance, double along, double height2,
                             double length) {
   const double lead = atVertex - sourceDistance + kDistanceTolerance * (atVertex + length);
@@ -147,8 +146,8 @@ struct EdgeDistances {
   double atTail, atTip;
 };
 
-/// Cuts off what paths over the ends of the halfedge do shorter; the window is empty if its begin
-/// is not less than its end then.
+/// Cuts off the parts of a window where a path over an end of the halfedge is shorter. The window
+/// is empty unless begin < end afterwards.
 inline void trim(Window& w, double length, const EdgeDistances& known) {
   const double height2 = w.y * w.y;
   w.begin = std::max(w.begin, reachOfVertex(known.atTail, w.sourceDistance, w.x, height2, length));

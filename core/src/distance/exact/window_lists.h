@@ -15,7 +15,7 @@ namespace gvd::exact {
 /// again and again: a label needs as much memory as its wavefront, and finds it in the cache.
 class WindowLists {
  public:
-  /// As many windows as wait at most halfedges where sites are many.
+  /// With many sites, most halfedges have at most this many windows.
   static constexpr int kChunkSize = 4;
   struct Chunk {
     std::array<Window, kChunkSize> windows;

@@ -13,12 +13,12 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// A path over a vertex is as short as the straight line beside the vertex if it is longer by no
-/// more than this share: a hundredth of what tests ask for, some 10^4 times the rounding of
+/// A path over a vertex counts as no longer than the straight line beside the vertex if it exceeds
+/// it by at most this share: a hundredth of the tests' tolerance, some 10^4 times the rounding of
 /// distances.
 constexpr double kSameLength = 1e-11;
-/// How far a virtual source, unfolded face by face, may be from its vertex, as a share of the way
-/// to it. That the distances agree, too, decides.
+/// How far an unfolded virtual source may be from its vertex, as a share of the way to it. The
+/// distances must agree as well (`kSameLength`).
 constexpr double kSourceError = 1e-6;
 
 }  // namespace
@@ -79,8 +79,8 @@ WindowPath::Piece WindowPath::lastPiece(int vertex) const {
 
 // --- A straight line ---------------------------------------------------------------------------
 
-/// Adds the points of a line up to the vertex at which it ends, which is returned, or up to the
-/// site. A line that misses its source by rounding ends at a vertex beside it.
+/// Adds the points of a line up to the site or up to the vertex at which it ends, and returns that
+/// end. A line that misses its source by rounding ends at a vertex beside it.
 int WindowPath::follow(Piece piece) {
   StraightLine& line = piece.line;
   for (int crossed = 0; crossed <= mesh_.faceCount(); ++crossed) {
@@ -112,7 +112,7 @@ bool WindowPath::leadsOn(int vertex, double distance) const {
   return known < bound_ && known <= distance + kSameLength * least_;
 }
 
-/// The vertex over which the path from its last point is shortest, of those in the same faces.
+/// The corner of the last point's faces over which the path on from there is shortest.
 int WindowPath::nearestVertex() const {
   int nearest = kLost;
   double least = kInfinity;
@@ -139,7 +139,7 @@ std::vector<SurfacePoint> pathToSite(const TriangleMesh& mesh, const SurfacePoin
   if (vertexAt(mesh, p) >= 0) return path.take();
   visitPlaces(mesh, p, [&](const SurfacePoint& place) {
     for (int i = 0; i < 3; ++i) {
-      if (place.bary[cornerBefore(i)] == 0) continue;  // on the side: the face beyond tells
+      if (place.bary[cornerBefore(i)] == 0) continue;  // on the side: see the face beyond
       const int halfedge = 3 * place.face + i;
       for (const WaitingWindow& w : label.waiting)
         if (w.halfedge == halfedge) path.offer(w.window, halfedge, place);

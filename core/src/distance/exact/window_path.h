@@ -13,9 +13,9 @@
 
 namespace gvd::exact {
 
-/// The shortest path from a point back to the site of a label (Mitchell et al. 1987, §3.5). Nothing
-/// points backwards: between the vertices at which it turns the path is a straight line of the
-/// unfolded faces, of which the virtual source is known, and which is followed from face to face.
+/// The shortest path from a point back to the site of a label (Mitchell et al. 1987, §3.5). No back
+/// pointers are kept. Between the vertices at which it turns, the path is a straight line of the
+/// unfolded faces towards a known virtual source, followed from face to face.
 class WindowPath {
  public:
   WindowPath(const TriangleMesh& mesh, const SurfacePoint& site, const LabelState& label,
@@ -23,19 +23,19 @@ class WindowPath {
 
   /// Begins the path at a point.
   void start(const SurfacePoint& p);
-  /// Offers a window of a face that the point lies in; `place` is the point in terms of that face.
+  /// Offers a window of a face that the point lies in; `place` is the point in that face.
   void offer(const Window& w, int halfedge, const SurfacePoint& place);
-  /// The path by the best of what was offered, of the corners around the point, and of the straight
-  /// line in a face. Empty if none leads to the site.
+  /// The shortest path: through an offered window, over a corner around the point, or straight
+  /// within a face. Empty if none leads to the site.
   std::vector<SurfacePoint> take();
 
  private:
-  /// What is left of a straight piece of the path.
+  /// The rest of a straight piece of the path, up to its virtual source.
   struct Piece {
     StraightLine line;
     double sourceDistance;
   };
-  /// What following a piece comes to, unless it is a vertex.
+  /// Where a followed piece ends, other than at a vertex.
   enum : int { kAtSite = -1, kLost = -2 };
 
   int follow(Piece piece);
@@ -52,15 +52,16 @@ class WindowPath {
   const LabelState& label_;
   PathPoints points_;
   const ReachedIndex& index_;
-  /// The vertices at which the path turns or passes come ever nearer to the site: it ends.
+  /// The distance at the path's last vertex. The next vertex must be nearer to the site, so the
+  /// path ends.
   double bound_ = kInfinity;
   // The best beginning.
   double least_ = kInfinity;
   Piece first_;
 };
 
-/// The shortest path from a point to the site of a label that has come to the point: unless that is
-/// a vertex, through a window that waits at a face which has the point.
+/// The shortest path from a point to the site of a label that has reached it. For a point that is
+/// no vertex, the windows of its faces must be among the label's waiting windows.
 std::vector<SurfacePoint> pathToSite(const TriangleMesh& mesh, const SurfacePoint& site,
                                      const LabelState& label, const ReachedIndex& index,
                                      const SurfacePoint& p);

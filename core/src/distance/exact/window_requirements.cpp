@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// WindowSweep::require: a label goes on to vertices or other points that it does not own.
+// WindowSweep::require: spreads a label on to vertices or other points that it does not own.
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -27,9 +27,10 @@ void WindowSweep::require(int label, LabelState& state, std::span<const int> fac
     requireCorners(faces[i]);
   }
 
-  // First distances, so that hardly anything has to go on: by the windows that wait at a face with
-  // such a corner, and along its sides. Some corner is known: a label that owns part of a face has
-  // its site there, or owns a corner, or is known at both ends of a side.
+  // Good first distances leave few windows that have to go on. They come from windows that wait at
+  // a face with a required corner, and along the face's sides. Some corner is always known: a label
+  // that owns part of a face has its site there, or owns a corner, or is known at both ends of a
+  // side.
   visitWaiting([&](int h, std::span<const WaitingWindow> windows) {
     if (!hasRequiredCorner(h / 3)) return;
     for (const WaitingWindow& w : windows) offerToCorners(w.window, h);
@@ -50,7 +51,7 @@ void WindowSweep::visitWaiting(Visit visit) const {
   }
 }
 
-/// Requires the distances at the corners of a face that are not final yet.
+/// Requires the distances of a face's corners that are not final yet.
 void WindowSweep::requireCorners(int f) {
   for (const int v : mesh_.face(f).vertices) {
     Vertex& own = vertices_[v];
@@ -198,10 +199,10 @@ void WindowSweep::offerToPointsFrom(int v, int corner, int f) {
                      layOut(mesh_.face(f), 0, p.bary - Eigen::Vector3d::Unit(corner)).norm());
 }
 
-// --- What goes on --------------------------------------------------------------------------------
+// --- Which windows go on -------------------------------------------------------------------------
 
-/// Whether windows at a halfedge can make a required distance less, but for those in the halfedge's
-/// face, to which they have offered their paths.
+/// Whether windows at a halfedge can shorten a required distance outside the halfedge's face.
+/// Inside the face they have already offered their paths.
 template <class Windows>
 bool WindowSweep::canGain(int h, const Windows& windows) {
   const TriangleMesh::Face& face = mesh_.face(h / 3);
@@ -211,7 +212,7 @@ bool WindowSweep::canGain(int h, const Windows& windows) {
   const double nearTip = bounds_[face.vertices[j]].distance;
   double begin = length, end = 0, least = kInfinity, excess = kInfinity;
   windows([&](const Window& w) {
-    // The distance of the nearest label rises by no more than the way along the halfedge.
+    // Lower bounds on the excess: the nearest distance rises at most by the way along the halfedge.
     const double atEnd = w.distanceOnEdge(w.end) - (nearTail + w.end);
     if (atEnd >= mostExcess_) return;
     const double atBegin = w.distanceOnEdge(w.begin) - (nearTip + length - w.begin);
@@ -232,7 +233,7 @@ bool WindowSweep::canGain(int h, const Windows& windows) {
   return required_.canGain(place, end - middle, least, excess, inFace_);
 }
 
-/// Takes up those of the waiting windows and sources that can make a required distance less.
+/// Queues the waiting windows and sources that can shorten a required distance.
 void WindowSweep::continueNeeded() {
   mostExcess_ = required_.mostExcess();
   std::vector<WaitingWindow>& waiting = state_->waiting;
@@ -260,7 +261,7 @@ void WindowSweep::continueNeeded() {
   });
 }
 
-/// Whether the batch at a halfedge can make a required distance less; if not, it waits.
+/// Whether the batch at a halfedge can shorten a required distance; if not, its windows wait.
 bool WindowSweep::isBatchNeeded(int h) {
   const WindowLists::Chunk* const list = windows_.list(h);
   const bool hasCorner = hasRequiredCorner(h / 3), hasPoints = !pointsIn(h / 3).empty();

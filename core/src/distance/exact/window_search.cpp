@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// WindowSweep::search: from a point back to the sites that it is nearest to.
+// WindowSweep::search: from a point back to the sites nearest to it.
 #include <algorithm>
 #include <limits>
 
@@ -31,15 +31,16 @@ void WindowSweep::search(const SurfacePoint& p, const KnownDistances& known, con
   run(unlimited);
 }
 
-/// How far a vertex may be from the point if the shortest path is to lead over it, or over an edge
-/// to which the way from the vertex is added. Paths that tie with the shortest one are found too.
+/// The largest distance of a vertex from the point with which a path over the vertex is no longer
+/// than the shortest known one. For a place on an edge beside the vertex, the way along the edge is
+/// added. The tolerance admits paths that tie.
 double WindowSweep::mostUpTo(int v) const {
   return shortest_ * (1 + kDistanceTolerance) - known_->atLeast(v);
 }
 
 void WindowSweep::shorten(double length) { shortest_ = std::min(shortest_, length); }
 
-/// Not a site on a vertex, which has a distance there.
+/// Sites on vertices are found by their distance 0 at the vertex instead.
 bool WindowSweep::isSearchedFor(const FaceSite& site) const {
   return known_->isAbout(site.label) && incidenceOf(site.bary).corner < 0;
 }

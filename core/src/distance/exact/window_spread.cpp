@@ -67,7 +67,7 @@ class WindowSpread::NearestLabels final : public KnownDistances {
   const NearestBounds& bounds_;
 };
 
-/// The distances of one label: where they are not final, it is not nearer than the nearest.
+/// Bounds for one label. Where its distance is not final, the nearest distance is the lower bound.
 class WindowSpread::OneLabel final : public KnownDistances {
  public:
   OneLabel(int label, const LabelState& state, const ReachedIndex& index,
@@ -116,8 +116,9 @@ std::unique_ptr<SlicedWork<std::vector<double>>> WindowSpread::startDistancesAt(
   return std::make_unique<PointDistances>(mesh_, sites_, bounds_, startTo_, found_, points);
 }
 
-/// The path to a point leads through windows that have crossed their faces, which is searched for;
-/// or, where another label is nearer, through one that has stopped, which goes on to the point.
+/// Windows that have crossed their faces are not kept, so a search from the point finds paths
+/// through them (`pathBack`). Where another label is nearer, the path may lead through a waiting
+/// window instead, which then spreads on to the point.
 std::vector<SurfacePoint> WindowSpread::path(int label, const SurfacePoint& p) {
   const LabelState& known = labels_[label];
   if (vertexAt(mesh_, p) >= 0) {

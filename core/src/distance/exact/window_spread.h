@@ -15,8 +15,9 @@
 
 namespace gvd::exact {
 
-/// The exact metric: polyhedral distance by windows (Mitchell et al. 1987). Distances at vertices
-/// are kept. Those at other points are searched for from the point, back to the vertices and sites.
+/// The exact metric: polyhedral distance by windows (Mitchell et al. 1987). Keeps distances at
+/// vertices. Distances at other points are found by a search from the point back to vertices and
+/// sites.
 class WindowSpread final : public LabelSpread {
  public:
   WindowSpread(const TriangleMesh& mesh, const SiteSet& sites, NearestBounds& bounds,
@@ -51,7 +52,7 @@ class WindowSpread final : public LabelSpread {
   NearestBounds& bounds_;
   const SpreadTo startTo_;
   WindowSweep sweep_;
-  LabelState searched_;  ///< what the last search from a point has come to
+  LabelState searched_;  ///< the result of the last search from a point
   ReachedIndex index_;
   std::vector<LabelState> labels_;
   FoundDistances found_;

@@ -31,21 +31,21 @@ constexpr double kBucketsPerEdge = 2;
 /// A label that crosses more halfedges per vertex than this winds around a spike or a tube. Over a
 /// scanned surface, one label crosses 3.5 per vertex.
 constexpr size_t kMostCrossingsPerVertex = 30;
-/// How many faces are followed back per window then, on average: all of them around spikes and
-/// tubes of a few faces. To follow every window around a vertex of a thousand faces would take a
-/// hundred times as long as to cross these.
+/// The average number of faces that each window of such a label may be followed back across: enough
+/// for spikes and tubes of a few faces. Following every window around a vertex of a thousand faces
+/// would take a hundred times as long as spreading.
 constexpr long kFollowedPerWindow = 16;
-/// The distance, in bounding diagonals, up to which labels go on to wherever they tie.
+/// The distance, in bounding diagonals, up to which labels reach every place where they tie.
 constexpr double kFarthestTie = 8;
-/// What distances between places in space are rounded by, in bounding diagonals: a few 2^-53.
+/// The rounding error of distances in space, in bounding diagonals: a few 2^-53.
 constexpr double kPlaceRounding = 0x1p-50;
 /// A line followed back ends at its virtual source up to rounding: a share of the line's length.
 constexpr double kLineRounding = 1e-9;
 
 /// Whether the straight lines of a window have already crossed the face that they are about to
-/// enter. Then none of them is a shortest path: within the face, there is a shorter way (Sharir &
-/// Schorr 1986). All lines of a window have crossed the same faces; the middle one is followed
-/// backwards, and their number is taken off `mayFollow`.
+/// enter. Then none of them is a shortest path, since there is a shorter way within the face
+/// (Sharir & Schorr 1986). All lines of a window have crossed the same faces, so it is enough to
+/// follow the middle one backwards. Lowers `mayFollow` by the number of faces visited.
 bool entersFaceAgain(const TriangleMesh& mesh, const Window& w, int h, long& mayFollow) {
   StraightLine line{h, (w.begin + w.end) / 2, {w.x, w.y}};
   const double atSource = kLineRounding * line.length();
@@ -124,7 +124,7 @@ bool WindowSweep::run(long& budget) {
   return true;
 }
 
-/// Puts what the label knows at vertices into the working memory.
+/// Loads the label's distances at vertices into the working memory.
 void WindowSweep::load() {
   for (size_t i = 0; i < state_->vertices.size(); ++i) {
     const ReachedVertex& r = state_->vertices[i];
@@ -134,9 +134,9 @@ void WindowSweep::load() {
   }
 }
 
-/// Keeps what the label has come to.
+/// Stores the label's distances, waiting windows and waiting sources in its state.
 void WindowSweep::store() {
-  // Just as much memory as it takes: a label is stored once or twice.
+  // Allocates exactly, because a label is stored only once or twice.
   state_->vertices.reserve(reached_.size());
   state_->pieces.reserve(reached_.size());
   state_->waiting.reserve(state_->waiting.size() + waiting_.size());
@@ -169,8 +169,8 @@ void WindowSweep::startAt(const SurfacePoint& site) {
   }
 }
 
-/// Lets a site see the corner across from side i of its face and, unless the site is on it, through
-/// the side. `angle` is that of the side in the site's frame.
+/// Offers the apex of side i of the site's face its distance and, unless the site is on the side,
+/// starts a window through the side. `angle` is that of the side in the site's frame.
 void WindowSweep::startAtSide(const SurfacePoint& site, int i, double angle, bool isOnSide) {
   const TriangleMesh::Face& face = mesh_.face(site.face);
   const Eigen::Vector2d s = layOut(face, i, site.bary);
@@ -189,7 +189,7 @@ void WindowSweep::startAtSide(const SurfacePoint& site, int i, double angle, boo
                      endAt(face.vertices[i])));
 }
 
-/// Starts a site on a side of its face in the face on the other side. `angle` is that of the twin.
+/// Starts a site on a side in the face beyond the side. `angle` is that of the twin.
 void WindowSweep::startAcross(const SurfacePoint& site, int side, double angle) {
   const SurfacePoint across = acrossEdge(mesh_, site, 3 * site.face + side);
   int i = mesh_.face(site.face).twins[side] % 3;
@@ -243,8 +243,8 @@ void WindowSweep::queueSource(int v) {
   prefetchFan(mesh_, v);
 }
 
-/// Queues a halfedge at which the first windows wait. It has its turn at once if neither of its
-/// ends has a distance: paths that graze them have been cut off.
+/// Queues a halfedge when its first windows arrive. If neither end has a distance, because windows
+/// that graze the ends were cut off, the halfedge comes at once.
 void WindowSweep::queueBatch(int halfedge, double key) {
   push(halfedge, key < kInfinity ? key : 0);
   prefetch(mesh_.face(halfedge / 3));
@@ -276,9 +276,9 @@ bool WindowSweep::maySpreadFrom(int v) {
   return required_.canGain(placeOf(v), 0, own.distance, own.distance - nearest, itself);
 }
 
-/// Lets a vertex see through the opposite side in a face around it. `direction` is the angle at
-/// which the path to the vertex leaves the site, or, if the site is the vertex, that of the
-/// outgoing halfedge.
+/// Spreads a virtual source into a face around it: offers the corners their distances and starts a
+/// window through the opposite side. `direction` is the angle at which the path to the vertex
+/// leaves the site or, if the site is the vertex, the angle of the outgoing halfedge.
 void WindowSweep::emit(int v, const OppositeSide& side, double direction, bool isSite) {
   const double distance = vertices_[v].distance;
   const int o = side.outgoing, f = o / 3, i = o % 3;
@@ -368,9 +368,9 @@ WindowSweep::Portal WindowSweep::portalTo(int h) const {
   return portal(h, face.lengths[i], endAt(face.vertices[i]), endAt(face.vertices[cornerAfter(i)]));
 }
 
-/// Trims a window and lets it wait at its halfedge. It is dropped if paths over the ends of the
-/// halfedge leave nothing of it; if those of other labels do, the label stops there. Inlined, for a
-/// window that passes through memory between two steps has to wait for it.
+/// Trims a window and adds it to its halfedge. The window is dropped if the label's own paths over
+/// the ends of the halfedge are shorter everywhere on it; if those of other labels are, the label
+/// stops there. Inlined to keep the window in registers between two steps.
 [[gnu::always_inline]] inline void WindowSweep::keep(Window& w, const Portal& portal) {
   w.y = std::min(w.y, -0x1p-52 * portal.length);
   trim(w, portal.length, portal.own);
@@ -391,17 +391,17 @@ WindowSweep::Portal WindowSweep::portalTo(int h) const {
   windows_.add(portal.halfedge, w);
 }
 
-/// Whether a window is about to enter a needle that its lines have crossed already. Around spikes
-/// of needles, lines tie with those that wind fewer times: how often they did would be up to
-/// rounding, and to when another label stops them.
+/// Whether a window is about to enter a needle that its lines have already crossed. Around a spike
+/// of needles, a line ties with lines that wind around it fewer times; the number of turns would
+/// depend on rounding and on when another label stops the window.
 inline bool WindowSweep::windsAroundNeedle(const Window& w, int h) const {
   if (isNeedle_.empty() || !isNeedle_[h / 3]) return false;
   long unlimited = std::numeric_limits<long>::max();
   return entersFaceAgain(mesh_, w, h, unlimited);
 }
 
-/// Whether the apex is in sight of a window, and the window's distance longer there than the
-/// label's. Beside the window, however little, all of its lines pass the apex on one side.
+/// Whether a window sees the apex but has a longer distance there than the label. Does not apply if
+/// the apex is beside the window, however little: all lines then pass it on the same side.
 inline bool WindowSweep::isBeaten(const Window& w, double crossing, int h,
                                   double apexDistance) const {
   const TriangleMesh::Face& face = mesh_.face(h / 3);
@@ -412,14 +412,14 @@ inline bool WindowSweep::isBeaten(const Window& w, double crossing, int h,
   return w.distance(p.x(), p.y()) > apexDistance + kDistanceTolerance * (apexDistance + length);
 }
 
-/// Lets the batch at hand leave its face on the left or on the right of the apex.
+/// Carries the batch at a halfedge through the face's side to the left or right of the apex.
 template <Side kSide>
 void WindowSweep::crossSide(int h, const WindowLists::Chunk* list, const Portal& portal) {
   const TriangleMesh::Face& face = mesh_.face(h / 3);
   constexpr bool kLeft = kSide == Side::kLeft;
   const int i = h % 3;
-  // Of the windows over the apex from the same halfedge only the shortest goes on on both sides of
-  // it (Chen & Han 1990).
+  // Of the windows of one halfedge that see the apex, only the one nearest to it has children on
+  // both sides ("one angle, one split", Chen & Han 1990).
   const Vertex& apex = vertices_[face.vertices[cornerBefore(i)]];
   const bool isApexFromHere = apex.epoch == epoch_ && apex.piece.arrival == h;
 

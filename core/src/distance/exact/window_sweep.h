@@ -16,93 +16,94 @@
 
 namespace gvd::exact {
 
-/// A point, no vertex, at which the distance of a label is required.
+/// A point other than a vertex at which the distance of a label is required.
 struct RequiredPoint {
   SurfacePoint point;
-  double distance;  ///< of the label, as far as it is known
+  double distance;  ///< of the label: an upper bound
   double nearest;   ///< that of the nearest label
 };
 
 /// How far a label spreads.
 enum class SpreadTo {
-  kOwned,       ///< as far as no other label is nearer
-  kRequired,    ///< as far as a required distance can still become less
-  kSites,       ///< from a point back, as far as the path to a site can still become shorter
+  kOwned,       ///< while no other label is nearer
+  kRequired,    ///< while a required distance can still become shorter
+  kSites,       ///< from a point, while the path to a site can still become shorter
   kEverywhere,  ///< over the whole component
 };
 
-/// What is known of the labels to which the shortest path from a point may lead.
+/// Bounds on the distances of the labels that a search from a point looks for.
 class KnownDistances {
  public:
   virtual ~KnownDistances() = default;
-  /// None of the labels is nearer to the vertex than this.
+  /// A lower bound on the distance of each of the labels at a vertex.
   virtual double atLeast(int vertex) const = 0;
-  /// The length of a path of one of the labels to the vertex, infinity if none is known.
+  /// An upper bound for one of the labels: the length of a known path, infinity if there is none.
   virtual double atMost(int vertex) const = 0;
-  /// Whether the label is one of them.
+  /// Whether a label is one of those searched for.
   virtual bool isAbout(int label) const = 0;
 };
 
 /// Spreads the windows of one label after another. The working memory has room for the whole mesh,
-/// but a label touches what it passes only, so that it stays in the cache.
+/// but a label touches only the part that it crosses, which stays in the cache.
 ///
 /// Windows wait in batches at their halfedge. A batch crosses its face at once: first all windows
 /// offer their distances to the apex, then their children are trimmed by the label's distances at
 /// the ends of the sides that they leave through. Halfedges and virtual sources are queued by
-/// distance in buckets of half a mean edge (Xu et al. 2015, Fast Wavefront Propagation); what comes
-/// in the wrong order is corrected.
+/// distance in buckets of half a mean edge (Xu et al. 2015, Fast Wavefront Propagation). Order
+/// within a bucket is arbitrary: a virtual source whose distance falls after it has spread is
+/// queued again.
 ///
-/// A window on all of which another label is nearer is kept waiting. A label that is farther than
-/// another one at some point of a path is farther along all the rest of the path, so the label owns
-/// nothing beyond such a window. It goes on from there when its distances beyond are required, or
-/// when the other label has left.
+/// A window waits at its halfedge if another label is nearer on all of it. By the triangle
+/// inequality that label is also nearer on every path that goes on from the window, so the waiting
+/// label owns nothing beyond. The window goes on when distances beyond it are required, or when the
+/// other label is removed.
 ///
 /// The same windows, spread from a point up to vertices whose distances are known, find the nearest
 /// site of the point and the path to it (`search`).
 class WindowSweep {
  public:
-  /// `bounds` are read, and lowered by what the labels find.
+  /// Reads `bounds`, and lowers them to the distances that labels find.
   WindowSweep(const TriangleMesh& mesh, NearestBounds& bounds);
 
-  /// Begins with a label that has not spread yet.
+  /// Begins to spread a new label.
   void start(int label, const SurfacePoint& site, SpreadTo to, LabelState& state);
-  /// Begins with a label that is to go on where bounds have risen.
+  /// Begins to spread a label on from its waiting windows, because bounds have risen.
   void resume(int label, LabelState& state);
-  /// Begins with a label that is to reach all corners of some faces.
+  /// Begins to spread a label on to all corners of some faces.
   void require(int label, LabelState& state, std::span<const int> faces);
-  /// Begins with a label that has not spread yet, to find its distances at points on the way.
-  /// Bounds remain as they are.
+  /// Begins to spread a new label, to find its distances at points in faces that it crosses. Does
+  /// not lower bounds.
   void start(int label, const SurfacePoint& site, SpreadTo to, LabelState& state,
              std::span<const RequiredPoint> points);
-  /// Begins with a label that is to go on to some points. Bounds remain as they are. Of a single
-  /// point, the windows at its faces wait there in the end.
+  /// Begins to spread a label on to some points. Does not lower bounds. If there is a single point,
+  /// the windows of its faces wait there when `run` is done, for `pathToSite`.
   void require(int label, LabelState& state, std::span<const RequiredPoint> points);
-  /// The distance at one of these points; for use before the next label begins.
+  /// The distance at one of the points; valid until the next label begins.
   double distanceAtPoint(int index) const { return pointDistances_[index]; }
-  /// Begins with a point, which lies on no vertex, instead of a site, to find the way back to the
-  /// sites that it is nearest to. Through any place of an edge, the path is as long as a window's
-  /// distance there and that of the site, which is not less than its distance at an end of the edge
-  /// less the way from there. What is longer than a path that is known is cut off, and a strip of
-  /// few faces around the shortest path remains. Bounds remain as they are. Done when it returns;
-  /// then windows through which there are sites wait at the faces of these.
+  /// Spreads windows from a point that is no vertex, to find the sites nearest to it. A path
+  /// through a place on an edge is as long as the window's distance there plus the site's. The
+  /// latter is at least the site's distance at an end of the edge minus the way from that end.
+  /// Windows whose paths must be longer than a known path are cut off, so only a strip of few faces
+  /// around the shortest path remains. Does not lower bounds. Done when it returns; windows that
+  /// see a site then wait at the site's face.
   void search(const SurfacePoint& p, const KnownDistances& known, const SiteSet& sites,
               LabelState& state);
-  /// The length of the shortest path that the search has found, infinity if there is none.
+  /// The length of the shortest path found by the search, infinity if there is none.
   double shortest() const { return shortest_; }
-  /// The sites in faces, with their distances from the point, that the search has come to.
+  /// The sites, except those on vertices, that the search has reached, with their distances.
   std::span<const LabelledDistance> foundSites() const { return foundSites_; }
-  /// Works on at most `budget` batches and lowers it by their number; true when the label is done,
-  /// and what it has come to is in its state.
+  /// Works on at most `budget` batches and lowers it by their number; true when the label is done
+  /// and its state is stored.
   bool run(long& budget);
-  /// The distance that the wavefront of the label at hand has come to, up to a bucket of the queue.
+  /// The distance of the current label's wavefront, to the width of a bucket.
   double front() const { return static_cast<double>(bucket_) / bucketsPerUnit_; }
 
  private:
-  /// What the label at hand knows at a vertex.
+  /// The shortest path of the current label to a vertex so far.
   struct alignas(64) Vertex {
     double distance;
     LastPiece piece;
-    int epoch = 0;  ///< of the label that this is about
+    int epoch = 0;  ///< of the label that the other members belong to
     int required;   ///< index in `required_`, -1
     bool isFinal, isQueued;
     bool isSaddle;  ///< of the mesh, whatever the label
@@ -113,12 +114,13 @@ class WindowSweep {
     Eigen::Vector3d bary;
     int index;  ///< in `pointDistances_` and `required_`
   };
-  /// A vertex as an end of portals: the distance of the label at hand, and up to which it goes on.
+  /// A vertex as an end of portals: the distance of the current label, and the limit up to which
+  /// the label spreads on.
   struct End {
     int vertex;
     double own, nearest;
   };
-  /// A side that windows leave a face through, as a halfedge of the face beyond.
+  /// A side through which windows leave a face, as a halfedge of the face beyond.
   struct Portal {
     int halfedge;
     double length;
@@ -157,8 +159,8 @@ class WindowSweep {
   void keep(Window& w, const Portal& portal);
   bool windsAroundNeedle(const Window& w, int halfedge) const;
 
-  /// A place in space, as seen from a vertex of the mesh: those of a mesh far from the origin would
-  /// be rounded by more than the mesh is large.
+  /// The position of a vertex relative to vertex 0: positions of a mesh far from the origin would
+  /// round too coarsely.
   Eigen::Vector3d placeOf(int vertex) const { return mesh_.position(vertex) - mesh_.position(0); }
   void requireCorners(int face);
   void addPoints(std::span<const RequiredPoint> points);
@@ -191,43 +193,43 @@ class WindowSweep {
   const TriangleMesh& mesh_;
   NearestBounds& bounds_;
   const double bucketsPerUnit_;
-  /// By how much a label may be farther than another one and still go on. Along a path, the
-  /// difference of two labels' distances does not fall, but the distances grow, and ties are told
-  /// by a relative tolerance: what is a difference here may be a tie farther on. Labels that will
-  /// tie there have to come there, whichever of them spreads first.
+  /// A label spreads on while it is farther than another one by at most this. Along a path the
+  /// difference of two labels' distances does not fall, but the tolerance for ties grows with the
+  /// distance, so a difference here may be a tie farther on. All labels that tie there have to get
+  /// there, whichever spreads first.
   const double leeway_;
   FanBehind fan_;
   std::vector<char> isNeedle_;  ///< per face; empty if none is
 
-  // The label at hand.
+  // The current label.
   int label_ = -1;
   SpreadTo to_ = SpreadTo::kOwned;
   LabelState* state_ = nullptr;
   bool lowersBounds_ = true;
-  bool isWinding_ = false;  ///< whether windows are dropped that enter a face again
-  long mayFollow_ = 0;      ///< how many more faces windows may be followed back across to tell
+  bool isWinding_ = false;  ///< whether to drop windows that enter a face again
+  long mayFollow_ = 0;      ///< faces that `entersFaceAgain` may still visit
   SurfacePoint site_;
   RequiredPlaces required_;
-  double mostExcess_ = 0;            ///< of them, when the label began to go on
+  double mostExcess_ = 0;            ///< of `required_`, when the label began to go on
   std::vector<PointInFace> points_;  ///< by face
   std::vector<double> pointDistances_;
-  std::vector<int> inFace_;  ///< those of `required_` in the face at hand
+  std::vector<int> inFace_;  ///< indices in `required_` of the current face
 
-  // The search at hand.
+  // The current search.
   const KnownDistances* known_ = nullptr;
   const SiteSet* sites_ = nullptr;
   double shortest_ = kInfinity;
   std::vector<LabelledDistance> foundSites_;
 
-  // Working memory, of which a label leaves nothing behind but vertices of an old epoch.
+  // Working memory. A label leaves nothing in it but vertices of an old epoch.
   int epoch_ = 0;
   std::vector<Vertex> vertices_;
   WindowLists windows_;
   std::vector<int> reached_;
-  size_t crossedCount_ = 0;             ///< of faces, each as often as it was crossed
+  size_t crossedCount_ = 0;             ///< of batches that have crossed a face
   std::vector<WaitingWindow> waiting_;  ///< where the label has stopped
   std::vector<int> waitingSources_;
-  std::vector<double> crossings_;          ///< of the batch at hand, with the line to the apex
+  std::vector<double> crossings_;          ///< of the current batch with lines to the apex
   std::vector<std::vector<int>> buckets_;  ///< halfedges, and vertices v as -1 - v
   size_t bucket_ = 0, cursor_ = 0;
 };
