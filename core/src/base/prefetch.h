@@ -15,11 +15,7 @@ void prefetch([[maybe_unused]] const Object& object) {
   [[maybe_unused]] const char* const bytes = reinterpret_cast<const char*>(&object);
   // For a pointer, the pointer's own memory. NOLINTNEXTLINE(bugprone-sizeof-expression)
   for (std::size_t i = 0; i < sizeof(Object); i += kCacheLine) {
-#if defined(__wasm__)
-    // WebAssembly has no prefetch instruction, but processors do not wait for a load that nobody
-    // uses.
-    static_cast<void>(*static_cast<const volatile char*>(bytes + i));
-#elif defined(__GNUC__)
+#if defined(__GNUC__) && !defined(__wasm__)
     __builtin_prefetch(bytes + i);
     // Without this, GCC treats a function that only prefetches as free of effects and drops its
     // calls.
