@@ -106,7 +106,7 @@ class Inspector {
     return labels;
   }
 
-  /// Where two regions meet: how often, and the vertices there.
+  /// How often two regions meet, and at which vertices.
   struct Meeting {
     int count = 0;
     std::vector<int> vertices;
@@ -136,7 +136,7 @@ class Inspector {
             meeting.vertices);
   }
 
-  /// Regions that meet in a node, but in none of the arcs that end there.
+  /// Counts pairs of regions that meet in a node, but in none of the arcs that end there.
   void countMeetingsIn(int n, Meetings& meetings) const {
     const auto around = complex_.labelsAt(n);
     if (around.size() <= 3 && !complex_.nodes[n].isOnBoundary()) return;
@@ -155,7 +155,7 @@ class Inspector {
         }
   }
 
-  /// Pairs of nodes, of those around each region, that have three regions in common.
+  /// Finds pairs of nodes that have three or more regions in common.
   void inspectTriples() {
     std::vector<std::vector<int>> labels, nodes(diagram_.siteCount);
     for (int n = 0; n < static_cast<int>(complex_.nodes.size()); ++n) {
