@@ -19,7 +19,7 @@ struct TrueNearest {
 
 /// The errors of a distance field.
 struct Score {
-  int points = 0;        ///< whose label counts: no other site is as near
+  int points = 0;        ///< points whose label counts: no second site is as near
   int mislabelled = 0;   ///< of those points
   double meanError = 0;  ///< relative, of the distances of all points that a site reaches
   double largestError = 0;

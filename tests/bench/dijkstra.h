@@ -10,8 +10,8 @@
 
 namespace gvd::bench {
 
-/// The shortest paths along edges from the nearest of all sites to every vertex, in one sweep: the
-/// least work of any method, and so the unit of times. From a site to the corners of its face,
+/// The shortest paths along edges from the nearest of all sites to every vertex, in one sweep. No
+/// method does less, so times are given in units of this. From a site to the corners of its face,
 /// paths are straight.
 std::vector<LabelledDistance> dijkstra(const TriangleMesh& mesh,
                                        std::span<const SurfacePoint> sites);

@@ -33,8 +33,8 @@ std::vector<NamedMesh> distinctlyNamed(std::vector<NamedMesh> meshes);
 /// at the old vertices.
 TriangleMesh subdivided(const TriangleMesh& mesh, int times);
 
-/// Reads a GLB, or a glTF of which all buffers are in the file. What is wrong with it is told with
-/// its name.
+/// Reads a GLB, or a glTF whose buffers are all in the file. Errors begin with the path of the
+/// file.
 TriangleMesh readGltfMesh(const std::filesystem::path& gltf);
 void writeGlb(const TriangleMesh& mesh, const std::filesystem::path& glb);
 

@@ -28,8 +28,7 @@ Traced trace(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
 ///  - every segment is used exactly twice by loops: forwards by its lower label, backwards by its
 ///    higher one, and every other step of a loop runs along the mesh boundary;
 ///  - at detail 0, the cells and region triangles form a closed complex: each of their sides is
-///  used
-///    once in each direction, except along the mesh boundary, and V - E + F is the mesh's;
+///    used once in each direction, except along the mesh boundary, and V - E + F is the mesh's;
 ///  - every point is on the surface, and if segments end there, in a face of one of them;
 ///  - every arc is a chain of its segments, and every Voronoi point has three or more labels.
 ::testing::AssertionResult isConsistent(const TriangleMesh& mesh, const Diagram& diagram,

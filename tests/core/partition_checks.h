@@ -16,7 +16,7 @@ namespace gvd::checks {
 ///  - welded by the twins, the triangles are a manifold with the mesh's Euler characteristic,
 ///    boundary loops and components, and one vertex per point;
 ///  - every vertex is at its surface point in each of its triangles (1e-8 of the bounding
-///  diagonal);
+///    diagonal);
 ///  - the areas of the regions sum to the mesh's (1e-12 of it);
 ///  - the facts of each region are true of its triangles;
 ///  - borders are as long from both sides.

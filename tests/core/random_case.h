@@ -24,15 +24,16 @@ struct RandomCase {
   std::vector<SurfacePoint> sitesOn(const TriangleMesh& mesh) const;
 };
 
-/// The same case on every platform, up to the rounding of the C library's functions.
+/// A random case, the same on every platform up to the rounding of the C library's functions.
 ///
 /// The mesh, of about 10 to 100 faces, is plane or not, of genus 0 to 3, open or closed, oriented
 /// or not, of one or more components; it may be symmetric, strongly graded, folded flat, full of
-/// needles, or a soup of triangles. Some are turned and scaled, so that ties hold but for rounding.
+/// needles, or a soup of triangles. Some are turned and scaled, so that ties hold only up to
+/// rounding.
 ///
 /// The sites lie on vertices, edges, midpoints of edges and of faces, all in one face, on a circle
-/// around a vertex or inside a face, alike in every face, on top of each other or nearly so; there
-/// are few or more of them than vertices.
+/// around a vertex or inside a face, alike in every face, at the same place or nearly so. There are
+/// few sites, or more than vertices.
 RandomCase randomCase(std::uint64_t seed);
 
 /// A mesh by `wildMesh`, with sites like those of `randomCase`. Many of these meshes are empty

@@ -91,7 +91,7 @@ class AccessorReader {
   std::vector<double> read(int index, const Format& format, const std::string& owner);
 
  private:
-  /// `count` elements of `components` numbers; `owner` names them.
+  /// `count` elements of `components` numbers, in a range that `owner` names.
   Elements elements(const ElementRange& range, std::uint64_t count, const ComponentType& type,
                     std::uint64_t components, const std::string& owner);
 

@@ -33,7 +33,7 @@ namespace gvd {
 namespace gltf {
 namespace {
 
-/// The size of a scene. Rejects a scene beyond the limits before it is read.
+/// The size of a scene; adding to it throws beyond the limits.
 class SceneSize {
  public:
   explicit SceneSize(const GltfLimits& limits) : limits_(limits) {}
@@ -92,7 +92,7 @@ class SceneReading final : public SlicedWork<GltfScene> {
     accessors_.emplace(document_, Buffers(std::move(json.buffers), container.bin, resources_));
   }
 
-  /// Sums up the scene, which rejects one beyond the limits before it is read.
+  /// Adds up the size of the scene; throws if it exceeds a limit, before anything is read.
   void measure() {
     meshes_ = placedMeshes(document_, *accessors_, limits_);
     SceneSize size(limits_);

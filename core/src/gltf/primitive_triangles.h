@@ -93,7 +93,7 @@ class PrimitiveReading {
   bool isMirrored_;            ///< whether the transform mirrors
   int badAttributes_ = 0;
   std::optional<AttributeReading> attribute_;  ///< the current one
-  std::size_t sizeBefore_ = 0;                 ///< of its list
+  std::size_t sizeBefore_ = 0;                 ///< of the list it is read to
   bool isRead_ = false;                        ///< whether the primitive has it, readable
   std::optional<AccessorReading> indexReading_;
   std::vector<double> indices_;  ///< empty if the primitive has none

@@ -174,7 +174,7 @@ class DensityMaking final : public SlicedWork<std::vector<double>> {
   VertexCurvatures curvatures_;
   std::vector<double> density_, sums_;
   int round_ = 0;
-  double mean_ = 0;  ///< over the surface
+  double mean_ = 0;  ///< of the density, over the surface
   bool isFlat_ = false;
 };
 

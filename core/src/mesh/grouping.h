@@ -28,7 +28,7 @@ class Grouping {
                                             [&](int group) { end_[group + 1] += end_[group]; });
                          },
                          [&] { return fillInSlices(items_, end_[groupCount], 0, budget); },
-                         // `end_` starts as the begin of each group, and ends as its end.
+                         // `end_` holds the start of each group, and advances to its end.
                          [&] {
                            return loop_.run(itemCount, budget, kItemsPerUnit, [&](int item) {
                              if (const int group = groupOf(item); group >= 0)

@@ -87,7 +87,7 @@ bool TriangleOrienting::disagree(int h) const {
 /// Cuts an edge if its two triangles disagree even when those marked in `flipped` are turned over.
 void TriangleOrienting::cutIfInconsistent(int h) {
   const int twin = twin_[h];
-  if (twin < h) return;  // none, or handled from there
+  if (twin < h) return;  // no twin, or handled with the twin
   if ((out_.flipped[h / 3] != out_.flipped[twin / 3]) == disagree(h)) return;
   twin_[twin] = twin_[h] = -1;
   ++repairs_.orientationCuts;
@@ -171,7 +171,7 @@ void SmallComponents::numberAnew() {
   oriented_.components = components;
 }
 
-/// Moves a triangle that stays towards the front of all lists.
+/// Moves a kept triangle towards the front of all lists.
 void SmallComponents::moveUp(int t) {
   const int component = newComponent_[oriented_.component[t]];
   if (component < 0) return;

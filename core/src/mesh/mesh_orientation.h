@@ -77,7 +77,7 @@ class TriangleOrienting {
   std::size_t firstOfComponent_ = 0;
   int nextRoot_ = 0;
   int flips_ = 0;                        ///< triangles marked in the current component
-  std::vector<char> isComponentTurned_;  ///< whether most of its triangles were marked
+  std::vector<char> isComponentTurned_;  ///< per component: most triangles were marked
   OrientedComponents out_;
 };
 
@@ -149,7 +149,7 @@ class FanSplitting {
 
   SlicedSequence sequence_;
   SlicedLoop loop_;
-  int used_ = 0;                  ///< of the input's vertices
+  int used_ = 0;                  ///< number of representatives in use
   std::vector<int> firstVertex_;  ///< of each representative, -1 if it is not in use
   Fans out_;
 };

@@ -45,7 +45,7 @@ struct IntrinsicTriangle {
 /// they are zero, not NaN. Products of four lengths must neither overflow nor underflow.
 IntrinsicTriangle measureTriangle(const std::array<Eigen::Vector3d, 3>& corners);
 
-/// The least excess that a triangle with this longest side must have.
+/// The least excess required of a triangle with this longest side.
 inline double leastExcessWanted(double longestSide, double meanEdgeLength) {
   return kMollificationMargin * std::max(longestSide, meanEdgeLength);
 }

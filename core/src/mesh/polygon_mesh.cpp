@@ -14,7 +14,7 @@
 namespace gvd {
 namespace {
 
-/// Halfedge h leaves corner h of the list of all faces' corners.
+/// The halfedges of a polygon mesh: halfedge h leaves corner h in the list of all faces' corners.
 class PolygonHalfedges {
  public:
   explicit PolygonHalfedges(const PolygonMesh& mesh)

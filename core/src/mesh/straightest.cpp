@@ -112,7 +112,7 @@ class Walk {
     const std::array<int, 3> sides = {halfedge_, TriangleMesh::next(halfedge_),
                                       TriangleMesh::previous(halfedge_)};
     const Vector2d here = bary_[second] * corners[1] + bary_[third] * corners[2];
-    std::array<double, 3> left;  // how far the corners are on the left of the line
+    std::array<double, 3> left;  // signed distances of the corners, positive left of the line
     for (int i = 0; i < 3; ++i) left[i] = cross(direction_, corners[i] - here);
     for (int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3;

@@ -20,7 +20,7 @@ namespace {
   throw Error(ErrorCode::kInvalidPoint, why);
 }
 
-/// What is wrong with barycentric coordinates by more than the tolerance; empty if nothing.
+/// The fault of barycentric coordinates, beyond the tolerance; empty if there is none.
 std::string faultOf(const Eigen::Vector3d& bary) {
   for (const double b : bary) {
     if (!std::isfinite(b)) return "a barycentric coordinate is not a finite number";

@@ -24,7 +24,7 @@ class TriangleTree {
   /// The share of the building that is done, 0 … 1.
   double progress() const { return sequence_.progress(); }
 
-  /// The triangle nearest to a point, -1 if there is none, and its point nearest to that one.
+  /// The triangle nearest to a given point, -1 if there is none, and its nearest point.
   struct Nearest {
     int triangle = -1;
     Eigen::Vector3d bary = Eigen::Vector3d::Zero();

@@ -116,7 +116,7 @@ class Inspector {
   void inspectPairs() {
     Meetings meetings;
     for (const RegionComplex::Border& border : complex_.borders) {
-      if (border.beyond < border.label) continue;  // the outside, or seen from the other side
+      if (border.beyond < border.label) continue;  // the outside, or counted from the other side
       Meeting& meeting = meetings[{border.label, border.beyond}];
       ++meeting.count;
       addVerticesOf(border, meeting.vertices);
@@ -179,7 +179,7 @@ class Inspector {
           regions(three) + " meet in more than one Voronoi point", vertices);
   }
 
-  /// Follows each loop of the mesh boundary that has nodes from run to run.
+  /// Checks the loops of the mesh boundary: those with nodes run by run, then those without.
   void inspectBoundary() {
     std::vector<char> isWalked(complex_.nodes.size(), false);
     for (int start = 0; start < static_cast<int>(complex_.nodes.size()); ++start) {

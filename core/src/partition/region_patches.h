@@ -66,8 +66,8 @@ class PatchMeasuring {
   Eigen::Vector3d nearestBary_;
 };
 
-/// The halfedge after h, which is on the outline of a region, along that outline: turns around the
-/// tip of h within the region.
+/// The next halfedge along the outline of a region after h, which is on that outline: turns around
+/// the tip of h within the region.
 int nextOnOutline(const Partition& partition, int h);
 
 /// Whether a halfedge is on the outline of its region.
