@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Checks that every diagram of every mesh passes, independent of how it was traced.
+// Invariants of every diagram of every mesh, checked independently of how it was traced.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Checks that every partition of every mesh passes, from its triangles and twins alone.
+// Invariants of every partition of every mesh, checked from its triangles and twins alone.
 #pragma once
 
 #include <gtest/gtest.h>
