@@ -14,26 +14,26 @@ namespace gvd::bench {
 struct TrueNearest {
   int label = -1;  ///< -1: no site reaches the point
   double distance = kInfinity;
-  double second = kInfinity;  ///< distance of the second nearest site, if it is known
+  double second = kInfinity;  ///< distance of the second nearest site, if known
 };
 
-/// How far a field is from the truth.
+/// The errors of a distance field.
 struct Score {
-  int points = 0;        ///< that count for labels: those with two sites as near are left out
-  int mislabelled = 0;   ///< of them
-  double meanError = 0;  ///< of the distances of all points that a site reaches, relative
+  int points = 0;        ///< points whose label counts: no second site is as near
+  int mislabelled = 0;   ///< of those points
+  double meanError = 0;  ///< relative, of the distances of all points that a site reaches
   double largestError = 0;
 
   double mislabelledShare() const { return points > 0 ? double(mislabelled) / points : 0; }
 };
 
-/// Two sites are as near as each other if their distances differ by less than this, relatively.
+/// Two sites are equally near if their distances differ by less than this, relatively.
 inline constexpr double kTie = 1e-6;
 
 Score score(const DistanceField& field, std::span<const SurfacePoint> points,
             std::span<const TrueNearest> truth);
 
-/// Whether `trueNearest` can be called: it takes CGAL.
+/// Whether `trueNearest` can be called: it needs CGAL.
 bool hasOracle();
 std::vector<TrueNearest> trueNearest(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
                                      std::span<const SurfacePoint> points);

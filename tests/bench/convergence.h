@@ -12,22 +12,22 @@
 
 namespace gvd::bench {
 
-/// How diagrams come closer to the true one as mixed faces are split: the share of the area that
-/// they give to another site than the one that is nearest by exact distances.
+/// How diagrams converge as mixed faces are split: measures the share of the area that they give to
+/// a site other than the nearest by exact distances.
 class DetailStudy {
  public:
-  /// Draws points, the same for all diagrams: most of them in faces with several regions.
+  /// Draws the points, most of them in mixed faces; all diagrams are measured at the same points.
   DetailStudy(const TriangleMesh& mesh, std::vector<SurfacePoint> sites, std::uint64_t seed);
 
-  /// Entry n is that of the diagram with detail n, from 0 to `most`.
+  /// The mislabelled share of the area; entry n is of the diagram with detail n, from 0 to `most`.
   std::vector<double> mislabelled(Metric metric, int most) const;
 
  private:
-  /// Points uniform in a part of the surface.
+  /// Uniform points in a part of the surface.
   struct Stratum {
     double share;  ///< of the area
     std::vector<SurfacePoint> points;
-    std::vector<int> labels;  ///< the true ones
+    std::vector<int> labels;  ///< true labels
   };
   void addStratum(const DistanceField& truth, std::span<const double> areas, int count,
                   std::uint64_t seed);
@@ -37,8 +37,8 @@ class DetailStudy {
   std::vector<Stratum> strata_;
 };
 
-/// A mesh inscribed in the unit sphere, where distances are known: arcs of great circles. They are
-/// what distances on the mesh come closer to as it is refined.
+/// A mesh inscribed in the unit sphere. The true distances are arcs of great circles, to which
+/// distances on the mesh converge as it is refined.
 struct SphereCase {
   TriangleMesh mesh;
   std::vector<SurfacePoint> sites;   ///< in the same directions at every refinement
@@ -46,7 +46,7 @@ struct SphereCase {
   std::vector<TrueNearest> nearest;  ///< of every point
 };
 
-/// An icosahedron, every face of which is split in four `subdivisions` times.
+/// An icosahedron whose faces are split in four `subdivisions` times.
 SphereCase sphereCase(int subdivisions, int siteCount, int pointCount, std::uint64_t seed);
 
 }  // namespace gvd::bench

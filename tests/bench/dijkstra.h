@@ -10,9 +10,9 @@
 
 namespace gvd::bench {
 
-/// The shortest ways along edges from the nearest of all sites to every vertex, in one sweep: the
-/// least that any method has to do, and so the unit that times are given in. From a site to the
-/// corners of its face the way is straight.
+/// The shortest paths along edges from the nearest of all sites to every vertex, in one sweep. No
+/// method does less, so times are given in units of this. From a site to the corners of its face,
+/// paths are straight.
 std::vector<LabelledDistance> dijkstra(const TriangleMesh& mesh,
                                        std::span<const SurfacePoint> sites);
 

@@ -5,12 +5,12 @@
 
 namespace gvd::bench {
 
-/// What is allocated, counted from the construction of this object; one at a time.
+/// Measures the memory allocated since its construction; one at a time.
 class MemoryWatch {
  public:
   MemoryWatch();
-  /// In bytes, less what was allocated before: the most that `operator new` gave at any time since,
-  /// or what is in use now by any means, if that is more.
+  /// The peak in bytes, less what was allocated before: the most that `operator new` had handed out
+  /// at any time since, or all memory in use now, by whatever allocator, if that is more.
   std::size_t peak() const;
 
  private:

@@ -10,7 +10,7 @@
 
 namespace gvd::bench {
 
-/// A mesh that is made when its turn comes.
+/// A mesh that is made on demand.
 struct NamedMesh {
   std::string name;
   std::function<TriangleMesh()> make;
@@ -22,19 +22,19 @@ std::vector<NamedMesh> largeMeshes();
 std::vector<NamedMesh> sizeLadder();
 /// At most 6,000 faces each: shapes like the large ones, coarser, and bad triangles.
 std::vector<NamedMesh> smallMeshes();
-/// Of a glTF file, named like the file.
+/// The mesh of a glTF file, with the name of the file.
 NamedMesh fileMesh(const std::filesystem::path& gltf);
-/// The same meshes; of those of one name, the later ones get a number.
+/// The same meshes, where later ones of a name get a number.
 std::vector<NamedMesh> distinctlyNamed(std::vector<NamedMesh> meshes);
 
-/// Every face in four, `times` times: a larger mesh of the same kind. Points halfway along edges
-/// are displaced by up to a twentieth of the edge in x, y and z, the same ones every time.
-/// Otherwise they were flat and alike, which flatters: fewer windows, and saddles only where they
-/// were.
+/// Splits every face in four, `times` times: a larger mesh of the same kind. Points halfway along
+/// edges are displaced by up to a twentieth of the edge in x, y and z, the same way every time.
+/// Without that, they would be flat and regular, which is too easy: fewer windows, and saddles only
+/// at the old vertices.
 TriangleMesh subdivided(const TriangleMesh& mesh, int times);
 
-/// Reads a GLB, or a glTF of which all buffers are in the file. What is wrong with it is told with
-/// its name.
+/// Reads a GLB, or a glTF whose buffers are all in the file. Errors begin with the path of the
+/// file.
 TriangleMesh readGltfMesh(const std::filesystem::path& gltf);
 void writeGlb(const TriangleMesh& mesh, const std::filesystem::path& glb);
 

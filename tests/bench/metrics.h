@@ -18,7 +18,7 @@ struct NamedMetric {
 inline constexpr std::array<NamedMetric, 2> kMetrics = {
     {{"dgpc", Metric::kDgpc}, {"exact", Metric::kExact}}};
 
-/// The distances of all sites, from start to end.
+/// Computes the distances of all sites at one go.
 inline std::unique_ptr<DistanceField> distances(const TriangleMesh& mesh,
                                                 std::span<const SurfacePoint> sites,
                                                 Metric metric) {

@@ -11,19 +11,19 @@
 
 namespace gvd::bench {
 
-/// What gvd_bench is asked for: `kUsage` says how.
+/// The options of gvd_bench; `kUsage` describes them.
 struct Options {
-  std::vector<int> sites = {1, 10, 100, 300, 1000, 5000};  ///< speed is measured with each of them
+  std::vector<int> sites = {1, 10, 100, 300, 1000, 5000};  ///< speed is measured with each number
   std::uint64_t seed = 1;
   int runs = 5;
   int detail = 0;
   int subdivisions = 0;
   std::vector<NamedMetric> metrics{kMetrics.begin(), kMetrics.end()};
-  std::string only;  ///< measures the meshes and cases with this in their name
+  std::string only;  ///< measures only meshes and cases whose name contains this
   std::vector<std::filesystem::path> meshes;
-  bool generated = false;  ///< the generated meshes too, although others are given
+  bool generated = false;  ///< the generated meshes, too, if others are given
   std::vector<std::filesystem::path> cases;
-  std::filesystem::path meshFolder;  ///< gets the meshes that speed was measured on; empty: none
+  std::filesystem::path meshFolder;  ///< where meshes of speed tests are written; empty: nowhere
   std::vector<std::filesystem::path> tessellations;
   std::set<std::string> parts = {"speed", "size", "accuracy", "convergence", "cvt"};
   int oracleSites = 30;
@@ -33,7 +33,7 @@ struct Options {
 
 extern const char* const kUsage;
 
-/// Throws `std::invalid_argument` with one line for people.
+/// Throws `std::invalid_argument` with a message of one line.
 Options parseOptions(const std::vector<std::string>& arguments);
 
 }  // namespace gvd::bench

@@ -6,8 +6,8 @@
 
 namespace gvd {
 
-/// A priority queue of small items, least first: a heap of four children a node, which halves the
-/// levels of a binary one and keeps siblings in one cache line.
+/// A priority queue of small items, least first: a heap with four children per node, which has half
+/// the levels of a binary heap and keeps siblings in one cache line.
 template <class Item>
 class QuaternaryHeap {
  public:

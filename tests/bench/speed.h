@@ -18,15 +18,15 @@ struct SpeedOptions {
   int detail = 0;
 };
 
-/// What one metric takes: times in seconds, of the fastest run.
+/// The cost of one metric: times in seconds, of the fastest run.
 struct MetricSpeed {
   NamedMetric metric;
   double distances = kInfinity;  ///< from `propagate` to `take`
   double diagram = kInfinity;    ///< `traceDiagram`
   double partition = kInfinity;
-  /// A site that moves to the next face, the mean of up to 100; none where sites can't be moved.
+  /// The mean of up to 100 moves of a site to the next face; none if sites cannot be moved.
   std::optional<double> change;
-  double bytes = 0;  ///< the most that distances and diagram have allocated at a time
+  double bytes = 0;  ///< peak allocated by distances and diagram
   std::string note;  ///< why there are no times
 };
 
@@ -35,8 +35,8 @@ struct Speed {
   std::vector<MetricSpeed> metrics;
 };
 
-/// Takes turns: Dijkstra, one metric, Dijkstra, the other, and so on, `runs` times. So a machine
-/// that is slower for a while is slower for all of them, and their ratios hold.
+/// Alternates Dijkstra and the metrics, `runs` times, so that a temporary slowdown of the machine
+/// affects all of them alike, and their ratios hold.
 Speed measureSpeed(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
                    std::span<const NamedMetric> metrics, const SpeedOptions& options);
 

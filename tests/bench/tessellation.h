@@ -10,16 +10,16 @@
 
 namespace gvd::bench {
 
-/// How good centroidal tessellations become, and what that takes.
+/// The quality of centroidal tessellations, and its cost.
 struct TessellationScore {
-  /// The energy ∫ d², d the exact distance, after 0, 10 and 50 iterations (or when there are no
-  /// more), as multiples of the hexagonal one.
+  /// The energy ∫ d², with d the exact distance, after 0, 10 and 50 iterations (or at the end, if
+  /// there are fewer), as multiples of that of hexagons.
   std::array<double, 3> energy;
-  double diagrams;  ///< time of an iteration, of what ends in vain too, in diagrams
+  double diagrams;  ///< time per iteration, rejected trials included, in diagrams
 };
 inline constexpr std::array<int, 3> kIterationsShown = {0, 10, 50};
 
-/// `points` are uniform by area: the integral is their mean.
+/// `points` are uniform by area, so that the integral is the mean over them.
 TessellationScore measureTessellation(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
                                       std::span<const SurfacePoint> points, CvtMethod method);
 

@@ -6,7 +6,7 @@
 
 namespace gvd::bench {
 
-/// The CPU time that this thread has used, in seconds: other processes do not count.
+/// The CPU time that this thread has used, in seconds, so other processes do not count.
 inline double threadSeconds() {
   std::timespec now;
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);

@@ -10,7 +10,7 @@
 
 namespace gvd::bench {
 
-/// Exact answers that somebody else computed. Points count the triangles of the file.
+/// Exact distances by other programs. Points refer to the triangles of the file.
 struct TruthCase {
   std::string name;
   std::filesystem::path mesh;  ///< a GLB
@@ -23,7 +23,7 @@ struct TruthCase {
 ///
 ///     sites points
 ///     face bary bary bary                         per site
-///     face bary bary bary label distance second   per point; below 0: none, or not known
+///     face bary bary bary label distance second   per point; negative: none, or not known
 TruthCase readTruthCase(const std::filesystem::path& path);
 
 }  // namespace gvd::bench

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Writes glTF files for tests, right ones and deliberately wrong ones: the objects are JSON texts
-// that a test may replace before the file is put together.
+// Writes valid and deliberately invalid glTF files for tests: the objects are JSON texts that a
+// test may replace before the file is put together.
 #pragma once
 
 #include <cstddef>
@@ -34,16 +34,16 @@ struct GlbWriter {
   std::vector<std::string> bufferViews, accessors, meshes, nodes, scenes;
   std::string asset = R"({"version":"2.0"})";
   std::string buffers;  ///< empty: one buffer, in the binary chunk or a data URI
-  std::string more;     ///< further members of the document, a comma before each
+  std::string more;     ///< further members of the document, each after a comma
 
-  /// A buffer view of these numbers, on a multiple of four; returns its index.
+  /// Adds a buffer view of these numbers, aligned to four bytes; returns its index.
   template <class T>
   int addView(const std::vector<T>& numbers, const std::string& members = "") {
     return addBytes(std::as_bytes(std::span(numbers)), members);
   }
   int addBytes(std::span<const std::byte> bytes, const std::string& members = "");
 
-  /// `view` -1: none. `members`: further ones, a comma before each.
+  /// `view` -1: none. `members`: further ones, each after a comma.
   int addAccessor(int view, int componentType, int count, const std::string& type,
                   const std::string& members = "");
   int addPositions(const std::vector<float>& xyz);
@@ -60,7 +60,7 @@ struct GlbWriter {
 
   std::string json(const std::string& bufferUri = "") const;
   ByteVector glb() const;
-  /// glTF JSON with the buffer in it.
+  /// glTF JSON with the buffer as a data URI.
   ByteVector gltf() const;
 };
 

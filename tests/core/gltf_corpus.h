@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// glTF files, right ones and wrong ones of every kind, with the verdict on each: the one table that
-// the native reader and the JavaScript library are held to.
+// Valid and invalid glTF files of every kind, with the expected result of each: one table for both
+// the native reader and the JavaScript library.
 #pragma once
 
 #include <functional>
@@ -16,19 +16,19 @@ namespace gvd {
 struct GltfCase {
   std::string name;
   ByteVector bytes;
-  int faces = 0;         ///< of the mesh that it opens as; 0: it is refused
-  std::string sentence;  ///< of the error; of a file that opens, its notes, joined by "; "
-  /// Where the JavaScript library, which undoes compression and reads other formats too, says
-  /// something else: what begins so.
+  int faces = 0;         ///< of the mesh read; 0: the file is refused
+  std::string sentence;  ///< the error, or the notes of a file that opens, joined by "; "
+  /// How the library's sentence begins, if it differs: the JavaScript library undoes compression
+  /// and reads other formats, too.
   std::string librarySentence;
-  /// Files that it names, by their paths.
+  /// The files that the glTF refers to, by their paths.
   std::vector<std::pair<std::string, ByteVector>> resources;
 };
 
 std::vector<GltfCase> gltfCorpus();
 
-/// How the parts of the table are written: as changes of a right file, which has one triangle in
-/// one mesh in one node.
+/// Builds a part of the table, from changes of a valid file with one triangle in one mesh in one
+/// node.
 class GltfCases {
  public:
   using Change = std::function<void(GlbWriter&)>;
@@ -44,7 +44,7 @@ class GltfCases {
   std::vector<GltfCase> cases_;
 };
 
-/// The right file, and its positions.
+/// The valid file, and its positions.
 GlbWriter triangleFile();
 extern const std::vector<float> kTriangle;
 

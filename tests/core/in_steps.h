@@ -9,7 +9,8 @@
 
 namespace gvd::checks {
 
-/// Steps of changing size, the first of which does nothing; the work tells how far it is.
+/// Runs work in steps of changing size, the first with a budget of zero; progress must not
+/// decrease.
 template <class Result>
 Result inSteps(std::unique_ptr<SlicedWork<Result>> work) {
   double before = work->progress();

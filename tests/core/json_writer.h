@@ -8,8 +8,8 @@
 
 namespace gvd {
 
-/// Writes a JSON document from start to end. In an object every value, list and object has a name;
-/// in a list none.
+/// Writes a JSON document from start to end. Values, lists and objects have a name in an object,
+/// and none in a list.
 class JsonWriter {
  public:
   explicit JsonWriter(std::ostream& out) : out_(out) {}

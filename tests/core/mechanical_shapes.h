@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Parts as a CAD program writes them: plane walls at sharp edges, holes, vertices only where an
-// outline has them, and so many long thin triangles. Paths bend at the inner corners again and
-// again, which is hard for approximate distances; on scans and smooth surfaces it hardly happens.
+// Mechanical parts as CAD programs write them: plane walls, sharp edges, holes, and vertices only
+// on outlines, hence many long thin triangles. Paths bend at many inner corners, which is hard for
+// approximate distances and rare on scans and smooth surfaces.
 #pragma once
 
 #include <array>
@@ -13,15 +13,15 @@
 
 namespace gvd::shapes {
 
-/// A polygon that does not cross itself, without its first corner again at the end.
+/// A simple polygon; the first corner is not repeated at the end.
 using Outline = std::vector<Eigen::Vector2d>;
 
-/// What lies between z = 0 and `height` inside of an outline (counterclockwise) and outside of its
-/// holes (clockwise). Only the corners of the outlines are vertices.
+/// The solid between z = 0 and `height`, inside an outline (counterclockwise) and outside its holes
+/// (clockwise). Only the corners of the outlines are vertices.
 Shape prism(const std::vector<Outline>& outlines, double height);
 
-/// Boxes of a grid with lines at `coordinates` on the three axes, one for each entry of `cells`
-/// (its column on each axis). The outside of all of them.
+/// The outer surface of boxes of a grid, one per entry of `cells` (its column on each axis). The
+/// grid has lines at `coordinates` on the three axes.
 Shape boxes(const std::array<std::vector<double>, 3>& coordinates,
             const std::vector<std::array<int, 3>>& cells);
 
@@ -31,8 +31,8 @@ struct MechanicalShape {
   int genus;
 };
 
-/// Each closed and of one component: plates with holes, a block with holes, an L, sponges, stairs,
-/// a comb, a spiral, a gear and a thin plate.
+/// Closed shapes of one component: plates with holes, a block with holes, an L, sponges, stairs, a
+/// comb, a spiral, a gear and a thin plate.
 std::vector<MechanicalShape> mechanicalShapes();
 
 }  // namespace gvd::shapes

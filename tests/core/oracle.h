@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Exact polyhedral distances by somebody else's code, CGAL's: what the metrics are measured with.
+// Exact polyhedral distances by CGAL: an independent reference for the metrics.
 #pragma once
 
 #include <memory>
@@ -12,15 +12,15 @@
 
 namespace gvd {
 
-/// Distances on one mesh, which has to outlive this.
+/// Distances on one mesh, which must outlive this.
 class Oracle {
  public:
   explicit Oracle(const TriangleMesh& mesh);
   ~Oracle();
 
-  /// The distances of one site at some points; infinity where no path leads.
+  /// The distances of one site at some points; infinity if no path leads there.
   ///
-  /// Only ever one site: with several in one tree, CGAL's distances may be too long.
+  /// Takes one site only: with several in one tree, CGAL's distances may be too long.
   std::vector<double> distances(const SurfacePoint& site,
                                 std::span<const SurfacePoint> points) const;
 

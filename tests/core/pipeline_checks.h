@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// All that can be made of a mesh and sites, one after the other, and what has to hold of each.
+// Computes everything from a mesh and sites, step by step, and checks each result.
 #pragma once
 
 #include <span>
@@ -18,10 +18,10 @@ struct PipelineOptions {
   int cvtIterations = 3;
 };
 
-/// Diagram, partition, dual, edits and tessellation. What is wrong with one of them, empty if
-/// nothing is:
+/// Computes diagram, partition, dual, edits and tessellation. Returns the first complaint, empty
+/// if there is none:
 ///  - a diagram or partition is not sound (`isConsistent`, `isSound`, `hasTheAreasOf`);
-///  - a diagram that has followed its sites differs from a fresh one;
+///  - a diagram updated by edits differs from a new one;
 ///  - the energy of a tessellation rises.
 /// The edits are random. Exceptions pass.
 std::string complaintAboutPipeline(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,

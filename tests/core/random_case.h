@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Small meshes of every kind with sites where diagrams degenerate, made of a seed.
+// Random small meshes of every kind, with sites that make diagrams degenerate.
 #pragma once
 
 #include <cstdint>
@@ -14,9 +14,9 @@
 
 namespace gvd {
 
-/// A mesh and sites in terms of the shape's triangles, so that triangles can be taken away.
+/// A mesh and sites. The sites refer to the shape's triangles, so that triangles can be removed.
 struct RandomCase {
-  std::string kind;  ///< of the mesh and of the sites, for people
+  std::string kind;  ///< of the mesh and of the sites, for messages
   shapes::Shape shape;
   std::vector<SurfacePoint> sites;
 
@@ -24,25 +24,26 @@ struct RandomCase {
   std::vector<SurfacePoint> sitesOn(const TriangleMesh& mesh) const;
 };
 
-/// The same on every platform but for rounding in the C library's functions.
+/// A random case, the same on every platform up to the rounding of the C library's functions.
 ///
 /// The mesh, of about 10 to 100 faces, is plane or not, of genus 0 to 3, open or closed, oriented
 /// or not, of one or more components; it may be symmetric, strongly graded, folded flat, full of
-/// needles, or a soup of triangles. Some are turned and scaled, so that ties hold but for rounding.
+/// needles, or a soup of triangles. Some are turned and scaled, so that ties hold only up to
+/// rounding.
 ///
 /// The sites lie on vertices, edges, midpoints of edges and of faces, all in one face, on a circle
-/// around a vertex or inside a face, alike in every face, on top of each other or nearly so; there
-/// are few or more of them than vertices.
+/// around a vertex or inside a face, alike in every face, at the same place or nearly so. There are
+/// few sites, or more than vertices.
 RandomCase randomCase(std::uint64_t seed);
 
-/// A mesh by `wildMesh`, and sites like those of `randomCase`. Nothing is left of many of these
-/// meshes; others follow until one has a triangle.
+/// A mesh by `wildMesh`, with sites like those of `randomCase`. Many of these meshes are empty
+/// after repair; further ones are drawn until a triangle is left.
 RandomCase wildCase(std::uint64_t seed);
 
-/// The case with fewest sites and triangles that greedy removal finds and that still fails.
+/// The smallest case still failing that greedy removal of sites and triangles finds.
 RandomCase shrunk(RandomCase failing, const std::function<bool(const RandomCase&)>& fails);
 
-/// As C++ to paste into a test.
+/// The case as C++, to paste into a test.
 std::string sourceOf(const RandomCase& c);
 
 }  // namespace gvd

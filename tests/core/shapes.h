@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The meshes that tests are made of. Outsides are counterclockwise; whatever is random depends on
-// its seed only, on every platform.
+// The meshes of the tests. Faces are counterclockwise seen from outside. Random shapes depend only
+// on their seed, on every platform.
 #pragma once
 
 #include <Eigen/Core>
@@ -34,12 +34,13 @@ struct Shape {
   }
 };
 
-/// The same numbers everywhere, which the distributions of the standard library do not promise.
+/// Random numbers that are the same on all platforms, unlike those of the standard library's
+/// distributions.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : bits_(seed) {}
-  /// From bytes, as long as there are any: one or two for most numbers, so that a fuzzer that
-  /// changes a byte changes a choice. The bytes must outlive this.
+  /// Takes numbers from bytes, as long as there are any: one or two bytes for most numbers, so that
+  /// a fuzzer changes one choice by changing a byte. The bytes must outlive this.
   explicit Random(std::span<const std::uint8_t> bytes) : bytes_(bytes), bits_(bytes.size()) {}
 
   /// In [0, 1).
@@ -72,10 +73,10 @@ Shape triangle();
 /// The unit square in columns × rows cells of two triangles; inner vertices are moved by up to
 /// `jitter` cells in x and y (below 0.25 no triangle turns over).
 Shape grid(int columns, int rows, double jitter = 0, std::uint64_t seed = 0);
-/// The unit square with `points` random inner points, each inserted into the triangle that it falls
-/// into and never improved, then `flips` random edges flipped where that keeps the mesh plane: any
-/// angle and any valence occurs, needles and caps (area ≥ 1e-7) above all. With `clustering` c
-/// above 1, points crowd towards the middle of the left side: distances to it are uniform^c.
+/// The unit square with `points` random inner points, each inserted into the triangle that contains
+/// it, without improvement; then `flips` random edges are flipped if the mesh stays plane. Any
+/// angle and valence occurs, above all needles and caps (area ≥ 1e-7). With `clustering` c above 1,
+/// points crowd towards the middle of the left side: distances to it are uniform^c.
 Shape randomTriangulation(int points, int flips, std::uint64_t seed, double clustering = 1);
 /// The disk of radius 1 in rings × spokes cells, each ring `ratio` times the size of the next: at
 /// 0.5 and 30 rings the faces at the centre are 2^-30 times the size of those at the rim.
@@ -84,9 +85,8 @@ Shape gradedDisk(int rings, int spokes, double ratio);
 Shape annulus(int spokes, int rings);
 /// An L of three unit squares of n × n cells: plane, but not convex; (1,1) is its inner corner.
 Shape ell(int n);
-/// A band that winds around the origin in the plane, `n` quads long and three wide, a tenth of a
-/// radian each. It is simply connected: every path along it bends at its inner side, again and
-/// again.
+/// A plane band that winds around the origin, `n` quads long and three wide, a tenth of a radian
+/// each. It is simply connected, and every path along it bends at its inner side, again and again.
 Shape spiral(int n);
 
 // --- One special vertex --------------------------------------------------------------------------
@@ -106,7 +106,7 @@ Shape torus(int major, int minor, double majorRadius = 1, double minorRadius = 0
 /// A plate of unit cubes, 3 wide and 1 thick, with `genus` square holes, each square in n × n
 /// cells.
 Shape perforatedPlate(int genus, int n = 1);
-/// A perforated plate, smoothed, its vertices moved at random by up to `roughness` times their
+/// A smoothed perforated plate whose vertices are moved at random by up to `roughness` times their
 /// shortest edge.
 Shape bumpySurface(int genus, int n, double roughness, std::uint64_t seed);
 
@@ -119,13 +119,13 @@ Shape moebiusStrip(int around, int across = 1);
 
 // --- Changes -------------------------------------------------------------------------------------
 
-/// Every triangle in four, new vertices in the middle of the edges.
+/// Splits every triangle in four, with new vertices in the middle of the edges.
 Shape subdivided(const Shape& shape);
 Shape moved(Shape shape, const Eigen::Vector3d& offset);
 Shape scaled(Shape shape, double factor);
-/// One shape beside the other, nothing shared.
+/// Both shapes in one, sharing nothing.
 Shape joined(Shape a, const Shape& b);
-/// `count` random triangles fewer; their vertices stay.
+/// Without `count` random triangles; their vertices stay.
 Shape withoutRandomFaces(Shape shape, int count, std::uint64_t seed);
 Shape withFaceTurnedOver(Shape shape, int face);
 /// Every triangle with three vertices of its own.
@@ -137,7 +137,7 @@ Shape shuffled(const Shape& shape, std::uint64_t seed);
 
 /// A random mesh of many kinds: genus 0 to 3, with and without boundary, plane and not.
 TriangleMesh randomMesh(std::uint64_t seed);
-/// How many sites to try on it: few, some, and up to twice as many as there are vertices.
+/// The number of sites to test on a mesh: few, some, or up to twice as many as vertices.
 int randomSiteCount(const TriangleMesh& mesh, std::uint64_t seed);
 
 }  // namespace gvd::shapes

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a mesh given by lists of corners is, found from these lists alone.
+// The topology of a mesh, found from the corners of its polygons alone.
 #pragma once
 
 #include <map>
@@ -12,7 +12,7 @@
 
 namespace gvd::checks {
 
-/// Collects polygons, then says what surface they make.
+/// Collects polygons, then tells the topology of the surface they form.
 class PolygonSurface {
  public:
   void add(std::span<const int> polygon) {
@@ -24,8 +24,8 @@ class PolygonSurface {
     }
   }
 
-  /// Whether no two polygons use a side in the same direction, and those around every vertex form
-  /// one fan.
+  /// Whether no two polygons use a side in the same direction, and the polygons around every vertex
+  /// form one fan.
   bool isManifold() const {
     if (!isOriented_) return false;
     for (const auto& [vertex, fan] : corners_) {
@@ -52,7 +52,7 @@ class PolygonSurface {
     return static_cast<int>(corners_.size()) - edges + faces_;
   }
 
-  /// Of a manifold: every vertex on the boundary has one side without neighbour that leaves it.
+  /// Holds for manifolds: every boundary vertex is left by one side without a neighbour.
   int boundaryLoops() const {
     std::map<int, int> next;
     for (const auto& [ends, face] : sides_)

@@ -26,7 +26,7 @@ constexpr ComponentType kUint32 = {5125, 4, load<std::uint32_t>, 4294967295};
 constexpr ComponentType kFloat = {5126, 4, load<float>, 0};
 
 constexpr ComponentType kIndexTypes[] = {kUint8, kUint16, kUint32};
-/// The integers are those of KHR_mesh_quantization.
+/// KHR_mesh_quantization allows the integers.
 constexpr ComponentType kPositionTypes[] = {kInt8, kUint8, kInt16, kUint16, kFloat};
 constexpr ComponentType kRotationTypes[] = {kInt8, kInt16, kFloat};
 constexpr ComponentType kFloatOnly[] = {kFloat};
@@ -114,7 +114,7 @@ bool AccessorReading::step(long& budget) {
 void AccessorReading::store(std::uint64_t element, const std::byte* bytes) {
   for (std::uint64_t c = 0; c < components_; ++c) {
     const double value = type_->load(bytes + c * type_->size);
-    // The least of the signed integers stands for -1 as the next one does.
+    // The least signed integer stands for -1, as does the one after it.
     (*to_)[first_ + element * components_ + c] =
         isNormalized_ ? std::max(value / type_->largest, -1.0) : value;
   }
@@ -141,7 +141,7 @@ Elements AccessorReader::elements(const ElementRange& range, std::uint64_t count
   const std::uint64_t size = components * type.size;
   const std::uint64_t stride = view.byteStride == 0 ? size : view.byteStride;
   if (stride < size) reject(name + " has a byteStride less than the elements of " + owner);
-  // The sum offset + stride·(count - 1) + size could overflow; these differences cannot.
+  // Differences, because the sum offset + stride·(count - 1) + size could overflow.
   const std::uint64_t offset = range.byteOffset, length = view.byteLength;
   const bool fits = count == 0 || (offset <= length && size <= length - offset &&
                                    count - 1 <= (length - offset - size) / stride);

@@ -14,8 +14,8 @@
 
 namespace gvd::gltf {
 
-/// How numbers of one component type lie in memory. `largest` is what integers are divided by where
-/// they are `normalized`, and 0 where numbers are not integers.
+/// How numbers of one component type are stored. `largest` is the divisor of `normalized` integers,
+/// 0 for types that are not integers.
 struct ComponentType {
   int id;
   std::uint64_t size;
@@ -23,7 +23,7 @@ struct ComponentType {
   double largest;
 };
 
-/// What an accessor has to look like for the use that is made of it.
+/// What an accessor must be like for a given use.
 struct Format {
   const char* what;
   ElementType type;
@@ -32,27 +32,27 @@ struct Format {
 };
 
 extern const Format kIndices, kPositions, kNormals, kUvs, kDensities, kDisplacements;
-/// Of EXT_mesh_gpu_instancing.
+/// For EXT_mesh_gpu_instancing.
 extern const Format kTranslations, kRotations, kScales;
 
-/// Elements in memory, each of which lies inside its buffer view.
+/// Elements in memory, all of them inside their buffer view.
 struct Elements {
   const std::byte* first;
   std::uint64_t stride;
   const std::byte* at(std::uint64_t i) const { return first + i * stride; }
 };
 
-/// Reads the numbers of one accessor to the end of a list, in slices, element by element: those of
-/// its buffer view, or zeros, then the sparse ones in their places.
+/// Appends the numbers of one accessor to a list, in slices: first those of its buffer view, or
+/// zeros, then the sparse ones, which replace some of them.
 class AccessorReading {
  public:
-  /// True when all numbers are there.
+  /// Returns true when all numbers are read.
   bool step(long& budget);
 
  private:
   friend class AccessorReader;
 
-  /// Elements that replace others.
+  /// The sparse elements, which replace elements of the buffer view.
   struct Sparse {
     std::uint64_t count;
     const ComponentType* placeType;
@@ -70,7 +70,7 @@ class AccessorReading {
   std::optional<Elements> elements_;  ///< none: all are zero
   std::optional<Sparse> sparse_;
   std::vector<double>* to_ = nullptr;
-  std::size_t first_ = 0;  ///< where in the list the numbers begin
+  std::size_t first_ = 0;  ///< index of the first number in the list
   SlicedSequence sequence_;
   SlicedLoop loop_;
 };
@@ -83,14 +83,15 @@ class AccessorReader {
 
   const Accessor& at(int index, const std::string& owner) const;
 
-  /// Begins to read an accessor that `owner` names to the end that the list has at the first step.
+  /// Begins to read an accessor that `owner` names. The first step notes where the list ends;
+  /// numbers are appended there.
   AccessorReading start(int index, const Format& format, const std::string& owner,
                         std::vector<double>& to);
-  /// The same at one go.
+  /// Reads all of an accessor at one go.
   std::vector<double> read(int index, const Format& format, const std::string& owner);
 
  private:
-  /// `count` elements of `components` numbers; `owner` names them.
+  /// `count` elements of `components` numbers, in a range that `owner` names.
   Elements elements(const ElementRange& range, std::uint64_t count, const ComponentType& type,
                     std::uint64_t components, const std::string& owner);
 

@@ -12,8 +12,8 @@
 
 namespace gvd::gltf {
 
-/// The buffers of a document. Each is found when it is first asked for, since a file may name
-/// buffers that no triangle needs.
+/// The buffers of a document. Each is loaded on first access, because a file may list buffers that
+/// no triangle needs.
 class Buffers {
  public:
   Buffers(std::vector<BufferObject> objects, std::optional<Bytes> bin,

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// The one file that sees tinygltf. It parses the objects of a glTF, but checks few of them and
-// reads no accessor. So it only gets what triangles need (an undecodable image or a strange
-// material must not keep a mesh from being read), and everything it hands back goes into structures
+// The only file that uses tinygltf. tinygltf parses the objects of a glTF, but checks few of them
+// and reads no accessor. It is given only what triangles need, because an undecodable image or a
+// strange material must not keep a mesh from being read, and its results are copied into structures
 // of our own.
 
 #include "gltf/document.h"
 
-#include <fstream>  // tinygltf needs it and with TINYGLTF_NO_FS does not include it
+#include <fstream>  // tinygltf needs it but does not include it with TINYGLTF_NO_FS
 #include <utility>
 
 #include "gltf/gltf_error.h"
@@ -31,14 +31,14 @@ tinygltf::Model parseModel(const std::string& text) {
   const bool parsed =
       parser.LoadASCIIFromString(&model, &error, &warning, text.data(),
                                  static_cast<unsigned int>(text.size()), "", kRequireNothing);
-  // An object that tinygltf leaves out for a fault would shift the numbers of those after it.
+  // tinygltf leaves out faulty objects, which would shift the indices of those after them.
   if (!parsed || !error.empty()) {
     reject("the glTF is invalid: " + error.substr(0, error.find_last_not_of(".\n") + 1));
   }
   return model;
 }
 
-/// tinygltf writes -1 for an index that is absent.
+/// tinygltf stores -1 for an absent index.
 std::optional<int> optionalIndex(int index) {
   return index == -1 ? std::nullopt : std::optional(index);
 }
@@ -67,7 +67,7 @@ Accessor converted(const tinygltf::Accessor& from) {
   if (from.bufferView != -1) to.elements = {from.bufferView, from.byteOffset, from.componentType};
   if (!from.sparse.isSparse) return to;
   const auto& sparse = from.sparse;
-  // tinygltf keeps these in an int, which wraps from 2^31 on.
+  // tinygltf stores these as int, which wraps from 2^31 on.
   const auto offset = [](int x) { return static_cast<std::uint32_t>(x); };
   to.sparse = {
       offset(sparse.count),
@@ -91,7 +91,7 @@ Primitive converted(tinygltf::Primitive& from) {
   return to;
 }
 
-/// Every part of a scene has a copy of its name.
+/// Shortens a name, because every part of a scene has a copy of it.
 std::string shortened(std::string name) {
   constexpr std::size_t kMost = 256;
   if (name.size() <= kMost) return name;

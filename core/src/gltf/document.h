@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The objects of a glTF that triangles are made of. Their values keep the rules of json_rules.h,
-// but an index may lead nowhere and a range past its end: whoever follows one checks it first.
+// The objects of a glTF that triangles are made of. Their values obey the rules of json_rules.h,
+// but an index may be out of range, and a range may reach past its end: check before following one.
 #pragma once
 
 #include <cstddef>
@@ -38,7 +38,7 @@ struct Accessor {
   int componentType = 0;
   bool normalized = false;
   std::uint64_t count = 0;
-  std::optional<ElementRange> elements;  ///< none: all are zero
+  std::optional<ElementRange> elements;  ///< none: all elements are zero
   std::optional<SparseElements> sparse;
 };
 
@@ -52,13 +52,13 @@ struct Primitive {
   Attributes attributes;
   std::optional<int> indices;
   std::vector<Attributes> targets;
-  std::string compression;  ///< the extension that it is compressed with, else empty
+  std::string compression;  ///< the extension that compresses it, else empty
 };
 
 struct Mesh {
   std::string name;
   std::vector<Primitive> primitives;
-  std::vector<double> weights;  ///< of morph targets; those that are absent are 0
+  std::vector<double> weights;  ///< of morph targets; missing ones are 0
 };
 
 struct Node {
@@ -66,8 +66,8 @@ struct Node {
   std::vector<int> children;
   std::optional<int> mesh;
   bool isSkinned = false;
-  std::vector<double> weights;  ///< instead of the mesh's, unless empty
-  Attributes instances;         ///< of EXT_mesh_gpu_instancing
+  std::vector<double> weights;                               ///< override the mesh's, unless empty
+  Attributes instances;                                      ///< of EXT_mesh_gpu_instancing
   std::vector<double> matrix, translation, rotation, scale;  ///< empty where the file has none
 };
 
@@ -80,10 +80,11 @@ struct Document {
   std::optional<int> defaultScene;
 };
 
-/// `text`: as `readJson` leaves it.
+/// Parses the text that `readJson` returns.
 Document parseDocument(const std::string& text);
 
-/// Refuses an index of "accessor", "mesh", … (`what`) that `owner` has if there is no such object.
+/// Refuses an index of `owner` if there is no such object; `what` is its kind ("accessor", "mesh",
+/// …).
 void requireIndex(int index, std::size_t count, const std::string& what, const std::string& owner);
 
 }  // namespace gvd::gltf

@@ -29,8 +29,8 @@ struct Chunk {
   Bytes content;
 };
 
-/// The chunk that `rest` begins with (length, type, content), taken off it; none if it is at its
-/// end.
+/// Takes the first chunk (length, type, content) off `rest`; an empty one of type 0 if `rest` is
+/// shorter than a header.
 Chunk takeChunk(Bytes& rest) {
   constexpr std::size_t kHeaderSize = 8;
   if (rest.size() < kHeaderSize) return {};
@@ -42,8 +42,8 @@ Chunk takeChunk(Bytes& rest) {
   return {type, content};
 }
 
-/// Header (magic, version, length), then chunks: the first is the JSON, the second may be binary,
-/// others are to be ignored.
+/// A GLB is a header (magic, version, length) and chunks: the first is JSON, the second may be
+/// binary, further ones are ignored.
 Container openGlb(Bytes bytes) {
   constexpr std::size_t kHeaderSize = 12;
   constexpr std::uint32_t kJson = 0x4E4F534A, kBin = 0x004E4942;

@@ -15,7 +15,8 @@ struct Container {
   std::optional<Bytes> bin;  ///< the binary chunk of a GLB
 };
 
-/// Takes a GLB (version 2) apart; anything else that can be a JSON object is taken as it is.
+/// Splits a GLB (version 2) into its chunks; any other text that may be a JSON object is returned
+/// as it is, without a byte order mark.
 Container openContainer(Bytes bytes);
 
 }  // namespace gvd::gltf

@@ -33,7 +33,7 @@ namespace gvd {
 namespace gltf {
 namespace {
 
-/// The work that a scene asks for; refuses what is beyond the limits before any of it is done.
+/// The size of a scene; adding to it throws beyond the limits.
 class SceneSize {
  public:
   explicit SceneSize(const GltfLimits& limits) : limits_(limits) {}
@@ -79,7 +79,7 @@ class SceneReading final : public SlicedWork<GltfScene> {
   GltfScene take() override { return std::move(scene_); }
 
  private:
-  /// A primitive of triangles where the scene has it.
+  /// A primitive of triangles at one of its places in the scene.
   struct Placed {
     const PlacedMesh* at;
     int index;  ///< in its mesh
@@ -92,7 +92,7 @@ class SceneReading final : public SlicedWork<GltfScene> {
     accessors_.emplace(document_, Buffers(std::move(json.buffers), container.bin, resources_));
   }
 
-  /// Refuses what is beyond the limits before any of it is read.
+  /// Adds up the size of the scene; throws if it exceeds a limit, before anything is read.
   void measure() {
     meshes_ = placedMeshes(document_, *accessors_, limits_);
     SceneSize size(limits_);
@@ -161,7 +161,7 @@ class SceneReading final : public SlicedWork<GltfScene> {
         });
   }
 
-  /// Of a primitive whose triangles follow.
+  /// Begins the part of a primitive; its triangles follow.
   void addPart(const Placed& placed) {
     const auto [mesh, node] = std::pair(placed.at->mesh, placed.at->node);
     const bool isNamed = node >= 0 && !document_.nodes[node].name.empty();
@@ -204,9 +204,9 @@ class SceneReading final : public SlicedWork<GltfScene> {
   int linePrimitives_ = 0, emptyPrimitives_ = 0, skins_ = 0, morphs_ = 0;
   int badAttributes_ = 0;
   SlicedSequence sequence_, adding_;
-  std::size_t next_ = 0;  ///< of `primitives_`
+  std::size_t next_ = 0;  ///< in `primitives_`
 
-  // The primitive at hand.
+  // The current primitive.
   std::string name_;
   std::optional<PrimitiveReading> reading_;
 };

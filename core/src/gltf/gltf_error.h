@@ -14,13 +14,13 @@ namespace gvd::gltf {
 
 inline std::string number(std::uint64_t n) { return std::to_string(n); }
 
-/// The end of a sentence that names a limit which is exceeded.
+/// The end of a sentence that names an exceeded limit.
 inline std::string toRaise(const char* limit) {
   return "; raise the limit " + std::string(limit) + " to read it";
 }
 
-/// What to do about compression, which only the JavaScript library undoes; it does so before it
-/// hands a file to this reader.
+/// Advice on compressed files: only the JavaScript library decompresses, before it hands a file to
+/// this reader.
 inline constexpr char kDecompressFirst[] =
     ", which is not decompressed here: save the model without it, or open it with the JavaScript "
     "library or the command geodesic-voronoi";

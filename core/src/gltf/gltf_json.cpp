@@ -22,7 +22,7 @@ void requireVersion2(const json& document) {
   }
 }
 
-/// Whether triangles can be read: the extension is known here, or leaves them alone.
+/// Whether triangles can be read: the extension is implemented here, or does not affect them.
 bool isReadable(const std::string& extension) {
   for (const char* prefix : {"KHR_mesh_quantization", "EXT_mesh_gpu_instancing", "KHR_materials_",
                              "KHR_texture_", "EXT_texture_", "MSFT_texture_", "KHR_lights_",
@@ -44,7 +44,7 @@ void requireKnownExtensions(const json& document) {
   }
 }
 
-/// Takes the buffers out of the document.
+/// Moves the buffers out of the document.
 std::vector<BufferObject> takeBuffers(json& document) {
   std::vector<BufferObject> buffers;
   const auto list = document.find("buffers");
@@ -82,7 +82,8 @@ void moveIndicesToAttributes(json& document) {
 
 GltfJson readJson(std::string_view text, const GltfLimits& limits) {
   auto [document, fault] = filterJson(text, limits);
-  // A file of another version, or with an extension that is required, may well break the rules.
+  // Checked before the fault, because a file of another version, or with an unknown required
+  // extension, may well break the rules.
   requireVersion2(document);
   requireKnownExtensions(document);
   if (!fault.empty()) reject(fault);

@@ -11,14 +11,14 @@
 
 namespace gvd::gltf {
 
-/// Where `readJson` puts the indices of a primitive, among its attributes: tinygltf refuses indices
-/// without a buffer view, which are valid.
+/// The attribute in which `readJson` stores the indices of a primitive, because tinygltf refuses
+/// indices without a buffer view, which are valid.
 inline constexpr char kIndicesAttribute[] = "indices";
 
 struct BufferObject {
   std::optional<std::string> uri;
   std::optional<std::uint64_t> byteLength;
-  std::string compression;  ///< the extension whose fallback it is, else empty
+  std::string compression;  ///< the extension that the buffer is a fallback for, else empty
 };
 
 /// The JSON of a glTF, reduced to what triangles need.
@@ -27,8 +27,8 @@ struct GltfJson {
   std::vector<BufferObject> buffers;
 };
 
-/// Refuses other versions than 2.0, required extensions that are not known, and values that break
-/// a rule of json_rules.h.
+/// Refuses versions other than 2.0, unknown required extensions, and values that break a rule of
+/// json_rules.h.
 GltfJson readJson(std::string_view text, const GltfLimits& limits);
 
 }  // namespace gvd::gltf

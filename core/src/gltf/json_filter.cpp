@@ -14,17 +14,18 @@ namespace {
 
 using nlohmann::json;
 
-/// Real files nest a dozen levels.
+/// Real files nest about a dozen levels.
 constexpr int kMaxDepth = 128;
 
-/// On average. An accessor has five members, and six more if it is sparse; each takes 100 bytes.
+/// On average: an accessor has five members, and six more if it is sparse. A member takes 100
+/// bytes.
 constexpr std::uint64_t kMaxMembersPerObject = 8;
-/// On average. A node with a matrix and children has seventeen or more, but its mesh, primitives
-/// and accessors few; each takes 16 bytes.
+/// On average: a node with a matrix and children has seventeen or more elements, but its mesh,
+/// primitives and accessors have few. An element takes 16 bytes.
 constexpr std::uint64_t kMaxElementsPerObject = 16;
 
-/// Receives the events of nlohmann's SAX parser. A value without a rule is skipped, and so is one
-/// that breaks its rule, which makes a fault.
+/// Receives the events of nlohmann's SAX parser. Skips values without a rule, and values that break
+/// their rule, which are faults.
 class JsonFilter {
  public:
   explicit JsonFilter(const GltfLimits& limits) : limits_(limits) {}
@@ -48,7 +49,7 @@ class JsonFilter {
     return keep(value);
   }
 
-  /// A negative one.
+  /// nlohmann passes only negative integers here.
   bool number_integer(std::int64_t value) {
     const JsonRule* rule = next();
     if (!rule || rule->kind != JsonKind::kNumber) return reject(rule, std::to_string(value));
@@ -91,14 +92,14 @@ class JsonFilter {
   }
 
  private:
-  /// An array or object that is being read.
+  /// An array or object that is open.
   struct Level {
     const JsonRule* rule;
     json* value;
     std::uint64_t length = 0;  ///< of an array: the elements so far
   };
 
-  /// The rule for the value that comes next, and counts it if it is an element.
+  /// Finds the rule for the next value, and counts the value if it is an element of an array.
   const JsonRule* next() {
     if (skippedLevels_ > 0) return nullptr;
     path_.clear();
@@ -118,7 +119,7 @@ class JsonFilter {
     return findRule(path_);
   }
 
-  /// Skips a value; if there is a rule for it, that is a fault: it is `what` instead.
+  /// Skips a value, which is `what`; if it has a rule, that is a fault.
   bool reject(const JsonRule* rule, const std::string& what) {
     if (rule) {
       setFault(pathWithIndices(rule->path) + " is " + what + "; it must be " + expectation(*rule));
@@ -215,8 +216,8 @@ class JsonFilter {
   std::vector<Level> levels_;
   int depth_ = 0;
   std::size_t skippedLevels_ = 0;
-  std::string key_;   ///< of the member that is read
-  std::string path_;  ///< of the value that is read, kept for its memory
+  std::string key_;   ///< of the current member
+  std::string path_;  ///< of the current value; a member, to reuse its memory
   std::uint64_t objects_ = 0, members_ = 0, elements_ = 0;
 };
 

@@ -14,12 +14,13 @@
 namespace gvd::gltf {
 
 struct FilteredJson {
-  nlohmann::json document;  ///< only what has a rule and keeps it
+  nlohmann::json document;  ///< only values that have a rule and obey it
   std::string fault;        ///< the first value that breaks its rule, named by its path; else empty
 };
 
-/// Parses JSON and keeps of it what the rules (json_rules.h) name: the rest, however much of it and
-/// however deep, takes no memory. Throws if the text is not JSON or goes beyond the limits.
+/// Parses JSON and keeps only the values that the rules (json_rules.h) name; other values take no
+/// memory, however many and however deep they are. Throws if the text is not JSON or exceeds the
+/// limits.
 FilteredJson filterJson(std::string_view text, const GltfLimits& limits);
 
 }  // namespace gvd::gltf

@@ -11,9 +11,10 @@ namespace {
 using enum JsonKind;
 constexpr JsonKind kWhole = kWholeNumber;
 
-/// An index is an `int` wherever it goes from here.
+/// Indices are stored as `int`.
 constexpr std::uint64_t kMostIndex = INT32_MAX;
-/// Offsets and counts: more would be cut off where a `size_t` has 32 bits, as in WebAssembly.
+/// For offsets and counts: larger ones would be truncated if `size_t` has 32 bits, as in
+/// WebAssembly.
 constexpr std::uint64_t kMostBytes = UINT32_MAX;
 
 constexpr JsonRule required(JsonRule rule) {
@@ -21,7 +22,7 @@ constexpr JsonRule required(JsonRule rule) {
   return rule;
 }
 
-/// The numbers of component types.
+/// The numbers that glTF gives component types.
 constexpr std::uint64_t kLeastType = 5120, kMostType = 5126;
 
 constexpr JsonRule kRules[] = {
@@ -106,7 +107,7 @@ constexpr JsonRule kRules[] = {
     required({"bufferViews[].buffer", kWhole, 0, kMostIndex}),
     {"bufferViews[].byteOffset", kWhole, 0, kMostBytes},
     required({"bufferViews[].byteLength", kWhole, 0, kMostBytes}),
-    // 0, which some exporters write, stands for none.
+    // Some exporters write 0 for no stride.
     {"bufferViews[].byteStride", kWhole, 0, 252, 4},
 
     {"buffers", kArray},

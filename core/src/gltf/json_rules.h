@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the members of a glTF that triangles need have to look like: one table.
+// Rules for the members of a glTF that triangles need, as one table.
 #pragma once
 
 #include <cstdint>
@@ -16,26 +16,26 @@ struct JsonRule {
   /// Members joined by dots, `[]` for every element of an array: "nodes[].children[]".
   std::string_view path;
   JsonKind kind;
-  /// Of a whole number, or of the length of an array.
+  /// The range of a whole number, or of the length of an array.
   std::uint64_t least = 0, most = UINT64_MAX;
   std::uint64_t multipleOf = 1;
-  bool isRequired = false;   ///< of the object that it is a member of
-  std::string_view oneOf{};  ///< the texts it may be, with a comma and a space between
+  bool isRequired = false;   ///< in the object that it is a member of
+  std::string_view oneOf{};  ///< allowed texts, separated by ", "; empty: any
 
-  /// The rule's object, and the name that the member has in it.
+  /// The path of the object, and the name of the member in it.
   std::string_view object() const { return path.substr(0, path.rfind('.')); }
   std::string_view name() const { return path.substr(path.rfind('.') + 1); }
 };
 
 std::span<const JsonRule> jsonRules();
 
-/// The rule for a path; null if triangles do not need what is there.
+/// The rule for a path; null if triangles do not need its value.
 const JsonRule* findRule(std::string_view path);
 
-/// Whether a text is what its rule allows.
+/// Whether the rule allows a text.
 bool isAllowed(const JsonRule& rule, std::string_view text);
 
-/// What a value has to be: "a whole number from 0 to 10".
+/// What the rule requires: "a whole number from 0 to 10".
 std::string expectation(const JsonRule& rule);
 
 }  // namespace gvd::gltf

@@ -16,10 +16,10 @@ std::uint64_t triangleCount(int mode, std::uint64_t corners) {
   return corners < 3 ? 0 : corners - 2;
 }
 
-/// The corners of a triangle that a primitive makes; corners too few for a last triangle make none.
+/// The corners of triangle t of a primitive. Left-over corners at the end make no triangle.
 std::array<std::uint64_t, 3> cornersOf(int mode, std::uint64_t t) {
   if (mode == kTriangleFan) return {t + 1, t + 2, 0};
-  // Every other triangle would come out turned over.
+  // Swaps two corners of every other triangle of a strip, which would be turned over.
   if (mode == kTriangleStrip) return {t, t + 1 + t % 2, t + 2 - t % 2};
   return {3 * t, 3 * t + 1, 3 * t + 2};
 }
@@ -163,7 +163,7 @@ bool PrimitiveReading::step(long& budget) {
       [&] { return readOptional("_DENSITY", kDensities, {}, scene_.density, 1, budget); });
 }
 
-/// Calls `visit` with the primitive's vertices in the scene.
+/// Calls `visit` with the indices of the primitive's vertices in the scene.
 template <class Visit>
 bool PrimitiveReading::forVertices(long& budget, Visit visit) {
   constexpr long kVerticesPerUnit = 16;
@@ -176,7 +176,8 @@ void PrimitiveReading::requireVertex(double index) const {
          ", but there are " + number(vertexCount_) + " positions");
 }
 
-/// A mirroring transform would turn it over.
+/// Adds a triangle, with two corners swapped if the transform mirrors, so that it is not turned
+/// over.
 void PrimitiveReading::addTriangle(std::uint64_t t) {
   auto corners = cornersOf(primitive_.mode, t);
   if (isMirrored_) std::swap(corners[1], corners[2]);
@@ -187,14 +188,14 @@ void PrimitiveReading::addTriangle(std::uint64_t t) {
   }
 }
 
-/// The cofactors of a matrix turn normals as it turns surfaces, singular or not.
+/// Transforms a normal by the cofactor matrix, which also works for singular transforms.
 void PrimitiveReading::turnNormal(std::size_t vertex) {
   auto normal = Eigen::Vector3d::Map(&scene_.normals[3 * vertex]);
   normal = (cofactors_ * normal).stableNormalized();
   if (!normal.allFinite()) normal.setZero();
 }
 
-/// A surface needs no attribute: one that does not fit is passed over.
+/// Reads an optional attribute; skips one that does not fit, because a surface needs none.
 bool PrimitiveReading::readOptional(const char* semantic, const Format& format,
                                     std::span<const double> weights, std::vector<double>& values,
                                     double padding, long& budget) {

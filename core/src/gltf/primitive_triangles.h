@@ -21,22 +21,22 @@ enum class PrimitiveKind { kTriangles, kPointsOrLines, kWithoutPositions };
 /// Refuses modes that do not exist.
 PrimitiveKind kindOf(const Primitive& primitive, const std::string& name);
 
-/// What reading a primitive of triangles takes, by what its accessors say.
+/// The cost of reading a primitive of triangles, according to its accessors.
 struct PrimitiveSize {
-  std::uint64_t vertices = 0;  ///< and again for each morph target that is applied
+  std::uint64_t vertices = 0;  ///< counted again for each morph target applied
   std::uint64_t triangles = 0;
-  std::uint64_t zeroElements = 0;  ///< of accessors without a buffer view
+  std::uint64_t zeroElements = 0;  ///< in accessors without a buffer view
 };
 
-/// Refuses a primitive that is compressed: without the extension its positions are zeros.
+/// Refuses a compressed primitive without uncompressed positions, which would be read as zeros.
 PrimitiveSize sizeOf(const Primitive& primitive, std::span<const double> weights,
                      const AccessorReader& accessors, const std::string& name);
 
-/// Reads the values of an attribute, with its morph targets applied, to the end of a list, in
-/// slices.
+/// Appends the values of an attribute, with its morph targets applied, to a list, in slices.
 class AttributeReading {
  public:
-  /// Accessors whose count is not that of the vertices are refused. It must stay where it is.
+  /// Refuses accessors whose count is not `vertexCount`. Cannot be copied, because the layers point
+  /// into it.
   AttributeReading(const Primitive& primitive, const char* semantic, const Format& format,
                    std::span<const double> weights, std::uint64_t vertexCount,
                    AccessorReader& accessors, const std::string& name, std::vector<double>& to);
@@ -53,24 +53,24 @@ class AttributeReading {
   };
 
   std::vector<double>& to_;
-  const std::size_t first_;  ///< where in the list the values begin
+  const std::size_t first_;  ///< index of the first value in the list
   std::vector<Layer> layers_;
-  std::size_t next_ = 0;               ///< of these
-  std::vector<double> displacements_;  ///< of the morph target at hand
+  std::size_t next_ = 0;               ///< in `layers_`
+  std::vector<double> displacements_;  ///< of the current morph target
   SlicedLoop loop_;
 };
 
-/// Adds a primitive of triangles to a scene, in slices: its vertices and triangles, with the
-/// attributes that can be read. Vertices before it that have none get zeros, or the density 1.
+/// Adds a primitive of triangles to a scene, in slices: its vertices, triangles and readable
+/// attributes. If earlier vertices lack an attribute, it is padded with zeros, the density with 1.
 class PrimitiveReading {
  public:
-  /// `weights` are those of its morph targets. All but `transform` must outlive this.
+  /// `weights` are of the morph targets. All but `transform` must outlive this.
   PrimitiveReading(const Primitive& primitive, std::span<const double> weights,
                    const Eigen::Affine3d& transform, AccessorReader& accessors,
                    const std::string& name, GltfScene& scene);
 
   bool step(long& budget);
-  /// How many attributes cannot be read.
+  /// The number of attributes that cannot be read.
   int badAttributes() const { return badAttributes_; }
 
  private:
@@ -89,14 +89,14 @@ class PrimitiveReading {
   const std::string& name_;
   GltfScene& scene_;
   const std::size_t firstVertex_, vertexCount_;
-  Eigen::Matrix3d cofactors_;  ///< of the transform: they turn normals
-  bool isMirrored_;            ///< by the transform
+  Eigen::Matrix3d cofactors_;  ///< of the transform, for normals
+  bool isMirrored_;            ///< whether the transform mirrors
   int badAttributes_ = 0;
-  std::optional<AttributeReading> attribute_;  ///< the one that is read
-  std::size_t sizeBefore_ = 0;                 ///< of its list
-  bool isRead_ = false;                        ///< whether it has been
+  std::optional<AttributeReading> attribute_;  ///< the current one
+  std::size_t sizeBefore_ = 0;                 ///< of the list it is read to
+  bool isRead_ = false;                        ///< whether the primitive has it, readable
   std::optional<AccessorReading> indexReading_;
-  std::vector<double> indices_;  ///< if it has any
+  std::vector<double> indices_;  ///< empty if the primitive has none
   SlicedSequence sequence_;
   SlicedLoop loop_;
 };

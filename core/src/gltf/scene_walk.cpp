@@ -61,7 +61,7 @@ Eigen::Affine3d localTransform(const Node& node, const std::string& name) {
   return transform;
 }
 
-/// The transforms of a node's instances within it; the identity if it has none.
+/// The transforms of a node's instances relative to the node; the identity if it has none.
 std::vector<Eigen::Affine3d> instanceTransforms(const Node& node, const std::string& name,
                                                 AccessorReader& accessors, std::size_t most) {
   std::optional<std::uint64_t> count;
@@ -90,7 +90,7 @@ std::vector<Eigen::Affine3d> instanceTransforms(const Node& node, const std::str
   return transforms;
 }
 
-/// Collects the meshes of a scene, without recursion: files nest as deep as they like.
+/// Collects the meshes of a scene, without recursion, because files may nest arbitrarily deep.
 class SceneWalk {
  public:
   SceneWalk(const Document& document, AccessorReader& accessors, const GltfLimits& limits)
@@ -154,7 +154,8 @@ class SceneWalk {
     }
   }
 
-  /// Where every root is walked from, only the nodes of a cycle and those below it are left.
+  /// If there is no default scene, all roots are walked: only the nodes of a cycle and those below
+  /// it remain unreached.
   void requireAllReached() const {
     const auto left = std::find(reached_.begin(), reached_.end(), false);
     if (left == reached_.end()) return;

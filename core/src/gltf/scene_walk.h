@@ -10,18 +10,19 @@
 
 namespace gvd::gltf {
 
-/// A mesh where the scene has it.
+/// A mesh at one of its places in the scene.
 struct PlacedMesh {
   int mesh;
   int node;  ///< -1 if the glTF has no nodes
   Eigen::Affine3d transform;
-  /// One of several instances that cost the file nothing: no accessor of theirs has a buffer view.
+  /// Whether it is an instance that costs the file nothing: no accessor of the instances has a
+  /// buffer view.
   bool isFreeInstance = false;
 };
 
-/// The meshes of the default scene, else of all root nodes, else (there are no nodes) all meshes:
-/// depth first, a mesh with instances once for each of them. No more than `maxObjects` primitives
-/// and morph targets.
+/// The meshes of the default scene, or, if there is none, of all root nodes, or, if there are no
+/// nodes, all meshes. Depth first; a mesh with instances comes once per instance. At most
+/// `maxObjects` primitives and morph targets.
 std::vector<PlacedMesh> placedMeshes(const Document& document, AccessorReader& accessors,
                                      const GltfLimits& limits);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A tree of the faces of a mesh, and what is asked of it.
+// Closest-point queries, by a tree of the faces of a mesh.
 #include "gvd/closest_point.h"
 
 #include <cmath>

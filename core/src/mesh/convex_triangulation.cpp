@@ -5,8 +5,8 @@
 
 namespace gvd {
 
-/// Every chord leaves a smaller convex polygon on its right, whose triangle at the chord is the one
-/// with no corner inside its circle.
+/// Every chord cuts off a smaller convex polygon, on its right. Of the triangles on the chord, the
+/// Delaunay one has no corner inside its circumcircle.
 std::span<const std::array<int, 3>> ConvexTriangulation::compute(
     std::span<const Eigen::Vector2d> corners) {
   corners_ = corners;
@@ -24,9 +24,9 @@ std::span<const std::array<int, 3>> ConvexTriangulation::compute(
   return triangles_;
 }
 
-/// Of the corners between the ends of a chord, the one that sees it at the largest angle, which is
-/// the one of the least cotangent. One on the chord itself is the last choice: a triangle without
-/// area.
+/// The corner between the ends of a chord that sees the chord at the largest angle, that is, with
+/// the least cotangent. A corner on the chord itself is the last choice, because its triangle has
+/// no area.
 int ConvexTriangulation::apex(int from, int to) const {
   int best = from + 1;
   double least = std::numeric_limits<double>::infinity();

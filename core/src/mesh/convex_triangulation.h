@@ -8,8 +8,8 @@
 
 namespace gvd {
 
-/// The Delaunay triangulation of a convex polygon, which of all its triangulations has the largest
-/// least angle. Straight angles are allowed.
+/// The Delaunay triangulation of a convex polygon: of all its triangulations, the one whose least
+/// angle is largest. Straight angles are allowed.
 class ConvexTriangulation {
  public:
   /// `corners` counterclockwise, at least three. The result, n - 2 triangles of indices into them,

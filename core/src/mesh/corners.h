@@ -11,8 +11,8 @@ namespace gvd {
 /// The three vertices of a triangle.
 using Corners = std::array<int, 3>;
 
-/// The input's triangles with representatives for corners, -1 where a corner is not finite. (Looked
-/// up, for a list of them would be as large as the input.)
+/// The input's triangles, with the representatives of their corners; -1 for a corner that is not
+/// finite. Looked up on access, because a list would be as large as the input.
 struct WeldedTriangles {
   std::span<const int> triangles;
   std::span<const int> representative;
@@ -24,7 +24,7 @@ struct WeldedTriangles {
   }
 };
 
-/// Halfedges of a list of triangles are numbered as those of `TriangleMesh`: halfedge h is side
+/// Halfedges of a list of triangles are numbered as in `TriangleMesh`: halfedge h is side
 /// h % 3 of triangle h / 3 and runs from corner h % 3 to the next one.
 inline int tailOf(const std::vector<Corners>& triangles, int h) { return triangles[h / 3][h % 3]; }
 inline int tipOf(const std::vector<Corners>& triangles, int h) {

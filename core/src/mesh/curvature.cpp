@@ -21,7 +21,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// The curvatures, and what else is made on the way to them.
+/// The curvatures at all vertices, with the areas of the vertices.
 class CurvatureMeasuring final : public SlicedWork<VertexCurvatures> {
  public:
   explicit CurvatureMeasuring(const TriangleMesh& mesh) : mesh_(mesh) {}
@@ -47,8 +47,9 @@ class CurvatureMeasuring final : public SlicedWork<VertexCurvatures> {
   std::vector<double> takeAreas() { return std::move(areas_); }
 
  private:
-  /// The gradient of the surface's area when a vertex moves: a face contributes half the side
-  /// across, turned towards the vertex by 90°. No cotangent of an angle that may be zero.
+  /// Adds a face to the areas of its corners and to the gradients of the surface's area as a corner
+  /// moves: half the opposite side, turned by 90° towards the corner. Unlike the cotangent formula,
+  /// this is finite at any angle.
   void addFace(int f) {
     std::array<Vector3d, 3> p;
     for (int i = 0; i < 3; ++i) p[i] = mesh_.position(mesh_.tail(3 * f + i));
@@ -66,7 +67,8 @@ class CurvatureMeasuring final : public SlicedWork<VertexCurvatures> {
     curvatures_.mean[v] = areaGradients_[v].norm() / (2 * areas_[v]);
   }
 
-  /// On the boundary, where the formulas do not hold, the mean of the inner neighbours.
+  /// The formulas do not hold on the boundary: a vertex there gets the mean of its inner
+  /// neighbours.
   void takeFromNeighbours(int v) {
     if (!mesh_.onBoundary(v)) return;
     double gaussian = 0, mean = 0;
@@ -139,7 +141,8 @@ class DensityMaking final : public SlicedWork<std::vector<double>> {
   std::vector<double> take() override { return std::move(density_); }
 
  private:
-  /// Every vertex the mean, by area, of the means over the faces around it.
+  /// Sets every vertex to the mean of the faces around it, weighted by area; the value of a face is
+  /// the mean of its corners.
   bool smooth(long& budget) {
     return smoothing_.run(
         [&] {
@@ -157,7 +160,7 @@ class DensityMaking final : public SlicedWork<std::vector<double>> {
         });
   }
 
-  /// Raised by the floor, the mean being 1.
+  /// The density raised by the floor, scaled to the mean 1.
   double scaled(double density) const {
     return isFlat_ ? 1 : (density / mean_ + options_.floor) / (1 + options_.floor);
   }
@@ -171,7 +174,7 @@ class DensityMaking final : public SlicedWork<std::vector<double>> {
   VertexCurvatures curvatures_;
   std::vector<double> density_, sums_;
   int round_ = 0;
-  double mean_ = 0;  ///< over the surface
+  double mean_ = 0;  ///< of the density, over the surface
   bool isFlat_ = false;
 };
 

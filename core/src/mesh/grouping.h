@@ -9,14 +9,14 @@
 
 namespace gvd {
 
-/// The numbers from 0 to below a count put into groups, by counting, in slices. O(items + groups).
+/// A counting sort: puts the items 0 … count - 1 into groups, in slices. O(items + groups).
 class Grouping {
  public:
-  /// `groupOf(item)` is below `groupCount`, or negative for an item that is in no group. Call it
-  /// with the same arguments until it returns true.
+  /// `groupOf(item)` is below `groupCount`, or negative for an item in no group. Call `run` with
+  /// the same arguments until it returns true.
   template <class GroupOf>
   bool run(int itemCount, int groupCount, GroupOf groupOf, long& budget) {
-    constexpr long kItemsPerUnit = 16;  // which are looked up all over the memory
+    constexpr long kItemsPerUnit = 16;  // memory is accessed in random order
     return sequence_.run([&] { return fillInSlices(end_, groupCount + 1, 0, budget); },
                          [&] {
                            return loop_.run(itemCount, budget, kItemsPerUnit, [&](int item) {
@@ -28,7 +28,7 @@ class Grouping {
                                             [&](int group) { end_[group + 1] += end_[group]; });
                          },
                          [&] { return fillInSlices(items_, end_[groupCount], 0, budget); },
-                         // `end_` is where each group begins, and moves on to where it ends.
+                         // `end_` holds the start of each group, and advances to its end.
                          [&] {
                            return loop_.run(itemCount, budget, kItemsPerUnit, [&](int item) {
                              if (const int group = groupOf(item); group >= 0)
@@ -38,7 +38,7 @@ class Grouping {
   }
 
   int groupCount() const { return static_cast<int>(end_.size()) - 1; }
-  /// Ascending, until they are put into another order.
+  /// Ascending, unless the caller has reordered them.
   std::span<int> items(int group) {
     const int begin = group > 0 ? end_[group - 1] : 0;
     return std::span(items_).subspan(begin, end_[group] - begin);
@@ -51,7 +51,7 @@ class Grouping {
   std::vector<int> items_;
 };
 
-/// Calls visit(run) for every maximal run of items that are the same as the run's first.
+/// Calls visit(run) for every maximal run of items that are the same as the first of the run.
 template <class Same, class Visit>
 void forEachRun(std::span<const int> items, Same same, Visit visit) {
   for (auto first = items.begin(); first != items.end();) {

@@ -8,7 +8,7 @@
 namespace gvd {
 namespace {
 
-/// Whether a dropped triangle is an edge or a vertex, which a face may have.
+/// Whether a dropped triangle is only an edge or a vertex, which a face may contain.
 bool isSought(const Corners& corners) { return isFinite(corners) && isDegenerate(corners); }
 
 /// The two positions of a degenerate triangle.
@@ -25,7 +25,7 @@ bool InputMap::step(long& budget) {
     return loop_.run(kept_.size(), budget, perUnit, body);
   };
   return sequence_.run(
-      // Of each degenerate triangle, a face with corners at both of its positions.
+      // Finds, for each degenerate triangle, a face with corners at both of its positions.
       [&] {
         return forTriangles(8, [&](int t) {
           if (const Corners corners = welded()[t]; isSought(corners))

@@ -13,17 +13,17 @@
 
 namespace gvd {
 
-/// For every corner of every input triangle a halfedge that leaves it, all three on one face: the
-/// triangle itself, the one it duplicates, or, of a degenerate triangle, any that has its two
-/// positions; -1 if there is none. And for every input vertex a halfedge that leaves it: on the
-/// first triangle that names the vertex and has a face, else anywhere at its position; -1 if there
-/// is none. Counts welded and isolated vertices. In slices, O(n log n) in the number of degenerate
-/// triangles.
+/// Maps every corner of every input triangle to a halfedge that leaves it, all three on one face:
+/// that of the triangle, or of the triangle it duplicates, or, if it is degenerate, any face with
+/// corners at both of its positions; -1 if there is none. Maps every input vertex to a halfedge
+/// that leaves it: on the first triangle that names the vertex and has a face, else on any face at
+/// its position, else -1. Counts welded and isolated vertices. In slices, O(n log n) in the number
+/// of degenerate triangles.
 class InputMap {
  public:
-  /// `triangles` and their vertices' representatives are the input's, `faces` the mesh's by
-  /// representatives, `kept` is the face of each input triangle or -1. All must outlive this; the
-  /// vertices in `triangles` become the halfedges.
+  /// `triangles` and `representative` are the input's; `faces` are the mesh's, as representatives;
+  /// `kept` is the face of each input triangle, or -1. All must outlive this. The vertices in
+  /// `triangles` are replaced by the halfedges.
   InputMap(std::vector<int>& triangles, const std::vector<int>& representative,
            const std::vector<Corners>& faces, std::vector<int>& kept, MeshRepairs& repairs)
       : triangles_(triangles),
@@ -49,7 +49,7 @@ class InputMap {
 
   SlicedSequence sequence_;
   SlicedLoop loop_;
-  std::map<std::pair<int, int>, int> faceWith_;  ///< the positions of degenerate triangles
+  std::map<std::pair<int, int>, int> faceWith_;  ///< by the positions of a degenerate triangle
   std::vector<int> ofVertex_, ofRepresentative_;
 };
 

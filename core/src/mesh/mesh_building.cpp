@@ -12,15 +12,15 @@
 namespace gvd {
 namespace {
 
-/// The products of four lengths that areas are made of neither overflow nor underflow between these
-/// limits, however thin the triangles: no edge is shorter than 2^-38 of the mean one, see
+/// Between these limits, the products of four lengths in the formulas of areas neither overflow nor
+/// underflow, however thin the triangles: no edge is shorter than 2^-38 of the mean edge, see
 /// `kMollificationMargin`.
 constexpr double kLongestDiagonal = 0x1p200;
 constexpr double kShortestMeanEdge = 0x1p-200;
 
-/// The shortest side of a needle as a share of its longest. A way around a spike of that width is
-/// longer than the straight one by some 1e-10, well more than a tie: around wider ones, lines that
-/// wind are cut off for their length.
+/// A face is a needle if its shortest side is less than this share of its longest. Around a wider
+/// spike, the detour of a line that winds, relatively 1e-10 or more, is well above a tie, so its
+/// length alone rules it out.
 constexpr double kNeedle = 1e-5;
 
 /// Faces per unit: measuring one takes three arctangents.
@@ -163,7 +163,7 @@ void MeshBuilding::takeFans() {
       static_cast<int>(std::count(mesh_.flipped_.begin(), mesh_.flipped_.end(), true));
 }
 
-/// Lists the halfedges that leave a vertex, after those of the vertices before it.
+/// Appends the halfedges that leave a vertex. Vertices come in order.
 void MeshBuilding::listFan(int vertex) {
   int end = mesh_.fanBegin_.back();
   int h = fans_.outgoing[vertex];
@@ -174,8 +174,8 @@ void MeshBuilding::listFan(int vertex) {
   mesh_.fanBegin_.push_back(end);
 }
 
-/// In place: vertices are in the order of the input, so their positions only move up; those of
-/// copies are by then where the first fan of their vertex has its own.
+/// Moves positions in place: vertices keep the order of the input, so positions only move towards
+/// the front. A copy takes its position from the first fan of its vertex, which has moved already.
 void MeshBuilding::takePosition(int vertex) {
   const auto at = [&](int v) { return positions_.begin() + 3 * static_cast<std::ptrdiff_t>(v); };
   int from = mesh_.inputVertex_[vertex];
@@ -200,8 +200,8 @@ void MeshBuilding::requireEdgeLength() const {
     rejectMesh("the positions are too close together to measure distances");
 }
 
-/// Coordinates are not centred first: their differences are as good as the input already, and
-/// centring would round it.
+/// Coordinates are not centred first: centring would round them, and their differences are as
+/// accurate as the input anyway.
 IntrinsicTriangle MeshBuilding::triangle(int face) const {
   const int* const tails = &mesh_.tail_[3 * static_cast<std::size_t>(face)];
   return measureTriangle(
@@ -240,7 +240,8 @@ void MeshBuilding::setFace(int f, const IntrinsicTriangle& t) {
   mesh_.faceArea_[f] = t.twiceArea / 2;
 }
 
-/// Adds a face to what is known of its vertices and of the mesh. Faces come in their order.
+/// Adds a face to the sums and longest edges of its vertices, to the area and to the needles. Faces
+/// come in order.
 void MeshBuilding::sumUp(int f) {
   for (int h = 3 * f; h < 3 * f + 3; ++h) {
     mesh_.angleSum_[mesh_.tail(h)] += mesh_.cornerAngle(h);

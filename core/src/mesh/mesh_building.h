@@ -15,9 +15,9 @@
 
 namespace gvd {
 
-/// From any list of triangles to a manifold, step by step as written at `TriangleMesh`. What a step
-/// has made for the next ones alone is freed as soon as these are done, so that no more memory is
-/// needed than the mesh itself takes in the end.
+/// Builds a manifold from any list of triangles, by the steps listed at `TriangleMesh`.
+/// Intermediate results are freed as soon as no later step needs them, so that building takes no
+/// more memory than the finished mesh.
 class MeshBuilding final : public SlicedWork<TriangleMesh> {
  public:
   MeshBuilding(std::vector<double> positions, std::vector<int> triangles,
@@ -42,8 +42,8 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
   void followLoopFrom(int vertex);
   void countTopology();
 
-  std::vector<double> positions_;  ///< the input's, then those of the mesh
-  std::vector<int> triangles_;     ///< the input's, then halfedges of the mesh
+  std::vector<double> positions_;  ///< the input's, later the mesh's
+  std::vector<int> triangles_;     ///< the input's, later a halfedge per corner
   const MeshOptions options_;
   TriangleMesh mesh_;
 
@@ -59,7 +59,7 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
   std::optional<SmallComponents> dropping_;
   std::optional<FanSplitting> splitting_;
   Fans fans_;
-  int firstCopy_ = 0;  ///< the vertices from there on are copies for further fans
+  int firstCopy_ = 0;  ///< vertices from this one on are copies for further fans
   std::optional<InputMap> mapping_;
   std::vector<double> leastExcess_;  ///< of each face
   std::vector<char> isOnFoundLoop_;  ///< vertices

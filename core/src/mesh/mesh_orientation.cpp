@@ -79,21 +79,22 @@ bool TriangleOrienting::step(long& budget) {
       });
 }
 
-/// Whether the two triangles of an edge have it in the same direction.
+/// Whether both triangles of an edge run along it in the same direction.
 bool TriangleOrienting::disagree(int h) const {
   return tailOf(triangles_, h) == tailOf(triangles_, twin_[h]);
 }
 
-/// Cuts an edge if its two triangles disagree, each taken as turned over if it is marked so.
+/// Cuts an edge if its two triangles disagree even when those marked in `flipped` are turned over.
 void TriangleOrienting::cutIfInconsistent(int h) {
   const int twin = twin_[h];
-  if (twin < h) return;  // none, or seen from there
+  if (twin < h) return;  // no twin, or handled with the twin
   if ((out_.flipped[h / 3] != out_.flipped[twin / 3]) == disagree(h)) return;
   twin_[twin] = twin_[h] = -1;
   ++repairs_.orientationCuts;
 }
 
-/// Spreads the orientation of each component's first triangle breadth first.
+/// Visits the next triangle, breadth first: the orientation of a component's first triangle spreads
+/// over the component.
 void TriangleOrienting::visit(int place) {
   if (static_cast<std::size_t>(place) == queue_.size()) {
     endComponent();
@@ -112,7 +113,7 @@ void TriangleOrienting::visit(int place) {
   }
 }
 
-/// If most triangles of a component are marked as turned over, all are to be turned once more.
+/// If most triangles of a component are marked as turned over, the others are turned over instead.
 void TriangleOrienting::endComponent() {
   const std::size_t members = queue_.size() - firstOfComponent_;
   if (members > 0)
@@ -170,7 +171,7 @@ void SmallComponents::numberAnew() {
   oriented_.components = components;
 }
 
-/// Triangles that stay move up in all lists.
+/// Moves a kept triangle towards the front of all lists.
 void SmallComponents::moveUp(int t) {
   const int component = newComponent_[oriented_.component[t]];
   if (component < 0) return;
@@ -217,7 +218,7 @@ bool FanSplitting::step(long& budget) {
       [&] { return loop_.run(halfedgeCount, budget, 8, [&](int h) { takeFan(h); }); });
 }
 
-/// Gives the fan of a halfedge's tail its vertex, unless it has it.
+/// Gives the fan around a halfedge's tail a vertex, unless it has one.
 void FanSplitting::takeFan(int h) {
   if (out_.tail[h] >= 0) return;
   const auto clockwise = [&](int g) { return twin_[g] < 0 ? -1 : TriangleMesh::next(twin_[g]); };

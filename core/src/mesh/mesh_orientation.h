@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Steps 4 to 7 of building a `TriangleMesh`, in slices: from triangles that stay to an oriented
-// manifold. All in O(n), but O(k log k) for a vertex of k triangles.
+// Steps 4 to 7 of building a `TriangleMesh`, in slices: from the kept triangles to an oriented
+// manifold. O(n), except O(k log k) at a vertex of k triangles.
 #pragma once
 
 #include <span>
@@ -16,8 +16,8 @@
 
 namespace gvd {
 
-/// The halfedge on the other side of each edge of exactly two triangles, whichever way it runs; -1
-/// on all other edges. Counts the edges of three or more.
+/// Finds the twin of each halfedge on an edge of exactly two triangles, whichever way the twin
+/// runs; -1 on all other edges. Counts the edges of three or more triangles.
 class HalfedgeMatching {
  public:
   /// The triangles must outlive this.
@@ -39,20 +39,20 @@ class HalfedgeMatching {
   std::vector<int> twin_;
 };
 
-/// What each triangle's component is, and which triangles were turned over.
+/// The component of each triangle, and which triangles were turned over.
 struct OrientedComponents {
   std::vector<int> component;  ///< of each triangle, numbered in order of the first triangle
   std::vector<char> flipped;   ///< of each triangle, whether it was turned over
   int components = 0;
 };
 
-/// Orients each component as most of its triangles are (on a draw, as its first one), cuts the
-/// edges where that is not possible, and turns triangles over: (a, b, c) becomes (a, c, b). From
-/// then on twins run in opposite directions. If orientations are kept, all edges are cut where they
-/// do not agree, and that is all.
+/// Orients each component like the majority of its triangles (on a draw, like the first), and cuts
+/// the edges whose triangles cannot agree. A triangle (a, b, c) that is turned over becomes (a, c,
+/// b). Afterwards, twins run in opposite directions. With `Orientation::kKeep`, no triangle is
+/// turned over, and all edges whose triangles disagree are cut.
 class TriangleOrienting {
  public:
-  /// Both lists, which this changes, must outlive it.
+  /// Changes both lists, which must outlive this.
   TriangleOrienting(std::vector<Corners>& triangles, std::vector<int>& twin,
                     Orientation orientation, MeshRepairs& repairs)
       : triangles_(triangles), twin_(twin), orientation_(orientation), repairs_(repairs) {}
@@ -76,8 +76,8 @@ class TriangleOrienting {
   std::vector<int> queue_;  ///< triangles, component by component, each breadth first
   std::size_t firstOfComponent_ = 0;
   int nextRoot_ = 0;
-  int flips_ = 0;                        ///< of the component so far
-  std::vector<char> isComponentTurned_;  ///< whether its majority was turned over at first
+  int flips_ = 0;                        ///< triangles marked in the current component
+  std::vector<char> isComponentTurned_;  ///< per component: most triangles were marked
   OrientedComponents out_;
 };
 
@@ -85,7 +85,7 @@ class TriangleOrienting {
 /// `Error(kInvalidMesh)` if none is left.
 class SmallComponents {
  public:
-  /// All that this changes must outlive it.
+  /// Changes all lists and counts passed, which must outlive this.
   SmallComponents(int least, Selection& selection, std::vector<int>& twin,
                   OrientedComponents& oriented, MeshRepairs& repairs)
       : least_(least),
@@ -113,7 +113,7 @@ class SmallComponents {
   SlicedLoop loop_;
   std::vector<int> size_;          ///< of each component
   std::vector<int> newComponent_;  ///< of each component, -1 if it is dropped
-  std::vector<int> newTriangle_;   ///< of each triangle, likewise
+  std::vector<int> newTriangle_;   ///< of each triangle, -1 if it is dropped
   int kept_ = 0;
 };
 
@@ -122,7 +122,7 @@ class SmallComponents {
 struct Fans {
   std::vector<int> tail;            ///< of each halfedge, the vertex that it leaves
   std::vector<int> representative;  ///< of each vertex
-  /// Of each vertex, a halfedge that leaves it; at the boundary the first one clockwise.
+  /// A halfedge that leaves each vertex; at the boundary, the most clockwise one.
   std::vector<int> outgoing;
 };
 
@@ -149,7 +149,7 @@ class FanSplitting {
 
   SlicedSequence sequence_;
   SlicedLoop loop_;
-  int used_ = 0;                  ///< of the input's vertices
+  int used_ = 0;                  ///< number of representatives in use
   std::vector<int> firstVertex_;  ///< of each representative, -1 if it is not in use
   Fans out_;
 };

@@ -25,7 +25,7 @@ IntrinsicTriangle measureTriangle(const std::array<Eigen::Vector3d, 3>& corners)
     sides[i] = corners[after(i)] - corners[i];
     t.lengths[i] = sides[i].norm();
   }
-  // From the two shorter sides: the rounding of the cross product grows with the factors.
+  // Of the two shorter sides, because the rounding of a cross product grows with its factors.
   const auto longestSide = std::max_element(t.lengths.begin(), t.lengths.end());
   const int longest = static_cast<int>(longestSide - t.lengths.begin());
   t.twiceArea = sides[after(longest)].cross(sides[before(longest)]).norm();

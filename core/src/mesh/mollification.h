@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Intrinsic mollification: N. Sharp, K. Crane, "A Laplacian for Nonmanifold Triangle Meshes", 2020,
-// section 4.5. Edges are lengthened by the same least amount, until every triangle is one.
+// section 4.5. All edges are lengthened by one amount, the least that leaves no triangle flat.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,25 +11,25 @@
 namespace gvd {
 
 /// The least excess of two sides of a triangle over the third, as a share of the mean edge length,
-/// or of the triangle's longest side where that is longer: the rounding of a side of 100,000 mean
-/// edges is no less than the share of one.
+/// or of the triangle's longest side if that is longer: the rounding of a side of 100,000 mean
+/// edges is larger than this share of one mean edge.
 ///
-/// Why 1e-11, where the paper, for Laplacians, takes 1e-5 of the mean:
-///  - Rounding moves an excess by up to 3.3e-16 (3 · 2^-53) of the longest side, so at the margin
-///    it still has four true digits.
-///  - It is more than `kDistanceTolerance`, 4.5e-13, of a distance of twenty mean edges: there, the
-///    two ways past a flat triangle are no tie.
+/// The paper, for Laplacians, takes 1e-5 of the mean. Why 1e-11 here:
+///  - Rounding changes an excess by up to 3.3e-16 (3 · 2^-53) of the longest side, so at the margin
+///    an excess still has four correct digits.
+///  - The margin exceeds `kDistanceTolerance` (4.5e-13) of a distance of twenty mean edges: up to
+///    there, the two ways past a flat triangle are not taken for a tie.
 ///  - No edge is shorter than half the margin, so distances of 10,000 mean edges still tell its two
 ///    ends apart.
 ///  - A flat triangle of side c becomes one of height c · sqrt(margin / 2) = 2e-6 c. Distances
 ///    across it are off by as much. 1e-5 would make it 2e-3 c.
-///  - The excess of a triangle with two angles of a degrees is a² · 1.5e-4 c, which reaches the
-///    margin at 3e-4 degrees: thinner than triangles of scans, and than almost all that the tests
-///    draw at random to compare distances at 1e-9 with those of other programs. At 1e-10, one in a
-///    hundred of those meshes would be mollified.
+///  - A triangle of longest side c with two angles of a degrees has the excess a² · 1.5e-4 c, which
+///    is at the margin for 3e-4 degrees. Triangles of scans are thicker, and so are those of almost
+///    all random test meshes whose distances are compared with other programs at 1e-9. A margin of
+///    1e-10 would mollify one in a hundred of these meshes.
 inline constexpr double kMollificationMargin = 1e-11;
 
-/// A triangle by what does not depend on where it lies. Side i runs from corner i to the next.
+/// The measures of a triangle, wherever it lies. Side i runs from corner i to the next.
 struct IntrinsicTriangle {
   std::array<double, 3> lengths;  ///< of side i
   std::array<double, 3> dots;     ///< at corner i: of the two sides that leave it
@@ -39,20 +39,19 @@ struct IntrinsicTriangle {
   double leastExcess() const { return *std::min_element(excess.begin(), excess.end()); }
 };
 
-/// Of three points in space. Lengths have the same bits whichever way a side runs. Excess and area
-/// have full relative precision, given the differences of coordinates: they do not come from the
-/// rounded lengths, in which those of needles and caps would cancel. Zero, not NaN, for points that
-/// coincide. Products of four lengths must neither overflow nor underflow.
+/// Measures the triangle of three points in space. Lengths have the same bits whichever way a side
+/// runs. Excess and area have full relative precision, given the differences of coordinates:
+/// computed from the rounded lengths, they would cancel in needles and caps. If points coincide,
+/// they are zero, not NaN. Products of four lengths must neither overflow nor underflow.
 IntrinsicTriangle measureTriangle(const std::array<Eigen::Vector3d, 3>& corners);
 
-/// The least excess that a triangle with this longest side must have.
+/// The least excess required of a triangle with this longest side.
 inline double leastExcessWanted(double longestSide, double meanEdgeLength) {
   return kMollificationMargin * std::max(longestSide, meanEdgeLength);
 }
 
-/// The triangle whose sides are longer by `amount`; the same bits if that is zero. Area and angles
-/// follow from the lengths, by Heron's formula for the area, in Kahan's manner: without a
-/// difference of almost equal numbers.
+/// The triangle with all sides lengthened by `amount`; the same bits if that is zero. The area is
+/// by Heron's formula in Kahan's form, which subtracts no almost equal numbers.
 IntrinsicTriangle lengthened(const IntrinsicTriangle& triangle, double amount);
 
 }  // namespace gvd

@@ -27,8 +27,8 @@ struct SamePlace {
   }
 };
 
-/// Values by points of a surface. Two points are the same if their faces and coordinates are equal:
-/// a point on an edge is another one in terms of the face beyond.
+/// A map from surface points to values. Points are equal if their faces and coordinates are: a
+/// point on an edge is a different key in the other face.
 template <class Value>
 using PlaceMap = std::unordered_map<SurfacePoint, Value, PlaceHash, SamePlace>;
 

@@ -8,7 +8,7 @@
 namespace gvd {
 namespace {
 
-/// The next larger integer that a double can hold: beyond 2^53, not all can.
+/// The next larger integer that a double can represent; beyond 2^53, some are skipped.
 double after(double x) {
   return std::max(x + 1, std::nextafter(x, std::numeric_limits<double>::infinity()));
 }
@@ -31,7 +31,8 @@ int PointGrid::firstNear(const Eigen::Vector3d& p) const {
   return first;
 }
 
-/// Finite, also where the quotient overflows: after infinity, there is no next cube.
+/// The cube of a point. Coordinates are clamped to finite numbers if the quotient overflows,
+/// because infinity has no next cube.
 PointGrid::Cube PointGrid::cubeOf(const Eigen::Vector3d& p) const {
   constexpr double kMost = std::numeric_limits<double>::max();
   Cube cube;

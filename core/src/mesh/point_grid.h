@@ -9,7 +9,7 @@
 
 namespace gvd {
 
-/// Points by the cubes of space that they are in, to find those near a place.
+/// Points in a grid of cubes, to find those near a place.
 class PointGrid {
  public:
   /// `positions` must outlive this.
@@ -17,7 +17,7 @@ class PointGrid {
       : positions_(positions), radius_(radius) {}
 
   void add(int v);
-  /// The lowest within the radius, -1 if there is none.
+  /// The lowest index of a point within the radius, -1 if there is none.
   int firstNear(const Eigen::Vector3d& p) const;
 
  private:

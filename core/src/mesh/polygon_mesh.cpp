@@ -14,7 +14,7 @@
 namespace gvd {
 namespace {
 
-/// Halfedge h leaves corner h of the list of all faces' corners.
+/// The halfedges of a polygon mesh: halfedge h leaves corner h in the list of all faces' corners.
 class PolygonHalfedges {
  public:
   explicit PolygonHalfedges(const PolygonMesh& mesh)
@@ -37,7 +37,7 @@ class PolygonHalfedges {
   /// The next halfedge that leaves the same vertex, counterclockwise; -1 past the last.
   int rotate(int h) const { return twin_[previous_[h]]; }
   int rotateBack(int h) const { return twin_[h] < 0 ? -1 : next_[twin_[h]]; }
-  /// Whether no side goes to where it comes from, or is there twice in one direction.
+  /// Whether every side has two different ends, and no side occurs twice in one direction.
   bool isOriented() const { return isOriented_; }
 
  private:
@@ -75,7 +75,7 @@ bool hasRepeatedCorner(const PolygonMesh& mesh) {
   return false;
 }
 
-/// Whether turning around each vertex, from one face to the next, meets all that it is a corner of.
+/// Whether the faces around each vertex form one fan: turning from face to face reaches all.
 bool hasOneFanPerVertex(const PolygonHalfedges& halfedges, int vertexCount) {
   std::vector<int> corners(vertexCount, 0), leaving(vertexCount, -1);
   for (int h = 0; h < halfedges.count(); ++h) {
@@ -95,7 +95,7 @@ bool hasOneFanPerVertex(const PolygonHalfedges& halfedges, int vertexCount) {
   return true;
 }
 
-/// Pairs of vertices that sides join, each once, however many sides do.
+/// The number of pairs of vertices that are joined, by however many sides.
 int countEdges(const PolygonHalfedges& halfedges) {
   std::vector<std::pair<int, int>> edges;
   edges.reserve(halfedges.count());
@@ -122,7 +122,7 @@ int countComponents(const PolygonHalfedges& halfedges, int vertexCount) {
   return count;
 }
 
-/// Of a manifold.
+/// Holds for manifolds only.
 int countBoundaryLoops(const PolygonHalfedges& halfedges) {
   std::vector<char> isWalked(halfedges.count(), false);
   int loops = 0;

@@ -19,9 +19,9 @@ using std::numbers::pi;
 
 double angleOf(const Vector2d& v) { return std::atan2(v.y(), v.x()); }
 
-/// Walks from face to face: from a point of a face, in a direction that is given in the frame of
-/// one halfedge of that face (`TriangleMesh::Layout`). Nothing is ever divided by the height of a
-/// face, which may be tiny: points within a face are found between those on its sides.
+/// Walks from face to face, from a point of a face, in a direction in the frame of a halfedge of
+/// that face (`TriangleMesh::Layout`). Points within a face are interpolated between points on its
+/// sides: nothing is divided by the height of a face, which may be tiny.
 class Walk {
  public:
   Walk(const TriangleMesh& mesh, const SurfacePoint& start, const Vector2d& move,
@@ -46,9 +46,9 @@ class Walk {
   }
 
   StraightestGeodesic run() {
-    // In as many crossings as there are halfedges, a line that moves at all has left every star.
+    // A line that moves at all leaves the star of any vertex in this many crossings.
     const int window = mesh_.halfedgeCount() + 16;
-    // Around a spike a line may wind millions of times.
+    // Needed because a line may wind around a spike millions of times.
     const long most = kMostCrossings + 16L * mesh_.halfedgeCount();
     double before = kNever;
     for (long crossings = 0; remaining_ > 0 && crossings < most; ++crossings) {
@@ -89,8 +89,8 @@ class Walk {
 
   // --- Steps ---
 
-  /// Goes on by a length along a line to a point of the current face, or as far as the walk goes.
-  /// Returns whether that point has been reached.
+  /// Walks a length along a line to a point of the current face, or to the end of the walk if that
+  /// is nearer. Returns whether the point is reached.
   bool advance(double length, const Eigen::Vector3d& to) {
     if (length >= remaining_) {
       bary_ += (remaining_ / length) * (to - bary_);
@@ -112,7 +112,7 @@ class Walk {
     const std::array<int, 3> sides = {halfedge_, TriangleMesh::next(halfedge_),
                                       TriangleMesh::previous(halfedge_)};
     const Vector2d here = bary_[second] * corners[1] + bary_[third] * corners[2];
-    std::array<double, 3> left;  // how far the corners are on the left of the line
+    std::array<double, 3> left;  // signed distances of the corners, positive left of the line
     for (int i = 0; i < 3; ++i) left[i] = cross(direction_, corners[i] - here);
     for (int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3;
@@ -127,7 +127,7 @@ class Walk {
       if (advance(std::max(0.0, (there - here).dot(direction_)), bary)) crossEdge(sides[i], share);
       return;
     }
-    // By rounding all corners are on one side of the line: it leaves a thin face near the corner
+    // By rounding, all corners are on one side of the line: it leaves a thin face at the corner
     // that is farthest ahead.
     int ahead = 0;
     for (int i = 1; i < 3; ++i)
@@ -164,7 +164,7 @@ class Walk {
     direction_.y() = std::max(0.0, direction_.y());  // into the face, whatever rounding says
   }
 
-  /// Turns the walk away from straight on, the frame excepted, and shortens the rest of it.
+  /// Turns the direction but not the carried frame, and shortens the rest of the walk.
   void turnTo(const Vector2d& direction, double factor) {
     frame_ = turnedBackBy(turnedBy(frame_, direction_), direction);
     direction_ = direction;
@@ -212,7 +212,7 @@ class Walk {
     }
   }
 
-  /// Passes a vertex, having come from the direction at angle `back` from the corner's halfedge.
+  /// Passes a vertex; the way back is at angle `back` from the corner's halfedge.
   void passVertex(int corner, double back) {
     const int vertex = mesh_.tail(corner);
     const double from = angleBefore(corner) + back;
@@ -224,8 +224,8 @@ class Walk {
     }
   }
 
-  /// Straight on is at angle `straight`, or, what is the same direction, at 2π less: the surface
-  /// may have one of these angles, both or none.
+  /// Leaves at angle `straight`, or at 2π less, which is the same direction: the surface may have
+  /// one of these angles, both or none.
   void leaveBoundaryVertex(int vertex, double straight) {
     const double sum = mesh_.angleSum(vertex);
     if (straight <= sum + kVertexSnap) return leaveVertex(vertex, std::min(straight, sum));
@@ -272,7 +272,7 @@ class Walk {
   double remaining_;
   double walked_ = 0;
   bool metBoundary_ = false;
-  int halfedge_;  ///< of the current face, the frame of the direction
+  int halfedge_;  ///< of the current face; `direction_` is in its frame
   Eigen::Vector3d bary_;
   Vector2d direction_ = {1, 0};
   Vector2d frame_ = {1, 0};  ///< the start's x axis, seen with the direction as x axis

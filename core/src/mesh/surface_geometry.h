@@ -13,12 +13,12 @@
 
 namespace gvd {
 
-/// Fetches the faces around a vertex into the cache, for soon.
+/// Prefetches the faces around a vertex into the cache.
 inline void prefetchFan(const TriangleMesh& mesh, int vertex) {
   for (const int h : mesh.fan(vertex)) prefetch(mesh.face(TriangleMesh::faceOf(h)));
 }
 
-/// Squared edge lengths of a face, entry i that of side i (corner i to the next).
+/// The squared edge lengths of a face; entry i is of side i (corner i to the next).
 inline std::array<double, 3> squaredSides(const TriangleMesh& mesh, int face) {
   std::array<double, 3> squared;
   for (int i = 0; i < 3; ++i) {
@@ -28,9 +28,9 @@ inline std::array<double, 3> squaredSides(const TriangleMesh& mesh, int face) {
   return squared;
 }
 
-/// The squared length of a difference of barycentric coordinates: never negative but for rounding,
-/// hence clamped. By the two shorter sides, of which less cancels in thin faces, and by the two
-/// coordinates that go with them: that all three sum to zero holds but for rounding.
+/// The squared length of a difference of barycentric coordinates, clamped because rounding may make
+/// it negative. Computed from the two shorter sides, which cancel less in thin faces, and from two
+/// coordinates only, because all three sum to zero only up to rounding.
 inline double squaredLength(const Eigen::Vector3d& difference, const std::array<double, 3>& sides) {
   const int longest = sides[0] >= sides[1] && sides[0] >= sides[2] ? 0
                       : sides[1] >= sides[2]                       ? 1
@@ -48,7 +48,7 @@ inline double squaredDistance(const Eigen::Vector3d& a, const Eigen::Vector3d& b
   return squaredLength(a - b, sides);
 }
 
-/// Throws `Error(kInvalidPoint)` that begins with what the point is, if it is not on the mesh.
+/// Throws `Error(kInvalidPoint)` if a point is not on the mesh; the message begins with `what`.
 inline void requireOnMesh(const TriangleMesh& mesh, const SurfacePoint& p,
                           const std::string& what = {}) {
   if (const std::string fault = mesh.faultOfPoint(p); !fault.empty())
@@ -62,8 +62,8 @@ inline int vertexAt(const TriangleMesh& mesh, const SurfacePoint& p) {
   return -1;
 }
 
-/// A point of a face, in terms of that face: it may be named by another one that shares the edge or
-/// vertex it lies on.
+/// The coordinates of a point in a face. The point may be given in another face that shares the
+/// edge or vertex it lies on.
 inline Eigen::Vector3d baryInFace(const TriangleMesh& mesh, const SurfacePoint& p, int face) {
   if (p.face == face) return p.bary;
   Eigen::Vector3d bary = Eigen::Vector3d::Zero();

@@ -20,8 +20,7 @@ namespace {
   throw Error(ErrorCode::kInvalidPoint, why);
 }
 
-/// What is wrong with barycentric coordinates that may be off by the tolerance; empty if nothing
-/// is.
+/// The fault of barycentric coordinates, beyond the tolerance; empty if there is none.
 std::string faultOf(const Eigen::Vector3d& bary) {
   for (const double b : bary) {
     if (!std::isfinite(b)) return "a barycentric coordinate is not a finite number";
@@ -33,7 +32,7 @@ std::string faultOf(const Eigen::Vector3d& bary) {
   return {};
 }
 
-/// Non-negative coordinates of sum 1 from such that may be off by the tolerance.
+/// Makes coordinates that are valid within the tolerance non-negative, with sum 1.
 Eigen::Vector3d cleanBarycentric(const Eigen::Vector3d& bary) {
   if (const std::string fault = faultOf(bary); !fault.empty()) rejectPoint(fault);
   const Eigen::Vector3d clamped = bary.cwiseMax(0.0);

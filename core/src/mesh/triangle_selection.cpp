@@ -101,7 +101,7 @@ void VertexWelding::openGrid() {
 
 void VertexWelding::weldToNear(int v) {
   int& same = representative_[v];
-  if (same != v) {  // not finite, or where an earlier vertex is: welded as that one is
+  if (same != v) {  // not finite, or at the position of an earlier vertex
     if (same >= 0) same = representative_[same];
     return;
   }
@@ -151,7 +151,7 @@ void TriangleSelection::count(int t) {
     ++repairs_.degenerateTriangles;
 }
 
-/// Notes for each triangle the first one that has the same three corners, in whichever order.
+/// Notes for each triangle the first triangle with the same three corners, in any order.
 void TriangleSelection::findOriginals(std::span<int> triangles) {
   if (triangles.size() > 1)
     std::sort(triangles.begin(), triangles.end(), [&](int s, int t) {

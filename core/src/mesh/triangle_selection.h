@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Steps 1 to 3 of building a `TriangleMesh`, in slices: which of the input's triangles stay.
+// Steps 1 to 3 of building a `TriangleMesh`, in slices: which triangles of the input are kept.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,12 +17,12 @@
 
 namespace gvd {
 
-/// For every input vertex its *representative*: the first vertex at the same position; -1 where a
-/// coordinate is not finite. O(n), but O(n log n) for places that many vertices share.
+/// Finds the *representative* of every input vertex: the first vertex at the same position; -1 if a
+/// coordinate is not finite. O(n), except O(k log k) for a position that k vertices share.
 ///
-/// With a tolerance, `weld` times the diagonal of the bounding box of all triangles, each vertex in
-/// turn has the first representative that is no farther away, or is one itself. Of them, a ball has
-/// a bounded number, so this is O(n log n).
+/// With a tolerance (`weld` times the diagonal of the bounding box of all triangles), each vertex
+/// in turn gets the first representative within the tolerance, or becomes one itself.
+/// Representatives are farther apart than the tolerance, so a ball contains only a few: O(n log n).
 class VertexWelding {
  public:
   /// All must outlive this.
@@ -45,9 +45,9 @@ class VertexWelding {
   SlicedSequence sequence_;
   SlicedLoop loop_;
   std::vector<int> representative_;
-  Grouping places_;  ///< the vertices of a place are in one group, by its hash
+  Grouping places_;  ///< vertices, grouped by a hash of their positions
   Eigen::Vector3d least_, most_;
-  std::optional<PointGrid> staying_;  ///< where there is a tolerance
+  std::optional<PointGrid> staying_;  ///< the representatives, if there is a tolerance
 };
 
 /// Whether no corner of a welded triangle is -1.
@@ -55,7 +55,7 @@ bool isFinite(const Corners& corners);
 /// Whether two corners of a welded triangle are the same.
 bool isDegenerate(const Corners& corners);
 
-/// The triangles that stay, in the input's order, and where each input triangle went.
+/// The kept triangles, in the input's order, and the kept triangle of each input triangle.
 struct Selection {
   std::vector<int> input;        ///< of each kept triangle, the input triangle
   std::vector<Corners> corners;  ///< of each kept triangle, the representatives
@@ -63,7 +63,8 @@ struct Selection {
 };
 
 /// Drops welded triangles that are not finite, degenerate, or duplicates of earlier ones, and
-/// counts them. Throws `Error(kInvalidMesh)` if none is left. O(n), but O(n log n) for duplicates.
+/// counts them. Throws `Error(kInvalidMesh)` if none is left. O(n), except O(k log k) for k
+/// triangles with one lowest corner.
 class TriangleSelection {
  public:
   TriangleSelection(const WeldedTriangles& welded, int vertexCount, MeshRepairs& repairs)

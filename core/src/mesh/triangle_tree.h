@@ -11,41 +11,41 @@
 
 namespace gvd {
 
-/// Triangles in space, in a tree of boxes.
+/// A bounding box tree of triangles in space.
 class TriangleTree {
  public:
   using Triangle = std::array<Eigen::Vector3d, 3>;
 
   explicit TriangleTree(std::vector<Triangle> triangles);
-  /// Of the faces of a mesh, which must outlive this.
+  /// The faces of a mesh, which must outlive this.
   explicit TriangleTree(const TriangleMesh& mesh);
-  /// Builds it, in slices; true when it can be used. Dividing a node is not divided. O(n log n).
+  /// Builds the tree, in slices of one node or more; true when the tree can be used. O(n log n).
   bool step(long& budget);
-  /// The share of that which is done, 0 … 1.
+  /// The share of the building that is done, 0 … 1.
   double progress() const { return sequence_.progress(); }
 
-  /// The nearest triangle, -1 if there is none, and its point nearest to another one.
+  /// The triangle nearest to a given point, -1 if there is none, and its nearest point.
   struct Nearest {
     int triangle = -1;
     Eigen::Vector3d bary = Eigen::Vector3d::Zero();
     double squaredDistance = std::numeric_limits<double>::infinity();
   };
-  /// Of triangles at the very same distance, the first.
+  /// Of triangles at exactly the same distance, the first.
   Nearest nearest(const Eigen::Vector3d& p) const;
 
   /// The distance of a point from the nearest triangle; infinite if there is none.
   double distance(const Eigen::Vector3d& p) const;
 
  private:
-  /// Of the triangles from `first` to `last - 1` in `order_`. Its halves, if it has, are the next
-  /// node and `second`.
+  /// Contains the triangles `first` … `last - 1` of `order_`. Its children, if it has any, are the
+  /// next node and `second`.
   struct Node {
     Eigen::AlignedBox3d box;
     int first, last;
     int second;  ///< -1 in a leaf
   };
 
-  /// A node to be made; if it is a second half, of which node.
+  /// A node to be made; `parent` is -1 unless it is a second child.
   struct Task {
     int first, last;
     int parent;
@@ -54,13 +54,13 @@ class TriangleTree {
   bool takeFaces(long& budget);
   void makeNext(long& budget);
 
-  const TriangleMesh* mesh_ = nullptr;  ///< if it is of one
+  const TriangleMesh* mesh_ = nullptr;  ///< null for a list of triangles
   SlicedSequence sequence_;
   SlicedLoop loop_;
   std::vector<Triangle> triangles_;
-  std::vector<int> order_;  ///< the triangles, those of a node together
+  std::vector<int> order_;  ///< triangles; those of a node are consecutive
   std::vector<Node> nodes_;
-  std::vector<Task> tasks_;  ///< the next one last
+  std::vector<Task> tasks_;  ///< the last one is next
 };
 
 }  // namespace gvd

@@ -21,7 +21,7 @@ bool isRun(const RegionComplex::Border& border) {
   return border.beyond == RegionComplex::kOutside && border.fromNode >= 0;
 }
 
-/// The point half way along a border, measured along it.
+/// The midpoint of a border, by length.
 SurfacePoint middle(const TriangleMesh& mesh, const Partition& p,
                     const RegionComplex::Border& border) {
   const auto length = [&](int h) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the dual, its checks and its repair have in common.
+// Shared by the dual, its checks and its repair.
 #pragma once
 
 #include <memory>
@@ -16,12 +16,12 @@
 
 namespace gvd {
 
-/// As `dualMesh`, of a partition without what no site reaches.
+/// Like `dualMesh`, but from a partition, which leaves out components without a site.
 PolygonMesh buildDual(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
                       const Partition& partition, const RegionComplex& complex);
 
-/// What is made of the regions of a diagram: their partition first, without what no site reaches,
-/// then the complex of that, and of both the result, at one go.
+/// Work that computes a result from the regions of a diagram: first their partition, which leaves
+/// out components without a site, then its complex, then, at one go, the result from both.
 template <class Result, class Make>
 class FromRegions final : public SlicedWork<Result> {
  public:
@@ -57,7 +57,7 @@ class FromRegions final : public SlicedWork<Result> {
   Result result_;
 };
 
-/// Starts it; `make(partition, complex)` is the result.
+/// Starts such work; `make(partition, complex)` computes the result.
 template <class Make>
 auto fromRegions(const TriangleMesh& mesh, const Diagram& diagram, Make make) {
   using Result = decltype(make(std::declval<const Partition&>(), std::declval<RegionComplex>()));
@@ -65,14 +65,14 @@ auto fromRegions(const TriangleMesh& mesh, const Diagram& diagram, Make make) {
       new FromRegions<Result, Make>(mesh, diagram, std::move(make)));
 }
 
-/// A violation, and the vertices of the partition at which it can be seen: of these the one
-/// farthest from all sites is a good place for another.
+/// A violation, and the vertices of the partition where it shows: the one farthest from all sites
+/// is a good place for another site.
 struct Finding {
   Violation violation;
   std::vector<int> vertices;
 };
 
-/// As `findViolations`, in the same order.
+/// Like `findViolations`, in the same order.
 std::vector<Finding> inspect(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
                              const Diagram& diagram, const Partition& partition,
                              const RegionComplex& complex);

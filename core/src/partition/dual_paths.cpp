@@ -15,13 +15,13 @@
 namespace gvd {
 namespace {
 
-/// A point of a bisector, and how long the way from site to site over it is.
+/// A point of a bisector, and the length of the path from site to site through it.
 struct Crossing {
   SurfacePoint point;
   double length = kInfinity;
 };
 
-/// A point in terms of a face that has it.
+/// A point in terms of a given face that contains it.
 SurfacePoint inFace(const TriangleMesh& mesh, const SurfacePoint& p, int face) {
   SurfacePoint result = p;
   visitPlaces(mesh, p, [&](const SurfacePoint& place) {
@@ -30,10 +30,11 @@ SurfacePoint inFace(const TriangleMesh& mesh, const SurfacePoint& p, int face) {
   return result;
 }
 
-/// First the point of each arc at which the way from site to site is shortest, then the paths to
-/// it. Where the paths to the virtual sources are the same all along a segment, the sum of the
-/// squared distances is a quadratic function: the one through three of its values has its least
-/// value at the same place. Elsewhere an end of the segment may be nearer.
+/// Finds the point of each arc where the path from site to site is shortest, then the paths to it.
+/// If all straight paths from each of the two sites to a segment cross the same faces, the sum of
+/// the squared distances is quadratic along the segment. As both distances are equal there, their
+/// sum is least at the same place: at the vertex of the parabola through three values. Otherwise an
+/// end of the segment may be nearer.
 class DualPathFinding final : public SlicedWork<std::vector<DualPath>> {
  public:
   DualPathFinding(const TriangleMesh& mesh, const Diagram& diagram, const DistanceField& field)
@@ -60,20 +61,20 @@ class DualPathFinding final : public SlicedWork<std::vector<DualPath>> {
   std::vector<DualPath> take() override { return std::move(paths_); }
 
  private:
-  /// A point of a segment, by its share of the way.
+  /// A point of a segment, by its position along the segment.
   struct Place {
     const Diagram::Segment* segment;
     double share;
   };
 
-  /// The places on each segment where the function is evaluated first.
+  /// Adds the places on each segment where the squared sums are evaluated first.
   bool addEvenPlaces(long& budget) {
     return loop_.run(diagram_.segments.size(), budget, kPlacesPerUnit, [&](int i) {
       for (const double share : kEvenShares) places_.push_back({&diagram_.segments[i], share});
     });
   }
 
-  /// The places on the segments where it is least, in place of those.
+  /// Adds the place on each segment where its parabola is least, if that is inside.
   bool addLeastPlaces(long& budget) {
     return loop_.run(diagram_.segments.size(), budget, kPlacesPerUnit, [&](int i) {
       const auto* const values = &squaredSums_[kEvenShares.size() * i];
@@ -92,8 +93,8 @@ class DualPathFinding final : public SlicedWork<std::vector<DualPath>> {
     return {begin.face, (1 - place.share) * begin.bary + place.share * end.bary};
   }
 
-  /// Takes the places as crossings if they are nearer. The distances at all of them are asked for
-  /// at once.
+  /// Makes the nearest places the crossings of their arcs. The distances at all places are
+  /// requested at once.
   bool offerPlaces(long& budget) {
     if (!round_.run(
             [&] {
@@ -121,7 +122,7 @@ class DualPathFinding final : public SlicedWork<std::vector<DualPath>> {
     }
   }
 
-  /// Without points if the distances of its sites are not known on the arc.
+  /// Adds the path of an arc; without points if the distances of its sites are not known there.
   void addPath(int arc) {
     DualPath& path = paths_.emplace_back();
     path.labels = diagram_.arcLabels[arc];
@@ -137,7 +138,7 @@ class DualPathFinding final : public SlicedWork<std::vector<DualPath>> {
   }
 
   static constexpr std::array kEvenShares = {0.0, 0.5, 1.0};
-  /// Places that take about as long to add as one unit of the budget.
+  /// Places that take one unit of the budget to add.
   static constexpr long kPlacesPerUnit = 8;
 
   const TriangleMesh& mesh_;

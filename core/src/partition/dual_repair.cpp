@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Repair of a dual: sites are added where its violations are, until there are none.
+// Repair of a dual: adds sites at its violations until there are none.
 #include <algorithm>
 #include <set>
 #include <string>
@@ -12,7 +12,7 @@
 namespace gvd {
 namespace {
 
-/// One round of the repair: the sites that the violations of a diagram ask for.
+/// One round of the repair: finds the sites to add for the violations of a diagram.
 class RepairRound {
  public:
   RepairRound(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, const Diagram& diagram,
@@ -50,7 +50,7 @@ class RepairRound {
     for (const auto& n : partition_.regions[label].neighbours) isTouched_[n.label] = true;
   }
 
-  /// One in each component without a site.
+  /// A point in each component without a site.
   std::vector<SurfacePoint> unreachablePoints() const {
     std::vector<SurfacePoint> points;
     std::set<int> components;
@@ -80,7 +80,7 @@ class RepairRound {
   const Diagram& diagram_;
   const DistanceField& field_;
   const Partition& partition_;
-  std::vector<char> isTouched_;  ///< regions that a new site changes, or may
+  std::vector<char> isTouched_;  ///< regions that a new site may change
 };
 
 }  // namespace

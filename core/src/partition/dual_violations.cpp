@@ -106,7 +106,7 @@ class Inspector {
     return labels;
   }
 
-  /// Where two regions meet: how often, and the vertices there.
+  /// How often two regions meet, and at which vertices.
   struct Meeting {
     int count = 0;
     std::vector<int> vertices;
@@ -116,7 +116,7 @@ class Inspector {
   void inspectPairs() {
     Meetings meetings;
     for (const RegionComplex::Border& border : complex_.borders) {
-      if (border.beyond < border.label) continue;  // the outside, or seen from the other side
+      if (border.beyond < border.label) continue;  // the outside, or counted from the other side
       Meeting& meeting = meetings[{border.label, border.beyond}];
       ++meeting.count;
       addVerticesOf(border, meeting.vertices);
@@ -136,7 +136,7 @@ class Inspector {
             meeting.vertices);
   }
 
-  /// Regions that meet in a node, but in none of the arcs that end there.
+  /// Counts pairs of regions that meet in a node, but in none of the arcs that end there.
   void countMeetingsIn(int n, Meetings& meetings) const {
     const auto around = complex_.labelsAt(n);
     if (around.size() <= 3 && !complex_.nodes[n].isOnBoundary()) return;
@@ -155,7 +155,7 @@ class Inspector {
         }
   }
 
-  /// Pairs of nodes, of those around each region, that have three regions in common.
+  /// Finds pairs of nodes that have three or more regions in common.
   void inspectTriples() {
     std::vector<std::vector<int>> labels, nodes(diagram_.siteCount);
     for (int n = 0; n < static_cast<int>(complex_.nodes.size()); ++n) {
@@ -179,7 +179,7 @@ class Inspector {
           regions(three) + " meet in more than one Voronoi point", vertices);
   }
 
-  /// Follows each loop of the mesh boundary that has nodes from run to run.
+  /// Checks the loops of the mesh boundary: those with nodes run by run, then those without.
   void inspectBoundary() {
     std::vector<char> isWalked(complex_.nodes.size(), false);
     for (int start = 0; start < static_cast<int>(complex_.nodes.size()); ++start) {

@@ -22,8 +22,8 @@
 namespace gvd {
 namespace {
 
-/// While triangles are made, vertices have the mesh's numbers, and points of the diagram theirs,
-/// above.
+/// While triangles are made, a vertex of the mesh keeps its number, and point i of the diagram has
+/// the number `vertexCount() + i` unless it is at a vertex.
 class Partitioner final : public SlicedWork<Partition> {
  public:
   Partitioner(const TriangleMesh& mesh, const Diagram& diagram, const PartitionOptions& options)
@@ -40,13 +40,13 @@ class Partitioner final : public SlicedWork<Partition> {
   Partition take() override { return std::move(out_); }
 
  private:
-  /// A triangle as it was made.
+  /// A triangle, before triangles are sorted by label.
   struct Piece {
     std::array<int, 3> vertices;
     int label, face;
     double area;
   };
-  /// A point on the side of a whole face, put there by the neighbour.
+  /// A point on the side of a face that is not mixed, added by the mixed face beyond.
   struct SidePoint {
     int halfedge;
     int order;  ///< ascending along the halfedge
@@ -68,8 +68,8 @@ class Partitioner final : public SlicedWork<Partition> {
 
   bool isWhole(int face) const { return diagram_.faceLabel[face] != Diagram::kMixed; }
 
-  /// A diagram of more detail has points on the sides of mixed faces that a region triangle beyond
-  /// does not name.
+  /// With detail, a diagram has points on the sides of mixed faces that the region triangle beyond
+  /// does not list.
   bool collectPointsOnWholeSides(long& budget) {
     const bool isDone = loop_.run(diagram_.cells.size(), budget, 2, [&](int first) {
       const int face = diagram_.cellFace[first];
@@ -99,9 +99,9 @@ class Partitioner final : public SlicedWork<Partition> {
     }
   }
 
-  /// Follows a mixed face's halfedge from its tail to its tip, by the sides of cells that have no
-  /// other cell of the face beyond. Which points are on the way is told by the cells that name
-  /// them, not by coordinates: rounding may have put a point of the inside on the side.
+  /// Follows a mixed face's halfedge from its tail to its tip, along the sides of cells that have
+  /// no other cell of the face beyond. The points on the way are found by the cells that list them,
+  /// not by coordinates, because rounding may have put an inner point on the side.
   void followSide(int h) {
     const auto has = [&](int from, int to) {
       return std::find(sides_.begin(), sides_.end(), std::pair(from, to)) != sides_.end();
@@ -157,9 +157,8 @@ class Partitioner final : public SlicedWork<Partition> {
     }
   }
 
-  /// The areas of all pieces of one face, which sum to its own. Rounding may have turned a sliver
-  /// over, or moved a point off a side; what that makes too much or too little is the largest
-  /// one's.
+  /// Measures the pieces of one face, whose areas sum to that of the face. Rounding may have turned
+  /// a sliver over, or moved a point off a side; the largest piece absorbs the difference.
   void measurePieces(size_t first) {
     if (first == pieces_.size()) return;
     const double faceArea = mesh_.faceArea(pieces_[first].face);
@@ -188,8 +187,8 @@ class Partitioner final : public SlicedWork<Partition> {
     triangulate(polygon_, diagram_.faceLabel[face], face);
   }
 
-  /// A cell that comes to one point twice, its width no more than rounding there, falls apart into
-  /// the polygons in between.
+  /// Triangulates a cell. A cell that passes a point twice, because its width there is below
+  /// rounding, is split into the polygons in between.
   void addCell(int cell) {
     const int label = diagram_.cellLabel[cell], face = diagram_.cellFace[cell];
     polygon_.clear();
@@ -217,7 +216,7 @@ class Partitioner final : public SlicedWork<Partition> {
       pieces_.push_back({{polygon[a], polygon[b], polygon[c]}, label, face, 0});
   }
 
-  /// A vertex in the plane of a face.
+  /// The position of a vertex in the plane of a face.
   Eigen::Vector2d layOut(int vertex, int face) const {
     const TriangleMesh::Layout& layout = mesh_.layout(3 * face);
     const Eigen::Vector3d bary = baryOf(vertex, face);
@@ -232,11 +231,11 @@ class Partitioner final : public SlicedWork<Partition> {
     return bary;
   }
 
-  // --- The mesh of all -------------------------------------------------------------------------
+  // --- The whole mesh --------------------------------------------------------------------------
 
   int partOf(int label) const { return label < 0 ? diagram_.siteCount : label; }
 
-  /// Puts the pieces in the order of the result, by counting.
+  /// Sorts the pieces by label, by counting.
   bool groupByLabel(long& budget) {
     const size_t n = pieces_.size();
     return grouping_.run(
@@ -312,7 +311,8 @@ class Partitioner final : public SlicedWork<Partition> {
                          [&] { return loop_.run(n, budget, 4, [&](int t) { findTwinsOf(t); }); });
   }
 
-  /// Between whole faces, the mesh's; the others are matched by their ends.
+  /// Between faces that are not cut, takes the twins of the mesh; matches other sides by their
+  /// ends.
   void findTwinsOf(int t) {
     const int face = out_.triangleFace[t];
     for (int i = 0; i < 3; ++i) {
@@ -329,7 +329,7 @@ class Partitioner final : public SlicedWork<Partition> {
     }
   }
 
-  /// Joins a halfedge with one that waits for it at the lower of their ends, or lets it wait.
+  /// Pairs a halfedge with an open one at the lower of their ends, or adds it to the open ones.
   void findTwin(int h) {
     const int tail = out_.triangles[h / 3][h % 3], tip = out_.triangles[h / 3][(h + 1) % 3];
     int* link = &firstOpen_[std::min(tail, tip)];
@@ -338,8 +338,8 @@ class Partitioner final : public SlicedWork<Partition> {
       if (out_.triangles[other / 3][other % 3] != tip ||
           out_.triangles[other / 3][(other + 1) % 3] != tail)
         continue;
-      // Where the mesh was cut, sides of different faces may have the same ends and nothing to do
-      // with each other.
+      // Where the mesh was cut, sides of different faces may have the same ends without being
+      // neighbours.
       if (out_.triangleFace[h / 3] != out_.triangleFace[other / 3] && isOnMeshBoundary(h) &&
           isOnMeshBoundary(other))
         continue;
@@ -375,12 +375,12 @@ class Partitioner final : public SlicedWork<Partition> {
   SlicedLoop loop_;
   std::vector<int> vertexOfPoint_;
   std::vector<SidePoint> sidePoints_;       ///< ascending by halfedge and order
-  std::vector<std::pair<int, int>> sides_;  ///< of the cells of the face at hand
+  std::vector<std::pair<int, int>> sides_;  ///< of the cells of the current face
   std::vector<Piece> pieces_;
   std::vector<char> isLeftOut_;  ///< faces
   int nextCell_ = 0;
   size_t nextSidePoint_ = 0;
-  std::vector<int> plainPiece_;  ///< per face, the piece that is all of it, or -1
+  std::vector<int> plainPiece_;  ///< per face that is not cut, its piece; else -1
   std::vector<int> triangleOfPiece_;
   std::vector<char> isWholeFace_;  ///< per triangle
   std::vector<double> areas_;      ///< per triangle

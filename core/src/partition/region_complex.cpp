@@ -25,7 +25,7 @@ bool RegionComplexBuilding::step(long& budget) {
       [&] { return loop_.run(out_.nodes.size(), budget, 1, [&](int n) { turnAround(n); }); });
 }
 
-/// The outline's halfedge that ends the sector which one leaving a vertex starts: turning
+/// The last halfedge of the sector that starts with h: the first one on the outline when turning
 /// counterclockwise within the region.
 int RegionComplexBuilding::endOfSector(int h) const {
   int last = TriangleMesh::previous(h);
@@ -39,7 +39,7 @@ void RegionComplexBuilding::countSector(int h) {
   if (partition_.twins[h] < 0) isOnBoundary_[tail(h)] = true;
 }
 
-/// A vertex on outlines is a node unless it has two sectors that close, or one on the boundary.
+/// A vertex is a node if three or more sectors meet there, or two on the mesh boundary.
 void RegionComplexBuilding::findNode(int v) {
   if (sectors_[v] < (isOnBoundary_[v] ? 2 : 3)) return;
   nodeOfVertex_[v] = static_cast<int>(out_.nodes.size());
@@ -77,7 +77,8 @@ void RegionComplexBuilding::startBorder(int h) {
                           {}});
 }
 
-/// As the first of the node that it leaves: a run, wherever others start, else the first one.
+/// Makes a border the first of its node: a run if there is one, else the first border listed.
+/// `turnAround` adds the others.
 void RegionComplexBuilding::listBorder(int b) {
   const RegionComplex::Border& border = out_.borders[b];
   if (border.fromNode < 0) return;

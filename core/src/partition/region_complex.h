@@ -9,19 +9,20 @@
 
 namespace gvd {
 
-/// The regions of a partition as a complex: its faces are the regions, its edges the *borders*
-/// between two of them, or of one with the outside, its vertices the *nodes*: where three or more
-/// of these meet around a point. Borders are seen from a region, which is on their left, so each
-/// arc between two regions is there twice, and a *run* of a region along the mesh boundary once.
+/// The regions of a partition as a complex. Its faces are the regions. Its edges are the *borders*
+/// between two regions, or between a region and the outside. Its vertices are the *nodes*, where
+/// three or more sectors of regions, or two and the outside, meet. A border has its region on the
+/// left, so an arc between two regions consists of two borders; a *run*, a border along the mesh
+/// boundary, is there once.
 struct RegionComplex {
   static constexpr int kOutside = -1;
 
   struct Node {
     int vertex;  ///< of the partition
-    /// The borders that leave it, counterclockwise, each the first of a sector of the region to its
-    /// left. On the mesh boundary the first is a run, and the sectors do not close.
+    /// The borders that leave the node, counterclockwise; each starts a sector of the region to its
+    /// left. On the mesh boundary the first border is a run, and the sectors do not close.
     std::vector<int> borders;
-    /// The run that comes to it; -1 inside.
+    /// The run that ends at the node; -1 inside.
     int arrivingRun = -1;
 
     bool isOnBoundary() const { return arrivingRun >= 0; }
@@ -29,7 +30,7 @@ struct RegionComplex {
 
   struct Border {
     int label, beyond;      ///< to the left, to the right
-    int fromNode, toNode;   ///< -1 if it is closed and meets no node
+    int fromNode, toNode;   ///< -1 if the border is closed and meets no node
     std::vector<int> path;  ///< the halfedges of the partition along it
   };
 
@@ -46,7 +47,7 @@ struct RegionComplex {
   std::vector<int> labelsAt(int node) const;
 };
 
-/// The complex of a partition without what no site reaches, in slices.
+/// Builds, in slices, the complex of a partition that leaves out components without a site.
 class RegionComplexBuilding {
  public:
   /// The partition must outlive this.
@@ -72,7 +73,7 @@ class RegionComplexBuilding {
   std::vector<int> sectors_;        ///< of regions around a vertex
   std::vector<char> isOnBoundary_;  ///< vertices
   std::vector<char> isWalked_;      ///< halfedges
-  std::vector<int> steps_;          ///< of the loop at hand
+  std::vector<int> steps_;          ///< of the current loop
   RegionComplex out_;
 };
 

@@ -56,7 +56,7 @@ void PatchMeasuring::noteOutline(int h) {
   isOnBorder_[tail(h)] = isOnBorder_[tip(h)] = true;
 }
 
-/// The regions, and after these what no site reaches.
+/// Measures all regions, then the part that no site reaches.
 bool PatchMeasuring::surveyAll(long& budget) {
   for (; surveyed_ <= siteCount_; ++surveyed_) {
     if (!survey(patchOf(surveyed_ < siteCount_ ? surveyed_ : -1), budget)) return false;
@@ -65,7 +65,7 @@ bool PatchMeasuring::surveyAll(long& budget) {
   return true;
 }
 
-/// A region whose label and range of triangles are given.
+/// Measures a region whose label and range of triangles are set.
 bool PatchMeasuring::survey(RegionPatch& region, long& budget) {
   if (region.triangleCount == 0) return true;
   const int first = region.firstTriangle;
@@ -129,7 +129,7 @@ void PatchMeasuring::walkOutlineFrom(int start, RegionPatch& region) {
 
 void PatchMeasuring::addStep(int h, RegionPatch& region) {
   ++outlineSteps_;
-  // Every fan of the region around a point of its outline starts with one such step.
+  // The outline passes a point once per fan of the region around it.
   region.selfTouchings += lastLabel_[tail(h)] == region.label;
   lastLabel_[tail(h)] = region.label;
   const double length = (partition_.positions[tip(h)] - partition_.positions[tail(h)]).norm();
@@ -156,7 +156,7 @@ void PatchMeasuring::countInnerVertices(int t) {
   }
 }
 
-/// Floods one part of the region after the other.
+/// Counts the components of a region, by flooding one after another.
 bool PatchMeasuring::countComponents(RegionPatch& region, long& budget) {
   constexpr int kTrianglesPerUnit = 8;
   const int end = region.firstTriangle + region.triangleCount;
@@ -180,7 +180,8 @@ bool PatchMeasuring::countComponents(RegionPatch& region, long& budget) {
   return false;
 }
 
-/// V - E + F, with one vertex per fan: as many on outlines as there are steps along them.
+/// Counts V - E + F with one vertex per fan, so there are as many vertices on outlines as steps
+/// along them.
 void PatchMeasuring::countTopology(RegionPatch& region) const {
   sortStably(std::span(region.neighbours),
              [](const auto& a, const auto& b) { return a.label < b.label; });

@@ -16,13 +16,13 @@ namespace gvd {
 /// slices.
 class PatchMeasuring {
  public:
-  /// `areas` are those of its triangles. All must outlive this.
+  /// `areas` are those of the partition's triangles. All must outlive this.
   PatchMeasuring(const TriangleMesh& mesh, int siteCount, std::span<const double> areas,
                  Partition& partition);
   bool step(long& budget);
 
  private:
-  static constexpr int kNoLabel = -2;  // no region's, nor that of what no site reaches
+  static constexpr int kNoLabel = -2;  // neither a region's nor `Diagram::kUnreachable`
 
   int tail(int h) const { return partition_.triangles[h / 3][h % 3]; }
   int tip(int h) const { return tail(TriangleMesh::next(h)); }
@@ -53,21 +53,21 @@ class PatchMeasuring {
   std::vector<char> isSeen_;       ///< triangles
   std::vector<char> isWalked_;     ///< halfedges on outlines
   std::vector<char> isOnBorder_;
-  std::vector<int> lastLabel_;  ///< per vertex, of the last region whose outline came by
+  std::vector<int> lastLabel_;  ///< per vertex, of the last region whose outline passed it
 
-  // Of the region at hand.
+  // Of the current region.
   Eigen::Vector3d moment_, sum_;
-  double reach_ = 0;  ///< the square of how far a point of a triangle is from its first corner
+  double reach_ = 0;  ///< most squared distance of a triangle's points from its first corner
   int outlineSteps_ = 0, innerVertices_ = 0;
   int nextToSee_ = 0;       ///< triangle
-  std::vector<int> stack_;  ///< triangles seen, whose neighbours are not
+  std::vector<int> stack_;  ///< triangles seen whose neighbours are to be visited
   int nearest_ = 0;
-  double least_ = 0;  ///< the square of a distance to the centroid
+  double least_ = 0;  ///< least squared distance to the centroid so far
   Eigen::Vector3d nearestBary_;
 };
 
-/// The next halfedge along the outline of a region, from one that has another region beyond it, or
-/// nothing: around its tip, within the region.
+/// The next halfedge along the outline of a region after h, which is on that outline: turns around
+/// the tip of h within the region.
 int nextOnOutline(const Partition& partition, int h);
 
 /// Whether a halfedge is on the outline of its region.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How good a remesh is: angles and valences of its triangles, and how far it is from the surface.
+// The quality of a remesh: angles and valences of its triangles, and distance from the surface.
 #include "gvd/remesh.h"
 
 #include <Eigen/Geometry>
@@ -22,7 +22,7 @@ namespace {
 using Eigen::Vector3d;
 using Triangles = std::vector<TriangleTree::Triangle>;
 
-/// In degrees; 0 for a triangle without area.
+/// The least angle of a triangle, in degrees; 0 if it has no area.
 double leastAngle(const TriangleTree::Triangle& t) {
   double least = std::numbers::pi;
   for (int i = 0; i < 3; ++i) {
@@ -43,7 +43,7 @@ void measureAngles(const Triangles& triangles, RemeshQuality& quality) {
   }
 }
 
-/// A vertex is inside if as many triangles as neighbours are around it.
+/// Measures the inner vertices: those with as many triangles as neighbours.
 void measureValences(const PolygonTriangles& cut, int vertexCount, RemeshQuality& quality) {
   std::vector<std::set<int>> neighbours(vertexCount);
   std::vector<int> around(vertexCount, 0);
@@ -99,7 +99,8 @@ class QualityMeasuring final : public SlicedWork<RemeshQuality> {
 
   void note(double distance) { quality_.hausdorff = std::max(quality_.hausdorff, distance); }
 
-  /// The points of a regular grid on each triangle, not wider than the surface's edges, row by row.
+  /// Notes the distances of a regular grid of points on each triangle, row by row. The grid is no
+  /// wider than the surface's mean edge, or has 64 rows.
   bool visitRemesh(long& budget) {
     constexpr int kMostSteps = 64;
     for (; triangle_ < triangles_.size(); ++triangle_, row_ = 0) {
@@ -125,11 +126,11 @@ class QualityMeasuring final : public SlicedWork<RemeshQuality> {
   std::optional<TriangleTree> coarse_;
   TriangleTree fine_;         ///< of the surface
   std::size_t triangle_ = 0;  ///< of the remesh, to be visited next
-  int row_ = 0;               ///< of that
+  int row_ = 0;               ///< of that triangle
   RemeshQuality quality_;
 };
 
-/// A result that is there already.
+/// Work whose result is known already.
 template <class Result>
 class Ready final : public SlicedWork<Result> {
  public:

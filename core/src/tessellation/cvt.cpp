@@ -42,8 +42,8 @@ void validate(const TriangleMesh& mesh, size_t siteCount, const CvtOptions& opti
             "there is no site " + std::to_string(label) + " to be fixed");
 }
 
-/// At a vertex the angles do not add up to 2π and paths have no unique direction; beside it the
-/// logarithmic map, and with it the gradient, is that of any other place.
+/// Moves a point off a vertex: there, angles do not add up to 2π and paths have no unique
+/// direction. Beside the vertex, the logarithmic map, and so the gradient, is as good as anywhere.
 SurfacePoint offVertex(SurfacePoint p) {
   constexpr double kLeast = 1e-7;
   int corner;
@@ -55,13 +55,13 @@ SurfacePoint offVertex(SurfacePoint p) {
 
 }  // namespace
 
-/// One diagram after the other, of trial sites: those a step away from the accepted ones. If the
-/// energy has fallen enough, they are accepted and the next direction is chosen; else the step is
-/// shortened, and if that is to no avail, Lloyd's takes its place.
+/// Traces a diagram of trial sites, a step away from the accepted sites. If the energy has fallen
+/// enough, the trial is accepted and a new direction chosen. Otherwise the step is shortened and,
+/// after a few attempts, Lloyd's direction is taken instead.
 ///
-/// Every site has a frame of its own that is carried along its moves in parallel. Gradients and
-/// steps are given in these, two components per site, so that those of former sites can be used
-/// with those of today (an isometric vector transport: Huang, Gallivan, Absil 2015).
+/// Every site has its own frame, transported in parallel along its moves. Gradients and steps are
+/// given in these frames, two components per site, so that those of earlier iterations can be
+/// combined with the current ones (an isometric vector transport: Huang, Gallivan, Absil 2015).
 class Cvt::Solver {
  public:
   Solver(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, CvtOptions options)
@@ -69,7 +69,7 @@ class Cvt::Solver {
     validate(mesh, sites.size(), options_);
     for (const int label : options_.fixedSites) isFixed_[label] = true;
     for (size_t l = 0; l < sites.size(); ++l)
-      if (sites[l].face < 0) isFixed_[l] = true;  // no site, to stay none
+      if (sites[l].face < 0) isFixed_[l] = true;  // a label without a site keeps none
     trial_.sites.assign(sites.begin(), sites.end());
     trial_.frames.assign(sites.size(), Vector2d(1, 0));
     for (size_t l = 0; l < sites.size(); ++l)
@@ -101,10 +101,10 @@ class Cvt::Solver {
   const Diagram& diagram() const { return accepted_.diagram; }
 
  private:
-  /// Sites, and what they come to. The gradient is that of the energy, zero for fixed sites.
+  /// Sites, with their diagram, energy and its gradient, which is zero for fixed sites.
   struct State {
     std::vector<SurfacePoint> sites;
-    std::vector<Vector2d> frames;  ///< x axis of each site's own frame in that of its face
+    std::vector<Vector2d> frames;  ///< x axis of each site's frame, in the frame of its face
     std::vector<double> moves;     ///< length of each site's last move
     std::shared_ptr<const DistanceField> distances;
     Diagram diagram;
@@ -148,7 +148,7 @@ class Cvt::Solver {
             -2 * turnedBackBy(trial_.energy.regions[l].moment, trial_.frames[l]);
   }
 
-  /// Armijo's condition; an increase by rounding is none.
+  /// Armijo's condition, where an increase by rounding counts as none.
   bool isLowEnough() const {
     constexpr double kDecrease = 1e-4, kRounding = 1e-14;
     const double before = accepted_.energy.energy;
@@ -179,7 +179,8 @@ class Cvt::Solver {
     tryStep(1);
   }
 
-  /// What Lloyd's step makes of the gradient -2 ∫ ρ u: the mean of u.
+  /// The inverse Hessian that Lloyd's step assumes: 1 / 2m per region of mass m takes the gradient
+  /// -2 ∫ ρ u to minus the mean of u.
   VectorXd inverseDiagonal() const {
     VectorXd result = VectorXd::Zero(2 * siteCount());
     for (int l = 0; l < siteCount(); ++l) {
@@ -202,8 +203,8 @@ class Cvt::Solver {
     slope_ = direction_.dot(accepted_.gradient);
   }
 
-  /// No site goes further than its region is wide, or twice as far as Lloyd's step, for what is
-  /// known about the energy ends there.
+  /// No site moves farther than the radius of a disk of its region's area, or twice as far as by
+  /// Lloyd's step, whichever is more: the gradient says little about the energy beyond.
   void limit(const VectorXd& inverse) {
     for (int l = 0; l < siteCount(); ++l) {
       const double lloyd =
@@ -239,11 +240,11 @@ class Cvt::Solver {
     trial_.moves[label] = way.length;
   }
 
-  /// After a step that did not lower the energy enough: to where a parabola has its minimum, within
-  /// limits. After three attempts Lloyd's direction takes the place of the quasi-Newton one. Its
-  /// own first step lowers the energy, as far as that and the gradient are exact: after three
-  /// attempts what is left to be gained is less than what they err by, and this ends. Where the
-  /// gradient promises no more than rounding, one attempt each is enough.
+  /// Shortens a step that did not lower the energy enough, to the minimum of a parabola, within
+  /// limits. After three attempts, Lloyd's direction replaces the quasi-Newton one. Its first step
+  /// lowers the energy, up to the errors of energy and gradient: after three attempts, no gain
+  /// above these errors is left, and the iteration ends. If the gradient promises no more than
+  /// rounding, one attempt each is enough.
   void retreat() {
     constexpr int kAttempts = 3;
     constexpr double kRounding = 1e-13;  // of the energy
@@ -265,8 +266,8 @@ class Cvt::Solver {
 
   // --- Sites without region ---
 
-  /// New places for the sites whose regions have no mass: drawn from where the energy is, face by
-  /// face, for there a further site lowers it most.
+  /// Draws new places for the sites whose regions have no mass, from the faces in proportion to
+  /// their energy: a further site lowers it most where it is large.
   void findNewPlaces() {
     newPlaces_.assign(siteCount(), SurfacePoint());
     hasNewPlaces_ = false;
@@ -286,14 +287,14 @@ class Cvt::Solver {
   const CvtOptions options_;
   std::vector<char> isFixed_;
   State accepted_, trial_;
-  SlicedSequence evaluation_;  ///< of the trial: by distances, diagram and integrals
+  SlicedSequence evaluation_;  ///< of the trial: distances, diagram, integrals
   std::unique_ptr<Propagation> propagation_;
   std::unique_ptr<SlicedWork<Diagram>> tracing_;
   std::unique_ptr<SlicedWork<CvtEnergy>> integration_;
   CvtIteration iteration_;
   bool isDone_ = false;
 
-  // Of the iteration at hand.
+  // Of the current iteration.
   LbfgsMemory memory_;
   VectorXd direction_;
   double slope_ = 0;  ///< of the energy along the direction

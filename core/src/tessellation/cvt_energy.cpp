@@ -17,7 +17,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// The polar coordinates of every label known at every vertex, as squared distances and vectors.
+/// The logarithmic map of every label at every vertex that it reaches, with the squared distance.
 class LogMaps {
  public:
   struct Value {
@@ -31,7 +31,7 @@ class LogMaps {
     values_.reserve(mesh.vertexCount());
   }
 
-  /// Takes those at the next vertex.
+  /// Adds the labels at the next vertex.
   void add(const DistanceField& distances, int vertex) {
     for (const LabelledDistance& d : distances.at(vertex)) {
       const Vector2d u = d.distance * distances.direction(d.label, vertex);
@@ -86,7 +86,7 @@ class Integrator final : public SlicedWork<CvtEnergy> {
       add(mesh_.faceArea(face), rho_, squared_, {sides_[1], sides_[2], sides_[0]}, vectors_);
   }
 
-  /// Prepares what is linear on a face for a label; false if the label is not known there.
+  /// Loads the corner values of a label on a face; false if the label is not known there.
   bool enterFace(int face, int label) {
     for (int i = 0; i < 3; ++i) {
       const int v = mesh_.tail(3 * face + i);
@@ -132,11 +132,11 @@ class Integrator final : public SlicedWork<CvtEnergy> {
     add(area, corners.transpose() * rho_, squared, opposite, vectors_ * corners);
   }
 
-  /// The same, given ρ, d² and u at the triangle's corners and the squared sides opposite to them.
-  /// In the triangle, ρ and u are linear, and d² is the interpolant of its corner values less
-  /// Σ cᵢ cⱼ |eᵢⱼ|², with the triangle's own barycentric coordinates c and sides e. So its mean
-  /// needs that of products of up to three c only: of cᵢ 1/3, cᵢ cⱼ 1/12, cᵢ² 1/6, c₀ c₁ c₂ 1/60,
-  /// cᵢ² cⱼ 1/30.
+  /// Adds the integrals, given ρ, d² and u at the triangle's corners and the squared sides opposite
+  /// to them. In the triangle, ρ and u are linear, and d² is the interpolant of its corner values
+  /// less Σ cᵢ cⱼ |eᵢⱼ|², where c are the triangle's own barycentric coordinates and e its sides.
+  /// So only means of products of up to three c are needed: 1/3 for cᵢ, 1/12 for cᵢ cⱼ, 1/6 for
+  /// cᵢ², 1/60 for c₀ c₁ c₂, 1/30 for cᵢ² cⱼ.
   void add(double area, const Vector3d& rho, const Vector3d& squared, const Vector3d& opposite,
            const Eigen::Matrix<double, 2, 3>& vectors) {
     const double rhoSum = rho.sum();
@@ -158,7 +158,7 @@ class Integrator final : public SlicedWork<CvtEnergy> {
   LogMaps logMaps_;
   CvtEnergy out_;
 
-  // Of the face and label at hand, by corner.
+  // Of the current face and label, by corner.
   int face_ = -1, label_ = -1;
   std::array<double, 3> sides_;
   Vector3d squared_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Mass, first moment and energy of each region, which a step of a tessellation follows from.
+// Mass and first moment of each region, and the energy: a tessellation computes its steps from
+// them.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,8 +20,8 @@ namespace gvd {
 /// Integrals over the region of one site.
 struct RegionMoments {
   double mass = 0;  ///< ∫ ρ
-  /// ∫ ρ u, u the logarithmic map: the vector of length d in which the shortest path to a point
-  /// leaves the site, in the frame of the site's face.
+  /// ∫ ρ u, where u is the logarithmic map: the vector of length d along which the shortest path to
+  /// a point leaves the site, in the frame of the site's face.
   Eigen::Vector2d moment = {0, 0};
 };
 
@@ -30,12 +31,13 @@ struct CvtEnergy {
   std::vector<RegionMoments> regions;
 };
 
-/// Integrates over the regions of a diagram traced with detail 0 from these distances, with the
-/// density ρ per vertex, linear in between; empty: 1. All integrals are exact for d² = Σ bᵢ Uᵢ² -
-/// Σ bᵢ bⱼ |eᵢⱼ|² and u = Σ bᵢ Uᵢ (cos θᵢ, sin θᵢ), U and θ the polar coordinates of the corners.
-/// In the site's own face that is |p - s|² and p - s. For these, -2 ∫ ρ u is the exact gradient of
-/// the energy wherever it has one: what regions exchange when their bisector moves has the same d²
-/// on both sides, and ∂(U²)/∂s = -2 U (cos θ, sin θ). O(F). All must outlive the work.
+/// Integrates over the regions of a diagram traced with detail 0 from these distances. The density
+/// ρ is given per vertex and linear in between; if empty, it is 1. All integrals are exact for d² =
+/// Σ bᵢ Uᵢ² - Σ bᵢ bⱼ |eᵢⱼ|² and u = Σ bᵢ Uᵢ (cos θᵢ, sin θᵢ), where U and θ are the polar
+/// coordinates of the corners; in the site's own face, these are |p - s|² and p - s. Then -2 ∫ ρ u
+/// is the exact gradient of the energy wherever the energy has one: a moving bisector has the same
+/// d² on both sides, so its motion contributes nothing, and ∂(U²)/∂s = -2 U (cos θ, sin θ). O(F).
+/// All must outlive the work.
 std::unique_ptr<SlicedWork<CvtEnergy>> startCvtEnergy(const TriangleMesh& mesh,
                                                       const DistanceField& distances,
                                                       const Diagram& diagram,

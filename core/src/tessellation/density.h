@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Whether a density given per vertex is one.
+// Validation of densities that are given per vertex.
 #pragma once
 
 #include <cmath>

@@ -15,12 +15,12 @@ class LbfgsMemory {
   void clear() { steps_.clear(); }
   bool empty() const { return steps_.empty(); }
 
-  /// Learns that `step` has changed the gradient by `change`. Without positive curvature along the
-  /// step there is nothing to be learnt.
+  /// Records that `step` has changed the gradient by `change`. Ignores steps without positive
+  /// curvature, which would make the approximation indefinite.
   void learn(const Eigen::VectorXd& step, const Eigen::VectorXd& change);
 
-  /// The direction to go: the approximate inverse Hessian times -gradient. It starts from the given
-  /// diagonal, an inverse Hessian of its own right; with no step known, nothing else is used.
+  /// The search direction: the approximate inverse Hessian times -gradient. The approximation
+  /// starts from the given diagonal, and is that diagonal if no step is recorded.
   Eigen::VectorXd direction(const Eigen::VectorXd& gradient,
                             const Eigen::VectorXd& inverseDiagonal) const;
 

@@ -30,7 +30,7 @@
 namespace gvd {
 namespace {
 
-/// The areas of the faces; if there is no area at all, 1 for each.
+/// The areas of the faces, or 1 for each face of a mesh without area.
 std::vector<double> faceWeights(const TriangleMesh& mesh) {
   const bool hasArea = mesh.area() > 0;
   std::vector<double> weights(mesh.faceCount());
@@ -52,7 +52,7 @@ SurfacePoint drawPoint(std::mt19937_64& random, const std::vector<double>& sums)
   return p;
 }
 
-/// One vertex after the other that is farthest from the points so far.
+/// Adds, one after another, the vertex that is farthest from all points so far.
 class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
  public:
   FarthestSampling(const TriangleMesh& mesh, int count, std::uint64_t seed, double coveringRadius)
@@ -60,9 +60,8 @@ class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
         count_(count),
         seed_(seed),
         coveringRadius_(coveringRadius),
-        // Where a point is the nearest, its distance is right if it is at both ends of every edge
-        // that the path crosses: these are no farther beyond the point's region than an edge is
-        // long.
+        // A distance from the nearest point is right if the sweep reaches both ends of every edge
+        // that the path crosses. These ends are at most an edge length beyond the point's region.
         sweep_(mesh, [this](int v) { return least_[v] + mesh_.longestEdge(v); }) {
     requireCount(count);
   }
@@ -112,7 +111,7 @@ class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
     return false;
   }
 
-  /// Distances only fall: the first vertex whose distance in the queue is up to date is the
+  /// Distances only decrease, so the first vertex whose distance in the queue is up to date is the
   /// farthest.
   bool findFarthest(long& budget) {
     for (; budget > 0; --budget) {
@@ -137,13 +136,13 @@ class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
   std::vector<SurfacePoint> points_;
 };
 
-/// Points that keep their distance. Each of them is known at all vertices of the faces that its
-/// disk reaches into, so that whether a place is free can be told from its own face.
+/// Points that keep their distance. Each point has its distance at all vertices of the faces that
+/// its disk reaches, so whether a place is free follows from its own face.
 class DiskSampling final : public SlicedWork<PoissonDisk> {
  public:
-  /// Darts are thrown until as many in a row have missed as make it unlikely that there is much
-  /// room left, or there are `count` points. Then, without a count, the vertices that are free are
-  /// added; with one, the radius falls.
+  /// Throws darts until there are `count` points, or so many darts in a row have missed that there
+  /// is probably little room left. Then, without a count, the vertices that are free are added;
+  /// with a count, the radius shrinks.
   DiskSampling(const TriangleMesh& mesh, std::optional<int> count, double radius,
                std::uint64_t seed)
       : mesh_(mesh), count_(count), radius_(radius), random_(seed), sweep_(mesh, [this](int v) {
@@ -237,9 +236,9 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
   SlicedSequence sequence_, spread_;
   SlicedLoop loop_;
   dgpc::UnfoldingSweep sweep_;
-  std::vector<double> sums_;  ///< of the faces' weights
+  std::vector<double> sums_;  ///< cumulative weights of the faces
   size_t misses_ = 0;         ///< since the last dart that hit
-  int nextVertex_ = 0;        ///< to be tried, once all darts are thrown
+  int nextVertex_ = 0;        ///< to be tried, after all darts
   bool isSpreading_ = false;
   std::vector<std::vector<LabelledDistance>> known_;  ///< per vertex, ascending by label
   std::vector<SurfacePoint> points_;
@@ -306,7 +305,7 @@ PoissonDisk samplePoissonDisk(const TriangleMesh& mesh, double radius, std::uint
 
 std::unique_ptr<SlicedWork<PoissonDisk>> startPoissonDiskCount(const TriangleMesh& mesh, int count,
                                                                std::uint64_t seed) {
-  // In the plane no more than this many disks fit, in a hexagonal lattice.
+  // The spacing of `count` points in a hexagonal lattice, the densest packing in the plane.
   const double radius = count > 0 ? std::sqrt(2 * mesh.area() / (std::sqrt(3.0) * count)) : 0;
   return std::make_unique<DiskSampling>(mesh, count, radius, seed);
 }

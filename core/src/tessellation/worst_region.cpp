@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Sites for the worst region first: which region of a diagram is the worst, kept up to date while
-// sites come.
+// Sampling of the worst region first: finds the worst region of a diagram, and keeps the answer up
+// to date while sites are inserted.
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
@@ -20,8 +20,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// (σ₁ - 1)² + (σ₂ - 1)² of the logarithmic map of a label on a face. Where the map is not known,
-/// that of a map to one point.
+/// (σ₁ - 1)² + (σ₂ - 1)² of a label's logarithmic map on a face, as if the map were 0 at corners
+/// where it is not known.
 double distortionOf(const TriangleMesh& mesh, const DistanceField& distances, int label, int face) {
   Eigen::Matrix<double, 2, 3> u;
   for (int i = 0; i < 3; ++i) {
@@ -35,7 +35,7 @@ double distortionOf(const TriangleMesh& mesh, const DistanceField& distances, in
   const TriangleMesh::Layout layout = mesh.layout(3 * face);
   const Vector2d along = (u.col(1) - u.col(0)) / layout.length;
   const Vector2d across = (u.col(2) - u.col(0) - layout.x * along) / layout.y;
-  // σ₁² + σ₂² = |J|², and σ₁ σ₂ = |det J|, J their matrix.
+  // σ₁² + σ₂² = |J|², and σ₁ σ₂ = |det J|, where J is their matrix.
   const double squares = along.squaredNorm() + across.squaredNorm();
   const double product = std::abs(along[0] * across[1] - along[1] * across[0]);
   return std::max(0.0, squares - 2 * std::sqrt(squares + 2 * product) + 2);
@@ -54,8 +54,8 @@ double areaOfCell(const TriangleMesh& mesh, const Diagram& diagram, int cell) {
   return std::max(0.0, share) * mesh.faceArea(face);
 }
 
-/// The distance of the nearest site to a point is no more than this: that to a corner of its face,
-/// and the way from there.
+/// An upper bound on the distance of a point from the nearest site: the least distance over a
+/// corner of its face.
 double distanceAtMost(const TriangleMesh& mesh, const DistanceField& distances,
                       const SurfacePoint& p) {
   double least = kInfinity;
