@@ -8,13 +8,13 @@ export type ErrorCode =
   | 'invalid-mesh'
   /** The bytes are not a glTF that this library reads. */
   | 'invalid-gltf'
-  /** The file is no model that this library reads, is damaged, or one that it needs is missing. */
+  /** The file is no model that this library reads, is damaged, or needs a file that is missing. */
   | 'invalid-file'
   /** A site or another point is not on the surface. */
   | 'invalid-point'
   /** An argument is of the wrong kind, or makes no sense for this object. */
   | 'invalid-argument'
-  /** The object has been disposed, or the library that it is of. */
+  /** The object has been disposed, or the library that it belongs to. */
   | 'disposed'
   /** There is not enough memory; the library is still usable. */
   | 'out-of-memory'

@@ -35,7 +35,7 @@ export const maxDetail = 10;
 /** The core counts in 32 bits. */
 export const maxCount = 2 ** 31 - 1;
 
-/** Of a limit of the glTF reader: its memory has no more bytes than this. */
+/** The greatest limit of the glTF reader: its memory has no more bytes than this. */
 export const maxLimit = 2 ** 32 - 1;
 
 export const meshDefaults = {
@@ -57,7 +57,7 @@ export function toMeshBuild({ weld, orientation, minComponent }: MeshBuild): Mes
   };
 }
 
-/** Of a mesh: its triangles, or the files that these are read from. */
+/** The triangles of a mesh, or the files to read them from. */
 export function toMeshInput(
   source: MeshSource,
   { limits, file }: Pick<MeshOptions, 'file'> & { limits: GltfLimits },
@@ -67,7 +67,7 @@ export function toMeshInput(
   return { files: toFiles(source), limits: toLimits(limits), file: toFileName(file) };
 }
 
-/** Which of several models is meant, if that is said. */
+/** The path of the model to open, if one is given. */
 export function toFileName(file: string | undefined): string | undefined {
   if (file === undefined || typeof file === 'string') return file;
   throw invalidArgument(`file is ${show(file)}, not a string`);

@@ -33,7 +33,9 @@ import {
 
 /** Numbers that are copied between two looks at the clock. */
 const numbersPerStep = 2 ** 15;
-/** The share of the time for a mesh from a file that reading takes, about; the rest makes the mesh. */
+/**
+ * The share of the time for a mesh from a file that reading takes, about; the rest makes the mesh.
+ */
 const readingShare = 0.7;
 /** The share of the time for a diagram that the distances take, about; the rest is tracing. */
 const distancesShare = 0.9;
@@ -45,7 +47,7 @@ type Pointer = number;
 interface Kept {
   pointer: Pointer;
   free?: 'freeMesh' | 'freeVoronoi' | 'freeCvt';
-  /** Of a diagram, the mesh that it is on, kept once it is asked for: freed with the diagram. */
+  /** The mesh of a diagram, made when first asked for and freed with the diagram. */
   mesh?: Handle;
   lastCall?: Promise<unknown>;
 }
@@ -291,8 +293,8 @@ export class LocalEngine implements Engine {
   }
 
   /**
-   * Calls `step` until it says that it is done: in slices, between which the thread serves others,
-   * the caller hears of it and may give up.
+   * Calls `step` until it says that it is done, in slices. Between slices the thread serves others,
+   * progress is reported, and the signal may abort.
    */
   async #inSlices(
     step: () => number,
@@ -330,13 +332,13 @@ export class LocalEngine implements Engine {
   }
 
   #pointer(object: Handle): Pointer {
-    this.#open(); // else the library has been disposed, and with it the object
+    this.#open(); // throws if the library has been disposed, and with it the object
     const kept = this.#objects.get(object);
     if (!kept) throw new GeodesicVoronoiError('disposed', 'the object has been disposed');
     return kept.pointer;
   }
 
-  /** The mesh that an object is, or that a diagram is on. */
+  /** The mesh itself, or the mesh that a diagram is on. */
   #meshOf(object: Handle): Handle {
     const kept = this.#objects.get(object);
     if (kept?.free !== 'freeVoronoi') return object;
@@ -350,7 +352,7 @@ export class LocalEngine implements Engine {
   }
 }
 
-/** What is made when it is first asked for; after a failure, the next one tries again. */
+/** Makes a value when it is first asked for; after a failure, the next request tries again. */
 function whenNeeded<Value>(make: () => Promise<Value>): () => Promise<Value> {
   let made: Promise<Value> | undefined;
   return () =>
