@@ -56,7 +56,7 @@ const actions: Readonly<Record<Command, (viewer: Viewer) => void>> = {
   'move-down': (viewer) => viewer.nudge(0, moveStep),
 };
 
-/** Those that change nothing but the view. */
+/** Commands that change nothing but the view. */
 const ofView: ReadonlySet<Command> = new Set<Command>([
   'refit',
   'turn-left',

@@ -6,7 +6,7 @@ import type { Partition } from 'geodesic-voronoi';
 import { LabelColours } from './label_colours.js';
 import type { SceneMesh } from './scene_mesh.js';
 
-/** As much of a partition as is drawn. */
+/** The parts of a partition that are drawn. */
 export interface Parts {
   points: Pick<Partition['points'], 'position'>;
   triangles: Partition['triangles'];

@@ -29,7 +29,7 @@ export const darkTheme: Theme = {
 
 const darkPages = '(prefers-color-scheme: dark)';
 
-/** That of a page, or a part of it, by its `color-scheme`: dark only where it may be. */
+/** The theme of a part of a page, by its `color-scheme`: dark only where that allows it. */
 export function themeOf(host: Element): Theme {
   const schemes = getComputedStyle(host).colorScheme.split(' ');
   if (!schemes.includes('dark')) return lightTheme;
