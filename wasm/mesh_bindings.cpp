@@ -218,7 +218,7 @@ GVD_ABI Answer* sampleSites(const MeshHandle* handle, int count, Text sampling, 
   });
 }
 
-/// The same, as many as the radius takes.
+/// `SurfacePoints`: as many sites as the radius takes.
 GVD_ABI Answer* sampleSitesByRadius(const MeshHandle* handle, double radius, Text sampling,
                                     double seed) {
   return guarded([&] {

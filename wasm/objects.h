@@ -65,7 +65,7 @@ struct VoronoiHandle {
   /// Begins to make `dynamic`, which `takeDynamic` then takes.
   std::unique_ptr<SlicedWork<DynamicDiagram>> startDynamic() const;
   void takeDynamic(DynamicDiagram made);
-  /// Where one more site would be.
+  /// The place for one more site.
   SurfacePoint worstRegionPoint(WorstRegion worst);
 };
 

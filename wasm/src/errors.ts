@@ -2,7 +2,7 @@
 //
 // The one class of errors that this library throws.
 
-/** What went wrong, for programs. */
+/** The kind of error, for programs. */
 export type ErrorCode =
   /** The triangles cannot be made into a surface. */
   | 'invalid-mesh'
@@ -24,7 +24,7 @@ export type ErrorCode =
   | 'internal';
 
 /**
- * What this library throws: `code` for programs; `message` for people, one sentence without its
+ * The error of this library: `code` for programs; `message` for people, one sentence without its
  * capital and full stop, as it may follow the name of a file.
  */
 export class GeodesicVoronoiError extends Error {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Which of several files are models.
+// Finds the models among files.
 import { toTaskOptions } from './checks.js';
 import { toFileName, toFiles } from './input.js';
 import { type FoundModel, modelIn, modelsIn } from './input/read_model.js';

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What callers pass, checked in form and copied. Whether it makes sense on the surface is for the
-// core to say.
+// Checks the form of what callers pass, and copies it. Whether it makes sense on the surface is
+// checked by the core.
 
 import { isObject, show, toFloat64, toInt32, toInteger, toOneOf } from './checks.js';
 import type { CvtSettings, FileInput, MeshBuild } from './engine.js';
@@ -182,7 +182,7 @@ export const tessellationDefaults = {
   fixedSites: [],
 } as const;
 
-/** Whether density and fixed sites fit mesh and sites is for the core to say. */
+/** The core checks whether density and fixed sites fit the mesh and the sites. */
 export function toCvtSettings({
   method,
   metric,

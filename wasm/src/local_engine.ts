@@ -33,11 +33,9 @@ import {
 
 /** Numbers that are copied between two looks at the clock. */
 const numbersPerStep = 2 ** 15;
-/**
- * The share of the time for a mesh from a file that reading takes, about; the rest makes the mesh.
- */
+/** The approximate share of reading in the time for a mesh from a file; building is the rest. */
 const readingShare = 0.7;
-/** The share of the time for a diagram that the distances take, about; the rest is tracing. */
+/** The approximate share of distances in the time for a diagram; tracing is the rest. */
 const distancesShare = 0.9;
 
 /** The address of an object in core.wasm. */
@@ -52,7 +50,7 @@ interface Kept {
   lastCall?: Promise<unknown>;
 }
 
-/** What `createMesh` answers: the mesh and what is told about it. */
+/** The answer of `createMesh`: the mesh and its facts. */
 type CreatedMesh = Omit<MeshInfo, 'origin' | 'notes'> & { mesh: Pointer };
 
 export class LocalEngine implements Engine {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the library answers with: plain data, copies, yours to keep or to transfer. `records.cpp`
-// and the bindings beside it fill in these fields by their names.
+// The results of the library: plain data, copies, yours to keep or to transfer. `records.cpp` and
+// the bindings beside it fill in these fields by their names.
 
 /** 'exact', the default, is the polyhedral distance; 'dgpc' is approximate, and quicker. */
 export type Metric = (typeof metrics)[number];
@@ -302,7 +302,7 @@ export interface PolygonTopology {
   genus: number;
 }
 
-/** What keeps a dual from the surface's topology, see `Violation` in `core/include/gvd/dual.h`. */
+/** Reasons why a dual lacks the surface's topology: `Violation` in `core/include/gvd/dual.h`. */
 export type ViolationKind =
   | 'unreachable'
   | 'no-region'

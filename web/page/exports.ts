@@ -41,7 +41,7 @@ const encoders: Record<string, Record<string, Encoder>> = {
     },
   },
   bisectors: {
-    // What is not needed is not copied.
+    // Copies only the arrays that are needed.
     glb: async (diagram) => {
       const { points, segments } = await diagram.fetchData();
       return encode(mediaTypes.glb, 'diagramGlb', { points, segments });

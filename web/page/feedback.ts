@@ -122,7 +122,7 @@ function setUpReadout(viewer: GeodesicVoronoiElement): void {
   });
 }
 
-/** What the diagram is made of, and how long each stage took, the last time. */
+/** Shows the counts of the diagram, and the time that each stage took last. */
 function setUpTimes(viewer: GeodesicVoronoiElement): void {
   const arcCount = byId('arc-count', HTMLElement);
   const voronoiPointCount = byId('voronoi-point-count', HTMLElement);

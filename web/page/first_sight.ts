@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the page opens with: a model whose random regions become even ones, once.
+// The opening of the page: a model whose random regions become even ones, once.
 
 import type { CvtState } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';

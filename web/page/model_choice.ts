@@ -132,7 +132,7 @@ function setUpPicker(open: (files: readonly File[]) => void): void {
     onClick(button, () => input.click()).disabled = false;
     input.addEventListener('change', () => {
       if (input.files?.length) open([...input.files]);
-      // The same file may be chosen again.
+      // Emptied, so that choosing the same file again is a change.
       input.value = '';
     });
   }

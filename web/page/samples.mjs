@@ -62,7 +62,7 @@ function ply({ positions, indices }) {
   return Buffer.concat([Buffer.from(header.join('\n')), vertices, faces]);
 }
 
-/** As it comes it has 3,674 triangles; two rounds make 58,784 of them. */
+/** The bunny of the package has 3,674 triangles; two rounds of subdivision make 58,784. */
 function bunny() {
   const { positions, cells } = require('bunny');
   return subdivide(subdivide({ positions: positions.flat(), indices: cells.flat() }));

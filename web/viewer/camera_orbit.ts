@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Where the camera is, as text: the attribute `camera-orbit`.
+// The camera's place as text: the attribute `camera-orbit`.
 
-/** Where the camera is around the model, as `<model-viewer>` has it. */
+/** The camera's place around the model, as in `<model-viewer>`. */
 export interface CameraOrbit {
   /** The angle around the upward axis, in radians; 0 is in front. */
   theta: number;

@@ -15,7 +15,7 @@ export interface Brush {
   density: number;
 }
 
-/** How much of the way to the brush's density one dab goes at its centre. */
+/** The share of the way to the brush's density that one dab goes at its centre. */
 const flow = 0.5;
 
 /**

@@ -15,7 +15,7 @@ import { occlude } from './occlusion.js';
 import { wholeScene } from './record_buffer.js';
 import type { PartTriangles } from './part_triangles.js';
 
-/** How far, in radii of the model, a part at distance 1 moves at most. */
+/** The farthest that a part at distance 1 moves, in radii of the model. */
 export const widestSpread = 1;
 
 /** The most triangles that one frame uploads. */
@@ -75,7 +75,7 @@ export class ExplodedParts {
     for (const { geometry } of this.object.children as Mesh[]) geometry.setDrawRange(0, Infinity);
   }
 
-  /** What colours are multiplied by. */
+  /** The factor that colours are multiplied by. */
   set shade(shade: number) {
     this.#material.color.setScalar(shade);
   }

@@ -9,7 +9,7 @@ import { toneColour } from './region_colours.js';
 const neutralColour = 0xd9d6d0;
 /** Faces that no site reaches. */
 const unreachableColour = 0x9a9ca1;
-/** Where the painted density is greatest and least. */
+/** The colours for the greatest and the least painted density. */
 const denseColour = 0x4a1942;
 const sparseColour = 0xffffff;
 const tintOpacity = 0.75;
@@ -46,7 +46,7 @@ export class LabelColours {
     target[to + 2] = this.#table[from + 2];
   }
 
-  /** The same with a tint, -1 … 1, over it. */
+  /** Writes a label's colour with a tint, -1 … 1, over it. */
   writeTinted(label: number, tint: number, target: { [i: number]: number }, to: number): void {
     this.write(label, target, to);
     const over = tint < 0 ? this.#sparse : this.#dense;

@@ -51,7 +51,7 @@ export class ModelFrame {
     return scene;
   }
 
-  /** The same, written to `scene`. */
+  /** Like `namedToScene`, but writes to `scene`. */
   writeToScene(positions: ArrayLike<number>, named: ArrayLike<number>, scene: Float32Array): void {
     const [x, y, z] = this.centre;
     const { scale } = this;

@@ -72,14 +72,14 @@ export async function originalMaterial(
   return { object, textures: textures.size, dispose };
 }
 
-/** In the light of the other layers. Skins are not posed, as in the mesh. */
+/** Gives a part the lighting of the other layers. Skins are not posed, as in the library's mesh. */
 function plainly(part: Mesh): Mesh {
   const { color, map, vertexColors, transparent, opacity, alphaTest, flatShading } =
     part.material as MeshStandardMaterial;
   const material = new MeshLambertMaterial({
     ...{ color, map, vertexColors, transparent, opacity, alphaTest, flatShading },
     side: DoubleSide,
-    // As in `RegionSurface`.
+    // Pushed back behind lines, as in `RegionSurface`.
     polygonOffset: true,
     polygonOffsetFactor: 2,
     polygonOffsetUnits: 2,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Which point of the surface is under a place of the view, and which points the surface hides.
+// Finds the point of the surface under a place of the view, and tells which points are hidden.
 
 import {
   BufferAttribute,

@@ -3,7 +3,7 @@
 // The room in the buffers of a `RecordBuffer`. In a file of its own, because workers need no
 // three.js.
 
-/** How much larger than needed a buffer of records is made. */
+/** The factor by which a buffer of records is larger than needed. */
 const slack = 1.25;
 
 /** The number of records that a buffer made for `count` records has room for. */

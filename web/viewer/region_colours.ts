@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Which colours regions get.
+// Chooses the colours of regions.
 
 import { leastDistance } from './colour_vision.js';
 

@@ -309,7 +309,7 @@ function recoloured(before: Uint16Array | undefined, after: Uint16Array | undefi
   );
 }
 
-/** Of three corners per triangle. */
+/** Buffers of three corners per triangle. */
 function cornerBuffers(position: Float32Array, normal: Float32Array, colour: Uint8Array) {
   return [
     new BufferAttribute(position, 3),

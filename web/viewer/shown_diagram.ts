@@ -19,7 +19,7 @@ export interface DiagramSettings {
   detail: number;
 }
 
-/** What a diagram is made from. */
+/** The sites and settings that a diagram is made from. */
 export interface DiagramRequest extends DiagramSettings {
   sites: Sites;
 }

@@ -13,7 +13,7 @@ const cell = (2 * halfWidth) / resolution;
  */
 const boxRadii = [1, 3] as const;
 export const deviations = [Math.sqrt(2) * cell, Math.sqrt(14) * cell] as const;
-/** How far off the surface the grid is read, in standard deviations. */
+/** The distance off the surface at which the grid is read, in standard deviations. */
 export const lift = 1.5;
 /** The byte for the density that is read near a plane; other densities are in proportion. */
 export const byteOfPlane = 48;

@@ -7,9 +7,9 @@ export interface Theme {
   readonly ink: number;
   /** The rim of markers. */
   readonly paper: number;
-  /** What is chosen, and the dual. */
+  /** The chosen site, the dual, paths and the brush. */
   readonly accent: number;
-  /** What regions' colours are multiplied by, so that lines stand out. */
+  /** The factor for the colours of regions, so that lines stand out. */
   readonly surfaceShade: number;
 }
 

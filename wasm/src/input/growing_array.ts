@@ -47,7 +47,7 @@ export class GrowingArray<Array extends Numbers> {
     return next.value;
   }
 
-  /** The same, in steps: yields between chunks. */
+  /** Like `toArray`, but in steps: yields between chunks. */
   *take(): SlicedWork<Array> {
     const chunks = this.#chunks;
     const { length } = this;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How much is read of a model, so that a small file cannot take all memory or hours.
+// Limits on the size of a model, so that a small file cannot take all memory or hours.
 
 import { GeodesicVoronoiError } from '../errors.js';
 import type { GltfLimits } from '../types.js';

@@ -44,12 +44,12 @@ export class FileSet {
     );
   }
 
-  /** Those that have the names of models. */
+  /** The paths of files that are named like models. */
   models(): string[] {
     return this.#shown().filter((path) => modelName.test(path));
   }
 
-  /** What to say if the wanted file is not there. */
+  /** The error if the wanted file is not there. */
   without(wanted: string): GeodesicVoronoiError {
     const there = listed([...this.#files.keys()].filter((path) => !isHidden(path)));
     return new GeodesicVoronoiError(

@@ -41,7 +41,7 @@ export function* readPly(bytes: Uint8Array, limits: SizeLimits): SlicedWork<Read
 /** The data, value after value. */
 interface Values {
   next(type: PlyType): number;
-  /** Where the last value was, for messages. */
+  /** The place of the last value, for messages. */
   readonly place: string;
   /** The share of the data read so far, 0 … 1. */
   readonly share: number;

@@ -15,10 +15,7 @@ export class Polygons {
   readonly #limits: SizeLimits;
   /** The corners of all polygons, one after the other. */
   readonly #corners: GrowingArray<Int32Array>;
-  /**
-   * Of each polygon that is no triangle, the place of its first corner in `#corners`, and their
-   * number.
-   */
+  /** Polygons of more than three corners: the index of the first in `#corners`, and the number. */
   readonly #larger = new GrowingArray(Int32Array);
   #start = 0;
   #count = 0;

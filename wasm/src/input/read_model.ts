@@ -31,7 +31,7 @@ export interface InputModules {
 /** A model of a format without normals, texture coordinates and parts; its density is optional. */
 export interface ReadModel extends Pick<Triangles, 'positions' | 'indices'> {
   density?: Float64Array;
-  /** What was passed over or changed, a sentence each. */
+  /** Sentences on things that were passed over or changed. */
   notes: string[];
 }
 

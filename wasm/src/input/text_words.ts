@@ -15,10 +15,7 @@ export class TextWords {
   readonly #bytes: Uint8Array;
   readonly #decoder = new TextDecoder();
   #read = 0;
-  /**
-   * What is decoded and still needed: from the line's start, or only from the last word's if that
-   * is long.
-   */
+  /** Decoded text still needed: from the start of the line, or of the last word in a long line. */
   #text = '';
   #at = 0;
   #lineStart = 0;

@@ -75,7 +75,7 @@ function entriesOf(archive: Uint8Array): Entry[] {
   });
 }
 
-/** Where the record is that ends the archive; only a comment may follow it. */
+/** The place of the record that ends the archive; only a comment may follow it. */
 function endOfDirectory(view: DataView): number {
   const last = view.byteLength - 22;
   for (let at = last; at >= Math.max(0, last - 0xffff); --at) {
