@@ -118,7 +118,7 @@ std::vector<Record::Row> Record::rows() const {
 GVD_ABI void* allocate(std::size_t bytes) { return std::malloc(bytes); }
 GVD_ABI void release(void* memory) { std::free(memory); }
 
-/// Of the last call: a code, empty if it succeeded, and a sentence.
+/// The error of the last call: a code, empty if it succeeded, and a sentence.
 GVD_ABI const char* errorCode() { return lastCode; }
 GVD_ABI const char* errorMessage() { return lastMessage.c_str(); }
 

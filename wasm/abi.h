@@ -3,9 +3,9 @@
 // What every module of ours shares at its border with JavaScript: how arguments come in, how
 // results and errors go out. `src/wasm_module.ts` is the other side.
 //
-// The C++ functions themselves are the one table of what there is. JavaScript calls them by their
-// names, with as many arguments as they have; results and enumerators cross with their names. So no
-// order of functions, of arrays or of enumerators is written down anywhere else.
+// The C++ functions themselves are the only list of what can be called. JavaScript calls them by
+// name, with as many arguments as they have; results and enumerators cross by name, too. So the two
+// sides need not agree on any order of functions, arrays or enumerators.
 #pragma once
 
 #include <emscripten/em_macros.h>
@@ -135,7 +135,7 @@ Answer* answer(F&& f) {
   return guarded([&] { return new Answer{nullptr, f()}; });
 }
 
-/// A record made of what sliced work comes to.
+/// A record made of the result of sliced work.
 template <class Result, class ToRecord>
 class RecordOfResult final : public SlicedWork<Record> {
  public:
@@ -146,7 +146,7 @@ class RecordOfResult final : public SlicedWork<Record> {
   Record take() override { return toRecord_(work_->take()); }
 
  private:
-  ToRecord toRecord_;  // keeps what the work refers to: first to come, last to go
+  ToRecord toRecord_;  // keeps what the work refers to, so it has to outlive the work
   std::unique_ptr<SlicedWork<Result>> work_;
 };
 

@@ -67,7 +67,7 @@ GVD_ABI Answer* cvtDiagram(const CvtHandle* cvt) {
   return answer([&] { return diagramRecord(*cvt->surface.mesh, cvt->cvt->diagram()); });
 }
 
-/// The same diagram as an object.
+/// The diagram of the last iteration as an object.
 GVD_ABI VoronoiHandle* cvtVoronoi(const CvtHandle* handle) {
   return guarded([&] {
     const Cvt& cvt = *handle->cvt;

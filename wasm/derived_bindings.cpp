@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What is derived from a diagram, for JavaScript: the partition of the mesh, the dual, how valid
-// and how good that is.
+// Results derived from a diagram, for JavaScript: the partition of the mesh; the dual, its
+// violations and its quality.
 
 #include <algorithm>
 #include <memory>

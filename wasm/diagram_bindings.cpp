@@ -52,11 +52,11 @@ class LocatedPoints final : public PointLookup {
   std::vector<double> distance_;
 };
 
-/// `DiagramChange`: what it changes that a site comes, goes or moves. The first change makes the
-/// diagram anew, as one that can change.
+/// `DiagramChange`: inserts, removes or moves a site. The first change makes the `DynamicDiagram`.
 class SiteChanging final : public SlicedWork<Record> {
  public:
-  /// No label: a new site. No site: that of the label goes. The diagram must outlive the steps.
+  /// Without a label, inserts the site; without a site, removes that of the label. The diagram must
+  /// outlive the steps.
   SiteChanging(VoronoiHandle& voronoi, std::optional<int> label, std::optional<SurfacePoint> site)
       : voronoi_(voronoi), label_(label), site_(std::move(site)) {}
 
@@ -79,7 +79,7 @@ class SiteChanging final : public SlicedWork<Record> {
   }
 
  private:
-  /// Makes the diagram that can change if there is none yet; true when it is there.
+  /// Makes the `DynamicDiagram` if there is none yet; true when it is there.
   bool makeDynamic(long budget) {
     if (voronoi_.dynamic) return true;
     if (!making_) making_ = voronoi_.startDynamic();

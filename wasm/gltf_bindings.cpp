@@ -15,7 +15,7 @@
 namespace gvd::abi {
 namespace {
 
-/// The limits, in which values replace those that are named. The names are those of `GltfLimits`.
+/// The default limits, with the named ones replaced. The names are those of `GltfLimits`.
 GltfLimits toLimits(std::span<const Array<char>> names, std::span<const double> values) {
   using Limit = std::size_t GltfLimits::*;
   constexpr Named<Limit> kLimits[] = {

@@ -119,8 +119,8 @@ Record infoRecord(const TriangleMesh& mesh) {
 
 GVD_ABI const char* version() { return GVD_VERSION; }
 
-/// What a mesh is made of comes piece by piece: so that copying it does not take the thread, and it
-/// is never here twice.
+/// The input of a mesh, which arrives piece by piece: so copying does not block the thread, and
+/// memory never holds it twice.
 struct MeshArrays {
   std::vector<double> positions;
   std::vector<int> triangles;
@@ -218,7 +218,7 @@ GVD_ABI Answer* sampleSites(const MeshHandle* handle, int count, Text sampling, 
   });
 }
 
-/// The same, as many as the radius takes.
+/// `SurfacePoints`: as many sites as the radius takes.
 GVD_ABI Answer* sampleSitesByRadius(const MeshHandle* handle, double radius, Text sampling,
                                     double seed) {
   return guarded([&] {
@@ -237,8 +237,8 @@ GVD_ABI Answer* sampleSitesByRadius(const MeshHandle* handle, double radius, Tex
   });
 }
 
-/// `SurfacePoints`: these, with at least so many on each component, and no more than `count` unless
-/// there were.
+/// `SurfacePoints`: the given ones, with at least `perComponent` on each component, and no more
+/// than `count` unless more were given.
 GVD_ABI Answer* coverComponents(const MeshHandle* handle, Ints face, Doubles bary, int perComponent,
                                 int count, double seed) {
   return answer([&] {
@@ -261,7 +261,7 @@ GVD_ABI Answer* bareComponents(const MeshHandle* handle, Ints face, Doubles bary
   });
 }
 
-/// `values`: a density per input vertex; of one that is on no triangle, 1.
+/// `values`: a density per input vertex, 1 at vertices of no triangle.
 GVD_ABI Answer* curvatureDensity(const MeshHandle* handle) {
   return guarded([&] {
     return answerOf(startCurvatureDensity(*handle->mesh),

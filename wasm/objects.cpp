@@ -51,7 +51,7 @@ std::unique_ptr<SlicedWork<DynamicDiagram>> VoronoiHandle::startDynamic() const 
                    : DynamicDiagram::start(mesh(), sites, metric, options);
 }
 
-/// What there was stays until then: making it may throw.
+/// Only now the former state is given up, because making the new one may have thrown.
 void VoronoiHandle::takeDynamic(DynamicDiagram made) {
   dynamic = std::make_unique<DynamicDiagram>(std::move(made));
   distances.reset();

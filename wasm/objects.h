@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What JavaScript holds by its address: meshes, diagrams, tessellations; and what it names in terms
-// of the input (faces, vertices, points), in terms of a `TriangleMesh`. No other file converts
-// these that way; `records.h` converts results back.
+// The objects that JavaScript holds by address: meshes, diagrams, tessellations. Also the only
+// conversion of faces, vertices and points from the numbers of the input to those of a
+// `TriangleMesh`; `records.h` converts results back.
 #pragma once
 
 #include <memory>
@@ -25,7 +25,7 @@
 
 namespace gvd::abi {
 
-/// A mesh that diagrams may outlive the caller's handle of.
+/// A mesh, shared so that its diagrams may outlive the caller's handle.
 struct MeshHandle {
   std::shared_ptr<const TriangleMesh> mesh;
   std::shared_ptr<const ClosestPointQuery> closestPoints;  // once it is asked for
@@ -55,9 +55,9 @@ struct VoronoiHandle {
   const DistanceField& field() const {
     return dynamic ? dynamic->distances() : distances ? *distances : *sharedDistances;
   }
-  /// Of the sites there are.
+  /// The diagram of the present sites.
   Diagram diagram() const;
-  /// The mesh and the diagram of now, for work that may last longer than these.
+  /// The mesh and the present diagram, for work that may outlast them.
   Surface snapshot() const;
   /// The sites by label; face -1 where one has been removed. Labels at the end that have none do
   /// not count.
@@ -65,7 +65,7 @@ struct VoronoiHandle {
   /// Begins to make `dynamic`, which `takeDynamic` then takes.
   std::unique_ptr<SlicedWork<DynamicDiagram>> startDynamic() const;
   void takeDynamic(DynamicDiagram made);
-  /// Where one more site would be.
+  /// The place for one more site.
   SurfacePoint worstRegionPoint(WorstRegion worst);
 };
 
@@ -84,7 +84,7 @@ class PointLookup : public SlicedWork<Record> {
   double progress() const final { return count_ > 0 ? static_cast<double>(next_) / count_ : 1; }
 
  protected:
-  /// Makes what points are looked up in; true when it is there.
+  /// Prepares the look-ups in steps; true when they can begin.
   virtual bool prepare(long /*budget*/) { return true; }
   virtual void lookUp(std::size_t i) = 0;
 
@@ -118,12 +118,12 @@ std::vector<SurfacePoint> sitesFromInput(const TriangleMesh& mesh, Ints face, Do
 SurfacePoint pointFromInput(const TriangleMesh& mesh, int face, const double* bary);
 SurfacePoint pointFromInput(const TriangleMesh& mesh, Ints face, Doubles bary);
 
-/// Values given per input vertex, per vertex of the mesh; none stay none. `what` they are, for
-/// errors.
+/// Turns values per input vertex into values per vertex of the mesh; no values stay no values.
+/// `what` names them in errors.
 std::vector<double> valuesFromInput(const TriangleMesh& mesh, const char* what,
                                     std::span<const double> values);
 
-/// Values given per vertex of the mesh, per input vertex; of an isolated one, `otherwise`.
+/// Turns values per vertex of the mesh into values per input vertex, `otherwise` at isolated ones.
 std::vector<double> valuesAtInput(const TriangleMesh& mesh, std::span<const double> values,
                                   double otherwise);
 

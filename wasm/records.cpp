@@ -65,8 +65,8 @@ std::vector<int> inputFaceLabels(const TriangleMesh& mesh, std::span<const int> 
   return labels;
 }
 
-/// A diagram, or the part of one that a change replaces. Without `faceLabel`, which has an entry
-/// for every face of a diagram, but of a change for the changed ones.
+/// A diagram, or the part of one that a change replaces. Leaves out `faceLabel`, which has an entry
+/// for every face in a diagram, but only for the changed faces in a change.
 Record piecesRecord(const TriangleMesh& mesh, Diagram diagram) {
   Record arcs = listsRecord(std::move(diagram.arcs));
   arcs.add("labels", std::move(diagram.arcLabels));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the input says of its vertices (normals, texture coordinates), at points of the surface.
+// Normals and texture coordinates of the input, interpolated at points of the surface.
 
 import type { Partition } from './results.js';
 import type { Mesh } from './types.js';
@@ -8,7 +8,7 @@ import type { Mesh } from './types.js';
 /** The mesh that a partition or a dual came from, or as much of it as writers need. */
 export type AttributeSource = Pick<Mesh, 'positions' | 'indices' | 'normals' | 'uvs'>;
 
-/** Per vertex of a file the point it is at, and what belongs to it; absent: the input has none. */
+/** Vertices of a file: the point of each, and its attributes, absent where the input has none. */
 export interface FileVertices {
   points: Int32Array;
   normals?: Float32Array;
@@ -18,7 +18,7 @@ export interface FileVertices {
 /** Values at points given by a face and barycentric coordinates. */
 class Interpolator {
   readonly #source: AttributeSource;
-  /** Of one point: the normal, then the texture coordinates, as far as there are any. */
+  /** The values at one point: its normal, then its texture coordinates, if there are any. */
   readonly values: Float32Array;
 
   constructor(source: AttributeSource) {
@@ -77,7 +77,7 @@ class Interpolator {
   }
 }
 
-/** Takes the rows of an interpolator apart. */
+/** Splits an interpolator's rows into normals and texture coordinates. */
 function columnsOf(source: AttributeSource, rows: number[]): Omit<FileVertices, 'points'> {
   const normalSize = source.normals.length > 0 ? 3 : 0;
   const uvSize = source.uvs.length > 0 ? 2 : 0;
@@ -94,8 +94,8 @@ function columnsOf(source: AttributeSource, rows: number[]): Omit<FileVertices, 
 }
 
 /**
- * Vertices for the triangles `first` … `last - 1` of a partition, and each corner's: one per point,
- * but several where the input's normals or texture coordinates have a seam.
+ * Vertices for the triangles `first` … `last - 1` of a partition, and the vertex of each corner. A
+ * point has one vertex, or several on a seam of the input's normals or texture coordinates.
  */
 export function partitionVertices(
   { triangles, points }: Partition,
@@ -168,7 +168,7 @@ function unitVectors(vectors: Float64Array): Float32Array {
   return units;
 }
 
-/** One list after the other, all with or all without each attribute. */
+/** Joins lists of vertices; each attribute is in all of them or in none. */
 export function joined(lists: FileVertices[]): FileVertices {
   const concat = <List extends Int32Array | Float32Array>(
     type: { new (length: number): List },

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// What an edit changes in the arrays of a diagram, put in the place of what was there.
+// Merges the change that an edit makes into the arrays of a diagram.
 import { GrowingArray } from './input/growing_array.js';
 import type { DiagramChange, DiagramData, PointLists, SurfacePoints } from './results.js';
 
 /**
- * The sites after a change: `site` is where the one of `label` is now, undefined if it is gone. Labels at
- * the end without a site do not count.
+ * The sites after a change: `site` is the new place of `label`, undefined if it was removed. Labels
+ * without a site are dropped from the end.
  */
 export function changedSites(
   sites: SurfacePoints,
@@ -27,7 +27,7 @@ export function changedSites(
     : { face: face.slice(0, end), bary: bary.slice(0, 3 * end) };
 }
 
-/** The diagram of so many sites after a change: what the change names is replaced, all else is kept. */
+/** The diagram after a change: its regions and triangles are replaced, everything else is kept. */
 export function changedData(
   data: DiagramData,
   change: DiagramChange,
@@ -63,8 +63,9 @@ export function combinedChange(first: DiagramChange, second: DiagramChange): Dia
 }
 
 /**
- * Shortens a list of changes after one has been appended. Drops earlier changes that the newest one fully
- * overwrites, as happens during a drag, and combines it with those that are at most twice as large.
+ * Shortens a list of changes after one has been appended. Drops earlier changes that the newest one
+ * fully overwrites, as happens during a drag, and combines it with those that are at most twice as
+ * large.
  */
 export function shortenChanges(changes: DiagramChange[]): void {
   let last = changes.pop();
@@ -104,7 +105,7 @@ function overlaid(
   return [keys, Array.from(keys, (key) => valueByKey.get(key)!)];
 }
 
-/** What a diagram and the part of a change have in common: all but the values per label and face. */
+/** The arrays of a diagram or of a change's part, without the values per label and face. */
 type Pieces = Omit<DiagramData, 'siteCount' | 'regionArea' | 'faceLabel'>;
 
 /** One of the two sources of a merged diagram: its arrays, and where its points went. */
@@ -231,8 +232,8 @@ class Merge {
   }
 
   /**
-   * The lists of both sources, ascending by their keys; those of the old one whose key has changed are left
-   * out. Calls `taken` with each list that is taken.
+   * The lists of both sources, ascending by their keys; those of the old one whose key has changed
+   * are left out. Calls `taken` with each list that is taken.
    */
   #inOrder(
     listsOf: (arrays: Pieces) => PointLists,
@@ -261,7 +262,7 @@ class Merge {
   }
 }
 
-/** The points of a merged diagram that are named, each place once. */
+/** Collects the points that a merged diagram refers to, each place once. */
 class MergedPoints {
   readonly #face = new GrowingArray(Int32Array);
   readonly #bary = new GrowingArray(Float64Array);
@@ -270,8 +271,8 @@ class MergedPoints {
   readonly #shared = new Map<number, { point: number; b0: number; b1: number }[]>();
 
   /**
-   * Numbers the points of a source in the merged diagram, each when it is first asked for. Points at a place
-   * of the `other` source are one with those.
+   * Numbers the points of a source in the merged diagram, each when it is first asked for. A point
+   * at the same place as one of the `other` source gets the same number.
    */
   from(points: DiagramData['points'], other?: DiagramData['points']): (point: number) => number {
     const merged = new Int32Array(points.face.length).fill(-1);

@@ -15,7 +15,9 @@ type Complete<Options, Defaults> = {
     : Exclude<Options[Name], undefined>;
 };
 
-/** The options of a call, with defaults for those left out. Refuses one that the call does not know. */
+/**
+ * The options of a call, with defaults for those left out. Refuses one that the call does not know.
+ */
 export function toOptions<Options extends object, const Defaults extends Usual<Options>>(
   options: Options | undefined,
   usual: Defaults,
@@ -39,7 +41,7 @@ export function toOptions<Options extends object, const Defaults extends Usual<O
   return Object.fromEntries(values) as Complete<Options, Defaults>;
 }
 
-/** The same of a call that is a task: `onProgress` and `signal` are options of all of these. */
+/** The options of a task, checked likewise: every task also has `onProgress` and `signal`. */
 export function toTaskOptions<
   Options extends TaskOptions,
   const Defaults extends Usual<Omit<Options, keyof TaskOptions>>,
@@ -62,7 +64,7 @@ export function toTask(options: TaskOptions | undefined): TaskOptions {
   return toTaskOptions(options, {});
 }
 
-/** Also of a signal from another frame or worker, which is no instance of this one's class. */
+/** Accepts signals of other frames too, which are no instances of this frame's class. */
 function isSignal(value: unknown): value is AbortSignal {
   return Object.prototype.toString.call(value) === '[object AbortSignal]';
 }
@@ -137,7 +139,7 @@ function isBigInts(values: unknown): boolean {
   return values instanceof BigInt64Array || values instanceof BigUint64Array;
 }
 
-/** Something that this library gave out: at least an object with its fields. */
+/** A result of this library that is passed back to it: an object with at least these fields. */
 export function toResult<Result extends object>(
   name: string,
   value: Result,
@@ -149,7 +151,7 @@ export function toResult<Result extends object>(
   throw invalidArgument(`${name}.${missing} is ${show(value[missing])}, not an object`);
 }
 
-/** What lengths are multiplied with. */
+/** A factor for lengths. */
 export function toScale(scale: number): number {
   if (Number.isFinite(scale) && scale > 0) return scale;
   throw invalidArgument(`scale is ${show(scale)}, not a positive number`);
@@ -178,13 +180,13 @@ export function requireBytes(name: string, bytes: Uint8Array): void {
     throw invalidArgument(`${name} is ${show(bytes)}, not a Uint8Array`);
 }
 
-/** The name that takes the fewest letters to be changed, added or left out. */
+/** The name at the least Levenshtein distance. */
 export function nearestName(name: string, names: readonly string[]): string {
   const distances = names.map((other) => letterDistance(name.toLowerCase(), other.toLowerCase()));
   return names[distances.indexOf(Math.min(...distances))];
 }
 
-/** Levenshtein's distance, row by row. */
+/** The Levenshtein distance, row by row. */
 function letterDistance(a: string, b: string): number {
   let row = Array.from({ length: b.length + 1 }, (_, j) => j);
   for (let i = 1; i <= a.length; ++i) {

@@ -20,7 +20,7 @@ export type WasmSource =
 /** Compiles the module at an address; how depends on where the library runs. */
 export type CompileAddress = (address: URL | string) => Promise<WebAssembly.Module>;
 
-/** The module of a source; 'load-failed' if it is not to be had. `name` is the option's, for errors. */
+/** Compiles a source, or throws 'load-failed'. `name` is the option's, for errors. */
 export async function compile(
   name: string,
   source: WasmSource,
@@ -48,7 +48,7 @@ export async function compileFromWeb(address: URL | string): Promise<WebAssembly
 
 async function compileResponse(response: Response): Promise<WebAssembly.Module> {
   if (!response.ok) throw new Error(`the server answers ${response.status} ${response.statusText}`);
-  // Compiling while it arrives is refused for any other media type, and some servers know none.
+  // Streaming compilation needs this media type, which some servers do not send.
   return response.headers.get('Content-Type')?.startsWith('application/wasm')
     ? WebAssembly.compileStreaming(response)
     : WebAssembly.compile(await response.arrayBuffer());

@@ -87,7 +87,7 @@ export class EngineDiagram implements Diagram {
       if (this.#changes.length > 0) {
         this.#data = await this.#kept.call<DiagramData>('voronoiDiagram', [], task);
         this.#changes = [];
-        // Their loops count the points of the former arrays.
+        // The loops of these regions are indices into the former arrays.
         this.#regions = undefined;
       }
       return this.#data;
@@ -115,8 +115,8 @@ export class EngineDiagram implements Diagram {
   }
 
   /**
-   * Makes changes one after the other, in the order in which they were asked for. One that has begun cannot
-   * be aborted: the engine's diagram could then differ from this one.
+   * Makes changes one after the other, in the order in which they were asked for. One that has
+   * begun cannot be aborted: the engine's diagram could then differ from this one.
    */
   async #inTurn(
     options: TaskOptions | undefined,
@@ -127,7 +127,7 @@ export class EngineDiagram implements Diagram {
       const [change, site] = await task((name, ...args) => {
         signal?.throwIfAborted();
         const answer = this.#kept.call<DiagramChange>(name, args, { onProgress });
-        shortenChanges(this.#changes); // while the engine is at work, elsewhere perhaps
+        shortenChanges(this.#changes); // meanwhile the engine may be at work in a worker
         return answer;
       });
       this.#sites = changedSites(this.#sites, change.label, site);
@@ -220,7 +220,7 @@ export class EngineDiagram implements Diagram {
     return diagram;
   }
 
-  /** These sites and those of one round of repair; nothing if there is nothing to repair. */
+  /** These sites and those that one round of repair adds; undefined if it adds none. */
   async #moreSites(most: number, signal?: AbortSignal): Promise<SurfacePoints | undefined> {
     const added = await this.#kept.call<SurfacePoints>('repairingSites', [], { signal });
     if (added.face.length === 0) return undefined;

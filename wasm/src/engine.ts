@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What stands behind the objects that callers hold: the library on this thread (`LocalEngine`) or in
-// a worker (`startWorkerEngine`).
+// What stands behind the objects that callers hold: the library on this thread (`LocalEngine`) or
+// in a worker (`startWorkerEngine`).
 
 import type { WasmSource } from './compile.js';
 import type {
@@ -25,14 +25,17 @@ export interface EngineSources {
   dracoWasm: WasmSource;
 }
 
-/** A mesh, a diagram or a tessellation that an engine keeps; never used twice, so a stale one is known as such. */
+/**
+ * A mesh, a diagram or a tessellation that an engine keeps; never used twice, so a stale one is
+ * known as such.
+ */
 export type Handle = number;
 
 /** What a mesh is read from. */
 export interface FileInput {
   files: ModelFiles;
   limits: GltfLimits;
-  /** Which of several models. */
+  /** The path of the model to read, of several. */
   file?: string;
 }
 
@@ -43,7 +46,7 @@ export interface MeshBuild {
   minComponent: number;
 }
 
-/** A mesh opened; `triangles` are those of files, which the caller does not have yet. */
+/** An opened mesh; `triangles` is given if it came from files, because the caller has none yet. */
 export interface OpenedMesh {
   handle: Handle;
   info: MeshInfo;
@@ -78,21 +81,24 @@ export interface OpenedCvt {
   handle: Handle;
 }
 
-/** What a state of a tessellation comes with: nothing, the arrays of its diagram, or the diagram too. */
+/**
+ * What a state of a tessellation comes with: nothing, the arrays of its diagram, or the diagram
+ * too.
+ */
 export type CvtForm = 'bare' | 'data' | 'diagram';
 
-/** An iteration; with `handle` that of its diagram. */
+/** An iteration; `handle` is its diagram, if that was asked for. */
 export type AdvancedCvt = Omit<CvtState, 'diagram'> & { handle?: Handle };
 
 /**
- * Arguments are valid in form. Everything in and out can be posted to a worker, but for the options of
- * a task, which are the last argument of all functions that return a promise.
+ * Arguments have been checked in form. Arguments and results can be posted to a worker, except the
+ * options of a task: the last argument of every function that returns a promise.
  */
 export interface Engine {
   readonly version: string;
   /**
-   * Calls a function of core.wasm that answers about a mesh or a diagram, or changes it: by its name,
-   * with what it takes beside the object.
+   * Calls a function of core.wasm by its name, to query or change a mesh or a diagram: `args` are
+   * its arguments after the object.
    */
   call<Result>(
     name: string,
@@ -100,7 +106,7 @@ export interface Engine {
     args: readonly Argument[],
     task: TaskOptions,
   ): Promise<Result>;
-  /** The same of one that answers about a mesh; the object is that mesh, or on it. */
+  /** Calls a function about a mesh; `object` is the mesh, or a diagram on it. */
   callMesh<Result>(
     name: string,
     object: Handle,
@@ -128,9 +134,9 @@ export interface Engine {
     settings: CvtSettings,
     task: TaskOptions,
   ): Promise<OpenedCvt>;
-  /** The next iteration, the first time number 0; nothing after the last one. */
+  /** The next iteration, beginning with number 0; undefined after the last one. */
   advanceCvt(cvt: Handle, form: CvtForm, task: TaskOptions): Promise<AdvancedCvt | undefined>;
-  /** Frees a mesh, a diagram or a tessellation. Those of a mesh stay. */
+  /** Frees a mesh, a diagram or a tessellation. The diagrams and tessellations of a mesh stay. */
   close(object: Handle): void;
   dispose(): void;
 }

@@ -2,19 +2,19 @@
 //
 // The one class of errors that this library throws.
 
-/** What went wrong, for programs. */
+/** The kind of error, for programs. */
 export type ErrorCode =
   /** The triangles cannot be made into a surface. */
   | 'invalid-mesh'
   /** The bytes are not a glTF that this library reads. */
   | 'invalid-gltf'
-  /** The file is no model that this library reads, is damaged, or one that it needs is missing. */
+  /** The file is no model that this library reads, is damaged, or needs a file that is missing. */
   | 'invalid-file'
   /** A site or another point is not on the surface. */
   | 'invalid-point'
   /** An argument is of the wrong kind, or makes no sense for this object. */
   | 'invalid-argument'
-  /** The object has been disposed, or the library that it is of. */
+  /** The object has been disposed, or the library that it belongs to. */
   | 'disposed'
   /** There is not enough memory; the library is still usable. */
   | 'out-of-memory'
@@ -24,7 +24,7 @@ export type ErrorCode =
   | 'internal';
 
 /**
- * What this library throws: `code` for programs; `message` for people, one sentence without its
+ * The error of this library: `code` for programs; `message` for people, one sentence without its
  * capital and full stop, as it may follow the name of a file.
  */
 export class GeodesicVoronoiError extends Error {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Which of several files are models.
+// Finds the models among files.
 import { toTaskOptions } from './checks.js';
 import { toFileName, toFiles } from './input.js';
 import { type FoundModel, modelIn, modelsIn } from './input/read_model.js';
@@ -10,7 +10,7 @@ export type { FoundModel };
 
 export interface FindModelOptions extends TaskOptions, Pick<MeshOptions, 'file'> {}
 
-/** The model among files, found as `mesh` finds it, with what it names; none of its content is checked. */
+/** Finds the model among files as `mesh` does, without checking its content. */
 export async function findModel(
   files: ModelFile | ModelFiles,
   options?: FindModelOptions,
@@ -20,8 +20,8 @@ export async function findModel(
 }
 
 /**
- * The paths of all models among files, by their names; of a .zip alone, those in it. Each can be the option
- * `file` of `mesh`, which takes one of several only if that says which.
+ * The paths of all models among files, recognised by their names; for a single .zip, of those in
+ * it. Each can be the option `file` of `mesh`, which has to choose one where there are several.
  */
 export async function listModels(
   files: ModelFile | ModelFiles,

@@ -20,11 +20,11 @@ export type PlacedPointsJson = SurfacePointsJson & { position: number[] };
 /** The JSON form of a diagram; every index in `loops`, `points` and `point` counts the points. */
 export interface DiagramJson {
   metric: string;
-  /** What lengths of the input are multiplied with here, and the unit that they are in then, if known. */
+  /** The factor from the input's lengths to those of the file, and their unit there, if known. */
   scale: number;
   unit?: string;
   sites: SurfacePointsJson;
-  /** Those that are named below, each place once. */
+  /** The points that the fields below refer to by index, each place once. */
   points: PlacedPointsJson;
   regions: { area: number; loops: number[][]; neighbours: number[] }[];
   /**
@@ -33,7 +33,7 @@ export interface DiagramJson {
    */
   arcs: { labels: number[]; points: number[]; faces: number[] }[];
   voronoiPoints: { point: number; labels: number[] }[];
-  /** As in `DiagramData`, and what follows too. */
+  /** This and the following fields are as in `DiagramData`. */
   faceLabel: number[];
   indifferentFaces: number[];
   cells: { face: number; label: number; points: number[] }[];
@@ -172,7 +172,7 @@ export function diagramGlb(
   });
 }
 
-/** The points that lists name, ascending, and by point its place among them. */
+/** The points that lists refer to, ascending, and for each point its index among these. */
 function compact(
   lists: readonly Int32Array[],
   pointCount: number,

@@ -20,7 +20,7 @@ export class GlbBuilder {
   readonly #data: Elements[] = [];
   #byteLength = 0;
 
-  /** One of vertices; bytes stand for 0 … 1. Its elements take a multiple of four bytes. */
+  /** Adds a vertex attribute. Bytes stand for 0 … 1; elements take a multiple of four bytes. */
   attribute(data: Elements, type: keyof typeof sizes): number {
     const arrayBuffer = 34962;
     return this.#accessor(data, type, arrayBuffer);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// geodesic-voronoi in a page or a worker. Importing it does nothing; `node.ts` is its face in Node.
+// geodesic-voronoi in a page or a worker; Node has `node.ts` instead. Importing it does nothing.
 
 import { isObject, show, toOptions } from './checks.js';
 import { compile, compileFromWeb, isAddress, isResponse, type WasmSource } from './compile.js';
@@ -34,15 +34,18 @@ export function load(options?: LoadOptions): Promise<GeodesicVoronoi> {
   return loadLocal(options, compileFromWeb);
 }
 
-/** Both modules, compiled: with them as options, any number of workers start without compiling again. */
+/**
+ * Both modules, compiled: with them as options, any number of workers start without compiling
+ * again.
+ */
 export function compileModules(options?: LoadOptions): Promise<Modules> {
   return compileSources(options, compileFromWeb);
 }
 
 export interface LoadWorkerOptions extends LoadOptions {
   /**
-   * A module worker that runs `geodesic-voronoi/worker`, or the address of that script; by default the
-   * one beside this file.
+   * A module worker that runs `geodesic-voronoi/worker`, or the address of that script; by default
+   * the one beside this file.
    */
   worker?: Worker | URL | string;
 }
@@ -50,16 +53,16 @@ export interface LoadWorkerOptions extends LoadOptions {
 /**
  * The library in a module worker of its own; `dispose()` ends it.
  *
- * Vite, webpack and Rollup find the worker's script and the modules by themselves. A bundler that does
- * not know `new URL(…, import.meta.url)`, as esbuild, is told where they are. Its entry points
- * are the app and `geodesic-voronoi/worker`, as a script of its own, and the modules are copied
- * (`geodesic-voronoi/core.wasm` and `geodesic-voronoi/gltf.wasm`, with esbuild's loader `file`):
+ * Vite, webpack and Rollup find the worker's script and the modules by themselves. A bundler that
+ * does not follow `new URL(…, import.meta.url)`, such as esbuild, has to be told: make
+ * `geodesic-voronoi/worker` an entry point beside the app, have `geodesic-voronoi/core.wasm` and
+ * `geodesic-voronoi/gltf.wasm` copied (esbuild's loader `file`), and pass their addresses:
  *
  *     import wasm from 'geodesic-voronoi/core.wasm';
  *     import gltfWasm from 'geodesic-voronoi/gltf.wasm';
  *     const gvd = await loadWorker({ worker: '/worker.js', wasm, gltfWasm });
  *
- * For models that Draco has compressed, so is `geodesic-voronoi/draco.wasm`, the option `dracoWasm`.
+ * Models compressed by Draco need `geodesic-voronoi/draco.wasm`, too: the option `dracoWasm`.
  */
 export async function loadWorker(options?: LoadWorkerOptions): Promise<GeodesicVoronoi> {
   const { worker: given, ...loaded } = toOptions(options, {
@@ -92,7 +95,7 @@ function toWorker(worker: LoadWorkerOptions['worker']): Worker {
     : new Worker(worker, { type: 'module', name: 'geodesic-voronoi' });
 }
 
-/** A source as it can be posted: an address as the page means it, since the worker's base is another. */
+/** Makes a source fit to be posted: resolves addresses here, since the worker has another base. */
 async function toPost(name: string, source: WasmSource): Promise<WasmSource> {
   if (isAddress(source)) return new URL(source, globalThis.document?.baseURI ?? location.href).href;
   return isResponse(source) ? compile(name, source, compileFromWeb) : source;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What callers pass, checked in form and copied. Whether it makes sense on the surface is for the
-// core to say.
+// Checks the form of what callers pass, and copies it. Whether it makes sense on the surface is
+// checked by the core.
 
 import { isObject, show, toFloat64, toInt32, toInteger, toOneOf } from './checks.js';
 import type { CvtSettings, FileInput, MeshBuild } from './engine.js';
@@ -35,7 +35,7 @@ export const maxDetail = 10;
 /** The core counts in 32 bits. */
 export const maxCount = 2 ** 31 - 1;
 
-/** Of a limit of the glTF reader: its memory has no more bytes than this. */
+/** The greatest limit of the glTF reader: its memory has no more bytes than this. */
 export const maxLimit = 2 ** 32 - 1;
 
 export const meshDefaults = {
@@ -57,7 +57,7 @@ export function toMeshBuild({ weld, orientation, minComponent }: MeshBuild): Mes
   };
 }
 
-/** Of a mesh: its triangles, or the files that these are read from. */
+/** The triangles of a mesh, or the files to read them from. */
 export function toMeshInput(
   source: MeshSource,
   { limits, file }: Pick<MeshOptions, 'file'> & { limits: GltfLimits },
@@ -67,7 +67,7 @@ export function toMeshInput(
   return { files: toFiles(source), limits: toLimits(limits), file: toFileName(file) };
 }
 
-/** Which of several models is meant, if that is said. */
+/** The path of the model to open, if one is given. */
 export function toFileName(file: string | undefined): string | undefined {
   if (file === undefined || typeof file === 'string') return file;
   throw invalidArgument(`file is ${show(file)}, not a string`);
@@ -182,7 +182,7 @@ export const tessellationDefaults = {
   fixedSites: [],
 } as const;
 
-/** Whether density and fixed sites fit mesh and sites is for the core to say. */
+/** The core checks whether density and fixed sites fit the mesh and the sites. */
 export function toCvtSettings({
   method,
   metric,

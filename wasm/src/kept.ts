@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the objects that callers hold have in common: each stands for an object of an engine, until it
+// The common part of the objects that callers hold: each stands for an object of an engine until it
 // is disposed, and takes points of its surface.
 
 import type { Engine, Handle } from './engine.js';
@@ -18,7 +18,7 @@ const backstop = new FinalizationRegistry<{ engine: Engine; handle: Handle }>(
   ({ engine, handle }) => engine.close(handle),
 );
 
-/** What a mesh or a diagram keeps in its engine, until it is disposed. */
+/** The engine's object behind a mesh or a diagram, until that is disposed. */
 export class Kept {
   readonly engine: Engine;
   readonly #what: string;
@@ -44,7 +44,9 @@ export class Kept {
     return this.engine.call(name, this.handle, args, task);
   }
 
-  /** Points as faces and coordinates; those given by vertices are looked up. `name` is for errors. */
+  /**
+   * Points as faces and coordinates; those given by vertices are looked up. `name` is for errors.
+   */
   async points(name: string, points: SurfacePointsInput): Promise<SurfacePoints> {
     const list = toPoints(name, points);
     if (!('vertex' in list)) return list;

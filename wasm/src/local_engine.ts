@@ -33,9 +33,9 @@ import {
 
 /** Numbers that are copied between two looks at the clock. */
 const numbersPerStep = 2 ** 15;
-/** The share of the time for a mesh from a file that reading takes, about; the rest makes the mesh. */
+/** The approximate share of reading in the time for a mesh from a file; building is the rest. */
 const readingShare = 0.7;
-/** The share of the time for a diagram that the distances take, about; the rest is tracing. */
+/** The approximate share of distances in the time for a diagram; tracing is the rest. */
 const distancesShare = 0.9;
 
 /** The address of an object in core.wasm. */
@@ -45,12 +45,12 @@ type Pointer = number;
 interface Kept {
   pointer: Pointer;
   free?: 'freeMesh' | 'freeVoronoi' | 'freeCvt';
-  /** Of a diagram, the mesh that it is on, kept once it is asked for: freed with the diagram. */
+  /** The mesh of a diagram, made when first asked for and freed with the diagram. */
   mesh?: Handle;
   lastCall?: Promise<unknown>;
 }
 
-/** What `createMesh` answers: the mesh and what is told about it. */
+/** The answer of `createMesh`: the mesh and its facts. */
 type CreatedMesh = Omit<MeshInfo, 'origin' | 'notes'> & { mesh: Pointer };
 
 export class LocalEngine implements Engine {
@@ -291,8 +291,8 @@ export class LocalEngine implements Engine {
   }
 
   /**
-   * Calls `step` until it says that it is done: in slices, between which the thread serves others,
-   * the caller hears of it and may give up.
+   * Calls `step` until it says that it is done, in slices. Between slices the thread serves others,
+   * progress is reported, and the signal may abort.
    */
   async #inSlices(
     step: () => number,
@@ -330,13 +330,13 @@ export class LocalEngine implements Engine {
   }
 
   #pointer(object: Handle): Pointer {
-    this.#open(); // else the library has been disposed, and with it the object
+    this.#open(); // throws if the library has been disposed, and with it the object
     const kept = this.#objects.get(object);
     if (!kept) throw new GeodesicVoronoiError('disposed', 'the object has been disposed');
     return kept.pointer;
   }
 
-  /** The mesh that an object is, or that a diagram is on. */
+  /** The mesh itself, or the mesh that a diagram is on. */
   #meshOf(object: Handle): Handle {
     const kept = this.#objects.get(object);
     if (kept?.free !== 'freeVoronoi') return object;
@@ -350,7 +350,7 @@ export class LocalEngine implements Engine {
   }
 }
 
-/** What is made when it is first asked for; after a failure, the next one tries again. */
+/** Makes a value when it is first asked for; after a failure, the next request tries again. */
 function whenNeeded<Value>(make: () => Promise<Value>): () => Promise<Value> {
   let made: Promise<Value> | undefined;
   return () =>

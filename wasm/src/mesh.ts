@@ -102,7 +102,7 @@ export class EngineMesh implements Mesh {
     return this.#kept.call('coverComponents', [sites.face, sites.bary, least, count, seed], task);
   }
 
-  /** Always one more in the worst region of the diagram so far: `sampleWorstFirst` of the core, a site per slice. */
+  /** Adds sites one by one to the worst region so far: the core's `sampleWorstFirst`, in slices. */
   async #sampleWorstFirst(
     count: number,
     worst: WorstRegion,

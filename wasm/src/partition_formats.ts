@@ -23,7 +23,7 @@ export interface PartitionGlbOptions extends PartitionFileOptions {
    * EXT_mesh_features has them. Default 'regions'.
    */
   layout?: PartitionLayout;
-  /** Per region, as linear RGB from 0 to 1; by default hues that differ for any first few of them. */
+  /** Linear RGB, 0 … 1, per region; by default hues, far apart for the first few regions. */
   colours?: readonly (readonly number[])[];
 }
 
@@ -154,7 +154,7 @@ function featuresGlb(
     label,
     ...partitionVertices(partition, mesh, first, last),
   }));
-  // Vertices on borders are there once per region: an id belongs to a vertex.
+  // Vertices on borders are repeated for each region, because a vertex has one feature id.
   const vertices = joined(patches.map((patch) => patch.vertices));
   const ids = new Float32Array(vertices.points.length);
   const colours = new Uint8Array(4 * ids.length);
@@ -252,7 +252,7 @@ function nameOf(label: number): string {
   return label < 0 ? 'unreachable' : `region ${label}`;
 }
 
-/** Hues that follow each other by the golden ratio, so that any first few differ; as linear RGB. */
+/** A hue as linear RGB: steps of the golden ratio keep the first few hues far apart. */
 function hueOf(label: number): number[] {
   if (label < 0) return [0.2, 0.2, 0.2];
   const hue = (label * 0.618033988749895) % 1;

@@ -94,7 +94,7 @@ export function polygonPly(
   );
 }
 
-/** Without the polygons of one or two corners, which there may be where regions have few neighbours. */
+/** Drops polygons of one or two corners, which occur where regions have few neighbours. */
 function withArea({ faces, faceLabel }: PolygonMesh): Pick<PolygonMesh, 'faces' | 'faceLabel'> {
   const { offset, points } = faces;
   const kept = Array.from({ length: offset.length - 1 }, (_, f) => f).filter(

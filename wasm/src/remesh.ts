@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// Remeshing: sites at the centroids of their regions, and as many as a valid dual takes.
+// Remeshing: sites move to the centroids of their regions, and more are added for a valid dual.
 
 import type { CvtSettings } from './engine.js';
 import type { SurfacePoints } from './results.js';
 import type { Diagram, Mesh, TaskOptions } from './types.js';
 
-/** Sites that repair adds are no centroids: after some were, everything moves again, this often. */
+/** The most rounds of tessellation and repair: added sites are not at centroids yet. */
 const mostRounds = 3;
-/** About the part of the time that the tessellation of a round takes; its diagram and repair are the rest. */
+/** The approximate share of tessellation in a round's time; diagram and repair are the rest. */
 const tessellationShare = 0.8;
 
-/** The diagram with a valid dual that the tessellation of the sites, and of those added, comes to. */
+/** Tessellates and adds sites in turn, until the diagram has a valid dual. */
 export async function remesh(
   mesh: Mesh,
   given: SurfacePoints,

@@ -1,33 +1,35 @@
 // SPDX-License-Identifier: MIT
 //
-// What the library answers with: plain data, copies, yours to keep or to transfer. `records.cpp` and
+// The results of the library: plain data, copies, yours to keep or to transfer. `records.cpp` and
 // the bindings beside it fill in these fields by their names.
 
-/** Polyhedral distance, exact, which is the default; or approximate and quicker. */
+/** 'exact', the default, is the polyhedral distance; 'dgpc' is approximate, and quicker. */
 export type Metric = (typeof metrics)[number];
 export const metrics = ['exact', 'dgpc'] as const;
 
-/** How the sites of a centroidal tessellation are found: quasi-Newton steps take fewer iterations. */
+/** How a tessellation moves sites: by Lloyd's method, or by quasi-Newton steps, which are fewer. */
 export type CvtMethod = (typeof cvtMethods)[number];
 export const cvtMethods = ['lloyd', 'lbfgs'] as const;
 
 /**
- * How sites are placed: independently; always at the vertex farthest from those so far; at random
- * with a distance kept; or always in the worst region of those so far.
+ * How sites are placed. 'random': independently; 'farthest': each at the vertex farthest from those
+ * before; 'poisson': at random, but no two nearer than a radius; a `WorstRegion`: each in the worst
+ * region of those before.
  */
 export type Sampling = (typeof samplings)[number] | WorstRegion;
 export const samplings = ['random', 'farthest', 'poisson'] as const;
 
 /**
- * Which region is the worst: the largest; or the one of which the logarithmic map is most distorted,
- * since it is bent or torn. `core/include/gvd/sampling.h` holds the definitions.
+ * Which region is the worst. 'size': the largest; 'distortion': the one whose logarithmic map is
+ * most distorted, because the surface is bent or the map torn. `core/include/gvd/sampling.h` holds
+ * the definitions.
  */
 export type WorstRegion = (typeof worstRegions)[number];
 export const worstRegions = ['size', 'distortion'] as const;
 
 /**
- * What becomes of the sides of triangles: those of a component are turned over to agree with its
- * majority; or all are kept, and edges cut where they disagree.
+ * 'unify' turns triangles over to agree with the majority of their component; 'keep' turns none
+ * over, and cuts edges whose two triangles disagree.
  */
 export type Orientation = (typeof orientations)[number];
 export const orientations = ['unify', 'keep'] as const;
@@ -41,35 +43,45 @@ export interface SurfacePoints {
   bary: Float64Array;
 }
 
-/** Points with where they are in space: x, y, z each. */
+/** Surface points with their places in space: x, y, z each. */
 export type PlacedPoints = SurfacePoints & { position: Float64Array };
 
-/** The points of a surface closest to places in space, in the order of these. */
+/** The points of a surface closest to places in space, in the order of the places. */
 export type ClosestPoints = PlacedPoints & {
-  /** How far each is from its place, along a straight line, in the input's units. */
+  /** The straight distance of each from its place, in the input's units. */
   distance: Float64Array;
 };
 
 /**
- * What the mesh builder did to the input to make a manifold of it, and triangles of all its faces;
+ * What the mesh builder did to make a manifold of the input, and to give every triangle a height;
  * all zero for a clean mesh. `core/include/gvd/triangle_mesh.h` holds the policy.
  */
 export interface MeshRepairs {
+  /** Vertices merged into an earlier one at their place. */
   weldedVertices: number;
+  /** Vertices at whose place no kept triangle has a corner. */
   isolatedVertices: number;
+  /** Dropped: a corner is NaN or infinite. */
   nonFiniteTriangles: number;
+  /** Dropped: two corners at one place. */
   degenerateTriangles: number;
+  /** Dropped: the same three corners as an earlier triangle. */
   duplicateTriangles: number;
+  /** Edges of three or more triangles, cut apart. */
   nonManifoldEdges: number;
+  /** Edges cut because their two triangles disagree in orientation. */
   orientationCuts: number;
+  /** Turned over to agree with the majority of their component. */
   flippedTriangles: number;
-  /** With fewer triangles than `minComponent`, dropped, and the triangles of these. */
+  /** Components dropped because they have fewer triangles than `minComponent`. */
   smallComponents: number;
+  /** The triangles of these components. */
   smallComponentTriangles: number;
+  /** Copies made of vertices at which several fans of triangles touch. */
   splitVertices: number;
-  /** Kept, but flat or tiny: for their sake all edges count as longer. */
+  /** Kept, but flat or tiny: because of them, all edges count as longer by `mollification`. */
   mollifiedTriangles: number;
-  /** What every edge counts as longer by, in the input's units. */
+  /** The length added to every edge, in the input's units. */
   mollification: number;
 }
 
@@ -81,11 +93,11 @@ export interface BareComponents {
 }
 
 export interface MeshInfo {
-  /** Of the surface, after welding and repairs. */
+  /** Counts of the surface, after welding and repairs. */
   vertices: number;
   faces: number;
   edges: number;
-  /** Of the input. */
+  /** Counts of the input. */
   inputVertices: number;
   inputFaces: number;
   components: number;
@@ -97,7 +109,7 @@ export interface MeshInfo {
   boundingDiagonal: number;
   repairs: MeshRepairs;
   origin: MeshOrigin;
-  /** What the reader of a file passed over or changed, a sentence each. */
+  /** A sentence for each thing that the reader of the file passed over or changed. */
   notes: string[];
 }
 
@@ -109,57 +121,58 @@ export interface PointLists {
 
 /**
  * A geodesic Voronoi diagram as flat arrays: copies, yours to keep or to transfer. Labels are
- * indices into the list of sites; left and right are as seen with the triangles counterclockwise,
- * those that the mesh builder turned over as it turned them.
+ * indices into the list of sites. Left and right are as seen from the side on which triangles are
+ * counterclockwise, after the mesh builder has turned some over.
  * `core/include/gvd/diagram.h` holds the definitions.
  */
 export interface DiagramData {
   siteCount: number;
-  /** Every point named below, each place once. */
+  /** The points that the fields below refer to by index, each place once. */
   points: PlacedPoints;
-  /** Bisector segments: two points, the label on the left (the lower) and on the right, the face. */
+  /** Per bisector segment: two points, its left (lower) and right label, its face and its arc. */
   segments: { points: Int32Array; labels: Int32Array; face: Int32Array; arc: Int32Array };
-  /** Maximal chains of segments of two labels between Voronoi points; two labels per arc. */
+  /** Maximal chains of segments with the same two labels, as lists of points; two labels each. */
   arcs: PointLists & { labels: Int32Array };
-  /** Per Voronoi point its point, and the labels around it counterclockwise. */
+  /** Per Voronoi point its index in `points`, and the labels around it, counterclockwise. */
   voronoiPoints: { point: Int32Array; labelOffset: Int32Array; labels: Int32Array };
   /** Closed outlines with their region on the left, ascending by `label`. */
   loops: PointLists & { label: Int32Array };
-  /** Per label. */
+  /** The area of each region, by label. */
   regionArea: Float64Array;
   /**
    * Per input triangle: the label that owns all of it, -1 if no site reaches it, -2 if several
    * regions share it (see `cells`), -3 if the mesh builder dropped it.
    */
   faceLabel: Int32Array;
-  /** Input triangles that several labels tie on, given to the lowest of them. */
+  /** Input triangles on which several labels tie; they go to the lowest of these. */
   indifferentFaces: Int32Array;
-  /** The parts of shared triangles: convex polygons, counterclockwise. */
+  /** The parts of triangles that several regions share: convex polygons, counterclockwise. */
   cells: PointLists & { face: Int32Array; label: Int32Array };
 }
 
 /**
- * What a change of one site has made different in a diagram; all else is as it was.
+ * How a change of one site has changed a diagram; everything not listed is as it was.
  * `core/include/gvd/dynamic_diagram.h` holds the definitions.
  */
 export interface DiagramChange {
-  /** Of the site that came, went or moved. */
+  /** The label of the site that came, went or moved. */
   label: number;
   /** The regions that may differ, ascending. */
   labels: Int32Array;
-  /** The input triangles that may differ: in each of them, all cells are given. */
+  /** The input triangles that may differ; `part` has all cells of each. */
   faces: Int32Array;
   /**
-   * What replaces all that there was of these regions and triangles; points are numbered anew.
-   * `faceLabel` is given per entry of `faces`, `regionArea` per entry of `labels`, also of a label at
-   * the end that has gone.
+   * The arrays that replace everything the diagram had of these regions and triangles. Points have
+   * numbers of their own here. `faceLabel` has an entry for each of `faces`, `regionArea` for each
+   * of `labels`, even if that label has been dropped from the end of the list.
    */
   part: Omit<DiagramData, 'siteCount'>;
 }
 
 /**
- * The distances of the nearest sites, per input vertex. A vertex that belongs to no triangle is out of
- * reach; one at which several parts of the surface touch counts to the first triangle that names it.
+ * The nearest site of every input vertex. A vertex without a triangle is out of reach. Where
+ * several parts of the surface touch in a vertex, the part of the first triangle that names it
+ * counts.
  */
 export interface VertexDistances {
   /** The nearest site, the first one of those that tie; -1 if none reaches the vertex. */
@@ -167,33 +180,33 @@ export interface VertexDistances {
   /** In the input's units; Infinity if no site reaches the vertex. */
   distance: Float64Array;
   /**
-   * Two numbers each: the direction in which the shortest path leaves the site, as a unit vector; NaN
-   * if there is none. With the distance, this is the logarithmic map. The x axis is the first side of
-   * the site's triangle (corner 0 to 1; to corner 2 if the mesh builder turned it over), the y axis lies
-   * to its left; triangles beside a site on an edge or vertex are unfolded counterclockwise. (1, 0)
-   * at the site itself.
+   * Two numbers per vertex: the direction in which the shortest path leaves the site, as a unit
+   * vector; NaN if there is none. Times the distance, it is the logarithmic map. The x axis is the
+   * first side of the site's triangle (corner 0 to 1; to corner 2 if the mesh builder turned it
+   * over), the y axis lies to its left; triangles beside a site on an edge or vertex are unfolded
+   * counterclockwise. (1, 0) at the site itself.
    */
   direction: Float64Array;
 }
 
-/** Distances with what they are of. */
+/** Distances, with the metric and the sites that they belong to. */
 export interface Distances extends VertexDistances {
   metric: Metric;
-  /** Also of sites that were given as vertices, the triangles that directions refer to. */
+  /** The sites with the triangles that directions refer to, even if they were given as vertices. */
   sites: SurfacePoints;
 }
 
-/** A path on the surface; without points, and of length Infinity, if there is none. */
+/** A path on the surface. If there is none, it has no points, and its length is Infinity. */
 export interface SurfacePath {
   /**
-   * The start, the crossings of edges and the vertices that the path meets, and the end; one point if the
-   * two are one. Each is in terms of a triangle that the path runs through, and between two of them it is
-   * straight, within a triangle.
+   * The start, the crossings of edges, the vertices on the way, and the end; one point if start and
+   * end are one. Each point is given in a triangle that the path runs through. Between two points
+   * the path is straight, within one triangle.
    */
   points: PlacedPoints;
   /**
-   * In the input's units. With the metric 'exact' this is the distance; that of 'dgpc' may be a little
-   * more or less.
+   * In the input's units. With the metric 'exact' this is the distance; the distance by 'dgpc' may
+   * be a little more or less.
    */
   length: number;
 }
@@ -206,79 +219,79 @@ export interface Located {
 }
 
 /**
- * A mesh cut into the regions of a diagram: one mesh of triangles, in which regions share the points
- * on their borders, closed where the input is. Flat arrays, yours to keep or to transfer.
+ * A mesh cut into the regions of a diagram: one mesh of triangles, in which regions share the
+ * points on their borders, closed where the input is. Flat arrays, yours to keep or to transfer.
  * `core/include/gvd/partition.h` holds the definitions.
  */
 export interface Partition {
   points: PlacedPoints;
   /**
-   * Three points each, ascending by label, what no site reaches (-1) last. `face` is the input
-   * triangle each is part of, and `bary` its corners in terms of it, nine numbers each: what belongs
-   * to a triangle's corners is interpolated by these.
+   * Three points per triangle, ascending by label; triangles that no site reaches (-1) come last.
+   * `face` is the input triangle that each is part of, and `bary` gives its three corners in that
+   * triangle (nine numbers), to interpolate values that input triangles have at their corners.
    */
   triangles: { points: Int32Array; label: Int32Array; face: Int32Array; bary: Float64Array };
   regions: PartitionRegions;
 }
 
-/** Facts of each region, by label; for a site without region zeros, and NaN for the centroid. */
+/** Facts of each region, by label: zeros for a site without a region, and NaN as its centroid. */
 export interface PartitionRegions {
-  /** Those of region i are triangles `triangleOffset[i] … triangleOffset[i + 1] - 1`. */
+  /** Region i has the triangles `triangleOffset[i] … triangleOffset[i + 1] - 1`. */
   triangleOffset: Int32Array;
   area: Float64Array;
-  /** Of the outline: borders, mesh boundary and holes left for indifferent faces. */
+  /** The length of the outline: borders, mesh boundary and holes left for indifferent faces. */
   perimeter: Float64Array;
-  /** Of the perimeter, what has no region beyond it. */
+  /** The part of the perimeter with no region beyond it. */
   boundaryLength: Float64Array;
-  /** In space, three numbers each: off the surface where that is bent. */
+  /** The mean of the region's points in space, x, y, z each: off the surface where it bends. */
   centroid: Float64Array;
-  /** The points of the regions nearest to these; face -1 for a site without region. */
+  /** The point of each region nearest to its centroid; face -1 for a site without a region. */
   nearCentroid: SurfacePoints;
   components: Int32Array;
   /** Closed outlines. A region is a disk if components, loops and Euler characteristic are 1. */
   loops: Int32Array;
   eulerCharacteristic: Int32Array;
   genus: Int32Array;
-  /** How often a region touches itself in a point; the counts take it as cut apart there. */
+  /** How often a region touches itself in a point; the other counts see it cut apart there. */
   selfTouchings: Int32Array;
-  /** Those of region i, ascending: `label[offset[i]] … `, and how long the borders with them are. */
+  /** The neighbours of region i from `label[offset[i]]` on, ascending; lengths of the borders. */
   neighbours: { offset: Int32Array; label: Int32Array; length: Float64Array };
 }
 
 /**
  * The dual of a diagram, or its regions as polygons; `core/include/gvd/dual.h` says what is done on
- * the mesh boundary. Counterclockwise as the surface is, sides straight in space.
+ * the mesh boundary. Polygons are counterclockwise, as the surface is, with straight sides.
  */
 export interface PolygonMesh {
   points: PlacedPoints;
   faces: PointLists;
   /**
-   * Per point of a dual, its region. The sites come first, ascending by label: point i is site i, unless
-   * sites before it have been removed. Points after them are on the boundary.
+   * In a dual, the region of each point. The sites come first, ascending by label: point i is site
+   * i, unless an earlier site has been removed. The points after them are on the boundary.
    */
   vertexLabel: Int32Array;
-  /** Per face of the regions as polygons, its region. */
+  /** In regions as polygons, the region of each face. */
   faceLabel: Int32Array;
-  /** The polygons cut along diagonals: three points each, and the polygon each is part of. */
+  /** The polygons cut along diagonals: per triangle three points, and the polygon it is part of. */
   triangles: { points: Int32Array; face: Int32Array };
   topology: PolygonTopology;
 }
 
 /**
- * Per arc of a diagram, in no certain order, the shortest path between its two sites that crosses it.
- * `core/include/gvd/dual.h` holds the definition.
+ * Per arc of a diagram, in no particular order, the shortest path between its two sites across the
+ * arc. `core/include/gvd/dual.h` holds the definition.
  */
 export interface DualPaths {
-  /** Two per path: those of the arc, the lower one first. */
+  /** Two per path: the labels of the arc, the lower one first. */
   labels: Int32Array;
-  /** Those of path i are points `offset[i] … offset[i + 1] - 1`, from site to site. */
+  /** Path i has the points `offset[i] … offset[i + 1] - 1`, from site to site. */
   offset: Int32Array;
   points: PlacedPoints;
 }
 
-/** Of the polygons welded by their points; points without a polygon do not count. */
+/** Topology of the polygons, joined at the points they share; points of no polygon do not count. */
 export interface PolygonTopology {
-  /** If not, boundary loops and genus mean nothing. */
+  /** If false, boundary loops and genus mean nothing. */
   isManifold: boolean;
   vertices: number;
   edges: number;
@@ -289,7 +302,7 @@ export interface PolygonTopology {
   genus: number;
 }
 
-/** Why a dual is no faithful picture of the surface, see `Violation` in `core/include/gvd/dual.h`. */
+/** Reasons why a dual lacks the surface's topology: `Violation` in `core/include/gvd/dual.h`. */
 export type ViolationKind =
   | 'unreachable'
   | 'no-region'
@@ -305,22 +318,22 @@ export interface Violation {
   kind: ViolationKind;
   /** The regions concerned, ascending. */
   labels: number[];
-  /** One sentence that names them. */
+  /** One sentence that names the regions. */
   message: string;
 }
 
 /** How good the triangles of a dual are as a remesh of the surface. */
 export interface RemeshQuality {
   triangles: number;
-  /** The least angle, and the mean of each triangle's least one, in degrees: 60 at best. */
+  /** The least angle, and the mean of every triangle's least angle, in degrees: 60 at best. */
   minAngle: number;
   meanMinAngle: number;
-  /** Neighbours of a vertex inside: 6 at best; 0 if there is none inside. */
+  /** The fewest and the most neighbours of an inner vertex: 6 at best; 0 without inner vertices. */
   minValence: number;
   maxValence: number;
-  /** Of the vertices inside, the share with 6 neighbours. */
+  /** The share of inner vertices with 6 neighbours. */
   regularShare: number;
-  /** How far the two surfaces are apart at most, either way, by samples; in the input's units. */
+  /** The Hausdorff distance of dual and surface, by samples, in the input's units. */
   hausdorff: number;
 }
 
@@ -329,11 +342,11 @@ export type MeshFormat = 'arrays' | 'glTF' | 'OBJ' | 'PLY' | 'STL';
 /** What a mesh was made from. */
 export interface MeshOrigin {
   format: MeshFormat;
-  /** Path of the model among its files or in the zip; empty if it came without. */
+  /** The path of the model among its files or in the zip; empty if it had none. */
   file: string;
 }
 
-/** Where a run of input triangles came from, by the indices of the glTF; in scene order. */
+/** The node and the primitive of a glTF that a run of triangles came from; in scene order. */
 export interface MeshPart {
   /** The node's name, else the mesh's, else empty. */
   name: string;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Long work on the thread that calls: in slices, between which the thread serves others, the caller hears of
-// it and may give up.
+// Long work on the calling thread, in slices: between them the thread serves others, progress is
+// reported, and the caller may abort.
 
 import type { TaskOptions } from './types.js';
 
 /** How long a slice of work may keep its thread from anything else. */
 export const sliceMilliseconds = 12;
 
-/** Work that can be left for a while: it yields the share that is done, 0 … 1, as often as it can be left. */
+/** Work that can be interrupted: it yields the share done, 0 … 1, wherever it may pause. */
 export type SlicedWork<Result> = Generator<number, Result>;
 
 export async function inSlices<Result>(
@@ -26,7 +26,7 @@ export async function inSlices<Result>(
   }
 }
 
-/** Lets everything else that waits for this thread have its turn. Not a timer: those are slowed. */
+/** Lets other tasks of this thread run. Not by a timer: browsers slow timers down. */
 export function nextTask(): Promise<void> {
   return new Promise((resolve) => {
     const { port1, port2 } = new MessageChannel();

@@ -26,7 +26,7 @@ import type {
   WorstRegion,
 } from './results.js';
 
-/** What functions take as a list of points: faces with barycentric coordinates, or input vertices. */
+/** A list of points as an argument: faces with barycentric coordinates, or input vertices. */
 export type SurfacePointsInput =
   | { face: ArrayLike<number>; bary: ArrayLike<number> }
   | { vertex: ArrayLike<number> };
@@ -36,13 +36,13 @@ export interface DistancesOptions extends TaskOptions {
   metric?: Metric;
 }
 
-/** Of everything that may take long. */
+/** Options of every call that may take long. */
 export interface TaskOptions {
   /** Called with the share done, 0 … 1. */
   onProgress?: (share: number) => void;
   /**
-   * Aborting rejects the promise with the signal's reason; nothing is changed. A change of a diagram that
-   * has begun is carried out.
+   * Aborting rejects the promise with the signal's reason and changes nothing. A change of a site
+   * (`insertSite`, `moveSite`, `removeSite`) that has begun is carried out nevertheless.
    */
   signal?: AbortSignal;
 }
@@ -50,19 +50,19 @@ export interface TaskOptions {
 export interface VoronoiOptions extends TaskOptions {
   /** Default 'exact'. */
   metric?: Metric;
-  /** How many times faces with several regions are split in four. Default 0. */
+  /** How many times faces with several regions are split in four, 0 … 10. Default 0. */
   detail?: number;
 }
 
 export interface PartitionOptions extends TaskOptions {
-  /** Leaves holes where labels tie on a whole face, instead of giving it to the lowest. */
+  /** Leaves out faces on which labels tie, as holes, instead of giving them to the lowest label. */
   leaveOutIndifferent?: boolean;
   /** Leaves out the components without a site. */
   leaveOutUnreachable?: boolean;
 }
 
 export interface DualOptions extends TaskOptions {
-  /** The regions as polygons, with the Voronoi points for corners, instead. Default false. */
+  /** Makes polygons of the regions, with Voronoi points as corners, instead. Default false. */
   primal?: boolean;
 }
 
@@ -74,24 +74,24 @@ export interface RepairOptions extends TaskOptions {
 export interface CvtOptions extends TaskOptions {
   /** Default 'lbfgs'. */
   method?: CvtMethod;
-  /** Of the distances; default 'exact'. */
+  /** Default 'exact'. */
   metric?: Metric;
-  /** At most; default 50. */
+  /** The most iterations; default 50. */
   iterations?: number;
   /** Ends when an iteration lowers the energy by no more than this share. Default 0. */
   energyTolerance?: number;
-  /** Ends when no site moves further than this, in the input's units. Default 0. */
+  /** Ends when no site moves farther than this, in the input's units. Default 0. */
   moveTolerance?: number;
   /**
-   * Per input vertex, not negative; 'curvature': `Mesh.curvatureDensity`; 'attribute': the density that the
-   * mesh came with. Default uniform.
+   * A number per input vertex, not negative: regions are smaller where it is large. 'curvature'
+   * stands for `Mesh.curvatureDensity`, 'attribute' for `Mesh.density`. Default uniform.
    */
   density?: ArrayLike<number> | 'attribute' | 'curvature';
   /** Indices of the sites that stay where they are. */
   fixedSites?: ArrayLike<number>;
   /** Whether every state comes with the arrays of its diagram. Default false. */
   data?: boolean;
-  /** Whether every state comes with its diagram, to be asked and changed. Default false. */
+  /** Whether every state comes with its `Diagram`, for queries and changes. Default false. */
   diagrams?: boolean;
 }
 
@@ -100,29 +100,29 @@ export interface RemeshOptions extends Omit<CvtOptions, 'data' | 'diagrams'> {
   maxAdded?: number;
 }
 
-/** A centroidal tessellation on its way; `core/include/gvd/cvt.h` holds the definitions. */
+/** A centroidal tessellation after an iteration; `core/include/gvd/cvt.h` holds the definitions. */
 export interface CvtState {
-  /** 0: the sites given. */
+  /** 0 for the sites given. */
   iteration: number;
-  /** Σ ∫ ρ d², which never rises. */
+  /** Σ ∫ ρ d² over all regions, ρ the density, d the distance to the site. It never rises. */
   energy: number;
-  /** How far the site that has moved furthest in this iteration has. */
+  /** The farthest that a site moved in this iteration, in the input's units. */
   largestMove: number;
   sites: SurfacePoints;
-  /** The arrays of the diagram of these sites, if these or the diagram were asked for. */
+  /** The arrays of the diagram of these sites, if `data` or `diagrams` is set. */
   data?: DiagramData;
-  /** The diagram of these sites, if asked for. It is yours: it stays when the next one comes. */
+  /** The diagram of these sites, if `diagrams` is set. It is yours: it outlives the iteration. */
   diagram?: Diagram;
 }
 
 export interface SampleOptions extends TaskOptions {
   /** An integer, default 1. */
   seed?: number;
-  /** Default 'random', of sites by their radius 'farthest'. */
+  /** Default 'random'; 'farthest' if a radius is given instead of a count. */
   sampling?: Sampling;
   /**
-   * How many sites each component has at least, default 0. For those that it misses, the last ones of
-   * others go; the new ones come last.
+   * The least number of sites on each component, default 0. Missing ones are added at the end of
+   * the list; to keep to the count, the last ones of components with more than enough are dropped.
    */
   perComponent?: number;
 }
@@ -138,19 +138,23 @@ export const gltfLimitNames = [
 export type GltfLimitName = (typeof gltfLimitNames)[number];
 
 /**
- * What a file may ask for, so that a small file cannot take all memory or hours. The error of a file that
- * asks for more names the limit to raise. Vertices and triangles are limited in every format.
+ * Limits on what a file may ask for, so that a small file cannot take all memory or hours. The
+ * error about a file that asks for more names the limit to raise. The limits of vertices and
+ * triangles hold for every format, the others for glTF.
  */
 export type GltfLimits = Partial<Record<GltfLimitName, number>>;
 
-/** `MeshOptions` in `core/include/gvd/triangle_mesh.h`; `MeshInfo.repairs` counts what was done. */
+/**
+ * How a mesh is read and built, see `MeshOptions` in `core/include/gvd/triangle_mesh.h`;
+ * `MeshInfo.repairs` counts what was done.
+ */
 export interface MeshOptions extends TaskOptions {
   limits?: GltfLimits;
-  /** Which of several models in a folder or a zip: its path there. */
+  /** The path of the model to open, where a folder or a zip has several. */
   file?: string;
   /**
-   * How far apart vertices may be to be welded, as a share of the bounding box's diagonal, 0 … 1.
-   * Default 0: only where their positions are the same.
+   * Vertices no farther apart than this are welded; a share of the bounding box's diagonal, 0 … 1.
+   * Default 0: only vertices at the same position.
    */
   weld?: number;
   /** Default 'unify'. */
@@ -160,24 +164,28 @@ export interface MeshOptions extends TaskOptions {
 }
 
 /**
- * Bytes, or what gives them if the model needs them, like a `File`; to a worker, only real ones of these
- * can be sent.
+ * Bytes, or an object like a `File` that is read if the model needs it. With `loadWorker()` it has
+ * to be a real `Blob` or `File`, since no other such object can be sent to a worker.
  */
 export type ModelFile = Uint8Array | { arrayBuffer(): Promise<ArrayBuffer> };
 
 /**
- * The files of a folder by their paths in it: one model, with the files that it names and any others.
- * What a glTF names may also be given by the very URI that it uses (`gltfResourceUris` lists these).
+ * The files of a folder by their paths in it: a model, the files that it refers to, and any others.
+ * Files that a glTF refers to may also be given by its URIs for them (`gltfResourceUris` lists
+ * these).
  */
 export type ModelFiles = Record<string, ModelFile>;
 
 /**
- * A model (glTF with or without Draco or meshopt, OBJ, PLY, STL, or a zip of one) as bytes or `Blob`,
- * or with all its files; or triangles.
+ * A model (glTF, also compressed by Draco or meshopt, OBJ, PLY, STL, or a zip of one) as bytes or a
+ * `Blob`; or all its files by their paths; or triangles as arrays.
  */
 export type MeshSource = Uint8Array | ArrayBuffer | Blob | ModelFiles | MeshArrays;
 
-/** Three numbers per vertex, three vertices per triangle; per vertex also 3, 2 and 1 numbers, or none. */
+/**
+ * Triangles: x, y, z per vertex, three vertex indices per triangle. `normals`, `uvs` and `density`
+ * have 3, 2 and 1 numbers per vertex, or none.
+ */
 export interface MeshArrays {
   positions: ArrayLike<number>;
   indices: ArrayLike<number>;
@@ -186,55 +194,58 @@ export interface MeshArrays {
   density?: ArrayLike<number>;
 }
 
-/** One region of a diagram: views of its arrays, computed when asked for. */
+/** One region of a diagram, over the diagram's arrays; each property is computed when asked for. */
 export interface Region {
   readonly label: number;
   readonly area: number;
-  /** Each a list of indices into `points`. */
+  /** The closed outlines, the region on their left: lists of indices into `DiagramData.points`. */
   readonly loops: Int32Array[];
   /** Labels of the regions it shares an arc with, ascending. */
   readonly neighbours: number[];
 }
 
 /**
- * A diagram. Sites can come, go and move: only the surroundings are computed anew, and only what has
- * changed is handed over. The first change traces the whole diagram once more; after a tessellation,
- * its distances are found again, too.
- * Calls are carried out in their order; `sites`, `data` and `regions` are those after the last one
- * that has resolved.
+ * A geodesic Voronoi diagram. Sites can be inserted, moved and removed: only their surroundings are
+ * computed anew, and each change returns only what became different. The first change traces the
+ * whole diagram once more; in a diagram that a tessellation gave, it computes the distances once
+ * more, too. Changes are made in the order of the calls; `sites`, `data` and `regions` are as the
+ * last change that has resolved left them.
  */
 export interface Diagram extends Disposable {
   readonly metric: Metric;
   /**
-   * By label; one that has been removed is of face -1, with coordinates 0. Whatever takes sites takes
-   * this list, and gives the others the same labels.
+   * The sites by label. A label whose site has been removed has face -1 and coordinates 0. Every
+   * function that takes sites takes this list as it is, and keeps its labels.
    */
   readonly sites: SurfacePoints;
-  /** Put together on the calling thread when it is asked for after changes. */
+  /** All arrays. When first read after changes, they are merged on the calling thread. */
   readonly data: DiagramData;
   readonly regions: readonly Region[];
   /**
-   * The same as `data` after all changes asked for so far, put together by the engine after changes: with
-   * `loadWorker()`, the calling thread has no work with it. `data` and `regions` are of it then.
+   * Resolves to `data` after all changes asked for so far. The engine puts the arrays together, so
+   * with `loadWorker()` the calling thread is spared the work; `data` and `regions` are up to date
+   * then.
    */
   fetchData(options?: TaskOptions): Promise<DiagramData>;
   /** Adds a site, given as a list of one; it gets the lowest label that is free. */
   insertSite(site: SurfacePointsInput, options?: TaskOptions): Promise<DiagramChange>;
+  /** Moves a site to a point, given as a list of one; it keeps its label. */
   moveSite(label: number, site: SurfacePointsInput, options?: TaskOptions): Promise<DiagramChange>;
   /**
-   * The other sites keep their labels; this one's region is empty from then on, and all that is made of
-   * the diagram leaves it out. Labels at the end that have no site do not count any more.
+   * Removes a site; the others keep their labels. The label then has an empty region, and
+   * everything made of the diagram leaves it out. Labels without a site are dropped from the end of
+   * `sites`.
    */
   removeSite(label: number, options?: TaskOptions): Promise<DiagramChange>;
   /**
-   * The nearest site by distance. Beside a bisector that may be the site beyond it: regions, as they
-   * are drawn, end at bisectors that are straight within each triangle, or part of one (`detail`).
-   * The site is searched for from each point: as long as the way to it has triangles to cross.
+   * The nearest site of each point, by distance. Close to a bisector this may be the site on its
+   * other side, because bisectors are drawn straight within each triangle, or each part of one
+   * (`detail`). Time per point grows with the number of triangles that its shortest path crosses.
    */
   locate(points: SurfacePointsInput, options?: TaskOptions): Promise<Located>;
   /**
-   * Where one more site would be, a list of one: in the worst region, far from its site; on a component
-   * without a site, if there is one.
+   * The place for one more site, a list of one: on a component without a site if there is one, else
+   * in the worst region, far from its site.
    */
   worstRegionPoint(worst: WorstRegion, options?: TaskOptions): Promise<SurfacePoints>;
   /** The shortest path from a point, given as a list of one, to its nearest site. */
@@ -242,65 +253,68 @@ export interface Diagram extends Disposable {
   /** The mesh cut into the regions. */
   partition(options?: PartitionOptions): Promise<Partition>;
   /**
-   * The polygonal base mesh: a vertex per site, ascending by label (`vertexLabel` has it), a polygon per
-   * Voronoi point. It is a manifold with the topology of the surface if there are no `violations`.
+   * The polygonal base mesh: a vertex per site, ascending by label (see `vertexLabel`), and a
+   * polygon per Voronoi point. It is a manifold with the topology of the surface if there are no
+   * `violations`.
    */
   dual(options?: DualOptions): Promise<PolygonMesh>;
   /** The sides of the dual as paths on the surface, one per arc. */
   dualPaths(options?: TaskOptions): Promise<DualPaths>;
-  /** Why the dual is no faithful picture of the surface; nothing if it is. */
+  /** The reasons why the dual does not have the topology of the surface; empty if it does. */
   violations(options?: TaskOptions): Promise<Violation[]>;
   /** How good the dual is as a remesh of the surface. */
   remeshQuality(options?: TaskOptions): Promise<RemeshQuality>;
   /**
-   * A diagram of these sites and as few more as a greedy choice finds, without violations: this one
-   * itself if it has none.
+   * A diagram without violations, of these sites and as few more as a greedy choice finds. A
+   * diagram that has no violations is returned itself.
    */
   repair(options?: RepairOptions): Promise<Diagram>;
   dispose(): void;
 }
 
+/** A surface, made from a file or from arrays. */
 export interface Mesh extends Disposable {
   readonly info: MeshInfo;
   /** The input in world space: x, y, z per input vertex, three vertices per input triangle. */
   readonly positions: Float64Array;
   readonly indices: Int32Array;
-  /** Per input vertex normals (3 numbers) and texture coordinates (2); empty if it came without. */
+  /** Normals (3 numbers) and texture coordinates (2) per input vertex; empty without. */
   readonly normals: Float64Array;
   readonly uvs: Float64Array;
-  /** Per input vertex: _DENSITY of a glTF, the property `density` of a PLY; empty if it came without. */
+  /** Per input vertex: _DENSITY of a glTF, `density` of a PLY or of arrays; empty without. */
   readonly density: Float64Array;
-  /** Of a glTF; empty for other meshes. */
+  /** The primitives of a glTF that the triangles came from; empty for other meshes. */
   readonly parts: readonly MeshPart[];
   /**
-   * Sites, by default independent and evenly spread by area; the same seed (an integer, default 1)
-   * gives the same sites everywhere. 'farthest' gives fewer than asked for when it has come to
-   * every vertex. With a radius, in the input's units, instead of a count: as many as it takes until
-   * no vertex is farther from a site; of 'poisson', besides, no two sites are nearer to each other.
-   * These distances are approximate.
+   * Scatters sites on the surface, by default independently and uniformly by area. The same seed
+   * (an integer, default 1) gives the same sites everywhere. 'farthest' gives fewer than asked for
+   * once it has used every vertex. A radius, in the input's units, instead of a count gives as many
+   * sites as it takes for every vertex to be within that radius of a site; with 'poisson', no two
+   * sites are nearer to each other than the radius, either. These distances are approximate.
    */
   sampleSites(count: number | { radius: number }, options?: SampleOptions): Promise<SurfacePoints>;
-  /** What no site of these can reach, for want of one on the component. */
+  /** The components that have none of these sites, so that no site reaches them. */
   bareComponents(sites: SurfacePointsInput, options?: TaskOptions): Promise<BareComponents>;
   /**
-   * Per input vertex a density that follows curvature, of mean 1: with it, regions are smaller where
-   * the surface bends more. `core/include/gvd/curvature.h` holds the definition.
+   * A density per input vertex, of mean 1, that follows curvature: with it, regions are smaller
+   * where the surface bends more. `core/include/gvd/curvature.h` holds the definition.
    */
   curvatureDensity(options?: TaskOptions): Promise<Float64Array>;
   /**
-   * The points of the surface closest to places in space: x, y, z each, in the frame and the unit of
-   * `positions`. They can be sites at once. Of points that are as close, to rounding, it is any; of
-   * triangles at the very same distance, the first one has it. The first call makes a tree of the
-   * triangles, in O(n log n); a place near the surface then takes O(log n), a few microseconds.
+   * The points of the surface closest to places in space, given as x, y, z each in the frame and
+   * the unit of `positions`. The result can be passed as sites. Of points that are equally close up
+   * to rounding, any one is given; of triangles at the very same distance, the first. The first
+   * call builds a tree of the triangles, in O(n log n); a place near the surface then takes
+   * O(log n), a few microseconds.
    */
   closestPoints(positions: ArrayLike<number>, options?: TaskOptions): Promise<ClosestPoints>;
-  /** The diagram of sites, of which some may lie in one place; a label each, by their order. */
+  /** The diagram of sites, labelled by their order. Several sites may lie in one place. */
   voronoi(sites: SurfacePointsInput, options?: VoronoiOptions): Promise<Diagram>;
-  /** The nearest site of every input vertex, how far it is, and in which direction from the site. */
+  /** For every input vertex: its nearest site, the distance, and the direction from the site. */
   distances(sites: SurfacePointsInput, options?: DistancesOptions): Promise<Distances>;
   /**
-   * The shortest path between two points, given as a list of one each; exact. What lies farther off than
-   * the path is long is not looked at.
+   * The exact shortest path between two points, given as a list of one each. The search goes no
+   * farther than the path is long.
    */
   path(
     from: SurfacePointsInput,
@@ -308,14 +322,15 @@ export interface Mesh extends Disposable {
     options?: TaskOptions,
   ): Promise<SurfacePath>;
   /**
-   * Moves sites to the centroids of their regions: a state per iteration, the first that of the
-   * sites given. Leaving the loop ends it.
+   * Moves sites to the centroids of their regions. Yields a state per iteration, the first one for
+   * the sites given. Leaving the loop ends the computation.
    */
   cvt(sites: SurfacePointsInput, options?: CvtOptions): AsyncGenerator<CvtState, void, void>;
   /**
-   * An isotropic remesh: the diagram of the sites moved to the centroids of their regions, with as many
-   * more as it takes until its dual is valid. These move, too, in two more rounds at most, so `dual()`
-   * and `remeshQuality()` of it are the remesh and how good that is. Sites given keep their labels.
+   * An isotropic remesh: a diagram whose `dual()` is the remesh, and whose `remeshQuality()` says
+   * how good that is. The sites move to the centroids of their regions, then sites are added until
+   * the dual is valid; after that all move again, in two more rounds at most. Sites given keep
+   * their labels.
    */
   remesh(sites: SurfacePointsInput, options?: RemeshOptions): Promise<Diagram>;
   dispose(): void;
@@ -323,10 +338,11 @@ export interface Mesh extends Disposable {
 
 /**
  * The library, loaded. `load()` runs it on the calling thread, `loadWorker()` in a module worker;
- * both answer through this interface, and nothing a caller sees differs.
+ * both have this interface and give the same results.
  */
 export interface GeodesicVoronoi extends Disposable {
   readonly version: string;
+  /** Opens a model, or makes a mesh of triangles. */
   mesh(source: MeshSource, options?: MeshOptions): Promise<Mesh>;
   dispose(): void;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Calls of our WebAssembly modules: plain values and arrays in, copies out, failures as errors. The
-// C++ functions say what there is, see `abi.h`; nothing here knows any of them but those of `abi.cpp`.
+// Calls of our WebAssembly modules: plain values and arrays in, copies out, failures as errors.
+// Functions are called by their C++ names (see `abi.h`); only those of `abi.cpp` are known here.
 
 import { GeodesicVoronoiError, outOfMemory, type ErrorCode } from './errors.js';
 import type { SlicedWork } from './slices.js';
@@ -10,7 +10,9 @@ import type { SlicedWork } from './slices.js';
 export type Argument = number | boolean | Memory;
 type Memory = string | Int32Array | Float64Array | Uint8Array | readonly Memory[];
 
-/** The functions that every module of ours exports, see `abi.cpp`; all others are called by name. */
+/**
+ * The functions that every module of ours exports, see `abi.cpp`; all others are called by name.
+ */
 interface Exports {
   memory: WebAssembly.Memory;
   _initialize(): void;
@@ -27,17 +29,17 @@ interface Exports {
 export const sliceMoreToDo = 1;
 export const sliceDone = 2;
 
-/** Units of work between two looks at the clock: well below a slice, well above its price. */
+/** Units of work between two looks at the clock: far less than a slice, far more than a look. */
 export const unitsPerStep = 256;
-/** Of results that are copied between two looks at the clock. */
+/** Bytes of a result that are copied between two looks at the clock. */
 const bytesPerStep = 2 ** 18;
 
 const encoder = new TextEncoder();
 const decoder = new TextDecoder();
 
 /**
- * What a standalone module asks of its host. Ours read no files, no environment and no clock: what
- * the C library asks for all the same is answered with "nothing there".
+ * The functions that a standalone module imports from its host. Ours read no files, environment or
+ * clock: where the C library asks for one nevertheless, the answer is "nothing there".
  */
 function hostFunctions(
   memory: () => WebAssembly.Memory,
@@ -62,8 +64,8 @@ function hostFunctions(
 }
 
 /**
- * The C library grows its memory by 64 KB whenever it needs more, and each time takes the host a
- * millisecond: ahead by a share, it is asked for a few times and not thousands.
+ * The C library grows its memory by 64 KB at a time, and each time takes the host a millisecond.
+ * Growing ahead, by a share of the memory, makes that a few times instead of thousands.
  */
 function growAhead(memory: WebAssembly.Memory): number {
   const pageBytes = 2 ** 16;
@@ -71,7 +73,7 @@ function growAhead(memory: WebAssembly.Memory): number {
   try {
     memory.grow(Math.ceil((share * memory.buffer.byteLength) / pageBytes));
   } catch {
-    // There is no more; what is needed now is there.
+    // The host has no more memory, but enough for what is needed now.
   }
   return 0;
 }
@@ -121,7 +123,7 @@ export class WasmModule {
     return new WasmModule(exports);
   }
 
-  /** Calls a function that returns an address or another number; 0 is its failure, an error here. */
+  /** Calls a function that returns an address or another number; throws its error if that is 0. */
   call(name: string, ...args: readonly Argument[]): number {
     if (this.#stopped) {
       throw new GeodesicVoronoiError(
@@ -143,8 +145,8 @@ export class WasmModule {
   }
 
   /**
-   * Copies an argument that has to last longer than a call: an instance that is used once keeps it, and
-   * its memory goes with it. The address stands for the argument.
+   * Copies an argument that has to outlive a call, and returns the address that stands for it. The
+   * copy is never freed: this is for instances that are used once.
    */
   keep(argument: Memory): number {
     return this.#toNumber(argument, []);
@@ -164,7 +166,7 @@ export class WasmModule {
     }
   }
 
-  /** A copy of an `Answer` that is there, which is freed. */
+  /** Copies a finished `Answer` and frees it. */
   take<Result>(answer: number): Result {
     const copying = this.copying<Result>(answer);
     try {
@@ -176,7 +178,7 @@ export class WasmModule {
     }
   }
 
-  /** The same in steps; it is freed by whoever asked for it. */
+  /** Copies a finished `Answer` in steps; the caller frees it. */
   *copying<Result>(answer: number): SlicedWork<Result> {
     try {
       return (yield* this.#copyOut(answer)) as Result;
@@ -185,7 +187,9 @@ export class WasmModule {
     }
   }
 
-  /** Calls a function that cannot fail. After a fault nothing is called: there is nothing to free. */
+  /**
+   * Calls a function that cannot fail. After a fault nothing is called: there is nothing to free.
+   */
   run(name: string, ...args: readonly number[]): number | undefined {
     return this.#stopped ? undefined : this.#function(name, args.length)(...args);
   }
@@ -195,7 +199,7 @@ export class WasmModule {
     return this.#textAt(this.#function(name, 0)());
   }
 
-  /** The two sides are checked against each other here: a function with so many parameters. */
+  /** Finds a function and checks that both sides agree on the number of its parameters. */
   #function(name: string, parameters: number): (...args: number[]) => number {
     const f = (this.#exports as unknown as Record<string, unknown>)[name];
     if (typeof f === 'function' && f.length === parameters) return f as () => number;
@@ -291,7 +295,7 @@ function* valueAt(
   length: number,
   type: number,
 ): SlicedWork<unknown> {
-  const at = length === 0 ? 0 : address; // an empty vector has no address worth the name
+  const at = length === 0 ? 0 : address; // the address of an empty vector may be anything
   const number = () => new Float64Array(memory.buffer, at, 1)[0];
   switch (type) {
     case 0:

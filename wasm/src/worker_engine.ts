@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// An engine in a worker: every function of it is a message there and one back. Which functions there
-// are, nothing here knows. The far side is `worker_server.ts`.
+// An engine in a worker: every call is a message to it and one back. Calls are forwarded by name,
+// so no function is listed here. The far side is `worker_server.ts`.
 
 import type { Engine, EngineSources, Handle } from './engine.js';
 import { GeodesicVoronoiError } from './errors.js';
@@ -113,7 +113,7 @@ class Connection {
     }
   }
 
-  /** Nobody waits for this answer any more; if it comes too late to be stopped, it is freed. */
+  /** Aborts a request whose answer nobody wants; an answer that comes nevertheless is freed. */
   #abandon(id: number): void {
     this.#pending.set(id, {
       resolve: (late) => {
@@ -137,7 +137,7 @@ class Connection {
     else pending.reject(new GeodesicVoronoiError(reply.error.code, reply.error.message));
   }
 
-  /** What the listener throws ends the task, as it does on one thread. */
+  /** An error thrown by the progress listener ends the task, as it does on one thread. */
   #report(id: number, { onProgress, reject }: Pending, share: number): void {
     try {
       onProgress?.(share);

@@ -6,7 +6,7 @@ import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { byId, listen } from './dom.js';
 import { integer, measure } from './numbers.js';
 
-/** Says which site is chosen, for those who do not see it: when the choice or its region changes. */
+/** Announces the chosen site to screen readers when the choice or its region changes. */
 export function setUpAnnouncements(viewer: GeodesicVoronoiElement): void {
   const announcement = byId('announcement', HTMLElement);
   let chosen = -1;

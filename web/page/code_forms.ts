@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// The diagram that is shown as code that makes it elsewhere: a script, a page, a command.
+// Code that makes the shown diagram elsewhere: a script, a page, a command.
 
 import type { Sampling } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 
-/** How the sites there are came about: by scattering, by a tessellation of those, or by hand. */
+/** How the present sites were made: by scattering, by a tessellation of those, or by hand. */
 type Origin = 'scattered' | 'even' | 'edited';
 
 export async function originOf(viewer: GeodesicVoronoiElement): Promise<Origin> {
@@ -17,13 +17,13 @@ export async function originOf(viewer: GeodesicVoronoiElement): Promise<Origin> 
       sampling: sampling as Sampling,
       perComponent: Number(perComponent),
     })
-    // For fewer sites than that takes.
+    // Fails if there are fewer sites than that takes.
     .catch(() => undefined);
   const isSame = String(scattered?.bary) === String(viewer.sites.bary);
   return isSame ? 'scattered' : 'edited';
 }
 
-/** What makes the diagram that is shown in another place: a script, a page or the command. */
+/** The code of a script, a page or a command that makes the shown diagram. */
 export function codeOf(
   viewer: GeodesicVoronoiElement,
   file: string,
@@ -40,7 +40,7 @@ export function codeOf(
   }
 }
 
-/** As the page's attributes have them. */
+/** The settings, from the attributes of the page's viewer. */
 function settingsOf(viewer: GeodesicVoronoiElement) {
   const value = (name: string, otherwise: string) => viewer.getAttribute(name) ?? otherwise;
   return {
@@ -57,7 +57,7 @@ function settingsOf(viewer: GeodesicVoronoiElement) {
   };
 }
 
-/** What is not as usual, by its names in each form. */
+/** The settings that differ from the defaults, by their names in each form of code. */
 function unusual(viewer: GeodesicVoronoiElement) {
   const { perComponent, weld, orientation, minComponent } = settingsOf(viewer);
   const isGiven = ([, value]: string[]) => value !== '0' && value !== 'unify';

@@ -13,7 +13,7 @@ export function setUpCvtControls(viewer: GeodesicVoronoiElement, readings: CvtRe
   listen(viewer, 'cvt-change', ({ status }) => readings.tell(status));
 }
 
-/** What the button that plays says. */
+/** The text of the button that plays. */
 const actions: Record<CvtStatus, string> = {
   idle: 'Even out regions',
   running: 'Pause',
@@ -33,7 +33,7 @@ function setUpPlaying(viewer: GeodesicVoronoiElement): void {
     });
   }
   const isRunning = () => viewer.cvtStatus === 'running';
-  // Regions that are apart hide what playing does.
+  // With the regions apart, one would not see it play.
   const together = () => {
     if (viewer.exploded > 0) viewer.exploded = 0;
   };

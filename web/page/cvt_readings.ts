@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the panel tells of a centroidal tessellation: its state, energy and moves.
+// The panel's readings of a centroidal tessellation: its state, energy and moves.
 
 import type { CvtIteration, CvtStatus, GeodesicVoronoiElement } from '../viewer/element.js';
 import { byId } from './dom.js';
@@ -8,8 +8,8 @@ import { EnergyCurve } from './energy_curve.js';
 import { integer, measure } from './numbers.js';
 
 /**
- * How far a centroidal tessellation has come. In plain text: a status that is read out at every iteration
- * would be noise.
+ * The progress of a centroidal tessellation, in plain text: a status region, read out at every
+ * iteration, would be noise.
  */
 export class CvtReadings {
   readonly #viewer: GeodesicVoronoiElement;
@@ -26,7 +26,7 @@ export class CvtReadings {
 
   add({ iteration, energy, relativeEnergy, largestMove }: CvtIteration): void {
     this.#reached = iteration;
-    // Back at the start it is another tessellation.
+    // Iteration 0 begins another tessellation.
     if (iteration === 0) this.#curve.clear();
     this.#curve.add(relativeEnergy);
     this.#iteration.textContent = integer(iteration);
@@ -35,7 +35,7 @@ export class CvtReadings {
     this.#move.textContent = iteration === 0 ? '–' : measure(largestMove);
   }
 
-  /** Idle: the readings are cleared, for the sites they were of have been replaced. */
+  /** Shows the status. 'idle' clears the readings, because their sites have been replaced. */
   tell(status: CvtStatus): void {
     this.#state.textContent = this.#sentence(status);
     if (status !== 'idle') return;

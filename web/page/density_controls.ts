@@ -5,7 +5,7 @@
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { byId, listen, onClick } from './dom.js';
 
-/** Painting a density, or taking that of curvature, by which the centroidal tessellation makes regions smaller or larger. */
+/** Painting a density, or taking that of curvature: the tessellation sizes regions by it. */
 export function setUpDensityControls(viewer: GeodesicVoronoiElement): void {
   const paint = byId('density-paint', HTMLInputElement);
   const settings = byId('density-settings', HTMLElement);

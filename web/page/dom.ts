@@ -4,7 +4,7 @@
 
 import type { GeodesicVoronoiElement, ViewerEvents } from '../viewer/element.js';
 
-/** The element with this id, which is of this class. */
+/** The element with this id, checked to be of this class. */
 export function byId<T extends HTMLElement>(id: string, type: new () => T): T {
   const element = document.getElementById(id);
   if (!(element instanceof type)) throw new Error(`There is no ${type.name} with the id ${id}.`);

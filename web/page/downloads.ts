@@ -6,11 +6,11 @@ import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { byId, listen } from './dom.js';
 import { showError } from './feedback.js';
 
-/** A row of the menu: what can be had, and in which formats. */
+/** A row of the menu: a result and the formats it comes in. */
 interface Row {
   title: string;
   hint: string;
-  /** Of the files: model-name.format. */
+  /** The middle of the files' names, `model-name.format`. */
   name: string;
   formats: readonly string[];
 }
@@ -63,11 +63,11 @@ export function setUpDownloads(viewer: GeodesicVoronoiElement, modelName: () => 
   const menu = byId('download', HTMLElement);
 
   const download = async ({ name }: Row, format: string, button: HTMLButtonElement) => {
-    // Of a large model it takes seconds.
+    // This takes seconds for a large model.
     button.ariaBusy = 'true';
     button.disabled = true;
     try {
-      // What writes files is fetched when somebody wants one.
+      // The code that writes files is fetched with the first download.
       const { fileOf } = await import('./exports.js');
       const file = await fileOf(viewer, name, format);
       const model = modelName().replace(/\.[^.]*$/, '') || 'model';
@@ -123,6 +123,6 @@ function save(blob: Blob, name: string): void {
   link.href = URL.createObjectURL(blob);
   link.download = name;
   link.click();
-  // The browser has begun to read it by the next task at the latest; some begin only then.
+  // Some browsers begin to read the file only in a later task.
   setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }

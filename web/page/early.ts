@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// The first script to run: fetches what the page will need while the large one arrives, and shows how much
-// of it has come.
+// The first script to run: fetches what the page will need while the large one arrives, and shows
+// how much of it has come.
 
 import core from 'geodesic-voronoi/core.wasm?url';
 import { byId } from './dom.js';
 import { modelOf } from './first_model.js';
 
-/** Of what is fetched here, before compression; the build knows. */
+/** The uncompressed bytes of everything that is fetched here, inserted by the build. */
 declare const firstBytes: number;
 
 const bar = byId('progress-bar', HTMLProgressElement);
@@ -19,7 +19,7 @@ async function fetchCounted(address: string): Promise<Response> {
   return response;
 }
 
-/** Reads it to the end. */
+/** Reads a response to its end and counts its bytes. */
 async function count({ body }: Response): Promise<void> {
   const reader = body?.getReader();
   for (let part = await reader?.read(); part?.value; part = await reader?.read()) {
@@ -28,15 +28,15 @@ async function count({ body }: Response): Promise<void> {
   }
 }
 
-// What fails is asked for again, or told of, where it is needed. The model that the page opens with needs
-// no other module.
+// A fetch that fails is repeated, or reported, where its result is needed. The first model needs no
+// other module than this one.
 const modules = WebAssembly.compileStreaming(fetchCounted(core)).then((wasm) => ({ wasm }));
 const model = fetchCounted(modelOf(location.hash));
 for (const each of [modules, model]) each.catch(() => {});
 
 void import('./main.js').then(({ setUpPage }) => setUpPage(modules, model), tellFailure);
 
-/** Without the large script this one is all that can tell. */
+/** Reports that the large script failed; only this one is left to do so. */
 function tellFailure({ message }: Error): void {
   byId('progress', HTMLElement).hidden = true;
   byId('error-close', HTMLElement).hidden = true;

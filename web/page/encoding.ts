@@ -5,8 +5,8 @@
 import type { Encoders, EncodingRequest } from './encoding_worker.js';
 
 /**
- * A file of this media type, made in a worker that ends with it. Partitions and polygons are given away,
- * for nobody else has them; other arguments are copied.
+ * Makes a file of this media type in a worker of its own. Partitions and polygons are transferred,
+ * since nobody else has them; other arguments are copied.
  */
 export function encode<Name extends keyof Encoders>(
   type: string,

@@ -14,7 +14,7 @@ import {
   polygonPly,
 } from 'geodesic-voronoi';
 
-/** By the names that `encode` takes. */
+/** The encoders, by the names that `encode` takes. */
 const encoders = {
   diagramGlb,
   diagramJson: (...diagram: Parameters<typeof diagramJson>) =>
@@ -29,7 +29,7 @@ const encoders = {
 };
 export type Encoders = typeof encoders;
 
-/** What is asked for, and the type of the file. */
+/** A request: an encoder with its arguments, and the media type of the file. */
 export interface EncodingRequest<Name extends keyof Encoders> {
   name: Name;
   args: Parameters<Encoders[Name]>;

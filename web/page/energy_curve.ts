@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The energy by iteration as a small drawing. The axis of energies is logarithmic: with a painted
-// density they begin far above the end, where the differences that count are small.
+// A small drawing of the energy by iteration. Its axis is logarithmic: with a painted density,
+// energies begin far above their end, where the important differences are small.
 
 const svg = 'http://www.w3.org/2000/svg';
 
@@ -10,10 +10,10 @@ const width = 284;
 const height = 104;
 const plot = { left: 38, right: width - 6, top: 8, bottom: height - 20 };
 
-/** Fewer would be a line too steep to read. */
+/** The least width of the axis, in iterations: with fewer, the line would be too steep to read. */
 const fewestIterations = 10;
 
-/** Energies are multiples of that of regular hexagons in the plane. */
+/** The curve of energies, in multiples of that of regular hexagons in the plane. */
 export class EnergyCurve {
   readonly #drawing: SVGElement;
   readonly #energies: number[] = [];
@@ -71,7 +71,7 @@ export class EnergyCurve {
   }
 }
 
-/** Round numbers to be written beside the axis, few enough to be read. */
+/** Round numbers for the axis, few enough to read. */
 function ticksWithin(from: number, to: number): number[] {
   const steps = to / from > 8 ? [1, 10, 100, 1000] : [1.2, 1.5, 2, 3, 5, 10];
   return steps.filter((tick) => tick > Math.max(from, 1.1) && tick < to);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What makes the files of the download menu: fetched when the first of them is asked for.
+// Makes the files of the download menu. This code is fetched with the first download.
 
 import type { Diagram, Mesh } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
@@ -23,7 +23,7 @@ const mediaTypes = {
   svg: 'image/svg+xml',
 };
 
-/** Of the diagram: by name, then by format. */
+/** The encoders of results of the diagram, by name, then by format. */
 const encoders: Record<string, Record<string, Encoder>> = {
   outlines: {
     svg: async (diagram, _, viewer) =>
@@ -41,7 +41,7 @@ const encoders: Record<string, Record<string, Encoder>> = {
     },
   },
   bisectors: {
-    // What is not needed is not copied.
+    // Copies only the arrays that are needed.
     glb: async (diagram) => {
       const { points, segments } = await diagram.fetchData();
       return encode(mediaTypes.glb, 'diagramGlb', { points, segments });
@@ -77,14 +77,14 @@ function polygonEncoders(primal: boolean): Record<string, Encoder> {
   };
 }
 
-/** As much of a mesh as files need; what is not needed is not copied. */
+/** The arrays of a mesh that files need; no others, to avoid copies. */
 function sourceOf({ mesh }: GeodesicVoronoiElement): Source | undefined {
   if (!mesh) return undefined;
   const { positions, indices, normals, uvs } = mesh;
   return { positions, indices, normals, uvs };
 }
 
-/** Of the regions as they are drawn, in linear RGB. */
+/** The colours of the regions as they are drawn, in linear RGB. */
 function coloursOf(viewer: GeodesicVoronoiElement): number[][] {
   return Array.from(viewer.regionAreas, (_, label) => {
     const colour = viewer.regionColour(label) ?? '#787878';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the page says back.
+// The page's feedback: the status line, progress, errors and times.
 
 import type { GeodesicVoronoiElement, ViewerEvents } from '../viewer/element.js';
 import { byId, listen, onClick } from './dom.js';
@@ -8,10 +8,10 @@ import { counted, duration, integer, measure } from './numbers.js';
 
 /** Work that is done sooner shows no progress bar: it would only flicker. */
 const patienceMilliseconds = 300;
-/** What is read out waits for the last of several changes. */
+/** Status messages for screen readers wait for the last of several changes. */
 const statusMilliseconds = 250;
 
-/** What the page says back: the status line, progress, errors, times, and what is under the pointer. */
+/** Sets up the status line, progress, errors, times, and facts of the point under the pointer. */
 export function setUpFeedback(viewer: GeodesicVoronoiElement): void {
   setUpStatus(viewer);
   setUpProgress(viewer);
@@ -22,7 +22,7 @@ export function setUpFeedback(viewer: GeodesicVoronoiElement): void {
   listen(viewer, 'load', hideNote);
 }
 
-/** Something to know that is no error, with something to do about it. */
+/** Shows a note that is no error, with an action, if there is one, to do about it. */
 export function showNote(sentence: string, action?: { title: string; act: () => void }): void {
   byId('note-text', HTMLElement).textContent = sentence;
   const button = byId('note-action', HTMLButtonElement);
@@ -39,7 +39,7 @@ function hideNote(): void {
   byId('note', HTMLElement).hidden = true;
 }
 
-/** Something failed, in a sentence. */
+/** Shows an error, as a sentence. */
 export function showError(sentence: string): void {
   byId('error-text', HTMLElement).textContent = sentence;
   byId('error', HTMLElement).hidden = false;
@@ -76,7 +76,7 @@ function setUpProgress(viewer: GeodesicVoronoiElement): void {
       return;
     }
     label.textContent = status === 'loading' ? 'Opening the model' : 'Computing the diagram';
-    // What comes first is counted by `early.ts`.
+    // Until the first model is there, `early.ts` sets the bar.
     if (!cancel.hidden) bar.removeAttribute('value');
     waiting = window.setTimeout(() => {
       box.hidden = false;
@@ -113,7 +113,7 @@ function setUpReadout(viewer: GeodesicVoronoiElement): void {
     if (!point) return;
     colour.style.background = point.colour ?? 'gray';
     const { region, area } = point;
-    // On the site itself, rounding leaves some of it.
+    // At the site itself, rounding leaves a tiny distance.
     const distance = point.distance < 1e-9 * Math.sqrt(area) ? 0 : point.distance;
     text.textContent =
       region < 0
@@ -122,7 +122,7 @@ function setUpReadout(viewer: GeodesicVoronoiElement): void {
   });
 }
 
-/** What the diagram is made of, and how long each stage took, the last time. */
+/** Shows the counts of the diagram, and the time that each stage took last. */
 function setUpTimes(viewer: GeodesicVoronoiElement): void {
   const arcCount = byId('arc-count', HTMLElement);
   const voronoiPointCount = byId('voronoi-point-count', HTMLElement);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Which model the page opens with.
+// Chooses the model that the page opens with.
 
 import samples from './samples.json' with { type: 'json' };
 

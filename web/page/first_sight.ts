@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the page opens with: a model whose random regions become even ones, once.
+// The opening of the page: a model whose random regions become even ones, once.
 
 import type { CvtState } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
@@ -10,7 +10,7 @@ import { byId, listen } from './dom.js';
 import { modelOf } from './first_model.js';
 import { isPageState, readPageState } from './page_state.js';
 
-/** A link that was shared opens with what it tells; else a sample plays once. */
+/** Opens a shared link as it was; without one, a sample plays once. */
 export function setUpFirstSight(viewer: GeodesicVoronoiElement, readings: CvtReadings): void {
   enableWithModel(viewer);
   endCaption(viewer);
@@ -29,7 +29,7 @@ function enableWithModel(viewer: GeodesicVoronoiElement): void {
   });
 }
 
-/** The sentence on the view has done its work when somebody edits, and is wrong where nobody can. */
+/** Removes the sentence on the view after the first edit, and where nothing can be edited. */
 function endCaption(viewer: GeodesicVoronoiElement): void {
   const caption = byId('caption', HTMLElement);
   if (matchMedia('(pointer: coarse)').matches) {
@@ -45,8 +45,8 @@ function endCaption(viewer: GeodesicVoronoiElement): void {
 }
 
 /**
- * Plays, or computes the same without showing what lies between for those who want no motion. One step
- * to undo either way.
+ * Plays a tessellation; for readers who want no motion, computes it without showing iterations.
+ * Either way it is one step to undo.
  */
 async function evenOut(viewer: GeodesicVoronoiElement, readings: CvtReadings): Promise<void> {
   if (!matchMedia('(prefers-reduced-motion: reduce)').matches) {
@@ -59,7 +59,7 @@ async function evenOut(viewer: GeodesicVoronoiElement, readings: CvtReadings): P
   const states: CvtState[] = [];
   for await (const state of mesh.cvt(sites, { iterations })) states.push(state);
   const last = states.at(-1);
-  // Whoever has changed something meanwhile keeps it.
+  // Changes that the reader has made meanwhile are kept.
   if (!last || mesh !== viewer.mesh || diagram !== viewer.diagram) return;
   viewer.sites = last.sites;
   const { regionAreas: regionArea } = viewer;
@@ -71,7 +71,7 @@ async function evenOut(viewer: GeodesicVoronoiElement, readings: CvtReadings): P
       readings.add({ ...state, relativeEnergy: state.energy / hexagons });
     }
     readings.tell(last.iteration < iterations ? 'done' : 'paused');
-    // The next diagram is of other sites.
+    // The next diagram has other sites, to which the readings do not apply.
     const clear = () => isIdle() && readings.tell('idle');
     viewer.addEventListener('diagram', clear, { once: true });
   };

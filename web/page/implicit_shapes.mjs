@@ -21,7 +21,9 @@ export function tripleTorus() {
   );
 }
 
-/** A bearing block: a plate with four bolt holes, and on it a boss with a bore, held by two ribs. */
+/**
+ * A bearing block: a plate with four bolt holes, and on it a boss with a bore, held by two ribs.
+ */
 export function bearingBlock() {
   const cylinder = (radius, p, q) => Math.hypot(p, q) - radius;
   const fillet = 0.1;
@@ -54,9 +56,9 @@ function roundedUnion(a, b, radius) {
 }
 
 /**
- * Where `value` is zero inside the cube of that half width, cut into n³ cells: a vertex in each cell
- * that the surface crosses, and two triangles for each of the grid's edges that it crosses ("surface
- * nets"). Then vertices are spread evenly and put on the surface.
+ * The surface on which `value` is zero, inside a cube of n³ cells: a vertex in each cell that the
+ * surface crosses, and two triangles for each of the grid's edges that it crosses ("surface nets").
+ * Then vertices are spread evenly and put on the surface.
  */
 function isosurface(n, halfWidth, value) {
   const step = (2 * halfWidth) / n;

@@ -5,7 +5,7 @@
 import { type Command, commandOf, type GeodesicVoronoiElement } from '../viewer/element.js';
 import { byId, onClick } from './dom.js';
 
-/** What keys do anywhere in the page; with the view in focus the viewer itself hears them all. */
+/** Commands of keys anywhere in the page; with the view in focus, the viewer handles all keys. */
 const everywhere: ReadonlySet<Command> = new Set(['undo', 'redo', 'remove', 'refit', 'cancel']);
 
 /** Keys that press a button of the toolbar. */
@@ -15,7 +15,7 @@ export function setUpKeyboard(viewer: GeodesicVoronoiElement): void {
   const help = byId('help', HTMLDialogElement);
   const showHelp = () => help.showModal();
   onClick('help-button', showHelp);
-  // A click on the backdrop is one on the dialog itself, beside its content.
+  // A click on the backdrop has the dialog itself as its target, not its content.
   help.addEventListener('click', (event) => {
     if (event.target === help) help.close();
   });
@@ -40,7 +40,7 @@ export function setUpKeyboard(viewer: GeodesicVoronoiElement): void {
   });
 }
 
-/** Whether a field that takes keys has them. */
+/** Whether the key goes to a field that takes text or keys. */
 function isTyping({ target }: Event): boolean {
   if (target instanceof HTMLInputElement)
     return !['checkbox', 'radio', 'button'].includes(target.type);

@@ -23,7 +23,7 @@ import { setUpSizeWarning } from './size_warning.js';
 import { setUpToolbar } from './toolbar.js';
 import { setUpViewControls } from './view_controls.js';
 
-/** The modules, and the model that the page opens with, are on their way already. */
+/** Sets up the page; the fetches of the modules and of the first model have begun already. */
 export function setUpPage(modules: Promise<LoadOptions>, model: Promise<Response>): void {
   provideModules(modules);
   provideModel(modelOf(location.hash), model);

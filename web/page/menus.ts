@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The menus of downloads and of sharing: nobody can want them before there is a model, so they are fetched
-// when it is there.
+// The menus of downloads and of sharing. They are useless without a model, so this code is fetched
+// after the first one has been opened.
 
 import { lastSegment } from '../viewer/model_files.js';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';

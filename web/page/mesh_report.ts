@@ -7,7 +7,7 @@ import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { byId, listen } from './dom.js';
 import { counted, integer, measure } from './numbers.js';
 
-/** How a model is made of its file, and what the page says of it. */
+/** Sets up the report on the mesh and the options by which it is built from its file. */
 export function setUpMeshReport(viewer: GeodesicVoronoiElement): void {
   setUpBuild(viewer);
   const report = byId('report', HTMLElement);

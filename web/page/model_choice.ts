@@ -11,7 +11,10 @@ import { modelOf } from './first_model.js';
 import { openSites } from './sites_file.js';
 import samples from './samples.json' with { type: 'json' };
 
-/** How a model gets into the page: the menu of models, the pickers of files and folders, and dropping them on it. */
+/**
+ * How a model gets into the page: the menu of models, the pickers of files and folders, and
+ * dropping them on it.
+ */
 export function setUpModelChoice(viewer: GeodesicVoronoiElement): void {
   const menu = new ModelMenu(viewer);
   const open = async (files: readonly File[], all: ModelFiles | Promise<ModelFiles>) => {
@@ -42,7 +45,7 @@ class ModelMenu {
   readonly #ownFiles = document.createElement('optgroup');
   readonly #choices = new Map<HTMLOptionElement, Choice>();
   #shown: Choice;
-  /** On its way, or shown already. */
+  /** The model that was chosen last: being opened, or shown already. */
   #asked: Choice;
 
   constructor(viewer: GeodesicVoronoiElement) {
@@ -100,7 +103,7 @@ class ModelMenu {
     byId('credit', HTMLElement).textContent = choice.credit;
   }
 
-  /** In place of one with the same path, which is an earlier state of the file. */
+  /** Adds a model; replaces one with the same path, which is an earlier state of the file. */
   #addOwn(choice: Choice): void {
     const before = [...this.#ownFiles.children].find(
       (option) => (option as HTMLOptionElement).text === choice.option.text,
@@ -129,7 +132,7 @@ function setUpPicker(open: (files: readonly File[]) => void): void {
     onClick(button, () => input.click()).disabled = false;
     input.addEventListener('change', () => {
       if (input.files?.length) open([...input.files]);
-      // The same file may be chosen again.
+      // Emptied, so that choosing the same file again is a change.
       input.value = '';
     });
   }
@@ -144,7 +147,7 @@ function setUpDrop(open: (dropped: DataTransfer) => void): void {
     overlay.hidden = false;
   });
   addEventListener('dragleave', (event) => {
-    // Leaving one element for another is no leaving of the page.
+    // Without a related target, the drag has left the page, not just an element.
     if (event.relatedTarget === null) overlay.hidden = true;
   });
   addEventListener('drop', (event) => {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The bisectors that are seen, as a drawing.
+// An SVG drawing of the bisectors that are visible in the view.
 
 import type { DiagramData } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
@@ -9,7 +9,7 @@ import { Slices } from '../viewer/next_frame.js';
 /** A point of the surface as it is seen in the view, in CSS pixels; none if it is hidden. */
 type SeenPoint = { x: number; y: number } | undefined;
 
-/** Whether a point is hidden takes a ray: so many are cast before the page may have waited long enough. */
+/** Points tested between two looks at the clock; each test for visibility casts a ray. */
 const pointsPerStep = 256;
 
 /** The bisectors that are seen in the view, as a drawing of its size in CSS pixels. */

@@ -4,7 +4,7 @@
 
 import { listModels, type ModelFiles } from 'geodesic-voronoi';
 
-/** Their paths, as a person would order them; none if something is wrong, which is said when they are opened. */
+/** Their paths, in natural order. Empty after an error, which opening the files will report. */
 export async function ownModels(files: ModelFiles): Promise<string[]> {
   const paths = await listModels(files).catch(() => []);
   return paths.sort(new Intl.Collator(undefined, { numeric: true }).compare);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a shared link tells after its #: v=1, the model's name, how sites were placed and where they are, the
-// distance, and the view.
+// The state that a shared link keeps after its #: v=1, the model's name, how sites were placed and
+// where they are, the distance, and the view.
 
 import type { SurfacePoints } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement, ViewerEvents } from '../viewer/element.js';
@@ -10,7 +10,7 @@ import { showError, showNote } from './feedback.js';
 import { modelOf } from './first_model.js';
 
 const version = '1';
-/** More of them would make an address that some programs cut off. */
+/** The most sites in a link: some programs cut off longer addresses. */
 const mostSites = 2000;
 /** Barycentric coordinates are kept as 16-bit fractions. */
 const unit = 65535;
@@ -27,7 +27,7 @@ export function isPageState(hash: string): boolean {
   return parametersOf(hash).has('v');
 }
 
-/** The hash that brings this back; `model` is the name of its file. */
+/** The hash that restores the present state; `model` is the name of the model's file. */
 export function pageState(viewer: GeodesicVoronoiElement, model: string): string {
   const parameters = new URLSearchParams({ v: version, model });
   for (const name of attributes) {
@@ -39,7 +39,7 @@ export function pageState(viewer: GeodesicVoronoiElement, model: string): string
   return `#${parameters}`;
 }
 
-/** Brings back what a link tells of its model. What one of another version tells is not known. */
+/** Restores the state in a link; links of another version are ignored. */
 export function readPageState(viewer: GeodesicVoronoiElement, hash: string): void {
   const parameters = parametersOf(hash);
   if (parameters.get('v') !== version) return;
@@ -52,7 +52,7 @@ export function readPageState(viewer: GeodesicVoronoiElement, hash: string): voi
   const isOfSample = modelOf(hash) === `./samples/${model}`;
   const waiting = new AbortController();
   const bringBack = ({ detail: { name } }: CustomEvent<ViewerEvents['load']>) => {
-    // Sites on a file of somebody's own are nothing without it: until it is opened, a sample is shown.
+    // Sites on a reader's own file make no sense without it: until it is opened, a sample is shown.
     if (model && name !== model) {
       if (isOfSample) return;
       showNote(`This link is of ${model}, which it does not hold: open that file, too.`, {
@@ -63,13 +63,13 @@ export function readPageState(viewer: GeodesicVoronoiElement, hash: string): voi
     }
     waiting.abort();
     if (model && at) showSites(viewer, at);
-    // It is of this model alone.
+    // The camera's place applies to this model only.
     viewer.removeAttribute('camera-orbit');
   };
   viewer.addEventListener('load', bringBack, { signal: waiting.signal });
 }
 
-/** As many sites as may be placed. */
+/** Whether a text is a number of sites that may be placed. */
 function isCount(value: string): boolean {
   const { min, max } = byId('count', HTMLInputElement);
   return Number(value) >= Number(min) && Number(value) <= Number(max);

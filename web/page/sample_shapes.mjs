@@ -21,7 +21,7 @@ export function knot() {
   const thickness = 0.52;
   return grid(420, 34, { across: true, along: true }, (s, t) => {
     const ahead = normalised(difference(centre(s + 1e-4), centre(s - 1e-4)));
-    // Away from the middle of the torus' tube: it turns with the knot, and closes.
+    // The direction away from the middle of the torus' tube turns with the knot, and closes.
     const [x, y] = centre(s);
     const ring = 2 / Math.hypot(x, y);
     const outward = difference(centre(s), [ring * x, ring * y, 0]);
@@ -36,8 +36,8 @@ export function knot() {
 }
 
 /**
- * A Möbius strip of some thickness: what looks like two sides is one, which closes after two rounds. (A
- * strip without thickness has no orientation; it would have to be cut.)
+ * A Möbius strip of some thickness: what looks like two sides is one, which closes after two
+ * rounds. (A strip without thickness has no orientation; it would have to be cut.)
  */
 export function moebiusStrip() {
   const [halfWidth, halfThickness] = [0.46, 0.05];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The page's sample models, made when the page is built: they come with npm packages or from formulas,
-// and none is kept in the repository.
+// The page's sample models, made when the page is built: they come with npm packages or from
+// formulas, and none is kept in the repository.
 
 import { copyFileSync, mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -12,7 +12,9 @@ import { subdivide } from './subdivision.mjs';
 
 const require = createRequire(import.meta.url);
 
-/** How each model of `samples.json` comes about: its triangles, or the path of a file in a package. */
+/**
+ * How each model of `samples.json` comes about: its triangles, or the path of a file in a package.
+ */
 const sources = {
   'bunny.ply': bunny,
   'hand.glb': '@webxr-input-profiles/assets/dist/profiles/generic-hand/left.glb',
@@ -25,7 +27,7 @@ const sources = {
   'moebius.glb': moebiusStrip,
 };
 
-/** Writes the models into a folder, and nothing else may be in it. */
+/** Writes the models into a folder, and removes everything else from it. */
 export function makeSamples(folder) {
   rmSync(folder, { recursive: true, force: true });
   mkdirSync(folder, { recursive: true });
@@ -36,7 +38,7 @@ export function makeSamples(folder) {
   }
 }
 
-/** A binary PLY of triangles. What the page opens with is one: it needs no module of its own to be read. */
+/** A binary PLY of triangles. The first model is one, because reading it takes no other module. */
 function ply({ positions, indices }) {
   const vertexCount = positions.length / 3;
   const faceCount = indices.length / 3;
@@ -60,7 +62,7 @@ function ply({ positions, indices }) {
   return Buffer.concat([Buffer.from(header.join('\n')), vertices, faces]);
 }
 
-/** As it comes it has 3,674 triangles; two rounds make 58,784 of them. */
+/** The bunny of the package has 3,674 triangles; two rounds of subdivision make 58,784. */
 function bunny() {
   const { positions, cells } = require('bunny');
   return subdivide(subdivide({ positions: positions.flat(), indices: cells.flat() }));

@@ -7,7 +7,10 @@ import { byId, onClick } from './dom.js';
 /** A press that moves farther than this, in CSS pixels, is a swipe. */
 const swipeDistance = 24;
 
-/** On a phone the controls are a sheet at the bottom: a tap on its grip or a swipe opens and closes it. */
+/**
+ * On a phone the controls are a sheet at the bottom: a tap on its grip or a swipe opens and closes
+ * it.
+ */
 export function setUpSheet(): void {
   const panel = byId('panel', HTMLElement);
   const narrow = matchMedia('(max-width: 760px)');
@@ -19,12 +22,12 @@ export function setUpSheet(): void {
   setUpSwipe([grip, byId('lead', HTMLElement)], (up) => {
     if (narrow.matches) show(up);
   });
-  // Beside the view there is no grip to open it again.
+  // On a wide page the panel is beside the view and has no grip to open it again.
   narrow.addEventListener('change', () => show(!narrow.matches));
   show(!narrow.matches);
 }
 
-/** Calls back when a press on one of these goes up or down; it is no click then. */
+/** Calls back when a press on one of the elements moves up or down, and suppresses its click. */
 function setUpSwipe(elements: readonly HTMLElement[], swiped: (up: boolean) => void): void {
   let isSwipe = false;
   for (const element of elements) {

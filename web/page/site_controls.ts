@@ -16,7 +16,7 @@ export function setUpSiteControls(viewer: GeodesicVoronoiElement): void {
   setUpBareNote(viewer);
 }
 
-/** Tells of components that no site reaches. */
+/** Notes components that no site reaches. */
 function setUpBareNote(viewer: GeodesicVoronoiElement): void {
   const note = byId('bare-note', HTMLElement);
   const update = async () => {
@@ -34,7 +34,7 @@ function setUpBareNote(viewer: GeodesicVoronoiElement): void {
   listen(viewer, 'diagram', () => void update());
 }
 
-/** Points that are as far apart as possible are vertices, of which a model may have too few. */
+/** Notes if there are fewer sites than wanted: farthest points are vertices, and may run out. */
 function tellOfFewer(viewer: GeodesicVoronoiElement, wanted: number): void {
   const { length } = viewer.sites.face;
   if (length === 0 || length >= wanted) return;
@@ -96,8 +96,8 @@ function setUpEditing(viewer: GeodesicVoronoiElement): void {
 }
 
 /**
- * For readers of lists rather than of pictures. It is kept up only while it is open, and of it what has
- * changed: a drag changes a few regions many times a second.
+ * The list of sites, for readers who cannot use the picture. It is updated only while it is open,
+ * and only where it changed: a drag changes a few regions many times a second.
  */
 function setUpList(viewer: GeodesicVoronoiElement): void {
   const details = byId('site-details', HTMLDetailsElement);

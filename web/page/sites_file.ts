@@ -15,7 +15,7 @@ export function sitesJson({ sites }: GeodesicVoronoiElement): SitesJson {
   return { face: [...sites.face], bary: [...sites.bary] };
 }
 
-/** Replaces the sites by those of a file, a step to undo; if it holds none, a sentence says why. */
+/** Replaces the sites by those of a file, a step to undo. Shows an error if the file has none. */
 export async function openSites(viewer: GeodesicVoronoiElement, file: File): Promise<void> {
   const { name } = file;
   let sites: unknown;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A word of warning about models that are too large.
+// A warning about models that are too large.
 
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { listen } from './dom.js';
@@ -9,10 +9,10 @@ import { integer } from './numbers.js';
 
 /** What a diagram of a few hundred sites takes, in bytes per triangle; measured, see the README. */
 const bytesPerFace = { exact: 800, dgpc: 280 };
-/** Of a browser's tab; 32-bit WebAssembly has no more than 4 GB in all. */
+/** The memory of a browser's tab to rely on; 32-bit WebAssembly has at most 4 GB. */
 const bytesThatFit = 1.2e9;
 
-/** Says before a diagram is tried that it will not fit, and goes on with what does. */
+/** Warns of a diagram that will not fit into memory, and uses the metric that takes less. */
 export function setUpSizeWarning(viewer: GeodesicVoronoiElement): void {
   listen(viewer, 'load', ({ info }) => {
     const isExact = (viewer.getAttribute('metric') ?? 'exact') === 'exact';

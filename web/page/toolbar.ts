@@ -46,7 +46,7 @@ function setUpFullscreen(): void {
     if (document.fullscreenElement) void document.exitFullscreen();
     else void view.requestFullscreen();
   });
-  // Not on every phone.
+  // Some phones have no full screen.
   button.hidden = !document.fullscreenEnabled;
   document.addEventListener('fullscreenchange', () => {
     button.ariaPressed = String(document.fullscreenElement !== null);

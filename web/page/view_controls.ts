@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// What is shown, and by which distance.
+// The controls of the layers that are shown, and of the metric.
 
 import { type GeodesicVoronoiElement, type Layer, layers } from '../viewer/element.js';
 import { byId, listen, onClick } from './dom.js';
 import { showNote } from './feedback.js';
 
-/** What the layers are called, and what they show. */
+/** The titles of the layers, and hints on what they show. */
 const layerTexts: Record<Layer, { title: string; hint: string }> = {
   regions: { title: 'Regions', hint: 'A colour for each region' },
   bisectors: { title: 'Bisectors', hint: 'The lines between regions' },
@@ -18,7 +18,7 @@ const layerTexts: Record<Layer, { title: string; hint: string }> = {
   wireframe: { title: 'Wireframe', hint: 'The triangles of the model' },
 };
 
-/** What is shown, and by which distance. */
+/** Sets up the controls of layers and of the metric. */
 export function setUpViewControls(viewer: GeodesicVoronoiElement): void {
   setUpLayers(viewer);
   setUpOriginal(viewer);
@@ -47,7 +47,7 @@ function setUpLayers(viewer: GeodesicVoronoiElement): void {
   });
 }
 
-/** Why there is nothing of the file's own to be seen, if there is not. */
+/** Notes why the file's own material is not shown, if it is not. */
 function setUpOriginal(viewer: GeodesicVoronoiElement): void {
   const note = byId('original-note', HTMLElement);
   listen(viewer, 'original', (original) => {
@@ -58,7 +58,7 @@ function setUpOriginal(viewer: GeodesicVoronoiElement): void {
   });
 }
 
-/** Whether the dual that is drawn is a picture of the surface, and a way to make it one. */
+/** Notes whether the dual has the topology of the surface, with a button to repair it. */
 function setUpDual(viewer: GeodesicVoronoiElement): void {
   const note = byId('dual-note', HTMLElement);
   const repair = onClick('repair', async () => {
@@ -96,12 +96,12 @@ function setUpExploded(viewer: GeodesicVoronoiElement): void {
   };
   listen(viewer, 'diagram', update);
   listen(viewer, 'cvt-iteration', update);
-  // Playing puts them together.
+  // Playing a tessellation puts the regions together.
   new MutationObserver(() => {
     const value = String(Math.round(100 * viewer.exploded));
     if (slider.value !== value) slider.value = value;
   }).observe(viewer, { attributeFilter: ['exploded'] });
-  // Why a click there does nothing.
+  // The note explains why a click on separate regions does nothing.
   const together = { title: 'Put them together', act: () => (viewer.exploded = 0) };
   viewer.addEventListener('click', () => {
     if (viewer.exploded > 0) {

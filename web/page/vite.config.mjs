@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How the page is built: what it needs at first sight as small, and as early, as it goes.
+// How the page is built: everything needed at first sight is fetched early and kept small.
 
 import { statSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
@@ -10,7 +10,7 @@ import { makeSamples } from './samples.mjs';
 
 const inBuild = (name) => fileURLToPath(new URL(`../../build/${name}`, import.meta.url));
 
-/** The large script, and those that it is made of, are fetched together with the first one, which asks for it. */
+/** Preloads the large script and its parts together with the first script, which imports it. */
 const preloadMain = {
   name: 'preload-main',
   transformIndexHtml: {
@@ -31,9 +31,10 @@ const preloadMain = {
 };
 
 /**
- * What three.js brings for materials that the page has none of, for maps other than that of the colour, and for
- * shadows, fog, skins, probes of light, cutting planes and tone mapping: texts of shaders, which no bundler sees are not needed, a tenth of what is fetched at first.
- * Whoever gives the page such a material finds it not to compile, and takes it off this list.
+ * Shader texts of three.js for features that the page does not use: other materials, maps other
+ * than of colour, shadows, fog, skins, light probes, clipping planes and tone mapping. They are a
+ * tenth of the first download, and bundlers cannot see that they are unused. A material that needs
+ * one of them does not compile until it is taken off this list.
  */
 const neededByNothing = {
   ShaderLib:
@@ -43,9 +44,9 @@ const neededByNothing = {
 };
 
 /**
- * Modules of three.js that its renderer makes or names, and that do nothing here: virtual reality, shadows,
- * light probes, passes after the picture, uniforms in groups. In their place stands as much as the renderer
- * asks of them when they are not used.
+ * Modules of three.js that its renderer makes or names, but that do nothing here: virtual reality,
+ * shadows, light probes, passes after the picture, uniforms in groups. Stubs replace them, with
+ * just the members that the renderer uses in any case.
  */
 const idleModules = {
   'extras/PMREMGenerator.js': 'export class PMREMGenerator {}',
@@ -91,7 +92,8 @@ export default defineConfig(({ isPreview }) => {
     define: { firstBytes },
     base: './',
     plugins: [preloadMain, leaveOutOfThree],
-    // Of its many modules, those that nothing at first sight needs come with what does.
+    // The source modules of three.js: those not needed at first sight come with code that needs
+    // them.
     resolve: { alias: [{ find: /^three$/, replacement: 'three/src/Three.js' }] },
     publicDir,
     build: {
@@ -100,7 +102,7 @@ export default defineConfig(({ isPreview }) => {
       target: 'es2022',
       // A strict content security policy allows no data: addresses.
       assetsInlineLimit: 0,
-      // three.js is most of it.
+      // Most of the large chunk is three.js.
       chunkSizeWarningLimit: 800,
     },
     worker: { format: 'es' },

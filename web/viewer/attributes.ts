@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The element's attributes as values, with what holds where they are not given.
+// The values of the element's attributes, and their defaults.
 
 import type { CvtMethod, Metric, Orientation, Sampling } from 'geodesic-voronoi';
 import { type CameraOrbit, parseCameraOrbit } from './camera_orbit.js';
@@ -14,7 +14,7 @@ import type { UpAxis } from './stage.js';
 
 const defaultLayers: readonly Layer[] = ['regions', 'bisectors', 'sites'];
 
-/** Read anew each time: whoever asks gets what holds now. */
+/** Attributes are read anew at each access, so values are never stale. */
 export class Attributes {
   readonly #element: HTMLElement;
 
@@ -36,7 +36,10 @@ export class Attributes {
     return this.#text('reveal') === 'manual';
   }
 
-  /** Whether there is anything to do with pointer and keys, and whether it changes sites and density. */
+  /**
+   * Whether there is anything to do with pointer and keys, and whether it changes sites and
+   * density.
+   */
   get interactive(): { camera: boolean; edit: boolean } {
     const text = this.#text('interactive');
     return { camera: text !== 'none', edit: text !== 'none' && text !== 'camera' };
@@ -70,7 +73,7 @@ export class Attributes {
 
   get diagram(): DiagramSettings {
     return {
-      // What is no metric is for the library to refuse, which names those there are.
+      // The library refuses unknown metrics, in a sentence that lists the known ones.
       metric: (this.#text('metric') ?? 'exact') as Metric,
       detail: this.#number('detail', 0),
     };
@@ -83,7 +86,7 @@ export class Attributes {
 
   get opening(): Opening {
     return {
-      // What makes no sense is for the library to refuse.
+      // The library refuses values that make no sense.
       build: {
         weld: this.#number('weld', 0),
         orientation: (this.#text('orientation') ?? 'unify') as Orientation,

@@ -8,7 +8,9 @@ import type { SceneMesh } from './scene_mesh.js';
 
 const sides = 48;
 
-/** Both ends of the sides of a ring on the surface, about as far from its centre as a brush reaches. */
+/**
+ * Both ends of the sides of a ring on the surface, about as far from its centre as a brush reaches.
+ */
 export function brushRing(
   mesh: SceneMesh,
   { face, bary, place }: SurfaceHit,
@@ -19,7 +21,7 @@ export function brushRing(
   mesh.writeNormal(face, bary, normal, 0);
   const up = new Vector3().fromArray(normal).normalize();
   const across = new Vector3(up.y, up.z, up.x).cross(up).normalize();
-  // Where the three are equal.
+  // All three components are equal.
   if (across.lengthSq() === 0) across.set(1, -1, 0).normalize();
   const along = up.clone().cross(across);
   const corners = Array.from({ length: sides }, (_, i) => {

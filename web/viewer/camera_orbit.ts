@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Where the camera is, as text: the attribute `camera-orbit`.
+// The camera's place as text: the attribute `camera-orbit`.
 
-/** Where the camera is around the model, as `<model-viewer>` has it. */
+/** The camera's place around the model, as in `<model-viewer>`. */
 export interface CameraOrbit {
   /** The angle around the upward axis, in radians; 0 is in front. */
   theta: number;
@@ -10,13 +10,13 @@ export interface CameraOrbit {
   phi: number;
   /** The distance as a multiple of that from which the model fills the view. */
   radius: number;
-  /** What it looks at, in radii of the model from its centre. */
+  /** The point that the camera looks at, in radii of the model from its centre. */
   target: readonly number[];
 }
 
 /**
- * Like `30deg 75deg 105%`, angles also in `rad`, the distance also `auto`; after that may come what it
- * looks at, like `0.1 0 0.25`. Undefined if it is not.
+ * Parses text like `30deg 75deg 105%`; angles may be in `rad`, the distance `auto`. The target may
+ * follow, like `0.1 0 0.25`. Undefined if the text has another form.
  */
 export function parseCameraOrbit(text: string): CameraOrbit | undefined {
   const [theta, phi, radius, ...target] = text.trim().split(/\s+/);

@@ -5,13 +5,15 @@
 import type { DiagramData } from 'geodesic-voronoi';
 import type { SceneMesh } from './scene_mesh.js';
 
-/** As much of a diagram as is cut. */
+/** The parts of a diagram that are cut. */
 export interface Cells {
   cells: DiagramData['cells'];
   points: Pick<DiagramData['points'], 'position'>;
 }
 
-/** Cells as triangles: as many as there are pairs of keys; the other arrays may have room for more. */
+/**
+ * Cells as triangles: as many as there are pairs of keys; the other arrays may have room for more.
+ */
 export interface CellTriangles {
   /** Per triangle its face and its label. */
   keys: Int32Array;
@@ -23,9 +25,9 @@ export interface CellTriangles {
 }
 
 /**
- * The cells of a diagram as triangle fans; they are convex. An iteration of a tessellation draws tens
- * of thousands of them: nothing is made per cell or corner. `roomFor` says for how many triangles there is to
- * be room in arrays for so many.
+ * The cells of a diagram as triangle fans, since they are convex. An iteration of a tessellation
+ * draws tens of thousands of them: nothing is allocated per cell or corner. `roomFor` turns a
+ * number of triangles into the number that the arrays have room for.
  */
 export function cellTriangles(
   mesh: SceneMesh,
@@ -74,7 +76,7 @@ export function cellTriangles(
   return { keys, position, normal, points: named };
 }
 
-/** Of the corners of one cell. */
+/** Working memory for the corners of one cell. */
 class Scratch {
   readonly fan: Float32Array;
   readonly normals: Float32Array;

@@ -6,9 +6,9 @@ type Triple = readonly [number, number, number];
 type Matrix = readonly [Triple, Triple, Triple];
 
 /**
- * What readers see of a colour, in linear RGB: with full colour vision, with protanopia, deuteranopia
- * and tritanopia (Machado, Oliveira, Fernandes. A Physiologically-based Model for Simulation of Color
- * Vision Deficiency. 2009).
+ * Matrices from a colour to the one that a reader sees, in linear RGB: with full colour vision,
+ * with protanopia, deuteranopia and tritanopia (Machado, Oliveira, Fernandes. A
+ * Physiologically-based Model for Simulation of Color Vision Deficiency. 2009).
  */
 const visions: readonly Matrix[] = [
   [
@@ -37,8 +37,8 @@ const visions: readonly Matrix[] = [
 const lightnessWeight = 0.6;
 
 /**
- * The distance in Oklab (Ottosson 2020) of two sRGB colours to the reader who can tell them apart least.
- * Two colours side by side are told apart from about 0.02 on.
+ * The distance in Oklab (Ottosson 2020) of two sRGB colours for the reader who distinguishes them
+ * least. Two colours side by side can be distinguished from about 0.02 on.
  */
 export function leastDistance(a: number, b: number): number {
   const [first, second] = [linear(a), linear(b)];

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// What the viewer does at a key.
+// Keys and the commands of the viewer that they give.
 
 import { Vector2 } from 'three';
 import type { Viewer } from './viewer.js';
 
-/** What the viewer does at a key. */
+/** A command of the viewer, given by a key. */
 export type Command =
   | 'undo'
   | 'redo'
@@ -56,7 +56,7 @@ const actions: Readonly<Record<Command, (viewer: Viewer) => void>> = {
   'move-down': (viewer) => viewer.nudge(0, moveStep),
 };
 
-/** Those that change nothing but the view. */
+/** Commands that change nothing but the view. */
 const ofView: ReadonlySet<Command> = new Set<Command>([
   'refit',
   'turn-left',

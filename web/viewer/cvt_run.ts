@@ -34,15 +34,15 @@ interface TimedState {
 
 export interface CvtRunListener {
   iterated(picture: CvtPicture): void;
-  /** It plays no more, by itself or because it was told so. */
+  /** Called when it stops playing, by itself or on request. */
   paused(): void;
   failed(error: unknown): void;
 }
 
 /**
- * A centroidal tessellation on its way: plays until some iteration and pauses. The next iteration is
- * computed while one is made ready and drawn. A pause takes effect at once: the iteration reported
- * last stays the last, and what was asked for by then is not lost but comes first when it plays again.
+ * A centroidal tessellation that plays up to some iteration and pauses. The next iteration is
+ * computed while one is prepared and drawn. A pause takes effect at once: no further iteration is
+ * reported, and one that was under way is kept, and reported first when it plays again.
  */
 export class CvtRun {
   readonly #settings: CvtSettings;
@@ -72,7 +72,7 @@ export class CvtRun {
     this.#listener = listener;
     this.#states = mesh.cvt(surfacePointsOf(sites), {
       ...settings,
-      // Whoever plays decides when it ends.
+      // The caller of `play` decides when it ends.
       iterations: 2 ** 31 - 1,
       diagrams: true,
       signal: this.#stopping.signal,
@@ -125,7 +125,7 @@ export class CvtRun {
     this.#playing = undefined;
     this.#stopping.abort();
     void this.#states.return();
-    // Diagrams that nobody has seen.
+    // Diagrams that were computed but never reported.
     this.#asked?.then((picture) => picture?.state.diagram?.dispose()).catch(() => {});
     this.#coming?.then(({ state }) => state?.diagram?.dispose()).catch(() => {});
   }
@@ -156,7 +156,7 @@ export class CvtRun {
   #ask(): Promise<CvtPicture | undefined> {
     if (!this.#asked) {
       this.#asked = this.#nextPicture();
-      // Nobody may be waiting when it is stopped.
+      // After a stop nobody may be waiting to handle a rejection.
       this.#asked.catch(() => {});
     }
     return this.#asked;

@@ -11,11 +11,11 @@ export const greatestDensity = 1000;
 export interface Brush {
   /** In units of the scene, where the model has radius 1. */
   radius: number;
-  /** What the surface comes to under its centre; 1 is the density of what is not painted. */
+  /** The density that strokes lead to under the brush's centre; 1 where nothing is painted. */
   density: number;
 }
 
-/** How much of the way to the brush's density one dab goes at its centre. */
+/** The share of the way to the brush's density that one dab goes at its centre. */
 const flow = 0.5;
 
 /**
@@ -65,7 +65,7 @@ export class DensityPaint {
       if (!(distance < radius)) return false;
       const share = flow * (1 - (distance / radius) ** 2);
       const tint = this.#tints[v] + share * (target - this.#tints[v]);
-      // It would never come to an end.
+      // Without this, the tint would approach its target forever.
       this.#tints[v] = Math.abs(tint - target) < 0.01 ? target : tint;
       return true;
     });
@@ -77,12 +77,12 @@ function tintOf(density: number): number {
   return Math.min(1, Math.max(-1, tint));
 }
 
-/** Which faces meet in a vertex, also where the input has it several times at the same place. */
+/** The faces around each place, even where the input has several vertices there. */
 class Adjacency {
   readonly #indices: Int32Array;
-  /** Of every vertex the first one at its place. */
+  /** For every vertex, the first vertex at its place. */
   readonly #first: Int32Array;
-  /** Faces around vertex v of those: `#faces[#offset[v]] … #faces[#offset[v + 1] - 1]`. */
+  /** The faces around such a first vertex v: `#faces[#offset[v]] … #faces[#offset[v + 1] - 1]`. */
   readonly #offset: Int32Array;
   readonly #faces: Int32Array;
 
@@ -106,7 +106,7 @@ class Adjacency {
     });
   }
 
-  /** Calls back with every vertex, once, of the connected part of the surface for which it says yes. */
+  /** Visits the vertices connected to a face by vertices that `accept` accepts, each once. */
   flood(startFace: number, accept: (vertex: number) => boolean): void {
     const accepted = new Map<number, boolean>();
     const seen = new Set([startFace]);
@@ -118,7 +118,7 @@ class Adjacency {
         accepted.set(v, isInside);
         const first = this.#first[v];
         if (!isInside) continue;
-        // A set that grows is gone through to its new end.
+        // The loop over the set also visits faces added here.
         for (let i = this.#offset[first]; i < this.#offset[first + 1]; ++i)
           seen.add(this.#faces[i]);
       }

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// What is computed from a diagram that may be replaced meanwhile.
+// A result computed from a diagram, which may be replaced in the meantime.
 
 import type { Diagram } from 'geodesic-voronoi';
 import type { ShownDiagram } from './shown_diagram.js';
 
-/** Something that is computed from the diagram that is shown, as long as it is wanted. */
+/** A result computed from the diagram that is shown, as long as it is wanted. */
 export class Derived<Result> {
   readonly #compute: (diagram: Diagram) => Promise<Result | undefined>;
   readonly #adopt: (result: Result | undefined) => void;
   #shown: ShownDiagram | undefined;
 
-  /** `adopt` gets what the latest diagram gives; undefined when there is none, or it fails. */
+  /** `adopt` gets the latest diagram's result; undefined without a diagram or after a failure. */
   constructor(
     compute: (diagram: Diagram) => Promise<Result | undefined>,
     adopt: (result: Result | undefined) => void,
@@ -20,11 +20,11 @@ export class Derived<Result> {
     this.#adopt = adopt;
   }
 
-  /** What is shown now, and again whenever that has changed; undefined also if nothing is wanted. */
+  /** To be called with each new shown diagram; with undefined if no result is wanted. */
   async update(shown: ShownDiagram | undefined): Promise<void> {
     if (shown === this.#shown) return;
     this.#shown = shown;
-    // A diagram may be replaced while it is asked; then the answer for the next one follows.
+    // A diagram may be replaced during the computation; the result of the next one follows then.
     const result = shown?.diagram && (await this.#compute(shown.diagram).catch(() => undefined));
     if (shown === this.#shown) this.#adopt(result);
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What is drawn of a diagram besides itself, computed only while it is shown.
+// Drawings derived from a diagram (parts, distances, dual), computed only while they are shown.
 
 import type { Diagram, Violation } from 'geodesic-voronoi';
 import type { Attributes } from './attributes.js';
@@ -15,7 +15,7 @@ import type { OpenModel } from './open_model.js';
 import type { ShownDiagram } from './shown_diagram.js';
 import type { Stage } from './stage.js';
 
-/** What they are drawn in. */
+/** The scene that they are drawn in. */
 export interface DrawingPlace {
   readonly attributes: Attributes;
   readonly stage: Stage;
@@ -35,9 +35,9 @@ interface Distances {
   range: DistanceRange;
 }
 
-/** The dual's sides, and whether it is a picture of the surface. */
+/** The dual's sides, and whether it has the topology of the surface. */
 interface Dual {
-  /** Both ends of their pieces. */
+  /** Both ends of every piece of the sides. */
   ends: Float32Array;
   polygons: number;
   violations: readonly Violation[];
@@ -65,7 +65,7 @@ export class DerivedDrawings {
     this.#emit = emit;
   }
 
-  /** Those of this diagram that the attributes ask for; none without a diagram. */
+  /** Shows what the attributes ask for of this diagram; nothing without a diagram. */
   update(shown: ShownDiagram | undefined): void {
     const { layers, exploded } = this.#place.attributes;
     void this.#dual.update(layers.includes('dual') ? shown : undefined);
@@ -73,7 +73,7 @@ export class DerivedDrawings {
     void this.#parts.update(exploded > 0 ? shown : undefined);
   }
 
-  /** The regions are as far apart as the attributes ask for. */
+  /** Moves the regions as far apart as the attributes ask for. */
   spread(): void {
     const { attributes, model, stage } = this.#place;
     model?.drawing.spread(attributes.exploded);

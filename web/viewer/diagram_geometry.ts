@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A diagram in the scene, ready to be drawn: a worker makes the geometry of each that is drawn as a whole.
+// A diagram in the scene, ready to be drawn: a worker makes the geometry of each that is drawn as a
+// whole.
 
 import type { DiagramData } from 'geodesic-voronoi';
 import { type Cells, type CellTriangles, cellTriangles } from './cell_triangles.js';
@@ -9,7 +10,7 @@ import { roomFor } from './record_room.js';
 import type { SceneMesh } from './scene_mesh.js';
 import type { Sites } from './site_history.js';
 
-/** As much of a diagram as is looked at. */
+/** The parts of a diagram that its geometry is made from. */
 export interface DiagramLines extends Cells {
   segments: Pick<DiagramData['segments'], 'points'>;
 }
@@ -20,16 +21,16 @@ export interface DiagramGeometry {
   segmentEnds: Float32Array;
 }
 
-/** All that is drawn of a diagram. */
+/** Everything that is drawn of a diagram. */
 export interface PreparedDiagram {
   summary: DiagramSummary;
   /** Per label. */
   tones: Uint16Array;
-  /** Undefined if whoever draws has to make it. */
+  /** Undefined if the caller has to make it while drawing. */
   geometry: DiagramGeometry | undefined;
 }
 
-/** Makes a diagram of these sites ready to be drawn; undefined if there is no model any more. */
+/** Prepares a diagram of these sites for drawing; undefined if there is no model any more. */
 export type PrepareDiagram = (
   data: DiagramData,
   sites: Sites,

@@ -7,8 +7,8 @@ import type { DiagramChange, DiagramData } from 'geodesic-voronoi';
 type Lines = Pick<DiagramData, 'segments' | 'arcs' | 'voronoiPoints'>;
 
 /**
- * Counts, areas and adjacency of a diagram, which its colours follow: small, and quickly brought up to
- * date where `Diagram.data` would have to be put together.
+ * Counts, areas and adjacency of a diagram, from which its colours follow. It is small and quickly
+ * updated after a change, unlike `Diagram.data`, which would have to be put together.
  */
 export class DiagramSummary {
   /** Per label. */
@@ -18,7 +18,7 @@ export class DiagramSummary {
   /** Per arc. */
   readonly #segments: readonly number[];
   readonly voronoiPointCount: number;
-  /** The labels around every Voronoi point: only changes ask for them. */
+  /** The labels around every Voronoi point, computed only for changes. */
   readonly #around: () => readonly Int32Array[];
 
   private constructor(
@@ -59,7 +59,7 @@ export class DiagramSummary {
     return this.#segments.reduce((sum, count) => sum + count, 0);
   }
 
-  /** That of the diagram of so many sites after a change. */
+  /** The summary after a change that leaves this many sites. */
   after({ labels: changedLabels, part }: DiagramChange, siteCount: number): DiagramSummary {
     const regionArea = new Float64Array(siteCount);
     regionArea.set(this.regionArea.subarray(0, siteCount));

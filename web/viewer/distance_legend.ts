@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the colours of distances mean, as a scale on the view.
+// The scale of distances on the view: it tells what the colours mean.
 
 import { distanceColours } from './distance_surface.js';
 
@@ -35,7 +35,7 @@ export class DistanceLegend {
   readonly #sheet = new CSSStyleSheet();
   readonly #shadow: ShadowRoot;
 
-  /** In a shadow that is filled already. */
+  /** Takes a shadow root that already has its content. */
   constructor(shadow: ShadowRoot) {
     this.#shadow = shadow;
     this.#sheet.replaceSync(style);

@@ -16,10 +16,10 @@ import { occlude } from './occlusion.js';
 import { wholeScene } from './record_buffer.js';
 import type { SceneMesh } from './scene_mesh.js';
 
-/** From the sites to the farthest point: ever darker, so that every reader sees the order. sRGB. */
+/** sRGB, from the sites to the farthest point: ever darker, so that every reader sees the order. */
 export const distanceColours = ['#fff4d6', '#f6c274', '#e27a72', '#9c4f96', '#44357f', '#171b45'];
 
-/** How distances are read: in lengths of the scene. */
+/** The range of distances, in lengths of the scene. */
 export interface DistanceScale {
   longest: number;
   /** Between two isolines. */
@@ -88,7 +88,9 @@ function geometryOf(
   return geometry;
 }
 
-/** Reads the distance (see `DistanceTriangles`) and tells its colour; an isoline is two pixels wide. */
+/**
+ * Reads the distance (see `DistanceTriangles`) and tells its colour; an isoline is two pixels wide.
+ */
 const colouring = /* glsl */ `
   uniform float longest;
   uniform float isolineStep;

@@ -6,7 +6,7 @@ import type { DiagramData, SurfacePoints } from 'geodesic-voronoi';
 import { cellTriangles, type Cells } from './cell_triangles.js';
 import type { SceneMesh } from './scene_mesh.js';
 
-/** As much of a diagram as is looked at, with distances in the model's units. */
+/** The parts of a diagram that are drawn, with distances in the model's units. */
 export interface DistanceSamples {
   cells: Cells;
   faceLabel: Int32Array;
@@ -17,15 +17,16 @@ export interface DistanceSamples {
 }
 
 /**
- * Where one label owns a triangle, or a cell of one, paths come from one virtual source: unfolded into the
- * plane of the triangle, squared distance is |p - s|², so squared distance less |p|² is linear. This
- * *reach* is given at corners; whoever interpolates it and adds |p|² has the distance at every point.
+ * Where one label owns a triangle, or a cell of one, paths come from one virtual source s, unfolded
+ * into the triangle's plane. The squared distance is |p - s|², so squared distance minus |p|² is
+ * linear: this *reach* is stored at corners. The shader interpolates it and adds |p|² to get the
+ * squared distance.
  */
 export interface DistanceTriangles {
-  /** Of whole triangles, the reach at their corners, and their corners: mixed ones are collapsed to a point. */
+  /** Whole triangles: corners and the reach there; mixed triangles are collapsed to a point. */
   faceReach: Float32Array;
   corners: Uint32Array;
-  /** Of the triangles of cells: place, shading normal and reach at their corners. */
+  /** Triangles of cells: place, shading normal and reach at each corner. */
   position: Float32Array;
   normal: Float32Array;
   reach: Float32Array;
@@ -33,10 +34,10 @@ export interface DistanceTriangles {
 
 /** `DiagramData.faceLabel` of a face that several regions share. */
 const mixed = -2;
-/** The reach of what no site reaches. */
+/** The reach where no site reaches. */
 export const noReach = 1e6;
 
-/** A corner of a triangle that a diagram knows, for each vertex; `vertex[i]` is the one of point i. */
+/** Vertices of the triangles in a diagram; point i is `vertex[i]`, as the corner of a triangle. */
 export function cornersToAsk(
   { indices, positions }: Pick<SceneMesh, 'indices' | 'positions'>,
   { faceLabel }: Pick<DiagramData, 'faceLabel'>,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Work of drawing that would keep the page from answering, done in a worker.
+// Preparations for drawing that would block the page, done in a worker.
 
 import type { DiagramData, Mesh } from 'geodesic-voronoi';
 import type { DiagramGeometry, DiagramLines } from './diagram_geometry.js';
@@ -12,7 +12,7 @@ import { PortedWorker } from './ported_worker.js';
 import type { SceneArrays } from './scene_arrays.js';
 import type { BuiltTree } from './search_tree.js';
 
-/** First the mesh, then whatever is wanted of it. */
+/** The tasks of the worker: first the mesh, then anything to be drawn of it. */
 export type DrawingTask =
   | { kind: 'mesh'; mesh: Pick<Mesh, 'positions' | 'indices'> }
   | { kind: 'tree' }
@@ -23,7 +23,7 @@ export type DrawingTask =
   | { kind: 'ply'; bytes: Uint8Array }
   | { kind: 'picture'; drawn: DrawnPixels; format: PictureFormat };
 
-/** What is asked for, and what comes back under the same number: undefined if it cannot be made there. */
+/** A request to the worker; the answer has the same number, and is undefined after a failure. */
 export interface DrawingRequest {
   id: number;
   task: DrawingTask;
@@ -42,8 +42,8 @@ const worker = new PortedWorker(
 );
 
 /**
- * Makes what is drawn of one mesh, in a worker, one for all elements. All that it makes is undefined if
- * there is no worker any more: whoever draws has to make it then.
+ * Makes what is drawn of one mesh in a worker, which all elements share. Results are undefined if
+ * the worker has stopped: the caller has to make them then.
  */
 export class DrawingBuilder {
   readonly #port = worker.open(() => this.dispose());
@@ -59,12 +59,12 @@ export class DrawingBuilder {
     };
   }
 
-  /** Comes first. */
+  /** The mesh in the scene. This request has to come first. */
   scene({ positions, indices }: Pick<Mesh, 'positions' | 'indices'>) {
     return this.#ask<SceneArrays>({ kind: 'mesh', mesh: { positions, indices } });
   }
 
-  /** What finds triangles quickly; also undefined where its code cannot be had in a worker. */
+  /** The search tree of triangles; undefined also where a worker cannot load its code. */
   tree() {
     return this.#ask<BuiltTree>({ kind: 'tree' });
   }
@@ -75,7 +75,7 @@ export class DrawingBuilder {
   }
 
   diagram({ cells, points: { position }, segments: { points } }: DiagramData) {
-    // What is not asked for is not copied.
+    // Only the arrays that are needed are copied to the worker.
     const diagram = { cells, points: { position }, segments: { points } };
     return this.#ask<DiagramGeometry>({ kind: 'diagram', diagram });
   }
@@ -92,7 +92,7 @@ export class DrawingBuilder {
     return this.#ask<DistanceTriangles>({ kind: 'distances', samples });
   }
 
-  /** See `plySurface`; undefined also where its code cannot be had in a worker. */
+  /** See `plySurface`; undefined also where a worker cannot load its code. */
   plySurface(bytes: Uint8Array) {
     const own = bytes.slice();
     return this.#ask<PlySurface | null>({ kind: 'ply', bytes: own }, [own.buffer]);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The script of the worker that `DrawingBuilder` starts: through each port that it gets come a mesh, then
-// what is to be drawn of it.
+// The script of the worker that `DrawingBuilder` starts: through each port that it gets come a
+// mesh, then what is to be drawn of it.
 
 import { diagramGeometry } from './diagram_geometry.js';
 import { distanceTriangles } from './distance_triangles.js';
@@ -19,7 +19,7 @@ globalThis.onmessage = ({ data: port }: MessageEvent<MessagePort>) => {
       case 'mesh': {
         const arrays = sceneArrays(task.mesh);
         const { positions, indices, normals } = arrays;
-        // Arrays that are answered are given away: what is needed here stays as a copy.
+        // Arrays in the answer are transferred; the worker keeps a copy of those it needs.
         mesh = new SceneMesh({
           ...arrays,
           positions: positions.slice(),

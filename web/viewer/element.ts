@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Importing this file defines <geodesic-voronoi>. Where there is no DOM it defines nothing and does no harm.
+// Importing this file defines <geodesic-voronoi>; without a DOM it does nothing.
 
 import type {
   Diagram,
@@ -31,12 +31,12 @@ export type { ViewerEventMap, ViewerEvents };
 export { commandOf, layers };
 
 /**
- * A model with its geodesic Voronoi diagram, to look at and to edit: a click adds a site, a drag moves
- * it, Delete removes it.
+ * A model with its geodesic Voronoi diagram, to look at and to edit: a click adds a site, a drag
+ * moves it, Delete removes it.
  *
- * web/docs/element.md has the tables of its attributes, properties, events, slots, parts and variables.
- * A model opened from a file is gone when the element leaves its document; that of `src` is there again
- * when it returns.
+ * web/docs/element.md has the tables of its attributes, properties, events, slots, parts and
+ * variables. A model opened from a file is gone when the element leaves its document; that of `src`
+ * is there again when it returns.
  */
 export class GeodesicVoronoiElement extends ReflectingElement {
   static readonly observedAttributes = [
@@ -85,7 +85,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
       if (isNear) this.#start();
       if (this.#viewer) this.#viewer.stage.inView = isNear;
     });
-    // All attributes are looked at here; what changes from now on is another matter.
+    // All attributes are read here, so only later changes are to be noticed.
     this.#changedAttributes.clear();
     this.setAttribute('status', 'empty');
     if (this.loading === 'eager') this.#start();
@@ -106,7 +106,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
 
   // --- Models ---------------------------------------------------------------------------------
 
-  /** The model as the library has it; gone with the next `load` event. */
+  /** The library's mesh of the model; disposed with the next `load` event. */
   get mesh(): Mesh | undefined {
     return this.#session?.mesh;
   }
@@ -120,27 +120,27 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     return this.#session?.mesh?.info;
   }
 
-  /** Opens the model at an address. Resolves to whether it is there now; if not, `error` says why. */
+  /** Opens the model at an address. Resolves to whether it succeeded; if not, `error` says why. */
   load(address: string): Promise<boolean> {
     return this.#open((signal, onProgress) => fetchModelFiles(address, { signal, onProgress }));
   }
 
   /**
-   * Opens a model from files, or from files by their paths: one with the files that it names and any others, or a
-   * .zip of these. Of several models, `file` is the path of the one that is meant; `listModels` has them all.
+   * Opens a model from a list of files, or from files by their paths: the model, the files that it
+   * refers to and any others, or a .zip of these. `file` chooses one of several (see `listModels`).
    */
   loadFiles(files: Iterable<File> | ModelFiles, file?: string): Promise<boolean> {
     const now = Symbol.iterator in files ? [...files] : files; // a list of a page's input is emptied
     return this.#open(async () => named(Array.isArray(now) ? chosenFiles(now) : now, file));
   }
 
-  /** Opens a model from files or folders that were dropped; to be called before the event is over. */
+  /** Opens a model from dropped files or folders; to be called before the event is over. */
   loadDropped(dropped: DataTransfer): Promise<boolean> {
     const files = droppedFiles(dropped);
     return this.#open(async () => named(await files));
   }
 
-  /** A picture of the view, so many times as large. */
+  /** A picture of the view, `scale` times as large. */
   async toBlob(type = 'image/png', quality?: number, scale = 1): Promise<Blob> {
     if (!this.#viewer) throw new Error('The element is in no document, or has not been in view.');
     const { stage, model } = this.#viewer;
@@ -159,14 +159,14 @@ export class GeodesicVoronoiElement extends ReflectingElement {
   }
 
   /**
-   * The diagram that is shown; it changes with the next `diagram` or `cvt-iteration` event, and is then
-   * disposed of. There is none without sites.
+   * The diagram that is shown; it changes with the next `diagram` or `cvt-iteration` event, and is
+   * then disposed of. There is none without sites.
    */
   get diagram(): Diagram | undefined {
     return this.#session?.shown?.diagram;
   }
 
-  /** Sites in new places instead of those there are. */
+  /** Replaces the sites by new ones in new places. */
   async scatter(
     count: number,
     seed = 1,
@@ -184,7 +184,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     this.#viewer?.moveSite(index, place);
   }
 
-  /** The last of the sites takes its place in the list; all others keep theirs. */
+  /** Removes a site; the last one takes its index, all others keep theirs. */
   removeSite(index: number): void {
     this.#viewer?.removeSite(index);
   }
@@ -206,7 +206,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     if (this.#viewer) this.#viewer.selected = index;
   }
 
-  /** Of every region, by its site; it does not have all of the diagram put together, as `diagram` does. */
+  /** The area of every region, by site. `diagram` has it too, but puts all its arrays together. */
   get regionAreas(): Float64Array {
     return this.#session?.shown?.summary?.regionArea.slice() ?? new Float64Array();
   }
@@ -235,10 +235,10 @@ export class GeodesicVoronoiElement extends ReflectingElement {
   }
 
   /**
-   * Moves the sites to the centroids of their regions until the number of iterations is a multiple of
-   * `cvt-iterations`, and goes on where it was paused. All of it is one step to undo. Sites that are
-   * added, moved or removed meanwhile are a step of their own, and it goes on with them; undoing, and
-   * another `cvt-method`, `cvt-tolerance` or `metric`, end it.
+   * Moves the sites to the centroids of their regions, or goes on doing so, until the number of
+   * iterations is a multiple of `cvt-iterations`. All of it is one step to undo. Adding, moving or
+   * removing a site meanwhile is a step of its own, and iterations go on from there; undoing, or
+   * another `cvt-method`, `cvt-tolerance` or `metric`, ends them.
    */
   playCvt(): void {
     this.#viewer?.playCvt();
@@ -258,12 +258,12 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     this.#session?.resetCvt();
   }
 
-  /** Per input vertex, 1 where nothing is painted; undefined if that is everywhere. */
+  /** The density per input vertex, 1 where none is painted; undefined if it is 1 everywhere. */
   get density(): Float64Array | undefined {
     return this.#viewer?.density?.slice();
   }
 
-  /** Values are kept between a thousandth and a thousand. Setting it is a step that can be undone. */
+  /** Values are kept between 1/1000 and 1000. Setting the density is a step that can be undone. */
   set density(density: ArrayLike<number> | undefined) {
     if (this.#viewer) this.#viewer.density = density;
   }
@@ -291,8 +291,8 @@ export class GeodesicVoronoiElement extends ReflectingElement {
   }
 
   /**
-   * Where points of the surface (x, y, z triples in the model's units) are seen, in CSS pixels from the
-   * view's corner; undefined for those that the surface hides.
+   * Where points of the surface (x, y, z triples in the model's units) are seen, in CSS pixels from
+   * the view's corner; undefined for those that the surface hides.
    */
   project(positions: ArrayLike<number>): ({ x: number; y: number } | undefined)[] {
     return this.#viewer?.project(positions) ?? [];
@@ -324,7 +324,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     return isOpen;
   }
 
-  /** The viewer, made now if there is none yet; undefined outside of documents and without WebGL 2. */
+  /** The viewer, made now if there is none; undefined outside of documents and without WebGL 2. */
   #started(): Viewer | undefined {
     const shadow = this.#shadow;
     if (this.#viewer || !shadow || shadow.message) return this.#viewer;
@@ -371,7 +371,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     this.removeAttribute('status');
   }
 
-  /** What the events tell is seen in the element too. */
+  /** Shows what the events tell on the element, too. */
   #reflectEvents(): void {
     this.addEventListener('status-change', ({ detail: { status } }) => {
       this.setAttribute('status', status);
@@ -386,7 +386,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
       if (this.#shadow) this.#shadow.message = undefined;
       this.#showPoster();
     });
-    // With a model, that stays to be seen, and the page tells what has failed.
+    // If there is a model, it stays in view, and the page reports the failure.
     this.addEventListener('error', ({ detail: { type, message } }) => {
       if (type === 'loadfailure' && this.#shadow && !this.loaded) this.#shadow.message = message;
     });

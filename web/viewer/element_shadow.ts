@@ -16,7 +16,7 @@ const style = `
   canvas {
     /* All of the element; its padding is room for what lies on the view. */
     position: absolute; inset: 0; width: 100%; height: 100%; outline: none;
-    /* The camera's controls would have it "none" everywhere. */
+    /* The camera's controls would set it to "none" everywhere. */
     touch-action: var(--own-touch-action, none) !important;
   }
   canvas:focus-visible { box-shadow: inset 0 0 0 3px var(--focus-color, Highlight); }
@@ -48,7 +48,7 @@ const style = `
     position: absolute; inset: 0 0 auto; height: var(--progress-bar-height, 4px);
     pointer-events: none; visibility: hidden;
   }
-  /* Work that is done soon shows none: it would only flicker. */
+  /* Short work shows no bar: it would only flicker. */
   .progress.busy { visibility: visible; transition: visibility 0s 0.3s; }
   .progress .bar {
     height: 100%; background: var(--progress-bar-color, Highlight);
@@ -73,8 +73,8 @@ const instructions =
 const hintMilliseconds = 2000;
 
 /**
- * What the element's shadow holds: its canvas and what lies on it. Made by DOM calls and a constructed
- * style sheet, which a strict content security policy allows.
+ * What the element's shadow holds: its canvas and what lies on it. Made by DOM calls and a
+ * constructed style sheet, which a strict content security policy allows.
  */
 export class ElementShadow {
   readonly canvas = make('canvas', { tabIndex: 0 });
@@ -110,7 +110,7 @@ export class ElementShadow {
     );
   }
 
-  /** What the canvas is to those who do not see it. */
+  /** Describes the canvas to assistive technology. */
   describe(label: string, isInteractive: boolean): void {
     this.canvas.ariaLabel = label;
     this.canvas.setAttribute('role', isInteractive ? 'application' : 'img');

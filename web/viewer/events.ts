@@ -6,19 +6,20 @@ import type { MeshInfo, MeshPart, Metric, Violation } from 'geodesic-voronoi';
 import type { HoveredPoint } from './hover.js';
 import type { CvtStatus, Status } from './session_listener.js';
 
-/** What an iteration of a centroidal tessellation has come to. */
+/** The result of an iteration of a centroidal tessellation. */
 export interface CvtIteration {
-  /** 0: the sites from before. */
+  /** 0 for the sites at the start. */
   iteration: number;
-  /** Σ ∫ ρ d² over the regions, d the distance to the region's site, ρ the density. It never rises. */
+  /**
+   * Σ ∫ ρ d² over the regions, d the distance to the region's site, ρ the density. It never rises.
+   */
   energy: number;
   /**
-   * The energy as a multiple of that of as many regular hexagons of the same area in the plane: the
-   * least there is where the surface is not curved. With a density, that of hexagons as large as it
-   * asks for.
+   * The energy divided by that of as many regular hexagons with the same total area in the plane,
+   * the least possible on a surface without curvature. With a density, hexagons are sized by it.
    */
   relativeEnergy: number;
-  /** How far the site that has moved furthest has, in the model's units. */
+  /** The farthest that a site moved in this iteration, in the model's units. */
   largestMove: number;
 }
 
@@ -40,11 +41,11 @@ export interface ViewerEvents {
     /** From asking for it to having it. */
     milliseconds: number;
   };
-  /** The dual is drawn; null: it is not any more. It is a picture of the surface if nothing is wrong. */
+  /** The dual is drawn (null: no more). Without violations it has the topology of the surface. */
   dual: { polygons: number; violations: readonly Violation[] } | null;
-  /** The file's own material is drawn if it has any; `problem` says why it cannot be read. Null: no more. */
+  /** The file's own material is drawn, if any (null: no more); `problem`: why it cannot be read. */
   original: { isFound: boolean; textures: number; problem?: string } | null;
-  /** The regions are drawn apart; null: they are together again. */
+  /** The regions are drawn apart (null: together again). */
   exploded: { regions: number; triangles: number } | null;
   /** The sites or the choice of one changed; the diagram follows. */
   'sites-change': { count: number; selected: number; canUndo: boolean; canRedo: boolean };
@@ -64,7 +65,7 @@ export interface ViewerEvents {
   hover: (HoveredPoint & { colour: string | undefined }) | null;
 }
 
-/** What listeners to the element get. */
+/** The events that listeners to the element get. */
 export type ViewerEventMap = { [Type in keyof ViewerEvents]: CustomEvent<ViewerEvents[Type]> };
 
 /** Dispatches an event. */

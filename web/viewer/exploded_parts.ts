@@ -15,10 +15,10 @@ import { occlude } from './occlusion.js';
 import { wholeScene } from './record_buffer.js';
 import type { PartTriangles } from './part_triangles.js';
 
-/** How far, in radii of the model, a part at distance 1 moves at most. */
+/** The farthest that a part at distance 1 moves, in radii of the model. */
 export const widestSpread = 1;
 
-/** A frame uploads no more than this. */
+/** The most triangles that one frame uploads. */
 const trianglesPerUpload = 40_000;
 
 /** Parts are moved by the graphics card: going apart uploads nothing. */
@@ -45,12 +45,13 @@ export class ExplodedParts {
           '#include <begin_vertex>\ntransformed += spread * direction;',
         );
     };
-    // Programs are told apart by the text of `onBeforeCompile`, which `occlude` makes the same for all.
+    // three.js tells programs apart by the text of `onBeforeCompile`: the same for all of
+    // `occlude`.
     this.#material.customProgramCacheKey = () => 'exploded parts';
     occlude(this.#material, occlusion);
   }
 
-  /** Has the next drawing upload some more triangles, and draw none; false when it has all of them. */
+  /** Has the next drawing upload more triangles, without showing them; false once all are there. */
   uploadMore(): boolean {
     if (this.#uploaded >= this.triangleCount) return false;
     const first = 9 * this.#uploaded;
@@ -74,7 +75,7 @@ export class ExplodedParts {
     for (const { geometry } of this.object.children as Mesh[]) geometry.setDrawRange(0, Infinity);
   }
 
-  /** What colours are multiplied by. */
+  /** The factor that colours are multiplied by. */
   set shade(shade: number) {
     this.#material.color.setScalar(shade);
   }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Places that move to others within a time.
+// Animates places on their way to new ones.
 
 /**
- * Places (x, y, z triples) that are seen on their way from where they were to where they are: what jumps
- * is lost to the eye.
+ * Places (x, y, z triples) that glide from their old to their new position, because the eye loses
+ * things that jump.
  */
 export class Glide {
   #from: Float32Array = new Float32Array();
@@ -12,7 +12,7 @@ export class Glide {
   #start = 0;
   #milliseconds = 0;
 
-  /** They go there from where they are seen now; at once in no time, and if there are others than before. */
+  /** Starts from where places are seen now; without delay if their number has changed. */
   to(places: Float32Array, milliseconds: number, now: number): void {
     const isSame = places.length === this.#to.length;
     this.#from = isSame ? this.at(now) : places;
@@ -25,7 +25,7 @@ export class Glide {
     return now >= this.#start + this.#milliseconds;
   }
 
-  /** Where they are seen. */
+  /** The places as they are seen at a time. */
   at(now: number): Float32Array {
     if (this.isOver(now)) return this.#to;
     const share = Math.max(0, (now - this.#start) / this.#milliseconds);

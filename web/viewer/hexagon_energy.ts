@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// The energy that the one of a tessellation is compared with.
+// The reference for the energy of a tessellation: regular hexagons in the plane.
 
 import type { DiagramData, Mesh } from 'geodesic-voronoi';
 
 /**
- * Σ ∫ ρ d² for the plane in as many regular hexagons as there are sites: 5/(18√3) · (∫ √ρ)²/k, exact
- * for uniform density and else the limit for many sites (Gersho 1979).
+ * Σ ∫ ρ d² for as many regular hexagons in the plane as there are sites: 5/(18√3) · (∫ √ρ)²/k.
+ * Exact for uniform density, otherwise the limit for many sites (Gersho 1979).
  */
 export function hexagonEnergy(
   { siteCount, regionArea }: Pick<DiagramData, 'siteCount' | 'regionArea'>,

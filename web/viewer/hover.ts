@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What is known of the point under the pointer.
+// Looks up the point under the pointer in the diagram.
 
 import type { SurfacePath } from 'geodesic-voronoi';
 import { LatestTask } from './latest_task.js';
@@ -11,13 +11,13 @@ import type { SitePlace } from './site_history.js';
 /** A point of the surface as the diagram sees it; if no site reaches it, `region` is -1. */
 export interface HoveredPoint extends SitePlace {
   region: number;
-  /** Of the region. */
+  /** The area of the region. */
   area: number;
-  /** To the region's site. */
+  /** The distance to the region's site. */
   distance: number;
 }
 
-/** Tells what the diagram says of the point under the pointer, and again when the diagram changes. */
+/** Reports region, area and distance at the pointer, again whenever the diagram changes. */
 export class Hover {
   readonly #session: Session;
   readonly #tell: (point: HoveredPoint | undefined, path?: SurfacePath) => void;
@@ -26,7 +26,7 @@ export class Hover {
   /** The identity of the site that is dragged. */
   #dragged: number | undefined;
 
-  /** `tell` also gets the shortest path to the region's site. */
+  /** `tell` gets the point and the shortest path to its region's site. */
   constructor(
     session: Session,
     tell: (point: HoveredPoint | undefined, path?: SurfacePath) => void,
@@ -35,7 +35,7 @@ export class Hover {
     this.#tell = tell;
   }
 
-  /** The pointer is there now; undefined if it is beside the surface. */
+  /** Sets the point under the pointer; undefined if that is beside the surface. */
   moveTo(hit: SurfaceHit | undefined): void {
     if (!hit && !this.#hit) return;
     this.#hit = hit;
@@ -44,8 +44,9 @@ export class Hover {
   }
 
   /**
-   * The pointer drags a site, by its identity, there: nothing is asked, for the point is the site. Of a
-   * diagram that has just changed, an answer may take as long as the change.
+   * Sets the point that a site, given by its identity, is dragged to. The diagram need not be
+   * asked, for the point is the site itself; just after a change, asking could take as long as the
+   * change.
    */
   drag(hit: SurfaceHit, site: number): void {
     this.#hit = hit;
@@ -58,7 +59,7 @@ export class Hover {
     this.refresh();
   }
 
-  /** The diagram is another one now. */
+  /** To be called when the diagram has changed. */
   refresh(): void {
     if (this.#dragged !== undefined) this.#tellDragged();
     else if (this.#hit) this.#asking.request(this.#hit, { patient: true });
@@ -79,7 +80,7 @@ export class Hover {
     const place = hit && { face: [hit.face], bary: hit.bary };
     const located = place && (await shown?.diagram?.locate(place).catch(() => undefined));
     const path = located && (await shown?.diagram?.path(place).catch(() => undefined));
-    // The pointer or the diagram has moved on: its own answer follows.
+    // The pointer or the diagram has changed meanwhile: another answer follows.
     if (hit !== this.#hit || shown !== this.#session.shown) return;
     if (!hit || !located) {
       this.#tell(undefined);

@@ -5,28 +5,28 @@
 import { linear } from './colour_vision.js';
 import { toneColour } from './region_colours.js';
 
-/** Faces without a region: those the mesh builder dropped, and all before the first diagram. */
+/** Faces without a region: dropped by the mesh builder, or before the first diagram. */
 const neutralColour = 0xd9d6d0;
 /** Faces that no site reaches. */
 const unreachableColour = 0x9a9ca1;
-/** Where the painted density is greatest and least. */
+/** The colours for the greatest and the least painted density. */
 const denseColour = 0x4a1942;
 const sparseColour = 0xffffff;
 const tintOpacity = 0.75;
 
 /** The label of what no site reaches. */
 const unreachable = -1;
-/** Of the labels that `DiagramData.faceLabel` has for faces without one region. */
+/** The lowest label that `DiagramData.faceLabel` has for faces without one region. */
 const lowestLabel = -3;
 
 /** Linear RGB, a byte per channel. */
 export class LabelColours {
-  /** Three bytes for every label from the lowest on: read for every face of every diagram. */
+  /** Three bytes per label, from the lowest on: a table, since every face of a diagram needs it. */
   readonly #table: Uint8Array;
   readonly #dense = linearBytes(denseColour);
   readonly #sparse = linearBytes(sparseColour);
 
-  /** By the tones of labels; faces without a region are neutral. */
+  /** Takes a tone per label; faces without a region are neutral. */
   constructor(tones: Uint16Array = new Uint16Array()) {
     this.#table = new Uint8Array(3 * (tones.length - lowestLabel));
     const ofTone: Uint8Array[] = [];
@@ -46,7 +46,7 @@ export class LabelColours {
     target[to + 2] = this.#table[from + 2];
   }
 
-  /** The same with a tint, -1 … 1, over it. */
+  /** Writes a label's colour with a tint, -1 … 1, over it. */
   writeTinted(label: number, tint: number, target: { [i: number]: number }, to: number): void {
     this.write(label, target, to);
     const over = tint < 0 ? this.#sparse : this.#dense;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Work that is asked for more often than it can be done.
+// Runs work that is requested more often than it can be done.
 
-/** Runs one job at a time, and of those that wait only the latest. */
+/** Runs one job at a time. Of the jobs that wait, only the latest is kept. */
 export class LatestTask<Job> {
   readonly #run: (job: Job, signal: AbortSignal) => Promise<void>;
   #running: AbortController | undefined;
@@ -19,8 +19,8 @@ export class LatestTask<Job> {
   }
 
   /**
-   * Runs the job next. With `patient`, the one that runs may finish first: while a site is dragged, a
-   * picture of where it was is better than none until it rests.
+   * Runs the job next, and ends the running one. With `patient`, that may finish first: during a
+   * drag, a picture of where the site just was is better than none until it rests.
    */
   request(job: Job, { patient = false } = {}): void {
     this.#waiting = { job };
@@ -28,12 +28,12 @@ export class LatestTask<Job> {
     else if (!patient) this.#running.abort();
   }
 
-  /** Ends what runs if something newer waits: the time for patience is over. */
+  /** Ends the running job if a newer one waits for it patiently. */
   hurry(): void {
     if (this.#waiting) this.#running?.abort();
   }
 
-  /** Ends what runs and forgets what waits. */
+  /** Ends the running job and drops the waiting one. */
   cancel(): void {
     this.#waiting = undefined;
     this.#running?.abort();

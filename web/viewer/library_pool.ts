@@ -9,7 +9,7 @@ import {
   loadWorker,
 } from 'geodesic-voronoi';
 
-/** Leaves a core to the page. */
+/** The most workers: one processor core is left to the page. */
 const mostWorkers = Math.min(4, Math.max(1, (globalThis.navigator?.hardwareConcurrency ?? 2) - 1));
 
 interface Shared {
@@ -20,10 +20,10 @@ interface Shared {
 const pool = new Set<Shared>();
 let modules: Promise<LoadOptions> | undefined;
 
-/** Modules for all libraries, if a page has asked for them before; those that are missing come when needed. */
+/** Provides modules that a page has fetched early; other modules are fetched when needed. */
 export function provideModules(compiled: Promise<LoadOptions>): void {
   modules = compiled.catch(() => compileModules());
-  // It is told of when somebody needs a library.
+  // A failure is reported when a library is needed.
   modules.catch(() => {});
 }
 
@@ -32,7 +32,7 @@ export class LibraryLease {
   readonly #shared: Shared;
   #isOver = false;
 
-  /** Takes the one with the fewest users; another worker starts if all have some and there may be more. */
+  /** Takes the library with the fewest users; starts another if all are used and more may run. */
   constructor() {
     const [idlest] = [...pool].sort((a, b) => a.users - b.users);
     this.#shared = idlest && (idlest.users === 0 || pool.size >= mostWorkers) ? idlest : started();
@@ -51,7 +51,7 @@ export class LibraryLease {
     this.#shared.library.then((library) => library.dispose()).catch(() => {});
   }
 
-  /** It has stopped: nobody else is to get it. */
+  /** Reports that the library has stopped, so that nobody else gets it. */
   discard(): void {
     pool.delete(this.#shared);
     this.release();

@@ -19,7 +19,7 @@ import { Slices } from './next_frame.js';
 import { type Keys, type Marks, RecordBuffer, wholeScene } from './record_buffer.js';
 import type { SceneMesh } from './scene_mesh.js';
 
-/** Of a side laid onto the surface, in radii of the model. */
+/** The longest piece of a side laid onto the surface, in radii of the model. */
 const longestPiece = 0.02;
 
 /** Line segments of a width in CSS pixels, at any zoom. */
@@ -31,7 +31,7 @@ export class FatLines {
   ]);
 
   constructor({ width }: { width: number }) {
-    // Smoothed by multisampling alone: coverage by alpha would let the page shine through the canvas.
+    // Only multisampling smooths lines: alpha coverage would let the page shine through the canvas.
     const material = new LineMaterial({ linewidth: width });
     this.object = new LineSegments2(new LineSegmentsGeometry(), material);
     this.object.frustumCulled = false;
@@ -46,19 +46,19 @@ export class FatLines {
     return this.#segments.count;
   }
 
-  /** x, y, z of both ends, segment after segment, and two keys for each, if any is to be told from others. */
+  /** Sets x, y, z of both ends of every segment, and two keys each if some are replaced later. */
   set(ends: Float32Array, keys: Keys = new Int32Array(ends.length / 3)): void {
     this.#segments.set(keys, [ends]);
     this.#adopt();
   }
 
-  /** The same, of arrays that may have room for more segments than there are keys, and are given away. */
+  /** Like `set`, but takes over the arrays, which may have room for more segments than keys. */
   adopt(ends: Float32Array, keys: Keys): void {
     this.#segments.adopt(keys, [new InstancedInterleavedBuffer(ends, 6)], ends.length / 6);
     this.#adopt();
   }
 
-  /** Others instead of the segments that are gone. */
+  /** Replaces the segments that are gone by others. */
   replace(gone: Marks, ends: Float32Array, keys: Keys): void {
     this.#segments.replace(gone, keys, [ends]);
     this.#adopt();
@@ -114,7 +114,10 @@ export function outlineEnds(
   return pointPlaces(mesh, data, chain);
 }
 
-/** Both ends of every piece of chains of points, in the scene; chain i is the points from `offset[i]` on. */
+/**
+ * Both ends of every piece of chains of points, in the scene; chain i is the points from
+ * `offset[i]` on.
+ */
 export function chainEnds(
   mesh: SceneMesh,
   { points, offset }: { points: { position: ArrayLike<number> }; offset: ArrayLike<number> },
@@ -131,9 +134,9 @@ export function chainEnds(
 }
 
 /**
- * Both ends of pieces of the sides by which a dual of so many sites reaches the mesh boundary, in the
- * scene, laid onto the surface: straight ones would run below it where it is bent outwards. `nearest`
- * finds the point of the surface.
+ * Both ends of pieces of the sides by which a dual of so many sites reaches the mesh boundary, in
+ * the scene, laid onto the surface: straight ones would run below it where it is bent outwards.
+ * `nearest` finds the point of the surface.
  */
 export async function boundarySides(
   mesh: SceneMesh,

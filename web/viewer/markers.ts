@@ -16,7 +16,7 @@ import { RecordBuffer, wholeScene } from './record_buffer.js';
 import type { Theme } from './theme.js';
 
 export interface MarkerStyle {
-  /** Of the radius, in CSS pixels. */
+  /** The least radius, in CSS pixels. */
   least: number;
   most: number;
   /** The rim's share of the radius. */
@@ -27,9 +27,9 @@ export interface MarkerStyle {
 const emphasisedSize = 1.35;
 
 /**
- * Discs in the tangent plane: seen from the side they are narrow, and at the silhouette they vanish with
- * the surface. They are lifted towards the camera so that a hollow does not cut into them, less so the
- * more they are seen from the side: no marker shows from behind the silhouette.
+ * Discs in the tangent plane: narrow when seen from the side, and vanishing with the surface at the
+ * silhouette. They are lifted towards the camera so that hollows do not cut into them; less when
+ * seen from the side, so that no marker shows from behind the silhouette.
  */
 const vertexShader = /* glsl */ `
   attribute vec3 place;
@@ -50,7 +50,7 @@ const vertexShader = /* glsl */ `
     float slope = abs(dot(normal, view));
     float pixelsPerUnit = pixelsPerUnitAtOne / -centre.z;
     float pixels = clamp(size * pixelsPerUnit, least, most) * mix(1.0, ${emphasisedSize}, emphasised);
-    // Slivers at the silhouette are no discs.
+    // Hides the slivers that are left of discs at the silhouette.
     pixels *= smoothstep(0.02, 0.15, slope);
     // A pixel more, for a smooth edge.
     float radius = (pixels + 1.0) / pixelsPerUnit;
@@ -136,8 +136,8 @@ export class Markers {
   }
 
   /**
-   * Places and outward directions in the scene, radii in it (one for all, or for each), and which of them
-   * is emphasised, if any.
+   * Places and outward directions in the scene, radii in it (one for all, or for each), and which
+   * of them is emphasised, if any.
    */
   set(
     places: Float32Array,

@@ -24,24 +24,24 @@ export type Reader = (
 export interface OpenedMesh {
   mesh: Mesh;
   name: string;
-  /** What it was read from. */
+  /** The files that the mesh was read from. */
   files: NamedFiles;
   sites: PointList;
   scene: SceneMesh;
-  /** Makes more of what is drawn of it. */
+  /** Makes further drawings of the mesh. */
   builder: DrawingBuilder;
 }
 
 type PointList = SurfacePoints | { face: number[]; bary: number[] };
 
-/** All of it or nothing: if anything fails, or is given up, nothing is left open. */
+/** Opens a mesh. If any step fails or is aborted, nothing stays open. */
 export async function openMesh(
   library: GeodesicVoronoi,
   read: Reader,
   { build, scattering }: Opening,
   { signal, onProgress }: { signal: AbortSignal; onProgress: (share: number) => void },
 ): Promise<OpenedMesh> {
-  // Its worker starts while the files are read.
+  // The builder's worker starts while the files are read.
   const builder = new DrawingBuilder();
   let mesh: Mesh | undefined;
   try {

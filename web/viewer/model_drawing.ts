@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// All that is drawn of a model.
+// Everything that is drawn of a model.
 
 import type { DiagramChange, DiagramData, SurfacePath } from 'geodesic-voronoi';
 import {
@@ -30,7 +30,7 @@ import type { Sites } from './site_history.js';
 import { lightTheme, type Theme } from './theme.js';
 import { VoronoiPointMarkers } from './voronoi_point_markers.js';
 
-/** What can be shown and hidden. */
+/** The layers that can be shown and hidden. */
 export const layers = [
   'regions',
   'bisectors',
@@ -43,16 +43,16 @@ export const layers = [
 ] as const;
 export type Layer = (typeof layers)[number];
 
-/** Of a site's marker, as a share of the radius of a disc as large as its region. */
+/** The radius of a site's marker, as a share of that of a disc as large as its region. */
 const markerShare = 0.14;
-/** Of a Voronoi point's, as a share of that of a site's. */
+/** The radius of a Voronoi point's marker, as a share of that of a site's. */
 const pointShare = 0.45;
 
-/** A diagram that has been changed; `data` is read only to draw all of it. */
+/** A diagram that has been changed; `data` is read only to draw the whole diagram. */
 export interface DrawnDiagram {
   readonly data: DiagramData;
   summary: DiagramSummary;
-  /** Identities per label. */
+  /** The site's identity per label. */
   siteIds: readonly number[];
 }
 
@@ -64,7 +64,7 @@ export class ModelDrawing {
   readonly #mesh: SceneMesh;
   readonly #surface: RegionSurface;
   readonly #colours: RegionColours;
-  /** Their keys are the two labels. */
+  /** Each segment has its two labels as keys. */
   readonly #bisectors = new FatLines({ width: 2 });
   readonly #outline = new FatLines({ width: 4.5 });
   readonly #brush = new FatLines({ width: 2.5 });
@@ -73,7 +73,7 @@ export class ModelDrawing {
   readonly #dual = new FatLines({ width: 2.5 });
   readonly #voronoiPoints: VoronoiPointMarkers;
   readonly #siteMarkers = new Markers({ least: 2.5, most: 9, rim: 0.3 });
-  /** All that lies on the surface, and it. */
+  /** The surface and everything that lies on it. */
   readonly #together = new Group();
   #parts: ExplodedParts | undefined;
   #coming: ExplodedParts | undefined;
@@ -83,13 +83,13 @@ export class ModelDrawing {
   readonly #occlusion: Data3DTexture;
   #theme: Theme = lightTheme;
   #shown: ReadonlySet<Layer> = new Set();
-  /** Of the diagram when all of it was drawn; regions that have changed since are in `#outlines`. */
+  /** The loops when the whole diagram was drawn; `#outlines` has those of regions changed since. */
   #loops: Pick<DiagramData, 'points' | 'loops'> | undefined;
   readonly #outlines = new Map<number, Float32Array>();
   #tones: Uint16Array = new Uint16Array();
   #outlined = -1;
   #sitePlaces = new Float32Array();
-  /** Where their markers are seen. */
+  /** The places at which the markers of sites are seen. */
   readonly #siteGlide = new Glide();
   #siteNormals = new Float32Array();
   #regionAreas: Float64Array = new Float64Array();
@@ -139,7 +139,7 @@ export class ModelDrawing {
     this.#showBisectors();
   }
 
-  /** Tones per label for a diagram that is to be drawn. */
+  /** Chooses a tone per label for a diagram that is to be drawn. */
   assignTones(summary: DiagramSummary, sites: Sites): Uint16Array {
     return this.#colours.assign(
       summary,
@@ -147,7 +147,7 @@ export class ModelDrawing {
     );
   }
 
-  /** What is `prepared` of it is given away. Undefined for none. */
+  /** Draws a whole diagram, or none; takes over the arrays in `prepared`. */
   setDiagram(data: DiagramData | undefined, prepared: PreparedDiagram | undefined): void {
     this.#tones = prepared?.tones ?? new Uint16Array();
     const { cells } = prepared?.geometry ?? {};
@@ -159,13 +159,13 @@ export class ModelDrawing {
     this.outline(-1);
   }
 
-  /** What the diagram drawn has become by a change: draws this, and nothing else anew. */
+  /** Draws what a change made different, and nothing else. */
   changeDiagram(change: DiagramChange, diagram: DrawnDiagram): void {
     const { labels, part } = change;
     this.#tones = this.#colours.assign(diagram.summary, diagram.siteIds, new Set(labels));
     this.#surface.changeDiagram(change, toned(diagram, this.#tones));
     this.#adoptAreas(diagram.summary);
-    // Of labels there may be one more than tones: that of a site that has gone.
+    // There may be one more label than tones: that of a removed site.
     const isChanged = new Uint8Array(1 + Math.max(this.#tones.length, labels[labels.length - 1]));
     for (const label of labels) isChanged[label] = 1;
     this.#replaceLines(isChanged, part);
@@ -173,7 +173,10 @@ export class ModelDrawing {
     this.outline(-1);
   }
 
-  /** The surface coloured by distance, in the model's units, instead of the regions; undefined for none. */
+  /**
+   * The surface coloured by distance, in the model's units, instead of the regions; undefined for
+   * none.
+   */
   setDistances(triangles: DistanceTriangles | undefined, range?: DistanceRange): void {
     if (this.#distances) this.#together.remove(this.#distances.object);
     this.#distances?.dispose();
@@ -209,23 +212,23 @@ export class ModelDrawing {
     this.#together.add(this.#wireframe);
   }
 
-  /** One of them, or they would be drawn in the same place. */
+  /** Shows one surface only, or several would be drawn in the same place. */
   #showSurface(): void {
     if (this.#original) this.#original.object.visible = !this.#distances;
     this.#surface.object.visible = !this.#distances && !this.#original;
   }
 
-  /** Both ends of pieces of the dual's sides; none for no dual. */
+  /** Draws the dual: both ends of every piece of its sides; empty for no dual. */
   setDual(ends: Float32Array): void {
     this.#dual.set(ends);
   }
 
-  /** Per label. */
+  /** The tone of each label. */
   get tones(): Uint16Array {
     return this.#tones;
   }
 
-  /** Parts that are uploaded and not shown yet; those before that were not shown either are gone. */
+  /** Makes parts to be uploaded before they are shown; drops earlier ones that were never shown. */
   prepareParts(triangles: PartTriangles): ExplodedParts {
     this.#discard(this.#coming);
     this.#coming = new ExplodedParts(triangles, this.#occlusion);
@@ -234,7 +237,7 @@ export class ModelDrawing {
     return this.#coming;
   }
 
-  /** The parts that have been prepared, instead of the surface and what lies on it; undefined for none. */
+  /** Shows prepared parts instead of the surface and what lies on it; undefined for none. */
   setParts(parts: ExplodedParts | undefined): void {
     if (this.#coming !== parts) this.#discard(this.#coming);
     this.#coming = undefined;
@@ -260,7 +263,10 @@ export class ModelDrawing {
     return `#${toneColour(this.#tones[label]).toString(16).padStart(6, '0')}`;
   }
 
-  /** Both ends of the sides of the brush's outline; none if there is no brush. Returns whether it changed. */
+  /**
+   * Both ends of the sides of the brush's outline; none if there is no brush. Returns whether it
+   * changed.
+   */
   setBrush(ends: Float32Array): boolean {
     if (ends.length === 0 && this.#brush.count === 0) return false;
     this.#brush.set(ends);
@@ -272,7 +278,7 @@ export class ModelDrawing {
     this.#surface.tints = tints;
   }
 
-  /** Their markers glide there for so long. */
+  /** Sets the sites; their markers glide there in so many milliseconds. */
   setSites(sites: Sites, selected: number, milliseconds = 0): void {
     this.#sitePlaces = new Float32Array(3 * sites.length);
     this.#siteNormals = new Float32Array(3 * sites.length);
@@ -285,13 +291,13 @@ export class ModelDrawing {
     this.#showSites();
   }
 
-  /** Draws the sites where they have glided to; returns whether they go on. */
+  /** Draws the sites where they have glided to; returns whether they glide on. */
   glideSites(): boolean {
     this.#showSites();
     return !this.#siteGlide.isOver(performance.now());
   }
 
-  /** As large as their regions ask for; while there are other sites than regions, all alike. */
+  /** Sizes markers by their regions; equally while the numbers of sites and regions differ. */
   #showSites(): void {
     const areas = this.#regionAreas;
     const sizes =
@@ -311,7 +317,7 @@ export class ModelDrawing {
     return markerShare * this.#mesh.frame.scale * Math.sqrt(area / Math.PI);
   }
 
-  /** That of a region of mean area. */
+  /** The marker's size for a region of mean area. */
   get #markerSize(): number {
     const areas = this.#regionAreas;
     return this.#markerSizeOf(
@@ -377,7 +383,7 @@ export class ModelDrawing {
     this.#showBisectors();
   }
 
-  /** Others instead of those of the marked labels. */
+  /** Replaces the bisectors and Voronoi points of the marked labels. */
   #replaceLines(isChanged: Uint8Array, lines: Lines): void {
     const gone = { first: isChanged, second: isChanged };
     this.#bisectors.replace(gone, this.#segmentEnds(lines), lines.segments.labels);

@@ -4,13 +4,13 @@
 
 import { gltfResourceUris, type ModelFiles } from 'geodesic-voronoi';
 
-/** Files with what to call them until the model is found among them. */
+/** Files, and a name for them until the model is found among them. */
 export interface NamedFiles {
   name: string;
   files: ModelFiles;
-  /** Which of several models. */
+  /** The path of the model to open, of several. */
   file?: string;
-  /** Fetches what the model names besides these, from where it came. */
+  /** Fetches a further file that the model refers to, from the model's own address. */
   fetchBeside?: (uri: string) => Promise<Uint8Array>;
 }
 
@@ -19,7 +19,7 @@ export function chosenFiles(files: Iterable<File>): ModelFiles {
   return byPath([...files].map((file) => [file.webkitRelativePath || file.name, file]));
 }
 
-/** Files with the name of the model that is wanted, or of the only one. */
+/** Files named after the model that is wanted, or after the only one. */
 export function named(files: ModelFiles, file?: string): NamedFiles {
   const paths = Object.keys(files);
   const path = file ?? (paths.length === 1 ? paths[0] : undefined);
@@ -41,12 +41,12 @@ export async function droppedFiles(dropped: DataTransfer): Promise<ModelFiles> {
 /** Answers to requests that a page has made before, by address; each is read once. */
 const provided = new Map<string, Promise<Response>>();
 
-/** The model at an address is this when it is next asked for. */
+/** Provides the response for the model at an address, for the next time that it is asked for. */
 export function provideModel(address: string, response: Promise<Response>): void {
   provided.set(new URL(address, document.baseURI).href, response);
 }
 
-/** The model at an address (after a #, which of several in a zip); what it names is taken from where it says. */
+/** The model at an address (a path after a # chooses one in a zip), fetching files it refers to. */
 export async function fetchModelFiles(
   address: string,
   { signal, onProgress }: { signal: AbortSignal; onProgress: (share: number) => void },
@@ -63,7 +63,7 @@ export async function fetchModelFiles(
   return { name, files, file: url.hash ? decoded(url.hash.slice(1)) : undefined, fetchBeside };
 }
 
-/** Folders of models have a few files; one with this many more was not meant. */
+/** The most files of a folder: models have a few, and a larger folder was dropped by mistake. */
 const maxFiles = 10_000;
 
 function byPath(files: [string, File][]): ModelFiles {
@@ -114,7 +114,7 @@ async function fetchBytes(
   }
   if (!response.body) return new Uint8Array(await response.arrayBuffer());
 
-  // With an encoding, the length is that of what is sent and not of what arrives.
+  // With a content encoding, the header gives the length before decoding.
   const length = response.headers.has('Content-Encoding')
     ? 0
     : Number(response.headers.get('Content-Length'));
@@ -135,7 +135,7 @@ async function fetchBytes(
   return bytes;
 }
 
-/** What stands after the last slash, as a person would write it. */
+/** The part of a path after its last slash, with escapes decoded. */
 export function lastSegment(path: string): string {
   return decoded(path.slice(path.lastIndexOf('/') + 1));
 }

@@ -4,11 +4,11 @@
 
 /**
  * Where a model stands in the scene: its bounding box is centred on the origin and its farthest
- * vertex is at distance 1. Models come in micrometres and in map coordinates; after this the camera,
- * the depth buffer and 32-bit positions need not know.
+ * vertex is at distance 1. So camera, depth buffer and 32-bit positions work for models in
+ * micrometres and in map coordinates alike.
  */
 export class ModelFrame {
-  /** Of the bounding box, in the model. */
+  /** The centre of the bounding box, in the model's coordinates. */
   readonly centre: readonly number[];
   /** Lengths in the scene per length in the model. */
   readonly scale: number;
@@ -44,14 +44,14 @@ export class ModelFrame {
     return new ModelFrame(centre, radius > 0 ? 1 / radius : 1);
   }
 
-  /** Those of the triples that are named, one after the other, as `toScene` has them. */
+  /** The triples at the given indices, converted as by `toScene`. */
   namedToScene(positions: ArrayLike<number>, named: ArrayLike<number>): Float32Array {
     const scene = new Float32Array(3 * named.length);
     this.writeToScene(positions, named, scene);
     return scene;
   }
 
-  /** The same, written to `scene`. */
+  /** Like `namedToScene`, but writes to `scene`. */
   writeToScene(positions: ArrayLike<number>, named: ArrayLike<number>, scene: Float32Array): void {
     const [x, y, z] = this.centre;
     const { scale } = this;
@@ -63,7 +63,7 @@ export class ModelFrame {
     }
   }
 
-  /** x, y, z triples of the model in the scene. Subtracted before rounding: far origins cost nothing. */
+  /** Converts x, y, z triples to the scene. Subtracts before rounding: far origins do no harm. */
   toScene(positions: ArrayLike<number>): Float32Array {
     const scene = new Float32Array(positions.length);
     const [x, y, z] = this.centre;

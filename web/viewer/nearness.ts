@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Whether an element is near what is seen of the page.
+// Watches whether an element is near the visible part of the page.
 
-/** An element so far out of view, in shares of the view, is near. */
+/** How far out of view an element counts as near, as a share of the view. */
 const margin = '25%';
 
 const listeners = new Map<Element, (isNear: boolean) => void>();
 let observer: IntersectionObserver | undefined;
 
-/** Calls back when the element has come near the view, or has left it; returns what ends that. */
+/** Calls back when an element comes near the view or leaves it; returns a function to stop that. */
 export function watchNearness(element: Element, changed: (isNear: boolean) => void): () => void {
   observer ??= new IntersectionObserver(
     (entries) => {

@@ -7,8 +7,8 @@ const longestFrame = 100;
 const longestSlice = 12;
 
 /**
- * Lets the page draw and answer. A page that is hidden, or has to wait for a slow graphics card, draws
- * nothing for a while: then what waits goes on.
+ * Lets the page draw and answer. If it draws nothing for a while, because it is hidden or the
+ * graphics card is slow, the work goes on all the same.
  */
 export function nextFrame(): Promise<void> {
   return new Promise((resolve) => {
@@ -21,7 +21,7 @@ export function nextFrame(): Promise<void> {
 export class Slices {
   #end = performance.now() + longestSlice;
 
-  /** Whether the present one has been long enough. */
+  /** Whether the present slice has been long enough. */
   get isDue(): boolean {
     return performance.now() >= this.#end;
   }

@@ -29,7 +29,7 @@ export function occlusionTexture(density: Uint8Array): Data3DTexture {
   return texture;
 }
 
-/** Has a material darken by the surface nearby, in terms of the positions that its vertices are given. */
+/** Darkens a material by the amount of surface nearby, looked up at its vertices' own positions. */
 export function occlude(material: MeshLambertMaterial, texture: Data3DTexture): void {
   const before = material.onBeforeCompile;
   material.onBeforeCompile = (shader, renderer) => {

@@ -14,7 +14,7 @@ import { Picker } from './picking.js';
 import type { Sites } from './site_history.js';
 import type { Theme } from './theme.js';
 
-/** What the viewer has of every model that it opens: its drawing and what the tools need. */
+/** The viewer's data of an open model: its drawing and everything that the tools need. */
 export class OpenModel {
   readonly drawing: ModelDrawing;
   readonly picker: Picker;
@@ -32,7 +32,7 @@ export class OpenModel {
     this.paint = new DensityPaint(scene);
   }
 
-  /** Makes a diagram ready to be drawn; what the worker does not make is made while it works. */
+  /** Prepares a diagram for drawing: part of it in the worker, the rest here at the same time. */
   async prepare(data: DiagramData, sites: Sites): Promise<PreparedDiagram> {
     const geometry = this.builder.diagram(data);
     const summary = DiagramSummary.of(data);

@@ -10,7 +10,7 @@ import type { OpenModel } from './open_model.js';
 export class OriginalLayer {
   readonly #place: DrawingPlace;
   readonly #emit: Emit;
-  /** What it was last asked to show the material of. */
+  /** The model whose material was last asked for. */
   #shown: OpenModel | undefined;
 
   constructor(place: DrawingPlace, emit: Emit) {
@@ -18,7 +18,7 @@ export class OriginalLayer {
     this.#emit = emit;
   }
 
-  /** Shows it if the attributes ask for it. */
+  /** Shows the material if the attributes ask for it. */
   async update(): Promise<void> {
     const { attributes, model } = this.#place;
     const wanted = attributes.layers.includes('original') ? model : undefined;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A model as its file colours it: textures and vertex colours, without light effects of their own. What
-// reads them is three.js, fetched when somebody wants to see them.
+// A model in the colours of its file: textures and vertex colours, without their own light effects.
+// three.js reads them; its loaders are fetched when somebody wants to see them.
 
 import { findModel } from 'geodesic-voronoi';
 import {
@@ -22,15 +22,15 @@ import type { NamedFiles } from './model_files.js';
 import type { ModelFrame } from './model_frame.js';
 import { wholeScene } from './record_buffer.js';
 
-/** What is shown of a file's own material. */
+/** The drawing of a file's own material. */
 export interface OriginalMaterial {
   object: Group;
   textures: number;
-  /** Frees what the graphics card has of it. */
+  /** Frees its memory on the graphics card. */
   dispose(): void;
 }
 
-/** What a file names besides itself. */
+/** Reads a file that the model refers to. */
 type Resource = (uri: string) => Promise<Uint8Array | undefined>;
 
 /** Undefined if the file gives its surface no colours. Rejects if they cannot be read. */
@@ -40,7 +40,7 @@ export async function originalMaterial(
   builder: DrawingBuilder,
 ): Promise<OriginalMaterial | undefined> {
   const { format, bytes, resource: given } = await findModel(files, { file });
-  /** Of the files there are, or from where the model came. */
+  /** Looks among the files of the model, then at its address. */
   const resource = async (uri: string) =>
     (await given(uri).catch(() => undefined)) ?? fetchBeside?.(uri);
   const surface =
@@ -72,14 +72,14 @@ export async function originalMaterial(
   return { object, textures: textures.size, dispose };
 }
 
-/** In the light of the other layers. Skins are not posed, as in the mesh. */
+/** Gives a part the lighting of the other layers. Skins are not posed, as in the library's mesh. */
 function plainly(part: Mesh): Mesh {
   const { color, map, vertexColors, transparent, opacity, alphaTest, flatShading } =
     part.material as MeshStandardMaterial;
   const material = new MeshLambertMaterial({
     ...{ color, map, vertexColors, transparent, opacity, alphaTest, flatShading },
     side: DoubleSide,
-    // As in `RegionSurface`.
+    // Pushed back behind lines, as in `RegionSurface`.
     polygonOffset: true,
     polygonOffsetFactor: 2,
     polygonOffsetUnits: 2,
@@ -118,8 +118,8 @@ interface GltfFiles {
 }
 
 /**
- * Has three.js take buffers and images from the files that are there: it would fetch them, images
- * from addresses that a strict content security policy forbids.
+ * Has three.js take buffers and images from the model's files. It would fetch them otherwise,
+ * images even from addresses that a strict content security policy forbids.
  */
 function readFrom(parser: GLTFParser, resource: Resource): void {
   const { json } = parser;
@@ -167,7 +167,7 @@ async function plyScene(bytes: Uint8Array, builder: DrawingBuilder): Promise<Obj
     geometry.setAttribute(name, new BufferAttribute(array, 3, normalized));
   }
   if (surface.index) geometry.setIndex(new BufferAttribute(surface.index, 1));
-  // Else it would be computed of all vertices, for the order of drawing.
+  // Otherwise three.js would compute it from all vertices, for the order of drawing.
   geometry.boundingSphere = wholeScene;
   const material: Material = new MeshLambertMaterial({ vertexColors: true });
   return new Mesh(geometry, material);

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// Whom the wheel and swipes over the view belong to.
+// Decides whether the wheel and swipes over the view scroll the page or move the camera.
 
-/** A view that takes this share of the window in both directions leaves no page to scroll beside it. */
+/**
+ * A view that takes this share of the window in both directions leaves no page to scroll beside it.
+ */
 const aloneShare = 0.95;
 
 /**
- * Decides who gets the wheel and swipes over the canvas: the page, which scrolls, until the canvas has
- * been clicked or focused; the camera from then on, and where there is nothing to scroll. Two fingers, and
- * the wheel with Ctrl, are always the camera's.
+ * Decides who gets the wheel and swipes over the canvas: the page, which scrolls, until the canvas
+ * has been clicked or focused; the camera from then on, and where there is nothing to scroll. Two
+ * fingers, and the wheel with Ctrl, are always the camera's.
  */
 export class PageScrolling {
   readonly #canvas: HTMLCanvasElement;
@@ -16,8 +18,9 @@ export class PageScrolling {
   readonly #listening = new AbortController();
 
   /**
-   * Make it before the camera's controls. `touchAction` is asked what the page's author wants, undefined
-   * if nothing; `hint` is told how to reach the camera when the page has scrolled instead.
+   * Must be made before the camera's controls. `touchAction` returns the choice of the page's
+   * author, if any; `hint` gets a sentence on how to reach the camera when the page has scrolled
+   * instead.
    */
   constructor(
     canvas: HTMLCanvasElement,
@@ -56,7 +59,7 @@ export class PageScrolling {
     this.update();
   }
 
-  /** Looks again whether swipes are the page's: the browser has to know before one begins. */
+  /** Decides anew whether swipes scroll the page: the browser has to know before one begins. */
   update(): void {
     const action = this.#isOfCamera ? 'none' : (this.#touchAction() ?? 'pan-y');
     this.#canvas.style.setProperty('--own-touch-action', action);

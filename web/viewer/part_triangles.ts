@@ -6,7 +6,7 @@ import type { Partition } from 'geodesic-voronoi';
 import { LabelColours } from './label_colours.js';
 import type { SceneMesh } from './scene_mesh.js';
 
-/** As much of a partition as is drawn. */
+/** The parts of a partition that are drawn. */
 export interface Parts {
   points: Pick<Partition['points'], 'position'>;
   triangles: Partition['triangles'];
@@ -15,9 +15,9 @@ export interface Parts {
 
 /** Per corner. */
 export interface PartTriangles {
-  /** Where it is when the parts are together. */
+  /** The corner's place while the parts are together. */
   position: Float32Array;
-  /** How it moves when they go apart, and the shading normal: as shares of the greatest number. */
+  /** Its movement when they go apart, and the shading normal: as shares of the greatest number. */
   direction: Int16Array;
   normal: Int16Array;
   colour: Uint8Array;

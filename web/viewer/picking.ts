@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Which point of the surface is under a place of the view, and which points the surface hides.
+// Finds the point of the surface under a place of the view, and tells which points are hidden.
 
 import {
   BufferAttribute,
@@ -18,7 +18,10 @@ import { wholeScene } from './record_buffer.js';
 import type { SceneMesh } from './scene_mesh.js';
 import type { BuiltTree, RayHit, SearchTree } from './search_tree.js';
 
-/** A point of the surface: face and barycentric coordinates as everywhere, and its place in the scene. */
+/**
+ * A point of the surface: face and barycentric coordinates as everywhere, and its place in the
+ * scene.
+ */
 export interface SurfaceHit {
   face: number;
   bary: [number, number, number];
@@ -26,11 +29,11 @@ export interface SurfaceHit {
 }
 
 /**
- * What lies under a place of the view. Until there is a search tree, which no first picture needs, every
- * triangle is asked.
+ * Finds the surface under a place of the view. Until there is a search tree, which the first
+ * picture does not need, it tests every triangle.
  */
 export class Picker {
-  /** When there is a tree, or can be one, or it is known that there cannot. */
+  /** Resolves when there is a tree, or can be one, or there cannot be one. */
   readonly prepared: Promise<void>;
   readonly #mesh: SceneMesh;
   readonly #raycaster = new Raycaster();
@@ -39,7 +42,7 @@ export class Picker {
   #Tree: typeof SearchTree | undefined;
   #tree: SearchTree | undefined;
 
-  /** `tree` is built elsewhere; if that cannot be, it is built here when first needed. */
+  /** `tree` is built elsewhere; if that fails, it is built here when first needed. */
   constructor(mesh: SceneMesh, tree: Promise<BuiltTree | undefined>) {
     this.#mesh = mesh;
     const geometry = new BufferGeometry();
@@ -81,7 +84,7 @@ export class Picker {
       if (built) this.#tree = new SearchTree(this.#mesh, built);
       this.#Tree = SearchTree;
     } catch {
-      // Without it everything works, slowly.
+      // Without a tree everything works, only slowly.
     }
   }
 

@@ -2,7 +2,7 @@
 //
 // Files of pictures.
 
-/** What was drawn, as WebGL has it: from the lowest row up, colours multiplied by their opacity. */
+/** Pixels as WebGL has them: from the lowest row up, colours multiplied by their opacity. */
 export interface DrawnPixels {
   width: number;
   height: number;
@@ -10,7 +10,7 @@ export interface DrawnPixels {
   pixels: Uint8ClampedArray<ArrayBuffer>;
 }
 
-/** As the canvas has them: a media type, and for some of them a quality from 0 to 1. */
+/** A format of `canvas.toBlob`: a media type, and for some of these a quality from 0 to 1. */
 export interface PictureFormat {
   type: string;
   quality?: number;
@@ -20,7 +20,7 @@ export interface PictureFormat {
 export function pictureFile(drawn: DrawnPixels, format: PictureFormat): Promise<Blob> {
   const { width, height, pixels } = drawn;
   const canvas = new OffscreenCanvas(width, height);
-  // It is only read.
+  // The context is only read, which a canvas in memory does faster.
   const context = canvas.getContext('2d', { willReadFrequently: true });
   if (!context) throw new Error('The picture is too large.');
   turnOver(drawn);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Clicks, drags and long presses, told from each other.
+// Tells clicks, drags and long presses apart.
 
 /** A press that moves farther than this, in CSS pixels, is a drag and never a click. */
 const clickRadius = 4;
 const longPressMilliseconds = 600;
 
-/** What gestures mean; places are on the page, sites are named by their identity. */
+/** The actions behind gestures; places are on the page, sites are given by their identity. */
 export interface GestureTarget {
   /** The site drawn there, within a finger's or a pointer's reach. */
   siteAt(x: number, y: number, reach: number): number | undefined;
@@ -30,15 +30,15 @@ interface Press {
   pointer: number;
   x: number;
   y: number;
-  /** What is dragged; undefined for the camera. */
+  /** The thing that is dragged; undefined for the camera. */
   site: number | 'brush' | undefined;
   moved: boolean;
 }
 
 /**
- * Clicks, drags of sites, strokes of a brush and hovering on a canvas. What begins on a site or with
- * the brush is kept from the camera's controls; the rest is left to them and only watched, to tell
- * clicks from turning the model.
+ * Clicks, drags of sites, strokes of a brush and hovering on a canvas. Presses on a site or with
+ * the brush are kept from the camera's controls. Others are left to them, and only watched to tell
+ * clicks from turns of the model.
  */
 export class PointerGestures {
   readonly #canvas: HTMLCanvasElement;
@@ -48,7 +48,7 @@ export class PointerGestures {
   #longPress = 0;
   #isHandingOver = false;
 
-  /** Make it before the camera's controls, or they see a press on a site first. */
+  /** Must be made before the camera's controls, or these see a press on a site first. */
   constructor(canvas: HTMLCanvasElement, target: GestureTarget) {
     this.#canvas = canvas;
     this.#target = target;
@@ -59,7 +59,7 @@ export class PointerGestures {
     listen('pointermove', (event) => this.#moveTo(event));
     listen('pointerup', (event) => this.#up(event));
     listen('pointercancel', () => this.cancel());
-    // A finger leaves when it is lifted: what it pointed at is still to be read.
+    // A lifted finger also "leaves", but the reader still wants to see what it pointed at.
     listen('pointerleave', ({ pointerType }) => pointerType !== 'touch' && this.#target.leave());
     listen('contextmenu', (event) => event.preventDefault());
   }
@@ -83,7 +83,7 @@ export class PointerGestures {
   #down(event: PointerEvent): void {
     if (this.#isHandingOver) return;
     if (this.#press) {
-      // A second finger: what began as a click or a drag of a site is a gesture of the camera now.
+      // A second finger turns a click or a drag of a site into a gesture of the camera.
       const { site, event: first } = this.#press;
       this.cancel();
       if (site !== undefined) this.#handOver(first);
@@ -108,7 +108,7 @@ export class PointerGestures {
     }
   }
 
-  /** The camera's controls, which this press was kept from, see it now. */
+  /** Passes on to the camera's controls a press that was kept from them. */
   #handOver(press: PointerEvent): void {
     this.#isHandingOver = true;
     this.#canvas.dispatchEvent(new PointerEvent('pointerdown', press));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Arrays on the graphics card of which parts change.
+// Arrays on the graphics card that change in parts.
 
 import { type BufferAttribute, type InterleavedBuffer, Sphere, Vector3 } from 'three';
 import { roomFor } from './record_room.js';
@@ -9,19 +9,19 @@ import { roomFor } from './record_room.js';
 export type UploadedBuffer = BufferAttribute | InterleavedBuffer;
 
 /**
- * Bounds all that is drawn (see `ModelFrame`). Given to geometries of records, or bounds would be
- * computed of them that hold for no longer than the records.
+ * Bounds everything that is drawn (see `ModelFrame`). Geometries of records get it, because bounds
+ * computed from the records would be wrong once these change.
  */
 export const wholeScene = new Sphere(new Vector3(), 1);
 
 /** Uploading this many unchanged records costs less than another range to upload. */
 const negligibleGap = 32;
-/** Drivers complain of more calls than this in a frame: uploading what lies between costs less. */
+/** The most ranges per frame: drivers complain of more calls, and uploading the gaps costs less. */
 const mostRanges = 8;
 
-/** Two numbers per record that tell what it belongs to: `keys[2 * record]` and the one after. */
+/** Two numbers per record that tell what it belongs to: `keys[2 * i]` and `keys[2 * i + 1]`. */
 export type Keys = Int32Array;
-/** Records by their keys: those of which the first key, or the second, is marked by a 1. */
+/** A choice of records: those whose first or second key is marked by a 1. */
 export interface Marks {
   readonly first?: Uint8Array;
   readonly second?: Uint8Array;
@@ -29,8 +29,8 @@ export interface Marks {
 export const noMarks = new Uint8Array();
 
 /**
- * Records of a fixed size, without order, that come and go: in buffers in which those that go make room
- * for those that come, and of which little more is uploaded than the records that are written.
+ * Records of a fixed size, in no order, that come and go. New records fill the room of removed
+ * ones, and little more is uploaded than the records that are written.
  */
 export class RecordBuffer {
   readonly #make: (capacity: number) => readonly UploadedBuffer[];
@@ -39,7 +39,7 @@ export class RecordBuffer {
   #count = 0;
   #keys: Keys = new Int32Array(2);
 
-  /** `make` makes the buffers for so many records. */
+  /** `make` makes buffers for the given number of records. */
   constructor(make: (capacity: number) => readonly UploadedBuffer[]) {
     this.#make = make;
     this.#buffers = make(this.#capacity);
@@ -49,12 +49,12 @@ export class RecordBuffer {
     return this.#count;
   }
 
-  /** They are others after a call that needed larger ones. */
+  /** The buffers; replaced by larger ones when a call needs these. */
   get buffers(): readonly UploadedBuffer[] {
     return this.#buffers;
   }
 
-  /** These records and no others: their numbers stand one after the other per buffer. */
+  /** Replaces all records; each buffer gets its list of numbers, record after record. */
   set(keys: Keys, numbers: readonly ArrayLike<number>[]): void {
     this.#count = 0;
     this.#reserve(keys.length / 2);
@@ -66,7 +66,7 @@ export class RecordBuffer {
     });
   }
 
-  /** These records and no others, in buffers made elsewhere, which have room for so many. */
+  /** Replaces all records, and the buffers by filled ones with room for `capacity` records. */
   adopt(keys: Keys, buffers: readonly UploadedBuffer[], capacity: number): void {
     this.#count = keys.length / 2;
     this.#capacity = capacity;
@@ -75,7 +75,7 @@ export class RecordBuffer {
     this.#keys.set(keys);
   }
 
-  /** Other records instead of those that are gone. O(count), with little for each. */
+  /** Replaces the records that are gone by others. O(count), with little work for each. */
   replace(gone: Marks, keys: Keys, numbers: readonly ArrayLike<number>[]): void {
     const holes = this.#marked(gone);
     const added = keys.length / 2;
@@ -106,7 +106,7 @@ export class RecordBuffer {
     uploadRecords(buffer, records, width);
   }
 
-  /** Ascending. Every change asks all records: hence a loop for each case, which reads no more than it must. */
+  /** The marked records, ascending. Each case has its own loop, to read as little as possible. */
   #marked({ first, second }: Marks): number[] {
     const keys = this.#keys;
     const end = 2 * this.#count;
@@ -122,7 +122,7 @@ export class RecordBuffer {
     return records;
   }
 
-  /** Moves the last records into holes (ascending) until there is none; adds those to `written`. */
+  /** Fills holes (ascending) with the last records; adds the filled places to `written`. */
   #close(holes: readonly number[], arrays: readonly ArrayLike<number>[], written: number[]): void {
     let open = holes.length;
     for (let i = 0; i < open; ++i) {
@@ -172,8 +172,8 @@ export class RecordBuffer {
 }
 
 /**
- * Has the next drawing upload these records of a buffer, each so many numbers wide, and what lies between
- * them but for the widest gaps.
+ * Has the next drawing upload these records of a buffer, each `width` numbers wide, and all but the
+ * widest gaps between them.
  */
 export function uploadRecords(
   buffer: UploadedBuffer,
@@ -199,8 +199,8 @@ export function uploadRecords(
 }
 
 /**
- * Has the next drawing upload all of a buffer, or so many numbers from its beginning. It is a range like
- * others: without any, those that are added before the drawing would be all that is uploaded.
+ * Has the next drawing upload a whole buffer, or its first `length` numbers. That is a range, too:
+ * otherwise only ranges added before the drawing would be uploaded.
  */
 export function uploadAll(buffer: UploadedBuffer, length = buffer.array.length): void {
   buffer.clearUpdateRanges();
@@ -213,7 +213,7 @@ interface Range {
   count: number;
 }
 
-/** As few ranges as there may be that hold all of these, ascending; of the gaps the widest are left out. */
+/** At most `mostRanges` ranges, ascending, that hold all of these and leave out the widest gaps. */
 function fewRanges(ranges: readonly Range[]): Range[] {
   const ascending = [...ranges].sort((a, b) => a.start - b.start);
   const gaps: Range[] = [];

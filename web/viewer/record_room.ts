@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// How much room there is in the buffers of `RecordBuffer`: apart from it, for workers need no three.js.
+// The room in the buffers of a `RecordBuffer`. In a file of its own, because workers need no
+// three.js.
 
-/** How much larger than needed a buffer of records is made. */
+/** The factor by which a buffer of records is larger than needed. */
 const slack = 1.25;
 
-/** For how many records there is room in a buffer that is made for so many. */
+/** The number of records that a buffer made for `count` records has room for. */
 export function roomFor(count: number): number {
   return Math.ceil(slack * count);
 }

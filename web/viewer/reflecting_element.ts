@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Attributes of the element that are properties, too.
+// Attributes of the element that are also properties.
 
 import { Attributes } from './attributes.js';
 import type { ViewerEventMap } from './events.js';
@@ -51,7 +51,7 @@ export class ReflectingElement extends Base {
     this.setAttribute('src', address);
   }
 
-  /** What the view is to those who do not see it. */
+  /** Describes the view to those who do not see it. */
   get alt(): string {
     return this.getAttribute('alt') ?? '';
   }
@@ -97,12 +97,12 @@ export class ReflectingElement extends Base {
     this.setAttribute('interactive', interactive);
   }
 
-  /** What it does. */
+  /** What the element is doing. */
   get status(): Status {
     return (this.getAttribute('status') ?? 'empty') as Status;
   }
 
-  /** What is shown. */
+  /** The layers that are shown. */
   get layers(): readonly Layer[] {
     return this.attributeValues.layers;
   }

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 //
-// Which colours regions get.
+// Chooses the colours of regions.
 
 import { leastDistance } from './colour_vision.js';
 
-/** As much of a diagram as colouring looks at: two labels per arc. */
+/** The part of a diagram that colouring needs: two labels per arc. */
 interface Adjacency {
   readonly siteCount: number;
   readonly arcs: { readonly labels: ArrayLike<number> };
 }
 
 /**
- * sRGB. Found by a search for seven tones at least 36° of hue apart, bright and of moderate chroma, whose least
- * distance (`leastDistance`) is greatest. Fewer tones than neighbours may have differ more.
+ * sRGB. Found by a search for seven bright tones of moderate chroma, at least 36° of hue apart,
+ * whose least distance (`leastDistance`) is greatest. Only seven, since fewer tones differ more.
  */
 const palette: readonly number[] = [
   0x85b1ff, 0xd0a243, 0x9cddbb, 0xe27d83, 0xcce383, 0xb48fbe, 0x62e4f8,
@@ -23,15 +23,15 @@ const fewestTones = palette.length;
 const comfortableDistance = 0.08;
 
 /**
- * A tone for every site so that neighbours differ. A site keeps its tone from diagram to diagram
- * while it can: colours that jump would be all one sees of a drag.
+ * Chooses a tone for every site so that neighbours differ. A site keeps its tone from diagram to
+ * diagram if possible, because jumping colours would drown out everything else in a drag.
  */
 export class RegionColours {
   readonly #toneOfSite = new Map<number, number>();
 
   /**
-   * Tones per label of the diagram, whose sites have these identities. Where two neighbours have had
-   * the same tone, one in `yielding` takes another; those beyond the palette do so if they can.
+   * A tone per label of the diagram, whose sites have these identities. Labels in `yielding` get
+   * another tone if a neighbour has the same one, or if theirs is beyond the palette.
    */
   assign(
     diagram: Adjacency,
@@ -78,7 +78,10 @@ export function toneColour(tone: number): number {
   return channel(16) | channel(8) | channel(0);
 }
 
-/** The tone used least of those that differ comfortably from the ones around, else the one that differs most. */
+/**
+ * The tone used least of those that differ comfortably from the ones around, else the one that
+ * differs most.
+ */
 function bestTone(usage: readonly number[], around: readonly number[]): number {
   let best = usage.length; // a new one
   let bestDistance = 0;

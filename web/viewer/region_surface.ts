@@ -25,11 +25,13 @@ import {
 } from './record_buffer.js';
 import type { SceneMesh } from './scene_mesh.js';
 
-/** `DiagramData.faceLabel` of a face that several regions share; others below zero have no region. */
+/**
+ * `DiagramData.faceLabel` of a face that several regions share; others below zero have no region.
+ */
 const mixed = -2;
 const dropped = -3;
 
-/** As a share of all faces. */
+/** The share of all faces above which changed faces count as many. */
 const manyShare = 1 / 16;
 
 const noCells: CellTriangles = {
@@ -47,8 +49,9 @@ export interface TonedDiagram {
 
 /**
  * The model's surface filled by region. Faces with one owner are drawn whole from arrays made once;
- * only their colours change with the diagram, and in the list of corners mixed faces are collapsed to a
- * point. Their cells are drawn as they were traced: the fill ends exactly where the bisector runs.
+ * only their colours change with the diagram, and in the list of corners mixed faces are collapsed
+ * to a point. Their cells are drawn as they were traced: the fill ends exactly where the bisector
+ * runs.
  */
 export class RegionSurface {
   readonly object = new Group();
@@ -63,9 +66,9 @@ export class RegionSurface {
     cornerBuffers(new Float32Array(9 * n), new Float32Array(9 * n), new Uint8Array(9 * n)),
   );
   #diagram: TonedDiagram | undefined;
-  /** As `DiagramData.faceLabel`, of what is drawn; without a diagram all are as if dropped. */
+  /** The drawn `DiagramData.faceLabel`; without a diagram, all faces count as dropped. */
   readonly #faceLabels: Int32Array;
-  /** Room for as many faces as there are. */
+  /** Working memory, with room for all faces. */
   readonly #changedFaces: Int32Array;
   #filled = true;
   #tints: Float32Array | undefined;
@@ -95,12 +98,12 @@ export class RegionSurface {
     this.#drawAll();
   }
 
-  /** What colours are multiplied by. */
+  /** The factor that colours are multiplied by. */
   set shade(shade: number) {
     this.#material.color.setScalar(shade);
   }
 
-  /** Whether the regions are filled; without, the surface is neutral. */
+  /** Whether regions are filled with their colours; otherwise the surface is neutral. */
   set filled(filled: boolean) {
     if (filled === this.#filled) return;
     this.#filled = filled;
@@ -108,8 +111,8 @@ export class RegionSurface {
   }
 
   /**
-   * Without a diagram the surface is neutral. Of the faces, those that have not changed stay as they are;
-   * `cells` are the diagram's if they have been cut already.
+   * Without a diagram the surface is neutral. Of the faces, those that have not changed stay as
+   * they are; `cells` are the diagram's if they have been cut already.
    */
   setDiagram(diagram: TonedDiagram | undefined, cells?: CellTriangles): void {
     const before = this.#diagram?.tones;
@@ -121,7 +124,7 @@ export class RegionSurface {
     const changed = this.#changedFaces;
     const colours = new LabelColours(diagram?.tones);
     let count = 0;
-    // Of every face of every iteration of a tessellation: nothing is made per face.
+    // Runs for every face in every iteration of a tessellation: nothing is allocated per face.
     for (let face = 0; face < drawn.length; ++face) {
       const label = faceLabel ? faceLabel[face] : dropped;
       if (label === drawn[face] && !(label >= 0 && isRecoloured[label])) continue;
@@ -132,7 +135,7 @@ export class RegionSurface {
     this.#replaceCells(undefined, cells ?? this.#cut(diagram?.data), colours);
   }
 
-  /** What the diagram has become by a change. */
+  /** Draws what a change made different. */
   changeDiagram({ faces, part }: DiagramChange, diagram: TonedDiagram): void {
     const before = this.#diagram?.tones;
     this.#diagram = diagram;
@@ -184,8 +187,8 @@ export class RegionSurface {
   }
 
   /**
-   * The faces, and the cells, that have another colour though nothing else has changed: by face
-   * first, by label second.
+   * Recolours faces and cells that are otherwise unchanged: those whose face is marked in
+   * `meant.first`, or whose label in `meant.second`.
    */
   #recolour(meant: Marks, colours: LabelColours): void {
     const { first = noMarks, second = noMarks } = meant;
@@ -219,7 +222,7 @@ export class RegionSurface {
     }
   }
 
-  /** Where many have changed, all of them: telling them apart takes longer. */
+  /** Uploads the changed faces; all of them if many have changed, which is quicker. */
   #uploadFaces(faces: ArrayLike<number>): void {
     if (faces.length > manyShare * this.#mesh.faceCount) {
       uploadAll(this.#corners);
@@ -234,7 +237,7 @@ export class RegionSurface {
     return part && cellTriangles(this.#mesh, part);
   }
 
-  /** Others instead of those that are gone; of all if that is not given. */
+  /** Replaces the cells that are gone; all cells if `gone` is not given. */
   #replaceCells(
     gone: Marks | undefined,
     cells: CellTriangles | undefined,
@@ -306,7 +309,7 @@ function recoloured(before: Uint16Array | undefined, after: Uint16Array | undefi
   );
 }
 
-/** Of three corners per triangle. */
+/** Buffers of three corners per triangle. */
 function cornerBuffers(position: Float32Array, normal: Float32Array, colour: Uint8Array) {
   return [
     new BufferAttribute(position, 3),

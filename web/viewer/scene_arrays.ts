@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A model's mesh turned into what the scene has of it: a second of work for a large model, so a worker does
-// it where there is one (see `DrawingBuilder`).
+// Turns a model's mesh into arrays for the scene: a second of work for a large model, so it is done
+// in a worker if possible (see `DrawingBuilder`).
 
 import type { Mesh } from 'geodesic-voronoi';
 import { cornerNormals } from './corner_normals.js';
@@ -19,7 +19,7 @@ export interface SceneArrays {
   /** Per corner of every face: shading normal, and x, y, z. */
   normals: Float32Array;
   cornerPositions: Float32Array;
-  /** Of the grid that `surface_density.ts` describes. */
+  /** The grid that `surface_density.ts` describes. */
   surfaceDensity: Uint8Array;
 }
 
@@ -30,7 +30,8 @@ export function sceneArrays({
   const frame = ModelFrame.around(positions, indices);
   const scene = frame.toScene(positions);
   const isPlaced = scene.every(Number.isFinite);
-  // Vertices without finite coordinates belong to no face of the surface, but three.js would measure them.
+  // Vertices without finite coordinates belong to no face of the surface, but three.js would
+  // measure them.
   const placed = isPlaced ? scene : scene.map((x) => (Number.isFinite(x) ? x : 0));
   const faces = isPlaced ? indices : withoutNowhere(indices, scene);
   return {

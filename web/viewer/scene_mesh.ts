@@ -61,14 +61,16 @@ export class SceneMesh {
     }
   }
 
-  /** Barycentric coordinates, clamped to the face, of the point of its plane nearest to (x, y, z). */
+  /**
+   * Barycentric coordinates, clamped to the face, of the point of its plane nearest to (x, y, z).
+   */
   barycentric(face: number, x: number, y: number, z: number): [number, number, number] {
     const bary: [number, number, number] = [1, 0, 0];
     this.writeBarycentric(face, x, y, z, bary);
     return bary;
   }
 
-  /** The same, written to `target`. It is called for every corner of a diagram: no list is made. */
+  /** Like `barycentric`, but writes to `target`: called for every corner, it must not allocate. */
   writeBarycentric(
     face: number,
     x: number,

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Finds the triangles of a model quickly, by a tree of bounding boxes. Its code is large, and building a tree
-// takes a while: both come after the first picture, and a worker builds where there is one.
+// Finds the triangles of a model quickly, by a tree of bounding boxes. Its code is large, and
+// building a tree takes a while: both wait for the first picture, and a worker builds the tree if
+// possible.
 
 import { BufferAttribute, BufferGeometry, DoubleSide, type Ray, type Vector3 } from 'three';
 import { MeshBVH, type SerializedBVH } from 'three-mesh-bvh';

@@ -28,9 +28,9 @@ import { placeOf, SiteHistory, type SitePlace, type Sites, type Tints } from './
 import { without } from './site_step.js';
 
 /**
- * One model with its sites and their diagram, computed in a worker that is asked for with the first model.
- * Sites change at once; the diagram follows, and if it cannot, the sites return to those of the
- * diagram there is. Where one site has moved, come or gone, only its surroundings are computed.
+ * A model with its sites and their diagram, computed in a worker that starts with the first model.
+ * Sites change at once and the diagram follows; if it fails, the sites go back to those of the last
+ * diagram. After a change of one site, only its surroundings are computed.
  */
 export class Session {
   readonly #prepare: PrepareDiagram;
@@ -115,17 +115,17 @@ export class Session {
     const { metric, detail } = this.#settings;
     if (settings.metric === metric && settings.detail === detail) return;
     this.#settings = settings;
-    // A tessellation under way has diagrams of its own; the pause brings one with these settings.
+    // A tessellation under way has its own diagrams; after its pause one has these settings.
     if (!this.#cvt?.playing) this.#request();
   }
 
-  /** Sites in new places instead of those there are. */
+  /** Replaces the sites by new ones in new places. */
   async scatter(scattering: Scattering): Promise<void> {
     const mesh = this.#mesh;
     if (!mesh) return;
     this.#scattering = scattering;
     this.#updateStatus();
-    // Whether nothing newer has been asked for, nor this been given up.
+    // Whether this was neither replaced by a newer request nor cancelled.
     const isWanted = () => mesh === this.#mesh && this.#scattering === scattering;
     try {
       const sites = await scatterSites(mesh, scattering);
@@ -189,7 +189,7 @@ export class Session {
     if (!this.#move && this.canRedo) this.#step(() => this.#history.redo());
   }
 
-  /** A density was painted: a step to undo. It ends a tessellation; the next one is by it. */
+  /** Records a painted density, a step to undo. Ends a tessellation; the next one uses it. */
   recordDensity(tints: Tints): void {
     if (!this.#mesh || (!tints && !this.#history.tints)) return;
     this.#stopCvt();
@@ -324,7 +324,7 @@ export class Session {
       this.#show(shown);
       this.#listener.diagramChanged(shown, milliseconds, { changes, prepared });
     } catch (error) {
-      // What follows shows the sites as they are now.
+      // A request that follows will show the present sites.
       const isFollowed = this.#task.superseded || this.#cvt?.playing;
       if (!mesh || mesh !== this.#mesh || isFollowed) return;
       if (!signal.aborted) this.#fail(sentence('The diagram cannot be made', error));
@@ -377,8 +377,8 @@ export class Session {
   }
 
   /**
-   * After a pause: what is shown is what there is. An iteration under way is not waited for; only if the
-   * diagram is to have other settings than those of iterations, it is computed.
+   * After a pause, the last iteration shown becomes the diagram, without waiting for one under way.
+   * It is computed anew only if its metric or detail differs from those wanted.
    */
   #rest(): void {
     const shown = this.#shown;
@@ -402,7 +402,7 @@ export class Session {
     this.#updateStatus();
   }
 
-  /** The first diagram of a model has nothing to return to: its sites stay without one. */
+  /** Goes back to the shown sites; if no diagram was shown yet, the sites stay without one. */
   #returnToShown(): void {
     if (!this.#shown) return;
     const { sites, metric, detail } = this.#shown;
@@ -416,7 +416,7 @@ export class Session {
   }
 
   #fail(error: unknown): void {
-    // A library that has stopped answers nothing any more; the next model starts another.
+    // A library that has stopped never answers again; the next model starts another.
     const { code } = ((error as Error).cause ?? error) as { code?: unknown };
     if (code === 'internal' || code === 'load-failed') {
       this.#lease?.discard();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a session tells, and its words.
+// The messages of a session, and their vocabulary.
 
 import type { CvtState, DiagramChange, Sampling } from 'geodesic-voronoi';
 import type { PreparedDiagram } from './diagram_geometry.js';
@@ -22,34 +22,34 @@ export interface Scattering {
   count: number;
   seed: number;
   sampling?: Sampling;
-  /** As far as there are sites enough. */
+  /** The least number per component, as far as there are enough sites. */
   perComponent?: number;
 }
 
-/** What helps to draw a diagram. */
+/** Data that help to draw a diagram. */
 export interface Drawable {
-  /** The diagram drawn before has become this one by these. */
+  /** The changes that led from the diagram drawn before to this one. */
   changes?: readonly DiagramChange[];
-  /** All of it; undefined without sites. */
+  /** The geometry of the whole diagram; undefined without sites. */
   prepared?: PreparedDiagram;
 }
 
-/** Told what changed, after it did. */
+/** Gets told about changes after they were made. */
 export interface SessionListener {
   modelChanged(opened: OpenedMesh): void;
   sitesChanged(sites: Sites): void;
-  /** By undoing or redoing; after a failure too. */
+  /** The density changed by undoing or redoing, or after a failure. */
   densityChanged(tints: Tints): void;
   diagramChanged(shown: ShownDiagram, milliseconds: number, how: Drawable): void;
-  /** Sites and diagram are those of an iteration. */
+  /** Sites and diagram are now those of an iteration. */
   cvtIterated(shown: ShownDiagram, state: CvtState, how: Drawable): void;
-  /** Iterations have been paused: the one that is shown is the diagram of the sites as any other. */
+  /** Iterations have paused: the last one shown is now the diagram, like any other. */
   cvtRested(shown: ShownDiagram, milliseconds: number): void;
   cvtStatusChanged(status: CvtStatus): void;
   /** After a failure or a cancel: the settings are again those of the diagram that is shown. */
   settingsRestored(settings: DiagramSettings): void;
   statusChanged(status: Status): void;
   progressed(share: number): void;
-  /** Whatever failed, the model, the sites and the diagram are those from before. */
+  /** Something failed; model, sites and diagram are those from before. */
   failed(error: unknown): void;
 }

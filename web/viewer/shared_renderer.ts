@@ -20,7 +20,7 @@ export interface ContextListener {
   contextRestored(): void;
 }
 
-/** What is drawn, in CSS pixels and device pixels per CSS pixel. */
+/** A picture to draw; its size is in CSS pixels, `pixelRatio` in device pixels per CSS pixel. */
 export interface Picture {
   scene: Scene;
   camera: Camera;
@@ -32,15 +32,15 @@ export interface Picture {
 /** A part of three.js that its types leave out. */
 type CompiledProgram = WebGLProgram & { isReady(): boolean };
 
-/** Of a picture, so many are read between two frames. */
+/** The bytes of a picture that are read between two frames. */
 const bytesPerFrame = 2 ** 22;
 
 let present: SharedRenderer | undefined;
 
 /**
- * The one renderer of all elements of a page: browsers keep few WebGL contexts alive, and each would
- * compile the same shaders. It draws on a canvas that nobody sees, which is copied at once. The first
- * to take it makes its context, the last to return it gives the context up.
+ * The one renderer of all elements of a page: browsers keep few WebGL contexts alive, and each
+ * would compile the same shaders. It draws on a hidden canvas, which is copied at once. The first
+ * user creates the context, and the last one frees it.
  */
 export class SharedRenderer {
   readonly #renderer: WebGLRenderer;
@@ -73,7 +73,7 @@ export class SharedRenderer {
 
   /** Draws onto a canvas, which takes the picture's size. */
   draw(picture: Picture, target: CanvasRenderingContext2D): void {
-    // What was drawn last stays to be seen.
+    // Without a graphics card, the last picture stays visible.
     if (!this.#render(picture)) return;
     const source = this.#renderer.domElement;
     const { canvas } = target;
@@ -86,8 +86,8 @@ export class SharedRenderer {
   }
 
   /**
-   * Draws what nobody is to see, and reads it once the graphics card has drawn it. Reading it at once, as
-   * a canvas does for its files, would keep the page waiting.
+   * Draws a picture out of sight and reads it when the graphics card is done. Reading it at once,
+   * as a canvas does for its files, would block the page.
    */
   async read(picture: Picture): Promise<DrawnPixels> {
     if (!this.#render(picture)) throw new Error('The graphics card has dropped this view.');
@@ -115,7 +115,7 @@ export class SharedRenderer {
     return { width, height, pixels };
   }
 
-  /** Until the shaders of an object of a scene are compiled: else its first drawing waits for them. */
+  /** Resolves when an object's shaders are compiled: its first drawing would wait for them. */
   async compile(object: Object3D, scene: Scene, camera: Camera): Promise<void> {
     const { properties } = this.#renderer;
     const isCompiled = (material: Material) => {
@@ -126,7 +126,7 @@ export class SharedRenderer {
     while (!materials.every(isCompiled)) await nextFrame();
   }
 
-  /** Onto its own canvas; returns whether there is a graphics card to do it. */
+  /** Draws onto the renderer's own canvas; returns whether there is a graphics card to do it. */
   #render({ scene, camera, width, height, pixelRatio }: Picture): boolean {
     const renderer = this.#renderer;
     if (renderer.getContext().isContextLost()) return false;
@@ -143,7 +143,7 @@ export class SharedRenderer {
     if (this.#users.size > 0) return;
     present = undefined;
     this.#renderer.dispose();
-    // Browsers collect contexts late.
+    // Not left to garbage collection, in which browsers free contexts late.
     this.#renderer.forceContextLoss();
   }
 }

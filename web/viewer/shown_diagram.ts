@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How the diagram that is shown comes about: by a few steps from the one before, or anew.
+// Makes the diagram that is shown: by a few changes of the one before, or anew.
 
 import type {
   Diagram,
@@ -19,16 +19,18 @@ export interface DiagramSettings {
   detail: number;
 }
 
-/** What a diagram is made from. */
+/** The sites and settings that a diagram is made from. */
 export interface DiagramRequest extends DiagramSettings {
   sites: Sites;
 }
 
 /** A diagram with what it was made from. Its labels are the indices of the sites. */
 export interface ShownDiagram extends DiagramRequest {
-  /** Without sites there is none. */
+  /** Undefined without sites. */
   summary: DiagramSummary | undefined;
-  /** All of it, put together when asked for if the diagram has been changed: not for every step of a drag. */
+  /**
+   * All arrays. After changes they are put together only when read, not in every step of a drag.
+   */
   readonly data: DiagramData | undefined;
   diagram: Diagram | undefined;
 }
@@ -50,7 +52,7 @@ export function shownDiagram(
   };
 }
 
-/** Without sites there is none. */
+/** Computes the diagram of a request; undefined without sites. */
 export async function computeDiagram(
   mesh: Mesh | undefined,
   { sites, metric, detail }: DiagramRequest,
@@ -61,9 +63,9 @@ export async function computeDiagram(
 }
 
 /**
- * Makes the diagram that is shown the one asked for, where a step or two do: the work of a few regions,
- * the first time that of a diagram. It is too short to be given up half-way. Undefined if there are no
- * such steps or one failed.
+ * Turns the shown diagram into the one asked for, if a step or two are enough: the work of a few
+ * regions, the first time that of a whole diagram. It is too short to be aborted. Undefined if it
+ * takes more steps or one failed.
  */
 export async function changeDiagram(
   shown: ShownDiagram | undefined,
@@ -76,7 +78,7 @@ export async function changeDiagram(
   try {
     return await Promise.all(steps.map((step) => takeStep(diagram, step)));
   } catch {
-    return undefined; // computed anew, it works or says why not
+    return undefined; // the caller computes it anew, which works or gives a reason
   }
 }
 

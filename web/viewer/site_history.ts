@@ -29,15 +29,15 @@ export function placeOf({ face, bary }: PointList, i: number): SitePlace {
 /** A density as it is painted: see `DensityPaint.tints`. */
 export type Tints = Float32Array | undefined;
 
-/** What is edited. */
+/** The state that is edited. */
 interface State {
   sites: Sites;
   tints: Tints;
 }
 
 /**
- * The sites and the density, and all that they were earlier or before undoing. Lists are never changed,
- * only replaced. A step changes one of the two.
+ * The sites and the density, with all states to undo and redo. Each step changes one of the two.
+ * Lists are never changed, only replaced.
  */
 export class SiteHistory {
   #past: State[] = [];
@@ -87,7 +87,7 @@ export class SiteHistory {
     this.#step({ ...this.#present, tints });
   }
 
-  /** The last step, changed: what a drag does after its first move. */
+  /** Changes the last step, as a drag does after its first move. */
   revise(sites: Sites): void {
     this.#present = { ...this.#present, sites };
   }
@@ -112,7 +112,7 @@ export class SiteHistory {
     if (before) this.#present = before;
   }
 
-  /** Undoes or redoes until this list is there again; if it is none of them, it begins anew with it. */
+  /** Undoes or redoes until this list is there again; if no step has it, begins anew with it. */
   returnTo(sites: Sites): void {
     const isIn = (states: readonly State[]) => states.some((state) => state.sites === sites);
     if (this.present === sites) return;

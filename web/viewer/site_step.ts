@@ -1,19 +1,24 @@
 // SPDX-License-Identifier: MIT
 //
-// Which few changes lead from one list of sites to another.
+// The few changes that lead from one list of sites to another.
 
 import type { Site, Sites } from './site_history.js';
 
-/** A change of one site in a list: the last one goes, one becomes another, or one more comes at the end. */
+/**
+ * A change of one site in a list: the last one goes, one becomes another, or one more comes at the
+ * end.
+ */
 export type SiteStep =
   | { kind: 'remove'; index: number }
   | { kind: 'move'; index: number; site: Site }
   | { kind: 'insert'; index: number; site: Site };
 
-/** More steps than this and all of the diagram is computed anew. */
+/** The most steps: beyond, the whole diagram is computed anew. */
 const mostSteps = 2;
 
-/** The steps from one list to another, in an order in which no two sites meet; undefined if they are many. */
+/**
+ * The steps from one list to another, in an order in which no two sites meet; undefined if many.
+ */
 export function stepsBetween(before: Sites, after: Sites): SiteStep[] | undefined {
   const common = Math.min(before.length, after.length);
   const differing = after.slice(0, common).filter((site, i) => site !== before[i]).length;

@@ -23,9 +23,9 @@ import type { Padding } from './view_padding.js';
 const fieldOfView = 32;
 /** Room around a framed model, as a share of the view within its padding. */
 const margin = 0.12;
-/** However much padding there is, a model has this share of the view. */
+/** The least share of the view that a model gets, however much padding there is. */
 const leastShare = 0.25;
-/** Where a framed model is looked at from, if y points up. */
+/** The direction from which a framed model is seen, if y points up. */
 const firstDirection = new Vector3(0.45, 0.4, 1).normalize();
 
 /** The axis of the model that points up on the screen. */
@@ -41,12 +41,12 @@ export interface StageListener extends ContextListener {
 }
 
 /**
- * The scene with its camera, lights and controls on one canvas. It draws when something changed and
- * is in view, and not otherwise. What stands in it lies within the unit sphere (`ModelFrame`), or
- * within `reach`.
+ * The scene with its camera, lights and controls on one canvas. It draws only when something
+ * changed and is in view. Its content lies within the unit sphere (`ModelFrame`), or within
+ * `reach`.
  */
 export class Stage {
-  /** The radius around the origin that what stands in it takes. */
+  /** The radius around the origin that the content takes. */
   reach = 1;
   readonly camera = new PerspectiveCamera(fieldOfView, 1, 0.01, 10);
   readonly canvas: HTMLCanvasElement;
@@ -55,17 +55,17 @@ export class Stage {
   readonly #picture: CanvasRenderingContext2D;
   readonly #scene = new Scene();
   readonly #listener: StageListener;
-  /** From a scene whose y axis points up to this one. */
+  /** The rotation from a scene whose y axis points up to this one. */
   readonly #upright = new Quaternion();
   #controls: OrbitControls;
-  /** In CSS pixels. */
+  /** The view's size in CSS pixels. */
   #size = { width: 0, height: 0 };
   #padding: Padding = { top: 0, right: 0, bottom: 0, left: 0 };
-  /** What was framed last. */
+  /** The points that were framed last. */
   #points: Float32Array = new Float32Array();
   #isFramed = false;
   #drawing = 0;
-  /** From which what was framed last fills the view. */
+  /** The distance from which these points fill the view. */
   #framingDistance = 3;
   #isInView = true;
   #isOutdated = false;
@@ -93,7 +93,7 @@ export class Stage {
     if (this.camera.up.equals(axes[axis])) return;
     this.camera.up.copy(axes[axis]);
     this.#upright.setFromUnitVectors(axes.y, axes[axis]);
-    // They adopt the camera's upward direction when they are made.
+    // Controls take over the camera's upward direction only when they are made.
     this.#controls.dispose();
     this.#controls = this.#newControls();
     this.frame(this.#points);
@@ -104,7 +104,7 @@ export class Stage {
     return this.#isFramed;
   }
 
-  /** Out of view nothing is drawn, and what the graphics card has of the scene is freed. */
+  /** Out of view nothing is drawn, and the scene's memory on the graphics card is freed. */
   set inView(isInView: boolean) {
     if (isInView === this.#isInView) return;
     this.#isInView = isInView;
@@ -134,25 +134,25 @@ export class Stage {
     if (this.#size.width > 0) this.#renderer.draw(this.#view(1), this.#picture);
   }
 
-  /** Until something that is to be drawn can be drawn at once. */
+  /** Resolves when an object's shaders are compiled, so that it can be drawn at once. */
   compile(object: Object3D): Promise<void> {
     return this.#renderer.compile(object, this.#scene, this.camera);
   }
 
-  /** The view as it is now, so many times as large as it is shown. */
+  /** The pixels of the present view, `scale` times as large as it is shown. */
   async read(scale: number): Promise<DrawnPixels> {
     if (this.#size.width === 0) throw new Error('The view has no size.');
     try {
       return await this.#renderer.read(this.#view(scale));
     } finally {
-      // The renderer is as large as it is shown again.
+      // Brings the renderer back to the size that is shown.
       this.invalidate();
     }
   }
 
   /**
-   * In CSS pixels. Draws at once: the canvas stretches what was drawn before. What filled the view fills
-   * it again. What the camera looks at is in the middle of what the padding leaves.
+   * Sets the size in CSS pixels. Draws at once, or the canvas would stretch its old content. A
+   * framed model stays framed, and the camera's target is in the middle of what the padding leaves.
    */
   resize(width: number, height: number, padding: Padding): void {
     if (width === 0 || height === 0) return;
@@ -161,7 +161,7 @@ export class Stage {
     this.camera.aspect = width / height;
     const right = (padding.right - padding.left) / 2;
     const down = (padding.bottom - padding.top) / 2;
-    // It updates the projection, too.
+    // This call updates the projection, too.
     this.camera.setViewOffset(width, height, right, down, width, height);
     if (this.#isFramed) this.frame(this.#points);
     else this.#framingDistance = this.#distanceToFit();
@@ -178,7 +178,9 @@ export class Stage {
     this.invalidate();
   }
 
-  /** Looks at the origin so that all these points (x, y, z triples), `reach` times as far, just fit. */
+  /**
+   * Looks at the origin so that all these points (x, y, z triples), `reach` times as far, just fit.
+   */
   frame(points: Float32Array): void {
     this.#points = points;
     this.#framingDistance = this.#distanceToFit();
@@ -196,7 +198,9 @@ export class Stage {
     return firstDirection.clone().applyQuaternion(this.#upright);
   }
 
-  /** From the first direction, so that the points to be framed fill the view. */
+  /**
+   * The distance from which the points to be framed fill the view, seen from the first direction.
+   */
   #distanceToFit(): number {
     const points = this.#points;
     const back = this.#firstDirection;
@@ -224,7 +228,9 @@ export class Stage {
     return distance || 3;
   }
 
-  /** Turns the camera to look against a direction of the scene, as far from its target as before. */
+  /**
+   * Turns the camera to look against a direction of the scene, as far from its target as before.
+   */
   lookAgainst(direction: Vector3): void {
     const { target } = this.#controls;
     const distance = this.camera.position.distanceTo(target);
@@ -234,7 +240,7 @@ export class Stage {
     this.invalidate();
   }
 
-  /** Where the camera is around what it looks at. */
+  /** The camera's place around its target. */
   get cameraOrbit(): CameraOrbit {
     const { theta, phi, radius } = this.#placeAround();
     const target = this.#controls.target.toArray();
@@ -273,8 +279,8 @@ export class Stage {
   }
 
   /**
-   * Tells for points of the scene, while the camera stands still, their place on the page; undefined
-   * for what is behind the camera.
+   * A function that maps points of the scene to places on the page, undefined for points behind the
+   * camera. It holds while the camera stands still.
    */
   projection(): (point: Vector3) => { x: number; y: number } | undefined {
     this.camera.updateMatrixWorld();
@@ -296,7 +302,7 @@ export class Stage {
     this.#renderer.return(this.#contextListener);
   }
 
-  /** Where the camera is around what it looks at, as if y pointed up. */
+  /** The camera's place around its target, as if y pointed up. */
   #placeAround(): Spherical {
     const back = this.camera.position.clone().sub(this.#controls.target);
     return new Spherical().setFromVector3(back.applyQuaternion(this.#upright.clone().invert()));
@@ -327,7 +333,7 @@ export class Stage {
     return controls;
   }
 
-  /** What the controls still mean to add to the camera is dropped. */
+  /** Stops the movement that the controls still continue after a gesture. */
   #stopGliding(): void {
     const { enableDamping } = this.#controls;
     this.#controls.enableDamping = false;
@@ -335,7 +341,7 @@ export class Stage {
     this.#controls.enableDamping = enableDamping;
   }
 
-  /** They move with the camera, so what one looks at is always lit well. */
+  /** Lights move with the camera, so that the visible side is always well lit. */
   #addLights(): void {
     const sky = new HemisphereLight(0xffffff, 0xa9a49c, 1.45);
     const key = new DirectionalLight(0xffffff, 1.95);
@@ -348,7 +354,7 @@ export class Stage {
     this.#scene.add(sky);
   }
 
-  /** So many times as large as it is shown. */
+  /** The view, `scale` times as large as it is shown. */
   #view(scale: number): Picture {
     this.#fitDepthRange();
     const { width, height } = this.#size;
@@ -362,7 +368,7 @@ export class Stage {
     };
   }
 
-  /** As tight around what stands there as it goes: depth is what tells lines from the surface. */
+  /** Fits the depth range tightly around the content: depth has to tell lines from the surface. */
   #fitDepthRange(): void {
     const distance = this.camera.position.length();
     const radius = 1.01 * this.reach;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The start of dist/standalone.js: the element with all that it needs, for pages without a bundler. Its
-// workers run the same file, each by its name; core.wasm, gltf.wasm and draco.wasm have to stand beside it.
+// The entry of dist/standalone.js: the element with everything that it needs, for pages without a
+// bundler. Its workers run the same file and know their task by their name. core.wasm, gltf.wasm
+// and draco.wasm have to lie beside it.
 
 const parts: Readonly<Record<string, () => Promise<unknown>>> = {
   'geodesic-voronoi': () => import('geodesic-voronoi/worker'),

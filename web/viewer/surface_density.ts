@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How much surface there is near every place of the scene: what `occlusion.ts` darkens hollows by.
+// The amount of surface near every place of the scene, by which `occlusion.ts` darkens hollows.
 
 /** Cells of the grid along each axis; it holds the unit sphere and a margin. */
 export const resolution = 64;
@@ -8,25 +8,25 @@ export const halfWidth = 1.15;
 const cell = (2 * halfWidth) / resolution;
 
 /**
- * The grid is blurred to two standard deviations, in cells: three box filters of radius 1, then three of
- * radius 3. The variance of one is ((2r + 1)² - 1) / 12.
+ * The grid is blurred to two standard deviations, in cells: three box filters of radius 1, then
+ * three of radius 3. The variance of one is ((2r + 1)² - 1) / 12.
  */
 const boxRadii = [1, 3] as const;
 export const deviations = [Math.sqrt(2) * cell, Math.sqrt(14) * cell] as const;
-/** How far off the surface the grid is read, in standard deviations. */
+/** The distance off the surface at which the grid is read, in standard deviations. */
 export const lift = 1.5;
-/** A byte for the density that is read off a plane: others are stored in proportion. */
+/** The byte for the density that is read near a plane; other densities are in proportion. */
 export const byteOfPlane = 48;
 
-/** As much of a model as is looked at: it stands in the unit sphere. */
+/** The triangles of a model, within the unit sphere. */
 interface Triangles {
   readonly positions: Float32Array;
   readonly indices: Int32Array;
 }
 
 /**
- * The area of the surface near every cell of a grid, blurred narrowly and widely: two bytes per cell. Just
- * off a plane each is `byteOfPlane`; more surface than that hides light.
+ * The area of the surface near every cell of a grid, blurred narrowly and widely: two bytes per
+ * cell. Just off a plane each is `byteOfPlane`; more surface than that hides light.
  */
 export function surfaceDensity(mesh: Triangles): Uint8Array {
   const density = new Uint8Array(2 * resolution ** 3);
@@ -44,7 +44,7 @@ export function surfaceDensity(mesh: Triangles): Uint8Array {
   return density;
 }
 
-/** Triangles are taken as points, as many as reach about every cell that they pass. */
+/** Samples each triangle at points that are dense enough for about every cell it passes. */
 function areaPerCell({ positions, indices }: Triangles): Float32Array {
   const grid = new Float32Array(resolution ** 3);
   const [a, b, c] = [new Float64Array(3), new Float64Array(3), new Float64Array(3)];
@@ -85,7 +85,10 @@ function splat(grid: Float32Array, amount: number, x: number, y: number, z: numb
   }
 }
 
-/** Replaces each cell by the mean of those within a radius along one axis; beyond the grid is nothing. */
+/**
+ * Replaces each cell by the mean of those within a radius along one axis; beyond the grid is
+ * nothing.
+ */
 function boxFilter(
   grid: Float32Array,
   scratch: Float32Array,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the pointer does on the surface.
+// The tools of the pointer on the surface.
 
 import type { Vector2 } from 'three';
 import type { Attributes } from './attributes.js';
@@ -13,7 +13,7 @@ import type { Session } from './session.js';
 import type { SitePlace } from './site_history.js';
 import type { Stage } from './stage.js';
 
-/** What the tools work on, and whom they tell. */
+/** The object that the tools work on and report to. */
 export interface Workpiece {
   readonly stage: Stage;
   readonly session: Session;
@@ -21,16 +21,16 @@ export interface Workpiece {
   readonly attributes: Attributes;
   readonly model: OpenModel | undefined;
   addSite(place: SitePlace): void;
-  /** By its identity. */
+  /** Selects a site by its identity. */
   select(site: number): void;
   /** Changes the sites; a tessellation that plays goes on with them. */
   edit(change: () => void): void;
   playCvt(): void;
-  /** What has been painted since the last time is a step now. */
+  /** Makes one step of everything painted since the last call. */
   recordDensity(): void;
 }
 
-/** What the pointer does on the surface: it adds, drags and removes sites, paints density and asks. */
+/** The tools of the pointer on the surface: add, drag and remove sites, paint density, hover. */
 export class SurfaceTools implements GestureTarget {
   readonly #work: Workpiece;
   /** Where the pointer was last, on the page. */
@@ -42,7 +42,9 @@ export class SurfaceTools implements GestureTarget {
     this.#work = work;
   }
 
-  /** The surface there, in device coordinates; while the regions are apart there is none to edit. */
+  /**
+   * The surface at device coordinates; undefined while the regions are apart and cannot be edited.
+   */
   pick(device: Vector2): SurfaceHit | undefined {
     const { attributes, model, stage } = this.#work;
     return attributes.exploded > 0 ? undefined : model?.picker.pick(device, stage.camera);
@@ -100,7 +102,7 @@ export class SurfaceTools implements GestureTarget {
     stage.canvas.style.cursor = 'grabbing';
     const hit = this.pick(stage.toDevice(x, y));
     this.#pointer = { x, y };
-    // Beside the model the site waits where it was last.
+    // While the pointer is beside the model, the site stays where it was last.
     if (!hit) return;
     this.#playsOn ||= session.cvtStatus === 'running';
     session.moveSite(site, hit);
@@ -133,7 +135,7 @@ export class SurfaceTools implements GestureTarget {
     if (attributes.interactive.edit) this.useAt(stage.toDevice(x, y));
   }
 
-  /** The camera has moved, and other surface is under the pointer. */
+  /** To be called when the camera has moved: another point is under the pointer. */
   follow(): void {
     if (this.#pointer) this.hover(this.#pointer.x, this.#pointer.y);
   }
@@ -167,7 +169,7 @@ export class SurfaceTools implements GestureTarget {
     return true;
   }
 
-  /** The outline of what the brush reaches there; none beside the surface. */
+  /** Shows the outline of the brush's reach; nothing beside the surface. */
   #showBrush(hit: SurfaceHit | undefined): void {
     const { attributes, model, stage } = this.#work;
     if (!model) return;

@@ -7,9 +7,9 @@ export interface Theme {
   readonly ink: number;
   /** The rim of markers. */
   readonly paper: number;
-  /** What is chosen, and the dual. */
+  /** The chosen site, the dual, paths and the brush. */
   readonly accent: number;
-  /** What regions' colours are multiplied by, so that lines stand out. */
+  /** The factor for the colours of regions, so that lines stand out. */
   readonly surfaceShade: number;
 }
 
@@ -29,7 +29,7 @@ export const darkTheme: Theme = {
 
 const darkPages = '(prefers-color-scheme: dark)';
 
-/** That of a page, or a part of it, by its `color-scheme`: dark only where it may be. */
+/** The theme of a part of a page, by its `color-scheme`: dark only where that allows it. */
 export function themeOf(host: Element): Theme {
   const schemes = getComputedStyle(host).colorScheme.split(' ');
   if (!schemes.includes('dark')) return lightTheme;

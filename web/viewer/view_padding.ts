@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The CSS padding of an element that holds a view: the view takes all of the element, and what is framed
-// keeps off the padding, where a page may lay buttons and sentences.
+// The CSS padding of an element that holds a view. The view takes the whole element, but the framed
+// model keeps clear of the padding, where a page may lay buttons and sentences.
 
 /** In CSS pixels. */
 export interface Padding {
@@ -11,7 +11,7 @@ export interface Padding {
   left: number;
 }
 
-/** That of the element in whose shadow the canvas is. */
+/** The padding of the element in whose shadow the canvas is. */
 export function paddingAround(canvas: HTMLCanvasElement): Padding {
   const style = getComputedStyle((canvas.getRootNode() as ShadowRoot).host);
   return {

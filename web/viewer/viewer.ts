@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What fills an element: it joins the session, the scene and the tools.
+// The content of an element: it connects the session, the scene and the tools.
 
 import type { DiagramData, SurfacePath } from 'geodesic-voronoi';
 import { Vector3 } from 'three';
@@ -29,17 +29,17 @@ import { themeOf, watchTheme } from './theme.js';
 import { paddingAround } from './view_padding.js';
 import { WireframeLayer } from './wireframe_layer.js';
 
-/** In milliseconds: markers of sites arrive before the eye has left them. */
+/** In milliseconds, short enough for the eye to follow the markers of sites. */
 const longestGlide = 250;
 
-/** What the viewer wants of the element that it fills. */
+/** The element that a viewer fills, as the viewer sees it. */
 export interface ViewerHost extends ContextListener {
   readonly attributes: Attributes;
   readonly emit: Emit;
   hint(sentence: string): void;
 }
 
-/** The session's model, sites and diagram on the stage, and the tools to edit them: it fills an element. */
+/** The session's model, sites and diagram on the stage, with the tools to edit them. */
 export class Viewer implements Workpiece {
   readonly attributes: Attributes;
   readonly stage: Stage;
@@ -52,10 +52,10 @@ export class Viewer implements Workpiece {
   readonly #gestures: PointerGestures;
   readonly #resizing: ResizeObserver;
   #model: OpenModel | undefined;
-  /** As it was when it last came to rest, and ∫ √ρ. */
+  /** The density ρ when painting last came to rest, and ∫ √ρ. */
   #density: { perVertex: Float64Array; rootIntegral: number } | undefined;
   #selected: number | undefined;
-  /** When sites were moved by it last. */
+  /** The time at which an iteration last moved the sites. */
   #lastIteration = 0;
   #gliding = 0;
   readonly #derived: DerivedDrawings;
@@ -112,7 +112,7 @@ export class Viewer implements Workpiece {
     return this.#model;
   }
 
-  /** Per input vertex, as it was when it last came to rest; undefined if it is 1 everywhere. */
+  /** The density per input vertex when painting last came to rest; undefined if 1 everywhere. */
   get density(): Float64Array | undefined {
     return this.#density?.perVertex;
   }
@@ -123,12 +123,12 @@ export class Viewer implements Workpiece {
     this.recordDensity();
   }
 
-  /** Its index, -1 for none. */
+  /** The index of the chosen site, -1 for none. */
   get selected(): number {
     return this.session.sites.findIndex((site) => site.id === this.#selected);
   }
 
-  /** One that is not seen turns into view. */
+  /** Choosing a hidden site turns the camera until it is seen. */
   set selected(index: number) {
     this.select(this.session.sites[index]?.id);
     const site = this.session.sites[index];
@@ -142,7 +142,7 @@ export class Viewer implements Workpiece {
     return this.session.open(read, this.attributes.opening);
   }
 
-  /** Metric and detail are those of the attributes now. */
+  /** Applies the metric and the detail of the attributes. */
   configure(): void {
     this.session.configure(this.attributes.diagram);
   }
@@ -251,7 +251,7 @@ export class Viewer implements Workpiece {
     if (this.#model) this.stage.frame(this.#model.drawing.mesh.positions);
   }
 
-  /** The camera goes where the attribute says, if it does. */
+  /** Moves the camera to where the attribute says, if it is set. */
   orbit(): void {
     const { cameraOrbit } = this.attributes;
     if (cameraOrbit) this.stage.cameraOrbit = cameraOrbit;
@@ -348,7 +348,7 @@ export class Viewer implements Workpiece {
     this.orbit();
   }
 
-  /** Asks for what is shown of the diagram besides itself; not for that of every iteration. */
+  /** Requests the drawings derived from the diagram, but not for every iteration. */
   #derive(): void {
     this.#derived.update(this.session.cvtStatus === 'running' ? undefined : this.session.shown);
   }
@@ -371,7 +371,7 @@ export class Viewer implements Workpiece {
     });
   }
 
-  /** In milliseconds: from one iteration of a tessellation to the next; other sites are there at once. */
+  /** Milliseconds between iterations of a tessellation; 0 for other changes of sites. */
   #glideTime(): number {
     const isPlaying = this.session.cvtStatus === 'running';
     if (!isPlaying || matchMedia('(prefers-reduced-motion: reduce)').matches) return 0;

@@ -10,13 +10,13 @@ import type { SceneMesh } from './scene_mesh.js';
 
 type Points = Pick<DiagramData, 'points' | 'voronoiPoints'>;
 
-/** Place and outward direction. */
+/** Numbers per marker: its place and its outward direction. */
 const width = 6;
 
 export class VoronoiPointMarkers {
   readonly markers: Markers;
   readonly #mesh: SceneMesh;
-  /** Those of a whole diagram, as long as nobody has asked for them. */
+  /** The points of a whole diagram, until they are first needed. */
   #pending: Points | undefined;
   #records: Float32Array = new Float32Array();
   /** The labels around each. */
@@ -34,7 +34,7 @@ export class VoronoiPointMarkers {
     if (visible) this.#draw();
   }
 
-  /** Those of a diagram, of markers of this radius in the scene. */
+  /** Sets the points of a diagram, and the radius of their markers in the scene. */
   set(part: Points | undefined, size: number): void {
     this.#pending = part;
     this.#records = new Float32Array();
@@ -42,7 +42,7 @@ export class VoronoiPointMarkers {
     this.#adopt(size);
   }
 
-  /** Others instead of those beside the marked labels. They are few. */
+  /** Replaces the points of the marked labels, which are few. */
   replace(isChanged: Uint8Array, part: Points, size: number): void {
     this.#read();
     const kept: number[] = [];
@@ -86,7 +86,9 @@ export class VoronoiPointMarkers {
     if (this.markers.object.visible) this.#draw();
   }
 
-  /** In the order of their coordinates: where points overlap, changes elsewhere leave the same one on top. */
+  /**
+   * Draws points ordered by coordinates, so that the same one of an overlap always stays on top.
+   */
   #draw(): void {
     if (this.#isDrawn) return;
     this.#isDrawn = true;

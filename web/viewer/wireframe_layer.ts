@@ -8,14 +8,14 @@ import type { OpenModel } from './open_model.js';
 
 export class WireframeLayer {
   readonly #place: DrawingPlace;
-  /** Of which the edges have been asked for. */
+  /** The model whose edges have been asked for. */
   #model: OpenModel | undefined;
 
   constructor(place: DrawingPlace) {
     this.#place = place;
   }
 
-  /** Finds them if the attributes ask for them. */
+  /** Finds the edges if the attributes ask for them. */
   async update(): Promise<void> {
     const { attributes, model, stage } = this.#place;
     if (!model || model === this.#model || !attributes.layers.includes('wireframe')) return;

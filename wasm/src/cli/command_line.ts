@@ -45,7 +45,7 @@ export function parseCommandLine(args: string[], version: string): Invocation | 
   return { command, mesh: positionals[0], meshes: positionals, values } as Invocation;
 }
 
-/** There is one source of sites; those of a file are where they are. */
+/** Requires exactly one source of sites, and no option of sampling that does not go with it. */
 function requireSites(values: Values<'diagram'>): void {
   const { sites, radius, sampling } = values;
   if (sites === undefined && radius === undefined) throw new UsageError('--sites is missing');
@@ -72,7 +72,7 @@ function parseOptions(
     args,
     options: Object.fromEntries(known),
     allowPositionals: true,
-    strict: false, // its own sentences tell programmers what to do
+    strict: false, // its own error messages are written for programmers
     tokens: true,
   });
   for (const token of tokens) if (token.kind === 'option') requireKnown(command, token);

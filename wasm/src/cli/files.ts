@@ -29,8 +29,8 @@ function readBytes(path: string): Promise<Uint8Array> {
 }
 
 /**
- * The files of a model: all of a folder, or a file with those that it names, out of its own folder. After a
- * #, which of several models in a folder or a zip is meant.
+ * The files of a model: all of a folder, or a file with those of its own folder that it refers to.
+ * A path after a # chooses one of several models in a folder or a zip.
  */
 export async function readModel(named: string): Promise<{ files: ModelFiles; file?: string }> {
   const mark = named.indexOf('#');
@@ -52,7 +52,7 @@ async function modelFiles(path: string): Promise<ModelFiles> {
   return files;
 }
 
-/** Folders of models have a few files; one with this many more was not meant. */
+/** The most files of a folder: models have a few, and a larger folder was named by mistake. */
 const maxFiles = 10_000;
 
 /** All files of a folder and those in it, by their paths; read when they are needed. */
@@ -82,7 +82,7 @@ async function folderFiles(folder: string): Promise<ModelFiles> {
   return files;
 }
 
-/** A file that a model names, if it is there. A model comes from anywhere and may not reach outside. */
+/** A file that a model refers to, if it is there. No model may reach outside its folder. */
 async function fileWithin(folder: string, place: string): Promise<ModelFile | undefined> {
   const path = join(folder, place);
   const target = await realpath(path).catch(() => undefined);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the command says of itself, from the table of commands and options.
+// The help of the command, from the table of commands and options.
 
 import {
   commands,

@@ -3,7 +3,7 @@
 // The facts of a mesh, as `info` prints them.
 import type { MeshInfo, MeshRepairs } from '../results.js';
 
-/** What each repair did, after its count. Begins with what is counted. */
+/** The text after the count of each repair; begins with the noun that is counted. */
 const repairTexts: Record<Exclude<keyof MeshRepairs, 'mollification'>, string> = {
   weldedVertices: 'vertices welded to earlier ones at their place',
   isolatedVertices: 'vertices without a triangle',

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The command line's one table: what can be given, to which command, what it means, and what the help
-// says of it.
+// The command line's one table: what can be given, to which command, what it means, and what the
+// help says of it.
 
 import { maxCount, maxDetail, maxLimit } from '../input.js';
 import { partitionLayouts } from '../partition_formats.js';
@@ -167,7 +167,7 @@ export const options = {
 
 export type OptionName = keyof typeof options;
 
-/** What all options mean, given or not. */
+/** The parsed values of all options, given or by default. */
 type AllValues = {
   [Name in OptionName]: (typeof options)[Name] extends { parse: Parser<infer Value> }
     ? (typeof options)[Name] extends { optional: true }
@@ -191,9 +191,9 @@ const ofAll = [...ofMesh, 'units', 'output', 'json', 'quiet', 'help'] as const;
 
 export interface CommandSpec {
   summary: string;
-  /** What -o writes, for the help. */
+  /** The result that -o writes, for the help. */
   result: string;
-  /** How it is called, after the command's name. */
+  /** Examples of arguments after the command's name. */
   examples: readonly string[];
   options: readonly OptionName[];
 }
@@ -273,13 +273,15 @@ export const commands = {
 
 export type CommandName = keyof typeof commands;
 
-/** What the options of a command mean. */
+/** The parsed values of a command's options. */
 export type Values<Command extends CommandName = CommandName> = Pick<
   AllValues,
   (typeof commands)[Command]['options'][number]
 >;
 
-/** What to do: each command with a mesh (info with any number) and the values of its own options. */
+/**
+ * What to do: each command with a mesh (info with any number) and the values of its own options.
+ */
 export type Invocation = {
   [Command in CommandName]: {
     command: Command;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the texts on the command line mean.
+// Parses the values of options on the command line.
 
 /** The command line is wrong, not what it names: exit status 2. */
 export class UsageError extends Error {}
@@ -42,7 +42,7 @@ export function number(isIn: (value: number) => boolean, range: string): Parser<
   };
 }
 
-/** What is no number at all is the path of a file. */
+/** A text that is no number at all is the path of a file. */
 export function numberOrPath(least: number, most: number): Parser<number | string> {
   const number = integer(least, most);
   return (text, option) => (isNumber(text) ? number(text, option) : text);
@@ -60,12 +60,15 @@ const unitScale: Record<string, number> = {
 
 export const units: readonly string[] = Object.keys(unitScale);
 
-/** The unit that lengths in metres are in when they have been multiplied with a factor, if it has a name. */
+/**
+ * The unit that lengths in metres are in when they have been multiplied with a factor, if it has a
+ * name.
+ */
 export function unitOf(factor: number): string | undefined {
   return units.find((unit) => unitScale[unit] === factor);
 }
 
-/** What lengths in metres are multiplied with. */
+/** The factor that lengths in metres are multiplied by. */
 export const scale: Parser<number> = (text, option) => {
   const value = Object.hasOwn(unitScale, text) ? unitScale[text] : Number(text);
   if (value > 0 && Number.isFinite(value)) return value;

@@ -29,7 +29,7 @@ const types = {
 } as const;
 const sizes = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 };
 
-/** An instance of its own per mesh: what one has spoiled is gone with it. */
+/** Each mesh gets an instance of its own, so that bad data cannot spoil the next one. */
 export async function openDraco(
   compiled: WebAssembly.Module,
   packed: Uint8Array,
@@ -37,7 +37,7 @@ export async function openDraco(
 ): Promise<DracoMesh> {
   const damaged = (cause?: unknown) =>
     gltfFault(`${where} cannot be decompressed: its data are damaged`, cause);
-  /** Runs what may trap on data that are not what they should be. */
+  /** Runs work that may trap on malformed data. */
   const guarded = <Result>(work: () => Result): Result => {
     try {
       return work();
@@ -103,7 +103,7 @@ function instantiated(compiled: WebAssembly.Module): Promise<DracoModule> {
   });
 }
 
-/** What a function of the library writes to a place that it is given. */
+/** A copy of the bytes that a function of the library writes to a buffer. */
 function copied(
   draco: DracoModule,
   bytes: number,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The lists and buffers of a glTF whose content is about to be decompressed: bytes are found, checked,
-// and added.
+// The lists and buffers of a glTF that is being decompressed: finds, checks and adds bytes.
 
 import {
   gltfFault,
@@ -14,7 +13,7 @@ import {
 
 /** The most bytes that may be decompressed in all: a file of a few bytes can ask for any amount. */
 const maxDecompressedBytes = 2 ** 30;
-/** The new buffer's parts begin at multiples of this, as numbers of up to eight bytes want it. */
+/** Contents begin at multiples of this in the new buffer, the alignment of the largest numbers. */
 const alignment = 8;
 
 const listNames = ['accessors', 'buffers', 'bufferViews'] as const;
@@ -45,7 +44,7 @@ export class GltfData {
     throw gltfFault(`${what} is number ${i} of ${list.length} ${name}`);
   }
 
-  /** The bytes that a buffer view, or an extension of the same form, is about. */
+  /** The bytes of a buffer view, or of an extension of the same form. */
   bytesOf({ buffer, byteOffset = 0, byteLength }: JsonObject, what: string): Uint8Array {
     const content = this.#bufferBytes(buffer, what);
     const start = whole(byteOffset, `the byteOffset of ${what}`);
@@ -56,7 +55,7 @@ export class GltfData {
     );
   }
 
-  /** Where in the new buffer a content is. */
+  /** Adds a content to the new buffer; returns its place there. */
   add(content: Uint8Array): { buffer: number; byteOffset: number; byteLength: number } {
     const byteOffset = this.#addedBytes;
     this.reserve(content.length);
@@ -65,7 +64,7 @@ export class GltfData {
     return { buffer: this.list('buffers').length, byteOffset, byteLength: content.length };
   }
 
-  /** Throws if so many bytes more are too many. */
+  /** Throws if this many more bytes exceed the limit. */
   reserve(bytes: number): void {
     if (this.#addedBytes + bytes <= maxDecompressedBytes) return;
     throw gltfFault(

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A glTF in which nothing is compressed, out of one with KHR_draco_mesh_compression,
-// EXT_meshopt_compression or KHR_meshopt_compression: what the decoders give becomes one more buffer,
-// and buffer views and accessors are made to name it. All else stays as it is.
+// Decompresses a glTF with KHR_draco_mesh_compression, EXT_meshopt_compression or
+// KHR_meshopt_compression: the decoders' output becomes one more buffer, to which buffer views and
+// accessors are redirected. Everything else stays as it is.
 
 import type { DracoMesh } from './draco.js';
 import {
@@ -91,7 +91,7 @@ async function decompressPrimitives(
   }
 }
 
-/** What is read of a vertex; a compressed primitive is left with no more. */
+/** The vertex attributes that are read; a decompressed primitive keeps no others. */
 const attributeNames = ['POSITION', 'NORMAL', 'TEXCOORD_0', '_DENSITY'];
 
 function decompressedAttributes(
@@ -107,7 +107,7 @@ function decompressedAttributes(
   for (const name of attributeNames.filter((attribute) => attributes[attribute] !== undefined)) {
     const what = `${name} of ${where}`;
     const accessor = data.entry('accessors', attributes[name], what);
-    // Beside those that are compressed there may be others.
+    // A compressed primitive may have plain attributes, too.
     result[name] =
       ids[name] === undefined
         ? attributes[name]
@@ -131,7 +131,7 @@ function decompressedIndices(
   const count = content.byteLength / 4;
   const own = { componentType: 5125, type: 'SCALAR', count };
   const what = `the indices of ${where}`;
-  // Of a strip, they were fewer.
+  // The accessor of a strip counts fewer indices than its triangles have corners.
   const isList = primitive.indices !== undefined && (primitive.mode ?? 4) === 4;
   const given = isList ? data.entry('accessors', primitive.indices, what).count : count;
   return addAccessor(data, { ...own, count: given }, { content, count }, what);

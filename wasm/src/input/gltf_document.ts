@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A glTF before it is read: which files it names, and whether something in it is compressed. What is
-// wrong with it is for the reader in C++ to say, which gets it as it is.
+// A glTF before it is read: the files that it refers to, and whether anything in it is compressed.
+// Faults are left to the reader in C++, which gets the glTF as it is.
 
 import { requireBytes } from '../checks.js';
 import { GeodesicVoronoiError } from '../errors.js';
@@ -25,13 +25,13 @@ export interface GltfFile {
   resources: Resources;
 }
 
-/** Each has the same form in a buffer view or a primitive. */
+/** Both have the same form. */
 export const meshoptExtensions = ['EXT_meshopt_compression', 'KHR_meshopt_compression'];
 export const dracoExtension = 'KHR_draco_mesh_compression';
 
 /**
- * The files that a glTF names besides itself and that its triangles need: the URIs of its buffers,
- * as it writes them. What is no glTF names none; `mesh()` says what is wrong with it.
+ * The files that a glTF's triangles need besides the glTF itself: the URIs of its buffers, as it
+ * writes them. Empty if the bytes are no glTF; `mesh()` then says what is wrong.
  */
 export function gltfResourceUris(bytes: Uint8Array): string[] {
   requireBytes('bytes', bytes);
@@ -59,7 +59,7 @@ export function extensionOf({ extensions }: JsonObject, name: string): JsonObjec
   return isObject(extensions) && isObject(extensions[name]) ? extensions[name] : undefined;
 }
 
-/** The objects of a list; nothing stands in for what is none, so that indices stay. */
+/** The objects of a list; `{}` replaces entries that are no objects, so that indices stay. */
 export function objectsOf(list: unknown): JsonObject[] {
   return Array.isArray(list) ? list.map((entry) => (isObject(entry) ? entry : {})) : [];
 }
@@ -73,7 +73,7 @@ const headMembers = ['buffers', 'extensionsUsed', 'extensionsRequired'];
 /** The members that its triangles come from. */
 const triangleMembers = ['asset', 'scene', 'scenes', 'nodes', 'meshes', 'accessors', 'bufferViews'];
 
-/** Its head; nothing if that is no JSON. */
+/** The head of a glTF; undefined if it is not JSON. */
 export function parseGltfHead(bytes: Uint8Array): JsonObject | undefined {
   try {
     return parseJsonMembers(chunksOf(bytes).text, headMembers);
@@ -82,7 +82,7 @@ export function parseGltfHead(bytes: Uint8Array): JsonObject | undefined {
   }
 }
 
-/** All that its triangles need. */
+/** Everything that a glTF's triangles need. */
 export function parseGltf(bytes: Uint8Array): GltfDocument {
   const { text, binary } = chunksOf(bytes);
   try {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A typed array that grows at its end: numbers whose count is known only when all are there, or is just
-// promised. It grows chunk by chunk: one that is copied as it grows would take the thread, and twice its
-// memory.
+// A typed array that grows at its end, for numbers whose count is unknown, or known only from a
+// file's promise. It grows chunk by chunk, because copying it would block the thread and take twice
+// its memory.
 
 import type { SlicedWork } from '../slices.js';
 
@@ -47,7 +47,7 @@ export class GrowingArray<Array extends Numbers> {
     return next.value;
   }
 
-  /** The same, in steps: yields between chunks. */
+  /** Like `toArray`, but in steps: yields between chunks. */
   *take(): SlicedWork<Array> {
     const chunks = this.#chunks;
     const { length } = this;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// JSON of unknown origin. Limits keep a file from taking much more memory than its size, of which a few
-// bytes can make a hundred; no real file comes near them.
+// JSON of unknown origin. A few bytes of JSON can become a hundred bytes of memory: limits prevent
+// that, and no real file comes near them.
 
 /** The most lists and objects, which take more memory than other values. */
 const maxLists = 2 ** 22;
@@ -31,8 +31,8 @@ export function parseJson(text: Uint8Array): unknown {
 }
 
 /**
- * Those members of an object that are wanted; the rest is passed over, however much it is. Throws as
- * `parseJson` does if they are no JSON; `{}` if the text is no object.
+ * Parses the wanted members of an object and skips the rest, however large. Throws as `parseJson`
+ * does if a wanted member is no JSON; returns `{}` if the text is no object.
  */
 export function parseJsonMembers(
   text: Uint8Array,

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// How much is read of a model, so that a small file cannot take all memory or hours.
+// Limits on the size of a model, so that a small file cannot take all memory or hours.
 
 import { GeodesicVoronoiError } from '../errors.js';
 import type { GltfLimits } from '../types.js';
 
-/** Those of the glTF reader that have a meaning in every format. */
+/** The limits of the glTF reader that apply to every format. */
 export type SizeLimits = Required<Pick<GltfLimits, 'maxVertices' | 'maxTriangles'>>;
 
 /** The most corners of one polygon: the time that cutting takes may grow with their square. */

@@ -13,7 +13,7 @@ const strides: Record<string, (stride: number) => boolean> = {
   TRIANGLES: (stride) => stride === 2 || stride === 4,
   INDICES: (stride) => stride === 2 || stride === 4,
 };
-/** Those of attributes have a stride of their own. */
+/** Each filter requires certain strides, too. */
 const filters: Record<string, (stride: number) => boolean> = {
   NONE: () => true,
   OCTAHEDRAL: (stride) => stride === 4 || stride === 8,
@@ -22,7 +22,10 @@ const filters: Record<string, (stride: number) => boolean> = {
   COLOR: (stride) => stride === 4 || stride === 8,
 };
 
-/** The largest ratio of a content to its packed form: a control byte stands for at most four columns of 256 rows. */
+/**
+ * The largest ratio of a content to its packed form: a control byte stands for at most four columns
+ * of 256 rows.
+ */
 const maxRatio = 1024;
 
 /** The content of a buffer view with such an extension. */

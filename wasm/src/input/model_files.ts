@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The files of a model: which of them is the model, and which one it means by a name.
+// The files of a model: which of them is the model, and which file a URI in it refers to.
 
 import { GeodesicVoronoiError } from '../errors.js';
 import type { ModelFile, ModelFiles } from '../types.js';
@@ -12,15 +12,15 @@ export class FileSet {
   readonly #files: ReadonlyMap<string, ModelFile>;
   readonly #paths: ReadonlyMap<string, string>;
 
-  /** By their paths, or for those that a glTF names by the URI that it uses. */
+  /** `files` are named by paths, or by the URIs that a glTF uses for them. */
   constructor(files: ModelFiles) {
     this.#files = new Map(Object.entries(files));
     this.#paths = new Map([...this.#files.keys()].map((path) => [normalised(path) ?? path, path]));
   }
 
   /**
-   * The one file that is a model, or an archive with one in it; a file alone may have any name. Of several,
-   * the wanted one, or the archive that it may be in.
+   * The one file that is a model, or an archive with one in it; a file alone may have any name. Of
+   * several, the wanted one, or the archive that it may be in.
    */
   model(wanted?: string): string {
     if (wanted !== undefined && this.#files.has(wanted)) return wanted;
@@ -44,12 +44,12 @@ export class FileSet {
     );
   }
 
-  /** Those that have the names of models. */
+  /** The paths of files that are named like models. */
   models(): string[] {
     return this.#shown().filter((path) => modelName.test(path));
   }
 
-  /** What to say if the wanted file is not there. */
+  /** The error if the wanted file is not there. */
   without(wanted: string): GeodesicVoronoiError {
     const there = listed([...this.#files.keys()].filter((path) => !isHidden(path)));
     return new GeodesicVoronoiError(
@@ -74,7 +74,9 @@ export class FileSet {
     }
   }
 
-  /** The file that a model means by a URI, if it is there. A model may not reach outside its folder. */
+  /**
+   * The file that a model means by a URI, if it is there. A model may not reach outside its folder.
+   */
   async resource(model: string, uri: string): Promise<Uint8Array | undefined> {
     if (this.#files.has(uri)) return this.read(uri);
     const place = placeOf(model, uri);
@@ -95,13 +97,15 @@ export class FileSet {
   }
 }
 
-/** The path of the file that a model means by a URI; nothing if that is outside the model's folder. */
+/**
+ * The path of the file that a model means by a URI; nothing if that is outside the model's folder.
+ */
 export function placeOf(model: string, uri: string): string | undefined {
   const hasScheme = /^[a-z][a-z0-9+.-]*:/i.test(uri);
   return hasScheme ? undefined : normalised(`${folderOf(model)}${decoded(uri)}`);
 }
 
-/** Which of what systems leave in folders and archives no model ever means. */
+/** Whether a path is one of the hidden files that systems leave in folders and archives. */
 function isHidden(path: string): boolean {
   return path.split('/').some((name) => name === '__MACOSX' || /^\.[^.]/.test(name));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a file holds, by its content: names are wrong as often as they are missing.
+// The format of a file, found from its content, because names can be wrong or missing.
 
 import { GeodesicVoronoiError } from '../errors.js';
 import { isBinaryStl } from './stl_layout.js';
@@ -11,7 +11,7 @@ export type FileFormat = 'glTF' | 'OBJ' | 'PLY' | 'binary STL' | 'text STL' | 'z
 const maxHeadBytes = 2 ** 16;
 const objStatement = /^(v|vt|vn|vp|f|fo|g|o|s|l|p|mtllib|usemtl|mg|lod|maplib)([ \t]|$)/m;
 
-/** The name decides where the content does not: of a file that is broken. */
+/** The name decides only where the content does not, as in a broken file. */
 export function formatOf(bytes: Uint8Array, name: string): FileFormat {
   if (bytes.length === 0) throw unknown('the file is empty');
   if (isBinaryStl(bytes)) return 'binary STL';

@@ -37,7 +37,7 @@ const aliases: Record<string, PlyType> = {
 export interface PlyProperty {
   name: string;
   type: PlyType;
-  /** Of a list, the type of its length. */
+  /** The type of a list's length; undefined for a single value. */
   lengthType?: PlyType;
 }
 
@@ -50,7 +50,7 @@ export interface PlyElement {
 export interface PlyHeader {
   format: PlyFormat;
   elements: PlyElement[];
-  /** Where the data begin. */
+  /** The length of the header: the data begin after it. */
   bytes: number;
   lines: number;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// PLY (the Stanford polygon format), text or binary of either byte order: the places of its vertices, their
-// property `density` if they have it, its faces, and triangle strips, which scans come in. Everything else is
-// passed over.
+// PLY (the Stanford polygon format), text or binary of either byte order: the places of its
+// vertices, their property `density` if they have it, its faces, and triangle strips, which scans
+// come in. Everything else is passed over.
 
 import { GeodesicVoronoiError } from '../errors.js';
 import type { SlicedWork } from '../slices.js';
@@ -28,7 +28,7 @@ export function* readPly(bytes: Uint8Array, limits: SizeLimits): SlicedWork<Read
     header.format === 'ascii'
       ? new TextValues(bytes, header)
       : new BinaryValues(bytes, header.bytes, header.format === 'binary_little_endian');
-  // What it promises, as far as it has the bytes for that.
+  // The count that the header promises, but no more than the file has bytes for.
   const promised = (name: string, leastBytes: number) => {
     const { count } = header.elements.find((element) => element.name === name) ?? { count: 0 };
     return Math.min(count, Math.floor(bytes.length / leastBytes));
@@ -41,16 +41,16 @@ export function* readPly(bytes: Uint8Array, limits: SizeLimits): SlicedWork<Read
 /** The data, value after value. */
 interface Values {
   next(type: PlyType): number;
-  /** Where the last value was, for messages. */
+  /** The place of the last value, for messages. */
   readonly place: string;
-  /** How many of the data are behind, 0 … 1. */
+  /** The share of the data read so far, 0 … 1. */
   readonly share: number;
 }
 
 /** Values read between two places where the work can be interrupted. */
 const valuesPerStep = 256;
 
-/** What becomes of a property's values, or of the list that it is. */
+/** What is done with the values of a property, or with its list. */
 interface Use {
   begin(length: number): void;
   add(value: number): void;
@@ -138,7 +138,9 @@ class PlyReader {
     };
   }
 
-  /** Each vertex makes a triangle with the two before it, every other one turned; -1 begins anew. */
+  /**
+   * Each vertex makes a triangle with the two before it, every other one turned; -1 begins anew.
+   */
   #strips(): Use {
     let [a, b] = [-1, -1];
     let isTurned = false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Polygons of a file, cut into triangles. Every side of a polygon stays a side of one of its triangles,
-// also where corners lie in a line: else the faces beside it would not fit any more.
+// Polygons of a file, cut into triangles. Every side of a polygon stays a side of one of its
+// triangles, also where corners lie in a line: else the faces beside it would not fit any more.
 
 import earcut from 'earcut';
 import type { SlicedWork } from '../slices.js';
@@ -15,13 +15,13 @@ export class Polygons {
   readonly #limits: SizeLimits;
   /** The corners of all polygons, one after the other. */
   readonly #corners: GrowingArray<Int32Array>;
-  /** Of each polygon that is no triangle, the place of its first corner in `#corners`, and their number. */
+  /** Polygons of more than three corners: the index of the first in `#corners`, and the number. */
   readonly #larger = new GrowingArray(Int32Array);
   #start = 0;
   #count = 0;
   #triangles = 0;
 
-  /** As many triangles as are `expected` take the least memory. */
+  /** Exactly the `expected` number of triangles takes the least memory. */
   constructor(limits: SizeLimits, expected = 0) {
     this.#limits = limits;
     this.#corners = new GrowingArray(Int32Array, 3 * expected);

@@ -28,10 +28,10 @@ export interface InputModules {
   draco(): Promise<WebAssembly.Module>;
 }
 
-/** What a file without normals, texture coordinates and parts has to give; a density it may have. */
+/** A model of a format without normals, texture coordinates and parts; its density is optional. */
 export interface ReadModel extends Pick<Triangles, 'positions' | 'indices'> {
   density?: Float64Array;
-  /** What was passed over or changed, a sentence each. */
+  /** Sentences on things that were passed over or changed. */
   notes: string[];
 }
 
@@ -48,7 +48,7 @@ export interface FoundModel {
   file: string;
   format: Exclude<FileFormat, 'zip'>;
   bytes: Uint8Array;
-  /** The content of the file that it means by a URI, if that is among them. */
+  /** The content of the file that a URI of the model refers to, if it is there. */
   resource(uri: string): Promise<Uint8Array | undefined>;
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// STL, binary or text: triangles by their corners' places; its normals follow from those. Which of the
-// two it is, the length says: there are binary files that begin with "solid" as text does.
+// STL, binary or text: triangles by the places of their corners; normals are ignored, since they
+// follow from these. The length tells binary from text, since some binary files begin with "solid",
+// as text does.
 
 import { GeodesicVoronoiError } from '../errors.js';
 import type { SlicedWork } from '../slices.js';
@@ -11,7 +12,7 @@ import type { ReadModel } from './read_model.js';
 import { stlBytes, stlTriangleCount } from './stl_layout.js';
 import { TextWords } from './text_words.js';
 
-/** Triangles or lines between two places where reading can be left. */
+/** Triangles or lines read between two places where the work can be interrupted. */
 const perStep = 64;
 
 export function* readBinaryStl(bytes: Uint8Array, limits: SizeLimits): SlicedWork<ReadModel> {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The words of a text file, line by line, and what goes wrong in one. However long the file is, or a line of
-// it, only a small part of it is a string at a time.
+// The words of a text file, line by line, and what goes wrong in one. However long the file is, or
+// a line of it, only a small part of it is a string at a time.
 
 import { GeodesicVoronoiError } from '../errors.js';
 
@@ -15,7 +15,7 @@ export class TextWords {
   readonly #bytes: Uint8Array;
   readonly #decoder = new TextDecoder();
   #read = 0;
-  /** What is decoded and still needed: from the line's start, or only from the last word's if that is long. */
+  /** Decoded text still needed: from the start of the line, or of the last word in a long line. */
   #text = '';
   #at = 0;
   #lineStart = 0;
@@ -24,7 +24,7 @@ export class TextWords {
   #ended: number;
   #line = 0;
 
-  /** `linesBefore`: of the file, where the bytes are only its end. */
+  /** `linesBefore` counts the file's lines before these bytes, if they are only its end. */
   constructor(bytes: Uint8Array, linesBefore = 0) {
     this.#bytes = bytes;
     this.#ended = linesBefore;
@@ -35,14 +35,14 @@ export class TextWords {
     return this.#line || this.#ended;
   }
 
-  /** How much of the text is behind, 0 … 1. */
+  /** The share of the text read so far, 0 … 1. */
   get share(): number {
     return this.#read / Math.max(1, this.#bytes.length);
   }
 
   /**
-   * Goes to the next line that has words; whether there is one. A line that ends with a backslash goes on in
-   * the next.
+   * Goes to the next line that has words; whether there is one. A line that ends with a backslash
+   * goes on in the next.
    */
   nextLine(): boolean {
     if (this.#line > 0) while (!this.#isLineEnd(this.#peek())) ++this.#at;
@@ -76,7 +76,7 @@ export class TextWords {
     return this.#text.slice(this.#at - length, this.#at);
   }
 
-  /** A number as C prints it, also one that is none: the mesh builder drops what touches those. */
+  /** A number as C prints it, even NaN or infinity: the mesh builder drops triangles with those. */
   nextNumber(): number {
     const word = this.next();
     if (word === undefined) throw this.fault(`a number is missing after '${this.excerpt()}'`);
@@ -115,7 +115,10 @@ export class TextWords {
     return code < 0 || code === lineFeed || code === carriageReturn;
   }
 
-  /** The letter's code; -1 at the end of the text. A backslash and the line's end after it are a space. */
+  /**
+   * The letter's code; -1 at the end of the text. A backslash and the line's end after it are a
+   * space.
+   */
   #peek(): number {
     if (this.#at >= this.#text.length && !this.#decodeMore()) return -1;
     const code = this.#text.charCodeAt(this.#at);

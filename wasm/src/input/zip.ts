@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The files of a zip archive (PKWARE's APPNOTE.TXT), each unpacked when it is read. What the archive
-// says of their sizes is checked first, and nothing is unpacked beyond it: an archive of a few bytes
-// can hold terabytes of zeros.
+// The files of a zip archive (PKWARE's APPNOTE.TXT), each unpacked when it is read. What the
+// archive says of their sizes is checked first, and nothing is unpacked beyond it: an archive of a
+// few bytes can hold terabytes of zeros.
 
 import { Inflate } from 'fflate';
 import { GeodesicVoronoiError } from '../errors.js';
@@ -10,8 +10,8 @@ import { inSlices, type SlicedWork } from '../slices.js';
 import type { ModelFiles, TaskOptions } from '../types.js';
 
 /**
- * Of all files together: models are packed to a quarter or so, and what small ones are packed to does not
- * matter.
+ * The most bytes that all files together may unpack to: models are packed to a quarter or so, and
+ * the ratio of small ones does not matter.
  */
 const mostUnpacked = (packedBytes: number) => 2 ** 25 + 4 * packedBytes;
 /** So little at a time that even zeros, packed a thousandfold, take a few milliseconds. */
@@ -24,7 +24,7 @@ interface Entry {
   isEncrypted: boolean;
   packedSize: number;
   size: number;
-  /** Of the local header that is in front of its data. */
+  /** The place of the local header, which precedes the data. */
   offset: number;
 }
 
@@ -75,7 +75,7 @@ function entriesOf(archive: Uint8Array): Entry[] {
   });
 }
 
-/** Where the record is that ends the archive; only a comment may follow it. */
+/** The place of the record that ends the archive; only a comment may follow it. */
 function endOfDirectory(view: DataView): number {
   const last = view.byteLength - 22;
   for (let at = last; at >= Math.max(0, last - 0xffff); --at) {
@@ -102,7 +102,7 @@ async function unpacked(archive: Uint8Array, entry: Entry, task: TaskOptions): P
   return content;
 }
 
-/** Nothing if it does not come to exactly `size` bytes; stopped as soon as it is more. */
+/** Inflates a file; undefined unless it has exactly `size` bytes. Stops as soon as it has more. */
 function* inflated(packed: Uint8Array, size: number): SlicedWork<Uint8Array | undefined> {
   const content = new Uint8Array(size);
   let length = 0;
