@@ -7,8 +7,8 @@
 
 namespace gvd {
 
-/// Asks for an object's memory without waiting for it. Does nothing where compilers offer no such
-/// hint.
+/// Asks for an object's memory without waiting for it. Does nothing where there is no such
+/// instruction, as in WebAssembly: a load in its place would be waited for in the end.
 template <class Object>
 void prefetch([[maybe_unused]] const Object& object) {
   constexpr std::size_t kCacheLine = 64;
