@@ -395,7 +395,7 @@ suite('the page', () => {
     const bytes = glb(withFlipped(apart(torn, crumb), 0));
     await viewer.after('diagram', () => choose(file('torn.glb', bytes)));
     await group(viewer, 'Model').click();
-    await viewer.page.getByText('How it is made of its file').click();
+    await viewer.page.getByText('How the mesh is built').click();
     assert.match(await text(viewer, '#report'), /Components9/);
     assert.match(
       await text(viewer, '#bare-note'),

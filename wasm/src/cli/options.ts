@@ -53,13 +53,13 @@ export const options = {
     value: 'METHOD',
     parse: oneOf([...samplings, ...worstRegions]),
     optional: true,
-    help: `How to sample: ${listed(samplings)}; size, distortion: always in the region where that is worst (default: random, with --radius farthest)`,
+    help: `How to sample: ${listed(samplings)}; size, distortion: one site after the other, in the region that is worst by that measure (default: random, with --radius farthest)`,
   },
   'per-component': {
     value: 'N',
     parse: integer(0, maxCount),
     default: '0',
-    help: 'How many of the sites that are sampled are at least on each component',
+    help: 'The least number of sites on each component',
   },
   seed: {
     value: 'S',
@@ -126,7 +126,7 @@ export const options = {
     value: 'UNIT|FACTOR',
     parse: scale,
     default: 'm',
-    help: `Unit of lengths in the output and of --radius, of a model in metres as glTF has it: ${listed(units)}; or the factor to multiply with`,
+    help: `Unit of lengths in the output and of --radius, for a model in metres, the unit of glTF: ${listed(units)}; or the factor to multiply with. Coordinates in files of points are the model's own`,
   },
   weld: {
     value: 'SHARE',
@@ -150,7 +150,7 @@ export const options = {
     value: 'NAME=N,…',
     parse: assignments(gltfLimitNames, maxLimit),
     default: '',
-    help: `What a file may ask for, where more is wanted: ${listed(gltfLimitNames)}`,
+    help: `Higher limits on the demands of a file: ${listed(gltfLimitNames)}`,
   },
   output: {
     short: 'o',
