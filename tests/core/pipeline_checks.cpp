@@ -66,12 +66,14 @@ void edit(DynamicDiagram& dynamic, const TriangleMesh& mesh, Random& random) {
 /// `a` is label `labelInB[l]` of `b`.
 AssertionResult haveSameDistances(const TriangleMesh& mesh, const DistanceField& a,
                                   const DistanceField& b, std::span<const int> labelInB) {
+  const auto rounding = [&](double distance) {
+    return 0x1p-44 * distance + 0x1p-52 * mesh.boundingDiagonal();
+  };
   for (int v = 0; v < mesh.vertexCount(); ++v)
     if (!std::ranges::equal(a.at(v), b.at(v),
                             [&](const LabelledDistance& x, const LabelledDistance& y) {
-                              constexpr double kRounding = 0x1p-44;
                               return labelInB[x.label] == y.label &&
-                                     std::abs(x.distance - y.distance) <= kRounding * y.distance;
+                                     std::abs(x.distance - y.distance) <= rounding(y.distance);
                             }))
       return ::testing::AssertionFailure() << "the distances at vertex " << v << " differ";
   return ::testing::AssertionSuccess();
