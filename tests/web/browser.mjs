@@ -231,6 +231,7 @@ export class ViewerPage {
 
   /** Keeps, in the page, what the view shows when only these layers are drawn; returns its number. */
   async picture(layers = ['regions']) {
+    await this.still();
     return this.evaluate(async (viewer, layers) => {
       const before = viewer.getAttribute('layers');
       viewer.layers = layers;

@@ -20,7 +20,12 @@ async function opened(mesh, { sites = 12, ...options } = {}) {
   await viewer.settled();
   await viewer.evaluate((viewer, sites) => viewer.setAttribute('sites', sites), sites);
   const file = { name: 'own.glb', mimeType: '', buffer: Buffer.from(glb(mesh)) };
-  await viewer.after('diagram', () => viewer.page.setInputFiles('#files', file));
+  // Not just the next diagram: the page evens out the regions of its first model meanwhile.
+  await viewer.after('load', () => viewer.page.setInputFiles('#files', file));
+  await viewer.page.waitForFunction((sites) => {
+    const { status, diagram, sites: now } = document.querySelector('geodesic-voronoi');
+    return status === 'ready' && diagram && now.face.length === sites;
+  }, sites);
   return viewer;
 }
 
