@@ -58,7 +58,7 @@ void EdgeBounds::remove(int label, const SurfacePoint& site) {
 }
 
 bool EdgeBounds::run(long& budget) {
-  constexpr size_t kAhead = 2;
+  constexpr size_t kAhead = 2;  // turns before its own at which a vertex's faces are fetched
   for (; bucket_ < buckets_.size(); ++bucket_) {
     while (!buckets_[bucket_].empty()) {
       if (budget-- <= 0) return false;

@@ -16,12 +16,8 @@ template <class Visit>
 void visitPlaces(const TriangleMesh& mesh, const SurfacePoint& p, Visit visit) {
   const Incidence place = incidenceOf(p.bary);
   if (place.corner >= 0) {
-    const int first = mesh.outgoing(mesh.tail(3 * p.face + place.corner));
-    int h = first;
-    do {
+    for (const int h : mesh.fan(mesh.tail(3 * p.face + place.corner)))
       visit(SurfacePoint{TriangleMesh::faceOf(h), Eigen::Vector3d::Unit(h % 3)});
-      h = mesh.rotate(h);
-    } while (h >= 0 && h != first);
     return;
   }
   visit(p);

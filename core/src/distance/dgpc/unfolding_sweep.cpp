@@ -13,6 +13,7 @@ using Eigen::Vector2d;
 namespace {
 
 constexpr std::array<int, 2> kFromSite = {-1, -1};
+/// The faces around a vertex are fetched into the cache this many turns before its own.
 constexpr size_t kAhead = 2;
 
 }  // namespace
