@@ -32,8 +32,8 @@ void sortByLabel(std::vector<Requirement>& requirements, int labelCount) {
 
 }  // namespace
 
-KnownLabels::KnownLabels(const TriangleMesh& mesh, const SiteSet& sites,
-                         const NearestBounds& bounds, LabelSpread& spread, bool isUnbounded)
+KnownLabels::KnownLabels(const TriangleMesh& mesh, const SiteSet& sites, NearestBounds& bounds,
+                         LabelSpread& spread, bool isUnbounded)
     : mesh_(mesh),
       sites_(sites),
       bounds_(bounds),
@@ -54,6 +54,7 @@ void KnownLabels::beginChange() {
   changedVertices_.clear();
   changedFaces_.clear();
   changedLabels_.clear();
+  newlyFinal_.clear();
   ties_.clear();
   requirements_.clear();
 }
@@ -85,11 +86,11 @@ void KnownLabels::start(std::span<const int> started, std::span<const int> resum
 
 bool KnownLabels::step(long& budget) {
   return sequence_.run(
-      [&] { return markFinal(budget); }, [&] { findAffected(); },
+      [&] { return markFinal(budget); }, [&] { findAffected(); }, [&] { return findTies(budget); },
       [&] {
         return forFaces(affectedFaces_, budget, [&](int f) { owners_.reset(f, requirements_); });
       },
-      [&] { return findTies(budget); },
+      [&] { addTies(); },
       [&] {
         const bool isDone = require(budget);
         constexpr double kShare = 0.9;
@@ -122,40 +123,41 @@ bool KnownLabels::forEach(size_t count, long& budget, Work work) {
   return true;
 }
 
-/// Marks the distances that are final because the label owns the vertex, and notes ties.
+/// Marks the distances that are final because the label owns the vertex or ties with its owner.
 bool KnownLabels::markFinal(long& budget) {
   return forEach(started_.size() + resumed_.size(), budget, [&](size_t i) {
     const int label = i < started_.size() ? started_[i] : resumed_[i - started_.size()];
     std::vector<ReachedVertex>& reached = spread_.reached(label);
     for (ReachedVertex& r : reached) {
-      const LabelledDistance& nearest = bounds_[r.vertex];
-      if (!isAtMost(r.distance, nearest.distance)) continue;
-      r.isFinal = true;
-      if (nearest.label != label) ties_.push_back({r.vertex, label});
+      if (!isAtMost(r.distance, bounds_[r.vertex].distance)) continue;
+      noteTie(r.vertex, label);
+      if (!std::exchange(r.isFinal, true) && !areAllNew()) newlyFinal_.push_back(r.vertex);
     }
     return 1 + static_cast<long>(reached.size()) / kPerUnit;
   });
 }
 
+/// Notes that a label ties with the owner of a vertex. The lower one of the two owns it.
+void KnownLabels::noteTie(int vertex, int label) {
+  int& owner = bounds_[vertex].label;
+  if (owner == label) return;
+  ties_.push_back({vertex, std::max(owner, label)});
+  owner = std::min(owner, label);
+}
+
 // --- Owners ------------------------------------------------------------------------------------
 
-/// Finds the faces whose owners may have changed: those around vertices whose owner has been
-/// inserted or removed.
+/// Finds the faces whose owners may have changed: those around vertices whose owner is gone, or
+/// where a label has become owner or ties with it.
 void KnownLabels::findAffected() {
   if (areAllNew()) {
     affectedFaces_.addAll();
     changedVertices_.addAll();
     return;
   }
-  const auto addFacesAround = [&](int v) {
-    mesh_.visitFaces(v, [&](int f) { affectedFaces_.add(f); });
-  };
-  for (const int v : resetVertices_) addFacesAround(v);
-  for (const int label : started_) {
-    for (const ReachedVertex& r : spread_.reached(label))
-      if (r.isFinal) addFacesAround(r.vertex);
-    addFacesOfSite(label);
-  }
+  for (const auto& vertices : {resetVertices_, std::span<const int>(newlyFinal_)})
+    for (const int v : vertices) mesh_.visitFaces(v, [&](int f) { affectedFaces_.add(f); });
+  for (const int label : started_) addFacesOfSite(label);
   for (const int f : affectedFaces_.list())
     for (int h = 3 * f; h < 3 * f + 3; ++h) changedVertices_.add(mesh_.tail(h));
   resetInterpolatedAround();
@@ -171,24 +173,25 @@ void KnownLabels::resetInterpolatedAround() {
     });
 }
 
-/// Makes labels that tie with the owner of a vertex owners of the affected faces around it: labels
-/// that have spread in this change, and labels listed there before.
+/// Finds the labels that tie at a changed vertex among those that were known there before.
 bool KnownLabels::findTies(long& budget) {
-  const auto add = [&](int vertex, int label) {
-    mesh_.visitFaces(vertex, [&](int f) {
-      if (affectedFaces_.contains(f)) owners_.add(f, label, false, requirements_);
-    });
-  };
-  for (const auto& [vertex, label] : ties_) add(vertex, label);
-  ties_.clear();
   return loop_.run(changedVertices_.size(), budget, kPerUnit, [&](int i) {
     const int v = changedVertices_.list()[i];
-    const LabelledDistance& nearest = bounds_[v];
-    for (const LabelledDistance& d : lists_[v])
-      if (d.label != nearest.label && sites_.contains(d.label) &&
-          isAtMost(d.distance, nearest.distance) && !hasStarted_[d.label])
-        add(v, d.label);
+    for (const LabelledDistance& d : lists_[v]) {
+      if (!sites_.contains(d.label) || hasStarted_[d.label]) continue;
+      // Not the listed distance: it may have been made equal to that of a label that is gone.
+      const ReachedVertex& r = spread_.reached(d.label)[lists_.reachedIndex(v, d.label)];
+      if (isAtMost(r.distance, bounds_[v].distance)) noteTie(v, d.label);
+    }
   });
+}
+
+/// Makes labels that tie with the owner of a vertex owners of the affected faces around it.
+void KnownLabels::addTies() {
+  for (const auto& [vertex, label] : ties_)
+    mesh_.visitFaces(vertex, [&, tie = label](int f) {
+      if (affectedFaces_.contains(f)) owners_.add(f, tie, false, requirements_);
+    });
 }
 
 // --- Required distances ------------------------------------------------------------------------

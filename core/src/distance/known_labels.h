@@ -29,7 +29,8 @@ namespace gvd {
 /// The result depends on the distances only, not on the changes that led to them.
 class KnownLabels {
  public:
-  KnownLabels(const TriangleMesh& mesh, const SiteSet& sites, const NearestBounds& bounds,
+  /// Sets the owners in `bounds` where labels tie.
+  KnownLabels(const TriangleMesh& mesh, const SiteSet& sites, NearestBounds& bounds,
               LabelSpread& spread, bool isUnbounded);
 
   std::span<const LabelledDistance> operator[](int vertex) const { return lists_[vertex]; }
@@ -66,9 +67,11 @@ class KnownLabels {
 
   void addFacesOfSite(int label);
   bool markFinal(long& budget);
+  void noteTie(int vertex, int label);
   void findAffected();
   void resetInterpolatedAround();
   bool findTies(long& budget);
+  void addTies();
   bool require(long& budget);
   void collectLists();
   bool listLabels(long& budget);
@@ -81,7 +84,7 @@ class KnownLabels {
 
   const TriangleMesh& mesh_;
   const SiteSet& sites_;
-  const NearestBounds& bounds_;
+  NearestBounds& bounds_;
   LabelSpread& spread_;
   const bool isUnbounded_;
   FaceOwners owners_;
@@ -96,6 +99,7 @@ class KnownLabels {
   size_t cursor_ = 0;  ///< of loops whose rounds differ in cost
   bool isLabelBegun_ = false;
   double progress_ = 1;
+  std::vector<int> newlyFinal_;      ///< vertices where a distance has become final
   std::vector<LabelAtVertex> ties_;  ///< labels that are as near as the owner
   IndexSet affectedFaces_;           ///< faces whose owners may have changed
   IndexSet changedVertices_;         ///< vertices whose lists may have changed

@@ -45,11 +45,9 @@ class LabelSpread {
   /// The vertices that a label has reached, in a stable order: new ones are appended.
   virtual std::vector<ReachedVertex>& reached(int label) = 0;
   virtual const std::vector<ReachedVertex>& reached(int label) const = 0;
-  /// The labels that have to start again because `EdgeBounds` has changed at some vertices.
-  virtual std::vector<int> outdated(std::span<const int> changedVertices) = 0;
-  /// Appends the labels that have reached a vertex, as candidates to own it after its owner is
-  /// removed. Appends nothing if the labels listed around the vertex are candidates enough.
-  virtual void appendReaching(int vertex, std::vector<int>& labels) = 0;
+  /// Whether `EdgeBounds` limit how far labels spread: then the labels that have reached a vertex
+  /// have to start again when its edge bound changes.
+  virtual bool obeysEdgeBounds() const = 0;
   /// Candidates for the nearest label at a point that is no vertex, with their distances: each
   /// label once, and all labels that tie for nearest are among them.
   virtual std::vector<LabelledDistance> nearestAt(const SurfacePoint& p,

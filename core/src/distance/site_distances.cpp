@@ -41,6 +41,7 @@ SiteDistances::SiteDistances(const TriangleMesh& mesh, Metric metric, Spread spr
       edgeBounds_(mesh, sites_),
       bounds_(mesh.vertexCount()),
       spread_(makeSpread(mesh, metric, spread, sites_, edgeBounds_, bounds_)),
+      reaching_(mesh.vertexCount()),
       known_(mesh, sites_, bounds_, *spread_, spread == Spread::kEverywhere) {}
 
 // --- A change ----------------------------------------------------------------------------------
@@ -52,6 +53,7 @@ void SiteDistances::change(std::span<const SiteChange> changes) {
   resumed_.clear();
   resetVertices_.clear();
   known_.beginChange();
+  if (sites_.count() > 0) reaching_.collect(*spread_, sites_.labelCount());
   std::vector<int> leaving;
   for (const SiteChange& c : changes)
     if (sites_.contains(c.label)) leaving.push_back(c.label);
@@ -70,8 +72,8 @@ void SiteDistances::change(std::span<const SiteChange> changes) {
   stage_ = Stage::kBounds;
 }
 
-/// Forgets the distances of some labels. Other labels known at those vertices may have to go on, so
-/// they are resumed.
+/// Forgets the distances of some labels. Other labels that have reached their vertices may have to
+/// go on, so they are resumed: the neighbours, and labels that tie with a neighbour farther on.
 void SiteDistances::forget(std::span<const int> labels) {
   IndexSet vertices(mesh_.vertexCount());
   for (const int label : labels) {
@@ -79,15 +81,16 @@ void SiteDistances::forget(std::span<const int> labels) {
     for (const ReachedVertex& r : spread_->reached(label)) {
       if (!r.isFinal) continue;
       vertices.add(r.vertex);
-      if (bounds_[r.vertex].label != label) continue;
-      spread_->appendReaching(r.vertex, resumed_);
-      bounds_[r.vertex] = {};
+      LabelledDistance& nearest = bounds_[r.vertex];
+      if (nearest.label < 0 || !isAtMost(r.distance, nearest.distance)) continue;
+      nearest = {};
       resetVertices_.push_back(r.vertex);
     }
   }
   for (const int v : vertices.list())
-    for (const LabelledDistance& d : known_[v]) resumed_.push_back(d.label);
+    resumed_.insert(resumed_.end(), reaching_[v].begin(), reaching_[v].end());
   makeSet(resumed_);
+  reaching_.remove(*spread_, labels);
   spread_->remove(labels);
 }
 
@@ -123,7 +126,11 @@ double SiteDistances::progress() const {
 /// labels have already found.
 void SiteDistances::lowerBounds() {
   if (sites_.count() > static_cast<int>(started_.size())) {
-    const std::vector<int> outdated = spread_->outdated(edgeBounds_.changed());
+    std::vector<int> outdated;
+    if (spread_->obeysEdgeBounds())
+      for (const int v : edgeBounds_.changed())
+        outdated.insert(outdated.end(), reaching_[v].begin(), reaching_[v].end());
+    makeSet(outdated);
     forget(outdated);
     started_.insert(started_.end(), outdated.begin(), outdated.end());
   }

@@ -11,6 +11,7 @@
 #include "distance/known_labels.h"
 #include "distance/label_spread.h"
 #include "distance/nearest_bounds.h"
+#include "distance/reaching_labels.h"
 #include "distance/site_set.h"
 #include "gvd/geodesic.h"
 #include "gvd/triangle_mesh.h"
@@ -83,6 +84,7 @@ class SiteDistances final : public DistanceField {
   EdgeBounds edgeBounds_;
   NearestBounds bounds_;
   std::unique_ptr<LabelSpread> spread_;
+  ReachingLabels reaching_;
   KnownLabels known_;
 
   // The current change.

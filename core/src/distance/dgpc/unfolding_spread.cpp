@@ -26,8 +26,7 @@ UnfoldingSpread::UnfoldingSpread(const TriangleMesh& mesh, const SiteSet& sites,
              [this](int v) {
                return isUnbounded_ ? kInfinity : edgeBounds_[v] + mesh_.longestEdge(v);
              }),
-      indexOf_(mesh.vertexCount(), -1),
-      reaching_(mesh.vertexCount()) {}
+      indexOf_(mesh.vertexCount(), -1) {}
 
 void UnfoldingSpread::start(int label) {
   if (label >= static_cast<int>(labels_.size())) labels_.resize(label + 1);
@@ -54,20 +53,11 @@ void UnfoldingSpread::store() {
     known.vertices.push_back({v, false, sweep_.distance(v)});
     known.directions.push_back(sweep_.direction(v));
     lower(bounds_[v], label, sweep_.distance(v));
-    if (isReachingKnown_) reaching_.add(v, label);
   }
   known.sweptCount = static_cast<int>(known.vertices.size());
 }
 
 void UnfoldingSpread::remove(std::span<const int> labels) {
-  if (isReachingKnown_) {
-    const IndexSet gone(static_cast<int>(labels_.size()), labels);
-    IndexSet vertices(mesh_.vertexCount());
-    for (const int label : labels)
-      for (const ReachedVertex& r : labels_[label].vertices)
-        if (vertices.add(r.vertex))
-          reaching_.eraseIf(r.vertex, [&](int l) { return gone.contains(l); });
-  }
   for (const int label : labels) labels_[label] = {};
 }
 
@@ -136,27 +126,6 @@ void UnfoldingSpread::sweepToRequired(int label) {
     r.distance = sweep.distance(r.vertex);
     known.directions[i] = sweep.direction(r.vertex);
   }
-}
-
-// --- Changes -----------------------------------------------------------------------------------
-
-void UnfoldingSpread::indexReaching() {
-  if (std::exchange(isReachingKnown_, true)) return;
-  for (int label = 0; label < static_cast<int>(labels_.size()); ++label)
-    for (const ReachedVertex& r : labels_[label].vertices) reaching_.add(r.vertex, label);
-}
-
-std::vector<int> UnfoldingSpread::outdated(std::span<const int> changedVertices) {
-  indexReaching();
-  std::vector<int> labels;
-  for (const int v : changedVertices) appendReaching(v, labels);
-  makeSet(labels);
-  return labels;
-}
-
-void UnfoldingSpread::appendReaching(int vertex, std::vector<int>& labels) {
-  indexReaching();
-  for (const int label : reaching_[vertex]) labels.push_back(label);
 }
 
 // --- Queries -----------------------------------------------------------------------------------

@@ -11,7 +11,6 @@
 #include "distance/label_spread.h"
 #include "distance/nearest_bounds.h"
 #include "distance/site_set.h"
-#include "distance/small_lists.h"
 
 namespace gvd::dgpc {
 
@@ -35,8 +34,7 @@ class UnfoldingSpread final : public LabelSpread {
   const std::vector<ReachedVertex>& reached(int label) const override {
     return labels_[label].vertices;
   }
-  std::vector<int> outdated(std::span<const int> changedVertices) override;
-  void appendReaching(int vertex, std::vector<int>& labels) override;
+  bool obeysEdgeBounds() const override { return true; }
   std::vector<LabelledDistance> nearestAt(const SurfacePoint& p, const KnownLabels& known) override;
   std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
       std::span<const LabelledPoint> points, const KnownLabels& known) override;
@@ -52,7 +50,6 @@ class UnfoldingSpread final : public LabelSpread {
   void store();
   void requireVertex(Label& known, int vertex) const;
   void sweepToRequired(int label);
-  void indexReaching();
   class PointDistances;
   double distanceAt(int label, const SurfacePoint& p, const KnownLabels& known) const;
 
@@ -65,9 +62,6 @@ class UnfoldingSpread final : public LabelSpread {
   std::vector<Label> labels_;
   int running_ = -1;
   std::vector<int> indexOf_;  ///< per vertex in the current label, -1
-  /// The labels that have reached each vertex; built on first use (`indexReaching`).
-  SmallLists<int> reaching_;
-  bool isReachingKnown_ = false;
 };
 
 }  // namespace gvd::dgpc

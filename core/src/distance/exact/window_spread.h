@@ -33,8 +33,7 @@ class WindowSpread final : public LabelSpread {
   const std::vector<ReachedVertex>& reached(int label) const override {
     return labels_[label].vertices;
   }
-  std::vector<int> outdated(std::span<const int> /*changedVertices*/) override { return {}; }
-  void appendReaching(int /*vertex*/, std::vector<int>& /*labels*/) override {}
+  bool obeysEdgeBounds() const override { return false; }
   std::vector<LabelledDistance> nearestAt(const SurfacePoint& p, const KnownLabels& known) override;
   std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
       std::span<const LabelledPoint> points, const KnownLabels& known) override;
