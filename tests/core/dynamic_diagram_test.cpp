@@ -322,6 +322,19 @@ TEST(DynamicDiagram, LetsTiesFarAwayGoOnAfterARemoval) {
   EXPECT_TRUE(isUpToDate(mesh, dynamic, Metric::kExact));
 }
 
+/// Through faces 1e11 times as long as wide, straight paths along the strip come out longer than
+/// the path along its edges, by more than rounding of the path's length alone.
+TEST(DynamicDiagram, KnowsTiesOfPathsThroughLongFaces) {
+  const TriangleMesh mesh = shapes::Shape{{0,    0, 0, 1,    0, 0, 2, 1, 0, 3, 1, 0, 4, 2, 0, 0, 0,
+                                           1e30, 0, 1, 1e30, 5, 3, 0, 6, 3, 0, 7, 4, 0, 8, 4, 0},
+                                          {0, 1, 3, 0, 3, 2, 2, 3, 5, 2, 5, 4, 4, 5,
+                                           7, 4, 7, 6, 6, 7, 9, 6, 9, 8, 8, 9, 10}}
+                                .mesh();
+  DynamicDiagram dynamic(mesh, std::vector<SurfacePoint>{{0, {0, 0, 1}}});
+  dynamic.insertSite({0, {1, 0, 0}});
+  EXPECT_TRUE(isUpToDate(mesh, dynamic, Metric::kExact));
+}
+
 /// At the last vertex, site 1 ties with no other, but the first path found to it from site 2 is
 /// longer and ties with that of site 1.
 TEST(DynamicDiagram, GivesVerticesByFinalDistances) {

@@ -67,7 +67,7 @@ void edit(DynamicDiagram& dynamic, const TriangleMesh& mesh, Random& random) {
 AssertionResult haveSameDistances(const TriangleMesh& mesh, const DistanceField& a,
                                   const DistanceField& b, std::span<const int> labelInB) {
   const auto rounding = [&](double distance) {
-    return 0x1p-44 * distance + 0x1p-52 * mesh.boundingDiagonal();
+    return 0x1p-44 * distance + 0x1p-46 * mesh.boundingDiagonal();
   };
   for (int v = 0; v < mesh.vertexCount(); ++v)
     if (!std::ranges::equal(a.at(v), b.at(v),

@@ -8,15 +8,31 @@
 #include <span>
 
 #include "gvd/geodesic.h"
+#include "gvd/triangle_mesh.h"
 
 namespace gvd {
 
-/// The relative rounding error that distances may carry, and so the one answer to "is this a tie?".
-/// One unfolding rounds by a few 2^-53, amplified by at most the ratio of distance to edge length;
-/// over the hundred or so unfoldings of a path, the error stayed below 2^-44 on all meshes
-/// measured. 2^-41 leaves a margin of eight and is still too small to see: a bisector moves by less
-/// than 2^-41 · d² / |s - s'| where two distances are taken for equal that are not.
+/// The relative rounding error that distances may carry. One unfolding rounds by a few 2^-53,
+/// amplified by at most the ratio of distance to edge length; over the hundred or so unfoldings of
+/// a path, the error stayed below 2^-44 on all meshes measured. 2^-41 leaves a margin of eight and
+/// is still too small to see: a bisector moves by less than 2^-41 · d² / |s - s'| where two
+/// distances are taken for equal that are not.
 inline constexpr double kDistanceTolerance = 0x1p-41;
+
+/// Which distances on a mesh are equal up to rounding, and so the one answer to "is this a tie?".
+/// Near a site, faces may be much longer than distances. Unfolding across one of them rounds by a
+/// few 2^-53 of its size, across a hundred of them by 2^-46 of the bounding diagonal.
+class TieTolerance {
+ public:
+  explicit TieTolerance(const TriangleMesh& mesh) : absolute_(0x1p-46 * mesh.boundingDiagonal()) {}
+  /// Whether a distance is at most another one, up to rounding.
+  bool isAtMost(double distance, double other) const {
+    return distance <= other * (1 + kDistanceTolerance) + absolute_;
+  }
+
+ private:
+  double absolute_;
+};
 
 /// Points of a diagram are one point if their error bounds overlap; this caps the bounds, in
 /// barycentric coordinates, where nearly parallel bisectors would make them large. A tenth of the
@@ -55,6 +71,6 @@ inline constexpr double kFlatCurvature = 1e-9;
 /// Sets distances at one place that are equal up to rounding to the least of them. All distances
 /// that a diagram is traced from pass through here, so that later comparisons can be exact. Returns
 /// whether any distance has changed.
-bool equalizeTies(std::span<LabelledDistance> here);
+bool equalizeTies(std::span<LabelledDistance> here, const TieTolerance& ties);
 
 }  // namespace gvd

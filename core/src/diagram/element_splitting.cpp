@@ -147,7 +147,7 @@ void ElementSplitting::setLabels(std::span<const double> distances) {
     found.clear();
     for (int i = 0; i < count; ++i, ++point, ++distance)
       if (*distance < kInfinity) found.push_back({point->label, *distance});
-    equalizeTies(found);
+    equalizeTies(found, ties_);
     nodes_.setLabels(node++, found);
   }
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/sliced_loop.h"
+#include "base/tolerances.h"
 #include "diagram/node_labels.h"
 #include "gvd/geodesic.h"
 
@@ -44,9 +45,9 @@ struct Elements {
 /// neighbours until every side between elements of different size has a single owner.
 class ElementSplitting {
  public:
-  ElementSplitting(const DistanceField& distances, int detail, Elements& elements,
-                   NodeLabels& nodes)
-      : distances_(distances), detail_(detail), elements_(elements), nodes_(nodes) {}
+  ElementSplitting(const TriangleMesh& mesh, const DistanceField& distances, int detail,
+                   Elements& elements, NodeLabels& nodes)
+      : ties_(mesh), distances_(distances), detail_(detail), elements_(elements), nodes_(nodes) {}
   bool step(long& budget);
 
  private:
@@ -60,6 +61,7 @@ class ElementSplitting {
   void setLabels(std::span<const double> distances);
   int commonOwner(int element) const { return nodes_.commonOwner(elements_.nodes(element)); }
 
+  const TieTolerance ties_;
   const DistanceField& distances_;
   const int detail_;
   Elements& elements_;

@@ -62,7 +62,8 @@ bool FaceComplex::takeMesh(long& budget) {
 bool FaceComplex::finish(long& budget) {
   return finishing_.run(
       [&] {
-        return detail_ == 0 || runPart(splitting_, budget, distances_, detail_, elements_, nodes_);
+        return detail_ == 0 ||
+               runPart(splitting_, budget, mesh_, distances_, detail_, elements_, nodes_);
       },
       [&] { return !isOwn_ || matchTwins(budget); }, [&] { soleOwner_.reserve(elementCount()); },
       [&] {

@@ -129,7 +129,7 @@ bool KnownLabels::markFinal(long& budget) {
     const int label = i < started_.size() ? started_[i] : resumed_[i - started_.size()];
     std::vector<ReachedVertex>& reached = spread_.reached(label);
     for (ReachedVertex& r : reached) {
-      if (!isAtMost(r.distance, bounds_[r.vertex].distance)) continue;
+      if (!bounds_.ties().isAtMost(r.distance, bounds_[r.vertex].distance)) continue;
       noteTie(r.vertex, label);
       if (!std::exchange(r.isFinal, true) && !areAllNew()) newlyFinal_.push_back(r.vertex);
     }
@@ -181,7 +181,7 @@ bool KnownLabels::findTies(long& budget) {
       if (!sites_.contains(d.label) || hasStarted_[d.label]) continue;
       // Not the listed distance: it may have been made equal to that of a label that is gone.
       const ReachedVertex& r = spread_.reached(d.label)[lists_.reachedIndex(v, d.label)];
-      if (isAtMost(r.distance, bounds_[v].distance)) noteTie(v, d.label);
+      if (bounds_.ties().isAtMost(r.distance, bounds_[v].distance)) noteTie(v, d.label);
     }
   });
 }
@@ -263,7 +263,7 @@ bool KnownLabels::listLabels(long& budget) {
         return 1 + static_cast<long>(reached.size()) / kPerUnit;
       }))
     return false;
-  for (const int v : changedVertices_.list()) lists_.equalizeTies(v);
+  for (const int v : changedVertices_.list()) lists_.equalizeTies(v, bounds_.ties());
   return true;
 }
 
@@ -314,7 +314,7 @@ void KnownLabels::extendLists() {
 /// A new label may lower the distances of labels that tie with it (`equalizeTies`); the closure
 /// then has to check these labels again.
 void KnownLabels::noteAdded(int vertex) {
-  if (lists_.equalizeTies(vertex))
+  if (lists_.equalizeTies(vertex, bounds_.ties()))
     for (const LabelledDistance& d : lists_[vertex]) added_.push_back({vertex, d.label});
   if (areAllNew()) return;
   mesh_.visitFaces(vertex, [&](int f) { changedFaces_.add(f); });

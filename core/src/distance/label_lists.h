@@ -47,7 +47,9 @@ class LabelLists {
     distances_.insert(vertex, place, added);
     indices_.insert(vertex, place, reachedIndex);
   }
-  bool equalizeTies(int vertex) { return gvd::equalizeTies(distances_[vertex]); }
+  bool equalizeTies(int vertex, const TieTolerance& ties) {
+    return gvd::equalizeTies(distances_[vertex], ties);
+  }
 
  private:
   SmallLists<LabelledDistance> distances_;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <vector>
 
 #include "base/tolerances.h"
 #include "gvd/geodesic.h"
+#include "gvd/triangle_mesh.h"
 
 namespace gvd {
 
@@ -13,18 +13,26 @@ namespace gvd {
 /// its label; -1 while the distance is only the length of a path along edges. Once all labels have
 /// spread, the label is the lowest of those that tie with the least distance: the owner
 /// (`KnownLabels`).
-using NearestBounds = std::vector<LabelledDistance>;
+class NearestBounds {
+ public:
+  explicit NearestBounds(const TriangleMesh& mesh, double distance = kInfinity)
+      : ties_(mesh), nearest_(mesh.vertexCount(), {-1, distance}) {}
 
-/// Whether a distance is at most another one, up to rounding.
-inline bool isAtMost(double distance, double other) {
-  return distance <= other * (1 + kDistanceTolerance);
-}
+  const LabelledDistance& operator[](int vertex) const { return nearest_[vertex]; }
+  LabelledDistance& operator[](int vertex) { return nearest_[vertex]; }
+  const TieTolerance& ties() const { return ties_; }
 
-/// Lowers a bound by the distance of a label. A label takes over the bound by a path along edges
-/// even if rounding makes its distance longer than that path.
-inline void lower(LabelledDistance& bound, int label, double distance) {
-  const bool isFirst = bound.label < 0 && isAtMost(distance, bound.distance);
-  if (isFirst || distance < bound.distance) bound = {label, distance};
-}
+  /// Lowers a bound by the distance of a label. A label takes over the bound by a path along edges
+  /// even if rounding makes its distance longer than that path.
+  void lower(int vertex, int label, double distance) {
+    LabelledDistance& bound = nearest_[vertex];
+    const bool isFirst = bound.label < 0 && ties_.isAtMost(distance, bound.distance);
+    if (isFirst || distance < bound.distance) bound = {label, distance};
+  }
+
+ private:
+  TieTolerance ties_;
+  std::vector<LabelledDistance> nearest_;
+};
 
 }  // namespace gvd

@@ -39,7 +39,7 @@ SiteDistances::SiteDistances(const TriangleMesh& mesh, Metric metric, Spread spr
     : mesh_(mesh),
       sites_(mesh),
       edgeBounds_(mesh, sites_),
-      bounds_(mesh.vertexCount()),
+      bounds_(mesh),
       spread_(makeSpread(mesh, metric, spread, sites_, edgeBounds_, bounds_)),
       reaching_(mesh.vertexCount()),
       known_(mesh, sites_, bounds_, *spread_, spread == Spread::kEverywhere) {}
@@ -82,7 +82,7 @@ void SiteDistances::forget(std::span<const int> labels) {
       if (!r.isFinal) continue;
       vertices.add(r.vertex);
       LabelledDistance& nearest = bounds_[r.vertex];
-      if (nearest.label < 0 || !isAtMost(r.distance, nearest.distance)) continue;
+      if (nearest.label < 0 || !bounds_.ties().isAtMost(r.distance, nearest.distance)) continue;
       nearest = {};
       resetVertices_.push_back(r.vertex);
     }
@@ -146,7 +146,7 @@ void SiteDistances::lowerBounds() {
   // If a path along edges is now shorter than the owner's distance, the owner is dropped: which
   // labels reach the new bound must not depend on earlier changes.
   for (const int v : edgeBounds_.changed()) {
-    if (isAtMost(bounds_[v].distance, edgeBounds_[v])) continue;
+    if (bounds_.ties().isAtMost(bounds_[v].distance, edgeBounds_[v])) continue;
     bounds_[v] = {-1, edgeBounds_[v]};
     resetVertices_.push_back(v);
   }
@@ -163,8 +163,7 @@ void SiteDistances::lowerBounds() {
 
 /// Lowers the bounds to the distances of a label.
 void SiteDistances::lowerBy(int label) {
-  for (const ReachedVertex& r : spread_->reached(label))
-    lower(bounds_[r.vertex], label, r.distance);
+  for (const ReachedVertex& r : spread_->reached(label)) bounds_.lower(r.vertex, label, r.distance);
 }
 
 bool SiteDistances::spread(long& budget) {
@@ -235,10 +234,10 @@ LabelledDistance SiteDistances::nearest(const SurfacePoint& p) const {
   LabelledDistance best;
   bool isBestKnown = false;
   for (const auto& [label, distance] : spread_->nearestAt(p, known_)) {
-    if (!(isAtMost(distance, best.distance) && distance < kInfinity)) continue;
+    if (!(bounds_.ties().isAtMost(distance, best.distance) && distance < kInfinity)) continue;
     // Of labels that tie, prefer those known around the point, then the lowest.
     const bool isKnown = isKnownAround(label, p);
-    const bool isTie = isAtMost(best.distance, distance);
+    const bool isTie = bounds_.ties().isAtMost(best.distance, distance);
     if (!isTie || isKnown > isBestKnown || (isKnown == isBestKnown && label < best.label)) {
       best.label = label;
       isBestKnown = isKnown;

@@ -52,7 +52,7 @@ void UnfoldingSpread::store() {
   for (const int v : sweep_.reached()) {
     known.vertices.push_back({v, false, sweep_.distance(v)});
     known.directions.push_back(sweep_.direction(v));
-    lower(bounds_[v], label, sweep_.distance(v));
+    bounds_.lower(v, label, sweep_.distance(v));
   }
   known.sweptCount = static_cast<int>(known.vertices.size());
 }

@@ -30,7 +30,7 @@ class PathSearch final : public SlicedWork<std::vector<SurfacePoint>> {
         from_(from),
         to_(to),
         straight_((mesh.position(from) - mesh.position(to)).norm()),
-        nearest_(mesh.vertexCount(), {-1, 0}),
+        nearest_(mesh, 0),
         sweep_(mesh, nearest_) {
     sweep_.start(kLabel, to, SpreadTo::kRequired, state_);
     // As long as nothing is required, all windows wait at the faces around the site.

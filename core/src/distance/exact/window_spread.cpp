@@ -106,7 +106,7 @@ std::vector<LabelledDistance> WindowSpread::nearestAt(const SurfacePoint& p,
   sweep_.search(p, NearestLabels(bounds_), sites_, searched_);
   for (const LabelledDistance& site : sweep_.foundSites()) offer(site.label, site.distance);
   for (const ReachedVertex& r : searched_.vertices)
-    if (isAtMost(r.distance + bounds_[r.vertex].distance, sweep_.shortest()))
+    if (bounds_.ties().isAtMost(r.distance + bounds_[r.vertex].distance, sweep_.shortest()))
       for (const LabelledDistance& d : known[r.vertex]) offer(d.label, r.distance + d.distance);
   return labels;
 }
@@ -129,14 +129,15 @@ std::vector<SurfacePoint> WindowSpread::path(int label, const SurfacePoint& p) {
   sweep_.search(p, NearestLabels(bounds_), sites_, searched_);
   const double nearest = sweep_.shortest();
   std::vector<SurfacePoint> path = pathBack(p, label, known);
-  if (startTo_ == SpreadTo::kEverywhere || isAtMost(sweep_.shortest(), nearest)) return path;
+  if (startTo_ == SpreadTo::kEverywhere || bounds_.ties().isAtMost(sweep_.shortest(), nearest))
+    return path;
   const double least = sweep_.shortest();
   LabelState state = known;
   const RequiredPoint point = {p, least, nearest};
   sweep_.require(label, state, {&point, 1});
   long unlimited = std::numeric_limits<long>::max();
   sweep_.run(unlimited);
-  if (isAtMost(least, sweep_.distanceAtPoint(0))) return path;
+  if (bounds_.ties().isAtMost(least, sweep_.distanceAtPoint(0))) return path;
   index_.reset(state.vertices);
   return pathToSite(mesh_, sites_[label], state, index_, p);
 }

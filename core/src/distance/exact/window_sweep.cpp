@@ -210,7 +210,7 @@ void WindowSweep::offer(int v, double distance, const LastPiece& piece) {
     return;  // the rest of the path is known
   }
   if (own.required >= 0) required_.shorten(own.required, distance);
-  if (lowersBounds_) lower(bounds_[v], label_, distance);
+  if (lowersBounds_) bounds_.lower(v, label_, distance);
   if (own.isSaddle || piece.arrival < 0) queueSource(v);
 }
 
