@@ -152,6 +152,8 @@ void addJsonCases(GltfCases& cases) {
   malformed("{/* */}", 2);
   cases.refused("a number beyond doubles", "the JSON has a number that is too large",
                 bytesOf(R"({"asset":{"version":1e999}})"));
+  cases.refused("a number of 4097 digits", "the JSON has a number of more than 4096 characters",
+                bytesOf("{\"scene\":" + std::string(4097, '9') + "}"));
 
   cases.opens("JSON with a data URI", 1, bytesOf(embeddedJson()));
   cases.opens("JSON after a byte order mark", 1, bytesOf("\xEF\xBB\xBF \r\n" + embeddedJson()));
@@ -173,6 +175,9 @@ void addJsonCases(GltfCases& cases) {
   });
   cases.opens("brackets in strings", 1, [](GlbWriter& file) {
     file.nodes[0] = R"({"mesh":0,"name":")" + nested("[", "\\\"", 300) + "\"}";
+  });
+  cases.opens("a string of 5000 digits after an escaped quote", 1, [](GlbWriter& file) {
+    file.nodes[0] = R"({"mesh":0,"name":"\")" + std::string(5000, '7') + "\"}";
   });
   cases.opens("nested 100 levels deep", 1, [](GlbWriter& file) {
     file.nodes[0] = R"({"mesh":0,"extras":)" + nested("[", "]", 100) + "}";

@@ -17,6 +17,10 @@ using nlohmann::json;
 /// Real files nest about a dozen levels.
 constexpr int kMaxDepth = 128;
 
+/// Digits of a number, and signs, points and exponents. nlohmann's parser holds a number as text
+/// several times.
+constexpr std::size_t kMaxNumberLength = 4096;
+
 /// On average: an accessor has five members, and six more if it is sparse. A member takes 100
 /// bytes.
 constexpr std::uint64_t kMaxMembersPerObject = 8;
@@ -221,6 +225,22 @@ class JsonFilter {
   std::uint64_t objects_ = 0, members_ = 0, elements_ = 0;
 };
 
+/// Throws if a number is too long.
+void requireShortNumbers(std::string_view text) {
+  std::size_t length = 0;  // of the number so far
+  bool isInString = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '"') isInString = !isInString;
+    if (isInString && c == '\\') ++i;  // the next character does not end the string
+    const bool isOfNumber = !isInString && ((c >= '0' && c <= '9') || c == '.' || c == '-');
+    length = isOfNumber ? length + 1 : 0;
+    if (length > kMaxNumberLength) {
+      reject("the JSON has a number of more than " + number(kMaxNumberLength) + " characters");
+    }
+  }
+}
+
 }  // namespace
 
 FilteredJson filterJson(std::string_view text, const GltfLimits& limits) {
@@ -228,6 +248,7 @@ FilteredJson filterJson(std::string_view text, const GltfLimits& limits) {
     reject("the JSON has " + number(text.size()) + " bytes, more than " +
            number(limits.maxJsonBytes) + toRaise("maxJsonBytes"));
   }
+  requireShortNumbers(text);
   JsonFilter filter(limits);
   json::sax_parse(text, &filter);
   return filter.take();
