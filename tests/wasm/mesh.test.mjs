@@ -410,6 +410,37 @@ test('closest points are sites; of a vertex, that vertex', async () => {
   assert.equal((await diagram.locate({ vertex: [0] })).distance[0], 0);
 });
 
+test('points by faces, vertices or places; one point without a list', async () => {
+  const mesh = await gvd.mesh(octahedron());
+  const [first] = mesh.indices;
+  const corner = [0, 1, 2].map((k) => mesh.positions[3 * first + k]);
+  const expected = (await mesh.voronoi({ vertex: [first] })).data.regionArea;
+  for (const site of [
+    { vertex: first },
+    { face: 0, bary: [1, 0, 0] },
+    { face: [0], bary: [1, 0, 0] },
+    { position: corner },
+    { position: corner.map((x) => 3 * x) },
+    await mesh.closestPoints(corner),
+  ]) {
+    const diagram = await mesh.voronoi(site);
+    assert.deepEqual(diagram.data.regionArea, expected);
+    await diagram.insertSite({ position: corner.map((x) => -x) });
+    await diagram.moveSite(0, site);
+    assert.equal(diagram.regions.length, 2);
+    assert.equal((await diagram.locate(site)).label[0], 0);
+    assert.equal((await mesh.path(site, { vertex: first })).length, 0);
+  }
+  await assert.rejects(
+    mesh.voronoi({ position: [0, 1] }),
+    fails('invalid-argument', /sites.position has 2 numbers, not three/),
+  );
+  await assert.rejects(
+    mesh.voronoi({ face: 0, bary: [1, 0, 0, 1, 0, 0] }),
+    fails('invalid-argument', /sites.bary has 6 numbers: the 1 points/),
+  );
+});
+
 test('closest points: what is no place', async () => {
   const mesh = await gvd.mesh(octahedron());
   await assert.rejects(

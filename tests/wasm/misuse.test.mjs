@@ -24,6 +24,7 @@ const notLists = [
   [{}],
   [1n],
 ];
+const notIndices = notLists.filter((value) => typeof value !== 'number');
 const notPoints = [
   ...notObjects,
   [],
@@ -31,8 +32,12 @@ const notPoints = [
   { face: [0] },
   { bary: [1, 0, 0] },
   { face: [0], bary: [1, 0] },
-  ...notLists.map((vertex) => ({ vertex })),
-  ...notLists.map((face) => ({ face, bary: [1, 0, 0] })),
+  ...notIndices.map((vertex) => ({ vertex })),
+  ...notIndices.map((face) => ({ face, bary: [1, 0, 0] })),
+  ...notLists.map((position) => ({ position })),
+  { position: [0, 1] },
+  { position: [0, NaN, 0] },
+  { vertex: 0.5 },
   { vertex: [0.5] },
   { vertex: [NaN] },
   { vertex: [2 ** 32] },
@@ -313,7 +318,7 @@ test('points, wherever they are taken', async () => {
       await refused(
         notPoints,
         f,
-        new RegExp(`^${name}(\\.(face|bary|vertex)(\\[\\d\\])?)? (is|has) `),
+        new RegExp(`^${name}(\\.(face|bary|vertex|position)(\\[\\d\\])?)? (is|has) `),
       );
       await refused(strayPoints, f, /./, 'invalid-point');
     }

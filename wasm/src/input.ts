@@ -110,24 +110,35 @@ function toLimits(limits: GltfLimits): GltfLimits {
   return limits;
 }
 
-/** A list of points, as faces and coordinates of the same length or as vertices. */
+/** Points by triangles and coordinates, by vertices, or by places in space. */
 export function toPoints(
   name: string,
   points: SurfacePointsInput,
-): SurfacePoints | { vertex: Int32Array } {
-  if (isObject(points) && 'vertex' in points)
-    return { vertex: toInt32(`${name}.vertex`, points.vertex) };
-  if (!isObject(points) || !('face' in points) || !('bary' in points)) {
-    throw invalidArgument(`${name} is a list of points: {face, bary} or {vertex}`);
+): SurfacePoints | { vertex: Int32Array } | { position: Float64Array } {
+  if (isObject(points)) {
+    if ('vertex' in points) return { vertex: toIndices(`${name}.vertex`, points.vertex) };
+    if ('face' in points && 'bary' in points) return toBarycentric(name, points);
+    if ('position' in points) return { position: toPlaces(`${name}.position`, points.position) };
   }
-  const face = toInt32(`${name}.face`, points.face);
+  throw invalidArgument(
+    `${name} is ${show(points)}, not points: {face, bary}, {vertex} or {position}`,
+  );
+}
+
+function toBarycentric(
+  name: string,
+  points: Extract<SurfacePointsInput, { face: unknown }>,
+): SurfacePoints {
+  const face = toIndices(`${name}.face`, points.face);
   const bary = toFloat64(`${name}.bary`, points.bary);
-  if (bary.length !== 3 * face.length) {
-    throw invalidArgument(
-      `${name}.bary has ${bary.length} numbers: the ${face.length} points of ${name}.face need three each`,
-    );
-  }
-  return { face, bary };
+  if (bary.length === 3 * face.length) return { face, bary };
+  throw invalidArgument(
+    `${name}.bary has ${bary.length} numbers: the ${face.length} points of ${name}.face need three each`,
+  );
+}
+
+function toIndices(name: string, indices: number | ArrayLike<number>): Int32Array {
+  return toInt32(name, typeof indices === 'number' ? [indices] : indices);
 }
 
 /** Places in space: three finite numbers each. */

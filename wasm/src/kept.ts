@@ -45,15 +45,24 @@ export class Kept {
   }
 
   /**
-   * Points as faces and coordinates; those given by vertices are looked up. `name` is for errors.
+   * Points as faces and coordinates; those given by vertices or places are looked up. `name` is for
+   * errors.
    */
   async points(name: string, points: SurfacePointsInput): Promise<SurfacePoints> {
     const list = toPoints(name, points);
-    if (!('vertex' in list)) return list;
-    return this.engine.callMesh('pointsAtVertices', this.handle, [list.vertex], {});
+    if ('vertex' in list)
+      return this.engine.callMesh('pointsAtVertices', this.handle, [list.vertex], {});
+    if (!('position' in list)) return list;
+    const { face, bary } = await this.engine.callMesh<SurfacePoints>(
+      'closestPoints',
+      this.handle,
+      [list.position],
+      {},
+    );
+    return { face, bary };
   }
 
-  /** One point, given as a list. */
+  /** One point. */
   async point(name: string, point: SurfacePointsInput): Promise<SurfacePoints> {
     const points = await this.points(name, point);
     const { length } = points.face;

@@ -26,10 +26,15 @@ import type {
   WorstRegion,
 } from './results.js';
 
-/** A list of points as an argument: faces with barycentric coordinates, or input vertices. */
+/**
+ * Points of a surface as an argument: input triangles with barycentric coordinates, input vertices,
+ * or places in space, of which the closest points of the surface are taken (`closestPoints`). One
+ * point may be given without lists of one: `{ face: 7, bary: [0.2, 0.3, 0.5] }`, `{ vertex: 40 }`.
+ */
 export type SurfacePointsInput =
-  | { face: ArrayLike<number>; bary: ArrayLike<number> }
-  | { vertex: ArrayLike<number> };
+  | { face: number | ArrayLike<number>; bary: ArrayLike<number> }
+  | { vertex: number | ArrayLike<number> }
+  | { position: ArrayLike<number> };
 
 export interface DistancesOptions extends TaskOptions {
   /** Default 'exact'. */
@@ -227,9 +232,9 @@ export interface Diagram extends Disposable {
    * then.
    */
   fetchData(options?: TaskOptions): Promise<DiagramData>;
-  /** Adds a site, given as a list of one; it gets the lowest label that is free. */
+  /** Adds a site; it gets the lowest label that is free. */
   insertSite(site: SurfacePointsInput, options?: TaskOptions): Promise<DiagramChange>;
-  /** Moves a site to a point, given as a list of one; it keeps its label. */
+  /** Moves a site to a point; it keeps its label. */
   moveSite(label: number, site: SurfacePointsInput, options?: TaskOptions): Promise<DiagramChange>;
   /**
    * Removes a site; the others keep their labels. The label then has an empty region, and
@@ -248,7 +253,7 @@ export interface Diagram extends Disposable {
    * in the worst region, far from its site.
    */
   worstRegionPoint(worst: WorstRegion, options?: TaskOptions): Promise<SurfacePoints>;
-  /** The shortest path from a point, given as a list of one, to its nearest site. */
+  /** The shortest path from a point to its nearest site. */
   path(point: SurfacePointsInput, options?: TaskOptions): Promise<SurfacePath>;
   /** The mesh cut into the regions. */
   partition(options?: PartitionOptions): Promise<Partition>;
@@ -313,7 +318,7 @@ export interface Mesh extends Disposable {
   /** For every input vertex: its nearest site, the distance, and the direction from the site. */
   distances(sites: SurfacePointsInput, options?: DistancesOptions): Promise<Distances>;
   /**
-   * The exact shortest path between two points, given as a list of one each. The search goes no
+   * The exact shortest path between two points, whatever the metric of diagrams. The search goes no
    * farther than the path is long.
    */
   path(

@@ -12,7 +12,7 @@ import {
   toPolygonEncoder,
 } from './encoders.js';
 import { fail } from './failure.js';
-import { FileError, Output, readModel, readNumbers, readPoints, type PointsFile } from './files.js';
+import { FileError, Output, readModel, readNumbers, readPoints } from './files.js';
 import { meshReport } from './mesh_report.js';
 import type { CommandName, Invocation, Values } from './options.js';
 import { ProgressBar } from './progress.js';
@@ -55,6 +55,9 @@ type SiteSource = Pick<
 /** How a model is read. */
 type Reading = Pick<Values, 'limits' | 'weld' | 'orientation' | 'min-component'>;
 /** What may be written to standard error. */
+/** Points by triangles or vertices. */
+type PointsOnSurface = Exclude<SurfacePointsInput, { position: unknown }>;
+
 type Notices = Pick<Values<'diagram'>, 'quiet' | 'progress'>;
 
 /** A mesh that fails does not keep the others from being reported. */
@@ -259,7 +262,7 @@ async function remesh({ mesh: path, values }: Request<'remesh'>): Promise<void> 
   const diagram = await withProgress(values, (onProgress) =>
     explained(mesh, () => mesh.remesh(sites, { ...settings, onProgress })),
   );
-  const first = 'vertex' in sites ? sites.vertex.length : sites.face.length;
+  const first = indicesOf(sites).length;
   const polygons = await diagram.dual();
   const quality = await diagram.remeshQuality();
   await output.write(encode({ mesh, sites: diagram.sites, polygons, quality }, scale));
@@ -316,13 +319,19 @@ function polygonSummary(first: number, diagram: Diagram, { topology }: PolygonMe
   );
 }
 
-/** The points of a list, as lists of one. */
-function singlePoints(points: SurfacePointsInput): SurfacePointsInput[] {
-  if ('vertex' in points) return Array.from(points.vertex, (vertex) => ({ vertex: [vertex] }));
-  return Array.from(points.face, (face, i) => ({
-    face: [face],
+/** Each of some points. */
+function singlePoints(points: PointsOnSurface): SurfacePointsInput[] {
+  if ('vertex' in points) return indicesOf(points).map((vertex) => ({ vertex }));
+  return indicesOf(points).map((face, i) => ({
+    face,
     bary: Array.from({ length: 3 }, (_, k) => points.bary[3 * i + k]),
   }));
+}
+
+/** The vertices of points, or else their triangles. */
+function indicesOf(points: PointsOnSurface): number[] {
+  const indices = 'vertex' in points ? points.vertex : points.face;
+  return typeof indices === 'number' ? [indices] : Array.from(indices);
 }
 
 /** A line about a result that went to a file. */
@@ -357,7 +366,7 @@ async function compute(
 async function openWithSites(
   path: string,
   values: Notices & Reading & SiteSource,
-): Promise<{ mesh: Mesh; sites: SurfacePointsInput }> {
+): Promise<{ mesh: Mesh; sites: PointsOnSurface }> {
   const given = typeof values.sites === 'string' ? await readPoints(values.sites) : undefined;
   const mesh = await openMesh(path, values);
   const sites = given ? await onSurface(mesh, given, values) : await sampled(mesh, values);
@@ -371,10 +380,10 @@ async function openWithSites(
 /** Points of a file; of places in space, the closest points, however far these are. */
 async function onSurface(
   mesh: Mesh,
-  points: PointsFile,
+  points: SurfacePointsInput,
   { quiet, units }: Pick<Values<'diagram'>, 'quiet' | 'units'>,
-): Promise<SurfacePointsInput> {
-  if (!('position' in points) || 'face' in points) return points as SurfacePointsInput;
+): Promise<PointsOnSurface> {
+  if ('face' in points || 'vertex' in points) return points;
   const closest = await mesh.closestPoints(points.position);
   const farthest = closest.distance.reduce((most, d) => Math.max(most, d), 0);
   if (!quiet) {
@@ -385,7 +394,7 @@ async function onSurface(
   return closest;
 }
 
-function sampled(mesh: Mesh, values: Notices & SiteSource): Promise<SurfacePointsInput> {
+function sampled(mesh: Mesh, values: Notices & SiteSource): Promise<PointsOnSurface> {
   const { sites, radius, sampling, seed, 'per-component': perComponent, units } = values;
   const wanted = radius === undefined ? (sites as number) : { radius: radius / units };
   return withProgress(values, (onProgress) =>

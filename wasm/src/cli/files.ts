@@ -124,15 +124,12 @@ export async function readNumbers(path: string): Promise<number[]> {
   throw new FileError(`${nameOf(path)} holds no list of numbers`);
 }
 
-/** Points as files have them: on the surface, or places in space. */
-export type PointsFile = SurfacePointsInput | { position: ArrayLike<number> };
-
 /** Reads a list of sites or points; also the sites of a diagram that this command wrote. */
-export async function readPoints(path: string): Promise<PointsFile> {
+export async function readPoints(path: string): Promise<SurfacePointsInput> {
   const json = await readJson(path);
   const list = has(json, 'sites') ? json.sites : json;
   if (has(list, 'vertex') || (has(list, 'face') && has(list, 'bary')) || has(list, 'position'))
-    return list as PointsFile;
+    return list as SurfacePointsInput;
   throw new FileError(
     `${nameOf(path)} holds no points: {"face", "bary"}, {"vertex"} or {"position"}`,
   );
