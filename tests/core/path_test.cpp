@@ -241,6 +241,13 @@ TEST(ShortestPath, IsBetweenPointsOfTheMesh) {
   EXPECT_EQ(shortestPath(mesh, point, point).size(), 1u);
 }
 
+TEST(ShortestPath, IsEmptyBetweenComponents) {
+  const TriangleMesh mesh =
+      shapes::joined(shapes::triangle(), shapes::moved(shapes::cube(), {5, 0, 0})).mesh();
+  EXPECT_TRUE(shortestPath(mesh, {0, {0.2, 0.3, 0.5}}, {1, {0.2, 0.3, 0.5}}).empty());
+  EXPECT_TRUE(shortestPath(mesh, {1, {1, 0, 0}}, {0, {0.2, 0.3, 0.5}}).empty());
+}
+
 /// Windows that begin just beside the apex of a flat face go on beside it, even if another window
 /// has a shorter way to the apex. Found with the paths between random points of wild meshes.
 TEST(ShortestPath, IsTheSameInBothDirectionsThroughFlatFaces) {

@@ -318,8 +318,8 @@ export interface Mesh extends Disposable {
   /** For every input vertex: its nearest site, the distance, and the direction from the site. */
   distances(sites: SurfacePointsInput, options?: DistancesOptions): Promise<Distances>;
   /**
-   * The exact shortest path between two points, whatever the metric of diagrams. The search goes no
-   * farther than the path is long.
+   * The exact shortest path between two points, whatever the metric of diagrams. The search keeps to
+   * an ellipse around them.
    */
   path(
     from: SurfacePointsInput,

@@ -25,6 +25,9 @@ class EdgeBounds {
   /// to date.
   bool run(long& budget);
 
+  /// Bounds below this are final, to the width of a bucket, while `run` is not done.
+  double front() const { return static_cast<double>(bucket_) / inverseWidth_; }
+
   double operator[](int vertex) const { return vertices_[vertex].bound; }
   /// The vertices at which a bound has changed since the last `clearChanged`, each once.
   const std::vector<int>& changed() const { return changed_; }

@@ -6,10 +6,14 @@
 #include <memory>
 #include <vector>
 
+#include "base/sliced_loop.h"
+#include "distance/edge_bounds.h"
 #include "distance/exact/label_state.h"
 #include "distance/exact/window_path.h"
 #include "distance/exact/window_sweep.h"
+#include "distance/face_layout.h"
 #include "distance/nearest_bounds.h"
+#include "distance/site_set.h"
 #include "gvd/geodesic.h"
 #include "mesh/surface_geometry.h"
 
@@ -22,7 +26,13 @@ using exact::WindowSweep;
 
 constexpr int kLabel = 0;
 
-/// Windows spread from one end until none can reach the other end by a shorter path.
+/// By how much, relatively, a straight path may be longer than one along edges: in needles, lengths
+/// round by a ten-thousandth.
+constexpr double kSlack = 1e-3;
+
+/// Windows spread from one end until none can reach the other end by a shorter path. The length of
+/// a path along edges bounds that of the shortest one from the beginning, so that windows spread
+/// through little more than an ellipse around the two ends.
 class PathSearch final : public SlicedWork<std::vector<SurfacePoint>> {
  public:
   PathSearch(const TriangleMesh& mesh, const SurfacePoint& from, const SurfacePoint& to)
@@ -30,20 +40,21 @@ class PathSearch final : public SlicedWork<std::vector<SurfacePoint>> {
         from_(from),
         to_(to),
         straight_((mesh.position(from) - mesh.position(to)).norm()),
+        end_(mesh),
+        edgeBounds_(mesh, end_),
         nearest_(mesh, 0),
         sweep_(mesh, nearest_) {
-    sweep_.start(kLabel, to, SpreadTo::kRequired, state_);
-    // As long as nothing is required, all windows wait at the faces around the site.
-    long unlimited = std::numeric_limits<long>::max();
-    sweep_.run(unlimited);
-    const exact::RequiredPoint point = {from, kInfinity, 0};
-    if (vertexAt(mesh, from) >= 0)
-      sweep_.require(kLabel, state_, {&from.face, 1});
-    else
-      sweep_.require(kLabel, state_, {&point, 1});
+    end_.insert(kLabel, to);
+    edgeBounds_.insert(kLabel);
   }
 
-  bool step(long budget) override { return isDone_ = sweep_.run(budget); }
+  bool step(long budget) override {
+    const bool isConnected = mesh_.component(from_.face) == mesh_.component(to_.face);
+    isDone_ = !isConnected || sequence_.run([&] { return boundByEdges(budget); },
+                                            [&] { startSearch(mostByEdges() * (1 + kSlack)); },
+                                            [&] { return sweep_.run(budget); });
+    return isDone_;
+  }
 
   /// The wavefront's distance as a share of the straight line in space.
   double progress() const override {
@@ -58,12 +69,51 @@ class PathSearch final : public SlicedWork<std::vector<SurfacePoint>> {
   }
 
  private:
+  /// Finds the lengths of paths along edges, as far as they may be shortest at the other end.
+  bool boundByEdges(long& budget) {
+    constexpr long kVertices = 64;
+    while (budget > 0) {
+      long rest = std::min(budget, kVertices);
+      budget -= rest;
+      if (edgeBounds_.run(rest) || edgeBounds_.front() > mostByEdges()) return true;
+    }
+    return false;
+  }
+
+  /// The length of the shortest path over a corner of the face, and then along edges.
+  double mostByEdges() const {
+    const int vertex = vertexAt(mesh_, from_);
+    if (vertex >= 0) return edgeBounds_[vertex];
+    double least = kInfinity;
+    for (int i = 0; i < 3; ++i)
+      least = std::min(least, edgeBounds_[mesh_.tail(3 * from_.face + i)] +
+                                  wayToCorner(mesh_.face(from_.face), from_.bary, i).norm());
+    return least;
+  }
+
+  /// Searches for paths of at most this length.
+  void startSearch(double most) {
+    sweep_.start(kLabel, to_, SpreadTo::kRequired, state_);
+    // As long as nothing is required, all windows wait at the faces around the site.
+    long unlimited = std::numeric_limits<long>::max();
+    sweep_.run(unlimited);
+    const exact::RequiredPoint point = {from_, most, 0};
+    if (const int vertex = vertexAt(mesh_, from_); vertex >= 0)
+      sweep_.require(kLabel, state_, {&from_.face, 1}, most + mesh_.longestEdge(vertex));
+    else
+      sweep_.require(kLabel, state_, {&point, 1});
+  }
+
   const TriangleMesh& mesh_;
   const SurfacePoint from_, to_;
   const double straight_;  ///< the distance of the two ends in space
+  SiteSet end_;            ///< `to_` alone
+  EdgeBounds edgeBounds_;
   NearestBounds nearest_;  ///< zero: there are no other labels to compare with
   WindowSweep sweep_;
   LabelState state_;
+
+  SlicedSequence sequence_;
   bool isDone_ = false;
 };
 

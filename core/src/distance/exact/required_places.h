@@ -43,7 +43,9 @@ class RequiredPlaces {
     return most;
   }
   /// Paths that tie with the bound can still become the shortest.
-  void shorten(int index, double bound) { bound_[index] = bound * (1 + kDistanceTolerance); }
+  void shorten(int index, double bound) {
+    bound_[index] = std::min(bound_[index], bound * (1 + kDistanceTolerance));
+  }
   /// Whether paths of at least `length` to points within `radius` of `place` can become the
   /// shortest to a required place. The rest of a path is at least as long as the straight line in
   /// space, and its `excess` over the distance of the nearest label does not fall along the way.

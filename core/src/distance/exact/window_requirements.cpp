@@ -19,12 +19,12 @@ constexpr size_t kAhead = 4;
 
 }  // namespace
 
-void WindowSweep::require(int label, LabelState& state, std::span<const int> faces) {
+void WindowSweep::require(int label, LabelState& state, std::span<const int> faces, double atMost) {
   begin(label, SpreadTo::kRequired, state);
   load();
   for (size_t i = 0; i < faces.size(); ++i) {
     if (i + kAhead < faces.size()) prefetch(mesh_.face(faces[i + kAhead]));
-    requireCorners(faces[i]);
+    requireCorners(faces[i], atMost);
   }
 
   // Good first distances leave few windows that have to go on. They come from windows that wait at
@@ -52,12 +52,12 @@ void WindowSweep::visitWaiting(Visit visit) const {
 }
 
 /// Requires the distances of a face's corners that are not final yet.
-void WindowSweep::requireCorners(int f) {
+void WindowSweep::requireCorners(int f, double atMost) {
   for (const int v : mesh_.face(f).vertices) {
     Vertex& own = vertices_[v];
     if (own.epoch != epoch_) reach(v);
     if (own.isFinal || own.required >= 0) continue;
-    own.required = required_.add(placeOf(v), own.distance, bounds_[v].distance);
+    own.required = required_.add(placeOf(v), std::min(own.distance, atMost), bounds_[v].distance);
   }
 }
 

@@ -69,8 +69,9 @@ class WindowSweep {
   void start(int label, const SurfacePoint& site, SpreadTo to, LabelState& state);
   /// Begins to spread a label on from its waiting windows, because bounds have risen.
   void resume(int label, LabelState& state);
-  /// Begins to spread a label on to all corners of some faces.
-  void require(int label, LabelState& state, std::span<const int> faces);
+  /// Begins to spread a label on to all corners of some faces, whose distances are at most
+  /// `atMost`.
+  void require(int label, LabelState& state, std::span<const int> faces, double atMost = kInfinity);
   /// Begins to spread a new label, to find its distances at points in faces that it crosses. Does
   /// not lower bounds.
   void start(int label, const SurfacePoint& site, SpreadTo to, LabelState& state,
@@ -162,7 +163,7 @@ class WindowSweep {
   /// The position of a vertex relative to vertex 0: positions of a mesh far from the origin would
   /// round too coarsely.
   Eigen::Vector3d placeOf(int vertex) const { return mesh_.position(vertex) - mesh_.position(0); }
-  void requireCorners(int face);
+  void requireCorners(int face, double atMost);
   void addPoints(std::span<const RequiredPoint> points);
   void addPoint(const SurfacePoint& point, int index);
   std::span<const PointInFace> pointsIn(int face) const;
