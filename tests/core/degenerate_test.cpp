@@ -529,6 +529,16 @@ TEST_P(Degenerate, RegionWithoutWidthMeetsNoOthers) {
   EXPECT_EQ(d.voronoiPoints.size(), 0u);
 }
 
+TEST_P(Degenerate, ComponentsTinyAgainstTheirDistanceAreDivided) {
+  const auto mesh = Shape{
+      {0, 0, 0, 1e-15, 0, 0, 0, 1e-15, 0, 1, 0, 0, 1, 1e-15, 0, 1, 0, 1e-15},
+      {0, 1, 2, 3, 4,
+       5}}.mesh();
+  const Diagram d = diagram(mesh, {{0, {0.6, 0.2, 0.2}}, {0, {0.2, 0.6, 0.2}}});
+  EXPECT_GT(d.regionArea[0], 0.2 * mesh.faceArea(0));
+  EXPECT_GT(d.regionArea[1], 0.2 * mesh.faceArea(0));
+}
+
 TEST_P(Degenerate, NearestSiteIsKnownAtTheCornersAround) {
   // Sites 1 and 2 are 1e-13 apart: they tie almost everywhere, but at vertex 2, where site 2 is
   // nearer by just more than that. Vertex 4 is told of no more than site 2.

@@ -62,13 +62,25 @@ void edit(DynamicDiagram& dynamic, const TriangleMesh& mesh, Random& random) {
   }
 }
 
+struct EdgeLengths {
+  double shortest = kInfinity, longest = 0;
+};
+
+EdgeLengths edgeLengths(const TriangleMesh& mesh) {
+  EdgeLengths lengths;
+  for (int h = 0; h < mesh.halfedgeCount(); ++h) {
+    lengths.shortest = std::min(lengths.shortest, mesh.length(h));
+    lengths.longest = std::max(lengths.longest, mesh.length(h));
+  }
+  return lengths;
+}
+
 /// Where two fields do not know the same distances, as far as `DynamicDiagram` promises: label l of
 /// `a` is label `labelInB[l]` of `b`.
 AssertionResult haveSameDistances(const TriangleMesh& mesh, const DistanceField& a,
                                   const DistanceField& b, std::span<const int> labelInB) {
-  const auto rounding = [&](double distance) {
-    return 0x1p-44 * distance + 0x1p-46 * mesh.boundingDiagonal();
-  };
+  const double absolute = 0x1p-46 * edgeLengths(mesh).longest;
+  const auto rounding = [&](double distance) { return 0x1p-44 * distance + absolute; };
   for (int v = 0; v < mesh.vertexCount(); ++v)
     if (!std::ranges::equal(a.at(v), b.at(v),
                             [&](const LabelledDistance& x, const LabelledDistance& y) {
@@ -82,9 +94,8 @@ AssertionResult haveSameDistances(const TriangleMesh& mesh, const DistanceField&
 /// How far the areas of regions may differ, relatively. The rounding of distances moves bisectors,
 /// in needles of 1e30 by 1e19 by a thousandth of their width.
 double areaTolerance(const TriangleMesh& mesh) {
-  double shortest = kInfinity;
-  for (int h = 0; h < mesh.halfedgeCount(); ++h) shortest = std::min(shortest, mesh.length(h));
-  return std::max(1e-9, 0x1p-46 * mesh.boundingDiagonal() / shortest);
+  const auto [shortest, longest] = edgeLengths(mesh);
+  return std::max(1e-9, 0x1p-46 * longest / shortest);
 }
 
 std::string complaintAboutEdits(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,

@@ -36,7 +36,7 @@ struct DiagramChange {
 /// computed anew. The result is the diagram that `propagate` and `traceDiagram` give for the
 /// present sites: the same combinatorics, and numbers equal up to rounding. Distances have the same
 /// bits, unless several straight paths to a vertex are equally long: then they may differ by the
-/// rounding of these lengths, less than 2^-44 of them, and 2^-46 of the bounding diagonal.
+/// rounding of these lengths, less than 2^-44 of them, and 2^-46 of the longest edge.
 ///
 /// A site keeps its label until it is removed; a free label has an empty region. So the labels of n
 /// sites are 0 … n - 1 only if no site was removed. Every function that takes a list of sites

@@ -23,6 +23,11 @@ bool haveUnequalTies(std::span<const LabelledDistance> here, const TieTolerance&
 
 }  // namespace
 
+TieTolerance::TieTolerance(const TriangleMesh& mesh) {
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+    absolute_ = std::max(absolute_, 0x1p-46 * mesh.longestEdge(v));
+}
+
 bool equalizeTies(std::span<LabelledDistance> here, const TieTolerance& ties) {
   constexpr size_t kFew = 32;  // up to here, comparing all pairs is quicker than sorting
   if (here.size() <= kFew && !haveUnequalTies(here, ties)) return false;

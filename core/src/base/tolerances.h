@@ -21,17 +21,17 @@ inline constexpr double kDistanceTolerance = 0x1p-41;
 
 /// Which distances on a mesh are equal up to rounding, and so the one answer to "is this a tie?".
 /// Near a site, faces may be much longer than distances. Unfolding across one of them rounds by a
-/// few 2^-53 of its size, across a hundred of them by 2^-46 of the bounding diagonal.
+/// few 2^-53 of its size, across a hundred of them by 2^-46 of the longest edge.
 class TieTolerance {
  public:
-  explicit TieTolerance(const TriangleMesh& mesh) : absolute_(0x1p-46 * mesh.boundingDiagonal()) {}
+  explicit TieTolerance(const TriangleMesh& mesh);
   /// Whether a distance is at most another one, up to rounding.
   bool isAtMost(double distance, double other) const {
     return distance <= other * (1 + kDistanceTolerance) + absolute_;
   }
 
  private:
-  double absolute_;
+  double absolute_ = 0;
 };
 
 /// Points of a diagram are one point if their error bounds overlap; this caps the bounds, in
