@@ -47,7 +47,7 @@ class LabelSpread {
   virtual const std::vector<ReachedVertex>& reached(int label) const = 0;
   /// Whether `EdgeBounds` limit how far labels spread: then the labels that have reached a vertex
   /// have to start again when its edge bound changes.
-  virtual bool obeysEdgeBounds() const = 0;
+  virtual bool isLimitedByEdgeBounds() const = 0;
   /// Candidates for the nearest label at a point that is no vertex, with their distances: each
   /// label once, and all labels that tie for nearest are among them.
   virtual std::vector<LabelledDistance> nearestAt(const SurfacePoint& p,

@@ -127,7 +127,7 @@ double SiteDistances::progress() const {
 void SiteDistances::lowerBounds() {
   if (sites_.count() > static_cast<int>(started_.size())) {
     std::vector<int> outdated;
-    if (spread_->obeysEdgeBounds())
+    if (spread_->isLimitedByEdgeBounds())
       for (const int v : edgeBounds_.changed())
         outdated.insert(outdated.end(), reaching_[v].begin(), reaching_[v].end());
     makeSet(outdated);

@@ -34,7 +34,7 @@ class UnfoldingSpread final : public LabelSpread {
   const std::vector<ReachedVertex>& reached(int label) const override {
     return labels_[label].vertices;
   }
-  bool obeysEdgeBounds() const override { return true; }
+  bool isLimitedByEdgeBounds() const override { return true; }
   std::vector<LabelledDistance> nearestAt(const SurfacePoint& p, const KnownLabels& known) override;
   std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
       std::span<const LabelledPoint> points, const KnownLabels& known) override;
