@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <vector>
 
 #include "diagram_checks.h"
@@ -32,11 +33,60 @@ SurfacePoint randomPoint(const TriangleMesh& mesh, Random& random) {
   return {face, {a, b, std::max(0.0, 1 - a - b)}};
 }
 
+struct EdgeLengths {
+  double shortest = kInfinity, longest = 0;
+};
+
+EdgeLengths edgeLengths(const TriangleMesh& mesh) {
+  EdgeLengths lengths;
+  for (int h = 0; h < mesh.halfedgeCount(); ++h) {
+    lengths.shortest = std::min(lengths.shortest, mesh.length(h));
+    lengths.longest = std::max(lengths.longest, mesh.length(h));
+  }
+  return lengths;
+}
+
+/// Whether distances are the same up to a share of them and to the rounding of the longest faces,
+/// which `DynamicDiagram` names.
+class SameDistance {
+ public:
+  SameDistance(const TriangleMesh& mesh, double share)
+      : share_(share), absolute_(0x1p-46 * edgeLengths(mesh).longest) {}
+  bool operator()(double a, double b) const {
+    return std::abs(a - b) <= share_ * std::max(a, b) + absolute_;
+  }
+
+ private:
+  double share_, absolute_;
+};
+
+/// Whether each of the first sites has the distances that it has without the others.
+AssertionResult haveDistancesOfOneSiteEach(const TriangleMesh& mesh,
+                                           std::span<const SurfacePoint> sites,
+                                           const DistanceField& field) {
+  const SameDistance isSame(mesh, 0x1p-40);  // ties are made equal
+  std::vector<std::unique_ptr<DistanceField>> alone;
+  constexpr size_t kMost = 8;
+  for (const SurfacePoint& site : sites.first(std::min(sites.size(), kMost)))
+    alone.push_back(finished(propagate(mesh, {&site, 1}, Metric::kExact, Spread::kEverywhere)));
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+    for (const auto& [label, distance] : field.at(v)) {
+      if (label >= static_cast<int>(alone.size())) continue;
+      if (const double expected = alone[label]->at(v)[0].distance; !isSame(distance, expected))
+        return ::testing::AssertionFailure() << "site " << label << " is " << distance
+                                             << " from vertex " << v << ", not " << expected;
+    }
+  return ::testing::AssertionSuccess();
+}
+
 std::string complaintAboutParts(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
                                 Metric metric) {
   const Traced traced = trace(mesh, sites, metric);
   if (const auto result = isConsistent(mesh, traced.diagram); !result)
     return complaint("diagram", result);
+  if (metric == Metric::kExact)
+    if (const auto result = haveDistancesOfOneSiteEach(mesh, sites, *traced.field); !result)
+      return complaint("distances", result);
   const Partition parts = partition(mesh, traced.diagram);
   if (const auto result = isSound(mesh, parts); !result) return complaint("partition", result);
   if (const auto result = hasTheAreasOf(mesh, traced.diagram, parts); !result)
@@ -62,30 +112,15 @@ void edit(DynamicDiagram& dynamic, const TriangleMesh& mesh, Random& random) {
   }
 }
 
-struct EdgeLengths {
-  double shortest = kInfinity, longest = 0;
-};
-
-EdgeLengths edgeLengths(const TriangleMesh& mesh) {
-  EdgeLengths lengths;
-  for (int h = 0; h < mesh.halfedgeCount(); ++h) {
-    lengths.shortest = std::min(lengths.shortest, mesh.length(h));
-    lengths.longest = std::max(lengths.longest, mesh.length(h));
-  }
-  return lengths;
-}
-
 /// Where two fields do not know the same distances, as far as `DynamicDiagram` promises: label l of
 /// `a` is label `labelInB[l]` of `b`.
 AssertionResult haveSameDistances(const TriangleMesh& mesh, const DistanceField& a,
                                   const DistanceField& b, std::span<const int> labelInB) {
-  const double absolute = 0x1p-46 * edgeLengths(mesh).longest;
-  const auto rounding = [&](double distance) { return 0x1p-44 * distance + absolute; };
+  const SameDistance isSame(mesh, 0x1p-44);
   for (int v = 0; v < mesh.vertexCount(); ++v)
     if (!std::ranges::equal(a.at(v), b.at(v),
                             [&](const LabelledDistance& x, const LabelledDistance& y) {
-                              return labelInB[x.label] == y.label &&
-                                     std::abs(x.distance - y.distance) <= rounding(y.distance);
+                              return labelInB[x.label] == y.label && isSame(x.distance, y.distance);
                             }))
       return ::testing::AssertionFailure() << "the distances at vertex " << v << " differ";
   return ::testing::AssertionSuccess();

@@ -20,6 +20,7 @@ struct PipelineOptions {
 
 /// Computes diagram, partition, dual, edits and tessellation. Returns the first complaint, empty
 /// if there is none:
+///  - a site has other distances than it has alone, by the exact metric;
 ///  - a diagram or partition is not sound (`isConsistent`, `isSound`, `hasTheAreasOf`);
 ///  - a diagram updated by edits differs from a new one;
 ///  - the energy of a tessellation rises.

@@ -419,7 +419,8 @@ void WindowSweep::crossSide(int h, const WindowLists::Chunk* list, const Portal&
   constexpr bool kLeft = kSide == Side::kLeft;
   const int i = h % 3;
   // Of the windows of one halfedge that see the apex, only the one nearest to it has children on
-  // both sides ("one angle, one split", Chen & Han 1990).
+  // both sides ("one angle, one split", Chen & Han 1990). If a path that turns on the halfedge is
+  // the shortest one to the apex, only lines that cross its last piece are longer.
   const Vertex& apex = vertices_[face.vertices[cornerBefore(i)]];
   const bool isApexFromHere = apex.epoch == epoch_ && apex.piece.arrival == h;
 
@@ -428,10 +429,14 @@ void WindowSweep::crossSide(int h, const WindowLists::Chunk* list, const Portal&
   WindowLists::visit(list, [&](const Window& w) {
     const double crossing = *nextCrossing++;
     if (kLeft ? !(crossing > w.begin) : !(crossing < w.end)) return;
+    Window part = w;
     if (isApexFromHere && (crossing < apex.piece.crossing) != kLeft &&
-        isBeaten(w, crossing, h, apex.distance))
-      return;
-    Window beyond = windowBeyond<kSide>(w, face, i, crossing);
+        isBeaten(w, crossing, h, apex.distance)) {
+      if (apex.piece.course != Course::kBent) return;
+      (kLeft ? part.end : part.begin) = apex.piece.crossing;
+      if (!(part.begin < part.end)) return;
+    }
+    Window beyond = windowBeyond<kSide>(part, face, i, crossing);
     keep(beyond, portal);
   });
   if (isFirst && !windows_.isEmpty(portal.halfedge))
