@@ -35,8 +35,8 @@ std::vector<SiteChange> arrivals(std::span<const SurfacePoint> sites);
 ///    the nearest site at every vertex.
 /// 2. *Spread*: each label in turn spreads from its site while it is nearer than the bounds, and
 ///    lowers them. Other labels limit how far a label spreads, not the distances it finds. So after
-///    a change, new labels start, and the neighbours of removed labels resume from where they
-///    stopped.
+///    a change, new labels start, and labels that have reached vertices of removed ones resume from
+///    where they stopped.
 /// 3. `KnownLabels`: adds the distances that a diagram needs at vertices owned by other labels.
 class SiteDistances final : public DistanceField {
  public:
