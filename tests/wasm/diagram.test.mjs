@@ -188,7 +188,7 @@ test('sites that make no sense are refused with their index', async () => {
     [{ face: [0.5], bary: centre }, 'invalid-argument', /sites\.face\[0\] is 0\.5/],
     [{ face: [], bary: [] }, 'invalid-argument', /site/],
     [{ vertex: [] }, 'invalid-argument', /site/],
-    [{ face: 0, bary: centre }, 'invalid-argument', /sites\.face/],
+    [{ face: '0', bary: centre }, 'invalid-argument', /sites\.face/],
     [{ face: [0] }, 'invalid-argument', /sites/],
     [undefined, 'invalid-argument', /sites/],
   ];
