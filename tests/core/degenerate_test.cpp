@@ -530,10 +530,9 @@ TEST_P(Degenerate, RegionWithoutWidthMeetsNoOthers) {
 }
 
 TEST_P(Degenerate, ComponentsTinyAgainstTheirDistanceAreDivided) {
-  const auto mesh = Shape{
-      {0, 0, 0, 1e-15, 0, 0, 0, 1e-15, 0, 1, 0, 0, 1, 1e-15, 0, 1, 0, 1e-15},
-      {0, 1, 2, 3, 4,
-       5}}.mesh();
+  const Shape shape{{0, 0, 0, 1e-15, 0, 0, 0, 1e-15, 0, 1, 0, 0, 1, 1e-15, 0, 1, 0, 1e-15},
+                    {0, 1, 2, 3, 4, 5}};
+  const auto mesh = shape.mesh();
   const Diagram d = diagram(mesh, {{0, {0.6, 0.2, 0.2}}, {0, {0.2, 0.6, 0.2}}});
   EXPECT_GT(d.regionArea[0], 0.2 * mesh.faceArea(0));
   EXPECT_GT(d.regionArea[1], 0.2 * mesh.faceArea(0));

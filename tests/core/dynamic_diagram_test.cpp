@@ -308,10 +308,10 @@ TEST(DynamicDiagram, FollowsSitesAtTheCornersOfNeedles) {
 /// them are no neighbours of it.
 TEST(DynamicDiagram, LetsTiesFarAwayGoOnAfterARemoval) {
   // Against the last vertex, all others are at one place: their edges get one length.
-  const TriangleMesh mesh = shapes::Shape{
+  const shapes::Shape shape{
       {0, 0, 0, 1, 0, 0, 2, 1, 0, 3, 1, 0, 4, 2, 0, 5, 2, 0, 0, 0, 1e30, 6, 3, 0},
-      {0, 1, 4, 0, 4, 3, 2, 3, 6, 2, 6, 5, 3, 4, 7, 3, 7,
-       6}}.mesh();
+      {0, 1, 4, 0, 4, 3, 2, 3, 6, 2, 6, 5, 3, 4, 7, 3, 7, 6}};
+  const TriangleMesh mesh = shape.mesh();
   DynamicDiagram dynamic(
       mesh, std::vector<SurfacePoint>{{3, {1, 0, 0}},
                                       {0, {0.4226837158203125, 0.1953125, 0.3820037841796875}},
@@ -338,10 +338,9 @@ TEST(DynamicDiagram, KnowsTiesOfPathsThroughLongFaces) {
 /// At the last vertex, site 1 ties with no other, but the first path found to it from site 2 is
 /// longer and ties with that of site 1.
 TEST(DynamicDiagram, GivesVerticesByFinalDistances) {
-  const TriangleMesh mesh = shapes::Shape{
-      {0, 0, 0, -0.9, 0.3, 0, -0.4, 0.1, 0, -1.7, 1.7, 0, 5e10, 0, 0},
-      {0, 4, 1, 1, 4, 2, 1, 2,
-       3}}.mesh();
+  const shapes::Shape shape{{0, 0, 0, -0.9, 0.3, 0, -0.4, 0.1, 0, -1.7, 1.7, 0, 5e10, 0, 0},
+                            {0, 4, 1, 1, 4, 2, 1, 2, 3}};
+  const TriangleMesh mesh = shape.mesh();
   DynamicDiagram dynamic(mesh, std::vector<SurfacePoint>{{0, {1, 0, 0}},
                                                          {2, {0.005, 0.002, 0.993}},
                                                          {2, {0.008, 0.009, 0.983}},

@@ -106,8 +106,8 @@ using Propagation = SlicedWork<std::unique_ptr<DistanceField>>;
 /// `DistanceField::path` gives it from `from` to a site at `to`; empty if the points are in
 /// different components. Windows spread from `to` only while they can still be part of a path that
 /// is no longer than the shortest one along edges: O(vertices) to begin with, then the time of
-/// distances in an ellipse around the two points. Throws
-/// `Error(kInvalidPoint)` if a point is not on the mesh, which must outlive the work.
+/// distances in an ellipse around the two points. Throws `Error(kInvalidPoint)` if a point is not
+/// on the mesh, which must outlive the work.
 std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> startShortestPath(const TriangleMesh& mesh,
                                                                          const SurfacePoint& from,
                                                                          const SurfacePoint& to);
