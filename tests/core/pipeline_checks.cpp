@@ -33,15 +33,22 @@ SurfacePoint randomPoint(const TriangleMesh& mesh, Random& random) {
   return {face, {a, b, std::max(0.0, 1 - a - b)}};
 }
 
-struct EdgeLengths {
-  double median, longest;
-};
+double longestEdge(const TriangleMesh& mesh) {
+  double longest = 0;
+  for (int h = 0; h < mesh.halfedgeCount(); ++h) longest = std::max(longest, mesh.length(h));
+  return longest;
+}
 
-EdgeLengths edgeLengths(const TriangleMesh& mesh) {
-  std::vector<double> lengths;
-  for (int h = 0; h < mesh.halfedgeCount(); ++h) lengths.push_back(mesh.length(h));
-  std::ranges::sort(lengths);
-  return {lengths[lengths.size() / 2], lengths.back()};
+/// The median of the least heights of the faces.
+double medianHeight(const TriangleMesh& mesh) {
+  std::vector<double> heights;
+  for (int f = 0; f < mesh.faceCount(); ++f) {
+    const auto& lengths = mesh.face(f).lengths;
+    heights.push_back(2 * mesh.faceArea(f) / std::max({lengths[0], lengths[1], lengths[2]}));
+  }
+  const auto median = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
+  std::nth_element(heights.begin(), median, heights.end());
+  return *median;
 }
 
 /// Whether distances are the same up to a share of them and to the rounding of the longest faces,
@@ -49,7 +56,7 @@ EdgeLengths edgeLengths(const TriangleMesh& mesh) {
 class SameDistance {
  public:
   SameDistance(const TriangleMesh& mesh, double share)
-      : share_(share), absolute_(0x1p-46 * edgeLengths(mesh).longest) {}
+      : share_(share), absolute_(0x1p-46 * longestEdge(mesh)) {}
   bool operator()(double a, double b) const {
     return std::abs(a - b) <= share_ * std::max(a, b) + absolute_;
   }
@@ -124,11 +131,11 @@ AssertionResult haveSameDistances(const TriangleMesh& mesh, const DistanceField&
   return ::testing::AssertionSuccess();
 }
 
-/// How far the areas of regions may differ, as a share of the mesh. If most faces are tiny against
-/// the longest, sites lie close together, and the rounding of distances moves bisectors by more.
+/// How far the areas of regions may differ, as a share of the mesh. If most faces are tiny or thin
+/// against the longest edge, sites lie close together, and the rounding of distances moves bisectors
+/// by more.
 double areaTolerance(const TriangleMesh& mesh) {
-  const auto [median, longest] = edgeLengths(mesh);
-  return std::max(1e-9, 0x1p-46 * longest / median);
+  return std::max(1e-9, 0x1p-46 * longestEdge(mesh) / medianHeight(mesh));
 }
 
 std::string complaintAboutEdits(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
