@@ -335,6 +335,18 @@ TEST(Diagram, HandlesManySitesInOneFace) {
   for (const double area : d.regionArea) EXPECT_GT(area, 0);
 }
 
+/// Each corner knows thousands of labels, and few of them own part of the diagonal.
+TEST(Diagram, DividesTwoFacesAmongThousandsOfSites) {
+  const auto mesh = shapes::grid(1, 1).mesh();
+  const auto sites = sampleUniform(mesh, 3000, 1);
+  const Diagram expected = trace(mesh, sites, Metric::kExact, 0, Spread::kEverywhere).diagram;
+  for (const Metric metric : {Metric::kExact, Metric::kDgpc}) {
+    const Diagram found = trace(mesh, sites, metric).diagram;
+    EXPECT_TRUE(isConsistent(mesh, found));
+    EXPECT_TRUE(areSame(mesh, expected, found, identity(found.siteCount), 1e-11));
+  }
+}
+
 /// Whether every number of two diagrams is the same.
 bool areIdentical(const Diagram& a, const Diagram& b) {
   const auto isSamePoint = [](const SurfacePoint& p, const SurfacePoint& q) {

@@ -29,6 +29,8 @@ class TieTolerance {
   bool isAtMost(double distance, double other) const {
     return distance <= other * (1 + kDistanceTolerance) + absolute_;
   }
+  /// Whether two distances are equal up to rounding, but not exactly.
+  bool tieUnequally(double a, double b) const { return a != b && isAtMost(a, b) && isAtMost(b, a); }
 
  private:
   double absolute_ = 0;
@@ -69,8 +71,7 @@ inline constexpr double kFlatDistortion = 1e-12;
 inline constexpr double kFlatCurvature = 1e-9;
 
 /// Sets distances at one place that are equal up to rounding to the least of them. All distances
-/// that a diagram is traced from pass through here, so that later comparisons can be exact. Returns
-/// whether any distance has changed.
-bool equalizeTies(std::span<LabelledDistance> here, const TieTolerance& ties);
+/// that a diagram is traced from pass through here, so that later comparisons can be exact.
+void equalizeTies(std::span<LabelledDistance> here, const TieTolerance& ties);
 
 }  // namespace gvd

@@ -163,8 +163,39 @@ bool FaceEnvelope::findBelow(int f) {
   return any;
 }
 
-/// Adds one function. Its cell is cut from the others: each convex cell gives up one run of its
-/// vertices, and the cut closes both parts.
+/// Cuts f's cell from another one: a convex cell gives up one run of its vertices, and the cut
+/// closes both parts. False if nothing is left of the other cell.
+bool FaceEnvelope::cutCell(Cell& cell, int f) {
+  const auto& sides = cell.sides;
+  if (std::none_of(sides.begin(), sides.end(),
+                   [&](const CellSide& side) { return below_[side.vertex]; }))
+    return true;
+  kept_.clear();
+  int entry = -1, exit = -1;  // where the outline of the part given up starts and ends
+  for (size_t s = 0; s < sides.size(); ++s) {
+    const CellSide from = sides[s], to = sides[s + 1 < sides.size() ? s + 1 : 0];
+    const bool fromBelow = below_[from.vertex], toBelow = below_[to.vertex];
+    if (!fromBelow) kept_.push_back(from);
+    int start = from.vertex, end = to.vertex;
+    if (fromBelow != toBelow) {
+      const int vertex = cutVertex(cell, from, to, toBelow, f);
+      if (toBelow) {
+        entry = start = vertex;
+        kept_.push_back({vertex, f});
+      } else {
+        exit = end = vertex;
+        kept_.push_back({vertex, from.across});
+      }
+    }
+    if ((fromBelow || toBelow) && isTriangleSide(from.across))
+      links_.push_back({start, end, from.across});
+  }
+  if (entry >= 0) links_.push_back({exit, entry, cell.function});
+  std::swap(cell.sides, kept_);
+  return !cell.sides.empty();
+}
+
+/// Adds one function, whose cell is cut from the others.
 void FaceEnvelope::insert(int f) {
   const int vertexCount = static_cast<int>(vertices_.size());
   if (!findBelow(f)) return;
@@ -173,31 +204,7 @@ void FaceEnvelope::insert(int f) {
   cuts_.clear();
   int remaining = 0;
   for (int c = 0; c < cellCount_; ++c) {
-    Cell& cell = cells_[c];
-    const int n = static_cast<int>(cell.sides.size());
-    kept_.clear();
-    int entry = -1, exit = -1;  // where the outline of the part given up starts and ends
-    for (int s = 0; s < n; ++s) {
-      const CellSide from = cell.sides[s], to = cell.sides[s + 1 < n ? s + 1 : 0];
-      const bool fromBelow = below_[from.vertex], toBelow = below_[to.vertex];
-      if (!fromBelow) kept_.push_back(from);
-      int start = from.vertex, end = to.vertex;
-      if (fromBelow != toBelow) {
-        const int cut = cutVertex(cell, from, to, toBelow, f);
-        if (toBelow) {
-          entry = start = cut;
-          kept_.push_back({cut, f});
-        } else {
-          exit = end = cut;
-          kept_.push_back({cut, from.across});
-        }
-      }
-      if ((fromBelow || toBelow) && isTriangleSide(from.across))
-        links_.push_back({start, end, from.across});
-    }
-    if (entry >= 0) links_.push_back({exit, entry, cell.function});
-    if (kept_.empty()) continue;
-    std::swap(cell.sides, kept_);
+    if (!cutCell(cells_[c], f)) continue;
     if (remaining != c) std::swap(cells_[remaining], cells_[c]);
     ++remaining;
   }

@@ -81,6 +81,7 @@ class FaceEnvelope {
   void buildCut();
   bool findBelow(int f);
   void insert(int f);
+  bool cutCell(Cell& cell, int f);
   int cutVertex(const Cell& cell, const CellSide& from, const CellSide& to, bool toIsBelow, int f);
 
   struct Link {

@@ -177,11 +177,12 @@ void KnownLabels::resetInterpolatedAround() {
 bool KnownLabels::findTies(long& budget) {
   return loop_.run(changedVertices_.size(), budget, kPerUnit, [&](int i) {
     const int v = changedVertices_.list()[i];
-    for (const LabelledDistance& d : lists_[v]) {
-      if (!sites_.contains(d.label) || hasStarted_[d.label]) continue;
+    for (size_t k = 0; k < lists_[v].size(); ++k) {
+      const int label = lists_[v][k].label;
+      if (!sites_.contains(label) || hasStarted_[label]) continue;
       // Not the listed distance: it may have been made equal to that of a label that is gone.
-      const ReachedVertex& r = spread_.reached(d.label)[lists_.reachedIndex(v, d.label)];
-      if (bounds_.ties().isAtMost(r.distance, bounds_[v].distance)) noteTie(v, d.label);
+      const ReachedVertex& r = spread_.reached(label)[lists_.reachedIndices(v)[k]];
+      if (bounds_.ties().isAtMost(r.distance, bounds_[v].distance)) noteTie(v, label);
     }
   });
 }
@@ -305,7 +306,7 @@ void KnownLabels::extendLists() {
     marked_.clear();
   }
   for (size_t i = 0, count = added_.size(); i < count; ++i)
-    if (marked_.add(added_[i].vertex)) noteAdded(added_[i].vertex);
+    noteAdded(added_[i].vertex, added_[i].label);
   marked_.clear();
   requirements_.clear();
   makeSet(changedLabels_);
@@ -313,10 +314,12 @@ void KnownLabels::extendLists() {
 
 /// A new label may lower the distances of labels that tie with it (`equalizeTies`); the closure
 /// then has to check these labels again.
-void KnownLabels::noteAdded(int vertex) {
-  if (lists_.equalizeTies(vertex, bounds_.ties()))
+void KnownLabels::noteAdded(int vertex, int label) {
+  if (lists_.hasUnequalTie(vertex, label, bounds_.ties())) {
+    lists_.equalizeTies(vertex, bounds_.ties());
     for (const LabelledDistance& d : lists_[vertex]) added_.push_back({vertex, d.label});
-  if (areAllNew()) return;
+  }
+  if (areAllNew() || !marked_.add(vertex)) return;
   mesh_.visitFaces(vertex, [&](int f) { changedFaces_.add(f); });
   for (const LabelledDistance& d : lists_[vertex]) changedLabels_.push_back(d.label);
 }

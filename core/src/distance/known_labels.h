@@ -78,7 +78,7 @@ class KnownLabels {
   void list(int label, int reachedIndex);
   bool closeAdded(long& budget);
   void extendLists();
-  void noteAdded(int vertex);
+  void noteAdded(int vertex, int label);
   bool isKnownAround(int vertex, int label) const;
   bool areAllNew() const { return sites_.count() == static_cast<int>(started_.size()); }
 

@@ -40,23 +40,22 @@ void LabelClosure::requireAcross(int h, int label, std::vector<Requirement>& req
 bool LabelClosure::ownsPartOfEdge(int label, int h) const {
   const int tail = mesh_.tail(h), tip = mesh_.tip(h);
   EdgeShare share(label, lists_.distance(tail, label), lists_.distance(tip, label));
-  const auto yieldTo = [&](int other) {
-    if (other == label) return;
+  const auto keepsPartBeside = [&](int other) {
+    if (other == label) return true;
     const double atTail = lists_.distance(tail, other), atTip = lists_.distance(tip, other);
     if (atTail < kInfinity && atTip < kInfinity) share.yieldTo(other, atTail, atTip);
+    return !share.isEmpty();
   };
   // The owners of the ends come first: for most labels, one of them is nearer at both ends.
-  yieldTo(bounds_[tail].label);
-  yieldTo(bounds_[tip].label);
-  if (share.isEmpty()) return false;
+  if (!keepsPartBeside(bounds_[tail].label) || !keepsPartBeside(bounds_[tip].label)) return false;
   for (const int side : {h, mesh_.twin(h)}) {
     if (side < 0) continue;
     const int face = TriangleMesh::faceOf(side);
-    if (owners_.sole(face) >= 0) yieldTo(owners_.sole(face));
+    if (owners_.sole(face) >= 0 && !keepsPartBeside(owners_.sole(face))) return false;
     for (const FaceOwners::Owner& owner : owners_.several(face))
-      if (!owner.isInterpolated) yieldTo(owner.label);
+      if (!owner.isInterpolated && !keepsPartBeside(owner.label)) return false;
   }
-  return !share.isEmpty();
+  return true;
 }
 
 }  // namespace gvd

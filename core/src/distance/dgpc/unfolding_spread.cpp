@@ -179,8 +179,11 @@ std::unique_ptr<SlicedWork<std::vector<double>>> UnfoldingSpread::startDistances
 double UnfoldingSpread::distanceAt(int label, const SurfacePoint& p,
                                    const KnownLabels& known) const {
   const auto sides = squaredSides(mesh_, p.face);
-  for (const FaceSite& site : sites_.inFace(p.face))
-    if (site.label == label) return std::sqrt(squaredDistance(p.bary, site.bary, sides));
+  double inFace = kInfinity;
+  sites_.visitFacesOf(label, [&](const SurfacePoint& site) {
+    if (site.face == p.face) inFace = std::sqrt(squaredDistance(p.bary, site.bary, sides));
+  });
+  if (inFace < kInfinity) return inFace;
   double squared = 0;
   for (int i = 0; i < 3; ++i) {
     if (p.bary[i] > 0) {
