@@ -132,8 +132,8 @@ AssertionResult haveSameDistances(const TriangleMesh& mesh, const DistanceField&
 }
 
 /// How far the areas of regions may differ, as a share of the mesh. If most faces are tiny or thin
-/// against the longest edge, sites lie close together, and the rounding of distances moves bisectors
-/// by more.
+/// against the longest edge, sites lie close together, and the rounding of distances moves
+/// bisectors by more.
 double areaTolerance(const TriangleMesh& mesh) {
   return std::max(1e-9, 0x1p-46 * longestEdge(mesh) / medianHeight(mesh));
 }
