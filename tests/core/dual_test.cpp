@@ -297,6 +297,15 @@ TEST(Dual, LeavesOutLabelsWithoutSite) {
   EXPECT_THROW(trace(mesh, std::vector<SurfacePoint>(2)), Error);
 }
 
+TEST(Dual, RefusesOtherSitesThanTheDiagrams) {
+  const auto mesh = shapes::icosphere(2).mesh();
+  const auto sites = sampleFarthest(mesh, 14, 1);
+  const Diagram diagram = trace(mesh, sites).diagram;
+  const std::vector<SurfacePoint> few(sites.begin(), sites.end() - 1);
+  EXPECT_THROW(dualMesh(mesh, few, diagram), Error);
+  EXPECT_THROW(findViolations(mesh, few, diagram), Error);
+}
+
 TEST(Repair, KeepsLabelsWithoutSite) {
   const auto mesh = shapes::torus(24, 12).mesh();
   const std::vector<SurfacePoint> sites = {centroid(0), {}, centroid(100)};

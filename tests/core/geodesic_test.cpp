@@ -9,6 +9,10 @@
 #include <memory>
 #include <vector>
 
+#include "distance/edge_bounds.h"
+#include "distance/exact/window_sweep.h"
+#include "distance/nearest_bounds.h"
+#include "distance/site_set.h"
 #include "gvd/error.h"
 #include "gvd/sampling.h"
 #include "gvd/straightest.h"
@@ -219,9 +223,107 @@ TEST_P(Metrics, KnowTheStraightLineInASitesFace) {
   }
 }
 
+/// A coordinate of -2e-7 once put a site off a vertex, or off an edge, and distances went wrong.
+TEST_P(Metrics, TakeCoordinatesThatAreSlightlyOff) {
+  const auto mesh = shapes::grid(12, 12, 0.2, 1).mesh();
+  const double off = 2e-7;
+  for (const Eigen::Vector3d& bary :
+       {Eigen::Vector3d(1 + off, -off, 0), Eigen::Vector3d(0.3, 0.7 + off, -off),
+        Eigen::Vector3d(0.3, 0.5, 0.2 + off)}) {
+    const Eigen::Vector3d clean = bary.cwiseMax(0) / bary.cwiseMax(0).sum();
+    for (int face = 0; face < mesh.faceCount(); face += 17) {
+      const auto found = inSlices(mesh, {{face, bary}}, GetParam(), 100);
+      const auto expected = inSlices(mesh, {{face, clean}}, GetParam(), 100);
+      expectSame(mesh, *found, *expected, face);
+      const SurfacePoint p{(face + 5) % mesh.faceCount(), bary};
+      EXPECT_EQ(found->nearest(p).distance, expected->nearest({p.face, clean}).distance);
+      EXPECT_EQ(found->distance(0, p), expected->distance(0, {p.face, clean}));
+    }
+  }
+}
+
 TEST_P(Metrics, WantASite) {
   const auto mesh = shapes::icosphere(1).mesh();
   EXPECT_THROW(propagate(mesh, {}, GetParam()), Error);
+}
+
+// --- Bounds along edges --------------------------------------------------------------------------
+
+std::vector<double> boundsOf(const TriangleMesh& mesh, const SiteSet& sites) {
+  EdgeBounds bounds(mesh, sites);
+  for (int label = 0; label < sites.labelCount(); ++label)
+    if (sites.contains(label)) bounds.insert(label);
+  long unlimited = std::numeric_limits<long>::max();
+  bounds.run(unlimited);
+  std::vector<double> all;
+  for (int v = 0; v < mesh.vertexCount(); ++v) all.push_back(bounds[v]);
+  return all;
+}
+
+/// A path may change by one rounding step near a removed site and not at all farther on, where a
+/// vertex then kept a bound of the site that was gone.
+TEST(EdgeBounds, DoNotDependOnSitesThatAreGone) {
+  for (int seed = 0; seed < 200; ++seed) {
+    shapes::Random random(seed);
+    shapes::Shape shape = shapes::grid(8, 8);
+    for (double& x : shape.positions) x *= 0.7 * (1 + seed % 7);
+    const TriangleMesh mesh = shape.mesh();
+    SiteSet sites(mesh);
+    EdgeBounds bounds(mesh, sites);
+    for (int change = 0; change < 60; ++change) {
+      const int label = random.below(12);
+      if (sites.contains(label)) {
+        const SurfacePoint site = sites[label];
+        sites.remove(label);
+        bounds.remove(label, site);
+      } else {
+        const double a = random.below(5) / 8.0, b = random.below(4) / 8.0;
+        sites.insert(label, {random.below(mesh.faceCount()), {1 - a - b, a, b}});
+        bounds.insert(label);
+      }
+      long unlimited = std::numeric_limits<long>::max();
+      bounds.run(unlimited);
+      const std::vector<double> expected = boundsOf(mesh, sites);
+      for (int v = 0; v < mesh.vertexCount(); ++v)
+        ASSERT_EQ(bounds[v], expected[v]) << "seed " << seed << ", change " << change;
+    }
+  }
+}
+
+/// Where faces are much smaller than elsewhere, each vertex still has its turn once or twice.
+TEST(EdgeBounds, TakeAFewTurnsPerVertexOnGradedMeshes) {
+  shapes::Shape shape = shapes::grid(100, 100);
+  for (double& x : shape.positions) x = x * x * x * x;
+  const TriangleMesh mesh = shape.mesh();
+  SiteSet sites(mesh);
+  sites.insert(0, {mesh.faceCount() / 2, {0.2, 0.3, 0.5}});
+  EdgeBounds bounds(mesh, sites);
+  bounds.insert(0);
+  long budget = 3L * mesh.vertexCount();
+  EXPECT_TRUE(bounds.run(budget));
+}
+
+/// Windows cross a halfedge in few batches, too, whatever the size of the other faces.
+TEST(Windows, CrossInAFewBatchesOnGradedMeshes) {
+  shapes::Shape shape = shapes::grid(100, 100);
+  for (size_t i = 0; i < shape.positions.size(); i += 3) shape.positions[i + 2] = 0;
+  const int first = shape.vertexCount();
+  for (const Eigen::Vector3d& p :
+       {Eigen::Vector3d(1e3, 0, 0), Eigen::Vector3d(2e3, 0, 0), Eigen::Vector3d(1e3, 1e3, 0)})
+    shape.addVertex(p);
+  shape.addTriangle(first, first + 1, first + 2);
+  const TriangleMesh alone = shapes::grid(100, 100).mesh(), beside = shape.mesh();
+  const auto batches = [](const TriangleMesh& mesh) {
+    NearestBounds bounds(mesh);
+    exact::WindowSweep sweep(mesh, bounds);
+    exact::LabelState state;
+    sweep.start(0, {0, {0.2, 0.3, 0.5}}, exact::SpreadTo::kEverywhere, state);
+    const long most = std::numeric_limits<long>::max();
+    long budget = most;
+    sweep.run(budget);
+    return most - budget;
+  };
+  EXPECT_EQ(batches(alone), batches(beside));
 }
 
 // --- Directions ----------------------------------------------------------------------------------

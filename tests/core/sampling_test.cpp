@@ -116,10 +116,11 @@ TEST(SampleUniform, HitsFlatFacesByTheirIntrinsicArea) {
 
 // --- By density ----------------------------------------------------------------------------------
 
-TEST(SampleByDensity, HitsPlacesByTheirDensity) {
+TEST(SampleByDensity, HitsPlacesByTheRootOfTheirDensity) {
   const auto mesh = shapes::grid(4, 4).mesh();
   std::vector<double> density;
-  for (int v = 0; v < mesh.vertexCount(); ++v) density.push_back(mesh.position(v).x());
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+    density.push_back(mesh.position(v).x() * mesh.position(v).x());
   constexpr int kDraws = 100000;
   int left = 0;
   for (const SurfacePoint& p : sampleByDensity(mesh, density, kDraws, 1))
@@ -416,6 +417,17 @@ TEST(CoverComponents, LeavesPointsThatCoverAll) {
     for (std::size_t i = 0; i < points.size(); ++i)
       EXPECT_TRUE(samePoint(covered[i], points[i])) << i;
   }
+}
+
+TEST(CoverComponents, KeepsLabelsWithoutSite) {
+  const TriangleMesh mesh = sixComponents();
+  const std::vector<SurfacePoint> points = {{}, {0, {1, 0, 0}}, {}, {50, {1, 0, 0}}};
+  const auto covered = coverComponents(mesh, points, 1, 6, 1);
+  ASSERT_EQ(covered.size(), 8u);
+  EXPECT_EQ(covered[0].face, -1);
+  EXPECT_TRUE(samePoint(covered[1], points[1]));
+  EXPECT_EQ(covered[2].face, -1);
+  EXPECT_THROW(coverComponents(mesh, {{mesh.faceCount(), {1, 0, 0}}}, 1, 6, 1), Error);
 }
 
 TEST(CoverComponents, RejectsCountsThatDoNotSuffice) {

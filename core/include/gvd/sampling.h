@@ -26,10 +26,12 @@ namespace gvd {
 /// first n points do not depend on `count`. O(F + count log F).
 std::vector<SurfacePoint> sampleUniform(const TriangleMesh& mesh, int count, std::uint64_t seed);
 
-/// `count` points, independent, with a probability per area in proportion to a density given at
-/// each vertex of the mesh, linear in between. The first n points do not depend on `count`. Throws
-/// `Error(kInvalidArgument)` if there is not one density per vertex, one is negative or not finite,
-/// or the density vanishes all over the surface. O(F + count log F).
+/// `count` points, independent, spread as the sites of a tessellation with this density are in the
+/// limit of many (`CvtOptions::density`): with a probability per area in proportion to the square
+/// root of the density at each vertex of the mesh, linear in between. The first n points do not
+/// depend on `count`. Throws `Error(kInvalidArgument)` if there is not one density per vertex, one
+/// is negative or not finite, or the density vanishes all over the surface. O(F + count log F).
+/// Source: Allen Gersho. Asymptotically Optimal Block Quantization. 1979.
 std::vector<SurfacePoint> sampleByDensity(const TriangleMesh& mesh, std::span<const double> density,
                                           int count, std::uint64_t seed);
 
@@ -133,8 +135,9 @@ std::vector<SurfacePoint> sampleWorstFirst(const TriangleMesh& mesh, int count, 
 
 /// These points, with at least `perComponent` on each component of the mesh: missing ones are drawn
 /// at random, uniform by area, and appended. While there are more than `count` points, the last
-/// given point is dropped whose component has more than it needs. Throws `Error(kInvalidArgument)`
-/// if `count` does not suffice for all components. O(F + P log F).
+/// given point is dropped whose component has more than it needs. Labels without a site (face -1)
+/// stay and do not count. Throws `Error(kInvalidArgument)` if `count` does not suffice for all
+/// components, `Error(kInvalidPoint)` if a point is not on the mesh. O(F + P log F).
 std::vector<SurfacePoint> coverComponents(const TriangleMesh& mesh,
                                           std::vector<SurfacePoint> points, int perComponent,
                                           int count, std::uint64_t seed);

@@ -220,6 +220,9 @@ class TriangleMesh {
   std::span<const int> needles() const { return needles_; }
   /// The mean of `length` over all halfedges: an inner edge counts twice.
   double meanEdgeLength() const { return meanEdgeLength_; }
+  /// A length that three quarters of the edges are not shorter than, as far as a sample of them
+  /// shows; not less than 1/256 of the mean.
+  double shortEdgeLength() const { return shortEdgeLength_; }
   /// The component of a face, numbered from 0 in order of the first face.
   int component(int f) const { return component_[f]; }
   /// The length of the bounding box's diagonal, of positions.
@@ -235,8 +238,8 @@ class TriangleMesh {
   int inputVertexCount() const { return static_cast<int>(vertexOfInput_.size()); }
 
   /// A sentence that says why a point is not on this mesh; empty if it is. Barycentric coordinates
-  /// may be off by 1e-6. Functions that take sites or points throw `Error(kInvalidPoint)` with this
-  /// text.
+  /// may be off by 1e-6: functions that take sites or points clamp and normalise them, and throw
+  /// `Error(kInvalidPoint)` with this text if they are off by more.
   std::string faultOfPoint(const SurfacePoint& p) const;
 
   /// A point of this mesh in terms of the input's triangles; face -1 stays -1.
@@ -270,7 +273,7 @@ class TriangleMesh {
   std::vector<int> fanBegin_, fanHalfedges_;  ///< fan after fan, and where each begins
   std::vector<double> angleSum_, longestEdge_;
   std::vector<int> needles_;
-  double area_ = 0, meanEdgeLength_ = 0, boundingDiagonal_ = 0;
+  double area_ = 0, meanEdgeLength_ = 0, shortEdgeLength_ = 0, boundingDiagonal_ = 0;
   std::vector<int> component_;
   std::vector<int> boundaryLoops_;
   std::vector<int> inputFace_, inputVertex_;

@@ -11,7 +11,7 @@ namespace gvd {
 EdgeBounds::EdgeBounds(const TriangleMesh& mesh, const SiteSet& sites)
     : mesh_(mesh),
       sites_(sites),
-      inverseWidth_(2 / mesh.meanEdgeLength()),
+      inverseWidth_(kBucketsPerEdge / mesh.shortEdgeLength()),
       vertices_(mesh.vertexCount()) {}
 
 void EdgeBounds::insert(int label) {
@@ -24,32 +24,40 @@ void EdgeBounds::insert(int label) {
 /// distances from the site within the face would round differently from edge lengths.
 void EdgeBounds::offerFrom(const FaceSite& site, int face) {
   const int corner = incidenceOf(site.bary).corner;
-  if (corner >= 0) return offer(mesh_.tail(3 * face + corner), site.label, 0);
+  if (corner >= 0) return offer(mesh_.tail(3 * face + corner), site.label, 0, kNone);
   for (int i = 0; i < 3; ++i)
-    offer(mesh_.tail(3 * face + i), site.label, wayToCorner(mesh_.face(face), site.bary, i).norm());
+    offer(mesh_.tail(3 * face + i), site.label, wayToCorner(mesh_.face(face), site.bary, i).norm(),
+          kNone);
 }
 
-/// The shortest edge path of a vertex bounded by a label runs over vertices bounded by the same
-/// label, so a flood fill from the site finds them all. Their neighbours, and the sites in the
-/// faces around them, offer bounds anew.
+/// Forgets the bounds of all vertices whose paths lead to the site. Their neighbours, and the sites
+/// in the faces around them, offer bounds anew. Labels do not tell which vertices these are:
+/// rounding may make two paths to a vertex equally long after one of them was shortened, and the
+/// vertex then keeps the label that the path no longer leads to.
 void EdgeBounds::remove(int label, const SurfacePoint& site) {
   std::vector<int> former;
   const auto take = [&](int v) {
-    if (vertices_[v].label != label) return;
-    vertices_[v].label = -1;
-    vertices_[v].bound = kInfinity;
+    Vertex& own = vertices_[v];
+    own.bound = kInfinity;
+    own.label = own.from = kNone;
     noteChange(v);
     former.push_back(v);
   };
+  const auto takeNextToSite = [&](int v) {
+    if (vertices_[v].label == label && vertices_[v].from == kNone) take(v);
+  };
   for (int h = 3 * site.face; h < 3 * site.face + 3; ++h) {
-    take(mesh_.tail(h));
-    if (mesh_.twin(h) >= 0) take(mesh_.tail(TriangleMesh::previous(mesh_.twin(h))));
+    takeNextToSite(mesh_.tail(h));
+    if (mesh_.twin(h) >= 0) takeNextToSite(mesh_.tail(TriangleMesh::previous(mesh_.twin(h))));
   }
-  for (size_t i = 0; i < former.size(); ++i) mesh_.visitNeighbours(former[i], take);
+  for (size_t i = 0; i < former.size(); ++i)
+    mesh_.visitNeighbours(former[i], [&](int v) {
+      if (vertices_[v].from == former[i]) take(v);
+    });
   for (const int v : former) {
     mesh_.visitEdges(v, [&](int neighbour, double length) {
       const Vertex& beyond = vertices_[neighbour];
-      if (beyond.label >= 0) offer(v, beyond.label, beyond.bound + length);
+      if (beyond.label >= 0) offer(v, beyond.label, beyond.bound + length, neighbour);
     });
     mesh_.visitFaces(v, [&](int face) {
       for (const FaceSite& other : sites_.inFace(face)) offerFrom(other, face);
@@ -57,32 +65,36 @@ void EdgeBounds::remove(int label, const SurfacePoint& site) {
   }
 }
 
+/// The vertices of a bucket come in the order in which they were queued. Where edges are much
+/// shorter than the bucket is wide, the latest first would make paths longer and longer, and lower
+/// each bound again and again.
 bool EdgeBounds::run(long& budget) {
   constexpr size_t kAhead = 2;  // turns before its own at which a vertex's faces are fetched
-  for (; bucket_ < buckets_.size(); ++bucket_) {
-    while (!buckets_[bucket_].empty()) {
+  for (; bucket_ < buckets_.size(); ++bucket_, cursor_ = 0) {
+    while (cursor_ < buckets_[bucket_].size()) {
       if (budget-- <= 0) return false;
-      std::vector<int>& bucket = buckets_[bucket_];
-      if (bucket.size() > kAhead) prefetchFan(mesh_, bucket[bucket.size() - 1 - kAhead]);
-      const int v = bucket.back();
-      buckets_[bucket_].pop_back();
+      const std::vector<int>& bucket = buckets_[bucket_];
+      if (cursor_ + kAhead < bucket.size()) prefetchFan(mesh_, bucket[cursor_ + kAhead]);
+      const int v = bucket[cursor_++];
       Vertex& own = vertices_[v];
       if (own.bucket != static_cast<int>(bucket_)) continue;  // a stale entry
       own.bucket = kNone;
       mesh_.visitEdges(v, [&](int neighbour, double length) {
-        offer(neighbour, own.label, own.bound + length);
+        offer(neighbour, own.label, own.bound + length, v);
       });
     }
+    buckets_[bucket_].clear();
   }
   bucket_ = 0;
   return true;
 }
 
-void EdgeBounds::offer(int v, int label, double distance) {
+void EdgeBounds::offer(int v, int label, double distance, int from) {
   Vertex& own = vertices_[v];
   if (!(distance < own.bound)) return;
   own.bound = distance;
   own.label = label;
+  own.from = from;
   noteChange(v);
   const size_t b = std::max(bucket_, static_cast<size_t>(distance * inverseWidth_));
   if (own.bucket == static_cast<int>(b)) return;

@@ -34,10 +34,12 @@ class EdgeBounds {
   void clearChanged();
 
  private:
+  static constexpr double kBucketsPerEdge = 1.5;  ///< per short edge
   static constexpr int kNone = -1;
   struct Vertex {
     double bound = kInfinity;
-    int label = -1;  ///< of the site at the path's end
+    int label = kNone;  ///< of the site at the path's end
+    int from = kNone;   ///< the vertex before this one on the path; none next to the site
     /// The bucket that the vertex is processed from, `kNone` if it is not queued. Other buckets may
     /// hold stale entries of the vertex, which `run` skips.
     int bucket : 31 = kNone;
@@ -45,15 +47,15 @@ class EdgeBounds {
   };
 
   void offerFrom(const FaceSite& site, int face);
-  void offer(int vertex, int label, double distance);
+  void offer(int vertex, int label, double distance, int from);
   void noteChange(int vertex);
 
   const TriangleMesh& mesh_;
   const SiteSet& sites_;
   double inverseWidth_;
   std::vector<Vertex> vertices_;
-  std::vector<std::vector<int>> buckets_;  ///< vertices by distance, in steps of half a mean edge
-  size_t bucket_ = 0;
+  std::vector<std::vector<int>> buckets_;  ///< vertices by distance
+  size_t bucket_ = 0, cursor_ = 0;
   std::vector<int> changed_;
 };
 

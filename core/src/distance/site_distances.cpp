@@ -48,7 +48,7 @@ SiteDistances::SiteDistances(const TriangleMesh& mesh, Metric metric, Spread spr
 
 void SiteDistances::change(std::span<const SiteChange> changes) {
   for (const SiteChange& c : changes)
-    if (c.site) requireOnMesh(mesh_, *c.site, "site " + std::to_string(c.label) + ": ");
+    if (c.site) onMesh(mesh_, *c.site, "site " + std::to_string(c.label) + ": ");
   started_.clear();
   resumed_.clear();
   resetVertices_.clear();
@@ -65,11 +65,12 @@ void SiteDistances::change(std::span<const SiteChange> changes) {
   }
   for (const SiteChange& c : changes) {
     if (!c.site) continue;
-    sites_.insert(c.label, *c.site);
+    sites_.insert(c.label, onMesh(mesh_, *c.site));
     edgeBounds_.insert(c.label);
     started_.push_back(c.label);
   }
   stage_ = Stage::kBounds;
+  hasSpread_ = false;
 }
 
 /// Forgets the distances of some labels. Other labels that have reached their vertices may have to
@@ -101,9 +102,10 @@ bool SiteDistances::step(long budget) {
     stage_ = Stage::kSpread;
   }
   if (stage_ == Stage::kSpread) {
-    do
+    do {
       if (!spread(budget)) return false;
-    while (requireMissed());
+      hasSpread_ = true;
+    } while (requireMissed());
     known_.start(started_, resumed_, resetVertices_);
     stage_ = Stage::kKnown;
   }
@@ -117,8 +119,9 @@ bool SiteDistances::step(long budget) {
 double SiteDistances::progress() const {
   constexpr double kShareOfSpread = 0.6;
   if (stage_ == Stage::kBounds) return 0;
-  if (stage_ == Stage::kSpread)
-    return kShareOfSpread * static_cast<double>(next_) / static_cast<double>(turns_.size());
+  if (stage_ == Stage::kSpread)  // turns for missed vertices come at the end
+    return kShareOfSpread *
+           (hasSpread_ ? 1 : static_cast<double>(next_) / static_cast<double>(turns_.size()));
   return kShareOfSpread + (1 - kShareOfSpread) * known_.progress();
 }
 
@@ -228,8 +231,8 @@ SiteDistances::LabelInFace SiteDistances::nearestAround(int vertex) const {
 
 // --- Queries -----------------------------------------------------------------------------------
 
-LabelledDistance SiteDistances::nearest(const SurfacePoint& p) const {
-  requireOnMesh(mesh_, p);
+LabelledDistance SiteDistances::nearest(const SurfacePoint& given) const {
+  const SurfacePoint p = onMesh(mesh_, given);
   if (const int v = vertexAt(mesh_, p); v >= 0) return nearestOf(at(v));
   LabelledDistance best;
   bool isBestKnown = false;
@@ -284,8 +287,8 @@ class SiteDistances::PointDistances final : public SlicedWork<std::vector<double
 
  private:
   void look(int i) {
-    const auto& [label, p] = points_[i];
-    requireOnMesh(field_.mesh_, p);
+    auto& [label, p] = points_[i];
+    p = onMesh(field_.mesh_, p);
     if (const int v = vertexAt(field_.mesh_, p); v >= 0) {
       distances_[i] = field_.known_.distance(v, label);
     } else if (field_.isKnownAround(label, p)) {
@@ -295,7 +298,7 @@ class SiteDistances::PointDistances final : public SlicedWork<std::vector<double
   }
 
   const SiteDistances& field_;
-  const std::vector<LabelledPoint> points_;
+  std::vector<LabelledPoint> points_;
   std::vector<double> distances_;
   SlicedSequence sequence_;
   SlicedLoop loop_;
@@ -315,8 +318,8 @@ Eigen::Vector2d SiteDistances::direction(int label, int vertex) const {
   return spread_->direction(label, index);
 }
 
-std::vector<SurfacePoint> SiteDistances::path(int label, const SurfacePoint& p) const {
-  requireOnMesh(mesh_, p);
+std::vector<SurfacePoint> SiteDistances::path(int label, const SurfacePoint& given) const {
+  const SurfacePoint p = onMesh(mesh_, given);
   if (!sites_.contains(label)) return {};
   if (!isKnownAround(label, p) && nearest(p).label != label) return {};
   return spread_->path(label, p);

@@ -99,6 +99,7 @@ class SiteDistances final : public DistanceField {
   std::vector<Turn> turns_;
   size_t next_ = 0;  ///< in `turns_`
   bool isLabelBegun_ = false;
+  bool hasSpread_ = false;          ///< whether all labels have; only missed vertices are left
   std::vector<int> bounded_;        ///< vertices limited by paths along edges alone
   std::vector<int> resetVertices_;  ///< the owner was removed or exceeds the edge bound
 };

@@ -131,7 +131,10 @@ bool MeshBuilding::step(long budget) {
           setFace(f, lengthened(triangle(f), m.repairs_.mollification));
         });
       },
-      [&] { m.meanEdgeLength_ += m.repairs_.mollification; },
+      [&] {
+        m.meanEdgeLength_ += m.repairs_.mollification;
+        findShortEdgeLength();
+      },
       [&] { return fillInSlices(m.angleSum_, m.vertexCount(), 0., budget); },
       [&] { return fillInSlices(m.longestEdge_, m.vertexCount(), 0., budget); },
       [&] { return forFaces(8, [&](int f) { sumUp(f); }); },
@@ -198,6 +201,19 @@ void MeshBuilding::measureExtent() {
 void MeshBuilding::requireEdgeLength() const {
   if (!(mesh_.meanEdgeLength_ >= kShortestMeanEdge))
     rejectMesh("the positions are too close together to measure distances");
+}
+
+void MeshBuilding::findShortEdgeLength() {
+  constexpr int kSamples = 4096;
+  constexpr double kLeastShare = 1.0 / 256;
+  int step = std::max(1, mesh_.halfedgeCount() / kSamples);
+  if (step % 3 == 0) ++step;  // of all sides of faces
+  std::vector<double> lengths;
+  for (std::int64_t h = 0; h < mesh_.halfedgeCount(); h += step)
+    lengths.push_back(mesh_.length(static_cast<int>(h)));
+  const auto quartile = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 4);
+  std::nth_element(lengths.begin(), quartile, lengths.end());
+  mesh_.shortEdgeLength_ = std::max(*quartile, kLeastShare * mesh_.meanEdgeLength_);
 }
 
 /// Coordinates are not centred first: centring would round them, and their differences are as

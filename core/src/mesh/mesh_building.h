@@ -33,6 +33,7 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
   void listFan(int vertex);
   void takePosition(int vertex);
   void measureExtent();
+  void findShortEdgeLength();
   void requireEdgeLength() const;
   void measureFace(int face);
   void noteFlatness(int face);

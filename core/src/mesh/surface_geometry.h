@@ -4,9 +4,11 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
 #include "base/prefetch.h"
+#include "base/tolerances.h"
 #include "gvd/error.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
@@ -48,11 +50,21 @@ inline double squaredDistance(const Eigen::Vector3d& a, const Eigen::Vector3d& b
   return squaredLength(a - b, sides);
 }
 
-/// Throws `Error(kInvalidPoint)` if a point is not on the mesh; the message begins with `what`.
-inline void requireOnMesh(const TriangleMesh& mesh, const SurfacePoint& p,
-                          const std::string& what = {}) {
+/// Barycentric coordinates that are valid within `kBarycentricTolerance` as coordinates that are
+/// not negative and sum to 1 but for rounding.
+inline Eigen::Vector3d cleanBarycentric(const Eigen::Vector3d& bary) {
+  if (bary.minCoeff() >= 0 && std::abs(bary.sum() - 1) <= kCoordinateRounding) return bary;
+  const Eigen::Vector3d clamped = bary.cwiseMax(0.0);
+  return clamped / clamped.sum();
+}
+
+/// A point from outside with clean coordinates. Throws `Error(kInvalidPoint)` if it is not on the
+/// mesh; the message begins with `what`.
+inline SurfacePoint onMesh(const TriangleMesh& mesh, const SurfacePoint& p,
+                           const std::string& what = {}) {
   if (const std::string fault = mesh.faultOfPoint(p); !fault.empty())
     throw Error(ErrorCode::kInvalidPoint, what + fault);
+  return {p.face, cleanBarycentric(p.bary)};
 }
 
 /// The vertex that a point lies on, -1 if on none.

@@ -10,6 +10,7 @@
 #include "base/number_text.h"
 #include "base/tolerances.h"
 #include "gvd/error.h"
+#include "mesh/surface_geometry.h"
 
 namespace gvd {
 namespace {
@@ -30,13 +31,6 @@ std::string faultOf(const Eigen::Vector3d& bary) {
   if (std::abs(bary.sum() - 1) > kBarycentricTolerance)
     return "the barycentric coordinates sum to " + numberText(bary.sum()) + ", not 1";
   return {};
-}
-
-/// Makes coordinates that are valid within the tolerance non-negative, with sum 1.
-Eigen::Vector3d cleanBarycentric(const Eigen::Vector3d& bary) {
-  if (const std::string fault = faultOf(bary); !fault.empty()) rejectPoint(fault);
-  const Eigen::Vector3d clamped = bary.cwiseMax(0.0);
-  return clamped / clamped.sum();
 }
 
 }  // namespace
@@ -72,6 +66,7 @@ SurfacePoint TriangleMesh::fromInput(const SurfacePoint& p) const {
     rejectPoint("triangle " + std::to_string(p.face) +
                 " was dropped and no other triangle has its points");
   }
+  if (const std::string fault = faultOf(p.bary); !fault.empty()) rejectPoint(fault);
   const Eigen::Vector3d bary = cleanBarycentric(p.bary);
   SurfacePoint q{faceOf(halfedges[0]), Eigen::Vector3d::Zero()};
   for (int i = 0; i < 3; ++i) q.bary[halfedges[i] % 3] += bary[i];

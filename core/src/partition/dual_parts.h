@@ -6,11 +6,13 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "base/sliced_loop.h"
 #include "gvd/dual.h"
+#include "gvd/error.h"
 #include "gvd/partition.h"
 #include "partition/region_complex.h"
 
@@ -63,6 +65,14 @@ auto fromRegions(const TriangleMesh& mesh, const Diagram& diagram, Make make) {
   using Result = decltype(make(std::declval<const Partition&>(), std::declval<RegionComplex>()));
   return std::unique_ptr<SlicedWork<Result>>(
       new FromRegions<Result, Make>(mesh, diagram, std::move(make)));
+}
+
+/// Throws `Error(kInvalidArgument)` unless there is one site per label of the diagram.
+inline void requireSitesOf(const Diagram& diagram, std::span<const SurfacePoint> sites) {
+  if (static_cast<int>(sites.size()) != diagram.siteCount)
+    throw Error(ErrorCode::kInvalidArgument, "there are " + std::to_string(sites.size()) +
+                                                 " sites for a diagram of " +
+                                                 std::to_string(diagram.siteCount));
 }
 
 /// A violation, and the vertices of the partition where it shows: the one farthest from all sites

@@ -16,6 +16,7 @@
 #include "base/sliced_loop.h"
 #include "gvd/error.h"
 #include "gvd/straightest.h"
+#include "mesh/surface_geometry.h"
 #include "tessellation/cvt_energy.h"
 #include "tessellation/density.h"
 #include "tessellation/lbfgs.h"
@@ -73,7 +74,8 @@ class Cvt::Solver {
     trial_.sites.assign(sites.begin(), sites.end());
     trial_.frames.assign(sites.size(), Vector2d(1, 0));
     for (size_t l = 0; l < sites.size(); ++l)
-      if (!isFixed_[l]) trial_.sites[l] = offVertex(trial_.sites[l]);
+      if (!isFixed_[l])
+        trial_.sites[l] = offVertex(onMesh(mesh_, sites[l], "site " + std::to_string(l) + ": "));
     propagation_ = propagate(mesh_, trial_.sites, options_.metric);
   }
 

@@ -262,7 +262,7 @@ std::vector<SurfacePoint> sampleByDensity(const TriangleMesh& mesh, std::span<co
   std::vector<double> sums = faceWeights(mesh);
   std::vector<Eigen::Vector3d> corners(mesh.faceCount());
   for (int f = 0; f < mesh.faceCount(); ++f) {
-    for (int i = 0; i < 3; ++i) corners[f][i] = density[mesh.tail(3 * f + i)];
+    for (int i = 0; i < 3; ++i) corners[f][i] = std::sqrt(density[mesh.tail(3 * f + i)]);
     sums[f] *= corners[f].sum();
   }
   sums = cumulative(sums);
@@ -272,10 +272,10 @@ std::vector<SurfacePoint> sampleByDensity(const TriangleMesh& mesh, std::span<co
   std::vector<SurfacePoint> points(count);
   for (SurfacePoint& p : points) {
     p.face = drawIndex(random, sums);
-    const Eigen::Vector3d& rho = corners[p.face];
+    const Eigen::Vector3d& root = corners[p.face];
     do {
       p.bary = drawBarycentric(random);
-    } while (drawUniform(random) * rho.maxCoeff() > p.bary.dot(rho));
+    } while (drawUniform(random) * root.maxCoeff() > p.bary.dot(root));
   }
   return points;
 }
@@ -325,7 +325,13 @@ std::vector<SurfacePoint> coverComponents(const TriangleMesh& mesh,
                                                  " components if there are " +
                                                  std::to_string(count) + " in all");
   std::vector<int> has(components, 0);
-  for (const SurfacePoint& p : points) ++has[mesh.component(p.face)];
+  std::size_t total = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].face == -1) continue;
+    points[i] = onMesh(mesh, points[i], "point " + std::to_string(i) + ": ");
+    ++has[mesh.component(points[i].face)];
+    ++total;
+  }
   std::vector<std::vector<int>> faces(components);
   for (int f = 0; f < mesh.faceCount(); ++f)
     if (const int c = mesh.component(f); has[c] < perComponent) faces[c].push_back(f);
@@ -346,8 +352,9 @@ std::vector<SurfacePoint> coverComponents(const TriangleMesh& mesh,
     }
   }
 
-  std::size_t total = points.size() + added.size();
+  total += added.size();
   for (std::size_t i = points.size(); i-- > 0 && total > static_cast<std::size_t>(count);) {
+    if (points[i].face == -1) continue;
     int& there = has[mesh.component(points[i].face)];
     if (there <= perComponent) continue;
     --there;

@@ -21,10 +21,10 @@ UnfoldingSpread::UnfoldingSpread(const TriangleMesh& mesh, const SiteSet& sites,
       sites_(sites),
       edgeBounds_(edgeBounds),
       bounds_(bounds),
-      isUnbounded_(isUnbounded),
+      fixedReach_(isUnbounded ? kInfinity : 0),
       sweep_(mesh,
              [this](int v) {
-               return isUnbounded_ ? kInfinity : edgeBounds_[v] + mesh_.longestEdge(v);
+               return fixedReach_ > 0 ? fixedReach_ : edgeBounds_[v] + mesh_.longestEdge(v);
              }),
       indexOf_(mesh.vertexCount(), -1) {}
 
@@ -112,20 +112,28 @@ void UnfoldingSpread::requireVertex(Label& known, int vertex) const {
   known.directions.push_back(direction);
 }
 
-/// Repeats the sweep without bounds, for required vertices without a swept neighbour. This happens
-/// where edges are much longer than distances.
+/// Finds the distances of required vertices without a swept neighbour, which are there where edges
+/// are much longer than distances: by sweeps that reach twice as far each time, whatever the bounds
+/// are. A vertex gets its distance from the first that reaches beyond it, so that the result does
+/// not depend on what else is required.
 void UnfoldingSpread::sweepToRequired(int label) {
-  UnfoldingSweep sweep(mesh_, [](int) { return kInfinity; });
-  sweep.start(sites_[label]);
-  long unlimited = std::numeric_limits<long>::max();
-  sweep.run(unlimited);
   Label& known = labels_[label];
-  for (size_t i = 0; i < known.vertices.size(); ++i) {
-    ReachedVertex& r = known.vertices[i];
-    if (r.distance < kInfinity) continue;
-    r.distance = sweep.distance(r.vertex);
-    known.directions[i] = sweep.direction(r.vertex);
+  const auto isMissing = [](const ReachedVertex& r) { return r.distance == kInfinity; };
+  const double usualReach = fixedReach_;
+  for (fixedReach_ = mesh_.shortEdgeLength();
+       std::any_of(known.vertices.begin(), known.vertices.end(), isMissing); fixedReach_ *= 2) {
+    sweep_.start(sites_[label]);
+    long unlimited = std::numeric_limits<long>::max();
+    sweep_.run(unlimited);
+    for (size_t i = 0; i < known.vertices.size(); ++i) {
+      ReachedVertex& r = known.vertices[i];
+      if (!isMissing(r) || sweep_.distance(r.vertex) > fixedReach_) continue;
+      r.distance = sweep_.distance(r.vertex);
+      known.directions[i] = sweep_.direction(r.vertex);
+    }
+    if (fixedReach_ == kInfinity) break;
   }
+  fixedReach_ = usualReach;
 }
 
 // --- Queries -----------------------------------------------------------------------------------

@@ -57,7 +57,7 @@ class UnfoldingSpread final : public LabelSpread {
   const SiteSet& sites_;
   const EdgeBounds& edgeBounds_;
   NearestBounds& bounds_;
-  const bool isUnbounded_;
+  double fixedReach_;  ///< of sweeps that do not depend on the bounds; 0 for those that do
   UnfoldingSweep sweep_;
   std::vector<Label> labels_;
   int running_ = -1;

@@ -26,16 +26,15 @@ void UnfoldingSweep::start(const SurfacePoint& site) {
   if (place.corner >= 0) {
     const int vertex = face.vertices[place.corner], first = mesh_.outgoing(vertex);
     offer(vertex, 0, {1, 0}, kFromSite);
+    double angle = angleOfOutgoing(mesh_, site, first);
     int h = first;
     do {
-      offer(mesh_.tip(h), mesh_.length(h), unitVector(angleOfOutgoing(mesh_, site, h)), kFromSite);
+      offer(mesh_.tip(h), mesh_.length(h), unitVector(angle), kFromSite);
+      angle += mesh_.cornerAngle(h);
       const int last = TriangleMesh::previous(h);
       h = mesh_.twin(last);
-      if (h < 0) {  // the last side along the boundary leads here only
-        const int out = TriangleMesh::next(last);
-        offer(mesh_.tail(last), mesh_.length(last),
-              unitVector(angleOfOutgoing(mesh_, site, out) + mesh_.cornerAngle(out)), kFromSite);
-      }
+      if (h < 0)  // the last side along the boundary leads here only
+        offer(mesh_.tail(last), mesh_.length(last), unitVector(angle), kFromSite);
     } while (h >= 0 && h != first);
     return;
   }

@@ -82,7 +82,7 @@ class UnfoldingSweep {
   UnfoldingSweep(const TriangleMesh& mesh, Reach reach)
       : mesh_(mesh),
         reach_(std::move(reach)),
-        bucketsPerUnit_(kBucketsPerEdge / mesh.meanEdgeLength()),
+        bucketsPerUnit_(kBucketsPerEdge / mesh.shortEdgeLength()),
         vertices_(mesh.vertexCount()) {}
 
   /// Begins with a site and forgets the previous one.
@@ -101,9 +101,9 @@ class UnfoldingSweep {
   const Eigen::Vector2d& direction(int vertex) const { return vertices_[vertex].direction; }
 
  private:
-  /// Buckets of the queue per mean edge. Order within a bucket is arbitrary; a distance that was
+  /// Buckets of the queue per short edge. Order within a bucket is arbitrary; a distance that was
   /// passed on too early is passed on again once it falls.
-  static constexpr double kBucketsPerEdge = 8;
+  static constexpr double kBucketsPerEdge = 6;
 
   /// The two ends of the side, or twice the vertex, that a distance follows from; -1 for a site.
   using Origin = std::array<int, 2>;

@@ -122,9 +122,8 @@ class PathSearch final : public SlicedWork<std::vector<SurfacePoint>> {
 std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> startShortestPath(const TriangleMesh& mesh,
                                                                          const SurfacePoint& from,
                                                                          const SurfacePoint& to) {
-  requireOnMesh(mesh, from, "the start of the path: ");
-  requireOnMesh(mesh, to, "the end of the path: ");
-  return std::make_unique<PathSearch>(mesh, from, to);
+  return std::make_unique<PathSearch>(mesh, onMesh(mesh, from, "the start of the path: "),
+                                      onMesh(mesh, to, "the end of the path: "));
 }
 
 std::vector<SurfacePoint> shortestPath(const TriangleMesh& mesh, const SurfacePoint& from,

@@ -24,9 +24,9 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Buckets of the queue per mean edge length: wide enough for most windows of a halfedge to cross
+/// Buckets of the queue per short edge: wide enough for most windows of a halfedge to cross
 /// in one batch, narrow enough for few to cross before the distances that trim them are known.
-constexpr double kBucketsPerEdge = 2;
+constexpr double kBucketsPerEdge = 1.5;
 
 /// A label that crosses more halfedges per vertex than this winds around a spike or a tube. Over a
 /// scanned surface, one label crosses 3.5 per vertex.
@@ -63,7 +63,7 @@ bool entersFaceAgain(const TriangleMesh& mesh, const Window& w, int h, long& may
 WindowSweep::WindowSweep(const TriangleMesh& mesh, NearestBounds& bounds)
     : mesh_(mesh),
       bounds_(bounds),
-      bucketsPerUnit_(kBucketsPerEdge / mesh.meanEdgeLength()),
+      bucketsPerUnit_(kBucketsPerEdge / mesh.shortEdgeLength()),
       leeway_(kDistanceTolerance * kFarthestTie * mesh.boundingDiagonal()),
       fan_(mesh),
       required_(kPlaceRounding * mesh.boundingDiagonal()),
@@ -262,9 +262,12 @@ void WindowSweep::becomeSource(int v) {
   const auto sides = fan_.sides(v, own.piece.arrival, own.piece.crossing);
   if (sides.empty()) return;
   const bool isSite = own.piece.arrival < 0;
-  const double direction = directionAt(v);
-  for (const OppositeSide& side : sides)
-    emit(v, side, isSite ? angleOfOutgoing(mesh_, site_, side.outgoing) : direction, isSite);
+  double direction =
+      isSite ? angleOfOutgoing(mesh_, site_, sides.front().outgoing) : directionAt(v);
+  for (const OppositeSide& side : sides) {
+    emit(v, side, direction, isSite);
+    if (isSite) direction += mesh_.cornerAngle(side.outgoing);  // the sides of a site go all around
+  }
 }
 
 bool WindowSweep::maySpreadFrom(int v) {
