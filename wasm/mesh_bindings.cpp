@@ -202,11 +202,17 @@ GVD_ABI Answer* shortestPath(const MeshHandle* handle, Ints fromFace, Doubles fr
   });
 }
 
-/// `SurfacePoints`. `seed` is an integer below 2^53.
-GVD_ABI Answer* sampleSites(const MeshHandle* handle, int count, Text sampling, double seed) {
+/// `SurfacePoints`. `seed` is an integer below 2^53; `density` is one value per input vertex, for
+/// random sites, or none.
+GVD_ABI Answer* sampleSites(const MeshHandle* handle, int count, Text sampling, double seed,
+                            Doubles density) {
   return guarded([&] {
     const TriangleMesh& mesh = *handle->mesh;
     const auto from = static_cast<std::uint64_t>(seed);
+    if (density.size > 0) {
+      const std::vector<double> values = valuesFromInput(mesh, "densities", density.span());
+      return new Answer{nullptr, pointsRecord(mesh, sampleByDensity(mesh, values, count, from))};
+    }
     switch (valueOf(kSamplings, "sampling", toView(sampling))) {
       case Sampling::kFarthest:
         return pointsAnswer(*handle, startFarthest(mesh, count, from));

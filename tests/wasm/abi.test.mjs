@@ -75,7 +75,7 @@ test('enumerators have the same names on both sides', async () => {
     [metrics, (name) => core.call('startVoronoi', mesh, ...site, name)],
     [orientations, meshOf],
     [worstRegions, (name) => core.answer('worstRegionPoint', voronoi, name)],
-    [samplings, (name) => finished(core.call('sampleSites', mesh, 1, name, 1))],
+    [samplings, (name) => finished(core.call('sampleSites', mesh, 1, name, 1, new Float64Array()))],
     [cvtMethods, (name) => core.call('startCvt', mesh, ...site, name, metrics[0], 1, ...none)],
   ];
   for (const [names, call] of named) {

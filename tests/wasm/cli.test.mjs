@@ -114,7 +114,7 @@ test('sites and points by their coordinates', () => {
   const located = JSON.parse(
     succeeds('locate shape.glb --sites places.json --points places.json').stdout,
   );
-  assert.deepEqual(located, { label: [0, 1], distance: [0, 0] });
+  assert.deepEqual(located, { scale: 1, unit: 'm', label: [0, 1], distance: [0, 0] });
   const [{ length }] = JSON.parse(
     succeeds('path shape.glb --from places.json --to places.json').stdout,
   ).paths;
@@ -260,10 +260,15 @@ test('diagram as JSON, to a file or to standard output', () => {
 
 test('cvt writes sites that other commands read, and the energy of every iteration', () => {
   const { stderr } = succeeds('cvt shape.glb --sites 5 --iterations 6 -o c.json');
-  assert.match(stderr, /^5 sites, \d iterations, energy [\d.]+ to [\d.]+\n$/);
-  const { face, bary, energy } = JSON.parse(read('c.json'));
+  assert.match(
+    stderr,
+    /^5 sites, 6 iterations \(no more were allowed\), energy [\d.]+ to [\d.]+\n$/,
+  );
+  const { mesh, face, bary, position, energy } = JSON.parse(read('c.json'));
+  assert.deepEqual(mesh, { faces: 8 });
   assert.equal(face.length, 5);
   assert.equal(bary.length, 15);
+  assert.equal(position.length, 15);
   energy.slice(1).forEach((e, i) => assert.ok(e <= energy[i] * (1 + 1e-12)));
   succeeds('diagram shape.glb --sites c.json');
 
@@ -278,6 +283,40 @@ test('cvt writes sites that other commands read, and the energy of every iterati
   );
   assert.ok(exact.energy[1] < exact.energy[0]);
   succeeds('remesh shape.glb --sites 20 --iterations 1 --metric exact -o remesh.obj');
+
+  const soon = succeeds('cvt shape.glb --sites 5 --tolerance 0.01 --units cm -o c.ply').stderr;
+  assert.match(soon, /^5 sites, \d+ iterations, energy/);
+  assert.match(read('c.ply'), /^ply\n[^]*element vertex 5\nproperty double x/);
+  fails(2, 'cvt shape.glb --sites 5 -o c.obj', /ending of 'c\.obj' is not one of \.json, \.ply/);
+});
+
+test('random sites are spread by the density', () => {
+  write('left.json', JSON.stringify([1, 0, 0, 0, 0, 0]));
+  const spread = (options) =>
+    JSON.parse(succeeds(`cvt shape.glb --sites 200 --iterations 0 ${options}`).stdout).position;
+  const meanX = (position) =>
+    position.reduce((sum, x, i) => sum + (i % 3 === 0 ? x : 0), 0) / (position.length / 3);
+  assert.ok(Math.abs(meanX(spread('--seed 2'))) < 0.1);
+  assert.ok(meanX(spread('--density left.json')) > 0.4);
+  assert.ok(Math.abs(meanX(spread('--density left.json --sampling poisson'))) < 0.1);
+});
+
+test('points as JSON in place of a file, and named in errors', () => {
+  const path = `path shape.glb --from {"vertex":0} --to`;
+  assert.equal(JSON.parse(succeeds(`${path} {"vertex":[0]}`).stdout).paths[0].length, 0);
+  fails(1, `${path} {"vertex":9}`, /\{"vertex":9\}: point 0: there is no vertex 9\n$/);
+  fails(1, `${path} {"position":[[0,0,0]]}`, /positions\[0\] is a list: all numbers go into one/);
+  write('bad.json', '{"face": [0, 8], "bary": [1, 0, 0, 1, 0, 0]}');
+  fails(1, 'locate shape.glb --sites 2 --points bad.json', /bad\.json: point 1: there is no tri/);
+  succeeds('cvt two.glb --sites 2 -o two.json');
+  fails(1, 'distances shape.glb --sites two.json -o d.ply', /two\.json.*10 triangles, not 8/);
+});
+
+test('a note where there are fewer vertices than sites to be', () => {
+  const { stderr } = succeeds(
+    'cvt shape.glb --sites 50 --sampling farthest --iterations 0 -o c.json',
+  );
+  assert.match(stderr, /^note: 7 of 50 sites: every vertex has one\n/);
 });
 
 test('cvt with sites that stay, and with a density', () => {
@@ -414,7 +453,8 @@ test('the sites of a diagram are sites for another', () => {
 
 test('locate', () => {
   const { stdout } = succeeds('locate shape.glb --sites sites.json --points points.json');
-  assert.deepEqual(JSON.parse(stdout), { label: [0, 1], distance: [0, 0] });
+  const located = { scale: 1, unit: 'm', label: [0, 1], distance: [0, 0] };
+  assert.deepEqual(JSON.parse(stdout), located);
   write('points.json', '{"face": [0, 8], "bary": [0, 0, 1, 0, 1, 0]}');
   const far = JSON.parse(
     succeeds('locate shape.glb --sites sites.json --points sites.json --units 2').stdout,
@@ -484,7 +524,8 @@ test('no path leads to another component', () => {
   write('to.json', '{"vertex": [0]}');
   const { stdout } = succeeds('path two.glb --from from.json --to to.json');
   const none = { face: [], bary: [], position: [] };
-  assert.deepEqual(JSON.parse(stdout), { paths: [{ points: none, length: null }] });
+  const { paths } = JSON.parse(stdout);
+  assert.deepEqual(paths, [{ points: none, length: null }]);
 });
 
 test('- is standard input, for one file', () => {
@@ -564,14 +605,14 @@ test('a wrong command line: status 2', () => {
   fails(2, 'cvt shape.glb --sites 3 --method newton', /newton.*lloyd, lbfgs/);
   fails(2, 'cvt shape.glb --sites 3 --metric far', /far.*exact, dgpc/);
   fails(2, 'cvt shape.glb --sites 3 --iterations -1', /--iterations/);
-  fails(2, 'cvt shape.glb', /--sites is missing/);
+  fails(2, 'cvt shape.glb', /--sites N\|FILE or --radius R is missing/);
   fails(2, 'diagram shape.glb --sites 3 -o d.stl', /d\.stl.*\.json, \.obj, \.glb/);
   fails(2, 'partition shape.glb --sites 3 --layout heap -o d.glb', /heap.*regions, features/);
   fails(2, 'partition shape.glb --sites 3 -o d.stl', /d\.stl.*\.json, \.glb, \.obj, \.ply/);
   fails(2, 'dual shape.glb --sites 3 --detail 2', /--detail/);
-  fails(2, 'remesh shape.glb', /--sites is missing/);
+  fails(2, 'remesh shape.glb', /--sites N\|FILE or --radius R is missing/);
   fails(2, 'locate shape.glb --sites 3', /--points/);
-  fails(2, 'distances shape.glb', /--sites is missing/);
+  fails(2, 'distances shape.glb', /--sites N\|FILE or --radius R is missing/);
   fails(2, 'distances shape.glb --sites 3 -o d.obj', /d\.obj.*\.json, \.ply, \.glb/);
   fails(2, 'distances shape.glb --sites 3 --detail 1', /--detail/);
   fails(2, 'path shape.glb --from sites.json', /--to is missing/);
@@ -596,7 +637,8 @@ test('bad input: status 1, one line, no file', () => {
   fails(1, 'diagram shape.glb --sites outside.json -o d.json', /8/);
   write('three.json', '{"vertex": [0, 1, 2]}');
   fails(1, 'path shape.glb --from three.json --to sites.json -o p.json', /3 points.*2 to end/);
-  fails(1, 'path shape.glb --from outside.json --to three.json -o p.json', /1 points.*3 to end/);
+  write('one.json', '{"vertex": [1]}');
+  fails(1, 'path shape.glb --from one.json --to three.json -o p.json', /1 points.*3 to end/);
   fails(1, 'diagram shape.glb --sites 3 -o nowhere/d.json', /nowhere.*no such file or folder/);
   mkdirSync(join(folder, 'taken.json'));
   fails(1, 'diagram shape.glb --sites 3 -o taken.json', /taken\.json.*folder/);

@@ -206,6 +206,46 @@ test('sampled sites depend on the seed alone, and the first ones not on the coun
   );
 });
 
+test('where points are: by triangles, vertices and places, and of labels without a site', async () => {
+  const mesh = await gvd.mesh(octahedron());
+  const places = await mesh.sampleSites(20);
+  const positions = await mesh.positionsOf(places);
+  const back = await mesh.closestPoints(positions);
+  assert.ok(Math.max(...back.distance) < 1e-15);
+  assert.deepEqual(await mesh.positionsOf({ vertex: [1, 0] }), Float64Array.of(0, 1, 0, 1, 0, 0));
+  assert.deepEqual(await mesh.positionsOf({ position: [2, 0, 0] }), Float64Array.of(1, 0, 0));
+  assert.deepEqual(
+    await mesh.positionsOf({ face: [-1, 0], bary: [0, 0, 0, 1, 0, 0] }),
+    Float64Array.of(NaN, NaN, NaN, ...mesh.positions.slice(3 * mesh.indices[0]).slice(0, 3)),
+  );
+  for (const face of [8, -2]) {
+    await assert.rejects(
+      mesh.positionsOf({ face, bary: [1, 0, 0] }),
+      fails('invalid-point', new RegExp(`^point 0: there is no triangle ${face}$`)),
+    );
+  }
+});
+
+test('random sites spread as a tessellation with a density does', async () => {
+  const mesh = await gvd.mesh(octahedron()); // its vertex 0 is at x = 1
+  const meanX = async (options) => {
+    const positions = await mesh.positionsOf(await mesh.sampleSites(2000, options));
+    return positions.reduce((sum, x, i) => sum + (i % 3 === 0 ? x : 0), 0) / 2000;
+  };
+  const onOneSide = [1, 0, 0, 0, 0, 0];
+  assert.ok(Math.abs(await meanX({})) < 0.05);
+  // The root falls linearly from the vertex, where four triangles meet: the mean of x is 1/2.
+  assert.ok(Math.abs((await meanX({ density: onOneSide })) - 0.5) < 0.03);
+  for (const options of [
+    { density: onOneSide, sampling: 'poisson' },
+    { density: [1, 2] },
+    { density: 'attribute' },
+    { density: [-1, 0, 0, 0, 0, 0] },
+  ]) {
+    await assert.rejects(mesh.sampleSites(3, options), fails('invalid-argument', /densit/));
+  }
+});
+
 test('there may be more sites than vertices, but not less than one', async () => {
   const mesh = await gvd.mesh(octahedron());
   assert.equal((await mesh.sampleSites(100)).face.length, 100);

@@ -30,8 +30,12 @@ export function toOptions<Options extends object, const Defaults extends Usual<O
     .find((name) => !known.includes(name))
     ?.slice(0, 40);
   if (stranger !== undefined) {
+    const nearest = nearestName(stranger, known);
     throw invalidArgument(
-      `there is no option ${show(stranger)} here: the nearest is ${show(nearestName(stranger, known))}`,
+      `there is no option ${show(stranger)} here: ` +
+        (nearest === undefined
+          ? `there are ${known.join(', ')}`
+          : `the nearest is ${show(nearest)}`),
     );
   }
   const values = Object.entries(usual).map(([name, value]) => {
@@ -126,10 +130,17 @@ export function toInt32(name: string, values: ArrayLike<number>): Int32Array {
 /** Arrays of numbers, typed or not. */
 function requireNumbers(name: string, values: ArrayLike<number>): void {
   const isTyped = ArrayBuffer.isView(values) && 'length' in values;
-  if (!(isTyped || Array.isArray(values)) || isBigInts(values))
-    throw invalidArgument(`${name} is ${show(values)}, not an array of numbers`);
+  if (!(isTyped || Array.isArray(values)) || isBigInts(values)) {
+    const isStringified = isObject(values) && '0' in values; // JSON has no typed arrays
+    throw invalidArgument(
+      `${name} is ${show(values)}, not an array of numbers` +
+        (isStringified ? ': pointsJson gives points a form for JSON' : ''),
+    );
+  }
   if (isTyped) return;
   for (let i = 0; i < values.length; ++i) {
+    if (Array.isArray(values[i]))
+      throw invalidArgument(`${name}[${i}] is a list: all numbers go into one flat list`);
     if (typeof values[i] !== 'number')
       throw invalidArgument(`${name}[${i}] is ${show(values[i])}, not a number`);
   }
@@ -146,6 +157,7 @@ export function toResult<Result extends object>(
   ...fields: (keyof Result & string)[]
 ): Result {
   if (!isObject(value)) throw invalidArgument(`${name} is ${show(value)}, not an object`);
+  if (value instanceof Promise) throw invalidArgument(`${name} is a promise: await it`);
   const missing = fields.find((field) => !isObject(value[field]));
   if (missing === undefined) return value;
   throw invalidArgument(`${name}.${missing} is ${show(value[missing])}, not an object`);
@@ -165,6 +177,8 @@ export function toFileOptions<
   options: Options | undefined,
   usual: Defaults,
 ): Complete<Options, Defaults> & { mesh?: AttributeSource; scale: number } {
+  if (isObject(options) && 'positions' in options && 'indices' in options)
+    throw invalidArgument('options is a mesh: pass it as { mesh }');
   const all = toOptions<object, object>(options, { ...usual, mesh: undefined, scale: 1 });
   const { mesh, scale } = all as { mesh?: AttributeSource; scale: number };
   if (mesh !== undefined) toAttributeSource(mesh);
@@ -180,10 +194,15 @@ export function requireBytes(name: string, bytes: Uint8Array): void {
     throw invalidArgument(`${name} is ${show(bytes)}, not a Uint8Array`);
 }
 
-/** The name at the least Levenshtein distance. */
-export function nearestName(name: string, names: readonly string[]): string {
+/** The name at the least Levenshtein distance, unless more than a third of the letters differ. */
+export function nearestName<Name extends string>(
+  name: string,
+  names: readonly Name[],
+): Name | undefined {
   const distances = names.map((other) => letterDistance(name.toLowerCase(), other.toLowerCase()));
-  return names[distances.indexOf(Math.min(...distances))];
+  const least = Math.min(...distances);
+  const nearest = names[distances.indexOf(least)];
+  return 3 * least <= Math.max(name.length, nearest.length) ? nearest : undefined;
 }
 
 /** The Levenshtein distance, row by row. */

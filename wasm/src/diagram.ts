@@ -7,8 +7,9 @@ import { changedData, changedSites, combinedChange, shortenChanges } from './cha
 import { toBoolean, toTask, toTaskOptions } from './checks.js';
 import type { DiagramForm, Engine, OpenedDiagram } from './engine.js';
 import { invalidArgument } from './errors.js';
+import { diagramJson, type DiagramJson } from './formats.js';
 import { toLabel, toMaxAdded, toWorstRegion } from './input.js';
-import { disposeSymbol, Kept } from './kept.js';
+import { disposeSymbol, inspectSymbol, Kept } from './kept.js';
 import { regionsOf } from './region.js';
 import type {
   DiagramChange,
@@ -77,6 +78,15 @@ export class EngineDiagram implements Diagram {
 
   get regions(): readonly Region[] {
     return (this.#regions ??= regionsOf(this.data));
+  }
+
+  toJSON(): DiagramJson {
+    return diagramJson(this);
+  }
+
+  [inspectSymbol](): object {
+    const { metric, sites, data, regions } = this;
+    return { metric, sites, data, regions };
   }
 
   /** Waits for the changes asked for before it; later ones wait for it. */

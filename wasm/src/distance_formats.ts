@@ -4,12 +4,13 @@
 // out.
 
 import { inputVertices, type AttributeSource } from './attributes.js';
-import { show, toAttributeSource, toResult, toScale } from './checks.js';
-import { invalidArgument } from './errors.js';
+import { toAttributeSource, toResult, toScale } from './checks.js';
 import { glbAttributes, plyColumns } from './file_vertices.js';
 import {
   placedPointsJson,
   pointsJson,
+  toLengths,
+  type LengthsJson,
   type PlacedPointsJson,
   type SurfacePointsJson,
 } from './formats.js';
@@ -18,7 +19,7 @@ import { ply } from './ply.js';
 import type { Distances, SurfacePath, VertexDistances } from './results.js';
 
 /** The JSON form of distances: one entry per input vertex, two in `direction`. */
-export interface DistancesJson {
+export interface DistancesJson extends LengthsJson {
   metric: string;
   sites: SurfacePointsJson;
   /** -1 where no site reaches. */
@@ -28,7 +29,7 @@ export interface DistancesJson {
   direction: (number | null)[];
 }
 
-export function distancesJson(distances: Distances, scale = 1): DistancesJson {
+export function distancesJson(distances: Distances, scale = 1, unit?: string): DistancesJson {
   const { metric, sites, label, distance, direction } = toResult(
     'distances',
     distances,
@@ -37,11 +38,11 @@ export function distancesJson(distances: Distances, scale = 1): DistancesJson {
     'distance',
     'direction',
   );
-  toScale(scale);
   // JSON has neither infinity nor NaN.
   const finite = (x: number) => (Number.isFinite(x) ? x : null);
   return {
     metric,
+    ...toLengths(scale, unit),
     sites: pointsJson(sites),
     label: [...label],
     distance: Array.from(distance, (d) => finite(scale * d)),
@@ -118,15 +119,18 @@ export function distancesGlb(
 }
 
 /** The JSON form of paths; without points, and of length null, where there is none. */
-export interface PathsJson {
+export interface PathsJson extends LengthsJson {
   paths: { points: PlacedPointsJson; length: number | null }[];
 }
 
-export function pathsJson(paths: readonly SurfacePath[], scale = 1): PathsJson {
-  requirePaths(paths);
-  toScale(scale);
+export function pathsJson(
+  paths: SurfacePath | readonly SurfacePath[],
+  scale = 1,
+  unit?: string,
+): PathsJson {
   return {
-    paths: paths.map(({ points, length }) => ({
+    ...toLengths(scale, unit),
+    paths: toPaths(paths).map(({ points, length }) => ({
       points: placedPointsJson(points, scale),
       length: length === Infinity ? null : scale * length,
     })),
@@ -134,12 +138,11 @@ export function pathsJson(paths: readonly SurfacePath[], scale = 1): PathsJson {
 }
 
 /** A polyline per path, in a group each; a point where the path has no length. */
-export function pathsObj(paths: readonly SurfacePath[], scale = 1): string {
-  requirePaths(paths);
+export function pathsObj(paths: SurfacePath | readonly SurfacePath[], scale = 1): string {
   toScale(scale);
   const lines = ['# Shortest paths'];
   let count = 0;
-  paths.forEach(({ points: { face, position } }, i) => {
+  toPaths(paths).forEach(({ points: { face, position } }, i) => {
     if (face.length === 0) return;
     for (let k = 0; k < position.length; k += 3) {
       const place = position.subarray(k, k + 3);
@@ -151,7 +154,8 @@ export function pathsObj(paths: readonly SurfacePath[], scale = 1): string {
   return `${lines.join('\n')}\n`;
 }
 
-function requirePaths(paths: readonly SurfacePath[]): void {
-  if (!Array.isArray(paths)) throw invalidArgument(`paths is ${show(paths)}, not an array`);
-  paths.forEach((path, i) => toResult(`paths[${i}]`, path, 'points'));
+/** Paths, of which one may be given without a list. */
+function toPaths(paths: SurfacePath | readonly SurfacePath[]): readonly SurfacePath[] {
+  if (!Array.isArray(paths)) return [toResult('path', paths as SurfacePath, 'points')];
+  return paths.map((path, i) => toResult(`paths[${i}]`, path, 'points'));
 }

@@ -2,7 +2,7 @@
 //
 // A diagram as a file. `scale` is what lengths are multiplied with on the way out.
 
-import { toResult, toScale } from './checks.js';
+import { isObject, toResult, toScale } from './checks.js';
 import { GlbBuilder } from './glb.js';
 import { regionsOf } from './region.js';
 import type { DiagramData, PlacedPoints, SurfacePoints } from './results.js';
@@ -17,12 +17,21 @@ export interface SurfacePointsJson {
 /** The JSON form of a list of points with where they are. */
 export type PlacedPointsJson = SurfacePointsJson & { position: number[] };
 
-/** The JSON form of a diagram; every index in `loops`, `points` and `point` counts the points. */
-export interface DiagramJson {
-  metric: string;
+/** What lengths in a JSON form are in. */
+export interface LengthsJson {
   /** The factor from the input's lengths to those of the file, and their unit there, if known. */
   scale: number;
   unit?: string;
+}
+
+/** The fields of `LengthsJson`; throws unless `scale` is a factor. */
+export function toLengths(scale: number, unit?: string): LengthsJson {
+  return { scale: toScale(scale), ...(unit !== undefined && { unit }) };
+}
+
+/** The JSON form of a diagram; every index in `loops`, `points` and `point` counts the points. */
+export interface DiagramJson extends LengthsJson {
+  metric: string;
   sites: SurfacePointsJson;
   /** The points that the fields below refer to by index, each place once. */
   points: PlacedPointsJson;
@@ -45,7 +54,6 @@ export function diagramJson(
   unit?: string,
 ): DiagramJson {
   const { metric, sites, data } = toResult('diagram', diagram, 'sites', 'data');
-  toScale(scale);
   const { points, arcs, voronoiPoints, loops, cells } = data;
   const named = [loops.points, arcs.points, voronoiPoints.point, cells.points];
   const { used, number } = compact(named, points.face.length);
@@ -53,8 +61,7 @@ export function diagramJson(
   const arcFaces = facesOfArcs(data);
   return {
     metric,
-    scale,
-    ...(unit !== undefined && { unit }),
+    ...toLengths(scale, unit),
     sites: pointsJson(sites),
     points: placedPointsJson(pointsAt(points, used), scale),
     regions: regionsOf(data).map(({ area, loops, neighbours }) => ({
@@ -118,13 +125,30 @@ function pointsAt({ face, bary, position }: PlacedPoints, indices: Uint32Array):
   };
 }
 
-export function pointsJson({ face, bary }: SurfacePoints): SurfacePointsJson {
+export function pointsJson(points: SurfacePoints): SurfacePointsJson {
+  const { face, bary } = toResult('points', points, 'face', 'bary');
   return { face: [...face], bary: [...bary] };
 }
 
+/** Arrays of a diagram, or a diagram that has them. */
+type Arrays<Name extends keyof DiagramData> =
+  | Pick<DiagramData, Name>
+  | { data: Pick<DiagramData, Name> };
+
+function arraysOf<Name extends keyof DiagramData>(
+  diagram: Arrays<Name>,
+  ...names: Name[]
+): Pick<DiagramData, Name> {
+  const data = isObject(diagram) && 'data' in diagram ? diagram.data : diagram;
+  return toResult('diagram', data, ...names);
+}
+
 /** The bisectors as Wavefront OBJ: a polyline per arc, in a group that names its two labels. */
-export function diagramObj(data: Pick<DiagramData, 'points' | 'arcs'>, scale = 1): string {
-  const { points, arcs } = toResult('data', data, 'points', 'arcs');
+export function diagramObj(
+  diagram: Arrays<'points' | 'arcs'>,
+  scale = 1,
+): string {
+  const { points, arcs } = arraysOf(diagram, 'points', 'arcs');
   toScale(scale);
   const { used, number } = compact([arcs.points], points.face.length);
   const lines = ['# Bisectors of a geodesic Voronoi diagram'];
@@ -145,10 +169,10 @@ export function diagramObj(data: Pick<DiagramData, 'points' | 'arcs'>, scale = 1
 
 /** The bisectors as GLB: one primitive of line segments. */
 export function diagramGlb(
-  data: Pick<DiagramData, 'points' | 'segments'>,
+  diagram: Arrays<'points' | 'segments'>,
   scale = 1,
 ): Uint8Array<ArrayBuffer> {
-  const { points, segments } = toResult('data', data, 'points', 'segments');
+  const { points, segments } = arraysOf(diagram, 'points', 'segments');
   toScale(scale);
   const { used, number } = compact([segments.points], points.face.length);
   const positions = new Float32Array(3 * used.length);

@@ -16,7 +16,7 @@ export type { ErrorCode, LoadOptions, Modules, WasmSource };
 export { GeodesicVoronoiError };
 export { gltfResourceUris } from './input/gltf_document.js';
 export { type FindModelOptions, type FoundModel, findModel, listModels } from './find_model.js';
-export { diagramGlb, diagramJson, diagramObj } from './formats.js';
+export { diagramGlb, diagramJson, diagramObj, pointsJson } from './formats.js';
 export {
   distancesGlb,
   distancesJson,
@@ -86,7 +86,7 @@ function toWorker(worker: LoadWorkerOptions['worker']): Worker {
   if (worker !== undefined && !isAddress(worker))
     throw invalidArgument(`worker is ${show(worker)}, neither a Worker nor an address`);
   if (typeof Worker === 'undefined')
-    throw new GeodesicVoronoiError('load-failed', 'there are no module workers here: use load()');
+    throw new GeodesicVoronoiError('load-failed', 'there are no module workers here (as in Node, within whose workers load() works): use load()');
   return worker === undefined
     ? new Worker(new URL('./worker.js', import.meta.url), {
         type: 'module',

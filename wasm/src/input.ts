@@ -92,7 +92,8 @@ export function toFiles(source: unknown): ModelFiles {
     if (entries.every(([, file]) => isModelFile(file))) return source as ModelFiles;
   }
   throw invalidArgument(
-    'a mesh is made from the bytes of a file, from files by their paths, or from {positions, indices}',
+    `a mesh is made from the bytes of a file, from files by their paths, or from {positions, indices}, not from ${show(source)}` +
+      (typeof source === 'string' || source instanceof URL ? ': fetch or read the file' : ''),
   );
 }
 
@@ -120,8 +121,17 @@ export function toPoints(
     if ('face' in points && 'bary' in points) return toBarycentric(name, points);
     if ('position' in points) return { position: toPlaces(`${name}.position`, points.position) };
   }
-  throw invalidArgument(
-    `${name} is ${show(points)}, not points: {face, bary}, {vertex} or {position}`,
+  throw invalidArgument(`${name} is ${notPoints(points)}`);
+}
+
+/** Says what a value is that is no points. */
+function notPoints(value: unknown): string {
+  if (value instanceof Promise) return 'a promise: await it';
+  if (isObject(value) && Symbol.asyncIterator in value)
+    return 'what cvt gives: loop over it, and pass the sites of a state';
+  return (
+    `${show(value)}, not points: { face: [i, …], bary: [b0, b1, b2, …] }, { vertex: [i, …] } ` +
+    'or { position: [x, y, z, …] }'
   );
 }
 

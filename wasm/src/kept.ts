@@ -13,6 +13,9 @@ import type { Argument } from './wasm_module.js';
 /** `Symbol.dispose`, also where the runtime does not know it yet. */
 export const disposeSymbol: typeof Symbol.dispose = Symbol.dispose ?? Symbol.for('Symbol.dispose');
 
+/** What `console.log` in Node shows of an object, whose values are not its own fields. */
+export const inspectSymbol = Symbol.for('nodejs.util.inspect.custom');
+
 /** Frees what an object kept in its engine if nobody disposed it before it was collected. */
 const backstop = new FinalizationRegistry<{ engine: Engine; handle: Handle }>(
   ({ engine, handle }) => engine.close(handle),

@@ -2,10 +2,10 @@
 //
 // A mesh as callers hold it: it checks what it is given, and leaves the work to an engine.
 
-import { isObject, toBoolean, toOptions, toTask, toTaskOptions } from './checks.js';
+import { isObject, show, toBoolean, toFloat64, toOptions, toTask, toTaskOptions } from './checks.js';
 import { EngineDiagram } from './diagram.js';
 import type { AdvancedCvt, Engine, OpenedMesh } from './engine.js';
-import { invalidArgument } from './errors.js';
+import { GeodesicVoronoiError, invalidArgument } from './errors.js';
 import {
   isWorstFirst,
   maxCount,
@@ -40,6 +40,7 @@ import type { Triangles } from './triangles.js';
 import type {
   CvtOptions,
   CvtState,
+  Density,
   Diagram,
   DistancesOptions,
   Mesh,
@@ -80,14 +81,18 @@ export class EngineMesh implements Mesh {
     options?: SampleOptions,
   ): Promise<SurfacePoints> {
     const byRadius = isObject(wanted);
-    const { seed, sampling, perComponent, ...task } = toTaskOptions(options, {
+    const { seed, sampling, perComponent, density, ...task } = toTaskOptions(options, {
       seed: 1,
       sampling: byRadius ? 'farthest' : 'random',
       perComponent: 0,
+      density: [],
     });
     const least = toPerComponent(perComponent);
     const method = toSampling(sampling);
     toSeed(seed);
+    const weights = toFloat64('density', await this.#toDensity(density, task.signal));
+    if (weights.length > 0 && method !== 'random')
+      throw invalidArgument(`a density is for random sites, not for the sampling ${show(method)}`);
     const count = byRadius ? maxCount : toCount(wanted);
     const sample = (): Promise<SurfacePoints> => {
       if (byRadius) {
@@ -95,7 +100,7 @@ export class EngineMesh implements Mesh {
         return this.#kept.call('sampleSitesByRadius', [radius, method, seed], task);
       }
       if (isWorstFirst(method)) return this.#sampleWorstFirst(count, method, seed, task);
-      return this.#kept.call('sampleSites', [count, method, seed], task);
+      return this.#kept.call('sampleSites', [count, method, seed, weights], task);
     };
     const sites = await sample();
     if (least === 0) return sites;
@@ -142,6 +147,22 @@ export class EngineMesh implements Mesh {
   async closestPoints(positions: ArrayLike<number>, options?: TaskOptions): Promise<ClosestPoints> {
     const task = toTask(options);
     return this.#kept.call('closestPoints', [toPlaces('positions', positions)], task);
+  }
+
+  async positionsOf(points: SurfacePointsInput): Promise<Float64Array> {
+    const { face, bary } = await this.#kept.points('points', points);
+    const places = new Float64Array(3 * face.length).fill(NaN);
+    face.forEach((f, i) => {
+      if (f === -1) return;
+      if (!(f >= 0 && f < this.info.inputFaces))
+        throw new GeodesicVoronoiError('invalid-point', `point ${i}: there is no triangle ${f}`);
+      for (let k = 0; k < 3; ++k) {
+        const at = (corner: number) =>
+          bary[3 * i + corner] * this.positions[3 * this.indices[3 * f + corner] + k];
+        places[3 * i + k] = at(0) + at(1) + at(2);
+      }
+    });
+    return places;
   }
 
   async voronoi(sites: SurfacePointsInput, options?: VoronoiOptions): Promise<Diagram> {
@@ -219,7 +240,7 @@ export class EngineMesh implements Mesh {
   }
 
   async #toDensity(
-    density: NonNullable<CvtOptions['density']>,
+    density: Density,
     signal: AbortSignal | undefined,
   ): Promise<ArrayLike<number>> {
     if (density === 'curvature') return this.curvatureDensity({ signal });

@@ -4,9 +4,9 @@
 // is what lengths are multiplied with on the way out.
 
 import { joined, partitionVertices, type AttributeSource } from './attributes.js';
-import { toFileOptions, toColours, toOneOf, toResult, toScale } from './checks.js';
+import { toFileOptions, toColours, toOneOf, toResult } from './checks.js';
 import { glbAttributes, objCorner, objLines, plyColumns } from './file_vertices.js';
-import { pointsJson, type SurfacePointsJson } from './formats.js';
+import { pointsJson, toLengths, type LengthsJson, type SurfacePointsJson } from './formats.js';
 import { GlbBuilder } from './glb.js';
 import { ply } from './ply.js';
 import type { Partition, SurfacePoints } from './results.js';
@@ -31,7 +31,7 @@ export const partitionLayouts = ['regions', 'features'] as const;
 export type PartitionLayout = (typeof partitionLayouts)[number];
 
 /** The JSON form of a partition; without its triangles where only facts of regions are wanted. */
-export interface PartitionJson {
+export interface PartitionJson extends LengthsJson {
   sites: SurfacePointsJson;
   regions: {
     area: number;
@@ -58,12 +58,13 @@ export function partitionJson(
   partition: Partition,
   sites: SurfacePoints,
   scale = 1,
+  unit?: string,
 ): PartitionJson {
   const { points, triangles, regions } = toPartition(partition);
   toResult('sites', sites, 'face', 'bary');
-  toScale(scale);
   const { neighbours, nearCentroid, triangleOffset } = regions;
   return {
+    ...toLengths(scale, unit),
     sites: pointsJson(sites),
     regions: Array.from(regions.area, (area, i) => {
       const centroid = Array.from(regions.centroid.subarray(3 * i, 3 * i + 3), (x) => scale * x);

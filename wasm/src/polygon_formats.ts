@@ -4,9 +4,9 @@
 // interpolate; `scale` is what lengths are multiplied with on the way out.
 
 import { pointVertices, type AttributeSource } from './attributes.js';
-import { toFileOptions, toResult, toScale } from './checks.js';
+import { toFileOptions, toResult } from './checks.js';
 import { glbAttributes, objCorner, objLines, plyColumns } from './file_vertices.js';
-import { pointsJson, type SurfacePointsJson } from './formats.js';
+import { pointsJson, toLengths, type LengthsJson, type SurfacePointsJson } from './formats.js';
 import { GlbBuilder } from './glb.js';
 import { ply, type PlyColumns } from './ply.js';
 import type { PolygonMesh, PolygonTopology } from './results.js';
@@ -17,7 +17,7 @@ export interface PolygonFileOptions {
 }
 
 /** The JSON form of a polygon mesh; `vertexLabel` of a dual, `faceLabel` of regions. */
-export interface PolygonMeshJson {
+export interface PolygonMeshJson extends LengthsJson {
   points: SurfacePointsJson & { position: number[] };
   faces: number[][];
   vertexLabel: number[];
@@ -25,10 +25,10 @@ export interface PolygonMeshJson {
   topology: PolygonTopology;
 }
 
-export function polygonJson(polygons: PolygonMesh, scale = 1): PolygonMeshJson {
+export function polygonJson(polygons: PolygonMesh, scale = 1, unit?: string): PolygonMeshJson {
   const { points, faces, vertexLabel, faceLabel, topology } = toPolygons(polygons);
-  toScale(scale);
   return {
+    ...toLengths(scale, unit),
     points: { ...pointsJson(points), position: Array.from(points.position, (x) => scale * x) },
     faces: Array.from({ length: faces.offset.length - 1 }, (_, f) => [
       ...faces.points.subarray(faces.offset[f], faces.offset[f + 1]),

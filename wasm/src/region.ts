@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A region of a diagram as callers see it.
+import { inspectSymbol } from './kept.js';
 import type { DiagramData } from './results.js';
 import type { Region } from './types.js';
 
@@ -52,6 +53,16 @@ class DataRegion implements Region {
 
   get neighbours(): number[] {
     return [...this.#index().neighbours[this.label]];
+  }
+
+  toJSON(): Record<keyof Region, unknown> {
+    const { label, area, neighbours } = this;
+    return { label, area, neighbours, loops: this.loops.map((loop) => [...loop]) };
+  }
+
+  [inspectSymbol](): object {
+    const { label, area, neighbours, loops } = this;
+    return { label, area, neighbours, loops };
   }
 }
 

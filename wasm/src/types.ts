@@ -76,6 +76,12 @@ export interface RepairOptions extends TaskOptions {
   maxAdded?: number;
 }
 
+/**
+ * A number per input vertex, not negative. 'curvature' stands for `Mesh.curvatureDensity`,
+ * 'attribute' for `Mesh.density`.
+ */
+export type Density = ArrayLike<number> | 'attribute' | 'curvature';
+
 export interface CvtOptions extends TaskOptions {
   /** Default 'lbfgs'. */
   method?: CvtMethod;
@@ -87,11 +93,8 @@ export interface CvtOptions extends TaskOptions {
   energyTolerance?: number;
   /** Ends when no site moves farther than this, in the input's units. Default 0. */
   moveTolerance?: number;
-  /**
-   * A number per input vertex, not negative: regions are smaller where it is large. 'curvature'
-   * stands for `Mesh.curvatureDensity`, 'attribute' for `Mesh.density`. Default uniform.
-   */
-  density?: ArrayLike<number> | 'attribute' | 'curvature';
+  /** Regions are smaller where the density is large. Default uniform. */
+  density?: Density;
   /** Indices of the sites that stay where they are. */
   fixedSites?: ArrayLike<number>;
   /** Whether every state comes with the arrays of its diagram. Default false. */
@@ -130,6 +133,11 @@ export interface SampleOptions extends TaskOptions {
    * the list; to keep to the count, the last ones of components with more than enough are dropped.
    */
   perComponent?: number;
+  /**
+   * For random sites: spreads them as a tessellation with this density does, with a probability per
+   * area in proportion to the density's square root. Default uniform.
+   */
+  density?: Density;
 }
 
 /** The limits of `GltfLimits` in `core/include/gvd/gltf.h`, by the same names. */
@@ -313,6 +321,11 @@ export interface Mesh extends Disposable {
    * O(log n), a few microseconds.
    */
   closestPoints(positions: ArrayLike<number>, options?: TaskOptions): Promise<ClosestPoints>;
+  /**
+   * Where points of the surface are: x, y, z each, in the frame and the unit of `positions`. NaN for
+   * a label without a site (`Diagram.sites`).
+   */
+  positionsOf(points: SurfacePointsInput): Promise<Float64Array>;
   /** The diagram of sites, labelled by their order. Several sites may lie in one place. */
   voronoi(sites: SurfacePointsInput, options?: VoronoiOptions): Promise<Diagram>;
   /** For every input vertex: its nearest site, the distance, and the direction from the site. */

@@ -48,7 +48,8 @@ export function parseCommandLine(args: string[], version: string): Invocation | 
 /** Requires exactly one source of sites, and no option of sampling that does not go with it. */
 function requireSites(values: Values<'diagram'>): void {
   const { sites, radius, sampling } = values;
-  if (sites === undefined && radius === undefined) throw new UsageError('--sites is missing');
+  if (sites === undefined && radius === undefined)
+    throw new UsageError('--sites N|FILE or --radius R is missing');
   if (sites !== undefined && radius !== undefined)
     throw new UsageError('--radius is instead of --sites: give one of them');
   if (radius !== undefined && sampling && sampling !== 'farthest' && sampling !== 'poisson')
@@ -94,16 +95,7 @@ function requireKnown(
 ): void {
   const taken: readonly string[] = commands[command].options;
   if (!taken.includes(name)) {
-    const nearest = nearestName(name.slice(0, 40), Object.keys(options));
-    const takers = Object.entries<CommandSpec>(commands)
-      .filter(([, { options: own }]) => own.some((option) => option === nearest))
-      .map(([taker]) => taker);
-    throw new UsageError(
-      `${command} has no option ${rawName.slice(0, 40)}: ` +
-        (taken.includes(nearest)
-          ? `the nearest is --${nearest}`
-          : `--${nearest} is an option of ${listed(takers)}`),
-    );
+    throw new UsageError(`${command} has no option ${rawName.slice(0, 40)}: ${advice(command, name)}`);
   }
   const takesValue = 'value' in options[name as OptionName];
   if (!takesValue && value !== undefined)
@@ -111,6 +103,18 @@ function requireKnown(
   // What begins with a dash is an option, unless it is a number or standard input.
   if (takesValue && (value === undefined || (!inlineValue && /^-[^\d.]/.test(value))))
     throw new UsageError(`${rawName} needs a value`);
+}
+
+/** What to do about an option that a command does not have. */
+function advice(command: CommandName, name: string): string {
+  const nearest = nearestName(name.slice(0, 40), Object.keys(options));
+  if (nearest === undefined) return `see geodesic-voronoi ${command} --help`;
+  const takers = Object.entries<CommandSpec>(commands)
+    .filter(([, { options: own }]) => own.some((option) => option === nearest))
+    .map(([taker]) => taker);
+  return takers.includes(command)
+    ? `the nearest is --${nearest}`
+    : `--${nearest} is an option of ${listed(takers)}`;
 }
 
 function parsedValue(name: OptionName, given: string | boolean | undefined): unknown {

@@ -1,21 +1,39 @@
 // SPDX-License-Identifier: MIT
 //
 // What each command does.
+import { extname } from 'node:path';
 import { load } from '../node.js';
 import type { MeshInfo, Metric, PolygonMesh, SurfacePath, Violation } from '../results.js';
-import type { CvtOptions, CvtState, Diagram, Mesh, SurfacePointsInput } from '../types.js';
+import type {
+  CvtOptions,
+  CvtState,
+  Density,
+  Diagram,
+  Mesh,
+  SurfacePointsInput,
+} from '../types.js';
 import {
   toDiagramEncoder,
   toDistancesEncoder,
+  toLocatedEncoder,
   toPartitionEncoder,
   toPathsEncoder,
   toPolygonEncoder,
+  toSitesEncoder,
 } from './encoders.js';
 import { fail } from './failure.js';
-import { FileError, Output, readModel, readNumbers, readPoints } from './files.js';
+import {
+  FileError,
+  type GivenPoints,
+  Output,
+  readModel,
+  readNumbers,
+  readPoints,
+} from './files.js';
 import { meshReport } from './mesh_report.js';
 import type { CommandName, Invocation, Values } from './options.js';
 import { ProgressBar } from './progress.js';
+import { unitOf } from './values.js';
 
 interface Request<Command extends CommandName> {
   mesh: string;
@@ -54,22 +72,23 @@ type SiteSource = Pick<
 >;
 /** How a model is read. */
 type Reading = Pick<Values, 'limits' | 'weld' | 'orientation' | 'min-component'>;
-/** What may be written to standard error. */
 /** Points by triangles or vertices. */
 type PointsOnSurface = Exclude<SurfacePointsInput, { position: unknown }>;
-
+/** What may be written to standard error. */
 type Notices = Pick<Values<'diagram'>, 'quiet' | 'progress'>;
 
 /** A mesh that fails does not keep the others from being reported. */
 async function info({ meshes, values }: Request<'info'>): Promise<void> {
-  const output = await Output.open(values.output);
+  const output = await Output.open(values.output, meshes);
+  const json = values.json || extname(values.output).toLowerCase() === '.json';
+  const unit = values.units === 1 ? undefined : unitOf(values.units);
   const isOnly = meshes.length === 1;
   const reports: string[] = [];
   const list: object[] = [];
   for (const path of meshes) {
     try {
       const { parts, ...facts } = await factsOf(path, values);
-      reports.push(`${isOnly ? '' : `${path}\n`}${meshReport(facts)}`);
+      reports.push(`${isOnly ? '' : `${path}\n`}${meshReport(facts, unit)}`);
       list.push({ ...(!isOnly && { mesh: path }), ...facts, parts });
     } catch (error) {
       if (isOnly) throw error;
@@ -79,7 +98,7 @@ async function info({ meshes, values }: Request<'info'>): Promise<void> {
   }
   if (reports.length === 0) return;
   await output.write(
-    values.json ? `${JSON.stringify(isOnly ? list[0] : list, null, 2)}\n` : reports.join('\n'),
+    json ? `${JSON.stringify(isOnly ? list[0] : list, null, 2)}\n` : reports.join('\n'),
   );
 }
 
@@ -101,7 +120,7 @@ async function factsOf(
 async function diagram({ mesh: path, values }: Request<'diagram'>): Promise<void> {
   const scale = values.units;
   const encode = toDiagramEncoder(values);
-  const output = await Output.open(values.output);
+  const output = await Output.open(values.output, [path]);
   const { diagram } = await compute(path, values);
   await output.write(encode(diagram, scale));
 
@@ -115,24 +134,18 @@ async function diagram({ mesh: path, values }: Request<'diagram'>): Promise<void
 }
 
 async function locate({ mesh: path, values }: Request<'locate'>): Promise<void> {
-  const scale = values.units;
-  const output = await Output.open(values.output);
+  const encode = toLocatedEncoder(values);
+  const output = await Output.open(values.output, [path]);
   const points = await readPoints(values.points);
   const { mesh, diagram } = await compute(path, values);
-  const { label, distance } = await diagram.locate(await onSurface(mesh, points, values));
-  await output.write(
-    `${JSON.stringify({
-      label: [...label],
-      // JSON has no infinity: what no site reaches is null.
-      distance: Array.from(distance, (d) => (d === Infinity ? null : scale * d)),
-    })}\n`,
-  );
+  const located = await diagram.locate(await onSurface(mesh, points, values));
+  await output.write(encode(located, values.units));
 }
 
 async function distances({ mesh: path, values }: Request<'distances'>): Promise<void> {
   const scale = values.units;
   const encode = toDistancesEncoder(values);
-  const output = await Output.open(values.output);
+  const output = await Output.open(values.output, [path]);
   const { mesh, sites } = await openWithSites(path, values);
   const { metric } = values;
   const distances = await withProgress(values, (onProgress) =>
@@ -152,7 +165,7 @@ async function distances({ mesh: path, values }: Request<'distances'>): Promise<
 async function path({ mesh: model, values }: Request<'path'>): Promise<void> {
   const scale = values.units;
   const encode = toPathsEncoder(values);
-  const output = await Output.open(values.output);
+  const output = await Output.open(values.output, [model]);
   const [from, to] = [await readPoints(values.from), await readPoints(values.to)];
   const mesh = await openMesh(model, values);
   const starts = singlePoints(await onSurface(mesh, from, values));
@@ -185,30 +198,33 @@ async function path({ mesh: model, values }: Request<'path'>): Promise<void> {
 
 async function cvt({ mesh: path, values }: Request<'cvt'>): Promise<void> {
   const scale = values.units;
-  const output = await Output.open(values.output);
+  const encode = toSitesEncoder(values);
+  const output = await Output.open(values.output, [path]);
   const settings = await cvtSettings(values);
-  const { mesh, sites } = await openWithSites(path, values);
+  const { mesh, sites } = await openWithSites(path, values, settings.density);
   const states = await withProgress(values, async (onProgress) => {
     const all: CvtState[] = [];
     for await (const state of mesh.cvt(sites, { ...settings, onProgress })) all.push(state);
     return all;
   });
-  const energy = states.map((state) => scale ** 4 * state.energy); // area times squared length
+  const energy = states.map((state) => state.energy);
   const { iteration, sites: last } = states.at(-1)!;
-  const { face, bary } = last;
-  await output.write(`${JSON.stringify({ face: [...face], bary: [...bary], energy })}\n`);
+  const position = await mesh.positionsOf(last);
+  await output.write(encode({ mesh, sites: last, position, energy }, scale));
+  const shown = (e: number) => (scale ** 4 * e).toPrecision(6); // area times squared length
   summarise(
     output,
     values,
-    `${face.length} sites, ${iteration} iterations, energy ` +
-      `${energy[0].toPrecision(6)} to ${energy.at(-1)!.toPrecision(6)}`,
+    `${last.face.length} sites, ${iteration} iterations` +
+      `${iteration > 0 && iteration === values.iterations ? ' (no more were allowed)' : ''}, ` +
+      `energy ${shown(energy[0])} to ${shown(energy.at(-1)!)}`,
   );
 }
 
 async function partition({ mesh: path, values }: Request<'partition'>): Promise<void> {
   const scale = values.units;
   const encode = toPartitionEncoder(values);
-  const output = await Output.open(values.output);
+  const output = await Output.open(values.output, [path]);
   const { mesh, diagram } = await compute(path, values);
   const partition = await diagram.partition({ leaveOutIndifferent: values.holes });
   await output.write(encode({ mesh, sites: diagram.sites, partition }, scale));
@@ -227,11 +243,11 @@ async function partition({ mesh: path, values }: Request<'partition'>): Promise<
 async function dual({ mesh: path, values }: Request<'dual'>): Promise<void> {
   const scale = values.units;
   const encode = toPolygonEncoder(values);
-  const output = await Output.open(values.output);
+  const output = await Output.open(values.output, [path]);
   const { mesh, diagram: given } = await compute(path, values);
   const diagram = values.repair
     ? await withProgress(values, (onProgress) =>
-        explained(mesh, () => given.repair({ onProgress })),
+        explained(mesh, () => given.repair({ maxAdded: values['max-added'], onProgress })),
       )
     : given;
   const polygons = await diagram.dual({ primal: values.primal });
@@ -256,11 +272,13 @@ function faultsOf([first, ...more]: Violation[]): string {
 async function remesh({ mesh: path, values }: Request<'remesh'>): Promise<void> {
   const scale = values.units;
   const encode = toPolygonEncoder(values);
-  const output = await Output.open(values.output);
+  const output = await Output.open(values.output, [path]);
   const settings = await cvtSettings(values);
-  const { mesh, sites } = await openWithSites(path, values);
+  const { mesh, sites } = await openWithSites(path, values, settings.density);
   const diagram = await withProgress(values, (onProgress) =>
-    explained(mesh, () => mesh.remesh(sites, { ...settings, onProgress })),
+    explained(mesh, () =>
+      mesh.remesh(sites, { ...settings, maxAdded: values['max-added'], onProgress }),
+    ),
   );
   const first = indicesOf(sites).length;
   const polygons = await diagram.dual();
@@ -282,13 +300,17 @@ async function remesh({ mesh: path, values }: Request<'remesh'>): Promise<void> 
 
 /** The options of a tessellation, by those of the command line. */
 async function cvtSettings(
-  values: Pick<Values<'cvt'>, 'method' | 'metric' | 'iterations' | 'density' | 'fixed'>,
+  values: Pick<
+    Values<'cvt'>,
+    'method' | 'metric' | 'iterations' | 'tolerance' | 'density' | 'fixed'
+  >,
 ): Promise<CvtOptions> {
-  const { method, metric, iterations } = values;
+  const { method, metric, iterations, tolerance: energyTolerance } = values;
   const numbers = (file?: string) => (file === undefined ? undefined : readNumbers(file));
   const named = (['attribute', 'curvature'] as const).find((name) => name === values.density);
   const density = named ?? (await numbers(values.density));
-  return { method, metric, iterations, density, fixedSites: await numbers(values.fixed) };
+  const fixedSites = await numbers(values.fixed);
+  return { method, metric, iterations, energyTolerance, density, fixedSites };
 }
 
 /** Carries a repair out; if that would take too many sites on a mesh of many components, says what may help. */
@@ -366,10 +388,11 @@ async function compute(
 async function openWithSites(
   path: string,
   values: Notices & Reading & SiteSource,
+  density?: Density,
 ): Promise<{ mesh: Mesh; sites: PointsOnSurface }> {
   const given = typeof values.sites === 'string' ? await readPoints(values.sites) : undefined;
   const mesh = await openMesh(path, values);
-  const sites = given ? await onSurface(mesh, given, values) : await sampled(mesh, values);
+  const sites = given ? await onSurface(mesh, given, values) : await sampled(mesh, values, density);
   if (!values.quiet) {
     const notes = [...mesh.info.notes, ...(await bareNotes(mesh, sites))];
     for (const note of notes) process.stderr.write(`note: ${note}\n`);
@@ -377,14 +400,33 @@ async function openWithSites(
   return { mesh, sites };
 }
 
-/** Points of a file; of places in space, the closest points, however far these are. */
+/** Points that were given; of places in space, the closest points, however far these are. */
 async function onSurface(
   mesh: Mesh,
-  points: SurfacePointsInput,
+  given: GivenPoints,
+  values: Pick<Values<'diagram'>, 'quiet' | 'units'>,
+): Promise<PointsOnSurface> {
+  const { name, points, faces = mesh.info.inputFaces } = given;
+  if (faces !== mesh.info.inputFaces) {
+    throw new FileError(
+      `${name} holds points of another mesh: of one with ${faces} triangles, not ${mesh.info.inputFaces}`,
+    );
+  }
+  try {
+    if ('position' in points && !('face' in points)) return await closestOf(mesh, points, values);
+    await mesh.positionsOf(points);
+    return points as PointsOnSurface;
+  } catch (error) {
+    throw new FileError(`${name}: ${(error as Error).message}`, { cause: error });
+  }
+}
+
+async function closestOf(
+  mesh: Mesh,
+  { position }: { position: ArrayLike<number> },
   { quiet, units }: Pick<Values<'diagram'>, 'quiet' | 'units'>,
 ): Promise<PointsOnSurface> {
-  if ('face' in points || 'vertex' in points) return points;
-  const closest = await mesh.closestPoints(points.position);
+  const closest = await mesh.closestPoints(position);
   const farthest = closest.distance.reduce((most, d) => Math.max(most, d), 0);
   if (!quiet) {
     process.stderr.write(
@@ -394,12 +436,22 @@ async function onSurface(
   return closest;
 }
 
-function sampled(mesh: Mesh, values: Notices & SiteSource): Promise<PointsOnSurface> {
+async function sampled(
+  mesh: Mesh,
+  values: Notices & SiteSource,
+  wantedDensity: Density | undefined,
+): Promise<PointsOnSurface> {
   const { sites, radius, sampling, seed, 'per-component': perComponent, units } = values;
   const wanted = radius === undefined ? (sites as number) : { radius: radius / units };
-  return withProgress(values, (onProgress) =>
-    mesh.sampleSites(wanted, { sampling, seed, perComponent, onProgress }),
+  const isRandom = radius === undefined && (sampling ?? 'random') === 'random';
+  const density = isRandom ? wantedDensity : undefined;
+  const found = await withProgress(values, (onProgress) =>
+    mesh.sampleSites(wanted, { sampling, seed, perComponent, density, onProgress }),
   );
+  const count = found.face.length;
+  if (radius === undefined && count < (sites as number) && !values.quiet)
+    process.stderr.write(`note: ${count} of ${sites} sites: every vertex has one\n`);
+  return found;
 }
 
 /** Notes the components that no site is on, if there are any. */

@@ -3,7 +3,14 @@
 // Files of the results, by the ending of the output.
 
 import { extname } from 'node:path';
-import { diagramGlb, diagramJson, diagramObj, pointsJson } from '../formats.js';
+import {
+  diagramGlb,
+  diagramJson,
+  diagramObj,
+  placedPointsJson,
+  pointsJson,
+  toLengths,
+} from '../formats.js';
 import {
   distancesGlb,
   distancesJson,
@@ -13,6 +20,7 @@ import {
 } from '../distance_formats.js';
 import { partitionGlb, partitionJson, partitionObj, partitionPly } from '../partition_formats.js';
 import { polygonGlb, polygonJson, polygonObj, polygonPly } from '../polygon_formats.js';
+import { ply, type PlyColumns } from '../ply.js';
 import type {
   Distances,
   Partition,
@@ -34,15 +42,69 @@ type Encoder<Result> = (result: Result, scale: number) => string | Uint8Array;
 /** By the endings of files. */
 type Encoders<Result> = Record<string, Encoder<Result>>;
 
-/** The encoder that the ending of the output asks for; of standard output, JSON. */
+/**
+ * The encoder that the ending of the output asks for; of standard output and of names without an
+ * ending, such as /dev/stdout, JSON.
+ */
 function encoderOf<Result>(encoders: Encoders<Result>, { output, json }: Target): Encoder<Result> {
-  if (json || output === standard) return encoders['.json'];
   const ending = extname(output).toLowerCase();
+  if (json || output === standard || ending === '') return encoders['.json'];
   if (Object.hasOwn(encoders, ending)) return encoders[ending];
   throw new UsageError(`the ending of '${output}' is not one of ${listed(Object.keys(encoders))}`);
 }
 
 const text = (json: object): string => `${JSON.stringify(json)}\n`;
+
+interface LocatedResult {
+  label: ArrayLike<number>;
+  distance: ArrayLike<number>;
+}
+
+export function toLocatedEncoder(target: Target): Encoder<LocatedResult> {
+  return encoderOf(
+    {
+      '.json': ({ label, distance }, scale) =>
+        text({
+          ...toLengths(scale, unitOf(scale)),
+          label: Array.from(label),
+          // JSON has no infinity: what no site reaches is null.
+          distance: Array.from(distance, (d) => (d === Infinity ? null : scale * d)),
+        }),
+    },
+    target,
+  );
+}
+
+function sitesPly(position: Float64Array): Uint8Array {
+  const columns: PlyColumns = { names: ['x', 'y', 'z'], type: 'double', values: position };
+  return ply('Sites', [columns], { offset: [0], points: [] }, []);
+}
+
+interface SitesResult {
+  mesh: Mesh;
+  sites: SurfacePoints;
+  /** Of the sites, x, y, z each. */
+  position: Float64Array;
+  /** Of a tessellation, before and after each iteration. */
+  energy: number[];
+}
+
+export function toSitesEncoder(target: Target): Encoder<SitesResult> {
+  return encoderOf(
+    {
+      '.json': ({ mesh, sites, position, energy }, scale) =>
+        text({
+          mesh: { faces: mesh.info.inputFaces },
+          ...toLengths(scale, unitOf(scale)),
+          ...placedPointsJson({ ...sites, position }, scale),
+          energy: energy.map((e) => scale ** 4 * e), // area times squared length
+        }),
+      '.ply': ({ position }, scale) =>
+        sitesPly(position.map((x) => scale * x)),
+    },
+    target,
+  );
+}
 
 export function toDiagramEncoder(target: Target): Encoder<Diagram> {
   return encoderOf(
@@ -63,7 +125,7 @@ interface DistancesResult {
 export function toDistancesEncoder(target: Target): Encoder<DistancesResult> {
   return encoderOf(
     {
-      '.json': ({ distances }, scale) => text(distancesJson(distances, scale)),
+      '.json': ({ distances }, scale) => text(distancesJson(distances, scale, unitOf(scale))),
       '.ply': ({ mesh, distances }, scale) => distancesPly(mesh, distances, scale),
       '.glb': ({ mesh, distances }, scale) => distancesGlb(mesh, distances, scale),
     },
@@ -74,7 +136,7 @@ export function toDistancesEncoder(target: Target): Encoder<DistancesResult> {
 export function toPathsEncoder(target: Target): Encoder<SurfacePath[]> {
   return encoderOf(
     {
-      '.json': (paths, scale) => text(pathsJson(paths, scale)),
+      '.json': (paths, scale) => text(pathsJson(paths, scale, unitOf(scale))),
       '.obj': (paths, scale) => pathsObj(paths, scale),
     },
     target,
@@ -95,7 +157,8 @@ export function toPartitionEncoder(target: Values<'partition'>): Encoder<Partiti
     );
   return encoderOf(
     {
-      '.json': ({ partition, sites }, scale) => text(partitionJson(partition, sites, scale)),
+      '.json': ({ partition, sites }, scale) =>
+        text(partitionJson(partition, sites, scale, unitOf(scale))),
       '.glb': ({ partition, mesh }, scale) => partitionGlb(partition, { layout, mesh, scale }),
       '.obj': ({ partition, mesh }, scale) => partitionObj(partition, { mesh, scale }),
       '.ply': ({ partition, mesh }, scale) => partitionPly(partition, { mesh, scale }),
@@ -118,7 +181,7 @@ export function toPolygonEncoder(target: Target): Encoder<PolygonResult> {
       '.json': ({ sites, polygons, violations, quality }, scale) =>
         text({
           sites: pointsJson(sites),
-          ...polygonJson(polygons, scale),
+          ...polygonJson(polygons, scale, unitOf(scale)),
           ...(violations && { violations }),
           ...(quality && { quality: { ...quality, hausdorff: scale * quality.hausdorff } }),
         }),

@@ -107,40 +107,59 @@ function fileAt(path: string): ModelFile {
   };
 }
 
-async function readJson(path: string): Promise<unknown> {
-  const bytes = await readBytes(path);
+/** A JSON file, or JSON itself: no file is called `{…` or `[…`. */
+async function readJson(given: string): Promise<unknown> {
+  const bytes = isJson(given) ? new TextEncoder().encode(given) : await readBytes(given);
   try {
     return parseJson(bytes);
   } catch (error) {
     const what = error instanceof SyntaxError ? 'is not JSON' : 'cannot be read';
-    throw new FileError(`${nameOf(path)} ${what}: ${(error as Error).message}`);
+    throw new FileError(`${nameOf(given)} ${what}: ${(error as Error).message}`);
   }
 }
 
 /** Reads a list of numbers. */
-export async function readNumbers(path: string): Promise<number[]> {
-  const json = await readJson(path);
+export async function readNumbers(given: string): Promise<number[]> {
+  const json = await readJson(given);
   if (Array.isArray(json) && json.every((item) => typeof item === 'number')) return json;
-  throw new FileError(`${nameOf(path)} holds no list of numbers`);
+  throw new FileError(`${nameOf(given)} holds no list of numbers`);
 }
 
-/** Reads a list of sites or points; also the sites of a diagram that this command wrote. */
-export async function readPoints(path: string): Promise<SurfacePointsInput> {
-  const json = await readJson(path);
+/** Points as they were given. */
+export interface GivenPoints {
+  /** What messages call them. */
+  name: string;
+  points: SurfacePointsInput;
+  /** The number of triangles of their mesh, if the file says so. */
+  faces?: number;
+}
+
+/** Reads a list of sites or points; also the sites of a result that this command wrote. */
+export async function readPoints(given: string): Promise<GivenPoints> {
+  const json = await readJson(given);
+  const name = nameOf(given);
   const list = has(json, 'sites') ? json.sites : json;
-  if (has(list, 'vertex') || (has(list, 'face') && has(list, 'bary')) || has(list, 'position'))
-    return list as SurfacePointsInput;
-  throw new FileError(
-    `${nameOf(path)} holds no points: {"face", "bary"}, {"vertex"} or {"position"}`,
-  );
+  if (!(has(list, 'vertex') || (has(list, 'face') && has(list, 'bary')) || has(list, 'position'))) {
+    throw new FileError(
+      `${name} holds no points: {"face": […], "bary": […]}, {"vertex": […]} or {"position": [x, y, z, …]}`,
+    );
+  }
+  const isOfMesh = has(json, 'mesh') && has(json.mesh, 'faces');
+  const faces = isOfMesh ? Number((json.mesh as { faces: unknown }).faces) : undefined;
+  return { name, points: list as SurfacePointsInput, ...(faces !== undefined && { faces }) };
 }
 
 function has<Key extends string>(value: unknown, key: Key): value is Record<Key, unknown> {
   return typeof value === 'object' && value !== null && key in value;
 }
 
-function nameOf(path: string): string {
-  return path === standard ? 'standard input' : path;
+function isJson(given: string): boolean {
+  return /^\s*[[{]/.test(given);
+}
+
+function nameOf(given: string): string {
+  if (given === standard) return 'standard input';
+  return isJson(given) && given.length > 40 ? `${given.slice(0, 40)}…` : given;
 }
 
 /** The most bytes read from a pipe, which may never end. */
@@ -178,10 +197,15 @@ export class Output {
     this.#path = path;
   }
 
-  static async open(path: string): Promise<Output> {
+  /** Refuses to replace one of the models that the command reads. */
+  static async open(path: string, models: readonly string[]): Promise<Output> {
     if (path === standard) return new Output(path);
     try {
       const target = await realpath(path).catch(() => resolve(path));
+      for (const model of models) {
+        if ((await realpath(model).catch(() => undefined)) === target)
+          throw new FileError('it is the model itself');
+      }
       if ((await kindOf(target)) === 'folder') throw new FileError('it is a folder');
       await access((await kindOf(target)) === 'special' ? target : dirname(target), constants.W_OK);
       return new Output(target);

@@ -31,9 +31,10 @@ function counted(count: number, text: string): string {
   return `${count} ${count === 1 ? text.replace(/^\w+/, (plural) => singular[plural] ?? plural) : text}`;
 }
 
-/** The facts of a mesh, a line each, for people. */
-export function meshReport(facts: MeshInfo): string {
+/** The facts of a mesh, a line each, for people; `unit` is that of lengths, if it has a name. */
+export function meshReport(facts: MeshInfo, unit: string | undefined): string {
   const number = (x: number) => String(Number(x.toPrecision(6)));
+  const length = (x: number) => (unit ? `${number(x)} ${unit}` : number(x));
   const { format, file } = facts.origin;
   const rows: [string, string][] = [
     ['format', file ? `${format} (${file})` : format],
@@ -44,8 +45,8 @@ export function meshReport(facts: MeshInfo): string {
     ['boundary loops', String(facts.boundaryLoops)],
     ['genus', String(facts.genus)],
     ['Euler characteristic', String(facts.eulerCharacteristic)],
-    ['area', number(facts.area)],
-    ['bounding diagonal', number(facts.boundingDiagonal)],
+    ['area', unit ? `${number(facts.area)} ${unit}²` : number(facts.area)],
+    ['bounding diagonal', length(facts.boundingDiagonal)],
   ];
   const lines = rows.map(([name, value]) => `${name.padEnd(22)}${value}`);
   for (const [name, text] of Object.entries(repairTexts)) {
@@ -53,7 +54,7 @@ export function meshReport(facts: MeshInfo): string {
     if (count > 0) lines.push(`repair: ${counted(count, text)}`);
   }
   const { mollification } = facts.repairs;
-  if (mollification > 0) lines[lines.length - 1] += ` by ${number(mollification)}`;
+  if (mollification > 0) lines[lines.length - 1] += ` by ${length(mollification)}`;
   for (const note of facts.notes) lines.push(`note: ${note}`);
   return `${lines.join('\n')}\n`;
 }

@@ -67,18 +67,22 @@ export const options = {
     default: '1',
     help: 'Seed of the sampling; the same gives the same sites',
   },
-  points: { value: 'FILE', parse: path, help: 'JSON file of the points to locate' },
-  from: { value: 'FILE', parse: path, help: 'JSON file of the points at which paths start' },
+  points: { value: 'FILE', parse: path, help: 'The points to locate: a JSON file, or JSON itself' },
+  from: {
+    value: 'FILE',
+    parse: path,
+    help: 'The points at which paths start: a JSON file, or JSON itself',
+  },
   to: {
     value: 'FILE',
     parse: path,
-    help: 'JSON file of the points at which they end: as many, or one for all',
+    help: 'The points at which they end, likewise: as many, or one for all',
   },
   iterations: {
     value: 'N',
     parse: integer(0, maxCount),
     default: '50',
-    help: 'How many iterations at most',
+    help: 'How many iterations at most; of remesh, in each of up to three rounds',
   },
   method: {
     value: 'METHOD',
@@ -90,13 +94,19 @@ export const options = {
     value: 'FILE|attribute|curvature',
     parse: path,
     optional: true,
-    help: 'Sites are closer where it is higher: a JSON list of a density per vertex; attribute: that of the mesh file (_DENSITY of a glTF, density of a PLY); or by curvature',
+    help: 'Sites are closer where it is higher, random ones from the beginning: a JSON list of a density per vertex; attribute: that of the mesh file (_DENSITY of a glTF, density of a PLY); or by curvature',
   },
   fixed: {
     value: 'FILE',
     parse: path,
     optional: true,
     help: 'JSON list of the indices of sites that stay where they are',
+  },
+  tolerance: {
+    value: 'SHARE',
+    parse: number((share) => share >= 0 && share <= 1, 'a number from 0 to 1'),
+    default: '0',
+    help: 'End when an iteration lowers the energy by no more than this share',
   },
   layout: {
     value: 'LAYOUT',
@@ -108,6 +118,12 @@ export const options = {
     help: 'Leave holes where regions tie on whole triangles, instead of giving these to the lowest',
   },
   repair: { help: 'Add sites until the dual is valid' },
+  'max-added': {
+    value: 'N',
+    parse: integer(0, maxCount),
+    default: '1000',
+    help: 'How many sites may be added until the dual is valid',
+  },
   check: { help: 'Write nothing and fail if the dual is not valid' },
   primal: { help: 'The regions as polygons, instead of the dual' },
   metric: {
@@ -157,7 +173,7 @@ export const options = {
     value: 'FILE',
     parse: path,
     default: standard,
-    help: 'Where to write, - for standard output',
+    help: 'Where to write; - for standard output, as JSON',
   },
   json: { help: 'Write JSON, whatever FILE is called' },
   progress: { help: 'Show progress even if standard error is no terminal' },
@@ -183,6 +199,7 @@ const ofTessellation = [
   'method',
   'density',
   'fixed',
+  'tolerance',
   'metric',
   'progress',
 ] as const;
@@ -202,7 +219,7 @@ export const commands = {
   info: {
     summary: 'Counts, topology, measures and repairs of a mesh, or of several',
     result:
-      'Text for people; with --json an object, of several meshes a list of these, each with its "mesh", and an "error" instead if it cannot be read.',
+      'Text for people; with --json, or as .json, an object, of several meshes a list of these, each with its "mesh", and an "error" instead if it cannot be read.',
     examples: ['mesh.glb', 'mesh.glb --json --units cm', 'a.glb b.obj --weld 1e-6'],
     options: ofAll,
   },
@@ -217,7 +234,7 @@ export const commands = {
   },
   locate: {
     summary: 'The nearest site of points on a mesh, and its distance',
-    result: '{"label": […], "distance": […]}; -1 and null for a point that no site reaches.',
+    result: 'JSON: {"label": […], "distance": […]}; -1 and null for a point that no site reaches.',
     examples: ['mesh.glb --sites sites.json --points points.json -o labels.json'],
     options: [...ofSites, 'points', 'metric', 'progress', ...ofAll],
   },
@@ -230,13 +247,15 @@ export const commands = {
   path: {
     summary: 'Shortest paths between points on a mesh',
     result: `By FILE's ending: .json {"paths": [{"points", "length"}, …]} (no points and null where there is none), .obj (a polyline each).`,
-    examples: ['mesh.glb --from a.json --to b.json -o path.obj'],
+    examples: ['mesh.glb --from a.json --to b.json -o path.obj',
+      `mesh.glb --from '{"vertex": 0}' --to '{"vertex": 40}'`,
+   ],
     options: ['from', 'to', 'progress', ...ofAll],
   },
   cvt: {
     summary: 'Sites at the centroids of their regions: a centroidal Voronoi tessellation',
     result:
-      '{"face": […], "bary": […], "energy": […]}: the sites, and the energy of the first ones and after each iteration.',
+      `By FILE's ending: .json {"face": […], "bary": […], "position": […], "energy": […]} (the sites, and the energy of the first ones and after each iteration), .ply (the sites as points).`,
     examples: [
       'mesh.glb --sites 300 -o sites.json',
       'mesh.glb --sites sites.json --fixed fixed.json --density rho.json -o new.json',
@@ -258,7 +277,16 @@ export const commands = {
     summary: 'The polygonal base mesh of sites: a vertex each, a polygon per Voronoi point',
     result: `By FILE's ending: .obj or .ply (polygons), .glb (triangles), .json (polygons, sites, and what is wrong with the dual).`,
     examples: ['mesh.glb --sites 300 --repair -o base.obj'],
-    options: [...ofSites, 'repair', 'check', 'primal', 'metric', 'progress', ...ofAll],
+    options: [
+      ...ofSites,
+      'repair',
+      'max-added',
+      'check',
+      'primal',
+      'metric',
+      'progress',
+      ...ofAll,
+    ],
   },
   remesh: {
     summary: 'An isotropic or adaptive remesh: the valid dual of a centroidal tessellation',
@@ -267,7 +295,7 @@ export const commands = {
       'mesh.glb --sites 1000 -o fine.obj',
       'mesh.glb --sites 1000 --density curvature -o adaptive.obj',
     ],
-    options: [...ofTessellation, ...ofAll],
+    options: [...ofTessellation, 'max-added', ...ofAll],
   },
 } as const satisfies Record<string, CommandSpec>;
 
