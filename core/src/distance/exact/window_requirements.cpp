@@ -100,15 +100,15 @@ void WindowSweep::offerToCorners(const Window& w, int h) {
   const TriangleMesh::Face& face = mesh_.face(h / 3);
   const int i = h % 3, j = cornerAfter(i), k = cornerBefore(i);
   const double length = face.lengths[i];
-  const double grazing = kGrazing * length;
+  const double grazed = grazing(length);
   if (isRequired(face.vertices[k])) {
     const Eigen::Vector2d p = apexOf(face, i);
     const double straight = w.crossing(p.x(), p.y());
     const double crossing = std::clamp(straight, w.begin, w.end);
     // A path that turns at a vertex is offered by that vertex, with the direction of the path to
     // it.
-    const bool turnsAtVertex = std::abs(crossing - straight) > grazing &&
-                               (crossing < grazing || crossing > length - grazing);
+    const bool turnsAtVertex =
+        std::abs(crossing - straight) > grazed && (crossing < grazed || crossing > length - grazed);
     if (!turnsAtVertex) {
       const PathLength path = w.path(p.x(), p.y());
       offerRequired(face.vertices[k], path.length,
@@ -117,10 +117,10 @@ void WindowSweep::offerToCorners(const Window& w, int h) {
   }
   // Along the halfedge from an end of the window. A window that ends at the vertex has offered the
   // straight path already, with the direction in which it arrives.
-  if (isRequired(face.vertices[i]) && w.begin > grazing)
+  if (isRequired(face.vertices[i]) && w.begin > grazed)
     offerRequired(face.vertices[i], w.distanceOnEdge(w.begin) + w.begin,
                   {0, w.sourceDistance, w.direction, h - i + j, Course::kBent});
-  if (isRequired(face.vertices[j]) && w.end < length - grazing)
+  if (isRequired(face.vertices[j]) && w.end < length - grazed)
     offerRequired(face.vertices[j], w.distanceOnEdge(w.end) + length - w.end,
                   {face.lengths[k], w.sourceDistance, w.direction, h - i + k, Course::kBent});
 }

@@ -42,6 +42,13 @@ constexpr double kPlaceRounding = 0x1p-50;
 /// A line followed back ends at its virtual source up to rounding: a share of the line's length.
 constexpr double kLineRounding = 1e-9;
 
+/// How far rounding may move a line: a few 2^-53 of the longest edge that it has crossed.
+double lineRounding(const TriangleMesh& mesh) {
+  double longest = 0;
+  for (int v = 0; v < mesh.vertexCount(); ++v) longest = std::max(longest, mesh.longestEdge(v));
+  return 0x1p-50 * longest;
+}
+
 /// Whether the straight lines of a window have already crossed the face that they are about to
 /// enter. Then none of them is a shortest path, since there is a shorter way within the face
 /// (Sharir & Schorr 1986). All lines of a window have crossed the same faces, so it is enough to
@@ -64,6 +71,7 @@ WindowSweep::WindowSweep(const TriangleMesh& mesh, NearestBounds& bounds)
     : mesh_(mesh),
       bounds_(bounds),
       bucketsPerUnit_(kBucketsPerEdge / mesh.shortEdgeLength()),
+      leastGrazing_(lineRounding(mesh)),
       leeway_(kDistanceTolerance * kFarthestTie * mesh.boundingDiagonal()),
       fan_(mesh),
       required_(kPlaceRounding * mesh.boundingDiagonal()),
@@ -289,11 +297,11 @@ void WindowSweep::emit(int v, const OppositeSide& side, double direction, bool i
   const TriangleMesh::Face& face = mesh_.face(f);
   const double length = face.lengths[j];
   if (!points_.empty()) offerToPointsFrom(v, i, f);
-  if (side.from <= kGrazing * length)
+  if (side.from <= grazing(length))
     offer(face.vertices[j], distance + face.lengths[i],
           {face.lengths[k], distance, isSite ? direction - kPi + mesh_.cornerAngle(o) : direction,
            3 * f + k});
-  if (side.to >= (1 - kGrazing) * length)
+  if (side.to >= length - grazing(length))
     offer(face.vertices[k], distance + face.lengths[k], {0, distance, direction, o});
   if (face.twins[j] < 0) return;
   Window window = {.begin = length - side.to,
@@ -338,13 +346,13 @@ void WindowSweep::offerToApex(int h, const WindowLists::Chunk* list) {
   const TriangleMesh::Face& face = mesh_.face(h / 3);
   const int i = h % 3;
   const Eigen::Vector2d p = apexOf(face, i);
-  const double grazing = kGrazing * face.lengths[i];
+  const double grazed = grazing(face.lengths[i]);
   const int apex = face.vertices[cornerBefore(i)];
   crossings_.clear();
   WindowLists::visit(list, [&](const Window& w) {
     const double crossing = w.crossing(p.x(), p.y());
     crossings_.push_back(crossing);
-    if (!(crossing >= w.begin - grazing && crossing <= w.end + grazing)) return;
+    if (!(crossing >= w.begin - grazed && crossing <= w.end + grazed)) return;
     const PathLength path = w.path(p.x(), p.y());
     offer(apex, path.length, {crossing, w.sourceDistance, w.direction, h, path.course});
   });

@@ -187,6 +187,10 @@ class WindowSweep {
   void continueNeeded();
   bool isBatchNeeded(int halfedge);
 
+  /// How far past the end of a window on a halfedge of some length a vertex may be seen
+  /// (`kGrazing`).
+  double grazing(double length) const { return std::max(kGrazing * length, leastGrazing_); }
+
   double distanceAt(int v) const {
     return vertices_[v].epoch == epoch_ ? vertices_[v].distance : kInfinity;
   }
@@ -194,6 +198,7 @@ class WindowSweep {
   const TriangleMesh& mesh_;
   NearestBounds& bounds_;
   const double bucketsPerUnit_;
+  const double leastGrazing_;
   /// A label spreads on while it is farther than another one by at most this. Along a path the
   /// difference of two labels' distances does not fall, but the tolerance for ties grows with the
   /// distance, so a difference here may be a tie farther on. All labels that tie there have to get
