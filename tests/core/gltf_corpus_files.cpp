@@ -126,8 +126,7 @@ void addGlbCases(GltfCases& cases) {
 
 void addJsonCases(GltfCases& cases) {
   const std::string neither = "this is neither GLB nor glTF JSON";
-  cases.refused("empty", "the file is empty", ByteVector()).librarySentence =
-      "the file is empty" + kUnknownFormat;
+  cases.refused("empty", "the file is empty", ByteVector());
   for (const char* text : {"  \n", "[]", "null", "\"glTF\"", "\xFF\xFE{\0}", "<html></html>"}) {
     cases.refused("text: " + std::string(text), neither, bytesOf(text));
   }

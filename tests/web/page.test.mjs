@@ -376,11 +376,53 @@ suite('the page', () => {
     const first = await viewer.sites();
     await viewer.after('diagram', () => viewer.page.click('#clear'));
     assert.equal(await viewer.siteCount(), 0);
-    await status(viewer, /^No sites yet/);
+    await status(viewer, /^No sites/);
     await viewer.after('diagram', () => viewer.page.click('#scatter [type=submit]'));
     assert.deepEqual(await viewer.sites(), first);
     for (const _ of [1, 2, 3]) await viewer.after('diagram', () => press('Control+z'));
     assert.deepEqual(await viewer.sites(), before);
+  });
+
+  test('what fails or is cancelled leaves its settings as they were', async () => {
+    const attributes = () =>
+      viewer.evaluate((viewer) =>
+        ['sites', 'min-component', 'weld'].map((name) => viewer.getAttribute(name)),
+      );
+    const before = await attributes();
+    const count = await viewer.siteCount();
+    await viewer.evaluate((viewer) => {
+      const failed = new Promise((resolve) =>
+        viewer.addEventListener('error', resolve, { once: true }),
+      );
+      viewer.setAttribute('min-component', '10000000');
+      return failed.then(() => undefined);
+    });
+    await viewer.page.waitForFunction(() => document.getElementById('min-component').value === '0');
+    assert.deepEqual(await attributes(), before);
+    assert.match(await text(viewer, '#error-text'), /no component has 10000000 triangles/);
+    await viewer.page.click('#error-close');
+
+    await viewer.evaluate(async (viewer) => {
+      viewer.setAttribute('weld', '0.001');
+      await new Promise((resolve) => requestAnimationFrame(resolve));
+      viewer.cancel();
+    });
+    await viewer.page.waitForFunction(
+      (weld) => document.querySelector('geodesic-voronoi').getAttribute('weld') === weld,
+      before[2],
+    );
+    await viewer.page.fill('#count', '20000');
+    await viewer.page.click('#scatter [type=submit]');
+    await viewer.evaluate(async (viewer) => {
+      await new Promise((resolve) => setTimeout(resolve, 30));
+      viewer.cancel();
+    });
+    await viewer.page.waitForFunction(
+      (sites) => document.getElementById('count').value === sites,
+      before[0],
+    );
+    assert.deepEqual(await attributes(), before);
+    assert.equal(await viewer.siteCount(), count);
   });
 
   test('how a model is made of its file is chosen, and told', async () => {

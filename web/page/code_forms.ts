@@ -4,12 +4,33 @@
 
 import type { Sampling } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
+import { listen } from './dom.js';
 
 /** How the present sites were made: by scattering, by a tessellation of those, or by hand. */
 type Origin = 'scattered' | 'even' | 'edited';
 
-export async function originOf(viewer: GeodesicVoronoiElement): Promise<Origin> {
-  if (viewer.cvtStatus !== 'idle') return 'even';
+/**
+ * Notes where tessellations begin, and how far they get; returns what tells how the present sites
+ * were made. Code repeats a tessellation only if it began with scattered sites, has a uniform
+ * density, and has come as far as the code goes.
+ */
+export function watchOrigin(viewer: GeodesicVoronoiElement): () => Promise<Origin> {
+  let beganScattered = Promise.resolve(false);
+  let iterations = 0;
+  listen(viewer, 'cvt-iteration', ({ iteration }) => {
+    iterations = iteration;
+    if (iteration === 0) beganScattered = isScattered(viewer);
+  });
+  return async () => {
+    if (viewer.cvtStatus === 'idle') return (await isScattered(viewer)) ? 'scattered' : 'edited';
+    const isRepeatable =
+      iterations === Number(settingsOf(viewer).iterations) && viewer.density === undefined;
+    return isRepeatable && (await beganScattered) ? 'even' : 'edited';
+  };
+}
+
+async function isScattered(viewer: GeodesicVoronoiElement): Promise<boolean> {
+  const shown = String(viewer.sites.bary);
   const { count, seed, sampling, perComponent } = settingsOf(viewer);
   const scattered = await viewer.mesh
     ?.sampleSites(Number(count), {
@@ -19,8 +40,7 @@ export async function originOf(viewer: GeodesicVoronoiElement): Promise<Origin> 
     })
     // Fails if there are fewer sites than that takes.
     .catch(() => undefined);
-  const isSame = String(scattered?.bary) === String(viewer.sites.bary);
-  return isSame ? 'scattered' : 'edited';
+  return String(scattered?.bary) === shown;
 }
 
 /** The code of a script, a page or a command that makes the shown diagram. */

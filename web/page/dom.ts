@@ -18,6 +18,19 @@ export function onClick(id: string, listener: () => void): HTMLButtonElement {
   return button;
 }
 
+/** Keeps fields at the values of the viewer's attributes, by whose names they are given. */
+export function showAttributes(
+  viewer: GeodesicVoronoiElement,
+  fields: Readonly<Record<string, HTMLInputElement | HTMLSelectElement>>,
+): void {
+  const usual = Object.entries(fields).map(([name, field]) => ({ name, field, value: field.value }));
+  const show = () => {
+    for (const { name, field, value } of usual) field.value = viewer.getAttribute(name) ?? value;
+  };
+  show();
+  new MutationObserver(show).observe(viewer, { attributeFilter: Object.keys(fields) });
+}
+
 /** Calls back with the `detail` of each event of the viewer. */
 export function listen<Type extends keyof ViewerEvents>(
   viewer: GeodesicVoronoiElement,

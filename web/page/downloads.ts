@@ -66,6 +66,7 @@ export function setUpDownloads(viewer: GeodesicVoronoiElement, modelName: () => 
     // This takes seconds for a large model.
     button.ariaBusy = 'true';
     button.disabled = true;
+    const hadFocus = menu.contains(document.activeElement) || document.activeElement === document.body;
     try {
       // The code that writes files is fetched with the first download.
       const { fileOf } = await import('./exports.js');
@@ -73,6 +74,7 @@ export function setUpDownloads(viewer: GeodesicVoronoiElement, modelName: () => 
       const model = modelName().replace(/\.[^.]*$/, '') || 'model';
       save(file.blob, `${model}-${name}.${file.ending}`);
       menu.hidePopover();
+      if (hadFocus) byId('download-button', HTMLElement).focus();
     } catch (error) {
       showError(`The file cannot be made: ${(error as Error).message}.`);
     } finally {

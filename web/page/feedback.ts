@@ -57,7 +57,7 @@ function setUpStatus(viewer: GeodesicVoronoiElement): void {
 }
 
 function sentenceOf({ sites, milliseconds }: ViewerEvents['diagram']): string {
-  if (sites === 0) return 'No sites yet: click the model to add one.';
+  if (sites === 0) return 'No sites: click the model.';
   return `${counted(sites, 'region')}, computed in ${duration(milliseconds)}`;
 }
 
@@ -101,7 +101,10 @@ function setUpErrors(viewer: GeodesicVoronoiElement): void {
       showError(message);
     }
   });
-  listen(viewer, 'load', close);
+  // The next attempt makes its own.
+  listen(viewer, 'status-change', ({ status }) => {
+    if (status === 'loading') close();
+  });
 }
 
 function setUpReadout(viewer: GeodesicVoronoiElement): void {

@@ -29,13 +29,21 @@ function enableWithModel(viewer: GeodesicVoronoiElement): void {
   });
 }
 
-/** Removes the sentence on the view after the first edit, and where nothing can be edited. */
+/**
+ * Removes the sentence on the view after the first edit, where nothing can be edited, and where
+ * other colours are shown than those it speaks of.
+ */
 function endCaption(viewer: GeodesicVoronoiElement): void {
   const caption = byId('caption', HTMLElement);
   if (matchMedia('(pointer: coarse)').matches) {
     const hint = byId('hint', HTMLElement);
     hint.textContent = (hint.textContent ?? '').replace('Click', 'Tap');
   }
+  new MutationObserver(() => {
+    const { layers } = viewer;
+    const hidesRegions = layers.includes('distances') || layers.includes('original');
+    if (!layers.includes('regions') || hidesRegions) caption.hidden = true;
+  }).observe(viewer, { attributeFilter: ['layers'] });
   listen(viewer, 'exploded', (parts) => {
     if (parts) caption.hidden = true;
   });

@@ -7,6 +7,8 @@ import { byId, onClick } from './dom.js';
 
 /** Commands of keys anywhere in the page; with the view in focus, the viewer handles all keys. */
 const everywhere: ReadonlySet<Command> = new Set(['undo', 'redo', 'remove', 'refit', 'cancel']);
+/** Those of keys that elsewhere press the button or open the menu in focus. */
+const withoutFocus: ReadonlySet<Command> = new Set(['play-cvt']);
 
 /** Keys that press a button of the toolbar. */
 const ofButtons: Readonly<Record<string, string>> = { u: 'up', h: 'hide-panel' };
@@ -32,7 +34,9 @@ export function setUpKeyboard(viewer: GeodesicVoronoiElement): void {
       return;
     }
     const command = commandOf(event);
-    if (command === undefined || !everywhere.has(command)) return;
+    const hasFocus = document.activeElement !== null && document.activeElement !== document.body;
+    if (command === undefined) return;
+    if (!everywhere.has(command) && (hasFocus || !withoutFocus.has(command))) return;
     // The browser closes the menu that is open.
     if (command === 'cancel' && document.querySelector(':popover-open')) return;
     event.preventDefault();

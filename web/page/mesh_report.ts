@@ -4,7 +4,7 @@
 
 import type { MeshInfo, MeshRepairs } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
-import { byId, listen } from './dom.js';
+import { byId, listen, showAttributes } from './dom.js';
 import { counted, integer, measure } from './numbers.js';
 
 /** Sets up the report on the mesh and the options by which it is built from its file. */
@@ -33,11 +33,8 @@ function setUpBuild(viewer: GeodesicVoronoiElement): void {
     field.addEventListener('change', () => {
       if (field.reportValidity()) viewer.setAttribute(name, field.value);
     });
-    // A link that was opened says how its model was made.
-    listen(viewer, 'load', () => {
-      field.value = viewer.getAttribute(name) ?? field.value;
-    });
   }
+  showAttributes(viewer, fields);
 }
 
 function factsOf(info: MeshInfo): [string, string][] {

@@ -19,7 +19,7 @@ const bytesPerSite = 8;
 /** The viewer's attributes that a link keeps. */
 const attributes = [
   ...['sites', 'seed', 'sampling', 'per-component', 'weld', 'orientation', 'min-component'],
-  ...['metric', 'detail', 'up', 'camera-orbit'],
+  ...['metric', 'detail', 'up', 'layers', 'camera-orbit'],
 ] as const;
 
 /** Whether an address's hash is one that `pageState` wrote. */

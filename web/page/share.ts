@@ -3,7 +3,7 @@
 // The menu that gives a link and code.
 
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
-import { codeOf, originOf } from './code_forms.js';
+import { codeOf, watchOrigin } from './code_forms.js';
 import { byId, onClick } from './dom.js';
 import { pageState } from './page_state.js';
 import samples from './samples.json' with { type: 'json' };
@@ -14,6 +14,7 @@ export function setUpShare(viewer: GeodesicVoronoiElement, modelName: () => stri
   const note = byId('share-note', HTMLElement);
   const link = byId('share-link', HTMLInputElement);
   const code = byId('code', HTMLElement);
+  const originOf = watchOrigin(viewer);
 
   const fill = () => {
     const model = modelName();
@@ -21,10 +22,12 @@ export function setUpShare(viewer: GeodesicVoronoiElement, modelName: () => stri
     const address = new URL(location.href);
     address.hash = pageState(viewer, model);
     link.value = address.href;
-    note.textContent = isSample
-      ? 'Whoever opens the link sees this model, these sites and this view.'
-      : `The link does not hold ${model}: whoever opens it has to open that file, too.`;
-    void originOf(viewer).then((origin) => {
+    note.textContent =
+      (isSample
+        ? 'Whoever opens the link sees this model, these sites and this view.'
+        : `The link does not hold ${model}: whoever opens it has to open that file, too.`) +
+      (viewer.density ? ' It does not hold the painted density.' : '');
+    void originOf().then((origin) => {
       code.textContent = codeOf(viewer, model, origin, chosen());
     });
   };

@@ -4,7 +4,7 @@
 
 import type { Sampling } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
-import { byId, listen, onClick } from './dom.js';
+import { byId, listen, onClick, showAttributes } from './dom.js';
 import { showNote } from './feedback.js';
 import { counted, integer, measure } from './numbers.js';
 
@@ -51,14 +51,7 @@ function setUpScatter(viewer: GeodesicVoronoiElement): void {
   const sampling = byId('sampling', HTMLSelectElement);
   const perComponent = byId('per-component', HTMLInputElement);
   const fields = { sites: count, seed, sampling, 'per-component': perComponent };
-  const adopt = () => {
-    for (const [name, field] of Object.entries(fields)) {
-      field.value = viewer.getAttribute(name) ?? field.value;
-    }
-  };
-  adopt();
-  // A link that was opened says how its sites were placed.
-  listen(viewer, 'load', adopt);
+  showAttributes(viewer, fields);
   listen(viewer, 'load', ({ info }) => {
     byId('per-component-label', HTMLElement).hidden = info.components < 2;
   });

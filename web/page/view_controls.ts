@@ -5,6 +5,7 @@
 import { type GeodesicVoronoiElement, type Layer, layers } from '../viewer/element.js';
 import { byId, listen, onClick } from './dom.js';
 import { showNote } from './feedback.js';
+import { counted } from './numbers.js';
 
 /** The titles of the layers, and hints on what they show. */
 const layerTexts: Record<Layer, { title: string; hint: string }> = {
@@ -77,7 +78,7 @@ function setUpDual(viewer: GeodesicVoronoiElement): void {
   });
   listen(viewer, 'dual', (dual) => {
     const [first, ...others] = dual?.violations ?? [];
-    const more = others.length > 0 ? `, and ${others.length} more` : '';
+    const more = others.length > 0 ? `, and ${counted(others.length, 'more fault')}` : '';
     note.textContent = first
       ? `The dual is no valid mesh of the surface: ${first.message}${more}.`
       : 'The dual is a valid mesh of the surface.';

@@ -14,12 +14,38 @@ import type { UpAxis } from './stage.js';
 
 const defaultLayers: readonly Layer[] = ['regions', 'bisectors', 'sites'];
 
+/** How a model is made of its file. */
+export const buildAttributes = ['weld', 'orientation', 'min-component'] as const;
+/** How sites are placed. */
+export const scatteringAttributes = ['sites', 'seed', 'sampling', 'per-component'] as const;
+
 /** Attributes are read anew at each access, so values are never stale. */
 export class Attributes {
   readonly #element: HTMLElement;
+  /** The texts that what is shown was made by. */
+  readonly #kept = new Map<string, string | null>();
 
   constructor(element: HTMLElement) {
     this.#element = element;
+  }
+
+  /** Notes that what is shown was made by these attributes as they are now. */
+  keep(names: readonly string[]): void {
+    for (const name of names) this.#kept.set(name, this.#element.getAttribute(name));
+  }
+
+  /** Whether these attributes ask for something else than is shown. */
+  differ(names: readonly string[]): boolean {
+    return names.some((name) => this.#element.getAttribute(name) !== this.#kept.get(name));
+  }
+
+  /** Sets these attributes back to what is shown, after a failure or a cancel. */
+  restore(names: readonly string[]): void {
+    for (const name of names) {
+      const text = this.#kept.get(name);
+      if (text === null) this.#element.removeAttribute(name);
+      else if (text !== undefined) this.#element.setAttribute(name, text);
+    }
   }
 
   get label(): string {

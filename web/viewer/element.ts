@@ -10,6 +10,7 @@ import type {
   Sampling,
   SurfacePoints,
 } from 'geodesic-voronoi';
+import { buildAttributes, scatteringAttributes } from './attributes.js';
 import { formatCameraOrbit } from './camera_orbit.js';
 import { type Command, commandOf, perform } from './commands.js';
 import { fileOfPicture } from './drawing_builder.js';
@@ -425,11 +426,14 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     if (changed.has('exploded')) viewer.explode();
     if (changed.has('up')) viewer.stage.up = this.attributeValues.up;
     if (changed.has('metric') || changed.has('detail')) viewer.configure();
+    // After a failure or a cancel, attributes go back to what is shown.
+    const isNews = (names: readonly string[]) =>
+      this.attributeValues.differ(names) || viewer.session.status !== 'ready';
     const isOther = (...names: string[]) => names.some((name) => changed.has(name));
     if (changed.has('src') && this.src) void this.load(this.src);
-    else if (this.#read && isOther('weld', 'orientation', 'min-component'))
+    else if (this.#read && isOther(...buildAttributes) && isNews(buildAttributes))
       void this.#open(this.#read);
-    else if (isOther('sites', 'seed', 'sampling', 'per-component'))
+    else if (isOther(...scatteringAttributes) && isNews(scatteringAttributes))
       void viewer.scatter(this.attributeValues.scattering);
   }
 }

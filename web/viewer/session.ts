@@ -74,6 +74,11 @@ export class Session {
     return this.#history.present;
   }
 
+  /** Whether new places for all sites are being found. */
+  get isScattering(): boolean {
+    return this.#scattering !== undefined;
+  }
+
   get canUndo(): boolean {
     return this.#history.canUndo;
   }
@@ -127,14 +132,18 @@ export class Session {
     this.#updateStatus();
     // Whether this was neither replaced by a newer request nor cancelled.
     const isWanted = () => mesh === this.#mesh && this.#scattering === scattering;
+    let isPlaced = false;
     try {
       const sites = await scatterSites(mesh, scattering);
-      if (isWanted()) this.#record(this.#history.createAll(sites));
+      isPlaced = isWanted();
+      if (isPlaced) this.#record(this.#history.createAll(sites));
     } catch (error) {
       if (isWanted()) this.#fail(error);
     } finally {
       if (isWanted()) this.#scattering = undefined;
       this.#updateStatus();
+      const isOver = mesh === this.#mesh && !this.#scattering; // else another one follows
+      if (!isPlaced && isOver) this.#listener.settingsRestored(this.#settings);
     }
   }
 

@@ -46,7 +46,7 @@ export interface SessionListener {
   /** Iterations have paused: the last one shown is now the diagram, like any other. */
   cvtRested(shown: ShownDiagram, milliseconds: number): void;
   cvtStatusChanged(status: CvtStatus): void;
-  /** After a failure or a cancel: the settings are again those of the diagram that is shown. */
+  /** After a failure or a cancel: what is asked for is again the diagram that is shown. */
   settingsRestored(settings: DiagramSettings): void;
   statusChanged(status: Status): void;
   progressed(share: number): void;

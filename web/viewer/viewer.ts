@@ -4,7 +4,7 @@
 
 import type { DiagramData, SurfacePath } from 'geodesic-voronoi';
 import { Vector3 } from 'three';
-import type { Attributes } from './attributes.js';
+import { type Attributes, buildAttributes, scatteringAttributes } from './attributes.js';
 import { formatCameraOrbit } from './camera_orbit.js';
 import { commandOf, isOfView, perform } from './commands.js';
 import { DerivedDrawings } from './derived_drawings.js';
@@ -138,8 +138,11 @@ export class Viewer implements Workpiece {
     this.stage.lookAgainst(new Vector3().fromArray(normal));
   }
 
-  open(read: Reader): Promise<boolean> {
-    return this.session.open(read, this.attributes.opening);
+  async open(read: Reader): Promise<boolean> {
+    const isOpen = await this.session.open(read, this.attributes.opening);
+    const isOver = this.session.status !== 'loading'; // else another one follows
+    if (!isOpen && isOver && this.session.mesh) this.attributes.restore(buildAttributes);
+    return isOpen;
   }
 
   /** Applies the metric and the detail of the attributes. */
@@ -294,6 +297,7 @@ export class Viewer implements Workpiece {
     return {
       modelChanged: (opened) => {
         const { mesh, name } = opened;
+        this.attributes.keep(buildAttributes);
         this.#showModel(opened);
         this.#emit('progress', { totalProgress: 1, reason: 'loading' });
         this.#emit('load', { name, info: mesh.info, parts: mesh.parts });
@@ -304,6 +308,7 @@ export class Viewer implements Workpiece {
         this.#adoptDensity();
       },
       diagramChanged: (shown, milliseconds, how) => {
+        if (!this.session.isScattering) this.attributes.keep(scatteringAttributes);
         this.#showDiagram(shown, how);
         this.#tellDiagram(shown, milliseconds);
       },
@@ -320,6 +325,7 @@ export class Viewer implements Workpiece {
       cvtStatusChanged: (status) => this.#emit('cvt-change', { status }),
       settingsRestored: (settings) => {
         this.attributes.diagram = settings;
+        this.attributes.restore(scatteringAttributes);
       },
       statusChanged: (status) => this.#emit('status-change', { status }),
       progressed: (totalProgress) => {

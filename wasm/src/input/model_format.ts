@@ -13,7 +13,7 @@ const objStatement = /^(v|vt|vn|vp|f|fo|g|o|s|l|p|mtllib|usemtl|mg|lod|maplib)([
 
 /** The name decides only where the content does not, as in a broken file. */
 export function formatOf(bytes: Uint8Array, name: string): FileFormat {
-  if (bytes.length === 0) throw unknown('the file is empty');
+  if (bytes.length === 0) throw new GeodesicVoronoiError('invalid-file', 'the file is empty');
   if (isBinaryStl(bytes)) return 'binary STL';
   const head = new TextDecoder('latin1').decode(bytes.subarray(0, maxHeadBytes));
   const text = head.replace(/^(ï»¿)?\s*/, ''); // the mark of UTF-8, as this decoder has it
