@@ -12,6 +12,7 @@
 #include "gvd/dynamic_diagram.h"
 #include "gvd/partition.h"
 #include "gvd/sampling.h"
+#include "mesh/surface_geometry.h"
 #include "partition_checks.h"
 
 namespace gvd::checks {
@@ -31,12 +32,6 @@ SurfacePoint randomPoint(const TriangleMesh& mesh, Random& random) {
   double a = random.uniform(), b = random.uniform();
   if (a + b > 1) a = 1 - a, b = 1 - b;
   return {face, {a, b, std::max(0.0, 1 - a - b)}};
-}
-
-double longestEdge(const TriangleMesh& mesh) {
-  double longest = 0;
-  for (int h = 0; h < mesh.halfedgeCount(); ++h) longest = std::max(longest, mesh.length(h));
-  return longest;
 }
 
 /// The median of the least heights of the faces.

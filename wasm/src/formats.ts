@@ -144,10 +144,7 @@ function arraysOf<Name extends keyof DiagramData>(
 }
 
 /** The bisectors as Wavefront OBJ: a polyline per arc, in a group that names its two labels. */
-export function diagramObj(
-  diagram: Arrays<'points' | 'arcs'>,
-  scale = 1,
-): string {
+export function diagramObj(diagram: Arrays<'points' | 'arcs'>, scale = 1): string {
   const { points, arcs } = arraysOf(diagram, 'points', 'arcs');
   toScale(scale);
   const { used, number } = compact([arcs.points], points.face.length);

@@ -86,7 +86,10 @@ function toWorker(worker: LoadWorkerOptions['worker']): Worker {
   if (worker !== undefined && !isAddress(worker))
     throw invalidArgument(`worker is ${show(worker)}, neither a Worker nor an address`);
   if (typeof Worker === 'undefined')
-    throw new GeodesicVoronoiError('load-failed', 'there are no module workers here (as in Node, within whose workers load() works): use load()');
+    throw new GeodesicVoronoiError(
+      'load-failed',
+      'there are no module workers here (as in Node, within whose workers load() works): use load()',
+    );
   return worker === undefined
     ? new Worker(new URL('./worker.js', import.meta.url), {
         type: 'module',

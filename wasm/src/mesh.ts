@@ -2,7 +2,15 @@
 //
 // A mesh as callers hold it: it checks what it is given, and leaves the work to an engine.
 
-import { isObject, show, toBoolean, toFloat64, toOptions, toTask, toTaskOptions } from './checks.js';
+import {
+  isObject,
+  show,
+  toBoolean,
+  toFloat64,
+  toOptions,
+  toTask,
+  toTaskOptions,
+} from './checks.js';
 import { EngineDiagram } from './diagram.js';
 import type { AdvancedCvt, Engine, OpenedMesh } from './engine.js';
 import { GeodesicVoronoiError, invalidArgument } from './errors.js';
@@ -239,10 +247,7 @@ export class EngineMesh implements Mesh {
     return remesh(this, points, { ...settings, maxAdded }, { signal, onProgress });
   }
 
-  async #toDensity(
-    density: Density,
-    signal: AbortSignal | undefined,
-  ): Promise<ArrayLike<number>> {
+  async #toDensity(density: Density, signal: AbortSignal | undefined): Promise<ArrayLike<number>> {
     if (density === 'curvature') return this.curvatureDensity({ signal });
     if (density !== 'attribute') return density as ArrayLike<number>;
     if (this.density.length > 0) return this.density;

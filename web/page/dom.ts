@@ -23,7 +23,11 @@ export function showAttributes(
   viewer: GeodesicVoronoiElement,
   fields: Readonly<Record<string, HTMLInputElement | HTMLSelectElement>>,
 ): void {
-  const usual = Object.entries(fields).map(([name, field]) => ({ name, field, value: field.value }));
+  const usual = Object.entries(fields).map(([name, field]) => ({
+    name,
+    field,
+    value: field.value,
+  }));
   const show = () => {
     for (const { name, field, value } of usual) field.value = viewer.getAttribute(name) ?? value;
   };

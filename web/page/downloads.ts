@@ -66,7 +66,8 @@ export function setUpDownloads(viewer: GeodesicVoronoiElement, modelName: () => 
     // This takes seconds for a large model.
     button.ariaBusy = 'true';
     button.disabled = true;
-    const hadFocus = menu.contains(document.activeElement) || document.activeElement === document.body;
+    const hadFocus =
+      menu.contains(document.activeElement) || document.activeElement === document.body;
     try {
       // The code that writes files is fetched with the first download.
       const { fileOf } = await import('./exports.js');

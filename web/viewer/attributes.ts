@@ -39,12 +39,13 @@ export class Attributes {
     return names.some((name) => this.#element.getAttribute(name) !== this.#kept.get(name));
   }
 
-  /** Sets these attributes back to what is shown, after a failure or a cancel. */
-  restore(names: readonly string[]): void {
-    for (const name of names) {
-      const text = this.#kept.get(name);
+  /** Sets attributes back to what is shown, after a failure or a cancel. */
+  restore(diagram: DiagramSettings): void {
+    this.#element.setAttribute('metric', diagram.metric);
+    this.#element.setAttribute('detail', String(diagram.detail));
+    for (const [name, text] of this.#kept) {
       if (text === null) this.#element.removeAttribute(name);
-      else if (text !== undefined) this.#element.setAttribute(name, text);
+      else this.#element.setAttribute(name, text);
     }
   }
 
@@ -103,11 +104,6 @@ export class Attributes {
       metric: (this.#text('metric') ?? 'exact') as Metric,
       detail: this.#number('detail', 0),
     };
-  }
-
-  set diagram({ metric, detail }: DiagramSettings) {
-    this.#element.setAttribute('metric', metric);
-    this.#element.setAttribute('detail', String(detail));
   }
 
   get opening(): Opening {

@@ -32,7 +32,7 @@ export interface OpenedMesh {
   builder: DrawingBuilder;
 }
 
-type PointList = SurfacePoints | { face: number[]; bary: number[] };
+export type PointList = SurfacePoints | { face: number[]; bary: number[] };
 
 /** Opens a mesh. If any step fails or is aborted, nothing stays open. */
 export async function openMesh(

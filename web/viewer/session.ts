@@ -8,13 +8,8 @@ import type { PrepareDiagram } from './diagram_geometry.js';
 import { sentence } from './failure.js';
 import { LatestTask } from './latest_task.js';
 import { LibraryLease } from './library_pool.js';
-import {
-  type OpenedMesh,
-  type Opening,
-  openMesh,
-  type Reader,
-  scatterSites,
-} from './mesh_opening.js';
+import { type OpenedMesh, type Opening, openMesh, type Reader } from './mesh_opening.js';
+import { ScatterTask } from './scatter_task.js';
 import type { CvtStatus, Scattering, SessionListener, Status } from './session_listener.js';
 import {
   changeDiagram,
@@ -47,7 +42,7 @@ export class Session {
   #move: { id: number; recorded: boolean } | undefined;
   #cvt: CvtRun | undefined;
   #cvtStatus: CvtStatus = 'idle';
-  #scattering: Scattering | undefined;
+  readonly scattering = new ScatterTask();
   #computing = false;
   #hasFailed = false;
   #status: Status = 'empty';
@@ -72,11 +67,6 @@ export class Session {
 
   get sites(): Sites {
     return this.#history.present;
-  }
-
-  /** Whether new places for all sites are being found. */
-  get isScattering(): boolean {
-    return this.#scattering !== undefined;
   }
 
   get canUndo(): boolean {
@@ -107,6 +97,8 @@ export class Session {
         this.#hasFailed = true;
         this.#fail(error);
       }
+      const isFollowed = this.#opening && this.#opening !== opening;
+      if (this.#mesh && !isFollowed) this.#listener.settingsRestored(this.#settings);
       return false;
     } finally {
       if (this.#opening === opening) {
@@ -128,23 +120,18 @@ export class Session {
   async scatter(scattering: Scattering): Promise<void> {
     const mesh = this.#mesh;
     if (!mesh) return;
-    this.#scattering = scattering;
+    const placing = this.scattering.run(mesh, scattering);
     this.#updateStatus();
-    // Whether this was neither replaced by a newer request nor cancelled.
-    const isWanted = () => mesh === this.#mesh && this.#scattering === scattering;
-    let isPlaced = false;
     try {
-      const sites = await scatterSites(mesh, scattering);
-      isPlaced = isWanted();
-      if (isPlaced) this.#record(this.#history.createAll(sites));
+      const sites = await placing;
+      if (sites) this.#record(this.#history.createAll(sites));
+      else if (mesh === this.#mesh && !this.scattering.isRunning)
+        this.#listener.settingsRestored(this.#settings);
     } catch (error) {
-      if (isWanted()) this.#fail(error);
-    } finally {
-      if (isWanted()) this.#scattering = undefined;
-      this.#updateStatus();
-      const isOver = mesh === this.#mesh && !this.#scattering; // else another one follows
-      if (!isPlaced && isOver) this.#listener.settingsRestored(this.#settings);
+      this.#fail(error);
+      this.#listener.settingsRestored(this.#settings);
     }
+    this.#updateStatus();
   }
 
   replaceSites(sites: { face: ArrayLike<number>; bary: ArrayLike<number> }): void {
@@ -242,7 +229,7 @@ export class Session {
   cancel(): void {
     this.#opening?.abort();
     this.#opening = undefined;
-    this.#scattering = undefined;
+    this.scattering.cancel();
     if (this.#cvt?.playing) this.#cvt.pause();
     else this.#task.cancel();
     this.#updateStatus();
@@ -263,7 +250,7 @@ export class Session {
     const { mesh } = opened;
     const sites = this.#history.createAll(opened.sites);
     this.#stopCvt();
-    this.#scattering = undefined;
+    this.scattering.cancel();
     this.#task.cancel();
     this.#shown?.diagram?.dispose();
     this.#mesh?.dispose();
@@ -439,7 +426,7 @@ export class Session {
       ? 'loading'
       : this.#cvt?.playing
         ? 'iterating'
-        : this.#computing || this.#scattering
+        : this.#computing || this.scattering.isRunning
           ? 'computing'
           : this.#mesh
             ? 'ready'

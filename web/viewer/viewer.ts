@@ -138,11 +138,8 @@ export class Viewer implements Workpiece {
     this.stage.lookAgainst(new Vector3().fromArray(normal));
   }
 
-  async open(read: Reader): Promise<boolean> {
-    const isOpen = await this.session.open(read, this.attributes.opening);
-    const isOver = this.session.status !== 'loading'; // else another one follows
-    if (!isOpen && isOver && this.session.mesh) this.attributes.restore(buildAttributes);
-    return isOpen;
+  open(read: Reader): Promise<boolean> {
+    return this.session.open(read, this.attributes.opening);
   }
 
   /** Applies the metric and the detail of the attributes. */
@@ -308,7 +305,7 @@ export class Viewer implements Workpiece {
         this.#adoptDensity();
       },
       diagramChanged: (shown, milliseconds, how) => {
-        if (!this.session.isScattering) this.attributes.keep(scatteringAttributes);
+        if (!this.session.scattering.isRunning) this.attributes.keep(scatteringAttributes);
         this.#showDiagram(shown, how);
         this.#tellDiagram(shown, milliseconds);
       },
@@ -323,10 +320,7 @@ export class Viewer implements Workpiece {
         this.#emit('cvt-iteration', { iteration, energy, relativeEnergy, largestMove });
       },
       cvtStatusChanged: (status) => this.#emit('cvt-change', { status }),
-      settingsRestored: (settings) => {
-        this.attributes.diagram = settings;
-        this.attributes.restore(scatteringAttributes);
-      },
+      settingsRestored: (settings) => this.attributes.restore(settings),
       statusChanged: (status) => this.#emit('status-change', { status }),
       progressed: (totalProgress) => {
         const reason = this.session.status === 'loading' ? 'loading' : 'computing';

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "base/sorting.h"
+#include "mesh/surface_geometry.h"
 
 namespace gvd {
 namespace {
@@ -20,10 +21,7 @@ bool haveUnequalTies(std::span<const LabelledDistance> here, const TieTolerance&
 
 }  // namespace
 
-TieTolerance::TieTolerance(const TriangleMesh& mesh) {
-  for (int v = 0; v < mesh.vertexCount(); ++v)
-    absolute_ = std::max(absolute_, 0x1p-46 * mesh.longestEdge(v));
-}
+TieTolerance::TieTolerance(const TriangleMesh& mesh) : absolute_(0x1p-46 * longestEdge(mesh)) {}
 
 void equalizeTies(std::span<LabelledDistance> here, const TieTolerance& ties) {
   constexpr size_t kFew = 32;  // up to here, comparing all pairs is quicker than sorting

@@ -33,7 +33,7 @@ class TieTolerance {
   bool tieUnequally(double a, double b) const { return a != b && isAtMost(a, b) && isAtMost(b, a); }
 
  private:
-  double absolute_ = 0;
+  double absolute_;
 };
 
 /// Points of a diagram are one point if their error bounds overlap; this caps the bounds, in

@@ -15,6 +15,12 @@
 
 namespace gvd {
 
+inline double longestEdge(const TriangleMesh& mesh) {
+  double longest = 0;
+  for (int v = 0; v < mesh.vertexCount(); ++v) longest = std::max(longest, mesh.longestEdge(v));
+  return longest;
+}
+
 /// Prefetches the faces around a vertex into the cache.
 inline void prefetchFan(const TriangleMesh& mesh, int vertex) {
   for (const int h : mesh.fan(vertex)) prefetch(mesh.face(TriangleMesh::faceOf(h)));

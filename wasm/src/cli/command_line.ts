@@ -95,7 +95,9 @@ function requireKnown(
 ): void {
   const taken: readonly string[] = commands[command].options;
   if (!taken.includes(name)) {
-    throw new UsageError(`${command} has no option ${rawName.slice(0, 40)}: ${advice(command, name)}`);
+    throw new UsageError(
+      `${command} has no option ${rawName.slice(0, 40)}: ${advice(command, name)}`,
+    );
   }
   const takesValue = 'value' in options[name as OptionName];
   if (!takesValue && value !== undefined)

@@ -2,16 +2,8 @@
 //
 // What each command does.
 import { extname } from 'node:path';
-import { load } from '../node.js';
 import type { MeshInfo, Metric, PolygonMesh, SurfacePath, Violation } from '../results.js';
-import type {
-  CvtOptions,
-  CvtState,
-  Density,
-  Diagram,
-  Mesh,
-  SurfacePointsInput,
-} from '../types.js';
+import type { CvtOptions, CvtState, Diagram, Mesh, SurfacePointsInput } from '../types.js';
 import {
   toDiagramEncoder,
   toDistancesEncoder,
@@ -22,17 +14,19 @@ import {
   toSitesEncoder,
 } from './encoders.js';
 import { fail } from './failure.js';
-import {
-  FileError,
-  type GivenPoints,
-  Output,
-  readModel,
-  readNumbers,
-  readPoints,
-} from './files.js';
+import { FileError, Output, readNumbers, readPoints } from './files.js';
 import { meshReport } from './mesh_report.js';
 import type { CommandName, Invocation, Values } from './options.js';
-import { ProgressBar } from './progress.js';
+import {
+  type Notices,
+  onSurface,
+  openMesh,
+  openWithSites,
+  type PointsOnSurface,
+  type Reading,
+  type SiteSource,
+  withProgress,
+} from './sites.js';
 import { unitOf } from './values.js';
 
 interface Request<Command extends CommandName> {
@@ -64,18 +58,6 @@ export function execute(invocation: Invocation): Promise<void> {
       return remesh(invocation);
   }
 }
-
-/** Where sites come from. */
-type SiteSource = Pick<
-  Values<'diagram'>,
-  'sites' | 'radius' | 'sampling' | 'per-component' | 'seed' | 'units'
->;
-/** How a model is read. */
-type Reading = Pick<Values, 'limits' | 'weld' | 'orientation' | 'min-component'>;
-/** Points by triangles or vertices. */
-type PointsOnSurface = Exclude<SurfacePointsInput, { position: unknown }>;
-/** What may be written to standard error. */
-type Notices = Pick<Values<'diagram'>, 'quiet' | 'progress'>;
 
 /** A mesh that fails does not keep the others from being reported. */
 async function info({ meshes, values }: Request<'info'>): Promise<void> {
@@ -361,17 +343,6 @@ function summarise(output: Output, { quiet }: Notices, line: string): void {
   if (output.isFile && !quiet) process.stderr.write(`${line}\n`);
 }
 
-async function openMesh(path: string, values: Reading): Promise<Mesh> {
-  const { files, file } = await readModel(path);
-  const gvd = await load();
-  const { limits, weld, orientation, 'min-component': minComponent } = values;
-  try {
-    return await gvd.mesh(files, { limits, file, weld, orientation, minComponent });
-  } catch (error) {
-    throw new FileError(`${path}: ${(error as Error).message}`, { cause: error });
-  }
-}
-
 /** The diagram that the options ask for. */
 async function compute(
   path: string,
@@ -383,98 +354,4 @@ async function compute(
     mesh.voronoi(sites, { metric, detail, onProgress }),
   );
   return { mesh, diagram };
-}
-
-async function openWithSites(
-  path: string,
-  values: Notices & Reading & SiteSource,
-  density?: Density,
-): Promise<{ mesh: Mesh; sites: PointsOnSurface }> {
-  const given = typeof values.sites === 'string' ? await readPoints(values.sites) : undefined;
-  const mesh = await openMesh(path, values);
-  const sites = given ? await onSurface(mesh, given, values) : await sampled(mesh, values, density);
-  if (!values.quiet) {
-    const notes = [...mesh.info.notes, ...(await bareNotes(mesh, sites))];
-    for (const note of notes) process.stderr.write(`note: ${note}\n`);
-  }
-  return { mesh, sites };
-}
-
-/** Points that were given; of places in space, the closest points, however far these are. */
-async function onSurface(
-  mesh: Mesh,
-  given: GivenPoints,
-  values: Pick<Values<'diagram'>, 'quiet' | 'units'>,
-): Promise<PointsOnSurface> {
-  const { name, points, faces = mesh.info.inputFaces } = given;
-  if (faces !== mesh.info.inputFaces) {
-    throw new FileError(
-      `${name} holds points of another mesh: of one with ${faces} triangles, not ${mesh.info.inputFaces}`,
-    );
-  }
-  try {
-    if ('position' in points && !('face' in points)) return await closestOf(mesh, points, values);
-    await mesh.positionsOf(points);
-    return points as PointsOnSurface;
-  } catch (error) {
-    throw new FileError(`${name}: ${(error as Error).message}`, { cause: error });
-  }
-}
-
-async function closestOf(
-  mesh: Mesh,
-  { position }: { position: ArrayLike<number> },
-  { quiet, units }: Pick<Values<'diagram'>, 'quiet' | 'units'>,
-): Promise<PointsOnSurface> {
-  const closest = await mesh.closestPoints(position);
-  const farthest = closest.distance.reduce((most, d) => Math.max(most, d), 0);
-  if (!quiet) {
-    process.stderr.write(
-      `note: ${closest.face.length} places, the farthest ${(units * farthest).toPrecision(4)} from the surface\n`,
-    );
-  }
-  return closest;
-}
-
-async function sampled(
-  mesh: Mesh,
-  values: Notices & SiteSource,
-  wantedDensity: Density | undefined,
-): Promise<PointsOnSurface> {
-  const { sites, radius, sampling, seed, 'per-component': perComponent, units } = values;
-  const wanted = radius === undefined ? (sites as number) : { radius: radius / units };
-  const isRandom = radius === undefined && (sampling ?? 'random') === 'random';
-  const density = isRandom ? wantedDensity : undefined;
-  const found = await withProgress(values, (onProgress) =>
-    mesh.sampleSites(wanted, { sampling, seed, perComponent, density, onProgress }),
-  );
-  const count = found.face.length;
-  if (radius === undefined && count < (sites as number) && !values.quiet)
-    process.stderr.write(`note: ${count} of ${sites} sites: every vertex has one\n`);
-  return found;
-}
-
-/** Notes the components that no site is on, if there are any. */
-async function bareNotes(mesh: Mesh, sites: SurfacePointsInput): Promise<string[]> {
-  const { components, area } = mesh.info;
-  const bare = await mesh.bareComponents(sites);
-  if (bare.components === 0) return [];
-  const share = Number(((100 * bare.area) / area).toPrecision(2));
-  return [
-    `${bare.components} of ${components} components, ${share} % of the area, have no site ` +
-      '(--per-component 1 samples one on each)',
-  ];
-}
-
-/** Shows how far the work is, if `--progress` is given. */
-async function withProgress<Result>(
-  { quiet, progress }: Notices,
-  work: (onProgress: (share: number) => void) => Promise<Result>,
-): Promise<Result> {
-  const bar = !quiet && (progress || process.stderr.isTTY) ? new ProgressBar() : undefined;
-  try {
-    return await work((share) => bar?.update(share));
-  } finally {
-    bar?.clear();
-  }
 }

@@ -99,8 +99,7 @@ export function toSitesEncoder(target: Target): Encoder<SitesResult> {
           ...placedPointsJson({ ...sites, position }, scale),
           energy: energy.map((e) => scale ** 4 * e), // area times squared length
         }),
-      '.ply': ({ position }, scale) =>
-        sitesPly(position.map((x) => scale * x)),
+      '.ply': ({ position }, scale) => sitesPly(position.map((x) => scale * x)),
     },
     target,
   );

@@ -247,15 +247,15 @@ export const commands = {
   path: {
     summary: 'Shortest paths between points on a mesh',
     result: `By FILE's ending: .json {"paths": [{"points", "length"}, …]} (no points and null where there is none), .obj (a polyline each).`,
-    examples: ['mesh.glb --from a.json --to b.json -o path.obj',
+    examples: [
+      'mesh.glb --from a.json --to b.json -o path.obj',
       `mesh.glb --from '{"vertex": 0}' --to '{"vertex": 40}'`,
-   ],
+    ],
     options: ['from', 'to', 'progress', ...ofAll],
   },
   cvt: {
     summary: 'Sites at the centroids of their regions: a centroidal Voronoi tessellation',
-    result:
-      `By FILE's ending: .json {"face": […], "bary": […], "position": […], "energy": […]} (the sites, and the energy of the first ones and after each iteration), .ply (the sites as points).`,
+    result: `By FILE's ending: .json {"face": […], "bary": […], "position": […], "energy": […]} (the sites, and the energy of the first ones and after each iteration), .ply (the sites as points).`,
     examples: [
       'mesh.glb --sites 300 -o sites.json',
       'mesh.glb --sites sites.json --fixed fixed.json --density rho.json -o new.json',
@@ -277,16 +277,7 @@ export const commands = {
     summary: 'The polygonal base mesh of sites: a vertex each, a polygon per Voronoi point',
     result: `By FILE's ending: .obj or .ply (polygons), .glb (triangles), .json (polygons, sites, and what is wrong with the dual).`,
     examples: ['mesh.glb --sites 300 --repair -o base.obj'],
-    options: [
-      ...ofSites,
-      'repair',
-      'max-added',
-      'check',
-      'primal',
-      'metric',
-      'progress',
-      ...ofAll,
-    ],
+    options: [...ofSites, 'repair', 'max-added', 'check', 'primal', 'metric', 'progress', ...ofAll],
   },
   remesh: {
     summary: 'An isotropic or adaptive remesh: the valid dual of a centroidal tessellation',

@@ -42,13 +42,6 @@ constexpr double kPlaceRounding = 0x1p-50;
 /// A line followed back ends at its virtual source up to rounding: a share of the line's length.
 constexpr double kLineRounding = 1e-9;
 
-/// How far rounding may move a line: a few 2^-53 of the longest edge that it has crossed.
-double lineRounding(const TriangleMesh& mesh) {
-  double longest = 0;
-  for (int v = 0; v < mesh.vertexCount(); ++v) longest = std::max(longest, mesh.longestEdge(v));
-  return 0x1p-50 * longest;
-}
-
 /// Whether the straight lines of a window have already crossed the face that they are about to
 /// enter. Then none of them is a shortest path, since there is a shorter way within the face
 /// (Sharir & Schorr 1986). All lines of a window have crossed the same faces, so it is enough to
@@ -71,7 +64,7 @@ WindowSweep::WindowSweep(const TriangleMesh& mesh, NearestBounds& bounds)
     : mesh_(mesh),
       bounds_(bounds),
       bucketsPerUnit_(kBucketsPerEdge / mesh.shortEdgeLength()),
-      leastGrazing_(lineRounding(mesh)),
+      leastGrazing_(0x1p-50 * longestEdge(mesh)),
       leeway_(kDistanceTolerance * kFarthestTie * mesh.boundingDiagonal()),
       fan_(mesh),
       required_(kPlaceRounding * mesh.boundingDiagonal()),

@@ -198,7 +198,7 @@ class WindowSweep {
   const TriangleMesh& mesh_;
   NearestBounds& bounds_;
   const double bucketsPerUnit_;
-  const double leastGrazing_;
+  const double leastGrazing_;  ///< by which lines round that have crossed the longest edge
   /// A label spreads on while it is farther than another one by at most this. Along a path the
   /// difference of two labels' distances does not fall, but the tolerance for ties grows with the
   /// distance, so a difference here may be a tie farther on. All labels that tie there have to get

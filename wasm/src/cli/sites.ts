@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+//
+// The mesh of a command and its sites: read from files, or sampled.
+import { load } from '../node.js';
+import type { Density, Mesh, SurfacePointsInput } from '../types.js';
+import { FileError, type GivenPoints, readModel, readPoints } from './files.js';
+import type { Values } from './options.js';
+import { ProgressBar } from './progress.js';
+
+/** Where sites come from. */
+export type SiteSource = Pick<
+  Values<'diagram'>,
+  'sites' | 'radius' | 'sampling' | 'per-component' | 'seed' | 'units'
+>;
+/** How a model is read. */
+export type Reading = Pick<Values, 'limits' | 'weld' | 'orientation' | 'min-component'>;
+/** Points by triangles or vertices. */
+export type PointsOnSurface = Exclude<SurfacePointsInput, { position: unknown }>;
+/** What may be written to standard error. */
+export type Notices = Pick<Values<'diagram'>, 'quiet' | 'progress'>;
+
+export async function openMesh(path: string, values: Reading): Promise<Mesh> {
+  const { files, file } = await readModel(path);
+  const gvd = await load();
+  const { limits, weld, orientation, 'min-component': minComponent } = values;
+  try {
+    return await gvd.mesh(files, { limits, file, weld, orientation, minComponent });
+  } catch (error) {
+    throw new FileError(`${path}: ${(error as Error).message}`, { cause: error });
+  }
+}
+
+export async function openWithSites(
+  path: string,
+  values: Notices & Reading & SiteSource,
+  density?: Density,
+): Promise<{ mesh: Mesh; sites: PointsOnSurface }> {
+  const given = typeof values.sites === 'string' ? await readPoints(values.sites) : undefined;
+  const mesh = await openMesh(path, values);
+  const sites = given ? await onSurface(mesh, given, values) : await sampled(mesh, values, density);
+  if (!values.quiet) {
+    const notes = [...mesh.info.notes, ...(await bareNotes(mesh, sites))];
+    for (const note of notes) process.stderr.write(`note: ${note}\n`);
+  }
+  return { mesh, sites };
+}
+
+/** Points that were given; of places in space, the closest points, however far these are. */
+export async function onSurface(
+  mesh: Mesh,
+  given: GivenPoints,
+  values: Pick<Values<'diagram'>, 'quiet' | 'units'>,
+): Promise<PointsOnSurface> {
+  const { name, points, faces = mesh.info.inputFaces } = given;
+  if (faces !== mesh.info.inputFaces) {
+    throw new FileError(
+      `${name} holds points of another mesh: of one with ${faces} triangles, not ${mesh.info.inputFaces}`,
+    );
+  }
+  try {
+    if ('position' in points && !('face' in points)) return await closestOf(mesh, points, values);
+    await mesh.positionsOf(points);
+    return points as PointsOnSurface;
+  } catch (error) {
+    throw new FileError(`${name}: ${(error as Error).message}`, { cause: error });
+  }
+}
+
+async function closestOf(
+  mesh: Mesh,
+  { position }: { position: ArrayLike<number> },
+  { quiet, units }: Pick<Values<'diagram'>, 'quiet' | 'units'>,
+): Promise<PointsOnSurface> {
+  const closest = await mesh.closestPoints(position);
+  const farthest = closest.distance.reduce((most, d) => Math.max(most, d), 0);
+  if (!quiet) {
+    process.stderr.write(
+      `note: ${closest.face.length} places, the farthest ${(units * farthest).toPrecision(4)} from the surface\n`,
+    );
+  }
+  return closest;
+}
+
+async function sampled(
+  mesh: Mesh,
+  values: Notices & SiteSource,
+  wantedDensity: Density | undefined,
+): Promise<PointsOnSurface> {
+  const { sites, radius, sampling, seed, 'per-component': perComponent, units } = values;
+  const wanted = radius === undefined ? (sites as number) : { radius: radius / units };
+  const isRandom = radius === undefined && (sampling ?? 'random') === 'random';
+  const density = isRandom ? wantedDensity : undefined;
+  const found = await withProgress(values, (onProgress) =>
+    mesh.sampleSites(wanted, { sampling, seed, perComponent, density, onProgress }),
+  );
+  const count = found.face.length;
+  if (radius === undefined && count < (sites as number) && !values.quiet)
+    process.stderr.write(`note: ${count} of ${sites} sites: every vertex has one\n`);
+  return found;
+}
+
+/** Notes the components that no site is on, if there are any. */
+async function bareNotes(mesh: Mesh, sites: SurfacePointsInput): Promise<string[]> {
+  const { components, area } = mesh.info;
+  const bare = await mesh.bareComponents(sites);
+  if (bare.components === 0) return [];
+  const share = Number(((100 * bare.area) / area).toPrecision(2));
+  return [
+    `${bare.components} of ${components} components, ${share} % of the area, have no site ` +
+      '(--per-component 1 samples one on each)',
+  ];
+}
+
+/** Shows how far the work is, if `--progress` is given. */
+export async function withProgress<Result>(
+  { quiet, progress }: Notices,
+  work: (onProgress: (share: number) => void) => Promise<Result>,
+): Promise<Result> {
+  const bar = !quiet && (progress || process.stderr.isTTY) ? new ProgressBar() : undefined;
+  try {
+    return await work((share) => bar?.update(share));
+  } finally {
+    bar?.clear();
+  }
+}
