@@ -18,29 +18,23 @@ namespace {
 
 using Labels = std::span<const LabelledDistance>;
 
-/// The lists are short.
-const LabelledDistance* find(Labels labels, int label) {
-  for (const LabelledDistance& d : labels)
-    if (d.label >= label) return d.label == label ? &d : nullptr;
-  return nullptr;
-}
-
 /// Whether a label is nearest anywhere on a side, given the labels at the side's ends.
 bool ownsPartOf(int label, double atTail, double atTip, Labels tail, Labels tip) {
   EdgeShare share(label, atTail, atTip);
   for (const LabelledDistance& other : tail) {
-    const LabelledDistance* const otherAtTip = find(tip, other.label);
-    if (otherAtTip && other.label != label)
-      share.yieldTo(other.label, other.distance, otherAtTip->distance);
+    const LabelledDistance* const otherAtTip = findLabel(tip, other.label);
+    if (!otherAtTip || other.label == label) continue;
+    share.yieldTo(other.label, other.distance, otherAtTip->distance);
+    if (share.isEmpty()) return false;
   }
-  return !share.isEmpty();
+  return true;
 }
 
 /// Whether one of the owners is nearer than a label at both ends of a side.
 bool isHidden(int label, double atTail, double atTip, Labels tail, Labels tip,
               const std::array<int, 3>& owners) {
   return std::any_of(owners.begin(), owners.end(), [&](int owner) {
-    const LabelledDistance *const from = find(tail, owner), *const to = find(tip, owner);
+    const LabelledDistance *const from = findLabel(tail, owner), *const to = findLabel(tip, owner);
     if (!from || !to || owner == label) return false;
     EdgeShare share(label, atTail, atTip);
     share.yieldTo(owner, from->distance, to->distance);
@@ -108,16 +102,16 @@ bool LabelCompletion::completeAcross(int element, int side) {
   bool changed = false;
   const Labels atTail = complex_.nodes().labels(tail);
   Labels atTip = complex_.nodes().labels(tip), atApex = complex_.nodes().labels(apex);
-  if (const int owner = complex_.nodes().owner(tail); owner >= 0 && !find(atTip, owner)) {
-    const double distance = find(atTail, owner)->distance;
+  if (const int owner = complex_.nodes().owner(tail); owner >= 0 && !findLabel(atTip, owner)) {
+    const double distance = findLabel(atTail, owner)->distance;
     complex_.nodes().addLabel(
         tip, {owner, distance + std::sqrt(squaredLength(element, side, side + 1))});
     atTip = complex_.nodes().labels(tip);
     changed = true;
   }
   for (const LabelledDistance& d : atTail) {
-    if (find(atApex, d.label)) continue;
-    const LabelledDistance* const other = find(atTip, d.label);
+    if (findLabel(atApex, d.label)) continue;
+    const LabelledDistance* const other = findLabel(atTip, d.label);
     if (!other || !ownsPartOf(d.label, d.distance, other->distance, atTail, atTip)) continue;
     complex_.nodes().addLabel(apex, {d.label, unfold(element, side, d.distance, other->distance)});
     atApex = complex_.nodes().labels(apex);

@@ -10,6 +10,19 @@
 
 namespace gvd {
 
+/// The entry of a label in a list, which is ascending by label; null if there is none. Halves long
+/// lists first; most are short.
+inline const LabelledDistance* findLabel(std::span<const LabelledDistance> list, int label) {
+  constexpr size_t kFew = 8;
+  while (list.size() > kFew) {
+    const auto upper = list.subspan(list.size() / 2);
+    list = upper.front().label <= label ? upper : list.first(list.size() / 2);
+  }
+  for (const LabelledDistance& d : list)
+    if (d.label == label) return &d;
+  return nullptr;
+}
+
 /// Calls `visit` with every label known at all three corners of a triangle, ascending, and its
 /// distances there. Takes the lists of the corners.
 template <class Visit>

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/tolerances.h"
+#include "distance/common_labels.h"
 #include "distance/small_lists.h"
 #include "gvd/geodesic.h"
 
@@ -19,13 +20,14 @@ class LabelLists {
   std::span<const LabelledDistance> operator[](int vertex) const { return distances_[vertex]; }
   /// The distance of a label, infinity if it is not known.
   double distance(int vertex, int label) const {
-    const int place = placeOf(vertex, label);
-    return place < 0 ? kInfinity : distances_[vertex][place].distance;
+    const LabelledDistance* const found = findLabel(distances_[vertex], label);
+    return found ? found->distance : kInfinity;
   }
   /// The index in `LabelSpread::reached(label)` of the vertex, -1 if the label is not known.
   int reachedIndex(int vertex, int label) const {
-    const int place = placeOf(vertex, label);
-    return place < 0 ? -1 : reachedIndices(vertex)[place];
+    const auto known = distances_[vertex];
+    const LabelledDistance* const found = findLabel(known, label);
+    return found ? indices_[vertex][found - known.data()] : -1;
   }
   /// The same of each label in the list.
   std::span<const int> reachedIndices(int vertex) const { return indices_[vertex]; }
@@ -60,21 +62,6 @@ class LabelLists {
   }
 
  private:
-  /// The place of a label in the list of a vertex, -1 if it is not known. Halves long lists first;
-  /// most are short.
-  int placeOf(int vertex, int label) const {
-    constexpr size_t kFew = 8;
-    const auto all = distances_[vertex];
-    auto known = all;
-    while (known.size() > kFew) {
-      const auto upper = known.subspan(known.size() / 2);
-      known = upper.front().label <= label ? upper : known.first(known.size() / 2);
-    }
-    for (const LabelledDistance& d : known)
-      if (d.label == label) return static_cast<int>(&d - all.data());
-    return -1;
-  }
-
   SmallLists<LabelledDistance> distances_;
   SmallLists<int> indices_;
 };
