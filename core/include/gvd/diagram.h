@@ -103,12 +103,13 @@ struct Diagram {
 struct DiagramOptions {
   /// How many times a mixed face is split in four, with distances evaluated at the new corners.
   /// With more detail the bisectors converge to the true curves. 0: one straight segment per face
-  /// and bisector.
+  /// and bisector. Each level about doubles the points, and the time for mixed faces.
   int detail = 0;
 };
 
 /// The diagram of the distances of `siteCount` sites. The same input gives the same diagram to the
-/// last bit; permuting the sites permutes the labels. O(F + M log M), M the number of points.
+/// last bit; permuting the sites permutes the labels. O(F + M log M), M the number of points, plus
+/// O(k²) for each face with k regions.
 /// Throws `Error(kInvalidArgument)` if there are distances of more than `siteCount` sites, or if
 /// `detail` is negative.
 Diagram traceDiagram(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,

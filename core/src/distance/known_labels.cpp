@@ -180,7 +180,8 @@ bool KnownLabels::findTies(long& budget) {
     for (size_t k = 0; k < lists_[v].size(); ++k) {
       const int label = lists_[v][k].label;
       if (!sites_.contains(label) || hasStarted_[label]) continue;
-      // Not the listed distance: it may have been made equal to that of a label that is gone.
+      // The distance that the label has found: the listed one may have been lowered to that of a
+      // label that is gone (`equalizeTies`).
       const ReachedVertex& r = spread_.reached(label)[lists_.reachedIndices(v)[k]];
       if (bounds_.ties().isAtMost(r.distance, bounds_[v].distance)) noteTie(v, label);
     }

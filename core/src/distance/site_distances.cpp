@@ -98,7 +98,7 @@ void SiteDistances::forget(std::span<const int> labels) {
 bool SiteDistances::step(long budget) {
   if (stage_ == Stage::kBounds) {
     if (!edgeBounds_.run(budget)) return false;
-    lowerBounds();
+    applyEdgeBounds();
     stage_ = Stage::kSpread;
   }
   if (stage_ == Stage::kSpread) {
@@ -127,7 +127,7 @@ double SiteDistances::progress() const {
 
 /// Sets the bounds at reset vertices: by paths along edges, and by the distances that resumed
 /// labels have already found.
-void SiteDistances::lowerBounds() {
+void SiteDistances::applyEdgeBounds() {
   if (sites_.count() > static_cast<int>(started_.size())) {
     std::vector<int> outdated;
     if (spread_->isLimitedByEdgeBounds())

@@ -72,7 +72,7 @@ class SiteDistances final : public DistanceField {
   };
 
   void forget(std::span<const int> labels);
-  void lowerBounds();
+  void applyEdgeBounds();
   void lowerBy(int label);
   bool spread(long& budget);
   bool requireMissed();

@@ -60,7 +60,7 @@ bool VertexWelding::step(long& budget) {
                                        [&](int i) { addToBox(triangles_[i]); });
       },
       [&] { openGrid(); },
-      [&] { return !staying_ || loop_.run(count, budget, 1, [&](int v) { weldToNear(v); }); });
+      [&] { return !keptVertices_ || loop_.run(count, budget, 1, [&](int v) { weldToNear(v); }); });
 }
 
 Eigen::Vector3d VertexWelding::position(int v) const {
@@ -96,7 +96,7 @@ void VertexWelding::openGrid() {
   const double tolerance = weld_ * (most_ - least_).norm();
   constexpr double kRounding = std::numeric_limits<double>::epsilon();
   if (weld_ >= kRounding && tolerance > 0 && std::isfinite(tolerance))
-    staying_.emplace(positions_, tolerance);
+    keptVertices_.emplace(positions_, tolerance);
 }
 
 void VertexWelding::weldToNear(int v) {
@@ -105,11 +105,11 @@ void VertexWelding::weldToNear(int v) {
     if (same >= 0) same = representative_[same];
     return;
   }
-  const int near = staying_->firstNear(position(v));
+  const int near = keptVertices_->firstNear(position(v));
   if (near >= 0)
     same = near;
   else
-    staying_->add(v);
+    keptVertices_->add(v);
 }
 
 bool isFinite(const Corners& corners) {

@@ -47,7 +47,7 @@ class VertexWelding {
   std::vector<int> representative_;
   Grouping places_;  ///< vertices, grouped by a hash of their positions
   Eigen::Vector3d least_, most_;
-  std::optional<PointGrid> staying_;  ///< the representatives, if there is a tolerance
+  std::optional<PointGrid> keptVertices_;  ///< the representatives, if there is a tolerance
 };
 
 /// Whether no corner of a welded triangle is -1.

@@ -35,7 +35,7 @@ constexpr size_t kMostCrossingsPerVertex = 30;
 /// for spikes and tubes of a few faces. Following every window around a vertex of a thousand faces
 /// would take a hundred times as long as spreading.
 constexpr long kFollowedPerWindow = 16;
-/// The distance, in bounding diagonals, up to which labels reach every place where they tie.
+/// Ties at distances beyond this many bounding diagonals may be missed.
 constexpr double kFarthestTie = 8;
 /// The rounding error of distances in space, in bounding diagonals: a few 2^-53.
 constexpr double kPlaceRounding = 0x1p-50;
@@ -361,9 +361,9 @@ inline WindowSweep::Portal WindowSweep::portal(int h, double length, const End& 
   return {h,
           length,
           {tail.own, tip.own},
-          {tail.nearest, tip.nearest},
+          {tail.limit, tip.limit},
           (to_ == SpreadTo::kOwned || to_ == SpreadTo::kSites) &&
-              (tail.nearest < tail.own || tip.nearest < tip.own)};
+              (tail.limit < tail.own || tip.limit < tip.own)};
 }
 
 WindowSweep::Portal WindowSweep::portalTo(int h) const {
@@ -385,7 +385,7 @@ WindowSweep::Portal WindowSweep::portalTo(int h) const {
   if (windsAroundNeedle(w, portal.halfedge)) return;
   if (portal.isContested) {
     Window owned = w;
-    trim(owned, portal.length, portal.nearest);
+    trim(owned, portal.length, portal.limit);
     if (!(owned.begin < owned.end)) {
       if (to_ == SpreadTo::kOwned) waiting_.push_back({w, portal.halfedge});
       return;
@@ -406,8 +406,8 @@ inline bool WindowSweep::windsAroundNeedle(const Window& w, int h) const {
 
 /// Whether a window sees the apex but has a longer distance there than the label. Does not apply if
 /// the apex is beside the window, however little: all lines then pass it on the same side.
-inline bool WindowSweep::isBeaten(const Window& w, double crossing, int h,
-                                  double apexDistance) const {
+inline bool WindowSweep::isDominated(const Window& w, double crossing, int h,
+                                     double apexDistance) const {
   const TriangleMesh::Face& face = mesh_.face(h / 3);
   const int i = h % 3;
   const double length = face.lengths[i];
@@ -435,7 +435,7 @@ void WindowSweep::crossSide(int h, const WindowLists::Chunk* list, const Portal&
     if (kLeft ? !(crossing > w.begin) : !(crossing < w.end)) return;
     Window part = w;
     if (isApexFromHere && (crossing < apex.piece.crossing) != kLeft &&
-        isBeaten(w, crossing, h, apex.distance)) {
+        isDominated(w, crossing, h, apex.distance)) {
       if (apex.piece.course != Course::kBent) return;
       (kLeft ? part.end : part.begin) = apex.piece.crossing;
       if (!(part.begin < part.end)) return;

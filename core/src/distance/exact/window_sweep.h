@@ -119,14 +119,14 @@ class WindowSweep {
   /// the label spreads on.
   struct End {
     int vertex;
-    double own, nearest;
+    double own, limit;
   };
   /// A side through which windows leave a face, as a halfedge of the face beyond.
   struct Portal {
     int halfedge;
     double length;
-    EdgeDistances own, nearest;
-    bool isContested;  ///< whether another label is nearer at an end
+    EdgeDistances own, limit;
+    bool isContested;  ///< whether the label's distance exceeds the limit at an end
   };
 
   void begin(int label, SpreadTo to, LabelState& state);
@@ -156,7 +156,7 @@ class WindowSweep {
   End endAt(int vertex) const;
   Portal portal(int halfedge, double length, const End& tail, const End& tip) const;
   Portal portalTo(int halfedge) const;
-  bool isBeaten(const Window& w, double crossing, int halfedge, double apexDistance) const;
+  bool isDominated(const Window& w, double crossing, int halfedge, double apexDistance) const;
   void keep(Window& w, const Portal& portal);
   bool windsAroundNeedle(const Window& w, int halfedge) const;
 
@@ -199,10 +199,10 @@ class WindowSweep {
   NearestBounds& bounds_;
   const double bucketsPerUnit_;
   const double leastGrazing_;  ///< by which lines round that have crossed the longest edge
-  /// A label spreads on while it is farther than another one by at most this. Along a path the
-  /// difference of two labels' distances does not fall, but the tolerance for ties grows with the
-  /// distance, so a difference here may be a tie farther on. All labels that tie there have to get
-  /// there, whichever spreads first.
+  /// A label spreads on while it is farther than another one by at most this. Two labels that tie
+  /// at a distance d may differ here by `kDistanceTolerance` · d, because the difference does not
+  /// fall along a path. Neither may stop the other here, or the set of labels that tie at d would
+  /// depend on which of them spread first.
   const double leeway_;
   FanBehind fan_;
   std::vector<char> isNeedle_;  ///< per face; empty if none is
