@@ -57,12 +57,12 @@ class SiteDistances final : public DistanceField {
   const SiteSet& sites() const { return sites_; }
 
   std::span<const LabelledDistance> at(int vertex) const override { return known_[vertex]; }
-  LabelledDistance nearest(const SurfacePoint& p) const override;
+  LabelledDistance nearest(const SurfacePoint& given) const override;
   double distance(int label, const SurfacePoint& p) const override;
   std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
       std::span<const LabelledPoint> points) const override;
   Eigen::Vector2d direction(int label, int vertex) const override;
-  std::vector<SurfacePoint> path(int label, const SurfacePoint& p) const override;
+  std::vector<SurfacePoint> path(int label, const SurfacePoint& given) const override;
 
  private:
   class PointDistances;
