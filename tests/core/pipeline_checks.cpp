@@ -46,12 +46,11 @@ double medianHeight(const TriangleMesh& mesh) {
   return *median;
 }
 
-/// Whether distances are the same up to a share of them and to the rounding of the longest faces,
-/// which `DynamicDiagram` names.
+/// Whether distances are the same up to a share of them and to one of the longest edge.
 class SameDistance {
  public:
-  SameDistance(const TriangleMesh& mesh, double share)
-      : share_(share), absolute_(0x1p-46 * longestEdge(mesh)) {}
+  SameDistance(const TriangleMesh& mesh, double share, double shareOfLongestEdge)
+      : share_(share), absolute_(shareOfLongestEdge * longestEdge(mesh)) {}
   bool operator()(double a, double b) const {
     return std::abs(a - b) <= share_ * std::max(a, b) + absolute_;
   }
@@ -64,7 +63,9 @@ class SameDistance {
 AssertionResult haveDistancesOfOneSiteEach(const TriangleMesh& mesh,
                                            std::span<const SurfacePoint> sites,
                                            const DistanceField& field) {
-  const SameDistance isSame(mesh, 0x1p-40);  // ties are made equal
+  // A distance may be lowered to one that it ties with, and both to a third one: `TieTolerance`,
+  // twice.
+  const SameDistance isSame(mesh, 0x1p-40, 0x1p-45);
   std::vector<std::unique_ptr<DistanceField>> alone;
   constexpr size_t kMost = 8;
   for (const SurfacePoint& site : sites.first(std::min(sites.size(), kMost)))
@@ -116,7 +117,7 @@ void edit(DynamicDiagram& dynamic, const TriangleMesh& mesh, Random& random) {
 /// `a` is label `labelInB[l]` of `b`.
 AssertionResult haveSameDistances(const TriangleMesh& mesh, const DistanceField& a,
                                   const DistanceField& b, std::span<const int> labelInB) {
-  const SameDistance isSame(mesh, 0x1p-44);
+  const SameDistance isSame(mesh, 0x1p-44, 0x1p-46);
   for (int v = 0; v < mesh.vertexCount(); ++v)
     if (!std::ranges::equal(a.at(v), b.at(v),
                             [&](const LabelledDistance& x, const LabelledDistance& y) {
