@@ -36,6 +36,9 @@ function run(command, args) {
 
 const runCommand = (args) => run(process.execPath, [join(root, 'dist/cli/main.js'), ...args]);
 
+/** The words of a command line, as a shell takes it apart. */
+const wordsOf = (line) => line.match(/'[^']*'|\S+/g).map((word) => word.replaceAll("'", ''));
+
 for (const source of markdownFiles) {
   const programs = blocks(source, 'js');
   if (programs.length > 0) {
@@ -50,7 +53,7 @@ for (const source of markdownFiles) {
   const commands = lines.filter((line) => line.startsWith('geodesic-voronoi '));
   if (commands.length > 0) {
     test(`commands of ${source}`, () => {
-      for (const line of commands) runCommand(line.split(/\s+/).slice(1));
+      for (const line of commands) runCommand(wordsOf(line).slice(1));
     });
   }
 }
