@@ -11,9 +11,6 @@ namespace gvd {
 // A face laid out in the plane. Side i runs from corner i to the next one. The coordinates of side
 // i: the origin is corner i, the x axis runs along the side, the face lies at y >= 0.
 
-constexpr int cornerAfter(int i) { return i == 2 ? 0 : i + 1; }
-constexpr int cornerBefore(int i) { return i == 0 ? 2 : i - 1; }
-
 /// The corner across from side i, its *apex*, in the coordinates of that side.
 inline Eigen::Vector2d apexOf(const TriangleMesh::Face& face, int i) {
   return face.lengths[cornerBefore(i)] * Eigen::Vector2d(face.cosines[i], face.sines[i]);

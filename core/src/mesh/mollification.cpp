@@ -5,12 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gvd/triangle_mesh.h"
+
 namespace gvd {
 namespace {
-
-// The next and the previous of three corners or sides.
-constexpr int after(int i) { return i == 2 ? 0 : i + 1; }
-constexpr int before(int i) { return i == 0 ? 2 : i - 1; }
 
 double perimeterOf(const std::array<double, 3>& lengths) {
   return lengths[0] + lengths[1] + lengths[2];
@@ -22,19 +20,19 @@ IntrinsicTriangle measureTriangle(const std::array<Eigen::Vector3d, 3>& corners)
   IntrinsicTriangle t;
   std::array<Eigen::Vector3d, 3> sides;
   for (int i = 0; i < 3; ++i) {
-    sides[i] = corners[after(i)] - corners[i];
+    sides[i] = corners[cornerAfter(i)] - corners[i];
     t.lengths[i] = sides[i].norm();
   }
   // Of the two shorter sides, because the rounding of a cross product grows with its factors.
   const auto longestSide = std::max_element(t.lengths.begin(), t.lengths.end());
   const int longest = static_cast<int>(longestSide - t.lengths.begin());
-  t.twiceArea = sides[after(longest)].cross(sides[before(longest)]).norm();
+  t.twiceArea = sides[cornerAfter(longest)].cross(sides[cornerBefore(longest)]).norm();
 
   const double perimeter = perimeterOf(t.lengths);
   for (int i = 0; i < 3; ++i) {
-    t.dots[i] = -sides[i].dot(sides[before(i)]);
+    t.dots[i] = -sides[i].dot(sides[cornerBefore(i)]);
     // (a + b)² - c² = (a + b - c) (a + b + c) = 2 (ab + a·b), and (ab + a·b) (ab - a·b) = |a×b|².
-    const double product = t.lengths[i] * t.lengths[before(i)];
+    const double product = t.lengths[i] * t.lengths[cornerBefore(i)];
     const double sum =
         t.dots[i] >= 0 ? product + t.dots[i] : t.twiceArea / (product - t.dots[i]) * t.twiceArea;
     t.excess[i] = perimeter > 0 ? 2 * sum / perimeter : 0;

@@ -43,7 +43,7 @@ inline double squaredLength(const Eigen::Vector3d& difference, const std::array<
   const int longest = sides[0] >= sides[1] && sides[0] >= sides[2] ? 0
                       : sides[1] >= sides[2]                       ? 1
                                                                    : 2;
-  const int next = longest == 2 ? 0 : longest + 1, previous = longest == 0 ? 2 : longest - 1;
+  const int next = cornerAfter(longest), previous = cornerBefore(longest);
   const double u = difference[longest], v = difference[next];
   const double twiceDot = sides[previous] + sides[next] - sides[longest];
   const double s = u * u * sides[previous] + v * v * sides[next] + u * v * twiceDot;

@@ -3,10 +3,12 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <span>
-#include <utility>
 #include <vector>
 
+#include "base/lanes.h"
 #include "base/tolerances.h"
 #include "gvd/geodesic.h"
 
@@ -15,60 +17,97 @@ namespace gvd::exact {
 /// The vertices or other points at which the distance of a label is required although another label
 /// is nearer. The label's windows go on only as far as they can still shorten one of these
 /// distances.
+///
+/// Every waiting window is compared with every place, so the numbers are kept in single precision,
+/// four in a register: in bounding diagonals, and rounded so that a window never stops too early.
 class RequiredPlaces {
  public:
-  /// `rounding` is the error bound of distances between places in space.
-  explicit RequiredPlaces(double rounding) : rounding_(rounding) {}
+  /// The index of no place.
+  static constexpr int kNone = 0;
+
+  explicit RequiredPlaces(double boundingDiagonal) : scale_(1 / boundingDiagonal) { clear(); }
 
   void clear() {
-    for (auto* values : {&x_, &y_, &z_, &bound_, &nearest_}) values->clear();
+    blocks_.assign(1, Block{});
+    nearest_.assign(1, 0);
   }
-  int size() const { return static_cast<int>(bound_.size()); }
+  /// Whether there are no places.
+  bool isEmpty() const { return nearest_.size() == 1; }
 
   /// `bound` is the least distance of the label known so far, `nearest` the distance of the nearest
   /// label. Returns the index of the place.
   int add(const Eigen::Vector3d& position, double bound, double nearest) {
-    x_.push_back(position.x());
-    y_.push_back(position.y());
-    z_.push_back(position.z());
+    const int index = static_cast<int>(nearest_.size()), lane = index % kLanes;
+    if (lane == 0) blocks_.emplace_back();
+    Block& block = blocks_.back();
+    block.x[lane] = static_cast<float>(scale_ * position.x());
+    block.y[lane] = static_cast<float>(scale_ * position.y());
+    block.z[lane] = static_cast<float>(scale_ * position.z());
     nearest_.push_back(nearest);
-    bound_.push_back(bound * (1 + kDistanceTolerance));
-    return size() - 1;
+    block.bound[lane] = block.excess[lane] = std::numeric_limits<float>::infinity();
+    shorten(index, bound);
+    return index;
+  }
+  /// Paths that tie with the bound can still become the shortest.
+  void shorten(int index, double bound) {
+    Block& block = blocks_[index / kLanes];
+    const int lane = index % kLanes;
+    const double most = bound * (1 + kDistanceTolerance);
+    block.bound[lane] = std::min<float>(block.bound[lane], atLeast(scale_ * most));
+    block.excess[lane] =
+        std::min<float>(block.excess[lane], atLeast(scale_ * (most - nearest_[index])));
   }
   /// The largest excess over the nearest label's distance with which a path can still shorten any
   /// required distance.
   double mostExcess() const {
-    double most = 0;
-    for (int i = 0; i < size(); ++i) most = std::max(most, bound_[i] - nearest_[i]);
-    return most;
-  }
-  /// Paths that tie with the bound can still become the shortest.
-  void shorten(int index, double bound) {
-    bound_[index] = std::min(bound_[index], bound * (1 + kDistanceTolerance));
+    float most = 0;
+    for (const Block& block : blocks_)
+      for (int lane = 0; lane < kLanes; ++lane) most = std::max(most, block.excess[lane]);
+    return most / scale_;
   }
   /// Whether paths of at least `length` to points within `radius` of `place` can become the
   /// shortest to a required place. The rest of a path is at least as long as the straight line in
   /// space, and its `excess` over the distance of the nearest label does not fall along the way.
   /// Ignores the places with the indices `without`.
   bool canGain(const Eigen::Vector3d& place, double radius, double length, double excess,
-               std::span<const int> without) {
-    bounds_.clear();
-    for (const int i : without) bounds_.push_back(std::exchange(bound_[i], -kInfinity));
-    bool canGain = false;  // without branches, so that several places are looked at at once
-    for (int i = 0; i < size(); ++i) {
-      const double rest = bound_[i] - length + radius + rounding_;
-      const double dx = x_[i] - place.x(), dy = y_[i] - place.y(), dz = z_[i] - place.z();
-      canGain |= (rest > 0) & (dx * dx + dy * dy + dz * dz < rest * rest) &
-                 (excess < bound_[i] - nearest_[i]);
-    }
-    for (size_t i = 0; i < without.size(); ++i) bound_[without[i]] = bounds_[i];
-    return canGain;
+               std::span<const int> without) const {
+    const Eigen::Vector3f p = (scale_ * place).cast<float>();
+    const float reach = atLeast(scale_ * (radius - length)) + kPlaceRounding;
+    const float least = -atLeast(-scale_ * excess);
+    const auto gainsIn = [&](const Block& block) {  // -1 where there is a gain
+      const FloatLanes rest = block.bound + reach;
+      const FloatLanes dx = block.x - p.x(), dy = block.y - p.y(), dz = block.z - p.z();
+      return (rest > 0) & (dx * dx + dy * dy + dz * dz < rest * rest) & (block.excess > least);
+    };
+    auto gains = gainsIn(blocks_[0]);
+    for (size_t i = 1; i < blocks_.size(); ++i) gains += gainsIn(blocks_[i]);
+    int count = -(gains[0] + gains[1] + gains[2] + gains[3]);
+    for (const int i : without) count += gainsIn(blocks_[i / kLanes])[i % kLanes];
+    return count > 0;
   }
 
  private:
-  const double rounding_;
-  std::vector<double> x_, y_, z_, bound_, nearest_;
-  std::vector<double> bounds_;  ///< of the places that do not count
+  /// The relative rounding error of a few operations in single precision, each 2^-24.
+  static constexpr double kRounding = 0x1p-21;
+  /// That of the distance between two places, in bounding diagonals.
+  static constexpr float kPlaceRounding = 0x1p-20F;
+
+  /// A value in single precision, not smaller.
+  static float atLeast(double value) {
+    return static_cast<float>(value + kRounding * std::abs(value));
+  }
+
+  /// Four places. `bound` and `excess` are what paths must stay below.
+  static constexpr int kLanes = 4;
+  struct Block {
+    FloatLanes x = {}, y = {}, z = {};
+    FloatLanes bound = FloatLanes{} - std::numeric_limits<float>::infinity();
+    FloatLanes excess = bound;
+  };
+
+  const double scale_;
+  std::vector<Block> blocks_;    ///< by index; the first place is that of `kNone`
+  std::vector<double> nearest_;  ///< by index
 };
 
 }  // namespace gvd::exact

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/lanes.h"
 #include "base/tolerances.h"
 #include "distance/face_layout.h"
 #include "gvd/geodesic.h"
@@ -63,8 +64,8 @@ struct Window {
 
   /// The least distance from the site of any point of the window.
   double least() const {
-    const double beside = x < begin ? begin - x : x > end ? x - end : 0;
-    return sourceDistance + (beside > 0 ? std::sqrt(beside * beside + y * y) : -y);
+    const double beside = std::max({begin - x, x - end, 0.0});
+    return sourceDistance + std::sqrt(beside * beside + y * y);
   }
   /// The distance of a point of the halfedge along the straight line from the source.
   double distanceOnEdge(double at) const {
@@ -72,11 +73,15 @@ struct Window {
   }
   /// Where the line from the source to a point of the face crosses the halfedge.
   double crossing(double px, double py) const { return x + (px - x) * (-y / (py - y)); }
+  /// The length of the straight line to a point of the face.
+  double straightTo(double px, double py) const {
+    return sourceDistance + std::sqrt((px - x) * (px - x) + (py - y) * (py - y));
+  }
   /// The shortest path through the window to a point of the face: straight if the crossing is
   /// inside the window, else bent at the window's end next to it.
   PathLength path(double px, double py) const {
     const double at = crossing(px, py);
-    const double straight = sourceDistance + std::sqrt((px - x) * (px - x) + (py - y) * (py - y));
+    const double straight = straightTo(px, py);
     const double bend = std::clamp(at, begin, end);
     if (bend == at) return {straight, Course::kStraight};
     const double bent = distanceOnEdge(bend) + std::sqrt((px - bend) * (px - bend) + py * py);
@@ -86,14 +91,14 @@ struct Window {
   double distance(double px, double py) const { return path(px, py).length; }
 };
 
-/// Where a ray from (x, y), y < 0, through (at, 0) meets the side that leaves the origin under an
-/// angle of the given cosine and sine, as the distance from the origin, in [0, length]. The ray is
-/// known to meet the side or, by rounding, to pass an end of it.
-inline double meetSide(double at, double x, double y, double cosine, double sine, double length) {
-  const double numerator = -at * y;
-  const double denominator = -cosine * y - sine * (at - x);
-  if (!(at > 0)) return 0;
-  return denominator * length > numerator ? numerator / denominator : length;
+/// Where the rays from (x, y), y < 0, through two points (at, 0) meet the side that leaves the
+/// origin under an angle of the given cosine and sine, as distances from the origin, in
+/// [0, length]. The rays are known to meet the side or, by rounding, to pass an end of it.
+inline Lanes meetSide(Lanes at, double x, double y, double cosine, double sine, double length) {
+  const Lanes numerator = -at * y;
+  const Lanes denominator = -cosine * y - sine * (at - x);
+  const Lanes meets = denominator * length > numerator ? numerator / denominator : both(length);
+  return at > 0.0 ? meets : both(0);
 }
 
 /// The sides by which windows leave a face, as seen from their halfedge.
@@ -110,36 +115,23 @@ template <Side kSide>
   beyond.sourceDistance = w.sourceDistance;
   if constexpr (kSide == Side::kLeft) {
     const double c = face.cosines[i], s = face.sines[i], side = face.lengths[k];
-    beyond.begin = meetSide(w.begin, w.x, w.y, c, s, side);
-    beyond.end = crossing < w.end ? side : meetSide(w.end, w.x, w.y, c, s, side);
+    const Lanes met = meetSide(Lanes{w.begin, w.end}, w.x, w.y, c, s, side);
+    beyond.begin = met[0];
+    beyond.end = crossing < w.end ? side : met[1];
     beyond.x = w.x * c + w.y * s;
     beyond.y = w.y * c - w.x * s;
-    beyond.direction = w.sourceDistance > 0 ? w.direction : w.direction + face.angles[i];
+    beyond.direction = w.direction + (w.sourceDistance > 0 ? 0 : face.angles[i]);
   } else {
     const double c = face.cosines[j], s = face.sines[j], side = face.lengths[j];
     const double length = face.lengths[i], x = length - w.x;
-    beyond.begin = crossing > w.begin ? 0 : side - meetSide(length - w.begin, x, w.y, c, s, side);
-    beyond.end = side - meetSide(length - w.end, x, w.y, c, s, side);
+    const Lanes met = meetSide(Lanes{length - w.begin, length - w.end}, x, w.y, c, s, side);
+    beyond.begin = crossing > w.begin ? 0 : side - met[0];
+    beyond.end = side - met[1];
     beyond.x = side - (x * c + w.y * s);
     beyond.y = w.y * c - x * s;
-    beyond.direction = w.sourceDistance > 0 ? w.direction : w.direction - face.angles[j];
+    beyond.direction = w.direction - (w.sourceDistance > 0 ? 0 : face.angles[j]);
   }
   return beyond;
-}
-
-/// The length along an edge, from a vertex, on which the path over the vertex is shorter than a
-/// window's: the t where `atVertex` + t = sourceDistance + |source, t|. Squared, this is linear in
-/// t. 0 if the path over the vertex is nowhere shorter, infinity if it is shorter everywhere.
-/// `along` is the source's coordinate from the vertex towards the edge's other end, `height2` its
-/// squared distance from the edge's line. Within rounding the window wins: a lost path makes a
-/// distance wrong, a superfluous one does not.
-inline double reachOfVertex(double atVertex, double sourceDistance, double along, double height2,
-                            double length) {
-  const double lead = atVertex - sourceDistance + kDistanceTolerance * (atVertex + length);
-  const double distance2 = along * along + height2;
-  if (distance2 <= lead * lead) return lead > 0 ? 0 : kInfinity;
-  const double approach = lead + along;
-  return approach > 0 ? (distance2 - lead * lead) / (2 * approach) : kInfinity;
 }
 
 /// Distances at the two ends of a halfedge.
@@ -149,11 +141,22 @@ struct EdgeDistances {
 
 /// Cuts off the parts of a window where a path over an end of the halfedge is shorter. The window
 /// is empty unless begin < end afterwards.
+///
+/// From an end, the path over it is shorter up to the t where its distance + t =
+/// sourceDistance + |source, t|, which squared is linear in t. `reach` is 0 if that path is nowhere
+/// shorter, infinity if it is shorter everywhere. Within rounding the window wins: a lost path
+/// makes a distance wrong, a superfluous one does not.
 inline void trim(Window& w, double length, const EdgeDistances& known) {
-  const double height2 = w.y * w.y;
-  w.begin = std::max(w.begin, reachOfVertex(known.atTail, w.sourceDistance, w.x, height2, length));
-  w.end = std::min(
-      w.end, length - reachOfVertex(known.atTip, w.sourceDistance, length - w.x, height2, length));
+  const Lanes atEnds = {known.atTail, known.atTip};
+  const Lanes along = {w.x, length - w.x};  // the source, from each end towards the other one
+  const Lanes lead = atEnds - w.sourceDistance + kDistanceTolerance * (atEnds + length);
+  const Lanes lead2 = lead * lead, distance2 = along * along + w.y * w.y;
+  const Lanes approach = lead + along;
+  const Lanes meets = (distance2 - lead2) / (2 * approach);
+  const Lanes reach = distance2 <= lead2 ? (lead > 0.0 ? both(0) : both(kInfinity))
+                                         : (approach > 0.0 ? meets : both(kInfinity));
+  w.begin = std::max(w.begin, reach[0]);
+  w.end = std::min(w.end, length - reach[1]);
 }
 
 }  // namespace gvd::exact

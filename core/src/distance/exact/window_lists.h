@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
+#include <cstddef>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -11,67 +15,80 @@
 
 namespace gvd::exact {
 
-/// The windows that wait at each halfedge to cross its face. They are kept in chunks that are used
-/// again and again: a label needs as much memory as its wavefront, and finds it in the cache.
+/// The windows that wait at each halfedge to cross its face. Blocks of memory, of sizes that are
+/// powers of two, are used again and again: a label needs as much memory as its wavefront, and
+/// finds it in the cache. The windows of a halfedge lie in one block, so that loops over them have
+/// no branches but their own.
 class WindowLists {
  public:
-  /// With many sites, most halfedges have at most this many windows.
-  static constexpr int kChunkSize = 4;
-  struct Chunk {
-    std::array<Window, kChunkSize> windows;
-    int count;
-    Chunk* next;  ///< in the same list, or in that of free chunks
+  /// A halfedge's windows and the block that they lie in.
+  struct List {
+    Window* first = nullptr;
+    int count = 0;
+    int capacity = 0;
+
+    operator std::span<const Window>() const { return {first, static_cast<size_t>(count)}; }
   };
 
-  explicit WindowLists(int halfedgeCount) : first_(halfedgeCount, nullptr) {}
+  explicit WindowLists(int halfedgeCount) : lists_(halfedgeCount) {}
 
-  bool isEmpty(int halfedge) const { return !first_[halfedge]; }
-  void prefetch(int halfedge) const { gvd::prefetch(first_[halfedge]); }
+  bool isEmpty(int halfedge) const { return lists_[halfedge].count == 0; }
+  std::span<const Window> operator[](int halfedge) const { return lists_[halfedge]; }
+  void prefetch(int halfedge) const { gvd::prefetch(lists_[halfedge]); }
 
-  void add(int halfedge, const Window& w) {
-    Chunk*& first = first_[halfedge];
-    if (!first || first->count == kChunkSize) first = newChunk(first);
-    first->windows[first->count++] = w;
+  void add(int halfedge, std::span<const Window> windows) {
+    List& list = lists_[halfedge];
+    const size_t count = list.count + windows.size();
+    if (count > static_cast<size_t>(list.capacity)) grow(list, count);
+    std::copy(windows.begin(), windows.end(), list.first + list.count);
+    list.count = static_cast<int>(count);
   }
 
-  /// The list of a halfedge, for `visit`.
-  const Chunk* list(int halfedge) const { return first_[halfedge]; }
-  /// Takes the list of a halfedge, to be given back by `free`.
-  Chunk* take(int halfedge) { return std::exchange(first_[halfedge], nullptr); }
-  /// Calls `visit` with every window of a list. Windows may be added to other lists meanwhile.
-  template <class Visit>
-  static void visit(const Chunk* list, Visit visit) {
-    for (; list; list = list->next)
-      for (int i = 0; i < list->count; ++i) visit(list->windows[i]);
-  }
-  void free(Chunk* list) {
-    while (list) {
-      Chunk* const next = std::exchange(list->next, free_);
-      free_ = std::exchange(list, next);
-    }
+  /// Takes the list of a halfedge, to be given back by `free`. Windows may be added to other lists
+  /// meanwhile.
+  List take(int halfedge) { return std::exchange(lists_[halfedge], {}); }
+  void free(const List& list) {
+    if (list.capacity > 0) free_[sizeClass(list.capacity)].push_back(list.first);
   }
 
  private:
-  static constexpr int kPageSize = 128;
+  /// With many sites, most halfedges have at most this many windows.
+  static constexpr size_t kLeastCapacity = 4;
+  static constexpr size_t kPageSize = 512;
+  static constexpr size_t kSizeClasses = 32;
 
-  Chunk* newChunk(Chunk* next) {
-    if (!free_) addPage();
-    Chunk* const chunk = std::exchange(free_, free_->next);
-    chunk->count = 0;
-    chunk->next = next;
-    return chunk;
-  }
-  void addPage() {
-    // Not make_unique_for_overwrite: the library of Emscripten 3.1 has none.
-    pages_.emplace_back(new Chunk[kPageSize]);
-    Chunk* const page = pages_.back().get();
-    for (int i = 0; i < kPageSize; ++i) page[i].next = i + 1 < kPageSize ? page + i + 1 : nullptr;
-    free_ = page;
+  static int sizeClass(size_t capacity) { return std::countr_zero(capacity); }
+
+  void grow(List& list, size_t needed) {
+    const size_t capacity = std::bit_ceil(std::max(needed, kLeastCapacity));
+    Window* const block = newBlock(capacity);
+    std::copy_n(list.first, list.count, block);
+    free(list);
+    list = {block, list.count, static_cast<int>(capacity)};
   }
 
-  std::vector<Chunk*> first_;  ///< per halfedge
-  std::vector<std::unique_ptr<Chunk[]>> pages_;
-  Chunk* free_ = nullptr;
+  Window* newBlock(size_t capacity) {
+    std::vector<Window*>& free = free_[sizeClass(capacity)];
+    if (!free.empty()) {
+      Window* const block = free.back();
+      free.pop_back();
+      return block;
+    }
+    if (page_.size() < capacity) {
+      const size_t size = std::max(capacity, kPageSize);
+      // Not make_unique_for_overwrite: the library of Emscripten 3.1 has none.
+      pages_.emplace_back(new Window[size]);
+      page_ = {pages_.back().get(), size};
+    }
+    Window* const block = page_.data();
+    page_ = page_.subspan(capacity);
+    return block;
+  }
+
+  std::vector<List> lists_;                              ///< per halfedge
+  std::array<std::vector<Window*>, kSizeClasses> free_;  ///< blocks, by the logarithm of their size
+  std::vector<std::unique_ptr<Window[]>> pages_;
+  std::span<Window> page_;  ///< what is left of the last page
 };
 
 }  // namespace gvd::exact

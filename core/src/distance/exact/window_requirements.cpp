@@ -56,19 +56,19 @@ void WindowSweep::requireCorners(int f, double atMost) {
   for (const int v : mesh_.face(f).vertices) {
     Vertex& own = vertices_[v];
     if (own.epoch != epoch_) reach(v);
-    if (own.isFinal || own.required >= 0) continue;
+    if (own.isFinal | (own.required != RequiredPlaces::kNone)) continue;
     own.required = required_.add(placeOf(v), std::min(own.distance, atMost), bounds_[v].distance);
   }
 }
 
-bool WindowSweep::isRequired(int v) const {
-  return vertices_[v].epoch == epoch_ && vertices_[v].required >= 0;
+/// The index of a vertex in `required_`.
+int WindowSweep::requiredIndex(int v) const {
+  return vertices_[v].epoch == epoch_ ? vertices_[v].required : RequiredPlaces::kNone;
 }
 
 bool WindowSweep::hasRequiredCorner(int f) const {
   const TriangleMesh::Face& face = mesh_.face(f);
-  return isRequired(face.vertices[0]) || isRequired(face.vertices[1]) ||
-         isRequired(face.vertices[2]);
+  return isRequired(face.vertices[0]) | isRequired(face.vertices[1]) | isRequired(face.vertices[2]);
 }
 
 void WindowSweep::offerRequired(int v, double distance, const LastPiece& piece) {
@@ -145,7 +145,7 @@ void WindowSweep::require(int label, LabelState& state, std::span<const Required
 }
 
 void WindowSweep::addPoints(std::span<const RequiredPoint> points) {
-  pointDistances_.clear();
+  pointDistances_.assign(1, kInfinity);  // that of no place
   for (const RequiredPoint& required : points) {
     const SurfacePoint& p = required.point;
     Eigen::Vector3d place = Eigen::Vector3d::Zero();
@@ -227,8 +227,7 @@ bool WindowSweep::canGain(int h, const Windows& windows) {
   const Eigen::Vector3d place =
       (1 - share) * placeOf(face.vertices[i]) + share * placeOf(face.vertices[j]);
   inFace_.clear();
-  for (const int v : face.vertices)
-    if (isRequired(v)) inFace_.push_back(vertices_[v].required);
+  for (const int v : face.vertices) inFace_.push_back(requiredIndex(v));
   for (const PointInFace& p : pointsIn(h / 3)) inFace_.push_back(p.index);
   return required_.canGain(place, end - middle, least, excess, inFace_);
 }
@@ -248,7 +247,7 @@ void WindowSweep::continueNeeded() {
     const bool isFirst = windows_.isEmpty(h);
     double least = kInfinity;
     for (const WaitingWindow& w : windows) {
-      windows_.add(h, w.window);
+      windows_.add(h, {&w.window, 1});
       least = std::min(least, w.window.least());
     }
     if (isFirst) queueBatch(h, least);
@@ -263,15 +262,16 @@ void WindowSweep::continueNeeded() {
 
 /// Whether the batch at a halfedge can shorten a required distance; if not, its windows wait.
 bool WindowSweep::isBatchNeeded(int h) {
-  const WindowLists::Chunk* const list = windows_.list(h);
+  const std::span<const Window> windows = windows_[h];
   const bool hasCorner = hasRequiredCorner(h / 3), hasPoints = !pointsIn(h / 3).empty();
   if (hasCorner || hasPoints)
-    WindowLists::visit(list, [&](const Window& w) {
+    for (const Window& w : windows) {
       if (hasCorner) offerToCorners(w, h);
       if (hasPoints) offerToPoints(w, h);
-    });
-  if (canGain(h, [&](auto visit) { WindowLists::visit(list, visit); })) return true;
-  WindowLists::visit(list, [&](const Window& w) { waiting_.push_back({w, h}); });
+    }
+  if (canGain(h, [&](auto visit) { std::for_each(windows.begin(), windows.end(), visit); }))
+    return true;
+  for (const Window& w : windows) waiting_.push_back({w, h});
   windows_.free(windows_.take(h));
   return false;
 }

@@ -46,18 +46,18 @@ bool WindowSweep::isSearchedFor(const FaceSite& site) const {
 }
 
 /// Offers the straight paths through windows to the sites in their face.
-void WindowSweep::offerSites(int h, const WindowLists::Chunk* list) {
+void WindowSweep::offerSites(int h, std::span<const Window> windows) {
   const TriangleMesh::Face& face = mesh_.face(h / 3);
   for (const FaceSite& site : sites_->inFace(h / 3)) {
     if (!isSearchedFor(site)) continue;
     const Eigen::Vector2d s = layOut(face, h % 3, site.bary);
-    WindowLists::visit(list, [&](const Window& w) {
+    for (const Window& w : windows) {
       const double length = w.distance(s.x(), s.y());
-      if (!(length <= shortest_ * (1 + kDistanceTolerance))) return;
+      if (!(length <= shortest_ * (1 + kDistanceTolerance))) continue;
       shorten(length);
       foundSites_.push_back({site.label, length});
       waiting_.push_back({w, h});
-    });
+    }
   }
 }
 

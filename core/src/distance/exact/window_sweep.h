@@ -80,7 +80,7 @@ class WindowSweep {
   /// the windows of its faces wait there when `run` is done, for `pathToSite`.
   void require(int label, LabelState& state, std::span<const RequiredPoint> points);
   /// The distance at one of the points; valid until the next label begins.
-  double distanceAtPoint(int index) const { return pointDistances_[index]; }
+  double distanceAtPoint(int index) const { return pointDistances_[index + 1]; }
   /// Spreads windows from a point that is no vertex, to find the sites nearest to it. A path
   /// through a place on an edge is as long as the window's distance there plus the site's. The
   /// latter is at least the site's distance at an end of the edge minus the way from that end.
@@ -105,7 +105,7 @@ class WindowSweep {
     double distance;
     LastPiece piece;
     int epoch = 0;  ///< of the label that the other members belong to
-    int required;   ///< index in `required_`, -1
+    int required;   ///< index in `required_`
     bool isFinal, isQueued;
     bool isSaddle;  ///< of the mesh, whatever the label
   };
@@ -120,6 +120,11 @@ class WindowSweep {
   struct End {
     int vertex;
     double own, limit;
+  };
+  /// The straight line of a window to the apex of its face.
+  struct LineToApex {
+    double crossing;  ///< where it crosses the halfedge
+    double length;    ///< of the path along it, -infinity if the window does not see the apex
   };
   /// A side through which windows leave a face, as a halfedge of the face beyond.
   struct Portal {
@@ -150,14 +155,13 @@ class WindowSweep {
   void add(Window& w, const Portal& portal);
 
   void crossFace(int halfedge);
-  void offerToApex(int halfedge, const WindowLists::Chunk* list);
+  void offerToApex(int halfedge, std::span<const Window> windows);
   template <Side kSide>
-  void crossSide(int halfedge, const WindowLists::Chunk* list, const Portal& portal);
+  void crossSide(int halfedge, std::span<const Window> windows, const Portal& portal);
   End endAt(int vertex) const;
   Portal portal(int halfedge, double length, const End& tail, const End& tip) const;
   Portal portalTo(int halfedge) const;
-  bool isDominated(const Window& w, double crossing, int halfedge, double apexDistance) const;
-  void keep(Window& w, const Portal& portal);
+  bool goesOn(Window& w, const Portal& portal);
   bool windsAroundNeedle(const Window& w, int halfedge) const;
 
   /// The position of a vertex relative to vertex 0: positions of a mesh far from the origin would
@@ -173,9 +177,10 @@ class WindowSweep {
   double mostUpTo(int vertex) const;
   void shorten(double length);
   bool isSearchedFor(const FaceSite& site) const;
-  void offerSites(int halfedge, const WindowLists::Chunk* list);
+  void offerSites(int halfedge, std::span<const Window> windows);
 
-  bool isRequired(int vertex) const;
+  int requiredIndex(int vertex) const;
+  bool isRequired(int vertex) const { return requiredIndex(vertex) != RequiredPlaces::kNone; }
   bool hasRequiredCorner(int face) const;
   void offerRequired(int vertex, double distance, const LastPiece& piece);
   void offerAlongSides(int face);
@@ -216,10 +221,10 @@ class WindowSweep {
   long mayFollow_ = 0;      ///< faces that `entersFaceAgain` may still visit
   SurfacePoint site_;
   RequiredPlaces required_;
-  double mostExcess_ = 0;            ///< of `required_`, when the label began to go on
-  std::vector<PointInFace> points_;  ///< by face
-  std::vector<double> pointDistances_;
-  std::vector<int> inFace_;  ///< indices in `required_` of the current face
+  double mostExcess_ = 0;               ///< of `required_`, when the label began to go on
+  std::vector<PointInFace> points_;     ///< by face
+  std::vector<double> pointDistances_;  ///< by the index in `required_`
+  std::vector<int> inFace_;             ///< indices in `required_` of the current face
 
   // The current search.
   const KnownDistances* known_ = nullptr;
@@ -235,7 +240,8 @@ class WindowSweep {
   size_t crossedCount_ = 0;             ///< of batches that have crossed a face
   std::vector<WaitingWindow> waiting_;  ///< where the label has stopped
   std::vector<int> waitingSources_;
-  std::vector<double> crossings_;          ///< of the current batch with lines to the apex
+  std::vector<LineToApex> toApex_;         ///< of each window of the current batch
+  std::vector<Window> children_;           ///< of the current batch, through one side
   std::vector<std::vector<int>> buckets_;  ///< halfedges, and vertices v as -1 - v
   size_t bucket_ = 0, cursor_ = 0;
 };

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace gvd {
+
+// Numbers side by side in one register of the processor: operators work on all of them at once,
+// comparisons give masks, and `mask ? a : b` chooses for each without a branch. An extension of GCC
+// and Clang.
+
+/// Two numbers.
+using Lanes = double __attribute__((vector_size(16)));
+
+/// Four numbers of single precision.
+using FloatLanes = float __attribute__((vector_size(16)));
+
+/// The same number twice.
+inline Lanes both(double value) { return Lanes{value, value}; }
+
+}  // namespace gvd

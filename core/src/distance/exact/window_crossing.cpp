@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+// This work is based on:
+// Joseph Mitchell, David Mount, Christos Papadimitriou. The Discrete Geodesic Problem. 1987
+// Jindong Chen, Yijie Han. Shortest Paths on a Polyhedron. 1990
+// Micha Sharir, Amir Schorr. On Shortest Paths in Polyhedral Spaces. 1986
+// Yipeng Qin, Xiaoguang Han, Hongchuan Yu, Yizhou Yu, Jianjun Zhang. Fast and Exact Discrete
+// Geodesic Computation Based on Triangle-Oriented Wavefront Propagation. 2016
+//
+// WindowSweep::crossFace: carries the windows of a halfedge through its face. Most of the time for
+// exact distances is spent here. What decides about a window varies without a pattern, and a branch
+// that the processor predicts wrongly costs as much as a division: so numbers are chosen, where it
+// is possible, instead of branches.
+#include <algorithm>
+#include <limits>
+
+#include "distance/exact/window_sweep.h"
+#include "distance/straight_line.h"
+
+namespace gvd::exact {
+namespace {
+
+/// A label that crosses more halfedges per vertex than this winds around a spike or a tube. Over a
+/// scanned surface, one label crosses 3.5 per vertex.
+constexpr size_t kMostCrossingsPerVertex = 30;
+/// The average number of faces that each window of such a label may be followed back across: enough
+/// for spikes and tubes of a few faces. Following every window around a vertex of a thousand faces
+/// would take a hundred times as long as spreading.
+constexpr long kFollowedPerWindow = 16;
+/// A line followed back ends at its virtual source up to rounding: a share of the line's length.
+constexpr double kLineRounding = 1e-9;
+
+/// Whether the straight lines of a window have already crossed the face that they are about to
+/// enter. Then none of them is a shortest path, since there is a shorter way within the face
+/// (Sharir & Schorr 1986). All lines of a window have crossed the same faces, so it is enough to
+/// follow the middle one backwards. Lowers `mayFollow` by the number of faces visited.
+bool entersFaceAgain(const TriangleMesh& mesh, Window w, int h, long& mayFollow) {
+  StraightLine line{h, (w.begin + w.end) / 2, {w.x, w.y}};
+  const double atSource = kLineRounding * line.length();
+  for (int crossed = 0; crossed < mesh.faceCount(); ++crossed) {
+    --mayFollow;
+    if (!line.enterFace(mesh) || line.length() < atSource) return false;
+    if (line.halfedge / 3 == h / 3) return true;
+    if (!line.crossFace(mesh)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+void WindowSweep::crossFace(int h) {
+  if (to_ == SpreadTo::kRequired && !isBatchNeeded(h)) return;
+  const TriangleMesh::Face& face = mesh_.face(h / 3);
+  const int i = h % 3, j = cornerAfter(i), k = cornerBefore(i);
+  const int left = face.twins[k], right = face.twins[j];
+  if (left >= 0) windows_.prefetch(left);
+  if (right >= 0) windows_.prefetch(right);
+  const WindowLists::List taken = windows_.take(h);
+  const std::span<const Window> windows = taken;
+  isWinding_ = ++crossedCount_ > kMostCrossingsPerVertex * reached_.size();
+  offerToApex(h, windows);
+  if (to_ == SpreadTo::kSites) offerSites(h, windows);
+  if (!points_.empty() && to_ != SpreadTo::kRequired)
+    for (const Window& w : windows) offerToPoints(w, h);
+  const End tail = endAt(face.vertices[i]), tip = endAt(face.vertices[j]),
+            apex = endAt(face.vertices[k]);
+  if (left >= 0) crossSide<Side::kLeft>(h, windows, portal(left, face.lengths[k], tail, apex));
+  if (right >= 0) crossSide<Side::kRight>(h, windows, portal(right, face.lengths[j], apex, tip));
+  windows_.free(taken);
+}
+
+void WindowSweep::offerToApex(int h, std::span<const Window> windows) {
+  const TriangleMesh::Face& face = mesh_.face(h / 3);
+  const int i = h % 3;
+  const Eigen::Vector2d p = apexOf(face, i);
+  const double grazed = grazing(face.lengths[i]);
+  const int apex = face.vertices[cornerBefore(i)];
+  if (toApex_.size() < windows.size()) toApex_.resize(windows.size());
+  for (size_t n = 0; n < windows.size(); ++n) {
+    const Window& w = windows[n];
+    const double crossing = w.crossing(p.x(), p.y());
+    toApex_[n] = {crossing, -kInfinity};
+    if (!((crossing >= w.begin - grazed) & (crossing <= w.end + grazed))) continue;
+    const PathLength path = w.path(p.x(), p.y());
+    if ((crossing >= w.begin) & (crossing <= w.end)) toApex_[n].length = path.length;
+    offer(apex, path.length, {crossing, w.sourceDistance, w.direction, h, path.course});
+  }
+}
+
+WindowSweep::End WindowSweep::endAt(int v) const {
+  if (to_ == SpreadTo::kSites) return {v, distanceAt(v), mostUpTo(v)};
+  return {v, distanceAt(v), bounds_[v].distance + leeway_};
+}
+
+WindowSweep::Portal WindowSweep::portal(int h, double length, const End& tail,
+                                        const End& tip) const {
+  return {h,
+          length,
+          {tail.own, tip.own},
+          {tail.limit, tip.limit},
+          (to_ == SpreadTo::kOwned || to_ == SpreadTo::kSites) &&
+              (tail.limit < tail.own || tip.limit < tip.own)};
+}
+
+WindowSweep::Portal WindowSweep::portalTo(int h) const {
+  const TriangleMesh::Face& face = mesh_.face(h / 3);
+  const int i = h % 3;
+  return portal(h, face.lengths[i], endAt(face.vertices[i]), endAt(face.vertices[cornerAfter(i)]));
+}
+
+/// Trims a window that is about to arrive at its halfedge. False if it ends there: it is dropped if
+/// the label's own paths over the ends of the halfedge are shorter everywhere on it; if those of
+/// other labels are, it waits there. Inlined to keep the window in registers between two steps.
+[[gnu::always_inline]] inline bool WindowSweep::goesOn(Window& w, const Portal& portal) {
+  w.y = std::min(w.y, -0x1p-52 * portal.length);
+  trim(w, portal.length, portal.own);
+  if (!(w.begin < w.end)) return false;
+  if (isWinding_ && (mayFollow_ += kFollowedPerWindow) > 0 &&
+      entersFaceAgain(mesh_, w, portal.halfedge, mayFollow_))
+    return false;
+  if (windsAroundNeedle(w, portal.halfedge)) return false;
+  if (portal.isContested) {
+    Window owned = w;
+    trim(owned, portal.length, portal.limit);
+    if (!(owned.begin < owned.end)) {
+      if (to_ == SpreadTo::kOwned) waiting_.push_back({w, portal.halfedge});
+      return false;
+    }
+    if (to_ == SpreadTo::kSites) w = owned;
+  }
+  return true;
+}
+
+/// Whether a window is about to enter a needle that its lines have already crossed. Around a spike
+/// of needles, a line ties with lines that wind around it fewer times; the number of turns would
+/// depend on rounding and on when another label stops the window.
+inline bool WindowSweep::windsAroundNeedle(const Window& w, int h) const {
+  if (isNeedle_.empty() || !isNeedle_[h / 3]) return false;
+  long unlimited = std::numeric_limits<long>::max();
+  return entersFaceAgain(mesh_, w, h, unlimited);
+}
+
+/// Carries the batch at a halfedge through the face's side to the left or right of the apex.
+template <Side kSide>
+void WindowSweep::crossSide(int h, std::span<const Window> windows, const Portal& portal) {
+  const TriangleMesh::Face& face = mesh_.face(h / 3);
+  constexpr bool kLeft = kSide == Side::kLeft;
+  const int i = h % 3;
+  // Of the windows of one halfedge that see the apex, only the one nearest to it has children on
+  // both sides ("one angle, one split", Chen & Han 1990). If a path that turns on the halfedge is
+  // the shortest one to the apex, only lines that cross its last piece are longer. None of this
+  // applies if the apex is beside a window, however little: all lines then pass it on the same
+  // side.
+  const Vertex& apex = vertices_[face.vertices[cornerBefore(i)]];
+  const bool isApexFromHere = (apex.epoch == epoch_) & (apex.piece.arrival == h);
+  const double longest =
+      isApexFromHere ? apex.distance + kDistanceTolerance * (apex.distance + face.lengths[i])
+                     : kInfinity;
+  const bool isBent = apex.piece.course == Course::kBent;
+
+  if (children_.size() < windows.size()) children_.resize(windows.size());
+  size_t count = 0;
+  for (size_t n = 0; n < windows.size(); ++n) {
+    const Window& w = windows[n];
+    const auto [crossing, length] = toApex_[n];
+    const bool leaves = kLeft ? crossing > w.begin : crossing < w.end;
+    const bool isDominated = (length > longest) & ((crossing < apex.piece.crossing) != kLeft);
+    if (!leaves || (isDominated && !isBent)) continue;
+    Window part = w;
+    if (isDominated) {
+      (kLeft ? part.end : part.begin) = apex.piece.crossing;
+      if (!(part.begin < part.end)) continue;
+    }
+    Window beyond = windowBeyond<kSide>(part, face, i, crossing);
+    const bool isKept = goesOn(beyond, portal);
+    children_[count] = beyond;
+    count += isKept;
+  }
+  if (count == 0) return;
+  const bool isFirst = windows_.isEmpty(portal.halfedge);
+  windows_.add(portal.halfedge, {children_.data(), count});
+  if (isFirst) queueBatch(portal.halfedge, std::min(portal.own.atTail, portal.own.atTip));
+}
+
+void WindowSweep::add(Window& w, const Portal& portal) {
+  if (!goesOn(w, portal)) return;
+  const bool isFirst = windows_.isEmpty(portal.halfedge);
+  windows_.add(portal.halfedge, {&w, 1});
+  if (isFirst)
+    queueBatch(portal.halfedge, std::min({portal.own.atTail, portal.own.atTip, w.least()}));
+}
+
+}  // namespace gvd::exact
