@@ -18,9 +18,10 @@ inline const LabelledDistance* findLabel(std::span<const LabelledDistance> list,
     const auto upper = list.subspan(list.size() / 2);
     list = upper.front().label <= label ? upper : list.first(list.size() / 2);
   }
-  for (const LabelledDistance& d : list)
-    if (d.label == label) return &d;
-  return nullptr;
+  // A branch to leave the loop early would be predicted badly.
+  const LabelledDistance* found = nullptr;
+  for (const LabelledDistance& d : list) found = d.label == label ? &d : found;
+  return found;
 }
 
 /// Calls `visit` with every label known at all three corners of a triangle, ascending, and its

@@ -82,6 +82,7 @@ class RequiredPlaces {
     auto gains = gainsIn(blocks_[0]);
     for (size_t i = 1; i < blocks_.size(); ++i) gains += gainsIn(blocks_[i]);
     int count = -(gains[0] + gains[1] + gains[2] + gains[3]);
+    if (count == 0) return false;
     for (const int i : without) count += gainsIn(blocks_[i / kLanes])[i % kLanes];
     return count > 0;
   }

@@ -152,9 +152,7 @@ void WindowSweep::crossSide(int h, std::span<const Window> windows, const Portal
   // side.
   const Vertex& apex = vertices_[face.vertices[cornerBefore(i)]];
   const bool isApexFromHere = (apex.epoch == epoch_) & (apex.piece.arrival == h);
-  const double longest =
-      isApexFromHere ? apex.distance + kDistanceTolerance * (apex.distance + face.lengths[i])
-                     : kInfinity;
+  const double longest = apex.distance + kDistanceTolerance * (apex.distance + face.lengths[i]);
   const bool isBent = apex.piece.course == Course::kBent;
 
   if (children_.size() < windows.size()) children_.resize(windows.size());
@@ -163,7 +161,8 @@ void WindowSweep::crossSide(int h, std::span<const Window> windows, const Portal
     const Window& w = windows[n];
     const auto [crossing, length] = toApex_[n];
     const bool leaves = kLeft ? crossing > w.begin : crossing < w.end;
-    const bool isDominated = (length > longest) & ((crossing < apex.piece.crossing) != kLeft);
+    const bool isDominated =
+        isApexFromHere & (length > longest) & ((crossing < apex.piece.crossing) != kLeft);
     if (!leaves || (isDominated && !isBent)) continue;
     Window part = w;
     if (isDominated) {

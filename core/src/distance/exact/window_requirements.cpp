@@ -63,7 +63,8 @@ void WindowSweep::requireCorners(int f, double atMost) {
 
 /// The index of a vertex in `required_`.
 int WindowSweep::requiredIndex(int v) const {
-  return vertices_[v].epoch == epoch_ ? vertices_[v].required : RequiredPlaces::kNone;
+  static_assert(RequiredPlaces::kNone == 0);
+  return vertices_[v].required & -static_cast<int>(vertices_[v].epoch == epoch_);
 }
 
 bool WindowSweep::hasRequiredCorner(int f) const {
