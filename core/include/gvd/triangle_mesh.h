@@ -63,12 +63,6 @@ struct MeshTopology {
   int genus = 0;
 };
 
-/// The next of a face's three corners or sides: 1, 2, 0 after 0, 1, 2. Both functions look it up in
-/// the bits of a number, because processors predict a branch on the corner badly.
-constexpr int cornerAfter(int i) { return 0b00'10'01 >> 2 * i & 3; }
-/// The previous one: 2, 0, 1 before 0, 1, 2.
-constexpr int cornerBefore(int i) { return 0b01'00'10 >> 2 * i & 3; }
-
 /// An oriented 2-manifold triangle mesh, with or without boundary, of one or several components:
 /// flat arrays, immutable.
 ///

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "base/predicates.h"
+#include "gvd/surface_point.h"
 
 namespace gvd {
 
@@ -22,7 +23,7 @@ double crossing(double aFirst, double bFirst, double aSecond, double bSecond) {
 
 void FaceEnvelope::setBary(const Vertex& v, Eigen::Vector3d& bary) const {
   if (v.kind == Vertex::kInside) return setInnerBary(v, bary);
-  const int i = v.place, j = i < 2 ? i + 1 : 0;
+  const int i = v.place, j = cornerAfter(i);
   double share = 0;
   if (v.kind == Vertex::kOnSide) {
     const auto [low, high] = std::minmax(v.functions[0], v.functions[1]);
@@ -94,7 +95,7 @@ bool FaceEnvelope::cutsWhole(int f) {
 bool FaceEnvelope::isBelowCut(int f) const {
   bool isBelowAnywhere = false;
   for (int i = 0; i < 3; ++i) {
-    const int here = cut_.functionAt(i), next = cut_.functionAt(i < 2 ? i + 1 : 0);
+    const int here = cut_.functionAt(i), next = cut_.functionAt(cornerAfter(i));
     isBelowAnywhere |= value(f)[i] < value(here)[i];
     if (here != next) isBelowAnywhere |= isBelow(f, {Vertex::kOnSide, i, {here, next, -1}});
   }
@@ -115,7 +116,7 @@ void FaceEnvelope::buildCut() {
   for (int i = 0; i < 3; ++i)
     vertices_.push_back({Vertex::kCorner, i, {cut_.functionAt(i), -1, -1}});
   for (int i = 0; i < 3; ++i) {
-    const bool isHigh = cut_.isHigh[i], nextIsHigh = cut_.isHigh[i < 2 ? i + 1 : 0];
+    const bool isHigh = cut_.isHigh[i], nextIsHigh = cut_.isHigh[cornerAfter(i)];
     (isHigh ? high : low).push_back({i, across(i)});
     if (isHigh == nextIsHigh) continue;
     const int vertex = static_cast<int>(vertices_.size());

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gvd/triangle_mesh.h"
+#include "gvd/surface_point.h"
 
 namespace gvd {
 namespace {

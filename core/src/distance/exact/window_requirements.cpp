@@ -86,7 +86,7 @@ void WindowSweep::offerAlongSides(int f) {
     if (distance == kInfinity || vertices_[v].piece.arrival < 0) continue;
     const auto offerTo = [&](int corner, double length, int arrival, double crossing) {
       const int to = face.vertices[corner];
-      if (isRequired(to) && distance + length < vertices_[to].distance)
+      if (isRequired(to) & (distance + length < vertices_[to].distance))
         offer(to, distance + length, {crossing, distance, directionAt(v), arrival, Course::kBent});
     };
     const int j = cornerAfter(i), k = cornerBefore(i);
