@@ -13,7 +13,7 @@
 #include "base/index_set.h"
 #include "base/sliced_loop.h"
 #include "diagram/diagram_pieces.h"
-#include "diagram/trace_faces.h"
+#include "diagram/diagram_tracing.h"
 #include "distance/site_distances.h"
 #include "gvd/error.h"
 

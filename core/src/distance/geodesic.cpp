@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "distance/path_points.h"
 #include "distance/site_distances.h"
 #include "gvd/error.h"
 
@@ -35,6 +36,12 @@ std::unique_ptr<Propagation> propagate(const TriangleMesh& mesh,
   if (std::all_of(sites.begin(), sites.end(), isAbsent))
     throw Error(ErrorCode::kInvalidArgument, "there is no site");
   return std::make_unique<SitePropagation>(mesh, sites, metric, spread);
+}
+
+double lengthOf(const TriangleMesh& mesh, std::span<const SurfacePoint> path) {
+  double length = 0;
+  for (size_t i = 1; i < path.size(); ++i) length += lengthBetween(mesh, path[i - 1], path[i]);
+  return length;
 }
 
 }  // namespace gvd

@@ -36,12 +36,6 @@ double lengthBetween(const TriangleMesh& mesh, const SurfacePoint& a, const Surf
   return least;
 }
 
-double lengthOf(const TriangleMesh& mesh, std::span<const SurfacePoint> path) {
-  double length = 0;
-  for (size_t i = 1; i < path.size(); ++i) length += lengthBetween(mesh, path[i - 1], path[i]);
-  return length;
-}
-
 PathPoints::PathPoints(const TriangleMesh& mesh, const SurfacePoint& site)
     : mesh_(mesh), site_(site), siteVertex_(vertexAt(mesh, site)) {
   int count = 0;

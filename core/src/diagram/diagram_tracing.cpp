@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+//
+// A diagram is traced from distances in stages: elements, labels that they lack, bisectors,
+// outlines, segments, arcs, Voronoi points, loops, cells.
+#include "diagram/diagram_tracing.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "diagram/bisector_arcs.h"
+#include "diagram/bisector_tracing.h"
+#include "diagram/final_cells.h"
+#include "diagram/final_points.h"
+#include "diagram/label_completion.h"
+#include "diagram/region_outlines.h"
+#include "diagram/voronoi_points.h"
+#include "gvd/error.h"
+
+namespace gvd {
+namespace {
+
+/// Traces the diagram of a complex: the bisector graph with all ties broken, the outlines of
+/// regions, and from these the diagram with points merged.
+class Tracing {
+ public:
+  /// Traces outlines of the labels with `isTraced[label]`, of all labels if it is empty.
+  Tracing(const TriangleMesh& mesh, const DistanceField& distances, FaceComplex& complex,
+          int siteCount, std::span<const char> isTraced, NodePoints& nodePoints)
+      : mesh_(mesh),
+        distances_(distances),
+        complex_(complex),
+        siteCount_(siteCount),
+        isTraced_(isTraced),
+        nodePoints_(nodePoints) {}
+
+  bool step(long& budget) {
+    return sequence_.run(
+        [&] { return complex_.step(budget); },
+        [&] { return complex_.hasWholeFacesOnly() || runPart(completion_, budget, complex_); },
+        [&] { return runPart(bisectors_, budget, complex_, siteCount_, nodePoints_, graph_); },
+        [&] { bisectors_.reset(); },
+        [&] {
+          return runPart(outlines_, budget, mesh_, distances_, nodePoints_, isTraced_, graph_);
+        },
+        [&] { return points_.prepare(budget); },
+        [&] {
+          return runPart(segments_, budget, mesh_, graph_, outlines_->boundarySteps(), points_,
+                         out_);
+        },
+        [&] { return arcs_.step(budget); },
+        [&] { return runPart(voronoiPoints_, budget, graph_, *outlines_, points_, out_); },
+        [&] { return collectLoops(budget); },
+        [&] { return runPart(cells_, budget, complex_, graph_, points_, out_); });
+  }
+  double progress() const { return sequence_.progress(); }
+
+  TracedDiagram take() {
+    out_.siteCount = siteCount_;
+    out_.regionArea = std::move(graph_.regionArea);
+    out_.indifferentFaces = std::move(graph_.indifferentFaces);
+    nodePoints_.clear();
+    return {std::move(out_), std::move(graph_.mergedFaces),
+            completion_ ? completion_->takeFaces() : std::vector<int>()};
+  }
+
+ private:
+  bool collectLoops(long& budget) {
+    out_.loops.points.reserve(outlines_->pointCount());
+    return loop_.run(outlines_->size(), budget, 1, [&](int outline) {
+      for (const int p : outlines_->points(outline)) out_.loops.points.push_back(points_.number(p));
+      out_.loops.offset.push_back(static_cast<int>(out_.loops.points.size()));
+      out_.loopLabel.push_back(outlines_->label(outline));
+    });
+  }
+
+  const TriangleMesh& mesh_;
+  const DistanceField& distances_;
+  FaceComplex& complex_;
+  const int siteCount_;
+  const std::span<const char> isTraced_;
+  NodePoints& nodePoints_;
+
+  SlicedSequence sequence_;
+  SlicedLoop loop_;
+  BisectorGraph graph_;
+  Diagram out_;
+  FinalPoints points_{graph_, out_.points};
+  std::optional<LabelCompletion> completion_;
+  std::optional<BisectorTracing> bisectors_;
+  std::optional<RegionOutlines> outlines_;
+  std::optional<FinalSegments> segments_;
+  ArcChaining arcs_{out_};
+  std::optional<VoronoiPoints> voronoiPoints_;
+  std::optional<FinalCells> cells_;
+};
+
+void requireValid(const DiagramOptions& options) {
+  if (options.detail < 0)
+    throw Error(ErrorCode::kInvalidArgument,
+                "the detail " + std::to_string(options.detail) + " is negative");
+}
+
+void requireLabels(const TriangleMesh& mesh, const DistanceField& distances, int siteCount) {
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+    for (const LabelledDistance& d : distances.at(v))
+      if (d.label >= siteCount)
+        throw Error(ErrorCode::kInvalidArgument, "there are distances of site " +
+                                                     std::to_string(d.label) + ", but only " +
+                                                     std::to_string(siteCount) + " sites");
+}
+
+/// The tracing of all of a diagram.
+class WholeTracing final : public SlicedWork<TracedDiagram> {
+ public:
+  WholeTracing(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,
+               const DiagramOptions& options)
+      : complex_(mesh, distances, options.detail),
+        tracing_(mesh, distances, complex_, siteCount, {}, nodePoints_) {
+    requireValid(options);
+    requireLabels(mesh, distances, siteCount);
+  }
+
+  bool step(long budget) override { return tracing_.step(budget); }
+  double progress() const override { return tracing_.progress(); }
+  TracedDiagram take() override { return tracing_.take(); }
+
+ private:
+  FaceComplex complex_;
+  NodePoints nodePoints_;
+  Tracing tracing_;
+};
+
+/// The tracing of a part, whose faces `complex` has already.
+class PartTracing final : public SlicedWork<TracedDiagram> {
+ public:
+  PartTracing(const TriangleMesh& mesh, const DistanceField& distances, FaceComplex& complex,
+              std::vector<char> isTraced, NodePoints& nodePoints)
+      : isTraced_(std::move(isTraced)),
+        tracing_(mesh, distances, complex, static_cast<int>(isTraced_.size()), isTraced_,
+                 nodePoints) {}
+
+  bool step(long budget) override { return tracing_.step(budget); }
+  double progress() const override { return tracing_.progress(); }
+  TracedDiagram take() override { return tracing_.take(); }
+
+ private:
+  const std::vector<char> isTraced_;
+  Tracing tracing_;
+};
+
+}  // namespace
+
+std::unique_ptr<SlicedWork<TracedDiagram>> startWhole(const TriangleMesh& mesh,
+                                                      const DistanceField& distances, int siteCount,
+                                                      const DiagramOptions& options) {
+  return std::make_unique<WholeTracing>(mesh, distances, siteCount, options);
+}
+
+PartialTracer::PartialTracer(const TriangleMesh& mesh, const DistanceField& distances,
+                             const DiagramOptions& options)
+    : mesh_(mesh), distances_(distances), options_(options), complex_(mesh, distances) {
+  requireValid(options);
+}
+
+std::unique_ptr<SlicedWork<TracedDiagram>> PartialTracer::start(std::span<const int> faces,
+                                                                std::vector<char> isTraced) {
+  complex_.take(faces, options_.detail);
+  return std::make_unique<PartTracing>(mesh_, distances_, complex_, std::move(isTraced),
+                                       nodePoints_);
+}
+
+}  // namespace gvd
