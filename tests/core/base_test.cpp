@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Small tools of the core: loops in slices, a sort, and numbers in messages.
+// Small tools of the core: loops in slices, a queue, a sort, and numbers in messages.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/bucket_queue.h"
 #include "base/number_text.h"
 #include "base/sliced_loop.h"
 #include "base/sorting.h"
@@ -43,6 +44,43 @@ TEST(SlicedLoop, TakesABudgetThatIsOverdrawnForOneThatIsUsedUp) {
   budget = 1;
   EXPECT_TRUE(loop.run(4, budget, 2, [&](int i) { visited.push_back(i); }));
   EXPECT_EQ(visited, (std::vector<int>{0, 1, 2, 3}));
+}
+
+TEST(BucketQueue, GivesItemsByDistanceAndThoseOfABucketAsTheyCame) {
+  BucketQueue queue(10);
+  const auto add = [&](int item, double distance) { queue.add(item, queue.bucketOf(distance)); };
+  const auto takeAll = [&] {
+    std::vector<int> items;
+    while (queue.advance()) {
+      items.push_back(queue.take());
+      if (items.back() == 3) {
+        EXPECT_NEAR(queue.front(), 0.7, 1e-12);
+        add(6, 0.2);  // too late for its bucket
+        add(7, 0.75);
+        add(8, 1e5);
+      }
+    }
+    return items;
+  };
+  for (int round = 0; round < 2; ++round) {
+    add(1, 0.71);
+    add(2, 3e4);  // most buckets before this one have no items
+    add(3, 0.72);
+    add(4, 0.05);
+    add(5, 6.35);  // bucket 63, the last of the first 64
+    EXPECT_EQ(takeAll(), (std::vector<int>{4, 1, 3, 6, 7, 5, 2, 8}));
+    EXPECT_EQ(queue.front(), 0);
+  }
+}
+
+TEST(BucketQueue, KnowsTheItemsAfterTheNext) {
+  BucketQueue queue(1);
+  for (int item = 0; item < 3; ++item) queue.add(item, 5);
+  queue.add(3, 6);
+  ASSERT_TRUE(queue.advance());
+  EXPECT_EQ(queue.ahead(0), 0);
+  EXPECT_EQ(queue.ahead(2), 2);
+  EXPECT_EQ(queue.ahead(3), std::nullopt);
 }
 
 TEST(SortStably, SortsAsTheStandardLibraryDoes) {

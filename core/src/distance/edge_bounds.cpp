@@ -11,8 +11,8 @@ namespace gvd {
 EdgeBounds::EdgeBounds(const TriangleMesh& mesh, const SiteSet& sites)
     : mesh_(mesh),
       sites_(sites),
-      inverseWidth_(kBucketsPerEdge / mesh.shortEdgeLength()),
-      vertices_(mesh.vertexCount()) {}
+      vertices_(mesh.vertexCount()),
+      queue_(kBucketsPerEdge / mesh.shortEdgeLength()) {}
 
 void EdgeBounds::insert(int label) {
   sites_.visitFacesOf(label, [&](const SurfacePoint& site) {
@@ -70,22 +70,17 @@ void EdgeBounds::remove(int label, const SurfacePoint& site) {
 /// each bound again and again.
 bool EdgeBounds::run(long& budget) {
   constexpr size_t kAhead = 2;  // turns before its own at which a vertex's faces are fetched
-  for (; bucket_ < buckets_.size(); ++bucket_, cursor_ = 0) {
-    while (cursor_ < buckets_[bucket_].size()) {
-      if (budget-- <= 0) return false;
-      const std::vector<int>& bucket = buckets_[bucket_];
-      if (cursor_ + kAhead < bucket.size()) prefetchFan(mesh_, bucket[cursor_ + kAhead]);
-      const int v = bucket[cursor_++];
-      Vertex& own = vertices_[v];
-      if (own.bucket != static_cast<int>(bucket_)) continue;  // a stale entry
-      own.bucket = kNone;
-      mesh_.visitEdges(v, [&](int neighbour, double length) {
-        offer(neighbour, own.label, own.bound + length, v);
-      });
-    }
-    buckets_[bucket_].clear();
+  while (queue_.advance()) {
+    if (budget-- <= 0) return false;
+    if (const auto next = queue_.ahead(kAhead)) prefetchFan(mesh_, *next);
+    const int v = queue_.take();
+    Vertex& own = vertices_[v];
+    if (own.bucket != static_cast<int>(queue_.frontBucket())) continue;  // a stale entry
+    own.bucket = kNone;
+    mesh_.visitEdges(v, [&](int neighbour, double length) {
+      offer(neighbour, own.label, own.bound + length, v);
+    });
   }
-  bucket_ = 0;
   return true;
 }
 
@@ -96,11 +91,10 @@ void EdgeBounds::offer(int v, int label, double distance, int from) {
   own.label = label;
   own.from = from;
   noteChange(v);
-  const size_t b = std::max(bucket_, static_cast<size_t>(distance * inverseWidth_));
-  if (own.bucket == static_cast<int>(b)) return;
-  own.bucket = static_cast<int>(b);
-  if (b >= buckets_.size()) buckets_.resize(b + 1);
-  buckets_[b].push_back(v);
+  const size_t bucket = queue_.bucketOf(distance);
+  if (own.bucket == static_cast<int>(bucket)) return;
+  own.bucket = static_cast<int>(bucket);
+  queue_.add(v, bucket);
 }
 
 void EdgeBounds::noteChange(int v) {

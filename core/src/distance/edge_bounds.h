@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/bucket_queue.h"
 #include "distance/site_set.h"
 #include "gvd/geodesic.h"
 #include "gvd/triangle_mesh.h"
@@ -26,7 +27,7 @@ class EdgeBounds {
   bool run(long& budget);
 
   /// Bounds below this are final, to the width of a bucket, while `run` is not done.
-  double front() const { return static_cast<double>(bucket_) / inverseWidth_; }
+  double front() const { return queue_.front(); }
 
   double operator[](int vertex) const { return vertices_[vertex].bound; }
   /// The vertices at which a bound has changed since the last `clearChanged`, each once.
@@ -52,10 +53,8 @@ class EdgeBounds {
 
   const TriangleMesh& mesh_;
   const SiteSet& sites_;
-  double inverseWidth_;
   std::vector<Vertex> vertices_;
-  std::vector<std::vector<int>> buckets_;  ///< vertices by distance
-  size_t bucket_ = 0, cursor_ = 0;
+  BucketQueue queue_;  ///< vertices by distance
   std::vector<int> changed_;
 };
 

@@ -62,19 +62,14 @@ void UnfoldingSweep::startInFace(const SurfacePoint& site, const Vector2d& first
 }
 
 bool UnfoldingSweep::run(long& budget) {
-  for (; bucket_ < buckets_.size(); ++bucket_, cursor_ = 0) {
-    while (cursor_ < buckets_[bucket_].size()) {
-      if (budget <= 0) return false;
-      const std::vector<int>& bucket = buckets_[bucket_];
-      if (cursor_ + kAhead < bucket.size()) prefetchFan(mesh_, bucket[cursor_ + kAhead]);
-      const int v = buckets_[bucket_][cursor_++];
-      if (!std::exchange(vertices_[v].isQueued, false)) continue;
-      --budget;
-      passOn(v);
-    }
-    buckets_[bucket_].clear();
+  while (queue_.advance()) {
+    if (budget <= 0) return false;
+    if (const auto next = queue_.ahead(kAhead)) prefetchFan(mesh_, *next);
+    const int v = queue_.take();
+    if (!std::exchange(vertices_[v].isQueued, false)) continue;
+    --budget;
+    passOn(v);
   }
-  bucket_ = 0;
   return true;
 }
 
@@ -97,9 +92,7 @@ void UnfoldingSweep::offer(int v, double distance, const Vector2d& direction,
   own.isQueued = distance <= own.reach;
   if (!own.isQueued) return;
   // Older entries of the vertex may remain in the queue: `run` acts on the first that it meets.
-  const size_t b = std::max(bucket_, static_cast<size_t>(distance * bucketsPerUnit_));
-  if (b >= buckets_.size()) buckets_.resize(b + 1);
-  buckets_[b].push_back(v);
+  queue_.add(v, queue_.bucketOf(distance));
 }
 
 /// Passes on the distance of a vertex: along its edges, and across the sides that end at it in the

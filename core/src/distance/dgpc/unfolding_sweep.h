@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/bucket_queue.h"
 #include "base/plane.h"
 #include "base/tolerances.h"
 #include "distance/face_layout.h"
@@ -82,8 +83,8 @@ class UnfoldingSweep {
   UnfoldingSweep(const TriangleMesh& mesh, Reach reach)
       : mesh_(mesh),
         reach_(std::move(reach)),
-        bucketsPerUnit_(kBucketsPerEdge / mesh.shortEdgeLength()),
-        vertices_(mesh.vertexCount()) {}
+        vertices_(mesh.vertexCount()),
+        queue_(kBucketsPerEdge / mesh.shortEdgeLength()) {}
 
   /// Begins with a site and forgets the previous one.
   void start(const SurfacePoint& site);
@@ -133,12 +134,10 @@ class UnfoldingSweep {
 
   const TriangleMesh& mesh_;
   const Reach reach_;
-  const double bucketsPerUnit_;
   int epoch_ = 0;
   std::vector<Vertex> vertices_;
   std::vector<int> reached_;
-  std::vector<std::vector<int>> buckets_;  ///< vertices by distance
-  size_t bucket_ = 0, cursor_ = 0;
+  BucketQueue queue_;  ///< vertices by distance
 };
 
 }  // namespace gvd::dgpc

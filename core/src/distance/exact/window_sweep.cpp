@@ -30,13 +30,13 @@ constexpr double kFarthestTie = 8;
 WindowSweep::WindowSweep(const TriangleMesh& mesh, NearestBounds& bounds)
     : mesh_(mesh),
       bounds_(bounds),
-      bucketsPerUnit_(kBucketsPerEdge / mesh.shortEdgeLength()),
       leastGrazing_(0x1p-50 * longestEdge(mesh)),
       leeway_(kDistanceTolerance * kFarthestTie * mesh.boundingDiagonal()),
       fan_(mesh),
       required_(mesh.boundingDiagonal()),
       vertices_(mesh.vertexCount()),
-      windows_(mesh.halfedgeCount()) {
+      windows_(mesh.halfedgeCount()),
+      queue_(kBucketsPerEdge / mesh.shortEdgeLength()) {
   for (int v = 0; v < mesh.vertexCount(); ++v) vertices_[v].isSaddle = isSaddle(mesh, v);
   if (!mesh.needles().empty()) isNeedle_.resize(mesh.faceCount(), false);
   for (const int f : mesh.needles()) isNeedle_[f] = true;
@@ -76,18 +76,14 @@ void WindowSweep::resume(int label, LabelState& state) {
 }
 
 bool WindowSweep::run(long& budget) {
-  for (; bucket_ < buckets_.size(); ++bucket_, cursor_ = 0) {
-    while (cursor_ < buckets_[bucket_].size()) {
-      if (budget-- <= 0) return false;
-      const int item = buckets_[bucket_][cursor_++];
-      if (item >= 0)
-        crossFace(item);
-      else
-        becomeSource(-1 - item);
-    }
-    buckets_[bucket_].clear();
+  while (queue_.advance()) {
+    if (budget-- <= 0) return false;
+    const int item = queue_.take();
+    if (item >= 0)
+      crossFace(item);
+    else
+      becomeSource(-1 - item);
   }
-  bucket_ = 0;
   store();
   return true;
 }
@@ -202,22 +198,16 @@ double WindowSweep::directionAt(int v) const {
 
 // --- The queue ---------------------------------------------------------------------------------
 
-void WindowSweep::push(int item, double key) {
-  const size_t b = std::max(bucket_, static_cast<size_t>(key * bucketsPerUnit_));
-  if (b >= buckets_.size()) buckets_.resize(b + 1);
-  buckets_[b].push_back(item);
-}
-
 void WindowSweep::queueSource(int v) {
   if (std::exchange(vertices_[v].isQueued, true)) return;
-  push(-1 - v, vertices_[v].distance);
+  queue_.add(-1 - v, queue_.bucketOf(vertices_[v].distance));
   prefetchFan(mesh_, v);
 }
 
 /// Queues a halfedge when its first windows arrive. If neither end has a distance, because windows
 /// that graze the ends were cut off, the halfedge comes at once.
 void WindowSweep::queueBatch(int halfedge, double key) {
-  push(halfedge, key < kInfinity ? key : 0);
+  queue_.add(halfedge, queue_.bucketOf(key < kInfinity ? key : 0));
   prefetch(mesh_.face(halfedge / 3));
 }
 

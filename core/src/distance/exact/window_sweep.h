@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/bucket_queue.h"
 #include "distance/exact/fan_behind.h"
 #include "distance/exact/label_state.h"
 #include "distance/exact/required_places.h"
@@ -97,7 +98,7 @@ class WindowSweep {
   /// and its state is stored.
   bool run(long& budget);
   /// The distance of the current label's wavefront, to the width of a bucket.
-  double front() const { return static_cast<double>(bucket_) / bucketsPerUnit_; }
+  double front() const { return queue_.front(); }
 
  private:
   /// The shortest path of the current label to a vertex so far.
@@ -145,7 +146,6 @@ class WindowSweep {
   void reach(int vertex);
   double directionAt(int vertex) const;
 
-  void push(int item, double key);
   void queueSource(int vertex);
   void queueBatch(int halfedge, double key);
 
@@ -202,7 +202,6 @@ class WindowSweep {
 
   const TriangleMesh& mesh_;
   NearestBounds& bounds_;
-  const double bucketsPerUnit_;
   const double leastGrazing_;  ///< by which lines round that have crossed the longest edge
   /// A label spreads on while it is farther than another one by at most this. Two labels that tie
   /// at a distance d may differ here by `kDistanceTolerance` · d, because the difference does not
@@ -240,10 +239,9 @@ class WindowSweep {
   size_t crossedCount_ = 0;             ///< of batches that have crossed a face
   std::vector<WaitingWindow> waiting_;  ///< where the label has stopped
   std::vector<int> waitingSources_;
-  std::vector<LineToApex> toApex_;         ///< of each window of the current batch
-  std::vector<Window> children_;           ///< of the current batch, through one side
-  std::vector<std::vector<int>> buckets_;  ///< halfedges, and vertices v as -1 - v
-  size_t bucket_ = 0, cursor_ = 0;
+  std::vector<LineToApex> toApex_;  ///< of each window of the current batch
+  std::vector<Window> children_;    ///< of the current batch, through one side
+  BucketQueue queue_;               ///< halfedges, and vertices v as -1 - v
 };
 
 }  // namespace gvd::exact
