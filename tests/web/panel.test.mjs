@@ -95,6 +95,10 @@ suite('the panel', () => {
     assert.match(await text('#report'), /Triangles34/);
   });
 
+  test('fields of numbers say what they are of', async () => {
+    assert.equal(await viewer.page.getByLabel('Number of sites', { exact: true }).count(), 1);
+  });
+
   test('a field about components is there for models of several', async () => {
     const field = viewer.page.locator('#per-component');
     assert.equal(await field.isVisible(), false);
