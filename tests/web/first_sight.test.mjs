@@ -8,6 +8,11 @@ import { after, before, suite, test } from 'node:test';
 import { bumpySphere, glb } from '../wasm/meshes.mjs';
 import { startBrowser } from './browser.mjs';
 
+const ownFile = {
+  name: 'mine.glb',
+  mimeType: 'model/gltf-binary',
+  buffer: Buffer.from(glb(bumpySphere(12, 16))),
+};
 const hasDocuments = existsSync(new URL('../../build/page/docs/index.html', import.meta.url));
 
 suite('first sight', () => {
@@ -222,14 +227,80 @@ suite('first sight', () => {
     await uncountable.close();
   });
 
-  test('a link of a file of my own asks for it, and brings its sites back', async () => {
-    const file = {
-      name: 'mine.glb',
-      mimeType: 'model/gltf-binary',
-      buffer: Buffer.from(glb(bumpySphere(12, 16))),
+  test('the address keeps what was done for reloading and coming back', async () => {
+    const viewer = await browser.open({ hash: '#v=1&model=torus.glb&sites=12&seed=3' });
+    await viewer.settled();
+    const { page } = viewer;
+    const steps = await page.evaluate(() => history.length);
+    const kept = (pattern) => page.waitForURL(pattern);
+    const same = async () => {
+      const [before, { x, y }] = [await viewer.sites(), await viewer.sitePosition(12)];
+      await page.reload();
+      await page.waitForFunction(
+        (count) => document.querySelector('geodesic-voronoi').sites?.face.length === count,
+        before.face.length,
+      );
+      await viewer.settled();
+      assert.deepEqual((await viewer.sites()).face, before.face);
+      const now = await viewer.sitePosition(12);
+      assert.ok(Math.hypot(now.x - x, now.y - y) < 1, `${now.x} ${now.y}, not ${x} ${y}`);
     };
+    const place = await viewer.freePlace();
+    await viewer.after('diagram', () => page.mouse.click(place.x, place.y));
+    await page.locator('geodesic-voronoi canvas').focus();
+    await page.keyboard.press('ArrowRight');
+    await page.evaluate(() => document.querySelector('input[value=dgpc]').click());
+    await page.evaluate(() => document.querySelector('#layers [value=bisectors]').click());
+    await kept(/metric=dgpc&.*layers=regions\+sites&.*at=/);
+    await same();
+    assert.equal(await page.isChecked('input[value=dgpc]'), true);
+    assert.equal(await page.isChecked('#layers [value=bisectors]'), false);
+
+    // Of a reloaded page, too.
+    await page.locator('geodesic-voronoi canvas').focus();
+    await page.keyboard.press('ArrowUp');
+    await viewer.after('diagram', () =>
+      page.evaluate(() => document.querySelector('#clear').click()),
+    );
+    await kept(/at=$/);
+    assert.equal(await page.evaluate(() => history.length), steps, 'it is no step back');
+    await page.goto('about:blank');
+    await page.goBack();
+    await viewer.settled();
+    assert.equal(await viewer.siteCount(), 0);
+
+    await viewer.after('diagram', async () => {
+      await page.mouse.wheel(0, 1);
+      await page.selectOption('#samples', 'bunny.ply');
+    });
+    await kept(/model=bunny\.ply/);
+    const { hash } = new URL(page.url());
+    await viewer.after('diagram', () => page.setInputFiles('#files', [ownFile]));
+    await page.keyboard.press('ArrowRight');
+    await page.waitForTimeout(600);
+    assert.equal(
+      new URL(page.url()).hash,
+      hash,
+      'what is on this computer cannot be in an address',
+    );
+    assert.deepEqual(viewer.complaints, []);
+    await viewer.close();
+  });
+
+  test('an address stays as it was opened until something is done, and one of a file of my own', async () => {
+    for (const hash of ['#v=1&model=torus.glb&sites=12&seed=3', '#v=1&model=mine.glb&at=AAAA']) {
+      const viewer = await browser.open({ hash });
+      await viewer.settled();
+      if (hash.includes('mine')) await viewer.page.mouse.click(200, 250);
+      await viewer.page.waitForTimeout(600);
+      assert.equal(new URL(viewer.page.url()).hash, hash);
+      await viewer.close();
+    }
+  });
+
+  test('a link of a file of my own asks for it, and brings its sites back', async () => {
     const openFile = (viewer) =>
-      viewer.after('diagram', () => viewer.page.setInputFiles('#files', [file]));
+      viewer.after('diagram', () => viewer.page.setInputFiles('#files', [ownFile]));
     const first = await browser.open();
     await first.settled();
     await openFile(first);

@@ -6,6 +6,7 @@ import type { LoadOptions } from 'geodesic-voronoi';
 import { GeodesicVoronoiElement } from '../viewer/element.js';
 import { provideModules } from '../viewer/library_pool.js';
 import { provideModel } from '../viewer/model_files.js';
+import { setUpAddress } from './address.js';
 import { setUpAnnouncements } from './announcements.js';
 import { setUpCvtControls } from './cvt_controls.js';
 import { CvtReadings } from './cvt_readings.js';
@@ -34,6 +35,7 @@ export function setUpPage(modules: Promise<LoadOptions>, model: Promise<Response
   setUpMeshReport(viewer);
   const readings = new CvtReadings(viewer);
   setUpFirstSight(viewer, readings);
+  setUpAddress(viewer);
   setUpSiteControls(viewer);
   setUpCvtControls(viewer, readings);
   setUpDensityControls(viewer);

@@ -17,7 +17,7 @@ const unit = 65535;
 const bytesPerSite = 8;
 
 /** The viewer's attributes that a link keeps. */
-const attributes = [
+export const linkAttributes = [
   ...['sites', 'seed', 'sampling', 'per-component', 'weld', 'orientation', 'min-component'],
   ...['metric', 'detail', 'up', 'layers', 'camera-orbit'],
 ] as const;
@@ -30,9 +30,9 @@ export function isPageState(hash: string): boolean {
 /** The hash that restores the present state; `model` is the name of the model's file. */
 export function pageState(viewer: GeodesicVoronoiElement, model: string): string {
   const parameters = new URLSearchParams({ v: version, model });
-  for (const name of attributes) {
+  for (const name of linkAttributes) {
     const value = name === 'camera-orbit' ? viewer.cameraOrbit : viewer.getAttribute(name);
-    if (value) parameters.set(name, value);
+    if (isGiven(name, value)) parameters.set(name, value);
   }
   const { sites } = viewer;
   if (sites.face.length <= mostSites) parameters.set('at', encodeSites(sites));
@@ -43,9 +43,11 @@ export function pageState(viewer: GeodesicVoronoiElement, model: string): string
 export function readPageState(viewer: GeodesicVoronoiElement, hash: string): void {
   const parameters = parametersOf(hash);
   if (parameters.get('v') !== version) return;
-  for (const name of attributes) {
+  for (const name of linkAttributes) {
     const value = parameters.get(name);
-    if (value && (name !== 'sites' || isCount(value))) viewer.setAttribute(name, value);
+    if (isGiven(name, value) && (name !== 'sites' || isCount(value))) {
+      viewer.setAttribute(name, value);
+    }
   }
   const at = parameters.get('at');
   const model = parameters.get('model');
@@ -62,11 +64,17 @@ export function readPageState(viewer: GeodesicVoronoiElement, hash: string): voi
       return;
     }
     waiting.abort();
-    if (model && at) showSites(viewer, at);
+    // Empty where all sites were removed.
+    if (model && at !== null) showSites(viewer, at);
     // The camera's place applies to this model only.
     viewer.removeAttribute('camera-orbit');
   };
   viewer.addEventListener('load', bringBack, { signal: waiting.signal });
+}
+
+/** Whether an attribute has a value; an empty list of layers is one. */
+function isGiven(name: string, value: string | null): value is string {
+  return value !== null && (value !== '' || name === 'layers');
 }
 
 /** Whether a text is a number of sites that may be placed. */

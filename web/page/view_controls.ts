@@ -120,9 +120,11 @@ function setUpDistance(viewer: GeodesicVoronoiElement): void {
   detail.addEventListener('change', () => viewer.setAttribute('detail', detail.value));
 
   // The viewer goes back to what it shows if the choice fails or is cancelled.
-  new MutationObserver(() => {
+  const show = () => {
     const metric = viewer.getAttribute('metric') ?? 'exact';
     for (const radio of radios) radio.checked = radio.value === metric;
     detail.value = viewer.getAttribute('detail') ?? '0';
-  }).observe(viewer, { attributeFilter: ['metric', 'detail'] });
+  };
+  show(); // A link may have set them.
+  new MutationObserver(show).observe(viewer, { attributeFilter: ['metric', 'detail'] });
 }
