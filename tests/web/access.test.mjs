@@ -159,6 +159,39 @@ suite('access', () => {
     }
   });
 
+  test('the focus goes on to a neighbour of a button that is disabled or hidden', async () => {
+    const viewer = await browser.open({ viewport: { width: 1280, height: 720 } });
+    const { page } = viewer;
+    await viewer.settled();
+    const focused = () =>
+      page.evaluate(() => document.activeElement.id || document.activeElement.textContent);
+    const press = async (selector, key = 'Enter') => {
+      await page.focus(selector);
+      await page.keyboard.press(key);
+      // The browser takes the focus away when it draws.
+      await page.evaluate(
+        () => new Promise((done) => requestAnimationFrame(() => setTimeout(done))),
+      );
+      return focused();
+    };
+    await page.focus('geodesic-voronoi canvas');
+    await viewer.after('diagram', () => page.keyboard.press('Enter'));
+    assert.equal(await press('#remove'), 'undo');
+    await viewer.settled();
+    await viewer.after('diagram', () => page.click('#undo'));
+    assert.equal(await press('#undo'), 'redo');
+    await viewer.settled();
+    assert.equal(await press('#clear'), 'Place new sites');
+    await viewer.settled();
+    assert.equal(await press('#layers input', 'h'), 'hide-panel');
+    assert.equal(await press('#hide-panel'), 'hide-panel');
+    await viewer.after('error', () =>
+      page.setInputFiles('#files', [{ name: 'a.txt', mimeType: '', buffer: Buffer.from('a') }]),
+    );
+    assert.equal(await press('#error-close'), 'viewer', 'its canvas');
+    await viewer.close();
+  });
+
   test('what is chosen is seen in the system’s colours', async () => {
     const viewer = await browser.open({ forcedColors: 'active' });
     await viewer.settled();

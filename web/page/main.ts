@@ -15,6 +15,7 @@ import { byId } from './dom.js';
 import { setUpFeedback, showError } from './feedback.js';
 import { modelOf } from './first_model.js';
 import { setUpFirstSight } from './first_sight.js';
+import { keepFocus } from './kept_focus.js';
 import { setUpKeyboard } from './keyboard.js';
 import { setUpMeshReport } from './mesh_report.js';
 import { setUpModelChoice } from './model_choice.js';
@@ -42,6 +43,7 @@ export function setUpPage(modules: Promise<LoadOptions>, model: Promise<Response
   setUpViewControls(viewer);
   setUpToolbar(viewer);
   setUpKeyboard(viewer);
+  keepFocus(viewer);
   setUpAnnouncements(viewer);
   setUpSheet();
   viewer.addEventListener('load', () => void addMenus(viewer), { once: true });
