@@ -199,6 +199,52 @@ suite('the centroidal tessellation', () => {
     assert.deepEqual(await viewer.sites(), sites);
   });
 
+  test('a density has a legend where it is seen', async () => {
+    const legend = viewer.page.locator('geodesic-voronoi [part=density]');
+    assert.equal(await legend.isVisible(), false);
+    await viewer.after('density-change', () => press('#density-curvature'));
+    assert.equal(await legend.isVisible(), true);
+    assert.match(await legend.textContent(), /1\/1000.*1000.*Density: .* regions become smaller/);
+    await viewer.evaluate((viewer) => (viewer.layers = ['distances']));
+    await viewer.page.locator('geodesic-voronoi [part=distances]').waitFor();
+    assert.equal(await legend.isVisible(), false, 'the colours are others');
+    await viewer.evaluate((viewer) => viewer.removeAttribute('layers'));
+    await legend.waitFor();
+    await viewer.after('density-change', () => press('#density-clear'));
+    assert.equal(await legend.isVisible(), false);
+  });
+
+  test('painting ends where it is left', async () => {
+    const paint = viewer.page.locator('#density-paint');
+    const isEnded = async (leave, what) => {
+      await viewer.evaluate(() => {
+        for (const details of document.querySelectorAll('details')) details.open = true;
+      });
+      if (!(await paint.isChecked())) await press('#density-paint');
+      assert.equal(await viewer.evaluate((viewer) => viewer.getAttribute('tool')), 'density');
+      await leave();
+      await viewer.page.waitForFunction(
+        () => document.querySelector('geodesic-voronoi').getAttribute('tool') === 'sites',
+      );
+      assert.equal(await paint.isChecked(), false, what);
+      await viewer.settled();
+    };
+    const { x, y } = await viewer.freePlace();
+    await viewer.after('hover', () => viewer.page.mouse.move(x, y));
+    const bare = await viewer.picture();
+    await isEnded(async () => {
+      for (const dx of [1, 0]) await viewer.page.mouse.move(x + dx, y);
+      await viewer.page.keyboard.press('Escape');
+    }, 'Escape');
+    const left = await viewer.difference(bare, await viewer.picture());
+    assert.equal(left.count, 0, 'the brush is seen no more');
+    await isEnded(() => viewer.page.getByText('Smaller regions in places').click(), 'folded');
+    await isEnded(() => press('#scatter [type=submit]'), 'placed anew');
+    await isEnded(() => viewer.page.selectOption('#site-list', { index: 3 }), 'a site chosen');
+    await isEnded(() => press('#clear'), 'removed');
+    await isEnded(() => viewer.page.selectOption('#samples', 'torus.glb'), 'another model');
+  });
+
   test('with 300 sites on 100,000 triangles the page answers throughout, and a pause is final', async () => {
     // Few pixels: drawing them without a graphics card is what takes the time here.
     await viewer.page.setViewportSize({ width: 360, height: 300 });

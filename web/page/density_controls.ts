@@ -20,6 +20,7 @@ export function setUpDensityControls(viewer: GeodesicVoronoiElement): void {
       ? 'Drag on the model to paint, beside it to turn it.'
       : ofSites;
   });
+  endPainting(viewer, paint);
   const fields = {
     'brush-density': byId('brush-density', HTMLSelectElement),
     'brush-size': byId('brush-size', HTMLInputElement),
@@ -39,5 +40,30 @@ export function setUpDensityControls(viewer: GeodesicVoronoiElement): void {
   });
   listen(viewer, 'density-change', ({ isUniform }) => {
     clear.disabled = isUniform;
+    // The legend of density is there then.
+    byId('view', HTMLElement).classList.toggle('with-density', !isUniform);
   });
+}
+
+/**
+ * Ends painting at Escape, where its control is folded away, for another model, and for other ways to edit sites.
+ */
+function endPainting(viewer: GeodesicVoronoiElement, paint: HTMLInputElement): void {
+  const end = () => {
+    if (paint.checked) paint.click();
+  };
+  for (const details of document.querySelectorAll('details:has(#density-paint)')) {
+    details.addEventListener('toggle', () => {
+      if (!(details as HTMLDetailsElement).open) end();
+    });
+  }
+  document.addEventListener('keydown', ({ key }) => {
+    // Escape may be for a menu or dialogue that is open, or for work that is under way.
+    const isFree = viewer.getAttribute('status') === 'ready';
+    if (key === 'Escape' && isFree && !document.querySelector(':popover-open, dialog[open]')) end();
+  });
+  listen(viewer, 'load', end);
+  byId('scatter', HTMLFormElement).addEventListener('submit', end);
+  onClick('clear', end);
+  byId('site-list', HTMLSelectElement).addEventListener('change', end);
 }

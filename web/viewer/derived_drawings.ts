@@ -5,7 +5,7 @@
 import type { Diagram, Violation } from 'geodesic-voronoi';
 import type { Attributes } from './attributes.js';
 import { Derived } from './derived.js';
-import { type DistanceLegend, type DistanceRange, distanceRange } from './distance_legend.js';
+import { type DistanceRange, distanceRange, type Legend } from './legend.js';
 import { cornersToAsk, type DistanceTriangles } from './distance_triangles.js';
 import type { Emit } from './events.js';
 import { type ExplodedParts, widestSpread } from './exploded_parts.js';
@@ -20,7 +20,7 @@ export interface DrawingPlace {
   readonly attributes: Attributes;
   readonly stage: Stage;
   readonly model: OpenModel | undefined;
-  readonly legend: DistanceLegend;
+  readonly legend: Legend;
 }
 
 /** The regions apart. */
@@ -128,7 +128,7 @@ export class DerivedDrawings {
   #showDistances(distances: Distances | undefined): void {
     const { model, stage, legend } = this.#place;
     model?.drawing.setDistances(distances?.triangles, distances?.range);
-    legend.show(distances?.range);
+    legend.showDistances(distances?.range);
     stage.invalidate();
   }
 

@@ -49,18 +49,14 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     'interactive',
     'touch-action',
     'camera-orbit',
-    'sites',
-    'seed',
-    'sampling',
-    'per-component',
-    'weld',
-    'orientation',
-    'min-component',
+    ...scatteringAttributes,
+    ...buildAttributes,
     'metric',
     'detail',
     'layers',
     'exploded',
     'up',
+    'tool',
   ];
 
   readonly #changedAttributes = new Set<string>();
@@ -421,6 +417,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     const viewer = this.#viewer;
     if (!viewer) return;
     if (changed.has('touch-action')) viewer.scrolling.update();
+    if (changed.has('tool')) viewer.tools.follow();
     if (changed.has('camera-orbit')) viewer.orbit();
     if (changed.has('layers')) viewer.showLayers();
     if (changed.has('exploded')) viewer.explode();

@@ -14,6 +14,13 @@ const denseColour = 0x4a1942;
 const sparseColour = 0xffffff;
 const tintOpacity = 0.75;
 
+/** What a legend has instead of a region, about as bright as one. */
+const greyColour = 0xa6a6a6;
+/** As CSS has them: the least painted density, none, and the greatest, over grey. */
+export const tintColours = [sparseColour, greyColour, denseColour].map(
+  (colour) => `color-mix(in srgb-linear, ${css(colour)} ${100 * tintOpacity}%, ${css(greyColour)})`,
+);
+
 /** The label of what no site reaches. */
 const unreachable = -1;
 /** The lowest label that `DiagramData.faceLabel` has for faces without one region. */
@@ -53,6 +60,10 @@ export class LabelColours {
     const share = tintOpacity * Math.abs(tint);
     for (let k = 0; k < 3; ++k) target[to + k] += share * (over[k] - target[to + k]);
   }
+}
+
+function css(srgb: number): string {
+  return `#${srgb.toString(16).padStart(6, '0')}`;
 }
 
 function at(label: number): number {

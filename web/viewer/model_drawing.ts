@@ -13,7 +13,7 @@ import {
 } from 'three';
 import type { DiagramGeometry, PreparedDiagram } from './diagram_geometry.js';
 import type { DiagramSummary } from './diagram_summary.js';
-import type { DistanceRange } from './distance_legend.js';
+import type { DistanceRange } from './legend.js';
 import { DistanceSurface } from './distance_surface.js';
 import type { DistanceTriangles } from './distance_triangles.js';
 import { ExplodedParts } from './exploded_parts.js';

@@ -8,7 +8,7 @@ import { type Attributes, buildAttributes, scatteringAttributes } from './attrib
 import { formatCameraOrbit } from './camera_orbit.js';
 import { commandOf, isOfView, perform } from './commands.js';
 import { DerivedDrawings } from './derived_drawings.js';
-import { DistanceLegend } from './distance_legend.js';
+import { Legend } from './legend.js';
 import type { Emit } from './events.js';
 import { hexagonEnergy, rootDensityIntegral } from './hexagon_energy.js';
 import { Hover, type HoveredPoint } from './hover.js';
@@ -47,7 +47,7 @@ export class Viewer implements Workpiece {
   readonly hover: Hover;
   readonly tools: SurfaceTools;
   readonly scrolling: PageScrolling;
-  readonly legend: DistanceLegend;
+  readonly legend: Legend;
   readonly #emit: Emit;
   readonly #gestures: PointerGestures;
   readonly #resizing: ResizeObserver;
@@ -84,7 +84,7 @@ export class Viewer implements Workpiece {
       },
     });
     this.stage.up = this.attributes.up;
-    this.legend = new DistanceLegend(canvas.getRootNode() as ShadowRoot);
+    this.legend = new Legend(canvas.getRootNode() as ShadowRoot);
     this.#derived = new DerivedDrawings(this, host.emit);
     this.#original = new OriginalLayer(this, host.emit);
     this.#wireframe = new WireframeLayer(this);
@@ -421,6 +421,7 @@ export class Viewer implements Workpiece {
       rootIntegral: rootDensityIntegral(mesh, perVertex),
     };
     drawing.setTints(paint.tints);
+    this.legend.showDensity(perVertex !== undefined);
     this.stage.invalidate();
     this.#emit('density-change', { isUniform: perVertex === undefined });
   }

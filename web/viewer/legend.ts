@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+//
+// The legend on the view: it tells what the colours of distances or of a density mean.
+
+import { greatestDensity } from './density_paint.js';
+import { distanceColours } from './distance_surface.js';
+import { tintColours } from './label_colours.js';
+
+/** In the model's units. */
+export interface DistanceRange {
+  longest: number;
+  /** Between two isolines. */
+  step: number;
+}
+
+/** Isolines at round numbers, about a dozen of them. */
+export function distanceRange(longest: number): DistanceRange {
+  const rough = longest / 12 || 1;
+  const power = 10 ** Math.floor(Math.log10(rough));
+  const step = [1, 2, 5, 10].map((n) => n * power).find((each) => each >= rough) ?? rough;
+  return { longest, step };
+}
+
+const style = `
+  .legend {
+    position: absolute; inset: auto 16px 16px auto; width: 230px; padding: 9px 12px;
+    font: 12px/1.4 system-ui, sans-serif; color: CanvasText; pointer-events: none;
+    background: color-mix(in srgb, Canvas 88%, transparent); border-radius: 10px;
+  }
+  .legend[hidden] { display: none; }
+  /* Surfaces without tints are seen: of distances, of the file's own material, of parts. */
+  :host(:is([layers~='distances'], [layers~='original'], [exploded]:not([exploded='0']))) .density {
+    display: none;
+  }
+  .scale { height: 10px; border-radius: 3px; }
+  .ends { display: flex; justify-content: space-between; font-variant-numeric: tabular-nums; }
+`;
+
+export class Legend {
+  readonly #distances = box('distances');
+  readonly #density = box('density');
+  readonly #sheet = new CSSStyleSheet();
+  readonly #shadow: ShadowRoot;
+
+  /** Takes a shadow root that already has its content. */
+  constructor(shadow: ShadowRoot) {
+    this.#shadow = shadow;
+    this.#sheet.replaceSync(style);
+    shadow.adoptedStyleSheets = [...shadow.adoptedStyleSheets, this.#sheet];
+    const [sparse, even, dense] = tintColours;
+    fill(this.#density, {
+      colours: [sparse, even, dense],
+      marks: [`1/${greatestDensity}`, '1', String(greatestDensity)],
+      caption: ['Density: where it is large, regions become smaller', ' when they are evened out'],
+    });
+    shadow.append(this.#distances, this.#density);
+  }
+
+  dispose(): void {
+    this.#distances.remove();
+    this.#density.remove();
+    const sheets = this.#shadow.adoptedStyleSheets;
+    this.#shadow.adoptedStyleSheets = sheets.filter((sheet) => sheet !== this.#sheet);
+  }
+
+  /** Undefined if no distances are shown. */
+  showDistances(range: DistanceRange | undefined): void {
+    this.#distances.hidden = range === undefined;
+    if (!range) return;
+    fill(this.#distances, {
+      colours: distanceColours,
+      marks: [numeral(0), numeral(range.longest)],
+      caption: [
+        'Distance to the nearest site',
+        ", in the model's units",
+        `; a line every ${numeral(range.step)}`,
+      ],
+    });
+  }
+
+  showDensity(isShown: boolean): void {
+    this.#density.hidden = !isShown;
+  }
+}
+
+function box(name: string): HTMLElement {
+  const element = document.createElement('div');
+  element.className = `legend ${name}`;
+  element.setAttribute('part', name);
+  element.hidden = true;
+  return element;
+}
+
+interface Scale {
+  colours: readonly string[];
+  /** Numbers from the first colour to the last. */
+  marks: readonly string[];
+  /** In parts: small views leave out the second one. */
+  caption: readonly string[];
+}
+
+function fill(element: HTMLElement, { colours, marks, caption }: Scale): void {
+  const bar = document.createElement('div');
+  bar.className = 'scale';
+  bar.style.background = `linear-gradient(to right, ${colours.join(', ')})`;
+  const ends = document.createElement('div');
+  ends.className = 'ends';
+  ends.append(...marks.map(span));
+  const text = document.createElement('div');
+  text.append(...caption.map(span));
+  text.children[1].className = 'detail';
+  element.replaceChildren(bar, ends, text);
+}
+
+function span(text: string): HTMLSpanElement {
+  const element = document.createElement('span');
+  element.textContent = text;
+  return element;
+}
+
+function numeral(value: number): string {
+  return Number(value.toPrecision(3)).toLocaleString('en', { maximumSignificantDigits: 3 });
+}
