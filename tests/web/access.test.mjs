@@ -192,6 +192,34 @@ suite('access', () => {
     await viewer.close();
   });
 
+  test('in a small window the model is beside the toolbar, and the legend is small', async () => {
+    const viewer = await browser.open({ viewport: { width: 800, height: 600 } });
+    await viewer.settled();
+    const { x, y, width, height } = await viewer.page.locator('#toolbar').boundingBox();
+    const covers = await viewer.evaluate(
+      (viewer, { x, y, width, height }) => {
+        for (let px = x; px <= x + width; px += 4) {
+          for (let py = y; py <= y + height; py += 4) {
+            if (viewer.surfaceFromPoint(px, py)) return [px, py];
+          }
+        }
+        return undefined;
+      },
+      { x, y, width, height },
+    );
+    assert.equal(covers, undefined);
+    await viewer.evaluate((viewer) => {
+      viewer.layers = ['distances', 'sites'];
+    });
+    const legend = viewer.page.locator('geodesic-voronoi [part=distances]');
+    await legend.waitFor();
+    const view = await viewer.page.locator('geodesic-voronoi').boundingBox();
+    const box = await legend.boundingBox();
+    const share = (box.width * box.height) / (view.width * view.height);
+    assert.ok(share < 0.05, `${share} of the view is the legend's`);
+    await viewer.close();
+  });
+
   test('what is chosen is seen in the system’s colours', async () => {
     const viewer = await browser.open({ forcedColors: 'active' });
     await viewer.settled();

@@ -161,7 +161,8 @@ function assertRedThenBlue({ red, blue }, what) {
 }
 
 test('textures and vertex colours are shown where the file has them', async () => {
-  const viewer = await browser.open();
+  // So wide that the model is in the middle of the view, not beside the toolbar.
+  const viewer = await browser.open({ viewport: { width: 1100, height: 420 } });
   await viewer.settled();
   await viewer.evaluate((viewer) => viewer.setAttribute('sites', '2'));
 

@@ -11,6 +11,7 @@ const style = `
     height: 200px;
     overflow: hidden;
     contain: strict;
+    container-type: size;
   }
   :host([hidden]) { display: none; }
   canvas {

@@ -34,6 +34,10 @@ const style = `
   }
   .scale { height: 10px; border-radius: 3px; }
   .ends { display: flex; justify-content: space-between; font-variant-numeric: tabular-nums; }
+  @container (max-width: 600px) or (max-height: 400px) {
+    .legend { width: 160px; padding: 5px 8px; font-size: 11px; }
+    .legend .detail { display: none; }
+  }
 `;
 
 export class Legend {
