@@ -19,13 +19,13 @@
 #include "base/number_text.h"
 #include "base/random.h"
 #include "base/sliced_loop.h"
-#include "distance/common_labels.h"
 #include "distance/dgpc/unfolding_sweep.h"
 #include "distance/path_points.h"
 #include "gvd/error.h"
 #include "gvd/geodesic.h"
 #include "mesh/surface_geometry.h"
 #include "tessellation/density.h"
+#include "tessellation/disk_grid.h"
 
 namespace gvd {
 namespace {
@@ -137,7 +137,8 @@ class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
 };
 
 /// Points that keep their distance. Each point has its distance at all vertices of the faces that
-/// its disk reaches, so whether a place is free follows from its own face.
+/// its disk reaches, so whether a place is free follows from its own face, and in a large face from
+/// the disks near the place.
 class DiskSampling final : public SlicedWork<PoissonDisk> {
  public:
   /// Throws darts until there are `count` points, or so many darts in a row have missed that there
@@ -145,14 +146,17 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
   /// with a count, the radius shrinks.
   DiskSampling(const TriangleMesh& mesh, std::optional<int> count, double radius,
                std::uint64_t seed)
-      : mesh_(mesh), count_(count), radius_(radius), random_(seed), sweep_(mesh, [this](int v) {
-          return radius_ + 2 * mesh_.longestEdge(v);
-        }) {
+      : mesh_(mesh),
+        count_(count),
+        radius_(radius),
+        random_(seed),
+        sweep_(mesh, [this](int v) { return radius_ + 2 * mesh_.longestEdge(v); }),
+        disks_(mesh, radius) {
     if (count) requireCount(*count);
   }
 
   bool step(long budget) override {
-    return sequence_.run([&] { return fillInSlices(known_, mesh_.vertexCount(), {}, budget); },
+    return sequence_.run([&] { return disks_.prepare(budget); },
                          [&] { sums_ = cumulative(faceWeights(mesh_)); },
                          [&] { return addAll(budget); });
   }
@@ -167,8 +171,8 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
     for (;;) {
       if (isSpreading_ && !spread(budget)) return false;
       if (isDone()) return true;
-      if (budget-- <= 0) return false;
-      offer(next());
+      if (budget <= 0) return false;
+      offer(next(), budget);
     }
   }
 
@@ -189,9 +193,9 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
   }
 
   /// Adds a point unless another one is nearer than the radius.
-  void offer(const SurfacePoint& p) {
+  void offer(const SurfacePoint& p, long& budget) {
     ++misses_;
-    if (!isFree(p)) return;
+    if (!isFree(p, budget)) return;
     if (nextVertex_ == 0) misses_ = 0;
     points_.push_back(p);
     sweep_.start(p);
@@ -201,32 +205,39 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
 
   bool spread(long& budget) {
     const auto& reached = sweep_.reached();
-    const int label = static_cast<int>(points_.size()) - 1;
-    isSpreading_ =
-        !spread_.run([&] { return sweep_.run(budget); },
-                     [&] {
-                       return loop_.run(reached.size(), budget, 4, [&](int i) {
-                         known_[reached[i]].push_back({label, sweep_.distance(reached[i])});
-                       });
-                     });
+    isSpreading_ = !spread_.run(
+        [&] { return sweep_.run(budget); },
+        [&] { return loop_.run(reached.size(), budget, 4, [&](int i) { addDisk(reached[i]); }); });
     return !isSpreading_;
   }
 
-  bool isFree(const SurfacePoint& p) const {
+  /// Adds the disk of the new point to the faces whose first corner is a vertex that it reached.
+  void addDisk(int v) {
+    for (const int h : mesh_.fan(v)) {
+      if (h % 3 != 0) continue;
+      const int f = TriangleMesh::faceOf(h);
+      const DiskGrid::Distances distances(sweep_.distance(v), sweep_.distance(mesh_.tail(h + 1)),
+                                          sweep_.distance(mesh_.tail(h + 2)));
+      if (distances.maxCoeff() < kInfinity) disks_.add(f, distances, radius_);
+    }
+  }
+
+  bool isFree(const SurfacePoint& p, long& budget) const {
     const auto sides = squaredSides(mesh_, p.face);
     const double excess = p.bary[0] * p.bary[1] * sides[0] + p.bary[1] * p.bary[2] * sides[1] +
                           p.bary[2] * p.bary[0] * sides[2];
-    const auto knownAt = [&](int corner) -> std::span<const LabelledDistance> {
-      return known_[mesh_.tail(3 * p.face + corner)];
-    };
-    double least = kInfinity;
-    visitCommonLabels(knownAt(0), knownAt(1), knownAt(2),
-                      [&](int /*label*/, const std::array<double, 3>& d) {
-                        least = std::min(least, p.bary[0] * d[0] * d[0] + p.bary[1] * d[1] * d[1] +
-                                                    p.bary[2] * d[2] * d[2] - excess);
-                      });
-    return !(least < radius_ * radius_);
+    const std::vector<int>& disks = disks_.near(p);
+    budget -= 1 + static_cast<long>(disks.size()) / kDisksPerUnit;
+    for (const int disk : disks) {
+      const DiskGrid::Distances& d = disks_[disk];
+      const double squared =
+          p.bary[0] * d[0] * d[0] + p.bary[1] * d[1] * d[1] + p.bary[2] * d[2] * d[2] - excess;
+      if (squared < radius_ * radius_) return false;
+    }
+    return true;
   }
+
+  static constexpr long kDisksPerUnit = 32;
 
   const TriangleMesh& mesh_;
   const std::optional<int> count_;
@@ -240,7 +251,7 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
   size_t misses_ = 0;         ///< since the last dart that hit
   int nextVertex_ = 0;        ///< to be tried, after all darts
   bool isSpreading_ = false;
-  std::vector<std::vector<LabelledDistance>> known_;  ///< per vertex, ascending by label
+  DiskGrid disks_;
   std::vector<SurfacePoint> points_;
 };
 
@@ -341,9 +352,9 @@ std::vector<SurfacePoint> coverComponents(const TriangleMesh& mesh,
   std::vector<SurfacePoint> added;
   for (const std::vector<int>& list : faces) {
     if (list.empty()) continue;
-    std::vector<double> sums;
-    sums.reserve(list.size());
-    for (const int f : list) sums.push_back((sums.empty() ? 0 : sums.back()) + weights[f]);
+    std::vector<double> sums(list.size());
+    for (std::size_t i = 0; i < list.size(); ++i) sums[i] = weights[list[i]];
+    sums = cumulative(sums);
     int& there = has[mesh.component(list.front())];
     for (; there < perComponent; ++there) {
       SurfacePoint p = drawPoint(random, sums);

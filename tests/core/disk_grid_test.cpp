@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "tessellation/disk_grid.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "gvd/sampling.h"
+#include "shapes.h"
+
+namespace gvd {
+namespace {
+
+TEST(DiskGrid, HasEveryDiskThatContainsAPointAndFewOthers) {
+  shapes::Shape flat;
+  flat.addVertex({0, 0, 0});
+  flat.addVertex({1, 0, 0});
+  flat.addVertex({0.3, 0.01, 0});
+  flat.addTriangle(0, 1, 2);
+  constexpr double kRadius = 0.02;
+  for (const TriangleMesh& mesh : {shapes::triangle().mesh(), flat.mesh()}) {
+    DiskGrid grid(mesh, kRadius);
+    long budget = 1000000;
+    ASSERT_TRUE(grid.prepare(budget));
+    const auto fromCorners = [&](const SurfacePoint& p) {
+      DiskGrid::Distances d;
+      for (int i = 0; i < 3; ++i) d[i] = (mesh.position(mesh.tail(i)) - mesh.position(p)).norm();
+      return d;
+    };
+    const auto centres = sampleUniform(mesh, 2000, 1);
+    for (const SurfacePoint& p : centres) grid.add(0, fromCorners(p), kRadius);
+    for (const SurfacePoint& p : sampleUniform(mesh, 500, 2)) {
+      const std::vector<int>& near = grid.near(p);
+      EXPECT_LT(near.size(), centres.size() / 5);
+      for (const SurfacePoint& centre : centres) {
+        if ((mesh.position(p) - mesh.position(centre)).norm() > kRadius * (1 - 1e-9)) continue;
+        EXPECT_TRUE(std::any_of(near.begin(), near.end(),
+                                [&](int disk) { return grid[disk] == fromCorners(centre); }));
+      }
+    }
+  }
+}
+
+TEST(SamplePoissonDisk, TakesFewStepsForThousandsOfPointsInAFace) {
+  const auto mesh = shapes::cube().mesh();
+  const auto stepsFor = [&](int count) {
+    const auto sampling = startPoissonDiskCount(mesh, count, 1);
+    int steps = 1;
+    while (!sampling->step(1000)) ++steps;
+    return steps;
+  };
+  // The number of darts grows faster than that of points: for five times as many points, by
+  // 5^(5/3), about 15. To compare each with all points of its face would take 50 times as long.
+  EXPECT_LT(stepsFor(5000), 20 * stepsFor(1000));
+}
+
+}  // namespace
+}  // namespace gvd
