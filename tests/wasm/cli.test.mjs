@@ -298,7 +298,20 @@ test('random sites are spread by the density', () => {
     position.reduce((sum, x, i) => sum + (i % 3 === 0 ? x : 0), 0) / (position.length / 3);
   assert.ok(Math.abs(meanX(spread('--seed 2'))) < 0.1);
   assert.ok(meanX(spread('--density left.json')) > 0.4);
-  assert.ok(Math.abs(meanX(spread('--density left.json --sampling poisson'))) < 0.1);
+});
+
+test('a density that would have no effect on the sites is refused', () => {
+  write('left.json', JSON.stringify([1, 0, 0, 0, 0, 0]));
+  for (const command of ['cvt', 'remesh']) {
+    const poisson = `${command} shape.glb --sites 20 --sampling poisson --density left.json`;
+    fails(2, `${poisson} --iterations 0`, /--sampling poisson does not follow it\n$/);
+    const radius = `${command} shape.glb --radius 0.5 --density curvature --iterations 0`;
+    fails(2, radius, /--iterations 0, --radius does not follow it\n$/);
+  }
+  const cvt = 'cvt shape.glb --density left.json';
+  succeeds(`${cvt} --sites 20 --sampling poisson --iterations 1`);
+  // The energy of sites from a file depends on the density.
+  succeeds(`${cvt} --sites sites.json --iterations 0`);
 });
 
 test('points as JSON in place of a file, and named in errors', () => {

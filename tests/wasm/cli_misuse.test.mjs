@@ -65,6 +65,7 @@ const misuses = [
     `${call(command)} --iterations -1`,
     `${call(command)} --method newton`,
     `${call(command)} --density --fixed`,
+    `${call(command)} --density one.json --iterations 0 --sampling size`,
   ]),
   `${call('partition')} --layout tree`,
   `${call('partition')} --layout regions`,

@@ -41,21 +41,27 @@ export function parseCommandLine(args: string[], version: string): Invocation | 
     throw new UsageError('only one file can be standard input');
   const names: readonly OptionName[] = commands[command].options;
   const values = Object.fromEntries(names.map((name) => [name, parsedValue(name, texts[name])]));
-  if (names.includes('sites')) requireSites(values as Values<'diagram'>);
+  if (names.includes('sites')) requireSites(values as Partial<Values<'cvt'>>);
   return { command, mesh: positionals[0], meshes: positionals, values } as Invocation;
 }
 
 /** Requires exactly one source of sites, and no option of sampling that does not go with it. */
-function requireSites(values: Values<'diagram'>): void {
-  const { sites, radius, sampling } = values;
+function requireSites(values: Partial<Values<'cvt'>>): void {
+  const { sites, radius, sampling, density, iterations } = values;
   if (sites === undefined && radius === undefined)
     throw new UsageError('--sites N|FILE or --radius R is missing');
   if (sites !== undefined && radius !== undefined)
     throw new UsageError('--radius is instead of --sites: give one of them');
   if (radius !== undefined && sampling && sampling !== 'farthest' && sampling !== 'poisson')
     throw new UsageError(`--sampling ${sampling} takes a number of sites, not --radius`);
-  if (typeof sites === 'string' && values['per-component'] > 0)
+  if (typeof sites === 'string' && values['per-component']! > 0)
     throw new UsageError('--per-component is for sites that are sampled, not those of a file');
+  const isRandom = radius === undefined && (sampling ?? 'random') === 'random';
+  if (density !== undefined && iterations === 0 && typeof sites !== 'string' && !isRandom)
+    throw new UsageError(
+      '--density spreads random sites and moves others in iterations: ' +
+        `with --iterations 0, ${radius === undefined ? `--sampling ${sampling}` : '--radius'} does not follow it`,
+    );
 }
 
 /** Options as they are given. */

@@ -94,7 +94,7 @@ export const options = {
     value: 'FILE|attribute|curvature',
     parse: path,
     optional: true,
-    help: 'Sites are closer where it is higher, random ones from the beginning: a JSON list of a density per vertex; attribute: that of the mesh file (_DENSITY of a glTF, density of a PLY); or by curvature',
+    help: 'Sites are closer where it is higher, random ones from the beginning, others through iterations: a JSON list of a density per vertex; attribute: that of the mesh file (_DENSITY of a glTF, density of a PLY); or by curvature',
   },
   fixed: {
     value: 'FILE',
