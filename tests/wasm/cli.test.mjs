@@ -506,6 +506,21 @@ test('distances as JSON, PLY and GLB', async () => {
   await assertValidGlb(new Uint8Array(readFileSync(join(folder, 'd.glb'))));
 });
 
+test('--format decides, also on standard output and whatever the file is called', () => {
+  const { stdout } = succeeds('partition shape.glb --sites 2 --format obj');
+  succeeds('partition shape.glb --sites 2 -o parts.obj');
+  assert.equal(stdout, read('parts.obj'));
+  succeeds('partition shape.glb --sites 2 --format obj -o parts.txt');
+  assert.equal(read('parts.txt'), stdout);
+  const ply = 'cvt shape.glb --sites 2 --format ply';
+  assert.match(succeeds(ply).stdout, /^ply\n/);
+  succeeds('partition shape.glb --sites 2 --layout features --format glb -o parts.bin');
+  const obj = 'partition shape.glb --sites 2 --layout features --format obj -o parts.glb';
+  fails(2, obj, /--layout is about \.glb files: --format obj has none\n$/);
+  fails(2, `${ply} --json`, /--json is a format as --format is: give one of them\n$/);
+  fails(2, 'cvt shape.glb --sites 2 --format obj', /--format is 'obj', not one of json, ply\n$/);
+});
+
 test('path as JSON and OBJ', () => {
   const { stderr } = succeeds('path shape.glb --from points.json --to sites.json -o p.json');
   assert.match(stderr, /^2 paths, of length /);

@@ -67,6 +67,7 @@ const misuses = [
     `${call(command)} --density --fixed`,
     `${call(command)} --density one.json --iterations 0 --sampling size`,
   ]),
+  ...all.map((command) => `${call(command)} --format docx`),
   `${call('partition')} --layout tree`,
   `${call('partition')} --layout regions`,
   `${call('diagram')} --density curvature`,

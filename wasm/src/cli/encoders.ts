@@ -34,8 +34,8 @@ import type { Diagram, Mesh } from '../types.js';
 import { standard, type Values } from './options.js';
 import { listed, unitOf, UsageError } from './values.js';
 
-/** Where the result goes, and whether it is JSON whatever the name of the file. */
-type Target = Pick<Values, 'output' | 'json'>;
+/** Where the result goes, and its format if the name of the file does not decide. */
+type Target = Pick<Values, 'output' | 'json'> & Partial<Pick<Values<'diagram'>, 'format'>>;
 
 /** Makes a file of a result; `scale` is the output's unit. */
 type Encoder<Result> = (result: Result, scale: number) => string | Uint8Array;
@@ -43,14 +43,25 @@ type Encoder<Result> = (result: Result, scale: number) => string | Uint8Array;
 type Encoders<Result> = Record<string, Encoder<Result>>;
 
 /**
- * The encoder that the ending of the output asks for; of standard output and of names without an
- * ending, such as /dev/stdout, JSON.
+ * The ending of files of the format: of the one that is asked for, or else of the output's own; of
+ * standard output and of names without an ending, such as /dev/stdout, that of JSON.
  */
-function encoderOf<Result>(encoders: Encoders<Result>, { output, json }: Target): Encoder<Result> {
-  const ending = extname(output).toLowerCase();
-  if (json || output === standard || ending === '') return encoders['.json'];
+function endingOf({ output, json, format }: Target): string {
+  if (json && format !== undefined)
+    throw new UsageError('--json is a format as --format is: give one of them');
+  if (format !== undefined) return `.${format}`;
+  return json || output === standard ? '.json' : extname(output).toLowerCase() || '.json';
+}
+
+function encoderOf<Result>(encoders: Encoders<Result>, target: Target): Encoder<Result> {
+  const ending = endingOf(target);
   if (Object.hasOwn(encoders, ending)) return encoders[ending];
-  throw new UsageError(`the ending of '${output}' is not one of ${listed(Object.keys(encoders))}`);
+  const known = Object.keys(encoders);
+  throw new UsageError(
+    target.format === undefined
+      ? `the ending of '${target.output}' is not one of ${listed(known)}`
+      : `--format is '${target.format}', not one of ${listed(known.map((name) => name.slice(1)))}`,
+  );
 }
 
 const text = (json: object): string => `${JSON.stringify(json)}\n`;
@@ -149,11 +160,11 @@ interface PartitionResult {
 }
 
 export function toPartitionEncoder(target: Values<'partition'>): Encoder<PartitionResult> {
-  const { layout, output, json } = target;
-  if (layout && (json || extname(output).toLowerCase() !== '.glb'))
-    throw new UsageError(
-      `--layout is about .glb files: ${json ? '--json' : `'${output}'`} has none`,
-    );
+  const { layout, output, json, format } = target;
+  if (layout && endingOf(target) !== '.glb') {
+    const other = format !== undefined ? `--format ${format}` : json ? '--json' : `'${output}'`;
+    throw new UsageError(`--layout is about .glb files: ${other} has none`);
+  }
   return encoderOf(
     {
       '.json': ({ partition, sites }, scale) =>
