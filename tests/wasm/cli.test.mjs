@@ -111,6 +111,8 @@ test('sites and points by their coordinates', () => {
   const { stderr } = succeeds('diagram shape.glb --sites places.json --units cm -o d.json');
   assert.match(stderr, /^note: 2 places, the farthest 100\.0 from the surface\n2 regions/);
   assert.equal(succeeds('diagram shape.glb --sites places.json -q -o d.json').stderr, '');
+  const one = succeeds('diagram shape.glb --sites {"position":[0,0,2]} -o d.json').stderr;
+  assert.match(one, /^note: 1 place, it is 1\.000 from the surface\n/);
   const located = JSON.parse(
     succeeds('locate shape.glb --sites places.json --points places.json').stdout,
   );
@@ -374,7 +376,10 @@ test('partition as GLB, OBJ, PLY and JSON', () => {
 
 test('dual says what is wrong with it, and can be repaired', () => {
   const { stderr } = succeeds('dual shape.glb --sites sites.json -o base.obj');
-  assert.match(stderr, /^2 sites, 0 vertices[^\n]*\nnot valid: regions 0 and 1 meet[^\n]*\n$/);
+  assert.match(
+    stderr,
+    /^2 sites, 0 vertices[^\n]*\nnot valid: regions 0 and 1 meet[^\n]*\nnote: --repair adds sites until it is valid\n$/,
+  );
   const warning = /^warning: the dual is not valid: regions 0 and 1 meet.* \(--repair .*\)\n$/;
   assert.match(succeeds('dual shape.glb --sites sites.json -q -o base.obj').stderr, warning);
   rmSync(join(folder, 'base.obj'));

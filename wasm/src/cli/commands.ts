@@ -238,8 +238,12 @@ async function dual({ mesh: path, values }: Request<'dual'>): Promise<void> {
   await output.write(encode({ mesh, sites: diagram.sites, polygons, violations }, scale));
   summarise(output, values, polygonSummary(given.sites.face.length, diagram, polygons));
   if (violations.length === 0) return;
-  if (values.quiet) process.stderr.write(`warning: ${faultsOf(violations)}\n`);
-  else for (const { message } of violations) process.stderr.write(`not valid: ${message}\n`);
+  if (values.quiet) {
+    process.stderr.write(`warning: ${faultsOf(violations)}\n`);
+    return;
+  }
+  for (const { message } of violations) process.stderr.write(`not valid: ${message}\n`);
+  process.stderr.write('note: --repair adds sites until it is valid\n');
 }
 
 /** One line about a dual that is not valid. */

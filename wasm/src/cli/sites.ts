@@ -74,9 +74,9 @@ async function closestOf(
   const closest = await mesh.closestPoints(position);
   const farthest = closest.distance.reduce((most, d) => Math.max(most, d), 0);
   if (!quiet) {
-    process.stderr.write(
-      `note: ${closest.face.length} places, the farthest ${(units * farthest).toPrecision(4)} from the surface\n`,
-    );
+    const count = closest.face.length;
+    const places = count === 1 ? '1 place, it is' : `${count} places, the farthest`;
+    process.stderr.write(`note: ${places} ${(units * farthest).toPrecision(4)} from the surface\n`);
   }
   return closest;
 }
