@@ -54,8 +54,8 @@ void WindowSweep::crossFace(int h) {
   const int left = face.twins[k], right = face.twins[j];
   if (left >= 0) windows_.prefetch(left);
   if (right >= 0) windows_.prefetch(right);
-  const WindowLists::List taken = windows_.take(h);
-  const std::span<const Window> windows = taken;
+  const WindowLists::List list = windows_.take(h);
+  const std::span<const Window> windows = list.windows();
   isWinding_ = ++crossedCount_ > kMostCrossingsPerVertex * reached_.size();
   offerToApex(h, windows);
   if (to_ == SpreadTo::kSites) offerSites(h, windows);
@@ -65,7 +65,7 @@ void WindowSweep::crossFace(int h) {
             apex = endAt(face.vertices[k]);
   if (left >= 0) crossSide<Side::kLeft>(h, windows, portal(left, face.lengths[k], tail, apex));
   if (right >= 0) crossSide<Side::kRight>(h, windows, portal(right, face.lengths[j], apex, tip));
-  windows_.free(taken);
+  windows_.free(list);
 }
 
 void WindowSweep::offerToApex(int h, std::span<const Window> windows) {

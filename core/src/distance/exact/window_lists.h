@@ -27,13 +27,13 @@ class WindowLists {
     int count = 0;
     int capacity = 0;
 
-    operator std::span<const Window>() const { return {first, static_cast<size_t>(count)}; }
+    std::span<const Window> windows() const { return {first, static_cast<size_t>(count)}; }
   };
 
   explicit WindowLists(int halfedgeCount) : lists_(halfedgeCount) {}
 
   bool isEmpty(int halfedge) const { return lists_[halfedge].count == 0; }
-  std::span<const Window> operator[](int halfedge) const { return lists_[halfedge]; }
+  std::span<const Window> operator[](int halfedge) const { return lists_[halfedge].windows(); }
   void prefetch(int halfedge) const { gvd::prefetch(lists_[halfedge]); }
 
   void add(int halfedge, std::span<const Window> windows) {
