@@ -42,11 +42,14 @@ DiskGrid::DiskGrid(const TriangleMesh& mesh, double width)
     : mesh_(mesh), width_(std::max(width, std::sqrt(2 * mesh.area() / kMostRectangles))) {}
 
 bool DiskGrid::prepare(long& budget) {
-  return loop_.run(mesh_.faceCount(), budget, kQuickRounds, [&](int f) {
-    const Grid grid = gridOf(mesh_.face(f));
-    first_.push_back(first_.back() + grid.columns * grid.rows);
-    disks_.resize(first_.back());
-  });
+  return sequence_.run(
+      [&] {
+        return loop_.run(mesh_.faceCount(), budget, kQuickRounds, [&](int f) {
+          const Grid grid = gridOf(mesh_.face(f));
+          first_.push_back(first_.back() + grid.columns * grid.rows);
+        });
+      },
+      [&] { disks_ = SmallLists<int>(first_.back()); });
 }
 
 /// The number of rectangles is at most that of squares of `width_` in the face, or 1.
@@ -63,12 +66,16 @@ DiskGrid::Grid DiskGrid::gridOf(const TriangleMesh::Face& face) const {
 }
 
 void DiskGrid::add(int f, const Distances& distances, double radius) {
-  const Grid grid = gridOf(mesh_.face(f));
-  const double length = grid.length, height = grid.apex.y(), least = distances.minCoeff();
-  // Squared distances in the face are below those at its corners by length² at most.
-  if (least * least > radius * radius + length * length) return;
+  const TriangleMesh::Face& face = mesh_.face(f);
+  const double longest = *std::max_element(face.lengths.begin(), face.lengths.end());
+  const double least = distances.minCoeff();
+  // Squared distances in the face are below those at its corners by longest² at most.
+  if (least * least > radius * radius + longest * longest) return;
   const int disk = static_cast<int>(distances_.size());
   distances_.push_back(distances);
+  if (first_[f + 1] - first_[f] == 1) return disks_.add(first_[f], disk);
+  const Grid grid = gridOf(face);
+  const double length = grid.length, height = grid.apex.y();
   const int side = grid.side, columns = grid.columns, rows = grid.rows;
   const auto squared = [&](int corner) { return distances[corner] * distances[corner]; };
   const double atTail = squared(side), atTip = squared(cornerAfter(side)),
@@ -84,11 +91,11 @@ void DiskGrid::add(int f, const Distances& distances, double radius) {
   for (int i = left; i < right; ++i) {
     const double leastX = leastInPart(centreX, length, columns, i);
     const auto [low, high] = partsBelow(most - leastX, centreY, height, rows);
-    for (int j = low; j < high; ++j) disks_[first_[f] + i * rows + j].push_back(disk);
+    for (int j = low; j < high; ++j) disks_.add(first_[f] + i * rows + j, disk);
   }
 }
 
-const std::vector<int>& DiskGrid::near(const SurfacePoint& p) const {
+std::span<const int> DiskGrid::near(const SurfacePoint& p) const {
   const int first = first_[p.face];
   if (first_[p.face + 1] - first == 1) return disks_[first];
   const Grid grid = gridOf(mesh_.face(p.face));

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 #include "base/sliced_loop.h"
+#include "distance/small_lists.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
 
@@ -28,7 +30,7 @@ class DiskGrid {
   /// Adds the disk to the rectangles of a face that it may reach.
   void add(int face, const Distances& distances, double radius);
   /// The disks in the rectangle of a point, all disks that contain the point among them.
-  const std::vector<int>& near(const SurfacePoint& p) const;
+  std::span<const int> near(const SurfacePoint& p) const;
   /// One of these disks.
   const Distances& operator[](int disk) const { return distances_[disk]; }
 
@@ -43,10 +45,11 @@ class DiskGrid {
 
   const TriangleMesh& mesh_;
   const double width_;
+  SlicedSequence sequence_;
   SlicedLoop loop_;
-  std::vector<int> first_ = {0};         ///< per face its first rectangle; then their number
-  std::vector<std::vector<int>> disks_;  ///< per rectangle
-  std::vector<Distances> distances_;     ///< of a disk in a face
+  std::vector<int> first_ = {0};      ///< per face its first rectangle; then their number
+  SmallLists<int> disks_;             ///< per rectangle
+  std::vector<Distances> distances_;  ///< of a disk in a face
 };
 
 }  // namespace gvd
