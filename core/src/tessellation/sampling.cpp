@@ -237,6 +237,7 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
     return true;
   }
 
+  /// Disks that a dart is compared with in about the time of a unit of budget.
   static constexpr long kDisksPerUnit = 32;
 
   const TriangleMesh& mesh_;

@@ -36,6 +36,7 @@ class WindowLists {
   std::span<const Window> operator[](int halfedge) const { return lists_[halfedge].windows(); }
   void prefetch(int halfedge) const { gvd::prefetch(lists_[halfedge]); }
 
+  /// Adds windows to those of a halfedge, behind them.
   void add(int halfedge, std::span<const Window> windows) {
     List& list = lists_[halfedge];
     const size_t count = list.count + windows.size();
