@@ -53,7 +53,7 @@ bool FinalSegments::step(long& budget) {
   const auto forSegments = [&](long perUnit, auto body) {
     return loop_.run(out_.segments.size(), budget, perUnit, [&](int s) { body(out_.segments[s]); });
   };
-  const auto areAllNamed = [&] { return !graph_.merging.any(); };
+  if (points_.areThoseOfGraph()) return true;  // and so are the segments
   return sequence_.run(
       [&] {
         return forSegments(kSegmentsPerUnit, [&](const Diagram::Segment& s) { addSegment(s); });
@@ -66,14 +66,10 @@ bool FinalSegments::step(long& budget) {
         });
       },
       [&] { return addStacks(budget); },
-      [&] { return areAllNamed() || fillInSlices(isNamed_, out_.points.size(), '\0', budget); },
+      [&] { return fillInSlices(isNamed_, out_.points.size(), '\0', budget); },
+      [&] { return forSegments(kQuickRounds, [&](const Diagram::Segment& s) { noteNamed(s); }); },
       [&] {
-        return areAllNamed() ||
-               forSegments(kQuickRounds, [&](const Diagram::Segment& s) { noteNamed(s); });
-      },
-      [&] {
-        return areAllNamed() ||
-               forSegments(kQuickRounds, [&](const Diagram::Segment& s) { nameInFaceOf(s); });
+        return forSegments(kQuickRounds, [&](const Diagram::Segment& s) { nameInFaceOf(s); });
       });
 }
 

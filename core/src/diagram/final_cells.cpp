@@ -58,9 +58,7 @@ void FinalCells::copyCellsOf(int faceIndex) {
 }
 
 bool FinalCells::collect(long& budget) {
-  if (!graph_.merging.any() && complex_.hasWholeFacesOnly())  // all are as they were
-    return loop_.run(out_.cells.points.size(), budget, kQuickRounds,
-                     [&](int i) { out_.cells.points[i] = points_.number(out_.cells.points[i]); });
+  if (points_.areThoseOfGraph() && complex_.hasWholeFacesOnly()) return true;
   const int count = out_.cells.size();
   for (; read_ < count && budget > 0; --budget) collectFace();
   if (read_ < count) return false;
