@@ -103,12 +103,13 @@ void requireValid(const DiagramOptions& options) {
 }
 
 void requireLabels(const TriangleMesh& mesh, const DistanceField& distances, int siteCount) {
-  for (int v = 0; v < mesh.vertexCount(); ++v)
-    for (const LabelledDistance& d : distances.at(v))
-      if (d.label >= siteCount)
-        throw Error(ErrorCode::kInvalidArgument, "there are distances of site " +
-                                                     std::to_string(d.label) + ", but only " +
-                                                     std::to_string(siteCount) + " sites");
+  for (int v = 0; v < mesh.vertexCount(); ++v) {
+    const auto known = distances.at(v);
+    if (known.empty() || known.back().label < siteCount) continue;
+    throw Error(ErrorCode::kInvalidArgument,
+                "there are distances of site " + std::to_string(known.back().label) +
+                    ", but only " + std::to_string(siteCount) + " sites");
+  }
 }
 
 /// The tracing of all of a diagram.

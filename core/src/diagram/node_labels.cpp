@@ -26,13 +26,11 @@ void NodeLabels::clear(std::span<const int> nodes) {
 void NodeLabels::noteOwner(int node) {
   LabelledDistance nearest;
   bool hasTie = false;
-  for (const LabelledDistance& d : labels(node)) {
-    if (d.distance < nearest.distance) {
-      nearest = d;
-      hasTie = false;
-    } else if (d.distance == nearest.distance && nearest.label >= 0) {
-      hasTie = true;
-    }
+  for (const LabelledDistance& d : labels(node)) {  // choices, as a branch could not be predicted
+    const bool isNearer = d.distance < nearest.distance, isTie = d.distance == nearest.distance;
+    hasTie = (hasTie & !isNearer) | isTie;
+    nearest.label = isNearer ? d.label : nearest.label;
+    nearest.distance = isNearer ? d.distance : nearest.distance;
   }
   nodes_[node].owner = nearest.label;
   nodes_[node].hasTie = hasTie;
@@ -40,7 +38,8 @@ void NodeLabels::noteOwner(int node) {
 
 int NodeLabels::commonOwner(const int* nodes) const {
   const int first = owner(nodes[0]);
-  return owner(nodes[1]) == first && owner(nodes[2]) == first ? first : Diagram::kMixed;
+  const bool isCommon = (owner(nodes[1]) == first) & (owner(nodes[2]) == first);
+  return isCommon ? first : Diagram::kMixed;
 }
 
 void NodeLabels::addLabel(int node, LabelledDistance added) {
