@@ -135,6 +135,23 @@ TEST_P(Metrics, AreTheSameFarFromTheOrigin) {
   }
 }
 
+/// Memory follows the vertices, not the ratio of the distances to the short edges.
+TEST_P(Metrics, RunAlongARibbonAHundredMillionTimesAsLongAsWide) {
+  constexpr int kQuads = 10000;
+  constexpr double kWidth = 1e-4;
+  shapes::Shape ribbon;
+  for (int i = 0; i <= kQuads; ++i)
+    for (const double y : {0.0, kWidth}) ribbon.addVertex({static_cast<double>(i), y, 0});
+  for (int v = 0; v < 2 * kQuads; v += 2) ribbon.addQuad(v, v + 2, v + 3, v + 1);
+  const TriangleMesh mesh = ribbon.mesh();
+  const SurfacePoint site = {0, {1, 0, 0}};
+  const auto field = inSlices(mesh, {site}, GetParam(), 1000);
+  for (int v = 0; v < mesh.vertexCount(); ++v) {
+    const double line = (mesh.position(v) - mesh.position(0)).norm();
+    ASSERT_NEAR(field->at(v)[0].distance, line, 1e-9 * line) << v;
+  }
+}
+
 /// Two vertices 1e-6 apart see the site through opposite faces of their edge, and virtual sources
 /// there that contradict each other: each lowered the distance of the other 14 million times.
 TEST(Dgpc, NeighboursDoNotLowerTheirDistancesByTurns) {
