@@ -22,10 +22,9 @@ namespace {
 /// A label that crosses more halfedges per vertex than this winds around a spike or a tube. Over a
 /// scanned surface, one label crosses 3.5 per vertex.
 constexpr size_t kMostCrossingsPerVertex = 30;
-/// The average number of faces that each window of such a label may be followed back across: enough
-/// for spikes and tubes of a few faces. Following every window around a vertex of a thousand faces
-/// would take a hundred times as long as spreading.
-constexpr long kFollowedPerWindow = 16;
+/// The average number of faces that each window of such a label may be followed back across: what
+/// winds is found within a few turns, and following takes no longer than spreading.
+constexpr long kFollowedPerWindow = 1;
 /// A line followed back ends at its virtual source up to rounding: a share of the line's length.
 constexpr double kLineRounding = 1e-9;
 
