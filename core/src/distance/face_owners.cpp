@@ -34,10 +34,10 @@ void FaceOwners::add(int face, int label, bool isInterpolated, std::vector<Requi
   found.push_back({label, face});
 }
 
-bool FaceOwners::removeInterpolated(int face) {
+bool FaceOwners::removeInterpolated(int face, int label) {
   const size_t before = several_[face].size();
-  if (before == 0) return false;
-  several_.eraseIf(face, [](const Owner& owner) { return owner.isInterpolated; });
+  several_.eraseIf(
+      face, [&](const Owner& owner) { return owner.isInterpolated && owner.label == label; });
   const auto owners = several_[face];
   if (owners.size() == before) return false;
   if (owners.size() == 1) {

@@ -48,8 +48,8 @@ class FaceOwners {
   void reset(int face, std::vector<Requirement>& found);
   /// Adds a label that owns part of a face.
   void add(int face, int label, bool isInterpolated, std::vector<Requirement>& found);
-  /// Removes the owners found by interpolation; returns whether there were any.
-  bool removeInterpolated(int face);
+  /// Removes a label if it was found by interpolation; returns whether it was.
+  bool removeInterpolated(int face, int label);
 
  private:
   const TriangleMesh& mesh_;

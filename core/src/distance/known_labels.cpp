@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
 #include <utility>
 
 namespace gvd {
@@ -160,17 +161,36 @@ void KnownLabels::findAffected() {
   for (const int label : started_) addFacesOfSite(label);
   for (const int f : affectedFaces_.list())
     for (int h = 3 * f; h < 3 * f + 3; ++h) changedVertices_.add(mesh_.tail(h));
-  resetInterpolatedAround();
+  dropInterpolated();
 }
 
 /// Drops the owners found by interpolation in faces around changed vertices, because they depend on
-/// the distances there. The corners of those faces then count as changed, too.
-void KnownLabels::resetInterpolatedAround() {
-  for (int i = 0; i < changedVertices_.size(); ++i)
-    mesh_.visitFaces(changedVertices_.list()[i], [&](int f) {
-      if (affectedFaces_.contains(f) || !owners_.removeInterpolated(f)) return;
-      for (int h = 3 * f; h < 3 * f + 3; ++h) changedVertices_.add(mesh_.tail(h));
+/// the distances there, and what follows from them: a label that was an owner of a face may not be
+/// known at its corners any more, which then count as changed, too. Labels that tie with it there
+/// may have been listed with its distance (`equalizeTies`).
+void KnownLabels::dropInterpolated() {
+  std::vector<LabelAtVertex> doubtful;
+  std::set<std::pair<int, int>> isDoubtful;
+  const auto doubt = [&](int vertex, int label) {
+    if (isDoubtful.emplace(vertex, label).second) doubtful.push_back({vertex, label});
+  };
+  for (const int v : changedVertices_.list())
+    mesh_.visitFaces(v, [&](int f) {
+      if (affectedFaces_.contains(f)) return;
+      for (const FaceOwners::Owner& owner : owners_.several(f))
+        if (owner.isInterpolated) doubt(v, owner.label);
     });
+  for (size_t i = 0; i < doubtful.size(); ++i) {
+    const auto [vertex, label] = doubtful[i];
+    changedVertices_.add(vertex);
+    const double distance = lists_.distance(vertex, label);
+    for (const LabelledDistance& d : lists_[vertex])
+      if (d.distance == distance) doubt(vertex, d.label);
+    mesh_.visitFaces(vertex, [&, label = label](int f) {
+      if (affectedFaces_.contains(f) || !owners_.removeInterpolated(f, label)) return;
+      for (int h = 3 * f; h < 3 * f + 3; ++h) doubt(mesh_.tail(h), label);
+    });
+  }
 }
 
 /// Finds the labels that tie at a changed vertex among those that were known there before.

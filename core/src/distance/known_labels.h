@@ -69,7 +69,7 @@ class KnownLabels {
   bool markFinal(long& budget);
   void noteTie(int vertex, int label);
   void findAffected();
-  void resetInterpolatedAround();
+  void dropInterpolated();
   bool findTies(long& budget);
   void addTies();
   bool require(long& budget);
