@@ -46,7 +46,7 @@ KnownLabels::KnownLabels(const TriangleMesh& mesh, const SiteSet& sites, Nearest
       affectedFaces_(mesh.faceCount()),
       changedVertices_(mesh.vertexCount()),
       changedFaces_(mesh.faceCount()),
-      marked_(mesh.vertexCount()) {}
+      extendedVertices_(mesh.vertexCount()) {}
 
 // --- A change ----------------------------------------------------------------------------------
 
@@ -54,6 +54,7 @@ void KnownLabels::beginChange() {
   affectedFaces_.clear();
   changedVertices_.clear();
   changedFaces_.clear();
+  extendedVertices_.clear();
   changedLabels_.clear();
   newlyFinal_.clear();
   ties_.clear();
@@ -93,7 +94,7 @@ bool KnownLabels::step(long& budget) {
       },
       [&] { addTies(); },
       [&] {
-        const bool isDone = require(budget);
+        const bool isDone = require(budget, [&](int /*label*/) { requiredFaces_.clear(); });
         constexpr double kShare = 0.9;
         progress_ = isDone ? kShare
                            : kShare * static_cast<double>(cursor_) /
@@ -218,24 +219,39 @@ void KnownLabels::addTies() {
 
 // --- Required distances ------------------------------------------------------------------------
 
-bool KnownLabels::require(long& budget) {
-  if (isUnbounded_) requirements_.clear();
+/// Lets one label after another spread on to the faces in `requirements_`. `then(label)` is called
+/// when it has done so; if it leaves other faces in `requiredFaces_`, the label spreads on to
+/// these.
+template <class Then>
+bool KnownLabels::require(long& budget, Then then) {
   if (cursor_ == 0 && !isLabelBegun_) sortByLabel(requirements_, sites_.labelCount());
   while (cursor_ < requirements_.size()) {
     const int label = requirements_[cursor_].label;
-    size_t end = cursor_;
-    while (end < requirements_.size() && requirements_[end].label == label) ++end;
     if (!std::exchange(isLabelBegun_, true)) {
       requiredFaces_.clear();
-      for (size_t i = cursor_; i < end; ++i) requiredFaces_.push_back(requirements_[i].face);
-      spread_.require(label, requiredFaces_);
+      while (cursor_ + requiredFaces_.size() < requirements_.size() &&
+             requirements_[cursor_ + requiredFaces_.size()].label == label)
+        requiredFaces_.push_back(requirements_[cursor_ + requiredFaces_.size()].face);
+      endOfLabel_ = cursor_ + requiredFaces_.size();
+      beginToRequire(label, budget);
     }
-    if (!spread_.run(budget)) return false;
+    for (;;) {
+      if (!spread_.run(budget)) return false;
+      then(label);
+      if (requiredFaces_.empty()) break;
+      beginToRequire(label, budget);
+    }
     isLabelBegun_ = false;
-    cursor_ = end;
+    cursor_ = endOfLabel_;
   }
   cursor_ = 0;
   return true;
+}
+
+void KnownLabels::beginToRequire(int label, long& budget) {
+  spread_.require(label, requiredFaces_);
+  const size_t touched = spread_.reached(label).size() + requiredFaces_.size();
+  budget -= static_cast<long>(touched) / kPerUnit;
 }
 
 // --- Lists -------------------------------------------------------------------------------------
@@ -298,51 +314,51 @@ void KnownLabels::list(int label, int reachedIndex) {
   lists_.add(vertex, {label, listed}, reachedIndex);
 }
 
-/// Closes the faces around newly listed labels, round after round, because a label added at one
-/// vertex may be required at others.
+/// Closes the faces around newly listed labels. A label added at one vertex may be required at
+/// others, so each label goes on until no more is required of it. Others have to be looked at again
+/// only where they tie with it.
 bool KnownLabels::closeAdded(long& budget) {
-  while (round_.run([&] { return require(budget); }, [&] { extendLists(); },
-                    [&] {
-                      return loop_.run(added_.size(), budget, kPerUnit, [&](int i) {
-                        closure_.closeAround(added_[i].vertex, added_[i].label, requirements_);
-                      });
-                    })) {
-    round_ = {};
-    if (requirements_.empty()) return true;
+  for (; !requirements_.empty(); requirements_.swap(nextRequirements_)) {
+    if (!require(budget, [&](int label) { listRequired(label); })) return false;
+    requirements_.clear();
   }
-  return false;
+  for (const int v : extendedVertices_.list()) {
+    mesh_.visitFaces(v, [&](int f) { changedFaces_.add(f); });
+    for (const LabelledDistance& d : lists_[v]) changedLabels_.push_back(d.label);
+  }
+  makeSet(changedLabels_);
+  return true;
 }
 
-/// Lists the distances that the last round of the closure has required.
-void KnownLabels::extendLists() {
+/// Lists a label at all corners of the faces that it was required at, and replaces these faces by
+/// those that it is required at besides.
+void KnownLabels::listRequired(int label) {
   added_.clear();
-  for (size_t begin = 0, end; begin < requirements_.size(); begin = end) {
-    const int label = requirements_[begin].label;
-    for (end = begin; end < requirements_.size() && requirements_[end].label == label; ++end)
-      for (const int v : mesh_.face(requirements_[end].face).vertices)
-        if (lists_.distance(v, label) == kInfinity && marked_.add(v)) added_.push_back({v, label});
-    const auto& reached = spread_.reached(label);
-    for (int r = 0; r < static_cast<int>(reached.size()) && marked_.size() > 0; ++r)
-      if (marked_.contains(reached[r].vertex)) list(label, r);
-    marked_.clear();
-  }
+  for (const int f : requiredFaces_)
+    for (const int v : mesh_.face(f).vertices)
+      if (lists_.distance(v, label) == kInfinity) {
+        list(label, spread_.indexOf(v));
+        added_.push_back({v, label});
+      }
   for (size_t i = 0, count = added_.size(); i < count; ++i)
     noteAdded(added_[i].vertex, added_[i].label);
-  marked_.clear();
-  requirements_.clear();
-  makeSet(changedLabels_);
+  requiredFaces_.clear();
+  found_.clear();
+  for (const LabelAtVertex& a : added_) closure_.closeAround(a.vertex, a.label, found_);
+  for (const Requirement& r : found_)
+    if (r.label == label)
+      requiredFaces_.push_back(r.face);
+    else
+      nextRequirements_.push_back(r);
 }
 
 /// A new label may lower the distances of labels that tie with it (`equalizeTies`); the closure
 /// then has to check these labels again.
 void KnownLabels::noteAdded(int vertex, int label) {
-  if (lists_.hasUnequalTie(vertex, label, bounds_.ties())) {
-    lists_.equalizeTies(vertex, bounds_.ties());
-    for (const LabelledDistance& d : lists_[vertex]) added_.push_back({vertex, d.label});
-  }
-  if (areAllNew() || !marked_.add(vertex)) return;
-  mesh_.visitFaces(vertex, [&](int f) { changedFaces_.add(f); });
-  for (const LabelledDistance& d : lists_[vertex]) changedLabels_.push_back(d.label);
+  if (!areAllNew()) extendedVertices_.add(vertex);
+  if (!lists_.hasUnequalTie(vertex, label, bounds_.ties())) return;
+  lists_.equalizeTies(vertex, bounds_.ties());
+  for (const LabelledDistance& d : lists_[vertex]) added_.push_back({vertex, d.label});
 }
 
 /// Whether a label owns part of a face around a vertex.

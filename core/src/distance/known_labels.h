@@ -72,12 +72,14 @@ class KnownLabels {
   void dropInterpolated();
   bool findTies(long& budget);
   void addTies();
-  bool require(long& budget);
+  template <class Then>
+  bool require(long& budget, Then then);
+  void beginToRequire(int label, long& budget);
   void collectLists();
   bool listLabels(long& budget);
   void list(int label, int reachedIndex);
   bool closeAdded(long& budget);
-  void extendLists();
+  void listRequired(int label);
   void noteAdded(int vertex, int label);
   bool isKnownAround(int vertex, int label) const;
   bool areAllNew() const { return sites_.count() == static_cast<int>(started_.size()); }
@@ -93,8 +95,8 @@ class KnownLabels {
 
   // The current change.
   std::span<const int> started_, resumed_, resetVertices_;
-  std::vector<char> hasStarted_;     ///< per label
-  SlicedSequence sequence_, round_;  ///< `round_`: of the closure
+  std::vector<char> hasStarted_;  ///< per label
+  SlicedSequence sequence_;
   SlicedLoop loop_;
   size_t cursor_ = 0;  ///< of loops whose rounds differ in cost
   bool isLabelBegun_ = false;
@@ -105,11 +107,14 @@ class KnownLabels {
   IndexSet changedVertices_;         ///< vertices whose lists may have changed
   IndexSet changedFaces_;            ///< faces around `changedVertices_`
   std::vector<int> changedLabels_;
-  std::vector<Requirement> requirements_;  ///< by label
-  std::vector<int> requiredFaces_;         ///< of the current label
-  std::vector<int> listed_;                ///< the labels that may be known at the changed vertices
-  IndexSet marked_;                        ///< working memory of `extendLists`
-  std::vector<LabelAtVertex> added_;       ///< changed by the last round of the closure
+  IndexSet extendedVertices_;                  ///< whose lists the closure has extended
+  std::vector<Requirement> requirements_;      ///< by label
+  std::vector<Requirement> nextRequirements_;  ///< of the closure's next round
+  size_t endOfLabel_ = 0;                      ///< of the current label in `requirements_`
+  std::vector<int> requiredFaces_;             ///< of the current label
+  std::vector<Requirement> found_;             ///< working memory of `listRequired`
+  std::vector<int> listed_;           ///< the labels that may be known at the changed vertices
+  std::vector<LabelAtVertex> added_;  ///< to the lists, by the current label
 };
 
 }  // namespace gvd

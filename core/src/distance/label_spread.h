@@ -35,10 +35,13 @@ class LabelSpread {
   virtual void start(int label) = 0;
   /// Spreads a label on from where it stopped, because bounds have risen.
   virtual void resume(int label) = 0;
-  /// Spreads a label on to all corners of some faces. The label must own part of each.
+  /// Spreads a label on to all corners of some faces. The label must own part of each. Quickest
+  /// for the label that has spread last.
   virtual void require(int label, std::span<const int> faces) = 0;
   /// Works on at most `budget` units and lowers it by their number. True when the label is done.
   virtual bool run(long& budget) = 0;
+  /// The index in `reached` of a vertex that the label that has spread last has reached.
+  virtual int indexOf(int vertex) const = 0;
   /// Forgets some labels.
   virtual void remove(std::span<const int> labels) = 0;
 

@@ -26,7 +26,7 @@ UnfoldingSpread::UnfoldingSpread(const TriangleMesh& mesh, const SiteSet& sites,
              [this](int v) {
                return fixedReach_ > 0 ? fixedReach_ : edgeBounds_[v] + mesh_.longestEdge(v);
              }),
-      indexOf_(mesh.vertexCount(), -1) {}
+      index_(mesh.vertexCount()) {}
 
 void UnfoldingSpread::start(int label) {
   if (label >= static_cast<int>(labels_.size())) labels_.resize(label + 1);
@@ -65,31 +65,25 @@ void UnfoldingSpread::remove(std::span<const int> labels) {
 
 void UnfoldingSpread::require(int label, std::span<const int> faces) {
   Label& known = labels_[label];
-  for (size_t i = 0; i < known.vertices.size(); ++i)
-    indexOf_[known.vertices[i].vertex] = static_cast<int>(i);
+  index_.reset(known.vertices);
+  bool isAllKnown = true;
   for (const int f : faces)
     for (const int v : mesh_.face(f).vertices) {
-      if (indexOf_[v] < 0) {
-        requireVertex(known, v);
-        indexOf_[v] = static_cast<int>(known.vertices.size()) - 1;
-      }
-      known.vertices[indexOf_[v]].isFinal = true;
+      if (index_[v] < 0) requireVertex(known, v);
+      ReachedVertex& required = known.vertices[index_[v]];
+      required.isFinal = true;
+      isAllKnown &= required.distance < kInfinity;
     }
-  bool isAllKnown = true;
-  for (const ReachedVertex& r : known.vertices) {
-    indexOf_[r.vertex] = -1;
-    isAllKnown &= r.distance < kInfinity;
-  }
   if (!isAllKnown) sweepToRequired(label);
 }
 
 /// Adds a vertex that the sweep has not reached, and unfolds its distance from the neighbours as in
 /// the sweep. Uses only neighbours that the sweep has reached, so that the result does not depend
 /// on what else is required.
-void UnfoldingSpread::requireVertex(Label& known, int vertex) const {
+void UnfoldingSpread::requireVertex(Label& known, int vertex) {
   ReachedVertex required = {vertex, true, kInfinity};
   Eigen::Vector2d direction(1, 0);
-  const auto sweptAt = [&](int v) { return indexOf_[v] < known.sweptCount ? indexOf_[v] : -1; };
+  const auto sweptAt = [&](int v) { return index_[v] < known.sweptCount ? index_[v] : -1; };
   const auto offer = [&](double distance, int from) {
     if (!(distance < required.distance)) return;
     required.distance = distance;
@@ -110,6 +104,7 @@ void UnfoldingSpread::requireVertex(Label& known, int vertex) const {
   });
   known.vertices.push_back(required);
   known.directions.push_back(direction);
+  index_.append(vertex);
 }
 
 /// Finds the distances of required vertices without a swept neighbour, which are there where edges

@@ -10,6 +10,7 @@
 #include "distance/edge_bounds.h"
 #include "distance/label_spread.h"
 #include "distance/nearest_bounds.h"
+#include "distance/reached_index.h"
 #include "distance/site_set.h"
 
 namespace gvd::dgpc {
@@ -28,6 +29,7 @@ class UnfoldingSpread final : public LabelSpread {
   void resume(int label) override;
   void require(int label, std::span<const int> faces) override;
   bool run(long& budget) override;
+  int indexOf(int vertex) const override { return index_[vertex]; }
   void remove(std::span<const int> labels) override;
 
   std::vector<ReachedVertex>& reached(int label) override { return labels_[label].vertices; }
@@ -48,7 +50,7 @@ class UnfoldingSpread final : public LabelSpread {
     int sweptCount = 0;                       ///< these come first; the others were required
   };
   void store();
-  void requireVertex(Label& known, int vertex) const;
+  void requireVertex(Label& known, int vertex);
   void sweepToRequired(int label);
   class PointDistances;
   double distanceAt(int label, const SurfacePoint& p, const KnownLabels& known) const;
@@ -61,7 +63,7 @@ class UnfoldingSpread final : public LabelSpread {
   UnfoldingSweep sweep_;
   std::vector<Label> labels_;
   int running_ = -1;
-  std::vector<int> indexOf_;  ///< per vertex in the current label, -1
+  ReachedIndex index_;  ///< of the label of which distances were required last
 };
 
 }  // namespace gvd::dgpc

@@ -63,7 +63,7 @@ class PathSearch final : public SlicedWork<std::vector<SurfacePoint>> {
   }
 
   std::vector<SurfacePoint> take() override {
-    exact::ReachedIndex index(mesh_.vertexCount());
+    ReachedIndex index(mesh_.vertexCount());
     index.reset(state_.vertices);
     return exact::pathToSite(mesh_, to_, state_, index, from_);
   }

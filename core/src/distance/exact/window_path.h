@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "distance/exact/label_state.h"
-#include "distance/exact/reached_index.h"
 #include "distance/path_points.h"
+#include "distance/reached_index.h"
 #include "distance/straight_line.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"

@@ -20,8 +20,7 @@ constexpr size_t kAhead = 4;
 }  // namespace
 
 void WindowSweep::require(int label, LabelState& state, std::span<const int> faces, double atMost) {
-  begin(label, SpreadTo::kRequired, state);
-  load();
+  beginToRequire(label, state);
   for (size_t i = 0; i < faces.size(); ++i) {
     if (i + kAhead < faces.size()) prefetch(mesh_.face(faces[i + kAhead]));
     requireCorners(faces[i], atMost);
@@ -137,9 +136,8 @@ void WindowSweep::start(int label, const SurfacePoint& site, SpreadTo to, LabelS
 }
 
 void WindowSweep::require(int label, LabelState& state, std::span<const RequiredPoint> points) {
-  begin(label, SpreadTo::kRequired, state);
+  beginToRequire(label, state);
   lowersBounds_ = false;
-  load();
   addPoints(points);
   for (const WaitingWindow& w : state.waiting) offerToPoints(w.window, w.halfedge);
   continueNeeded();

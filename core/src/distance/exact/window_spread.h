@@ -7,10 +7,10 @@
 
 #include "distance/exact/label_state.h"
 #include "distance/exact/point_distances.h"
-#include "distance/exact/reached_index.h"
 #include "distance/exact/window_sweep.h"
 #include "distance/label_spread.h"
 #include "distance/nearest_bounds.h"
+#include "distance/reached_index.h"
 #include "distance/site_set.h"
 
 namespace gvd::exact {
@@ -27,6 +27,7 @@ class WindowSpread final : public LabelSpread {
   void resume(int label) override;
   void require(int label, std::span<const int> faces) override;
   bool run(long& budget) override { return sweep_.run(budget); }
+  int indexOf(int vertex) const override { return sweep_.indexOf(vertex); }
   void remove(std::span<const int> labels) override;
 
   std::vector<ReachedVertex>& reached(int label) override { return labels_[label].vertices; }

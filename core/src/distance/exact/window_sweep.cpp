@@ -88,14 +88,29 @@ bool WindowSweep::run(long& budget) {
   return true;
 }
 
+/// Begins to spread a label on to required places. If distances of the same label were required
+/// last, all of it is still in the working memory.
+void WindowSweep::beginToRequire(int label, LabelState& state) {
+  if (to_ != SpreadTo::kRequired || label_ != label || state_ != &state || !points_.empty()) {
+    begin(label, SpreadTo::kRequired, state);
+    load();
+  }
+  required_.clear();
+  waiting_.clear();
+  waitingSources_.clear();
+}
+
 /// Loads the label's distances at vertices into the working memory.
 void WindowSweep::load() {
   for (size_t i = 0; i < state_->vertices.size(); ++i) {
     const ReachedVertex& r = state_->vertices[i];
     reached_.push_back(r.vertex);
-    vertices_[r.vertex] = {
-        r.distance, state_->pieces[i],           epoch_, RequiredPlaces::kNone, r.isFinal,
-        false,      vertices_[r.vertex].isSaddle};
+    vertices_[r.vertex] = {.distance = r.distance,
+                           .piece = state_->pieces[i],
+                           .epoch = epoch_,
+                           .index = static_cast<int>(i),
+                           .isFinal = r.isFinal,
+                           .isSaddle = vertices_[r.vertex].isSaddle};
   }
 }
 
@@ -108,9 +123,10 @@ void WindowSweep::store() {
   state_->vertices.resize(reached_.size());
   state_->pieces.resize(reached_.size());
   for (size_t i = 0; i < reached_.size(); ++i) {
-    const Vertex& own = vertices_[reached_[i]];
-    state_->vertices[i] = {reached_[i], own.isFinal || own.required != RequiredPlaces::kNone,
-                           own.distance};
+    Vertex& own = vertices_[reached_[i]];
+    own.isFinal |= own.required != RequiredPlaces::kNone;
+    own.required = RequiredPlaces::kNone;
+    state_->vertices[i] = {reached_[i], own.isFinal, own.distance};
     state_->pieces[i] = own.piece;
   }
   state_->waiting.insert(state_->waiting.end(), waiting_.begin(), waiting_.end());
@@ -181,8 +197,11 @@ void WindowSweep::offer(int v, double distance, const LastPiece& piece) {
 }
 
 void WindowSweep::reach(int v) {
-  vertices_[v] = {kInfinity, {0, 0, 0, -1},        epoch_, RequiredPlaces::kNone, false,
-                  false,     vertices_[v].isSaddle};
+  vertices_[v] = {.distance = kInfinity,
+                  .piece = {0, 0, 0, -1},
+                  .epoch = epoch_,
+                  .index = static_cast<int>(reached_.size()),
+                  .isSaddle = vertices_[v].isSaddle};
   reached_.push_back(v);
 }
 
@@ -235,7 +254,7 @@ bool WindowSweep::maySpreadFrom(int v) {
   const Vertex& own = vertices_[v];
   const double nearest = bounds_[v].distance;
   if (to_ == SpreadTo::kEverywhere || own.distance <= nearest + leeway_) return true;
-  if (to_ != SpreadTo::kRequired) return false;
+  if (to_ != SpreadTo::kRequired || own.distance - nearest >= mostExcess_) return false;
   return required_.canGain(placeOf(v), 0, own.distance, own.distance - nearest, {&own.required, 1});
 }
 

@@ -97,6 +97,8 @@ class WindowSweep {
   /// Works on at most `budget` batches and lowers it by their number; true when the label is done
   /// and its state is stored.
   bool run(long& budget);
+  /// The index in the label's state of a vertex that it has reached.
+  int indexOf(int vertex) const { return vertices_[vertex].index; }
   /// The distance of the current label's wavefront, to the width of a bucket.
   double front() const { return queue_.front(); }
 
@@ -105,10 +107,11 @@ class WindowSweep {
   struct alignas(64) Vertex {
     double distance;
     LastPiece piece;
-    int epoch = 0;  ///< of the label that the other members belong to
-    int required;   ///< index in `required_`
-    bool isFinal, isQueued;
-    bool isSaddle;  ///< of the mesh, whatever the label
+    int epoch = 0;                         ///< of the label that the other members belong to
+    int index = 0;                         ///< in `reached_`
+    int required = RequiredPlaces::kNone;  ///< index in `required_`
+    bool isFinal = false, isQueued = false;
+    bool isSaddle = false;  ///< of the mesh, whatever the label
   };
   /// A required point in a face. Points on an edge are in the faces on both sides.
   struct PointInFace {
@@ -136,6 +139,7 @@ class WindowSweep {
   };
 
   void begin(int label, SpreadTo to, LabelState& state);
+  void beginToRequire(int label, LabelState& state);
   void load();
   void store();
 

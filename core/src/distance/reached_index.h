@@ -6,7 +6,7 @@
 
 #include "distance/label_spread.h"
 
-namespace gvd::exact {
+namespace gvd {
 
 /// The index of each vertex in the list of those that a label has reached.
 class ReachedIndex {
@@ -17,10 +17,12 @@ class ReachedIndex {
   void reset(std::span<const ReachedVertex> reached) {
     for (const int v : vertices_) indices_[v] = -1;
     vertices_.clear();
-    for (const ReachedVertex& r : reached) {
-      indices_[r.vertex] = static_cast<int>(vertices_.size());
-      vertices_.push_back(r.vertex);
-    }
+    for (const ReachedVertex& r : reached) append(r.vertex);
+  }
+  /// Follows the list by which a vertex is appended to it.
+  void append(int vertex) {
+    indices_[vertex] = static_cast<int>(vertices_.size());
+    vertices_.push_back(vertex);
   }
   /// -1 if the label has not reached the vertex.
   int operator[](int vertex) const { return indices_[vertex]; }
@@ -30,4 +32,4 @@ class ReachedIndex {
   std::vector<int> vertices_;  ///< the vertices of the current list
 };
 
-}  // namespace gvd::exact
+}  // namespace gvd
