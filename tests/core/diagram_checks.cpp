@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "brute_force.h"
 #include "mesh/surface_geometry.h"
 
 namespace gvd::checks {
@@ -276,12 +277,19 @@ AssertionResult checkExactDistances(const TriangleMesh& mesh, const DistanceFiel
 }  // namespace
 
 Traced trace(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric,
-             int detail, Spread spread) {
-  const auto propagation = propagate(mesh, sites, metric, spread);
+             int detail) {
+  const auto propagation = propagate(mesh, sites, metric);
   while (!propagation->step(1000)) {
   }
   Traced traced{propagation->take(), {}};
   traced.diagram = traceDiagram(mesh, *traced.field, static_cast<int>(sites.size()), {detail});
+  return traced;
+}
+
+Traced traceByBruteForce(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
+                         Metric metric) {
+  Traced traced{std::make_unique<BruteForce>(mesh, sites, metric), {}};
+  traced.diagram = traceDiagram(mesh, *traced.field, static_cast<int>(sites.size()));
   return traced;
 }
 

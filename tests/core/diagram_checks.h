@@ -21,7 +21,10 @@ struct Traced {
   Diagram diagram;
 };
 Traced trace(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
-             Metric metric = Metric::kExact, int detail = 0, Spread spread = Spread::kAsNeeded);
+             Metric metric = Metric::kExact, int detail = 0);
+/// The same by brute force (`BruteForce`).
+Traced traceByBruteForce(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
+                         Metric metric = Metric::kExact);
 
 /// Success if
 ///  - the areas of the regions sum to the area of the components with sites (1e-12 relative);

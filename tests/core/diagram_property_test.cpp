@@ -72,7 +72,7 @@ std::string complaint(const RandomCase& c, Metric metric) {
     if (const std::string result = complaintAfterChanges(mesh, sites, metric); !result.empty())
       return result;
     if (metric == Metric::kDgpc) return {};
-    const auto everywhere = checks::trace(mesh, sites, metric, 0, Spread::kEverywhere);
+    const auto everywhere = checks::traceByBruteForce(mesh, sites, metric);
     if (const auto result = checks::spreadsFarEnough(mesh, traced, everywhere); !result)
       return result.message();
   } catch (const std::exception& error) {

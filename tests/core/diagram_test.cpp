@@ -22,6 +22,7 @@ using checks::areSame;
 using checks::identity;
 using checks::isConsistent;
 using checks::trace;
+using checks::traceByBruteForce;
 using shapes::randomMesh;
 using shapes::randomSiteCount;
 
@@ -45,7 +46,7 @@ TEST_P(RandomMeshes, KnowTheNearestSitesOfBruteForce) {
   const int count = siteCountForBruteForce(mesh, GetParam());
   const auto sites = sampleUniform(mesh, count, GetParam());
   const auto field = trace(mesh, sites, Metric::kExact).field;
-  const auto expected = trace(mesh, sites, Metric::kExact, 0, Spread::kEverywhere).field;
+  const auto expected = traceByBruteForce(mesh, sites).field;
   for (int v = 0; v < mesh.vertexCount(); ++v) {
     const LabelledDistance a = nearestOf(field->at(v)), b = nearestOf(expected->at(v));
     EXPECT_EQ(a.label, b.label) << "vertex " << v;
@@ -59,7 +60,7 @@ TEST_P(RandomMeshes, KnowTheExactDistancesOfBruteForce) {
   const int count = std::min(20, randomSiteCount(mesh, GetParam()));
   const auto sites = sampleUniform(mesh, count, GetParam());
   const auto field = trace(mesh, sites, Metric::kExact).field;
-  const auto expected = trace(mesh, sites, Metric::kExact, 0, Spread::kEverywhere).field;
+  const auto expected = traceByBruteForce(mesh, sites).field;
   for (int v = 0; v < mesh.vertexCount(); ++v) {
     std::map<int, double> here;
     for (const LabelledDistance& d : expected->at(v)) here[d.label] = d.distance;
@@ -165,7 +166,7 @@ class FlatMeshes : public ::testing::TestWithParam<int> {
     Both both{shape.mesh(), {}, {}};
     const int count = siteCountForBruteForce(both.mesh, GetParam());
     const auto sites = sampleUniform(both.mesh, count, GetParam());
-    both.expected = checks::trace(both.mesh, sites, metric, 0, Spread::kEverywhere).diagram;
+    both.expected = checks::traceByBruteForce(both.mesh, sites, metric).diagram;
     both.found = checks::trace(both.mesh, sites, metric).diagram;
     return both;
   }
@@ -339,7 +340,7 @@ TEST(Diagram, HandlesManySitesInOneFace) {
 TEST(Diagram, DividesTwoFacesAmongThousandsOfSites) {
   const auto mesh = shapes::grid(1, 1).mesh();
   const auto sites = sampleUniform(mesh, 3000, 1);
-  const Diagram expected = trace(mesh, sites, Metric::kExact, 0, Spread::kEverywhere).diagram;
+  const Diagram expected = traceByBruteForce(mesh, sites).diagram;
   for (const Metric metric : {Metric::kExact, Metric::kDgpc}) {
     const Diagram found = trace(mesh, sites, metric).diagram;
     EXPECT_TRUE(isConsistent(mesh, found));

@@ -213,6 +213,8 @@ INSTANTIATE_TEST_SUITE_P(
                       EditCase{"bumpyGenus3Crowded", shapes::bumpySurface(3, 4, 0.5, 4), 200, 60,
                                0},
                       EditCase{"annulus", shapes::annulus(12, 4), 6, 40, 0},
+                      // Most labels own no vertex of it, only parts of edges.
+                      EditCase{"tubeOfLongFaces", shapes::cylinder(80, 1, 1, 1), 30, 40, 0},
                       EditCase{"plate", shapes::perforatedPlate(2, 2), 9, 40, 0},
                       EditCase{"skinny", shapes::randomTriangulation(80, 400, 7), 10, 40, 0},
                       EditCase{"graded", shapes::gradedDisk(6, 9, 2.0), 8, 40, 0},
@@ -383,6 +385,19 @@ TEST(DynamicDiagram, RefusesForeignDistances) {
   const std::shared_ptr<DistanceField> kept = std::make_shared<Foreign>();
   EXPECT_THROW(DynamicDiagram::fromDistances(mesh, kept), Error);
   EXPECT_EQ(kept.use_count(), 1);
+}
+
+/// Each edit of one diagram would make the other one wrong.
+TEST(DynamicDiagram, RefusesDistancesThatChangeWithAnotherDiagram) {
+  const auto mesh = shapes::icosphere(1).mesh(), other = shapes::icosphere(1).mesh();
+  const std::shared_ptr<DistanceField> field =
+      finished(propagate(mesh, sampleUniform(mesh, 5, 1), Metric::kExact));
+  EXPECT_THROW(DynamicDiagram::fromDistances(other, field), Error);
+  auto late = DynamicDiagram::startFromDistances(mesh, field);
+  DynamicDiagram::startFromDistances(mesh, field);  // given up, so the distances stay free
+  const DynamicDiagram first = DynamicDiagram::fromDistances(mesh, field);
+  EXPECT_THROW(DynamicDiagram::fromDistances(mesh, field), Error);
+  EXPECT_THROW(finished(std::move(late)), Error);
 }
 
 TEST(DynamicDiagram, GivesTheLowestFreeLabel) {

@@ -9,6 +9,7 @@
 #include <memory>
 #include <vector>
 
+#include "brute_force.h"
 #include "distance/edge_bounds.h"
 #include "distance/exact/window_sweep.h"
 #include "distance/nearest_bounds.h"
@@ -170,10 +171,7 @@ TEST(Distances, AtPointsAreThoseOfBruteForce) {
     const TriangleMesh mesh = shapes::randomMesh(seed);
     const auto sites = sampleUniform(mesh, std::min(20, shapes::randomSiteCount(mesh, seed)), seed);
     const auto field = inSlices(mesh, sites, Metric::kExact, 1000);
-    const auto brute = propagate(mesh, sites, Metric::kExact, Spread::kEverywhere);
-    while (!brute->step(1000)) {
-    }
-    const auto expected = brute->take();
+    const checks::BruteForce expected(mesh, sites, Metric::kExact);
     const auto isKnown = [&](int v, int label) {
       return std::ranges::any_of(field->at(v), [&](auto& d) { return d.label == label; });
     };
@@ -190,7 +188,7 @@ TEST(Distances, AtPointsAreThoseOfBruteForce) {
       }
     const auto found = field->distancesAt(points);
     for (size_t i = 0; i < points.size(); ++i)
-      ASSERT_NEAR(found[i], expected->distance(points[i].label, points[i].point),
+      ASSERT_NEAR(found[i], expected.distance(points[i].label, points[i].point),
                   1e-12 * mesh.boundingDiagonal())
           << "seed " << seed;
     EXPECT_EQ(field->distancesAt(points), found) << "asked again, seed " << seed;
@@ -205,13 +203,13 @@ TEST(Distances, NearestIsTheLeastOfBruteForce) {
     const std::vector<SurfacePoint> sites = random.sitesOn(mesh);
     if (sites.size() > 20) continue;
     const auto field = inSlices(mesh, sites, Metric::kExact, 1000);
-    const auto brute = finished(propagate(mesh, sites, Metric::kExact, Spread::kEverywhere));
+    const checks::BruteForce brute(mesh, sites, Metric::kExact);
     std::vector<LabelledPoint> points;
     for (int f = 0; f < mesh.faceCount(); ++f)
       for (const Eigen::Vector3d& bary : {Eigen::Vector3d(0.2, 0.3, 0.5), {0.25, 0.75, 0}})
         for (int label = 0; label < static_cast<int>(sites.size()); ++label)
           points.push_back({label, {f, bary}});
-    const auto distances = brute->distancesAt(points);
+    const auto distances = brute.distancesAt(points);
     for (size_t i = 0; i < points.size(); i += sites.size()) {
       const auto there = std::span(distances).subspan(i, sites.size());
       const LabelledDistance nearest = field->nearest(points[i].point);
@@ -333,7 +331,7 @@ TEST(Windows, CrossInAFewBatchesOnGradedMeshes) {
     NearestBounds bounds(mesh);
     exact::WindowSweep sweep(mesh, bounds);
     exact::LabelState state;
-    sweep.start(0, {0, {0.2, 0.3, 0.5}}, exact::SpreadTo::kEverywhere, state);
+    sweep.start(0, {0, {0.2, 0.3, 0.5}}, exact::SpreadTo::kOwned, state);
     const long most = std::numeric_limits<long>::max();
     long budget = most;
     sweep.run(budget);

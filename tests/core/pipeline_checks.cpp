@@ -69,7 +69,7 @@ AssertionResult haveDistancesOfOneSiteEach(const TriangleMesh& mesh,
   std::vector<std::unique_ptr<DistanceField>> alone;
   constexpr size_t kMost = 8;
   for (const SurfacePoint& site : sites.first(std::min(sites.size(), kMost)))
-    alone.push_back(finished(propagate(mesh, {&site, 1}, Metric::kExact, Spread::kEverywhere)));
+    alone.push_back(finished(propagate(mesh, {&site, 1}, Metric::kExact)));
   for (int v = 0; v < mesh.vertexCount(); ++v)
     for (const auto& [label, distance] : field.at(v)) {
       if (label >= static_cast<int>(alone.size())) continue;

@@ -53,10 +53,10 @@ class DynamicDiagram {
                                                            std::span<const SurfacePoint> sites,
                                                            Metric metric = Metric::kExact,
                                                            const DiagramOptions& options = {});
-  /// The diagram of distances that `propagate` has computed for the same mesh with
-  /// `Spread::kAsNeeded`. From now on the distances change with the diagram; if this throws, they
-  /// are unchanged. Takes as long as `traceDiagram`. Throws `Error(kInvalidArgument)` if the
-  /// distances come from elsewhere.
+  /// The diagram of distances that `propagate` has computed for the same mesh. From now on the
+  /// distances change with the diagram, as long as it exists; if this throws, they are unchanged.
+  /// Takes as long as `traceDiagram`. Throws `Error(kInvalidArgument)` if the distances come from
+  /// elsewhere, are those of another mesh, or change with another diagram.
   static DynamicDiagram fromDistances(const TriangleMesh& mesh,
                                       const std::shared_ptr<DistanceField>& distances,
                                       const DiagramOptions& options = {});

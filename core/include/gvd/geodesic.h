@@ -115,18 +115,11 @@ std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> startShortestPath(const T
 std::vector<SurfacePoint> shortestPath(const TriangleMesh& mesh, const SurfacePoint& from,
                                        const SurfacePoint& to);
 
-/// How far each site's distances are carried.
-enum class Spread {
-  kAsNeeded,    ///< while the site may still own a point beyond
-  kEverywhere,  ///< over the whole mesh: brute force, for tests of `kAsNeeded`
-};
-
 /// Starts to find the distances of all `sites`, given in the mesh's faces, one label each. Sites
 /// may coincide, share a face, lie on edges or vertices, and outnumber the vertices. A site with
 /// face -1 is a label without a site. Throws `Error(kInvalidArgument)` if there is no site,
 /// `Error(kInvalidPoint)` if one is not on the mesh.
 std::unique_ptr<Propagation> propagate(const TriangleMesh& mesh,
-                                       std::span<const SurfacePoint> sites, Metric metric,
-                                       Spread spread = Spread::kAsNeeded);
+                                       std::span<const SurfacePoint> sites, Metric metric);
 
 }  // namespace gvd

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A live diagram: after a site was inserted, removed or moved, the regions and faces with changed
-// distances are traced again.
+// A dynamic diagram: after a site was inserted, removed or moved, the regions and faces with
+// changed distances are traced again.
 #include "gvd/dynamic_diagram.h"
 
 #include <algorithm>
@@ -28,11 +28,20 @@ std::shared_ptr<SiteDistances> distancesOf(const TriangleMesh& mesh,
   return distances;
 }
 
+void requireFree(const SiteDistances& distances) {
+  if (distances.isTaken())
+    throw Error(ErrorCode::kInvalidArgument, "the distances change with another diagram");
+}
+
 /// The implementation behind a field made by `propagate`.
-std::shared_ptr<SiteDistances> asSiteDistances(const std::shared_ptr<DistanceField>& distances) {
+std::shared_ptr<SiteDistances> asSiteDistances(const TriangleMesh& mesh,
+                                               const std::shared_ptr<DistanceField>& distances) {
   auto found = std::dynamic_pointer_cast<SiteDistances>(distances);
   if (!found)
     throw Error(ErrorCode::kInvalidArgument, "the distances are not those that propagate gives");
+  if (&found->mesh() != &mesh)
+    throw Error(ErrorCode::kInvalidArgument, "the distances are those of another mesh");
+  requireFree(*found);
   return found;
 }
 
@@ -54,6 +63,12 @@ class DynamicDiagram::Implementation {
   int labelCount() const { return distances_->sites().labelCount(); }
   const SiteDistances& distances() const { return *distances_; }
   Diagram whole() const { return pieces_.whole(); }
+
+  /// From now on the distances change with this diagram alone.
+  void takeDistances() {
+    requireFree(*distances_);
+    distances_->markTaken();
+  }
 
   void expectSite(int label) const {
     if (!distances_->sites().contains(label))
@@ -284,7 +299,10 @@ class DynamicDiagram::Opening final : public SlicedWork<DynamicDiagram> {
 
   bool step(long budget) override { return update_.step(budget); }
   double progress() const override { return update_.progress(); }
-  DynamicDiagram take() override { return DynamicDiagram(std::move(implementation_)); }
+  DynamicDiagram take() override {
+    implementation_->takeDistances();
+    return DynamicDiagram(std::move(implementation_));
+  }
 
  private:
   std::unique_ptr<Implementation> implementation_;
@@ -313,7 +331,7 @@ DynamicDiagram DynamicDiagram::fromDistances(const TriangleMesh& mesh,
 std::unique_ptr<SlicedWork<DynamicDiagram>> DynamicDiagram::startFromDistances(
     const TriangleMesh& mesh, const std::shared_ptr<DistanceField>& distances,
     const DiagramOptions& options) {
-  return std::make_unique<Opening>(mesh, asSiteDistances(distances), options);
+  return std::make_unique<Opening>(mesh, asSiteDistances(mesh, distances), options);
 }
 
 DynamicDiagram::~DynamicDiagram() = default;

@@ -13,9 +13,8 @@ namespace {
 
 class SitePropagation final : public Propagation {
  public:
-  SitePropagation(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric,
-                  Spread spread)
-      : distances_(std::make_unique<SiteDistances>(mesh, metric, spread)) {
+  SitePropagation(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric)
+      : distances_(std::make_unique<SiteDistances>(mesh, metric)) {
     distances_->change(arrivals(sites));
   }
 
@@ -30,12 +29,11 @@ class SitePropagation final : public Propagation {
 }  // namespace
 
 std::unique_ptr<Propagation> propagate(const TriangleMesh& mesh,
-                                       std::span<const SurfacePoint> sites, Metric metric,
-                                       Spread spread) {
+                                       std::span<const SurfacePoint> sites, Metric metric) {
   const auto isAbsent = [](const SurfacePoint& site) { return site.face == -1; };
   if (std::all_of(sites.begin(), sites.end(), isAbsent))
     throw Error(ErrorCode::kInvalidArgument, "there is no site");
-  return std::make_unique<SitePropagation>(mesh, sites, metric, spread);
+  return std::make_unique<SitePropagation>(mesh, sites, metric);
 }
 
 double lengthOf(const TriangleMesh& mesh, std::span<const SurfacePoint> path) {

@@ -34,12 +34,11 @@ void sortByLabel(std::vector<Requirement>& requirements, int labelCount) {
 }  // namespace
 
 KnownLabels::KnownLabels(const TriangleMesh& mesh, const SiteSet& sites, NearestBounds& bounds,
-                         LabelSpread& spread, bool isUnbounded)
+                         LabelSpread& spread)
     : mesh_(mesh),
       sites_(sites),
       bounds_(bounds),
       spread_(spread),
-      isUnbounded_(isUnbounded),
       owners_(mesh, sites, bounds),
       lists_(mesh.vertexCount()),
       closure_(mesh, lists_, bounds, owners_),
@@ -103,8 +102,8 @@ bool KnownLabels::step(long& budget) {
       },
       [&] { collectLists(); }, [&] { return listLabels(budget); },
       [&] {
-        return isUnbounded_ || forFaces(changedFaces_, budget,
-                                        [&](int f) { closure_.closeFace(f, requirements_); });
+        return forFaces(changedFaces_, budget,
+                        [&](int f) { closure_.closeFace(f, requirements_); });
       },
       [&] { return closeAdded(budget); }, [&] { progress_ = 1; });
 }
@@ -266,8 +265,7 @@ void KnownLabels::collectLists() {
     changedFaces_.addAll();
     std::vector<int> counts(mesh_.vertexCount(), 0);
     for (const int label : listed_)
-      for (const ReachedVertex& r : spread_.reached(label))
-        counts[r.vertex] += isUnbounded_ || r.isFinal;
+      for (const ReachedVertex& r : spread_.reached(label)) counts[r.vertex] += r.isFinal;
     lists_.allot(counts);
   } else {
     for (const int v : changedVertices_.list()) {
@@ -293,9 +291,8 @@ bool KnownLabels::listLabels(long& budget) {
         const auto& reached = spread_.reached(label);
         for (int r = 0; r < static_cast<int>(reached.size()); ++r) {
           const auto& [vertex, isFinal, distance] = reached[r];
-          if ((isFinal && (isAllWanted ||
-                           (changedVertices_.contains(vertex) && isKnownAround(vertex, label)))) ||
-              isUnbounded_)
+          if (isFinal &&
+              (isAllWanted || (changedVertices_.contains(vertex) && isKnownAround(vertex, label))))
             list(label, r);
         }
         return 1 + static_cast<long>(reached.size()) / kPerUnit;

@@ -31,7 +31,7 @@ class KnownLabels {
  public:
   /// Sets the owners in `bounds` where labels tie.
   KnownLabels(const TriangleMesh& mesh, const SiteSet& sites, NearestBounds& bounds,
-              LabelSpread& spread, bool isUnbounded);
+              LabelSpread& spread);
 
   std::span<const LabelledDistance> operator[](int vertex) const { return lists_[vertex]; }
   /// The distance of a label, infinity if it is not known.
@@ -88,7 +88,6 @@ class KnownLabels {
   const SiteSet& sites_;
   NearestBounds& bounds_;
   LabelSpread& spread_;
-  const bool isUnbounded_;
   FaceOwners owners_;
   LabelLists lists_;
   LabelClosure closure_;

@@ -16,14 +16,12 @@
 namespace gvd {
 namespace {
 
-std::unique_ptr<LabelSpread> makeSpread(const TriangleMesh& mesh, Metric metric, Spread spread,
+std::unique_ptr<LabelSpread> makeSpread(const TriangleMesh& mesh, Metric metric,
                                         const SiteSet& sites, const EdgeBounds& edgeBounds,
                                         NearestBounds& bounds) {
-  const bool isUnbounded = spread == Spread::kEverywhere;
   if (metric == Metric::kDgpc)
-    return std::make_unique<dgpc::UnfoldingSpread>(mesh, sites, edgeBounds, bounds, isUnbounded);
-  return std::make_unique<exact::WindowSpread>(
-      mesh, sites, bounds, isUnbounded ? exact::SpreadTo::kEverywhere : exact::SpreadTo::kOwned);
+    return std::make_unique<dgpc::UnfoldingSpread>(mesh, sites, edgeBounds, bounds);
+  return std::make_unique<exact::WindowSpread>(mesh, sites, bounds);
 }
 
 }  // namespace
@@ -35,14 +33,14 @@ std::vector<SiteChange> arrivals(std::span<const SurfacePoint> sites) {
   return changes;
 }
 
-SiteDistances::SiteDistances(const TriangleMesh& mesh, Metric metric, Spread spread)
+SiteDistances::SiteDistances(const TriangleMesh& mesh, Metric metric)
     : mesh_(mesh),
       sites_(mesh),
       edgeBounds_(mesh, sites_),
       bounds_(mesh),
-      spread_(makeSpread(mesh, metric, spread, sites_, edgeBounds_, bounds_)),
+      spread_(makeSpread(mesh, metric, sites_, edgeBounds_, bounds_)),
       reaching_(mesh.vertexCount()),
-      known_(mesh, sites_, bounds_, *spread_, spread == Spread::kEverywhere) {}
+      known_(mesh, sites_, bounds_, *spread_) {}
 
 // --- A change ----------------------------------------------------------------------------------
 

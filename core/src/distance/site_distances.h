@@ -40,7 +40,7 @@ std::vector<SiteChange> arrivals(std::span<const SurfacePoint> sites);
 /// 3. `KnownLabels`: adds the distances that a diagram needs at vertices owned by other labels.
 class SiteDistances final : public DistanceField {
  public:
-  SiteDistances(const TriangleMesh& mesh, Metric metric, Spread spread = Spread::kAsNeeded);
+  SiteDistances(const TriangleMesh& mesh, Metric metric);
 
   /// Begins a change of some labels, each named once. The previous change must be done. Throws
   /// `Error(kInvalidPoint)`, and changes nothing, if a site is not on the mesh.
@@ -55,6 +55,10 @@ class SiteDistances final : public DistanceField {
   const std::vector<int>& changedLabels() const { return known_.changedLabels(); }
 
   const SiteSet& sites() const { return sites_; }
+  const TriangleMesh& mesh() const { return mesh_; }
+  /// Whether a `DynamicDiagram` changes these distances: then no other one may.
+  bool isTaken() const { return isTaken_; }
+  void markTaken() { isTaken_ = true; }
 
   std::span<const LabelledDistance> at(int vertex) const override { return known_[vertex]; }
   LabelledDistance nearest(const SurfacePoint& given) const override;
@@ -80,6 +84,7 @@ class SiteDistances final : public DistanceField {
   bool isKnownAround(int label, const SurfacePoint& p) const;
 
   const TriangleMesh& mesh_;
+  bool isTaken_ = false;
   SiteSet sites_;
   EdgeBounds edgeBounds_;
   NearestBounds bounds_;

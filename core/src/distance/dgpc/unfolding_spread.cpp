@@ -15,13 +15,11 @@
 namespace gvd::dgpc {
 
 UnfoldingSpread::UnfoldingSpread(const TriangleMesh& mesh, const SiteSet& sites,
-                                 const EdgeBounds& edgeBounds, NearestBounds& bounds,
-                                 bool isUnbounded)
+                                 const EdgeBounds& edgeBounds, NearestBounds& bounds)
     : mesh_(mesh),
       sites_(sites),
       edgeBounds_(edgeBounds),
       bounds_(bounds),
-      fixedReach_(isUnbounded ? kInfinity : 0),
       sweep_(mesh,
              [this](int v) {
                return fixedReach_ > 0 ? fixedReach_ : edgeBounds_[v] + mesh_.longestEdge(v);
@@ -114,7 +112,6 @@ void UnfoldingSpread::requireVertex(Label& known, int vertex) {
 void UnfoldingSpread::sweepToRequired(int label) {
   Label& known = labels_[label];
   const auto isMissing = [](const ReachedVertex& r) { return r.distance == kInfinity; };
-  const double usualReach = fixedReach_;
   for (fixedReach_ = mesh_.shortEdgeLength();
        std::any_of(known.vertices.begin(), known.vertices.end(), isMissing); fixedReach_ *= 2) {
     sweep_.start(sites_[label]);
@@ -126,9 +123,8 @@ void UnfoldingSpread::sweepToRequired(int label) {
       r.distance = sweep_.distance(r.vertex);
       known.directions[i] = sweep_.direction(r.vertex);
     }
-    if (fixedReach_ == kInfinity) break;
   }
-  fixedReach_ = usualReach;
+  fixedReach_ = 0;
 }
 
 // --- Queries -----------------------------------------------------------------------------------

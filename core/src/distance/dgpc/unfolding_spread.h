@@ -23,7 +23,7 @@ namespace gvd::dgpc {
 class UnfoldingSpread final : public LabelSpread {
  public:
   UnfoldingSpread(const TriangleMesh& mesh, const SiteSet& sites, const EdgeBounds& edgeBounds,
-                  NearestBounds& bounds, bool isUnbounded);
+                  NearestBounds& bounds);
 
   void start(int label) override;
   void resume(int label) override;
@@ -59,7 +59,7 @@ class UnfoldingSpread final : public LabelSpread {
   const SiteSet& sites_;
   const EdgeBounds& edgeBounds_;
   NearestBounds& bounds_;
-  double fixedReach_;  ///< of sweeps that do not depend on the bounds; 0 for those that do
+  double fixedReach_ = 0;  ///< of sweeps that do not depend on the bounds; 0 for those that do
   UnfoldingSweep sweep_;
   std::vector<Label> labels_;
   int running_ = -1;

@@ -45,12 +45,11 @@ void FoundDistances::remove(int label) {
 // --- What has not ------------------------------------------------------------------------------
 
 PointDistances::PointDistances(const TriangleMesh& mesh, const SiteSet& sites,
-                               NearestBounds& bounds, SpreadTo startTo, FoundDistances& found,
+                               NearestBounds& bounds, FoundDistances& found,
                                std::span<const LabelledPoint> points)
     : mesh_(mesh),
       sites_(sites),
       bounds_(bounds),
-      startTo_(startTo),
       found_(found),
       points_(points.begin(), points.end()),
       sweep_(mesh, bounds) {}
@@ -104,7 +103,7 @@ void PointDistances::startLabel() {
     const SurfacePoint& p = open_[end_].at.point;
     required_.push_back({p, straightTo(label, p), nearestAtLeast(p)});
   }
-  sweep_.start(label, sites_[label], startTo_, state_, required_);
+  sweep_.start(label, sites_[label], SpreadTo::kOwned, state_, required_);
   stage_ = Stage::kSpread;
 }
 

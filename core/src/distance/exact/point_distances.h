@@ -36,7 +36,7 @@ class PointDistances final : public SlicedWork<std::vector<double>> {
  public:
   /// The labels must be known around the points. `bounds` are final.
   PointDistances(const TriangleMesh& mesh, const SiteSet& sites, NearestBounds& bounds,
-                 SpreadTo startTo, FoundDistances& found, std::span<const LabelledPoint> points);
+                 FoundDistances& found, std::span<const LabelledPoint> points);
 
   bool step(long budget) override;
   double progress() const override;
@@ -59,7 +59,6 @@ class PointDistances final : public SlicedWork<std::vector<double>> {
   const TriangleMesh& mesh_;
   const SiteSet& sites_;
   const NearestBounds& bounds_;
-  const SpreadTo startTo_;
   FoundDistances& found_;
   const std::vector<LabelledPoint> points_;
   WindowSweep sweep_;

@@ -12,12 +12,10 @@
 
 namespace gvd::exact {
 
-WindowSpread::WindowSpread(const TriangleMesh& mesh, const SiteSet& sites, NearestBounds& bounds,
-                           SpreadTo startTo)
+WindowSpread::WindowSpread(const TriangleMesh& mesh, const SiteSet& sites, NearestBounds& bounds)
     : mesh_(mesh),
       sites_(sites),
       bounds_(bounds),
-      startTo_(startTo),
       sweep_(mesh, bounds),
       index_(mesh.vertexCount()) {}
 
@@ -28,7 +26,9 @@ LabelState& WindowSpread::begin(int label) {
   return labels_[label];
 }
 
-void WindowSpread::start(int label) { sweep_.start(label, sites_[label], startTo_, begin(label)); }
+void WindowSpread::start(int label) {
+  sweep_.start(label, sites_[label], SpreadTo::kOwned, begin(label));
+}
 
 void WindowSpread::resume(int label) { sweep_.resume(label, begin(label)); }
 
@@ -71,12 +71,11 @@ class WindowSpread::NearestLabels final : public KnownDistances {
 class WindowSpread::OneLabel final : public KnownDistances {
  public:
   OneLabel(int label, const LabelState& state, const ReachedIndex& index,
-           const NearestBounds& bounds, bool isFinal)
-      : label_(label), state_(state), index_(index), bounds_(bounds), isFinal_(isFinal) {}
+           const NearestBounds& bounds)
+      : label_(label), state_(state), index_(index), bounds_(bounds) {}
   double atLeast(int v) const override {
     const int i = index_[v];
-    return i >= 0 && (isFinal_ || state_.vertices[i].isFinal) ? state_.vertices[i].distance
-                                                              : bounds_[v].distance;
+    return i >= 0 && state_.vertices[i].isFinal ? state_.vertices[i].distance : bounds_[v].distance;
   }
   double atMost(int v) const override {
     return index_[v] < 0 ? kInfinity : state_.vertices[index_[v]].distance;
@@ -88,7 +87,6 @@ class WindowSpread::OneLabel final : public KnownDistances {
   const LabelState& state_;
   const ReachedIndex& index_;
   const NearestBounds& bounds_;
-  const bool isFinal_;  ///< everywhere
 };
 
 std::vector<LabelledDistance> WindowSpread::nearestAt(const SurfacePoint& p,
@@ -113,7 +111,7 @@ std::vector<LabelledDistance> WindowSpread::nearestAt(const SurfacePoint& p,
 
 std::unique_ptr<SlicedWork<std::vector<double>>> WindowSpread::startDistancesAt(
     std::span<const LabelledPoint> points, const KnownLabels& /*known*/) {
-  return std::make_unique<PointDistances>(mesh_, sites_, bounds_, startTo_, found_, points);
+  return std::make_unique<PointDistances>(mesh_, sites_, bounds_, found_, points);
 }
 
 /// Windows that have crossed their faces are not kept, so a search from the point finds paths
@@ -129,8 +127,7 @@ std::vector<SurfacePoint> WindowSpread::path(int label, const SurfacePoint& p) {
   sweep_.search(p, NearestLabels(bounds_), sites_, searched_);
   const double nearest = sweep_.shortest();
   std::vector<SurfacePoint> path = pathBack(p, label, known);
-  if (startTo_ == SpreadTo::kEverywhere || bounds_.ties().isAtMost(sweep_.shortest(), nearest))
-    return path;
+  if (bounds_.ties().isAtMost(sweep_.shortest(), nearest)) return path;
   const double least = sweep_.shortest();
   LabelState state = known;
   const RequiredPoint point = {p, least, nearest};
@@ -147,7 +144,7 @@ std::vector<SurfacePoint> WindowSpread::path(int label, const SurfacePoint& p) {
 std::vector<SurfacePoint> WindowSpread::pathBack(const SurfacePoint& p, int label,
                                                  const LabelState& state) {
   index_.reset(state.vertices);
-  const OneLabel known(label, state, index_, bounds_, startTo_ == SpreadTo::kEverywhere);
+  const OneLabel known(label, state, index_, bounds_);
   searched_ = {};
   sweep_.search(p, known, sites_, searched_);
   int vertex = -1;

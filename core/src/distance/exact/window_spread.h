@@ -20,8 +20,7 @@ namespace gvd::exact {
 /// sites.
 class WindowSpread final : public LabelSpread {
  public:
-  WindowSpread(const TriangleMesh& mesh, const SiteSet& sites, NearestBounds& bounds,
-               SpreadTo startTo);
+  WindowSpread(const TriangleMesh& mesh, const SiteSet& sites, NearestBounds& bounds);
 
   void start(int label) override;
   void resume(int label) override;
@@ -50,7 +49,6 @@ class WindowSpread final : public LabelSpread {
   const TriangleMesh& mesh_;
   const SiteSet& sites_;
   NearestBounds& bounds_;
-  const SpreadTo startTo_;
   WindowSweep sweep_;
   LabelState searched_;  ///< the result of the last search from a point
   ReachedIndex index_;

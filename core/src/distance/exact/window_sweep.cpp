@@ -253,7 +253,7 @@ void WindowSweep::becomeSource(int v) {
 bool WindowSweep::maySpreadFrom(int v) {
   const Vertex& own = vertices_[v];
   const double nearest = bounds_[v].distance;
-  if (to_ == SpreadTo::kEverywhere || own.distance <= nearest + leeway_) return true;
+  if (own.distance <= nearest + leeway_) return true;
   if (to_ != SpreadTo::kRequired || own.distance - nearest >= mostExcess_) return false;
   return required_.canGain(placeOf(v), 0, own.distance, own.distance - nearest, {&own.required, 1});
 }

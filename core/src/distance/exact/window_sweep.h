@@ -26,10 +26,9 @@ struct RequiredPoint {
 
 /// How far a label spreads.
 enum class SpreadTo {
-  kOwned,       ///< while no other label is nearer
-  kRequired,    ///< while a required distance can still become shorter
-  kSites,       ///< from a point, while the path to a site can still become shorter
-  kEverywhere,  ///< over the whole component
+  kOwned,     ///< while no other label is nearer
+  kRequired,  ///< while a required distance can still become shorter
+  kSites,     ///< from a point, while the path to a site can still become shorter
 };
 
 /// Bounds on the distances of the labels that a search from a point looks for.

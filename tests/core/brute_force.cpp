@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "brute_force.h"
+
+#include <utility>
+
+#include "base/tolerances.h"
+
+namespace gvd::checks {
+namespace {
+
+/// Work that was done when it began.
+class Done final : public SlicedWork<std::vector<double>> {
+ public:
+  explicit Done(std::vector<double> result) : result_(std::move(result)) {}
+  bool step(long /*budget*/) override { return true; }
+  double progress() const override { return 1; }
+  std::vector<double> take() override { return std::move(result_); }
+
+ private:
+  std::vector<double> result_;
+};
+
+}  // namespace
+
+BruteForce::BruteForce(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric)
+    : known_(mesh.vertexCount()) {
+  for (const SurfacePoint& site : sites) {
+    const int label = static_cast<int>(alone_.size());
+    alone_.push_back(finished(propagate(mesh, {&site, 1}, metric)));
+    for (int v = 0; v < mesh.vertexCount(); ++v)
+      for (const LabelledDistance& d : alone_.back()->at(v))
+        known_[v].push_back({label, d.distance});
+  }
+  const TieTolerance ties(mesh);
+  for (std::vector<LabelledDistance>& here : known_) equalizeTies(here, ties);
+}
+
+LabelledDistance BruteForce::nearest(const SurfacePoint& p) const {
+  LabelledDistance nearest;
+  for (int label = 0; label < static_cast<int>(alone_.size()); ++label)
+    if (const double here = distance(label, p); here < nearest.distance) nearest = {label, here};
+  return nearest;
+}
+
+double BruteForce::distance(int label, const SurfacePoint& p) const {
+  return alone_[label]->distance(0, p);
+}
+
+std::unique_ptr<SlicedWork<std::vector<double>>> BruteForce::startDistancesAt(
+    std::span<const LabelledPoint> points) const {
+  std::vector<double> distances;
+  for (const auto& [label, point] : points) distances.push_back(distance(label, point));
+  return std::make_unique<Done>(std::move(distances));
+}
+
+Eigen::Vector2d BruteForce::direction(int label, int vertex) const {
+  return alone_[label]->direction(0, vertex);
+}
+
+std::vector<SurfacePoint> BruteForce::path(int label, const SurfacePoint& p) const {
+  return alone_[label]->path(0, p);
+}
+
+}  // namespace gvd::checks
