@@ -39,6 +39,11 @@ AssertionResult checkPoints(const TriangleMesh& mesh, const Diagram& d) {
     if (hasSegment[p] && !isInFaceOfOne[p])
       return AssertionFailure() << "point " << p << " is named in face " << d.points[p].face
                                 << ", where none of its segments is";
+  std::vector<char> isUsed = hasSegment;
+  for (const PointLists* lists : {&d.loops, &d.cells})
+    for (const int p : lists->points) isUsed[p] = true;
+  if (const auto unused = std::ranges::find(isUsed, false); unused != isUsed.end())
+    return AssertionFailure() << "nothing has point " << unused - isUsed.begin();
   return AssertionSuccess();
 }
 

@@ -336,6 +336,20 @@ TEST(Diagram, HandlesManySitesInOneFace) {
   for (const double area : d.regionArea) EXPECT_GT(area, 0);
 }
 
+/// Merged points leave lines on which no two regions meet; their ends belong to nothing.
+TEST(Diagram, HasNoPointThatNothingUses) {
+  const auto mesh = shapes::perforatedPlate(2, 2).mesh();
+  const std::vector<SurfacePoint> sites = {
+      {71, {0, 0, 1}},
+      {34, {0.80756957118011363, 0.025521006821002151, 0.16690942199888423}},
+      {135, {0.1966704560789887, 0.6737012805873529, 0.12962826333365843}},
+      {216, {1, 0, 0}},
+      {202, {0.0057697656951554155, 0.29069311688112542, 0.70353711742371916}},
+      {253, {0, 1, 0}},
+      {42, {0.32357093581505203, 0.67642906418494797, 0}}};
+  EXPECT_TRUE(isConsistent(mesh, trace(mesh, sites).diagram));
+}
+
 /// Each corner knows thousands of labels, and few of them own part of the diagonal.
 TEST(Diagram, DividesTwoFacesAmongThousandsOfSites) {
   const auto mesh = shapes::grid(1, 1).mesh();

@@ -106,9 +106,9 @@ bool FinalSegments::addStacks(long& budget) {
 /// Lines with no region in common are not joined, so several may remain.
 void FinalSegments::addLines(const PlaceOfLine& place, std::vector<Line>& lines) {
   joinLines(lines);
-  const int first = points_.number(place[0]), second = points_.number(place[1]);
   for (const auto& [left, right, face] : lines) {
     if (left < 0 || right < 0 || left == right) continue;
+    const int first = points_.number(place[0]), second = points_.number(place[1]);
     if (left < right)
       out_.segments.push_back({{first, second}, {left, right}, face, -1});
     else
