@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "gvd/error.h"
 #include "gvd/sampling.h"
 #include "shapes.h"
 
@@ -103,6 +104,23 @@ TEST_P(Plane, StopsAtTheBoundaryOrSlidesAlongIt) {
   }
 }
 
+TEST_P(Plane, FromEdgesAtAnyAngleToThem) {
+  const auto mesh = shapes::randomTriangulation(60, 40, GetParam()).mesh();
+  for (int h = 0; h < mesh.halfedgeCount(); ++h)
+    for (const double angle : {0.0, 1e-17, -1e-15, 1e-13, -1e-12, 1e-11, -1e-7, 0.1, -0.1}) {
+      const SurfacePoint start{TriangleMesh::faceOf(h),
+                               0.4 * Vector3d::Unit(h % 3) + 0.6 * Vector3d::Unit((h + 1) % 3)};
+      const Vector3d along = mesh.position(mesh.tip(h)) - mesh.position(mesh.tail(h));
+      for (const double edges : {0.3, -0.3, 0.7, -0.7}) {
+        const Vector3d path = edges * (along + angle * Vector3d(-along.y(), along.x(), 0));
+        const Vector3d to = mesh.position(start) + path;
+        if (to.head<2>().minCoeff() < 0 || to.head<2>().maxCoeff() > 1) continue;
+        const auto way = walkStraight(mesh, start, components(mesh, start.face, path));
+        EXPECT_LT((mesh.position(way.end) - to).norm(), 1e-9) << h << ' ' << angle << ' ' << edges;
+      }
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Seeds, Plane, ::testing::Range(0, 10));
 
 TEST(WalkStraight, LeavesTheBoundaryWhereItTurnsAway) {
@@ -123,6 +141,80 @@ TEST(WalkStraight, LeavesTheBoundaryWhereItTurnsAway) {
   EXPECT_LT((mesh.position(way.end) - Vector3d(1, 0.5, 0)).norm(), 1e-9);
   EXPECT_NEAR(way.length, path.norm() / 4 + 0.75, 1e-9);
   EXPECT_TRUE(way.metBoundary);
+}
+
+/// The direction of a halfedge in the frame of its face, which is intrinsic: mollification
+/// lengthens edges, so that the angles of positions may be others.
+Vector2d directionOf(const TriangleMesh& mesh, int h) {
+  const TriangleMesh::Layout l = mesh.layout(3 * TriangleMesh::faceOf(h));
+  const std::array<Vector2d, 3> corners = {Vector2d(0, 0), Vector2d(l.length, 0),
+                                           Vector2d(l.x, l.y)};
+  return (corners[(h + 1) % 3] - corners[h % 3]).normalized();
+}
+
+/// Walks from points of an edge towards each of its ends, given in each of its faces.
+void expectExactWalksAlong(const TriangleMesh& mesh, int halfedge) {
+  for (const int h : {halfedge, mesh.twin(halfedge)})
+    for (const double share : {0.3, 0.5, 0.9}) {
+      if (h < 0) continue;
+      const int face = TriangleMesh::faceOf(h), end = (h + 1) % 3;
+      const Vector3d to = Vector3d::Unit(end);
+      const SurfacePoint start{face, (1 - share) * Vector3d::Unit(h % 3) + share * to};
+      const Vector3d along = mesh.position(mesh.tip(h)) - mesh.position(mesh.tail(h));
+      const double rounding = 1e-14 * std::max(mesh.longestEdge(mesh.tail(h)), 1.0);
+      for (const double walked : {0.99 * (1 - share), -0.99 * share}) {
+        const auto way = walkStraight(mesh, start, walked * mesh.length(h) * directionOf(mesh, h));
+        const Vector3d expected = mesh.position(start) + walked * along;
+        EXPECT_LT((mesh.position(way.end) - expected).norm(), rounding) << h << ' ' << share;
+        EXPECT_NEAR(way.length, std::abs(walked) * mesh.length(h), rounding);
+        EXPECT_FALSE(way.metBoundary);
+      }
+    }
+}
+
+TEST(WalkStraight, IsExactAlongEdges) {
+  std::vector<TriangleMesh> meshes = {
+      shapes::cube().mesh(), shapes::tetrahedron().mesh(), shapes::gradedDisk(30, 5, 0.5).mesh(),
+      shapes::torus(12, 7).mesh(), shapes::randomTriangulation(60, 40, 1, 6).mesh()};
+  for (int seed = 0; seed < 10; ++seed) meshes.push_back(shapes::randomMesh(seed));
+  for (const TriangleMesh& mesh : meshes)
+    for (int h = 0; h < mesh.halfedgeCount(); ++h)
+      if (h > mesh.twin(h)) expectExactWalksAlong(mesh, h);
+}
+
+TEST(WalkStraight, AlongEdgesThroughVertices) {
+  // Lines of a plane grid, its boundary included, and its diagonals: from the middle of every edge
+  // past vertices to a point of another edge.
+  const auto mesh = shapes::grid(5, 4).mesh();
+  for (int h = 0; h < mesh.halfedgeCount(); ++h) {
+    const Vector3d a = mesh.position(mesh.tail(h)), b = mesh.position(mesh.tip(h));
+    const SurfacePoint start{TriangleMesh::faceOf(h),
+                             0.5 * (Vector3d::Unit(h % 3) + Vector3d::Unit((h + 1) % 3))};
+    for (const double edges : {0.5, 1.2, 2.25}) {
+      const Vector3d to = mesh.position(start) + edges * (b - a);
+      if (to.head<2>().minCoeff() < 0 || to.head<2>().maxCoeff() > 1) continue;
+      const auto way = walkStraight(mesh, start, components(mesh, start.face, to - (a + b) / 2));
+      EXPECT_LT((mesh.position(way.end) - to).norm(), 1e-14) << h << ' ' << edges;
+    }
+  }
+}
+
+TEST(WalkStraight, AlongAnEdgeOfACubeAndOverItsCorner) {
+  // From (0,0,.7) down to the corner, then between two sides of the bottom, 3π/4 from the edge.
+  const auto mesh = shapes::cube().mesh();
+  const Vector3d from(0, 0, 0.7);
+  for (int f = 0; f < mesh.faceCount(); ++f) {
+    Vector3d bary = Vector3d::Zero();
+    for (int i = 0; i < 3; ++i) {
+      const Vector3d corner = mesh.position(mesh.tail(3 * f + i));
+      if (corner.head<2>() == Vector2d::Zero()) bary[i] = corner.z() == 0 ? 0.3 : 0.7;
+    }
+    if (bary.sum() != 1) continue;
+    const auto near = walkStraight(mesh, {f, bary}, components(mesh, f, Vector3d(0, 0, -0.35)));
+    EXPECT_LT((mesh.position(near.end) - Vector3d(0, 0, 0.35)).norm(), 1e-15);
+    const auto far = walkStraight(mesh, {f, bary}, components(mesh, f, Vector3d(0, 0, -1.2)));
+    EXPECT_LT((mesh.position(far.end) - Vector3d(1, 1, 0) * 0.5 / std::sqrt(2)).norm(), 1e-15);
+  }
 }
 
 TEST(WalkStraight, GoesAroundACubeAndComesBack) {
@@ -268,6 +360,13 @@ TEST(WalkStraight, GoesNowhereWithoutAFiniteMove) {
     EXPECT_EQ(way.frame, Vector2d(1, 0));
     EXPECT_EQ(way.length, 0);
   }
+}
+
+TEST(WalkStraight, RefusesAStartThatIsNotOnTheMesh) {
+  const auto mesh = shapes::cube().mesh();
+  EXPECT_THROW(walkStraight(mesh, {12, Vector3d(1, 0, 0)}, {1, 0}), Error);
+  EXPECT_THROW(walkStraight(mesh, {-1, Vector3d(1, 0, 0)}, {1, 0}), Error);
+  EXPECT_THROW(walkStraight(mesh, {0, Vector3d(0.5, 0.5, 0.5)}, {1, 0}), Error);
 }
 
 TEST(WalkStraight, EndsWhereItWindsAroundASpikeForEver) {

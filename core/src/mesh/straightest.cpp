@@ -10,6 +10,7 @@
 
 #include "base/plane.h"
 #include "base/tolerances.h"
+#include "mesh/surface_geometry.h"
 
 namespace gvd {
 namespace {
@@ -19,9 +20,10 @@ using std::numbers::pi;
 
 double angleOf(const Vector2d& v) { return std::atan2(v.y(), v.x()); }
 
-/// Walks from face to face, from a point of a face, in a direction in the frame of a halfedge of
-/// that face (`TriangleMesh::Layout`). Points within a face are interpolated between points on its
-/// sides: nothing is divided by the height of a face, which may be tiny.
+/// Walks from face to face, in a direction in the frame of a halfedge of the current face
+/// (`TriangleMesh::Layout`). The current point is on that halfedge, except at a start inside a
+/// face. Points within a face are interpolated between points on its sides: nothing is divided by
+/// the height of a face, which may be tiny.
 class Walk {
  public:
   Walk(const TriangleMesh& mesh, const SurfacePoint& start, const Vector2d& move,
@@ -38,11 +40,11 @@ class Walk {
     }
     direction_ = move / total_;
     frame_ = turnedBackBy({1, 0}, direction_);
-    for (int i = 0; i < 3; ++i) {
-      if (bary_[i] < 1 - kVertexSnap) continue;
-      startAtVertex(3 * start.face + i);
-      break;
-    }
+    Eigen::Index nearest, farthest;
+    if (bary_.maxCoeff(&nearest) >= 1 - kVertexSnap)
+      startAtVertex(3 * start.face + static_cast<int>(nearest));
+    else if (bary_.minCoeff(&farthest) <= kVertexSnap)
+      startOnEdge(3 * start.face + cornerAfter(static_cast<int>(farthest)));
   }
 
   StraightestGeodesic run() {
@@ -74,11 +76,11 @@ class Walk {
 
   /// The direction of a side of the current face in the frame of the current halfedge.
   Vector2d axisOf(int side) const {
-    const TriangleMesh::Layout& l = mesh_.layout(halfedge_);
     if (side == halfedge_) return {1, 0};
-    const Vector2d along = side == TriangleMesh::next(halfedge_) ? Vector2d(l.x - l.length, l.y)
-                                                                 : Vector2d(-l.x, -l.y);
-    return along / mesh_.length(side);
+    const TriangleMesh::Face& face = mesh_.face(TriangleMesh::faceOf(halfedge_));
+    const int tail = halfedge_ % 3, tip = cornerAfter(tail);
+    return side % 3 == tip ? Vector2d(-face.cosines[tip], face.sines[tip])
+                           : Vector2d(-face.cosines[tail], -face.sines[tail]);
   }
 
   void toFrame(int side) {
@@ -106,40 +108,55 @@ class Walk {
 
   void crossFace() {
     const TriangleMesh::Layout& l = mesh_.layout(halfedge_);
-    const int first = halfedge_ % 3, second = (first + 1) % 3, third = (first + 2) % 3;
+    const int first = halfedge_ % 3, second = cornerAfter(first), third = cornerBefore(first);
     const std::array<Vector2d, 3> corners = {Vector2d(0, 0), Vector2d(l.length, 0),
                                              Vector2d(l.x, l.y)};
     const std::array<int, 3> sides = {halfedge_, TriangleMesh::next(halfedge_),
                                       TriangleMesh::previous(halfedge_)};
+    const bool isOnHalfedge = bary_[third] == 0;
     const Vector2d here = bary_[second] * corners[1] + bary_[third] * corners[2];
     std::array<double, 3> left;  // signed distances of the corners, positive left of the line
     for (int i = 0; i < 3; ++i) left[i] = cross(direction_, corners[i] - here);
-    for (int i = 0; i < 3; ++i) {
-      const int j = (i + 1) % 3;
-      if (!(left[i] <= 0 && left[j] > 0)) continue;  // the side where the line leaves the face
-      const double share = left[i] / (left[i] - left[j]);
-      if (share <= kVertexSnap) return goToCorner(sides[i], corners[i] - here);
-      if (share >= 1 - kVertexSnap) return goToCorner(sides[j], corners[j] - here);
-      const Vector2d there = corners[i] + share * (corners[j] - corners[i]);
-      Eigen::Vector3d bary = Eigen::Vector3d::Zero();
-      bary[sides[i] % 3] = 1 - share;
-      bary[sides[j] % 3] = share;
-      if (advance(std::max(0.0, (there - here).dot(direction_)), bary)) crossEdge(sides[i], share);
-      return;
+    int leaving;  // the side where the line leaves the face, never the one where it enters
+    if (isOnHalfedge) {
+      if (direction_.y() <= kVertexSnap) return startAlongEdge(halfedge_, direction_.x() > 0);
+      leaving = left[2] > 0 ? 1 : 2;
+    } else {
+      leaving = 0;
+      while (leaving < 3 && !(left[leaving] <= 0 && left[cornerAfter(leaving)] > 0)) ++leaving;
     }
-    // By rounding, all corners are on one side of the line: it leaves a thin face at the corner
-    // that is farthest ahead.
-    int ahead = 0;
-    for (int i = 1; i < 3; ++i)
-      if ((corners[i] - corners[ahead]).dot(direction_) > 0) ahead = i;
-    goToCorner(sides[ahead], corners[ahead] - here);
+    if (leaving == 3) {
+      // By rounding, all corners are on one side of the line: it leaves a thin face at the corner
+      // that is farthest ahead.
+      int ahead = 0;
+      for (int i = 1; i < 3; ++i)
+        if ((corners[i] - corners[ahead]).dot(direction_) > 0) ahead = i;
+      return goToCorner(sides[ahead], corners[ahead] - here);
+    }
+    const int i = leaving, j = cornerAfter(i);
+    const double share = left[i] / (left[i] - left[j]);
+    if (share <= kVertexSnap) return goToCorner(sides[i], corners[i] - here);
+    if (share >= 1 - kVertexSnap) return goToCorner(sides[j], corners[j] - here);
+    const Vector2d there = corners[i] + share * (corners[j] - corners[i]);
+    Eigen::Vector3d bary = Eigen::Vector3d::Zero();
+    bary[sides[i] % 3] = 1 - share;
+    bary[sides[j] % 3] = share;
+    if (advance(std::max(0.0, (there - here).dot(direction_)), bary)) crossEdge(sides[i], share);
   }
 
   void goToCorner(int corner, const Vector2d& path) {
     if (!advance(path.norm(), Eigen::Vector3d::Unit(corner % 3))) return;
     toFrame(corner);
-    const double back = std::clamp(angleOf(-direction_), 0.0, mesh_.cornerAngle(corner));
-    passVertex(corner, back);
+    // Not always within the corner's angle: the line may have come in closely beside the vertex.
+    const double middle = mesh_.cornerAngle(corner) / 2;
+    passVertex(corner, middle + angleOf(turnedBackBy(-direction_, unitVector(middle))));
+  }
+
+  void startOnEdge(int side) {
+    bary_[cornerBefore(side % 3)] = 0;
+    bary_ /= bary_.sum();
+    toFrame(side);
+    if (direction_.y() < -kVertexSnap) crossEdge(side, bary_[cornerAfter(side % 3)]);
   }
 
   void crossEdge(int side, double share) {
@@ -219,8 +236,8 @@ class Walk {
     if (mesh_.onBoundary(vertex)) {
       leaveBoundaryVertex(vertex, from + pi);
     } else {
-      const double half = mesh_.angleSum(vertex) / 2;
-      leaveVertex(vertex, from < half ? from + half : from - half);
+      const double sum = mesh_.angleSum(vertex), straight = std::fmod(from + sum / 2, sum);
+      leaveVertex(vertex, straight < 0 ? straight + sum : straight);
     }
   }
 
@@ -283,7 +300,7 @@ class Walk {
 
 StraightestGeodesic walkStraight(const TriangleMesh& mesh, const SurfacePoint& start,
                                  const Eigen::Vector2d& move, AtBoundary atBoundary) {
-  return Walk(mesh, start, move, atBoundary).run();
+  return Walk(mesh, onMesh(mesh, start), move, atBoundary).run();
 }
 
 }  // namespace gvd
