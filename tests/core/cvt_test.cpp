@@ -456,7 +456,35 @@ TEST(Cvt, RejectsOptionsThatDoNotFit) {
   expectError([](CvtOptions& o) { o.moveTolerance = std::numeric_limits<double>::quiet_NaN(); });
   expectError([](CvtOptions& o) { o.density = {1, 1}; });
   expectError([](CvtOptions& o) { o.density = {1, 1, 1, -1, 1, 1, 1, 1}; });
+  expectError([](CvtOptions& o) { o.density = {1, 1, 1, 1e308, 1, 1, 1, 1}; });
   expectError([](CvtOptions& o) { o.fixedSites = {3}; });
+}
+
+TEST(Cvt, TakesDensitiesOfAnySizeThatCanBeIntegrated) {
+  // Sites move as with the density 1, by which all of these are constant multiples.
+  const auto mesh = shapes::torus(12, 7).mesh();
+  const auto sites = sampleUniform(mesh, 9, 1);
+  const auto tessellated = [&](double density, CvtMethod method) {
+    CvtOptions options{.method = method, .iterations = 5};
+    options.density.assign(mesh.vertexCount(), density);
+    Cvt cvt(mesh, sites, options);
+    finish(cvt);
+    return std::pair(cvt.iteration().energy, std::vector(cvt.sites().begin(), cvt.sites().end()));
+  };
+  const auto [energy, places] = tessellated(1, CvtMethod::kLloyd);
+  for (const double density : {0x1p-900, 0x1p-500, 0x1p500, 0x1p900}) {
+    const auto [scaled, same] = tessellated(density, CvtMethod::kLloyd);
+    EXPECT_EQ(scaled, energy * density);
+    for (size_t i = 0; i < places.size(); ++i) EXPECT_EQ(same[i].bary, places[i].bary) << density;
+    EXPECT_LE(tessellated(density, CvtMethod::kLbfgs).first, scaled * 1.2) << density;
+  }
+  try {
+    tessellated(1e308, CvtMethod::kLloyd);
+    FAIL() << "a density that cannot be integrated";
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(),
+                 "the density at vertex 0 is 1e+308, more than can be integrated on this mesh");
+  }
 }
 
 }  // namespace

@@ -28,10 +28,11 @@ struct CvtOptions {
   double energyTolerance = 0;
   /// Done when no site has moved by more than this, in the mesh's units.
   double moveTolerance = 0;
-  /// The density ρ at each vertex of the mesh, linear in between: finite, not negative. Empty: 1.
-  std::vector<double> density;
+  /// The density ρ at each vertex of the mesh, linear in between: not negative, and small enough
+  /// for ∫ ρ d² to be finite. Empty: 1.
+  std::vector<double> density = {};
   /// Labels of the sites that stay where they are.
-  std::vector<int> fixedSites;
+  std::vector<int> fixedSites = {};
 };
 
 /// The result of one iteration.
@@ -67,16 +68,15 @@ class Cvt {
  public:
   /// `sites` are given in the mesh's faces, one label each; face -1 is a label without a site and
   /// stays so. The mesh must outlive this. Throws `Error(kInvalidArgument)` if there is no site or
-  /// an option does not fit mesh and sites.
+  /// an option does not fit mesh and sites, `Error(kInvalidPoint)` if a site is not on the mesh.
   Cvt(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, CvtOptions options = {});
   ~Cvt();
   Cvt(Cvt&&) noexcept;
   Cvt& operator=(Cvt&&) noexcept;
 
-  /// Works on at most `budget` queue entries of the distances; once these are done, it traces the
-  /// diagram and integrates the energy in the same call. True when an iteration has ended (the
-  /// first one is number 0: the initial sites), which the functions below then describe, or when
-  /// everything is done.
+  /// Works for `budget` units of about a microsecond, as `SlicedWork::step`, but not beyond the end
+  /// of an iteration. True when an iteration has ended, of which the functions below then give the
+  /// results, or when the tessellation is done. Iteration 0 evaluates the initial sites.
   bool step(long budget);
   bool isDone() const;
 

@@ -3,6 +3,7 @@
 // Validation of densities that are given per vertex.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <string>
@@ -13,17 +14,28 @@
 
 namespace gvd {
 
-/// Throws `Error(kInvalidArgument)` unless there is one density per vertex of the mesh, finite and
-/// not negative.
+/// The largest density whose integral with the squared distance does not overflow: no shortest path
+/// is longer than all edges together. The rest up to 2^1024 is for constant factors and for sums.
+inline double mostDensity(const TriangleMesh& mesh) {
+  const double longest = mesh.meanEdgeLength() * mesh.halfedgeCount();
+  return 0x1p1000 / (std::max(mesh.area(), 1.0) * std::max(longest * longest, 1.0));
+}
+
+/// Throws `Error(kInvalidArgument)` unless there is one density per vertex of the mesh, finite, not
+/// negative, and small enough to be integrated.
 inline void validateDensity(const TriangleMesh& mesh, std::span<const double> density) {
   const auto fail = [](const std::string& what) { throw Error(ErrorCode::kInvalidArgument, what); };
   const size_t vertices = mesh.vertexCount();
   if (density.size() != vertices)
     fail("there are " + std::to_string(density.size()) + " densities for " +
          std::to_string(vertices) + " vertices");
-  for (size_t v = 0; v < vertices; ++v)
-    if (!(density[v] >= 0 && std::isfinite(density[v])))
-      fail("the density at vertex " + std::to_string(v) + " is " + numberText(density[v]));
+  const double most = mostDensity(mesh);
+  for (size_t v = 0; v < vertices; ++v) {
+    const bool isFinite = density[v] >= 0 && std::isfinite(density[v]);
+    if (isFinite && density[v] <= most) continue;
+    fail("the density at vertex " + std::to_string(v) + " is " + numberText(density[v]) +
+         (isFinite ? ", more than can be integrated on this mesh" : ""));
+  }
 }
 
 }  // namespace gvd
