@@ -302,8 +302,12 @@ TEST(Dual, RefusesOtherSitesThanTheDiagrams) {
   const auto sites = sampleFarthest(mesh, 14, 1);
   const Diagram diagram = trace(mesh, sites).diagram;
   const std::vector<SurfacePoint> few(sites.begin(), sites.end() - 1);
-  EXPECT_THROW(dualMesh(mesh, few, diagram), Error);
-  EXPECT_THROW(findViolations(mesh, few, diagram), Error);
+  std::vector<SurfacePoint> elsewhere = sites;
+  elsewhere[3].face = mesh.faceCount();
+  for (const auto& others : {few, elsewhere}) {
+    EXPECT_THROW(dualMesh(mesh, others, diagram), Error);
+    EXPECT_THROW(findViolations(mesh, others, diagram), Error);
+  }
 }
 
 TEST(Repair, KeepsLabelsWithoutSite) {

@@ -443,6 +443,21 @@ TEST(CoverComponents, RejectsCountsThatDoNotSuffice) {
   EXPECT_THROW(coverComponents(mesh, {}, 2147483647, 2147483647, 1), Error);
 }
 
+TEST(SampleFarthest, RefusesACoveringRadiusThatIsNone) {
+  const auto mesh = shapes::cube().mesh();
+  EXPECT_THROW(sampleFarthest(mesh, 3, 1, -1), Error);
+  EXPECT_THROW(sampleFarthest(mesh, 3, 1, NAN), Error);
+  EXPECT_EQ(sampleFarthest(mesh, 3, 1, kInfinity).size(), 1u);
+}
+
+TEST(BareComponents, RefuseAPointThatIsNotOnTheMesh) {
+  const auto mesh = shapes::cube().mesh();
+  for (const SurfacePoint& p : {SurfacePoint{12, Eigen::Vector3d(1, 0, 0)}, SurfacePoint{-2, {}},
+                                SurfacePoint{0, Eigen::Vector3d(1, 1, 0)}})
+    EXPECT_THROW(bareComponents(mesh, std::vector{p}), Error);
+  EXPECT_EQ(bareComponents(mesh, std::vector{SurfacePoint()}).components, 1);
+}
+
 TEST(BareComponents, AreThoseWithoutAPoint) {
   const TriangleMesh mesh = sixComponents();
   const std::vector<SurfacePoint> points = {{0, {1, 0, 0}}, {52, {1, 0, 0}}};

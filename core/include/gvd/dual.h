@@ -35,8 +35,8 @@ namespace gvd {
 /// manifold with the topology of the surface if `findViolations` has none.
 ///
 /// Here and below, `sites` are the sites of the diagram by label, with face -1 for a label without
-/// a site; throws `Error(kInvalidArgument)` if their number is not the diagram's. Costs as much as
-/// `partition`.
+/// a site; throws `Error(kInvalidArgument)` if their number is not the diagram's, and
+/// `Error(kInvalidPoint)` if one is not on the mesh. Costs as much as `partition`.
 PolygonMesh dualMesh(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
                      const Diagram& diagram);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The exception that all functions of the library throw on bad input.
+/// The exception that the functions of the library throw on bad input.
 #pragma once
 
 #include <stdexcept>
@@ -10,14 +10,16 @@ namespace gvd {
 
 /// What went wrong, for programs; `Error::what()` says it in one sentence, for people.
 enum class ErrorCode {
-  kInvalidMesh,   ///< the triangles cannot be made into a surface
-  kInvalidGltf,   ///< the bytes are not a glTF this library reads
-  kInvalidPoint,  ///< a site or query point is not on the surface
-  kInvalidArgument,
+  kInvalidMesh,      ///< the triangles cannot be made into a surface
+  kInvalidGltf,      ///< the bytes are not a glTF this library reads
+  kInvalidPoint,     ///< a site or query point is not on the surface
+  kInvalidArgument,  ///< an option, count or list does not fit, as the function says
 };
 
-/// The one exception that this library throws on purpose, always because of bad input. The message
-/// is one sentence that names what is wrong and where (index, value).
+/// Thrown because of bad input, and for no other reason. The message is one sentence that names
+/// what is wrong and where (index, value). Two more exceptions can come from the library, neither
+/// of them the caller's fault: `std::bad_alloc`, and `std::logic_error` if intermediate results
+/// contradict each other, which is a bug to be reported.
 class Error : public std::runtime_error {
  public:
   Error(ErrorCode code, const std::string& message) : std::runtime_error(message), code_(code) {}

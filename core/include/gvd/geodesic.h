@@ -19,7 +19,8 @@ namespace gvd {
 /// How geodesic distance is measured.
 enum class Metric {
   kExact,  ///< polyhedral distance, exact: continuous Dijkstra over windows (Mitchell et al. 1987)
-  kDgpc,   ///< approximate, quicker: unfolding from vertex to vertex (Melvær & Reimers 2012)
+  kDgpc,   ///< approximate; quicker with few sites: DGPC, from vertex to vertex by unfolding
+           ///< triangles (Melvær & Reimers 2012)
 };
 
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();

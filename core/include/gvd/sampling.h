@@ -30,7 +30,8 @@ std::vector<SurfacePoint> sampleUniform(const TriangleMesh& mesh, int count, std
 /// limit of many (`CvtOptions::density`): with a probability per area in proportion to the square
 /// root of the density at each vertex of the mesh, linear in between. The first n points do not
 /// depend on `count`. Throws `Error(kInvalidArgument)` if there is not one density per vertex, one
-/// is negative or not finite, or the density vanishes all over the surface. O(F + count log F).
+/// is not as a tessellation takes it, or the density vanishes all over the surface.
+/// O(F + count log F).
 /// Source: Allen Gersho. Asymptotically Optimal Block Quantization. 1979.
 std::vector<SurfacePoint> sampleByDensity(const TriangleMesh& mesh, std::span<const double> density,
                                           int count, std::uint64_t seed);
@@ -43,7 +44,8 @@ std::vector<SurfacePoint> sampleByDensity(const TriangleMesh& mesh, std::span<co
 /// not depend on `count`.
 ///
 /// Distances are geodesic, by unfolding (DGPC without angles). A point spreads only where it is
-/// the nearest: O(V log V log count) for evenly spread vertices.
+/// the nearest: O(V log V log count) for evenly spread vertices. Throws `Error(kInvalidArgument)`
+/// if the radius is negative or not a number.
 /// Source: Gabriel Peyré, Laurent Cohen. Geodesic Remeshing Using Front Propagation. 2006.
 std::vector<SurfacePoint> sampleFarthest(const TriangleMesh& mesh, int count, std::uint64_t seed,
                                          double coveringRadius = 0);
@@ -142,11 +144,12 @@ std::vector<SurfacePoint> coverComponents(const TriangleMesh& mesh,
                                           std::vector<SurfacePoint> points, int perComponent,
                                           int count, std::uint64_t seed);
 
-/// The number of components without any of these points, and their area.
 struct BareComponents {
   int components = 0;
   double area = 0;
 };
+/// The number of components without any of these points, and their area. Labels without a site
+/// (face -1) do not count; throws `Error(kInvalidPoint)` if a point is not on the mesh. O(F).
 BareComponents bareComponents(const TriangleMesh& mesh, std::span<const SurfacePoint> points);
 
 }  // namespace gvd

@@ -100,7 +100,7 @@ PolygonMesh buildRegions(const TriangleMesh& mesh, const Partition& partition,
 std::unique_ptr<SlicedWork<PolygonMesh>> startDualMesh(const TriangleMesh& mesh,
                                                        std::vector<SurfacePoint> sites,
                                                        const Diagram& diagram) {
-  requireSitesOf(diagram, sites);
+  requireSitesOf(mesh, diagram, sites);
   return fromRegions(
       mesh, diagram,
       [&mesh, sites = std::move(sites)](const Partition& partition, const RegionComplex& complex) {

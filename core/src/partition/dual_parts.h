@@ -14,6 +14,7 @@
 #include "gvd/dual.h"
 #include "gvd/error.h"
 #include "gvd/partition.h"
+#include "mesh/surface_geometry.h"
 #include "partition/region_complex.h"
 
 namespace gvd {
@@ -67,12 +68,16 @@ auto fromRegions(const TriangleMesh& mesh, const Diagram& diagram, Make make) {
       new FromRegions<Result, Make>(mesh, diagram, std::move(make)));
 }
 
-/// Throws `Error(kInvalidArgument)` unless there is one site per label of the diagram.
-inline void requireSitesOf(const Diagram& diagram, std::span<const SurfacePoint> sites) {
+/// Throws `Error(kInvalidArgument)` unless there is one site per label of the diagram, and
+/// `Error(kInvalidPoint)` if one is not on the mesh.
+inline void requireSitesOf(const TriangleMesh& mesh, const Diagram& diagram,
+                           std::span<const SurfacePoint> sites) {
   if (static_cast<int>(sites.size()) != diagram.siteCount)
     throw Error(ErrorCode::kInvalidArgument, "there are " + std::to_string(sites.size()) +
                                                  " sites for a diagram of " +
                                                  std::to_string(diagram.siteCount));
+  for (size_t l = 0; l < sites.size(); ++l)
+    if (sites[l].face != -1) onMesh(mesh, sites[l], "site " + std::to_string(l) + ": ");
 }
 
 /// A violation, and the vertices of the partition where it shows: the one farthest from all sites

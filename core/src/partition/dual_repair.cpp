@@ -88,7 +88,7 @@ class RepairRound {
 std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> startRepairingSites(
     const TriangleMesh& mesh, std::span<const SurfacePoint> sites, const Diagram& diagram,
     const DistanceField& field) {
-  requireSitesOf(diagram, sites);
+  requireSitesOf(mesh, diagram, sites);
   return fromRegions(mesh, diagram,
                      [&mesh, sites = std::vector(sites.begin(), sites.end()), &diagram, &field](
                          const Partition& partition, const RegionComplex& complex) {

@@ -233,7 +233,7 @@ std::vector<Finding> inspect(const TriangleMesh& mesh, std::span<const SurfacePo
 
 std::unique_ptr<SlicedWork<std::vector<Violation>>> startViolations(
     const TriangleMesh& mesh, std::span<const SurfacePoint> sites, const Diagram& diagram) {
-  requireSitesOf(diagram, sites);
+  requireSitesOf(mesh, diagram, sites);
   return fromRegions(mesh, diagram,
                      [&mesh, sites = std::vector(sites.begin(), sites.end()), &diagram](
                          const Partition& partition, const RegionComplex& complex) {

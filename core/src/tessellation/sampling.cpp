@@ -295,6 +295,9 @@ std::vector<SurfacePoint> sampleByDensity(const TriangleMesh& mesh, std::span<co
 std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> startFarthest(const TriangleMesh& mesh,
                                                                      int count, std::uint64_t seed,
                                                                      double coveringRadius) {
+  if (!(coveringRadius >= 0))
+    throw Error(ErrorCode::kInvalidArgument,
+                "points cannot cover a surface with the radius " + numberText(coveringRadius));
   return std::make_unique<FarthestSampling>(mesh, count, seed, coveringRadius);
 }
 
@@ -379,8 +382,11 @@ std::vector<SurfacePoint> coverComponents(const TriangleMesh& mesh,
 
 BareComponents bareComponents(const TriangleMesh& mesh, std::span<const SurfacePoint> points) {
   std::vector<char> isBare(mesh.topology().components, true);
-  for (const SurfacePoint& p : points)
-    if (p.face >= 0) isBare[mesh.component(p.face)] = false;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].face == -1) continue;
+    isBare[mesh.component(onMesh(mesh, points[i], "point " + std::to_string(i) + ": ").face)] =
+        false;
+  }
   BareComponents bare;
   bare.components = static_cast<int>(std::count(isBare.begin(), isBare.end(), true));
   for (int f = 0; f < mesh.faceCount(); ++f)
