@@ -310,12 +310,14 @@ TEST(Dual, RefusesOtherSitesThanTheDiagrams) {
   }
 }
 
-TEST(Repair, KeepsLabelsWithoutSite) {
+TEST(Repair, AddsSitesToLabelsWithoutOneFirst) {
   const auto mesh = shapes::torus(24, 12).mesh();
-  const std::vector<SurfacePoint> sites = {centroid(0), {}, centroid(100)};
+  const std::vector<SurfacePoint> sites = {centroid(0), {}, centroid(100), {}};
   const RepairedSites repaired = repair(mesh, sites, Metric::kExact);
-  EXPECT_EQ(repaired.sites[1].face, -1);
-  EXPECT_GT(repaired.added, 0);
+  EXPECT_EQ(repaired.sites[0].face, 0);
+  EXPECT_EQ(repaired.sites[2].face, 100);
+  EXPECT_GT(repaired.added, 2);
+  EXPECT_EQ(repaired.sites.size(), 2u + repaired.added);
   EXPECT_TRUE(hasTheTopologyOf(mesh, dualMesh(mesh, repaired.sites, repaired.diagram)));
 }
 

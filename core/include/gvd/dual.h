@@ -121,13 +121,15 @@ struct RepairOptions {
 
 /// Sites with a valid dual.
 struct RepairedSites {
-  std::vector<SurfacePoint> sites;  ///< the given sites, then `added` more
+  /// The given sites by label, and `added` more: each got the lowest label without a site.
+  std::vector<SurfacePoint> sites;
   int added = 0;
   Diagram diagram;
 };
 
-/// Adds sites until the diagram has no violations. Greedy: those of `repairingSites`, then the
-/// diagram is traced anew. Deterministic; a diagram per round.
+/// Adds sites until the diagram has no violations: in each round those of `repairingSites`, which
+/// are inserted into a `DynamicDiagram`. Deterministic. Takes as long as the diagram and these
+/// insertions, plus a `findViolations` per round.
 ///
 /// Throws `Error(kInvalidArgument)`, naming the first violation that is left, if more than
 /// `maxAdded` would be needed, and as `repairingSites` and `propagate` do.

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "gvd/dynamic_diagram.h"
 #include "gvd/error.h"
 #include "partition/dual_parts.h"
 
@@ -104,22 +105,18 @@ std::vector<SurfacePoint> repairingSites(const TriangleMesh& mesh,
 
 RepairedSites repair(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric,
                      const RepairOptions& options) {
-  RepairedSites result{{sites.begin(), sites.end()}, 0, {}};
-  for (;;) {
-    const auto propagation = propagate(mesh, result.sites, metric);
-    while (!propagation->step(100000)) {
-    }
-    const auto field = propagation->take();
-    result.diagram = traceDiagram(mesh, *field, static_cast<int>(result.sites.size()));
-    const auto added = repairingSites(mesh, result.sites, result.diagram, *field);
-    if (added.empty()) return result;
-    if (result.added + static_cast<int>(added.size()) > options.maxAdded)
+  auto dynamic = DynamicDiagram::fromDistances(mesh, finished(propagate(mesh, sites, metric)));
+  for (int added = 0;;) {
+    RepairedSites repaired{dynamic.sites(), added, dynamic.diagram()};
+    const auto more = repairingSites(mesh, repaired.sites, repaired.diagram, dynamic.distances());
+    if (more.empty()) return repaired;
+    added += static_cast<int>(more.size());
+    if (added > options.maxAdded)
       throw Error(ErrorCode::kInvalidArgument,
                   "the dual is not valid with " + std::to_string(options.maxAdded) +
                       (options.maxAdded == 1 ? " site" : " sites") + " more: " +
-                      findViolations(mesh, result.sites, result.diagram).front().message);
-    result.sites.insert(result.sites.end(), added.begin(), added.end());
-    result.added += static_cast<int>(added.size());
+                      findViolations(mesh, repaired.sites, repaired.diagram).front().message);
+    for (const SurfacePoint& site : more) dynamic.insertSite(site);
   }
 }
 
