@@ -91,8 +91,10 @@ class DistanceField {
   /// succession have a face in common, in which the path between them is straight. One point if `p`
   /// is at the site; empty where `distance` is infinite and the site is not the nearest one. With
   /// the exact metric the path is as long as the distance (`lengthOf`). With DGPC the path follows
-  /// from the distances at vertices, and its length may differ from the distance. O(vertices that
-  /// the site has reached), then O(faces around the points of the path).
+  /// from the distances at vertices, and its length may differ from the distance; if it would be
+  /// longer by more than a tenth, or if these distances lead nowhere, the path is the shortest one
+  /// by the exact metric. O(vertices that the site has reached), then O(faces around the points of
+  /// the path), or the time of `shortestPath` in that last case.
   virtual std::vector<SurfacePoint> path(int label, const SurfacePoint& p) const = 0;
 };
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <span>
+#include <functional>
+#include <utility>
 #include <vector>
 
-#include "distance/label_spread.h"
 #include "distance/path_points.h"
 #include "distance/straight_line.h"
 #include "gvd/geodesic.h"
@@ -13,18 +13,21 @@
 
 namespace gvd::dgpc {
 
-/// A path from a point back to the site of a label, near the shortest one. At each point, virtual
-/// sources are unfolded behind the surrounding sides as in the sweep. The path takes one step
-/// towards the nearest of them, or along an edge to a vertex if that is shorter, and repeats. The
-/// estimated distance must fall with every step; otherwise the path keeps to its previous straight
-/// line, and if that leads nowhere, goes on over a vertex. The distances of successive vertices
-/// fall, so the path never loops.
+/// A path from a point back to the site of a label, by the label's distances at vertices. At each
+/// point, virtual sources are unfolded behind the surrounding sides as in the sweep. The path takes
+/// one step towards the nearest of them, or along an edge to a vertex if that is shorter, and
+/// repeats. The estimated distance must fall with every step; otherwise the path keeps to its
+/// previous straight line, and if that leads nowhere, goes on over a nearer vertex beside its last
+/// one. The distances of successive vertices fall, so the path never loops.
 class UnfoldingPath {
  public:
-  UnfoldingPath(const TriangleMesh& mesh, const SurfacePoint& site,
-                std::span<const ReachedVertex> reached);
+  /// Infinite at vertices that the label has not reached.
+  using DistanceAt = std::function<double(int vertex)>;
 
-  /// Empty if no path has been found.
+  UnfoldingPath(const TriangleMesh& mesh, const SurfacePoint& site, DistanceAt distanceAt)
+      : mesh_(mesh), points_(mesh, site), distanceAt_(std::move(distanceAt)) {}
+
+  /// Empty if the distances contradict each other so much that they lead nowhere.
   std::vector<SurfacePoint> from(const SurfacePoint& p);
 
  private:
@@ -36,16 +39,15 @@ class UnfoldingPath {
   };
 
   bool goStraight();
-  Step best() const;
   bool goOverVertex();
-  bool goAlongEdges();
+  Step best() const;
   Step nearestCorner() const;
   void offerSide(const SurfacePoint& place, int side, Step& best) const;
 
   const TriangleMesh& mesh_;
   PathPoints points_;
-  std::vector<double> distances_;  ///< at vertices, infinity where the label has not been
-  double bound_ = kInfinity;       ///< the distance at the last vertex of the path
+  const DistanceAt distanceAt_;
+  double bound_ = kInfinity;  ///< the distance at the last vertex of the path
 };
 
 }  // namespace gvd::dgpc

@@ -8,11 +8,19 @@
 
 #include "base/index_set.h"
 #include "base/sliced_loop.h"
+#include "distance/dgpc/unfolding_path.h"
 #include "distance/face_layout.h"
 #include "distance/known_labels.h"
 #include "mesh/surface_geometry.h"
 
 namespace gvd::dgpc {
+namespace {
+
+/// How much longer than its distance a path may be, as a share: more than most errors of distances
+/// (a few per cent where paths bend), and less than a detour that can be seen.
+constexpr double kMostDetour = 0.1;
+
+}  // namespace
 
 UnfoldingSpread::UnfoldingSpread(const TriangleMesh& mesh, const SiteSet& sites,
                                  const EdgeBounds& edgeBounds, NearestBounds& bounds)
@@ -137,7 +145,9 @@ std::vector<LabelledDistance> UnfoldingSpread::nearestAt(const SurfacePoint& p,
   makeSet(labels);
   std::vector<LabelledDistance> distances;
   distances.reserve(labels.size());
-  for (const int label : labels) distances.push_back({label, distanceAt(label, p, known)});
+  for (const int label : labels)
+    distances.push_back(
+        {label, distanceAt(label, p, [&](int v) { return known.distance(v, label); })});
   return distances;
 }
 
@@ -151,7 +161,9 @@ class UnfoldingSpread::PointDistances final : public SlicedWork<std::vector<doub
   bool step(long budget) override {
     constexpr long kPointsPerUnit = 8;
     return loop_.run(points_.size(), budget, kPointsPerUnit, [&](int i) {
-      distances_.push_back(spread_.distanceAt(points_[i].label, points_[i].point, known_));
+      const auto& [label, p] = points_[i];
+      distances_.push_back(
+          spread_.distanceAt(label, p, [&](int v) { return known_.distance(v, label); }));
     });
   }
   double progress() const override {
@@ -175,8 +187,8 @@ std::unique_ptr<SlicedWork<std::vector<double>>> UnfoldingSpread::startDistances
 /// In the plane, the squared distance of a point is the linear interpolant of the corners' squared
 /// distances minus a quadratic term that depends on the point alone. Infinity if the label is not
 /// known at all corners.
-double UnfoldingSpread::distanceAt(int label, const SurfacePoint& p,
-                                   const KnownLabels& known) const {
+template <class AtVertex>
+double UnfoldingSpread::distanceAt(int label, const SurfacePoint& p, AtVertex atVertex) const {
   const auto sides = squaredSides(mesh_, p.face);
   double inFace = kInfinity;
   sites_.visitFacesOf(label, [&](const SurfacePoint& site) {
@@ -186,13 +198,28 @@ double UnfoldingSpread::distanceAt(int label, const SurfacePoint& p,
   double squared = 0;
   for (int i = 0; i < 3; ++i) {
     if (p.bary[i] > 0) {
-      const double atCorner = known.distance(mesh_.tail(3 * p.face + i), label);
+      const double atCorner = atVertex(mesh_.tail(3 * p.face + i));
       if (atCorner == kInfinity) return kInfinity;
       squared += p.bary[i] * atCorner * atCorner;
     }
     squared -= p.bary[i] * p.bary[(i + 1) % 3] * sides[i];
   }
   return std::sqrt(std::max(squared, 0.0));
+}
+
+/// The shortest path by the exact metric, if the one by unfolding is longer than the distance by
+/// more than `kMostDetour` or is none: where paths bend on long faces, virtual sources contradict
+/// each other.
+std::vector<SurfacePoint> UnfoldingSpread::path(int label, const SurfacePoint& p) {
+  const Label& known = labels_[label];
+  index_.reset(known.vertices);
+  const auto atVertex = [&](int v) {
+    return index_[v] < 0 ? kInfinity : known.vertices[index_[v]].distance;
+  };
+  const double most = (1 + kMostDetour) * distanceAt(label, p, atVertex);
+  auto path = UnfoldingPath(mesh_, sites_[label], atVertex).from(p);
+  if (!path.empty() && lengthOf(mesh_, path) <= most) return path;
+  return shortestPath(mesh_, p, sites_[label]);
 }
 
 Eigen::Vector2d UnfoldingSpread::direction(int label, int index) const {

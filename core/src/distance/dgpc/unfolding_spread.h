@@ -53,7 +53,9 @@ class UnfoldingSpread final : public LabelSpread {
   void requireVertex(Label& known, int vertex);
   void sweepToRequired(int label);
   class PointDistances;
-  double distanceAt(int label, const SurfacePoint& p, const KnownLabels& known) const;
+  /// `atVertex` gives the label's distance at a vertex.
+  template <class AtVertex>
+  double distanceAt(int label, const SurfacePoint& p, AtVertex atVertex) const;
 
   const TriangleMesh& mesh_;
   const SiteSet& sites_;
@@ -63,7 +65,7 @@ class UnfoldingSpread final : public LabelSpread {
   UnfoldingSweep sweep_;
   std::vector<Label> labels_;
   int running_ = -1;
-  ReachedIndex index_;  ///< of the label of which distances were required last
+  ReachedIndex index_;  ///< of the label whose distances or path were asked for last
 };
 
 }  // namespace gvd::dgpc
