@@ -362,6 +362,30 @@ TEST_P(PathByBoth, IsOnePointAtTheSite) {
   }
 }
 
+/// Within rounding of a vertex or an edge, a point is on it: for distances and paths, at both ends.
+TEST_P(PathByBoth, TakesPointsWithinRoundingOfAVertexOrEdgeForOnesOnIt) {
+  const TriangleMesh mesh = shapes::bumpySurface(1, 2, 0.3, 1).mesh();
+  struct Case {
+    Eigen::Vector3d given, meant;
+  };
+  const Case cases[] = {{{1, 1e-20, 0}, {1, 0, 0}},
+                        {{1e-15, 1e-300, 1}, {0, 0, 1}},
+                        {{0.5, 1e-17, 0.5}, {0.5, 0, 0.5}},
+                        {{0.25, 0.75, -1e-9}, {0.25, 0.75, 0}}};
+  for (const Case& c : cases) {
+    const SurfacePoint given = {7, c.given}, meant = {7, c.meant}, other = {90, {0.2, 0.3, 0.5}};
+    const auto one = fieldOf(mesh, {given, other}, GetParam()),
+               two = fieldOf(mesh, {meant, other}, GetParam());
+    for (int v = 0; v < mesh.vertexCount(); ++v)
+      EXPECT_NEAR(nearestOf(one->at(v)).distance, nearestOf(two->at(v)).distance, 1e-14);
+    const auto field = fieldOf(mesh, {other}, GetParam());
+    EXPECT_EQ(field->nearest(given).distance, field->nearest(meant).distance);
+    const Path a = field->path(0, given), b = field->path(0, meant);
+    ASSERT_EQ(a.size(), b.size());
+    for (size_t i = 0; i < a.size(); ++i) EXPECT_TRUE(isSame(a[i], b[i])) << i;
+  }
+}
+
 TEST_P(PathByBoth, IsEmptyWhereTheSiteIsNotKnown) {
   const TriangleMesh mesh =
       shapes::joined(shapes::cube(), shapes::moved(shapes::cube(), {9, 0, 0})).mesh();

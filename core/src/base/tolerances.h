@@ -42,8 +42,8 @@ class TieTolerance {
 /// region as long as such a face is wide is not lost.
 inline constexpr double kMaxPointError = 1e-12;
 
-/// Barycentric coordinates of sites below this are set to zero: 512 times the rounding 2^-53, and
-/// less than `kMaxPointError`.
+/// Barycentric coordinates below this are set to zero in points given by callers: 512 times the
+/// rounding 2^-53, and less than `kMaxPointError`.
 inline constexpr double kCoordinateRounding = 0x1p-44;
 
 /// The error allowed in barycentric coordinates given by callers: some were written with single

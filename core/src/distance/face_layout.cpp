@@ -3,16 +3,6 @@
 
 namespace gvd {
 
-Incidence incidenceOf(const Eigen::Vector3d& bary) {
-  Incidence incidence;
-  for (int i = 0; i < 3; ++i) {
-    const bool first = bary[cornerAfter(i)] == 0, second = bary[cornerBefore(i)] == 0;
-    if (first && second) return {i, -1};
-    if (second) incidence.side = i;
-  }
-  return incidence;
-}
-
 SurfacePoint acrossEdge(const TriangleMesh& mesh, const SurfacePoint& p, int h) {
   const int twin = mesh.twin(h);
   SurfacePoint q{TriangleMesh::faceOf(twin), Eigen::Vector3d::Zero()};

@@ -5,6 +5,7 @@
 
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
+#include "mesh/surface_geometry.h"
 
 namespace gvd {
 
@@ -29,13 +30,6 @@ inline Eigen::Vector2d wayToCorner(const TriangleMesh::Face& face, const Eigen::
                                    int corner) {
   return layOut(face, 0, Eigen::Vector3d::Unit(corner) - bary);
 }
-
-/// The corner or side of its face that a point lies on, -1 if on none; on a corner, no side.
-struct Incidence {
-  int corner = -1;
-  int side = -1;
-};
-Incidence incidenceOf(const Eigen::Vector3d& bary);
 
 /// Expresses a point of halfedge `h`, given in the halfedge's face, in the face of its twin.
 SurfacePoint acrossEdge(const TriangleMesh& mesh, const SurfacePoint& p, int h);

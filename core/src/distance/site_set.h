@@ -39,7 +39,8 @@ class SiteSet {
   }
   std::span<const FaceSite> inFace(int face) const { return inFace_[face]; }
 
-  void insert(int label, const SurfacePoint& given);
+  /// The site comes from `onMesh`.
+  void insert(int label, const SurfacePoint& site);
   void remove(int label);
 
  private:

@@ -57,11 +57,13 @@ inline double squaredDistance(const Eigen::Vector3d& a, const Eigen::Vector3d& b
 }
 
 /// Barycentric coordinates that are valid within `kBarycentricTolerance` as coordinates that are
-/// not negative and sum to 1 but for rounding.
+/// not negative and sum to 1 but for rounding. A point within rounding of an edge or vertex is
+/// moved onto it: unfolded into the faces beside it, it might come out on the wrong side.
 inline Eigen::Vector3d cleanBarycentric(const Eigen::Vector3d& bary) {
-  if (bary.minCoeff() >= 0 && std::abs(bary.sum() - 1) <= kCoordinateRounding) return bary;
-  const Eigen::Vector3d clamped = bary.cwiseMax(0.0);
-  return clamped / clamped.sum();
+  const Eigen::Vector3d clamped = (bary.array() < kCoordinateRounding).select(0, bary);
+  const double sum = clamped.sum();
+  if (clamped == bary && std::abs(sum - 1) <= kCoordinateRounding) return bary;
+  return clamped / sum;
 }
 
 /// A point from outside with clean coordinates. Throws `Error(kInvalidPoint)` if it is not on the
@@ -73,11 +75,27 @@ inline SurfacePoint onMesh(const TriangleMesh& mesh, const SurfacePoint& p,
   return {p.face, cleanBarycentric(p.bary)};
 }
 
+/// The corner or side of its face that a point lies on, -1 if on none; on a corner, no side.
+struct Incidence {
+  int corner = -1;
+  int side = -1;
+};
+
+/// By the coordinates that are zero, as `cleanBarycentric` leaves them.
+inline Incidence incidenceOf(const Eigen::Vector3d& bary) {
+  Incidence incidence;
+  for (int i = 0; i < 3; ++i) {
+    const bool first = bary[cornerAfter(i)] == 0, second = bary[cornerBefore(i)] == 0;
+    if (first && second) return {i, -1};
+    if (second) incidence.side = i;
+  }
+  return incidence;
+}
+
 /// The vertex that a point lies on, -1 if on none.
 inline int vertexAt(const TriangleMesh& mesh, const SurfacePoint& p) {
-  for (int i = 0; i < 3; ++i)
-    if (p.bary[i] == 1) return mesh.tail(3 * p.face + i);
-  return -1;
+  const int corner = incidenceOf(p.bary).corner;
+  return corner < 0 ? -1 : mesh.tail(3 * p.face + corner);
 }
 
 /// The coordinates of a point in a face. The point may be given in another face that shares the
