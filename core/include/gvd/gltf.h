@@ -34,7 +34,8 @@ struct GltfScene {
   /// library: _DENSITY, one number of type float. 1 where a primitive has none, empty if none has.
   std::vector<double> density;
   std::vector<Part> parts;
-  std::vector<std::string> notes;  ///< a sentence for everything passed over (points, lines, …)
+  /// One sentence for each kind of content that was ignored: points, lines, unreadable normals, …
+  std::vector<std::string> notes;
 };
 
 /// A file that a glTF names as a buffer: the name as the glTF writes it, percent-encoded or not.
@@ -43,21 +44,22 @@ struct GltfResource {
   std::span<const std::byte> bytes;
 };
 
-/// Limits on the demands of a file, so that a small file cannot take all memory or hours. All are
-/// checked before the work is done; the message names the limit.
+/// Limits on what a file may ask for, so that a small malicious file cannot use up all memory or
+/// run for hours. A file beyond a limit is refused before memory is allocated; the message names
+/// the limit.
 struct GltfLimits {
   std::size_t maxJsonBytes = std::size_t{1} << 29;
   /// Nodes, meshes, primitives, accessors, buffer views, … together; also the primitives and morph
   /// targets of all nodes together, instances of EXT_mesh_gpu_instancing included.
   std::size_t maxObjects = std::size_t{1} << 18;
   /// Vertices and triangles of all nodes and instances together; each active morph target counts
-  /// its vertices again. The surface of more than these would not fit into the 4 GB of a
+  /// its vertices again. A `TriangleMesh` of more than these would not fit into the 4 GB of a
   /// WebAssembly memory.
   std::size_t maxVertices = std::size_t{1} << 24;
   std::size_t maxTriangles = std::size_t{1} << 24;
-  /// Elements of accessors without a buffer view: these are zeros, take no bytes of a file, and so
-  /// are not limited by its size. Counted as vertices are; also counts the vertices of instances
-  /// whose attributes have no buffer view.
+  /// Elements of accessors without a buffer view. By the specification these are zeros, so the size
+  /// of the file does not limit their number. Counted once per node and instance, as vertices are,
+  /// together with the vertices of instances whose attributes have no buffer view.
   std::size_t maxZeroElements = std::size_t{1} << 20;
 };
 
@@ -65,14 +67,17 @@ struct GltfLimits {
 /// opened).
 ///
 /// Takes every triangle primitive (lists, strips, fans; any index type or none) of the default
-/// scene, else of all root nodes, else (there are no nodes) of all meshes: depth first, primitives
-/// in order, each node's world transform applied; a mirroring one swaps the second and third corner
-/// of the triangles. A node with EXT_mesh_gpu_instancing has its mesh once per instance. Morph
-/// targets are applied with their default weights. A mesh with a skin is taken as it is bound,
-/// without the transform of its node, as the specification says. Every primitive brings all of its
-/// positions, every triangle counts: the faces of the scene are numbered the way an independent
-/// reader of the file would number them. Normals and texture coordinates that cannot be read are
-/// passed over, and no buffer is missed that no triangle needs.
+/// scene; if there is none, of all root nodes; if there are no nodes, of all meshes. Nodes are
+/// visited depth first, primitives in order. Each node's world transform is applied; one that
+/// mirrors swaps the second and third corner of the triangles. A node with EXT_mesh_gpu_instancing
+/// has its mesh once per instance. Morph targets are applied with their default weights. A mesh
+/// with a skin is taken in its bind pose, without the transform of its node, as the specification
+/// says.
+///
+/// Nothing is merged or dropped: each primitive adds all of its positions, used or not, and all of
+/// its triangles, degenerate ones included. So vertex and triangle indices are those that any other
+/// reader gets that visits nodes in this order. Normals and texture coordinates that cannot be read
+/// are left out, with a note. A buffer that no triangle needs may be missing.
 /// Throws `Error(kInvalidGltf)` with a sentence that names the offending object and its index.
 GltfScene readGltf(std::span<const std::byte> bytes, std::span<const GltfResource> resources = {},
                    const GltfLimits& limits = {});

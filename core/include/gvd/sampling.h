@@ -57,13 +57,17 @@ std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> startFarthest(const Trian
 
 struct PoissonDisk {
   std::vector<SurfacePoint> points;
-  double radius;  ///< no two points are nearer to each other, in the mesh's units
+  double radius;  ///< no two points are nearer to each other (see below), in the mesh's units
 };
 
 /// Random points, no two of them nearer to each other than `radius` (geodesic, as for
 /// `sampleFarthest`), until hardly any more fit; then vertices are added, so that no vertex is
-/// farther than `radius` from a point. Throws `Error(kInvalidArgument)` if the radius is not
-/// positive and finite. Source: Robert Cook. Stochastic Sampling in Computer Graphics. 1986.
+/// farther than `radius` from a point. Both hold for the distances that `Metric::kDgpc` measures:
+/// they are exact where straight lines connect, and err where shortest paths bend at vertices. On
+/// long thin triangles, as of mechanical parts, single ones are wrong by half, so that by exact
+/// distances some points are nearer than `radius` there. Throws `Error(kInvalidArgument)` if the
+/// radius is not positive and finite.
+/// Source: Robert Cook. Stochastic Sampling in Computer Graphics. 1986.
 PoissonDisk samplePoissonDisk(const TriangleMesh& mesh, double radius, std::uint64_t seed);
 
 /// `count` such points: the radius falls until as many fit. Points come in order of falling radius,

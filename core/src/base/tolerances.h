@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Tolerances within which distances, points and shapes count as equal. Only those of a single
-// computation are elsewhere: the margin of mollification.h, the error bounds of predicates.cpp, and
-// the tolerances of windows in distance/exact.
+// Tolerances within which distances, points and shapes count as equal. A tolerance that only one
+// computation uses is defined there: the margin of mollification.h, the error bounds of
+// predicates.cpp, the tolerances of windows in distance/exact.
 #pragma once
 
 #include <span>
@@ -15,13 +15,14 @@ namespace gvd {
 /// The relative rounding error that distances may carry. One unfolding rounds by a few 2^-53,
 /// amplified by at most the ratio of distance to edge length; over the hundred or so unfoldings of
 /// a path, the error stayed below 2^-44 on all meshes measured. 2^-41 leaves a margin of eight and
-/// is still too small to see: a bisector moves by less than 2^-41 · d² / |s - s'| where two
-/// distances are taken for equal that are not.
+/// is still too small to see: where two different distances d count as equal, the bisector of the
+/// sites s and s' moves by less than 2^-41 · d² / |s - s'|.
 inline constexpr double kDistanceTolerance = 0x1p-41;
 
-/// Which distances on a mesh are equal up to rounding, and so the one answer to "is this a tie?".
-/// Near a site, faces may be much longer than distances. Unfolding across one of them rounds by a
-/// few 2^-53 of its size, across a hundred of them by 2^-46 of the longest edge.
+/// Which distances on a mesh are equal up to rounding: all decisions on ties are made here. The
+/// absolute part of the tolerance is for faces much larger than the distances in them: unfolding
+/// across one of them rounds by a few 2^-53 of its size, across a hundred of them by 2^-46 of the
+/// longest edge.
 class TieTolerance {
  public:
   explicit TieTolerance(const TriangleMesh& mesh);
@@ -63,7 +64,8 @@ inline constexpr double kUnfoldingRounding = 1e-12;
 /// vertex: some thousand times the rounding of a coordinate.
 inline constexpr double kVertexSnap = 1e-12;
 
-/// A mean distortion below this comes from rounding, of distances and of their differences.
+/// The mean distortion of a region's logarithmic map (`WorstRegion::kMostDistorted`) that rounding
+/// of distances and of their differences can cause.
 inline constexpr double kFlatDistortion = 1e-12;
 
 /// A mean squared curvature comes from the rounding of angles if its product with the square of the

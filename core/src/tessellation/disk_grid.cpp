@@ -10,10 +10,11 @@
 namespace gvd {
 namespace {
 
-/// The most rectangles of a face, and about the most of all faces beside one for each.
+/// The largest number of rectangles of one face. All faces together have about as many at most,
+/// beside one for each face.
 constexpr int kMostRectangles = 1 << 18;
-/// The relative rounding of squared distances, with a wide margin: those from the corners differ by
-/// about the longest side at most.
+/// The relative rounding of squared distances, with a wide margin: a few 2^-53 of the squared
+/// distances at the corners and of the squared longest side.
 constexpr double kSquareRounding = 1e-12;
 
 /// Which of equal parts of a length a coordinate is in, or the nearest.
