@@ -161,9 +161,9 @@ class UnfoldingSpread::PointDistances final : public SlicedWork<std::vector<doub
   bool step(long budget) override {
     constexpr long kPointsPerUnit = 8;
     return loop_.run(points_.size(), budget, kPointsPerUnit, [&](int i) {
-      const auto& [label, p] = points_[i];
-      distances_.push_back(
-          spread_.distanceAt(label, p, [&](int v) { return known_.distance(v, label); }));
+      const LabelledPoint& at = points_[i];
+      distances_.push_back(spread_.distanceAt(at.label, at.point,
+                                              [&](int v) { return known_.distance(v, at.label); }));
     });
   }
   double progress() const override {
