@@ -34,7 +34,8 @@ struct GltfScene {
   /// library: _DENSITY, one number of type float. 1 where a primitive has none, empty if none has.
   std::vector<double> density;
   std::vector<Part> parts;
-  /// One sentence for each kind of content that was ignored: points, lines, unreadable normals, …
+  /// One sentence for each kind of content that was ignored or simplified (points, lines, normals
+  /// that cannot be read, skins, …), with its count.
   std::vector<std::string> notes;
 };
 
@@ -45,8 +46,7 @@ struct GltfResource {
 };
 
 /// Limits on what a file may ask for, so that a small malicious file cannot use up all memory or
-/// run for hours. A file beyond a limit is refused before memory is allocated; the message names
-/// the limit.
+/// run for hours. Each limit is checked before the work that it limits; the message names it.
 struct GltfLimits {
   std::size_t maxJsonBytes = std::size_t{1} << 29;
   /// Nodes, meshes, primitives, accessors, buffer views, … together; also the primitives and morph
