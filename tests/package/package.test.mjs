@@ -147,7 +147,7 @@ test('everything can be imported on a server, where that does nothing', () => {
 test('its types are complete, with and without those of Node', () => {
   writeFileSync(
     join(installed.folder, 'use.mts'),
-    `import { load, type Diagram, type DiagramData, type Mesh } from 'geodesic-voronoi';
+    `import { load, partitionGlb, type Diagram, type DiagramData, type Mesh } from 'geodesic-voronoi';
      import type {} from 'geodesic-voronoi/element';
      const gvd = await load();
      const mesh: Mesh = await gvd.mesh({ 'model.glb': new Uint8Array(8) });
@@ -155,11 +155,17 @@ test('its types are complete, with and without those of Node', () => {
      const data: DiagramData = diagram.data;
      const loops: Int32Array[] = diagram.regions[data.arcs.labels[0]].loops;
      diagram[Symbol.dispose]();
+     const unset = undefined as string | undefined; // where exactOptionalPropertyTypes is on
+     await gvd.mesh(new Uint8Array(8), { file: unset, signal: undefined, onProgress: undefined });
+     await mesh.remesh({ vertex: [0] }, { metric: undefined, density: undefined });
+     await load({ wasm: unset });
+     partitionGlb(await diagram.partition(), { mesh, layout: undefined, colours: [undefined] });
      // @ts-expect-error: not a metric
      await mesh.voronoi({ vertex: [0] }, { metric: 'euclid' });
      export { loops };`,
   );
-  const options = ['--noEmit', '--strict', '--target', 'es2022', '--lib', 'es2022,dom', 'use.mts'];
+  const strict = ['--strict', '--exactOptionalPropertyTypes'];
+  const options = ['--noEmit', ...strict, '--target', 'es2022', '--lib', 'es2022,dom', 'use.mts'];
   const kinds = [
     ['--module', 'nodenext', '--types', 'node'],
     ['--module', 'node16', '--types', 'node'],

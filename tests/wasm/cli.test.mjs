@@ -320,11 +320,14 @@ test('points as JSON in place of a file, and named in errors', () => {
   const path = `path shape.glb --from {"vertex":0} --to`;
   assert.equal(JSON.parse(succeeds(`${path} {"vertex":[0]}`).stdout).paths[0].length, 0);
   fails(1, `${path} {"vertex":9}`, /\{"vertex":9\}: point 0: there is no vertex 9\n$/);
-  fails(1, `${path} {"position":[[0,0,0]]}`, /positions\[0\] is a list: all numbers go into one/);
+  fails(1, `${path} {"position":[[0,0,0]]}`, /position\[0\] is a list: all numbers go into one/);
   write('bad.json', '{"face": [0, 8], "bary": [1, 0, 0, 1, 0, 0]}');
   fails(1, 'locate shape.glb --sites 2 --points bad.json', /bad\.json: point 1: there is no tri/);
   succeeds('cvt two.glb --sites 2 -o two.json');
   fails(1, 'distances shape.glb --sites two.json -o d.ply', /two\.json.*10 triangles, not 8/);
+  fails(1, `${path} 0`, /there is no file 0; a vertex is given as '\{"vertex": 0\}'\n$/);
+  const both = '{"vertex":[0],"face":[0],"bary":[1,0,0]}';
+  fails(1, `${path} ${both}`, /: points has both vertex and face: only one can say where/);
 });
 
 test('a note where there are fewer vertices than sites to be', () => {
@@ -658,7 +661,7 @@ test('bad input: status 1, one line, no file', () => {
   write('many.json', '[1, 2]');
   write('outside.json', '{"face": [8], "bary": [1, 0, 0]}');
   fails(1, 'info nowhere.glb', /nowhere\.glb.*no such file/);
-  fails(1, 'info .', /shape\.glb and two\.glb are several models: choose one/);
+  fails(1, 'info .', /shape\.glb and two\.glb are several models: choose one, as \.#PATH\n$/);
   mkdirSync(join(folder, 'empty'));
   fails(1, 'info empty', /there is no model: there are no files/);
   fails(1, 'info /dev/zero', /is a device/);

@@ -112,7 +112,7 @@ test('a mesh that cannot be made says why', async () => {
     [{ positions, indices: [0, 1, 1.5] }, 'invalid-argument', /indices\[2\] is 1\.5/],
     [{ positions, indices: [0, 1, 2 ** 32] }, 'invalid-argument', /indices\[2\] is 4294967296/],
     [{ positions, indices: 'abc' }, 'invalid-argument', /indices/],
-    [{ positions }, 'invalid-argument'],
+    [{ positions: positions.slice(1) }, 'invalid-argument', /without indices/],
     [null, 'invalid-argument'],
     ['model.glb', 'invalid-argument'],
     [new Uint8Array(0), 'invalid-file', /empty/],

@@ -47,7 +47,7 @@ export interface LoadWorkerOptions extends LoadOptions {
    * A module worker that runs `geodesic-voronoi/worker`, or the address of that script; by default
    * the one beside this file.
    */
-  worker?: Worker | URL | string;
+  worker?: Worker | URL | string | undefined;
 }
 
 /**

@@ -62,9 +62,14 @@ export function toMeshInput(
   source: MeshSource,
   { limits, file }: Pick<MeshOptions, 'file'> & { limits: GltfLimits },
 ): Triangles | FileInput {
-  if (isObject(source) && 'positions' in source && 'indices' in source)
-    return toTriangles(source as MeshArrays);
+  if (isMeshArrays(source)) return toTriangles(source);
   return { files: toFiles(source), limits: toLimits(limits), file: toFileName(file) };
+}
+
+/** Without indices, bytes may also be a file of that name. */
+function isMeshArrays(source: MeshSource): source is MeshArrays {
+  if (!isObject(source) || !('positions' in source)) return false;
+  return 'indices' in source || !isModelFile(source.positions);
 }
 
 /** The path of the model to open, if one is given. */
@@ -75,9 +80,16 @@ export function toFileName(file: string | undefined): string | undefined {
 
 function toTriangles({ positions: places, indices, normals, uvs, density }: MeshArrays): Triangles {
   const positions = toFloat64('positions', places);
+  if (indices === undefined && positions.length % 9 !== 0)
+    throw invalidArgument(
+      `positions has ${positions.length} numbers: without indices, every triangle needs nine`,
+    );
   return {
     positions,
-    indices: toInt32('indices', indices),
+    indices:
+      indices === undefined
+        ? Int32Array.from({ length: positions.length / 3 }, (_, v) => v)
+        : toInt32('indices', indices),
     normals: toAttribute('normals', normals, positions.length),
     uvs: toAttribute('uvs', uvs, (positions.length / 3) * 2),
     density: toAttribute('density', density, positions.length / 3),
@@ -92,7 +104,7 @@ export function toFiles(source: unknown): ModelFiles {
     if (entries.every(([, file]) => isModelFile(file))) return source as ModelFiles;
   }
   throw invalidArgument(
-    `a mesh is made from the bytes of a file, from files by their paths, or from {positions, indices}, not from ${show(source)}` +
+    `a mesh is made from the bytes of a file, from files by their paths, or from { positions, indices }; this is ${show(source)}` +
       (typeof source === 'string' || source instanceof URL ? ': fetch or read the file' : ''),
   );
 }
@@ -117,11 +129,21 @@ export function toPoints(
   points: SurfacePointsInput,
 ): SurfacePoints | { vertex: Int32Array } | { position: Float64Array } {
   if (isObject(points)) {
+    requireOneForm(name, points);
     if ('vertex' in points) return { vertex: toIndices(`${name}.vertex`, points.vertex) };
     if ('face' in points && 'bary' in points) return toBarycentric(name, points);
     if ('position' in points) return { position: toPlaces(`${name}.position`, points.position) };
   }
   throw invalidArgument(`${name} is ${notPoints(points)}`);
+}
+
+/** Refuses vertices beside another form. Triangles may come with the places of the same points. */
+function requireOneForm(name: string, points: object): void {
+  const other = ['face', 'bary', 'position'].find((form) => form in points);
+  if ('vertex' in points && other !== undefined)
+    throw invalidArgument(
+      `${name} has both vertex and ${other}: only one can say where points are`,
+    );
 }
 
 /** Says what a value is that is no points. */

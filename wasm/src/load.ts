@@ -11,11 +11,11 @@ import type { GeodesicVoronoi } from './types.js';
 
 export interface LoadOptions {
   /** core.wasm; by default the one beside this file. */
-  wasm?: WasmSource;
+  wasm?: WasmSource | undefined;
   /** gltf.wasm, loaded with the first glTF file; by default the one beside this file. */
-  gltfWasm?: WasmSource;
+  gltfWasm?: WasmSource | undefined;
   /** draco.wasm, loaded with the first model that Draco has compressed; by default the one beside this file. */
-  dracoWasm?: WasmSource;
+  dracoWasm?: WasmSource | undefined;
 }
 
 /** The two modules that every glTF needs, compiled: options of `load` and `loadWorker`. */

@@ -42,6 +42,7 @@ import {
   type SurfacePoints,
   type WorstRegion,
 } from './results.js';
+import { pointsFile, requireSameMesh } from './points_file.js';
 import { remesh } from './remesh.js';
 import { nextTask } from './slices.js';
 import type { Triangles } from './triangles.js';
@@ -157,13 +158,20 @@ export class EngineMesh implements Mesh {
     return this.#kept.call('closestPoints', [toPlaces('positions', positions)], task);
   }
 
+  async readPoints(json: unknown): Promise<SurfacePoints> {
+    const file = pointsFile(json);
+    requireSameMesh(file, this.info);
+    const points = await this.#kept.points('points', file.points);
+    this.#requireFaces(points);
+    return points;
+  }
+
   async positionsOf(points: SurfacePointsInput): Promise<Float64Array> {
     const { face, bary } = await this.#kept.points('points', points);
+    this.#requireFaces({ face });
     const places = new Float64Array(3 * face.length).fill(NaN);
     face.forEach((f, i) => {
       if (f === -1) return;
-      if (!(f >= 0 && f < this.info.inputFaces))
-        throw new GeodesicVoronoiError('invalid-point', `point ${i}: there is no triangle ${f}`);
       for (let k = 0; k < 3; ++k) {
         const at = (corner: number) =>
           bary[3 * i + corner] * this.positions[3 * this.indices[3 * f + corner] + k];
@@ -171,6 +179,14 @@ export class EngineMesh implements Mesh {
       }
     });
     return places;
+  }
+
+  /** Refuses points on triangles that there are not; -1 is a label without a site. */
+  #requireFaces({ face }: { face: Int32Array }): void {
+    const wrong = face.findIndex((f) => f < -1 || f >= this.info.inputFaces);
+    if (wrong < 0) return;
+    const message = `point ${wrong}: there is no triangle ${face[wrong]}`;
+    throw new GeodesicVoronoiError('invalid-point', message);
   }
 
   async voronoi(sites: SurfacePointsInput, options?: VoronoiOptions): Promise<Diagram> {

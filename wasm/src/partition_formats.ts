@@ -12,8 +12,8 @@ import { ply } from './ply.js';
 import type { Partition, SurfacePoints } from './results.js';
 
 export interface PartitionFileOptions {
-  mesh?: AttributeSource;
-  scale?: number;
+  mesh?: AttributeSource | undefined;
+  scale?: number | undefined;
 }
 
 export interface PartitionGlbOptions extends PartitionFileOptions {
@@ -22,9 +22,9 @@ export interface PartitionGlbOptions extends PartitionFileOptions {
    * `extras.region`. 'features': one primitive, with the labels in `_FEATURE_ID_0` as
    * EXT_mesh_features has them. Default 'regions'.
    */
-  layout?: PartitionLayout;
+  layout?: PartitionLayout | undefined;
   /** Linear RGB, 0 … 1, per region; by default hues, far apart for the first few regions. */
-  colours?: readonly (readonly number[])[];
+  colours?: readonly (readonly number[] | undefined)[] | undefined;
 }
 
 export const partitionLayouts = ['regions', 'features'] as const;

@@ -12,8 +12,8 @@ import { ply, type PlyColumns } from './ply.js';
 import type { PolygonMesh, PolygonTopology } from './results.js';
 
 export interface PolygonFileOptions {
-  mesh?: AttributeSource;
-  scale?: number;
+  mesh?: AttributeSource | undefined;
+  scale?: number | undefined;
 }
 
 /** The JSON form of a polygon mesh; `vertexLabel` of a dual, `faceLabel` of regions. */

@@ -38,42 +38,42 @@ export type SurfacePointsInput =
 
 export interface DistancesOptions extends TaskOptions {
   /** Default 'exact'. */
-  metric?: Metric;
+  metric?: Metric | undefined;
 }
 
 /** Options of every call that may take long. */
 export interface TaskOptions {
   /** Called with the share done, 0 … 1. */
-  onProgress?: (share: number) => void;
+  onProgress?: ((share: number) => void) | undefined;
   /**
    * Aborting rejects the promise with the signal's reason and changes nothing. A change of a site
    * (`insertSite`, `moveSite`, `removeSite`) that has begun is carried out nevertheless.
    */
-  signal?: AbortSignal;
+  signal?: AbortSignal | undefined;
 }
 
 export interface VoronoiOptions extends TaskOptions {
   /** Default 'exact'. */
-  metric?: Metric;
+  metric?: Metric | undefined;
   /** How many times faces with several regions are split in four, 0 … 10. Default 0. */
-  detail?: number;
+  detail?: number | undefined;
 }
 
 export interface PartitionOptions extends TaskOptions {
   /** Leaves out faces on which labels tie, as holes, instead of giving them to the lowest label. */
-  leaveOutIndifferent?: boolean;
+  leaveOutIndifferent?: boolean | undefined;
   /** Leaves out the components without a site. */
-  leaveOutUnreachable?: boolean;
+  leaveOutUnreachable?: boolean | undefined;
 }
 
 export interface DualOptions extends TaskOptions {
   /** Makes polygons of the regions, with Voronoi points as corners, instead. Default false. */
-  primal?: boolean;
+  primal?: boolean | undefined;
 }
 
 export interface RepairOptions extends TaskOptions {
   /** How many sites may be added. Default 1000. */
-  maxAdded?: number;
+  maxAdded?: number | undefined;
 }
 
 /**
@@ -84,28 +84,28 @@ export type Density = ArrayLike<number> | 'attribute' | 'curvature';
 
 export interface CvtOptions extends TaskOptions {
   /** Default 'lbfgs'. */
-  method?: CvtMethod;
+  method?: CvtMethod | undefined;
   /** Default 'exact'. */
-  metric?: Metric;
+  metric?: Metric | undefined;
   /** The most iterations; default 50. */
-  iterations?: number;
+  iterations?: number | undefined;
   /** Ends when an iteration lowers the energy by no more than this share. Default 0. */
-  energyTolerance?: number;
+  energyTolerance?: number | undefined;
   /** Ends when no site moves farther than this, in the input's units. Default 0. */
-  moveTolerance?: number;
+  moveTolerance?: number | undefined;
   /** Regions are smaller where the density is large. Default uniform. */
-  density?: Density;
+  density?: Density | undefined;
   /** Indices of the sites that stay where they are. */
-  fixedSites?: ArrayLike<number>;
+  fixedSites?: ArrayLike<number> | undefined;
   /** Whether every state comes with the arrays of its diagram. Default false. */
-  data?: boolean;
+  data?: boolean | undefined;
   /** Whether every state comes with its `Diagram`, for queries and changes. Default false. */
-  diagrams?: boolean;
+  diagrams?: boolean | undefined;
 }
 
 export interface RemeshOptions extends Omit<CvtOptions, 'data' | 'diagrams'> {
   /** How many sites may be added until the dual is valid. Default 1000. */
-  maxAdded?: number;
+  maxAdded?: number | undefined;
 }
 
 /** A centroidal tessellation after an iteration; `core/include/gvd/cvt.h` holds the definitions. */
@@ -125,19 +125,19 @@ export interface CvtState {
 
 export interface SampleOptions extends TaskOptions {
   /** An integer, default 1. */
-  seed?: number;
+  seed?: number | undefined;
   /** Default 'random'; 'farthest' if a radius is given instead of a count. */
-  sampling?: Sampling;
+  sampling?: Sampling | undefined;
   /**
    * The least number of sites on each component, default 0. Missing ones are added at the end of
    * the list; to keep to the count, the last ones of components with more than enough are dropped.
    */
-  perComponent?: number;
+  perComponent?: number | undefined;
   /**
    * For random sites: spreads them as a tessellation with this density does, with a probability per
    * area in proportion to the density's square root. Default uniform.
    */
-  density?: Density;
+  density?: Density | undefined;
 }
 
 /** The limits of `GltfLimits` in `core/include/gvd/gltf.h`, by the same names. */
@@ -162,18 +162,18 @@ export type GltfLimits = Partial<Record<GltfLimitName, number>>;
  * `MeshInfo.repairs` counts what was done.
  */
 export interface MeshOptions extends TaskOptions {
-  limits?: GltfLimits;
+  limits?: GltfLimits | undefined;
   /** The path of the model to open, where a folder or a zip has several. */
-  file?: string;
+  file?: string | undefined;
   /**
    * Vertices no farther apart than this are welded; a share of the bounding box's diagonal, 0 … 1.
    * Default 0: only vertices at the same position.
    */
-  weld?: number;
+  weld?: number | undefined;
   /** Default 'unify'. */
-  orientation?: Orientation;
+  orientation?: Orientation | undefined;
   /** Components with fewer triangles than this are dropped. Default 0. */
-  minComponent?: number;
+  minComponent?: number | undefined;
 }
 
 /**
@@ -196,15 +196,15 @@ export type ModelFiles = Record<string, ModelFile>;
 export type MeshSource = Uint8Array | ArrayBuffer | Blob | ModelFiles | MeshArrays;
 
 /**
- * Triangles: x, y, z per vertex, three vertex indices per triangle. `normals`, `uvs` and `density`
- * have 3, 2 and 1 numbers per vertex, or none.
+ * Triangles: x, y, z per vertex, three vertex indices per triangle; without indices, every three
+ * vertices are a triangle. `normals`, `uvs` and `density` have 3, 2 and 1 numbers per vertex, or none.
  */
 export interface MeshArrays {
   positions: ArrayLike<number>;
-  indices: ArrayLike<number>;
-  normals?: ArrayLike<number>;
-  uvs?: ArrayLike<number>;
-  density?: ArrayLike<number>;
+  indices?: ArrayLike<number> | undefined;
+  normals?: ArrayLike<number> | undefined;
+  uvs?: ArrayLike<number> | undefined;
+  density?: ArrayLike<number> | undefined;
 }
 
 /** One region of a diagram, over the diagram's arrays; each property is computed when asked for. */
@@ -321,6 +321,11 @@ export interface Mesh extends Disposable {
    * O(log n), a few microseconds.
    */
   closestPoints(positions: ArrayLike<number>, options?: TaskOptions): Promise<ClosestPoints>;
+  /**
+   * The points in a JSON file, parsed: a list of points in any form, or the sites of a result.
+   * Refuses those that the file says belong to another mesh.
+   */
+  readPoints(json: unknown): Promise<SurfacePoints>;
   /**
    * Where points of the surface are: x, y, z each, in the frame and the unit of `positions`. NaN for
    * a label without a site (`Diagram.sites`).

@@ -17,8 +17,9 @@ import {
 import { basename, dirname, join, resolve, sep } from 'node:path';
 import { gltfResourceUris } from '../input/gltf_document.js';
 import { parseJson } from '../input/json_members.js';
+import { type PointsFile, pointsFile } from '../points_file.js';
 import { placeOf } from '../input/model_files.js';
-import type { ModelFile, ModelFiles, SurfacePointsInput } from '../types.js';
+import type { ModelFile, ModelFiles } from '../types.js';
 import { standard } from './options.js';
 
 /** A file cannot be read or written: exit status 1. */
@@ -125,32 +126,20 @@ export async function readNumbers(given: string): Promise<number[]> {
   throw new FileError(`${nameOf(given)} holds no list of numbers`);
 }
 
-/** Points as they were given. */
-export interface GivenPoints {
-  /** What messages call them. */
-  name: string;
-  points: SurfacePointsInput;
-  /** The number of triangles of their mesh, if the file says so. */
-  faces?: number;
-}
+/** Points as they were given, with the name that messages call them. */
+export type GivenPoints = PointsFile & { name: string };
 
 /** Reads a list of sites or points; also the sites of a result that this command wrote. */
 export async function readPoints(given: string): Promise<GivenPoints> {
+  if (/^\d+$/.test(given) && !(await exists(given)))
+    throw new FileError(`there is no file ${given}; a vertex is given as '{"vertex": ${given}}'`);
   const json = await readJson(given);
   const name = nameOf(given);
-  const list = has(json, 'sites') ? json.sites : json;
-  if (!(has(list, 'vertex') || (has(list, 'face') && has(list, 'bary')) || has(list, 'position'))) {
-    throw new FileError(
-      `${name} holds no points: {"face": […], "bary": […]}, {"vertex": […]} or {"position": [x, y, z, …]}`,
-    );
+  try {
+    return { name, ...pointsFile(json) };
+  } catch (error) {
+    throw new FileError(`${name}: ${(error as Error).message}`, { cause: error });
   }
-  const isOfMesh = has(json, 'mesh') && has(json.mesh, 'faces');
-  const faces = isOfMesh ? Number((json.mesh as { faces: unknown }).faces) : undefined;
-  return { name, points: list as SurfacePointsInput, ...(faces !== undefined && { faces }) };
-}
-
-function has<Key extends string>(value: unknown, key: Key): value is Record<Key, unknown> {
-  return typeof value === 'object' && value !== null && key in value;
 }
 
 function isJson(given: string): boolean {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // The mesh of a command and its sites: read from files, or sampled.
+import { toPlaces } from '../input.js';
 import { load } from '../node.js';
+import { requireSameMesh } from '../points_file.js';
 import type { Density, Mesh, SurfacePointsInput } from '../types.js';
 import { FileError, type GivenPoints, readModel, readPoints } from './files.js';
 import type { Values } from './options.js';
@@ -26,7 +28,10 @@ export async function openMesh(path: string, values: Reading): Promise<Mesh> {
   try {
     return await gvd.mesh(files, { limits, file, weld, orientation, minComponent });
   } catch (error) {
-    throw new FileError(`${path}: ${(error as Error).message}`, { cause: error });
+    // The library's option `file` is a part of the path here.
+    const chosen = /: choose one.*$/;
+    const message = (error as Error).message.replace(chosen, `: choose one, as ${path}#PATH`);
+    throw new FileError(`${path}: ${message}`, { cause: error });
   }
 }
 
@@ -51,13 +56,9 @@ export async function onSurface(
   given: GivenPoints,
   values: Pick<Values<'diagram'>, 'quiet' | 'units'>,
 ): Promise<PointsOnSurface> {
-  const { name, points, faces = mesh.info.inputFaces } = given;
-  if (faces !== mesh.info.inputFaces) {
-    throw new FileError(
-      `${name} holds points of another mesh: of one with ${faces} triangles, not ${mesh.info.inputFaces}`,
-    );
-  }
+  const { name, points } = given;
   try {
+    requireSameMesh(given, mesh.info);
     if ('position' in points && !('face' in points)) return await closestOf(mesh, points, values);
     await mesh.positionsOf(points);
     return points as PointsOnSurface;
@@ -71,7 +72,7 @@ async function closestOf(
   { position }: { position: ArrayLike<number> },
   { quiet, units }: Pick<Values<'diagram'>, 'quiet' | 'units'>,
 ): Promise<PointsOnSurface> {
-  const closest = await mesh.closestPoints(position);
+  const closest = await mesh.closestPoints(toPlaces('position', position));
   const farthest = closest.distance.reduce((most, d) => Math.max(most, d), 0);
   if (!quiet) {
     const count = closest.face.length;

@@ -34,7 +34,7 @@ export class FileSet {
     if (candidates.length > 1) {
       throw new GeodesicVoronoiError(
         'invalid-file',
-        `${listed(candidates)} are several models: choose one, by the option file or after a #`,
+        `${listed(candidates)} are several models: choose one by its path, in the option file or after a # in an address`,
       );
     }
     const found = paths.length > 0 ? ` in ${listed(paths)}` : ': there are no files';

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+//
+// Points as callers and files give them.
+
+import assert from 'node:assert/strict';
+import { before, test } from 'node:test';
+import { diagramJson, load, pointsJson } from 'geodesic-voronoi';
+import { octahedron } from './meshes.mjs';
+
+let gvd;
+let mesh;
+before(async () => {
+  gvd = await load();
+  mesh = await gvd.mesh(octahedron());
+});
+
+const fails = (code, message) => ({ name: 'GeodesicVoronoiError', code, message });
+const plain = ({ face, bary }) => ({ face: [...face], bary: [...bary] });
+
+test('points in a file are read in every form', async () => {
+  const one = { face: [3], bary: [0.25, 0.25, 0.5] };
+  const at = [...(await mesh.positionsOf(one))];
+  const read = async (json) => plain(await mesh.readPoints(JSON.parse(JSON.stringify(json))));
+  assert.deepEqual(await read(one), one);
+  assert.deepEqual(await read({ ...one, position: at, mesh: { faces: 8 } }), one);
+  assert.deepEqual((await read({ position: at })).face, one.face);
+  const { face, bary } = await mesh.readPoints({ vertex: [0, 5] });
+  const places = [0, 5].flatMap((v) => [...mesh.positions.slice(3 * v, 3 * v + 3)]);
+  assert.deepEqual([...(await mesh.positionsOf({ face, bary }))], places);
+
+  const sites = await mesh.sampleSites(4);
+  const diagram = await mesh.voronoi(sites);
+  assert.deepEqual(await read(diagramJson(diagram)), pointsJson(sites));
+  await diagram.removeSite(1);
+  assert.deepEqual((await read(diagramJson(diagram))).face[1], -1);
+});
+
+test('points in a file are refused where they are none, or are those of another mesh', async () => {
+  for (const json of [null, 7, [], {}, { face: [0] }, { sites: {} }]) {
+    await assert.rejects(
+      mesh.readPoints(json),
+      fails('invalid-argument', /^there are no points: /),
+    );
+  }
+  await assert.rejects(
+    mesh.readPoints({ mesh: { faces: 12 }, vertex: [0] }),
+    fails('invalid-point', 'the points belong to another mesh: to one with 12 triangles, not 8'),
+  );
+  await assert.rejects(
+    mesh.readPoints({ face: [0, 8], bary: [1, 0, 0, 1, 0, 0] }),
+    fails('invalid-point', 'point 1: there is no triangle 8'),
+  );
+  await assert.rejects(
+    mesh.readPoints({ face: [0], bary: [1, 0] }),
+    fails('invalid-argument', /^points\.bary has 2 numbers: /),
+  );
+});
+
+test('points are not given in two ways at once', async () => {
+  const triangle = { face: [0], bary: [1, 0, 0] };
+  const both = (form) =>
+    fails(
+      'invalid-argument',
+      `sites has both vertex and ${form}: only one can say where points are`,
+    );
+  await assert.rejects(mesh.voronoi({ ...triangle, vertex: [2] }), both('face'));
+  await assert.rejects(mesh.voronoi({ position: [1, 0, 0], vertex: [2] }), both('position'));
+  // The places of results, which say the same.
+  const known = await mesh.closestPoints([1, 0, 0]);
+  assert.equal((await mesh.voronoi({ ...known, position: [1, 0, 0] })).sites.face.length, 1);
+});
+
+test('without indices, every three vertices are a triangle', async () => {
+  const { positions, indices } = octahedron();
+  const corners = Array.from(indices).flatMap((v) => [...positions.slice(3 * v, 3 * v + 3)]);
+  const { info } = await gvd.mesh({ positions: corners });
+  assert.deepEqual([info.faces, info.vertices, info.boundaryLoops], [8, 6, 0]);
+  await assert.rejects(
+    gvd.mesh({ positions: corners.slice(3) }),
+    fails(
+      'invalid-argument',
+      'positions has 69 numbers: without indices, every triangle needs nine',
+    ),
+  );
+});
