@@ -22,6 +22,7 @@ await main(async () => {
   const { preview } = await import('vite');
   const server = await preview({
     root: at('web/page'),
+    appType: 'mpa', // an address where there is nothing is an error, not the page again
     preview: { port: Number(values.port), host: values.host },
   });
   console.log('\nThe page is at');

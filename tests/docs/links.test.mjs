@@ -26,14 +26,13 @@ for (const source of markdownFiles) {
   });
 }
 
-test('links of the pages, those of the references apart', () => {
+test('links of the pages', () => {
   const folder = join(root, 'build/page/docs');
   for (const { target: name } of documents) {
     const text = readFileSync(join(folder, name), 'utf8').replace(/<pre>[^]*?<\/pre>/g, '');
     const links = [...text.matchAll(/(?:href|src)="([^"#]+)(?:#[^"]*)?"/g)].map(([, href]) => href);
     for (const href of links) {
       if (/^[a-z]+:/.test(href)) continue;
-      if (href.startsWith('api/cpp') && !existsSync(join(folder, 'api/cpp'))) continue;
       assert.ok(existsSync(join(folder, href)), `${name}: ${href}`);
     }
   }

@@ -39,7 +39,8 @@ export function writePages(output, hasReference = () => true) {
   for (const name of assets) cpSync(join(folder, name), join(output, name), { recursive: true });
   const shown = references.filter(({ target }) => hasReference(target));
   for (const document of documents) {
-    writeFileSync(join(output, document.target), pageOf(document, [...documents, ...shown]));
+    const navigation = [...documents, ...shown];
+    writeFileSync(join(output, document.target), pageOf(document, navigation));
   }
 }
 
@@ -89,9 +90,13 @@ function pageOf({ source, target, title }, navigation) {
       },
     },
     walkTokens(token) {
-      if (token.type === 'link' || token.type === 'image') {
-        token.href = addressOf(token.href, source, dirname(target));
-      }
+      if (token.type !== 'link' && token.type !== 'image') return;
+      token.href = addressOf(token.href, source, dirname(target));
+      const isReference = references.some((reference) => reference.target === token.href);
+      if (!isReference || navigation.some((item) => item.target === token.href)) return;
+      // A reference that was not made here is only named.
+      token.type = 'text';
+      token.tokens.push({ type: 'text', text: ' (not built here)' });
     },
   });
   return framed({ title, target, navigation, content: marked.parse(readFileSync(source, 'utf8')) });
