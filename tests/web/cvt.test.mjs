@@ -152,6 +152,43 @@ suite('the centroidal tessellation', () => {
     assert.equal(await viewer.evaluate(({ density }) => density === undefined), true);
   });
 
+  test('a density is plainly seen, and random sites follow it', async () => {
+    await viewer.evaluate((viewer) => {
+      const x = viewer.mesh.positions.filter((_, i) => i % 3 === 0);
+      const middle = [...x].sort((a, b) => a - b)[x.length / 2];
+      viewer.isDense = (position) => position[0] > middle;
+      viewer.density = x.map((each) => (each > middle ? 100 : 1));
+    });
+    const picture = await viewer.picture();
+    const shares = await viewer.evaluate((viewer, picture) => {
+      const { data, width } = viewer.pictures[picture];
+      const { left, top, width: shown } = viewer.getBoundingClientRect();
+      const light = { true: [], false: [] };
+      for (let i = 0; i < data.length; i += 4 * 97) {
+        const x = left + ((i / 4) % width) * (shown / width);
+        const y = top + Math.floor(i / 4 / width) * (shown / width);
+        const place = data[i + 3] === 255 && viewer.surfaceFromPoint(x, y);
+        if (!place) continue;
+        const v = viewer.mesh.indices[3 * place.face];
+        light[viewer.isDense(viewer.mesh.positions.slice(3 * v, 3 * v + 3))].push(data[i + 1]);
+      }
+      const mean = (list) => list.reduce((sum, each) => sum + each, 0) / list.length;
+      return { dense: mean(light.true), even: mean(light.false) };
+    }, picture);
+    assert.ok(shares.dense < 0.6 * shares.even, JSON.stringify(shares));
+
+    await viewer.after('diagram', () => press('#scatter [type=submit]'));
+    const dense = await viewer.evaluate(async (viewer) => {
+      const positions = await viewer.mesh.positionsOf(viewer.sites);
+      return [...viewer.sites.face.keys()].filter((i) =>
+        viewer.isDense(positions.slice(3 * i, 3 * i + 3)),
+      ).length;
+    });
+    const count = await viewer.siteCount();
+    assert.ok(dense > 0.75 * count, `${dense} of ${count} sites where density is 100`);
+    await viewer.after('density-change', () => press('#density-clear'));
+  });
+
   test('a stroke is a step to undo, and the brush is seen where it would paint', async () => {
     const density = () => viewer.evaluate(({ density }) => density && [...density]);
     const place = await viewer.freePlace();

@@ -163,7 +163,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     return this.#session?.shown?.diagram;
   }
 
-  /** Replaces the sites by new ones in new places. */
+  /** Replaces the sites by new ones in new places; random ones follow the density. */
   async scatter(
     count: number,
     seed = 1,

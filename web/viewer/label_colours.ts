@@ -10,16 +10,20 @@ const neutralColour = 0xd9d6d0;
 /** Faces that no site reaches. */
 const unreachableColour = 0x9a9ca1;
 /** The colours for the greatest and the least painted density. */
-const denseColour = 0x4a1942;
+const denseColour = 0x560068;
 const sparseColour = 0xffffff;
-const tintOpacity = 0.75;
+/** The opacity of these colours. */
+const tintOpacity = 0.95;
+/** The colour towards which regions fade under a density, so that its own colours stand out. */
+const greyColour = 0xb4b4b4;
+/** How far they fade, 0 … 1. */
+const paleness = 0.7;
 
-/** What a legend has instead of a region, about as bright as one. */
-const greyColour = 0xa6a6a6;
-/** As CSS has them: the least painted density, none, and the greatest, over grey. */
-export const tintColours = [sparseColour, greyColour, denseColour].map(
-  (colour) => `color-mix(in srgb-linear, ${css(colour)} ${100 * tintOpacity}%, ${css(greyColour)})`,
-);
+/** As CSS has them, over grey: the colours of a legend, from the least density to the greatest. */
+export const tintColours = [-1, -0.75, -0.5, -0.25, 0, 0.25, 0.5, 0.75, 1].map((tint) => {
+  const share = `${Math.round(100 * tintShare(tint))}%`;
+  return `color-mix(in srgb-linear, ${css(tint < 0 ? sparseColour : denseColour)} ${share}, ${css(greyColour)})`;
+});
 
 /** The label of what no site reaches. */
 const unreachable = -1;
@@ -32,6 +36,7 @@ export class LabelColours {
   readonly #table: Uint8Array;
   readonly #dense = linearBytes(denseColour);
   readonly #sparse = linearBytes(sparseColour);
+  readonly #grey = linearBytes(greyColour);
 
   /** Takes a tone per label; faces without a region are neutral. */
   constructor(tones: Uint16Array = new Uint16Array()) {
@@ -53,13 +58,22 @@ export class LabelColours {
     target[to + 2] = this.#table[from + 2];
   }
 
-  /** Writes a label's colour with a tint, -1 … 1, over it. */
+  /** Writes a label's colour, faded, with a tint, -1 … 1, over it. */
   writeTinted(label: number, tint: number, target: { [i: number]: number }, to: number): void {
-    this.write(label, target, to);
+    const from = at(label);
     const over = tint < 0 ? this.#sparse : this.#dense;
-    const share = tintOpacity * Math.abs(tint);
-    for (let k = 0; k < 3; ++k) target[to + k] += share * (over[k] - target[to + k]);
+    const share = tintShare(tint);
+    for (let k = 0; k < 3; ++k) {
+      const own = this.#table[from + k];
+      const pale = own + paleness * (this.#grey[k] - own);
+      target[to + k] = pale + share * (over[k] - pale);
+    }
   }
+}
+
+/** The share of a density's colour: a root, so that a slight density is seen, too. */
+function tintShare(tint: number): number {
+  return tintOpacity * Math.sqrt(Math.abs(tint));
 }
 
 function css(srgb: number): string {

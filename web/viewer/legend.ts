@@ -51,11 +51,13 @@ export class Legend {
     this.#shadow = shadow;
     this.#sheet.replaceSync(style);
     shadow.adoptedStyleSheets = [...shadow.adoptedStyleSheets, this.#sheet];
-    const [sparse, even, dense] = tintColours;
     fill(this.#density, {
-      colours: [sparse, even, dense],
+      colours: tintColours,
       marks: [`1/${greatestDensity}`, '1', String(greatestDensity)],
-      caption: ['Density: where it is large, regions become smaller', ' when they are evened out'],
+      caption: [
+        'Density: where it is large, regions become smaller',
+        ' when sites are placed at random or evened out',
+      ],
     });
     shadow.append(this.#distances, this.#density);
   }

@@ -69,9 +69,15 @@ async function sceneOf(mesh: Mesh, builder: DrawingBuilder): Promise<SceneMesh> 
 
 export async function scatterSites(
   mesh: Mesh,
-  { count, seed, sampling, perComponent = 0 }: Scattering,
+  { count, seed, sampling = 'random', perComponent = 0, density }: Scattering,
 ): Promise<PointList> {
   if (count <= 0) return { face: [], bary: [] };
   const most = Math.floor(count / mesh.info.components);
-  return mesh.sampleSites(count, { seed, sampling, perComponent: Math.min(perComponent, most) });
+  return mesh.sampleSites(count, {
+    seed,
+    sampling,
+    perComponent: Math.min(perComponent, most),
+    // Other samplings have none.
+    density: sampling === 'random' ? density : undefined,
+  });
 }

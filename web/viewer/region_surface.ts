@@ -152,13 +152,16 @@ export class RegionSurface {
     if (isRecoloured.includes(1)) this.#recolour({ second: isRecoloured }, colours);
   }
 
-  /** A tint per input vertex, -1 … 1, over the colours; undefined for none. Draws what differs. */
+  /**
+   * A tint per input vertex, -1 … 1, over the colours, which fade; undefined for none. Draws what
+   * differs.
+   */
   set tints(tints: Float32Array | undefined) {
     const before = this.#tints;
     this.#tints = tints?.slice();
     if (!tints && !before) return;
     const { indices, faceCount } = this.#mesh;
-    const differs = (v: number) => (before ? before[v] : 0) !== (tints ? tints[v] : 0);
+    const differs = (v: number) => before?.[v] !== tints?.[v];
     const isMeant = Uint8Array.from({ length: faceCount }, (_, face) =>
       differs(indices[3 * face]) || differs(indices[3 * face + 1]) || differs(indices[3 * face + 2])
         ? 1

@@ -24,6 +24,8 @@ export interface Scattering {
   sampling?: Sampling;
   /** The least number per component, as far as there are enough sites. */
   perComponent?: number;
+  /** Per input vertex: random sites are closer where it is greater. */
+  density?: ArrayLike<number> | undefined;
 }
 
 /** Data that help to draw a diagram. */

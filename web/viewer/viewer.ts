@@ -188,7 +188,7 @@ export class Viewer implements Workpiece {
 
   async scatter(scattering: Scattering): Promise<void> {
     const isPlaying = this.session.cvtStatus === 'running';
-    await this.session.scatter(scattering);
+    await this.session.scatter({ ...scattering, density: this.density });
     if (isPlaying) this.playCvt();
   }
 
