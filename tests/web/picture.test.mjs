@@ -54,6 +54,21 @@ const pixels = (viewer, picture, kind) =>
     { picture, kind },
   );
 
+test('dots and lines leave the colours of thousands of small regions to be seen', async () => {
+  const viewer = await opened(torus(), { sites: 10_000 });
+  const picture = await viewer.picture(['regions', 'bisectors', 'sites']);
+  const dark = (await pixels(viewer, picture, 'dark')).count;
+  const drawn = (await pixels(viewer, picture, 'drawn')).count;
+  assert.ok(dark < 0.2 * drawn, `${dark} of ${drawn} pixels are dark`);
+  const fewer = await viewer.after('diagram', () =>
+    viewer.evaluate((viewer) => viewer.setAttribute('sites', 12)),
+  );
+  assert.equal(fewer.sites, 12);
+  const large = await viewer.picture(['bisectors']);
+  assert.ok((await pixels(viewer, large, 'dark')).count > 300, 'lines are as wide as ever');
+  await viewer.close();
+});
+
 test('a file of the picture is what is seen, edges that are half transparent too', async () => {
   const viewer = await browser.open();
   await viewer.settled();

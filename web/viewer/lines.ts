@@ -22,6 +22,12 @@ import type { SceneMesh } from './scene_mesh.js';
 /** The longest piece of a side laid onto the surface, in radii of the model. */
 const longestPiece = 0.02;
 
+/** The width of a line in pixels at an end, as GLSL of LineMaterial: not more than `widest`. */
+const limitedWidth = `min(
+  linewidth,
+  0.5 * widest * resolution.y * projectionMatrix[1][1] / (position.y < 0.5 ? clipStart : clipEnd).w
+)`;
+
 /** Line segments of a width in CSS pixels, at any zoom. */
 export class FatLines {
   readonly object: LineSegments2;
@@ -30,12 +36,23 @@ export class FatLines {
     new InstancedInterleavedBuffer(new Float32Array(6 * n), 6),
   ]);
 
+  readonly #widest = { value: 1e9 };
+
   constructor({ width }: { width: number }) {
     // Only multisampling smooths lines: alpha coverage would let the page shine through the canvas.
     const material = new LineMaterial({ linewidth: width });
+    material.uniforms.widest = this.#widest;
+    material.vertexShader = material.vertexShader
+      .replace('uniform float linewidth;', 'uniform float linewidth;\nuniform float widest;')
+      .replace('offset *= linewidth;', `offset *= ${limitedWidth};`);
     this.object = new LineSegments2(new LineSegmentsGeometry(), material);
     this.object.frustumCulled = false;
     this.object.visible = false;
+  }
+
+  /** The greatest width in the scene: far away, lines are thinner than their pixels. */
+  set widest(width: number) {
+    this.#widest.value = width;
   }
 
   set colour(colour: number) {

@@ -16,12 +16,15 @@ import { RecordBuffer, wholeScene } from './record_buffer.js';
 import type { Theme } from './theme.js';
 
 export interface MarkerStyle {
-  /** The least radius, in CSS pixels. */
+  /** The least radius, in CSS pixels; less where regions are small on the screen. */
   least: number;
   most: number;
   /** The rim's share of the radius. */
   rim: number;
 }
+
+/** How many times its own radius the least radius may be, for a marker of the usual radius. */
+const crowding = 2.2;
 
 /** Emphasised markers are this much larger. */
 const emphasisedSize = 1.35;
@@ -38,6 +41,7 @@ const vertexShader = /* glsl */ `
   attribute float emphasised;
   uniform float least;
   uniform float most;
+  uniform float usual;
   uniform float pixelsPerUnitAtOne;
   varying vec2 vCorner;
   varying float vPixels;
@@ -49,7 +53,8 @@ const vertexShader = /* glsl */ `
     vec3 view = -normalize(centre);
     float slope = abs(dot(normal, view));
     float pixelsPerUnit = pixelsPerUnitAtOne / -centre.z;
-    float pixels = clamp(size * pixelsPerUnit, least, most) * mix(1.0, ${emphasisedSize}, emphasised);
+    float lowest = min(least, ${crowding.toFixed(1)} * usual * pixelsPerUnit);
+    float pixels = clamp(size * pixelsPerUnit, lowest, most) * mix(1.0, ${emphasisedSize}, emphasised);
     // Hides the slivers that are left of discs at the silhouette.
     pixels *= smoothstep(0.02, 0.15, slope);
     // A pixel more, for a smooth edge.
@@ -107,6 +112,7 @@ export class Markers {
       uniforms: {
         least: { value: least },
         most: { value: most },
+        usual: { value: 1 },
         rim: { value: rim },
         fill: { value: new Color() },
         edge: { value: new Color() },
@@ -133,6 +139,11 @@ export class Markers {
     uniforms.fill.value.set(ink);
     uniforms.edge.value.set(paper);
     uniforms.emphasis.value.set(accent);
+  }
+
+  /** The radius in the scene of a marker in a region of usual size. */
+  set usual(radius: number) {
+    this.object.material.uniforms.usual.value = radius;
   }
 
   /**

@@ -48,6 +48,9 @@ const markerShare = 0.14;
 /** The radius of a Voronoi point's marker, as a share of that of a site's. */
 const pointShare = 0.45;
 
+/** The greatest width of bisectors, as a share of the radius of a disc as large as a usual region. */
+const bisectorShare = 0.25;
+
 /** A diagram that has been changed; `data` is read only to draw the whole diagram. */
 export interface DrawnDiagram {
   readonly data: DiagramData;
@@ -310,6 +313,9 @@ export class ModelDrawing {
 
   #adoptAreas(summary: DiagramSummary | undefined): void {
     this.#regionAreas = summary?.regionArea ?? new Float64Array();
+    const usual = this.#markerSize || 1; // without regions, nothing is crowded
+    this.#siteMarkers.usual = usual;
+    this.#bisectors.widest = (bisectorShare / markerShare) * usual;
     this.#showSites();
   }
 

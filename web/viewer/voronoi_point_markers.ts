@@ -105,6 +105,7 @@ export class VoronoiPointMarkers {
       places.set(numbers.subarray(0, 3), 3 * to);
       outward.set(numbers.subarray(3), 3 * to);
     });
+    this.markers.usual = this.#size;
     this.markers.set(places, outward, this.#size);
   }
 }
