@@ -159,6 +159,15 @@ suite('access', () => {
     }
   });
 
+  test('the element takes the focus as a whole', async () => {
+    const viewer = await browser.open();
+    await viewer.settled();
+    await viewer.evaluate((viewer) => viewer.focus());
+    await viewer.after('diagram', () => viewer.page.keyboard.press('Enter'));
+    assert.equal(await viewer.siteCount(), 61);
+    await viewer.close();
+  });
+
   test('the focus goes on to a neighbour of a button that is disabled or hidden', async () => {
     const viewer = await browser.open({ viewport: { width: 1280, height: 720 } });
     const { page } = viewer;

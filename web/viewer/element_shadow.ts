@@ -88,7 +88,7 @@ export class ElementShadow {
   #hintTimer = 0;
 
   constructor(host: HTMLElement) {
-    const root = host.shadowRoot ?? host.attachShadow({ mode: 'open' });
+    const root = host.shadowRoot ?? host.attachShadow({ mode: 'open', delegatesFocus: true });
     const sheet = new CSSStyleSheet();
     sheet.replaceSync(style);
     root.adoptedStyleSheets = [sheet];
