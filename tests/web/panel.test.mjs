@@ -162,8 +162,8 @@ suite('the panel', () => {
     assert.match(link, /#v=1&model=bunny\.ply/);
     for (const [form, pattern] of [
       ['script', /^import \{ load \}/],
-      ['element', /^<geodesic-voronoi src="bunny\.ply"/],
-      ['command', /^geodesic-voronoi diagram bunny\.ply/],
+      ['element', /^<geodesic-voronoi src="http:.*\/samples\/bunny\.ply"/],
+      ['command', /^curl -LO 'http:.*\/samples\/bunny\.ply'\ngeodesic-voronoi diagram bunny\.ply/],
     ]) {
       await viewer.page.locator(`input[name=code][value=${form}]`).check({ force: true });
       await viewer.page.locator('#code').filter({ hasText: pattern }).waitFor();

@@ -5,6 +5,7 @@
 import type { Sampling } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { listen } from './dom.js';
+import { downloadName } from './downloads.js';
 
 /** How the present sites were made: by scattering, by a tessellation of those, or by hand. */
 type Origin = 'scattered' | 'even' | 'edited';
@@ -43,21 +44,46 @@ async function isScattered(viewer: GeodesicVoronoiElement): Promise<boolean> {
   return String(scattered?.bary) === shown;
 }
 
-/** The code of a script, a page or a command that makes the shown diagram. */
+/** The model that code opens. */
+export interface CodeModel {
+  /** The name of its file. */
+  name: string;
+  /** Where it can be fetched from, if it is one of the page's own. */
+  address?: string | undefined;
+}
+
+/**
+ * The code of a script, a page or a command that makes the shown diagram. It runs as it is, next to
+ * the files that its first line names.
+ */
 export function codeOf(
   viewer: GeodesicVoronoiElement,
-  file: string,
+  model: CodeModel,
   origin: Origin,
   form: string,
 ): string {
+  const sitesFile = downloadName(model.name, 'sites', 'json');
+  const needs = [
+    ...(model.address ? [] : [model.name]),
+    ...(origin === 'edited' ? [`${sitesFile} (Download, Sites)`] : []),
+  ];
+  const needed = needs.length > 0 ? `Needs in its folder: ${needs.join(' and ')}` : undefined;
   switch (form) {
     case 'element':
-      return elementOf(viewer, file, origin);
+      return joined(needed && `<!-- ${needed} -->`, elementOf(viewer, model, origin, sitesFile));
     case 'command':
-      return commandOf(viewer, file, origin);
+      return joined(
+        needed && `# ${needed}`,
+        model.address && `curl -LO '${model.address}'`,
+        commandOf(viewer, model, origin, sitesFile),
+      );
     default:
-      return scriptOf(viewer, file, origin);
+      return joined(needed && `// ${needed}`, scriptOf(viewer, model, origin, sitesFile));
   }
+}
+
+function joined(...lines: (string | undefined)[]): string {
+  return lines.filter(Boolean).join('\n');
 }
 
 /** The settings, from the attributes of the page's viewer. */
@@ -103,7 +129,12 @@ function unusual(viewer: GeodesicVoronoiElement) {
   };
 }
 
-function scriptOf(viewer: GeodesicVoronoiElement, file: string, origin: Origin): string {
+function scriptOf(
+  viewer: GeodesicVoronoiElement,
+  { name, address }: CodeModel,
+  origin: Origin,
+  sitesFile: string,
+): string {
   const { count, seed, sampling, metric, detail, iterations } = settingsOf(viewer);
   const { meshOptions, siteOptions } = unusual(viewer);
   const scattered = `await mesh.sampleSites(${count}, { seed: ${seed}, sampling: '${sampling}'${siteOptions} })`;
@@ -114,34 +145,34 @@ function scriptOf(viewer: GeodesicVoronoiElement, file: string, origin: Origin):
       `const settings = { iterations: ${iterations}, metric: '${metric}' };`,
       'for await (const state of mesh.cvt(sites, settings)) sites = state.sites;',
     ],
-    edited: [
-      "// From this page's menu of downloads.",
-      "const sites = await (await fetch('sites.json')).json();",
-    ],
+    edited: [`const sites = await (await fetch('${sitesFile}')).json();`],
   };
   return [
     "import { load } from 'geodesic-voronoi';",
     '',
     'const library = await load();',
-    `const bytes = await (await fetch('${file}')).arrayBuffer();`,
+    `const bytes = await (await fetch('${address ?? name}')).arrayBuffer();`,
     `const mesh = await library.mesh(new Uint8Array(bytes)${meshOptions});`,
     ...sites[origin],
     `const diagram = await mesh.voronoi(sites, { metric: '${metric}', detail: ${detail} });`,
   ].join('\n');
 }
 
-function elementOf(viewer: GeodesicVoronoiElement, file: string, origin: Origin): string {
+function elementOf(
+  viewer: GeodesicVoronoiElement,
+  model: CodeModel,
+  origin: Origin,
+  sitesFile: string,
+): string {
   const { count, seed, sampling, metric, detail } = settingsOf(viewer);
   const name = 'geodesic-voronoi';
   const after: Record<Origin, readonly string[]> = {
     scattered: [],
     even: ["  viewer.addEventListener('diagram', () => viewer.playCvt(), { once: true });"],
-    edited: [
-      "  viewer.sites = await (await fetch('sites.json')).json(); // from this page's downloads",
-    ],
+    edited: [`  viewer.sites = await (await fetch('${sitesFile}')).json();`],
   };
   return [
-    `<${name} src="${file}" sites="${count}" seed="${seed}"`,
+    `<${name} src="${model.address ?? model.name}" sites="${count}" seed="${seed}"`,
     `  sampling="${sampling}" metric="${metric}" detail="${detail}"${unusual(viewer).html}></${name}>`,
     '<script type="module">',
     "  import 'geodesic-voronoi/element';",
@@ -156,19 +187,29 @@ function elementOf(viewer: GeodesicVoronoiElement, file: string, origin: Origin)
   ].join('\n');
 }
 
-function commandOf(viewer: GeodesicVoronoiElement, file: string, origin: Origin): string {
+function commandOf(
+  viewer: GeodesicVoronoiElement,
+  { name }: CodeModel,
+  origin: Origin,
+  sitesFile: string,
+): string {
   const { count, seed, sampling, metric, detail, iterations } = settingsOf(viewer);
   const { build, attributes, flags } = unusual(viewer);
   const sites =
     origin === 'edited'
-      ? `--sites sites.json${flags(build)}`
+      ? `--sites ${quoted(sitesFile)}${flags(build)}`
       : `--sites ${count} --seed ${seed} --sampling ${sampling}${flags(attributes)}`;
   const isEven = origin === 'even';
   return [
-    `geodesic-voronoi ${isEven ? 'cvt' : 'diagram'} ${file} \\`,
+    `geodesic-voronoi ${isEven ? 'cvt' : 'diagram'} ${quoted(name)} \\`,
     `  ${sites} \\`,
     isEven
       ? `  --metric ${metric} --iterations ${iterations} -o sites.json`
       : `  --metric ${metric} --detail ${detail} -o diagram.json`,
   ].join('\n');
+}
+
+/** A name as one word of a shell. */
+function quoted(name: string): string {
+  return /^[\w.-]+$/.test(name) ? name : `'${name.replace(/'/g, "'\\''")}'`;
 }

@@ -27,8 +27,9 @@ export function setUpShare(viewer: GeodesicVoronoiElement, modelName: () => stri
         ? 'Whoever opens the link sees this model, these sites and this view.'
         : `The link does not hold ${model}: whoever opens it has to open that file, too.`) +
       (viewer.density ? ' It does not hold the painted density.' : '');
+    const itsAddress = isSample ? new URL(`samples/${model}`, location.href).href : undefined;
     void originOf().then((origin) => {
-      code.textContent = codeOf(viewer, model, origin, chosen());
+      code.textContent = codeOf(viewer, { name: model, address: itsAddress }, origin, chosen());
     });
   };
   const chosen = () =>
