@@ -4,6 +4,7 @@
 
 import assert from 'node:assert/strict';
 import { after, before, suite, test } from 'node:test';
+import { glb, octahedron } from '../wasm/meshes.mjs';
 import { startBrowser } from './browser.mjs';
 
 suite('files', () => {
@@ -48,6 +49,7 @@ suite('files', () => {
   test('sites that were downloaded are dropped to bring them back, a step to undo', async () => {
     const { name, content } = await download('sites', 'json');
     assert.equal(name, 'bunny-sites.json');
+    assert.deepEqual(JSON.parse(content).mesh, { faces: 58784 });
     const sites = await viewer.sites();
     await viewer.after('diagram', () => viewer.evaluate((viewer) => viewer.removeSite(0)));
     await viewer.after('diagram', () => drop(name, content.toString()));
@@ -56,17 +58,89 @@ suite('files', () => {
     assert.equal(await viewer.siteCount(), 59);
 
     const wrong = {
-      '{': 'is no JSON that can be read',
-      '{"face": [1], "bary": [1, 0]}': 'is no list of sites',
+      '{': 'is no JSON that can be read.',
+      '{"face": [1]}': 'cannot be opened as sites: there are no points: ',
+      '{"face": [1], "bary": [1, 0]}': 'cannot be opened as sites: points.bary has 2 numbers: ',
       '{"face": [999999], "bary": [1, 0, 0]}':
-        'belongs to another model: this one has 58784 triangles',
+        'cannot be opened as sites: point 0: there is no triangle 999999.',
+      '{"mesh": {"faces": 12}, "face": [1], "bary": [1, 0, 0]}':
+        'cannot be opened as sites: the points belong to another mesh: to one with 12 triangles, not 58784.',
     };
     for (const [text, sentence] of Object.entries(wrong)) {
       await drop('wrong.json', text);
       await viewer.page.locator('#error-text', { hasText: `wrong.json ${sentence}` }).waitFor();
     }
     assert.equal(await viewer.siteCount(), 59);
-    await viewer.page.click('#error-close');
+    // The next file that can be opened takes the error away.
+    await viewer.after('diagram', () => drop('vertices.json', '{"vertex": [0, 900, 7000]}'));
+    assert.equal(await viewer.siteCount(), 3);
+    assert.equal(await viewer.page.locator('#error').isVisible(), false);
+  });
+
+  test('sites in space and those of a diagram are sites, too', async () => {
+    const places = await viewer.evaluate(async ({ mesh, sites }) => [
+      ...(await mesh.positionsOf(sites)),
+    ]);
+    await viewer.after('diagram', () => drop('p.json', JSON.stringify({ position: places })));
+    assert.equal(await viewer.siteCount(), places.length / 3);
+    const before = await viewer.sites();
+    const removed = { face: [-1, ...before.face], bary: [0, 0, 0, ...before.bary] };
+    await viewer.after('diagram', () => drop('d.json', JSON.stringify({ sites: removed })));
+    const now = JSON.stringify(await viewer.sites()); // which knows no -0
+    assert.equal(now, JSON.stringify(before), 'labels without a site are left out');
+  });
+
+  test('a site that is dragged while a file replaces it is not moved any more', async () => {
+    const place = await viewer.freePlace();
+    await viewer.after('diagram', () => viewer.page.mouse.click(place.x, place.y));
+    await viewer.page.mouse.move(place.x, place.y);
+    await viewer.page.mouse.down();
+    await viewer.after('diagram', () => viewer.page.mouse.move(place.x + 8, place.y + 8));
+    const dragged = await viewer.sites();
+    await viewer.after('diagram', () => drop('two.json', '{"vertex": [0, 900]}'));
+    await viewer.page.mouse.move(place.x + 16, place.y + 16);
+    await viewer.page.mouse.up();
+    assert.equal(await viewer.siteCount(), 2);
+    await viewer.after('diagram', () => viewer.page.click('#undo'));
+    assert.deepEqual(await viewer.sites(), dragged, 'nothing but the file is to be undone');
+  });
+
+  test('a dual that is no valid mesh is told of when it is downloaded, with its repair', async () => {
+    await viewer.after('diagram', () => drop('three.json', '{"vertex": [0, 900, 7000]}'));
+    const note = viewer.page.locator('#note-text');
+    for (const [row, what] of [
+      ['polygons', /^The polygons in the file are no valid mesh of the surface: .+\.$/],
+      ['dual', /^The dual in the file is no valid mesh of the surface: .+\.$/],
+    ]) {
+      await download(row, 'obj');
+      await note.filter({ hasText: what }).waitFor();
+    }
+    await viewer.after('diagram', () => viewer.page.click('#note-action'));
+    assert.ok((await viewer.siteCount()) > 3);
+    assert.equal(await note.isVisible(), false);
+    await download('dual', 'obj');
+    assert.equal(await note.isVisible(), false);
+  });
+
+  test('sites count the triangles of the file, also of a mesh that was repaired', async () => {
+    const repaired = await browser.open();
+    await repaired.settled();
+    const { positions, indices } = octahedron();
+    const model = glb({ positions, indices: [0, 0, 1, ...indices] });
+    await repaired.after('diagram', () =>
+      repaired.page.setInputFiles('#files', [
+        { name: 'own.glb', mimeType: '', buffer: Buffer.from(model) },
+      ]),
+    );
+    assert.equal(await repaired.evaluate(({ info }) => info.faces), 8);
+    const sites = { mesh: { faces: 9 }, face: [8, 1], bary: [1, 0, 0, 0, 1, 0] };
+    const buffer = Buffer.from(JSON.stringify(sites));
+    await repaired.after('diagram', () =>
+      repaired.page.setInputFiles('#files', [{ name: 's.json', mimeType: '', buffer }]),
+    );
+    assert.deepEqual((await repaired.sites()).face, [8, 1]);
+    assert.deepEqual(repaired.complaints, []);
+    await repaired.close();
   });
 
   test('outlines are what is seen of the bisectors', async () => {

@@ -97,6 +97,29 @@ suite('first sight', () => {
     await viewer.close();
   });
 
+  test('what is edited before the regions are even is kept', async () => {
+    const viewer = await browser.open({
+      hash: '',
+      prepare: (page) =>
+        page.addInitScript(() => {
+          const add = ({ target }) =>
+            setTimeout(() => target.addSite({ face: 0, bary: [1, 0, 0] }));
+          addEventListener('diagram', add, { capture: true, once: true });
+        }),
+    });
+    await viewer.page.locator('#undo:enabled').waitFor();
+    // More iterations than those of the page, and begun after them.
+    await viewer.evaluate(async ({ mesh, sites }) => {
+      for await (const _ of mesh.cvt(sites, { iterations: 40 }));
+    });
+    await viewer.settled();
+    const { face } = await viewer.sites();
+    assert.deepEqual([face.length, face[60]], [61, 0]);
+    await viewer.after('diagram', () => viewer.page.click('#undo'));
+    assert.equal(await isDisabled(viewer, '#undo'), true);
+    await viewer.close();
+  });
+
   test('what it needs is asked for once', async () => {
     const asked = [];
     const viewer = await browser.open({
@@ -196,9 +219,16 @@ suite('first sight', () => {
     await first.page.click('#share-button');
     const link = await first.page.locator('#share-link').inputValue();
     const { x, y } = await first.sitePosition(12);
-    await first.page.locator('#code', { hasText: "fetch('sites.json')" }).waitFor();
+    const code = first.page.locator('#code');
+    await code.filter({ hasText: "fetch('torus-sites.json')" }).waitFor();
+    assert.match(
+      await code.textContent(),
+      /^\/\/ Needs in its folder: torus-sites\.json \(Download, Sites\)\n/,
+    );
     await first.page.getByText('Command', { exact: true }).click();
-    await first.page.locator('#code', { hasText: 'geodesic-voronoi diagram torus.glb' }).waitFor();
+    await code.filter({ hasText: 'geodesic-voronoi diagram torus.glb' }).waitFor();
+    const [, address] = (await code.textContent()).match(/^curl -LO '(.*)'$/m);
+    assert.equal((await first.page.request.get(address)).status(), 200);
     await first.close();
 
     const second = await browser.open({ hash: new URL(link).hash });

@@ -4,7 +4,8 @@
 
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { byId, listen } from './dom.js';
-import { showError } from './feedback.js';
+import { showError, showNote } from './feedback.js';
+import { repairDual } from './valid_dual.js';
 
 /** A row of the menu: a result and the formats it comes in. */
 interface Row {
@@ -46,7 +47,7 @@ const rows: readonly Row[] = [
   },
   {
     title: 'Regions as polygons',
-    hint: 'One flat polygon per region',
+    hint: 'A polygon per region, with its Voronoi points as corners',
     name: 'polygons',
     formats: meshFormats,
   },
@@ -58,7 +59,12 @@ const rows: readonly Row[] = [
   },
 ];
 
-/** One menu of files to take away, named after the model. */
+/** What a downloaded file is called, after the file of its model. */
+export function downloadName(model: string, name: string, ending: string): string {
+  return `${model.replace(/\.[^.]*$/, '') || 'model'}-${name}.${ending}`;
+}
+
+/** One menu of files to take away. */
 export function setUpDownloads(viewer: GeodesicVoronoiElement, modelName: () => string): void {
   const menu = byId('download', HTMLElement);
 
@@ -72,8 +78,11 @@ export function setUpDownloads(viewer: GeodesicVoronoiElement, modelName: () => 
       // The code that writes files is fetched with the first download.
       const { fileOf } = await import('./exports.js');
       const file = await fileOf(viewer, name, format);
-      const model = modelName().replace(/\.[^.]*$/, '') || 'model';
-      save(file.blob, `${model}-${name}.${file.ending}`);
+      save(file.blob, downloadName(modelName(), name, file.ending));
+      if (file.faults) {
+        const title = 'Add sites to make it valid';
+        showNote(file.faults, { title, act: () => void repairDual(viewer) });
+      }
       menu.hidePopover();
       if (hadFocus) byId('download-button', HTMLElement).focus();
     } catch (error) {

@@ -7,6 +7,7 @@ import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { encode } from './encoding.js';
 import { outlinesSvg } from './outline_svg.js';
 import { sitesJson } from './sites_file.js';
+import { faultsOf } from './valid_dual.js';
 
 type Source = Pick<Mesh, 'positions' | 'indices' | 'normals' | 'uvs'>;
 type Encoder = (
@@ -95,12 +96,25 @@ function coloursOf(viewer: GeodesicVoronoiElement): number[][] {
   });
 }
 
+interface ExportedFile {
+  blob: Blob;
+  ending: string;
+  /** The faults of the mesh in it, as a sentence. */
+  faults?: string | undefined;
+}
+
+/** What has the faults of a dual, with its verb, by the names of files. */
+const faulty: Record<string, string> = {
+  dual: 'The dual in the file is',
+  polygons: 'The polygons in the file are',
+};
+
 /** A file by the name and the format of its row in the menu; a picture's format is its scale. */
 export async function fileOf(
   viewer: GeodesicVoronoiElement,
   name: string,
   format: string,
-): Promise<{ blob: Blob; ending: string }> {
+): Promise<ExportedFile> {
   if (name === 'picture') {
     return {
       blob: await viewer.toBlob('image/png', undefined, parseInt(format, 10)),
@@ -110,5 +124,6 @@ export async function fileOf(
   const { diagram } = viewer;
   if (!diagram) throw new Error('there is no diagram');
   const blob = await encoders[name][format](diagram, { mesh: sourceOf(viewer) }, viewer);
-  return { blob, ending: format };
+  const faults = faulty[name] && faultsOf(faulty[name], await diagram.violations());
+  return { blob, ending: format, faults };
 }

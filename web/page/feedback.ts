@@ -45,6 +45,10 @@ export function showError(sentence: string): void {
   byId('error', HTMLElement).hidden = false;
 }
 
+export function hideError(): void {
+  byId('error', HTMLElement).hidden = true;
+}
+
 function setUpStatus(viewer: GeodesicVoronoiElement): void {
   const status = byId('status', HTMLElement);
   let waiting = 0;
@@ -88,10 +92,7 @@ function setUpProgress(viewer: GeodesicVoronoiElement): void {
 }
 
 function setUpErrors(viewer: GeodesicVoronoiElement): void {
-  const close = () => {
-    byId('error', HTMLElement).hidden = true;
-  };
-  onClick('error-close', close);
+  onClick('error-close', hideError);
   listen(viewer, 'error', ({ type, message }) => {
     byId('progress', HTMLElement).hidden = true;
     // Without a model the view itself says why there is none, for as long as that is so.
@@ -103,7 +104,7 @@ function setUpErrors(viewer: GeodesicVoronoiElement): void {
   });
   // The next attempt makes its own.
   listen(viewer, 'status-change', ({ status }) => {
-    if (status === 'loading') close();
+    if (status === 'loading') hideError();
   });
 }
 

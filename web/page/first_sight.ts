@@ -9,6 +9,7 @@ import type { CvtReadings } from './cvt_readings.js';
 import { byId, listen } from './dom.js';
 import { modelOf } from './first_model.js';
 import { isPageState, readPageState } from './page_state.js';
+import { isSame } from './same_sites.js';
 
 /** Opens a shared link as it was; without one, a sample plays once. */
 export function setUpFirstSight(viewer: GeodesicVoronoiElement, readings: CvtReadings): void {
@@ -61,14 +62,15 @@ async function evenOut(viewer: GeodesicVoronoiElement, readings: CvtReadings): P
     viewer.playCvt();
     return;
   }
-  const { mesh, diagram, sites } = viewer;
+  const { mesh, sites } = viewer;
   if (!mesh) return;
   const iterations = Number(viewer.getAttribute('cvt-iterations'));
   const states: CvtState[] = [];
   for await (const state of mesh.cvt(sites, { iterations })) states.push(state);
   const last = states.at(-1);
   // Changes that the reader has made meanwhile are kept.
-  if (!last || mesh !== viewer.mesh || diagram !== viewer.diagram) return;
+  const isEdited = viewer.density !== undefined || !isSame(sites, viewer.sites);
+  if (!last || mesh !== viewer.mesh || isEdited) return;
   viewer.sites = last.sites;
   const { regionAreas: regionArea } = viewer;
   const hexagons = hexagonEnergy({ siteCount: regionArea.length, regionArea });

@@ -8,7 +8,6 @@ import { chosenFiles, droppedFiles, lastSegment } from '../viewer/model_files.js
 import { byId, listen, onClick } from './dom.js';
 import { showError, showNote } from './feedback.js';
 import { modelOf } from './first_model.js';
-import { openSites } from './sites_file.js';
 import samples from './samples.json' with { type: 'json' };
 
 /**
@@ -18,8 +17,11 @@ import samples from './samples.json' with { type: 'json' };
 export function setUpModelChoice(viewer: GeodesicVoronoiElement): void {
   const menu = new ModelMenu(viewer);
   const open = async (files: readonly File[], all: ModelFiles | Promise<ModelFiles>) => {
-    if (isSites(files)) return openSites(viewer, files[0]);
     try {
+      if (isSites(files)) {
+        const { openSites } = await import('./sites_file.js');
+        return await openSites(viewer, files[0]);
+      }
       await menu.openFiles(await all);
     } catch (error) {
       showError((error as Error).message);

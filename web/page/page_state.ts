@@ -86,7 +86,7 @@ function isCount(value: string): boolean {
 function showSites(viewer: GeodesicVoronoiElement, text: string): void {
   try {
     const sites = decodeSites(text);
-    const faces = viewer.info?.faces ?? 0;
+    const faces = viewer.info?.inputFaces ?? 0;
     if (sites.face.some((face) => face >= faces)) throw new RangeError();
     viewer.sites = sites;
   } catch {

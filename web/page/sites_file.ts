@@ -2,46 +2,56 @@
 //
 // Sites as a file.
 
+import type { SurfacePoints } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
-import { showError } from './feedback.js';
+import { hideError, showError } from './feedback.js';
 
-/** The JSON form of a list of surface points, as the page and the command write it. */
+/** The JSON form of sites, as the page and the command write it. */
 interface SitesJson {
+  mesh: { faces: number };
   face: number[];
   bary: number[];
 }
 
-export function sitesJson({ sites }: GeodesicVoronoiElement): SitesJson {
-  return { face: [...sites.face], bary: [...sites.bary] };
+export function sitesJson({ sites, info }: GeodesicVoronoiElement): SitesJson {
+  return {
+    mesh: { faces: info?.inputFaces ?? 0 },
+    face: [...sites.face],
+    bary: [...sites.bary],
+  };
 }
 
-/** Replaces the sites by those of a file, a step to undo. Shows an error if the file has none. */
+/**
+ * Replaces the sites by those of a file, a step to undo. Shows an error if the file has none, or
+ * those of another model.
+ */
 export async function openSites(viewer: GeodesicVoronoiElement, file: File): Promise<void> {
+  hideError();
+  const { mesh } = viewer;
   const { name } = file;
-  let sites: unknown;
+  if (!mesh) {
+    showError(`${name} holds sites: open their model first.`);
+    return;
+  }
+  let json: unknown;
   try {
-    sites = JSON.parse(await file.text());
+    json = JSON.parse(await file.text());
   } catch {
     showError(`${name} is no JSON that can be read.`);
     return;
   }
-  const faces = viewer.info?.faces ?? 0;
-  if (!isSites(sites)) {
-    showError(`${name} is no list of sites: it needs "face" and, three numbers for each, "bary".`);
-  } else if (sites.face.some((face) => face >= faces)) {
-    showError(`${name} belongs to another model: this one has ${faces} triangles.`);
-  } else {
-    viewer.sites = sites;
+  try {
+    const sites = await mesh.readPoints(json);
+    if (mesh === viewer.mesh) viewer.sites = present(sites);
+  } catch (error) {
+    showError(`${name} cannot be opened as sites: ${(error as Error).message}.`);
   }
 }
 
-function isSites(value: unknown): value is SitesJson {
-  const { face, bary } = (value ?? {}) as Partial<SitesJson>;
-  return (
-    Array.isArray(face) &&
-    Array.isArray(bary) &&
-    bary.length === 3 * face.length &&
-    face.every((each) => Number.isInteger(each) && each >= 0) &&
-    bary.every(Number.isFinite)
-  );
+/** A diagram's list of sites without the labels of removed ones. */
+function present({ face, bary }: SurfacePoints): SurfacePoints {
+  return {
+    face: face.filter((f) => f >= 0),
+    bary: bary.filter((_, i) => face[Math.floor(i / 3)] >= 0),
+  };
 }

@@ -5,7 +5,7 @@
 import { type GeodesicVoronoiElement, type Layer, layers } from '../viewer/element.js';
 import { byId, listen, onClick } from './dom.js';
 import { showNote } from './feedback.js';
-import { counted } from './numbers.js';
+import { faultsOf, repairDual } from './valid_dual.js';
 
 /** The titles of the layers, and hints on what they show. */
 const layerTexts: Record<Layer, { title: string; hint: string }> = {
@@ -63,27 +63,15 @@ function setUpOriginal(viewer: GeodesicVoronoiElement): void {
 function setUpDual(viewer: GeodesicVoronoiElement): void {
   const note = byId('dual-note', HTMLElement);
   const repair = onClick('repair', async () => {
-    const { diagram } = viewer;
-    if (!diagram) return;
     repair.disabled = true;
-    try {
-      const valid = await diagram.repair();
-      if (diagram === viewer.diagram) viewer.sites = valid.sites;
-      if (valid !== diagram) valid.dispose();
-    } catch (error) {
-      note.textContent = `Sites cannot be added: ${(error as Error).message}.`;
-    } finally {
-      repair.disabled = false;
-    }
+    await repairDual(viewer);
+    repair.disabled = false;
   });
   listen(viewer, 'dual', (dual) => {
-    const [first, ...others] = dual?.violations ?? [];
-    const more = others.length > 0 ? `, and ${counted(others.length, 'more fault')}` : '';
-    note.textContent = first
-      ? `The dual is no valid mesh of the surface: ${first.message}${more}.`
-      : 'The dual is a valid mesh of the surface.';
+    const faults = faultsOf('The dual is', dual?.violations ?? []);
+    note.textContent = faults ?? 'The dual is a valid mesh of the surface.';
     note.hidden = dual === null;
-    repair.hidden = first === undefined;
+    repair.hidden = faults === undefined;
   });
 }
 

@@ -151,8 +151,9 @@ export class Session {
     if (rest !== this.sites) this.#record(rest);
   }
 
-  /** Moves a site; all moves until `endMove` are one step to undo. */
+  /** Moves a site, if it is there; all moves until `endMove` are one step to undo. */
   moveSite(id: number, { face, bary }: SitePlace): void {
+    if (!this.sites.some((site) => site.id === id)) return;
     this.#stopCvt();
     const moved = this.sites.map((site) => (site.id === id ? { id, face, bary } : site));
     if (this.#move?.id !== id) this.#move = { id, recorded: false };
