@@ -104,6 +104,8 @@ suite('access', () => {
     assert.deepEqual(small, []);
     await page.evaluate(() => {
       document.querySelector('#panel').hidden = true;
+      // The view grows with the next frame, and is drawn anew with the one after.
+      return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
     });
     const place = await viewer.freePlace();
     await viewer.after('diagram', () => page.touchscreen.tap(place.x, place.y));
