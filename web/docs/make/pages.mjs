@@ -14,6 +14,7 @@ const folder = here('..');
 export const documents = [
   { source: here('../index.md'), target: 'index.html', title: 'Documents' },
   { source: here('../guide.md'), target: 'guide.html', title: 'Guide' },
+  { source: here('../files.md'), target: 'files.html', title: 'Files' },
   { source: here('../element.md'), target: 'element.html', title: 'The element' },
   { source: here('../how-it-works.md'), target: 'how-it-works.html', title: 'How it works' },
   { source: here('../gallery.md'), target: 'gallery.html', title: 'Gallery' },
