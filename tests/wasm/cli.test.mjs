@@ -316,6 +316,34 @@ test('a density that would have no effect on the sites is refused', () => {
   succeeds(`${cvt} --sites sites.json --iterations 0`);
 });
 
+test('sites from a PLY and a CSV of places', () => {
+  succeeds('cvt shape.glb --sites 4 --iterations 0 -q -o four.json');
+  succeeds('cvt shape.glb --sites 4 --iterations 0 -q -o four.ply');
+  const { position } = JSON.parse(read('four.json'));
+  const rows = [0, 1, 2, 3].map((i) => position.slice(3 * i, 3 * i + 3));
+  write('four.csv', rows.map((row) => `${row.join(', ')}\n`).join(''));
+  const named = rows.map(([x, y, z], i) => `${i};${z};${x};${y}`);
+  write('named.csv', ['# measured', '"id";"Z";"X";"Y"', ...named].join('\r\n'));
+  const areas = (sites) => {
+    const { regions } = JSON.parse(succeeds(`diagram shape.glb --sites ${sites} -q`).stdout);
+    return regions.map(({ area }) => area.toFixed(9));
+  };
+  const expected = areas('four.json');
+  for (const sites of ['four.ply', 'four.csv', 'named.csv'])
+    assert.deepEqual(areas(sites), expected);
+
+  for (const [content, message] of [
+    ['1, 2, 3\n1, 2', /bad\.csv: line 2: z is missing\n$/],
+    ['x,y,z\n1,2,three', /bad\.csv: line 2: z is 'three', not a number\n$/],
+    ['x,y\n1,2', /bad\.csv: no column is called z: there are x, y\n$/],
+  ]) {
+    write('bad.csv', content);
+    fails(1, 'diagram shape.glb --sites bad.csv', message);
+  }
+  write('bad.ply', 'ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nend_header\n1\n2\n');
+  fails(1, 'diagram shape.glb --sites bad.ply', /bad\.ply: the PLY's vertices have no y\n$/);
+});
+
 test('points as JSON in place of a file, and named in errors', () => {
   const path = `path shape.glb --from {"vertex":0} --to`;
   assert.equal(JSON.parse(succeeds(`${path} {"vertex":[0]}`).stdout).paths[0].length, 0);
@@ -372,7 +400,7 @@ test('partition as GLB, OBJ, PLY and JSON', () => {
   succeeds('partition shape.glb --sites 5 --holes -o parts.obj');
   assert.equal(read('parts.obj').match(/^g region_/gm).length, 5);
   succeeds('partition shape.glb --sites 5 -o parts.ply');
-  assert.match(read('parts.ply'), /^ply\n[^]*property int label\nend_header\n/);
+  assert.match(read('parts.ply'), /^ply\n[^]*property int label\nproperty uchar red\n/);
   succeeds('diagram shape.glb --sites 5 -o d.json');
   assert.deepEqual(JSON.parse(read('d.json')).sites, json.sites);
 });

@@ -285,6 +285,19 @@ test('PLY: a label per face', async () => {
   }
 });
 
+test('PLY: the colours of regions, as bytes of sRGB', async () => {
+  for await (const { mesh, partition } of cases()) {
+    const colours = [[1, 0.215861, 0]];
+    const { face } = readPly(partitionPly(partition, { mesh, colours }));
+    const rgb = face.map(({ red, green, blue }) => [red, green, blue].join());
+    const { label } = partition.triangles;
+    label.forEach((each, t) => each === 0 && assert.equal(rgb[t], '255,128,0'));
+    const seen = new Map(Array.from(label, (each, t) => [each, rgb[t]]));
+    label.forEach((each, t) => assert.equal(rgb[t], seen.get(each)));
+    assert.equal(new Set(seen.values()).size, seen.size, 'another one for each region');
+  }
+});
+
 test('normals and texture coordinates are interpolated, across no seam', async () => {
   const mesh = await gvd.mesh(dressed());
   const diagram = await mesh.voronoi(await mesh.sampleSites(6, { seed: 2 }));

@@ -16,15 +16,18 @@ export interface PartitionFileOptions {
   scale?: number | undefined;
 }
 
-export interface PartitionGlbOptions extends PartitionFileOptions {
+export interface PartitionColourOptions extends PartitionFileOptions {
+  /** Linear RGB, 0 … 1, per region; by default hues, far apart for the first few regions. */
+  colours?: readonly (readonly number[] | undefined)[] | undefined;
+}
+
+export interface PartitionGlbOptions extends PartitionColourOptions {
   /**
    * 'regions': a node with one primitive per region, named `region 0`, …, with its label in
    * `extras.region`. 'features': one primitive, with the labels in `_FEATURE_ID_0` as
    * EXT_mesh_features has them. Default 'regions'.
    */
   layout?: PartitionLayout | undefined;
-  /** Linear RGB, 0 … 1, per region; by default hues, far apart for the first few regions. */
-  colours?: readonly (readonly number[] | undefined)[] | undefined;
 }
 
 export const partitionLayouts = ['regions', 'features'] as const;
@@ -216,20 +219,30 @@ export function partitionObj(partition: Partition, options?: PartitionFileOption
   return `# Regions of a geodesic Voronoi diagram\n${lines.join('\n')}\n`;
 }
 
-/** Every face with its label, -1 where no site reaches. */
+/** Every face with its label, -1 where no site reaches, and the colour of its region. */
 export function partitionPly(
   partition: Partition,
-  options?: PartitionFileOptions,
+  options?: PartitionColourOptions,
 ): Uint8Array<ArrayBuffer> {
   toPartition(partition);
-  const { mesh, scale } = toFileOptions(options, {});
+  const { mesh, scale, colours = [] } = toFileOptions(options, { colours: undefined });
+  toColours('colours', colours);
+  const { label } = partition.triangles;
+  const rgb = new Uint8Array(3 * label.length);
+  for (const { label: region, first, last } of partsOf(partition)) {
+    const bytes = (colours[region] ?? hueOf(region)).map(srgbByte);
+    for (let t = first; t < last; ++t) rgb.set(bytes, 3 * t);
+  }
   const { vertices, corners } = partitionVertices(partition, mesh);
   const offset = Int32Array.from({ length: partition.triangles.label.length + 1 }, (_, t) => 3 * t);
   return ply(
     'Regions of a geodesic Voronoi diagram',
     plyColumns(partition.points.position, vertices, scale),
     { offset, points: corners },
-    [{ names: ['label'], type: 'int', values: partition.triangles.label }],
+    [
+      { names: ['label'], type: 'int', values: label },
+      { names: ['red', 'green', 'blue'], type: 'uchar', values: rgb },
+    ],
   );
 }
 
@@ -261,6 +274,12 @@ function hueOf(label: number): number[] {
     const k = (n + 6 * hue) % 6;
     return 0.85 * (1 - 0.6 * Math.max(0, Math.min(k, 4 - k, 1)));
   });
+}
+
+/** A channel of linear RGB as files without a colour space have it: a byte of sRGB. */
+function srgbByte(linear: number): number {
+  const encoded = linear <= 0.0031308 ? 12.92 * linear : 1.055 * linear ** (1 / 2.4) - 0.055;
+  return Math.round(255 * encoded);
 }
 
 function material(name: string, baseColorFactor: number[]): object {

@@ -60,8 +60,11 @@ const encoders: Record<string, Record<string, Encoder>> = {
       }),
     obj: async (diagram, options) =>
       encode(mediaTypes.obj, 'partitionObj', await diagram.partition(), options),
-    ply: async (diagram, options) =>
-      encode(mediaTypes.ply, 'partitionPly', await diagram.partition(), options),
+    ply: async (diagram, options, viewer) =>
+      encode(mediaTypes.ply, 'partitionPly', await diagram.partition(), {
+        ...options,
+        colours: coloursOf(viewer),
+      }),
   },
   polygons: polygonEncoders(true),
   dual: polygonEncoders(false),

@@ -14,9 +14,10 @@ import {
   toSitesEncoder,
 } from './encoders.js';
 import { fail } from './failure.js';
-import { FileError, Output, readNumbers, readPoints } from './files.js';
+import { FileError, Output } from './files.js';
 import { meshReport } from './mesh_report.js';
 import type { CommandName, Invocation, Values } from './options.js';
+import { readNumbers, readPoints } from './points.js';
 import {
   type Notices,
   onSurface,

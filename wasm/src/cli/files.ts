@@ -16,8 +16,6 @@ import {
 } from 'node:fs/promises';
 import { basename, dirname, join, resolve, sep } from 'node:path';
 import { gltfResourceUris } from '../input/gltf_document.js';
-import { parseJson } from '../input/json_members.js';
-import { type PointsFile, pointsFile } from '../points_file.js';
 import { placeOf } from '../input/model_files.js';
 import type { ModelFile, ModelFiles } from '../types.js';
 import { standard } from './options.js';
@@ -25,7 +23,7 @@ import { standard } from './options.js';
 /** A file cannot be read or written: exit status 1. */
 export class FileError extends Error {}
 
-function readBytes(path: string): Promise<Uint8Array> {
+export function readBytes(path: string): Promise<Uint8Array> {
   return path === standard ? readStandardInput() : read(path, path);
 }
 
@@ -108,49 +106,6 @@ function fileAt(path: string): ModelFile {
   };
 }
 
-/** A JSON file, or JSON itself: no file is called `{…` or `[…`. */
-async function readJson(given: string): Promise<unknown> {
-  const bytes = isJson(given) ? new TextEncoder().encode(given) : await readBytes(given);
-  try {
-    return parseJson(bytes);
-  } catch (error) {
-    const what = error instanceof SyntaxError ? 'is not JSON' : 'cannot be read';
-    throw new FileError(`${nameOf(given)} ${what}: ${(error as Error).message}`);
-  }
-}
-
-/** Reads a list of numbers. */
-export async function readNumbers(given: string): Promise<number[]> {
-  const json = await readJson(given);
-  if (Array.isArray(json) && json.every((item) => typeof item === 'number')) return json;
-  throw new FileError(`${nameOf(given)} holds no list of numbers`);
-}
-
-/** Points as they were given, with the name that messages call them. */
-export type GivenPoints = PointsFile & { name: string };
-
-/** Reads a list of sites or points; also the sites of a result that this command wrote. */
-export async function readPoints(given: string): Promise<GivenPoints> {
-  if (/^\d+$/.test(given) && !(await exists(given)))
-    throw new FileError(`there is no file ${given}; a vertex is given as '{"vertex": ${given}}'`);
-  const json = await readJson(given);
-  const name = nameOf(given);
-  try {
-    return { name, ...pointsFile(json) };
-  } catch (error) {
-    throw new FileError(`${name}: ${(error as Error).message}`, { cause: error });
-  }
-}
-
-function isJson(given: string): boolean {
-  return /^\s*[[{]/.test(given);
-}
-
-function nameOf(given: string): string {
-  if (given === standard) return 'standard input';
-  return isJson(given) && given.length > 40 ? `${given.slice(0, 40)}…` : given;
-}
-
 /** The most bytes read from a pipe, which may never end. */
 const maxStandardInput = 2 ** 30;
 
@@ -226,7 +181,7 @@ async function kindOf(path: string): Promise<'file' | 'folder' | 'special'> {
   return entry && !entry.isFile() ? 'special' : 'file';
 }
 
-async function exists(path: string): Promise<boolean> {
+export async function exists(path: string): Promise<boolean> {
   return stat(path).then(
     () => true,
     () => false,

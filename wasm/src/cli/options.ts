@@ -41,7 +41,7 @@ export const options = {
     value: 'N|FILE',
     parse: numberOrPath(1, maxCount),
     optional: true,
-    help: 'Number of sites to sample, or a JSON file of them, on the surface or by coordinates',
+    help: 'Number of sites to sample, or a file of them: JSON, on the surface or by coordinates; or .ply or .csv, by coordinates',
   },
   radius: {
     value: 'R',
@@ -67,11 +67,15 @@ export const options = {
     default: '1',
     help: 'Seed of the sampling; the same gives the same sites',
   },
-  points: { value: 'FILE', parse: path, help: 'The points to locate: a JSON file, or JSON itself' },
+  points: {
+    value: 'FILE',
+    parse: path,
+    help: 'The points to locate: a file as of --sites, or JSON itself',
+  },
   from: {
     value: 'FILE',
     parse: path,
-    help: 'The points at which paths start: a JSON file, or JSON itself',
+    help: 'The points at which paths start: a file as of --sites, or JSON itself',
   },
   to: {
     value: 'FILE',
@@ -272,7 +276,7 @@ export const commands = {
   },
   partition: {
     summary: 'The mesh cut into the regions of sites, watertight where it was',
-    result: `By FILE's ending or --format, by default .json: .glb, .obj (a group per region), .ply (a label per face), .json (triangles, and facts of each region).`,
+    result: `By FILE's ending or --format, by default .json: .glb, .obj (a group per region), .ply (a label and a colour per face), .json (triangles, and facts of each region).`,
     examples: [
       'mesh.glb --sites 300 -o parts.glb',
       'mesh.glb --sites sites.json --layout features -o parts.glb',

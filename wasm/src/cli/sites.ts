@@ -5,8 +5,9 @@ import { toPlaces } from '../input.js';
 import { load } from '../node.js';
 import { requireSameMesh } from '../points_file.js';
 import type { Density, Mesh, SurfacePointsInput } from '../types.js';
-import { FileError, type GivenPoints, readModel, readPoints } from './files.js';
+import { FileError, readModel } from './files.js';
 import type { Values } from './options.js';
+import { type GivenPoints, readPoints } from './points.js';
 import { ProgressBar } from './progress.js';
 
 /** Where sites come from. */

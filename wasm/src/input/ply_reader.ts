@@ -23,6 +23,17 @@ import { TextWords } from './text_words.js';
 const axes = ['x', 'y', 'z'];
 
 export function* readPly(bytes: Uint8Array, limits: SizeLimits): SlicedWork<ReadModel> {
+  const reader = yield* readElements(bytes, limits);
+  return yield* reader.take();
+}
+
+/** The places of the vertices, which need not have faces: x, y, z each. */
+export function* readPlyPlaces(bytes: Uint8Array, limits: SizeLimits): SlicedWork<Float64Array> {
+  const reader = yield* readElements(bytes, limits);
+  return yield* reader.takePlaces();
+}
+
+function* readElements(bytes: Uint8Array, limits: SizeLimits): SlicedWork<PlyReader> {
   const header = readPlyHeader(bytes);
   const values =
     header.format === 'ascii'
@@ -35,7 +46,7 @@ export function* readPly(bytes: Uint8Array, limits: SizeLimits): SlicedWork<Read
   };
   const reader = new PlyReader(values, limits, promised('vertex', 3), promised('face', 4));
   for (const element of header.elements) yield* reader.read(element);
-  return yield* reader.take();
+  return reader;
 }
 
 /** The data, value after value. */
@@ -97,6 +108,10 @@ class PlyReader {
       }
       if (name === 'vertex') for (const x of place) this.#positions.push(x);
     }
+  }
+
+  *takePlaces(): SlicedWork<Float64Array> {
+    return yield* this.#positions.take();
   }
 
   *take(): SlicedWork<ReadModel> {
