@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The pictures of the README: the element, photographed in a browser. Sites come from the library, so
+// The pictures of the README and of the gallery: the element, photographed in a browser. Sites come from the library, so
 // the same code takes the same pictures, as far as the graphics card agrees.
 
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -15,7 +15,10 @@ import { servePackages } from './packages_server.mjs';
 /** Softer than the page in the dark, and the same in every reader's browser. */
 const backdrop = 'radial-gradient(circle at 50% 42%, #3a4150, #20252d 62%, #15181d)';
 
-/** Writes hero.webp and stages.webp into a folder. */
+/** Of a picture in the gallery. */
+const small = { width: 330, height: 220 };
+
+/** Writes hero.webp, stages.webp and those of the gallery into a folder. */
 export async function takePictures(folder) {
   const models = mkdtempSync(join(tmpdir(), 'geodesic-voronoi-'));
   const server = await servePackages(models);
@@ -46,6 +49,24 @@ export async function takePictures(folder) {
             name: 'dual',
             layers: 'dual sites',
           },
+        ],
+      },
+      'even-sampling.webp': {
+        size: small,
+        views: [{ src: 'bunny.ply', sites: await even('bunny.ply', 300), layers: 'sites' }],
+      },
+      'base-mesh.webp': {
+        size: small,
+        views: [{ src: 'torus.glb', sites: await even('torus.glb', 30), layers: 'dual sites' }],
+      },
+      'feature-ids.webp': {
+        size: small,
+        views: [{ src: 'tangle.glb', sites: await even('tangle.glb', 50), exploded: 0.1 }],
+      },
+      'log-map.webp': {
+        size: small,
+        views: [
+          { src: 'bunny.ply', sites: await random('bunny.ply', 1), layers: 'distances sites' },
         ],
       },
     };
@@ -97,6 +118,7 @@ function pageOf({ views }) {
   figure { flex: 1; display: flex; flex-direction: column; margin: 0; min-width: 0 }
   geodesic-voronoi { flex: 1; width: 100% }
   figcaption { padding: 0 0 14px; text-align: center }
+  geodesic-voronoi::part(distances) { display: none }
   figcaption:empty { display: none }
 </style>
 <script type="importmap">${readFileSync(new URL('../examples/live.html', import.meta.url), 'utf8').match(/<script type="importmap">([^]*?)<\/script>/)[1]}</script>
