@@ -205,44 +205,43 @@ export class EngineDiagram implements Diagram {
 
   async repair(options?: RepairOptions): Promise<Diagram> {
     const { maxAdded, signal, onProgress } = toTaskOptions(options, { maxAdded: 1000 });
-    const most = this.sites.face.length + toMaxAdded(maxAdded);
-    let diagram: EngineDiagram = this;
+    let left = toMaxAdded(maxAdded);
     let share = 0;
-    for (;;) {
-      const before = diagram;
-      try {
-        const sites = await before.#moreSites(most, signal);
-        if (!sites) break;
+    let repaired: EngineDiagram | undefined; // gets its first sites when it is opened
+    try {
+      for (;;) {
+        const more = await (repaired ?? this).#repairingSites(left, signal);
+        if (more.face.length === 0) break;
+        left -= more.face.length;
         // The number of rounds is not known: each counts as half of what is left.
-        const rest = (1 - share) / 2;
-        diagram = await before.#anew(sites, {
-          signal,
-          onProgress: (part) => onProgress?.(share + rest * part),
-        });
+        const [before, rest] = [share, (1 - share) / 2];
+        const onShare = (part: number) => onProgress?.(before + rest * part);
+        if (repaired) await repaired.#insertSites(more, { signal, onProgress: onShare });
+        else repaired = await this.#anew(joined(this.sites, more), { signal, onProgress: onShare });
         share += rest;
-      } catch (error) {
-        if (before !== this) before.dispose();
-        throw error;
       }
-      if (before !== this) before.dispose();
+    } catch (error) {
+      repaired?.dispose();
+      throw error;
     }
     onProgress?.(1);
-    return diagram;
+    return repaired ?? this;
   }
 
-  /** These sites and those that one round of repair adds; undefined if it adds none. */
-  async #moreSites(most: number, signal?: AbortSignal): Promise<SurfacePoints | undefined> {
-    const added = await this.#kept.call<SurfacePoints>('repairingSites', [], { signal });
-    if (added.face.length === 0) return undefined;
-    const { face, bary } = this.sites;
-    if (face.length + added.face.length > most) {
-      const [{ message }] = await this.violations({ signal });
-      throw invalidArgument(`the dual is not valid with as many sites as may be added: ${message}`);
+  /** The sites that one round of repair adds. Refuses more than `most`. */
+  async #repairingSites(most: number, signal?: AbortSignal): Promise<SurfacePoints> {
+    const more = await this.#kept.call<SurfacePoints>('repairingSites', [], { signal });
+    if (more.face.length <= most) return more;
+    const [{ message }] = await this.violations({ signal });
+    throw invalidArgument(`the dual is not valid with as many sites as may be added: ${message}`);
+  }
+
+  async #insertSites({ face, bary }: SurfacePoints, { signal, onProgress }: TaskOptions) {
+    for (let i = 0; i < face.length; ++i) {
+      const site = { face: face.subarray(i, i + 1), bary: bary.subarray(3 * i, 3 * i + 3) };
+      await this.insertSite(site, { signal });
+      onProgress?.((i + 1) / face.length);
     }
-    return {
-      face: Int32Array.from([...face, ...added.face]),
-      bary: Float64Array.from([...bary, ...added.bary]),
-    };
   }
 
   /** The diagram of other sites on the same mesh. */
@@ -259,6 +258,13 @@ export class EngineDiagram implements Diagram {
   [disposeSymbol](): void {
     this.dispose();
   }
+}
+
+function joined(a: SurfacePoints, b: SurfacePoints): SurfacePoints {
+  return {
+    face: Int32Array.from([...a.face, ...b.face]),
+    bary: Float64Array.from([...a.bary, ...b.bary]),
+  };
 }
 
 /** Calls a function of core.wasm that changes the diagram. */

@@ -5,18 +5,13 @@
 #include <vector>
 
 #include "base/index_set.h"
-#include "distance/label_spread.h"
+#include "distance/label_turns.h"
 #include "distance/nearest_bounds.h"
 #include "distance/site_set.h"
 #include "distance/small_lists.h"
 #include "gvd/triangle_mesh.h"
 
 namespace gvd {
-
-/// A label whose distances are required at all corners of a face.
-struct Requirement {
-  int label, face;
-};
 
 /// The labels that own part of each closed face: labels that own a corner, that have their site in
 /// the face, or that are nearest somewhere on a side by interpolation between its ends

@@ -14,23 +14,6 @@ namespace {
 /// Faces or vertices that take about as long as one unit of the budget, a batch of windows.
 constexpr int kPerUnit = 32;
 
-/// Groups requirements by label. Labels come in order of their first required face, so that the
-/// memory they touch is still in the cache.
-void sortByLabel(std::vector<Requirement>& requirements, int labelCount) {
-  std::vector<int> rank(labelCount, -1), offset = {0};
-  for (const Requirement& r : requirements) {
-    if (rank[r.label] < 0) {
-      rank[r.label] = static_cast<int>(offset.size()) - 1;
-      offset.push_back(0);
-    }
-    ++offset[rank[r.label] + 1];
-  }
-  std::partial_sum(offset.begin(), offset.end(), offset.begin());
-  std::vector<Requirement> sorted(requirements.size());
-  for (const Requirement& r : requirements) sorted[offset[rank[r.label]]++] = r;
-  requirements.swap(sorted);
-}
-
 }  // namespace
 
 KnownLabels::KnownLabels(const TriangleMesh& mesh, const SiteSet& sites, NearestBounds& bounds,
@@ -40,12 +23,12 @@ KnownLabels::KnownLabels(const TriangleMesh& mesh, const SiteSet& sites, Nearest
       bounds_(bounds),
       spread_(spread),
       owners_(mesh, sites, bounds),
-      lists_(mesh.vertexCount()),
-      closure_(mesh, lists_, bounds, owners_),
+      lists_(mesh, spread, bounds),
+      turns_(spread),
+      closure_(mesh, spread, bounds, owners_, lists_),
       affectedFaces_(mesh.faceCount()),
       changedVertices_(mesh.vertexCount()),
-      changedFaces_(mesh.faceCount()),
-      extendedVertices_(mesh.vertexCount()) {}
+      changedFaces_(mesh.faceCount()) {}
 
 // --- A change ----------------------------------------------------------------------------------
 
@@ -53,7 +36,6 @@ void KnownLabels::beginChange() {
   affectedFaces_.clear();
   changedVertices_.clear();
   changedFaces_.clear();
-  extendedVertices_.clear();
   changedLabels_.clear();
   newlyFinal_.clear();
   ties_.clear();
@@ -93,19 +75,21 @@ bool KnownLabels::step(long& budget) {
       },
       [&] { addTies(); },
       [&] {
-        const bool isDone = require(budget, [&](int /*label*/) { requiredFaces_.clear(); });
+        turns_.clear();
+        turns_.addRequired(requirements_);
+      },
+      [&] {
         constexpr double kShare = 0.9;
-        progress_ = isDone ? kShare
-                           : kShare * static_cast<double>(cursor_) /
-                                 static_cast<double>(requirements_.size());
+        const bool isDone = turns_.run(budget);
+        progress_ = kShare * turns_.progress();
         return isDone;
       },
       [&] { collectLists(); }, [&] { return listLabels(budget); },
+      [&] { closure_.start(changedFaces_); }, [&] { return closure_.run(budget); },
       [&] {
-        return forFaces(changedFaces_, budget,
-                        [&](int f) { closure_.closeFace(f, requirements_); });
-      },
-      [&] { return closeAdded(budget); }, [&] { progress_ = 1; });
+        noteExtended();
+        progress_ = 1;
+      });
 }
 
 template <class Body>
@@ -216,48 +200,10 @@ void KnownLabels::addTies() {
     });
 }
 
-// --- Required distances ------------------------------------------------------------------------
-
-/// Lets one label after another spread on to the faces in `requirements_`. `then(label)` is called
-/// when it has done so; if it leaves other faces in `requiredFaces_`, the label spreads on to
-/// these.
-template <class Then>
-bool KnownLabels::require(long& budget, Then then) {
-  if (cursor_ == 0 && !isLabelBegun_) sortByLabel(requirements_, sites_.labelCount());
-  while (cursor_ < requirements_.size()) {
-    const int label = requirements_[cursor_].label;
-    if (!std::exchange(isLabelBegun_, true)) {
-      requiredFaces_.clear();
-      while (cursor_ + requiredFaces_.size() < requirements_.size() &&
-             requirements_[cursor_ + requiredFaces_.size()].label == label)
-        requiredFaces_.push_back(requirements_[cursor_ + requiredFaces_.size()].face);
-      endOfLabel_ = cursor_ + requiredFaces_.size();
-      beginToRequire(label, budget);
-    }
-    for (;;) {
-      if (!spread_.run(budget)) return false;
-      then(label);
-      if (requiredFaces_.empty()) break;
-      beginToRequire(label, budget);
-    }
-    isLabelBegun_ = false;
-    cursor_ = endOfLabel_;
-  }
-  cursor_ = 0;
-  return true;
-}
-
-void KnownLabels::beginToRequire(int label, long& budget) {
-  spread_.require(label, requiredFaces_);
-  const size_t touched = spread_.reached(label).size() + requiredFaces_.size();
-  budget -= static_cast<long>(touched) / kPerUnit;
-}
-
 // --- Lists -------------------------------------------------------------------------------------
 
 /// Clears the lists of changed vertices and collects the labels that may go into them.
 void KnownLabels::collectLists() {
-  requirements_.clear();
   listed_.clear();
   if (areAllNew()) {
     listed_.assign(started_.begin(), started_.end());
@@ -293,69 +239,23 @@ bool KnownLabels::listLabels(long& budget) {
           const auto& [vertex, isFinal, distance] = reached[r];
           if (isFinal &&
               (isAllWanted || (changedVertices_.contains(vertex) && isKnownAround(vertex, label))))
-            list(label, r);
+            lists_.add(label, r);
         }
         return 1 + static_cast<long>(reached.size()) / kPerUnit;
       }))
     return false;
-  for (const int v : changedVertices_.list()) lists_.equalizeTies(v, bounds_.ties());
+  for (const int v : changedVertices_.list()) lists_.equalizeTies(v);
   return true;
 }
 
-/// Adds a label to the list of a vertex that it has reached.
-void KnownLabels::list(int label, int reachedIndex) {
-  const auto& [vertex, isFinal, distance] = spread_.reached(label)[reachedIndex];
-  // An approximate (DGPC) distance may come out shorter than the owner's: keep the owner nearest.
-  const double nearest = bounds_[vertex].distance;
-  const double listed = distance < nearest ? std::nextafter(nearest, kInfinity) : distance;
-  lists_.add(vertex, {label, listed}, reachedIndex);
-}
-
-/// Closes the faces around newly listed labels. A label added at one vertex may be required at
-/// others, so each label goes on until no more is required of it. Others have to be looked at again
-/// only where they tie with it.
-bool KnownLabels::closeAdded(long& budget) {
-  for (; !requirements_.empty(); requirements_.swap(nextRequirements_)) {
-    if (!require(budget, [&](int label) { listRequired(label); })) return false;
-    requirements_.clear();
-  }
-  for (const int v : extendedVertices_.list()) {
+/// Notes what the closure has changed.
+void KnownLabels::noteExtended() {
+  if (areAllNew()) return;
+  for (const int v : closure_.extended()) {
     mesh_.visitFaces(v, [&](int f) { changedFaces_.add(f); });
     for (const LabelledDistance& d : lists_[v]) changedLabels_.push_back(d.label);
   }
   makeSet(changedLabels_);
-  return true;
-}
-
-/// Lists a label at all corners of the faces that it was required at, and replaces these faces by
-/// those that it is required at besides.
-void KnownLabels::listRequired(int label) {
-  added_.clear();
-  for (const int f : requiredFaces_)
-    for (const int v : mesh_.face(f).vertices)
-      if (lists_.distance(v, label) == kInfinity) {
-        list(label, spread_.indexOf(v));
-        added_.push_back({v, label});
-      }
-  for (size_t i = 0, count = added_.size(); i < count; ++i)
-    noteAdded(added_[i].vertex, added_[i].label);
-  requiredFaces_.clear();
-  found_.clear();
-  for (const LabelAtVertex& a : added_) closure_.closeAround(a.vertex, a.label, found_);
-  for (const Requirement& r : found_)
-    if (r.label == label)
-      requiredFaces_.push_back(r.face);
-    else
-      nextRequirements_.push_back(r);
-}
-
-/// A new label may lower the distances of labels that tie with it (`equalizeTies`); the closure
-/// then has to check these labels again.
-void KnownLabels::noteAdded(int vertex, int label) {
-  if (!areAllNew()) extendedVertices_.add(vertex);
-  if (!lists_.hasUnequalTie(vertex, label, bounds_.ties())) return;
-  lists_.equalizeTies(vertex, bounds_.ties());
-  for (const LabelledDistance& d : lists_[vertex]) added_.push_back({vertex, d.label});
 }
 
 /// Whether a label owns part of a face around a vertex.

@@ -10,6 +10,7 @@
 #include "distance/label_closure.h"
 #include "distance/label_lists.h"
 #include "distance/label_spread.h"
+#include "distance/label_turns.h"
 #include "distance/nearest_bounds.h"
 #include "distance/site_set.h"
 #include "gvd/triangle_mesh.h"
@@ -72,15 +73,9 @@ class KnownLabels {
   void dropInterpolated();
   bool findTies(long& budget);
   void addTies();
-  template <class Then>
-  bool require(long& budget, Then then);
-  void beginToRequire(int label, long& budget);
   void collectLists();
   bool listLabels(long& budget);
-  void list(int label, int reachedIndex);
-  bool closeAdded(long& budget);
-  void listRequired(int label);
-  void noteAdded(int vertex, int label);
+  void noteExtended();
   bool isKnownAround(int vertex, int label) const;
   bool areAllNew() const { return sites_.count() == static_cast<int>(started_.size()); }
 
@@ -90,6 +85,7 @@ class KnownLabels {
   LabelSpread& spread_;
   FaceOwners owners_;
   LabelLists lists_;
+  LabelTurns turns_;
   LabelClosure closure_;
 
   // The current change.
@@ -98,7 +94,6 @@ class KnownLabels {
   SlicedSequence sequence_;
   SlicedLoop loop_;
   size_t cursor_ = 0;  ///< of loops whose rounds differ in cost
-  bool isLabelBegun_ = false;
   double progress_ = 1;
   std::vector<int> newlyFinal_;      ///< vertices where a distance has become final
   std::vector<LabelAtVertex> ties_;  ///< labels that are as near as the owner
@@ -106,14 +101,8 @@ class KnownLabels {
   IndexSet changedVertices_;         ///< vertices whose lists may have changed
   IndexSet changedFaces_;            ///< faces around `changedVertices_`
   std::vector<int> changedLabels_;
-  IndexSet extendedVertices_;                  ///< whose lists the closure has extended
-  std::vector<Requirement> requirements_;      ///< by label
-  std::vector<Requirement> nextRequirements_;  ///< of the closure's next round
-  size_t endOfLabel_ = 0;                      ///< of the current label in `requirements_`
-  std::vector<int> requiredFaces_;             ///< of the current label
-  std::vector<Requirement> found_;             ///< working memory of `listRequired`
-  std::vector<int> listed_;           ///< the labels that may be known at the changed vertices
-  std::vector<LabelAtVertex> added_;  ///< to the lists, by the current label
+  std::vector<Requirement> requirements_;
+  std::vector<int> listed_;  ///< the labels that may be known at the changed vertices
 };
 
 }  // namespace gvd

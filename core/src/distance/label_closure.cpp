@@ -1,38 +1,105 @@
 // SPDX-License-Identifier: MIT
 #include "distance/label_closure.h"
 
+#include <utility>
+
 #include "distance/common_labels.h"
 #include "distance/edge_share.h"
 #include "distance/face_layout.h"
 
 namespace gvd {
 
-void LabelClosure::closeFace(int f, std::vector<Requirement>& required) {
+void LabelClosure::start(const IndexSet& faces) {
+  faces_ = &faces;
+  sequence_ = {};
+  required_.clear();
+  found_.clear();
+  extended_.clear();
+}
+
+bool LabelClosure::run(long& budget) {
+  constexpr long kFacesPerUnit = 32;
+  return sequence_.run(
+      [&] {
+        return loop_.run(faces_->size(), budget, kFacesPerUnit,
+                         [&](int i) { closeFace(faces_->list()[i]); });
+      },
+      [&] { required_.swap(found_); },
+      [&] {
+        for (;;) {
+          if (!required_.empty()) {
+            turns_.clear();
+            turns_.addRequired(std::exchange(required_, {}));
+          }
+          if (!turns_.run(budget, [&](int l, std::vector<int>& faces) { listRequired(l, faces); }))
+            return false;
+          if (required_.empty()) return true;
+        }
+      });
+}
+
+// --- Listing -------------------------------------------------------------------------------------
+
+/// Lists a label at all corners of the faces that it was required at, and replaces these faces by
+/// those that it is required at besides.
+void LabelClosure::listRequired(int label, std::vector<int>& faces) {
+  added_.clear();
+  for (const int f : faces)
+    for (const int v : mesh_.face(f).vertices)
+      if (lists_.distance(v, label) == kInfinity) {
+        lists_.add(label, spread_.indexOf(v));
+        added_.push_back({v, label});
+      }
+  for (size_t i = 0, count = added_.size(); i < count; ++i) noteAdded(added_[i].vertex, label);
+  faces.clear();
+  found_.clear();
+  for (const LabelAtVertex& added : added_) closeAround(added);
+  for (const Requirement& r : found_) {
+    if (r.label == label)
+      faces.push_back(r.face);
+    else
+      required_.push_back(r);
+  }
+}
+
+/// A new label may lower the distances of labels that tie with it (`equalizeTies`); the closure
+/// then has to look at these labels again.
+void LabelClosure::noteAdded(int vertex, int label) {
+  extended_.add(vertex);
+  if (!lists_.hasUnequalTie(vertex, label)) return;
+  lists_.equalizeTies(vertex);
+  for (const LabelledDistance& d : lists_[vertex]) added_.push_back({vertex, d.label});
+}
+
+// --- What is required ----------------------------------------------------------------------------
+
+void LabelClosure::closeFace(int f) {
   const int* const corners = &mesh_.tails()[3 * static_cast<size_t>(f)];
   const auto a = lists_[corners[0]], b = lists_[corners[1]], c = lists_[corners[2]];
   if ((a.size() > 1) + (b.size() > 1) + (c.size() > 1) < 2) return;
   anyLabel(a, b, c, [&](int label, const auto& at) {
     const int known = (at[0] != nullptr) + (at[1] != nullptr) + (at[2] != nullptr);
-    if (known == 2) requireAcross(3 * f + (at[2] ? at[1] ? 1 : 2 : 0), label, required);
+    if (known == 2) requireAcross(3 * f + (at[2] ? at[1] ? 1 : 2 : 0), label);
     return false;
   });
 }
 
-void LabelClosure::closeAround(int vertex, int label, std::vector<Requirement>& required) {
-  mesh_.visitFaces(vertex, [&](int f) {
+/// The same for one label, newly known at a vertex, in all faces around the vertex.
+void LabelClosure::closeAround(const LabelAtVertex& added) {
+  const auto& [vertex, label] = added;
+  mesh_.visitFaces(vertex, [&, v = vertex, l = label](int f) {
     const auto& corners = mesh_.face(f).vertices;
-    const int i = corners[0] == vertex ? 0 : corners[1] == vertex ? 1 : 2;
-    const bool isAfter = lists_.distance(corners[cornerAfter(i)], label) < kInfinity;
-    const bool isBefore = lists_.distance(corners[cornerBefore(i)], label) < kInfinity;
-    if (isAfter != isBefore)
-      requireAcross(3 * f + (isAfter ? i : cornerBefore(i)), label, required);
+    const int i = corners[0] == v ? 0 : corners[1] == v ? 1 : 2;
+    const bool isAfter = lists_.distance(corners[cornerAfter(i)], l) < kInfinity;
+    const bool isBefore = lists_.distance(corners[cornerBefore(i)], l) < kInfinity;
+    if (isAfter != isBefore) requireAcross(3 * f + (isAfter ? i : cornerBefore(i)), l);
   });
 }
 
 /// Requires a label known at both ends of a halfedge at its apex if the label owns part of the
 /// edge.
-void LabelClosure::requireAcross(int h, int label, std::vector<Requirement>& required) {
-  if (ownsPartOfEdge(label, h)) owners_.add(TriangleMesh::faceOf(h), label, true, required);
+void LabelClosure::requireAcross(int h, int label) {
+  if (ownsPartOfEdge(label, h)) owners_.add(TriangleMesh::faceOf(h), label, true, found_);
 }
 
 /// Whether a label is nearest anywhere on an edge by interpolation. Competes only with owners that

@@ -3,41 +3,72 @@
 
 #include <vector>
 
+#include "base/index_set.h"
+#include "base/sliced_loop.h"
 #include "distance/face_owners.h"
 #include "distance/label_lists.h"
+#include "distance/label_turns.h"
 #include "distance/nearest_bounds.h"
 #include "gvd/triangle_mesh.h"
 
 namespace gvd {
 
-/// Finds labels known at two corners of a face that have to be known at the third as well.
+/// Finds labels known at two corners of a face that have to be known at the third as well, and lets
+/// them spread there.
 ///
 /// A diagram interpolates squared distances linearly within a face. If a label owns part of an edge
-/// by interpolation, it has to be known at all corners of the faces on both sides.
+/// by interpolation, it has to be known at all corners of the faces on both sides. A label added at
+/// one vertex may be required at others, so each label goes on until no more is required of it.
+/// Others have to be looked at again only where they tie with it.
 ///
 /// `LabelCompletion` applies the same rule to the elements of a refined diagram. No label can
 /// spread to their corners, so it unfolds the missing distance from the two known ones.
 class LabelClosure {
  public:
-  /// Adds to `owners`. All arguments must outlive this.
-  LabelClosure(const TriangleMesh& mesh, const LabelLists& lists, const NearestBounds& bounds,
-               FaceOwners& owners)
-      : mesh_(mesh), lists_(lists), bounds_(bounds), owners_(owners) {}
+  /// Adds to `lists` and `owners`. All arguments must outlive this.
+  LabelClosure(const TriangleMesh& mesh, LabelSpread& spread, const NearestBounds& bounds,
+               FaceOwners& owners, LabelLists& lists)
+      : mesh_(mesh),
+        bounds_(bounds),
+        owners_(owners),
+        lists_(lists),
+        turns_(spread),
+        spread_(spread),
+        extended_(mesh.vertexCount()) {}
 
-  /// Adds to `required` the labels that are known at two corners of a face and required at the
-  /// third.
-  void closeFace(int face, std::vector<Requirement>& required);
-  /// The same for one label, newly known at a vertex, in all faces around the vertex.
-  void closeAround(int vertex, int label, std::vector<Requirement>& required);
+  /// Begins to close some faces, which must outlive the work.
+  void start(const IndexSet& faces);
+  /// Works on at most `budget` units and lowers it by their number; true when all is closed.
+  bool run(long& budget);
+  /// The vertices to whose lists labels were added.
+  const std::vector<int>& extended() const { return extended_.list(); }
 
  private:
-  void requireAcross(int halfedge, int label, std::vector<Requirement>& required);
+  struct LabelAtVertex {
+    int vertex, label;
+  };
+
+  void closeFace(int face);
+  void closeAround(const LabelAtVertex& added);
+  void requireAcross(int halfedge, int label);
   bool ownsPartOfEdge(int label, int halfedge) const;
+  void listRequired(int label, std::vector<int>& faces);
+  void noteAdded(int vertex, int label);
 
   const TriangleMesh& mesh_;
-  const LabelLists& lists_;
   const NearestBounds& bounds_;
   FaceOwners& owners_;
+  LabelLists& lists_;
+  LabelTurns turns_;
+  const LabelSpread& spread_;
+
+  const IndexSet* faces_ = nullptr;  ///< to be closed
+  SlicedSequence sequence_;
+  SlicedLoop loop_;
+  std::vector<Requirement> required_;  ///< of the next round
+  std::vector<Requirement> found_;     ///< by the last look at faces
+  std::vector<LabelAtVertex> added_;   ///< to the lists, by the current label
+  IndexSet extended_;
 };
 
 }  // namespace gvd

@@ -2,12 +2,16 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 #include "base/tolerances.h"
 #include "distance/common_labels.h"
+#include "distance/label_spread.h"
+#include "distance/nearest_bounds.h"
 #include "distance/small_lists.h"
 #include "gvd/geodesic.h"
+#include "gvd/triangle_mesh.h"
 
 namespace gvd {
 
@@ -15,7 +19,11 @@ namespace gvd {
 /// `LabelSpread::reached`.
 class LabelLists {
  public:
-  explicit LabelLists(int vertexCount) : distances_(vertexCount), indices_(vertexCount) {}
+  LabelLists(const TriangleMesh& mesh, const LabelSpread& spread, const NearestBounds& bounds)
+      : spread_(spread),
+        bounds_(bounds),
+        distances_(mesh.vertexCount()),
+        indices_(mesh.vertexCount()) {}
 
   std::span<const LabelledDistance> operator[](int vertex) const { return distances_[vertex]; }
   /// The distance of a label, infinity if it is not known.
@@ -41,27 +49,31 @@ class LabelLists {
     distances_.clear(vertex);
     indices_.clear(vertex);
   }
-  /// Adds a label that is not known yet.
-  void add(int vertex, const LabelledDistance& added, int reachedIndex) {
+  /// Adds a label at the vertex `reached(label)[reachedIndex]`, where it is not known yet.
+  void add(int label, int reachedIndex) {
+    const auto& [vertex, isFinal, distance] = spread_.reached(label)[reachedIndex];
+    // An approximate (DGPC) distance may come out shorter than the owner's: keep the owner nearest.
+    const double nearest = bounds_[vertex].distance;
+    const double listed = distance < nearest ? std::nextafter(nearest, kInfinity) : distance;
     const auto known = distances_[vertex];
     size_t place = known.size();
-    while (place > 0 && known[place - 1].label > added.label) --place;
-    distances_.insert(vertex, place, added);
+    while (place > 0 && known[place - 1].label > label) --place;
+    distances_.insert(vertex, place, {label, listed});
     indices_.insert(vertex, place, reachedIndex);
   }
-  void equalizeTies(int vertex, const TieTolerance& ties) {
-    gvd::equalizeTies(distances_[vertex], ties);
-  }
+  void equalizeTies(int vertex) { gvd::equalizeTies(distances_[vertex], bounds_.ties()); }
   /// Whether `equalizeTies` would change the distance of a known label, or of another to its own.
-  bool hasUnequalTie(int vertex, int label, const TieTolerance& ties) const {
+  bool hasUnequalTie(int vertex, int label) const {
     const double own = distance(vertex, label);
     const auto known = distances_[vertex];
     return std::any_of(known.begin(), known.end(), [&](const LabelledDistance& d) {
-      return ties.tieUnequally(d.distance, own);
+      return bounds_.ties().tieUnequally(d.distance, own);
     });
   }
 
  private:
+  const LabelSpread& spread_;
+  const NearestBounds& bounds_;
   SmallLists<LabelledDistance> distances_;
   SmallLists<int> indices_;
 };

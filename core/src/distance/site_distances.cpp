@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
 #include <string>
 #include <utility>
 
@@ -40,7 +39,9 @@ SiteDistances::SiteDistances(const TriangleMesh& mesh, Metric metric)
       bounds_(mesh),
       spread_(makeSpread(mesh, metric, sites_, edgeBounds_, bounds_)),
       reaching_(mesh.vertexCount()),
-      known_(mesh, sites_, bounds_, *spread_) {}
+
+      known_(mesh, sites_, bounds_, *spread_),
+      turns_(*spread_) {}
 
 // --- A change ----------------------------------------------------------------------------------
 
@@ -50,6 +51,7 @@ void SiteDistances::change(std::span<const SiteChange> changes) {
   started_.clear();
   resumed_.clear();
   resetVertices_.clear();
+  missed_.clear();
   known_.beginChange();
   if (sites_.count() > 0) reaching_.collect(*spread_, sites_.labelCount());
   std::vector<int> leaving;
@@ -101,7 +103,7 @@ bool SiteDistances::step(long budget) {
   }
   if (stage_ == Stage::kSpread) {
     do {
-      if (!spread(budget)) return false;
+      if (!turns_.run(budget)) return false;
       hasSpread_ = true;
     } while (requireMissed());
     known_.start(started_, resumed_, resetVertices_);
@@ -118,8 +120,7 @@ double SiteDistances::progress() const {
   constexpr double kShareOfSpread = 0.6;
   if (stage_ == Stage::kBounds) return 0;
   if (stage_ == Stage::kSpread)  // turns for missed vertices come at the end
-    return kShareOfSpread *
-           (hasSpread_ ? 1 : static_cast<double>(next_) / static_cast<double>(turns_.size()));
+    return kShareOfSpread * (hasSpread_ ? 1 : turns_.progress());
   return kShareOfSpread + (1 - kShareOfSpread) * known_.progress();
 }
 
@@ -154,11 +155,10 @@ void SiteDistances::applyEdgeBounds() {
   bounded_ = resetVertices_;
   edgeBounds_.clearChanged();
   turns_.clear();
-  next_ = 0;
-  for (const int label : started_) turns_.push_back({label, Turn::kStart, {}});
+  for (const int label : started_) turns_.addStart(label);
   for (const int label : resumed_) {
     lowerBy(label);
-    turns_.push_back({label, Turn::kResume, {}});
+    turns_.addResume(label);
   }
 }
 
@@ -167,52 +167,32 @@ void SiteDistances::lowerBy(int label) {
   for (const ReachedVertex& r : spread_->reached(label)) bounds_.lower(r.vertex, label, r.distance);
 }
 
-bool SiteDistances::spread(long& budget) {
-  for (; next_ < turns_.size(); ++next_) {
-    const Turn& turn = turns_[next_];
-    if (!std::exchange(isLabelBegun_, true)) {
-      if (turn.how == Turn::kStart)
-        spread_->start(turn.label);
-      else if (turn.how == Turn::kResume)
-        spread_->resume(turn.label);
-      else
-        spread_->require(turn.label, turn.faces);
-    }
-    if (!spread_->run(budget)) return false;
-    isLabelBegun_ = false;
-  }
-  return true;
-}
-
 /// Finds vertices where no label has reached the edge bound. In needles, and in faces much longer
 /// than the distance, rounding may make straight paths longer than the path along edges, or lose
 /// them. Requires the label that is nearest by way of a neighbour to go on to each such vertex,
 /// along the edge if need be. False if there are none.
 bool SiteDistances::requireMissed() {
-  for (const Turn& turn : turns_)
-    if (turn.how == Turn::kRequire) lowerBy(turn.label);
+  for (const Requirement& r : missed_) lowerBy(r.label);
+  missed_.clear();
   turns_.clear();
-  next_ = 0;
   std::erase_if(bounded_, [&](int v) { return bounds_[v].label >= 0; });
-  std::map<int, std::vector<int>> faces;  // by label
   for (const int v : bounded_) {
     bounds_[v] = {};
-    if (const auto [label, face] = nearestAround(v); label >= 0) faces[label].push_back(face);
-  }
-  for (auto& [label, required] : faces) {
-    makeSet(required);
-    turns_.push_back({label, Turn::kRequire, std::move(required)});
-    if (std::find(started_.begin(), started_.end(), label) == started_.end())
-      resumed_.push_back(label);
+    const Requirement nearest = nearestAround(v);
+    if (nearest.label < 0) continue;
+    missed_.push_back(nearest);
+    if (std::find(started_.begin(), started_.end(), nearest.label) == started_.end())
+      resumed_.push_back(nearest.label);
   }
   makeSet(resumed_);
-  return !turns_.empty();
+  turns_.addRequired(missed_);
+  return !turns_.isEmpty();
 }
 
 /// The label by which a path over a neighbour and the edge to it is shortest, and a face beside
 /// that edge; -1 if the neighbours have no labels.
-SiteDistances::LabelInFace SiteDistances::nearestAround(int vertex) const {
-  LabelInFace nearest = {-1, -1};
+Requirement SiteDistances::nearestAround(int vertex) const {
+  Requirement nearest = {-1, -1};
   double least = kInfinity;
   mesh_.visitFaces(vertex, [&](int f) {
     for (int h = 3 * f; h < 3 * f + 3; ++h) {

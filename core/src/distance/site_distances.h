@@ -10,6 +10,7 @@
 #include "distance/edge_bounds.h"
 #include "distance/known_labels.h"
 #include "distance/label_spread.h"
+#include "distance/label_turns.h"
 #include "distance/nearest_bounds.h"
 #include "distance/reaching_labels.h"
 #include "distance/site_set.h"
@@ -71,16 +72,11 @@ class SiteDistances final : public DistanceField {
  private:
   class PointDistances;
   enum class Stage { kBounds, kSpread, kKnown, kDone };
-  struct LabelInFace {
-    int label, face;
-  };
-
   void forget(std::span<const int> labels);
   void applyEdgeBounds();
   void lowerBy(int label);
-  bool spread(long& budget);
   bool requireMissed();
-  LabelInFace nearestAround(int vertex) const;
+  Requirement nearestAround(int vertex) const;
   bool isKnownAround(int label, const SurfacePoint& p) const;
 
   const TriangleMesh& mesh_;
@@ -95,18 +91,11 @@ class SiteDistances final : public DistanceField {
   // The current change.
   Stage stage_ = Stage::kDone;
   std::vector<int> started_, resumed_;  ///< labels that spread
-  /// A label's turn to spread: from its site, from where it stopped, or to all corners of `faces`.
-  struct Turn {
-    int label;
-    enum { kStart, kResume, kRequire } how;
-    std::vector<int> faces;
-  };
-  std::vector<Turn> turns_;
-  size_t next_ = 0;  ///< in `turns_`
-  bool isLabelBegun_ = false;
-  bool hasSpread_ = false;          ///< whether all labels have; only missed vertices are left
-  std::vector<int> bounded_;        ///< vertices limited by paths along edges alone
-  std::vector<int> resetVertices_;  ///< the owner was removed or exceeds the edge bound
+  LabelTurns turns_;
+  bool hasSpread_ = false;           ///< whether all labels have; only missed vertices are left
+  std::vector<int> bounded_;         ///< vertices limited by paths along edges alone
+  std::vector<Requirement> missed_;  ///< of labels that go on to such vertices
+  std::vector<int> resetVertices_;   ///< the owner was removed or exceeds the edge bound
 };
 
 }  // namespace gvd

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "distance/label_spread.h"
+
+namespace gvd {
+
+/// A label whose distances are required at all corners of a face.
+struct Requirement {
+  int label, face;
+};
+
+/// Labels that spread one after another, each in its turn.
+class LabelTurns {
+ public:
+  explicit LabelTurns(LabelSpread& spread) : spread_(spread) {}
+
+  /// Gives up all turns.
+  void clear();
+  /// A turn to spread from the label's site.
+  void addStart(int label) { turns_.push_back({label, Turn::kStart, faces_.size()}); }
+  /// A turn to spread on from where the label stopped.
+  void addResume(int label) { turns_.push_back({label, Turn::kResume, faces_.size()}); }
+  /// A turn of each label to spread on to its faces. Labels come in the order of their first faces,
+  /// so that the memory they touch is still in the cache.
+  void addRequired(std::span<const Requirement> requirements);
+
+  bool isEmpty() const { return turns_.empty(); }
+  /// The share of turns that are over; 1 if there are none.
+  double progress() const {
+    return isEmpty() ? 1 : static_cast<double>(next_) / static_cast<double>(turns_.size());
+  }
+
+  /// Works on at most `budget` units and lowers it by their number; true when all turns are over.
+  /// Calls `then(label, faces)` when a label has spread, with the faces that it was required at. If
+  /// `then` leaves other faces there, the label spreads on to these, too, before its turn is over.
+  template <class Then>
+  bool run(long& budget, Then then) {
+    for (; next_ < turns_.size(); ++next_) {
+      if (!std::exchange(hasBegun_, true)) begin(budget);
+      const int label = turns_[next_].label;
+      for (;;) {
+        if (!spread_.run(budget)) return false;
+        then(label, currentFaces_);
+        if (currentFaces_.empty()) break;
+        beginToRequire(label, budget);
+      }
+      hasBegun_ = false;
+    }
+    return true;
+  }
+  bool run(long& budget) {
+    return run(budget, [](int /*label*/, std::vector<int>& faces) { faces.clear(); });
+  }
+
+ private:
+  struct Turn {
+    int label;
+    enum { kStart, kResume, kRequire } how;
+    size_t firstFace;  ///< of its own in `faces_`
+  };
+
+  void begin(long& budget);
+  void beginToRequire(int label, long& budget);
+
+  LabelSpread& spread_;
+  std::vector<Turn> turns_;
+  std::vector<int> faces_;  ///< of all turns
+  size_t next_ = 0;         ///< the current turn
+  bool hasBegun_ = false;
+  std::vector<int> currentFaces_;
+};
+
+}  // namespace gvd
