@@ -85,7 +85,7 @@ Speed measureSpeed(const TriangleMesh& mesh, std::span<const SurfacePoint> sites
       unlessItFails(metric, [&] { runOnce(mesh, sites, diagramOptions, metric); });
     }
   }
-  // Afterwards: a live diagram keeps more than a diagram, which is none of the others' business.
+  // Afterwards: a dynamic diagram keeps more than a diagram, which is none of the others' business.
   for (MetricSpeed& metric : speed.metrics) {
     unlessItFails(metric, [&] {
       DynamicDiagram live(mesh, sites, metric.metric.metric, diagramOptions);

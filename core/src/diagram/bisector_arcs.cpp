@@ -66,10 +66,12 @@ bool FinalSegments::step(long& budget) {
         });
       },
       [&] { return addStacks(budget); },
-      [&] { return fillInSlices(isNamed_, out_.points.size(), '\0', budget); },
-      [&] { return forSegments(kQuickRounds, [&](const Diagram::Segment& s) { noteNamed(s); }); },
+      [&] { return fillInSlices(isExpressed_, out_.points.size(), '\0', budget); },
       [&] {
-        return forSegments(kQuickRounds, [&](const Diagram::Segment& s) { nameInFaceOf(s); });
+        return forSegments(kQuickRounds, [&](const Diagram::Segment& s) { noteExpressed(s); });
+      },
+      [&] {
+        return forSegments(kQuickRounds, [&](const Diagram::Segment& s) { expressInFaceOf(s); });
       });
 }
 
@@ -132,21 +134,21 @@ void FinalSegments::joinLines(std::vector<Line>& lines) {
   }
 }
 
-void FinalSegments::noteNamed(const Diagram::Segment& segment) {
+void FinalSegments::noteExpressed(const Diagram::Segment& segment) {
   for (const int p : segment.points)
-    if (out_.points[p].face == segment.face) isNamed_[p] = true;
+    if (out_.points[p].face == segment.face) isExpressed_[p] = true;
 }
 
-void FinalSegments::nameInFaceOf(const Diagram::Segment& segment) {
+void FinalSegments::expressInFaceOf(const Diagram::Segment& segment) {
   for (const int p : segment.points) {
-    if (isNamed_[p]) continue;
-    const bool isNamed = graph_.merging.anyMember(points_.root(p), [&](int member) {
+    if (isExpressed_[p]) continue;
+    const bool isExpressed = graph_.merging.anyMember(points_.root(p), [&](int member) {
       SurfacePoint place = graph_.places[member];
       if (place.face != segment.face && !renameInFace(mesh_, segment.face, place)) return false;
       out_.points[p] = place;
       return true;
     });
-    isNamed_[p] = static_cast<char>(isNamed);
+    isExpressed_[p] = static_cast<char>(isExpressed);
   }
 }
 

@@ -28,7 +28,7 @@ class DiagramOfTracing final : public SlicedWork<Diagram> {
 std::unique_ptr<SlicedWork<Diagram>> startDiagram(const TriangleMesh& mesh,
                                                   const DistanceField& distances, int siteCount,
                                                   const DiagramOptions& options) {
-  return std::make_unique<DiagramOfTracing>(startWhole(mesh, distances, siteCount, options));
+  return std::make_unique<DiagramOfTracing>(startTracing(mesh, distances, siteCount, options));
 }
 
 Diagram traceDiagram(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The pieces of a live diagram: an edit replaces some, and all of them can be joined to one
+// The pieces of a dynamic diagram: an edit replaces some, and all of them can be joined to one
 // diagram.
 #include "diagram/diagram_pieces.h"
 

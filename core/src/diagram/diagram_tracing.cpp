@@ -153,9 +153,10 @@ class PartTracing final : public SlicedWork<TracedDiagram> {
 
 }  // namespace
 
-std::unique_ptr<SlicedWork<TracedDiagram>> startWhole(const TriangleMesh& mesh,
-                                                      const DistanceField& distances, int siteCount,
-                                                      const DiagramOptions& options) {
+std::unique_ptr<SlicedWork<TracedDiagram>> startTracing(const TriangleMesh& mesh,
+                                                        const DistanceField& distances,
+                                                        int siteCount,
+                                                        const DiagramOptions& options) {
   return std::make_unique<WholeTracing>(mesh, distances, siteCount, options);
 }
 

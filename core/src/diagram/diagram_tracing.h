@@ -30,9 +30,10 @@ struct TracedDiagram {
 };
 
 /// Like `startDiagram`.
-std::unique_ptr<SlicedWork<TracedDiagram>> startWhole(const TriangleMesh& mesh,
-                                                      const DistanceField& distances, int siteCount,
-                                                      const DiagramOptions& options);
+std::unique_ptr<SlicedWork<TracedDiagram>> startTracing(const TriangleMesh& mesh,
+                                                        const DistanceField& distances,
+                                                        int siteCount,
+                                                        const DiagramOptions& options);
 
 /// Traces parts of a diagram, one after the other, in time proportional to each part.
 class PartialTracer {

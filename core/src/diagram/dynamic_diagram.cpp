@@ -240,7 +240,8 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
 
   bool traceWhole(long& budget) {
     if (!tracing_)
-      tracing_ = startWhole(diagram_.mesh_, *diagram_.distances_, labelCount(), diagram_.options_);
+      tracing_ =
+          startTracing(diagram_.mesh_, *diagram_.distances_, labelCount(), diagram_.options_);
     if (!tracing_->step(budget)) return false;
     TracedDiagram traced = tracing_->take();
     diagram_.mergedFaces_ = std::move(traced.mergedFaces);

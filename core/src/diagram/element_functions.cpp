@@ -34,11 +34,11 @@ std::span<const LabelFunction> ElementFunctions::of(int element) {
     c += isCommon | (c->label < label);
   }
   functions_.resize(next - functions_.data());
-  if (functions_.size() > 3) dropHidden(node);
+  if (functions_.size() > 3) dropDominated(node);
   return functions_;
 }
 
-void ElementFunctions::dropHidden(const int* nodes) {
+void ElementFunctions::dropDominated(const int* nodes) {
   std::array<LabelFunction, 3> owners;
   for (int i = 0; i < 3; ++i)
     owners[i] = *std::find_if(functions_.begin(), functions_.end(), [&](const LabelFunction& f) {

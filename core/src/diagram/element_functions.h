@@ -19,7 +19,7 @@ class ElementFunctions {
   std::span<const LabelFunction> of(int element);
 
  private:
-  void dropHidden(const int* nodes);
+  void dropDominated(const int* nodes);
 
   const FaceComplex& complex_;
   /// Scales distances to about 1, because determinants multiply six of them. A power of two, so

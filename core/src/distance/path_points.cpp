@@ -27,8 +27,8 @@ SurfacePoint pointOnHalfedge(const TriangleMesh& mesh, int halfedge, double alon
 
 double lengthBetween(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b) {
   double least = kInfinity;
-  visitPlaces(mesh, a, [&](const SurfacePoint& from) {
-    visitPlaces(mesh, b, [&](const SurfacePoint& to) {
+  visitRepresentations(mesh, a, [&](const SurfacePoint& from) {
+    visitRepresentations(mesh, b, [&](const SurfacePoint& to) {
       if (from.face == to.face)
         least = std::min(least, layOut(mesh.face(from.face), 0, to.bary - from.bary).norm());
     });
@@ -40,7 +40,8 @@ PathPoints::PathPoints(const TriangleMesh& mesh, const SurfacePoint& site)
     : mesh_(mesh), site_(site), siteVertex_(vertexAt(mesh, site)) {
   int count = 0;
   if (siteVertex_ < 0)
-    visitPlaces(mesh, site, [&](const SurfacePoint& place) { siteFaces_[count++] = place.face; });
+    visitRepresentations(mesh, site,
+                         [&](const SurfacePoint& place) { siteFaces_[count++] = place.face; });
 }
 
 void PathPoints::add(const SurfacePoint& p) {
@@ -57,7 +58,8 @@ bool PathPoints::endAtSite() {
 
 bool PathPoints::isBesideSite(const SurfacePoint& p) const {
   bool isBeside = false;
-  visitPlaces(mesh_, p, [&](const SurfacePoint& place) { isBeside |= hasSite(place.face); });
+  visitRepresentations(mesh_, p,
+                       [&](const SurfacePoint& place) { isBeside |= hasSite(place.face); });
   return isBeside;
 }
 

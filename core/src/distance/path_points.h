@@ -13,7 +13,7 @@ namespace gvd {
 
 /// Calls `visit` with every representation of a point, one per face that has it.
 template <class Visit>
-void visitPlaces(const TriangleMesh& mesh, const SurfacePoint& p, Visit visit) {
+void visitRepresentations(const TriangleMesh& mesh, const SurfacePoint& p, Visit visit) {
   const Incidence place = incidenceOf(p.bary);
   if (place.corner >= 0) {
     for (const int h : mesh.fan(mesh.tail(3 * p.face + place.corner)))

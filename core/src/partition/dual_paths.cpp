@@ -24,7 +24,7 @@ struct Crossing {
 /// A point in terms of a given face that contains it.
 SurfacePoint inFace(const TriangleMesh& mesh, const SurfacePoint& p, int face) {
   SurfacePoint result = p;
-  visitPlaces(mesh, p, [&](const SurfacePoint& place) {
+  visitRepresentations(mesh, p, [&](const SurfacePoint& place) {
     if (place.face == face) result = place;
   });
   return result;

@@ -54,7 +54,7 @@ bool UnfoldingPath::goStraight() {
 /// The step with the least distance from the last point: to a corner, or across a side.
 UnfoldingPath::Step UnfoldingPath::best() const {
   Step best = nearestCorner();
-  visitPlaces(mesh_, points_.last(), [&](const SurfacePoint& place) {
+  visitRepresentations(mesh_, points_.last(), [&](const SurfacePoint& place) {
     for (int i = 0; i < 3; ++i) offerSide(place, i, best);
   });
   return best;
@@ -71,7 +71,7 @@ bool UnfoldingPath::goOverVertex() {
 /// The corner of the last point's faces over which the path on from there is shortest.
 UnfoldingPath::Step UnfoldingPath::nearestCorner() const {
   Step best;
-  visitPlaces(mesh_, points_.last(), [&](const SurfacePoint& place) {
+  visitRepresentations(mesh_, points_.last(), [&](const SurfacePoint& place) {
     const TriangleMesh::Face& face = mesh_.face(place.face);
     for (int i = 0; i < 3; ++i) {
       const double distance = distanceAt_(face.vertices[i]);

@@ -18,7 +18,7 @@ struct LastPiece {
   /// The halfedge across which the path enters its last face, of which the vertex is the apex; -1
   /// if the path starts at the vertex.
   int arrival;
-  Course course = Course::kStraight;  ///< of this piece
+  PathKind kind = PathKind::kStraight;  ///< of this piece
 };
 
 /// A window that has not crossed its face, because the label was stopped there.

@@ -17,7 +17,7 @@ constexpr long kPointsPerUnit = 4;
 /// One representation for a point on an edge, whichever face it is given in.
 SurfacePoint unique(const TriangleMesh& mesh, const SurfacePoint& p) {
   SurfacePoint least = p;
-  visitPlaces(mesh, p, [&](const SurfacePoint& place) {
+  visitRepresentations(mesh, p, [&](const SurfacePoint& place) {
     if (place.face < least.face) least = place;
   });
   return least;
@@ -129,7 +129,7 @@ double PointDistances::nearestAtLeast(const SurfacePoint& p) const {
 /// The distance from a site in the face of a point, infinity if the site is in another one.
 double PointDistances::straightTo(int label, const SurfacePoint& p) const {
   double least = kInfinity;
-  visitPlaces(mesh_, p, [&](const SurfacePoint& place) {
+  visitRepresentations(mesh_, p, [&](const SurfacePoint& place) {
     for (const FaceSite& site : sites_.inFace(place.face))
       if (site.label == label)
         least = std::min(least, layOut(mesh_.face(place.face), 0, place.bary - site.bary).norm());

@@ -15,7 +15,7 @@
 namespace gvd::exact {
 
 /// Caches the first distance found for a label at a point. After the label has spread on, the same
-/// path may come from other windows and round differently; but when part of a live diagram is
+/// path may come from other windows and round differently; but when part of a dynamic diagram is
 /// traced again, it must match the rest to the last bit.
 class FoundDistances {
  public:

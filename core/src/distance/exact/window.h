@@ -22,25 +22,25 @@ inline constexpr double kGrazing = 1e-7;
 /// How a path reaches a vertex. The ends of a window depend on the distances it was trimmed by, and
 /// so on the order in which labels spread; the length of a straight path depends only on the faces
 /// it crosses. So a straight path wins a tie, and distances have the same bits in any order.
-enum class Course : char {
-  kStraight,  ///< through windows, over virtual sources
-  kBeside,    ///< past the end of a window, by no more than rounding
-  kBent,      ///< turning at the end of a window, or at a vertex that need not be a virtual source
+enum class PathKind : char {
+  kStraight,    ///< through windows, over virtual sources
+  kGrazingEnd,  ///< past the end of a window, by no more than rounding
+  kBent,  ///< turning at the end of a window, or at a vertex that need not be a virtual source
 };
 
 struct PathLength {
   double length;
-  Course course;
+  PathKind kind;
 };
 
 /// Rounding makes the lengths of paths along one line differ by less than this, relatively; an
 /// eighth of `kDistanceTolerance`.
 inline constexpr double kLineDifference = 0x1p-44;
 
-/// The value by which paths to a vertex are compared: the length, raised so that a straighter
-/// course wins a tie.
+/// The value by which paths to a vertex are compared: the length, raised so that a straight path
+/// wins a tie, and a grazing one against a bent one.
 inline double rankOf(const PathLength& path) {
-  return path.length * (1 + kLineDifference * static_cast<double>(path.course));
+  return path.length * (1 + kLineDifference * static_cast<double>(path.kind));
 }
 
 /// A window: the part of a halfedge that a virtual source sees along straight lines of the unfolded
@@ -83,10 +83,10 @@ struct Window {
     const double at = crossing(px, py);
     const double straight = straightTo(px, py);
     const double bend = std::clamp(at, begin, end);
-    if (bend == at) return {straight, Course::kStraight};
+    if (bend == at) return {straight, PathKind::kStraight};
     const double bent = distanceOnEdge(bend) + std::sqrt((px - bend) * (px - bend) + py * py);
-    if (bent <= straight * (1 + kLineDifference)) return {straight, Course::kBeside};
-    return {bent, Course::kBent};
+    if (bent <= straight * (1 + kLineDifference)) return {straight, PathKind::kGrazingEnd};
+    return {bent, PathKind::kBent};
   }
   double distance(double px, double py) const { return path(px, py).length; }
 };

@@ -24,19 +24,19 @@ namespace {
 constexpr size_t kMostCrossingsPerVertex = 30;
 /// The average number of faces that each window of such a label may be followed back across: what
 /// winds is found within a few turns, and following takes no longer than spreading.
-constexpr long kFollowedPerWindow = 1;
+constexpr long kBacktracksPerWindow = 1;
 /// A line followed back ends at its virtual source up to rounding: a share of the line's length.
 constexpr double kLineRounding = 1e-9;
 
 /// Whether the straight lines of a window have already crossed the face that they are about to
 /// enter. Then none of them is a shortest path, since there is a shorter way within the face
 /// (Sharir & Schorr 1986). All lines of a window have crossed the same faces, so it is enough to
-/// follow the middle one backwards. Lowers `mayFollow` by the number of faces visited.
-bool entersFaceAgain(const TriangleMesh& mesh, Window w, int h, long& mayFollow) {
+/// follow the middle one backwards. Lowers `backtracksLeft` by the number of faces visited.
+bool entersFaceAgain(const TriangleMesh& mesh, Window w, int h, long& backtracksLeft) {
   StraightLine line{h, (w.begin + w.end) / 2, {w.x, w.y}};
   const double atSource = kLineRounding * line.length();
   for (int crossed = 0; crossed < mesh.faceCount(); ++crossed) {
-    --mayFollow;
+    --backtracksLeft;
     if (!line.enterFace(mesh) || line.length() < atSource) return false;
     if (line.halfedge / 3 == h / 3) return true;
     if (!line.crossFace(mesh)) return false;
@@ -55,10 +55,10 @@ void WindowSweep::crossFace(int h) {
   if (right >= 0) windows_.prefetch(right);
   const WindowLists::List list = windows_.take(h);
   const std::span<const Window> windows = list.windows();
-  isWinding_ = ++crossedCount_ > kMostCrossingsPerVertex * reached_.size();
+  checksRevisits_ = ++crossedCount_ > kMostCrossingsPerVertex * reached_.size();
   offerToApex(h, windows);
   if (to_ == SpreadTo::kSites) offerSites(h, windows);
-  if (!points_.empty() && to_ != SpreadTo::kRequired)
+  if (!points_.isEmpty() && to_ != SpreadTo::kRequired)
     for (const Window& w : windows) offerToPoints(w, h);
   const End tail = endAt(face.vertices[i]), tip = endAt(face.vertices[j]),
             apex = endAt(face.vertices[k]);
@@ -81,13 +81,13 @@ void WindowSweep::offerToApex(int h, std::span<const Window> windows) {
     if (!((crossing >= w.begin - grazed) & (crossing <= w.end + grazed))) continue;
     const PathLength path = w.path(p.x(), p.y());
     if ((crossing >= w.begin) & (crossing <= w.end)) toApex_[n].length = path.length;
-    offer(apex, path.length, {crossing, w.sourceDistance, w.direction, h, path.course});
+    offer(apex, path.length, {crossing, w.sourceDistance, w.direction, h, path.kind});
   }
 }
 
 WindowSweep::End WindowSweep::endAt(int v) const {
-  if (to_ == SpreadTo::kSites) return {v, distanceAt(v), mostUpTo(v)};
-  return {v, distanceAt(v), bounds_[v].distance + leeway_};
+  if (to_ == SpreadTo::kSites) return {distanceAt(v), search_.mostAt(v)};
+  return {distanceAt(v), bounds_[v].distance + tieMargin_};
 }
 
 WindowSweep::Portal WindowSweep::portal(int h, double length, const End& tail,
@@ -113,8 +113,8 @@ WindowSweep::Portal WindowSweep::portalTo(int h) const {
   w.y = std::min(w.y, -0x1p-52 * portal.length);
   trim(w, portal.length, portal.own);
   if (!(w.begin < w.end)) return false;
-  if (isWinding_ && (mayFollow_ += kFollowedPerWindow) > 0 &&
-      entersFaceAgain(mesh_, w, portal.halfedge, mayFollow_))
+  if (checksRevisits_ && (backtracksLeft_ += kBacktracksPerWindow) > 0 &&
+      entersFaceAgain(mesh_, w, portal.halfedge, backtracksLeft_))
     return false;
   if (windsAroundNeedle(w, portal.halfedge)) return false;
   if (portal.isContested) {
@@ -152,7 +152,7 @@ void WindowSweep::crossSide(int h, std::span<const Window> windows, const Portal
   const Vertex& apex = vertices_[face.vertices[cornerBefore(i)]];
   const bool isApexFromHere = (apex.epoch == epoch_) & (apex.piece.arrival == h);
   const double longest = apex.distance + kDistanceTolerance * (apex.distance + face.lengths[i]);
-  const bool isBent = apex.piece.course == Course::kBent;
+  const bool isBent = apex.piece.kind == PathKind::kBent;
 
   if (children_.size() < windows.size()) children_.resize(windows.size());
   size_t count = 0;

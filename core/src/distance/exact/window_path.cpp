@@ -31,7 +31,7 @@ WindowPath::WindowPath(const TriangleMesh& mesh, const SurfacePoint& site, const
 
 void WindowPath::start(const SurfacePoint& p) {
   points_.add(p);
-  visitPlaces(mesh_, p, [&](const SurfacePoint& place) {
+  visitRepresentations(mesh_, p, [&](const SurfacePoint& place) {
     for (int i = 0; i < 3; ++i) {
       const Vector2d way = layOut(mesh_.face(place.face), 0, place.bary - Eigen::Vector3d::Unit(i));
       least_ = std::min(least_, distanceAt(mesh_.tail(3 * place.face + i)) + way.norm());
@@ -116,7 +116,7 @@ bool WindowPath::leadsOn(int vertex, double distance) const {
 int WindowPath::nearestVertex() const {
   int nearest = kLost;
   double least = kInfinity;
-  visitPlaces(mesh_, points_.last(), [&](const SurfacePoint& place) {
+  visitRepresentations(mesh_, points_.last(), [&](const SurfacePoint& place) {
     for (int i = 0; i < 3; ++i) {
       const int vertex = mesh_.tail(3 * place.face + i);
       const Vector2d way = layOut(mesh_.face(place.face), 0, place.bary - Eigen::Vector3d::Unit(i));
@@ -137,7 +137,7 @@ std::vector<SurfacePoint> pathToSite(const TriangleMesh& mesh, const SurfacePoin
   WindowPath path(mesh, site, label, index);
   path.start(p);
   if (vertexAt(mesh, p) >= 0) return path.take();
-  visitPlaces(mesh, p, [&](const SurfacePoint& place) {
+  visitRepresentations(mesh, p, [&](const SurfacePoint& place) {
     for (int i = 0; i < 3; ++i) {
       if (place.bary[cornerBefore(i)] == 0) continue;  // on the side: see the face beyond
       const int halfedge = 3 * place.face + i;

@@ -4,11 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
-#include <tuple>
 #include <utility>
 
 #include "base/prefetch.h"
-#include "base/sorting.h"
 #include "distance/exact/window_sweep.h"
 
 namespace gvd::exact {
@@ -54,15 +52,15 @@ void WindowSweep::visitWaiting(Visit visit) const {
 void WindowSweep::requireCorners(int f, double atMost) {
   for (const int v : mesh_.face(f).vertices) {
     Vertex& own = vertices_[v];
-    if (own.epoch != epoch_) reach(v);
-    if (own.isFinal | (own.required != RequiredPlaces::kNone)) continue;
+    if (own.epoch != epoch_) addVertex(v);
+    if (own.isFinal | (own.required != RequiredDistances::kNone)) continue;
     own.required = required_.add(placeOf(v), std::min(own.distance, atMost), bounds_[v].distance);
   }
 }
 
 /// The index of a vertex in `required_`.
 int WindowSweep::requiredIndex(int v) const {
-  static_assert(RequiredPlaces::kNone == 0);
+  static_assert(RequiredDistances::kNone == 0);
   return vertices_[v].required & -static_cast<int>(vertices_[v].epoch == epoch_);
 }
 
@@ -86,7 +84,8 @@ void WindowSweep::offerAlongSides(int f) {
     const auto offerTo = [&](int corner, double length, int arrival, double crossing) {
       const int to = face.vertices[corner];
       if (isRequired(to) & (distance + length < vertices_[to].distance))
-        offer(to, distance + length, {crossing, distance, directionAt(v), arrival, Course::kBent});
+        offer(to, distance + length,
+              {crossing, distance, directionAt(v), arrival, PathKind::kBent});
     };
     const int j = cornerAfter(i), k = cornerBefore(i);
     offerTo(j, face.lengths[i], 3 * f + k, face.lengths[k]);
@@ -112,17 +111,17 @@ void WindowSweep::offerToCorners(const Window& w, int h) {
     if (!turnsAtVertex) {
       const PathLength path = w.path(p.x(), p.y());
       offerRequired(face.vertices[k], path.length,
-                    {crossing, w.sourceDistance, w.direction, h, path.course});
+                    {crossing, w.sourceDistance, w.direction, h, path.kind});
     }
   }
   // Along the halfedge from an end of the window. A window that ends at the vertex has offered the
   // straight path already, with the direction in which it arrives.
   if (isRequired(face.vertices[i]) && w.begin > grazed)
     offerRequired(face.vertices[i], w.distanceOnEdge(w.begin) + w.begin,
-                  {0, w.sourceDistance, w.direction, h - i + j, Course::kBent});
+                  {0, w.sourceDistance, w.direction, h - i + j, PathKind::kBent});
   if (isRequired(face.vertices[j]) && w.end < length - grazed)
     offerRequired(face.vertices[j], w.distanceOnEdge(w.end) + length - w.end,
-                  {face.lengths[k], w.sourceDistance, w.direction, h - i + k, Course::kBent});
+                  {face.lengths[k], w.sourceDistance, w.direction, h - i + k, PathKind::kBent});
 }
 
 // --- Points --------------------------------------------------------------------------------------
@@ -144,47 +143,36 @@ void WindowSweep::require(int label, LabelState& state, std::span<const Required
 }
 
 void WindowSweep::addPoints(std::span<const RequiredPoint> points) {
-  pointDistances_.assign(1, kInfinity);  // that of no place
+  points_.clear();
   for (const RequiredPoint& required : points) {
     const SurfacePoint& p = required.point;
     Eigen::Vector3d place = Eigen::Vector3d::Zero();
     for (int i = 0; i < 3; ++i) place += p.bary[i] * placeOf(mesh_.tail(3 * p.face + i));
     const int index = required_.add(place, required.distance, required.nearest);
-    pointDistances_.push_back(required.distance);
+    points_.addDistance(required.distance);
     addPoint(p, index);
     if (const int side = incidenceOf(p.bary).side; side >= 0 && mesh_.face(p.face).twins[side] >= 0)
       addPoint(acrossEdge(mesh_, p, 3 * p.face + side), index);
   }
-  sortStably(std::span(points_), [](const PointInFace& a, const PointInFace& b) {
-    return std::tie(a.face, a.index) < std::tie(b.face, b.index);
-  });
+  points_.sort();
 }
 
 /// Adds a required point in a face, and offers it the paths that are straight from a corner.
 void WindowSweep::addPoint(const SurfacePoint& p, int index) {
-  points_.push_back({p.face, p.bary, index});
+  points_.addPlace(p, index);
   const TriangleMesh::Face& face = mesh_.face(p.face);
   for (int i = 0; i < 3; ++i)
     offerToPoint(index, distanceAt(face.vertices[i]) +
                             layOut(face, 0, p.bary - Eigen::Vector3d::Unit(i)).norm());
 }
 
-std::span<const WindowSweep::PointInFace> WindowSweep::pointsIn(int f) const {
-  const auto [first, last] =
-      std::equal_range(points_.begin(), points_.end(), PointInFace{f, {}, 0},
-                       [](const PointInFace& a, const PointInFace& b) { return a.face < b.face; });
-  return std::span(points_).subspan(first - points_.begin(), last - first);
-}
-
 void WindowSweep::offerToPoint(int index, double distance) {
-  if (!(distance < pointDistances_[index])) return;
-  pointDistances_[index] = distance;
-  required_.shorten(index, distance);
+  if (points_.lower(index, distance)) required_.shorten(index, distance);
 }
 
 /// Offers the paths through a window to the required points of its face.
 void WindowSweep::offerToPoints(const Window& w, int h) {
-  for (const PointInFace& p : pointsIn(h / 3)) {
+  for (const auto& p : points_.in(h / 3)) {
     const Eigen::Vector2d q = layOut(mesh_.face(h / 3), h % 3, p.bary);
     offerToPoint(p.index, w.distance(q.x(), q.y()));
   }
@@ -192,7 +180,7 @@ void WindowSweep::offerToPoints(const Window& w, int h) {
 
 /// Offers the straight paths from a corner of a face to its required points.
 void WindowSweep::offerToPointsFrom(int v, int corner, int f) {
-  for (const PointInFace& p : pointsIn(f))
+  for (const auto& p : points_.in(f))
     offerToPoint(p.index,
                  vertices_[v].distance +
                      layOut(mesh_.face(f), 0, p.bary - Eigen::Vector3d::Unit(corner)).norm());
@@ -227,7 +215,7 @@ bool WindowSweep::canGain(int h, const Windows& windows) {
       (1 - share) * placeOf(face.vertices[i]) + share * placeOf(face.vertices[j]);
   inFace_.clear();
   for (const int v : face.vertices) inFace_.push_back(requiredIndex(v));
-  for (const PointInFace& p : pointsIn(h / 3)) inFace_.push_back(p.index);
+  for (const auto& p : points_.in(h / 3)) inFace_.push_back(p.index);
   return required_.canGain(place, end - middle, least, excess, inFace_);
 }
 
@@ -262,7 +250,7 @@ void WindowSweep::continueNeeded() {
 /// Whether the batch at a halfedge can shorten a required distance; if not, its windows wait.
 bool WindowSweep::isBatchNeeded(int h) {
   const std::span<const Window> windows = windows_[h];
-  const bool hasCorner = hasRequiredCorner(h / 3), hasPoints = !pointsIn(h / 3).empty();
+  const bool hasCorner = hasRequiredCorner(h / 3), hasPoints = !points_.in(h / 3).empty();
   if (hasCorner || hasPoints)
     for (const Window& w : windows) {
       if (hasCorner) offerToCorners(w, h);

@@ -102,9 +102,10 @@ std::vector<LabelledDistance> WindowSpread::nearestAt(const SurfacePoint& p,
   };
   searched_ = {};
   sweep_.search(p, NearestLabels(bounds_), sites_, searched_);
-  for (const LabelledDistance& site : sweep_.foundSites()) offer(site.label, site.distance);
+  for (const LabelledDistance& site : sweep_.searched().found()) offer(site.label, site.distance);
   for (const ReachedVertex& r : searched_.vertices)
-    if (bounds_.ties().isAtMost(r.distance + bounds_[r.vertex].distance, sweep_.shortest()))
+    if (bounds_.ties().isAtMost(r.distance + bounds_[r.vertex].distance,
+                                sweep_.searched().shortest()))
       for (const LabelledDistance& d : known[r.vertex]) offer(d.label, r.distance + d.distance);
   return labels;
 }
@@ -125,10 +126,10 @@ std::vector<SurfacePoint> WindowSpread::path(int label, const SurfacePoint& p) {
   }
   searched_ = {};
   sweep_.search(p, NearestLabels(bounds_), sites_, searched_);
-  const double nearest = sweep_.shortest();
+  const double nearest = sweep_.searched().shortest();
   std::vector<SurfacePoint> path = pathBack(p, label, known);
-  if (bounds_.ties().isAtMost(sweep_.shortest(), nearest)) return path;
-  const double least = sweep_.shortest();
+  if (bounds_.ties().isAtMost(sweep_.searched().shortest(), nearest)) return path;
+  const double least = sweep_.searched().shortest();
   LabelState state = known;
   const RequiredPoint point = {p, least, nearest};
   sweep_.require(label, state, {&point, 1});
@@ -149,7 +150,8 @@ std::vector<SurfacePoint> WindowSpread::pathBack(const SurfacePoint& p, int labe
   sweep_.search(p, known, sites_, searched_);
   int vertex = -1;
   double least = kInfinity;
-  for (const LabelledDistance& site : sweep_.foundSites()) least = std::min(least, site.distance);
+  for (const LabelledDistance& site : sweep_.searched().found())
+    least = std::min(least, site.distance);
   for (const ReachedVertex& r : searched_.vertices)
     if (r.distance + known.atMost(r.vertex) < least) {
       least = r.distance + known.atMost(r.vertex);

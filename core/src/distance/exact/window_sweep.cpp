@@ -31,7 +31,7 @@ WindowSweep::WindowSweep(const TriangleMesh& mesh, NearestBounds& bounds)
     : mesh_(mesh),
       bounds_(bounds),
       leastGrazing_(0x1p-50 * longestEdge(mesh)),
-      leeway_(kDistanceTolerance * kFarthestTie * mesh.boundingDiagonal()),
+      tieMargin_(kDistanceTolerance * kFarthestTie * mesh.boundingDiagonal()),
       fan_(mesh),
       required_(mesh.boundingDiagonal()),
       vertices_(mesh.vertexCount()),
@@ -49,8 +49,8 @@ void WindowSweep::begin(int label, SpreadTo to, LabelState& state) {
   to_ = to;
   state_ = &state;
   lowersBounds_ = true;
-  isWinding_ = false;
-  mayFollow_ = 0;
+  checksRevisits_ = false;
+  backtracksLeft_ = 0;
   ++epoch_;
   required_.clear();
   points_.clear();
@@ -91,7 +91,7 @@ bool WindowSweep::run(long& budget) {
 /// Begins to spread a label on to required places. If distances of the same label were required
 /// last, all of it is still in the working memory.
 void WindowSweep::beginToRequire(int label, LabelState& state) {
-  if (to_ != SpreadTo::kRequired || label_ != label || state_ != &state || !points_.empty()) {
+  if (to_ != SpreadTo::kRequired || label_ != label || state_ != &state || !points_.isEmpty()) {
     begin(label, SpreadTo::kRequired, state);
     load();
   }
@@ -124,8 +124,8 @@ void WindowSweep::store() {
   state_->pieces.resize(reached_.size());
   for (size_t i = 0; i < reached_.size(); ++i) {
     Vertex& own = vertices_[reached_[i]];
-    own.isFinal |= own.required != RequiredPlaces::kNone;
-    own.required = RequiredPlaces::kNone;
+    own.isFinal |= own.required != RequiredDistances::kNone;
+    own.required = RequiredDistances::kNone;
     state_->vertices[i] = {reached_[i], own.isFinal, own.distance};
     state_->pieces[i] = own.piece;
   }
@@ -183,20 +183,20 @@ void WindowSweep::startAcross(const SurfacePoint& site, int side, double angle) 
 
 void WindowSweep::offer(int v, double distance, const LastPiece& piece) {
   Vertex& own = vertices_[v];
-  if (own.epoch != epoch_) reach(v);
-  if (!(rankOf({distance, piece.course}) < rankOf({own.distance, own.piece.course}))) return;
+  if (own.epoch != epoch_) addVertex(v);
+  if (!(rankOf({distance, piece.kind}) < rankOf({own.distance, own.piece.kind}))) return;
   own.distance = distance;
   own.piece = piece;
   if (to_ == SpreadTo::kSites) {
-    shorten(distance + known_->atMost(v));
+    search_.offerVertex(v, distance);
     return;  // the rest of the path is known
   }
-  if (own.required != RequiredPlaces::kNone) required_.shorten(own.required, distance);
+  if (own.required != RequiredDistances::kNone) required_.shorten(own.required, distance);
   if (lowersBounds_) bounds_.lower(v, label_, distance);
   if (own.isSaddle || piece.arrival < 0) queueSource(v);
 }
 
-void WindowSweep::reach(int v) {
+void WindowSweep::addVertex(int v) {
   vertices_[v] = {.distance = kInfinity,
                   .piece = {0, 0, 0, -1},
                   .epoch = epoch_,
@@ -253,7 +253,7 @@ void WindowSweep::becomeSource(int v) {
 bool WindowSweep::maySpreadFrom(int v) {
   const Vertex& own = vertices_[v];
   const double nearest = bounds_[v].distance;
-  if (own.distance <= nearest + leeway_) return true;
+  if (own.distance <= nearest + tieMargin_) return true;
   if (to_ != SpreadTo::kRequired || own.distance - nearest >= mostExcess_) return false;
   return required_.canGain(placeOf(v), 0, own.distance, own.distance - nearest, {&own.required, 1});
 }
@@ -267,7 +267,7 @@ void WindowSweep::emit(int v, const OppositeSide& side, double direction, bool i
   const int j = cornerAfter(i), k = cornerBefore(i);
   const TriangleMesh::Face& face = mesh_.face(f);
   const double length = face.lengths[j];
-  if (!points_.empty()) offerToPointsFrom(v, i, f);
+  if (!points_.isEmpty()) offerToPointsFrom(v, i, f);
   if (side.from <= grazing(length))
     offer(face.vertices[j], distance + face.lengths[i],
           {face.lengths[k], distance, isSite ? direction - kPi + mesh_.cornerAngle(o) : direction,

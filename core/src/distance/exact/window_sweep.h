@@ -7,7 +7,9 @@
 #include "base/bucket_queue.h"
 #include "distance/exact/fan_behind.h"
 #include "distance/exact/label_state.h"
-#include "distance/exact/required_places.h"
+#include "distance/exact/required_distances.h"
+#include "distance/exact/required_points.h"
+#include "distance/exact/site_search.h"
 #include "distance/exact/window_lists.h"
 #include "distance/face_layout.h"
 #include "distance/nearest_bounds.h"
@@ -29,18 +31,6 @@ enum class SpreadTo {
   kOwned,     ///< while no other label is nearer
   kRequired,  ///< while a required distance can still become shorter
   kSites,     ///< from a point, while the path to a site can still become shorter
-};
-
-/// Bounds on the distances of the labels that a search from a point looks for.
-class KnownDistances {
- public:
-  virtual ~KnownDistances() = default;
-  /// A lower bound on the distance of each of the labels at a vertex.
-  virtual double atLeast(int vertex) const = 0;
-  /// An upper bound for one of the labels: the length of a known path, infinity if there is none.
-  virtual double atMost(int vertex) const = 0;
-  /// Whether a label is one of those searched for.
-  virtual bool isAbout(int label) const = 0;
 };
 
 /// Spreads the windows of one label after another. The working memory has room for the whole mesh,
@@ -80,7 +70,7 @@ class WindowSweep {
   /// the windows of its faces wait there when `run` is done, for `pathToSite`.
   void require(int label, LabelState& state, std::span<const RequiredPoint> points);
   /// The distance at one of the points; valid until the next label begins.
-  double distanceAtPoint(int index) const { return pointDistances_[index + 1]; }
+  double distanceAtPoint(int index) const { return points_.distance(index + 1); }
   /// Spreads windows from a point that is no vertex, to find the sites nearest to it. A path
   /// through a place on an edge is as long as the window's distance there plus the site's. The
   /// latter is at least the site's distance at an end of the edge minus the way from that end.
@@ -89,10 +79,8 @@ class WindowSweep {
   /// see a site then wait at the site's face.
   void search(const SurfacePoint& p, const KnownDistances& known, const SiteSet& sites,
               LabelState& state);
-  /// The length of the shortest path found by the search, infinity if there is none.
-  double shortest() const { return shortest_; }
-  /// The sites, except those on vertices, that the search has reached, with their distances.
-  std::span<const LabelledDistance> foundSites() const { return foundSites_; }
+  /// What the last search has found.
+  const SiteSearch& searched() const { return search_; }
   /// Works on at most `budget` batches and lowers it by their number; true when the label is done
   /// and its state is stored.
   bool run(long& budget);
@@ -106,22 +94,15 @@ class WindowSweep {
   struct alignas(64) Vertex {
     double distance;
     LastPiece piece;
-    int epoch = 0;                         ///< of the label that the other members belong to
-    int index = 0;                         ///< in `reached_`
-    int required = RequiredPlaces::kNone;  ///< index in `required_`
+    int epoch = 0;                            ///< of the label that the other members belong to
+    int index = 0;                            ///< in `reached_`
+    int required = RequiredDistances::kNone;  ///< index in `required_`
     bool isFinal = false, isQueued = false;
     bool isSaddle = false;  ///< of the mesh, whatever the label
-  };
-  /// A required point in a face. Points on an edge are in the faces on both sides.
-  struct PointInFace {
-    int face;
-    Eigen::Vector3d bary;
-    int index;  ///< in `pointDistances_` and `required_`
   };
   /// A vertex as an end of portals: the distance of the current label, and the limit up to which
   /// the label spreads on.
   struct End {
-    int vertex;
     double own, limit;
   };
   /// The straight line of a window to the apex of its face.
@@ -146,7 +127,7 @@ class WindowSweep {
   void startAtSide(const SurfacePoint& site, int i, double angle, bool isOnSide);
   void startAcross(const SurfacePoint& site, int side, double angle);
   void offer(int vertex, double distance, const LastPiece& piece);
-  void reach(int vertex);
+  void addVertex(int vertex);
   double directionAt(int vertex) const;
 
   void queueSource(int vertex);
@@ -173,17 +154,13 @@ class WindowSweep {
   void requireCorners(int face, double atMost);
   void addPoints(std::span<const RequiredPoint> points);
   void addPoint(const SurfacePoint& point, int index);
-  std::span<const PointInFace> pointsIn(int face) const;
   void offerToPoint(int index, double distance);
   void offerToPoints(const Window& w, int halfedge);
   void offerToPointsFrom(int vertex, int corner, int face);
-  double mostUpTo(int vertex) const;
-  void shorten(double length);
-  bool isSearchedFor(const FaceSite& site) const;
   void offerSites(int halfedge, std::span<const Window> windows);
 
   int requiredIndex(int vertex) const;
-  bool isRequired(int vertex) const { return requiredIndex(vertex) != RequiredPlaces::kNone; }
+  bool isRequired(int vertex) const { return requiredIndex(vertex) != RequiredDistances::kNone; }
   bool hasRequiredCorner(int face) const;
   void offerRequired(int vertex, double distance, const LastPiece& piece);
   void offerAlongSides(int face);
@@ -210,7 +187,7 @@ class WindowSweep {
   /// at a distance d may differ here by `kDistanceTolerance` · d, because the difference does not
   /// fall along a path. Neither may stop the other here, or the set of labels that tie at d would
   /// depend on which of them spread first.
-  const double leeway_;
+  const double tieMargin_;
   FanBehind fan_;
   std::vector<char> isNeedle_;  ///< per face; empty if none is
 
@@ -219,20 +196,15 @@ class WindowSweep {
   SpreadTo to_ = SpreadTo::kOwned;
   LabelState* state_ = nullptr;
   bool lowersBounds_ = true;
-  bool isWinding_ = false;  ///< whether to drop windows that enter a face again
-  long mayFollow_ = 0;      ///< faces that `entersFaceAgain` may still visit
+  bool checksRevisits_ = false;  ///< whether to drop windows that enter a face again
+  long backtracksLeft_ = 0;      ///< faces that `entersFaceAgain` may still visit
   SurfacePoint site_;
-  RequiredPlaces required_;
-  double mostExcess_ = 0;               ///< of `required_`, when the label began to go on
-  std::vector<PointInFace> points_;     ///< by face
-  std::vector<double> pointDistances_;  ///< by the index in `required_`
-  std::vector<int> inFace_;             ///< indices in `required_` of the current face
+  RequiredDistances required_;
+  double mostExcess_ = 0;  ///< of `required_`, when the label began to go on
+  RequiredPoints points_;
+  std::vector<int> inFace_;  ///< indices in `required_` of the current face
 
-  // The current search.
-  const KnownDistances* known_ = nullptr;
-  const SiteSet* sites_ = nullptr;
-  double shortest_ = kInfinity;
-  std::vector<LabelledDistance> foundSites_;
+  SiteSearch search_;  ///< if the label is a point that searches
 
   // Working memory. A label leaves nothing in it but vertices of an old epoch.
   int epoch_ = 0;

@@ -20,12 +20,12 @@ namespace gvd::exact {
 ///
 /// Every waiting window is compared with every place, so the numbers are kept in single precision,
 /// four in a register: in bounding diagonals, and rounded so that a window never stops too early.
-class RequiredPlaces {
+class RequiredDistances {
  public:
   /// The index of no place.
   static constexpr int kNone = 0;
 
-  explicit RequiredPlaces(double boundingDiagonal) : scale_(1 / boundingDiagonal) { clear(); }
+  explicit RequiredDistances(double boundingDiagonal) : scale_(1 / boundingDiagonal) { clear(); }
 
   void clear() {
     blocks_.assign(1, Block{});

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "base/tolerances.h"
+#include "distance/face_layout.h"
+#include "distance/site_set.h"
+#include "gvd/geodesic.h"
+#include "mesh/surface_geometry.h"
+
+namespace gvd::exact {
+
+/// Bounds on the distances of the labels that a search from a point looks for.
+class KnownDistances {
+ public:
+  virtual ~KnownDistances() = default;
+  /// A lower bound on the distance of each of the labels at a vertex.
+  virtual double atLeast(int vertex) const = 0;
+  /// An upper bound for one of the labels: the length of a known path, infinity if there is none.
+  virtual double atMost(int vertex) const = 0;
+  /// Whether a label is one of those searched for.
+  virtual bool isAbout(int label) const = 0;
+};
+
+/// The sites that a search from a point has found, and the length of the shortest path to one of
+/// them (`WindowSweep::search`).
+class SiteSearch {
+ public:
+  void start(const KnownDistances& known, const SiteSet& sites) {
+    known_ = &known;
+    sites_ = &sites;
+    shortest_ = kInfinity;
+    found_.clear();
+  }
+  /// The length of the shortest path so far, infinity if there is none.
+  double shortest() const { return shortest_; }
+  /// The sites found, except those on vertices: these are at distance 0 from their vertex.
+  std::span<const LabelledDistance> found() const { return found_; }
+
+  /// The largest distance of a vertex from the point with which a path over the vertex is no longer
+  /// than the shortest one. For a place on an edge beside the vertex, the way along the edge is
+  /// added. The tolerance admits paths that tie.
+  double mostAt(int vertex) const {
+    return shortest_ * (1 + kDistanceTolerance) - known_->atLeast(vertex);
+  }
+  /// Offers the path over a vertex at this distance from the point.
+  void offerVertex(int vertex, double distance) {
+    shortest_ = std::min(shortest_, distance + known_->atMost(vertex));
+  }
+  /// Offers a path to a site; returns whether it is one of the shortest so far.
+  bool offerSite(int label, double length) {
+    if (!(length <= shortest_ * (1 + kDistanceTolerance))) return false;
+    shortest_ = std::min(shortest_, length);
+    found_.push_back({label, length});
+    return true;
+  }
+  /// Calls `visit` with each site in a face that is searched for and on no vertex.
+  template <class Visit>
+  void visitSites(int face, Visit visit) const {
+    for (const FaceSite& site : sites_->inFace(face))
+      if (known_->isAbout(site.label) && incidenceOf(site.bary).corner < 0) visit(site);
+  }
+
+ private:
+  const KnownDistances* known_ = nullptr;
+  const SiteSet* sites_ = nullptr;
+  double shortest_ = kInfinity;
+  std::vector<LabelledDistance> found_;
+};
+
+}  // namespace gvd::exact
