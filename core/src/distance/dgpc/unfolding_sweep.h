@@ -115,7 +115,7 @@ class UnfoldingSweep {
     double reach;  ///< the largest distance that is passed on
     Eigen::Vector2d direction;
     Origin origin;              ///< what the distance follows from
-    int epoch = 0;              ///< of the site that the other members belong to
+    std::uint64_t epoch = 0;    ///< of the site that the other members belong to
     std::uint8_t improvements;  ///< how often the distance has fallen
     bool isQueued;              ///< whether the distance is still to be passed on
 
@@ -134,7 +134,7 @@ class UnfoldingSweep {
 
   const TriangleMesh& mesh_;
   const Reach reach_;
-  int epoch_ = 0;
+  std::uint64_t epoch_ = 0;
   std::vector<Vertex> vertices_;
   std::vector<int> reached_;
   BucketQueue queue_;  ///< vertices by distance

@@ -2,7 +2,6 @@
 // This work is based on:
 // Joseph Mitchell, David Mount, Christos Papadimitriou. The Discrete Geodesic Problem. 1987
 // Jindong Chen, Yijie Han. Shortest Paths on a Polyhedron. 1990
-// Micha Sharir, Amir Schorr. On Shortest Paths in Polyhedral Spaces. 1986
 // Yipeng Qin, Xiaoguang Han, Hongchuan Yu, Yizhou Yu, Jianjun Zhang. Fast and Exact Discrete
 // Geodesic Computation Based on Triangle-Oriented Wavefront Propagation. 2016
 //
@@ -11,40 +10,10 @@
 // that the processor predicts wrongly costs as much as a division: so numbers are chosen, where it
 // is possible, instead of branches.
 #include <algorithm>
-#include <limits>
 
 #include "distance/exact/window_sweep.h"
-#include "distance/straight_line.h"
 
 namespace gvd::exact {
-namespace {
-
-/// A label that crosses more halfedges per vertex than this winds around a spike or a tube. Over a
-/// scanned surface, one label crosses 3.5 per vertex.
-constexpr size_t kMostCrossingsPerVertex = 30;
-/// The average number of faces that each window of such a label may be followed back across: what
-/// winds is found within a few turns, and following takes no longer than spreading.
-constexpr long kBacktracksPerWindow = 1;
-/// A line followed back ends at its virtual source up to rounding: a share of the line's length.
-constexpr double kLineRounding = 1e-9;
-
-/// Whether the straight lines of a window have already crossed the face that they are about to
-/// enter. Then none of them is a shortest path, since there is a shorter way within the face
-/// (Sharir & Schorr 1986). All lines of a window have crossed the same faces, so it is enough to
-/// follow the middle one backwards. Lowers `backtracksLeft` by the number of faces visited.
-bool entersFaceAgain(const TriangleMesh& mesh, Window w, int h, long& backtracksLeft) {
-  StraightLine line{h, (w.begin + w.end) / 2, {w.x, w.y}};
-  const double atSource = kLineRounding * line.length();
-  for (int crossed = 0; crossed < mesh.faceCount(); ++crossed) {
-    --backtracksLeft;
-    if (!line.enterFace(mesh) || line.length() < atSource) return false;
-    if (line.halfedge / 3 == h / 3) return true;
-    if (!line.crossFace(mesh)) return false;
-  }
-  return true;
-}
-
-}  // namespace
 
 void WindowSweep::crossFace(int h) {
   if (to_ == SpreadTo::kRequired && !isBatchNeeded(h)) return;
@@ -55,7 +24,7 @@ void WindowSweep::crossFace(int h) {
   if (right >= 0) windows_.prefetch(right);
   const WindowLists::List list = windows_.take(h);
   const std::span<const Window> windows = list.windows();
-  checksRevisits_ = ++crossedCount_ > kMostCrossingsPerVertex * reached_.size();
+  revisits_.noteCrossing(reached_.size());
   offerToApex(h, windows);
   if (to_ == SpreadTo::kSites) offerSites(h, windows);
   if (!points_.isEmpty() && to_ != SpreadTo::kRequired)
@@ -113,10 +82,7 @@ WindowSweep::Portal WindowSweep::portalTo(int h) const {
   w.y = std::min(w.y, -0x1p-52 * portal.length);
   trim(w, portal.length, portal.own);
   if (!(w.begin < w.end)) return false;
-  if (checksRevisits_ && (backtracksLeft_ += kBacktracksPerWindow) > 0 &&
-      entersFaceAgain(mesh_, w, portal.halfedge, backtracksLeft_))
-    return false;
-  if (windsAroundNeedle(w, portal.halfedge)) return false;
+  if (revisits_.drops(w, portal.halfedge)) return false;
   if (portal.isContested) {
     Window owned = w;
     trim(owned, portal.length, portal.limit);
@@ -127,15 +93,6 @@ WindowSweep::Portal WindowSweep::portalTo(int h) const {
     if (to_ == SpreadTo::kSites) w = owned;
   }
   return true;
-}
-
-/// Whether a window is about to enter a needle that its lines have already crossed. Around a spike
-/// of needles, a line ties with lines that wind around it fewer times; the number of turns would
-/// depend on rounding and on when another label stops the window.
-inline bool WindowSweep::windsAroundNeedle(const Window& w, int h) const {
-  if (isNeedle_.empty() || !isNeedle_[h / 3]) return false;
-  long unlimited = std::numeric_limits<long>::max();
-  return entersFaceAgain(mesh_, w, h, unlimited);
 }
 
 /// Carries the batch at a halfedge through the face's side to the left or right of the apex.

@@ -33,13 +33,12 @@ WindowSweep::WindowSweep(const TriangleMesh& mesh, NearestBounds& bounds)
       leastGrazing_(0x1p-50 * longestEdge(mesh)),
       tieMargin_(kDistanceTolerance * kFarthestTie * mesh.boundingDiagonal()),
       fan_(mesh),
+      revisits_(mesh),
       required_(mesh.boundingDiagonal()),
       vertices_(mesh.vertexCount()),
       windows_(mesh.halfedgeCount()),
       queue_(kBucketsPerEdge / mesh.shortEdgeLength()) {
   for (int v = 0; v < mesh.vertexCount(); ++v) vertices_[v].isSaddle = isSaddle(mesh, v);
-  if (!mesh.needles().empty()) isNeedle_.resize(mesh.faceCount(), false);
-  for (const int f : mesh.needles()) isNeedle_[f] = true;
 }
 
 // --- One label ---------------------------------------------------------------------------------
@@ -49,13 +48,11 @@ void WindowSweep::begin(int label, SpreadTo to, LabelState& state) {
   to_ = to;
   state_ = &state;
   lowersBounds_ = true;
-  checksRevisits_ = false;
-  backtracksLeft_ = 0;
+  revisits_.begin();
   ++epoch_;
   required_.clear();
   points_.clear();
   reached_.clear();
-  crossedCount_ = 0;
   waiting_.clear();
   waitingSources_.clear();
 }

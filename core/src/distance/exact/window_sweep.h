@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "distance/exact/label_state.h"
 #include "distance/exact/required_distances.h"
 #include "distance/exact/required_points.h"
+#include "distance/exact/revisit_filter.h"
 #include "distance/exact/site_search.h"
 #include "distance/exact/window_lists.h"
 #include "distance/face_layout.h"
@@ -94,7 +96,7 @@ class WindowSweep {
   struct alignas(64) Vertex {
     double distance;
     LastPiece piece;
-    int epoch = 0;                            ///< of the label that the other members belong to
+    std::uint64_t epoch = 0;                  ///< of the label that the other members belong to
     int index = 0;                            ///< in `reached_`
     int required = RequiredDistances::kNone;  ///< index in `required_`
     bool isFinal = false, isQueued = false;
@@ -146,7 +148,6 @@ class WindowSweep {
   Portal portal(int halfedge, double length, const End& tail, const End& tip) const;
   Portal portalTo(int halfedge) const;
   bool goesOn(Window& w, const Portal& portal);
-  bool windsAroundNeedle(const Window& w, int halfedge) const;
 
   /// The position of a vertex relative to vertex 0: positions of a mesh far from the origin would
   /// round too coarsely.
@@ -189,15 +190,13 @@ class WindowSweep {
   /// depend on which of them spread first.
   const double tieMargin_;
   FanBehind fan_;
-  std::vector<char> isNeedle_;  ///< per face; empty if none is
+  RevisitFilter revisits_;
 
   // The current label.
   int label_ = -1;
   SpreadTo to_ = SpreadTo::kOwned;
   LabelState* state_ = nullptr;
   bool lowersBounds_ = true;
-  bool checksRevisits_ = false;  ///< whether to drop windows that enter a face again
-  long backtracksLeft_ = 0;      ///< faces that `entersFaceAgain` may still visit
   SurfacePoint site_;
   RequiredDistances required_;
   double mostExcess_ = 0;  ///< of `required_`, when the label began to go on
@@ -207,11 +206,10 @@ class WindowSweep {
   SiteSearch search_;  ///< if the label is a point that searches
 
   // Working memory. A label leaves nothing in it but vertices of an old epoch.
-  int epoch_ = 0;
+  std::uint64_t epoch_ = 0;
   std::vector<Vertex> vertices_;
   WindowLists windows_;
   std::vector<int> reached_;
-  size_t crossedCount_ = 0;             ///< of batches that have crossed a face
   std::vector<WaitingWindow> waiting_;  ///< where the label has stopped
   std::vector<int> waitingSources_;
   std::vector<LineToApex> toApex_;  ///< of each window of the current batch

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// This work is based on:
+// Micha Sharir, Amir Schorr. On Shortest Paths in Polyhedral Spaces. 1986
+#include "distance/exact/revisit_filter.h"
+
+#include "distance/straight_line.h"
+
+namespace gvd::exact {
+namespace {
+
+/// A line followed back ends at its virtual source up to rounding: a share of the line's length.
+constexpr double kLineRounding = 1e-9;
+
+}  // namespace
+
+RevisitFilter::RevisitFilter(const TriangleMesh& mesh) : mesh_(mesh) {
+  if (!mesh.needles().empty()) isNeedle_.resize(mesh.faceCount(), false);
+  for (const int f : mesh.needles()) isNeedle_[f] = true;
+}
+
+/// All lines of a window have crossed the same faces, so it is enough to follow the middle one
+/// backwards.
+bool RevisitFilter::entersAgain(const Window& w, int halfedge) {
+  StraightLine line{halfedge, (w.begin + w.end) / 2, {w.x, w.y}};
+  const double atSource = kLineRounding * line.length();
+  for (int crossed = 0; crossed < mesh_.faceCount(); ++crossed) {
+    --backtracksLeft_;
+    if (!line.enterFace(mesh_) || line.length() < atSource) return false;
+    if (line.halfedge / 3 == halfedge / 3) return true;
+    if (!line.crossFace(mesh_)) return false;
+  }
+  return true;
+}
+
+}  // namespace gvd::exact

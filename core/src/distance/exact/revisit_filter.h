@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "distance/exact/window.h"
+#include "gvd/triangle_mesh.h"
+
+namespace gvd::exact {
+
+/// Finds windows whose lines have already crossed the face that they are about to enter. None of
+/// these lines is a shortest path, since there is a shorter way within the face (Sharir & Schorr
+/// 1986). Without the filter, windows wind around spikes and thin tubes as often as the faces there
+/// are longer than a turn.
+///
+/// To look at every window would take longer than to let it spread. So windows are looked at where
+/// they enter needles, and with the labels that cross far more faces than usual.
+class RevisitFilter {
+ public:
+  explicit RevisitFilter(const TriangleMesh& mesh);
+
+  /// Begins with another label.
+  void begin() {
+    crossedCount_ = 0;
+    isSuspicious_ = false;
+    backtracksLeft_ = 0;
+  }
+  /// Notes that the label crosses a face, having reached some vertices so far.
+  void noteCrossing(size_t reachedCount) {
+    isSuspicious_ = ++crossedCount_ > kMostCrossingsPerVertex * reachedCount;
+  }
+  /// Whether a window at a halfedge has been found to enter its face again.
+  bool drops(const Window& w, int halfedge) {
+    if (isSuspicious_ && (backtracksLeft_ += kBacktracksPerWindow) > 0 && entersAgain(w, halfedge))
+      return true;
+    return !isNeedle_.empty() && isNeedle_[halfedge / 3] && entersAgain(w, halfedge);
+  }
+
+ private:
+  /// A label that crosses more halfedges per vertex than this may wind around something. Over a
+  /// scanned surface, one label crosses 3.5 per vertex.
+  static constexpr size_t kMostCrossingsPerVertex = 30;
+  /// The average number of faces that each window of such a label may be followed back across: what
+  /// winds is found within a few turns, and following takes no longer than spreading.
+  static constexpr long kBacktracksPerWindow = 1;
+
+  bool entersAgain(const Window& w, int halfedge);
+
+  const TriangleMesh& mesh_;
+  /// Per face; empty if none is. Around a spike of needles, a line ties with lines that wind around
+  /// it fewer times; the number of turns would depend on rounding and on when another label stops
+  /// the window.
+  std::vector<char> isNeedle_;
+  size_t crossedCount_ = 0;  ///< of batches
+  bool isSuspicious_ = false;
+  long backtracksLeft_ = 0;  ///< faces across which windows may still be followed back
+};
+
+}  // namespace gvd::exact
