@@ -47,6 +47,10 @@ test('points in a file are refused where they are none, or are those of another 
     fails('invalid-point', 'the points belong to another mesh: to one with 12 triangles, not 8'),
   );
   await assert.rejects(
+    mesh.readPoints({ sites: { vertex: [0] }, faceLabel: [0, 0] }),
+    fails('invalid-point', 'the points belong to another mesh: to one with 2 triangles, not 8'),
+  );
+  await assert.rejects(
     mesh.readPoints({ face: [0, 8], bary: [1, 0, 0, 1, 0, 0] }),
     fails('invalid-point', 'point 1: there is no triangle 8'),
   );

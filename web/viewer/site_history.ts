@@ -68,6 +68,10 @@ export class SiteHistory {
   }
 
   createAll(points: PointList): Sites {
+    if (!points?.face || points.bary?.length !== 3 * points.face.length)
+      throw new TypeError(
+        'sites are { face, bary }, three coordinates each; mesh.readPoints makes them of other forms',
+      );
     return Array.from(points.face, (_, i) => this.create(placeOf(points, i)));
   }
 
