@@ -31,6 +31,8 @@ export function toLengths(scale: number, unit?: string): LengthsJson {
 
 /** The JSON form of a diagram; every index in `loops`, `points` and `point` counts the points. */
 export interface DiagramJson extends LengthsJson {
+  /** The number of triangles in the mesh's file. */
+  mesh: { faces: number };
   metric: string;
   sites: SurfacePointsJson;
   /** The points that the fields below refer to by index, each place once. */
@@ -60,6 +62,7 @@ export function diagramJson(
   const numbers = (list: Int32Array) => Array.from(list, (point) => number[point]);
   const arcFaces = facesOfArcs(data);
   return {
+    mesh: { faces: data.faceLabel.length },
     metric,
     ...toLengths(scale, unit),
     sites: pointsJson(sites),

@@ -23,16 +23,11 @@ export function pointsFile(json: unknown): PointsFile {
       'there are no points: {"face": […], "bary": […]}, {"vertex": […]} or {"position": [x, y, z, …]}',
     );
   }
-  const faces = facesOfMesh(json);
-  return { points: points as SurfacePointsInput, ...(faces !== undefined && { faces }) };
-}
-
-/** Results name their mesh; a diagram has a label per triangle. */
-function facesOfMesh(json: unknown): number | undefined {
-  if (has(json, 'mesh') && has(json.mesh, 'faces')) return Number(json.mesh.faces);
-  return has(json, 'faceLabel') && Array.isArray(json.faceLabel)
-    ? json.faceLabel.length
-    : undefined;
+  const isOfMesh = has(json, 'mesh') && has(json.mesh, 'faces');
+  return {
+    points: points as SurfacePointsInput,
+    ...(isOfMesh && { faces: Number((json.mesh as { faces: unknown }).faces) }),
+  };
 }
 
 /** Refuses points that belong to a mesh with another number of triangles. */

@@ -36,7 +36,8 @@ void LabelTurns::addRequired(std::span<const Requirement> requirements) {
 void LabelTurns::begin(long& budget) {
   const auto& [label, how, firstFace] = turns_[next_];
   const size_t end = next_ + 1 < turns_.size() ? turns_[next_ + 1].firstFace : faces_.size();
-  currentFaces_.assign(faces_.begin() + firstFace, faces_.begin() + end);
+  const auto own = std::span(faces_).subspan(firstFace, end - firstFace);
+  currentFaces_.assign(own.begin(), own.end());
   switch (how) {
     case Turn::kStart:
       return spread_.start(label);
