@@ -87,7 +87,7 @@ class DynamicDiagram {
   /// All labels are below this number.
   int labelCount() const;
   bool hasSite(int label) const;
-  const SurfacePoint& site(int label) const;
+  SurfacePoint site(int label) const;
   /// By label; face -1 where a label has no site.
   std::vector<SurfacePoint> sites() const;
 

@@ -380,7 +380,7 @@ bool DynamicDiagram::hasSite(int label) const {
   return implementation_->distances().sites().contains(label);
 }
 
-const SurfacePoint& DynamicDiagram::site(int label) const {
+SurfacePoint DynamicDiagram::site(int label) const {
   implementation_->expectSite(label);
   return implementation_->distances().sites()[label];
 }
