@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "brute_force.h"
-#include "mesh/surface_geometry.h"
+#include "mesh/representations.h"
 
 namespace gvd::checks {
 namespace {

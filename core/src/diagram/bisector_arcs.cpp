@@ -6,35 +6,20 @@
 #include <algorithm>
 #include <utility>
 
-#include "mesh/surface_geometry.h"
+#include "mesh/representations.h"
 
 namespace gvd {
 namespace {
 
-/// Whether two faces share the edge or vertex that a point of the first one lies on.
-bool shareFeature(const TriangleMesh& mesh, const SurfacePoint& p, int face) {
-  if (vertexAt(mesh, p) >= 0) return true;
-  for (int i = 0; i < 3; ++i) {
-    const int twin = mesh.twin(3 * p.face + (i + 1) % 3);  // the side across from corner i
-    if (p.bary[i] == 0 && twin >= 0 && TriangleMesh::faceOf(twin) == face) return true;
-  }
-  return false;
-}
-
-/// Expresses a point on an edge or vertex in another face there; false if `face` does not have the
-/// point.
-bool renameInFace(const TriangleMesh& mesh, int face, SurfacePoint& p) {
-  if (!shareFeature(mesh, p, face)) return false;
-  SurfacePoint renamed{face, Eigen::Vector3d::Zero()};
-  for (int i = 0; i < 3; ++i) {
-    if (p.bary[i] == 0) continue;
-    const int* const tails = &mesh.tails()[3 * face];
-    const auto corner = std::find(tails, tails + 3, mesh.tail(3 * p.face + i)) - tails;
-    if (corner == 3) return false;
-    renamed.bary[corner] = p.bary[i];
-  }
-  p = renamed;
-  return true;
+/// Expresses a point in another face; false if that face does not have it.
+bool expressInFace(const TriangleMesh& mesh, int face, SurfacePoint& p) {
+  bool hasPoint = false;
+  visitRepresentations(mesh, SurfacePoint(p), [&](const SurfacePoint& place) {
+    if (place.face != face) return;
+    p = place;
+    hasPoint = true;
+  });
+  return hasPoint;
 }
 
 }  // namespace
@@ -144,7 +129,7 @@ void FinalSegments::expressInFaceOf(const Diagram::Segment& segment) {
     if (isExpressed_[p]) continue;
     const bool isExpressed = graph_.merging.anyMember(points_.root(p), [&](int member) {
       SurfacePoint place = graph_.places[member];
-      if (place.face != segment.face && !renameInFace(mesh_, segment.face, place)) return false;
+      if (!expressInFace(mesh_, segment.face, place)) return false;
       out_.points[p] = place;
       return true;
     });

@@ -8,7 +8,7 @@
 
 #include "base/tolerances.h"
 #include "gvd/diagram.h"
-#include "mesh/surface_geometry.h"
+#include "mesh/representations.h"
 
 namespace gvd {
 namespace {

@@ -10,6 +10,7 @@
 
 #include "base/sorting.h"
 #include "distance/path_points.h"
+#include "mesh/representations.h"
 
 namespace gvd {
 

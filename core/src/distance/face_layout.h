@@ -5,7 +5,6 @@
 
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
-#include "mesh/surface_geometry.h"
 
 namespace gvd {
 
@@ -30,8 +29,5 @@ inline Eigen::Vector2d wayToCorner(const TriangleMesh::Face& face, const Eigen::
                                    int corner) {
   return layOut(face, 0, Eigen::Vector3d::Unit(corner) - bary);
 }
-
-/// Expresses a point of halfedge `h`, given in the halfedge's face, in the face of its twin.
-SurfacePoint acrossEdge(const TriangleMesh& mesh, const SurfacePoint& p, int h);
 
 }  // namespace gvd

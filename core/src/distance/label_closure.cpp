@@ -5,7 +5,6 @@
 
 #include "distance/common_labels.h"
 #include "distance/edge_share.h"
-#include "distance/face_layout.h"
 
 namespace gvd {
 

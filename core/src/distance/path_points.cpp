@@ -4,15 +4,11 @@
 #include <algorithm>
 
 #include "base/tolerances.h"
+#include "distance/face_layout.h"
 #include "gvd/geodesic.h"
-#include "mesh/surface_geometry.h"
+#include "mesh/representations.h"
 
 namespace gvd {
-
-SurfacePoint pointAtVertex(const TriangleMesh& mesh, int vertex) {
-  const int h = mesh.outgoing(vertex);
-  return {TriangleMesh::faceOf(h), Eigen::Vector3d::Unit(h % 3)};
-}
 
 SurfacePoint pointOnHalfedge(const TriangleMesh& mesh, int halfedge, double along) {
   const int i = halfedge % 3;

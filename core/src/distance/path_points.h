@@ -3,30 +3,13 @@
 
 #include <vector>
 
-#include "distance/face_layout.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
+#include "mesh/representations.h"
 
 namespace gvd {
 
 // Points and pieces of paths along the surface, for both metrics.
-
-/// Calls `visit` with every representation of a point, one per face that has it.
-template <class Visit>
-void visitRepresentations(const TriangleMesh& mesh, const SurfacePoint& p, Visit visit) {
-  const Incidence place = incidenceOf(p.bary);
-  if (place.corner >= 0) {
-    for (const int h : mesh.fan(mesh.tail(3 * p.face + place.corner)))
-      visit(SurfacePoint{TriangleMesh::faceOf(h), Eigen::Vector3d::Unit(h % 3)});
-    return;
-  }
-  visit(p);
-  const int h = 3 * p.face + place.side;
-  if (place.side >= 0 && mesh.twin(h) >= 0) visit(acrossEdge(mesh, p, h));
-}
-
-/// A vertex, named in one of the faces around it.
-SurfacePoint pointAtVertex(const TriangleMesh& mesh, int vertex);
 
 /// A point of a halfedge, so far from its tail, named in the halfedge's face. A point closer to an
 /// end than `kVertexSnap` is placed on the vertex.

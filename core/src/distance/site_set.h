@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "distance/face_layout.h"
 #include "distance/small_lists.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
+#include "mesh/representations.h"
 
 namespace gvd {
 

@@ -75,39 +75,4 @@ inline SurfacePoint onMesh(const TriangleMesh& mesh, const SurfacePoint& p,
   return {p.face, cleanBarycentric(p.bary)};
 }
 
-/// The corner or side of its face that a point lies on, -1 if on none; on a corner, no side.
-struct Incidence {
-  int corner = -1;
-  int side = -1;
-};
-
-/// By the coordinates that are zero, as `cleanBarycentric` leaves them.
-inline Incidence incidenceOf(const Eigen::Vector3d& bary) {
-  Incidence incidence;
-  for (int i = 0; i < 3; ++i) {
-    const bool first = bary[cornerAfter(i)] == 0, second = bary[cornerBefore(i)] == 0;
-    if (first && second) return {i, -1};
-    if (second) incidence.side = i;
-  }
-  return incidence;
-}
-
-/// The vertex that a point lies on, -1 if on none.
-inline int vertexAt(const TriangleMesh& mesh, const SurfacePoint& p) {
-  const int corner = incidenceOf(p.bary).corner;
-  return corner < 0 ? -1 : mesh.tail(3 * p.face + corner);
-}
-
-/// The coordinates of a point in a face. The point may be given in another face that shares the
-/// edge or vertex it lies on.
-inline Eigen::Vector3d baryInFace(const TriangleMesh& mesh, const SurfacePoint& p, int face) {
-  if (p.face == face) return p.bary;
-  Eigen::Vector3d bary = Eigen::Vector3d::Zero();
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      if (mesh.tail(3 * p.face + j) == mesh.tail(3 * face + i)) bary[i] = p.bary[j];
-  const double sum = bary.sum();
-  return sum > 0 ? Eigen::Vector3d(bary / sum) : Eigen::Vector3d(Eigen::Vector3d::Unit(0));
-}
-
 }  // namespace gvd

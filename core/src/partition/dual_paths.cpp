@@ -11,6 +11,7 @@
 #include "base/sliced_loop.h"
 #include "distance/path_points.h"
 #include "gvd/dual.h"
+#include "mesh/representations.h"
 
 namespace gvd {
 namespace {

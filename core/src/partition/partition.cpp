@@ -16,7 +16,7 @@
 #include "base/sorting.h"
 #include "distance/path_points.h"
 #include "mesh/convex_triangulation.h"
-#include "mesh/surface_geometry.h"
+#include "mesh/representations.h"
 #include "partition/region_patches.h"
 
 namespace gvd {

@@ -23,6 +23,7 @@
 #include "distance/path_points.h"
 #include "gvd/error.h"
 #include "gvd/geodesic.h"
+#include "mesh/representations.h"
 #include "mesh/surface_geometry.h"
 #include "tessellation/density.h"
 #include "tessellation/disk_grid.h"

@@ -10,10 +10,11 @@
 #include <vector>
 
 #include "base/tolerances.h"
+#include "distance/face_layout.h"
 #include "distance/path_points.h"
 #include "gvd/dynamic_diagram.h"
 #include "gvd/sampling.h"
-#include "mesh/surface_geometry.h"
+#include "mesh/representations.h"
 
 namespace gvd {
 namespace {

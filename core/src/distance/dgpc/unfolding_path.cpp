@@ -8,7 +8,7 @@
 
 #include "distance/dgpc/unfolding_sweep.h"
 #include "distance/face_layout.h"
-#include "mesh/surface_geometry.h"
+#include "mesh/representations.h"
 
 namespace gvd::dgpc {
 

@@ -9,7 +9,6 @@
 #include "base/index_set.h"
 #include "base/sliced_loop.h"
 #include "distance/dgpc/unfolding_path.h"
-#include "distance/face_layout.h"
 #include "distance/known_labels.h"
 #include "mesh/surface_geometry.h"
 

@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "distance/face_layout.h"
 #include "gvd/triangle_mesh.h"
 
 namespace gvd::exact {

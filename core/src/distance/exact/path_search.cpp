@@ -15,6 +15,7 @@
 #include "distance/nearest_bounds.h"
 #include "distance/site_set.h"
 #include "gvd/geodesic.h"
+#include "mesh/representations.h"
 #include "mesh/surface_geometry.h"
 
 namespace gvd {

@@ -7,6 +7,7 @@
 #include "base/sorting.h"
 #include "distance/face_layout.h"
 #include "distance/path_points.h"
+#include "mesh/representations.h"
 
 namespace gvd::exact {
 namespace {

@@ -6,10 +6,9 @@
 #include <vector>
 
 #include "base/tolerances.h"
-#include "distance/face_layout.h"
 #include "distance/site_set.h"
 #include "gvd/geodesic.h"
-#include "mesh/surface_geometry.h"
+#include "mesh/representations.h"
 
 namespace gvd::exact {
 

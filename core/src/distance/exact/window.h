@@ -6,7 +6,6 @@
 
 #include "base/lanes.h"
 #include "base/tolerances.h"
-#include "distance/face_layout.h"
 #include "gvd/geodesic.h"
 #include "gvd/triangle_mesh.h"
 

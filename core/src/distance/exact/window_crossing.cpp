@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "distance/exact/window_sweep.h"
+#include "distance/face_layout.h"
 
 namespace gvd::exact {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "distance/face_layout.h"
-#include "mesh/surface_geometry.h"
+#include "mesh/representations.h"
 
 namespace gvd::exact {
 namespace {

@@ -8,6 +8,8 @@
 
 #include "base/prefetch.h"
 #include "distance/exact/window_sweep.h"
+#include "distance/face_layout.h"
+#include "mesh/representations.h"
 
 namespace gvd::exact {
 namespace {

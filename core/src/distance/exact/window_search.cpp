@@ -4,7 +4,9 @@
 #include <limits>
 
 #include "distance/exact/window_sweep.h"
+#include "distance/face_layout.h"
 #include "distance/path_points.h"
+#include "mesh/representations.h"
 
 namespace gvd::exact {
 

@@ -7,8 +7,9 @@
 
 #include "base/plane.h"
 #include "distance/exact/window_path.h"
+#include "distance/face_layout.h"
 #include "distance/known_labels.h"
-#include "mesh/surface_geometry.h"
+#include "mesh/representations.h"
 
 namespace gvd::exact {
 

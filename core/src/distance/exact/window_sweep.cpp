@@ -10,7 +10,9 @@
 #include <utility>
 
 #include "base/prefetch.h"
+#include "distance/face_layout.h"
 #include "distance/site_frame.h"
+#include "mesh/representations.h"
 #include "mesh/surface_geometry.h"
 
 namespace gvd::exact {

@@ -13,7 +13,6 @@
 #include "distance/exact/revisit_filter.h"
 #include "distance/exact/site_search.h"
 #include "distance/exact/window_lists.h"
-#include "distance/face_layout.h"
 #include "distance/nearest_bounds.h"
 #include "distance/site_set.h"
 #include "gvd/surface_point.h"

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+//
+// A point on an edge or vertex can be given in each of the faces that have it.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "gvd/surface_point.h"
+#include "gvd/triangle_mesh.h"
+
+namespace gvd {
+
+/// The corner or side of its face that a point lies on, -1 if on none; on a corner, no side.
+struct Incidence {
+  int corner = -1;
+  int side = -1;
+};
+
+/// By the coordinates that are zero, as `cleanBarycentric` leaves them.
+inline Incidence incidenceOf(const Eigen::Vector3d& bary) {
+  Incidence incidence;
+  for (int i = 0; i < 3; ++i) {
+    const bool first = bary[cornerAfter(i)] == 0, second = bary[cornerBefore(i)] == 0;
+    if (first && second) return {i, -1};
+    if (second) incidence.side = i;
+  }
+  return incidence;
+}
+
+/// The vertex that a point lies on, -1 if on none.
+inline int vertexAt(const TriangleMesh& mesh, const SurfacePoint& p) {
+  const int corner = incidenceOf(p.bary).corner;
+  return corner < 0 ? -1 : mesh.tail(3 * p.face + corner);
+}
+
+/// The coordinates of a point in a face. The point may be given in another face that shares the
+/// edge or vertex it lies on.
+inline Eigen::Vector3d baryInFace(const TriangleMesh& mesh, const SurfacePoint& p, int face) {
+  if (p.face == face) return p.bary;
+  Eigen::Vector3d bary = Eigen::Vector3d::Zero();
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      if (mesh.tail(3 * p.face + j) == mesh.tail(3 * face + i)) bary[i] = p.bary[j];
+  const double sum = bary.sum();
+  return sum > 0 ? Eigen::Vector3d(bary / sum) : Eigen::Vector3d(Eigen::Vector3d::Unit(0));
+}
+
+/// A vertex, given in one of the faces around it.
+inline SurfacePoint pointAtVertex(const TriangleMesh& mesh, int vertex) {
+  const int h = mesh.outgoing(vertex);
+  return {TriangleMesh::faceOf(h), Eigen::Vector3d::Unit(h % 3)};
+}
+
+/// A point of halfedge `h`, given in the halfedge's face, in the face of its twin.
+inline SurfacePoint acrossEdge(const TriangleMesh& mesh, const SurfacePoint& p, int h) {
+  const int twin = mesh.twin(h);
+  SurfacePoint q{TriangleMesh::faceOf(twin), Eigen::Vector3d::Zero()};
+  q.bary[twin % 3] = p.bary[cornerAfter(h % 3)];
+  q.bary[cornerAfter(twin % 3)] = p.bary[h % 3];
+  return q;
+}
+
+/// Calls `visit` with a point as it is in every face that has it.
+template <class Visit>
+void visitRepresentations(const TriangleMesh& mesh, const SurfacePoint& p, Visit visit) {
+  const Incidence place = incidenceOf(p.bary);
+  if (place.corner >= 0) {
+    for (const int h : mesh.fan(mesh.tail(3 * p.face + place.corner)))
+      visit(SurfacePoint{TriangleMesh::faceOf(h), Eigen::Vector3d::Unit(h % 3)});
+    return;
+  }
+  visit(p);
+  const int h = 3 * p.face + place.side;
+  if (place.side >= 0 && mesh.twin(h) >= 0) visit(acrossEdge(mesh, p, h));
+}
+
+}  // namespace gvd
