@@ -19,13 +19,15 @@ namespace gvd {
 
 /// The labels known at each vertex. They are found in four steps after labels have spread:
 ///
-/// 1. *Owners* of a face: the labels that own a corner, ties included, or have their site in the
+/// 1. *Owners* of a face (`FaceOwners`): the labels that own a corner, ties included, or have their
+/// site in the
 ///    face.
-/// 2. *Required distances*: each owner of a face spreads on to the corners that it does not own.
-/// 3. *Lists*: a vertex lists the owners of the faces around it.
-/// 4. *Closure*: a diagram interpolates squared distances between corners. A label that is nearest
-///    somewhere on an edge by interpolation becomes an owner of the faces on both sides (back to
-///    2).
+/// 2. *Required distances* (`LabelTurns`): each owner of a face spreads on to the corners that it
+/// does not own.
+/// 3. *Lists* (`LabelLists`): a vertex lists the owners of the faces around it.
+/// 4. *Closure* (`LabelClosure`): a diagram interpolates squared distances between corners. A label
+///    that is nearest somewhere on an edge by interpolation becomes an owner of the faces on both
+///    sides, and goes through steps 2 to 4 there.
 ///
 /// The result depends on the distances only, not on the changes that led to them.
 class KnownLabels {

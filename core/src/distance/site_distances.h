@@ -32,13 +32,14 @@ std::vector<SiteChange> arrivals(std::span<const SurfacePoint> sites);
 /// The distances of sites that are inserted, removed and moved. For a first diagram, all sites are
 /// inserted in one change. A change has three stages:
 ///
-/// 1. *Bounds*: the length of the shortest path along edges is an upper bound on the distance of
-///    the nearest site at every vertex.
-/// 2. *Spread*: each label in turn spreads from its site while it is nearer than the bounds, and
-///    lowers them. Other labels limit how far a label spreads, not the distances it finds. So after
-///    a change, new labels start, and labels that have reached vertices of removed ones resume from
-///    where they stopped.
-/// 3. `KnownLabels`: adds the distances that a diagram needs at vertices owned by other labels.
+/// 1. *Bounds* (`EdgeBounds`): the length of the shortest path along edges is an upper bound on the
+///    distance of the nearest site at every vertex.
+/// 2. *Spread* (`LabelTurns`, `LabelSpread`): each label in turn spreads from its site while it is
+///    nearer than the bounds, and lowers them. Other labels limit how far a label spreads, not the
+///    distances it finds. So after a change, new labels start, and labels that have reached
+///    vertices of removed ones resume from where they stopped.
+/// 3. *Known labels* (`KnownLabels`): adds the distances that a diagram needs at vertices owned by
+///    other labels.
 class SiteDistances final : public DistanceField {
  public:
   SiteDistances(const TriangleMesh& mesh, Metric metric);
