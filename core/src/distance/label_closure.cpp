@@ -23,18 +23,20 @@ bool LabelClosure::run(long& budget) {
         return loop_.run(faces_->size(), budget, kFacesPerUnit,
                          [&](int i) { closeFace(faces_->list()[i]); });
       },
-      [&] { required_.swap(found_); },
+      [&] { beginRound(found_); },
       [&] {
         for (;;) {
-          if (!required_.empty()) {
-            turns_.clear();
-            turns_.addRequired(std::exchange(required_, {}));
-          }
           if (!turns_.run(budget, [&](int l, std::vector<int>& faces) { listRequired(l, faces); }))
             return false;
           if (required_.empty()) return true;
+          beginRound(std::exchange(required_, {}));
         }
       });
+}
+
+void LabelClosure::beginRound(std::span<const Requirement> requirements) {
+  turns_.clear();
+  turns_.addRequired(requirements);
 }
 
 // --- Listing -------------------------------------------------------------------------------------

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "base/index_set.h"
@@ -48,6 +49,7 @@ class LabelClosure {
     int vertex, label;
   };
 
+  void beginRound(std::span<const Requirement> requirements);
   void closeFace(int face);
   void closeAround(const LabelAtVertex& added);
   void requireAcross(int halfedge, int label);
