@@ -261,7 +261,10 @@ export interface Diagram extends Disposable {
    * in the worst region, far from its site.
    */
   worstRegionPoint(worst: WorstRegion, options?: TaskOptions): Promise<SurfacePoints>;
-  /** The shortest path from a point to its nearest site. */
+  /**
+   * The shortest path from a point to its nearest site. With `dgpc` it follows from the distances at
+   * vertices; if it would be longer than the distance by more than a tenth, it is the exact one.
+   */
   path(point: SurfacePointsInput, options?: TaskOptions): Promise<SurfacePath>;
   /** The mesh cut into the regions. */
   partition(options?: PartitionOptions): Promise<Partition>;
