@@ -2,9 +2,6 @@
 #include "distance/known_labels.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numeric>
 #include <set>
 #include <utility>
 
