@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "base/tolerances.h"
+#include "distance/ties.h"
 
 namespace gvd::checks {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A mesh between the readers of files and the engine.
+// Meshes between the readers of files and the engine.
 
 /** A triangle mesh as it is handed on: read from a file or given by the caller, not yet checked. */
 export interface Triangles {
@@ -10,4 +10,11 @@ export interface Triangles {
   normals: Float64Array;
   uvs: Float64Array;
   density: Float64Array;
+}
+
+/** A model of a format without normals, texture coordinates and parts; its density is optional. */
+export interface ReadModel extends Pick<Triangles, 'positions' | 'indices'> {
+  density?: Float64Array;
+  /** Sentences on things that were passed over or changed. */
+  notes: string[];
 }

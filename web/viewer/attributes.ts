@@ -7,8 +7,7 @@ import { type CameraOrbit, parseCameraOrbit } from './camera_orbit.js';
 import type { CvtSettings } from './cvt_run.js';
 import type { Brush } from './density_paint.js';
 import { type Layer, layers } from './model_drawing.js';
-import type { Opening } from './mesh_opening.js';
-import type { Scattering } from './session_listener.js';
+import type { Opening, Scattering } from './mesh_opening.js';
 import type { DiagramSettings } from './shown_diagram.js';
 import type { UpAxis } from './stage.js';
 

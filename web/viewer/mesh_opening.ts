@@ -2,12 +2,22 @@
 //
 // From a model's files to its mesh, with sites scattered on it and made ready to be drawn.
 
-import type { GeodesicVoronoi, Mesh, MeshOptions, SurfacePoints } from 'geodesic-voronoi';
+import type { GeodesicVoronoi, Mesh, MeshOptions, Sampling, SurfacePoints } from 'geodesic-voronoi';
 import { DrawingBuilder } from './drawing_builder.js';
 import { sentence } from './failure.js';
 import { lastSegment, type NamedFiles } from './model_files.js';
 import { SceneMesh } from './scene_mesh.js';
-import type { Scattering } from './session_listener.js';
+
+/** How sites are scattered. */
+export interface Scattering {
+  count: number;
+  seed: number;
+  sampling?: Sampling;
+  /** The least number per component, as far as there are enough sites. */
+  perComponent?: number;
+  /** Per input vertex: random sites are closer where it is greater. */
+  density?: ArrayLike<number> | undefined;
+}
 
 /** How a model is opened. */
 export interface Opening {

@@ -10,7 +10,7 @@ import { LatestTask } from './latest_task.js';
 import { LibraryLease } from './library_pool.js';
 import { type OpenedMesh, type Opening, openMesh, type Reader } from './mesh_opening.js';
 import { ScatterTask } from './scatter_task.js';
-import type { CvtStatus, Scattering, SessionListener, Status } from './session_listener.js';
+import type { CvtStatus, SessionListener, Status } from './session_listener.js';
 import {
   changeDiagram,
   computeDiagram,
@@ -117,7 +117,7 @@ export class Session {
   }
 
   /** Replaces the sites by new ones in new places. */
-  async scatter(scattering: Scattering): Promise<void> {
+  async scatter(scattering: Opening['scattering']): Promise<void> {
     const mesh = this.#mesh;
     if (!mesh) return;
     const placing = this.scattering.run(mesh, scattering);

@@ -2,7 +2,7 @@
 //
 // The messages of a session, and their vocabulary.
 
-import type { CvtState, DiagramChange, Sampling } from 'geodesic-voronoi';
+import type { CvtState, DiagramChange } from 'geodesic-voronoi';
 import type { PreparedDiagram } from './diagram_geometry.js';
 import type { OpenedMesh } from './mesh_opening.js';
 import type { DiagramSettings, ShownDiagram } from './shown_diagram.js';
@@ -16,17 +16,6 @@ export type Status = 'empty' | 'loading' | 'computing' | 'iterating' | 'ready' |
  * no iteration lowers the energy any more.
  */
 export type CvtStatus = 'idle' | 'running' | 'paused' | 'done';
-
-/** How sites are scattered. */
-export interface Scattering {
-  count: number;
-  seed: number;
-  sampling?: Sampling;
-  /** The least number per component, as far as there are enough sites. */
-  perComponent?: number;
-  /** Per input vertex: random sites are closer where it is greater. */
-  density?: ArrayLike<number> | undefined;
-}
 
 /** Data that help to draw a diagram. */
 export interface Drawable {

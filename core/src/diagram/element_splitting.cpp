@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "diagram/element_splitting.h"
 
-#include "base/tolerances.h"
 #include "gvd/diagram.h"
 
 namespace gvd {

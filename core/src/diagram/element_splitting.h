@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "base/sliced_loop.h"
-#include "base/tolerances.h"
 #include "diagram/node_labels.h"
+#include "distance/ties.h"
 #include "gvd/geodesic.h"
 
 namespace gvd {

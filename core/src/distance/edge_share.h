@@ -3,9 +3,12 @@
 
 #include <algorithm>
 
-#include "base/tolerances.h"
-
 namespace gvd {
+
+/// How far rounding may move the place on an edge where two squared distances are equal, as a share
+/// of the edge. The place is a quotient of their differences, which are exact where they are small,
+/// so it rounds by a few 2^-53.
+inline constexpr double kEdgeShareRounding = 1e-14;
 
 /// The part of an edge that one label keeps when others take what they own. All labels have
 /// distances at both ends. Squared distances are compared, because along an edge they are linear up

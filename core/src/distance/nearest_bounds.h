@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "base/tolerances.h"
+#include "distance/ties.h"
 #include "gvd/geodesic.h"
 #include "gvd/triangle_mesh.h"
 

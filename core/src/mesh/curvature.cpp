@@ -13,13 +13,16 @@
 #include <utility>
 
 #include "base/sliced_loop.h"
-#include "base/tolerances.h"
 #include "gvd/error.h"
 
 namespace gvd {
 namespace {
 
 using Eigen::Vector3d;
+
+/// A mean squared curvature comes from the rounding of angles if its product with the square of the
+/// mesh's size is below this.
+constexpr double kFlatCurvature = 1e-9;
 
 /// The curvatures at all vertices, with the areas of the vertices.
 class CurvatureMeasuring final : public SlicedWork<VertexCurvatures> {

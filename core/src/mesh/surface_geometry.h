@@ -56,6 +56,10 @@ inline double squaredDistance(const Eigen::Vector3d& a, const Eigen::Vector3d& b
   return squaredLength(a - b, sides);
 }
 
+/// Barycentric coordinates below this are set to zero in points given by callers: 512 times the
+/// rounding 2^-53, and less than `kMaxPointError`.
+inline constexpr double kCoordinateRounding = 0x1p-44;
+
 /// Barycentric coordinates that are valid within `kBarycentricTolerance` as coordinates that are
 /// not negative and sum to 1 but for rounding. A point within rounding of an edge or vertex is
 /// moved onto it: unfolded into the faces beside it, it might come out on the wrong side.

@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/tolerances.h"
 #include "distance/face_layout.h"
 #include "distance/path_points.h"
 #include "gvd/dynamic_diagram.h"
@@ -20,6 +19,10 @@ namespace gvd {
 namespace {
 
 using Eigen::Vector2d;
+
+/// The mean distortion of a region's logarithmic map (`WorstRegion::kMostDistorted`) that rounding
+/// of distances and of their differences can cause.
+constexpr double kFlatDistortion = 1e-12;
 
 /// (σ₁ - 1)² + (σ₂ - 1)² of a label's logarithmic map on a face, as if the map were 0 at corners
 /// where it is not known.

@@ -6,10 +6,10 @@
 
 import { GeodesicVoronoiError } from '../errors.js';
 import type { SlicedWork } from '../slices.js';
+import type { ReadModel } from '../triangles.js';
 import { GrowingArray } from './growing_array.js';
 import { requireVertices, type SizeLimits } from './limits.js';
 import { Polygons } from './polygons.js';
-import type { ReadModel } from './read_model.js';
 import { lineFault, TextWords } from './text_words.js';
 
 /** Lines read between two places where the work can be interrupted. */

@@ -6,6 +6,7 @@
 
 import { GeodesicVoronoiError } from '../errors.js';
 import type { SlicedWork } from '../slices.js';
+import type { ReadModel } from '../triangles.js';
 import { GrowingArray } from './growing_array.js';
 import { requireVertices, type SizeLimits } from './limits.js';
 import {
@@ -17,7 +18,6 @@ import {
   readPlyHeader,
 } from './ply_header.js';
 import { Polygons } from './polygons.js';
-import type { ReadModel } from './read_model.js';
 import { TextWords } from './text_words.js';
 
 const axes = ['x', 'y', 'z'];

@@ -7,7 +7,7 @@ import { GeodesicVoronoiError } from '../errors.js';
 import { readGltf } from '../gltf.js';
 import type { MeshOrigin, MeshPart } from '../results.js';
 import { inSlices, type SlicedWork } from '../slices.js';
-import type { Triangles } from '../triangles.js';
+import type { ReadModel, Triangles } from '../triangles.js';
 import type { ModelFiles, TaskOptions } from '../types.js';
 import { decompressed } from './gltf_decompression.js';
 import {
@@ -26,13 +26,6 @@ import { type FileFormat, formatOf } from './model_format.js';
 export interface InputModules {
   gltf(): Promise<WebAssembly.Module>;
   draco(): Promise<WebAssembly.Module>;
-}
-
-/** A model of a format without normals, texture coordinates and parts; its density is optional. */
-export interface ReadModel extends Pick<Triangles, 'positions' | 'indices'> {
-  density?: Float64Array;
-  /** Sentences on things that were passed over or changed. */
-  notes: string[];
 }
 
 export interface Model {

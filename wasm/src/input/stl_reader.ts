@@ -6,9 +6,9 @@
 
 import { GeodesicVoronoiError } from '../errors.js';
 import type { SlicedWork } from '../slices.js';
+import type { ReadModel } from '../triangles.js';
 import { GrowingArray } from './growing_array.js';
 import { requireTriangles, requireVertices, type SizeLimits } from './limits.js';
-import type { ReadModel } from './read_model.js';
 import { stlBytes, stlTriangleCount } from './stl_layout.js';
 import { TextWords } from './text_words.js';
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-//
-// Ties: distances that are equal up to rounding are made equal.
-#include "base/tolerances.h"
+#include "distance/ties.h"
 
 #include <algorithm>
 

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+
+#include "base/tolerances.h"
+#include "gvd/geodesic.h"
+#include "gvd/triangle_mesh.h"
+
+namespace gvd {
+
+/// Which distances on a mesh are equal up to rounding: all decisions on ties are made here. The
+/// absolute part of the tolerance is for faces much larger than the distances in them: unfolding
+/// across one of them rounds by a few 2^-53 of its size, across a hundred of them by 2^-46 of the
+/// longest edge.
+class TieTolerance {
+ public:
+  explicit TieTolerance(const TriangleMesh& mesh);
+  /// Whether a distance is at most another one, up to rounding.
+  bool isAtMost(double distance, double other) const {
+    return distance <= other * (1 + kDistanceTolerance) + absolute_;
+  }
+  /// Whether two distances are equal up to rounding, but not exactly.
+  bool tieUnequally(double a, double b) const { return a != b && isAtMost(a, b) && isAtMost(b, a); }
+
+ private:
+  double absolute_;
+};
+
+/// Sets distances at one place that are equal up to rounding to the least of them. All distances
+/// that a diagram is traced from pass through here, so that later comparisons can be exact.
+void equalizeTies(std::span<LabelledDistance> here, const TieTolerance& ties);
+
+}  // namespace gvd
