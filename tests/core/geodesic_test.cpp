@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -103,6 +104,35 @@ TEST(Windows, GoAroundASpikeOnce) {
     EXPECT_NEAR(distances[f], 2.0 / 3 * turn, 1e-6 * kAngle) << "face " << f;
     EXPECT_NEAR(field->nearest(points[f].point).distance, distances[f], 1e-15) << "face " << f;
   }
+}
+
+/// The shortest path turns at the saddle vertex 3 and passes vertex 1, 1e-11 away, through the
+/// faces between them. Other sites make it known in another way than the site alone does.
+TEST(Windows, LeaveNoGapBesideASaddleAtANeedle) {
+  shapes::Shape shape;
+  for (const Eigen::Vector3d& p : std::initializer_list<Eigen::Vector3d>{
+           {0.1131635393494393, 0.00022632707869095717, -0.33949061801663211},
+           {0.10307965959821436, 0.00020615931919642865, -0.30923897879464279},
+           {0.7219608851841518, 0.00072236415318080362, 0.7203478131975446},
+           {0.10307965959821436, 0.00020615931919642865, -0.30923897879464285},
+           {0.8246372767857143, 0.00092641993931361609, 0.26497977120535715},
+           {0.031303652823311941, 6.2612904859270374e-05, -0.093905705174037388},
+           {0.019531250652343748, 3.9062500351562503e-05, -0.05859375}})
+    shape.addVertex(p);
+  shape.triangles = {0, 2, 3, 1, 3, 2, 0, 3, 4, 1, 4, 3, 0, 4, 5,
+                     1, 5, 4, 0, 5, 6, 1, 6, 5, 0, 6, 2, 1, 2, 6};
+  const TriangleMesh mesh = shape.mesh();
+  const std::vector<SurfacePoint> sites = {
+      {5, {0.0000152587890625, 0.0000152587890625, 0.999969482421875}},
+      {0, {0.996124267578125, 0, 0.003875732421875}},
+      {0, {0.000213623046875, 0.0003509521484375, 0.9994354248046875}},
+      {8, {0.125, 0.375, 0.5}}};
+  const int end = 5;
+  const auto alone = inSlices(mesh, {sites[1]}, Metric::kExact, 1000);
+  const auto known = inSlices(mesh, sites, Metric::kExact, 1000);
+  for (const LabelledDistance& d : known->at(end))
+    if (d.label == 1) EXPECT_EQ(d.distance, alone->at(end)[0].distance);
+  EXPECT_NEAR(alone->at(end)[0].distance, 0.25874513642959723, 1e-15);
 }
 
 /// On edges, where a label is known at both ends, whichever label is nearer in between; and inside

@@ -8,6 +8,16 @@ namespace gvd::exact {
 
 using Eigen::Vector2d;
 
+namespace {
+
+/// How far the ends of a fan may be off by rounding, as a share of the side that they lie on. The
+/// fan is wider by this: in a needle, whose sides are 2^38 times as long as it is wide, a gap
+/// beside it would be wide enough for a shortest path. Where the fan overlaps other windows, its
+/// paths turn too sharply, and none is too short.
+constexpr double kFanRounding = 0x1p-50;
+
+}  // namespace
+
 bool isSaddle(const TriangleMesh& mesh, int vertex) {
   // Angle sums are rounded; a vertex that is flat within rounding needs no virtual source.
   constexpr double kRounding = 1e-12, kPi = std::numbers::pi;
@@ -70,14 +80,18 @@ std::span<const OppositeSide> FanBehind::sides(int vertex, int arrival, double c
   const Turn right =
       turnByPi({back.x(), std::max(0.0, back.y())}, isClosed ? n : in + 1, rightwards);
   const auto from = [&](int step) {
-    return step == left.step ? meetOpposite(leftwards(step), left.rest) : 0;
+    if (step != left.step) return 0.0;
+    const int o = leftwards(step);
+    return std::max(0.0, meetOpposite(o, left.rest) - kFanRounding * oppositeLength(o));
   };
   const auto to = [&](int step) {  // measured from the other side of its face
     const int o = rightwards(step);
-    if (step != right.step) return oppositeLength(o);
+    const double length = oppositeLength(o);
+    if (step != right.step) return length;
     const double c = mesh_.face(o / 3).cosines[o % 3], s = mesh_.face(o / 3).sines[o % 3];
     const Vector2d& rest = right.rest;
-    return meetOpposite(o, {c * rest.x() + s * rest.y(), s * rest.x() - c * rest.y()});
+    const Vector2d ray(c * rest.x() + s * rest.y(), s * rest.x() - c * rest.y());
+    return std::min(length, meetOpposite(o, ray) + kFanRounding * length);
   };
   if (isClosed) {
     if (left.step < 0 || right.step < 0) return sides_;
