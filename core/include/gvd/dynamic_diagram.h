@@ -54,9 +54,9 @@ class DynamicDiagram {
                                                            Metric metric = Metric::kExact,
                                                            const DiagramOptions& options = {});
   /// The diagram of distances that `propagate` has computed for the same mesh. From now on the
-  /// distances change with the diagram, as long as it exists; if this throws, they are unchanged.
-  /// Takes as long as `traceDiagram`. Throws `Error(kInvalidArgument)` if the distances come from
-  /// elsewhere, are those of another mesh, or change with another diagram.
+  /// distances change with the diagram; if this throws, they are unchanged. Takes as long as
+  /// `traceDiagram`. Throws `Error(kInvalidArgument)` if the distances come from elsewhere, are
+  /// those of another mesh, or have been given to a diagram before.
   static DynamicDiagram fromDistances(const TriangleMesh& mesh,
                                       const std::shared_ptr<DistanceField>& distances,
                                       const DiagramOptions& options = {});
@@ -70,7 +70,9 @@ class DynamicDiagram {
 
   /// A change takes about as long as computing the regions in `DiagramChange::labels`, however
   /// large the mesh is. (If several sites tie behind a saddle vertex, a little time per vertex of
-  /// the mesh is added.) The new site gets `lowestFreeLabel()`.
+  /// the mesh is added. With `detail`, the whole diagram is traced again if the change touches a face
+  /// in which a label is nearest without being known at its corners.) The new site gets
+  /// `lowestFreeLabel()`. After `std::bad_alloc` the diagram must not be used any more.
   DiagramChange insertSite(const SurfacePoint& site);
   /// Throws `Error(kInvalidArgument)` if no site has the label.
   DiagramChange removeSite(int label);

@@ -53,7 +53,13 @@ inline LabelledDistance nearestOf(std::span<const LabelledDistance> sites) {
 ///    linearly between the ends of the side, as diagrams are traced.
 ///
 /// With `kDgpc`, the distance at a corner that another site owns may be extended from the vertices
-/// around it instead of being propagated to it. Ties go to the lower label everywhere.
+/// around it instead of being propagated to it.
+///
+/// Distances at a vertex tie if they differ by at most 2^-41 of their length and 2^-46 of the
+/// longest edge: by rounding. All are then listed as the least of them, and the lowest label is the
+/// nearest. At other points, too, of labels that tie the lowest is the nearest, but one that is
+/// known around the point goes before one that is not. With the exact metric, ties at distances
+/// beyond eight bounding diagonals may be missed.
 ///
 /// Points are in terms of the mesh's faces; `Error(kInvalidPoint)` if one is not on the mesh.
 /// Queries at points share working memory: several threads may call `at` and `direction` at the
@@ -71,7 +77,8 @@ class DistanceField {
   virtual double distance(int label, const SurfacePoint& p) const = 0;
   /// Starts to find distances at many points. With the exact metric, each of the sites spreads once
   /// more, as far as it is nearest and on to its points, which takes about as long as the first
-  /// time. The field must outlive the work, and sites must not change until it is done.
+  /// time. Distances that were found are kept until their site is removed. The field must outlive
+  /// the work, and sites must not change until it is done.
   virtual std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
       std::span<const LabelledPoint> points) const = 0;
   /// The same without steps.
@@ -87,7 +94,7 @@ class DistanceField {
   virtual Eigen::Vector2d direction(int label, int vertex) const = 0;
   /// The shortest path from a point to a site: the point, every crossing of an edge, every vertex
   /// that the path turns at or passes, the site as it was given. Crossings have an exact zero,
-  /// vertices are unit vectors; each is named in a face that the path runs through. Two points in
+  /// vertices are unit vectors; each is given in a face that the path runs through. Two points in
   /// succession have a face in common, in which the path between them is straight. One point if `p`
   /// is at the site; empty where `distance` is infinite and the site is not the nearest one. With
   /// the exact metric the path is as long as the distance (`lengthOf`). With DGPC the path follows

@@ -120,9 +120,12 @@ bool DiagramPieces::replace(const DiagramChange& change, long& budget) {
         if (!change.labels.empty() && change.labels.back() >= static_cast<int>(regions_.size()))
           regions_.resize(change.labels.back() + 1);
       },
+      [&] { beside_.clear(); },
       [&] {
         return forEach(change.labels.size(), [&](int i) { removePiecesOf(change.labels[i]); });
       },
+      [&] { makeSet(beside_); },
+      [&] { return forEach(beside_.size(), [&](int i) { unlistRemoved(beside_[i]); }); },
       [&] { return forEach(change.faces.size(), [&](int i) { removePiecesIn(change.faces[i]); }); },
       [&] {
         return forEach(part.loops.size(), [&](int i) {
@@ -159,24 +162,30 @@ bool DiagramPieces::replace(const DiagramChange& change, long& budget) {
 void DiagramPieces::removePiecesOf(int label) {
   Region& region = regions_[label];
   region.loops.clear();
-  while (!region.arcs.empty()) removeArc(region.arcs.back());
-  while (!region.voronoiPoints.empty()) removeVoronoiPoint(region.voronoiPoints.back());
+  remove(region.arcs, arcs_);
+  remove(region.voronoiPoints, voronoiPoints_);
+}
+
+/// Removes arcs or Voronoi points of a region, and notes the labels beside it that list them, too.
+template <class Piece>
+void DiagramPieces::remove(std::vector<int>& pieces, Pool<Piece>& pool) {
+  for (const int piece : std::exchange(pieces, {})) {
+    if (!pool.isUsed(piece)) continue;  // removed with the region on its other side
+    beside_.insert(beside_.end(), pool[piece].labels.begin(), pool[piece].labels.end());
+    pool.remove(piece);
+  }
+}
+
+/// Takes removed pieces from the lists of a label. No new piece has taken their numbers yet.
+void DiagramPieces::unlistRemoved(int label) {
+  Region& region = regions_[label];
+  std::erase_if(region.arcs, [&](int arc) { return !arcs_.isUsed(arc); });
+  std::erase_if(region.voronoiPoints, [&](int point) { return !voronoiPoints_.isUsed(point); });
 }
 
 void DiagramPieces::removePiecesIn(int face) {
   if (const int cells = std::exchange(cellsOf_[face], -1); cells >= 0) cells_.remove(cells);
   isIndifferent_[face] = false;
-}
-
-void DiagramPieces::removeArc(int arc) {
-  for (const int label : arcs_[arc].labels) std::erase(regions_[label].arcs, arc);
-  arcs_.remove(arc);
-}
-
-void DiagramPieces::removeVoronoiPoint(int point) {
-  for (const int label : voronoiPoints_[point].labels)
-    std::erase(regions_[label].voronoiPoints, point);
-  voronoiPoints_.remove(point);
 }
 
 void DiagramPieces::addArc(const Diagram& part, int arc) {

@@ -98,8 +98,9 @@ class DiagramPieces {
 
   void removePiecesOf(int label);
   void removePiecesIn(int face);
-  void removeArc(int arc);
-  void removeVoronoiPoint(int point);
+  template <class Piece>
+  void remove(std::vector<int>& pieces, Pool<Piece>& pool);
+  void unlistRemoved(int label);
   void addArc(const Diagram& part, int arc);
   void addVoronoiPoint(const Diagram& part, const Diagram::VoronoiPoint& point);
   void addCell(const Diagram& part, int cell);
@@ -115,7 +116,8 @@ class DiagramPieces {
   // The current change.
   SlicedSequence replacing_;
   SlicedLoop loop_;
-  std::vector<int> arcOf_;  ///< the numbers of its arcs
+  std::vector<int> beside_;  ///< the labels that list pieces that it has removed
+  std::vector<int> arcOf_;   ///< the numbers of its arcs
 };
 
 /// Copies out of a diagram the loops, arcs and Voronoi points of the labels with `isWanted[label]`,

@@ -117,7 +117,7 @@ class WholeTracing final : public SlicedWork<TracedDiagram> {
  public:
   WholeTracing(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,
                const DiagramOptions& options)
-      : complex_(mesh, distances, options.detail),
+      : complex_(mesh, distances, options.detail, FaceComplex::Extent::kMesh),
         tracing_(mesh, distances, complex_, siteCount, {}, nodePoints_) {
     requireValid(options);
     requireLabels(mesh, distances, siteCount);
@@ -162,13 +162,15 @@ std::unique_ptr<SlicedWork<TracedDiagram>> startTracing(const TriangleMesh& mesh
 
 PartialTracer::PartialTracer(const TriangleMesh& mesh, const DistanceField& distances,
                              const DiagramOptions& options)
-    : mesh_(mesh), distances_(distances), options_(options), complex_(mesh, distances) {
+    : mesh_(mesh),
+      distances_(distances),
+      complex_(mesh, distances, options.detail, FaceComplex::Extent::kPart) {
   requireValid(options);
 }
 
 std::unique_ptr<SlicedWork<TracedDiagram>> PartialTracer::start(std::span<const int> faces,
                                                                 std::vector<char> isTraced) {
-  complex_.take(faces, options_.detail);
+  complex_.take(faces);
   return std::make_unique<PartTracing>(mesh_, distances_, complex_, std::move(isTraced),
                                        nodePoints_);
 }

@@ -53,7 +53,6 @@ class PartialTracer {
  private:
   const TriangleMesh& mesh_;
   const DistanceField& distances_;
-  DiagramOptions options_;
   FaceComplex complex_;
   NodePoints nodePoints_;
 };

@@ -30,7 +30,7 @@ std::shared_ptr<SiteDistances> distancesOf(const TriangleMesh& mesh,
 
 void requireFree(const SiteDistances& distances) {
   if (distances.isTaken())
-    throw Error(ErrorCode::kInvalidArgument, "the distances change with another diagram");
+    throw Error(ErrorCode::kInvalidArgument, "the distances have been given to a diagram before");
 }
 
 /// The implementation behind a field made by `propagate`.

@@ -4,29 +4,22 @@
 #include "diagram/face_complex.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "gvd/diagram.h"
 
 namespace gvd {
 
-FaceComplex::FaceComplex(const TriangleMesh& mesh, const DistanceField& distances, int detail)
+FaceComplex::FaceComplex(const TriangleMesh& mesh, const DistanceField& distances, int detail,
+                         Extent extent)
     : mesh_(mesh),
       distances_(distances),
-      isPart_(false),
+      isPart_(extent == Extent::kPart),
       detail_(detail),
-      isOwn_(detail > 0),
-      nodes_(distances, mesh.vertexCount()) {}
-
-FaceComplex::FaceComplex(const TriangleMesh& mesh, const DistanceField& distances)
-    : mesh_(mesh),
-      distances_(distances),
-      isPart_(true),
-      detail_(0),
-      isOwn_(true),
-      nodes_(distances, mesh.vertexCount()),
-      indexInPart_(mesh.faceCount(), -1) {
+      isOwn_(isPart_ || detail > 0),
+      nodes_(distances, mesh.vertexCount()) {
+  if (!isPart_) return;
+  indexInPart_.assign(mesh.faceCount(), -1);
   nodes_.addVertices();
 }
 
@@ -71,17 +64,14 @@ bool FaceComplex::finish(long& budget) {
       });
 }
 
-void FaceComplex::take(std::span<const int> faces, int detail) {
+void FaceComplex::take(std::span<const int> faces) {
   clear();
-  detail_ = detail;
   partSize_ = static_cast<int>(faces.size());
   for (const int f : faces) {
     indexInPart_[f] = elements_.count();
     addFace(f);
   }
   for (const int v : elements_.tail) nodes_.take(v);
-  long unlimited = std::numeric_limits<long>::max();
-  finish(unlimited);
 }
 
 void FaceComplex::clear() {

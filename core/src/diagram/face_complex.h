@@ -22,16 +22,16 @@ namespace gvd {
 /// faces, `LabelCompletion` for smaller elements.
 class FaceComplex {
  public:
-  /// A complex of all faces, complete once `step` has returned true. Mixed faces are split in four
-  /// `detail` times, with distances at the new nodes.
-  FaceComplex(const TriangleMesh& mesh, const DistanceField& distances, int detail);
-  bool step(long& budget);
+  enum class Extent { kMesh, kPart };
 
-  /// An empty complex, for `take`.
-  FaceComplex(const TriangleMesh& mesh, const DistanceField& distances);
-  /// Replaces the complex by one of some faces, given ascending; other vertices get no labels. Only
-  /// for a complex that was made empty. Takes time for the new faces and the previous ones only.
-  void take(std::span<const int> faces, int detail);
+  /// A complex of all faces or, after `take`, of some. Mixed faces are split in four `detail`
+  /// times, with distances at the new nodes.
+  FaceComplex(const TriangleMesh& mesh, const DistanceField& distances, int detail, Extent extent);
+  /// Begins to replace a part by another one: some faces, given ascending; other vertices get no
+  /// labels. Takes time for the new faces and the previous ones only.
+  void take(std::span<const int> faces);
+  /// The complex is complete once this has returned true.
+  bool step(long& budget);
 
   const TriangleMesh& mesh() const { return mesh_; }
   const NodeLabels& nodes() const { return nodes_; }
@@ -87,8 +87,8 @@ class FaceComplex {
   const TriangleMesh& mesh_;
   const DistanceField& distances_;
   const bool isPart_;
-  int detail_;
-  bool isOwn_;  ///< whether elements are kept here: they are not just the faces of the mesh
+  const int detail_;
+  const bool isOwn_;  ///< whether elements are kept here: they are not just the faces of the mesh
   NodeLabels nodes_;
   Elements elements_;  ///< if they are kept here
   std::vector<int> twin_;

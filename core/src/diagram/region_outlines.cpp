@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "base/sorting.h"
-#include "distance/path_points.h"
 #include "mesh/representations.h"
 
 namespace gvd {

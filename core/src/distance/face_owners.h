@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "base/index_set.h"
 #include "distance/label_turns.h"
 #include "distance/nearest_bounds.h"
 #include "distance/site_set.h"

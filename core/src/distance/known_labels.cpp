@@ -54,12 +54,11 @@ void KnownLabels::addFacesOfSite(int label) {
 }
 
 void KnownLabels::start(std::span<const int> started, std::span<const int> resumed,
-                        std::span<const int> resetVertices) {
+                        std::span<const char> hasStarted, std::span<const int> resetVertices) {
   started_ = started;
   resumed_ = resumed;
+  hasStarted_ = hasStarted;
   resetVertices_ = resetVertices;
-  hasStarted_.assign(sites_.labelCount(), false);
-  for (const int label : started_) hasStarted_[label] = true;
   sequence_ = {};
   progress_ = 0;
 }
@@ -82,6 +81,10 @@ bool KnownLabels::step(long& budget) {
         return isDone;
       },
       [&] { collectLists(); }, [&] { return listLabels(budget); },
+      [&] {
+        return loop_.run(changedVertices_.size(), budget, kPerUnit,
+                         [&](int i) { lists_.equalizeTies(changedVertices_.list()[i]); });
+      },
       [&] { closure_.start(changedFaces_); }, [&] { return closure_.run(budget); },
       [&] {
         noteExtended();
@@ -229,20 +232,17 @@ void KnownLabels::collectLists() {
 bool KnownLabels::listLabels(long& budget) {
   // If all labels have just spread, every final distance goes into a list.
   const bool isAllWanted = areAllNew();
-  if (!forEach(listed_.size(), budget, [&](size_t i) {
-        const int label = listed_[i];
-        const auto& reached = spread_.reached(label);
-        for (int r = 0; r < static_cast<int>(reached.size()); ++r) {
-          const auto& [vertex, isFinal, distance] = reached[r];
-          if (isFinal &&
-              (isAllWanted || (changedVertices_.contains(vertex) && isKnownAround(vertex, label))))
-            lists_.add(label, r);
-        }
-        return 1 + static_cast<long>(reached.size()) / kPerUnit;
-      }))
-    return false;
-  for (const int v : changedVertices_.list()) lists_.equalizeTies(v);
-  return true;
+  return forEach(listed_.size(), budget, [&](size_t i) {
+    const int label = listed_[i];
+    const auto& reached = spread_.reached(label);
+    for (int r = 0; r < static_cast<int>(reached.size()); ++r) {
+      const auto& [vertex, isFinal, distance] = reached[r];
+      if (isFinal &&
+          (isAllWanted || (changedVertices_.contains(vertex) && ownsPartAround(label, vertex))))
+        lists_.add(label, r);
+    }
+    return 1 + static_cast<long>(reached.size()) / kPerUnit;
+  });
 }
 
 /// Notes what the closure has changed.
@@ -256,11 +256,11 @@ void KnownLabels::noteExtended() {
 }
 
 /// Whether a label owns part of a face around a vertex.
-bool KnownLabels::isKnownAround(int vertex, int label) const {
+bool KnownLabels::ownsPartAround(int label, int vertex) const {
   if (bounds_[vertex].label == label) return true;
-  bool isKnown = false;
-  mesh_.visitFaces(vertex, [&](int f) { isKnown = isKnown || owners_.has(f, label); });
-  return isKnown;
+  bool isOwner = false;
+  mesh_.visitFaces(vertex, [&](int f) { isOwner = isOwner || owners_.has(f, label); });
+  return isOwner;
 }
 
 }  // namespace gvd

@@ -19,11 +19,10 @@ namespace gvd {
 
 /// The labels known at each vertex. They are found in four steps after labels have spread:
 ///
-/// 1. *Owners* of a face (`FaceOwners`): the labels that own a corner, ties included, or have their
-/// site in the
-///    face.
+/// 1. *Owners* (`FaceOwners`): a label owns part of a face if it is nearest at a corner, ties
+///    included, or has its site there.
 /// 2. *Required distances* (`LabelTurns`): each owner of a face spreads on to the corners that it
-/// does not own.
+///    does not own.
 /// 3. *Lists* (`LabelLists`): a vertex lists the owners of the faces around it.
 /// 4. *Closure* (`LabelClosure`): a diagram interpolates squared distances between corners. A label
 ///    that is nearest somewhere on an edge by interpolation becomes an owner of the faces on both
@@ -32,7 +31,7 @@ namespace gvd {
 /// The result depends on the distances only, not on the changes that led to them.
 class KnownLabels {
  public:
-  /// Sets the owners in `bounds` where labels tie.
+  /// `step` changes `bounds`: where labels tie, the lowest becomes the owner.
   KnownLabels(const TriangleMesh& mesh, const SiteSet& sites, NearestBounds& bounds,
               LabelSpread& spread);
 
@@ -46,10 +45,10 @@ class KnownLabels {
   void beginChange();
   void leave(int label);
   /// Begins to find the known labels, after `started` labels have spread from their sites and
-  /// `resumed` ones from where they had stopped; the former owners of `resetVertices` are gone. The
-  /// three lists must outlive the change.
+  /// `resumed` ones from where they had stopped; `hasStarted` says per label which. The former
+  /// owners of `resetVertices` are gone. The lists must outlive the change.
   void start(std::span<const int> started, std::span<const int> resumed,
-             std::span<const int> resetVertices);
+             std::span<const char> hasStarted, std::span<const int> resetVertices);
   /// Works on at most `budget` units and lowers it by their number; true when all is known.
   bool step(long& budget);
   double progress() const { return progress_; }
@@ -78,7 +77,7 @@ class KnownLabels {
   void collectLists();
   bool listLabels(long& budget);
   void noteExtended();
-  bool isKnownAround(int vertex, int label) const;
+  bool ownsPartAround(int label, int vertex) const;
   bool areAllNew() const { return sites_.count() == static_cast<int>(started_.size()); }
 
   const TriangleMesh& mesh_;
@@ -92,7 +91,7 @@ class KnownLabels {
 
   // The current change.
   std::span<const int> started_, resumed_, resetVertices_;
-  std::vector<char> hasStarted_;  ///< per label
+  std::span<const char> hasStarted_;  ///< per label
   SlicedSequence sequence_;
   SlicedLoop loop_;
   size_t cursor_ = 0;  ///< of loops whose rounds differ in cost

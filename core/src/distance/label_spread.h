@@ -40,7 +40,7 @@ class LabelSpread {
   virtual void require(int label, std::span<const int> faces) = 0;
   /// Works on at most `budget` units and lowers it by their number. True when the label is done.
   virtual bool run(long& budget) = 0;
-  /// The index in `reached` of a vertex that the label that has spread last has reached.
+  /// The index in `reached` of a corner of the faces required last.
   virtual int indexOf(int vertex) const = 0;
   /// Forgets some labels.
   virtual void remove(std::span<const int> labels) = 0;
@@ -48,9 +48,9 @@ class LabelSpread {
   /// The vertices that a label has reached, in a stable order: new ones are appended.
   virtual std::vector<ReachedVertex>& reached(int label) = 0;
   virtual const std::vector<ReachedVertex>& reached(int label) const = 0;
-  /// Whether `EdgeBounds` limit how far labels spread: then the labels that have reached a vertex
-  /// have to start again when its edge bound changes.
-  virtual bool isLimitedByEdgeBounds() const = 0;
+  /// Whether the distances that a label finds depend on `EdgeBounds`: then a label has to start
+  /// again when the edge bound of a vertex that it has reached changes.
+  virtual bool dependsOnEdgeBounds() const = 0;
   /// Candidates for the nearest label at a point that is no vertex, with their distances: each
   /// label once, and all labels that tie for nearest are among them.
   virtual std::vector<LabelledDistance> nearestAt(const SurfacePoint& p,

@@ -40,7 +40,6 @@ SiteDistances::SiteDistances(const TriangleMesh& mesh, Metric metric)
       bounds_(mesh),
       spread_(makeSpread(mesh, metric, sites_, edgeBounds_, bounds_)),
       reaching_(mesh.vertexCount()),
-
       known_(mesh, sites_, bounds_, *spread_),
       turns_(*spread_) {}
 
@@ -107,7 +106,7 @@ bool SiteDistances::step(long budget) {
       if (!turns_.run(budget)) return false;
       hasSpread_ = true;
     } while (requireMissed());
-    known_.start(started_, resumed_, resetVertices_);
+    known_.start(started_, resumed_, hasStarted_, resetVertices_);
     stage_ = Stage::kKnown;
   }
   if (stage_ == Stage::kKnown) {
@@ -125,29 +124,46 @@ double SiteDistances::progress() const {
   return kShareOfSpread + (1 - kShareOfSpread) * known_.progress();
 }
 
-/// Sets the bounds at reset vertices: by paths along edges, and by the distances that resumed
-/// labels have already found.
 void SiteDistances::applyEdgeBounds() {
-  if (sites_.count() > static_cast<int>(started_.size())) {
-    std::vector<int> outdated;
-    if (spread_->isLimitedByEdgeBounds())
-      for (const int v : edgeBounds_.changed())
-        outdated.insert(outdated.end(), reaching_[v].begin(), reaching_[v].end());
-    makeSet(outdated);
-    forget(outdated);
-    started_.insert(started_.end(), outdated.begin(), outdated.end());
+  if (spread_->dependsOnEdgeBounds()) restartOutdated();
+  orderLabels();
+  resetBounds();
+  turns_.clear();
+  for (const int label : started_) turns_.addStart(label);
+  for (const int label : resumed_) {
+    lowerBy(label);
+    turns_.addResume(label);
   }
-  // Neighbouring labels in succession, so that the memory they touch is still in the cache.
+}
+
+/// Starts the labels again that have reached a vertex whose edge bound has changed.
+void SiteDistances::restartOutdated() {
+  if (sites_.count() == static_cast<int>(started_.size())) return;
+  std::vector<int> outdated;
+  for (const int v : edgeBounds_.changed())
+    outdated.insert(outdated.end(), reaching_[v].begin(), reaching_[v].end());
+  makeSet(outdated);
+  forget(outdated);
+  started_.insert(started_.end(), outdated.begin(), outdated.end());
+}
+
+/// Puts neighbouring labels in succession, so that the memory they touch is still in the cache.
+/// Labels that start do not resume, too.
+void SiteDistances::orderLabels() {
   std::sort(started_.begin(), started_.end(), [&](int a, int b) {
     return std::pair(sites_[a].face, a) < std::pair(sites_[b].face, b);
   });
-  std::vector<char> hasStarted(sites_.labelCount(), false);
-  for (const int label : started_) hasStarted[label] = true;
+  hasStarted_.assign(sites_.labelCount(), false);
+  for (const int label : started_) hasStarted_[label] = true;
   makeSet(resumed_);
-  std::erase_if(resumed_, [&](int label) { return !sites_.contains(label) || hasStarted[label]; });
+  std::erase_if(resumed_, [&](int label) { return !sites_.contains(label) || hasStarted_[label]; });
+}
+
+/// Bounds the distances at reset vertices by paths along edges. Where such a path is now shorter
+/// than the owner's distance, the owner is dropped: which labels reach the new bound must not
+/// depend on earlier changes.
+void SiteDistances::resetBounds() {
   for (const int v : resetVertices_) bounds_[v].distance = edgeBounds_[v];
-  // If a path along edges is now shorter than the owner's distance, the owner is dropped: which
-  // labels reach the new bound must not depend on earlier changes.
   for (const int v : edgeBounds_.changed()) {
     if (bounds_.ties().isAtMost(bounds_[v].distance, edgeBounds_[v])) continue;
     bounds_[v] = {-1, edgeBounds_[v]};
@@ -155,12 +171,6 @@ void SiteDistances::applyEdgeBounds() {
   }
   bounded_ = resetVertices_;
   edgeBounds_.clearChanged();
-  turns_.clear();
-  for (const int label : started_) turns_.addStart(label);
-  for (const int label : resumed_) {
-    lowerBy(label);
-    turns_.addResume(label);
-  }
 }
 
 /// Lowers the bounds to the distances of a label.
@@ -182,8 +192,7 @@ bool SiteDistances::requireMissed() {
     const Requirement nearest = nearestAround(v);
     if (nearest.label < 0) continue;
     missed_.push_back(nearest);
-    if (std::find(started_.begin(), started_.end(), nearest.label) == started_.end())
-      resumed_.push_back(nearest.label);
+    if (!hasStarted_[nearest.label]) resumed_.push_back(nearest.label);
   }
   makeSet(resumed_);
   turns_.addRequired(missed_);

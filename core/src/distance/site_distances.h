@@ -75,6 +75,9 @@ class SiteDistances final : public DistanceField {
   enum class Stage { kBounds, kSpread, kKnown, kDone };
   void forget(std::span<const int> labels);
   void applyEdgeBounds();
+  void restartOutdated();
+  void orderLabels();
+  void resetBounds();
   void lowerBy(int label);
   bool requireMissed();
   Requirement nearestAround(int vertex) const;
@@ -92,6 +95,7 @@ class SiteDistances final : public DistanceField {
   // The current change.
   Stage stage_ = Stage::kDone;
   std::vector<int> started_, resumed_;  ///< labels that spread
+  std::vector<char> hasStarted_;        ///< per label
   LabelTurns turns_;
   bool hasSpread_ = false;           ///< whether all labels have; only missed vertices are left
   std::vector<int> bounded_;         ///< vertices limited by paths along edges alone

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "base/sliced_loop.h"
-#include "distance/path_points.h"
 #include "gvd/dual.h"
 #include "mesh/representations.h"
 

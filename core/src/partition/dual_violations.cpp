@@ -155,23 +155,27 @@ class Inspector {
         }
   }
 
-  /// Finds pairs of nodes that have three or more regions in common.
+  /// Finds pairs of nodes that have three or more regions in common. Only nodes that share the two
+  /// lowest of these are compared; two regions rarely share more than the ends of one arc.
   void inspectTriples() {
-    std::vector<std::vector<int>> labels, nodes(diagram_.siteCount);
+    std::vector<std::vector<int>> labels;
+    std::map<std::pair<int, int>, std::vector<int>> nodesOf;  // of two regions
     for (int n = 0; n < static_cast<int>(complex_.nodes.size()); ++n) {
       labels.push_back(labelSet(n));
-      for (const int l : labels.back()) nodes[l].push_back(n);
+      const std::vector<int>& around = labels.back();
+      for (size_t i = 0; i < around.size(); ++i)
+        for (size_t k = i + 1; k < around.size(); ++k) nodesOf[{around[i], around[k]}].push_back(n);
     }
     std::map<std::vector<int>, std::vector<int>> found;  // regions → vertices
     std::vector<int> common;
-    for (int l = 0; l < diagram_.siteCount; ++l)
-      for (size_t i = 0; i < nodes[l].size(); ++i)
-        for (size_t k = i + 1; k < nodes[l].size(); ++k) {
-          const auto &a = labels[nodes[l][i]], &b = labels[nodes[l][k]];
+    for (const auto& [lowest, nodes] : nodesOf)
+      for (size_t i = 0; i < nodes.size(); ++i)
+        for (size_t k = i + 1; k < nodes.size(); ++k) {
+          const auto &a = labels[nodes[i]], &b = labels[nodes[k]];
           common.clear();
           std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(common));
-          if (common.size() < 3 || common[0] != l) continue;
-          for (const int n : {nodes[l][i], nodes[l][k]})
+          if (common.size() < 3 || std::pair(common[0], common[1]) != lowest) continue;
+          for (const int n : {nodes[i], nodes[k]})
             found[common].push_back(complex_.nodes[n].vertex);
         }
     for (const auto& [three, vertices] : found)

@@ -14,7 +14,6 @@
 
 #include "base/sliced_loop.h"
 #include "base/sorting.h"
-#include "distance/path_points.h"
 #include "mesh/convex_triangulation.h"
 #include "mesh/representations.h"
 #include "partition/region_patches.h"

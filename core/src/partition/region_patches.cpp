@@ -5,12 +5,28 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <utility>
 
 #include "base/sorting.h"
 #include "mesh/nearest_on_triangle.h"
 #include "mesh/surface_geometry.h"
 
 namespace gvd {
+namespace {
+
+/// Adds a piece of a border to a list, to the last entry if that is of the same label.
+void addBorder(std::vector<RegionPatch::Neighbour>& borders, int label, double length) {
+  if (borders.empty() || borders.back().label != label) borders.push_back({label, 0});
+  borders.back().length += length;
+}
+
+/// Sorts a list by label and leaves one entry for each.
+void addUpBorders(std::vector<RegionPatch::Neighbour>& borders) {
+  sortStably(std::span(borders), [](const auto& a, const auto& b) { return a.label < b.label; });
+  for (const auto& [label, length] : std::exchange(borders, {})) addBorder(borders, label, length);
+}
+
+}  // namespace
 
 using Eigen::Vector3d;
 
@@ -87,6 +103,7 @@ bool PatchMeasuring::survey(RegionPatch& region, long& budget) {
       [&] { return forTriangles(8, [&](int t) { countInnerVertices(t); }); },
       [&] { return countComponents(region, budget); },
       [&] {
+        addUpBorders(region.neighbours);
         countTopology(region);
         region.centroid = region.area > 0 ? Vector3d(moment_ / region.area)
                                           : Vector3d(sum_ / region.triangleCount);
@@ -139,13 +156,7 @@ void PatchMeasuring::addStep(int h, RegionPatch& region) {
     region.boundaryLength += length;
     return;
   }
-  const int label = partition_.triangleLabel[twin / 3];
-  const auto known = std::find_if(region.neighbours.begin(), region.neighbours.end(),
-                                  [&](const auto& n) { return n.label == label; });
-  if (known != region.neighbours.end())
-    known->length += length;
-  else
-    region.neighbours.push_back({label, length});
+  addBorder(region.neighbours, partition_.triangleLabel[twin / 3], length);
 }
 
 void PatchMeasuring::countInnerVertices(int t) {
@@ -183,8 +194,6 @@ bool PatchMeasuring::countComponents(RegionPatch& region, long& budget) {
 /// Counts V - E + F with one vertex per fan, so there are as many vertices on outlines as steps
 /// along them.
 void PatchMeasuring::countTopology(RegionPatch& region) const {
-  sortStably(std::span(region.neighbours),
-             [](const auto& a, const auto& b) { return a.label < b.label; });
   const int edges = (3 * region.triangleCount + outlineSteps_) / 2;
   region.eulerCharacteristic = innerVertices_ + outlineSteps_ - edges + region.triangleCount;
   region.genus = (2 * region.components - region.loops - region.eulerCharacteristic) / 2;

@@ -20,7 +20,6 @@
 #include "base/random.h"
 #include "base/sliced_loop.h"
 #include "distance/dgpc/unfolding_sweep.h"
-#include "distance/path_points.h"
 #include "gvd/error.h"
 #include "gvd/geodesic.h"
 #include "mesh/representations.h"
@@ -61,9 +60,7 @@ class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
         count_(count),
         seed_(seed),
         coveringRadius_(coveringRadius),
-        // A distance from the nearest point is right if the sweep reaches both ends of every edge
-        // that the path crosses. These ends are at most an edge length beyond the point's region.
-        sweep_(mesh, [this](int v) { return least_[v] + mesh_.longestEdge(v); }) {
+        sweep_(mesh) {
     requireCount(count);
   }
 
@@ -88,7 +85,9 @@ class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
  private:
   void add(const SurfacePoint& point) {
     points_.push_back(point);
-    sweep_.start(point);
+    // A distance from the nearest point is right if the sweep reaches both ends of every edge that
+    // the path crosses. These ends are at most an edge length beyond the point's region.
+    sweep_.start(point, [this](int v) { return least_[v] + mesh_.longestEdge(v); });
     spread_ = {};
   }
 
@@ -151,7 +150,7 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
         count_(count),
         radius_(radius),
         random_(seed),
-        sweep_(mesh, [this](int v) { return radius_ + 2 * mesh_.longestEdge(v); }),
+        sweep_(mesh),
         disks_(mesh, radius) {
     if (count) requireCount(*count);
   }
@@ -199,7 +198,7 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
     if (!isFree(p, budget)) return;
     if (nextVertex_ == 0) misses_ = 0;
     points_.push_back(p);
-    sweep_.start(p);
+    sweep_.start(p, [this](int v) { return radius_ + 2 * mesh_.longestEdge(v); });
     spread_ = {};
     isSpreading_ = true;
   }

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "distance/face_layout.h"
-#include "distance/path_points.h"
 #include "gvd/dynamic_diagram.h"
 #include "gvd/sampling.h"
 #include "mesh/representations.h"

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "base/index_set.h"
@@ -27,25 +26,26 @@ UnfoldingSpread::UnfoldingSpread(const TriangleMesh& mesh, const SiteSet& sites,
       sites_(sites),
       edgeBounds_(edgeBounds),
       bounds_(bounds),
-      sweep_(mesh,
-             [this](int v) {
-               return fixedReach_ > 0 ? fixedReach_ : edgeBounds_[v] + mesh_.longestEdge(v);
-             }),
+      sweep_(mesh),
       index_(mesh.vertexCount()) {}
 
 void UnfoldingSpread::start(int label) {
   if (label >= static_cast<int>(labels_.size())) labels_.resize(label + 1);
   running_ = label;
-  sweep_.start(sites_[label]);
+  sweep_.start(sites_[label], [this](int v) { return edgeBounds_[v] + mesh_.longestEdge(v); });
 }
 
 /// Does nothing: other labels never stop a label of this metric.
 void UnfoldingSpread::resume(int /*label*/) {}
 
 bool UnfoldingSpread::run(long& budget) {
-  if (running_ < 0) return true;
-  if (!sweep_.run(budget)) return false;
-  store();
+  while (running_ >= 0) {
+    if (!sweep_.run(budget)) return false;
+    if (requiredReach_ > 0)
+      takeRequired();
+    else
+      store();
+  }
   return true;
 }
 
@@ -79,7 +79,9 @@ void UnfoldingSpread::require(int label, std::span<const int> faces) {
       required.isFinal = true;
       isAllKnown &= required.distance < kInfinity;
     }
-  if (!isAllKnown) sweepToRequired(label);
+  if (isAllKnown) return;
+  running_ = label;
+  sweepToRequired(mesh_.shortEdgeLength());
 }
 
 /// Adds a vertex that the sweep has not reached, and unfolds its distance from the neighbours as in
@@ -112,26 +114,32 @@ void UnfoldingSpread::requireVertex(Label& known, int vertex) {
   index_.append(vertex);
 }
 
-/// Finds the distances of required vertices without a swept neighbour, which are there where edges
-/// are much longer than distances: by sweeps that reach twice as far each time, whatever the bounds
-/// are. A vertex gets its distance from the first that reaches beyond it, so that the result does
-/// not depend on what else is required.
-void UnfoldingSpread::sweepToRequired(int label) {
-  Label& known = labels_[label];
-  const auto isMissing = [](const ReachedVertex& r) { return r.distance == kInfinity; };
-  for (fixedReach_ = mesh_.shortEdgeLength();
-       std::any_of(known.vertices.begin(), known.vertices.end(), isMissing); fixedReach_ *= 2) {
-    sweep_.start(sites_[label]);
-    long unlimited = std::numeric_limits<long>::max();
-    sweep_.run(unlimited);
-    for (size_t i = 0; i < known.vertices.size(); ++i) {
-      ReachedVertex& r = known.vertices[i];
-      if (!isMissing(r) || sweep_.distance(r.vertex) > fixedReach_) continue;
-      r.distance = sweep_.distance(r.vertex);
-      known.directions[i] = sweep_.direction(r.vertex);
+/// Required vertices without a swept neighbour are there where edges are much longer than
+/// distances. Their distances come from sweeps that reach twice as far each time, whatever the
+/// bounds are. A vertex gets its distance from the first that reaches beyond it, so that the result
+/// does not depend on what else is required.
+void UnfoldingSpread::sweepToRequired(double reach) {
+  requiredReach_ = reach;
+  sweep_.start(sites_[running_], [reach](int /*vertex*/) { return reach; });
+}
+
+/// Takes the distances from such a sweep, and begins the next one if some are still missing.
+void UnfoldingSpread::takeRequired() {
+  Label& known = labels_[running_];
+  bool isMissing = false;
+  for (size_t i = 0; i < known.vertices.size(); ++i) {
+    ReachedVertex& r = known.vertices[i];
+    if (r.distance < kInfinity) continue;
+    if (sweep_.distance(r.vertex) > requiredReach_) {
+      isMissing = true;
+      continue;
     }
+    r.distance = sweep_.distance(r.vertex);
+    known.directions[i] = sweep_.direction(r.vertex);
   }
-  fixedReach_ = 0;
+  if (isMissing) return sweepToRequired(2 * requiredReach_);
+  requiredReach_ = 0;
+  running_ = -1;
 }
 
 // --- Queries -----------------------------------------------------------------------------------

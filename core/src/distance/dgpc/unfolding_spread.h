@@ -36,7 +36,7 @@ class UnfoldingSpread final : public LabelSpread {
   const std::vector<ReachedVertex>& reached(int label) const override {
     return labels_[label].vertices;
   }
-  bool isLimitedByEdgeBounds() const override { return true; }
+  bool dependsOnEdgeBounds() const override { return true; }
   std::vector<LabelledDistance> nearestAt(const SurfacePoint& p, const KnownLabels& known) override;
   std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
       std::span<const LabelledPoint> points, const KnownLabels& known) override;
@@ -51,7 +51,8 @@ class UnfoldingSpread final : public LabelSpread {
   };
   void store();
   void requireVertex(Label& known, int vertex);
-  void sweepToRequired(int label);
+  void sweepToRequired(double reach);
+  void takeRequired();
   class PointDistances;
   /// `atVertex` gives the label's distance at a vertex.
   template <class AtVertex>
@@ -61,11 +62,11 @@ class UnfoldingSpread final : public LabelSpread {
   const SiteSet& sites_;
   const EdgeBounds& edgeBounds_;
   NearestBounds& bounds_;
-  double fixedReach_ = 0;  ///< of sweeps that do not depend on the bounds; 0 for those that do
   UnfoldingSweep sweep_;
   std::vector<Label> labels_;
-  int running_ = -1;
-  ReachedIndex index_;  ///< of the label whose distances or path were asked for last
+  int running_ = -1;          ///< the label that spreads
+  double requiredReach_ = 0;  ///< of its sweep to required vertices; 0 while it first spreads
+  ReachedIndex index_;        ///< of the label whose distances or path were asked for last
 };
 
 }  // namespace gvd::dgpc

@@ -20,7 +20,8 @@ constexpr size_t kAhead = 2;
 
 }  // namespace
 
-void UnfoldingSweep::start(const SurfacePoint& site) {
+void UnfoldingSweep::start(const SurfacePoint& site, Reach reach) {
+  reach_ = std::move(reach);
   ++epoch_;
   reached_.clear();
   const TriangleMesh::Face& face = mesh_.face(site.face);

@@ -80,14 +80,13 @@ class UnfoldingSweep {
   /// The distance up to which a site spreads on from a vertex. Called once per vertex and site.
   using Reach = std::function<double(int vertex)>;
 
-  UnfoldingSweep(const TriangleMesh& mesh, Reach reach)
+  explicit UnfoldingSweep(const TriangleMesh& mesh)
       : mesh_(mesh),
-        reach_(std::move(reach)),
         vertices_(mesh.vertexCount()),
         queue_(kBucketsPerEdge / mesh.shortEdgeLength()) {}
 
   /// Begins with a site and forgets the previous one.
-  void start(const SurfacePoint& site);
+  void start(const SurfacePoint& site, Reach reach);
   /// Passes on the distances of at most `budget` vertices and lowers it by their number. True when
   /// none is queued any more.
   bool run(long& budget);
@@ -133,7 +132,7 @@ class UnfoldingSweep {
                                          const Vertex& tip);
 
   const TriangleMesh& mesh_;
-  const Reach reach_;
+  Reach reach_;  ///< of the current site
   std::uint64_t epoch_ = 0;
   std::vector<Vertex> vertices_;
   std::vector<int> reached_;

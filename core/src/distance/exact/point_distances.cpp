@@ -6,7 +6,6 @@
 
 #include "base/sorting.h"
 #include "distance/face_layout.h"
-#include "distance/path_points.h"
 #include "mesh/representations.h"
 
 namespace gvd::exact {
@@ -47,13 +46,14 @@ void FoundDistances::remove(int label) {
 
 PointDistances::PointDistances(const TriangleMesh& mesh, const SiteSet& sites,
                                NearestBounds& bounds, FoundDistances& found,
+                               std::unique_ptr<WindowSweep>& spare,
                                std::span<const LabelledPoint> points)
     : mesh_(mesh),
       sites_(sites),
       bounds_(bounds),
       found_(found),
       points_(points.begin(), points.end()),
-      sweep_(mesh, bounds) {}
+      spare_(spare) {}
 
 bool PointDistances::step(long budget) {
   return sequence_.run(
@@ -74,14 +74,22 @@ void PointDistances::look(const LabelledPoint& p) {
     open_.push_back({at, static_cast<int>(distances_.size()) - 1});
 }
 
+std::vector<double> PointDistances::take() {
+  // Only now: in the working memory of a work that is given up there are windows.
+  if (sweep_) spare_ = std::move(sweep_);
+  return std::move(distances_);
+}
+
 bool PointDistances::spread(long& budget) {
+  if (!open_.empty() && !sweep_)
+    sweep_ = spare_ ? std::move(spare_) : std::make_unique<WindowSweep>(mesh_, bounds_);
   while (begin_ < open_.size()) {
     if (stage_ == Stage::kNone) startLabel();
-    if (!sweep_.run(budget)) return false;
+    if (!sweep_->run(budget)) return false;
     if (stage_ == Stage::kSpread) {
       for (size_t i = 0; i < required_.size(); ++i)
-        required_[i].distance = sweep_.distanceAtPoint(static_cast<int>(i));
-      sweep_.require(open_[begin_].at.label, state_, required_);
+        required_[i].distance = sweep_->distanceAtPoint(static_cast<int>(i));
+      sweep_->require(open_[begin_].at.label, state_, required_);
       stage_ = Stage::kRequire;
     } else {
       finishLabel();
@@ -104,13 +112,13 @@ void PointDistances::startLabel() {
     const SurfacePoint& p = open_[end_].at.point;
     required_.push_back({p, straightTo(label, p), nearestAtLeast(p)});
   }
-  sweep_.start(label, sites_[label], SpreadTo::kOwned, state_, required_);
+  sweep_->start(label, sites_[label], SpreadTo::kOwned, state_, required_);
   stage_ = Stage::kSpread;
 }
 
 void PointDistances::finishLabel() {
   for (size_t i = begin_; i < end_; ++i) {
-    const double distance = sweep_.distanceAtPoint(static_cast<int>(i - begin_));
+    const double distance = sweep_->distanceAtPoint(static_cast<int>(i - begin_));
     distances_[open_[i].index] = distance;
     found_.add(open_[i].at, distance);
   }

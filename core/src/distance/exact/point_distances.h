@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -34,13 +35,15 @@ class FoundDistances {
 /// on to its points where another label is nearer.
 class PointDistances final : public SlicedWork<std::vector<double>> {
  public:
-  /// The labels must be known around the points. `bounds` are final.
+  /// The labels must be known around the points. `bounds` are final. Working memory for the whole
+  /// mesh is taken from `spare`, or allocated if that is null, and left there by `take`.
   PointDistances(const TriangleMesh& mesh, const SiteSet& sites, NearestBounds& bounds,
-                 FoundDistances& found, std::span<const LabelledPoint> points);
+                 FoundDistances& found, std::unique_ptr<WindowSweep>& spare,
+                 std::span<const LabelledPoint> points);
 
   bool step(long budget) override;
   double progress() const override;
-  std::vector<double> take() override { return std::move(distances_); }
+  std::vector<double> take() override;
 
  private:
   /// A point at which the distance has not been found before.
@@ -58,10 +61,11 @@ class PointDistances final : public SlicedWork<std::vector<double>> {
 
   const TriangleMesh& mesh_;
   const SiteSet& sites_;
-  const NearestBounds& bounds_;
+  NearestBounds& bounds_;
   FoundDistances& found_;
   const std::vector<LabelledPoint> points_;
-  WindowSweep sweep_;
+  std::unique_ptr<WindowSweep>& spare_;
+  std::unique_ptr<WindowSweep> sweep_;  ///< null while no point is open
   SlicedSequence sequence_;
   SlicedLoop loop_;
   std::vector<double> distances_;

@@ -18,13 +18,19 @@ RevisitFilter::RevisitFilter(const TriangleMesh& mesh) : mesh_(mesh) {
   for (const int f : mesh.needles()) isNeedle_[f] = true;
 }
 
+bool RevisitFilter::dropsSuspicious(const Window& w, int halfedge) {
+  if ((backtracksLeft_ += kBacktracksPerWindow) <= 0) return false;
+  const bool isDropped = entersAgain(w, halfedge);
+  backtracksLeft_ -= crossedBack_;
+  return isDropped;
+}
+
 /// All lines of a window have crossed the same faces, so it is enough to follow the middle one
 /// backwards.
 bool RevisitFilter::entersAgain(const Window& w, int halfedge) {
   StraightLine line{halfedge, (w.begin + w.end) / 2, {w.x, w.y}};
   const double atSource = kLineRounding * line.length();
-  for (int crossed = 0; crossed < mesh_.faceCount(); ++crossed) {
-    --backtracksLeft_;
+  for (crossedBack_ = 1; crossedBack_ <= mesh_.faceCount(); ++crossedBack_) {
     if (!line.enterFace(mesh_) || line.length() < atSource) return false;
     if (line.halfedge / 3 == halfedge / 3) return true;
     if (!line.crossFace(mesh_)) return false;

@@ -32,9 +32,8 @@ class RevisitFilter {
   }
   /// Whether a window at a halfedge has been found to enter its face again.
   bool drops(const Window& w, int halfedge) {
-    if (isSuspicious_ && (backtracksLeft_ += kBacktracksPerWindow) > 0 && entersAgain(w, halfedge))
-      return true;
-    return !isNeedle_.empty() && isNeedle_[halfedge / 3] && entersAgain(w, halfedge);
+    if (!isNeedle_.empty() && isNeedle_[halfedge / 3]) return entersAgain(w, halfedge);
+    return isSuspicious_ && dropsSuspicious(w, halfedge);
   }
 
  private:
@@ -45,6 +44,7 @@ class RevisitFilter {
   /// winds is found within a few turns, and following takes no longer than spreading.
   static constexpr long kBacktracksPerWindow = 1;
 
+  bool dropsSuspicious(const Window& w, int halfedge);
   bool entersAgain(const Window& w, int halfedge);
 
   const TriangleMesh& mesh_;
@@ -54,7 +54,8 @@ class RevisitFilter {
   std::vector<char> isNeedle_;
   size_t crossedCount_ = 0;  ///< of batches
   bool isSuspicious_ = false;
-  long backtracksLeft_ = 0;  ///< faces across which windows may still be followed back
+  long crossedBack_ = 0;     ///< faces across which the last window was followed back
+  long backtracksLeft_ = 0;  ///< such faces that a suspicious label may still cost
 };
 
 }  // namespace gvd::exact

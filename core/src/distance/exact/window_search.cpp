@@ -5,7 +5,6 @@
 
 #include "distance/exact/window_sweep.h"
 #include "distance/face_layout.h"
-#include "distance/path_points.h"
 #include "mesh/representations.h"
 
 namespace gvd::exact {

@@ -33,7 +33,7 @@ class WindowSpread final : public LabelSpread {
   const std::vector<ReachedVertex>& reached(int label) const override {
     return labels_[label].vertices;
   }
-  bool isLimitedByEdgeBounds() const override { return false; }
+  bool dependsOnEdgeBounds() const override { return false; }
   std::vector<LabelledDistance> nearestAt(const SurfacePoint& p, const KnownLabels& known) override;
   std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
       std::span<const LabelledPoint> points, const KnownLabels& known) override;
@@ -54,6 +54,7 @@ class WindowSpread final : public LabelSpread {
   ReachedIndex index_;
   std::vector<LabelState> labels_;
   FoundDistances found_;
+  std::unique_ptr<WindowSweep> spare_;  ///< for `PointDistances`; null while one has it
 };
 
 }  // namespace gvd::exact
