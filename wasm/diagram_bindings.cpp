@@ -15,9 +15,6 @@
 namespace gvd::abi {
 namespace {
 
-constexpr Named<WorstRegion> kWorstRegions[] = {{"size", WorstRegion::kLargest},
-                                                {"distortion", WorstRegion::kMostDistorted}};
-
 /// `Located`.
 class LocatedPoints final : public PointLookup {
  public:
@@ -230,8 +227,7 @@ GVD_ABI Answer* removeSite(VoronoiHandle* voronoi, int label) {
 /// `SurfacePoints`: one, for the worst region.
 GVD_ABI Answer* worstRegionPoint(VoronoiHandle* voronoi, Text worst) {
   return answer([&] {
-    const SurfacePoint point =
-        voronoi->worstRegionPoint(valueOf(kWorstRegions, "worst", toView(worst)));
+    const SurfacePoint point = voronoi->worstRegionPoint(worstRegionOf(toView(worst)));
     return pointsRecord(voronoi->mesh(), {&point, 1});
   });
 }

@@ -224,6 +224,16 @@ GVD_ABI Answer* sampleSites(const MeshHandle* handle, int count, Text sampling, 
   });
 }
 
+/// `SurfacePoints`: each in the worst region of those before.
+GVD_ABI Answer* sampleSitesWorstFirst(const MeshHandle* handle, int count, Text worst,
+                                      double seed) {
+  return guarded([&] {
+    return pointsAnswer(*handle,
+                        startWorstFirst(*handle->mesh, count, static_cast<std::uint64_t>(seed),
+                                        worstRegionOf(toView(worst))));
+  });
+}
+
 /// `SurfacePoints`: as many sites as the radius takes.
 GVD_ABI Answer* sampleSitesByRadius(const MeshHandle* handle, double radius, Text sampling,
                                     double seed) {

@@ -12,6 +12,8 @@ namespace gvd::abi {
 namespace {
 
 constexpr Named<Metric> kMetrics[] = {{"exact", Metric::kExact}, {"dgpc", Metric::kDgpc}};
+constexpr Named<WorstRegion> kWorstRegions[] = {{"size", WorstRegion::kLargest},
+                                                {"distortion", WorstRegion::kMostDistorted}};
 
 }  // namespace
 
@@ -26,6 +28,8 @@ bool PointLookup::step(long budget) {
 }
 
 Metric metricOf(std::string_view name) { return valueOf(kMetrics, "metric", name); }
+
+WorstRegion worstRegionOf(std::string_view name) { return valueOf(kWorstRegions, "worst", name); }
 
 Diagram VoronoiHandle::diagram() const {
   if (!dynamic) return *traced;

@@ -94,6 +94,7 @@ class PointLookup : public SlicedWork<Record> {
 };
 
 Metric metricOf(std::string_view name);
+WorstRegion worstRegionOf(std::string_view name);
 
 /// Calls `f`; its error, if any, is said to be about `what` number `index`.
 template <class F>

@@ -15,7 +15,7 @@ const std::string kRemedy =
     "library or the command geodesic-voronoi";
 
 const std::string kNoVersion = "the JSON has no asset.version, so it is not a glTF";
-const std::string kUnknownFormat = ": glTF, OBJ, PLY or STL, or a zip with one of them";
+const std::string kUnknownFormat = ": glTF, OBJ, OFF, PLY or STL, or a zip with one of them";
 
 using Word = std::array<unsigned char, 4>;
 

@@ -116,7 +116,8 @@ test('sites and points by their coordinates', () => {
   const located = JSON.parse(
     succeeds('locate shape.glb --sites places.json --points places.json').stdout,
   );
-  assert.deepEqual(located, { scale: 1, unit: 'm', label: [0, 1], distance: [0, 0] });
+  const rest = { mesh: { faces: 8 }, scale: 1, unit: 'm' };
+  assert.deepEqual(located, { ...rest, label: [0, 1], distance: [0, 0] });
   const [{ length }] = JSON.parse(
     succeeds('path shape.glb --from places.json --to places.json').stdout,
   ).paths;
@@ -202,7 +203,7 @@ test('components without a site are told of; --per-component puts some there', (
   assert.equal(succeeds('diagram two.glb --sites 1 -o d.json --quiet').stderr, '');
   for (const sites of ['--sites 4 --per-component 2', '--radius 9 --per-component 1']) {
     const { stderr } = succeeds(`diagram two.glb ${sites} -o d.json`);
-    assert.match(stderr, /^\d regions/);
+    assert.match(stderr, /^(note: 10 faces for \d sites: .*\n)?\d regions/);
   }
   fails(
     1,
@@ -210,6 +211,43 @@ test('components without a site are told of; --per-component puts some there', (
     /2 sites on each of 2 components/,
   );
   fails(2, 'diagram two.glb --sites sites.json --per-component 1', /--per-component/);
+});
+
+test('sites at one place are told of; sites of a file are not sampled', () => {
+  write('same.json', '{"vertex": [0, 0, 5]}');
+  const { stderr } = succeeds('diagram shape.glb --sites same.json -o d.json');
+  assert.match(stderr, /^note: 1 site without a region: another site is at the same place\n/);
+  fails(
+    2,
+    'diagram shape.glb --sites same.json --sampling poisson',
+    /--sampling is for sites that/,
+  );
+});
+
+test('edges of three triangles are told of', () => {
+  write('fin.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nf 1 2 3\nf 2 1 4\nf 1 2 5\n');
+  const { stderr } = succeeds('distances fin.obj --sites {"vertex":[2]} -o d.json');
+  assert.match(stderr, /^note: 1 edge of three or more triangles is cut apart: distances do not/);
+});
+
+test('results name their mesh, so that their sites are not taken for those of another', () => {
+  write('grid.glb', glb(grid(4)));
+  for (const command of ['diagram', 'partition', 'distances', 'dual', 'cvt', 'remesh']) {
+    succeeds(`${command} shape.glb --sites 30 --quiet -o result.json`);
+    assert.deepEqual(JSON.parse(read('result.json')).mesh, { faces: 8 }, command);
+    fails(
+      1,
+      'diagram grid.glb --sites result.json',
+      /another mesh: to one with 8 triangles, not 32/,
+    );
+  }
+});
+
+test('a path that does not exist is told of', () => {
+  const { stderr } = succeeds(
+    'path two.glb --from {"vertex":[0,0]} --to {"vertex":[1,6]} -o path.json',
+  );
+  assert.match(stderr, /^warning: there is no path between 1 pair of points.*\n1 path, of length /);
 });
 
 test('--radius: as many sites as it takes, in the unit of the output', () => {
@@ -246,14 +284,19 @@ test('--limits: what a glTF may ask for', () => {
 
 test('diagram as JSON, to a file or to standard output', () => {
   const { stderr } = succeeds('diagram shape.glb --sites 5 --seed 7 -o d.json');
-  assert.match(stderr, /^5 regions, \d+ bisector arcs, \d+ Voronoi points\n$/);
+  assert.match(
+    stderr,
+    /^note: 8 faces for 5 sites: .*--detail 3.*\n5 regions, \d+ bisector arcs, \d+ Voronoi points\n$/,
+  );
+  const single = succeeds('diagram shape.glb --sites 1 -o one.json').stderr;
+  assert.match(single, /^1 region, 0 bisector arcs, 0 Voronoi points\n$/);
   const json = JSON.parse(read('d.json'));
   assert.equal(json.regions.length, 5);
   assert.equal(json.sites.face.length, 5);
   assert.deepEqual([json.metric, json.scale, json.unit], ['exact', 1, 'm']);
   const again = succeeds('diagram shape.glb --sites 5 --seed 7 -o -');
   assert.equal(again.stdout, read('d.json'));
-  assert.equal(again.stderr, '');
+  assert.match(again.stderr, /^note: [^\n]*\n$/);
   const other = succeeds('diagram shape.glb --sites 5');
   assert.notEqual(other.stdout, again.stdout);
   succeeds('diagram shape.glb --sites 5 --json -o d.txt --quiet');
@@ -384,7 +427,7 @@ test('cvt with sites that stay, and with a density', () => {
 
 test('partition as GLB, OBJ, PLY and JSON', () => {
   const { stderr } = succeeds('partition shape.glb --sites 5 -o parts.glb');
-  assert.match(stderr, /^5 regions, \d of them disks, \d+ triangles\n$/);
+  assert.match(stderr, /\n5 regions, \d of them disks, \d+ triangles\n$/);
   const json = JSON.parse(succeeds('partition shape.glb --sites 5 --units cm').stdout);
   const area = JSON.parse(succeeds('info shape.glb --json').stdout).area;
   const areas = json.regions.reduce((sum, region) => sum + region.area, 0);
@@ -503,7 +546,7 @@ test('the sites of a diagram are sites for another', () => {
 test('locate', () => {
   const { stdout } = succeeds('locate shape.glb --sites sites.json --points points.json');
   const located = { scale: 1, unit: 'm', label: [0, 1], distance: [0, 0] };
-  assert.deepEqual(JSON.parse(stdout), located);
+  assert.deepEqual(JSON.parse(stdout), { mesh: { faces: 8 }, ...located });
   write('points.json', '{"face": [0, 8], "bary": [0, 0, 1, 0, 1, 0]}');
   const far = JSON.parse(
     succeeds('locate shape.glb --sites sites.json --points sites.json --units 2').stdout,
@@ -718,8 +761,8 @@ test('a file that is there stays as it was when the command fails', () => {
 });
 
 test('progress is shown when asked for, and never on standard output', () => {
-  const { stdout, stderr } = succeeds('diagram shape.glb --sites 3 --progress');
+  const { stdout, stderr } = succeeds('diagram shape.glb --sites 2 --progress');
   assert.match(stderr, /100%\n$/);
   assert.doesNotMatch(stdout, /%/);
-  assert.equal(succeeds('diagram shape.glb --sites 3').stderr, '');
+  assert.equal(succeeds('diagram shape.glb --sites 2').stderr, '');
 });

@@ -16,6 +16,7 @@ import {
   glbOf,
   meshBinaryStl,
   meshObj,
+  meshOff,
   meshoptGlb,
   meshPly,
   meshTextStl,
@@ -52,6 +53,7 @@ test('the same mesh gives the same diagram from every format', async () => {
     ['glTF', await meshoptGlb(sphere, 'EXT_meshopt_compression')],
     ['glTF', await meshoptGlb(sphere, 'KHR_meshopt_compression')],
     ['OBJ', meshObj(sphere)],
+    ['OFF', meshOff(sphere)],
     ['PLY', textPly],
     ['PLY', meshPly(sphere, 'binary_little_endian')],
     ['PLY', meshPly(sphere, 'binary_big_endian')],
@@ -92,6 +94,7 @@ test('reading is sliced in every format: it tells how far it is, and can be give
   const sphere = bumpySphere(40, 60);
   const files = {
     OBJ: meshObj(sphere),
+    OFF: meshOff(sphere),
     'text PLY': meshPly(sphere, 'ascii'),
     PLY: meshPly(sphere, 'binary_little_endian'),
     'text STL': meshTextStl(sphere),
@@ -387,7 +390,7 @@ test('textures in any format do not matter, required or not', async () => {
   assert.equal((await gvd.mesh(glbOf(json, buffer))).info.faces, 8);
 });
 
-test('a broken OBJ, PLY or STL says in which line or at which byte', async () => {
+test('a broken OBJ, OFF, PLY or STL says in which line or at which byte', async () => {
   const ply = (...lines) => ['ply', 'format ascii 1.0', ...lines].join('\n');
   const vertices = (n) => [
     `element vertex ${n}`,
@@ -410,6 +413,16 @@ test('a broken OBJ, PLY or STL says in which line or at which byte', async () =>
     ['v 0 0 0\nf 1 1 -2', /^line 2: '-2' names no vertex/],
     ['v 0 0 0\nf 1 1/2 1.5', /^line 2: '1\.5' names no vertex/],
     ['v 0 0 0\n\n#\nf 1 1 4\nv 1 1 1', /^line 4: the face names vertex 4, but there are 2/],
+    ['OFF\n3 1 0\n0 0 0\n1 0 0', /^line 4: the OFF is truncated: it ends after 2 of 3 vertices/],
+    ['OFF\n3 1 0\n0 0 0\n1 0 0\n0 1\n', /^line 5: a number is missing after '0 1'/],
+    ['OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3', /^line 5: the face names vertex 3, but the last/],
+    ['OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1', /the OFF has no faces of three corners/],
+    ['OFF\n3 x 0', /^line 2: 'x' is no number of vertices or faces/],
+    ['OFF\n3', /^line 2: a number is missing after '3'/],
+    ['OFF', /^line 1: the OFF is truncated: it ends after its keyword/],
+    ['4OFF\n1 1 1', /^line 1: '4OFF' is a kind of OFF that is not read/],
+    ['OFF BINARY\n\0\0\0\x03', /^line 1: binary OFF is not read: save it as text/],
+    ['OFF\n999999999 1 0', /more than 16777216 vertices/],
     [ply(...vertices(1)), /header has no end/],
     [ply('element vertex -1', 'end_header\n'), /^line 3: '-1' is not a count/],
     [ply('property float x', 'end_header\n'), /^line 3: this property belongs to no element/],
@@ -459,7 +472,13 @@ test('a broken OBJ, PLY or STL says in which line or at which byte', async () =>
 
 test('vertices and triangles are limited in every format, and the limits can be raised', async () => {
   const mesh = octahedron();
-  const files = [meshObj(mesh), meshPly(mesh, 'ascii'), meshBinaryStl(mesh), meshTextStl(mesh)];
+  const files = [
+    meshObj(mesh),
+    meshOff(mesh),
+    meshPly(mesh, 'ascii'),
+    meshBinaryStl(mesh),
+    meshTextStl(mesh),
+  ];
   for (const file of [glb(mesh), await dracoGlb(mesh), ...files]) {
     for (const limit of ['maxVertices', 'maxTriangles']) {
       await assert.rejects(gvd.mesh(file, { limits: { [limit]: 5 } }), {

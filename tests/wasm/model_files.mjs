@@ -175,6 +175,17 @@ export function meshObj({ positions, indices }) {
   return utf8.encode(lines.join('\n'));
 }
 
+export function meshOff({ positions, indices }) {
+  const lines = [
+    'OFF # a mesh',
+    `${positions.length / 3} ${indices.length / 3} 0`,
+    ...triples(positions).map((place) => place.join(' ')),
+    '# faces',
+    ...triples(indices).map((corners) => `3 ${corners.join(' ')} 0 0 255`),
+  ];
+  return utf8.encode(lines.join('\n'));
+}
+
 /** Places as doubles; `format` is one of PLY's three. */
 export function meshPly({ positions, indices }, format) {
   const header = `ply

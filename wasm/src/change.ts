@@ -119,9 +119,10 @@ class Merge {
   readonly #part: Source;
   readonly #changedLabels: ReadonlySet<number>;
   readonly #changedFaces: ReadonlySet<number>;
-  readonly #points = new MergedPoints();
+  readonly #points: MergedPoints;
 
   constructor(old: Pieces, { part, labels, faces }: DiagramChange) {
+    this.#points = new MergedPoints(old.points.face.length + part.points.face.length);
     this.#old = { arrays: old, pointOf: this.#points.from(old.points, part.points) };
     this.#part = { arrays: part, pointOf: this.#points.from(part.points) };
     this.#changedLabels = new Set(labels);
@@ -146,12 +147,12 @@ class Merge {
   }
 
   #lines(): Pick<DiagramData, 'segments' | 'arcs'> {
-    const arcs = new ListsBuilder();
-    const arcLabels = new GrowingArray(Int32Array);
-    const points = new GrowingArray(Int32Array);
-    const labels = new GrowingArray(Int32Array);
-    const face = new GrowingArray(Int32Array);
-    const arc = new GrowingArray(Int32Array);
+    const arcs = this.#lists((arrays) => arrays.arcs);
+    const arcLabels = this.#numbers((arrays) => arrays.arcs.labels);
+    const points = this.#numbers((arrays) => arrays.segments.points);
+    const labels = this.#numbers((arrays) => arrays.segments.labels);
+    const face = this.#numbers((arrays) => arrays.segments.face);
+    const arc = this.#numbers((arrays) => arrays.segments.arc);
     for (const { arrays, pointOf } of [this.#old, this.#part]) {
       const isKept = (i: number) =>
         arrays !== this.#old.arrays || !this.#isChangedPair(arrays.arcs.labels, i);
@@ -221,7 +222,7 @@ class Merge {
   }
 
   #cells(): DiagramData['cells'] {
-    const label = new GrowingArray(Int32Array);
+    const label = this.#numbers(({ cells }) => cells.label);
     const { lists, keys } = this.#inOrder(
       ({ cells }) => cells,
       ({ cells }) => cells.face,
@@ -229,6 +230,19 @@ class Merge {
       ({ cells }, i) => label.push(cells.label[i]),
     );
     return { ...lists, face: keys, label: label.toArray() };
+  }
+
+  /** An array with room for all numbers of both sources. */
+  #numbers(of: (arrays: Pieces) => Int32Array): GrowingArray<Int32Array> {
+    return new GrowingArray(Int32Array, of(this.#old.arrays).length + of(this.#part.arrays).length);
+  }
+
+  /** Lists with room for all of both sources. */
+  #lists(of: (arrays: Pieces) => PointLists): ListsBuilder {
+    return new ListsBuilder(
+      this.#numbers((arrays) => of(arrays).offset),
+      this.#numbers((arrays) => of(arrays).points),
+    );
   }
 
   /**
@@ -241,10 +255,10 @@ class Merge {
     changed: ReadonlySet<number>,
     taken: (arrays: Pieces, i: number) => void = () => {},
   ): { lists: PointLists; keys: Int32Array } {
-    const lists = new ListsBuilder();
+    const lists = this.#lists(listsOf);
     const oldKey = keyOf(this.#old.arrays);
     const newKey = keyOf(this.#part.arrays);
-    const keys = new GrowingArray(Int32Array);
+    const keys = this.#numbers(keyOf);
     const take = ({ arrays, pointOf }: Source, key: number, i: number) => {
       lists.add(listsOf(arrays), i, pointOf);
       keys.push(key);
@@ -264,11 +278,17 @@ class Merge {
 
 /** Collects the points that a merged diagram refers to, each place once. */
 class MergedPoints {
-  readonly #face = new GrowingArray(Int32Array);
-  readonly #bary = new GrowingArray(Float64Array);
-  readonly #position = new GrowingArray(Float64Array);
+  readonly #face: GrowingArray<Int32Array>;
+  readonly #bary: GrowingArray<Float64Array>;
+  readonly #position: GrowingArray<Float64Array>;
   /** By face, the points that another source may have at the same place. */
   readonly #shared = new Map<number, { point: number; b0: number; b1: number }[]>();
+
+  constructor(most: number) {
+    this.#face = new GrowingArray(Int32Array, most);
+    this.#bary = new GrowingArray(Float64Array, 3 * most);
+    this.#position = new GrowingArray(Float64Array, 3 * most);
+  }
 
   /**
    * Numbers the points of a source in the merged diagram, each when it is first asked for. A point
@@ -317,10 +337,13 @@ class MergedPoints {
 }
 
 class ListsBuilder {
-  readonly #offset = new GrowingArray(Int32Array);
-  readonly #points = new GrowingArray(Int32Array);
+  readonly #offset: GrowingArray<Int32Array>;
+  readonly #points: GrowingArray<Int32Array>;
 
-  constructor() {
+  /** Of two empty arrays. */
+  constructor(offset: GrowingArray<Int32Array>, points: GrowingArray<Int32Array>) {
+    this.#offset = offset;
+    this.#points = points;
     this.#offset.push(0);
   }
 

@@ -40,11 +40,9 @@ import {
   type Metric,
   type SurfacePath,
   type SurfacePoints,
-  type WorstRegion,
 } from './results.js';
 import { pointsFile, requireSameMesh } from './points_file.js';
 import { remesh } from './remesh.js';
-import { nextTask } from './slices.js';
 import type { Triangles } from './triangles.js';
 import type {
   CvtOptions,
@@ -100,6 +98,8 @@ export class EngineMesh implements Mesh {
     const method = toSampling(sampling);
     toSeed(seed);
     const weights = toFloat64('density', await this.#toDensity(density, task.signal));
+    if (byRadius && method !== 'farthest' && method !== 'poisson')
+      throw invalidArgument(`the sampling ${show(method)} takes a number of sites, not a radius`);
     if (weights.length > 0 && method !== 'random')
       throw invalidArgument(`a density is for random sites, not for the sampling ${show(method)}`);
     const count = byRadius ? maxCount : toCount(wanted);
@@ -108,33 +108,13 @@ export class EngineMesh implements Mesh {
         const radius = toRadius(toOptions(wanted, { radius: NaN }).radius);
         return this.#kept.call('sampleSitesByRadius', [radius, method, seed], task);
       }
-      if (isWorstFirst(method)) return this.#sampleWorstFirst(count, method, seed, task);
+      if (isWorstFirst(method))
+        return this.#kept.call('sampleSitesWorstFirst', [count, method, seed], task);
       return this.#kept.call('sampleSites', [count, method, seed, weights], task);
     };
     const sites = await sample();
     if (least === 0) return sites;
     return this.#kept.call('coverComponents', [sites.face, sites.bary, least, count, seed], task);
-  }
-
-  /** Adds sites one by one to the worst region so far: the core's `sampleWorstFirst`, in slices. */
-  async #sampleWorstFirst(
-    count: number,
-    worst: WorstRegion,
-    seed: number,
-    { signal, onProgress }: TaskOptions,
-  ): Promise<SurfacePoints> {
-    const first = await this.sampleSites(1, { seed, signal });
-    const diagram = await this.voronoi(first, { signal });
-    try {
-      for (let n = 1; n < count; ++n) {
-        await diagram.insertSite(await diagram.worstRegionPoint(worst, { signal }), { signal });
-        onProgress?.((n + 1) / count);
-        await nextTask();
-      }
-      return diagram.sites;
-    } finally {
-      diagram.dispose();
-    }
   }
 
   async bareComponents(sites: SurfacePointsInput, options?: TaskOptions): Promise<BareComponents> {

@@ -337,7 +337,7 @@ export interface RemeshQuality {
   hausdorff: number;
 }
 
-export type MeshFormat = 'arrays' | 'glTF' | 'OBJ' | 'PLY' | 'STL';
+export type MeshFormat = 'arrays' | 'glTF' | 'OBJ' | 'OFF' | 'PLY' | 'STL';
 
 /** What a mesh was made from. */
 export interface MeshOrigin {

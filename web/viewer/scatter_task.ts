@@ -2,8 +2,7 @@
 //
 // Placing all sites anew: only the latest request counts.
 import type { Mesh } from 'geodesic-voronoi';
-import { type PointList, scatterSites } from './mesh_opening.js';
-import type { Scattering } from './session_listener.js';
+import { type PointList, type Scattering, scatterSites } from './mesh_opening.js';
 
 export class ScatterTask {
   #wanted: Scattering | undefined;

@@ -138,6 +138,11 @@ class WorstRegions {
 /// `DynamicDiagram`, plus O(count · F).
 std::vector<SurfacePoint> sampleWorstFirst(const TriangleMesh& mesh, int count, std::uint64_t seed,
                                            WorstRegion worst);
+/// The same in steps. The mesh must outlive the work.
+std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> startWorstFirst(const TriangleMesh& mesh,
+                                                                       int count,
+                                                                       std::uint64_t seed,
+                                                                       WorstRegion worst);
 
 /// These points, with at least `perComponent` on each component of the mesh: missing ones are drawn
 /// at random, uniform by area, and appended. While there are more than `count` points, the last

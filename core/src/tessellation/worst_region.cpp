@@ -5,10 +5,13 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "base/sliced_loop.h"
 #include "distance/face_layout.h"
 #include "gvd/dynamic_diagram.h"
 #include "gvd/sampling.h"
@@ -145,17 +148,76 @@ SurfacePoint WorstRegions::point() const {
   return farthest;
 }
 
+namespace {
+
+/// Inserts a site for the worst region, again and again.
+class WorstFirstSampling final : public SlicedWork<std::vector<SurfacePoint>> {
+ public:
+  WorstFirstSampling(const TriangleMesh& mesh, int count, std::uint64_t seed, WorstRegion worst)
+      : mesh_(mesh),
+        count_(count),
+        worst_(worst),
+        points_(sampleUniform(mesh, std::min(count, 1), seed)) {}
+
+  bool step(long budget) override {
+    return sequence_.run(
+        [&] {
+          if (count_ == 0) return true;
+          if (!making_) making_ = DynamicDiagram::start(mesh_, points_);
+          return making_->step(budget);
+        },
+        [&] {
+          if (count_ == 0) return;
+          diagram_ = making_->take();
+          making_.reset();
+          regions_.emplace(mesh_, diagram_->distances(), diagram_->diagram(), worst_);
+        },
+        [&] { return insertOthers(budget); });
+  }
+  double progress() const override {
+    return count_ > 0 ? static_cast<double>(points_.size() - 1) / count_ : 1;
+  }
+  std::vector<SurfacePoint> take() override { return std::move(points_); }
+
+ private:
+  /// One site per step at the most, because finding its place takes O(F).
+  bool insertOthers(long budget) {
+    if (!insertion_) {
+      if (isComplete()) return true;
+      points_.push_back(regions_->point());
+      insertion_ = diagram_->startInsert(points_.back());
+    }
+    if (!insertion_->step(budget)) return false;
+    regions_->follow(insertion_->take());
+    insertion_.reset();
+    return isComplete();
+  }
+
+  bool isComplete() const { return static_cast<int>(points_.size()) == count_; }
+
+  const TriangleMesh& mesh_;
+  const int count_;
+  const WorstRegion worst_;
+  std::vector<SurfacePoint> points_;
+  SlicedSequence sequence_;
+  std::unique_ptr<SlicedWork<DynamicDiagram>> making_;
+  std::optional<DynamicDiagram> diagram_;
+  std::optional<WorstRegions> regions_;
+  std::unique_ptr<SlicedWork<DiagramChange>> insertion_;
+};
+
+}  // namespace
+
+std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> startWorstFirst(const TriangleMesh& mesh,
+                                                                       int count,
+                                                                       std::uint64_t seed,
+                                                                       WorstRegion worst) {
+  return std::make_unique<WorstFirstSampling>(mesh, count, seed, worst);
+}
+
 std::vector<SurfacePoint> sampleWorstFirst(const TriangleMesh& mesh, int count, std::uint64_t seed,
                                            WorstRegion worst) {
-  std::vector<SurfacePoint> points = sampleUniform(mesh, std::min(count, 1), seed);
-  if (count == 0) return points;
-  DynamicDiagram diagram(mesh, points);
-  WorstRegions regions(mesh, diagram.distances(), diagram.diagram(), worst);
-  while (static_cast<int>(points.size()) < count) {
-    points.push_back(regions.point());
-    regions.follow(diagram.insertSite(points.back()));
-  }
-  return points;
+  return finished(startWorstFirst(mesh, count, seed, worst));
 }
 
 }  // namespace gvd

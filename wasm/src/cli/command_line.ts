@@ -54,8 +54,12 @@ function requireSites(values: Partial<Values<'cvt'>>): void {
     throw new UsageError('--radius is instead of --sites: give one of them');
   if (radius !== undefined && sampling && sampling !== 'farthest' && sampling !== 'poisson')
     throw new UsageError(`--sampling ${sampling} takes a number of sites, not --radius`);
-  if (typeof sites === 'string' && values['per-component']! > 0)
-    throw new UsageError('--per-component is for sites that are sampled, not those of a file');
+  for (const [name, isGiven] of Object.entries({
+    sampling: sampling !== undefined,
+    'per-component': values['per-component']! > 0,
+  }))
+    if (typeof sites === 'string' && isGiven)
+      throw new UsageError(`--${name} is for sites that are sampled, not those of a file`);
   const isRandom = radius === undefined && (sampling ?? 'random') === 'random';
   if (density !== undefined && iterations === 0 && typeof sites !== 'string' && !isRandom)
     throw new UsageError(

@@ -111,8 +111,11 @@ async function diagram({ mesh: path, values }: Request<'diagram'>): Promise<void
   summarise(
     output,
     values,
-    `${diagram.regions.length} regions, ${arcs.offset.length - 1} bisector arcs, ` +
-      `${voronoiPoints.point.length} Voronoi points`,
+    [
+      counted(diagram.regions.length, 'region'),
+      counted(arcs.offset.length - 1, 'bisector arc'),
+      counted(voronoiPoints.point.length, 'Voronoi point'),
+    ].join(', '),
   );
 }
 
@@ -122,7 +125,7 @@ async function locate({ mesh: path, values }: Request<'locate'>): Promise<void> 
   const points = await readPoints(values.points);
   const { mesh, diagram } = await compute(path, values);
   const located = await diagram.locate(await onSurface(mesh, points, values));
-  await output.write(encode(located, values.units));
+  await output.write(encode({ mesh, ...located }, values.units));
 }
 
 async function distances({ mesh: path, values }: Request<'distances'>): Promise<void> {
@@ -168,13 +171,19 @@ async function path({ mesh: model, values }: Request<'path'>): Promise<void> {
     return found;
   });
   await output.write(encode(paths, scale));
-  const lengths = paths.map(({ length }) => scale * length);
-  const shortest = lengths.reduce((least, length) => Math.min(least, length), Infinity);
-  const longest = lengths.reduce((most, length) => Math.max(most, length), 0);
+  const lengths = paths.map(({ length }) => scale * length).filter((length) => length < Infinity);
+  const missing = paths.length - lengths.length;
+  if (missing > 0)
+    process.stderr.write(
+      `warning: there is no path between ${counted(missing, 'pair')} of points: they are on different components\n`,
+    );
+  if (lengths.length === 0) return;
+  const shortest = lengths.reduce((least, length) => Math.min(least, length));
+  const longest = lengths.reduce((most, length) => Math.max(most, length));
   summarise(
     output,
     values,
-    `${paths.length} ${paths.length === 1 ? 'path' : 'paths'}, of length ` +
+    `${counted(lengths.length, 'path')}, of length ` +
       [...new Set([shortest, longest])].map((length) => length.toPrecision(6)).join(' to '),
   );
 }
@@ -218,8 +227,9 @@ async function partition({ mesh: path, values }: Request<'partition'>): Promise<
   summarise(
     output,
     values,
-    `${diagram.regions.length} regions, ${disks.length} of them disks, ` +
-      `${partition.triangles.label.length} triangles`,
+    `${counted(diagram.regions.length, 'region')}, ${disks.length} of them ` +
+      `${disks.length === 1 ? 'a disk' : 'disks'}, ` +
+      counted(partition.triangles.label.length, 'triangle'),
   );
 }
 
@@ -343,10 +353,17 @@ function indicesOf(points: PointsOnSurface): number[] {
   return typeof indices === 'number' ? [indices] : Array.from(indices);
 }
 
+function counted(count: number, noun: string): string {
+  return `${count} ${noun}${count === 1 ? '' : 's'}`;
+}
+
 /** A line about a result that went to a file. */
 function summarise(output: Output, { quiet }: Notices, line: string): void {
   if (output.isFile && !quiet) process.stderr.write(`${line}\n`);
 }
+
+/** With fewer faces, straight borders give several per cent of the area to the wrong region. */
+const leastFacesPerSite = 4;
 
 /** The diagram that the options ask for. */
 async function compute(
@@ -358,5 +375,26 @@ async function compute(
   const diagram = await withProgress(values, (onProgress) =>
     mesh.voronoi(sites, { metric, detail, onProgress }),
   );
+  if (!values.quiet)
+    for (const note of diagramNotes(mesh, diagram, detail)) process.stderr.write(`note: ${note}\n`);
   return { mesh, diagram };
+}
+
+/** What may surprise in a diagram. */
+function diagramNotes(mesh: Mesh, { sites, regions }: Diagram, detail?: number): string[] {
+  const { faces } = mesh.info;
+  const notes: string[] = [];
+  const isEmpty = (label: number) => regions[label].area === 0 && regions[label].loops.length === 0;
+  const hidden = sites.face.reduce(
+    (count, face, label) => count + Number(face >= 0 && isEmpty(label)),
+    0,
+  );
+  if (hidden > 0)
+    notes.push(`${counted(hidden, 'site')} without a region: another site is at the same place`);
+  if (detail === 0 && faces < leastFacesPerSite * sites.face.length)
+    notes.push(
+      `${counted(faces, 'face')} for ${counted(sites.face.length, 'site')}: ` +
+        'borders, one straight line per face, are coarse (--detail 3 refines them)',
+    );
+  return notes;
 }

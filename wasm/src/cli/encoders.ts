@@ -66,7 +66,11 @@ function encoderOf<Result>(encoders: Encoders<Result>, target: Target): Encoder<
 
 const text = (json: object): string => `${JSON.stringify(json)}\n`;
 
+/** What tells later that sites or points of a file are not those of another mesh. */
+const ofMesh = ({ info }: Mesh) => ({ mesh: { faces: info.inputFaces } });
+
 interface LocatedResult {
+  mesh: Mesh;
   label: ArrayLike<number>;
   distance: ArrayLike<number>;
 }
@@ -74,8 +78,9 @@ interface LocatedResult {
 export function toLocatedEncoder(target: Target): Encoder<LocatedResult> {
   return encoderOf(
     {
-      '.json': ({ label, distance }, scale) =>
+      '.json': ({ mesh, label, distance }, scale) =>
         text({
+          ...ofMesh(mesh),
           ...toLengths(scale, unitOf(scale)),
           label: Array.from(label),
           // JSON has no infinity: what no site reaches is null.
@@ -105,7 +110,7 @@ export function toSitesEncoder(target: Target): Encoder<SitesResult> {
     {
       '.json': ({ mesh, sites, position, energy }, scale) =>
         text({
-          mesh: { faces: mesh.info.inputFaces },
+          ...ofMesh(mesh),
           ...toLengths(scale, unitOf(scale)),
           ...placedPointsJson({ ...sites, position }, scale),
           energy: energy.map((e) => scale ** 4 * e), // area times squared length
@@ -135,7 +140,8 @@ interface DistancesResult {
 export function toDistancesEncoder(target: Target): Encoder<DistancesResult> {
   return encoderOf(
     {
-      '.json': ({ distances }, scale) => text(distancesJson(distances, scale, unitOf(scale))),
+      '.json': ({ mesh, distances }, scale) =>
+        text({ ...ofMesh(mesh), ...distancesJson(distances, scale, unitOf(scale)) }),
       '.ply': ({ mesh, distances }, scale) => distancesPly(mesh, distances, scale),
       '.glb': ({ mesh, distances }, scale) => distancesGlb(mesh, distances, scale),
     },
@@ -167,8 +173,8 @@ export function toPartitionEncoder(target: Values<'partition'>): Encoder<Partiti
   }
   return encoderOf(
     {
-      '.json': ({ partition, sites }, scale) =>
-        text(partitionJson(partition, sites, scale, unitOf(scale))),
+      '.json': ({ mesh, partition, sites }, scale) =>
+        text({ ...ofMesh(mesh), ...partitionJson(partition, sites, scale, unitOf(scale)) }),
       '.glb': ({ partition, mesh }, scale) => partitionGlb(partition, { layout, mesh, scale }),
       '.obj': ({ partition, mesh }, scale) => partitionObj(partition, { mesh, scale }),
       '.ply': ({ partition, mesh }, scale) => partitionPly(partition, { mesh, scale }),
@@ -188,8 +194,9 @@ interface PolygonResult {
 export function toPolygonEncoder(target: Target): Encoder<PolygonResult> {
   return encoderOf(
     {
-      '.json': ({ sites, polygons, violations, quality }, scale) =>
+      '.json': ({ mesh, sites, polygons, violations, quality }, scale) =>
         text({
+          ...ofMesh(mesh),
           sites: pointsJson(sites),
           ...polygonJson(polygons, scale, unitOf(scale)),
           ...(violations && { violations }),

@@ -34,14 +34,14 @@ Usage: geodesic-voronoi COMMAND MESH [OPTIONS]
 ${table(Object.entries(commands).map(([name, { summary }]) => [name, summary]))}
 
 MESH is a glTF (.glb, or .gltf with its buffers in its folder; also with Draco or meshopt), an OBJ,
-a PLY or an STL file, a .zip or a folder with one of them (of several: parts.zip#wheel.obj), or -
+OFF, PLY or STL file, a .zip or a folder with one of them (of several: parts.zip#wheel.obj), or -
 for standard input.
 geodesic-voronoi COMMAND --help shows a command's options, geodesic-voronoi --version the version.
 
 A file of sites or points is {"face": [i, …], "bary": [b0, b1, b2, …]} or {"vertex": [i, …]}; faces
 count the mesh's triangles, vertices its positions, both in scene order. Or it is {"position": [x,
 y, z, …]}, in the model's own coordinates: the points of the surface closest to these places. The
-vertices of a .ply are such places, too, and so are the columns x, y and z of a .csv.
+vertices of a .ply are such places, too, and so are the columns x, y and z of a .csv or .xyz.
 
 Exit status: 0 done, 1 bad input, 2 a wrong command line.
 `;

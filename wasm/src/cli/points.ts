@@ -51,6 +51,7 @@ export async function readPoints(given: string): Promise<GivenPoints> {
 const tables: Record<string, (bytes: Uint8Array) => Promise<ArrayLike<number>>> = {
   '.ply': (bytes) => inSlices(readPlyPlaces(bytes, toSizeLimits({})), {}),
   '.csv': async (bytes) => readCsvPlaces(bytes),
+  '.xyz': async (bytes) => readCsvPlaces(bytes),
 };
 
 function isJson(given: string): boolean {

@@ -45,7 +45,7 @@ export async function openWithSites(
   const mesh = await openMesh(path, values);
   const sites = given ? await onSurface(mesh, given, values) : await sampled(mesh, values, density);
   if (!values.quiet) {
-    const notes = [...mesh.info.notes, ...(await bareNotes(mesh, sites))];
+    const notes = [...mesh.info.notes, ...cutNotes(mesh), ...(await bareNotes(mesh, sites))];
     for (const note of notes) process.stderr.write(`note: ${note}\n`);
   }
   return { mesh, sites };
@@ -75,7 +75,7 @@ async function closestOf(
 ): Promise<PointsOnSurface> {
   const closest = await mesh.closestPoints(toPlaces('position', position));
   const farthest = closest.distance.reduce((most, d) => Math.max(most, d), 0);
-  if (!quiet) {
+  if (!quiet && farthest > Number.EPSILON * mesh.info.boundingDiagonal) {
     const count = closest.face.length;
     const places = count === 1 ? '1 place, it is' : `${count} places, the farthest`;
     process.stderr.write(`note: ${places} ${(units * farthest).toPrecision(4)} from the surface\n`);
@@ -99,6 +99,17 @@ async function sampled(
   if (radius === undefined && count < (sites as number) && !values.quiet)
     process.stderr.write(`note: ${count} of ${sites} sites: every vertex has one\n`);
   return found;
+}
+
+/** Notes where the surface is not the one that its triangles seem to make. */
+function cutNotes({ info: { repairs } }: Mesh): string[] {
+  const edges = repairs.nonManifoldEdges;
+  if (edges === 0) return [];
+  const what =
+    edges === 1
+      ? '1 edge of three or more triangles is'
+      : `${edges} edges of three or more triangles are`;
+  return [`${what} cut apart: distances do not lead across`];
 }
 
 /** Notes the components that no site is on, if there are any. */

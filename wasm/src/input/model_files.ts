@@ -5,7 +5,7 @@
 import { GeodesicVoronoiError } from '../errors.js';
 import type { ModelFile, ModelFiles } from '../types.js';
 
-const modelName = /\.(glb|gltf|obj|ply|stl)$/i;
+const modelName = /\.(glb|gltf|obj|off|ply|stl)$/i;
 const archiveName = /\.zip$/i;
 
 export class FileSet {
@@ -40,7 +40,7 @@ export class FileSet {
     const found = paths.length > 0 ? ` in ${listed(paths)}` : ': there are no files';
     throw new GeodesicVoronoiError(
       'invalid-file',
-      `there is no model${found}; a model is a .glb, .gltf, .obj, .ply or .stl, or a .zip with one`,
+      `there is no model${found}; a model is a .glb, .gltf, .obj, .off, .ply or .stl, or a .zip with one`,
     );
   }
 

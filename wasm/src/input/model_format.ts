@@ -5,7 +5,7 @@
 import { GeodesicVoronoiError } from '../errors.js';
 import { isBinaryStl } from './stl_layout.js';
 
-export type FileFormat = 'glTF' | 'OBJ' | 'PLY' | 'binary STL' | 'text STL' | 'zip';
+export type FileFormat = 'glTF' | 'OBJ' | 'OFF' | 'PLY' | 'binary STL' | 'text STL' | 'zip';
 
 /** Enough to find the first statement after the comments that programs write. */
 const maxHeadBytes = 2 ** 16;
@@ -20,6 +20,7 @@ export function formatOf(bytes: Uint8Array, name: string): FileFormat {
   if (head.startsWith('glTF') || text.startsWith('{')) return 'glTF';
   if (head.startsWith('PK\x03\x04') || head.startsWith('PK\x05\x06')) return 'zip';
   if (/^ply[ \t]*[\r\n]/.test(head)) return 'PLY';
+  if (/^(ST)?C?N?4?n?OFF\b/.test(text)) return 'OFF';
   const isBinary = head.includes('\0');
   const isTextStl = /^solid\b/.test(text) && /\bfacet\b|\bendsolid\b/.test(text);
   if (!isBinary && isTextStl) return 'text STL';
@@ -32,6 +33,8 @@ export function formatOf(bytes: Uint8Array, name: string): FileFormat {
       return isBinary ? 'binary STL' : 'text STL';
     case 'obj':
       return 'OBJ';
+    case 'off':
+      return 'OFF';
     case 'ply':
       return 'PLY';
   }
@@ -41,6 +44,6 @@ export function formatOf(bytes: Uint8Array, name: string): FileFormat {
 function unknown(what: string): GeodesicVoronoiError {
   return new GeodesicVoronoiError(
     'invalid-file',
-    `${what}: glTF, OBJ, PLY or STL, or a zip with one of them`,
+    `${what}: glTF, OBJ, OFF, PLY or STL, or a zip with one of them`,
   );
 }

@@ -108,6 +108,8 @@ export async function readModel(
     }
     case 'OBJ':
       return plain((await import('./obj_reader.js')).readObj(bytes, sizes), 'OBJ');
+    case 'OFF':
+      return plain((await import('./off_reader.js')).readOff(bytes, sizes), 'OFF');
     case 'PLY':
       return plain((await import('./ply_reader.js')).readPly(bytes, sizes), 'PLY');
     case 'binary STL':
