@@ -365,7 +365,7 @@ TEST(Windows, CrossInAFewBatchesOnGradedMeshes) {
     NearestBounds bounds(mesh);
     exact::WindowSweep sweep(mesh, bounds);
     exact::LabelState state;
-    sweep.start(0, {0, {0.2, 0.3, 0.5}}, exact::SpreadTo::kOwned, state);
+    sweep.start(0, {0, {0.2, 0.3, 0.5}}, state);
     const long most = std::numeric_limits<long>::max();
     long budget = most;
     sweep.run(budget);

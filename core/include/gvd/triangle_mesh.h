@@ -148,14 +148,13 @@ class TriangleMesh {
   /// origin, the third corner, its *apex*, is at (x, y), y > 0.
   struct Layout {
     double length;
-    double inverse;  ///< 1 / (2 length), a factor of unfolding
     double x, y;
   };
   Layout layout(int h) const {
     const Face& f = faces_[faceOf(h)];
     const int i = h % 3;
-    const double length = f.lengths[i], toApex = f.lengths[previous(i)];
-    return {length, 1 / (2 * length), toApex * f.cosines[i], toApex * f.sines[i]};
+    const double toApex = f.lengths[previous(i)];
+    return {f.lengths[i], toApex * f.cosines[i], toApex * f.sines[i]};
   }
 
   /// `tail` and `twin` of all halfedges.

@@ -46,16 +46,16 @@ void ElementFunctions::dropDominated(const int* nodes) {
     });
   LabelFunction* kept = functions_.data();
   for (const LabelFunction& f : functions_) {
-    bool isHidden = false;  // by one owner at all nodes; without branches as above
+    bool isDominated = false;  // by one owner at all nodes; without branches as above
     for (const LabelFunction& owner : owners) {
       const int isLower = owner.label < f.label;
       bool isBehind = owner.label != f.label;
       for (int i = 0; i < 3; ++i)
         isBehind &= (owner.value[i] < f.value[i]) | ((owner.value[i] == f.value[i]) & isLower);
-      isHidden |= isBehind;
+      isDominated |= isBehind;
     }
     *kept = f;
-    kept += !isHidden;
+    kept += !isDominated;
   }
   functions_.resize(kept - functions_.data());
 }

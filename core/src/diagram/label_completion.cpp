@@ -31,7 +31,7 @@ bool ownsPartOf(int label, double atTail, double atTip, Labels tail, Labels tip)
 }
 
 /// Whether one of the owners is nearer than a label at both ends of a side.
-bool isHidden(int label, double atTail, double atTip, Labels tail, Labels tip,
+bool isDominated(int label, double atTail, double atTip, Labels tail, Labels tip,
               const std::array<int, 3>& owners) {
   return std::any_of(owners.begin(), owners.end(), [&](int owner) {
     const LabelledDistance *const from = findLabel(tail, owner), *const to = findLabel(tip, owner);
@@ -87,7 +87,7 @@ bool LabelCompletion::mayLackLabels(int element) const {
     for (int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3;
       if (at[i] && at[j] &&
-          !isHidden(label, at[i]->distance, at[j]->distance, known[i], known[j], owners))
+          !isDominated(label, at[i]->distance, at[j]->distance, known[i], known[j], owners))
         return true;
     }
     return false;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "distance/face_layout.h"
+#include "mesh/face_layout.h"
 #include "mesh/representations.h"
 #include "mesh/surface_geometry.h"
 

@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
+#include "base/small_lists.h"
 #include "distance/label_turns.h"
 #include "distance/nearest_bounds.h"
 #include "distance/site_set.h"
-#include "distance/small_lists.h"
 #include "gvd/triangle_mesh.h"
 
 namespace gvd {

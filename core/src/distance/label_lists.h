@@ -5,10 +5,10 @@
 #include <cmath>
 #include <span>
 
+#include "base/small_lists.h"
 #include "distance/common_labels.h"
 #include "distance/label_spread.h"
 #include "distance/nearest_bounds.h"
-#include "distance/small_lists.h"
 #include "distance/ties.h"
 #include "gvd/geodesic.h"
 #include "gvd/triangle_mesh.h"

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "base/tolerances.h"
-#include "distance/face_layout.h"
 #include "gvd/geodesic.h"
+#include "mesh/face_layout.h"
 #include "mesh/representations.h"
 
 namespace gvd {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "base/index_set.h"
+#include "base/small_lists.h"
 #include "distance/label_spread.h"
-#include "distance/small_lists.h"
 
 namespace gvd {
 

@@ -253,16 +253,16 @@ double SiteDistances::distance(int label, const SurfacePoint& p) const {
 }
 
 /// Distances at vertices come from the lists, at other points from the spread.
-class SiteDistances::PointDistances final : public SlicedWork<std::vector<double>> {
+class SiteDistances::DistancesAtPlaces final : public SlicedWork<std::vector<double>> {
  public:
-  PointDistances(const SiteDistances& field, std::span<const LabelledPoint> points)
+  DistancesAtPlaces(const SiteDistances& field, std::span<const LabelledPoint> points)
       : field_(field),
         points_(points.begin(), points.end()),
         distances_(points.size(), kInfinity) {}
 
   bool step(long budget) override {
     return sequence_.run(
-        [&] { return loop_.run(points_.size(), budget, kQuickRounds, [&](int i) { look(i); }); },
+        [&] { return loop_.run(points_.size(), budget, kQuickRounds, [&](int i) { sortOut(i); }); },
         [&] { atPoints_ = field_.spread_->startDistancesAt(open_, field_.known_); },
         [&] { return atPoints_->step(budget); });
   }
@@ -274,7 +274,7 @@ class SiteDistances::PointDistances final : public SlicedWork<std::vector<double
   }
 
  private:
-  void look(int i) {
+  void sortOut(int i) {
     auto& [label, p] = points_[i];
     p = onMesh(field_.mesh_, p);
     if (const int v = vertexAt(field_.mesh_, p); v >= 0) {
@@ -297,7 +297,7 @@ class SiteDistances::PointDistances final : public SlicedWork<std::vector<double
 
 std::unique_ptr<SlicedWork<std::vector<double>>> SiteDistances::startDistancesAt(
     std::span<const LabelledPoint> points) const {
-  return std::make_unique<PointDistances>(*this, points);
+  return std::make_unique<DistancesAtPlaces>(*this, points);
 }
 
 Eigen::Vector2d SiteDistances::direction(int label, int vertex) const {

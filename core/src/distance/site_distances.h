@@ -71,7 +71,7 @@ class SiteDistances final : public DistanceField {
   std::vector<SurfacePoint> path(int label, const SurfacePoint& given) const override;
 
  private:
-  class PointDistances;
+  class DistancesAtPlaces;
   enum class Stage { kBounds, kSpread, kKnown, kDone };
   void forget(std::span<const int> labels);
   void applyEdgeBounds();

@@ -3,15 +3,16 @@
 
 #include <numbers>
 
+#include "mesh/face_layout.h"
+
 namespace gvd {
 
 using Eigen::Vector2d;
 
 Vector2d firstSide(const TriangleMesh& mesh, int face, int i) {
-  const TriangleMesh::Layout l = mesh.layout(3 * face + i);
-  const double inverse = 2 * mesh.layout(3 * face).inverse;
-  if (i == 1) return Vector2d(-l.x, -l.y) * inverse;
-  if (i == 2) return Vector2d(l.x - l.length, l.y) * inverse;
+  const TriangleMesh::Face& f = mesh.face(face);
+  if (i == 1) return -apexOf(f, i) / f.lengths[0];
+  if (i == 2) return (apexOf(f, i) - Vector2d(f.lengths[i], 0)) / f.lengths[0];
   return {1, 0};
 }
 

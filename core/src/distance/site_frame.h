@@ -8,10 +8,11 @@
 
 namespace gvd {
 
-// Directions at a site are told in the site's frame (DistanceField::direction): the x axis is the
+// Directions at a site are given in the site's frame (DistanceField::direction): the x axis is the
 // first side of its face, and around a vertex the faces are unfolded counterclockwise.
 
-/// The first side of a face, a unit vector in the frame of its side i (TriangleMesh::Layout).
+/// The unit vector along the first side of a face, in the coordinates of its side i
+/// (`face_layout.h`).
 Eigen::Vector2d firstSide(const TriangleMesh& mesh, int face, int i);
 
 /// The angle of a halfedge that leaves the vertex a site lies on.

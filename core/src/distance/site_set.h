@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "distance/small_lists.h"
+#include "base/small_lists.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
 #include "mesh/representations.h"

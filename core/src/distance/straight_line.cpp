@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "base/plane.h"
-#include "distance/face_layout.h"
+#include "mesh/face_layout.h"
 
 namespace gvd {
 

@@ -15,6 +15,7 @@
 #include "base/sliced_loop.h"
 #include "base/sorting.h"
 #include "mesh/convex_triangulation.h"
+#include "mesh/face_layout.h"
 #include "mesh/representations.h"
 #include "partition/region_patches.h"
 
@@ -210,16 +211,10 @@ class Partitioner final : public SlicedWork<Partition> {
       return;
     }
     corners_.clear();
-    for (const int vertex : polygon) corners_.push_back(layOut(vertex, face));
+    for (const int vertex : polygon)
+      corners_.push_back(layOut(mesh_.face(face), 0, baryOf(vertex, face)));
     for (const auto& [a, b, c] : triangulation_.compute(corners_))
       pieces_.push_back({{polygon[a], polygon[b], polygon[c]}, label, face, 0});
-  }
-
-  /// The position of a vertex in the plane of a face.
-  Eigen::Vector2d layOut(int vertex, int face) const {
-    const TriangleMesh::Layout& layout = mesh_.layout(3 * face);
-    const Eigen::Vector3d bary = baryOf(vertex, face);
-    return {bary[1] * layout.length + bary[2] * layout.x, bary[2] * layout.y};
   }
 
   Eigen::Vector3d baryOf(int vertex, int face) const {

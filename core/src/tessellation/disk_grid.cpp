@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "distance/face_layout.h"
+#include "mesh/face_layout.h"
 
 namespace gvd {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/sliced_loop.h"
-#include "distance/small_lists.h"
+#include "base/small_lists.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
 

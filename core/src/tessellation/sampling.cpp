@@ -56,11 +56,7 @@ SurfacePoint drawPoint(std::mt19937_64& random, const std::vector<double>& sums)
 class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
  public:
   FarthestSampling(const TriangleMesh& mesh, int count, std::uint64_t seed, double coveringRadius)
-      : mesh_(mesh),
-        count_(count),
-        seed_(seed),
-        coveringRadius_(coveringRadius),
-        sweep_(mesh) {
+      : mesh_(mesh), count_(count), seed_(seed), coveringRadius_(coveringRadius), sweep_(mesh) {
     requireCount(count);
   }
 

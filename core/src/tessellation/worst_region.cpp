@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "base/sliced_loop.h"
-#include "distance/face_layout.h"
 #include "gvd/dynamic_diagram.h"
 #include "gvd/sampling.h"
+#include "mesh/face_layout.h"
 #include "mesh/representations.h"
 
 namespace gvd {

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "distance/dgpc/unfolding_sweep.h"
-#include "distance/face_layout.h"
+#include "mesh/face_layout.h"
 #include "mesh/representations.h"
 
 namespace gvd::dgpc {

@@ -14,10 +14,10 @@
 #include "base/bucket_queue.h"
 #include "base/plane.h"
 #include "base/tolerances.h"
-#include "distance/face_layout.h"
 #include "gvd/geodesic.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
+#include "mesh/face_layout.h"
 
 namespace gvd::dgpc {
 

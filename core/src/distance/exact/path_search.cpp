@@ -11,10 +11,10 @@
 #include "distance/exact/label_state.h"
 #include "distance/exact/window_path.h"
 #include "distance/exact/window_sweep.h"
-#include "distance/face_layout.h"
 #include "distance/nearest_bounds.h"
 #include "distance/site_set.h"
 #include "gvd/geodesic.h"
+#include "mesh/face_layout.h"
 #include "mesh/representations.h"
 #include "mesh/surface_geometry.h"
 
@@ -22,7 +22,6 @@ namespace gvd {
 namespace {
 
 using exact::LabelState;
-using exact::SpreadTo;
 using exact::WindowSweep;
 
 constexpr int kLabel = 0;
@@ -94,8 +93,7 @@ class PathSearch final : public SlicedWork<std::vector<SurfacePoint>> {
 
   /// Searches for paths of at most this length.
   void startSearch(double most) {
-    sweep_.start(kLabel, to_, SpreadTo::kRequired, state_);
-    // As long as nothing is required, all windows wait at the faces around the site.
+    sweep_.startWaiting(kLabel, to_, state_);
     long unlimited = std::numeric_limits<long>::max();
     sweep_.run(unlimited);
     const exact::RequiredPoint point = {from_, most, 0};

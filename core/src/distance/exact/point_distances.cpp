@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/sorting.h"
-#include "distance/face_layout.h"
+#include "mesh/face_layout.h"
 #include "mesh/representations.h"
 
 namespace gvd::exact {
@@ -58,7 +58,7 @@ PointDistances::PointDistances(const TriangleMesh& mesh, const SiteSet& sites,
 bool PointDistances::step(long budget) {
   return sequence_.run(
       [&] {
-        return loop_.run(points_.size(), budget, kPointsPerUnit, [&](int i) { look(points_[i]); });
+        return loop_.run(points_.size(), budget, kPointsPerUnit, [&](int i) { sortOut(points_[i]); });
       },
       [&] {
         sortStably(std::span(open_),
@@ -67,7 +67,7 @@ bool PointDistances::step(long budget) {
       [&] { return spread(budget); });
 }
 
-void PointDistances::look(const LabelledPoint& p) {
+void PointDistances::sortOut(const LabelledPoint& p) {
   const LabelledPoint at = {p.label, unique(mesh_, p.point)};
   distances_.push_back(found_.find(at));
   if (distances_.back() == kInfinity)
@@ -112,7 +112,7 @@ void PointDistances::startLabel() {
     const SurfacePoint& p = open_[end_].at.point;
     required_.push_back({p, straightTo(label, p), nearestAtLeast(p)});
   }
-  sweep_->start(label, sites_[label], SpreadTo::kOwned, state_, required_);
+  sweep_->start(label, sites_[label], state_, required_);
   stage_ = Stage::kSpread;
 }
 

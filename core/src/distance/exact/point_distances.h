@@ -52,7 +52,7 @@ class PointDistances final : public SlicedWork<std::vector<double>> {
     int index;  ///< in `distances_`
   };
 
-  void look(const LabelledPoint& p);
+  void sortOut(const LabelledPoint& p);
   bool spread(long& budget);
   void startLabel();
   void finishLabel();

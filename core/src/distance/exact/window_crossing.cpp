@@ -12,7 +12,7 @@
 #include <algorithm>
 
 #include "distance/exact/window_sweep.h"
-#include "distance/face_layout.h"
+#include "mesh/face_layout.h"
 
 namespace gvd::exact {
 

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 
-#include "distance/face_layout.h"
+#include "distance/path_points.h"
+#include "distance/straight_line.h"
+#include "mesh/face_layout.h"
 #include "mesh/representations.h"
 
 namespace gvd::exact {
@@ -21,19 +23,63 @@ constexpr double kSameLength = 1e-11;
 /// distances must agree as well (`kSameLength`).
 constexpr double kSourceError = 1e-6;
 
-}  // namespace
+/// The shortest path from a point back to the site of a label (Mitchell et al. 1987, §3.5). No back
+/// pointers are kept. Between the vertices at which it turns, the path is a straight line of the
+/// unfolded faces towards a known virtual source, followed from face to face.
+class WindowPath {
+ public:
+  /// Begins the path at a point.
+  WindowPath(const TriangleMesh& mesh, const SurfacePoint& site, const LabelState& label,
+             const ReachedIndex& index, const SurfacePoint& p);
 
-WindowPath::WindowPath(const TriangleMesh& mesh, const SurfacePoint& site, const LabelState& label,
-                       const ReachedIndex& index)
-    : mesh_(mesh), label_(label), points_(mesh, site), index_(index) {}
+  /// Offers a window of a face that the point lies in; `place` is the point in that face.
+  void offer(const Window& w, int halfedge, const SurfacePoint& place);
+  /// The shortest path: through an offered window, over a corner around the point, or straight
+  /// within a face. Empty if none leads to the site.
+  std::vector<SurfacePoint> take();
+
+ private:
+  /// The rest of a straight piece of the path, up to its virtual source.
+  struct Piece {
+    StraightLine line;
+    double sourceDistance;
+  };
+  /// Where a followed piece ends, other than at a vertex.
+  enum : int { kAtSite = -1, kLost = -2 };
+
+  int follow(Piece piece);
+  Piece lastPiece(int vertex) const;
+  int sourceAt(const Piece& piece) const;
+  bool leadsOn(int vertex, double distance) const;
+  int nearestVertex() const;
+
+  double distanceAt(int vertex) const {
+    return index_[vertex] < 0 ? kInfinity : label_.vertices[index_[vertex]].distance;
+  }
+
+  const TriangleMesh& mesh_;
+  const LabelState& label_;
+  PathPoints points_;
+  const ReachedIndex& index_;
+  /// The distance at the path's last vertex. The next vertex must be nearer to the site, so the
+  /// path ends.
+  double bound_ = kInfinity;
+  // The best beginning.
+  double least_ = kInfinity;
+  Piece first_;
+};
+
+}  // namespace
 
 // --- The beginning -----------------------------------------------------------------------------
 
-void WindowPath::start(const SurfacePoint& p) {
+WindowPath::WindowPath(const TriangleMesh& mesh, const SurfacePoint& site, const LabelState& label,
+                       const ReachedIndex& index, const SurfacePoint& p)
+    : mesh_(mesh), label_(label), points_(mesh, site), index_(index) {
   points_.add(p);
   visitRepresentations(mesh_, p, [&](const SurfacePoint& place) {
     for (int i = 0; i < 3; ++i) {
-      const Vector2d way = layOut(mesh_.face(place.face), 0, place.bary - Eigen::Vector3d::Unit(i));
+      const Vector2d way = wayToCorner(mesh_.face(place.face), place.bary, i);
       least_ = std::min(least_, distanceAt(mesh_.tail(3 * place.face + i)) + way.norm());
     }
   });
@@ -119,7 +165,7 @@ int WindowPath::nearestVertex() const {
   visitRepresentations(mesh_, points_.last(), [&](const SurfacePoint& place) {
     for (int i = 0; i < 3; ++i) {
       const int vertex = mesh_.tail(3 * place.face + i);
-      const Vector2d way = layOut(mesh_.face(place.face), 0, place.bary - Eigen::Vector3d::Unit(i));
+      const Vector2d way = wayToCorner(mesh_.face(place.face), place.bary, i);
       const double distance = distanceAt(vertex) + way.norm();
       if (!(distanceAt(vertex) < bound_ && distance < least)) continue;
       least = distance;
@@ -134,8 +180,7 @@ int WindowPath::nearestVertex() const {
 std::vector<SurfacePoint> pathToSite(const TriangleMesh& mesh, const SurfacePoint& site,
                                      const LabelState& label, const ReachedIndex& index,
                                      const SurfacePoint& p) {
-  WindowPath path(mesh, site, label, index);
-  path.start(p);
+  WindowPath path(mesh, site, label, index, p);
   if (vertexAt(mesh, p) >= 0) return path.take();
   visitRepresentations(mesh, p, [&](const SurfacePoint& place) {
     for (int i = 0; i < 3; ++i) {

@@ -8,7 +8,7 @@
 
 #include "base/prefetch.h"
 #include "distance/exact/window_sweep.h"
-#include "distance/face_layout.h"
+#include "mesh/face_layout.h"
 #include "mesh/representations.h"
 
 namespace gvd::exact {
@@ -128,17 +128,15 @@ void WindowSweep::offerToCorners(const Window& w, int h) {
 
 // --- Points --------------------------------------------------------------------------------------
 
-void WindowSweep::start(int label, const SurfacePoint& site, SpreadTo to, LabelState& state,
+void WindowSweep::start(int label, const SurfacePoint& site, LabelState& state,
                         std::span<const RequiredPoint> points) {
-  begin(label, to, state);
-  lowersBounds_ = false;
+  begin(label, SpreadTo::kOwned, state);
   addPoints(points);
   startAt(site);
 }
 
 void WindowSweep::require(int label, LabelState& state, std::span<const RequiredPoint> points) {
   beginToRequire(label, state);
-  lowersBounds_ = false;
   addPoints(points);
   for (const WaitingWindow& w : state.waiting) offerToPoints(w.window, w.halfedge);
   continueNeeded();
@@ -164,8 +162,7 @@ void WindowSweep::addPoint(const SurfacePoint& p, int index) {
   points_.addPlace(p, index);
   const TriangleMesh::Face& face = mesh_.face(p.face);
   for (int i = 0; i < 3; ++i)
-    offerToPoint(index, distanceAt(face.vertices[i]) +
-                            layOut(face, 0, p.bary - Eigen::Vector3d::Unit(i)).norm());
+    offerToPoint(index, distanceAt(face.vertices[i]) + wayToCorner(face, p.bary, i).norm());
 }
 
 void WindowSweep::offerToPoint(int index, double distance) {
@@ -184,8 +181,7 @@ void WindowSweep::offerToPoints(const Window& w, int h) {
 void WindowSweep::offerToPointsFrom(int v, int corner, int f) {
   for (const auto& p : points_.in(f))
     offerToPoint(p.index,
-                 vertices_[v].distance +
-                     layOut(mesh_.face(f), 0, p.bary - Eigen::Vector3d::Unit(corner)).norm());
+                 vertices_[v].distance + wayToCorner(mesh_.face(f), p.bary, corner).norm());
 }
 
 // --- Which windows go on -------------------------------------------------------------------------

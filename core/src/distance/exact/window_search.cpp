@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "distance/exact/window_sweep.h"
-#include "distance/face_layout.h"
+#include "mesh/face_layout.h"
 #include "mesh/representations.h"
 
 namespace gvd::exact {

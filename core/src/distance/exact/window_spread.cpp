@@ -7,8 +7,8 @@
 
 #include "base/plane.h"
 #include "distance/exact/window_path.h"
-#include "distance/face_layout.h"
 #include "distance/known_labels.h"
+#include "mesh/face_layout.h"
 #include "mesh/representations.h"
 
 namespace gvd::exact {
@@ -27,9 +27,7 @@ LabelState& WindowSpread::begin(int label) {
   return labels_[label];
 }
 
-void WindowSpread::start(int label) {
-  sweep_.start(label, sites_[label], SpreadTo::kOwned, begin(label));
-}
+void WindowSpread::start(int label) { sweep_.start(label, sites_[label], begin(label)); }
 
 void WindowSpread::resume(int label) { sweep_.resume(label, begin(label)); }
 

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "base/prefetch.h"
-#include "distance/face_layout.h"
 #include "distance/site_frame.h"
+#include "mesh/face_layout.h"
 #include "mesh/representations.h"
 #include "mesh/surface_geometry.h"
 
@@ -49,7 +49,6 @@ void WindowSweep::begin(int label, SpreadTo to, LabelState& state) {
   label_ = label;
   to_ = to;
   state_ = &state;
-  lowersBounds_ = true;
   revisits_.begin();
   ++epoch_;
   required_.clear();
@@ -59,8 +58,14 @@ void WindowSweep::begin(int label, SpreadTo to, LabelState& state) {
   waitingSources_.clear();
 }
 
-void WindowSweep::start(int label, const SurfacePoint& site, SpreadTo to, LabelState& state) {
-  begin(label, to, state);
+void WindowSweep::start(int label, const SurfacePoint& site, LabelState& state) {
+  begin(label, SpreadTo::kOwned, state);
+  startAt(site);
+}
+
+/// As long as nothing is required, no window of a label that spreads to required distances goes on.
+void WindowSweep::startWaiting(int label, const SurfacePoint& site, LabelState& state) {
+  begin(label, SpreadTo::kRequired, state);
   startAt(site);
 }
 
@@ -191,7 +196,7 @@ void WindowSweep::offer(int v, double distance, const LastPiece& piece) {
     return;  // the rest of the path is known
   }
   if (own.required != RequiredDistances::kNone) required_.shorten(own.required, distance);
-  if (lowersBounds_) bounds_.lower(v, label_, distance);
+  if (points_.isEmpty()) bounds_.lower(v, label_, distance);
   if (own.isSaddle || piece.arrival < 0) queueSource(v);
 }
 

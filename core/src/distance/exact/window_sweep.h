@@ -27,13 +27,6 @@ struct RequiredPoint {
   double nearest;   ///< that of the nearest label
 };
 
-/// How far a label spreads.
-enum class SpreadTo {
-  kOwned,     ///< while no other label is nearer
-  kRequired,  ///< while a required distance can still become shorter
-  kSites,     ///< from a point, while the path to a site can still become shorter
-};
-
 /// Spreads the windows of one label after another. The working memory has room for the whole mesh,
 /// but a label touches only the part that it crosses, which stays in the cache.
 ///
@@ -56,8 +49,10 @@ class WindowSweep {
   /// Reads `bounds`, and lowers them to the distances that labels find.
   WindowSweep(const TriangleMesh& mesh, NearestBounds& bounds);
 
-  /// Begins to spread a new label.
-  void start(int label, const SurfacePoint& site, SpreadTo to, LabelState& state);
+  /// Begins to spread a new label, while no other label is nearer.
+  void start(int label, const SurfacePoint& site, LabelState& state);
+  /// Begins a new label whose windows all wait at the faces around its site.
+  void startWaiting(int label, const SurfacePoint& site, LabelState& state);
   /// Begins to spread a label on from its waiting windows, because bounds have risen.
   void resume(int label, LabelState& state);
   /// Begins to spread a label on to all corners of some faces, whose distances are at most
@@ -65,7 +60,7 @@ class WindowSweep {
   void require(int label, LabelState& state, std::span<const int> faces, double atMost = kInfinity);
   /// Begins to spread a new label, to find its distances at points in faces that it crosses. Does
   /// not lower bounds.
-  void start(int label, const SurfacePoint& site, SpreadTo to, LabelState& state,
+  void start(int label, const SurfacePoint& site, LabelState& state,
              std::span<const RequiredPoint> points);
   /// Begins to spread a label on to some points. Does not lower bounds. If there is a single point,
   /// the windows of its faces wait there when `run` is done, for `pathToSite`.
@@ -91,6 +86,13 @@ class WindowSweep {
   double front() const { return queue_.front(); }
 
  private:
+  /// How far a label spreads.
+  enum class SpreadTo {
+    kOwned,     ///< while no other label is nearer
+    kRequired,  ///< while a required distance can still become shorter
+    kSites,     ///< from a point, while the path to a site can still become shorter
+  };
+
   /// The shortest path of the current label to a vertex so far.
   struct alignas(64) Vertex {
     double distance;
@@ -195,7 +197,6 @@ class WindowSweep {
   int label_ = -1;
   SpreadTo to_ = SpreadTo::kOwned;
   LabelState* state_ = nullptr;
-  bool lowersBounds_ = true;
   SurfacePoint site_;
   RequiredDistances required_;
   double mostExcess_ = 0;  ///< of `required_`, when the label began to go on
