@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Merges the change that an edit makes into the arrays of a diagram.
+// Merges the changes that edits make into the arrays of a diagram.
 import { GrowingArray } from './input/growing_array.js';
 import type { DiagramChange, DiagramData, PointLists, SurfacePoints } from './results.js';
 
@@ -27,57 +27,40 @@ export function changedSites(
     : { face: face.slice(0, end), bary: bary.slice(0, 3 * end) };
 }
 
-/** The diagram after a change: its regions and triangles are replaced, everything else is kept. */
+/**
+ * The diagram after some changes, one after the other: of every region and triangle, it has the
+ * pieces of the last change that replaced them, and otherwise its former ones.
+ */
 export function changedData(
   data: DiagramData,
-  change: DiagramChange,
+  changes: readonly DiagramChange[],
   siteCount: number,
 ): DiagramData {
-  const { part, labels, faces } = change;
   const regionArea = new Float64Array(siteCount);
   regionArea.set(data.regionArea.subarray(0, siteCount));
-  labels.forEach((label, i) => {
-    if (label < siteCount) regionArea[label] = part.regionArea[i];
-  });
   const faceLabel = data.faceLabel.slice();
-  faces.forEach((face, i) => (faceLabel[face] = part.faceLabel[i]));
-  return { siteCount, ...new Merge(data, change).run(), regionArea, faceLabel };
-}
-
-/** Two changes as one: the second was made after the first. */
-export function combinedChange(first: DiagramChange, second: DiagramChange): DiagramChange {
-  const [labels, regionArea] = overlaid(
-    [first.labels, first.part.regionArea],
-    [second.labels, second.part.regionArea],
-  );
-  const [faces, faceLabel] = overlaid(
-    [first.faces, first.part.faceLabel],
-    [second.faces, second.part.faceLabel],
-  );
-  const part = {
-    ...new Merge(first.part, second).run(),
-    regionArea: Float64Array.from(regionArea),
-    faceLabel: Int32Array.from(faceLabel),
-  };
-  return { label: second.label, labels, faces, part };
+  for (const { part, labels, faces } of changes) {
+    labels.forEach((label, i) => {
+      if (label < siteCount) regionArea[label] = part.regionArea[i];
+    });
+    faces.forEach((face, i) => (faceLabel[face] = part.faceLabel[i]));
+  }
+  return { siteCount, ...new Merge(data, changes).run(), regionArea, faceLabel };
 }
 
 /**
- * Shortens a list of changes after one has been appended. Drops earlier changes that the newest one
- * fully overwrites, as happens during a drag, and combines it with those that are at most twice as
- * large.
+ * Appends a change to those that are still to be merged. Drops the ones before it that it fully
+ * overwrites, as happens during a drag.
  */
-export function shortenChanges(changes: DiagramChange[]): void {
-  let last = changes.pop();
-  if (!last) return;
-  for (let before = changes.at(-1); before; before = changes.at(-1)) {
-    if (!isReplaced(before, last)) {
-      if (sizeOf(before) > 2 * sizeOf(last)) break;
-      last = combinedChange(before, last);
-    }
+export function appendChange(changes: DiagramChange[], change: DiagramChange): void {
+  for (let last = changes.at(-1); last && isReplaced(last, change); last = changes.at(-1))
     changes.pop();
-  }
-  changes.push(last);
+  changes.push(change);
+}
+
+/** Whether changes are so large that they are better merged than kept. */
+export function areLarge(changes: readonly DiagramChange[], { points }: DiagramData): boolean {
+  return changes.reduce((sum, { part }) => sum + part.points.face.length, 0) > points.face.length;
 }
 
 /** Whether a second change overwrites all of a first one. */
@@ -91,59 +74,48 @@ function isSubset(some: Int32Array, all: Int32Array): boolean {
   return some.every((each) => set.has(each));
 }
 
-function sizeOf({ part }: DiagramChange): number {
-  return part.points.face.length;
-}
-
-/** Values by ascending keys; where several layers have a key, the value of the last one. */
-function overlaid(
-  ...layers: [Int32Array, ArrayLike<number>][]
-): [keys: Int32Array, values: number[]] {
-  const valueByKey = new Map<number, number>();
-  for (const [keys, values] of layers) keys.forEach((key, i) => valueByKey.set(key, values[i]));
-  const keys = Int32Array.from(valueByKey.keys()).sort();
-  return [keys, Array.from(keys, (key) => valueByKey.get(key)!)];
-}
-
 /** The arrays of a diagram or of a change's part, without the values per label and face. */
 type Pieces = Omit<DiagramData, 'siteCount' | 'regionArea' | 'faceLabel'>;
 
-/** One of the two sources of a merged diagram: its arrays, and where its points went. */
+/** One of the sources of a merged diagram: its arrays, and where its points went. */
 interface Source {
+  /** 0: the diagram before; from 1, the changes in their order. */
+  order: number;
   arrays: Pieces;
   pointOf: (point: number) => number;
 }
 
 class Merge {
-  readonly #old: Source;
-  readonly #part: Source;
-  readonly #changedLabels: ReadonlySet<number>;
-  readonly #changedFaces: ReadonlySet<number>;
+  readonly #sources: Source[];
+  /** The order of the last change that replaced a label's or a face's pieces; 0 if none did. */
+  readonly #lastOfLabel: LastChange;
+  readonly #lastOfFace: LastChange;
   readonly #points: MergedPoints;
 
-  constructor(old: Pieces, { part, labels, faces }: DiagramChange) {
-    this.#points = new MergedPoints(old.points.face.length + part.points.face.length);
-    this.#old = { arrays: old, pointOf: this.#points.from(old.points, part.points) };
-    this.#part = { arrays: part, pointOf: this.#points.from(part.points) };
-    this.#changedLabels = new Set(labels);
-    this.#changedFaces = new Set(faces);
+  constructor(before: Pieces, changes: readonly DiagramChange[]) {
+    const all = [before, ...changes.map(({ part }) => part)];
+    this.#points = new MergedPoints(
+      total(all, ({ points }) => points.face.length),
+      changes.map(({ part }) => part.points.face),
+    );
+    this.#sources = all.map((arrays, order) => ({
+      order,
+      arrays,
+      pointOf: this.#points.from(arrays.points),
+    }));
+    this.#lastOfLabel = new LastChange(changes.map(({ labels }) => labels));
+    this.#lastOfFace = new LastChange(changes.map(({ faces }) => faces));
   }
 
   run(): Pieces {
-    const kept = this.#old.arrays.indifferentFaces.filter((face) => !this.#changedFaces.has(face));
     const pieces = {
       ...this.#lines(),
       voronoiPoints: this.#voronoiPoints(),
       loops: this.#loops(),
-      indifferentFaces: Int32Array.from([...kept, ...this.#part.arrays.indifferentFaces]).sort(),
+      indifferentFaces: this.#indifferentFaces(),
       cells: this.#cells(),
     };
     return { points: this.#points.arrays(), ...pieces };
-  }
-
-  /** Whether a bisector of two labels is replaced. */
-  #isChangedPair(labels: Int32Array, i: number): boolean {
-    return this.#changedLabels.has(labels[2 * i]) || this.#changedLabels.has(labels[2 * i + 1]);
   }
 
   #lines(): Pick<DiagramData, 'segments' | 'arcs'> {
@@ -153,16 +125,15 @@ class Merge {
     const labels = this.#numbers((arrays) => arrays.segments.labels);
     const face = this.#numbers((arrays) => arrays.segments.face);
     const arc = this.#numbers((arrays) => arrays.segments.arc);
-    for (const { arrays, pointOf } of [this.#old, this.#part]) {
-      const isKept = (i: number) =>
-        arrays !== this.#old.arrays || !this.#isChangedPair(arrays.arcs.labels, i);
+    for (const { order, arrays, pointOf } of this.#sources) {
       const arcOf = new Int32Array(arrays.arcs.offset.length - 1).fill(-1);
       for (let i = 0; i < arcOf.length; ++i) {
-        if (!isKept(i)) continue;
+        const [left, right] = [arrays.arcs.labels[2 * i], arrays.arcs.labels[2 * i + 1]];
+        if (this.#lastOfLabel.of(left) > order || this.#lastOfLabel.of(right) > order) continue;
         arcOf[i] = arcs.count;
         arcs.add(arrays.arcs, i, pointOf);
-        arcLabels.push(arrays.arcs.labels[2 * i]);
-        arcLabels.push(arrays.arcs.labels[2 * i + 1]);
+        arcLabels.push(left);
+        arcLabels.push(right);
       }
       const { segments } = arrays;
       for (let s = 0; s < segments.face.length; ++s) {
@@ -187,28 +158,27 @@ class Merge {
   }
 
   #voronoiPoints(): DiagramData['voronoiPoints'] {
-    const point: number[] = [];
-    const labelOffset = [0];
-    const labels: number[] = [];
-    for (const { arrays, pointOf } of [this.#old, this.#part]) {
+    const point = this.#numbers(({ voronoiPoints }) => voronoiPoints.point);
+    const labelOffset = this.#numbers(({ voronoiPoints }) => voronoiPoints.labelOffset);
+    const labels = this.#numbers(({ voronoiPoints }) => voronoiPoints.labels);
+    labelOffset.push(0);
+    for (const { order, arrays, pointOf } of this.#sources) {
       const { voronoiPoints } = arrays;
       for (let i = 0; i < voronoiPoints.point.length; ++i) {
         const around = voronoiPoints.labels.subarray(
           voronoiPoints.labelOffset[i],
           voronoiPoints.labelOffset[i + 1],
         );
-        if (arrays === this.#old.arrays && around.some((label) => this.#changedLabels.has(label))) {
-          continue;
-        }
+        if (around.some((label) => this.#lastOfLabel.of(label) > order)) continue;
         point.push(pointOf(voronoiPoints.point[i]));
-        labels.push(...around);
+        for (const label of around) labels.push(label);
         labelOffset.push(labels.length);
       }
     }
     return {
-      point: Int32Array.from(point),
-      labelOffset: Int32Array.from(labelOffset),
-      labels: Int32Array.from(labels),
+      point: point.toArray(),
+      labelOffset: labelOffset.toArray(),
+      labels: labels.toArray(),
     };
   }
 
@@ -216,7 +186,7 @@ class Merge {
     const { lists, keys } = this.#inOrder(
       ({ loops }) => loops,
       ({ loops }) => loops.label,
-      this.#changedLabels,
+      this.#lastOfLabel,
     );
     return { ...lists, label: keys };
   }
@@ -226,18 +196,29 @@ class Merge {
     const { lists, keys } = this.#inOrder(
       ({ cells }) => cells,
       ({ cells }) => cells.face,
-      this.#changedFaces,
+      this.#lastOfFace,
       ({ cells }, i) => label.push(cells.label[i]),
     );
     return { ...lists, face: keys, label: label.toArray() };
   }
 
-  /** An array with room for all numbers of both sources. */
-  #numbers(of: (arrays: Pieces) => Int32Array): GrowingArray<Int32Array> {
-    return new GrowingArray(Int32Array, of(this.#old.arrays).length + of(this.#part.arrays).length);
+  #indifferentFaces(): Int32Array {
+    const faces = this.#numbers(({ indifferentFaces }) => indifferentFaces);
+    for (const { order, arrays } of this.#sources)
+      for (const face of arrays.indifferentFaces)
+        if (this.#lastOfFace.of(face) <= order) faces.push(face);
+    return faces.toArray().sort();
   }
 
-  /** Lists with room for all of both sources. */
+  /** An array with room for all numbers of all sources. */
+  #numbers(of: (arrays: Pieces) => Int32Array): GrowingArray<Int32Array> {
+    return new GrowingArray(
+      Int32Array,
+      total(this.#sources, ({ arrays }) => of(arrays).length),
+    );
+  }
+
+  /** Lists with room for all of all sources. */
   #lists(of: (arrays: Pieces) => PointLists): ListsBuilder {
     return new ListsBuilder(
       this.#numbers((arrays) => of(arrays).offset),
@@ -246,34 +227,60 @@ class Merge {
   }
 
   /**
-   * The lists of both sources, ascending by their keys; those of the old one whose key has changed
-   * are left out. Calls `taken` with each list that is taken.
+   * The lists of all sources, ascending by their keys, without those whose key a later source has
+   * replaced. Calls `taken` with each list that is taken.
    */
   #inOrder(
     listsOf: (arrays: Pieces) => PointLists,
     keyOf: (arrays: Pieces) => Int32Array,
-    changed: ReadonlySet<number>,
+    last: LastChange,
     taken: (arrays: Pieces, i: number) => void = () => {},
   ): { lists: PointLists; keys: Int32Array } {
     const lists = this.#lists(listsOf);
-    const oldKey = keyOf(this.#old.arrays);
-    const newKey = keyOf(this.#part.arrays);
     const keys = this.#numbers(keyOf);
-    const take = ({ arrays, pointOf }: Source, key: number, i: number) => {
+    const take = ({ arrays, pointOf }: Source, i: number) => {
       lists.add(listsOf(arrays), i, pointOf);
-      keys.push(key);
+      keys.push(keyOf(arrays)[i]);
       taken(arrays, i);
     };
+    const [before, ...changes] = this.#sources;
+    const changed = changes
+      .flatMap((source) =>
+        Array.from(keyOf(source.arrays), (key, i) => ({ key, source, i })).filter(
+          ({ key }) => last.of(key) === source.order,
+        ),
+      )
+      .sort((a, b) => a.key - b.key);
     let next = 0;
-    for (let i = 0; i <= oldKey.length; ++i) {
-      while (next < newKey.length && (i === oldKey.length || newKey[next] <= oldKey[i])) {
-        take(this.#part, newKey[next], next);
-        ++next;
-      }
-      if (i < oldKey.length && !changed.has(oldKey[i])) take(this.#old, oldKey[i], i);
-    }
+    const takeChanged = (below: number) => {
+      for (; next < changed.length && changed[next].key < below; ++next)
+        take(changed[next].source, changed[next].i);
+    };
+    keyOf(before.arrays).forEach((key, i) => {
+      takeChanged(key);
+      if (last.of(key) === 0) take(before, i);
+    });
+    takeChanged(Infinity);
     return { lists: lists.lists(), keys: keys.toArray() };
   }
+}
+
+/** By label or face, which of several changes was the last to replace its pieces. */
+class LastChange {
+  readonly #order = new Map<number, number>();
+
+  constructor(changes: readonly Int32Array[]) {
+    for (const [i, keys] of changes.entries()) for (const key of keys) this.#order.set(key, i + 1);
+  }
+
+  /** The changes count from 1; 0 if none did. */
+  of(key: number): number {
+    return this.#order.get(key) ?? 0;
+  }
+}
+
+function total<Item>(items: readonly Item[], count: (item: Item) => number): number {
+  return items.reduce((sum, item) => sum + count(item), 0);
 }
 
 /** Collects the points that a merged diagram refers to, each place once. */
@@ -281,27 +288,23 @@ class MergedPoints {
   readonly #face: GrowingArray<Int32Array>;
   readonly #bary: GrowingArray<Float64Array>;
   readonly #position: GrowingArray<Float64Array>;
-  /** By face, the points that another source may have at the same place. */
-  readonly #shared = new Map<number, { point: number; b0: number; b1: number }[]>();
+  /** By face, if several sources may have points there at the same place: its points so far. */
+  readonly #shared: Map<number, { point: number; b0: number; b1: number }[]>;
 
-  constructor(most: number) {
+  /** At most so many points; only in faces that changes have points in may two sources share one. */
+  constructor(most: number, changedFaces: readonly Int32Array[]) {
     this.#face = new GrowingArray(Int32Array, most);
     this.#bary = new GrowingArray(Float64Array, 3 * most);
     this.#position = new GrowingArray(Float64Array, 3 * most);
+    this.#shared = new Map();
+    for (const faces of changedFaces) for (const face of faces) this.#shared.set(face, []);
   }
 
-  /**
-   * Numbers the points of a source in the merged diagram, each when it is first asked for. A point
-   * at the same place as one of the `other` source gets the same number.
-   */
-  from(points: DiagramData['points'], other?: DiagramData['points']): (point: number) => number {
+  /** Numbers the points of a source in the merged diagram, each when it is first asked for. */
+  from(points: DiagramData['points']): (point: number) => number {
     const merged = new Int32Array(points.face.length).fill(-1);
-    const faces = other && new Set(other.face);
     return (point) => {
-      if (merged[point] < 0) {
-        const mayBeShared = !faces || faces.has(points.face[point]);
-        merged[point] = mayBeShared ? this.#share(points, point) : this.#add(points, point);
-      }
+      if (merged[point] < 0) merged[point] = this.#number(points, point);
       return merged[point];
     };
   }
@@ -314,10 +317,9 @@ class MergedPoints {
     };
   }
 
-  #share(points: DiagramData['points'], i: number): number {
-    const face = points.face[i];
-    let here = this.#shared.get(face);
-    if (!here) this.#shared.set(face, (here = []));
+  #number(points: DiagramData['points'], i: number): number {
+    const here = this.#shared.get(points.face[i]);
+    if (!here) return this.#add(points, i);
     const [b0, b1] = [points.bary[3 * i], points.bary[3 * i + 1]];
     const known = here.find((each) => each.b0 === b0 && each.b1 === b1);
     if (known) return known.point;

@@ -3,7 +3,7 @@
 // A diagram as callers hold it: it checks what it is given, leaves the work to an engine, and keeps
 // the arrays up to date with the changes.
 
-import { changedData, changedSites, combinedChange, shortenChanges } from './change.js';
+import { appendChange, areLarge, changedData, changedSites } from './change.js';
 import { toBoolean, toTask, toTaskOptions } from './checks.js';
 import type { DiagramForm, Engine, OpenedDiagram } from './engine.js';
 import { invalidArgument } from './errors.js';
@@ -67,13 +67,14 @@ export class EngineDiagram implements Diagram {
   }
 
   get data(): DiagramData {
-    const change = this.#changes.reduceRight<DiagramChange | undefined>(
-      (later, earlier) => (later ? combinedChange(earlier, later) : earlier),
-      undefined,
-    );
-    if (change) this.#data = changedData(this.#data, change, this.#sites.face.length);
-    this.#changes = [];
+    this.#mergeChanges();
     return this.#data;
+  }
+
+  #mergeChanges(): void {
+    if (this.#changes.length > 0)
+      this.#data = changedData(this.#data, this.#changes, this.#sites.face.length);
+    this.#changes = [];
   }
 
   get regions(): readonly Region[] {
@@ -136,12 +137,11 @@ export class EngineDiagram implements Diagram {
     const result = this.#lastChange.then(async () => {
       const [change, site] = await task((name, ...args) => {
         signal?.throwIfAborted();
-        const answer = this.#kept.call<DiagramChange>(name, args, { onProgress });
-        shortenChanges(this.#changes); // meanwhile the engine may be at work in a worker
-        return answer;
+        return this.#kept.call<DiagramChange>(name, args, { onProgress });
       });
       this.#sites = changedSites(this.#sites, change.label, site);
-      this.#changes.push(change);
+      appendChange(this.#changes, change);
+      if (areLarge(this.#changes, this.#data)) this.#mergeChanges();
       this.#regions = undefined;
       return change;
     });
