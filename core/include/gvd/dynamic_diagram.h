@@ -70,8 +70,8 @@ class DynamicDiagram {
 
   /// A change takes about as long as computing the regions in `DiagramChange::labels`, however
   /// large the mesh is. (If several sites tie behind a saddle vertex, a little time per vertex of
-  /// the mesh is added. With `detail`, the whole diagram is traced again if the change touches a face
-  /// in which a label is nearest without being known at its corners.) The new site gets
+  /// the mesh is added. With `detail`, the whole diagram is traced again if the change touches a
+  /// face in which a label is nearest without being known at its corners.) The new site gets
   /// `lowestFreeLabel()`. After `std::bad_alloc` the diagram must not be used any more.
   DiagramChange insertSite(const SurfacePoint& site);
   /// Throws `Error(kInvalidArgument)` if no site has the label.

@@ -32,7 +32,7 @@ bool ownsPartOf(int label, double atTail, double atTip, Labels tail, Labels tip)
 
 /// Whether one of the owners is nearer than a label at both ends of a side.
 bool isDominated(int label, double atTail, double atTip, Labels tail, Labels tip,
-              const std::array<int, 3>& owners) {
+                 const std::array<int, 3>& owners) {
   return std::any_of(owners.begin(), owners.end(), [&](int owner) {
     const LabelledDistance *const from = findLabel(tail, owner), *const to = findLabel(tip, owner);
     if (!from || !to || owner == label) return false;

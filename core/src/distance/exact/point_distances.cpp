@@ -58,7 +58,8 @@ PointDistances::PointDistances(const TriangleMesh& mesh, const SiteSet& sites,
 bool PointDistances::step(long budget) {
   return sequence_.run(
       [&] {
-        return loop_.run(points_.size(), budget, kPointsPerUnit, [&](int i) { sortOut(points_[i]); });
+        return loop_.run(points_.size(), budget, kPointsPerUnit,
+                         [&](int i) { sortOut(points_[i]); });
       },
       [&] {
         sortStably(std::span(open_),
