@@ -102,9 +102,9 @@ function setUpErrors(viewer: GeodesicVoronoiElement): void {
       showError(message);
     }
   });
-  // The next attempt makes its own, and who goes on with something else has read it.
+  // The next attempt makes its own.
   listen(viewer, 'status-change', ({ status }) => {
-    if (status === 'loading' || status === 'computing') hideError();
+    if (status === 'loading') hideError();
   });
 }
 
