@@ -135,6 +135,29 @@ TEST(Windows, LeaveNoGapBesideASaddleAtANeedle) {
   EXPECT_NEAR(alone->at(end)[0].distance, 0.25874513642959723, 1e-15);
 }
 
+/// In these faces rounding hides a vertex from its straight path, so the site's label is required
+/// there before the other distances are final; it must not forget then that they are.
+TEST(Windows, KeepWhatIsFinalWhenAVertexWasMissed) {
+  shapes::Shape shape;
+  for (const Eigen::Vector3d& p :
+       std::initializer_list<Eigen::Vector3d>{{1e30, 0.279018, -0.418527},
+                                              {1e30, 0.103795, -0.155692},
+                                              {0.000135149, 0.000270299, -0.000405448},
+                                              {0.000544957, 0.00108991, 1e30},
+                                              {0.00168283, 0.00336565, -0.00504848},
+                                              {0, 0, 0},
+                                              {0.00446429, 0.00892857, -0.0133929},
+                                              {6.53948e-06, 1.3079e-05, -1.96184e-05},
+                                              {0.00168065, 0.00336129, -0.00504194}})
+    shape.addVertex(p);
+  shape.triangles = {0, 1, 2, 0, 2, 3, 3, 2, 5, 3, 5, 4, 4, 5, 7, 4, 7, 6, 5, 8, 7};
+  const TriangleMesh mesh = shape.mesh();
+  const auto field =
+      inSlices(mesh, {{3, {0.0008544921875, 0.2156982421875, 0.783447265625}}, {6, {0, 1, 0}}},
+               Metric::kExact, 1000);
+  for (int v = 0; v < mesh.vertexCount(); ++v) EXPECT_FALSE(field->at(v).empty()) << v;
+}
+
 /// On edges, where a label is known at both ends, whichever label is nearer in between; and inside
 /// faces.
 /// In a long tetrahedron, the way through the middle of an edge to the corner beyond is shorter

@@ -112,11 +112,14 @@ bool KnownLabels::forEach(size_t count, long& budget, Work work) {
 bool KnownLabels::markFinal(long& budget) {
   return forEach(started_.size() + resumed_.size(), budget, [&](size_t i) {
     const int label = i < started_.size() ? started_[i] : resumed_[i - started_.size()];
-    std::vector<ReachedVertex>& reached = spread_.reached(label);
-    for (ReachedVertex& r : reached) {
+    const std::vector<ReachedVertex>& reached = spread_.reached(label);
+    for (size_t k = 0; k < reached.size(); ++k) {
+      const ReachedVertex& r = reached[k];
       if (!bounds_.ties().isAtMost(r.distance, bounds_[r.vertex].distance)) continue;
       noteTie(r.vertex, label);
-      if (!std::exchange(r.isFinal, true) && !areAllNew()) newlyFinal_.push_back(r.vertex);
+      if (r.isFinal) continue;
+      spread_.markFinal(label, static_cast<int>(k));
+      if (!areAllNew()) newlyFinal_.push_back(r.vertex);
     }
     return 1 + static_cast<long>(reached.size()) / kPerUnit;
   });

@@ -46,8 +46,9 @@ class LabelSpread {
   virtual void remove(std::span<const int> labels) = 0;
 
   /// The vertices that a label has reached, in a stable order: new ones are appended.
-  virtual std::vector<ReachedVertex>& reached(int label) = 0;
   virtual const std::vector<ReachedVertex>& reached(int label) const = 0;
+  /// Marks the distance of `reached(label)[index]` as final, while no label spreads.
+  virtual void markFinal(int label, int index) = 0;
   /// Whether the distances that a label finds depend on `EdgeBounds`: then a label has to start
   /// again when the edge bound of a vertex that it has reached changes.
   virtual bool dependsOnEdgeBounds() const = 0;

@@ -32,10 +32,10 @@ class UnfoldingSpread final : public LabelSpread {
   int indexOf(int vertex) const override { return index_[vertex]; }
   void remove(std::span<const int> labels) override;
 
-  std::vector<ReachedVertex>& reached(int label) override { return labels_[label].vertices; }
   const std::vector<ReachedVertex>& reached(int label) const override {
     return labels_[label].vertices;
   }
+  void markFinal(int label, int index) override { labels_[label].vertices[index].isFinal = true; }
   bool dependsOnEdgeBounds() const override { return true; }
   std::vector<LabelledDistance> nearestAt(const SurfacePoint& p, const KnownLabels& known) override;
   std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(

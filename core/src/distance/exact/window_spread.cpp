@@ -35,6 +35,11 @@ void WindowSpread::require(int label, std::span<const int> faces) {
   sweep_.require(label, begin(label), faces);
 }
 
+void WindowSpread::markFinal(int label, int index) {
+  labels_[label].vertices[index].isFinal = true;
+  sweep_.forget();
+}
+
 void WindowSpread::remove(std::span<const int> labels) {
   for (const int label : labels) {
     labels_[label] = {};

@@ -29,10 +29,10 @@ class WindowSpread final : public LabelSpread {
   int indexOf(int vertex) const override { return sweep_.indexOf(vertex); }
   void remove(std::span<const int> labels) override;
 
-  std::vector<ReachedVertex>& reached(int label) override { return labels_[label].vertices; }
   const std::vector<ReachedVertex>& reached(int label) const override {
     return labels_[label].vertices;
   }
+  void markFinal(int label, int index) override;
   bool dependsOnEdgeBounds() const override { return false; }
   std::vector<LabelledDistance> nearestAt(const SurfacePoint& p, const KnownLabels& known) override;
   std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(

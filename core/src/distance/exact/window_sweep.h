@@ -80,6 +80,8 @@ class WindowSweep {
   /// Works on at most `budget` batches and lowers it by their number; true when the label is done
   /// and its state is stored.
   bool run(long& budget);
+  /// Forgets the last label, whose state has been changed since: it has to be loaded again.
+  void forget() { label_ = -1; }
   /// The index in the label's state of a vertex that it has reached.
   int indexOf(int vertex) const { return vertices_[vertex].index; }
   /// The distance of the current label's wavefront, to the width of a bucket.
