@@ -91,13 +91,17 @@ bool ElementPoints::isNearCorner(const Element& element, const Eigen::Vector3d& 
 }
 
 /// Where slivers meet, an inner point may get the same place as another point that no segment joins
-/// it to. The two are not merged, so the inner point is moved by one rounding step to have a place
-/// of its own.
+/// it to. The two are not merged, so the inner point is moved by one rounding step, or several, to
+/// have a place of its own.
 void ElementPoints::tellApartInnerPoints() {
   for (Corner& inner : corners_) {
     if (!inner.isInside) continue;
-    for (const Corner& other : corners_) {
-      if (other.point < 0 || other.point == inner.point || other.bary != inner.bary) continue;
+    const auto isShared = [&] {
+      return std::any_of(corners_.begin(), corners_.end(), [&](const Corner& other) {
+        return other.point >= 0 && other.point != inner.point && other.bary == inner.bary;
+      });
+    };
+    while (isShared()) {
       Eigen::Index largest;
       inner.bary.maxCoeff(&largest);
       inner.bary[largest] = std::nextafter(inner.bary[largest], 0.0);
