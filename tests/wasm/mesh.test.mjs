@@ -319,6 +319,11 @@ test('a site for the worst region, always', async () => {
   const shares = [];
   await mesh.sampleSites(3, { sampling: 'size', onProgress: (share) => shares.push(share) });
   assert.equal(shares.at(-1), 1);
+  assert.deepEqual(
+    shares,
+    shares.toSorted((a, b) => a - b),
+    'it never falls',
+  );
   const diagram = await mesh.voronoi({ vertex: [0] });
   const next = await diagram.worstRegionPoint('size');
   assert.ok(next.face[0] >= 72, 'a component without a site');

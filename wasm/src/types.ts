@@ -190,8 +190,8 @@ export type ModelFile = Uint8Array | { arrayBuffer(): Promise<ArrayBuffer> };
 export type ModelFiles = Record<string, ModelFile>;
 
 /**
- * A model (glTF, also compressed by Draco or meshopt, OBJ, OFF, PLY, STL, or a zip of one) as bytes or a
- * `Blob`; or all its files by their paths; or triangles as arrays.
+ * A model (glTF, also compressed by Draco or meshopt, OBJ, OFF, PLY, STL, or a zip of one) as bytes
+ * or a `Blob`; or all its files by their paths; or triangles as arrays.
  */
 export type MeshSource = Uint8Array | ArrayBuffer | Blob | ModelFiles | MeshArrays;
 

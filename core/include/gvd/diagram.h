@@ -103,9 +103,9 @@ struct Diagram {
 struct DiagramOptions {
   /// How many times a mixed face is split in four, with distances evaluated at the new corners.
   /// With more detail the bisectors converge to the true curves. 0: one straight segment per face
-  /// and bisector. Each level about doubles the points, and the time for mixed faces; with the
-  /// exact metric, it takes about as long as the distances did before
-  /// (`DistanceField::distancesAt`).
+  /// and bisector. Each level about doubles the points, and the time for mixed faces. With the
+  /// exact metric, the sites also spread once more per level (`DistanceField::distancesAt`), which
+  /// takes about as long as `propagate`.
   int detail = 0;
 };
 

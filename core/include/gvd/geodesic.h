@@ -55,8 +55,8 @@ inline LabelledDistance nearestOf(std::span<const LabelledDistance> sites) {
 /// With `kDgpc`, the distance at a corner that another site owns may be extended from the vertices
 /// around it instead of being propagated to it.
 ///
-/// Distances at a vertex tie if they differ by at most 2^-41 of their length and 2^-46 of the
-/// longest edge: by rounding. All are then listed as the least of them, and the lowest label is the
+/// Distances at a vertex tie if they differ by no more than rounding: 2^-41 of their length plus
+/// 2^-46 of the longest edge. All are then listed as the least of them, and the lowest label is the
 /// nearest. At other points, too, of labels that tie the lowest is the nearest, but one that is
 /// known around the point goes before one that is not. With the exact metric, ties at distances
 /// beyond eight bounding diagonals may be missed.

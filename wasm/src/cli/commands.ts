@@ -28,7 +28,7 @@ import {
   type SiteSource,
   withProgress,
 } from './sites.js';
-import { unitOf } from './values.js';
+import { counted, unitOf } from './values.js';
 
 interface Request<Command extends CommandName> {
   mesh: string;
@@ -351,10 +351,6 @@ function singlePoints(points: PointsOnSurface): SurfacePointsInput[] {
 function indicesOf(points: PointsOnSurface): number[] {
   const indices = 'vertex' in points ? points.vertex : points.face;
   return typeof indices === 'number' ? [indices] : Array.from(indices);
-}
-
-function counted(count: number, noun: string): string {
-  return `${count} ${noun}${count === 1 ? '' : 's'}`;
 }
 
 /** A line about a result that went to a file. */

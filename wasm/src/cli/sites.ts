@@ -9,6 +9,7 @@ import { FileError, readModel } from './files.js';
 import type { Values } from './options.js';
 import { type GivenPoints, readPoints } from './points.js';
 import { ProgressBar } from './progress.js';
+import { counted } from './values.js';
 
 /** Where sites come from. */
 export type SiteSource = Pick<
@@ -105,11 +106,8 @@ async function sampled(
 function cutNotes({ info: { repairs } }: Mesh): string[] {
   const edges = repairs.nonManifoldEdges;
   if (edges === 0) return [];
-  const what =
-    edges === 1
-      ? '1 edge of three or more triangles is'
-      : `${edges} edges of three or more triangles are`;
-  return [`${what} cut apart: distances do not lead across`];
+  const what = `${counted(edges, 'edge')} of three or more triangles`;
+  return [`${what} ${edges === 1 ? 'is' : 'are'} cut apart: distances do not lead across`];
 }
 
 /** Notes the components that no site is on, if there are any. */

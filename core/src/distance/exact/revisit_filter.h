@@ -54,8 +54,9 @@ class RevisitFilter {
   std::vector<char> isNeedle_;
   size_t crossedCount_ = 0;  ///< of batches
   bool isSuspicious_ = false;
-  long crossedBack_ = 0;     ///< faces across which the last window was followed back
-  long backtracksLeft_ = 0;  ///< such faces that a suspicious label may still cost
+  long crossedBack_ = 0;  ///< faces across which the last window was followed back
+  /// Faces across which windows of the suspicious label may still be followed back.
+  long backtracksLeft_ = 0;
 };
 
 }  // namespace gvd::exact
