@@ -19,6 +19,7 @@ const { LatestTask } = await viewerModule('latest_task');
 const { ModelDrawing } = await viewerModule('model_drawing');
 const { ModelFrame } = await viewerModule('model_frame');
 const { RegionColours, toneColour } = await viewerModule('region_colours');
+const { changeDiagram, shownDiagram } = await viewerModule('shown_diagram');
 const { SiteHistory } = await viewerModule('site_history');
 const { stepsBetween, without } = await viewerModule('site_step');
 
@@ -339,6 +340,30 @@ suite('a diagram that changes', () => {
 
     const others = [[...list], [added[3], ...list], [list[1], list[2], list[0]], [list[2]]];
     for (const other of others) assert.equal(stepsBetween(list, other), undefined);
+  });
+
+  test('after a step that fails, the diagram is not changed any further', async () => {
+    const library = await load();
+    const mesh = await library.mesh(octahedron());
+    const settings = { metric: 'exact', detail: 0 };
+    const middles = (...face) => ({ face, bary: Array(3 * face.length).fill(1 / 3) });
+    const [a, b, c, nowhere] = new SiteHistory().createAll(middles(0, 3, 6, 99));
+    const moved = { ...a, face: 1 };
+    for (const sites of [
+      [moved, nowhere],
+      [nowhere, moved],
+      [nowhere, b],
+    ]) {
+      const diagram = await mesh.voronoi(middles(0, 3, 6));
+      const summary = DiagramSummary.of(diagram.data);
+      const shown = shownDiagram({ ...settings, sites: [a, b, c] }, diagram, summary);
+      const changeTo = (list) => changeDiagram(shown, { ...settings, sites: list });
+      assert.equal(await changeTo([...sites, c]), undefined);
+      assert.deepEqual([shown.diagram, shown.data], [undefined, undefined]);
+      await assert.rejects(diagram.locate({ vertex: 0 }), { code: 'disposed' });
+      assert.equal(await changeTo([moved, b, c]), undefined);
+    }
+    library.dispose();
   });
 });
 

@@ -32,6 +32,7 @@ export interface ShownDiagram extends DiagramRequest {
    * All arrays. After changes they are put together only when read, not in every step of a drag.
    */
   readonly data: DiagramData | undefined;
+  /** Undefined without sites, and after a change that failed. */
   diagram: Diagram | undefined;
 }
 
@@ -47,7 +48,7 @@ export function shownDiagram(
     summary,
     diagram,
     get data() {
-      return diagram?.data;
+      return this.diagram?.data;
     },
   };
 }
@@ -65,7 +66,7 @@ export async function computeDiagram(
 /**
  * Turns the shown diagram into the one asked for, if a step or two are enough: the work of a few
  * regions, the first time that of a whole diagram. It is too short to be aborted. Undefined if it
- * takes more steps or one failed.
+ * takes more steps or one failed, which leaves `shown` without a diagram.
  */
 export async function changeDiagram(
   shown: ShownDiagram | undefined,
@@ -78,7 +79,11 @@ export async function changeDiagram(
   try {
     return await Promise.all(steps.map((step) => takeStep(diagram, step)));
   } catch {
-    return undefined; // the caller computes it anew, which works or gives a reason
+    // The other step may have been taken, and then the diagram has neither the sites of `shown` nor
+    // those asked for. The caller computes it anew, which works or gives a reason.
+    diagram.dispose();
+    shown.diagram = undefined;
+    return undefined;
   }
 }
 
