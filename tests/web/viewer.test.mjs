@@ -527,6 +527,25 @@ suite('site history', () => {
     assert.equal(new Set([...sites.present, ...history().present]).size, 3);
   });
 
+  test('a step that is discarded leaves nothing behind, nor takes away what was undone', () => {
+    const sites = history();
+    const lists = [sites.present, [], [sites.present[0]]];
+    sites.record(lists[1]);
+    sites.record(lists[2]);
+    sites.undo();
+    sites.undo();
+    sites.record([lists[0][1]]);
+    sites.revise([]);
+    sites.discard();
+    assert.equal(sites.present, lists[0]);
+    assert.equal(sites.canUndo, false);
+    for (const list of lists.slice(1)) {
+      sites.redo();
+      assert.equal(sites.present, list);
+    }
+    assert.equal(sites.canRedo, false);
+  });
+
   test('the density is part of it', () => {
     const sites = history();
     const first = sites.present;

@@ -43,6 +43,8 @@ export class SiteHistory {
   #past: State[] = [];
   #present: State = { sites: [], tints: undefined };
   #future: State[] = [];
+  /** What could be redone before the last step. */
+  #futureBefore: State[] = [];
   #lastId = 0;
 
   /** The sites. */
@@ -110,10 +112,12 @@ export class SiteHistory {
     this.#present = after;
   }
 
-  /** Takes the last step back for good. */
+  /** Takes the last recorded step back, as if it had never been: those undone before can be redone. */
   discard(): void {
     const before = this.#past.pop();
-    if (before) this.#present = before;
+    if (!before) return;
+    this.#present = before;
+    this.#future = this.#futureBefore;
   }
 
   /** Undoes or redoes until this list is there again; if no step has it, begins anew with it. */
@@ -128,6 +132,7 @@ export class SiteHistory {
   #step(state: State): void {
     this.#past.push(this.#present);
     this.#present = state;
+    this.#futureBefore = this.#future;
     this.#future = [];
   }
 }
