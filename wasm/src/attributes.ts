@@ -8,6 +8,14 @@ import type { Mesh } from './types.js';
 /** The mesh that a partition or a dual came from, or as much of it as writers need. */
 export type AttributeSource = Pick<Mesh, 'positions' | 'indices' | 'normals' | 'uvs'>;
 
+/** Options of a file with a partition or a dual. */
+export interface SurfaceFileOptions {
+  /** Brings the normals and texture coordinates to interpolate. */
+  mesh?: AttributeSource | undefined;
+  /** What lengths are multiplied with on the way out. */
+  scale?: number | undefined;
+}
+
 /** Vertices of a file: the point of each, and its attributes, absent where the input has none. */
 export interface FileVertices {
   points: Int32Array;

@@ -2,7 +2,7 @@
 //
 // Checks of what callers pass. Each names the argument, says what it is, and what it should be.
 
-import type { AttributeSource } from './attributes.js';
+import type { AttributeSource, SurfaceFileOptions } from './attributes.js';
 import { invalidArgument } from './errors.js';
 import type { TaskOptions } from './types.js';
 
@@ -171,8 +171,8 @@ export function toScale(scale: number): number {
 
 /** The options of a file's writer. */
 export function toFileOptions<
-  Options extends { mesh?: AttributeSource; scale?: number },
-  const Defaults extends Usual<Omit<Options, 'mesh' | 'scale'>>,
+  Options extends SurfaceFileOptions,
+  const Defaults extends Usual<Omit<Options, keyof SurfaceFileOptions>>,
 >(
   options: Options | undefined,
   usual: Defaults,

@@ -24,12 +24,8 @@ export {
   pathsJson,
   pathsObj,
 } from './distance_formats.js';
-export type {
-  PartitionColourOptions,
-  PartitionFileOptions,
-  PartitionGlbOptions,
-} from './partition_formats.js';
-export type { PolygonFileOptions } from './polygon_formats.js';
+export type { SurfaceFileOptions } from './attributes.js';
+export type { PartitionColourOptions, PartitionGlbOptions } from './partition_formats.js';
 export { partitionGlb, partitionJson, partitionObj, partitionPly } from './partition_formats.js';
 export { polygonGlb, polygonJson, polygonObj, polygonPly } from './polygon_formats.js';
 

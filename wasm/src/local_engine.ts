@@ -41,8 +41,8 @@ const distancesShare = 0.9;
 /** The address of an object in core.wasm. */
 type Pointer = number;
 
-/** An object that is kept until it is closed, with the function that frees it. */
-interface Kept {
+/** An object that is stored until it is closed, with the function that frees it. */
+interface StoredObject {
   pointer: Pointer;
   free?: 'freeMesh' | 'freeVoronoi' | 'freeCvt';
   /** The mesh of a diagram, made when first asked for and freed with the diagram. */
@@ -57,7 +57,7 @@ export class LocalEngine implements Engine {
   readonly version: string;
   #core: WasmModule | undefined;
   readonly #inputModules: InputModules;
-  readonly #objects = new Map<Handle, Kept>();
+  readonly #objects = new Map<Handle, StoredObject>();
   /** Tessellations that have no further iteration. */
   readonly #finished = new Set<Handle>();
   #lastHandle: Handle = 0;
@@ -344,7 +344,7 @@ export class LocalEngine implements Engine {
     return kept.mesh;
   }
 
-  #keep(object: Kept): Handle {
+  #keep(object: StoredObject): Handle {
     this.#objects.set(++this.#lastHandle, object);
     return this.#lastHandle;
   }

@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: MIT
 //
-// A partition as a file. `mesh` brings the normals and texture coordinates to interpolate; `scale`
-// is what lengths are multiplied with on the way out.
+// A partition as a file. `scale` is what lengths are multiplied with on the way out.
 
-import { joined, partitionVertices, type AttributeSource } from './attributes.js';
+import { joined, partitionVertices, type SurfaceFileOptions } from './attributes.js';
 import { toFileOptions, toColours, toOneOf, toResult } from './checks.js';
 import { glbAttributes, objCorner, objLines, plyColumns } from './file_vertices.js';
-import { pointsJson, toLengths, type LengthsJson, type SurfacePointsJson } from './formats.js';
+import {
+  placedPointsJson,
+  pointsJson,
+  toLengths,
+  type LengthsJson,
+  type PlacedPointsJson,
+  type SurfacePointsJson,
+} from './formats.js';
 import { GlbBuilder } from './glb.js';
 import { ply } from './ply.js';
 import type { Partition, SurfacePoints } from './results.js';
 
-export interface PartitionFileOptions {
-  mesh?: AttributeSource | undefined;
-  scale?: number | undefined;
-}
-
-export interface PartitionColourOptions extends PartitionFileOptions {
+export interface PartitionColourOptions extends SurfaceFileOptions {
   /** Linear RGB, 0 … 1, per region; by default hues, far apart for the first few regions. */
   colours?: readonly (readonly number[] | undefined)[] | undefined;
 }
@@ -53,7 +54,7 @@ export interface PartitionJson extends LengthsJson {
     firstTriangle: number;
     triangleCount: number;
   }[];
-  points: SurfacePointsJson & { position: number[] };
+  points: PlacedPointsJson;
   triangles: { points: number[]; label: number[]; face: number[] };
 }
 
@@ -93,7 +94,7 @@ export function partitionJson(
         triangleCount: triangleOffset[i + 1] - triangleOffset[i],
       };
     }),
-    points: { ...pointsJson(points), position: Array.from(points.position, (x) => scale * x) },
+    points: placedPointsJson(points, scale),
     triangles: {
       points: [...triangles.points],
       label: [...triangles.label],
@@ -205,7 +206,7 @@ function featuresGlb(
 }
 
 /** A group per region; all vertices are shared. */
-export function partitionObj(partition: Partition, options?: PartitionFileOptions): string {
+export function partitionObj(partition: Partition, options?: SurfaceFileOptions): string {
   toPartition(partition);
   const { mesh, scale } = toFileOptions(options, {});
   const { vertices, corners } = partitionVertices(partition, mesh);

@@ -1,24 +1,19 @@
 // SPDX-License-Identifier: MIT
 //
-// A dual, or regions as polygons, as a file. `mesh` brings the normals and texture coordinates to
-// interpolate; `scale` is what lengths are multiplied with on the way out.
+// A dual, or regions as polygons, as a file. `scale` is what lengths are multiplied with on the way
+// out.
 
-import { pointVertices, type AttributeSource } from './attributes.js';
+import { pointVertices, type SurfaceFileOptions } from './attributes.js';
 import { toFileOptions, toResult } from './checks.js';
 import { glbAttributes, objCorner, objLines, plyColumns } from './file_vertices.js';
-import { pointsJson, toLengths, type LengthsJson, type SurfacePointsJson } from './formats.js';
+import { placedPointsJson, toLengths, type LengthsJson, type PlacedPointsJson } from './formats.js';
 import { GlbBuilder } from './glb.js';
 import { ply, type PlyColumns } from './ply.js';
 import type { PolygonMesh, PolygonTopology } from './results.js';
 
-export interface PolygonFileOptions {
-  mesh?: AttributeSource | undefined;
-  scale?: number | undefined;
-}
-
 /** The JSON form of a polygon mesh; `vertexLabel` of a dual, `faceLabel` of regions. */
 export interface PolygonMeshJson extends LengthsJson {
-  points: SurfacePointsJson & { position: number[] };
+  points: PlacedPointsJson;
   faces: number[][];
   vertexLabel: number[];
   faceLabel: number[];
@@ -29,7 +24,7 @@ export function polygonJson(polygons: PolygonMesh, scale = 1, unit?: string): Po
   const { points, faces, vertexLabel, faceLabel, topology } = toPolygons(polygons);
   return {
     ...toLengths(scale, unit),
-    points: { ...pointsJson(points), position: Array.from(points.position, (x) => scale * x) },
+    points: placedPointsJson(points, scale),
     faces: Array.from({ length: faces.offset.length - 1 }, (_, f) => [
       ...faces.points.subarray(faces.offset[f], faces.offset[f + 1]),
     ]),
@@ -42,7 +37,7 @@ export function polygonJson(polygons: PolygonMesh, scale = 1, unit?: string): Po
 /** The polygons cut into triangles: one primitive. */
 export function polygonGlb(
   polygons: PolygonMesh,
-  options?: PolygonFileOptions,
+  options?: SurfaceFileOptions,
 ): Uint8Array<ArrayBuffer> {
   const { points, triangles } = toPolygons(polygons);
   const { mesh, scale } = toFileOptions(options, {});
@@ -62,7 +57,7 @@ export function polygonGlb(
 }
 
 /** Polygons; those of regions in a group each. */
-export function polygonObj(polygons: PolygonMesh, options?: PolygonFileOptions): string {
+export function polygonObj(polygons: PolygonMesh, options?: SurfaceFileOptions): string {
   const { points } = toPolygons(polygons);
   const { mesh, scale } = toFileOptions(options, {});
   const { faces, faceLabel } = withArea(polygons);
@@ -79,7 +74,7 @@ export function polygonObj(polygons: PolygonMesh, options?: PolygonFileOptions):
 /** Polygons; with the region of each vertex of a dual, or of each face that is a region. */
 export function polygonPly(
   polygons: PolygonMesh,
-  options?: PolygonFileOptions,
+  options?: SurfaceFileOptions,
 ): Uint8Array<ArrayBuffer> {
   const { points, vertexLabel } = toPolygons(polygons);
   const { mesh, scale } = toFileOptions(options, {});

@@ -2,6 +2,7 @@
 //
 // Files made in a worker.
 
+import { buffersOf } from '../viewer/transfer.js';
 import type { Encoders, EncodingRequest } from './encoding_worker.js';
 
 /**
@@ -17,13 +18,7 @@ export function encode<Name extends keyof Encoders>(
   return new Promise<Blob>((resolve, reject) => {
     worker.onmessage = ({ data }: MessageEvent<Blob>) => resolve(data);
     worker.onerror = ({ message }) => reject(new Error(message || 'its worker cannot be started'));
-    const given = name.startsWith('diagram') ? [] : buffersOf(args[0]);
+    const given = name.startsWith('diagram') ? [] : [...buffersOf(args[0])];
     worker.postMessage({ name, args, type } satisfies EncodingRequest<Name>, given);
   }).finally(() => worker.terminate());
-}
-
-function buffersOf(value: unknown): ArrayBuffer[] {
-  if (ArrayBuffer.isView(value)) return [value.buffer as ArrayBuffer];
-  if (typeof value !== 'object' || value === null) return [];
-  return Object.values(value).flatMap(buffersOf);
 }

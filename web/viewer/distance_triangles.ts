@@ -4,6 +4,7 @@
 
 import type { DiagramData, SurfacePoints } from 'geodesic-voronoi';
 import { cellTriangles, type Cells } from './cell_triangles.js';
+import { mixed } from './face_label.js';
 import type { SceneMesh } from './scene_mesh.js';
 
 /** The parts of a diagram that are drawn, with distances in the model's units. */
@@ -32,8 +33,6 @@ export interface DistanceTriangles {
   reach: Float32Array;
 }
 
-/** `DiagramData.faceLabel` of a face that several regions share. */
-const mixed = -2;
 /** The reach where no site reaches. */
 export const noReach = 1e6;
 

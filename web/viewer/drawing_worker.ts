@@ -10,6 +10,7 @@ import { meshEdges } from './mesh_edges.js';
 import { partTriangles } from './part_triangles.js';
 import { sceneArrays } from './scene_arrays.js';
 import { SceneMesh } from './scene_mesh.js';
+import { buffersOf } from './transfer.js';
 
 globalThis.onmessage = ({ data: port }: MessageEvent<MessagePort>) => {
   let mesh: SceneMesh;
@@ -48,7 +49,7 @@ globalThis.onmessage = ({ data: port }: MessageEvent<MessagePort>) => {
   };
 
   const answer = (id: number, result: unknown) =>
-    port.postMessage({ id, result } satisfies DrawingAnswer, buffersOf(result));
+    port.postMessage({ id, result } satisfies DrawingAnswer, [...buffersOf(result)]);
 
   // Most answers are made at once, in the order of the requests.
   port.onmessage = ({ data: { id, task } }: MessageEvent<DrawingRequest>) => {
@@ -62,11 +63,4 @@ globalThis.onmessage = ({ data: port }: MessageEvent<MessagePort>) => {
 async function builtTree(mesh: SceneMesh): Promise<unknown> {
   // It fails where a page finds modules by an import map, which its workers do not.
   return (await import('./search_tree.js')).buildTree(mesh);
-}
-
-function buffersOf(value: unknown): ArrayBuffer[] {
-  if (value instanceof ArrayBuffer) return [value];
-  if (ArrayBuffer.isView(value)) return [value.buffer as ArrayBuffer];
-  if (typeof value !== 'object' || value === null) return [];
-  return Object.values(value).flatMap(buffersOf);
 }

@@ -3,6 +3,7 @@
 // The colours of labels, as vertex attributes hold them.
 
 import { linear } from './colour_vision.js';
+import { dropped, unreachable } from './face_label.js';
 import { toneColour } from './region_colours.js';
 
 /** Faces without a region: dropped by the mesh builder, or before the first diagram. */
@@ -25,10 +26,8 @@ export const tintColours = [-1, -0.75, -0.5, -0.25, 0, 0.25, 0.5, 0.75, 1].map((
   return `color-mix(in srgb-linear, ${css(tint < 0 ? sparseColour : denseColour)} ${share}, ${css(greyColour)})`;
 });
 
-/** The label of what no site reaches. */
-const unreachable = -1;
-/** The lowest label that `DiagramData.faceLabel` has for faces without one region. */
-const lowestLabel = -3;
+/** Faces without one region have labels too. */
+const lowestLabel = dropped;
 
 /** Linear RGB, a byte per channel. */
 export class LabelColours {

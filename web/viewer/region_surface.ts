@@ -13,6 +13,7 @@ import {
   MeshLambertMaterial,
 } from 'three';
 import { type Cells, type CellTriangles, cellTriangles } from './cell_triangles.js';
+import { dropped, mixed } from './face_label.js';
 import { LabelColours } from './label_colours.js';
 import { occlude } from './occlusion.js';
 import {
@@ -24,12 +25,6 @@ import {
   wholeScene,
 } from './record_buffer.js';
 import type { SceneMesh } from './scene_mesh.js';
-
-/**
- * `DiagramData.faceLabel` of a face that several regions share; others below zero have no region.
- */
-const mixed = -2;
-const dropped = -3;
 
 /** The share of all faces above which changed faces count as many. */
 const manyShare = 1 / 16;

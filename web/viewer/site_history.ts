@@ -112,7 +112,7 @@ export class SiteHistory {
     this.#present = after;
   }
 
-  /** Takes the last recorded step back, as if it had never been: those undone before can be redone. */
+  /** Takes the last recorded step back, as if it had never been: what was undone can be redone. */
   discard(): void {
     const before = this.#past.pop();
     if (!before) return;
