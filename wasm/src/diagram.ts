@@ -8,7 +8,7 @@ import { toBoolean, toTask, toTaskOptions } from './checks.js';
 import type { DiagramForm, Engine, OpenedDiagram } from './engine.js';
 import { invalidArgument } from './errors.js';
 import { diagramJson, type DiagramJson } from './formats.js';
-import { toLabel, toMaxAdded, toWorstRegion } from './input.js';
+import { repairDefaults, toLabel, toMaxAdded, toWorstRegion } from './input.js';
 import { disposeSymbol, inspectSymbol, Kept } from './kept.js';
 import { regionsOf } from './region.js';
 import type {
@@ -204,7 +204,7 @@ export class EngineDiagram implements Diagram {
   }
 
   async repair(options?: RepairOptions): Promise<Diagram> {
-    const { maxAdded, signal, onProgress } = toTaskOptions(options, { maxAdded: 1000 });
+    const { maxAdded, signal, onProgress } = toTaskOptions(options, repairDefaults);
     let left = toMaxAdded(maxAdded);
     let share = 0;
     let repaired: EngineDiagram | undefined; // gets its first sites when it is opened

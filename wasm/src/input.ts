@@ -254,6 +254,8 @@ function toTolerance(name: string, value: number): number {
   throw invalidArgument(`${name} is ${show(value)}, not a number from 0`);
 }
 
+export const repairDefaults = { maxAdded: 1000 };
+
 export function toMaxAdded(maxAdded: number): number {
   return toInteger('maxAdded', maxAdded, 0, maxCount);
 }

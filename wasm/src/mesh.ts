@@ -17,6 +17,7 @@ import { GeodesicVoronoiError, invalidArgument } from './errors.js';
 import {
   isWorstFirst,
   maxCount,
+  repairDefaults,
   tessellationDefaults,
   toCount,
   toCvtSettings,
@@ -232,7 +233,7 @@ export class EngineMesh implements Mesh {
   async remesh(sites: SurfacePointsInput, options?: RemeshOptions): Promise<Diagram> {
     const { maxAdded, density, signal, onProgress, ...others } = toTaskOptions(options, {
       ...tessellationDefaults,
-      maxAdded: 1000,
+      ...repairDefaults,
     });
     toMaxAdded(maxAdded);
     const settings = toCvtSettings({

@@ -3,7 +3,7 @@
 // The command line's one table: what can be given, to which command, what it means, and what the
 // help says of it.
 
-import { maxCount, maxDetail, maxLimit } from '../input.js';
+import { maxCount, maxDetail, maxLimit, repairDefaults } from '../input.js';
 import { partitionLayouts } from '../partition_formats.js';
 import { cvtMethods, metrics, orientations, samplings, worstRegions } from '../results.js';
 import { gltfLimitNames } from '../types.js';
@@ -125,7 +125,7 @@ export const options = {
   'max-added': {
     value: 'N',
     parse: integer(0, maxCount),
-    default: '1000',
+    default: String(repairDefaults.maxAdded),
     help: 'How many sites may be added until the dual is valid',
   },
   check: { help: 'Write nothing and fail if the dual is not valid' },
