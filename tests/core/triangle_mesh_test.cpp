@@ -288,6 +288,18 @@ TEST(Layout, OfANeedleHasFullRelativePrecision) {
   EXPECT_NEAR(mesh.layout(1).y, 1, 8 * kEpsilon) << "the far corner over the short side";
 }
 
+/// A strip of flat rectangles: a third of its edges are much shorter than the mean.
+TEST(ShortEdgeLength, LeavesQueuesFewEnoughBuckets) {
+  constexpr int kCount = 150000;
+  Shape strip;
+  for (int i = 0; i <= kCount; ++i)
+    for (const double y : {0.0, 1e-3}) strip.addVertex({static_cast<double>(i), y, 0});
+  for (int v = 0; v < 2 * kCount; v += 2) strip.addQuad(v, v + 2, v + 3, v + 1);
+  const TriangleMesh mesh = strip.mesh();
+  const double longest = mesh.meanEdgeLength() * mesh.halfedgeCount();
+  EXPECT_GE(mesh.shortEdgeLength() * (1 << 30), 6 * longest);
+}
+
 TEST(CornerAngle, OfAFlatTriangleIsAlmostZeroOrPi) {
   const TriangleMesh mesh = triangleMesh({0, 0, 0}, {1, 0, 0}, {3, 0, 0});
   expectInvariants(mesh);

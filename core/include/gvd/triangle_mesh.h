@@ -220,7 +220,7 @@ class TriangleMesh {
   /// The mean of `length` over all halfedges: an inner edge counts twice.
   double meanEdgeLength() const { return meanEdgeLength_; }
   /// A length that three quarters of the edges are not shorter than, as far as a sample of them
-  /// shows; not less than 1/256 of the mean.
+  /// shows; not less than 1/256 of the mean, nor than 6/2^30 of all sides of faces together.
   double shortEdgeLength() const { return shortEdgeLength_; }
   /// The component of a face, numbered from 0 in order of the first face.
   int component(int f) const { return component_[f]; }
