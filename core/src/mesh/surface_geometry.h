@@ -56,6 +56,12 @@ inline double squaredDistance(const Eigen::Vector3d& a, const Eigen::Vector3d& b
   return squaredLength(a - b, sides);
 }
 
+/// By how much squared distances in the plane, interpolated linearly between the corners of a face,
+/// exceed the squared distance at a point: Σ bᵢ bⱼ |eᵢⱼ|².
+inline double interpolationExcess(const Eigen::Vector3d& bary, const std::array<double, 3>& sides) {
+  return bary[0] * bary[1] * sides[0] + bary[1] * bary[2] * sides[1] + bary[2] * bary[0] * sides[2];
+}
+
 /// Barycentric coordinates below this are set to zero in points given by callers: 512 times the
 /// rounding 2^-53, and less than `kMaxPointError`.
 inline constexpr double kCoordinateRounding = 0x1p-44;

@@ -126,8 +126,7 @@ class Integrator final : public SlicedWork<CvtEnergy> {
     Vector3d squared = corners.transpose() * squared_;
     Vector3d opposite;  // squared sides, by the corner opposite
     for (int i = 0; i < 3; ++i) {
-      const Vector3d c = corners.col(i);
-      squared[i] -= c[0] * c[1] * sides_[0] + c[1] * c[2] * sides_[1] + c[2] * c[0] * sides_[2];
+      squared[i] -= interpolationExcess(corners.col(i), sides_);
       opposite[i] = squaredDistance(corners.col((i + 1) % 3), corners.col((i + 2) % 3), sides_);
     }
     add(area, corners.transpose() * rho_, squared, opposite, vectors_ * corners);
