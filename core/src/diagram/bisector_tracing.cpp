@@ -10,6 +10,7 @@
 
 #include "base/prefetch.h"
 #include "distance/common_labels.h"
+#include "mesh/surface_geometry.h"
 
 namespace gvd {
 
@@ -150,9 +151,7 @@ double BisectorTracing::addCell(const Element& element, const FaceEnvelope::Cell
     const Corner& from = corners_[vertex];
     const Corner& to = corners_[cell.sides[i + 1 < n ? i + 1 : 0].vertex];
     graph_.cells.points.push_back(from.point);
-    const double px = from.bary[0] - origin[0], py = from.bary[1] - origin[1];
-    const double qx = to.bary[0] - origin[0], qy = to.bary[1] - origin[1];
-    area += px * qy - py * qx;
+    area += areaShare(origin, from.bary, to.bary);
     if (across > cell.function) {
       addSegment(element, from, to, envelope_.label(cell.function), envelope_.label(across));
     } else if (FaceEnvelope::isTriangleSide(across)) {

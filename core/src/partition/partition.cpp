@@ -17,6 +17,7 @@
 #include "mesh/convex_triangulation.h"
 #include "mesh/face_layout.h"
 #include "mesh/representations.h"
+#include "mesh/surface_geometry.h"
 #include "partition/region_patches.h"
 
 namespace gvd {
@@ -167,9 +168,8 @@ class Partitioner final : public SlicedWork<Partition> {
     for (size_t i = first; i < pieces_.size(); ++i) {
       Piece& piece = pieces_[i];
       const auto& [a, b, c] = piece.vertices;
-      const Eigen::Vector3d origin = baryOf(a, piece.face);
-      const Eigen::Vector3d p = baryOf(b, piece.face) - origin, q = baryOf(c, piece.face) - origin;
-      piece.area = std::max(0.0, p[0] * q[1] - p[1] * q[0]) * faceArea;
+      piece.area = faceArea * std::max(0.0, areaShare(baryOf(a, piece.face), baryOf(b, piece.face),
+                                                      baryOf(c, piece.face)));
       rest -= piece.area;
       if (piece.area > pieces_[largest].area) largest = i;
     }

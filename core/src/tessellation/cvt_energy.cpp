@@ -114,8 +114,8 @@ class Integrator final : public SlicedWork<CvtEnergy> {
     for (size_t i = 2; i < points.size(); ++i) {
       corners.col(1) = corners.col(2);
       corners.col(2) = cornerAt(points[i]);
-      const Vector3d p = corners.col(1) - corners.col(0), q = corners.col(2) - corners.col(0);
-      addTriangle(corners, std::max(0.0, p[0] * q[1] - p[1] * q[0]) * faceArea);
+      const double share = areaShare(corners.col(0), corners.col(1), corners.col(2));
+      addTriangle(corners, std::max(0.0, share) * faceArea);
     }
   }
 

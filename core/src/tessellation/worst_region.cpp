@@ -16,6 +16,7 @@
 #include "gvd/sampling.h"
 #include "mesh/face_layout.h"
 #include "mesh/representations.h"
+#include "mesh/surface_geometry.h"
 
 namespace gvd {
 namespace {
@@ -53,10 +54,8 @@ double areaOfCell(const TriangleMesh& mesh, const Diagram& diagram, int cell) {
   const auto points = diagram.cells[cell];
   const auto at = [&](int i) { return baryInFace(mesh, diagram.points[points[i]], face); };
   double share = 0;
-  for (int i = 2; i < static_cast<int>(points.size()); ++i) {
-    const Eigen::Vector3d p = at(i - 1) - at(0), q = at(i) - at(0);
-    share += p[0] * q[1] - p[1] * q[0];
-  }
+  for (int i = 2; i < static_cast<int>(points.size()); ++i)
+    share += areaShare(at(0), at(i - 1), at(i));
   return std::max(0.0, share) * mesh.faceArea(face);
 }
 
