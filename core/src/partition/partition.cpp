@@ -12,6 +12,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/grouping.h"
 #include "base/sliced_loop.h"
 #include "base/sorting.h"
 #include "mesh/convex_triangulation.h"
@@ -227,38 +228,35 @@ class Partitioner final : public SlicedWork<Partition> {
 
   // --- The whole mesh --------------------------------------------------------------------------
 
-  int partOf(int label) const { return label < 0 ? diagram_.siteCount : label; }
-
-  /// Sorts the pieces by label, by counting.
   bool groupByLabel(long& budget) {
     const size_t n = pieces_.size();
-    return grouping_.run(
-        [&] { return fillInSlices(nextOfPart_, diagram_.siteCount + 2, 0, budget); },
-        [&] {
-          return loop_.run(n, budget, kQuickRounds,
-                           [&](int i) { ++nextOfPart_[partOf(pieces_[i].label) + 1]; });
-        },
-        [&] {
-          for (size_t i = 1; i < nextOfPart_.size(); ++i) nextOfPart_[i] += nextOfPart_[i - 1];
-        },
-        [&] { return fillInSlices(out_.triangles, n, {}, budget); },
-        [&] { return fillInSlices(out_.triangleLabel, n, 0, budget); },
-        [&] { return fillInSlices(out_.triangleFace, n, 0, budget); },
-        [&] { return fillInSlices(triangleOfPiece_, n, 0, budget); },
-        [&] { return fillInSlices(isWholeFace_, n, '\0', budget); },
-        [&] { return fillInSlices(areas_, n, 0., budget); },
-        [&] {
-          return loop_.run(n, budget, 8, [&](int i) {
-            const Piece& piece = pieces_[i];
-            const int t = nextOfPart_[partOf(piece.label)]++;
-            triangleOfPiece_[i] = t;
-            out_.triangles[t] = piece.vertices;
-            out_.triangleLabel[t] = piece.label;
-            out_.triangleFace[t] = piece.face;
-            isWholeFace_[t] = static_cast<char>(plainPiece_[piece.face] >= 0);
-            areas_[t] = piece.area;
-          });
-        });
+    const auto partOf = [&](int i) {
+      return pieces_[i].label < 0 ? diagram_.siteCount : pieces_[i].label;
+    };
+    return grouping_.run([&] { return byLabel_.run(n, diagram_.siteCount + 1, partOf, budget); },
+                         [&] { return fillInSlices(triangleOfPiece_, n, 0, budget); },
+                         [&] {
+                           out_.triangles.reserve(n);
+                           out_.triangleLabel.reserve(n);
+                           out_.triangleFace.reserve(n);
+                           isWholeFace_.reserve(n);
+                           areas_.reserve(n);
+                         },
+                         [&] {
+                           return loop_.run(n, budget, 8,
+                                            [&](int t) { addTriangle(byLabel_.items()[t], t); });
+                         },
+                         [&] { byLabel_ = {}; });
+  }
+
+  void addTriangle(int i, int t) {
+    const Piece& piece = pieces_[i];
+    triangleOfPiece_[i] = t;
+    out_.triangles.push_back(piece.vertices);
+    out_.triangleLabel.push_back(piece.label);
+    out_.triangleFace.push_back(piece.face);
+    isWholeFace_.push_back(static_cast<char>(plainPiece_[piece.face] >= 0));
+    areas_.push_back(piece.area);
   }
 
   bool numberVertices(long& budget) {
@@ -378,7 +376,7 @@ class Partitioner final : public SlicedWork<Partition> {
   std::vector<int> triangleOfPiece_;
   std::vector<char> isWholeFace_;  ///< per triangle
   std::vector<double> areas_;      ///< per triangle
-  std::vector<int> nextOfPart_;    ///< per region, where its next triangle goes
+  Grouping byLabel_;               ///< pieces
   std::vector<int> number_;        ///< of a vertex in the result, -1 if it is not in use
   size_t used_ = 0;
   /// Lists of the halfedges without a twin so far, by the lower of their ends.
