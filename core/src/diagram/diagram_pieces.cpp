@@ -110,10 +110,10 @@ void setPlaces(const Diagram& part, std::span<const int> points, std::vector<Sur
 }  // namespace
 
 bool DiagramPieces::replace(const DiagramChange& change, long& budget) {
-  constexpr long kPerUnit = 4;
+  constexpr long kPiecesPerUnit = 4;
   const Diagram& part = change.part;
   const auto forEach = [&](size_t count, auto visit) {
-    return loop_.run(count, budget, kPerUnit, visit);
+    return loop_.run(count, budget, kPiecesPerUnit, visit);
   };
   const bool isDone = replacing_.run(
       [&] {

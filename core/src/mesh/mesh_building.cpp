@@ -293,7 +293,7 @@ void MeshBuilding::countTopology() {
   topology.eulerCharacteristic = mesh_.vertexCount() - topology.edges + mesh_.faceCount();
   topology.boundaryLoops = static_cast<int>(mesh_.boundaryLoops_.size());
   topology.genus =
-      (2 * topology.components - topology.boundaryLoops - topology.eulerCharacteristic) / 2;
+      genusOf(topology.components, topology.boundaryLoops, topology.eulerCharacteristic);
 }
 
 std::unique_ptr<SlicedWork<TriangleMesh>> startMesh(std::vector<double> positions,

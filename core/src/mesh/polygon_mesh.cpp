@@ -10,6 +10,7 @@
 
 #include "base/sorting.h"
 #include "mesh/convex_triangulation.h"
+#include "mesh/corners.h"
 
 namespace gvd {
 namespace {
@@ -179,7 +180,7 @@ PolygonTopology topologyOf(const PolygonMesh& mesh) {
   if (!topology.isManifold) return topology;
   topology.boundaryLoops = countBoundaryLoops(halfedges);
   topology.genus =
-      (2 * topology.components - topology.boundaryLoops - topology.eulerCharacteristic) / 2;
+      genusOf(topology.components, topology.boundaryLoops, topology.eulerCharacteristic);
   return topology;
 }
 

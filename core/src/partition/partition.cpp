@@ -16,6 +16,7 @@
 #include "base/sliced_loop.h"
 #include "base/sorting.h"
 #include "mesh/convex_triangulation.h"
+#include "mesh/corners.h"
 #include "mesh/face_layout.h"
 #include "mesh/representations.h"
 #include "mesh/surface_geometry.h"
@@ -323,13 +324,11 @@ class Partitioner final : public SlicedWork<Partition> {
 
   /// Pairs a halfedge with an open one at the lower of their ends, or adds it to the open ones.
   void findTwin(int h) {
-    const int tail = out_.triangles[h / 3][h % 3], tip = out_.triangles[h / 3][(h + 1) % 3];
+    const int tail = tailOf(out_.triangles, h), tip = tipOf(out_.triangles, h);
     int* link = &firstOpen_[std::min(tail, tip)];
     for (int* open = link; *open >= 0; open = &nextOpen_[*open]) {
       const int other = *open;
-      if (out_.triangles[other / 3][other % 3] != tip ||
-          out_.triangles[other / 3][(other + 1) % 3] != tail)
-        continue;
+      if (tailOf(out_.triangles, other) != tip || tipOf(out_.triangles, other) != tail) continue;
       // Where the mesh was cut, sides of different faces may have the same ends without being
       // neighbours.
       if (out_.triangleFace[h / 3] != out_.triangleFace[other / 3] && isOnMeshBoundary(h) &&
@@ -349,10 +348,8 @@ class Partitioner final : public SlicedWork<Partition> {
     for (int i = 0; i < 3; ++i) {
       if (mesh_.twin(3 * face + i) >= 0) continue;
       bool isOnSide = true;
-      for (const int corner : {h % 3, (h + 1) % 3}) {
-        const SurfacePoint& p = out_.points[out_.triangles[h / 3][corner]];
-        isOnSide &= baryInFace(mesh_, p, face)[(i + 2) % 3] == 0;
-      }
+      for (const int end : {tailOf(out_.triangles, h), tipOf(out_.triangles, h)})
+        isOnSide &= baryInFace(mesh_, out_.points[end], face)[(i + 2) % 3] == 0;
       if (isOnSide) return true;
     }
     return false;

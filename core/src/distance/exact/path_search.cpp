@@ -2,7 +2,6 @@
 //
 // The shortest path between two points.
 #include <algorithm>
-#include <limits>
 #include <memory>
 #include <vector>
 
@@ -93,8 +92,8 @@ class PathSearch final : public SlicedWork<std::vector<SurfacePoint>> {
   /// Searches for paths of at most this length.
   void startSearch(double most) {
     sweep_.startWaiting(kLabel, to_, state_);
-    long unlimited = std::numeric_limits<long>::max();
-    sweep_.run(unlimited);
+    long budget = kUnlimited;
+    sweep_.run(budget);
     const exact::RequiredPoint point = {from_, most, 0};
     if (const int vertex = vertexAt(mesh_, from_); vertex >= 0)
       sweep_.require(kLabel, state_, {&from_.face, 1}, most + mesh_.longestEdge(vertex));

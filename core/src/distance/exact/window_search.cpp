@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // WindowSweep::search: from a point back to the sites nearest to it.
-#include <limits>
 
+#include "base/sliced_loop.h"
 #include "distance/exact/window_sweep.h"
 #include "mesh/face_layout.h"
 #include "mesh/representations.h"
@@ -22,8 +22,8 @@ void WindowSweep::search(const SurfacePoint& p, const KnownDistances& known, con
     });
   });
   if (search_.shortest() < kInfinity) startAt(p);
-  long unlimited = std::numeric_limits<long>::max();
-  run(unlimited);
+  long budget = kUnlimited;
+  run(budget);
 }
 
 /// Offers the straight paths through windows to the sites in their face.

@@ -2,10 +2,10 @@
 #include "distance/exact/window_spread.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "base/plane.h"
+#include "base/sliced_loop.h"
 #include "distance/exact/window_path.h"
 #include "distance/known_labels.h"
 #include "mesh/face_layout.h"
@@ -137,8 +137,8 @@ std::vector<SurfacePoint> WindowSpread::path(int label, const SurfacePoint& p) {
   LabelState state = known;
   const RequiredPoint point = {p, least, nearest};
   sweep_.require(label, state, {&point, 1});
-  long unlimited = std::numeric_limits<long>::max();
-  sweep_.run(unlimited);
+  long budget = kUnlimited;
+  sweep_.run(budget);
   if (bounds_.ties().isAtMost(least, sweep_.distanceAtPoint(0))) return path;
   index_.reset(state.vertices);
   return pathToSite(mesh_, sites_[label], state, index_, p);
