@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
@@ -73,6 +74,16 @@ void visitRepresentations(const TriangleMesh& mesh, const SurfacePoint& p, Visit
   visit(p);
   const int h = 3 * p.face + place.side;
   if (place.side >= 0 && mesh.twin(h) >= 0) visit(acrossEdge(mesh, p, h));
+}
+
+/// A point as it is in a face; none if the face does not have it.
+inline std::optional<SurfacePoint> pointInFace(const TriangleMesh& mesh, const SurfacePoint& p,
+                                               int face) {
+  std::optional<SurfacePoint> found;
+  visitRepresentations(mesh, p, [&](const SurfacePoint& place) {
+    if (place.face == face) found = place;
+  });
+  return found;
 }
 
 /// Calls visit(vertex, length, corner) with each corner of a point's face: the length of the way to
