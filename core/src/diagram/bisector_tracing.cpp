@@ -75,13 +75,13 @@ void BisectorTracing::divideContested(int element) {
   const int owner = complex_.soleOwner(element);
   if (owner == Diagram::kMixed) return divide(element);
   give(element, owner);
-  if (owner >= 0 && complex_.isWhole(element) && isIndifferent(element, owner))
+  if (owner >= 0 && complex_.isFace(element) && isIndifferent(element, owner))
     graph_.indifferentFaces.push_back(complex_.face(element));
 }
 
 /// Gives elements to their sole owners.
 void BisectorTracing::giveUpTo(int end) {
-  if (!complex_.hasWholeFacesOnly()) {
+  if (!complex_.hasFacesOnly()) {
     for (; next_ < end; ++next_) give(next_, complex_.soleOwner(next_));
     return;
   }
@@ -102,7 +102,7 @@ void BisectorTracing::giveUpTo(int end) {
 
 /// Gives all of an element to one label, or to none.
 void BisectorTracing::give(int element, int owner) {
-  if (!complex_.isWhole(element)) return divide(element);
+  if (!complex_.isFace(element)) return divide(element);
   const int face = complex_.face(element);
   graph_.faceLabel[complex_.faceIndex(face)] = owner;
   if (owner >= 0) graph_.regionArea[owner] += mesh_.faceArea(face);
@@ -128,7 +128,7 @@ bool BisectorTracing::isIndifferent(int element, int owner) const {
 
 void BisectorTracing::divide(int index) {
   const int face = complex_.face(index);
-  const Element element{index, face, complex_.isWhole(index)};
+  const Element element{index, face, complex_.isFace(index)};
   envelope_.compute(functions_.of(index));
   corners_ = points_.of(element, envelope_);
   cellAreas_.clear();

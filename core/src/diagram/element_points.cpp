@@ -70,7 +70,7 @@ std::span<const ElementPoints::Corner> ElementPoints::of(const Element& element,
         corner.isInside = hasInnerPoint = true;
         corner.isNearCorner = isNearCorner(element, corner.bary);
       }
-      if (!element.isWhole) corner.bary = complex_.faceBary(element.index, corner.bary);
+      if (!element.isFace) corner.bary = complex_.faceBary(element.index, corner.bary);
       corner.point = make(element, envelope, v, corner.bary);
     }
   if (hasInnerPoint) tellApartInnerPoints();
@@ -82,7 +82,7 @@ std::span<const ElementPoints::Corner> ElementPoints::of(const Element& element,
 bool ElementPoints::isNearCorner(const Element& element, const Eigen::Vector3d& bary) const {
   constexpr double kNear = 64 * kMaxPointError;
   double size = 1;
-  if (!element.isWhole) {
+  if (!element.isFace) {
     const Eigen::Vector3d side = complex_.faceBary(element.index, Eigen::Vector3d::UnitX()) -
                                  complex_.faceBary(element.index, Eigen::Vector3d::UnitY());
     size = side.lpNorm<Eigen::Infinity>();

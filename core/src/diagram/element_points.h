@@ -15,7 +15,7 @@ namespace gvd {
 
 struct Element {
   int index, face;
-  bool isWhole;  ///< the element is all of its face
+  bool isFace;  ///< the element is a face
 };
 
 /// Makes the points of the graph for the vertices of envelopes, each with an error bound for

@@ -34,7 +34,7 @@ class Partitioner final : public SlicedWork<Partition> {
 
   bool step(long budget) override {
     return sequence_.run(
-        [&] { return nameVertices(budget); }, [&] { return collectPointsOnWholeSides(budget); },
+        [&] { return nameVertices(budget); }, [&] { return collectSidePoints(budget); },
         [&] { return cutFaces(budget); }, [&] { return groupByLabel(budget); },
         [&] { return numberVertices(budget); }, [&] { return findTwins(budget); },
         [&] { return runPart(patches_, budget, mesh_, diagram_.siteCount, areas_, out_); });
@@ -69,17 +69,17 @@ class Partitioner final : public SlicedWork<Partition> {
     });
   }
 
-  bool isWhole(int face) const { return diagram_.faceLabel[face] != Diagram::kMixed; }
+  bool isMixed(int face) const { return diagram_.faceLabel[face] == Diagram::kMixed; }
 
   /// With detail, a diagram has points on the sides of mixed faces that the region triangle beyond
   /// does not list.
-  bool collectPointsOnWholeSides(long& budget) {
+  bool collectSidePoints(long& budget) {
     const bool isDone = loop_.run(diagram_.cells.size(), budget, 2, [&](int first) {
       const int face = diagram_.cellFace[first];
       if (first > 0 && diagram_.cellFace[first - 1] == face) return;
       bool isGathered = false;
       for (int h = 3 * face; h < 3 * (face + 1); ++h) {
-        if (mesh_.twin(h) < 0 || !isWhole(TriangleMesh::faceOf(mesh_.twin(h)))) continue;
+        if (mesh_.twin(h) < 0 || isMixed(TriangleMesh::faceOf(mesh_.twin(h)))) continue;
         if (!isGathered) gatherSides(first);
         isGathered = true;
         followSide(h);
@@ -130,13 +130,13 @@ class Partitioner final : public SlicedWork<Partition> {
                             for (const int f : diagram_.indifferentFaces) isLeftOut_[f] = true;
                           pieces_.reserve(faces + diagram_.cells.points.size());
                         },
-                        [&] { return fillInSlices(plainPiece_, faces, -1, budget); },
+                        [&] { return fillInSlices(uncutPiece_, faces, -1, budget); },
                         [&] { return loop_.run(faces, budget, 4, [&](int f) { cutFace(f); }); });
   }
 
   void cutFace(int f) {
     const size_t firstPiece = pieces_.size();
-    if (!isWhole(f)) {
+    if (isMixed(f)) {
       for (; nextCell_ < diagram_.cells.size() && diagram_.cellFace[nextCell_] == f; ++nextCell_)
         addCell(nextCell_);
       measurePieces(firstPiece);
@@ -149,7 +149,7 @@ class Partitioner final : public SlicedWork<Partition> {
       ++nextSidePoint_;
     if (isLeftOut_[f] || (label < 0 && options_.leaveOutUnreachable)) return;
     if (first == nextSidePoint_) {
-      plainPiece_[f] = static_cast<int>(pieces_.size());
+      uncutPiece_[f] = static_cast<int>(pieces_.size());
       pieces_.push_back({{mesh_.tail(3 * f), mesh_.tail(3 * f + 1), mesh_.tail(3 * f + 2)},
                          label,
                          f,
@@ -227,7 +227,7 @@ class Partitioner final : public SlicedWork<Partition> {
     return bary;
   }
 
-  // --- The whole mesh --------------------------------------------------------------------------
+  // --- All triangles ---------------------------------------------------------------------------
 
   bool groupByLabel(long& budget) {
     const size_t n = pieces_.size();
@@ -240,7 +240,7 @@ class Partitioner final : public SlicedWork<Partition> {
                            out_.triangles.reserve(n);
                            out_.triangleLabel.reserve(n);
                            out_.triangleFace.reserve(n);
-                           isWholeFace_.reserve(n);
+                           isUncut_.reserve(n);
                            areas_.reserve(n);
                          },
                          [&] {
@@ -256,7 +256,7 @@ class Partitioner final : public SlicedWork<Partition> {
     out_.triangles.push_back(piece.vertices);
     out_.triangleLabel.push_back(piece.label);
     out_.triangleFace.push_back(piece.face);
-    isWholeFace_.push_back(static_cast<char>(plainPiece_[piece.face] >= 0));
+    isUncut_.push_back(static_cast<char>(uncutPiece_[piece.face] >= 0));
     areas_.push_back(piece.area);
   }
 
@@ -309,10 +309,10 @@ class Partitioner final : public SlicedWork<Partition> {
   void findTwinsOf(int t) {
     const int face = out_.triangleFace[t];
     for (int i = 0; i < 3; ++i) {
-      if (isWholeFace_[t]) {
+      if (isUncut_[t]) {
         const int beyond = mesh_.twin(3 * face + i);
         if (beyond < 0) continue;
-        const int piece = plainPiece_[TriangleMesh::faceOf(beyond)];
+        const int piece = uncutPiece_[TriangleMesh::faceOf(beyond)];
         if (piece >= 0) {
           out_.twins[3 * t + i] = 3 * triangleOfPiece_[piece] + beyond % 3;
           continue;
@@ -369,12 +369,12 @@ class Partitioner final : public SlicedWork<Partition> {
   std::vector<char> isLeftOut_;  ///< faces
   int nextCell_ = 0;
   size_t nextSidePoint_ = 0;
-  std::vector<int> plainPiece_;  ///< per face that is not cut, its piece; else -1
+  std::vector<int> uncutPiece_;  ///< per face that is not cut, its piece; else -1
   std::vector<int> triangleOfPiece_;
-  std::vector<char> isWholeFace_;  ///< per triangle
-  std::vector<double> areas_;      ///< per triangle
-  Grouping byLabel_;               ///< pieces
-  std::vector<int> number_;        ///< of a vertex in the result, -1 if it is not in use
+  std::vector<char> isUncut_;  ///< per triangle
+  std::vector<double> areas_;  ///< per triangle
+  Grouping byLabel_;           ///< pieces
+  std::vector<int> number_;    ///< of a vertex in the result, -1 if it is not in use
   size_t used_ = 0;
   /// Lists of the halfedges without a twin so far, by the lower of their ends.
   std::vector<int> firstOpen_, nextOpen_;
