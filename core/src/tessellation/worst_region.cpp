@@ -29,19 +29,20 @@ constexpr double kFlatDistortion = 1e-12;
 
 /// (σ₁ - 1)² + (σ₂ - 1)² of a label's logarithmic map on a face, as if the map were 0 at corners
 /// where it is not known.
-double distortionOf(const TriangleMesh& mesh, const DistanceField& distances, int label, int face) {
+double distortionOf(const TriangleMesh& mesh, const DistanceField& distances, int label, int f) {
+  const TriangleMesh::Face& face = mesh.face(f);
   Eigen::Matrix<double, 2, 3> u;
   for (int i = 0; i < 3; ++i) {
-    const int v = mesh.tail(3 * face + i);
+    const int v = face.vertices[i];
     u.col(i).setZero();
     for (const LabelledDistance& d : distances.at(v))
       if (d.label == label && d.distance > 0) u.col(i) = d.distance * distances.direction(label, v);
     if (!u.col(i).allFinite()) u.col(i).setZero();
   }
   // The derivatives along the first side of the face and across it.
-  const TriangleMesh::Layout layout = mesh.layout(3 * face);
-  const Vector2d along = (u.col(1) - u.col(0)) / layout.length;
-  const Vector2d across = (u.col(2) - u.col(0) - layout.x * along) / layout.y;
+  const Vector2d apex = apexOf(face, 0);
+  const Vector2d along = (u.col(1) - u.col(0)) / face.lengths[0];
+  const Vector2d across = (u.col(2) - u.col(0) - apex.x() * along) / apex.y();
   // σ₁² + σ₂² = |J|², and σ₁ σ₂ = |det J|, where J is their matrix.
   const double squares = along.squaredNorm() + across.squaredNorm();
   const double product = std::abs(along[0] * across[1] - along[1] * across[0]);
