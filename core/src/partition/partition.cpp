@@ -44,7 +44,7 @@ class Partitioner final : public SlicedWork<Partition> {
 
  private:
   /// A triangle, before triangles are sorted by label.
-  struct Piece {
+  struct LooseTriangle {
     std::array<int, 3> vertices;
     int label, face;
     double area;
@@ -168,7 +168,7 @@ class Partitioner final : public SlicedWork<Partition> {
     size_t largest = first;
     double rest = faceArea;
     for (size_t i = first; i < pieces_.size(); ++i) {
-      Piece& piece = pieces_[i];
+      LooseTriangle& piece = pieces_[i];
       const auto& [a, b, c] = piece.vertices;
       piece.area = faceArea * std::max(0.0, areaShare(baryOf(a, piece.face), baryOf(b, piece.face),
                                                       baryOf(c, piece.face)));
@@ -251,7 +251,7 @@ class Partitioner final : public SlicedWork<Partition> {
   }
 
   void addTriangle(int i, int t) {
-    const Piece& piece = pieces_[i];
+    const LooseTriangle& piece = pieces_[i];
     triangleOfPiece_[i] = t;
     out_.triangles.push_back(piece.vertices);
     out_.triangleLabel.push_back(piece.label);
@@ -365,7 +365,7 @@ class Partitioner final : public SlicedWork<Partition> {
   std::vector<int> vertexOfPoint_;
   std::vector<SidePoint> sidePoints_;       ///< ascending by halfedge and order
   std::vector<std::pair<int, int>> sides_;  ///< of the cells of the current face
-  std::vector<Piece> pieces_;
+  std::vector<LooseTriangle> pieces_;
   std::vector<char> isLeftOut_;  ///< faces
   int nextCell_ = 0;
   size_t nextSidePoint_ = 0;

@@ -79,7 +79,7 @@ WorstRegions::WorstRegions(const TriangleMesh& mesh, const DistanceField& distan
       distances_(distances),
       worst_(worst),
       faceLabel_(mesh.faceCount(), Diagram::kUnreachable),
-      pieces_(worst == WorstRegion::kMostDistorted ? mesh.faceCount() : 0) {
+      shares_(worst == WorstRegion::kMostDistorted ? mesh.faceCount() : 0) {
   DiagramChange all{std::vector<int>(diagram.siteCount), std::vector<int>(mesh.faceCount()),
                     diagram};
   std::iota(all.labels.begin(), all.labels.end(), 0);
@@ -103,10 +103,10 @@ void WorstRegions::follow(const DiagramChange& change) {
 void WorstRegions::followDistortion(const DiagramChange& change) {
   const Diagram& part = change.part;
   const auto add = [&](int face, int label, double area) {
-    pieces_[face].push_back({label, area * distortionOf(mesh_, distances_, label, face)});
+    shares_[face].push_back({label, area * distortionOf(mesh_, distances_, label, face)});
   };
   for (const int f : change.faces) {
-    pieces_[f].clear();
+    shares_[f].clear();
     if (faceLabel_[f] >= 0) add(f, faceLabel_[f], mesh_.faceArea(f));
   }
   for (int c = 0; c < part.cells.size(); ++c)
@@ -114,8 +114,8 @@ void WorstRegions::followDistortion(const DiagramChange& change) {
 
   std::vector<char> isChanged(regions_.size());
   for (const int label : change.labels) isChanged[label] = true;
-  for (const std::vector<Piece>& pieces : pieces_)
-    for (const auto& [label, distortion] : pieces)
+  for (const std::vector<Share>& shares : shares_)
+    for (const auto& [label, distortion] : shares)
       if (isChanged[label]) regions_[label].distortion += distortion;
   for (const int label : change.labels) {
     Region& region = regions_[label];

@@ -9,10 +9,10 @@
 
 namespace gvd::exact {
 
-void WindowSweep::search(const SurfacePoint& p, const KnownDistances& known, const SiteSet& sites,
+void WindowSweep::search(const SurfacePoint& p, const SearchBounds& bounds, const SiteSet& sites,
                          LabelState& state) {
   begin(-1, SpreadTo::kSites, state);
-  search_.start(known, sites);
+  search_.start(bounds, sites);
   visitRepresentations(mesh_, p, [&](const SurfacePoint& place) {
     const TriangleMesh::Face& face = mesh_.face(place.face);
     for (int i = 0; i < 3; ++i)
