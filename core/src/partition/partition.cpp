@@ -15,11 +15,11 @@
 #include "base/grouping.h"
 #include "base/sliced_loop.h"
 #include "base/sorting.h"
-#include "mesh/convex_triangulation.h"
 #include "mesh/corners.h"
 #include "mesh/face_layout.h"
 #include "mesh/representations.h"
 #include "mesh/surface_geometry.h"
+#include "partition/convex_triangulation.h"
 #include "partition/region_patches.h"
 
 namespace gvd {

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "base/sorting.h"
-#include "mesh/convex_triangulation.h"
 #include "mesh/corners.h"
+#include "partition/convex_triangulation.h"
 
 namespace gvd {
 namespace {
