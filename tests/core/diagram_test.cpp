@@ -8,6 +8,7 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <stdexcept>
 
 #include "diagram_checks.h"
 #include "gvd/error.h"
@@ -452,6 +453,34 @@ TEST(Diagram, RefusesNegativeDetailAndSitesThatAreNotCounted) {
   EXPECT_THROW(traceDiagram(mesh, *distances, 3, {.detail = -1}), Error);
   EXPECT_THROW(traceDiagram(mesh, *distances, 2), Error);
   EXPECT_EQ(traceDiagram(mesh, *distances, 3).siteCount, 3);
+}
+
+/// A label known at the one corner where it is nearest, beside others that are known at all.
+TEST(Diagram, RefusesAFieldThatLacksNearestLabels) {
+  class Lacking final : public DistanceField {
+   public:
+    explicit Lacking(int others) {
+      for (int v = 0; v < 3; ++v) {
+        for (int label = 0; label < others; ++label) known_[v].push_back({label, 2});
+        known_[v].push_back({others + v, 1});
+      }
+    }
+    std::span<const LabelledDistance> at(int v) const override { return known_[v]; }
+    LabelledDistance nearest(const SurfacePoint&) const override { return {}; }
+    double distance(int, const SurfacePoint&) const override { return kInfinity; }
+    std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
+        std::span<const LabelledPoint>) const override {
+      return nullptr;
+    }
+    Eigen::Vector2d direction(int, int) const override { return {1, 0}; }
+    std::vector<SurfacePoint> path(int, const SurfacePoint&) const override { return {}; }
+
+   private:
+    std::array<std::vector<LabelledDistance>, 3> known_;
+  };
+  const auto mesh = shapes::triangle().mesh();
+  EXPECT_THROW(traceDiagram(mesh, Lacking(0), 3), std::logic_error);
+  EXPECT_THROW(traceDiagram(mesh, Lacking(4), 7), std::logic_error);
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "gvd/triangle_mesh.h"
+#include "mesh/face_layout.h"
 #include "shapes.h"
 
 namespace gvd {
@@ -215,7 +216,7 @@ void expectTriangles(const TriangleMesh& mesh) {
     EXPECT_GT(mesh.faceArea(f), 0);
     double sum = 0;
     for (int h = 3 * f; h < 3 * f + 3; ++h) {
-      EXPECT_GT(mesh.layout(h).y, 0);
+      EXPECT_GT(apexOf(mesh.face(f), h % 3).y(), 0);
       EXPECT_GT(mesh.cornerAngle(h), 0);
       EXPECT_LT(mesh.cornerAngle(h), pi);
       sum += mesh.cornerAngle(h);
@@ -254,14 +255,13 @@ TEST_P(Mollification, MakesNoDistanceInAFaceShorter) {
     return Vector3d(bary / bary.sum());
   };
   for (int f = 0; f < mesh.faceCount(); ++f) {
-    const TriangleMesh::Layout layout = mesh.layout(3 * f);
     for (int i = 0; i < 10; ++i) {
       const Vector3d p = randomPoint(), q = randomPoint(), d = q - p;
       const double inSpace =
           (d[1] * (mesh.position(mesh.tail(3 * f + 1)) - mesh.position(mesh.tail(3 * f))) +
            d[2] * (mesh.position(mesh.tail(3 * f + 2)) - mesh.position(mesh.tail(3 * f))))
               .norm();
-      const double along = std::hypot(d[1] * layout.length + d[2] * layout.x, d[2] * layout.y);
+      const double along = layOut(mesh.face(f), 0, d).norm();
       const auto& lengths = mesh.face(f).lengths;
       EXPECT_GE(along, inSpace - 4 * kEpsilon * *std::ranges::max_element(lengths));
     }

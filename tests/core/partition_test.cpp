@@ -10,7 +10,7 @@
 
 #include "diagram_checks.h"
 #include "gvd/sampling.h"
-#include "mesh/convex_triangulation.h"
+#include "partition/convex_triangulation.h"
 #include "partition_checks.h"
 #include "shapes.h"
 

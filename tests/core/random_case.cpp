@@ -13,6 +13,7 @@
 #include "gvd/error.h"
 #include "gvd/geodesic.h"
 #include "gvd/sampling.h"
+#include "mesh/face_layout.h"
 #include "wild_mesh.h"
 
 namespace gvd {
@@ -225,12 +226,16 @@ SurfacePoint randomInFace(int face, Random& random) {
 /// One to twelve, few more often than many.
 int fewOf(Random& random) { return 1 + random.below(1 + random.below(12)); }
 
-/// Where a point at (x, y) of a halfedge's layout lies.
-SurfacePoint inLayout(const TriangleMesh& mesh, int h, double x, double y) {
-  const auto& layout = mesh.layout(h);
+Eigen::Vector2d apexOf(const TriangleMesh& mesh, int h) {
+  return gvd::apexOf(mesh.face(TriangleMesh::faceOf(h)), h % 3);
+}
+
+/// Where a point at (x, y) in the coordinates of a halfedge lies.
+SurfacePoint atCoordinates(const TriangleMesh& mesh, int h, double x, double y) {
+  const Eigen::Vector2d apex = apexOf(mesh, h);
   Vector3d bary;
-  bary[(h + 2) % 3] = y / layout.y;
-  bary[(h + 1) % 3] = (x - layout.x * bary[(h + 2) % 3]) / layout.length;
+  bary[(h + 2) % 3] = y / apex.y();
+  bary[(h + 1) % 3] = (x - apex.x() * bary[(h + 2) % 3]) / mesh.length(h);
   bary[h % 3] = 1 - bary[(h + 1) % 3] - bary[(h + 2) % 3];
   return {TriangleMesh::faceOf(h), bary};
 }
@@ -246,12 +251,13 @@ Sites circleAroundVertex(const TriangleMesh& mesh, Random& random) {
     if (mesh.rotate(h) == mesh.outgoing(v)) break;
   }
   double radius = kInfinity;
-  for (const int h : around) radius = std::min(radius, 0.4 * mesh.layout(TriangleMesh::next(h)).y);
+  for (const int h : around)
+    radius = std::min(radius, 0.4 * apexOf(mesh, TriangleMesh::next(h)).y());
   const double place = random.below(2) ? 0.5 : random.uniform();  // where in each angle
   Sites sites;
   for (const int h : around) {
     const double angle = place * mesh.cornerAngle(h);
-    const auto p = inLayout(mesh, h, radius * std::cos(angle), radius * std::sin(angle));
+    const auto p = atCoordinates(mesh, h, radius * std::cos(angle), radius * std::sin(angle));
     if (isInside(p)) sites.push_back(p);
   }
   return sites;
@@ -263,14 +269,14 @@ Sites circleInFace(const TriangleMesh& mesh, Random& random) {
   const double opposite[] = {mesh.length(3 * face + 1), mesh.length(3 * face + 2),
                              mesh.length(3 * face)};
   const double perimeter = opposite[0] + opposite[1] + opposite[2];
-  const auto& layout = mesh.layout(3 * face);
-  const double x = (opposite[1] * layout.length + opposite[2] * layout.x) / perimeter;
-  const double inradius = layout.length * layout.y / perimeter, y = inradius;
+  const Eigen::Vector2d apex = apexOf(mesh, 3 * face);
+  const double x = (opposite[1] * opposite[2] + opposite[2] * apex.x()) / perimeter;
+  const double inradius = opposite[2] * apex.y() / perimeter, y = inradius;
   const int n = 3 + random.below(22);
   Sites sites;
   for (int i = 0; i < n; ++i) {
     const Vector3d on = 0.9 * inradius * onUnitCircle(i, n);
-    const auto p = inLayout(mesh, 3 * face, x + on.x(), y + on.y());
+    const auto p = atCoordinates(mesh, 3 * face, x + on.x(), y + on.y());
     if (isInside(p)) sites.push_back(p);
   }
   return sites;

@@ -10,6 +10,7 @@
 
 #include "gvd/error.h"
 #include "gvd/sampling.h"
+#include "mesh/face_layout.h"
 #include "shapes.h"
 
 namespace gvd {
@@ -146,9 +147,9 @@ TEST(WalkStraight, LeavesTheBoundaryWhereItTurnsAway) {
 /// The direction of a halfedge in the frame of its face, which is intrinsic: mollification
 /// lengthens edges, so that the angles of positions may be others.
 Vector2d directionOf(const TriangleMesh& mesh, int h) {
-  const TriangleMesh::Layout l = mesh.layout(3 * TriangleMesh::faceOf(h));
-  const std::array<Vector2d, 3> corners = {Vector2d(0, 0), Vector2d(l.length, 0),
-                                           Vector2d(l.x, l.y)};
+  const TriangleMesh::Face& face = mesh.face(TriangleMesh::faceOf(h));
+  const std::array<Vector2d, 3> corners = {Vector2d(0, 0), Vector2d(face.lengths[0], 0),
+                                           apexOf(face, 0)};
   return (corners[(h + 1) % 3] - corners[h % 3]).normalized();
 }
 

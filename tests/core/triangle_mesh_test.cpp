@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "gvd/error.h"
+#include "mesh/face_layout.h"
 #include "mesh/triangle_selection.h"
 #include "shapes.h"
 
@@ -42,12 +43,12 @@ void expectInvariants(const TriangleMesh& mesh) {
   }
 
   for (int h = 0; h < mesh.halfedgeCount(); ++h) {
-    const TriangleMesh::Layout layout = mesh.layout(h);
+    const Eigen::Vector2d apex = apexOf(mesh.face(h / 3), h % 3);
     const double toTip = mesh.length(mesh.next(h)), toTail = mesh.length(mesh.previous(h));
-    const double rounding = 8 * kEpsilon * (layout.length + toTip + toTail);
-    EXPECT_GT(layout.y, 0);
-    EXPECT_NEAR(std::hypot(layout.x, layout.y), toTail, rounding);
-    EXPECT_NEAR(std::hypot(layout.x - layout.length, layout.y), toTip, rounding);
+    const double rounding = 8 * kEpsilon * (mesh.length(h) + toTip + toTail);
+    EXPECT_GT(apex.y(), 0);
+    EXPECT_NEAR(apex.norm(), toTail, rounding);
+    EXPECT_NEAR((apex - Eigen::Vector2d(mesh.length(h), 0)).norm(), toTip, rounding);
   }
 
   std::vector<int> corners(mesh.vertexCount(), 0);
@@ -82,7 +83,7 @@ void expectInvariants(const TriangleMesh& mesh) {
       EXPECT_GT(face.sines[i], 0);
     }
     EXPECT_GT(mesh.faceArea(f), 0);
-    EXPECT_NEAR(mesh.faceArea(f), face.lengths[0] * mesh.layout(3 * f).y / 2,
+    EXPECT_NEAR(mesh.faceArea(f), face.lengths[0] * apexOf(face, 0).y() / 2,
                 8 * kEpsilon * mesh.faceArea(f));
     area += mesh.faceArea(f);
 
@@ -281,11 +282,24 @@ TEST(CornerAngle, OfANeedleHasFullRelativePrecision) {
   EXPECT_NEAR(mesh.cornerAngle(0), 1e-9, 1e-9 * 8 * kEpsilon);
 }
 
-TEST(Layout, OfANeedleHasFullRelativePrecision) {
+TEST(Apex, OfANeedleHasFullRelativePrecision) {
   const TriangleMesh mesh = triangleMesh({0, 0, 0}, {1, -5e-10, 0}, {1, 5e-10, 0});
   expectInvariants(mesh);
-  EXPECT_NEAR(mesh.layout(0).y, 1e-9, 1e-9 * 8 * kEpsilon) << "the tip over the long side";
-  EXPECT_NEAR(mesh.layout(1).y, 1, 8 * kEpsilon) << "the far corner over the short side";
+  EXPECT_NEAR(apexOf(mesh.face(0), 0).y(), 1e-9, 1e-9 * 8 * kEpsilon)
+      << "the tip over the long side";
+  EXPECT_NEAR(apexOf(mesh.face(0), 1).y(), 1, 8 * kEpsilon) << "the far corner over the short side";
+}
+
+/// A strip of flat rectangles: a third of its edges are much shorter than the mean.
+TEST(ShortEdgeLength, LeavesQueuesFewEnoughBuckets) {
+  constexpr int kCount = 150000;
+  Shape strip;
+  for (int i = 0; i <= kCount; ++i)
+    for (const double y : {0.0, 1e-3}) strip.addVertex({static_cast<double>(i), y, 0});
+  for (int v = 0; v < 2 * kCount; v += 2) strip.addQuad(v, v + 2, v + 3, v + 1);
+  const TriangleMesh mesh = strip.mesh();
+  const double longest = mesh.meanEdgeLength() * mesh.halfedgeCount();
+  EXPECT_GE(mesh.shortEdgeLength() * (1 << 30), 6 * longest);
 }
 
 TEST(CornerAngle, OfAFlatTriangleIsAlmostZeroOrPi) {

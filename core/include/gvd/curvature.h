@@ -12,7 +12,8 @@
 
 namespace gvd {
 
-/// Curvature at every vertex, averaged over a third of the faces around it.
+/// Curvatures at every vertex: integrals over the part of the surface that belongs to the vertex,
+/// divided by the area of that part, a third of the faces around the vertex.
 struct VertexCurvatures {
   /// Gaussian: the angle defect 2π - Σ angles over the area, in 1 / length².
   std::vector<double> gaussian;
@@ -40,7 +41,8 @@ struct CurvatureDensityOptions {
 /// where there is no curvature. The regions of a centroidal tessellation become as wide as ρ^(-1/4)
 /// (Du, Faber, Gunzburger 1999, for large numbers of sites), here κ^(-1/2): then the distance
 /// between the surface and its chords, κ h² / 8, is the same everywhere. Throws
-/// `Error(kInvalidArgument)` if an option is negative or not finite. O(smoothing · F).
+/// `Error(kInvalidArgument)` if smoothing is negative or the floor is not positive and finite.
+/// O(smoothing · F).
 std::vector<double> curvatureDensity(const TriangleMesh& mesh,
                                      const CurvatureDensityOptions& options = {});
 /// The same in steps. The mesh must outlive the work.

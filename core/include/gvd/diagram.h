@@ -112,8 +112,9 @@ struct DiagramOptions {
 /// The diagram of the distances of `siteCount` sites. The same input gives the same diagram to the
 /// last bit; permuting the sites permutes the labels. O(F + M log M), M the number of points, plus
 /// O(k²) for each face with k regions.
-/// Throws `Error(kInvalidArgument)` if there are distances of more than `siteCount` sites, or if
-/// `detail` is negative.
+/// The distances must be known at all corners where `DistanceField` says so; a field of another
+/// implementation that lacks some may end in `std::logic_error`. Throws `Error(kInvalidArgument)`
+/// if there are distances of more than `siteCount` sites, or if `detail` is negative.
 Diagram traceDiagram(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,
                      const DiagramOptions& options = {});
 

@@ -57,13 +57,14 @@ inline LabelledDistance nearestOf(std::span<const LabelledDistance> sites) {
 ///
 /// Distances at a vertex tie if they differ by no more than rounding: 2^-41 of their length plus
 /// 2^-46 of the longest edge. All are then listed as the least of them, and the lowest label is the
-/// nearest. At other points, too, of labels that tie the lowest is the nearest, but one that is
-/// known around the point goes before one that is not. With the exact metric, ties at distances
-/// beyond eight bounding diagonals may be missed.
+/// nearest. At other points, too, the lowest of the labels that tie is the nearest, but labels
+/// known at all corners of the point's face, or at both ends of its edge, are preferred. With the
+/// exact metric, ties at distances beyond eight bounding diagonals may be missed.
 ///
-/// Points are in terms of the mesh's faces; `Error(kInvalidPoint)` if one is not on the mesh.
-/// Queries at points share working memory: several threads may call `at` and `direction` at the
-/// same time, but no other function.
+/// Points are in terms of the mesh's faces; `Error(kInvalidPoint)` if one is not on the mesh. A
+/// vertex that is asked for must exist; a label may be any number, and is not known anywhere if no
+/// site has it. Queries at points share working memory: several threads may call `at` and
+/// `direction` at the same time, but no other function.
 class DistanceField {
  public:
   virtual ~DistanceField() = default;
@@ -129,6 +130,10 @@ std::vector<SurfacePoint> shortestPath(const TriangleMesh& mesh, const SurfacePo
 /// may coincide, share a face, lie on edges or vertices, and outnumber the vertices. A site with
 /// face -1 is a label without a site. Throws `Error(kInvalidArgument)` if there is no site,
 /// `Error(kInvalidPoint)` if one is not on the mesh.
+///
+/// Each site spreads about as far as it is nearest. For a site that is nearest on n vertices, this
+/// takes about O(n) with DGPC; with the exact metric O(n²) at worst, about O(n^1.5) on most meshes.
+/// O(F) is added.
 std::unique_ptr<Propagation> propagate(const TriangleMesh& mesh,
                                        std::span<const SurfacePoint> sites, Metric metric);
 

@@ -117,7 +117,7 @@ class WorstRegions {
     std::vector<SurfacePoint> outline;
   };
   /// The share of one label in a face.
-  struct Piece {
+  struct Share {
     int label;
     double distortion;
   };
@@ -129,7 +129,7 @@ class WorstRegions {
   WorstRegion worst_;
   std::vector<Region> regions_;
   std::vector<int> faceLabel_;
-  std::vector<std::vector<Piece>> pieces_;  ///< per face; none if the largest region is the worst
+  std::vector<std::vector<Share>> shares_;  ///< per face; none if the largest region is the worst
 };
 
 /// `count` points: the first at random, uniform by area, each further one where

@@ -144,19 +144,6 @@ class TriangleMesh {
   };
   const Face& face(int f) const { return faces_[f]; }
 
-  /// The face of a halfedge laid out in the plane: the halfedge runs along the x axis from the
-  /// origin, the third corner, its *apex*, is at (x, y), y > 0.
-  struct Layout {
-    double length;
-    double x, y;
-  };
-  Layout layout(int h) const {
-    const Face& f = faces_[faceOf(h)];
-    const int i = h % 3;
-    const double toApex = f.lengths[previous(i)];
-    return {f.lengths[i], toApex * f.cosines[i], toApex * f.sines[i]};
-  }
-
   /// `tail` and `twin` of all halfedges.
   std::span<const int> tails() const { return tail_; }
   std::span<const int> twins() const { return twin_; }
@@ -220,7 +207,7 @@ class TriangleMesh {
   /// The mean of `length` over all halfedges: an inner edge counts twice.
   double meanEdgeLength() const { return meanEdgeLength_; }
   /// A length that three quarters of the edges are not shorter than, as far as a sample of them
-  /// shows; not less than 1/256 of the mean.
+  /// shows; not less than 1/256 of the mean, nor than 6/2^30 of all sides of faces together.
   double shortEdgeLength() const { return shortEdgeLength_; }
   /// The component of a face, numbered from 0 in order of the first face.
   int component(int f) const { return component_[f]; }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -33,6 +34,9 @@ class SlicedLoop {
 
 /// Rounds per unit for loops that read or write a few numbers per round.
 inline constexpr long kQuickRounds = 32;
+
+/// A budget for all work at one go.
+inline constexpr long kUnlimited = std::numeric_limits<long>::max();
 
 /// A sequence of parts, done one after the other. A part returns false if it has used up its
 /// budget, and is then called again; a part that returns void is always done after one call.

@@ -24,10 +24,6 @@ inline constexpr double kMaxPointError = 1e-12;
 /// precision, 2^-24 = 6e-8, and summed.
 inline constexpr double kBarycentricTolerance = 1e-6;
 
-/// How far rounding may move an unfolded point beyond an end or the line of a halfedge, as a share
-/// of lengths.
-inline constexpr double kUnfoldingRounding = 1e-12;
-
 /// A line that passes a vertex closer than this, as a share of an edge or in radians, meets the
 /// vertex: some thousand times the rounding of a coordinate.
 inline constexpr double kVertexSnap = 1e-12;

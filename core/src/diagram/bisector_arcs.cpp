@@ -9,20 +9,6 @@
 #include "mesh/representations.h"
 
 namespace gvd {
-namespace {
-
-/// Expresses a point in another face; false if that face does not have it.
-bool expressInFace(const TriangleMesh& mesh, int face, SurfacePoint& p) {
-  bool hasPoint = false;
-  visitRepresentations(mesh, SurfacePoint(p), [&](const SurfacePoint& place) {
-    if (place.face != face) return;
-    p = place;
-    hasPoint = true;
-  });
-  return hasPoint;
-}
-
-}  // namespace
 
 // --- Segments ------------------------------------------------------------------------------------
 
@@ -51,12 +37,10 @@ bool FinalSegments::step(long& budget) {
         });
       },
       [&] { return addStacks(budget); },
-      [&] { return fillInSlices(isExpressed_, out_.points.size(), '\0', budget); },
+      [&] { return fillInSlices(isInFaceOfSegment_, out_.points.size(), '\0', budget); },
+      [&] { return forSegments(kQuickRounds, [&](const Diagram::Segment& s) { noteInFace(s); }); },
       [&] {
-        return forSegments(kQuickRounds, [&](const Diagram::Segment& s) { noteExpressed(s); });
-      },
-      [&] {
-        return forSegments(kQuickRounds, [&](const Diagram::Segment& s) { expressInFaceOf(s); });
+        return forSegments(kQuickRounds, [&](const Diagram::Segment& s) { moveToFaceOf(s); });
       });
 }
 
@@ -119,21 +103,20 @@ void FinalSegments::joinLines(std::vector<Line>& lines) {
   }
 }
 
-void FinalSegments::noteExpressed(const Diagram::Segment& segment) {
+void FinalSegments::noteInFace(const Diagram::Segment& segment) {
   for (const int p : segment.points)
-    if (out_.points[p].face == segment.face) isExpressed_[p] = true;
+    if (out_.points[p].face == segment.face) isInFaceOfSegment_[p] = true;
 }
 
-void FinalSegments::expressInFaceOf(const Diagram::Segment& segment) {
+void FinalSegments::moveToFaceOf(const Diagram::Segment& segment) {
   for (const int p : segment.points) {
-    if (isExpressed_[p]) continue;
-    const bool isExpressed = graph_.merging.anyMember(points_.root(p), [&](int member) {
-      SurfacePoint place = graph_.places[member];
-      if (!expressInFace(mesh_, segment.face, place)) return false;
-      out_.points[p] = place;
-      return true;
+    if (isInFaceOfSegment_[p]) continue;
+    const bool isInFace = graph_.merging.anyMember(points_.root(p), [&](int member) {
+      const auto place = pointInFace(mesh_, graph_.places[member], segment.face);
+      if (place) out_.points[p] = *place;
+      return place.has_value();
     });
-    isExpressed_[p] = static_cast<char>(isExpressed);
+    isInFaceOfSegment_[p] = static_cast<char>(isInFace);
   }
 }
 

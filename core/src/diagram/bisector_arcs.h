@@ -36,8 +36,8 @@ class FinalSegments {
   bool addStacks(long& budget);
   void addLines(const PlaceOfLine& place, std::vector<Line>& lines);
   static void joinLines(std::vector<Line>& lines);
-  void noteExpressed(const Diagram::Segment& segment);
-  void expressInFaceOf(const Diagram::Segment& segment);
+  void noteInFace(const Diagram::Segment& segment);
+  void moveToFaceOf(const Diagram::Segment& segment);
 
   const TriangleMesh& mesh_;
   BisectorGraph& graph_;
@@ -48,7 +48,7 @@ class FinalSegments {
   SlicedLoop loop_;
   size_t kept_ = 0;
   std::map<PlaceOfLine, std::vector<Line>> stacks_;  ///< the lines at each place
-  std::vector<char> isExpressed_;  ///< per point: given in a face of one of its segments
+  std::vector<char> isInFaceOfSegment_;  ///< per point: given in a face of one of its segments
 };
 
 /// Chains the segments of a diagram to arcs through the points where exactly two of one bisector

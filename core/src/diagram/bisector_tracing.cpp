@@ -10,6 +10,7 @@
 
 #include "base/prefetch.h"
 #include "distance/common_labels.h"
+#include "mesh/surface_geometry.h"
 
 namespace gvd {
 
@@ -74,13 +75,13 @@ void BisectorTracing::divideContested(int element) {
   const int owner = complex_.soleOwner(element);
   if (owner == Diagram::kMixed) return divide(element);
   give(element, owner);
-  if (owner >= 0 && complex_.isWhole(element) && isIndifferent(element, owner))
+  if (owner >= 0 && complex_.isFace(element) && isIndifferent(element, owner))
     graph_.indifferentFaces.push_back(complex_.face(element));
 }
 
 /// Gives elements to their sole owners.
 void BisectorTracing::giveUpTo(int end) {
-  if (!complex_.hasWholeFacesOnly()) {
+  if (!complex_.hasFacesOnly()) {
     for (; next_ < end; ++next_) give(next_, complex_.soleOwner(next_));
     return;
   }
@@ -101,7 +102,7 @@ void BisectorTracing::giveUpTo(int end) {
 
 /// Gives all of an element to one label, or to none.
 void BisectorTracing::give(int element, int owner) {
-  if (!complex_.isWhole(element)) return divide(element);
+  if (!complex_.isFace(element)) return divide(element);
   const int face = complex_.face(element);
   graph_.faceLabel[complex_.faceIndex(face)] = owner;
   if (owner >= 0) graph_.regionArea[owner] += mesh_.faceArea(face);
@@ -127,9 +128,9 @@ bool BisectorTracing::isIndifferent(int element, int owner) const {
 
 void BisectorTracing::divide(int index) {
   const int face = complex_.face(index);
-  const Element element{index, face, complex_.isWhole(index)};
+  const Element element{index, face, complex_.isFace(index)};
   envelope_.compute(functions_.of(index));
-  corners_ = points_.of(element, envelope_);
+  placed_ = points_.of(element, envelope_);
   cellAreas_.clear();
   for (const FaceEnvelope::Cell& cell : envelope_.cells()) {
     cellAreas_.push_back(addCell(element, cell));
@@ -143,16 +144,14 @@ void BisectorTracing::divide(int index) {
 /// Returns its area as a share of the face.
 double BisectorTracing::addCell(const Element& element, const FaceEnvelope::Cell& cell) {
   const size_t n = cell.sides.size();
-  const Eigen::Vector3d& origin = corners_[cell.sides[0].vertex].bary;
+  const Eigen::Vector3d& origin = placed_[cell.sides[0].vertex].bary;
   double area = 0;
   for (size_t i = 0; i < n; ++i) {
     const auto [vertex, across] = cell.sides[i];
-    const Corner& from = corners_[vertex];
-    const Corner& to = corners_[cell.sides[i + 1 < n ? i + 1 : 0].vertex];
+    const PlacedVertex& from = placed_[vertex];
+    const PlacedVertex& to = placed_[cell.sides[i + 1 < n ? i + 1 : 0].vertex];
     graph_.cells.points.push_back(from.point);
-    const double px = from.bary[0] - origin[0], py = from.bary[1] - origin[1];
-    const double qx = to.bary[0] - origin[0], qy = to.bary[1] - origin[1];
-    area += px * qy - py * qx;
+    area += areaShare(origin, from.bary, to.bary);
     if (across > cell.function) {
       addSegment(element, from, to, envelope_.label(cell.function), envelope_.label(across));
     } else if (FaceEnvelope::isTriangleSide(across)) {
@@ -163,8 +162,8 @@ double BisectorTracing::addCell(const Element& element, const FaceEnvelope::Cell
   return area;
 }
 
-void BisectorTracing::addSegment(const Element& element, const Corner& from, const Corner& to,
-                                 int left, int right) {
+void BisectorTracing::addSegment(const Element& element, const PlacedVertex& from,
+                                 const PlacedVertex& to, int left, int right) {
   const int dart = 2 * static_cast<int>(graph_.segments.size());
   graph_.addSegment(from.point, to.point, left, right, element.face);
   leave(from.point, left, dart);
@@ -178,7 +177,7 @@ void BisectorTracing::addSegment(const Element& element, const Corner& from, con
 
 /// Whether the ends of a segment may be merged. Merging must not join points of two sides beside
 /// their common corner without the corner itself: that would pinch off the surface.
-bool BisectorTracing::mayBeOne(const Corner& a, const Corner& b) {
+bool BisectorTracing::mayBeOne(const PlacedVertex& a, const PlacedVertex& b) {
   if (!a.isInside && !b.isInside) return false;
   if (!a.isNearCorner && !b.isNearCorner) return true;
   return graph_.isNode(graph_.merging.root(a.point)) || graph_.isNode(graph_.merging.root(b.point));
@@ -222,7 +221,7 @@ void BisectorTracing::addBoundaryPoint(int h, int vertex) {
   const FaceEnvelope::Vertex& v = envelope_.vertices()[vertex];
   if (v.kind != FaceEnvelope::Vertex::kOnSide) return;
   const Eigen::Vector3d start = complex_.faceBary(h / 3, Eigen::Vector3d::Unit(h % 3));
-  graph_.boundary.push_back({boundary, start[(boundary + 1) % 3], corners_[vertex].point,
+  graph_.boundary.push_back({boundary, start[(boundary + 1) % 3], placed_[vertex].point,
                              envelope_.label(v.functions[0]), envelope_.label(v.functions[1])});
 }
 

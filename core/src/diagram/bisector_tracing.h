@@ -24,7 +24,7 @@ class BisectorTracing {
   bool step(long& budget);
 
  private:
-  using Corner = ElementPoints::Corner;
+  using PlacedVertex = ElementPoints::PlacedVertex;
 
   void reserve();
   bool divideAll(long& budget);
@@ -37,9 +37,9 @@ class BisectorTracing {
   void addAreas(double faceArea);
   void addUnmatchedSide(const Element& element, int side, int vertex);
   void addBoundaryPoint(int h, int vertex);
-  bool mayBeOne(const Corner& a, const Corner& b);
-  void addSegment(const Element& element, const Corner& from, const Corner& to, int left,
-                  int right);
+  bool mayBeOne(const PlacedVertex& a, const PlacedVertex& b);
+  void addSegment(const Element& element, const PlacedVertex& from, const PlacedVertex& to,
+                  int left, int right);
   void leave(int point, int label, int dart);
   void arrive(int point, int label, int dart);
 
@@ -57,7 +57,7 @@ class BisectorTracing {
   ElementPoints points_;
 
   // The current element.
-  std::span<const Corner> corners_;  ///< per vertex of the envelope
+  std::span<const PlacedVertex> placed_;  ///< per vertex of the envelope
   std::vector<double> cellAreas_;
 };
 

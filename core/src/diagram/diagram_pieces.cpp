@@ -110,10 +110,10 @@ void setPlaces(const Diagram& part, std::span<const int> points, std::vector<Sur
 }  // namespace
 
 bool DiagramPieces::replace(const DiagramChange& change, long& budget) {
-  constexpr long kPerUnit = 4;
+  constexpr long kPiecesPerUnit = 4;
   const Diagram& part = change.part;
   const auto forEach = [&](size_t count, auto visit) {
-    return loop_.run(count, budget, kPerUnit, visit);
+    return loop_.run(count, budget, kPiecesPerUnit, visit);
   };
   const bool isDone = replacing_.run(
       [&] {
@@ -216,14 +216,14 @@ void DiagramPieces::addCell(const Diagram& part, int cell) {
   cells.push_back({part.cellLabel[cell], static_cast<int>(points.size())});
 }
 
-const std::vector<int>& DiagramPieces::wholeFaces(int label) {
+const std::vector<int>& DiagramPieces::regionTriangles(int label) {
   std::vector<int>& faces = regions_[label].faces;
   std::erase_if(faces, [&](int f) { return faceLabel_[f] != label; });
   makeSet(faces);
   return faces;
 }
 
-Diagram DiagramPieces::whole() const {
+Diagram DiagramPieces::diagram() const {
   Diagram out;
   PlaceIndex points;
   out.siteCount = static_cast<int>(regions_.size());

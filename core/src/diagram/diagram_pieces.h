@@ -28,10 +28,10 @@ class DiagramPieces {
   void setArea(int label, double area) { regions_[label].area = area; }
 
   /// The region triangles of a label, ascending; valid until the next change.
-  const std::vector<int>& wholeFaces(int label);
+  const std::vector<int>& regionTriangles(int label);
 
   /// All pieces as one diagram, in which each place is one point.
-  Diagram whole() const;
+  Diagram diagram() const;
 
  private:
   /// Items with stable numbers. New items reuse the memory of removed ones, including their lists,

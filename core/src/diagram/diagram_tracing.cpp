@@ -38,7 +38,7 @@ class Tracing {
   bool step(long& budget) {
     return sequence_.run(
         [&] { return complex_.step(budget); },
-        [&] { return complex_.hasWholeFacesOnly() || runPart(completion_, budget, complex_); },
+        [&] { return complex_.hasFacesOnly() || runPart(completion_, budget, complex_); },
         [&] { return runPart(bisectors_, budget, complex_, siteCount_, nodePoints_, graph_); },
         [&] { bisectors_.reset(); },
         [&] {
@@ -113,10 +113,10 @@ void requireLabels(const TriangleMesh& mesh, const DistanceField& distances, int
 }
 
 /// The tracing of all of a diagram.
-class WholeTracing final : public SlicedWork<TracedDiagram> {
+class FullTracing final : public SlicedWork<TracedDiagram> {
  public:
-  WholeTracing(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,
-               const DiagramOptions& options)
+  FullTracing(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,
+              const DiagramOptions& options)
       : complex_(mesh, distances, options.detail, FaceComplex::Extent::kMesh),
         tracing_(mesh, distances, complex_, siteCount, {}, nodePoints_) {
     requireValid(options);
@@ -157,7 +157,7 @@ std::unique_ptr<SlicedWork<TracedDiagram>> startTracing(const TriangleMesh& mesh
                                                         const DistanceField& distances,
                                                         int siteCount,
                                                         const DiagramOptions& options) {
-  return std::make_unique<WholeTracing>(mesh, distances, siteCount, options);
+  return std::make_unique<FullTracing>(mesh, distances, siteCount, options);
 }
 
 PartialTracer::PartialTracer(const TriangleMesh& mesh, const DistanceField& distances,

@@ -62,7 +62,7 @@ class DynamicDiagram::Implementation {
 
   int labelCount() const { return distances_->sites().labelCount(); }
   const SiteDistances& distances() const { return *distances_; }
-  Diagram whole() const { return pieces_.whole(); }
+  Diagram diagram() const { return pieces_.diagram(); }
 
   /// From now on the distances change with this diagram alone.
   void takeDistances() {
@@ -131,13 +131,13 @@ class DynamicDiagram::Implementation {
 class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramChange> {
  public:
   /// The change of the distances has begun. The whole diagram is traced if there is none yet.
-  Update(Implementation& diagram, bool isFirst) : diagram_(diagram), isWhole_(isFirst) {}
+  Update(Implementation& diagram, bool isFirst) : diagram_(diagram), tracesAll_(isFirst) {}
 
   bool step(long budget) override {
     return sequence_.run(
         [&] { return diagram_.distances_->step(budget); }, [&] { forgetMixed(); },
-        [&] { return noteMixed(budget); }, [&] { return isWhole_ || traceParts(budget); },
-        [&] { return !isWhole_ || traceWhole(budget); },
+        [&] { return noteMixed(budget); }, [&] { return tracesAll_ || traceParts(budget); },
+        [&] { return !tracesAll_ || traceAll(budget); },
         [&] { return diagram_.pieces_.replace(change_, budget); }, [&] { setAreas(); });
   }
   double progress() const override {
@@ -194,8 +194,8 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
       if (!tracing_->step(budget)) return false;
       TracedDiagram traced = tracing_->take();
       tracing_.reset();
-      isWhole_ = !traced.completedFaces.empty() || isTraced(diagram_.completedFaces_);
-      if (isWhole_) return true;
+      tracesAll_ = !traced.completedFaces.empty() || isTraced(diagram_.completedFaces_);
+      if (tracesAll_) return true;
       std::vector<int> merged = traced.mergedFaces;
       for (const int f : diagram_.mergedFaces_)
         if (isTraced(f)) merged.push_back(f);
@@ -238,7 +238,7 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
     areaInMixed_ = traced.regionArea;
   }
 
-  bool traceWhole(long& budget) {
+  bool traceAll(long& budget) {
     if (!tracing_)
       tracing_ =
           startTracing(diagram_.mesh_, *diagram_.distances_, labelCount(), diagram_.options_);
@@ -257,7 +257,7 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
 
   void setAreas() {
     std::vector<double>& areas = change_.part.regionArea;
-    if (!isWhole_)
+    if (!tracesAll_)
       for (const int label : change_.labels) areas.push_back(areaOf(label));
     for (size_t i = 0; i < areas.size(); ++i) diagram_.pieces_.setArea(change_.labels[i], areas[i]);
   }
@@ -265,13 +265,13 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
   /// The area in the traced faces plus the region triangles outside of them.
   double areaOf(int label) {
     double area = areaInMixed_[label];
-    for (const int f : diagram_.pieces_.wholeFaces(label))
+    for (const int f : diagram_.pieces_.regionTriangles(label))
       if (diagram_.tracer_.faceIndex(f) < 0) area += diagram_.mesh_.faceArea(f);
     return area;
   }
 
   Implementation& diagram_;
-  bool isWhole_;  ///< whether all is traced
+  bool tracesAll_;
   SlicedSequence sequence_;
   SlicedLoop loop_;
   IndexSet labels_{0};  ///< labels to trace
@@ -395,6 +395,6 @@ std::vector<SurfacePoint> DynamicDiagram::sites() const {
 
 const DistanceField& DynamicDiagram::distances() const { return implementation_->distances(); }
 
-Diagram DynamicDiagram::diagram() const { return implementation_->whole(); }
+Diagram DynamicDiagram::diagram() const { return implementation_->diagram(); }
 
 }  // namespace gvd

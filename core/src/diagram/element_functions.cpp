@@ -4,8 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 namespace gvd {
+namespace {
+
+[[noreturn]] void rejectDistances() {
+  throw std::logic_error("the nearest label at a corner of a face is not known at all its corners");
+}
+
+}  // namespace
 
 ElementFunctions::ElementFunctions(const FaceComplex& complex)
     : complex_(complex), unit_(std::ldexp(1.0, -std::ilogb(complex.mesh().boundingDiagonal()))) {}
@@ -34,16 +42,20 @@ std::span<const LabelFunction> ElementFunctions::of(int element) {
     c += isCommon | (c->label < label);
   }
   functions_.resize(next - functions_.data());
+  if (functions_.empty()) rejectDistances();
   if (functions_.size() > 3) dropDominated(node);
   return functions_;
 }
 
 void ElementFunctions::dropDominated(const int* nodes) {
   std::array<LabelFunction, 3> owners;
-  for (int i = 0; i < 3; ++i)
-    owners[i] = *std::find_if(functions_.begin(), functions_.end(), [&](const LabelFunction& f) {
-      return f.label == complex_.nodes().owner(nodes[i]);
-    });
+  for (int i = 0; i < 3; ++i) {
+    const auto owner = std::find_if(
+        functions_.begin(), functions_.end(),
+        [&](const LabelFunction& f) { return f.label == complex_.nodes().owner(nodes[i]); });
+    if (owner == functions_.end()) rejectDistances();
+    owners[i] = *owner;
+  }
   LabelFunction* kept = functions_.data();
   for (const LabelFunction& f : functions_) {
     bool isDominated = false;  // by one owner at all nodes; without branches as above

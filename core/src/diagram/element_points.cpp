@@ -55,26 +55,26 @@ bool ElementPoints::prepare(long& budget) {
       [&] { return fillInSlices(firstOnSide_, 3 * complex_.elementCount(), -1, budget); });
 }
 
-std::span<const ElementPoints::Corner> ElementPoints::of(const Element& element,
-                                                         const FaceEnvelope& envelope) {
+std::span<const ElementPoints::PlacedVertex> ElementPoints::of(const Element& element,
+                                                               const FaceEnvelope& envelope) {
   const std::vector<Vertex>& vertices = envelope.vertices();
-  corners_.assign(vertices.size(), {});
+  placed_.assign(vertices.size(), {});
   bool hasInnerPoint = false;
   for (const FaceEnvelope::Cell& cell : envelope.cells())
     for (const auto& [vertex, across] : cell.sides) {
-      Corner& corner = corners_[vertex];
-      if (corner.point >= 0) continue;
+      PlacedVertex& placed = placed_[vertex];
+      if (placed.point >= 0) continue;
       const Vertex& v = vertices[vertex];
-      envelope.setBary(v, corner.bary);
+      envelope.setBary(v, placed.bary);
       if (v.kind == Vertex::kInside) {
-        corner.isInside = hasInnerPoint = true;
-        corner.isNearCorner = isNearCorner(element, corner.bary);
+        placed.isInside = hasInnerPoint = true;
+        placed.isNearCorner = isNearCorner(element, placed.bary);
       }
-      if (!element.isWhole) corner.bary = complex_.faceBary(element.index, corner.bary);
-      corner.point = make(element, envelope, v, corner.bary);
+      if (!element.isFace) placed.bary = complex_.faceBary(element.index, placed.bary);
+      placed.point = make(element, envelope, v, placed.bary);
     }
   if (hasInnerPoint) tellApartInnerPoints();
-  return corners_;
+  return placed_;
 }
 
 /// Whether a point, given in the element, is near two of its sides. The limit is 64 times the
@@ -82,7 +82,7 @@ std::span<const ElementPoints::Corner> ElementPoints::of(const Element& element,
 bool ElementPoints::isNearCorner(const Element& element, const Eigen::Vector3d& bary) const {
   constexpr double kNear = 64 * kMaxPointError;
   double size = 1;
-  if (!element.isWhole) {
+  if (!element.isFace) {
     const Eigen::Vector3d side = complex_.faceBary(element.index, Eigen::Vector3d::UnitX()) -
                                  complex_.faceBary(element.index, Eigen::Vector3d::UnitY());
     size = side.lpNorm<Eigen::Infinity>();
@@ -94,10 +94,10 @@ bool ElementPoints::isNearCorner(const Element& element, const Eigen::Vector3d& 
 /// it to. The two are not merged, so the inner point is moved by one rounding step, or several, to
 /// have a place of its own.
 void ElementPoints::tellApartInnerPoints() {
-  for (Corner& inner : corners_) {
+  for (PlacedVertex& inner : placed_) {
     if (!inner.isInside) continue;
     const auto isShared = [&] {
-      return std::any_of(corners_.begin(), corners_.end(), [&](const Corner& other) {
+      return std::any_of(placed_.begin(), placed_.end(), [&](const PlacedVertex& other) {
         return other.point >= 0 && other.point != inner.point && other.bary == inner.bary;
       });
     };

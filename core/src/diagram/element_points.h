@@ -15,7 +15,7 @@ namespace gvd {
 
 struct Element {
   int index, face;
-  bool isWhole;  ///< the element is all of its face
+  bool isFace;  ///< the element is a face
 };
 
 /// Makes the points of the graph for the vertices of envelopes, each with an error bound for
@@ -24,7 +24,7 @@ struct Element {
 class ElementPoints {
  public:
   /// A vertex of an envelope.
-  struct Corner {
+  struct PlacedVertex {
     int point = -1;        ///< -1: no cell has the vertex any more
     Eigen::Vector3d bary;  ///< in the face
     bool isInside = false;
@@ -36,7 +36,7 @@ class ElementPoints {
   /// Allocates the lists, before any point is made; true when done.
   bool prepare(long& budget);
   /// The points of an element, per vertex of its envelope; valid until the next call.
-  std::span<const Corner> of(const Element& element, const FaceEnvelope& envelope);
+  std::span<const PlacedVertex> of(const Element& element, const FaceEnvelope& envelope);
   /// The point at a node, which lies at `bary` in an element's face.
   int atNode(const Element& element, int node, const Eigen::Vector3d& bary);
 
@@ -63,7 +63,7 @@ class ElementPoints {
   /// The first point in the list of each side (`Point::nextOnSide`), by the lower of the side's two
   /// halfedges; -1 for none.
   std::vector<int> firstOnSide_;
-  std::vector<Corner> corners_;  ///< of the current element
+  std::vector<PlacedVertex> placed_;  ///< of the current element
 };
 
 }  // namespace gvd

@@ -26,9 +26,9 @@ void Elements::clear() {
   corners.clear();
 }
 
-void Elements::addFace(int whole, const std::array<int, 3>& nodes) {
+void Elements::addFace(int f, const std::array<int, 3>& nodes) {
   tail.insert(tail.end(), nodes.begin(), nodes.end());
-  face.push_back(whole);
+  face.push_back(f);
   cornersOf.push_back(-1);
 }
 
@@ -38,18 +38,18 @@ void Elements::addFace(int whole, const std::array<int, 3>& nodes) {
 ///       / \ / \        .
 ///      a---ab--b
 void Elements::split(int element, const std::array<int, 3>& middle) {
-  const Eigen::Matrix3d whole = cornersIn(element);
+  const Eigen::Matrix3d outer = cornersIn(element);
   Eigen::Matrix3d middles;
-  for (int i = 0; i < 3; ++i) middles.col(i) = (whole.col(i) + whole.col((i + 1) % 3)) / 2;
+  for (int i = 0; i < 3; ++i) middles.col(i) = (outer.col(i) + outer.col((i + 1) % 3)) / 2;
   for (int i = 0; i < 3; ++i) {
     const int before = (i + 2) % 3;
     tail.insert(tail.end(), {tail[3 * element + i], middle[i], middle[before]});
     face.push_back(face[element]);
     cornersOf.push_back(static_cast<int>(corners.size()));
-    corners.emplace_back() << whole.col(i), middles.col(i), middles.col(before);
+    corners.emplace_back() << outer.col(i), middles.col(i), middles.col(before);
   }
   for (int i = 0; i < 3; ++i) tail[3 * element + i] = middle[i];
-  if (isWhole(element)) {
+  if (isFace(element)) {
     cornersOf[element] = static_cast<int>(corners.size());
     corners.emplace_back();
   }

@@ -18,9 +18,9 @@ namespace gvd {
 
 /// Triangles that are faces of a mesh, or parts of them: their corners are nodes.
 struct Elements {
-  std::vector<int> tail;       ///< of each halfedge, numbered as in `TriangleMesh`
-  std::vector<int> face;       ///< of each element
-  std::vector<int> cornersOf;  ///< of each element, in `corners`; -1 if it is all of its face
+  std::vector<int> tail;                ///< of each halfedge, numbered as in `TriangleMesh`
+  std::vector<int> face;                ///< of each element
+  std::vector<int> cornersOf;           ///< of each element, in `corners`; -1 if it is a face
   std::deque<Eigen::Matrix3d> corners;  ///< of partial elements: barycentric, in columns
 
   int count() const { return static_cast<int>(face.size()); }
@@ -28,14 +28,13 @@ struct Elements {
   const int* nodes(int element) const {
     return tail.data() + 3 * static_cast<std::ptrdiff_t>(element);
   }
-  bool isWhole(int element) const { return cornersOf[element] < 0; }
+  bool isFace(int element) const { return cornersOf[element] < 0; }
   Eigen::Matrix3d cornersIn(int element) const {
-    return isWhole(element) ? Eigen::Matrix3d::Identity() : corners[cornersOf[element]];
+    return isFace(element) ? Eigen::Matrix3d::Identity() : corners[cornersOf[element]];
   }
   void reserve(std::size_t count);
   void clear();
-  /// Adds all of a face.
-  void addFace(int whole, const std::array<int, 3>& nodes);
+  void addFace(int f, const std::array<int, 3>& nodes);
   /// Splits an element in four, given the nodes in the middle of its sides. The middle part takes
   /// the element's index, the other three are appended.
   void split(int element, const std::array<int, 3>& middle);

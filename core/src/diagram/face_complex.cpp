@@ -96,7 +96,7 @@ void FaceComplex::noteContested(int element) {
 
 std::vector<NodeLabels::InnerNode> FaceComplex::innerNodes(int h) const {
   std::vector<NodeLabels::InnerNode> inner;
-  if (!hasWholeFacesOnly() && twin_[h] < 0)
+  if (!hasFacesOnly() && twin_[h] < 0)
     nodes_.appendBetween(elements_.tail[h], elements_.tail[TriangleMesh::next(h)], inner);
   return inner;
 }
@@ -110,7 +110,7 @@ int FaceComplex::boundaryHalfedge(int h) const {
 /// The halfedge of the mesh that a side of an element is part of, -1 if it is inside a face.
 int FaceComplex::meshHalfedge(int h) const {
   const int element = h / 3, i = h % 3;
-  if (isWhole(element)) return 3 * face(element) + i;
+  if (isFace(element)) return 3 * face(element) + i;
   // The side of the face that both ends lie on.
   const Eigen::Matrix3d& corners = elements_.corners[elements_.cornersOf[element]];
   const auto from = corners.col(i), to = corners.col((i + 1) % 3);
@@ -159,7 +159,7 @@ void FaceComplex::matchTwin(int h) {
   twin_.push_back(twin);
 }
 
-/// Matches twins if the elements are whole faces of a part.
+/// Matches twins if the elements are the faces of a part.
 void FaceComplex::matchTwinsOfFaces() {
   twin_.resize(elements_.tail.size());
   for (int h = 0; h < static_cast<int>(twin_.size()); ++h) {

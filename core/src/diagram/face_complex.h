@@ -49,13 +49,13 @@ class FaceComplex {
   int face(int element) const { return isOwn_ ? elements_.face[element] : element; }
   /// The number of elements that are only part of their face.
   int partialCount() const { return static_cast<int>(elements_.corners.size()); }
-  /// Whether every element is all of its face, so that they are in the order of their faces.
-  bool hasWholeFacesOnly() const { return elements_.corners.empty(); }
-  /// Whether an element is all of its face.
-  bool isWhole(int element) const { return hasWholeFacesOnly() || elements_.isWhole(element); }
+  /// Whether every element is a face, so that they are in the order of their faces.
+  bool hasFacesOnly() const { return elements_.corners.empty(); }
+  /// Whether an element is a face.
+  bool isFace(int element) const { return hasFacesOnly() || elements_.isFace(element); }
   /// A point of an element in terms of its face.
   Eigen::Vector3d faceBary(int element, const Eigen::Vector3d& bary) const {
-    return isWhole(element)
+    return isFace(element)
                ? bary
                : Eigen::Vector3d(elements_.corners[elements_.cornersOf[element]] * bary);
   }
@@ -66,7 +66,7 @@ class FaceComplex {
   /// The label that owns all of an element: the owner of all its nodes; else -2, `Diagram::kMixed`.
   int soleOwner(int element) const { return soleOwner_[element]; }
   /// The elements, ascending, that are mixed, have no owner, or have ties at all nodes, where two
-  /// labels may tie on the whole element.
+  /// labels may tie on all of the element.
   const std::vector<int>& contested() const { return contested_; }
   /// The number of mixed elements.
   int mixedCount() const { return mixedCount_; }

@@ -69,15 +69,15 @@ void FaceEnvelope::compute(std::span<const LabelFunction> functions) {
   const int count = static_cast<int>(functions.size());
   cut_ = {};
   int f = 1;
-  while (f < count && !cutsWhole(f)) ++f;
+  while (f < count && !cutTriangle(f)) ++f;
   for (++f; f < count && !isBelowCut(f);) ++f;
   buildCut();
   for (; f < count; ++f) insert(f);
 }
 
-/// Updates `cut_` by f while one function, `cut_.low`, has the whole triangle: f may replace it, or
-/// take a part.
-bool FaceEnvelope::cutsWhole(int f) {
+/// Updates `cut_` by f while one function, `cut_.low`, has all of the triangle: f may replace it,
+/// or take a part.
+bool FaceEnvelope::cutTriangle(int f) {
   const auto &a = value(cut_.low), &c = value(f);
   const std::array<bool, 3> isBelow = {c[0] < a[0], c[1] < a[1], c[2] < a[2]};
   const int count = isBelow[0] + isBelow[1] + isBelow[2];
@@ -91,7 +91,7 @@ bool FaceEnvelope::cutsWhole(int f) {
   return true;
 }
 
-/// Whether f is below the envelope anywhere, while `cut_` is the whole envelope.
+/// Whether f is below the envelope anywhere, while `cut_` is all of the envelope.
 bool FaceEnvelope::isBelowCut(int f) const {
   bool isBelowAnywhere = false;
   for (int i = 0; i < 3; ++i) {

@@ -76,7 +76,7 @@ class FaceEnvelope {
 
   void setInnerBary(const Vertex& v, Eigen::Vector3d& bary) const;
   bool isBelow(int f, const Vertex& v) const;
-  bool cutsWhole(int f);
+  bool cutTriangle(int f);
   bool isBelowCut(int f) const;
   void buildCut();
   bool findBelow(int f);

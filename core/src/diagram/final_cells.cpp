@@ -20,7 +20,7 @@ bool FinalCells::step(long& budget) {
 
 /// The cells of the graph, ascending by face.
 bool FinalCells::putInOrder(long& budget) {
-  if (complex_.hasWholeFacesOnly()) {
+  if (complex_.hasFacesOnly()) {
     out_.cells = std::move(graph_.cells);
     out_.cellFace = std::move(graph_.cellFace);
     out_.cellLabel = std::move(graph_.cellLabel);
@@ -58,7 +58,7 @@ void FinalCells::copyCellsOf(int faceIndex) {
 }
 
 bool FinalCells::collect(long& budget) {
-  if (points_.areThoseOfGraph() && complex_.hasWholeFacesOnly()) return true;
+  if (points_.areThoseOfGraph() && complex_.hasFacesOnly()) return true;
   const int count = out_.cells.size();
   for (; read_ < count && budget > 0; --budget) collectFace();
   if (read_ < count) return false;

@@ -43,8 +43,8 @@ class EdgeBounds {
     int from = kNone;   ///< the vertex before this one on the path; none next to the site
     /// The bucket that the vertex is processed from, `kNone` if it is not queued. Other buckets may
     /// hold stale entries of the vertex, which `run` skips.
-    int bucket : 31 = kNone;
-    bool isChanged : 1 = false;
+    int bucket = kNone;
+    bool isChanged = false;
   };
 
   void offerFrom(const FaceSite& site, int face);

@@ -6,13 +6,6 @@
 #include <utility>
 
 namespace gvd {
-namespace {
-
-/// Faces or vertices that take about as long as one unit of the budget, a batch of windows.
-constexpr int kPerUnit = 32;
-
-}  // namespace
-
 KnownLabels::KnownLabels(const TriangleMesh& mesh, const SiteSet& sites, NearestBounds& bounds,
                          LabelSpread& spread)
     : mesh_(mesh),
@@ -82,7 +75,7 @@ bool KnownLabels::step(long& budget) {
       },
       [&] { collectLists(); }, [&] { return listLabels(budget); },
       [&] {
-        return loop_.run(changedVertices_.size(), budget, kPerUnit,
+        return loop_.run(changedVertices_.size(), budget, kQuickRounds,
                          [&](int i) { lists_.equalizeTies(changedVertices_.list()[i]); });
       },
       [&] { closure_.start(changedFaces_); }, [&] { return closure_.run(budget); },
@@ -94,7 +87,7 @@ bool KnownLabels::step(long& budget) {
 
 template <class Body>
 bool KnownLabels::forFaces(const IndexSet& faces, long& budget, Body body) {
-  return loop_.run(faces.size(), budget, kPerUnit, [&](int i) { body(faces.list()[i]); });
+  return loop_.run(faces.size(), budget, kQuickRounds, [&](int i) { body(faces.list()[i]); });
 }
 
 /// Calls work(i) for i from the cursor up to `count`; it returns the units of budget it used.
@@ -121,7 +114,7 @@ bool KnownLabels::markFinal(long& budget) {
       spread_.markFinal(label, static_cast<int>(k));
       if (!areAllNew()) newlyFinal_.push_back(r.vertex);
     }
-    return 1 + static_cast<long>(reached.size()) / kPerUnit;
+    return 1 + static_cast<long>(reached.size()) / kQuickRounds;
   });
 }
 
@@ -182,7 +175,7 @@ void KnownLabels::dropInterpolated() {
 
 /// Finds the labels that tie at a changed vertex among those that were known there before.
 bool KnownLabels::findTies(long& budget) {
-  return loop_.run(changedVertices_.size(), budget, kPerUnit, [&](int i) {
+  return loop_.run(changedVertices_.size(), budget, kQuickRounds, [&](int i) {
     const int v = changedVertices_.list()[i];
     for (size_t k = 0; k < lists_[v].size(); ++k) {
       const int label = lists_[v][k].label;
@@ -244,7 +237,7 @@ bool KnownLabels::listLabels(long& budget) {
           (isAllWanted || (changedVertices_.contains(vertex) && ownsPartAround(label, vertex))))
         lists_.add(label, r);
     }
-    return 1 + static_cast<long>(reached.size()) / kPerUnit;
+    return 1 + static_cast<long>(reached.size()) / kQuickRounds;
   });
 }
 

@@ -58,10 +58,6 @@ class KnownLabels {
   const std::vector<int>& changedLabels() const { return changedLabels_; }
 
  private:
-  struct LabelAtVertex {
-    int vertex, label;
-  };
-
   template <class Body>
   bool forFaces(const IndexSet& faces, long& budget, Body body);
   template <class Work>

@@ -17,10 +17,9 @@ void LabelClosure::start(const IndexSet& faces) {
 }
 
 bool LabelClosure::run(long& budget) {
-  constexpr long kFacesPerUnit = 32;
   return sequence_.run(
       [&] {
-        return loop_.run(faces_->size(), budget, kFacesPerUnit,
+        return loop_.run(faces_->size(), budget, kQuickRounds,
                          [&](int i) { closeFace(faces_->list()[i]); });
       },
       [&] { beginRound(found_); },

@@ -45,10 +45,6 @@ class LabelClosure {
   const std::vector<int>& extended() const { return extended_.list(); }
 
  private:
-  struct LabelAtVertex {
-    int vertex, label;
-  };
-
   void beginRound(std::span<const Requirement> requirements);
   void closeFace(int face);
   void closeAround(const LabelAtVertex& added);

@@ -15,6 +15,10 @@
 
 namespace gvd {
 
+struct LabelAtVertex {
+  int vertex, label;
+};
+
 /// The labels known at each vertex, ascending, with their distances and their indices in
 /// `LabelSpread::reached`.
 class LabelLists {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/sliced_loop.h"
+
 namespace gvd {
 
 void LabelTurns::clear() {
@@ -49,9 +51,8 @@ void LabelTurns::begin(long& budget) {
 }
 
 void LabelTurns::beginToRequire(int label, long& budget) {
-  constexpr size_t kPerUnit = 32;  // faces or vertices that take about as long as one unit
   spread_.require(label, currentFaces_);
-  budget -= static_cast<long>((spread_.reached(label).size() + currentFaces_.size()) / kPerUnit);
+  budget -= static_cast<long>(spread_.reached(label).size() + currentFaces_.size()) / kQuickRounds;
 }
 
 }  // namespace gvd

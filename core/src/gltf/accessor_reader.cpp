@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <limits>
 #include <utility>
 
 #include "gltf/gltf_error.h"
@@ -91,8 +90,8 @@ std::vector<double> AccessorReader::read(int index, const Format& format,
                                          const std::string& owner) {
   std::vector<double> values;
   AccessorReading reading = start(index, format, owner, values);
-  long unlimited = std::numeric_limits<long>::max();
-  reading.step(unlimited);
+  long budget = kUnlimited;
+  reading.step(budget);
   return values;
 }
 

@@ -31,4 +31,9 @@ inline int tipOf(const std::vector<Corners>& triangles, int h) {
   return triangles[h / 3][(h + 1) % 3];
 }
 
+/// The sum of the genera of all components of a surface.
+inline int genusOf(int components, int boundaryLoops, int eulerCharacteristic) {
+  return (2 * components - boundaryLoops - eulerCharacteristic) / 2;
+}
+
 }  // namespace gvd

@@ -206,6 +206,8 @@ void MeshBuilding::requireEdgeLength() const {
 void MeshBuilding::findShortEdgeLength() {
   constexpr int kSamples = 4096;
   constexpr double kLeastShare = 1.0 / 256;
+  constexpr double kMostBucketsPerEdge = 6;  // of all queues by distance
+  constexpr double kMostBuckets = 0x1p30;    // so that an int can number them
   int step = std::max(1, mesh_.halfedgeCount() / kSamples);
   if (step % 3 == 0) ++step;  // of all sides of faces
   std::vector<double> lengths;
@@ -213,7 +215,10 @@ void MeshBuilding::findShortEdgeLength() {
     lengths.push_back(mesh_.length(static_cast<int>(h)));
   const auto quartile = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 4);
   std::nth_element(lengths.begin(), quartile, lengths.end());
-  mesh_.shortEdgeLength_ = std::max(*quartile, kLeastShare * mesh_.meanEdgeLength_);
+  // No distance is longer than all edges together.
+  const double longest = mesh_.meanEdgeLength_ * mesh_.halfedgeCount();
+  mesh_.shortEdgeLength_ = std::max({*quartile, kLeastShare * mesh_.meanEdgeLength_,
+                                     longest * kMostBucketsPerEdge / kMostBuckets});
 }
 
 /// Coordinates are not centred first: centring would round them, and their differences are as
@@ -288,7 +293,7 @@ void MeshBuilding::countTopology() {
   topology.eulerCharacteristic = mesh_.vertexCount() - topology.edges + mesh_.faceCount();
   topology.boundaryLoops = static_cast<int>(mesh_.boundaryLoops_.size());
   topology.genus =
-      (2 * topology.components - topology.boundaryLoops - topology.eulerCharacteristic) / 2;
+      genusOf(topology.components, topology.boundaryLoops, topology.eulerCharacteristic);
 }
 
 std::unique_ptr<SlicedWork<TriangleMesh>> startMesh(std::vector<double> positions,

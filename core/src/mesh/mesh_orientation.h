@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "base/grouping.h"
 #include "base/sliced_loop.h"
 #include "gvd/triangle_mesh.h"
 #include "mesh/corners.h"
-#include "mesh/grouping.h"
 #include "mesh/triangle_selection.h"
 
 namespace gvd {

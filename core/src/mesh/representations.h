@@ -4,9 +4,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
+#include "mesh/face_layout.h"
 
 namespace gvd {
 
@@ -72,6 +74,33 @@ void visitRepresentations(const TriangleMesh& mesh, const SurfacePoint& p, Visit
   visit(p);
   const int h = 3 * p.face + place.side;
   if (place.side >= 0 && mesh.twin(h) >= 0) visit(acrossEdge(mesh, p, h));
+}
+
+/// A point as it is in a face; none if the face does not have it.
+inline std::optional<SurfacePoint> pointInFace(const TriangleMesh& mesh, const SurfacePoint& p,
+                                               int face) {
+  std::optional<SurfacePoint> found;
+  visitRepresentations(mesh, p, [&](const SurfacePoint& place) {
+    if (place.face == face) found = place;
+  });
+  return found;
+}
+
+/// Calls visit(vertex, length, corner) with each corner of a point's face: the length of the way to
+/// it, and the corner as a point.
+template <class Visit>
+void visitCorners(const TriangleMesh& mesh, const SurfacePoint& p, Visit visit) {
+  const TriangleMesh::Face& face = mesh.face(p.face);
+  for (int i = 0; i < 3; ++i)
+    visit(face.vertices[i], wayToCorner(face, p.bary, i).norm(),
+          SurfacePoint{p.face, Eigen::Vector3d::Unit(i)});
+}
+
+/// The same with each corner of the faces that have a point.
+template <class Visit>
+void visitCornersAround(const TriangleMesh& mesh, const SurfacePoint& p, Visit visit) {
+  visitRepresentations(mesh, p,
+                       [&](const SurfacePoint& place) { visitCorners(mesh, place, visit); });
 }
 
 }  // namespace gvd

@@ -10,6 +10,7 @@
 
 #include "base/plane.h"
 #include "base/tolerances.h"
+#include "mesh/face_layout.h"
 #include "mesh/surface_geometry.h"
 
 namespace gvd {
@@ -20,8 +21,8 @@ using std::numbers::pi;
 
 double angleOf(const Vector2d& v) { return std::atan2(v.y(), v.x()); }
 
-/// Walks from face to face, in a direction in the frame of a halfedge of the current face
-/// (`TriangleMesh::Layout`). The current point is on that halfedge, except at a start inside a
+/// Walks from face to face, in a direction in the coordinates of a side of the current face
+/// (`face_layout.h`), a halfedge. The current point is on that halfedge, except at a start inside a
 /// face. Points within a face are interpolated between points on its sides: nothing is divided by
 /// the height of a face, which may be tiny.
 class Walk {
@@ -49,12 +50,12 @@ class Walk {
 
   StraightestGeodesic run() {
     // A line that moves at all leaves the star of any vertex in this many crossings.
-    const int window = mesh_.halfedgeCount() + 16;
+    const int stretch = mesh_.halfedgeCount() + 16;
     // Needed because a line may wind around a spike millions of times.
     const long most = kMostCrossings + 16L * mesh_.halfedgeCount();
     double before = kNever;
     for (long crossings = 0; remaining_ > 0 && crossings < most; ++crossings) {
-      if (crossings % window == 0) {
+      if (crossings % stretch == 0) {
         if (before - remaining_ < 0x1p-30 * total_) break;
         before = remaining_;
       }
@@ -63,7 +64,7 @@ class Walk {
       else
         crossFace();
     }
-    toFrame(3 * TriangleMesh::faceOf(halfedge_));
+    toCoordinatesOf(3 * TriangleMesh::faceOf(halfedge_));
     const Vector2d frame = total_ > 0 ? turnedBy(frame_, direction_).normalized() : Vector2d(1, 0);
     return {{TriangleMesh::faceOf(halfedge_), bary_}, frame, walked_, metBoundary_};
   }
@@ -72,9 +73,9 @@ class Walk {
   static constexpr double kNever = 1e300;
   static constexpr long kMostCrossings = 1 << 16;  ///< and more on larger meshes
 
-  // --- Frames ---
+  // --- Coordinates ---
 
-  /// The direction of a side of the current face in the frame of the current halfedge.
+  /// The direction of a side of the current face in the coordinates of the current one.
   Vector2d axisOf(int side) const {
     if (side == halfedge_) return {1, 0};
     const TriangleMesh::Face& face = mesh_.face(TriangleMesh::faceOf(halfedge_));
@@ -83,7 +84,7 @@ class Walk {
                            : Vector2d(-face.cosines[tail], -face.sines[tail]);
   }
 
-  void toFrame(int side) {
+  void toCoordinatesOf(int side) {
     if (side == halfedge_) return;
     direction_ = turnedBackBy(direction_, axisOf(side)).normalized();
     halfedge_ = side;
@@ -107,10 +108,10 @@ class Walk {
   }
 
   void crossFace() {
-    const TriangleMesh::Layout& l = mesh_.layout(halfedge_);
+    const TriangleMesh::Face& face = mesh_.face(TriangleMesh::faceOf(halfedge_));
     const int first = halfedge_ % 3, second = cornerAfter(first), third = cornerBefore(first);
-    const std::array<Vector2d, 3> corners = {Vector2d(0, 0), Vector2d(l.length, 0),
-                                             Vector2d(l.x, l.y)};
+    const std::array<Vector2d, 3> corners = {Vector2d(0, 0), Vector2d(face.lengths[first], 0),
+                                             apexOf(face, first)};
     const std::array<int, 3> sides = {halfedge_, TriangleMesh::next(halfedge_),
                                       TriangleMesh::previous(halfedge_)};
     const bool isOnHalfedge = bary_[third] == 0;
@@ -146,7 +147,7 @@ class Walk {
 
   void goToCorner(int corner, const Vector2d& path) {
     if (!advance(path.norm(), Eigen::Vector3d::Unit(corner % 3))) return;
-    toFrame(corner);
+    toCoordinatesOf(corner);
     // Not always within the corner's angle: the line may have come in closely beside the vertex.
     const double middle = mesh_.cornerAngle(corner) / 2;
     passVertex(corner, middle + angleOf(turnedBackBy(-direction_, unitVector(middle))));
@@ -155,12 +156,12 @@ class Walk {
   void startOnEdge(int side) {
     bary_[cornerBefore(side % 3)] = 0;
     bary_ /= bary_.sum();
-    toFrame(side);
+    toCoordinatesOf(side);
     if (direction_.y() < -kVertexSnap) crossEdge(side, bary_[cornerAfter(side % 3)]);
   }
 
   void crossEdge(int side, double share) {
-    toFrame(side);
+    toCoordinatesOf(side);
     const int twin = mesh_.twin(side);
     if (twin < 0) {
       metBoundary_ = true;
@@ -217,7 +218,7 @@ class Walk {
 
   void startAtVertex(int corner) {
     bary_ = Eigen::Vector3d::Unit(corner % 3);
-    toFrame(corner);
+    toCoordinatesOf(corner);
     const int vertex = mesh_.tail(corner);
     double angle = std::fmod(angleBefore(corner) + angleOf(direction_), 2 * pi);
     if (angle < 0) angle += 2 * pi;
@@ -289,7 +290,7 @@ class Walk {
   double remaining_;
   double walked_ = 0;
   bool metBoundary_ = false;
-  int halfedge_;  ///< of the current face; `direction_` is in its frame
+  int halfedge_;  ///< of the current face; `direction_` is in its coordinates
   Eigen::Vector3d bary_;
   Vector2d direction_ = {1, 0};
   Vector2d frame_ = {1, 0};  ///< the start's x axis, seen with the direction as x axis

@@ -36,6 +36,12 @@ inline std::array<double, 3> squaredSides(const TriangleMesh& mesh, int face) {
   return squared;
 }
 
+/// The area of a triangle in a face as a share of the face's; negative if it is clockwise.
+inline double areaShare(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                        const Eigen::Vector3d& c) {
+  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
 /// The squared length of a difference of barycentric coordinates, clamped because rounding may make
 /// it negative. Computed from the two shorter sides, which cancel less in thin faces, and from two
 /// coordinates only, because all three sum to zero only up to rounding.
@@ -54,6 +60,12 @@ inline double squaredLength(const Eigen::Vector3d& difference, const std::array<
 inline double squaredDistance(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                               const std::array<double, 3>& sides) {
   return squaredLength(a - b, sides);
+}
+
+/// By how much squared distances in the plane, interpolated linearly between the corners of a face,
+/// exceed the squared distance at a point: Σ bᵢ bⱼ |eᵢⱼ|².
+inline double interpolationExcess(const Eigen::Vector3d& bary, const std::array<double, 3>& sides) {
+  return bary[0] * bary[1] * sides[0] + bary[1] * bary[2] * sides[1] + bary[2] * bary[0] * sides[2];
 }
 
 /// Barycentric coordinates below this are set to zero in points given by callers: 512 times the

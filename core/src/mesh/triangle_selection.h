@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
+#include "base/grouping.h"
 #include "base/sliced_loop.h"
 #include "gvd/triangle_mesh.h"
 #include "mesh/corners.h"
-#include "mesh/grouping.h"
 #include "mesh/point_grid.h"
 
 namespace gvd {

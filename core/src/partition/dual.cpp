@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "gvd/partition.h"
+#include "mesh/corners.h"
 #include "partition/dual_parts.h"
 
 namespace gvd {
@@ -25,8 +26,7 @@ bool isRun(const RegionComplex::Border& border) {
 SurfacePoint middle(const TriangleMesh& mesh, const Partition& p,
                     const RegionComplex::Border& border) {
   const auto length = [&](int h) {
-    const auto& triangle = p.triangles[h / 3];
-    return (p.positions[triangle[(h + 1) % 3]] - p.positions[triangle[h % 3]]).norm();
+    return (p.positions[tipOf(p.triangles, h)] - p.positions[tailOf(p.triangles, h)]).norm();
   };
   double rest = 0;
   for (const int h : border.path) rest += length(h) / 2;

@@ -21,15 +21,6 @@ struct Crossing {
   double length = kInfinity;
 };
 
-/// A point in terms of a given face that contains it.
-SurfacePoint inFace(const TriangleMesh& mesh, const SurfacePoint& p, int face) {
-  SurfacePoint result = p;
-  visitRepresentations(mesh, p, [&](const SurfacePoint& place) {
-    if (place.face == face) result = place;
-  });
-  return result;
-}
-
 /// Finds the point of each arc where the path from site to site is shortest, then the paths to it.
 /// If all straight paths from each of the two sites to a segment cross the same faces, the sum of
 /// the squared distances is quadratic along the segment. As both distances are equal there, their
@@ -87,10 +78,13 @@ class DualPathFinding final : public SlicedWork<std::vector<DualPath>> {
 
   SurfacePoint pointAt(const Place& place) const {
     const Diagram::Segment& segment = *place.segment;
-    SurfacePoint begin = inFace(mesh_, diagram_.points[segment.points[0]], segment.face);
-    const SurfacePoint end = inFace(mesh_, diagram_.points[segment.points[1]], segment.face);
-    if (begin.face != end.face) return begin;
-    return {begin.face, (1 - place.share) * begin.bary + place.share * end.bary};
+    const auto end = [&](int i) {
+      const SurfacePoint& p = diagram_.points[segment.points[i]];
+      return pointInFace(mesh_, p, segment.face).value_or(p);
+    };
+    const SurfacePoint from = end(0), to = end(1);
+    if (from.face != to.face) return from;
+    return {from.face, (1 - place.share) * from.bary + place.share * to.bary};
   }
 
   /// Makes the nearest places the crossings of their arcs. The distances at all places are

@@ -8,7 +8,9 @@
 #include <tuple>
 #include <utility>
 
+#include "base/index_set.h"
 #include "base/sorting.h"
+#include "mesh/corners.h"
 #include "partition/dual_parts.h"
 
 namespace gvd {
@@ -58,16 +60,14 @@ class Inspector {
     std::vector<int> vertices;
     for (int i = 0; i < region.triangleCount; ++i)
       for (const int v : partition_.triangles[region.firstTriangle + i]) vertices.push_back(v);
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    makeSet(vertices);
     return vertices;
   }
 
   void addVerticesOf(const RegionComplex::Border& border, std::vector<int>& vertices) const {
     for (const int h : border.path) {
-      const auto& triangle = partition_.triangles[h / 3];
-      vertices.push_back(triangle[h % 3]);
-      vertices.push_back(triangle[(h + 1) % 3]);
+      vertices.push_back(tailOf(partition_.triangles, h));
+      vertices.push_back(tipOf(partition_.triangles, h));
     }
   }
 
@@ -101,8 +101,7 @@ class Inspector {
   /// The regions around a node in ascending order, each once.
   std::vector<int> labelSet(int node) const {
     std::vector<int> labels = complex_.labelsAt(node);
-    std::sort(labels.begin(), labels.end());
-    labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
+    makeSet(labels);
     return labels;
   }
 

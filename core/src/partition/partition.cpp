@@ -12,11 +12,14 @@
 #include <tuple>
 #include <utility>
 
+#include "base/grouping.h"
 #include "base/sliced_loop.h"
 #include "base/sorting.h"
-#include "mesh/convex_triangulation.h"
+#include "mesh/corners.h"
 #include "mesh/face_layout.h"
 #include "mesh/representations.h"
+#include "mesh/surface_geometry.h"
+#include "partition/convex_triangulation.h"
 #include "partition/region_patches.h"
 
 namespace gvd {
@@ -31,7 +34,7 @@ class Partitioner final : public SlicedWork<Partition> {
 
   bool step(long budget) override {
     return sequence_.run(
-        [&] { return nameVertices(budget); }, [&] { return collectPointsOnWholeSides(budget); },
+        [&] { return nameVertices(budget); }, [&] { return collectSidePoints(budget); },
         [&] { return cutFaces(budget); }, [&] { return groupByLabel(budget); },
         [&] { return numberVertices(budget); }, [&] { return findTwins(budget); },
         [&] { return runPart(patches_, budget, mesh_, diagram_.siteCount, areas_, out_); });
@@ -41,7 +44,7 @@ class Partitioner final : public SlicedWork<Partition> {
 
  private:
   /// A triangle, before triangles are sorted by label.
-  struct Piece {
+  struct LooseTriangle {
     std::array<int, 3> vertices;
     int label, face;
     double area;
@@ -66,17 +69,17 @@ class Partitioner final : public SlicedWork<Partition> {
     });
   }
 
-  bool isWhole(int face) const { return diagram_.faceLabel[face] != Diagram::kMixed; }
+  bool isMixed(int face) const { return diagram_.faceLabel[face] == Diagram::kMixed; }
 
   /// With detail, a diagram has points on the sides of mixed faces that the region triangle beyond
   /// does not list.
-  bool collectPointsOnWholeSides(long& budget) {
+  bool collectSidePoints(long& budget) {
     const bool isDone = loop_.run(diagram_.cells.size(), budget, 2, [&](int first) {
       const int face = diagram_.cellFace[first];
       if (first > 0 && diagram_.cellFace[first - 1] == face) return;
       bool isGathered = false;
       for (int h = 3 * face; h < 3 * (face + 1); ++h) {
-        if (mesh_.twin(h) < 0 || !isWhole(TriangleMesh::faceOf(mesh_.twin(h)))) continue;
+        if (mesh_.twin(h) < 0 || isMixed(TriangleMesh::faceOf(mesh_.twin(h)))) continue;
         if (!isGathered) gatherSides(first);
         isGathered = true;
         followSide(h);
@@ -127,13 +130,13 @@ class Partitioner final : public SlicedWork<Partition> {
                             for (const int f : diagram_.indifferentFaces) isLeftOut_[f] = true;
                           pieces_.reserve(faces + diagram_.cells.points.size());
                         },
-                        [&] { return fillInSlices(plainPiece_, faces, -1, budget); },
+                        [&] { return fillInSlices(uncutPiece_, faces, -1, budget); },
                         [&] { return loop_.run(faces, budget, 4, [&](int f) { cutFace(f); }); });
   }
 
   void cutFace(int f) {
     const size_t firstPiece = pieces_.size();
-    if (!isWhole(f)) {
+    if (isMixed(f)) {
       for (; nextCell_ < diagram_.cells.size() && diagram_.cellFace[nextCell_] == f; ++nextCell_)
         addCell(nextCell_);
       measurePieces(firstPiece);
@@ -146,7 +149,7 @@ class Partitioner final : public SlicedWork<Partition> {
       ++nextSidePoint_;
     if (isLeftOut_[f] || (label < 0 && options_.leaveOutUnreachable)) return;
     if (first == nextSidePoint_) {
-      plainPiece_[f] = static_cast<int>(pieces_.size());
+      uncutPiece_[f] = static_cast<int>(pieces_.size());
       pieces_.push_back({{mesh_.tail(3 * f), mesh_.tail(3 * f + 1), mesh_.tail(3 * f + 2)},
                          label,
                          f,
@@ -165,11 +168,10 @@ class Partitioner final : public SlicedWork<Partition> {
     size_t largest = first;
     double rest = faceArea;
     for (size_t i = first; i < pieces_.size(); ++i) {
-      Piece& piece = pieces_[i];
+      LooseTriangle& piece = pieces_[i];
       const auto& [a, b, c] = piece.vertices;
-      const Eigen::Vector3d origin = baryOf(a, piece.face);
-      const Eigen::Vector3d p = baryOf(b, piece.face) - origin, q = baryOf(c, piece.face) - origin;
-      piece.area = std::max(0.0, p[0] * q[1] - p[1] * q[0]) * faceArea;
+      piece.area = faceArea * std::max(0.0, areaShare(baryOf(a, piece.face), baryOf(b, piece.face),
+                                                      baryOf(c, piece.face)));
       rest -= piece.area;
       if (piece.area > pieces_[largest].area) largest = i;
     }
@@ -225,40 +227,37 @@ class Partitioner final : public SlicedWork<Partition> {
     return bary;
   }
 
-  // --- The whole mesh --------------------------------------------------------------------------
+  // --- All triangles ---------------------------------------------------------------------------
 
-  int partOf(int label) const { return label < 0 ? diagram_.siteCount : label; }
-
-  /// Sorts the pieces by label, by counting.
   bool groupByLabel(long& budget) {
     const size_t n = pieces_.size();
-    return grouping_.run(
-        [&] { return fillInSlices(nextOfPart_, diagram_.siteCount + 2, 0, budget); },
-        [&] {
-          return loop_.run(n, budget, kQuickRounds,
-                           [&](int i) { ++nextOfPart_[partOf(pieces_[i].label) + 1]; });
-        },
-        [&] {
-          for (size_t i = 1; i < nextOfPart_.size(); ++i) nextOfPart_[i] += nextOfPart_[i - 1];
-        },
-        [&] { return fillInSlices(out_.triangles, n, {}, budget); },
-        [&] { return fillInSlices(out_.triangleLabel, n, 0, budget); },
-        [&] { return fillInSlices(out_.triangleFace, n, 0, budget); },
-        [&] { return fillInSlices(triangleOfPiece_, n, 0, budget); },
-        [&] { return fillInSlices(isWholeFace_, n, '\0', budget); },
-        [&] { return fillInSlices(areas_, n, 0., budget); },
-        [&] {
-          return loop_.run(n, budget, 8, [&](int i) {
-            const Piece& piece = pieces_[i];
-            const int t = nextOfPart_[partOf(piece.label)]++;
-            triangleOfPiece_[i] = t;
-            out_.triangles[t] = piece.vertices;
-            out_.triangleLabel[t] = piece.label;
-            out_.triangleFace[t] = piece.face;
-            isWholeFace_[t] = static_cast<char>(plainPiece_[piece.face] >= 0);
-            areas_[t] = piece.area;
-          });
-        });
+    const auto partOf = [&](int i) {
+      return pieces_[i].label < 0 ? diagram_.siteCount : pieces_[i].label;
+    };
+    return grouping_.run([&] { return byLabel_.run(n, diagram_.siteCount + 1, partOf, budget); },
+                         [&] { return fillInSlices(triangleOfPiece_, n, 0, budget); },
+                         [&] {
+                           out_.triangles.reserve(n);
+                           out_.triangleLabel.reserve(n);
+                           out_.triangleFace.reserve(n);
+                           isUncut_.reserve(n);
+                           areas_.reserve(n);
+                         },
+                         [&] {
+                           return loop_.run(n, budget, 8,
+                                            [&](int t) { addTriangle(byLabel_.items()[t], t); });
+                         },
+                         [&] { byLabel_ = {}; });
+  }
+
+  void addTriangle(int i, int t) {
+    const LooseTriangle& piece = pieces_[i];
+    triangleOfPiece_[i] = t;
+    out_.triangles.push_back(piece.vertices);
+    out_.triangleLabel.push_back(piece.label);
+    out_.triangleFace.push_back(piece.face);
+    isUncut_.push_back(static_cast<char>(uncutPiece_[piece.face] >= 0));
+    areas_.push_back(piece.area);
   }
 
   bool numberVertices(long& budget) {
@@ -310,10 +309,10 @@ class Partitioner final : public SlicedWork<Partition> {
   void findTwinsOf(int t) {
     const int face = out_.triangleFace[t];
     for (int i = 0; i < 3; ++i) {
-      if (isWholeFace_[t]) {
+      if (isUncut_[t]) {
         const int beyond = mesh_.twin(3 * face + i);
         if (beyond < 0) continue;
-        const int piece = plainPiece_[TriangleMesh::faceOf(beyond)];
+        const int piece = uncutPiece_[TriangleMesh::faceOf(beyond)];
         if (piece >= 0) {
           out_.twins[3 * t + i] = 3 * triangleOfPiece_[piece] + beyond % 3;
           continue;
@@ -325,13 +324,11 @@ class Partitioner final : public SlicedWork<Partition> {
 
   /// Pairs a halfedge with an open one at the lower of their ends, or adds it to the open ones.
   void findTwin(int h) {
-    const int tail = out_.triangles[h / 3][h % 3], tip = out_.triangles[h / 3][(h + 1) % 3];
+    const int tail = tailOf(out_.triangles, h), tip = tipOf(out_.triangles, h);
     int* link = &firstOpen_[std::min(tail, tip)];
     for (int* open = link; *open >= 0; open = &nextOpen_[*open]) {
       const int other = *open;
-      if (out_.triangles[other / 3][other % 3] != tip ||
-          out_.triangles[other / 3][(other + 1) % 3] != tail)
-        continue;
+      if (tailOf(out_.triangles, other) != tip || tipOf(out_.triangles, other) != tail) continue;
       // Where the mesh was cut, sides of different faces may have the same ends without being
       // neighbours.
       if (out_.triangleFace[h / 3] != out_.triangleFace[other / 3] && isOnMeshBoundary(h) &&
@@ -351,10 +348,8 @@ class Partitioner final : public SlicedWork<Partition> {
     for (int i = 0; i < 3; ++i) {
       if (mesh_.twin(3 * face + i) >= 0) continue;
       bool isOnSide = true;
-      for (const int corner : {h % 3, (h + 1) % 3}) {
-        const SurfacePoint& p = out_.points[out_.triangles[h / 3][corner]];
-        isOnSide &= baryInFace(mesh_, p, face)[(i + 2) % 3] == 0;
-      }
+      for (const int end : {tailOf(out_.triangles, h), tipOf(out_.triangles, h)})
+        isOnSide &= baryInFace(mesh_, out_.points[end], face)[(i + 2) % 3] == 0;
       if (isOnSide) return true;
     }
     return false;
@@ -370,16 +365,16 @@ class Partitioner final : public SlicedWork<Partition> {
   std::vector<int> vertexOfPoint_;
   std::vector<SidePoint> sidePoints_;       ///< ascending by halfedge and order
   std::vector<std::pair<int, int>> sides_;  ///< of the cells of the current face
-  std::vector<Piece> pieces_;
+  std::vector<LooseTriangle> pieces_;
   std::vector<char> isLeftOut_;  ///< faces
   int nextCell_ = 0;
   size_t nextSidePoint_ = 0;
-  std::vector<int> plainPiece_;  ///< per face that is not cut, its piece; else -1
+  std::vector<int> uncutPiece_;  ///< per face that is not cut, its piece; else -1
   std::vector<int> triangleOfPiece_;
-  std::vector<char> isWholeFace_;  ///< per triangle
-  std::vector<double> areas_;      ///< per triangle
-  std::vector<int> nextOfPart_;    ///< per region, where its next triangle goes
-  std::vector<int> number_;        ///< of a vertex in the result, -1 if it is not in use
+  std::vector<char> isUncut_;  ///< per triangle
+  std::vector<double> areas_;  ///< per triangle
+  Grouping byLabel_;           ///< pieces
+  std::vector<int> number_;    ///< of a vertex in the result, -1 if it is not in use
   size_t used_ = 0;
   /// Lists of the halfedges without a twin so far, by the lower of their ends.
   std::vector<int> firstOpen_, nextOpen_;

@@ -6,6 +6,7 @@
 
 #include "base/sliced_loop.h"
 #include "gvd/partition.h"
+#include "mesh/corners.h"
 
 namespace gvd {
 
@@ -56,7 +57,7 @@ class RegionComplexBuilding {
   RegionComplex take() { return std::move(out_); }
 
  private:
-  int tail(int h) const { return partition_.triangles[h / 3][h % 3]; }
+  int tail(int h) const { return tailOf(partition_.triangles, h); }
   int endOfSector(int h) const;
   void countSector(int h);
   void findNode(int v);

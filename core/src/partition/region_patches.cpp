@@ -196,7 +196,7 @@ bool PatchMeasuring::countComponents(RegionPatch& region, long& budget) {
 void PatchMeasuring::countTopology(RegionPatch& region) const {
   const int edges = (3 * region.triangleCount + outlineSteps_) / 2;
   region.eulerCharacteristic = innerVertices_ + outlineSteps_ - edges + region.triangleCount;
-  region.genus = (2 * region.components - region.loops - region.eulerCharacteristic) / 2;
+  region.genus = genusOf(region.components, region.loops, region.eulerCharacteristic);
 }
 
 double PatchMeasuring::squaredDistanceToCentroid(int t, const RegionPatch& region) const {

@@ -9,6 +9,7 @@
 #include "base/sliced_loop.h"
 #include "gvd/partition.h"
 #include "gvd/triangle_mesh.h"
+#include "mesh/corners.h"
 
 namespace gvd {
 
@@ -24,8 +25,8 @@ class PatchMeasuring {
  private:
   static constexpr int kNoLabel = -2;  // neither a region's nor `Diagram::kUnreachable`
 
-  int tail(int h) const { return partition_.triangles[h / 3][h % 3]; }
-  int tip(int h) const { return tail(TriangleMesh::next(h)); }
+  int tail(int h) const { return tailOf(partition_.triangles, h); }
+  int tip(int h) const { return tipOf(partition_.triangles, h); }
   std::array<Eigen::Vector3d, 3> cornersOf(int t) const;
   double squaredDistanceToCentroid(int t, const RegionPatch& region) const;
   RegionPatch& patchOf(int label);

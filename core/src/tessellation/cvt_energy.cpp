@@ -114,8 +114,8 @@ class Integrator final : public SlicedWork<CvtEnergy> {
     for (size_t i = 2; i < points.size(); ++i) {
       corners.col(1) = corners.col(2);
       corners.col(2) = cornerAt(points[i]);
-      const Vector3d p = corners.col(1) - corners.col(0), q = corners.col(2) - corners.col(0);
-      addTriangle(corners, std::max(0.0, p[0] * q[1] - p[1] * q[0]) * faceArea);
+      const double share = areaShare(corners.col(0), corners.col(1), corners.col(2));
+      addTriangle(corners, std::max(0.0, share) * faceArea);
     }
   }
 
@@ -126,8 +126,7 @@ class Integrator final : public SlicedWork<CvtEnergy> {
     Vector3d squared = corners.transpose() * squared_;
     Vector3d opposite;  // squared sides, by the corner opposite
     for (int i = 0; i < 3; ++i) {
-      const Vector3d c = corners.col(i);
-      squared[i] -= c[0] * c[1] * sides_[0] + c[1] * c[2] * sides_[1] + c[2] * c[0] * sides_[2];
+      squared[i] -= interpolationExcess(corners.col(i), sides_);
       opposite[i] = squaredDistance(corners.col((i + 1) % 3), corners.col((i + 2) % 3), sides_);
     }
     add(area, corners.transpose() * rho_, squared, opposite, vectors_ * corners);

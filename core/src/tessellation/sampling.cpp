@@ -219,9 +219,7 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
   }
 
   bool isFree(const SurfacePoint& p, long& budget) const {
-    const auto sides = squaredSides(mesh_, p.face);
-    const double excess = p.bary[0] * p.bary[1] * sides[0] + p.bary[1] * p.bary[2] * sides[1] +
-                          p.bary[2] * p.bary[0] * sides[2];
+    const double excess = interpolationExcess(p.bary, squaredSides(mesh_, p.face));
     const std::span<const int> disks = disks_.near(p);
     budget -= 1 + static_cast<long>(disks.size()) / kDisksPerUnit;
     for (const int disk : disks) {

@@ -16,6 +16,7 @@
 #include "gvd/sampling.h"
 #include "mesh/face_layout.h"
 #include "mesh/representations.h"
+#include "mesh/surface_geometry.h"
 
 namespace gvd {
 namespace {
@@ -28,19 +29,20 @@ constexpr double kFlatDistortion = 1e-12;
 
 /// (σ₁ - 1)² + (σ₂ - 1)² of a label's logarithmic map on a face, as if the map were 0 at corners
 /// where it is not known.
-double distortionOf(const TriangleMesh& mesh, const DistanceField& distances, int label, int face) {
+double distortionOf(const TriangleMesh& mesh, const DistanceField& distances, int label, int f) {
+  const TriangleMesh::Face& face = mesh.face(f);
   Eigen::Matrix<double, 2, 3> u;
   for (int i = 0; i < 3; ++i) {
-    const int v = mesh.tail(3 * face + i);
+    const int v = face.vertices[i];
     u.col(i).setZero();
     for (const LabelledDistance& d : distances.at(v))
       if (d.label == label && d.distance > 0) u.col(i) = d.distance * distances.direction(label, v);
     if (!u.col(i).allFinite()) u.col(i).setZero();
   }
   // The derivatives along the first side of the face and across it.
-  const TriangleMesh::Layout layout = mesh.layout(3 * face);
-  const Vector2d along = (u.col(1) - u.col(0)) / layout.length;
-  const Vector2d across = (u.col(2) - u.col(0) - layout.x * along) / layout.y;
+  const Vector2d apex = apexOf(face, 0);
+  const Vector2d along = (u.col(1) - u.col(0)) / face.lengths[0];
+  const Vector2d across = (u.col(2) - u.col(0) - apex.x() * along) / apex.y();
   // σ₁² + σ₂² = |J|², and σ₁ σ₂ = |det J|, where J is their matrix.
   const double squares = along.squaredNorm() + across.squaredNorm();
   const double product = std::abs(along[0] * across[1] - along[1] * across[0]);
@@ -53,10 +55,8 @@ double areaOfCell(const TriangleMesh& mesh, const Diagram& diagram, int cell) {
   const auto points = diagram.cells[cell];
   const auto at = [&](int i) { return baryInFace(mesh, diagram.points[points[i]], face); };
   double share = 0;
-  for (int i = 2; i < static_cast<int>(points.size()); ++i) {
-    const Eigen::Vector3d p = at(i - 1) - at(0), q = at(i) - at(0);
-    share += p[0] * q[1] - p[1] * q[0];
-  }
+  for (int i = 2; i < static_cast<int>(points.size()); ++i)
+    share += areaShare(at(0), at(i - 1), at(i));
   return std::max(0.0, share) * mesh.faceArea(face);
 }
 
@@ -65,9 +65,9 @@ double areaOfCell(const TriangleMesh& mesh, const Diagram& diagram, int cell) {
 double distanceAtMost(const TriangleMesh& mesh, const DistanceField& distances,
                       const SurfacePoint& p) {
   double least = kInfinity;
-  for (int i = 0; i < 3; ++i)
-    least = std::min(least, nearestOf(distances.at(mesh.tail(3 * p.face + i))).distance +
-                                wayToCorner(mesh.face(p.face), p.bary, i).norm());
+  visitCorners(mesh, p, [&](int vertex, double length, const SurfacePoint&) {
+    least = std::min(least, nearestOf(distances.at(vertex)).distance + length);
+  });
   return least;
 }
 
@@ -79,7 +79,7 @@ WorstRegions::WorstRegions(const TriangleMesh& mesh, const DistanceField& distan
       distances_(distances),
       worst_(worst),
       faceLabel_(mesh.faceCount(), Diagram::kUnreachable),
-      pieces_(worst == WorstRegion::kMostDistorted ? mesh.faceCount() : 0) {
+      shares_(worst == WorstRegion::kMostDistorted ? mesh.faceCount() : 0) {
   DiagramChange all{std::vector<int>(diagram.siteCount), std::vector<int>(mesh.faceCount()),
                     diagram};
   std::iota(all.labels.begin(), all.labels.end(), 0);
@@ -103,10 +103,10 @@ void WorstRegions::follow(const DiagramChange& change) {
 void WorstRegions::followDistortion(const DiagramChange& change) {
   const Diagram& part = change.part;
   const auto add = [&](int face, int label, double area) {
-    pieces_[face].push_back({label, area * distortionOf(mesh_, distances_, label, face)});
+    shares_[face].push_back({label, area * distortionOf(mesh_, distances_, label, face)});
   };
   for (const int f : change.faces) {
-    pieces_[f].clear();
+    shares_[f].clear();
     if (faceLabel_[f] >= 0) add(f, faceLabel_[f], mesh_.faceArea(f));
   }
   for (int c = 0; c < part.cells.size(); ++c)
@@ -114,8 +114,8 @@ void WorstRegions::followDistortion(const DiagramChange& change) {
 
   std::vector<char> isChanged(regions_.size());
   for (const int label : change.labels) isChanged[label] = true;
-  for (const std::vector<Piece>& pieces : pieces_)
-    for (const auto& [label, distortion] : pieces)
+  for (const std::vector<Share>& shares : shares_)
+    for (const auto& [label, distortion] : shares)
       if (isChanged[label]) regions_[label].distortion += distortion;
   for (const int label : change.labels) {
     Region& region = regions_[label];

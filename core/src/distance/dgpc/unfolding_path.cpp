@@ -53,7 +53,7 @@ bool UnfoldingPath::goStraight() {
 
 /// The step with the least distance from the last point: to a corner, or across a side.
 UnfoldingPath::Step UnfoldingPath::best() const {
-  Step best = nearestCorner();
+  Step best = bestCorner();
   visitRepresentations(mesh_, points_.last(), [&](const SurfacePoint& place) {
     for (int i = 0; i < 3; ++i) offerSide(place, i, best);
   });
@@ -61,7 +61,7 @@ UnfoldingPath::Step UnfoldingPath::best() const {
 }
 
 bool UnfoldingPath::goOverVertex() {
-  const Step step = nearestCorner();
+  const Step step = bestCorner();
   if (step.distance == kInfinity) return false;
   points_.add(step.to);
   bound_ = distanceAt_(vertexAt(mesh_, step.to));
@@ -69,18 +69,14 @@ bool UnfoldingPath::goOverVertex() {
 }
 
 /// The corner of the last point's faces over which the path on from there is shortest.
-UnfoldingPath::Step UnfoldingPath::nearestCorner() const {
+UnfoldingPath::Step UnfoldingPath::bestCorner() const {
   Step best;
-  visitRepresentations(mesh_, points_.last(), [&](const SurfacePoint& place) {
-    const TriangleMesh::Face& face = mesh_.face(place.face);
-    for (int i = 0; i < 3; ++i) {
-      const double distance = distanceAt_(face.vertices[i]);
-      if (!(distance < bound_) || place.bary[i] == 1) continue;
-      const Eigen::Vector3d corner = Eigen::Vector3d::Unit(i);
-      const double length = distance + layOut(face, 0, corner - place.bary).norm();
-      if (length < best.distance) best = {length, {place.face, corner}, {}};
-    }
-  });
+  visitCornersAround(mesh_, points_.last(),
+                     [&](int vertex, double length, const SurfacePoint& corner) {
+                       const double distance = distanceAt_(vertex) + length;
+                       if (distanceAt_(vertex) < bound_ && distance < best.distance)
+                         best = {distance, corner, {}};
+                     });
   return best;
 }
 

@@ -3,6 +3,7 @@
 // Eivind Lyche Melvær, Martin Reimers. Geodesic Polar Coordinates on Polygonal Meshes. 2012
 #include "distance/dgpc/unfolding_sweep.h"
 
+#include "base/tolerances.h"
 #include "distance/site_frame.h"
 #include "mesh/face_layout.h"
 #include "mesh/representations.h"

@@ -13,13 +13,16 @@
 
 #include "base/bucket_queue.h"
 #include "base/plane.h"
-#include "base/tolerances.h"
 #include "gvd/geodesic.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
 #include "mesh/face_layout.h"
 
 namespace gvd::dgpc {
+
+/// How far rounding may move an unfolded point beyond an end or the line of a halfedge, as a share
+/// of lengths.
+inline constexpr double kUnfoldingRounding = 1e-12;
 
 /// A virtual source, given by the vectors from it to the corners of a face.
 struct Unfolding {

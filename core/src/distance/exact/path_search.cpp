@@ -2,7 +2,6 @@
 //
 // The shortest path between two points.
 #include <algorithm>
-#include <limits>
 #include <memory>
 #include <vector>
 
@@ -14,7 +13,6 @@
 #include "distance/nearest_bounds.h"
 #include "distance/site_set.h"
 #include "gvd/geodesic.h"
-#include "mesh/face_layout.h"
 #include "mesh/representations.h"
 #include "mesh/surface_geometry.h"
 
@@ -85,17 +83,17 @@ class PathSearch final : public SlicedWork<std::vector<SurfacePoint>> {
     const int vertex = vertexAt(mesh_, from_);
     if (vertex >= 0) return edgeBounds_[vertex];
     double least = kInfinity;
-    for (int i = 0; i < 3; ++i)
-      least = std::min(least, edgeBounds_[mesh_.tail(3 * from_.face + i)] +
-                                  wayToCorner(mesh_.face(from_.face), from_.bary, i).norm());
+    visitCorners(mesh_, from_, [&](int corner, double length, const SurfacePoint&) {
+      least = std::min(least, edgeBounds_[corner] + length);
+    });
     return least;
   }
 
   /// Searches for paths of at most this length.
   void startSearch(double most) {
     sweep_.startWaiting(kLabel, to_, state_);
-    long unlimited = std::numeric_limits<long>::max();
-    sweep_.run(unlimited);
+    long budget = kUnlimited;
+    sweep_.run(budget);
     const exact::RequiredPoint point = {from_, most, 0};
     if (const int vertex = vertexAt(mesh_, from_); vertex >= 0)
       sweep_.require(kLabel, state_, {&from_.face, 1}, most + mesh_.longestEdge(vertex));

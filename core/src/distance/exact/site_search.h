@@ -13,9 +13,9 @@
 namespace gvd::exact {
 
 /// Bounds on the distances of the labels that a search from a point looks for.
-class KnownDistances {
+class SearchBounds {
  public:
-  virtual ~KnownDistances() = default;
+  virtual ~SearchBounds() = default;
   /// A lower bound on the distance of each of the labels at a vertex.
   virtual double atLeast(int vertex) const = 0;
   /// An upper bound for one of the labels: the length of a known path, infinity if there is none.
@@ -28,8 +28,8 @@ class KnownDistances {
 /// them (`WindowSweep::search`).
 class SiteSearch {
  public:
-  void start(const KnownDistances& known, const SiteSet& sites) {
-    known_ = &known;
+  void start(const SearchBounds& bounds, const SiteSet& sites) {
+    bounds_ = &bounds;
     sites_ = &sites;
     shortest_ = kInfinity;
     found_.clear();
@@ -43,11 +43,11 @@ class SiteSearch {
   /// than the shortest one. For a place on an edge beside the vertex, the way along the edge is
   /// added. The tolerance admits paths that tie.
   double mostAt(int vertex) const {
-    return shortest_ * (1 + kDistanceTolerance) - known_->atLeast(vertex);
+    return shortest_ * (1 + kDistanceTolerance) - bounds_->atLeast(vertex);
   }
   /// Offers the path over a vertex at this distance from the point.
   void offerVertex(int vertex, double distance) {
-    shortest_ = std::min(shortest_, distance + known_->atMost(vertex));
+    shortest_ = std::min(shortest_, distance + bounds_->atMost(vertex));
   }
   /// Offers a path to a site; returns whether it is one of the shortest so far.
   bool offerSite(int label, double length) {
@@ -60,11 +60,11 @@ class SiteSearch {
   template <class Visit>
   void visitSites(int face, Visit visit) const {
     for (const FaceSite& site : sites_->inFace(face))
-      if (known_->isAbout(site.label) && incidenceOf(site.bary).corner < 0) visit(site);
+      if (bounds_->isAbout(site.label) && incidenceOf(site.bary).corner < 0) visit(site);
   }
 
  private:
-  const KnownDistances* known_ = nullptr;
+  const SearchBounds* bounds_ = nullptr;
   const SiteSet* sites_ = nullptr;
   double shortest_ = kInfinity;
   std::vector<LabelledDistance> found_;

@@ -84,7 +84,7 @@ WindowSweep::Portal WindowSweep::portalTo(int h) const {
   trim(w, portal.length, portal.own);
   if (!(w.begin < w.end)) return false;
   if (revisits_.drops(w, portal.halfedge)) return false;
-  if (portal.isContested) {
+  if (portal.isLimited) {
     Window owned = w;
     trim(owned, portal.length, portal.limit);
     if (!(owned.begin < owned.end)) {

@@ -51,7 +51,7 @@ class WindowPath {
   Piece lastPiece(int vertex) const;
   int sourceAt(const Piece& piece) const;
   bool leadsOn(int vertex, double distance) const;
-  int nearestVertex() const;
+  int bestCorner() const;
 
   double distanceAt(int vertex) const {
     return index_[vertex] < 0 ? kInfinity : label_.vertices[index_[vertex]].distance;
@@ -77,11 +77,8 @@ WindowPath::WindowPath(const TriangleMesh& mesh, const SurfacePoint& site, const
                        const ReachedIndex& index, const SurfacePoint& p)
     : mesh_(mesh), label_(label), points_(mesh, site), index_(index) {
   points_.add(p);
-  visitRepresentations(mesh_, p, [&](const SurfacePoint& place) {
-    for (int i = 0; i < 3; ++i) {
-      const Vector2d way = wayToCorner(mesh_.face(place.face), place.bary, i);
-      least_ = std::min(least_, distanceAt(mesh_.tail(3 * place.face + i)) + way.norm());
-    }
+  visitCornersAround(mesh_, p, [&](int vertex, double length, const SurfacePoint&) {
+    least_ = std::min(least_, distanceAt(vertex) + length);
   });
 }
 
@@ -98,7 +95,7 @@ std::vector<SurfacePoint> WindowPath::take() {
   int vertex = vertexAt(mesh_, points_.last());
   if (vertex < 0) {
     if (points_.endAtSite()) return points_.take();
-    vertex = first_.line.halfedge >= 0 ? follow(first_) : nearestVertex();
+    vertex = first_.line.halfedge >= 0 ? follow(first_) : bestCorner();
   }
   while (vertex >= 0) {
     points_.add(pointAtVertex(mesh_, vertex));
@@ -138,7 +135,7 @@ int WindowPath::follow(Piece piece) {
     if (const int source = sourceAt(piece); source >= 0) return source;
     if (!line.crossFace(mesh_)) break;
   }
-  return nearestVertex();
+  return bestCorner();
 }
 
 /// The apex of the face that a line has entered, if the line ends there; else -1.
@@ -159,20 +156,16 @@ bool WindowPath::leadsOn(int vertex, double distance) const {
 }
 
 /// The corner of the last point's faces over which the path on from there is shortest.
-int WindowPath::nearestVertex() const {
-  int nearest = kLost;
+int WindowPath::bestCorner() const {
+  int best = kLost;
   double least = kInfinity;
-  visitRepresentations(mesh_, points_.last(), [&](const SurfacePoint& place) {
-    for (int i = 0; i < 3; ++i) {
-      const int vertex = mesh_.tail(3 * place.face + i);
-      const Vector2d way = wayToCorner(mesh_.face(place.face), place.bary, i);
-      const double distance = distanceAt(vertex) + way.norm();
-      if (!(distanceAt(vertex) < bound_ && distance < least)) continue;
-      least = distance;
-      nearest = vertex;
-    }
+  visitCornersAround(mesh_, points_.last(), [&](int vertex, double length, const SurfacePoint&) {
+    const double distance = distanceAt(vertex) + length;
+    if (!(distanceAt(vertex) < bound_ && distance < least)) return;
+    least = distance;
+    best = vertex;
   });
-  return nearest;
+  return best;
 }
 
 // --- The path of a label -----------------------------------------------------------------------

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 //
 // WindowSweep::search: from a point back to the sites nearest to it.
-#include <limits>
 
+#include "base/sliced_loop.h"
 #include "distance/exact/window_sweep.h"
 #include "mesh/face_layout.h"
 #include "mesh/representations.h"
 
 namespace gvd::exact {
 
-void WindowSweep::search(const SurfacePoint& p, const KnownDistances& known, const SiteSet& sites,
+void WindowSweep::search(const SurfacePoint& p, const SearchBounds& bounds, const SiteSet& sites,
                          LabelState& state) {
   begin(-1, SpreadTo::kSites, state);
-  search_.start(known, sites);
+  search_.start(bounds, sites);
   visitRepresentations(mesh_, p, [&](const SurfacePoint& place) {
     const TriangleMesh::Face& face = mesh_.face(place.face);
     for (int i = 0; i < 3; ++i)
@@ -22,8 +22,8 @@ void WindowSweep::search(const SurfacePoint& p, const KnownDistances& known, con
     });
   });
   if (search_.shortest() < kInfinity) startAt(p);
-  long unlimited = std::numeric_limits<long>::max();
-  run(unlimited);
+  long budget = kUnlimited;
+  run(budget);
 }
 
 /// Offers the straight paths through windows to the sites in their face.

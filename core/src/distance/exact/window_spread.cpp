@@ -2,10 +2,10 @@
 #include "distance/exact/window_spread.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "base/plane.h"
+#include "base/sliced_loop.h"
 #include "distance/exact/window_path.h"
 #include "distance/known_labels.h"
 #include "mesh/face_layout.h"
@@ -22,17 +22,17 @@ WindowSpread::WindowSpread(const TriangleMesh& mesh, const SiteSet& sites, Neare
 
 // --- At vertices -------------------------------------------------------------------------------
 
-LabelState& WindowSpread::begin(int label) {
+LabelState& WindowSpread::stateOf(int label) {
   if (label >= static_cast<int>(labels_.size())) labels_.resize(label + 1);
   return labels_[label];
 }
 
-void WindowSpread::start(int label) { sweep_.start(label, sites_[label], begin(label)); }
+void WindowSpread::start(int label) { sweep_.start(label, sites_[label], stateOf(label)); }
 
-void WindowSpread::resume(int label) { sweep_.resume(label, begin(label)); }
+void WindowSpread::resume(int label) { sweep_.resume(label, stateOf(label)); }
 
 void WindowSpread::require(int label, std::span<const int> faces) {
-  sweep_.require(label, begin(label), faces);
+  sweep_.require(label, stateOf(label), faces);
 }
 
 void WindowSpread::markFinal(int label, int index) {
@@ -60,7 +60,7 @@ Eigen::Vector2d WindowSpread::direction(int label, int index) const {
 // --- At other points ---------------------------------------------------------------------------
 
 /// The distances of the nearest labels.
-class WindowSpread::NearestLabels final : public KnownDistances {
+class WindowSpread::NearestLabels final : public SearchBounds {
  public:
   explicit NearestLabels(const NearestBounds& bounds) : bounds_(bounds) {}
   double atLeast(int v) const override { return bounds_[v].distance; }
@@ -72,7 +72,7 @@ class WindowSpread::NearestLabels final : public KnownDistances {
 };
 
 /// Bounds for one label. Where its distance is not final, the nearest distance is the lower bound.
-class WindowSpread::OneLabel final : public KnownDistances {
+class WindowSpread::OneLabel final : public SearchBounds {
  public:
   OneLabel(int label, const LabelState& state, const ReachedIndex& index,
            const NearestBounds& bounds)
@@ -137,8 +137,8 @@ std::vector<SurfacePoint> WindowSpread::path(int label, const SurfacePoint& p) {
   LabelState state = known;
   const RequiredPoint point = {p, least, nearest};
   sweep_.require(label, state, {&point, 1});
-  long unlimited = std::numeric_limits<long>::max();
-  sweep_.run(unlimited);
+  long budget = kUnlimited;
+  sweep_.run(budget);
   if (bounds_.ties().isAtMost(least, sweep_.distanceAtPoint(0))) return path;
   index_.reset(state.vertices);
   return pathToSite(mesh_, sites_[label], state, index_, p);

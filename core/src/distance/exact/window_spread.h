@@ -43,7 +43,7 @@ class WindowSpread final : public LabelSpread {
  private:
   class NearestLabels;
   class OneLabel;
-  LabelState& begin(int label);
+  LabelState& stateOf(int label);
   std::vector<SurfacePoint> pathBack(const SurfacePoint& p, int label, const LabelState& state);
 
   const TriangleMesh& mesh_;

@@ -8,8 +8,8 @@
 #include "base/bucket_queue.h"
 #include "distance/exact/fan_behind.h"
 #include "distance/exact/label_state.h"
+#include "distance/exact/points_by_face.h"
 #include "distance/exact/required_distances.h"
-#include "distance/exact/required_points.h"
 #include "distance/exact/revisit_filter.h"
 #include "distance/exact/site_search.h"
 #include "distance/exact/window_lists.h"
@@ -73,7 +73,7 @@ class WindowSweep {
   /// Windows whose paths must be longer than a known path are cut off, so only a strip of few faces
   /// around the shortest path remains. Does not lower bounds. Done when it returns; windows that
   /// see a site then wait at the site's face.
-  void search(const SurfacePoint& p, const KnownDistances& known, const SiteSet& sites,
+  void search(const SurfacePoint& p, const SearchBounds& bounds, const SiteSet& sites,
               LabelState& state);
   /// What the last search has found.
   const SiteSearch& searched() const { return search_; }
@@ -120,7 +120,7 @@ class WindowSweep {
     int halfedge;
     double length;
     EdgeDistances own, limit;
-    bool isContested;  ///< whether the label's distance exceeds the limit at an end
+    bool isLimited;  ///< whether the label's distance exceeds the limit at an end
   };
 
   void begin(int label, SpreadTo to, LabelState& state);
@@ -202,7 +202,7 @@ class WindowSweep {
   SurfacePoint site_;
   RequiredDistances required_;
   double mostExcess_ = 0;  ///< of `required_`, when the label began to go on
-  RequiredPoints points_;
+  PointsByFace points_;
   std::vector<int> inFace_;  ///< indices in `required_` of the current face
 
   SiteSearch search_;  ///< if the label is a point that searches

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/convex_triangulation.h"
+#include "partition/convex_triangulation.h"
 
 #include <limits>
 

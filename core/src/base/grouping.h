@@ -38,6 +38,8 @@ class Grouping {
   }
 
   int groupCount() const { return static_cast<int>(end_.size()) - 1; }
+  /// Group after group.
+  std::span<const int> items() const { return items_; }
   /// Ascending, unless the caller has reordered them.
   std::span<int> items(int group) {
     const int begin = group > 0 ? end_[group - 1] : 0;

@@ -15,7 +15,7 @@
 namespace gvd::exact {
 
 /// The points other than vertices at which the distance of a label is required.
-class RequiredPoints {
+class PointsByFace {
  public:
   struct InFace {
     int face;

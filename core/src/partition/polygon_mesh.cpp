@@ -9,7 +9,8 @@
 #include <utility>
 
 #include "base/sorting.h"
-#include "mesh/convex_triangulation.h"
+#include "mesh/corners.h"
+#include "partition/convex_triangulation.h"
 
 namespace gvd {
 namespace {
@@ -179,7 +180,7 @@ PolygonTopology topologyOf(const PolygonMesh& mesh) {
   if (!topology.isManifold) return topology;
   topology.boundaryLoops = countBoundaryLoops(halfedges);
   topology.genus =
-      (2 * topology.components - topology.boundaryLoops - topology.eulerCharacteristic) / 2;
+      genusOf(topology.components, topology.boundaryLoops, topology.eulerCharacteristic);
   return topology;
 }
 
