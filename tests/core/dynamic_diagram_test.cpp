@@ -337,6 +337,26 @@ TEST(DynamicDiagram, KnowsTiesOfPathsThroughLongFaces) {
   EXPECT_TRUE(isUpToDate(mesh, dynamic, Metric::kExact));
 }
 
+/// At vertex 1, site 2 ties with site 0 and with site 1, but these two do not tie with each other.
+/// Which distance the label of site 1 is listed with must not depend on which label came last.
+TEST(DynamicDiagram, TellsChainsOfTiesApartInAnyOrder) {
+  const TriangleMesh mesh = shapes::Shape{
+      {0.000135, 0.00027, -0.000405, 0.000545, 0.00109, 1e30, 0.00223, 0.00446, -0.0067, 1.53e-05,
+       3.05e-05, -4.58e-05, 0, 0, 0, 0.00168, 0.00336, -0.00504},
+      {1, 0, 3, 1, 3, 2, 0, 4, 3, 2, 3, 5, 2, 5, 4, 3, 4,
+       5}}.mesh();
+  DynamicDiagram dynamic(mesh, std::vector<SurfacePoint>{
+                                   {2, {0.5000152587890625, 0.1289215087890625, 0.371063232421875}},
+                                   {2, {0.0008544921875, 0.2156982421875, 0.783447265625}},
+                                   {3, {0.2249908447265625, 0.5981292724609375, 0.1768798828125}},
+                                   {4, {0.2236175537109375, 0.5993804931640625, 0.177001953125}},
+                                   {1, {0.001953125, 0.0008392333984375, 0.9972076416015625}},
+                                   {2, {0.0117645263671875, 0, 0.9882354736328125}}});
+  dynamic.insertSite({0, {0.9962158203125, 0, 0.0037841796875}});
+  dynamic.moveSite(3, {2, {1, 0, 0}});
+  EXPECT_TRUE(isUpToDate(mesh, dynamic, Metric::kExact));
+}
+
 /// At the last vertex, site 1 ties with no other, but the first path found to it from site 2 is
 /// longer and ties with that of site 1.
 TEST(DynamicDiagram, GivesVerticesByFinalDistances) {

@@ -106,9 +106,8 @@ TEST(Windows, GoAroundASpikeOnce) {
   }
 }
 
-/// The shortest path turns at the saddle vertex 3 and passes vertex 1, 1e-11 away, through the
-/// faces between them. Other sites make it known in another way than the site alone does.
-TEST(Windows, LeaveNoGapBesideASaddleAtANeedle) {
+/// The saddle vertex 3 is 1e-11 from vertex 1, with two needles between them.
+shapes::Shape saddleAtANeedle() {
   shapes::Shape shape;
   for (const Eigen::Vector3d& p : std::initializer_list<Eigen::Vector3d>{
            {0.1131635393494393, 0.00022632707869095717, -0.33949061801663211},
@@ -121,7 +120,13 @@ TEST(Windows, LeaveNoGapBesideASaddleAtANeedle) {
     shape.addVertex(p);
   shape.triangles = {0, 2, 3, 1, 3, 2, 0, 3, 4, 1, 4, 3, 0, 4, 5,
                      1, 5, 4, 0, 5, 6, 1, 6, 5, 0, 6, 2, 1, 2, 6};
-  const TriangleMesh mesh = shape.mesh();
+  return shape;
+}
+
+/// The shortest path turns at vertex 3 and passes vertex 1 through the faces between them. Other
+/// sites make it known in another way than the site alone does.
+TEST(Windows, LeaveNoGapBesideASaddleAtANeedle) {
+  const TriangleMesh mesh = saddleAtANeedle().mesh();
   const std::vector<SurfacePoint> sites = {
       {5, {0.0000152587890625, 0.0000152587890625, 0.999969482421875}},
       {0, {0.996124267578125, 0, 0.003875732421875}},
@@ -133,6 +138,17 @@ TEST(Windows, LeaveNoGapBesideASaddleAtANeedle) {
   for (const LabelledDistance& d : known->at(end))
     if (d.label == 1) EXPECT_EQ(d.distance, alone->at(end)[0].distance);
   EXPECT_NEAR(alone->at(end)[0].distance, 0.25874513642959723, 1e-15);
+}
+
+/// The shortest path crosses a needle 1e-11 before vertex 3, where rounding of the crossing is a
+/// large angle, and goes on along the edge to vertex 0.
+TEST(Windows, LeaveNoGapBehindASaddleThatPathsReachThroughANeedle) {
+  const TriangleMesh mesh = saddleAtANeedle().mesh();
+  const SurfacePoint site = {7, {0.1953125, 0.2817535400390625, 0.5229339599609375}};
+  const auto field = inSlices(mesh, {site}, Metric::kExact, 1000);
+  ASSERT_EQ(mesh.tail(0), 0);
+  ASSERT_EQ(mesh.tail(2), 3);
+  EXPECT_LE(field->at(0)[0].distance, field->at(3)[0].distance + mesh.length(2) + 1e-15);
 }
 
 /// In these faces rounding hides a vertex from its straight path, so the site's label is required

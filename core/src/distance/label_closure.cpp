@@ -67,7 +67,7 @@ void LabelClosure::listRequired(int label, std::vector<int>& faces) {
 void LabelClosure::noteAdded(int vertex, int label) {
   extended_.add(vertex);
   if (!lists_.hasUnequalTie(vertex, label)) return;
-  lists_.equalizeTies(vertex);
+  lists_.equalizeTiesAgain(vertex);
   for (const LabelledDistance& d : lists_[vertex]) added_.push_back({vertex, d.label});
 }
 

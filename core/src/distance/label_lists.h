@@ -55,17 +55,23 @@ class LabelLists {
   }
   /// Adds a label at the vertex `reached(label)[reachedIndex]`, where it is not known yet.
   void add(int label, int reachedIndex) {
-    const auto& [vertex, isFinal, distance] = spread_.reached(label)[reachedIndex];
-    // An approximate (DGPC) distance may come out shorter than the owner's: keep the owner nearest.
-    const double nearest = bounds_[vertex].distance;
-    const double listed = distance < nearest ? std::nextafter(nearest, kInfinity) : distance;
-    const auto known = distances_[vertex];
+    const ReachedVertex& reached = spread_.reached(label)[reachedIndex];
+    const auto known = distances_[reached.vertex];
     size_t place = known.size();
     while (place > 0 && known[place - 1].label > label) --place;
-    distances_.insert(vertex, place, {label, listed});
-    indices_.insert(vertex, place, reachedIndex);
+    distances_.insert(reached.vertex, place, {label, listed(reached)});
+    indices_.insert(reached.vertex, place, reachedIndex);
   }
   void equalizeTies(int vertex) { gvd::equalizeTies(distances_[vertex], bounds_.ties()); }
+  /// The same once labels were added since, from the distances that the labels have found: listed
+  /// ones may have been lowered, and the result must not depend on the order of labels.
+  void equalizeTiesAgain(int vertex) {
+    for (size_t i = 0; i < distances_[vertex].size(); ++i) {
+      LabelledDistance& d = distances_[vertex][i];
+      d.distance = listed(spread_.reached(d.label)[indices_[vertex][i]]);
+    }
+    equalizeTies(vertex);
+  }
   /// Whether `equalizeTies` would change the distance of a known label, or of another to its own.
   bool hasUnequalTie(int vertex, int label) const {
     const double own = distance(vertex, label);
@@ -76,6 +82,12 @@ class LabelLists {
   }
 
  private:
+  /// An approximate (DGPC) distance may come out shorter than the owner's: keeps the owner nearest.
+  double listed(const ReachedVertex& r) const {
+    const double nearest = bounds_[r.vertex].distance;
+    return r.distance < nearest ? std::nextafter(nearest, kInfinity) : r.distance;
+  }
+
   const LabelSpread& spread_;
   const NearestBounds& bounds_;
   SmallLists<LabelledDistance> distances_;

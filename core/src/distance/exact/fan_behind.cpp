@@ -10,10 +10,10 @@ using Eigen::Vector2d;
 
 namespace {
 
-/// How far the ends of a fan may be off by rounding, as a share of the side that they lie on. The
-/// fan is wider by this: in a needle, whose sides are 2^38 times as long as it is wide, a gap
-/// beside it would be wide enough for a shortest path. Where the fan overlaps other windows, its
-/// paths turn too sharply, and none is too short.
+/// How far rounding may move the crossing at which a path arrives, and the ends of a fan, as shares
+/// of the sides that they lie on. The fan is wider by both: seen from a vertex of a needle, whose
+/// sides are 2^36 times as long as it is wide, either may leave a gap wide enough for a shortest
+/// path. Where the fan overlaps other windows, its paths turn too sharply, and none is too short.
 constexpr double kFanRounding = 0x1p-50;
 
 }  // namespace
@@ -73,12 +73,14 @@ std::span<const OppositeSide> FanBehind::sides(int vertex, int arrival, double c
   const double share = crossing / face.lengths[cornerAfter(i)];
   const double toPrevious = share * face.lengths[cornerBefore(i)];
   Vector2d back((1 - share) * face.lengths[i] + toPrevious * c, toPrevious * s);
+  const double angle = kFanRounding * face.lengths[cornerAfter(i)] / back.norm();
   back.normalize();
+  const auto widened = [&](double x, double y) { return Vector2d(x - angle * y, y + angle * x); };
   const Turn left =
-      turnByPi({c * back.x() + s * back.y(), std::max(0.0, s * back.x() - c * back.y())},
+      turnByPi(widened(c * back.x() + s * back.y(), std::max(0.0, s * back.x() - c * back.y())),
                isClosed ? n : n - in, leftwards);
   const Turn right =
-      turnByPi({back.x(), std::max(0.0, back.y())}, isClosed ? n : in + 1, rightwards);
+      turnByPi(widened(back.x(), std::max(0.0, back.y())), isClosed ? n : in + 1, rightwards);
   const auto from = [&](int step) {
     if (step != left.step) return 0.0;
     const int o = leftwards(step);
