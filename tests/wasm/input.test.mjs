@@ -390,6 +390,13 @@ test('textures in any format do not matter, required or not', async () => {
   assert.equal((await gvd.mesh(glbOf(json, buffer))).info.faces, 8);
 });
 
+test('an OFF without the keyword, which may be missing, is known by its name', async () => {
+  const text = '3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n';
+  const mesh = await gvd.mesh({ 'plain.off': bytesOf(text) });
+  assert.equal(mesh.info.area, 0.5);
+  await assert.rejects(gvd.mesh({ 'plain.off': bytesOf('3\n') }), /line 1: a number is missing/);
+});
+
 test('a broken OBJ, OFF, PLY or STL says in which line or at which byte', async () => {
   const ply = (...lines) => ['ply', 'format ascii 1.0', ...lines].join('\n');
   const vertices = (n) => [

@@ -5,27 +5,44 @@
 const axes = ['x', 'y', 'z'];
 
 /**
- * The places in a CSV. Numbers are parted by commas, semicolons or blanks. The first line may name
- * the columns; without names, they are the first three. Lines that begin with # are comments.
+ * The places in a CSV. Its first line tells whether semicolons, commas or blanks part the columns, and
+ * may name them; without names, the first three are read. A column in quotes may have any of these in
+ * it. Lines that begin with # are comments.
  */
 export function readCsvPlaces(bytes: Uint8Array): number[] {
   const text = new TextDecoder().decode(bytes);
   const places: number[] = [];
   let columns = [0, 1, 2];
-  let isFirst = true;
+  let pattern: RegExp | undefined;
   for (const [i, line] of text.split(/\r\n|\r|\n/).entries()) {
     if (/^\s*(#|$)/.test(line)) continue;
-    const words = line.trim().split(/\s*[,;]\s*|\s+/);
-    const names = isFirst && Number.isNaN(Number(words[0])) ? words : undefined;
-    isFirst = false;
-    if (names) columns = columnsOf(names);
+    const isFirst = !pattern;
+    pattern ??= columnPattern(line);
+    const words = wordsOf(line.trim(), pattern);
+    if (isFirst && Number.isNaN(Number(words[0]))) columns = columnsOf(words);
     else places.push(...columns.map((column, k) => numberOf(words[column], i + 1, axes[k])));
   }
   return places;
 }
 
+/** A column, in quotes or plain, and what ends it. */
+function columnPattern(line: string): RegExp {
+  const unquoted = line.replaceAll(/"[^"]*"/g, '');
+  const end = [';', ','].find((mark) => unquoted.includes(mark)) ?? '\\s+';
+  return new RegExp(`\\s*(?:"((?:[^"]|"")*)"|(.*?))\\s*(${end}|$)`, 'g');
+}
+
+function wordsOf(line: string, pattern: RegExp): string[] {
+  const words: string[] = [];
+  for (const [, quoted, plain, end] of line.matchAll(pattern)) {
+    words.push(quoted?.replaceAll('""', '"') ?? plain);
+    if (!end) break;
+  }
+  return words;
+}
+
 function columnsOf(names: readonly string[]): number[] {
-  const plain = names.map((name) => name.replace(/^"(.*)"$/, '$1').toLowerCase());
+  const plain = names.map((name) => name.trim().toLowerCase());
   const columns = axes.map((axis) => plain.indexOf(axis));
   const missing = axes.find((_, k) => columns[k] < 0);
   if (missing) throw new Error(`no column is called ${missing}: there are ${plain.join(', ')}`);
@@ -33,7 +50,7 @@ function columnsOf(names: readonly string[]): number[] {
 }
 
 function numberOf(word: string | undefined, line: number, axis: string): number {
-  const value = Number(word || NaN);
+  const value = Number(word?.trim() || NaN);
   if (Number.isFinite(value)) return value;
   throw new Error(`line ${line}: ${axis} is ${word ? `'${word}', not a number` : 'missing'}`);
 }

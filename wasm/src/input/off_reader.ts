@@ -54,9 +54,11 @@ export function* readOff(bytes: Uint8Array, limits: SizeLimits): SlicedWork<Read
   return { positions, indices, notes };
 }
 
-/** The keyword and the counts, which stand beside it or in the next line. */
+/** The keyword, which may be missing, and the counts, which stand beside it or in the next line. */
 function readHead(words: OffWords): { vertexCount: number; faceCount: number } {
   const keyword = words.firstOfLine('nothing');
+  if (/^\d+$/.test(keyword))
+    return { vertexCount: words.countOf(keyword), faceCount: words.countOf(words.next()) };
   if (!/^(ST)?C?N?OFF$/.test(keyword))
     throw words.fault(
       `'${keyword}' is a kind of OFF that is not read: it is not of three dimensions`,
