@@ -86,21 +86,16 @@ inline std::optional<SurfacePoint> pointInFace(const TriangleMesh& mesh, const S
   return found;
 }
 
-/// Calls visit(vertex, length, corner) with each corner of a point's face: the length of the way to
-/// it, and the corner as a point.
-template <class Visit>
-void visitCorners(const TriangleMesh& mesh, const SurfacePoint& p, Visit visit) {
-  const TriangleMesh::Face& face = mesh.face(p.face);
-  for (int i = 0; i < 3; ++i)
-    visit(face.vertices[i], wayToCorner(face, p.bary, i).norm(),
-          SurfacePoint{p.face, Eigen::Vector3d::Unit(i)});
-}
-
-/// The same with each corner of the faces that have a point.
+/// Calls visit(vertex, length, corner) with each corner of the faces that have a point: the length
+/// of the way to it, and the corner as a point.
 template <class Visit>
 void visitCornersAround(const TriangleMesh& mesh, const SurfacePoint& p, Visit visit) {
-  visitRepresentations(mesh, p,
-                       [&](const SurfacePoint& place) { visitCorners(mesh, place, visit); });
+  visitRepresentations(mesh, p, [&](const SurfacePoint& place) {
+    const TriangleMesh::Face& face = mesh.face(place.face);
+    for (int i = 0; i < 3; ++i)
+      visit(face.vertices[i], wayToCorner(face, place.bary, i).norm(),
+            SurfacePoint{place.face, Eigen::Vector3d::Unit(i)});
+  });
 }
 
 }  // namespace gvd

@@ -62,8 +62,7 @@ inline double squaredDistance(const Eigen::Vector3d& a, const Eigen::Vector3d& b
   return squaredLength(a - b, sides);
 }
 
-/// By how much squared distances in the plane, interpolated linearly between the corners of a face,
-/// exceed the squared distance at a point: Σ bᵢ bⱼ |eᵢⱼ|².
+/// Σ bᵢ bⱼ |eᵢⱼ|²: by how much squared distances, interpolated linearly, exceed those in the plane.
 inline double interpolationExcess(const Eigen::Vector3d& bary, const std::array<double, 3>& sides) {
   return bary[0] * bary[1] * sides[0] + bary[1] * bary[2] * sides[1] + bary[2] * bary[0] * sides[2];
 }

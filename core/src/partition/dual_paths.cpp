@@ -82,7 +82,8 @@ class DualPathFinding final : public SlicedWork<std::vector<DualPath>> {
       const SurfacePoint& p = diagram_.points[segment.points[i]];
       return pointInFace(mesh_, p, segment.face).value_or(p);
     };
-    const SurfacePoint from = end(0), to = end(1);
+    SurfacePoint from = end(0);
+    const SurfacePoint to = end(1);
     if (from.face != to.face) return from;
     return {from.face, (1 - place.share) * from.bary + place.share * to.bary};
   }

@@ -230,7 +230,7 @@ class Partitioner final : public SlicedWork<Partition> {
   // --- All triangles ---------------------------------------------------------------------------
 
   bool groupByLabel(long& budget) {
-    const size_t n = pieces_.size();
+    const int n = static_cast<int>(pieces_.size());
     const auto partOf = [&](int i) {
       return pieces_[i].label < 0 ? diagram_.siteCount : pieces_[i].label;
     };
@@ -240,7 +240,6 @@ class Partitioner final : public SlicedWork<Partition> {
                            out_.triangles.reserve(n);
                            out_.triangleLabel.reserve(n);
                            out_.triangleFace.reserve(n);
-                           isUncut_.reserve(n);
                            areas_.reserve(n);
                          },
                          [&] {
@@ -256,7 +255,6 @@ class Partitioner final : public SlicedWork<Partition> {
     out_.triangles.push_back(piece.vertices);
     out_.triangleLabel.push_back(piece.label);
     out_.triangleFace.push_back(piece.face);
-    isUncut_.push_back(static_cast<char>(uncutPiece_[piece.face] >= 0));
     areas_.push_back(piece.area);
   }
 
@@ -309,7 +307,7 @@ class Partitioner final : public SlicedWork<Partition> {
   void findTwinsOf(int t) {
     const int face = out_.triangleFace[t];
     for (int i = 0; i < 3; ++i) {
-      if (isUncut_[t]) {
+      if (uncutPiece_[face] >= 0) {
         const int beyond = mesh_.twin(3 * face + i);
         if (beyond < 0) continue;
         const int piece = uncutPiece_[TriangleMesh::faceOf(beyond)];
@@ -371,7 +369,6 @@ class Partitioner final : public SlicedWork<Partition> {
   size_t nextSidePoint_ = 0;
   std::vector<int> uncutPiece_;  ///< per face that is not cut, its piece; else -1
   std::vector<int> triangleOfPiece_;
-  std::vector<char> isUncut_;  ///< per triangle
   std::vector<double> areas_;  ///< per triangle
   Grouping byLabel_;           ///< pieces
   std::vector<int> number_;    ///< of a vertex in the result, -1 if it is not in use

@@ -65,9 +65,9 @@ double areaOfCell(const TriangleMesh& mesh, const Diagram& diagram, int cell) {
 double distanceAtMost(const TriangleMesh& mesh, const DistanceField& distances,
                       const SurfacePoint& p) {
   double least = kInfinity;
-  visitCorners(mesh, p, [&](int vertex, double length, const SurfacePoint&) {
-    least = std::min(least, nearestOf(distances.at(vertex)).distance + length);
-  });
+  for (int i = 0; i < 3; ++i)
+    least = std::min(least, nearestOf(distances.at(mesh.tail(3 * p.face + i))).distance +
+                                wayToCorner(mesh.face(p.face), p.bary, i).norm());
   return least;
 }
 

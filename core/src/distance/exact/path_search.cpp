@@ -13,6 +13,7 @@
 #include "distance/nearest_bounds.h"
 #include "distance/site_set.h"
 #include "gvd/geodesic.h"
+#include "mesh/face_layout.h"
 #include "mesh/representations.h"
 #include "mesh/surface_geometry.h"
 
@@ -83,9 +84,9 @@ class PathSearch final : public SlicedWork<std::vector<SurfacePoint>> {
     const int vertex = vertexAt(mesh_, from_);
     if (vertex >= 0) return edgeBounds_[vertex];
     double least = kInfinity;
-    visitCorners(mesh_, from_, [&](int corner, double length, const SurfacePoint&) {
-      least = std::min(least, edgeBounds_[corner] + length);
-    });
+    for (int i = 0; i < 3; ++i)
+      least = std::min(least, edgeBounds_[mesh_.tail(3 * from_.face + i)] +
+                                  wayToCorner(mesh_.face(from_.face), from_.bary, i).norm());
     return least;
   }
 
