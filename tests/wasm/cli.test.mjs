@@ -369,13 +369,22 @@ test('sites from a PLY and a CSV of places', () => {
   write('named.csv', ['# measured', '"id";"Z";"X";"Y"', ...named].join('\r\n'));
   const quoted = rows.map(([x, y, z], i) => `"a, ""${i}""; b",7,"${x}", ${y} ,"${z}"`);
   write('quoted.csv', ['name of it,"weight",x,"y", "z"', ...quoted].join('\n'));
+  // As pandas writes a table.
+  write('indexed.csv', [',z,x,y', ...rows.map(([x, y, z], i) => `${i},${z},${x},${y}`)].join('\n'));
   write('blanks.xyz', rows.map((row) => ` ${row.join('  \t')} 1\n`).join('\n'));
   const areas = (sites) => {
     const { regions } = JSON.parse(succeeds(`diagram shape.glb --sites ${sites} -q`).stdout);
     return regions.map(({ area }) => area.toFixed(9));
   };
   const expected = areas('four.json');
-  for (const sites of ['four.ply', 'four.csv', 'named.csv', 'quoted.csv', 'blanks.xyz'])
+  for (const sites of [
+    'four.ply',
+    'four.csv',
+    'named.csv',
+    'quoted.csv',
+    'indexed.csv',
+    'blanks.xyz',
+  ])
     assert.deepEqual(areas(sites), expected);
 
   for (const [content, message] of [

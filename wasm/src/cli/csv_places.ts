@@ -19,7 +19,8 @@ export function readCsvPlaces(bytes: Uint8Array): number[] {
     const isFirst = !pattern;
     pattern ??= columnPattern(line);
     const words = wordsOf(line.trim(), pattern);
-    if (isFirst && Number.isNaN(Number(words[0]))) columns = columnsOf(words);
+    if (isFirst && words.slice(0, 3).some((word) => Number.isNaN(Number(word))))
+      columns = columnsOf(words);
     else places.push(...columns.map((column, k) => numberOf(words[column], i + 1, axes[k])));
   }
   return places;
@@ -28,21 +29,22 @@ export function readCsvPlaces(bytes: Uint8Array): number[] {
 /** A column, in quotes or plain, and what ends it. */
 function columnPattern(line: string): RegExp {
   const unquoted = line.replaceAll(/"[^"]*"/g, '');
-  const end = [';', ','].find((mark) => unquoted.includes(mark)) ?? '\\s+';
-  return new RegExp(`\\s*(?:"((?:[^"]|"")*)"|(.*?))\\s*(${end}|$)`, 'g');
+  const mark = [';', ','].find((each) => unquoted.includes(each));
+  const [plain, end] = mark ? [`[^${mark}]*`, mark] : ['\\S*', '\\s+'];
+  return new RegExp(`(?:\\s*"((?:[^"]|"")*)"\\s*(?=${end}|$)|(${plain}))(${end}|$)`, 'g');
 }
 
 function wordsOf(line: string, pattern: RegExp): string[] {
   const words: string[] = [];
   for (const [, quoted, plain, end] of line.matchAll(pattern)) {
-    words.push(quoted?.replaceAll('""', '"') ?? plain);
+    words.push((quoted?.replaceAll('""', '"') ?? plain).trim());
     if (!end) break;
   }
   return words;
 }
 
 function columnsOf(names: readonly string[]): number[] {
-  const plain = names.map((name) => name.trim().toLowerCase());
+  const plain = names.map((name) => name.toLowerCase());
   const columns = axes.map((axis) => plain.indexOf(axis));
   const missing = axes.find((_, k) => columns[k] < 0);
   if (missing) throw new Error(`no column is called ${missing}: there are ${plain.join(', ')}`);
@@ -50,7 +52,7 @@ function columnsOf(names: readonly string[]): number[] {
 }
 
 function numberOf(word: string | undefined, line: number, axis: string): number {
-  const value = Number(word?.trim() || NaN);
+  const value = Number(word || NaN);
   if (Number.isFinite(value)) return value;
   throw new Error(`line ${line}: ${axis} is ${word ? `'${word}', not a number` : 'missing'}`);
 }
