@@ -254,6 +254,7 @@ function toTolerance(name: string, value: number): number {
   throw invalidArgument(`${name} is ${show(value)}, not a number from 0`);
 }
 
+/** The options of a repair unless others are given. */
 export const repairDefaults = { maxAdded: 1000 };
 
 export function toMaxAdded(maxAdded: number): number {

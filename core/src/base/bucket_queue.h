@@ -12,6 +12,10 @@
 
 namespace gvd {
 
+/// The most buckets that a queue may have per short edge (`TriangleMesh::shortEdgeLength`), so that
+/// an int can number them.
+inline constexpr double kMostBucketsPerEdge = 6;
+
 /// A queue of items by distance, in buckets of equal width. Items of a bucket come in the order in
 /// which they were added, at any time before the bucket is done; an item that belongs to an earlier
 /// bucket goes to the current one. Constant time per item, and 1/64 of that per bucket without

@@ -15,6 +15,7 @@
 
 namespace gvd {
 
+/// A label in the list of a vertex.
 struct LabelAtVertex {
   int vertex, label;
 };

@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "base/bucket_queue.h"
 #include "base/number_text.h"
 #include "gvd/error.h"
 
@@ -206,8 +207,7 @@ void MeshBuilding::requireEdgeLength() const {
 void MeshBuilding::findShortEdgeLength() {
   constexpr int kSamples = 4096;
   constexpr double kLeastShare = 1.0 / 256;
-  constexpr double kMostBucketsPerEdge = 6;  // of all queues by distance
-  constexpr double kMostBuckets = 0x1p30;    // so that an int can number them
+  constexpr double kMostBuckets = 0x1p30;
   int step = std::max(1, mesh_.halfedgeCount() / kSamples);
   if (step % 3 == 0) ++step;  // of all sides of faces
   std::vector<double> lengths;

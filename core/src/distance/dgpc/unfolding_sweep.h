@@ -106,7 +106,7 @@ class UnfoldingSweep {
  private:
   /// Buckets of the queue per short edge. Order within a bucket is arbitrary; a distance that was
   /// passed on too early is passed on again once it falls.
-  static constexpr double kBucketsPerEdge = 6;
+  static constexpr double kBucketsPerEdge = kMostBucketsPerEdge;
 
   /// The two ends of the side, or twice the vertex, that a distance follows from; -1 for a site.
   using Origin = std::array<int, 2>;

@@ -73,6 +73,7 @@ std::span<const OppositeSide> FanBehind::sides(int vertex, int arrival, double c
   const double share = crossing / face.lengths[cornerAfter(i)];
   const double toPrevious = share * face.lengths[cornerBefore(i)];
   Vector2d back((1 - share) * face.lengths[i] + toPrevious * c, toPrevious * s);
+  // Rounding of the crossing turns the path by up to this.
   const double angle = kFanRounding * face.lengths[cornerAfter(i)] / back.norm();
   back.normalize();
   const auto widened = [&](double x, double y) { return Vector2d(x - angle * y, y + angle * x); };
