@@ -329,9 +329,17 @@ test('cvt writes sites that other commands read, and the energy of every iterati
   assert.ok(exact.energy[1] < exact.energy[0]);
   succeeds('remesh shape.glb --sites 20 --iterations 1 --metric exact -o remesh.obj');
 
-  const soon = succeeds('cvt shape.glb --sites 5 --tolerance 0.01 --units cm -o c.ply').stderr;
+  const soon = succeeds(
+    'cvt shape.glb --sites 5 --energy-tolerance 0.01 --units cm -o c.ply',
+  ).stderr;
   assert.match(soon, /^5 sites, \d+ iterations, energy/);
   assert.match(read('c.ply'), /^ply\n[^]*element vertex 5\nproperty double x/);
+  // One millimetre, of moves that are given in centimetres: the same as a thousandth of a metre.
+  const ended = (options) =>
+    JSON.parse(succeeds(`cvt shape.glb --sites 5 ${options}`).stdout).energy.length;
+  assert.equal(ended('--move-tolerance 0.1 --units cm'), ended('--move-tolerance 0.001'));
+  assert.ok(ended('--move-tolerance 0.1') < ended('--move-tolerance 0.001'));
+  fails(2, 'cvt shape.glb --sites 5 --move-tolerance -1', /--move-tolerance is '-1', not a number/);
   fails(2, 'cvt shape.glb --sites 5 -o c.obj', /ending of 'c\.obj' is not one of \.json, \.ply/);
 });
 
@@ -423,7 +431,7 @@ test('a note where there are fewer vertices than sites to be', () => {
 test('cvt with sites that stay, and with a density', () => {
   write('fixed.json', '[1, 3]');
   const before = JSON.parse(succeeds('cvt shape.glb --sites 5 --iterations 0').stdout);
-  const after = JSON.parse(succeeds('cvt shape.glb --sites 5 --fixed fixed.json').stdout);
+  const after = JSON.parse(succeeds('cvt shape.glb --sites 5 --fixed-sites fixed.json').stdout);
   const moved = before.face.flatMap((face, i) =>
     face === after.face[i] && before.bary[3 * i] === after.bary[3 * i] ? [] : [i],
   );
@@ -434,7 +442,7 @@ test('cvt with sites that stay, and with a density', () => {
   fails(1, 'cvt shape.glb --sites 5 --density few.json', /2 densities for \d+ input vertices/);
   fails(1, 'cvt shape.glb --sites 5 --density object.json', /object\.json holds no list/);
   write('beyond.json', '[9]');
-  fails(1, 'cvt shape.glb --sites 5 --fixed beyond.json', /site 9/);
+  fails(1, 'cvt shape.glb --sites 5 --fixed-sites beyond.json', /site 9/);
 });
 
 test('partition as GLB, OBJ, PLY and JSON', () => {
@@ -452,12 +460,20 @@ test('partition as GLB, OBJ, PLY and JSON', () => {
   );
   succeeds('partition shape.glb --sites 5 --layout features -o ids.glb');
   assert.match(read('ids.glb'), /_FEATURE_ID_0/);
-  succeeds('partition shape.glb --sites 5 --holes -o parts.obj');
+  succeeds('partition shape.glb --sites 5 --leave-out-indifferent -o parts.obj');
   assert.equal(read('parts.obj').match(/^g region_/gm).length, 5);
   succeeds('partition shape.glb --sites 5 -o parts.ply');
   assert.match(read('parts.ply'), /^ply\n[^]*property int label\nproperty uchar red\n/);
   succeeds('diagram shape.glb --sites 5 -o d.json');
   assert.deepEqual(JSON.parse(read('d.json')).sites, json.sites);
+});
+
+test('a partition leaves out the components without a site when asked to', () => {
+  write('corner.json', JSON.stringify({ vertex: [0] }));
+  const labels = (command) => JSON.parse(succeeds(command).stdout).triangles.label;
+  assert.ok(labels('partition two.glb --sites corner.json').includes(-1));
+  const reached = labels('partition two.glb --sites corner.json --leave-out-unreachable');
+  assert.ok(reached.length > 0 && !reached.includes(-1));
 });
 
 test('dual says what is wrong with it, and can be repaired', () => {
@@ -521,7 +537,7 @@ test('remesh with a density, and with sites that stay', () => {
   write('fixed.json', '[0]');
   const first = JSON.parse(succeeds('cvt shape.glb --sites 12 --iterations 0').stdout);
   const { sites } = JSON.parse(
-    succeeds('remesh shape.glb --sites 12 --iterations 4 --fixed fixed.json').stdout,
+    succeeds('remesh shape.glb --sites 12 --iterations 4 --fixed-sites fixed.json').stdout,
   );
   assert.deepEqual(sites.bary.slice(0, 3), first.bary.slice(0, 3));
   assert.notDeepEqual(sites.bary.slice(3, 6), first.bary.slice(3, 6));

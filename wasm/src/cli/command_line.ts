@@ -35,8 +35,8 @@ export function parseCommandLine(args: string[], version: string): Invocation | 
   if (positionals.length === 0) throw new UsageError('a mesh is missing');
   if (positionals.length > 1 && command !== 'info')
     throw new UsageError(`one mesh at a time: '${positionals[1]}' is one too many`);
-  const { sites, points, from, to, density, fixed } = texts;
-  const paths = [...positionals, sites, points, from, to, density, fixed];
+  const { sites, points, from, to, density, 'fixed-sites': fixedSites } = texts;
+  const paths = [...positionals, sites, points, from, to, density, fixedSites];
   if (paths.filter((path) => path === standard).length > 1)
     throw new UsageError('only one file can be standard input');
   const names: readonly OptionName[] = commands[command].options;

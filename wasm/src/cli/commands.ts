@@ -218,7 +218,10 @@ async function partition({ mesh: path, values }: Request<'partition'>): Promise<
   const encode = toPartitionEncoder(values);
   const output = await Output.open(values.output, [path]);
   const { mesh, diagram } = await compute(path, values);
-  const partition = await diagram.partition({ leaveOutIndifferent: values.holes });
+  const partition = await diagram.partition({
+    leaveOutIndifferent: values['leave-out-indifferent'],
+    leaveOutUnreachable: values['leave-out-unreachable'],
+  });
   await output.write(encode({ mesh, sites: diagram.sites, partition }, scale));
   const { components, loops, eulerCharacteristic } = partition.regions;
   const disks = components.filter(
@@ -299,15 +302,23 @@ async function remesh({ mesh: path, values }: Request<'remesh'>): Promise<void> 
 async function cvtSettings(
   values: Pick<
     Values<'cvt'>,
-    'method' | 'metric' | 'iterations' | 'tolerance' | 'density' | 'fixed'
+    | 'method'
+    | 'metric'
+    | 'iterations'
+    | 'energy-tolerance'
+    | 'move-tolerance'
+    | 'density'
+    | 'fixed-sites'
+    | 'units'
   >,
 ): Promise<CvtOptions> {
-  const { method, metric, iterations, tolerance: energyTolerance } = values;
+  const { method, metric, iterations, 'energy-tolerance': energyTolerance } = values;
+  const moveTolerance = values['move-tolerance'] / values.units;
   const numbers = (file?: string) => (file === undefined ? undefined : readNumbers(file));
   const named = (['attribute', 'curvature'] as const).find((name) => name === values.density);
   const density = named ?? (await numbers(values.density));
-  const fixedSites = await numbers(values.fixed);
-  return { method, metric, iterations, energyTolerance, density, fixedSites };
+  const fixedSites = await numbers(values['fixed-sites']);
+  return { method, metric, iterations, energyTolerance, moveTolerance, density, fixedSites };
 }
 
 /** Carries a repair out; if that would take too many sites on a mesh of many components, says what may help. */

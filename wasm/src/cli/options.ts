@@ -100,17 +100,23 @@ export const options = {
     optional: true,
     help: 'Sites are closer where it is higher, random ones from the beginning, others through iterations: a JSON list of a density per vertex; attribute: that of the mesh file (_DENSITY of a glTF, density of a PLY); or by curvature',
   },
-  fixed: {
+  'fixed-sites': {
     value: 'FILE',
     parse: path,
     optional: true,
     help: 'JSON list of the indices of sites that stay where they are',
   },
-  tolerance: {
+  'energy-tolerance': {
     value: 'SHARE',
     parse: number((share) => share >= 0 && share <= 1, 'a number from 0 to 1'),
     default: '0',
     help: 'End when an iteration lowers the energy by no more than this share',
+  },
+  'move-tolerance': {
+    value: 'LENGTH',
+    parse: number((length) => length >= 0 && length < Infinity, 'a number from 0'),
+    default: '0',
+    help: 'End when no site moves farther than this',
   },
   layout: {
     value: 'LAYOUT',
@@ -118,9 +124,10 @@ export const options = {
     optional: true,
     help: `Of a .glb: regions: a node with a primitive for each; features: one mesh with region ids, EXT_mesh_features (default: ${partitionLayouts[0]})`,
   },
-  holes: {
+  'leave-out-indifferent': {
     help: 'Leave holes where regions tie on whole triangles, instead of giving these to the lowest',
   },
+  'leave-out-unreachable': { help: 'Leave out the components without a site' },
   repair: { help: 'Add sites until the dual is valid' },
   'max-added': {
     value: 'N',
@@ -146,7 +153,7 @@ export const options = {
     value: 'UNIT|FACTOR',
     parse: scale,
     default: 'm',
-    help: `Unit of lengths in the output and of --radius, for a model in metres, the unit of glTF: ${listed(units)}; or the factor to multiply with. Coordinates in files of points are the model's own`,
+    help: `Unit of lengths in the output, of --radius and of --move-tolerance, for a model in metres, the unit of glTF: ${listed(units)}; or the factor to multiply with. Coordinates in files of points are the model's own`,
   },
   weld: {
     value: 'SHARE',
@@ -208,8 +215,9 @@ const ofTessellation = [
   'iterations',
   'method',
   'density',
-  'fixed',
-  'tolerance',
+  'fixed-sites',
+  'energy-tolerance',
+  'move-tolerance',
   'metric',
   'progress',
 ] as const;
@@ -268,7 +276,7 @@ export const commands = {
     result: `By FILE's ending or --format, by default .json: .json {"face": […], "bary": […], "position": […], "energy": […]} (the sites, and the energy of the first ones and after each iteration), .ply (the sites as points).`,
     examples: [
       'mesh.glb --sites 300 -o sites.json',
-      'mesh.glb --sites sites.json --fixed fixed.json --density rho.json -o new.json',
+      'mesh.glb --sites sites.json --fixed-sites fixed.json -o new.json',
       'mesh.glb --sites 300 --per-component 1 --density curvature -o sites.json',
       'mesh.glb --sites 300 --sampling poisson --iterations 0 -o sampled.json',
     ],
@@ -282,7 +290,17 @@ export const commands = {
       'mesh.glb --sites sites.json --layout features -o parts.glb',
       'mesh.glb --sites 300 --format ply > parts.ply',
     ],
-    options: [...ofSites, 'layout', 'holes', 'metric', 'detail', 'progress', 'format', ...ofAll],
+    options: [
+      ...ofSites,
+      'layout',
+      'leave-out-indifferent',
+      'leave-out-unreachable',
+      'metric',
+      'detail',
+      'progress',
+      'format',
+      ...ofAll,
+    ],
   },
   dual: {
     summary: 'The polygonal base mesh of sites: a vertex each, a polygon per Voronoi point',
