@@ -57,6 +57,17 @@ TEST(CurvatureDensity, IsOneWhereCurvatureIsTheSameEverywhere) {
   }
 }
 
+TEST(CurvatureDensity, IsOneOnALongFlatStrip) {
+  shapes::Shape strip = shapes::grid(4, 2000);
+  for (size_t i = 0; i < strip.positions.size(); i += 3) {
+    const double x = strip.positions[i], y = strip.positions[i + 1];
+    strip.positions[i] = 2000 * (0.36 * x - 0.8 * y);
+    strip.positions[i + 1] = 2000 * (0.48 * x + 0.6 * y);
+    strip.positions[i + 2] = 2000 * 0.8 * x;
+  }
+  for (const double rho : curvatureDensity(strip.mesh())) ASSERT_EQ(rho, 1);
+}
+
 TEST(CurvatureDensity, IsLargeWhereTheSurfaceIsBent) {
   // The edges of a plate are bent, its large sides flat.
   const auto mesh = shapes::perforatedPlate(0, 8).mesh();

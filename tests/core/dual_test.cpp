@@ -310,6 +310,19 @@ TEST(Dual, RefusesOtherSitesThanTheDiagrams) {
   }
 }
 
+TEST(Dual, HasItsSitesWithCleanCoordinates) {
+  const auto mesh = shapes::icosphere(2).mesh();
+  auto sites = sampleFarthest(mesh, 14, 1);
+  sites[3].bary *= 1 + 9e-7;
+  const PolygonMesh dual = dualMesh(mesh, sites, trace(mesh, sites).diagram);
+  for (const SurfacePoint& p : dual.points) EXPECT_NEAR(p.bary.sum(), 1, 1e-12);
+}
+
+TEST(Repair, RefusesANegativeNumberOfSites) {
+  const auto mesh = shapes::icosphere(2).mesh();
+  EXPECT_THROW(repair(mesh, sampleFarthest(mesh, 12, 1), Metric::kExact, {.maxAdded = -1}), Error);
+}
+
 TEST(Repair, AddsSitesToLabelsWithoutOneFirst) {
   const auto mesh = shapes::torus(24, 12).mesh();
   const std::vector<SurfacePoint> sites = {centroid(0), {}, centroid(100), {}};

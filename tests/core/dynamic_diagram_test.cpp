@@ -337,6 +337,28 @@ TEST(DynamicDiagram, KnowsTiesOfPathsThroughLongFaces) {
   EXPECT_TRUE(isUpToDate(mesh, dynamic, Metric::kExact));
 }
 
+/// Sites that are equally far from a point, but much nearer to it than to the corners of the face:
+/// rounding there is a share of the face, not of the distance.
+TEST(DynamicDiagram, GivesTheLowestOfNearTiesWhateverTheOrderOfTheSites) {
+  const TriangleMesh mesh = shapes::triangle().mesh();
+  shapes::Random random(7);
+  for (int n = 0; n < 500; ++n) {
+    const Eigen::Vector3d middle(0.3 + 0.1 * random.uniform(), 0.3 + 0.1 * random.uniform(), 0);
+    const Eigen::Vector3d step(1e-6 * random.uniform(), 1e-6 * random.uniform(), 0);
+    const auto at = [](Eigen::Vector3d p) {
+      p.z() = 1 - p.x() - p.y();
+      return SurfacePoint{0, p};
+    };
+    const std::vector<SurfacePoint> sites = {at(middle + step), at(middle - step)};
+    const auto fresh = finished(propagate(mesh, sites, Metric::kExact));
+    DynamicDiagram dynamic(mesh, sites);
+    dynamic.moveSite(0, at({0.1, 0.1, 0}));
+    dynamic.moveSite(0, sites[0]);
+    EXPECT_EQ(dynamic.distances().nearest(at(middle)).label, fresh->nearest(at(middle)).label);
+    EXPECT_EQ(fresh->nearest(at(middle)).label, 0);
+  }
+}
+
 /// At vertex 1, site 2 ties with site 0 and with site 1, but these two do not tie with each other.
 /// Which distance the label of site 1 is listed with must not depend on which label came last.
 TEST(DynamicDiagram, TellsChainsOfTiesApartInAnyOrder) {

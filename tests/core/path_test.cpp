@@ -462,5 +462,18 @@ TEST(PathLength, IsInfiniteWhereNoFaceIsShared) {
   EXPECT_EQ(lengthOf(mesh, {}), 0);
 }
 
+TEST(PathLength, TakesPointsAsAllFunctionsDo) {
+  const TriangleMesh mesh = shapes::cube().mesh();
+  const int h = 0, twin = mesh.twin(h);
+  ASSERT_GE(twin, 0);
+  // Within rounding of the edge, which both faces have.
+  SurfacePoint middle{0, {0.5, 0.5, 1e-15}};
+  const SurfacePoint beyond{TriangleMesh::faceOf(twin), Eigen::Vector3d::Constant(1.0 / 3)};
+  EXPECT_LT(lengthOf(mesh, std::vector{middle, beyond}), 1);
+  for (const SurfacePoint& absent :
+       {SurfacePoint{12, {1, 0, 0}}, SurfacePoint{-1, {1, 0, 0}}, SurfacePoint{0, {0.5, 0.5, 0.5}}})
+    EXPECT_THROW(lengthOf(mesh, std::vector{middle, absent}), Error);
+}
+
 }  // namespace
 }  // namespace gvd

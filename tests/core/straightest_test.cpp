@@ -363,6 +363,26 @@ TEST(WalkStraight, GoesNowhereWithoutAFiniteMove) {
   }
 }
 
+TEST(WalkStraight, LeavesAConeAlongItsFirstEdgeInTheDirectionsOfTheGap) {
+  const auto mesh = shapes::tetrahedron().mesh();  // angle sums of π
+  const int h = mesh.outgoing(0);
+  ASSERT_EQ(h % 3, 0);
+  for (const double angle : {1.05 * pi, 1.3 * pi, 1.5 * pi, 1.95 * pi}) {
+    const auto way = walkStraight(mesh, vertexPoint(mesh, 0), 0.5 * rotated({1, 0}, angle));
+    const Vector3d along = (mesh.position(mesh.tip(h)) - mesh.position(0)).normalized();
+    EXPECT_LT((mesh.position(way.end) - mesh.position(0) - 0.5 * along).norm(), 1e-12) << angle;
+  }
+}
+
+TEST(WalkStraight, GoesAsFarAsItsCrossingsWhateverIsAskedFor) {
+  const auto mesh = shapes::cube().mesh();
+  const auto walked = [&](double length) {
+    return walkStraight(mesh, {0, {0.2, 0.3, 0.5}}, length * Vector2d(0.8, 0.6)).length;
+  };
+  EXPECT_GT(walked(1e9), 1e4);
+  EXPECT_NEAR(walked(1e15), walked(1e9), 1e-3);
+}
+
 TEST(WalkStraight, RefusesAStartThatIsNotOnTheMesh) {
   const auto mesh = shapes::cube().mesh();
   EXPECT_THROW(walkStraight(mesh, {12, Vector3d(1, 0, 0)}, {1, 0}), Error);

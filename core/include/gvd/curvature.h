@@ -32,7 +32,8 @@ struct CurvatureDensityOptions {
   /// How often the squared curvature at each vertex is averaged with that of its neighbours. The
   /// noise of one vertex is spread over as many edges as the square root of this.
   int smoothing = 4;
-  /// The least density as a share of its mean: so that flat parts get sites too. Positive.
+  /// Added to the squared curvature everywhere, as a share of its mean, so that flat parts get
+  /// sites too: the least density is floor / (1 + floor) of the mean. Positive.
   double floor = 0.1;
 };
 

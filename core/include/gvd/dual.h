@@ -49,7 +49,7 @@ PolygonMesh regionMesh(const TriangleMesh& mesh, const Diagram& diagram);
 
 /// Both in steps. Here and below, arguments given by reference must outlive the work.
 std::unique_ptr<SlicedWork<PolygonMesh>> startDualMesh(const TriangleMesh& mesh,
-                                                       std::vector<SurfacePoint> sites,
+                                                       std::span<const SurfacePoint> sites,
                                                        const Diagram& diagram);
 std::unique_ptr<SlicedWork<PolygonMesh>> startRegionMesh(const TriangleMesh& mesh,
                                                          const Diagram& diagram);
@@ -94,7 +94,7 @@ struct Violation {
 /// All violations, by kind, then by labels. None: the dual is an orientable manifold that has the
 /// Euler characteristic, the genus and the boundary loops of the surface. (That is a theorem, and
 /// checked nevertheless.) Costs as much as `partition`, and O(k²) for two regions that share k
-/// Voronoi points; what comes after the partition is one step.
+/// Voronoi points; the checks themselves are one step.
 /// Source: Herbert Edelsbrunner, Nimish Shah. Triangulating Topological Spaces. 1997.
 std::vector<Violation> findViolations(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
                                       const Diagram& diagram);
@@ -106,7 +106,9 @@ std::unique_ptr<SlicedWork<std::vector<Violation>>> startViolations(
 /// violation is left to the next round if a region concerned is next to one that gets a new site in
 /// this round, because it may then be gone. Empty if there are no violations.
 ///
-/// `field` holds the distances that the diagram was traced from. Costs as much as `findViolations`.
+/// `field` holds the distances that the diagram was traced from. Costs as much as `findViolations`,
+/// and a `DistanceField::nearest` per vertex of the partition in the regions that show a violation;
+/// these queries are one step.
 /// Throws `Error(kInvalidArgument)`, naming the violation, if further sites do not help: a site has
 /// no region because another one is at its place.
 std::vector<SurfacePoint> repairingSites(const TriangleMesh& mesh,
@@ -117,7 +119,7 @@ std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> startRepairingSites(
     const DistanceField& field);
 
 struct RepairOptions {
-  int maxAdded = 1000;  ///< how many sites may be added
+  int maxAdded = 1000;  ///< how many sites may be added; not negative
 };
 
 /// Sites with a valid dual.

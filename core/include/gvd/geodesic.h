@@ -107,7 +107,8 @@ class DistanceField {
 };
 
 /// The length of a path of straight pieces within faces, by the intrinsic lengths of edges;
-/// infinity if two points in succession have no face in common.
+/// infinity if two points in succession have no face in common. Throws `Error(kInvalidPoint)` if a
+/// point is not on the mesh.
 double lengthOf(const TriangleMesh& mesh, std::span<const SurfacePoint> path);
 
 /// Distances of sites, computed in steps. The field refers to the mesh, which must outlive it.

@@ -22,7 +22,7 @@
 
 namespace gvd {
 
-/// `count` points, independent and uniform by area (by face, if all faces have zero area). The
+/// `count` points, independent and uniform by area. The
 /// first n points do not depend on `count`. O(F + count log F).
 std::vector<SurfacePoint> sampleUniform(const TriangleMesh& mesh, int count, std::uint64_t seed);
 
@@ -43,7 +43,7 @@ std::vector<SurfacePoint> sampleByDensity(const TriangleMesh& mesh, std::span<co
 /// and points are at least as far apart as the last one was from the others. The first n points do
 /// not depend on `count`.
 ///
-/// Distances are geodesic, by unfolding (DGPC without angles). A point spreads only where it is
+/// Distances are geodesic, by unfolding (DGPC). A point spreads only where it is
 /// the nearest: O(V log V log count) for evenly spread vertices. Throws `Error(kInvalidArgument)`
 /// if the radius is negative or not a number.
 /// Source: Gabriel Peyré, Laurent Cohen. Geodesic Remeshing Using Front Propagation. 2006.

@@ -48,9 +48,9 @@ struct MeshRepairs {
   int flippedTriangles = 0;  ///< turned over to agree with the majority of their component
   int smallComponents = 0;   ///< dropped: fewer triangles than `MeshOptions::minComponent`
   int smallComponentTriangles = 0;  ///< the triangles of those components
-  int splitVertices = 0;            ///< vertices of several fans, one copy made per further fan
-  int mollifiedTriangles = 0;       ///< flat or tiny, the reason why all edges were lengthened
-  double mollification = 0;         ///< the length added to every edge, in the positions' unit
+  int splitVertices = 0;       ///< copies made of vertices of several fans: one per further fan
+  int mollifiedTriangles = 0;  ///< flat or tiny, the reason why all edges were lengthened
+  double mollification = 0;    ///< the length added to every edge, in the positions' unit
 };
 
 /// Facts of topology, computed once with the mesh.

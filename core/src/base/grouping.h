@@ -37,7 +37,6 @@ class Grouping {
                          });
   }
 
-  int groupCount() const { return static_cast<int>(end_.size()) - 1; }
   /// Group after group.
   std::span<const int> items() const { return items_; }
   /// Ascending, unless the caller has reordered them.

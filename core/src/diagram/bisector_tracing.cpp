@@ -111,19 +111,18 @@ void BisectorTracing::give(int element, int owner) {
 /// Whether some other label ties with the owner at all three nodes.
 bool BisectorTracing::isIndifferent(int element, int owner) const {
   const int* const node = &tails_[3 * element];
-  for (int i = 0; i < 3; ++i)
-    if (!complex_.nodes().hasTie(node[i])) return false;
-  bool isTie = false;
-  std::array<double, 3> least{};
-  const auto visit = [&](auto of) {
-    visitCommonLabels(complex_.nodes().labels(node[0]), complex_.nodes().labels(node[1]),
-                      complex_.nodes().labels(node[2]), of);
-  };
-  visit([&](int label, const std::array<double, 3>& d) {
-    if (label == owner) least = d;
-  });
-  visit([&](int label, const std::array<double, 3>& d) { isTie |= label != owner && d == least; });
-  return isTie;
+  const NodeLabels& nodes = complex_.nodes();
+  std::array<double, 3> least;
+  for (int i = 0; i < 3; ++i) {
+    if (!nodes.hasTie(node[i])) return false;
+    least[i] = nearestOf(nodes.labels(node[i])).distance;
+  }
+  return anyLabel(nodes.labels(node[0]), nodes.labels(node[1]), nodes.labels(node[2]),
+                  [&](int label, const auto& at) {
+                    bool isTie = label != owner;
+                    for (int i = 0; i < 3; ++i) isTie &= at[i] && at[i]->distance == least[i];
+                    return isTie;
+                  });
 }
 
 void BisectorTracing::divide(int index) {

@@ -116,8 +116,10 @@ class DiagramPieces {
   // The current change.
   SlicedSequence replacing_;
   SlicedLoop loop_;
-  std::vector<int> beside_;  ///< the labels that list pieces that it has removed
-  std::vector<int> arcOf_;   ///< the numbers of its arcs
+  /// The labels that list arcs or points that it has removed, because these lay between them and a
+  /// changed label.
+  std::vector<int> beside_;
+  std::vector<int> arcOf_;  ///< the numbers of its arcs
 };
 
 /// Copies out of a diagram the loops, arcs and Voronoi points of the labels with `isWanted[label]`,

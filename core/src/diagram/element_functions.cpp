@@ -23,8 +23,8 @@ std::span<const LabelFunction> ElementFunctions::of(int element) {
   const int soleOwner = complex_.soleOwner(element);
   const auto atA = complex_.nodes().labels(node[0]), atB = complex_.nodes().labels(node[1]),
              atC = complex_.nodes().labels(node[2]);
-  // As `visitCommonLabels`, but without branches for a processor to guess wrong: each round writes
-  // a function, and the next one writes over it if it was not of all three nodes.
+  // The labels known at all three nodes, without branches for a processor to guess wrong: each
+  // round writes a function, and the next one writes over it if it was not of all three nodes.
   functions_.resize(std::min({atA.size(), atB.size(), atC.size()}) + 1);
   LabelFunction* next = functions_.data();
   for (auto a = atA.begin(), b = atB.begin(), c = atC.begin();

@@ -13,6 +13,11 @@
 
 namespace gvd {
 
+namespace {
+
+/// The place between two corners where the functions a and b are equal, as a share of the way from
+/// the first corner; `a` is the lower label's. Two triangles that name the corners in the same
+/// order get the same bits.
 double crossing(double aFirst, double bFirst, double aSecond, double bSecond) {
   const double first = aFirst - bFirst, second = aSecond - bSecond;
   // `first` and `second` have opposite signs or one is zero; both are zero only if a perturbed tie
@@ -20,6 +25,8 @@ double crossing(double aFirst, double bFirst, double aSecond, double bSecond) {
   const double span = first - second;
   return span == 0 ? 0.5 : std::clamp(first / span, 0.0, 1.0);
 }
+
+}  // namespace
 
 void FaceEnvelope::setBary(const Vertex& v, Eigen::Vector3d& bary) const {
   if (v.kind == Vertex::kInside) return setInnerBary(v, bary);

@@ -102,9 +102,4 @@ class FaceEnvelope {
   std::vector<CellSide> kept_;
 };
 
-/// The place between two corners where the functions a and b are equal, as a share of the way from
-/// the first corner; `a` is the lower label's. Two triangles that name the corners in the same
-/// order get the same bits.
-double crossing(double aFirst, double bFirst, double aSecond, double bSecond);
-
 }  // namespace gvd

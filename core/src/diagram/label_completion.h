@@ -23,8 +23,6 @@ class LabelCompletion {
   std::vector<int> takeFaces() { return std::move(faces_); }
 
  private:
-  using Labels = std::span<const LabelledDistance>;
-
   void complete(int element);
   bool hasAddedLabels(int element) const;
   bool mayLackLabels(int element) const;

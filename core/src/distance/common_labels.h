@@ -24,27 +24,6 @@ inline const LabelledDistance* findLabel(std::span<const LabelledDistance> list,
   return found;
 }
 
-/// Calls `visit` with every label known at all three corners of a triangle, ascending, and its
-/// distances there. Takes the lists of the corners.
-template <class Visit>
-void visitCommonLabels(std::span<const LabelledDistance> a, std::span<const LabelledDistance> b,
-                       std::span<const LabelledDistance> c, Visit visit) {
-  for (auto i = a.begin(), j = b.begin(), k = c.begin();
-       i != a.end() && j != b.end() && k != c.end();) {
-    const int label = std::max({i->label, j->label, k->label});
-    if (i->label < label) {
-      ++i;
-    } else if (j->label < label) {
-      ++j;
-    } else if (k->label < label) {
-      ++k;
-    } else {
-      visit(label, std::array<double, 3>{i->distance, j->distance, k->distance});
-      ++i, ++j, ++k;
-    }
-  }
-}
-
 /// Whether isSought(label, at) is true for any label known at a corner of a triangle. Labels come
 /// in ascending order; `at` has the label's distance at each corner, null where it is not known.
 template <class IsSought>

@@ -2,11 +2,13 @@
 #include "gvd/geodesic.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include "distance/path_points.h"
 #include "distance/site_distances.h"
 #include "gvd/error.h"
+#include "mesh/surface_geometry.h"
 
 namespace gvd {
 namespace {
@@ -38,7 +40,12 @@ std::unique_ptr<Propagation> propagate(const TriangleMesh& mesh,
 
 double lengthOf(const TriangleMesh& mesh, std::span<const SurfacePoint> path) {
   double length = 0;
-  for (size_t i = 1; i < path.size(); ++i) length += lengthBetween(mesh, path[i - 1], path[i]);
+  SurfacePoint last;
+  for (size_t i = 0; i < path.size(); ++i) {
+    const SurfacePoint p = onMesh(mesh, path[i], "point " + std::to_string(i) + ": ");
+    if (i > 0) length += lengthBetween(mesh, last, p);
+    last = p;
+  }
   return length;
 }
 

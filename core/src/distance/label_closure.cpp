@@ -87,13 +87,12 @@ void LabelClosure::closeFace(int f) {
 /// The same for one label, newly known at a vertex, in all faces around the vertex.
 void LabelClosure::closeAround(const LabelAtVertex& added) {
   const auto& [vertex, label] = added;
-  mesh_.visitFaces(vertex, [&, v = vertex, l = label](int f) {
-    const auto& corners = mesh_.face(f).vertices;
-    const int i = corners[0] == v ? 0 : corners[1] == v ? 1 : 2;
-    const bool isAfter = lists_.distance(corners[cornerAfter(i)], l) < kInfinity;
-    const bool isBefore = lists_.distance(corners[cornerBefore(i)], l) < kInfinity;
-    if (isAfter != isBefore) requireAcross(3 * f + (isAfter ? i : cornerBefore(i)), l);
-  });
+  for (const int h : mesh_.fan(vertex)) {
+    const int before = TriangleMesh::previous(h);
+    const bool isAfter = lists_.distance(mesh_.tip(h), label) < kInfinity;
+    const bool isBefore = lists_.distance(mesh_.tail(before), label) < kInfinity;
+    if (isAfter != isBefore) requireAcross(isAfter ? h : before, label);
+  }
 }
 
 /// Requires a label known at both ends of a halfedge at its apex if the label owns part of the

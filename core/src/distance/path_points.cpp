@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "base/tolerances.h"
-#include "gvd/geodesic.h"
 #include "mesh/face_layout.h"
 #include "mesh/representations.h"
 

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "gvd/geodesic.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
 #include "mesh/representations.h"
@@ -17,6 +18,26 @@ SurfacePoint pointOnHalfedge(const TriangleMesh& mesh, int halfedge, double alon
 
 /// The length of the straight piece between two points of one face; infinity if no face has both.
 double lengthBetween(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b);
+
+/// A corner of the faces that have a point, and the length of the path from the point over it.
+struct CornerOnPath {
+  int vertex = -1;
+  SurfacePoint corner;
+  double length = kInfinity;
+};
+
+/// The corner over which the path from a point to a site is shortest, among vertices nearer to the
+/// site than `bound`; vertex -1 if there is none. `distanceAt(vertex)` is the site's distance.
+template <class DistanceAt>
+CornerOnPath bestCorner(const TriangleMesh& mesh, const SurfacePoint& p, double bound,
+                        DistanceAt distanceAt) {
+  CornerOnPath best;
+  visitCornersAround(mesh, p, [&](int vertex, double way, const SurfacePoint& corner) {
+    const double length = distanceAt(vertex) + way;
+    if (distanceAt(vertex) < bound && length < best.length) best = {vertex, corner, length};
+  });
+  return best;
+}
 
 /// Collects the points of a path that ends at a site. A point at the same place as the previous one
 /// is left out.

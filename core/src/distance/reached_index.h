@@ -13,13 +13,13 @@ class ReachedIndex {
  public:
   explicit ReachedIndex(int vertexCount) : indices_(vertexCount, -1) {}
 
-  /// Takes up another list.
+  /// Indexes another list instead.
   void reset(std::span<const ReachedVertex> reached) {
     for (const int v : vertices_) indices_[v] = -1;
     vertices_.clear();
     for (const ReachedVertex& r : reached) append(r.vertex);
   }
-  /// Follows the list by which a vertex is appended to it.
+  /// To be called when a vertex is appended to the list.
   void append(int vertex) {
     indices_[vertex] = static_cast<int>(vertices_.size());
     vertices_.push_back(vertex);

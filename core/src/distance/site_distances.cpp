@@ -6,7 +6,6 @@
 #include <string>
 #include <utility>
 
-#include "base/index_set.h"
 #include "base/sliced_loop.h"
 #include "distance/dgpc/unfolding_spread.h"
 #include "distance/exact/window_spread.h"
@@ -76,20 +75,18 @@ void SiteDistances::change(std::span<const SiteChange> changes) {
 /// Forgets the distances of some labels. Other labels that have reached their vertices may have to
 /// go on, so they are resumed: the neighbours, and labels that tie with a neighbour farther on.
 void SiteDistances::forget(std::span<const int> labels) {
-  IndexSet vertices(mesh_.vertexCount());
   for (const int label : labels) {
     known_.leave(label);
     for (const ReachedVertex& r : spread_->reached(label)) {
       if (!r.isFinal) continue;
-      vertices.add(r.vertex);
+      const auto reaching = reaching_[r.vertex];
+      resumed_.insert(resumed_.end(), reaching.begin(), reaching.end());
       LabelledDistance& nearest = bounds_[r.vertex];
       if (nearest.label < 0 || !bounds_.ties().isAtMost(r.distance, nearest.distance)) continue;
       nearest = {};
       resetVertices_.push_back(r.vertex);
     }
   }
-  for (const int v : vertices.list())
-    resumed_.insert(resumed_.end(), reaching_[v].begin(), reaching_[v].end());
   makeSet(resumed_);
   reaching_.remove(*spread_, labels);
   spread_->remove(labels);
@@ -204,16 +201,16 @@ bool SiteDistances::requireMissed() {
 Requirement SiteDistances::nearestAround(int vertex) const {
   Requirement nearest = {-1, -1};
   double least = kInfinity;
-  mesh_.visitFaces(vertex, [&](int f) {
-    for (int h = 3 * f; h < 3 * f + 3; ++h) {
-      const int tail = mesh_.tail(h), tip = mesh_.tip(h);
-      if (tail != vertex && tip != vertex) continue;
-      const LabelledDistance& there = bounds_[tail == vertex ? tip : tail];
-      if (there.label < 0 || !(there.distance + mesh_.length(h) < least)) continue;
-      least = there.distance + mesh_.length(h);
-      nearest = {there.label, f};
-    }
-  });
+  const auto offer = [&](int neighbour, int side) {
+    const LabelledDistance& there = bounds_[neighbour];
+    if (there.label < 0 || !(there.distance + mesh_.length(side) < least)) return;
+    least = there.distance + mesh_.length(side);
+    nearest = {there.label, TriangleMesh::faceOf(side)};
+  };
+  for (const int h : mesh_.fan(vertex)) {
+    offer(mesh_.tip(h), h);
+    offer(mesh_.tail(TriangleMesh::previous(h)), TriangleMesh::previous(h));
+  }
   return nearest;
 }
 

@@ -9,6 +9,10 @@
 namespace gvd {
 namespace {
 
+/// By how much distances may round whose paths cross a hundred faces, as a share of the longest
+/// edge: each face rounds by a few 2^-53.
+constexpr double kUnfoldingTolerance = 0x1p-46;
+
 /// Whether any two distances are equal up to rounding, but not exactly.
 bool haveUnequalTies(std::span<const LabelledDistance> here, const TieTolerance& ties) {
   for (size_t i = 1; i < here.size(); ++i)
@@ -19,7 +23,8 @@ bool haveUnequalTies(std::span<const LabelledDistance> here, const TieTolerance&
 
 }  // namespace
 
-TieTolerance::TieTolerance(const TriangleMesh& mesh) : absolute_(0x1p-46 * longestEdge(mesh)) {}
+TieTolerance::TieTolerance(const TriangleMesh& mesh)
+    : absolute_(kUnfoldingTolerance * longestEdge(mesh)) {}
 
 void equalizeTies(std::span<LabelledDistance> here, const TieTolerance& ties) {
   constexpr size_t kFew = 32;  // up to here, comparing all pairs is quicker than sorting

@@ -11,14 +11,15 @@ namespace gvd {
 
 /// Which distances on a mesh are equal up to rounding: all decisions on ties are made here. The
 /// absolute part of the tolerance is for faces much larger than the distances in them: unfolding
-/// across one of them rounds by a few 2^-53 of its size, across a hundred of them by 2^-46 of the
-/// longest edge.
+/// across these rounds by a share of the longest edge.
 class TieTolerance {
  public:
   explicit TieTolerance(const TriangleMesh& mesh);
   /// Whether a distance is at most another one, up to rounding.
-  bool isAtMost(double distance, double other) const {
-    return distance <= other * (1 + kDistanceTolerance) + absolute_;
+  bool isAtMost(double distance, double other) const { return distance <= mostTying(other); }
+  /// The largest distance that is at most another one, up to rounding.
+  double mostTying(double distance) const {
+    return distance * (1 + kDistanceTolerance) + absolute_;
   }
   /// Whether two distances are equal up to rounding, but not exactly.
   bool tieUnequally(double a, double b) const { return a != b && isAtMost(a, b) && isAtMost(b, a); }

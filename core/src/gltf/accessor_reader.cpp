@@ -122,7 +122,7 @@ void AccessorReading::store(std::uint64_t element, const std::byte* bytes) {
 void AccessorReading::storeSparse(std::uint64_t i) {
   const auto place = static_cast<std::uint64_t>(sparse_->placeType->load(sparse_->places.at(i)));
   if (place >= count_) {
-    reject(sparse_->name + " has the index " + number(place) + " past its end");
+    reject(sparse_->name + " has the index " + std::to_string(place) + " past its end");
   }
   store(place, sparse_->values.at(i));
 }
@@ -146,8 +146,8 @@ Elements AccessorReader::elements(const ElementRange& range, std::uint64_t count
                                    count - 1 <= (length - offset - size) / stride);
   if (!fits) reject(owner + " reaches past the end of " + name);
   if (const std::uint64_t first = view.byteOffset + offset; first % type.size != 0) {
-    reject(owner + " begins at byte " + number(first) +
-           " of its buffer, which is not a multiple of " + number(type.size) +
+    reject(owner + " begins at byte " + std::to_string(first) +
+           " of its buffer, which is not a multiple of " + std::to_string(type.size) +
            ", the size of its numbers");
   }
   return {buffer.data() + view.byteOffset + (count == 0 ? 0 : offset), stride};

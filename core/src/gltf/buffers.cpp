@@ -51,7 +51,8 @@ Bytes Buffers::load(Buffer& buffer, int index) {
   const std::uint64_t length = *buffer.object.byteLength;
   const Bytes bytes = content(buffer, index, name);
   if (length > bytes.size()) {
-    reject(name + " should have " + number(length) + " bytes but has " + number(bytes.size()));
+    reject(name + " should have " + std::to_string(length) + " bytes but has " +
+           std::to_string(bytes.size()));
   }
   return bytes.first(length);
 }

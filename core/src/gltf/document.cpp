@@ -153,7 +153,7 @@ Document parseDocument(const std::string& text) {
 void requireIndex(int index, std::size_t count, const std::string& what, const std::string& owner) {
   if (index >= 0 && static_cast<std::size_t>(index) < count) return;
   reject(owner + " names " + what + " " + std::to_string(index) + ", but the glTF has " +
-         number(count));
+         std::to_string(count));
 }
 
 }  // namespace gvd::gltf

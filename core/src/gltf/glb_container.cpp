@@ -50,10 +50,11 @@ Container openGlb(Bytes bytes) {
 
   if (bytes.size() < kHeaderSize) reject("the GLB is truncated within its header");
   const std::uint32_t version = uint32At(bytes, 4), length = uint32At(bytes, 8);
-  if (version != 2) reject("this is GLB version " + number(version) + "; only version 2 is read");
+  if (version != 2)
+    reject("this is GLB version " + std::to_string(version) + "; only version 2 is read");
   if (length > bytes.size()) {
-    reject("the GLB is truncated: it should have " + number(length) + " bytes but has " +
-           number(bytes.size()));
+    reject("the GLB is truncated: it should have " + std::to_string(length) + " bytes but has " +
+           std::to_string(bytes.size()));
   }
   Bytes rest = bytes.first(length).subspan(std::min<std::size_t>(kHeaderSize, length));
   const Chunk json = takeChunk(rest), bin = takeChunk(rest);

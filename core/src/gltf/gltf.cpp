@@ -54,8 +54,8 @@ class SceneSize {
     constexpr std::uint64_t kMost = INT32_MAX / 3;  // corners are numbered by `int`
     sum += count;
     if (sum > limit)
-      reject("the scene has more than " + number(limit) + ' ' + what + toRaise(name));
-    if (sum > kMost) reject("the scene has more than " + number(kMost) + ' ' + what);
+      reject("the scene has more than " + std::to_string(limit) + ' ' + what + toRaise(name));
+    if (sum > kMost) reject("the scene has more than " + std::to_string(kMost) + ' ' + what);
   }
 
   const GltfLimits& limits_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
 #include <string>
 
 #include "gvd/error.h"
@@ -11,8 +10,6 @@ namespace gvd::gltf {
 [[noreturn]] inline void reject(const std::string& why) {
   throw Error(ErrorCode::kInvalidGltf, why);
 }
-
-inline std::string number(std::uint64_t n) { return std::to_string(n); }
 
 /// The end of a sentence that names an exceeded limit.
 inline std::string toRaise(const char* limit) {

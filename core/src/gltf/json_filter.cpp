@@ -92,7 +92,7 @@ class JsonFilter {
   static bool parse_error(std::size_t position, const std::string&, const json::exception& error) {
     constexpr int kNumberOverflow = 406;
     if (error.id == kNumberOverflow) gltf::reject("the JSON has a number that is too large");
-    gltf::reject("the JSON is malformed at byte " + number(position));
+    gltf::reject("the JSON is malformed at byte " + std::to_string(position));
   }
 
  private:
@@ -150,12 +150,13 @@ class JsonFilter {
 
   static void count(std::uint64_t& sum, std::uint64_t most, const char* what) {
     if (++sum <= most) return;
-    gltf::reject("the glTF has more than " + number(most) + ' ' + what + toRaise("maxObjects"));
+    gltf::reject("the glTF has more than " + std::to_string(most) + ' ' + what +
+                 toRaise("maxObjects"));
   }
 
   bool open(JsonKind kind, const char* what) {
     if (++depth_ > kMaxDepth) {
-      gltf::reject("the JSON is nested more than " + number(kMaxDepth) + " levels deep");
+      gltf::reject("the JSON is nested more than " + std::to_string(kMaxDepth) + " levels deep");
     }
     const JsonRule* rule = next();
     if (!rule || rule->kind != kind) {
@@ -181,8 +182,8 @@ class JsonFilter {
     levels_.pop_back();
     const bool isArray = level.rule->kind == JsonKind::kArray;
     if (isArray && (level.length < level.rule->least || level.length > level.rule->most)) {
-      setFault(pathWithIndices(level.rule->path) + " has " + number(level.length) +
-               " elements; it must have " + number(level.rule->least));
+      setFault(pathWithIndices(level.rule->path) + " has " + std::to_string(level.length) +
+               " elements; it must have " + std::to_string(level.rule->least));
     }
     if (!isArray) {
       for (const JsonRule& member : jsonRules()) {
@@ -207,7 +208,7 @@ class JsonFilter {
     for (char c : path) {
       if (c == ']') {
         while (level->rule->kind != JsonKind::kArray) ++level;
-        text += number(level++->length - 1);
+        text += std::to_string(level++->length - 1);
       }
       text += c;
     }
@@ -236,7 +237,8 @@ void requireShortNumbers(std::string_view text) {
     const bool isOfNumber = !isInString && ((c >= '0' && c <= '9') || c == '.' || c == '-');
     length = isOfNumber ? length + 1 : 0;
     if (length > kMaxNumberLength) {
-      reject("the JSON has a number of more than " + number(kMaxNumberLength) + " characters");
+      reject("the JSON has a number of more than " + std::to_string(kMaxNumberLength) +
+             " characters");
     }
   }
 }
@@ -245,8 +247,8 @@ void requireShortNumbers(std::string_view text) {
 
 FilteredJson filterJson(std::string_view text, const GltfLimits& limits) {
   if (text.size() > limits.maxJsonBytes) {
-    reject("the JSON has " + number(text.size()) + " bytes, more than " +
-           number(limits.maxJsonBytes) + toRaise("maxJsonBytes"));
+    reject("the JSON has " + std::to_string(text.size()) + " bytes, more than " +
+           std::to_string(limits.maxJsonBytes) + toRaise("maxJsonBytes"));
   }
   requireShortNumbers(text);
   JsonFilter filter(limits);

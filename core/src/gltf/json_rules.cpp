@@ -9,7 +9,6 @@ namespace gvd::gltf {
 namespace {
 
 using enum JsonKind;
-constexpr JsonKind kWhole = kWholeNumber;
 
 /// Indices are stored as `int`.
 constexpr std::uint64_t kMostIndex = INT32_MAX;
@@ -32,19 +31,19 @@ constexpr JsonRule kRules[] = {
     {"asset.minVersion", kText},
     {"extensionsRequired", kArray},
     {"extensionsRequired[]", kText},
-    {"scene", kWhole, 0, kMostIndex},
+    {"scene", kWholeNumber, 0, kMostIndex},
     {"scenes", kArray},
     {"scenes[]", kObject},
     {"scenes[].nodes", kArray},
-    {"scenes[].nodes[]", kWhole, 0, kMostIndex},
+    {"scenes[].nodes[]", kWholeNumber, 0, kMostIndex},
 
     {"nodes", kArray},
     {"nodes[]", kObject},
     {"nodes[].name", kText},
-    {"nodes[].mesh", kWhole, 0, kMostIndex},
-    {"nodes[].skin", kWhole, 0, kMostIndex},
+    {"nodes[].mesh", kWholeNumber, 0, kMostIndex},
+    {"nodes[].skin", kWholeNumber, 0, kMostIndex},
     {"nodes[].children", kArray},
-    {"nodes[].children[]", kWhole, 0, kMostIndex},
+    {"nodes[].children[]", kWholeNumber, 0, kMostIndex},
     {"nodes[].matrix", kArray, 16, 16},
     {"nodes[].matrix[]", kNumber},
     {"nodes[].translation", kArray, 3, 3},
@@ -58,9 +57,10 @@ constexpr JsonRule kRules[] = {
     {"nodes[].extensions", kObject},
     {"nodes[].extensions.EXT_mesh_gpu_instancing", kObject},
     {"nodes[].extensions.EXT_mesh_gpu_instancing.attributes", kObject},
-    {"nodes[].extensions.EXT_mesh_gpu_instancing.attributes.TRANSLATION", kWhole, 0, kMostIndex},
-    {"nodes[].extensions.EXT_mesh_gpu_instancing.attributes.ROTATION", kWhole, 0, kMostIndex},
-    {"nodes[].extensions.EXT_mesh_gpu_instancing.attributes.SCALE", kWhole, 0, kMostIndex},
+    {"nodes[].extensions.EXT_mesh_gpu_instancing.attributes.TRANSLATION", kWholeNumber, 0,
+     kMostIndex},
+    {"nodes[].extensions.EXT_mesh_gpu_instancing.attributes.ROTATION", kWholeNumber, 0, kMostIndex},
+    {"nodes[].extensions.EXT_mesh_gpu_instancing.attributes.SCALE", kWholeNumber, 0, kMostIndex},
 
     {"meshes", kArray},
     {"meshes[]", kObject},
@@ -69,51 +69,51 @@ constexpr JsonRule kRules[] = {
     {"meshes[].weights[]", kNumber},
     required({"meshes[].primitives", kArray}),
     {"meshes[].primitives[]", kObject},
-    {"meshes[].primitives[].mode", kWhole, 0, kMostIndex},
-    {"meshes[].primitives[].indices", kWhole, 0, kMostIndex},
+    {"meshes[].primitives[].mode", kWholeNumber, 0, kMostIndex},
+    {"meshes[].primitives[].indices", kWholeNumber, 0, kMostIndex},
     required({"meshes[].primitives[].attributes", kObject}),
-    {"meshes[].primitives[].attributes.POSITION", kWhole, 0, kMostIndex},
-    {"meshes[].primitives[].attributes.NORMAL", kWhole, 0, kMostIndex},
-    {"meshes[].primitives[].attributes.TEXCOORD_0", kWhole, 0, kMostIndex},
-    {"meshes[].primitives[].attributes._DENSITY", kWhole, 0, kMostIndex},
+    {"meshes[].primitives[].attributes.POSITION", kWholeNumber, 0, kMostIndex},
+    {"meshes[].primitives[].attributes.NORMAL", kWholeNumber, 0, kMostIndex},
+    {"meshes[].primitives[].attributes.TEXCOORD_0", kWholeNumber, 0, kMostIndex},
+    {"meshes[].primitives[].attributes._DENSITY", kWholeNumber, 0, kMostIndex},
     {"meshes[].primitives[].targets", kArray},
     {"meshes[].primitives[].targets[]", kObject},
-    {"meshes[].primitives[].targets[].POSITION", kWhole, 0, kMostIndex},
-    {"meshes[].primitives[].targets[].NORMAL", kWhole, 0, kMostIndex},
+    {"meshes[].primitives[].targets[].POSITION", kWholeNumber, 0, kMostIndex},
+    {"meshes[].primitives[].targets[].NORMAL", kWholeNumber, 0, kMostIndex},
     {"meshes[].primitives[].extensions", kObject},
     {"meshes[].primitives[].extensions.KHR_draco_mesh_compression", kObject},
 
     {"accessors", kArray},
     {"accessors[]", kObject},
-    {"accessors[].bufferView", kWhole, 0, kMostIndex},
-    {"accessors[].byteOffset", kWhole, 0, kMostBytes},
-    required({"accessors[].componentType", kWhole, kLeastType, kMostType}),
-    required({"accessors[].count", kWhole, 0, kMostBytes}),
+    {"accessors[].bufferView", kWholeNumber, 0, kMostIndex},
+    {"accessors[].byteOffset", kWholeNumber, 0, kMostBytes},
+    required({"accessors[].componentType", kWholeNumber, kLeastType, kMostType}),
+    required({"accessors[].count", kWholeNumber, 0, kMostBytes}),
     required({"accessors[].type", kText, 0, UINT64_MAX, 1, false,
               "SCALAR, VEC2, VEC3, VEC4, MAT2, MAT3, MAT4"}),
     {"accessors[].normalized", kBoolean},
     {"accessors[].sparse", kObject},
-    required({"accessors[].sparse.count", kWhole, 0, kMostBytes}),
+    required({"accessors[].sparse.count", kWholeNumber, 0, kMostBytes}),
     required({"accessors[].sparse.indices", kObject}),
-    required({"accessors[].sparse.indices.bufferView", kWhole, 0, kMostIndex}),
-    {"accessors[].sparse.indices.byteOffset", kWhole, 0, kMostBytes},
-    required({"accessors[].sparse.indices.componentType", kWhole, kLeastType, kMostType}),
+    required({"accessors[].sparse.indices.bufferView", kWholeNumber, 0, kMostIndex}),
+    {"accessors[].sparse.indices.byteOffset", kWholeNumber, 0, kMostBytes},
+    required({"accessors[].sparse.indices.componentType", kWholeNumber, kLeastType, kMostType}),
     required({"accessors[].sparse.values", kObject}),
-    required({"accessors[].sparse.values.bufferView", kWhole, 0, kMostIndex}),
-    {"accessors[].sparse.values.byteOffset", kWhole, 0, kMostBytes},
+    required({"accessors[].sparse.values.bufferView", kWholeNumber, 0, kMostIndex}),
+    {"accessors[].sparse.values.byteOffset", kWholeNumber, 0, kMostBytes},
 
     {"bufferViews", kArray},
     {"bufferViews[]", kObject},
-    required({"bufferViews[].buffer", kWhole, 0, kMostIndex}),
-    {"bufferViews[].byteOffset", kWhole, 0, kMostBytes},
-    required({"bufferViews[].byteLength", kWhole, 0, kMostBytes}),
+    required({"bufferViews[].buffer", kWholeNumber, 0, kMostIndex}),
+    {"bufferViews[].byteOffset", kWholeNumber, 0, kMostBytes},
+    required({"bufferViews[].byteLength", kWholeNumber, 0, kMostBytes}),
     // Some exporters write 0 for no stride.
-    {"bufferViews[].byteStride", kWhole, 0, 252, 4},
+    {"bufferViews[].byteStride", kWholeNumber, 0, 252, 4},
 
     {"buffers", kArray},
     {"buffers[]", kObject},
     {"buffers[].uri", kText},
-    {"buffers[].byteLength", kWhole, 0, kMostBytes},
+    {"buffers[].byteLength", kWholeNumber, 0, kMostBytes},
     {"buffers[].extensions", kObject},
     {"buffers[].extensions.EXT_meshopt_compression", kObject},
     {"buffers[].extensions.KHR_meshopt_compression", kObject},
@@ -159,8 +159,9 @@ std::string expectation(const JsonRule& rule) {
     case kWholeNumber:
       break;
   }
-  return (rule.multipleOf == 1 ? "a whole number" : "a multiple of " + number(rule.multipleOf)) +
-         " from " + number(rule.least) + " to " + number(rule.most);
+  return (rule.multipleOf == 1 ? "a whole number"
+                               : "a multiple of " + std::to_string(rule.multipleOf)) +
+         " from " + std::to_string(rule.least) + " to " + std::to_string(rule.most);
 }
 
 }  // namespace gvd::gltf

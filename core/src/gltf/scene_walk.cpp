@@ -13,7 +13,7 @@ namespace gvd::gltf {
 namespace {
 
 [[noreturn]] void rejectForPrimitives(std::size_t most) {
-  reject("the scene has more than " + number(most) +
+  reject("the scene has more than " + std::to_string(most) +
          " primitives and morph targets, instances included" + toRaise("maxObjects"));
 }
 
@@ -83,7 +83,7 @@ std::vector<Eigen::Affine3d> instanceTransforms(const Node& node, const std::str
     Eigen::Affine3d& transform = transforms[i];
     if (!translations.empty()) transform.translate(Eigen::Vector3d::Map(&translations[3 * i]));
     if (!rotations.empty()) {
-      rotate(transform, &rotations[4 * i], "instance " + number(i) + " of " + name);
+      rotate(transform, &rotations[4 * i], "instance " + std::to_string(i) + " of " + name);
     }
     if (!scales.empty()) transform.scale(Eigen::Vector3d::Map(&scales[3 * i]));
   }

@@ -21,7 +21,8 @@ class ClosestPointQuery::Implementation {
   ClosestPoint closestTo(const Eigen::Vector3d& place) const {
     const TriangleTree::Nearest nearest = tree_.nearest(place);
     if (nearest.triangle < 0)
-      throw Error(ErrorCode::kInvalidPoint, "its distance from the surface is not a finite number");
+      throw Error(ErrorCode::kInvalidPoint,
+                  "the distance of the place from the surface is not a finite number");
     return {{nearest.triangle, nearest.bary}, std::sqrt(nearest.squaredDistance)};
   }
 

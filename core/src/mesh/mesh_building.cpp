@@ -19,9 +19,9 @@ namespace {
 constexpr double kLongestDiagonal = 0x1p200;
 constexpr double kShortestMeanEdge = 0x1p-200;
 
-/// A face is a needle if its shortest side is less than this share of its longest. Around a wider
-/// spike, the detour of a line that winds, relatively 1e-10 or more, is well above a tie, so its
-/// length alone rules it out.
+/// A face is a needle if its shortest side is less than this share of its longest. Around wider
+/// faces, a line that winds once more is longer by at least the square of this, 1e-10 of its
+/// length: far more than a tie (`kDistanceTolerance`), so its windows end by their length alone.
 constexpr double kNeedle = 1e-5;
 
 /// Faces per unit: measuring one takes three arctangents.

@@ -19,6 +19,10 @@ namespace {
 using Eigen::Vector2d;
 using std::numbers::pi;
 
+/// A walk that gets on by less than this share of the mean edge while it crosses the whole mesh is
+/// kept in place by rounding: 2^22 times the rounding of an edge.
+constexpr double kLeastProgress = 0x1p-30;
+
 double angleOf(const Vector2d& v) { return std::atan2(v.y(), v.x()); }
 
 /// Walks from face to face, in a direction in the coordinates of a side of the current face
@@ -53,11 +57,11 @@ class Walk {
     const int stretch = mesh_.halfedgeCount() + 16;
     // Needed because a line may wind around a spike millions of times.
     const long most = kMostCrossings + 16L * mesh_.halfedgeCount();
-    double before = kNever;
+    double before = -kNever;
     for (long crossings = 0; remaining_ > 0 && crossings < most; ++crossings) {
       if (crossings % stretch == 0) {
-        if (before - remaining_ < 0x1p-30 * total_) break;
-        before = remaining_;
+        if (walked_ - before < kLeastProgress * mesh_.meanEdgeLength()) break;
+        before = walked_;
       }
       if (isAlongEdge_)
         goAlongEdge();
@@ -222,12 +226,10 @@ class Walk {
     const int vertex = mesh_.tail(corner);
     double angle = std::fmod(angleBefore(corner) + angleOf(direction_), 2 * pi);
     if (angle < 0) angle += 2 * pi;
-    if (mesh_.onBoundary(vertex)) {
+    if (mesh_.onBoundary(vertex))
       leaveBoundaryVertex(vertex, angle);
-    } else {
-      const double gap = 2 * pi - mesh_.angleSum(vertex);
-      leaveVertex(vertex, angle > 2 * pi - gap / 2 ? 0 : angle);
-    }
+    else
+      leaveVertex(vertex, angle < mesh_.angleSum(vertex) ? angle : 0);
   }
 
   /// Passes a vertex; the way back is at angle `back` from the corner's halfedge.

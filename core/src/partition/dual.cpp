@@ -98,19 +98,18 @@ PolygonMesh buildRegions(const TriangleMesh& mesh, const Partition& partition,
 }  // namespace
 
 std::unique_ptr<SlicedWork<PolygonMesh>> startDualMesh(const TriangleMesh& mesh,
-                                                       std::vector<SurfacePoint> sites,
+                                                       std::span<const SurfacePoint> sites,
                                                        const Diagram& diagram) {
-  requireSitesOf(mesh, diagram, sites);
-  return fromRegions(
-      mesh, diagram,
-      [&mesh, sites = std::move(sites)](const Partition& partition, const RegionComplex& complex) {
-        return buildDual(mesh, sites, partition, complex);
-      });
+  return fromRegions(mesh, diagram,
+                     [&mesh, sites = sitesOf(mesh, diagram, sites)](const Partition& partition,
+                                                                    const RegionComplex& complex) {
+                       return buildDual(mesh, sites, partition, complex);
+                     });
 }
 
 PolygonMesh dualMesh(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
                      const Diagram& diagram) {
-  return finished(startDualMesh(mesh, {sites.begin(), sites.end()}, diagram));
+  return finished(startDualMesh(mesh, sites, diagram));
 }
 
 std::unique_ptr<SlicedWork<PolygonMesh>> startRegionMesh(const TriangleMesh& mesh,

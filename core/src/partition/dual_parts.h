@@ -68,16 +68,18 @@ auto fromRegions(const TriangleMesh& mesh, const Diagram& diagram, Make make) {
       new FromRegions<Result, Make>(mesh, diagram, std::move(make)));
 }
 
-/// Throws `Error(kInvalidArgument)` unless there is one site per label of the diagram, and
-/// `Error(kInvalidPoint)` if one is not on the mesh.
-inline void requireSitesOf(const TriangleMesh& mesh, const Diagram& diagram,
-                           std::span<const SurfacePoint> sites) {
+/// The sites of a diagram, with clean coordinates. Throws `Error(kInvalidArgument)` unless there is
+/// one site per label of the diagram, and `Error(kInvalidPoint)` if one is not on the mesh.
+inline std::vector<SurfacePoint> sitesOf(const TriangleMesh& mesh, const Diagram& diagram,
+                                         std::span<const SurfacePoint> sites) {
   if (static_cast<int>(sites.size()) != diagram.siteCount)
     throw Error(ErrorCode::kInvalidArgument, "there are " + std::to_string(sites.size()) +
                                                  " sites for a diagram of " +
                                                  std::to_string(diagram.siteCount));
-  for (size_t l = 0; l < sites.size(); ++l)
-    if (sites[l].face != -1) onMesh(mesh, sites[l], "site " + std::to_string(l) + ": ");
+  std::vector<SurfacePoint> clean(sites.begin(), sites.end());
+  for (size_t l = 0; l < clean.size(); ++l)
+    if (clean[l].face != -1) clean[l] = onMesh(mesh, clean[l], "site " + std::to_string(l) + ": ");
+  return clean;
 }
 
 /// A violation, and the vertices of the partition where it shows: the one farthest from all sites

@@ -89,9 +89,8 @@ class RepairRound {
 std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> startRepairingSites(
     const TriangleMesh& mesh, std::span<const SurfacePoint> sites, const Diagram& diagram,
     const DistanceField& field) {
-  requireSitesOf(mesh, diagram, sites);
   return fromRegions(mesh, diagram,
-                     [&mesh, sites = std::vector(sites.begin(), sites.end()), &diagram, &field](
+                     [&mesh, sites = sitesOf(mesh, diagram, sites), &diagram, &field](
                          const Partition& partition, const RegionComplex& complex) {
                        return RepairRound(mesh, sites, diagram, field, partition).newSites(complex);
                      });
@@ -105,6 +104,9 @@ std::vector<SurfacePoint> repairingSites(const TriangleMesh& mesh,
 
 RepairedSites repair(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric,
                      const RepairOptions& options) {
+  if (options.maxAdded < 0)
+    throw Error(ErrorCode::kInvalidArgument,
+                "maxAdded is " + std::to_string(options.maxAdded) + ", not a number from 0");
   auto dynamic = DynamicDiagram::fromDistances(mesh, finished(propagate(mesh, sites, metric)));
   for (int added = 0;;) {
     RepairedSites repaired{dynamic.sites(), added, dynamic.diagram()};

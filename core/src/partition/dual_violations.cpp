@@ -196,7 +196,7 @@ class Inspector {
         n = run.toNode;
       }
       if (labels.size() >= 3) continue;
-      std::sort(labels.begin(), labels.end());
+      makeSet(labels);
       add(Violation::kFewRuns, labels, "a loop of the mesh boundary passes only " + regions(labels),
           std::move(vertices));
     }
@@ -236,9 +236,8 @@ std::vector<Finding> inspect(const TriangleMesh& mesh, std::span<const SurfacePo
 
 std::unique_ptr<SlicedWork<std::vector<Violation>>> startViolations(
     const TriangleMesh& mesh, std::span<const SurfacePoint> sites, const Diagram& diagram) {
-  requireSitesOf(mesh, diagram, sites);
   return fromRegions(mesh, diagram,
-                     [&mesh, sites = std::vector(sites.begin(), sites.end()), &diagram](
+                     [&mesh, sites = sitesOf(mesh, diagram, sites), &diagram](
                          const Partition& partition, const RegionComplex& complex) {
                        std::vector<Violation> violations;
                        for (Finding& finding : inspect(mesh, sites, diagram, partition, complex))

@@ -33,8 +33,9 @@ inline void validateDensity(const TriangleMesh& mesh, std::span<const double> de
   for (size_t v = 0; v < vertices; ++v) {
     const bool isFinite = density[v] >= 0 && std::isfinite(density[v]);
     if (isFinite && density[v] <= most) continue;
-    fail("the density at vertex " + std::to_string(v) + " is " + numberText(density[v]) +
-         (isFinite ? ", more than can be integrated on this mesh" : ""));
+    fail(
+        "the density at vertex " + std::to_string(v) + " is " + numberText(density[v]) +
+        (isFinite ? ", more than can be integrated on this mesh" : ", not a finite number from 0"));
   }
 }
 

@@ -30,12 +30,10 @@
 namespace gvd {
 namespace {
 
-/// The areas of the faces, or 1 for each face of a mesh without area.
-std::vector<double> faceWeights(const TriangleMesh& mesh) {
-  const bool hasArea = mesh.area() > 0;
-  std::vector<double> weights(mesh.faceCount());
-  for (int f = 0; f < mesh.faceCount(); ++f) weights[f] = hasArea ? mesh.faceArea(f) : 1;
-  return weights;
+std::vector<double> faceAreas(const TriangleMesh& mesh) {
+  std::vector<double> areas(mesh.faceCount());
+  for (int f = 0; f < mesh.faceCount(); ++f) areas[f] = mesh.faceArea(f);
+  return areas;
 }
 
 void requireCount(int count) {
@@ -153,7 +151,7 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
 
   bool step(long budget) override {
     return sequence_.run([&] { return disks_.prepare(budget); },
-                         [&] { sums_ = cumulative(faceWeights(mesh_)); },
+                         [&] { sums_ = cumulative(faceAreas(mesh_)); },
                          [&] { return addAll(budget); });
   }
   double progress() const override {
@@ -254,7 +252,7 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
 
 std::vector<SurfacePoint> sampleUniform(const TriangleMesh& mesh, int count, std::uint64_t seed) {
   requireCount(count);
-  const std::vector<double> sums = cumulative(faceWeights(mesh));
+  const std::vector<double> sums = cumulative(faceAreas(mesh));
   std::mt19937_64 random(seed);
   std::vector<SurfacePoint> points(count);
   for (SurfacePoint& p : points) p = drawPoint(random, sums);
@@ -265,7 +263,7 @@ std::vector<SurfacePoint> sampleByDensity(const TriangleMesh& mesh, std::span<co
                                           int count, std::uint64_t seed) {
   requireCount(count);
   validateDensity(mesh, density);
-  std::vector<double> sums = faceWeights(mesh);
+  std::vector<double> sums = faceAreas(mesh);
   std::vector<Eigen::Vector3d> corners(mesh.faceCount());
   for (int f = 0; f < mesh.faceCount(); ++f) {
     for (int i = 0; i < 3; ++i) corners[f][i] = std::sqrt(density[mesh.tail(3 * f + i)]);
@@ -345,13 +343,13 @@ std::vector<SurfacePoint> coverComponents(const TriangleMesh& mesh,
   for (int f = 0; f < mesh.faceCount(); ++f)
     if (const int c = mesh.component(f); has[c] < perComponent) faces[c].push_back(f);
 
-  const std::vector<double> weights = faceWeights(mesh);
+  const std::vector<double> areas = faceAreas(mesh);
   std::mt19937_64 random(seed);
   std::vector<SurfacePoint> added;
   for (const std::vector<int>& list : faces) {
     if (list.empty()) continue;
     std::vector<double> sums(list.size());
-    for (std::size_t i = 0; i < list.size(); ++i) sums[i] = weights[list[i]];
+    for (std::size_t i = 0; i < list.size(); ++i) sums[i] = areas[list[i]];
     sums = cumulative(sums);
     int& there = has[mesh.component(list.front())];
     for (; there < perComponent; ++there) {
@@ -362,14 +360,19 @@ std::vector<SurfacePoint> coverComponents(const TriangleMesh& mesh,
   }
 
   total += added.size();
+  std::vector<char> isDropped(points.size(), false);
   for (std::size_t i = points.size(); i-- > 0 && total > static_cast<std::size_t>(count);) {
     if (points[i].face == -1) continue;
     int& there = has[mesh.component(points[i].face)];
     if (there <= perComponent) continue;
     --there;
     --total;
-    points.erase(points.begin() + static_cast<std::ptrdiff_t>(i));
+    isDropped[i] = true;
   }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!isDropped[i]) points[kept++] = points[i];
+  points.resize(kept);
   points.insert(points.end(), added.begin(), added.end());
   return points;
 }

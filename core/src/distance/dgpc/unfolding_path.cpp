@@ -53,7 +53,8 @@ bool UnfoldingPath::goStraight() {
 
 /// The step with the least distance from the last point: to a corner, or across a side.
 UnfoldingPath::Step UnfoldingPath::best() const {
-  Step best = bestCorner();
+  const CornerOnPath over = bestCorner(mesh_, points_.last(), bound_, distanceAt_);
+  Step best{over.length, over.corner, {}};
   visitRepresentations(mesh_, points_.last(), [&](const SurfacePoint& place) {
     for (int i = 0; i < 3; ++i) offerSide(place, i, best);
   });
@@ -61,23 +62,11 @@ UnfoldingPath::Step UnfoldingPath::best() const {
 }
 
 bool UnfoldingPath::goOverVertex() {
-  const Step step = bestCorner();
-  if (step.distance == kInfinity) return false;
-  points_.add(step.to);
-  bound_ = distanceAt_(vertexAt(mesh_, step.to));
+  const CornerOnPath over = bestCorner(mesh_, points_.last(), bound_, distanceAt_);
+  if (over.vertex < 0) return false;
+  points_.add(over.corner);
+  bound_ = distanceAt_(over.vertex);
   return true;
-}
-
-/// The corner of the last point's faces over which the path on from there is shortest.
-UnfoldingPath::Step UnfoldingPath::bestCorner() const {
-  Step best;
-  visitCornersAround(mesh_, points_.last(),
-                     [&](int vertex, double length, const SurfacePoint& corner) {
-                       const double distance = distanceAt_(vertex) + length;
-                       if (distanceAt_(vertex) < bound_ && distance < best.distance)
-                         best = {distance, corner, {}};
-                     });
-  return best;
 }
 
 /// The virtual source behind a side that the point is not on, if the point is seen through the

@@ -41,7 +41,6 @@ class UnfoldingPath {
   bool goStraight();
   bool goOverVertex();
   Step best() const;
-  Step bestCorner() const;
   void offerSide(const SurfacePoint& place, int side, Step& best) const;
 
   const TriangleMesh& mesh_;

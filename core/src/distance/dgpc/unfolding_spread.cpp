@@ -96,10 +96,9 @@ void UnfoldingSpread::requireVertex(Label& known, int vertex) {
     required.distance = distance;
     direction = known.directions[from];
   };
-  mesh_.visitFaces(vertex, [&](int f) {
-    const TriangleMesh::Face& face = mesh_.face(f);
-    const int k = face.vertices[0] == vertex ? 0 : face.vertices[1] == vertex ? 1 : 2;
-    const int i = cornerAfter(k), j = cornerBefore(k);
+  for (const int h : mesh_.fan(vertex)) {
+    const TriangleMesh::Face& face = mesh_.face(TriangleMesh::faceOf(h));
+    const int k = h % 3, i = cornerAfter(k), j = cornerBefore(k);
     const int tail = sweptAt(face.vertices[i]), tip = sweptAt(face.vertices[j]);
     const double atTail = tail < 0 ? kInfinity : known.vertices[tail].distance;
     const double atTip = tip < 0 ? kInfinity : known.vertices[tip].distance;
@@ -108,7 +107,7 @@ void UnfoldingSpread::requireVertex(Label& known, int vertex) {
         offer(unfolding->toApex.norm(), atTail < atTip ? tail : tip);
     if (tail >= 0) offer(atTail + face.lengths[k], tail);
     if (tip >= 0) offer(atTip + face.lengths[j], tip);
-  });
+  }
   known.vertices.push_back(required);
   known.directions.push_back(direction);
   index_.append(vertex);
@@ -209,9 +208,8 @@ double UnfoldingSpread::distanceAt(int label, const SurfacePoint& p, AtVertex at
       if (atCorner == kInfinity) return kInfinity;
       squared += p.bary[i] * atCorner * atCorner;
     }
-    squared -= p.bary[i] * p.bary[(i + 1) % 3] * sides[i];
   }
-  return std::sqrt(std::max(squared, 0.0));
+  return std::sqrt(std::max(squared - interpolationExcess(p.bary, sides), 0.0));
 }
 
 /// The shortest path by the exact metric, if the one by unfolding is longer than the distance by

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "base/plane.h"
+
 namespace gvd::exact {
 
 using Eigen::Vector2d;
@@ -19,7 +21,9 @@ constexpr double kFanRounding = 0x1p-50;
 }  // namespace
 
 bool isSaddle(const TriangleMesh& mesh, int vertex) {
-  // Angle sums are rounded; a vertex that is flat within rounding needs no virtual source.
+  // Angle sums are rounded. An inner vertex that is flat within rounding needs no virtual source. A
+  // boundary vertex that is straight within rounding is one: lines along the boundary may miss the
+  // faces beyond it.
   constexpr double kRounding = 1e-12, kPi = std::numbers::pi;
   return mesh.angleSum(vertex) > (mesh.onBoundary(vertex) ? kPi - kRounding : 2 * kPi + kRounding);
 }
@@ -45,8 +49,8 @@ template <class OutgoingAt>
 FanBehind::Turn FanBehind::turnByPi(Vector2d turned, int steps, OutgoingAt outgoingAt) const {
   for (int step = 1; step < steps; ++step) {
     const int o = outgoingAt(step);
-    const double c = mesh_.face(o / 3).cosines[o % 3], s = mesh_.face(o / 3).sines[o % 3];
-    const Vector2d next(turned.x() * c - turned.y() * s, turned.y() * c + turned.x() * s);
+    const Vector2d angle(mesh_.face(o / 3).cosines[o % 3], mesh_.face(o / 3).sines[o % 3]);
+    const Vector2d next = turnedBy(turned, angle);
     if (next.y() < 0) return {step, {-turned.x(), turned.y()}};
     turned = next;
   }

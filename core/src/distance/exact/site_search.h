@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "base/tolerances.h"
 #include "distance/site_set.h"
+#include "distance/ties.h"
 #include "gvd/geodesic.h"
 #include "mesh/representations.h"
 
@@ -28,6 +28,8 @@ class SearchBounds {
 /// them (`WindowSweep::search`).
 class SiteSearch {
  public:
+  explicit SiteSearch(const TieTolerance& ties) : ties_(ties) {}
+
   void start(const SearchBounds& bounds, const SiteSet& sites) {
     bounds_ = &bounds;
     sites_ = &sites;
@@ -39,19 +41,17 @@ class SiteSearch {
   /// The sites found, except those on vertices: these are at distance 0 from their vertex.
   std::span<const LabelledDistance> found() const { return found_; }
 
-  /// The largest distance of a vertex from the point with which a path over the vertex is no longer
-  /// than the shortest one. For a place on an edge beside the vertex, the way along the edge is
-  /// added. The tolerance admits paths that tie.
-  double mostAt(int vertex) const {
-    return shortest_ * (1 + kDistanceTolerance) - bounds_->atLeast(vertex);
-  }
+  /// The largest distance of a vertex from the point with which some path over the vertex may be as
+  /// short as the shortest known one, ties included. Along an edge that ends at the vertex, the
+  /// limit rises by the way from the vertex.
+  double mostAt(int vertex) const { return ties_.mostTying(shortest_) - bounds_->atLeast(vertex); }
   /// Offers the path over a vertex at this distance from the point.
   void offerVertex(int vertex, double distance) {
     shortest_ = std::min(shortest_, distance + bounds_->atMost(vertex));
   }
   /// Offers a path to a site; returns whether it is one of the shortest so far.
   bool offerSite(int label, double length) {
-    if (!(length <= shortest_ * (1 + kDistanceTolerance))) return false;
+    if (!ties_.isAtMost(length, shortest_)) return false;
     shortest_ = std::min(shortest_, length);
     found_.push_back({label, length});
     return true;
@@ -64,6 +64,7 @@ class SiteSearch {
   }
 
  private:
+  const TieTolerance& ties_;
   const SearchBounds* bounds_ = nullptr;
   const SiteSet* sites_ = nullptr;
   double shortest_ = kInfinity;

@@ -13,9 +13,8 @@ namespace gvd::exact {
 
 /// A vertex seen past the end of a window by at most this share of the halfedge gets the path that
 /// turns at that end. Rounding leaves gaps of some 2^-53 of the distance between neighbouring
-/// windows; this covers them up to distances of 2^20 edges and more. (Behind edges 2^30 times as
-/// long gaps may be wider, see `WindowSweep::grazing`.) A path that turns exists, so it is never
-/// too short.
+/// windows; this covers them up to distances of 2^29 times the halfedge. `WindowSweep::grazing`
+/// covers the gaps behind longer edges. A path that turns exists, so it is never too short.
 inline constexpr double kGrazing = 1e-7;
 
 /// How a path reaches a vertex. The ends of a window depend on the distances it was trimmed by, and

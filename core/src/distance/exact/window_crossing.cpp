@@ -15,6 +15,13 @@
 #include "mesh/face_layout.h"
 
 namespace gvd::exact {
+namespace {
+
+/// How far a virtual source is at least behind its halfedge, as a share of the halfedge: rounding
+/// must not put it on the line of the halfedge, since crossings are divided by the depth.
+constexpr double kLeastDepth = 0x1p-52;
+
+}  // namespace
 
 void WindowSweep::crossFace(int h) {
   if (to_ == SpreadTo::kRequired && !isBatchNeeded(h)) return;
@@ -80,7 +87,7 @@ WindowSweep::Portal WindowSweep::portalTo(int h) const {
 /// the label's own paths over the ends of the halfedge are shorter everywhere on it; if those of
 /// other labels are, it waits there. Inlined to keep the window in registers between two steps.
 [[gnu::always_inline]] inline bool WindowSweep::goesOn(Window& w, const Portal& portal) {
-  w.y = std::min(w.y, -0x1p-52 * portal.length);
+  w.y = std::min(w.y, -kLeastDepth * portal.length);
   trim(w, portal.length, portal.own);
   if (!(w.begin < w.end)) return false;
   if (revisits_.drops(w, portal.halfedge)) return false;

@@ -45,13 +45,17 @@ class WindowPath {
     double sourceDistance;
   };
   /// Where a followed piece ends, other than at a vertex.
-  enum : int { kAtSite = -1, kLost = -2 };
+  enum : int { kLost = -1, kAtSite = -2 };
 
   int follow(Piece piece);
   Piece lastPiece(int vertex) const;
   int sourceAt(const Piece& piece) const;
   bool leadsOn(int vertex, double distance) const;
-  int bestCorner() const;
+  /// The corner of the last point's faces over which the path on from there is shortest.
+  int nextCorner() const {
+    const auto at = [&](int vertex) { return distanceAt(vertex); };
+    return bestCorner(mesh_, points_.last(), bound_, at).vertex;
+  }
 
   double distanceAt(int vertex) const {
     return index_[vertex] < 0 ? kInfinity : label_.vertices[index_[vertex]].distance;
@@ -95,7 +99,7 @@ std::vector<SurfacePoint> WindowPath::take() {
   int vertex = vertexAt(mesh_, points_.last());
   if (vertex < 0) {
     if (points_.endAtSite()) return points_.take();
-    vertex = first_.line.halfedge >= 0 ? follow(first_) : bestCorner();
+    vertex = first_.line.halfedge >= 0 ? follow(first_) : nextCorner();
   }
   while (vertex >= 0) {
     points_.add(pointAtVertex(mesh_, vertex));
@@ -135,7 +139,7 @@ int WindowPath::follow(Piece piece) {
     if (const int source = sourceAt(piece); source >= 0) return source;
     if (!line.crossFace(mesh_)) break;
   }
-  return bestCorner();
+  return nextCorner();
 }
 
 /// The apex of the face that a line has entered, if the line ends there; else -1.
@@ -153,19 +157,6 @@ int WindowPath::sourceAt(const Piece& piece) const {
 bool WindowPath::leadsOn(int vertex, double distance) const {
   const double known = distanceAt(vertex);
   return known < bound_ && known <= distance + kSameLength * least_;
-}
-
-/// The corner of the last point's faces over which the path on from there is shortest.
-int WindowPath::bestCorner() const {
-  int best = kLost;
-  double least = kInfinity;
-  visitCornersAround(mesh_, points_.last(), [&](int vertex, double length, const SurfacePoint&) {
-    const double distance = distanceAt(vertex) + length;
-    if (!(distanceAt(vertex) < bound_ && distance < least)) return;
-    least = distance;
-    best = vertex;
-  });
-  return best;
 }
 
 // --- The path of a label -----------------------------------------------------------------------

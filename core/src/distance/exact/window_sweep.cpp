@@ -24,6 +24,10 @@ constexpr double kPi = std::numbers::pi;
 /// in one batch, narrow enough for few to cross before the distances that trim them are known.
 constexpr double kBucketsPerEdge = 1.5;
 
+/// How much a line may round that has crossed the longest edge, as a share of the edge: eight times
+/// 2^-53.
+constexpr double kRoundingOfLines = 0x1p-50;
+
 /// Ties at distances beyond this many bounding diagonals may be missed.
 constexpr double kFarthestTie = 8;
 
@@ -32,11 +36,12 @@ constexpr double kFarthestTie = 8;
 WindowSweep::WindowSweep(const TriangleMesh& mesh, NearestBounds& bounds)
     : mesh_(mesh),
       bounds_(bounds),
-      leastGrazing_(0x1p-50 * longestEdge(mesh)),
+      leastGrazing_(kRoundingOfLines * longestEdge(mesh)),
       tieMargin_(kDistanceTolerance * kFarthestTie * mesh.boundingDiagonal()),
       fan_(mesh),
       revisits_(mesh),
       required_(mesh.boundingDiagonal()),
+      search_(bounds.ties()),
       vertices_(mesh.vertexCount()),
       windows_(mesh.halfedgeCount()),
       queue_(kBucketsPerEdge / mesh.shortEdgeLength()) {

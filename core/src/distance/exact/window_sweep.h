@@ -66,7 +66,9 @@ class WindowSweep {
   /// the windows of its faces wait there when `run` is done, for `pathToSite`.
   void require(int label, LabelState& state, std::span<const RequiredPoint> points);
   /// The distance at one of the points; valid until the next label begins.
-  double distanceAtPoint(int index) const { return points_.distance(index + 1); }
+  double distanceAtPoint(int index) const {
+    return points_.distance(index + 1);  // 0 is `RequiredDistances::kNone`
+  }
   /// Spreads windows from a point that is no vertex, to find the sites nearest to it. A path
   /// through a place on an edge is as long as the window's distance there plus the site's. The
   /// latter is at least the site's distance at an end of the edge minus the way from that end.
