@@ -135,8 +135,11 @@ TEST(Windows, LeaveNoGapBesideASaddleAtANeedle) {
   const int end = 5;
   const auto alone = inSlices(mesh, {sites[1]}, Metric::kExact, 1000);
   const auto known = inSlices(mesh, sites, Metric::kExact, 1000);
-  for (const LabelledDistance& d : known->at(end))
-    if (d.label == 1) EXPECT_EQ(d.distance, alone->at(end)[0].distance);
+  for (const LabelledDistance& d : known->at(end)) {
+    if (d.label == 1) {
+      EXPECT_EQ(d.distance, alone->at(end)[0].distance);
+    }
+  }
   EXPECT_NEAR(alone->at(end)[0].distance, 0.25874513642959723, 1e-15);
 }
 
@@ -342,7 +345,7 @@ std::vector<double> boundsOf(const TriangleMesh& mesh, const SiteSet& sites) {
   for (int label = 0; label < sites.labelCount(); ++label)
     if (sites.contains(label)) bounds.insert(label);
   long unlimited = std::numeric_limits<long>::max();
-  bounds.run(unlimited);
+  bounds.step(unlimited);
   std::vector<double> all;
   for (int v = 0; v < mesh.vertexCount(); ++v) all.push_back(bounds[v]);
   return all;
@@ -370,7 +373,7 @@ TEST(EdgeBounds, DoNotDependOnSitesThatAreGone) {
         bounds.insert(label);
       }
       long unlimited = std::numeric_limits<long>::max();
-      bounds.run(unlimited);
+      bounds.step(unlimited);
       const std::vector<double> expected = boundsOf(mesh, sites);
       for (int v = 0; v < mesh.vertexCount(); ++v)
         ASSERT_EQ(bounds[v], expected[v]) << "seed " << seed << ", change " << change;
@@ -388,7 +391,7 @@ TEST(EdgeBounds, TakeAFewTurnsPerVertexOnGradedMeshes) {
   EdgeBounds bounds(mesh, sites);
   bounds.insert(0);
   long budget = 3L * mesh.vertexCount();
-  EXPECT_TRUE(bounds.run(budget));
+  EXPECT_TRUE(bounds.step(budget));
 }
 
 /// Windows cross a halfedge in few batches, too, whatever the size of the other faces.
@@ -407,7 +410,7 @@ TEST(Windows, CrossInAFewBatchesOnGradedMeshes) {
     sweep.start(0, {0, {0.2, 0.3, 0.5}}, state);
     const long most = std::numeric_limits<long>::max();
     long budget = most;
-    sweep.run(budget);
+    sweep.step(budget);
     return most - budget;
   };
   EXPECT_LT(batches(beside), 2 * batches(alone));

@@ -14,7 +14,7 @@
 
 #include "gvd/error.h"
 #include "mesh/face_layout.h"
-#include "mesh/triangle_selection.h"
+#include "mesh/vertex_welding.h"
 #include "shapes.h"
 
 namespace gvd {

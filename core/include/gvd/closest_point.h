@@ -12,6 +12,8 @@
 
 namespace gvd {
 
+class TriangleTree;
+
 /// The point of a surface that is closest to a place in space.
 struct ClosestPoint {
   SurfacePoint point;   ///< `face` counts the mesh's faces
@@ -35,12 +37,11 @@ class ClosestPointQuery {
   ClosestPoint closestTo(const Eigen::Vector3d& place) const;
 
  private:
-  class Implementation;
   class Building;
   friend std::unique_ptr<SlicedWork<ClosestPointQuery>> startClosestPointQuery(const TriangleMesh&);
-  explicit ClosestPointQuery(std::unique_ptr<Implementation> implementation);
+  explicit ClosestPointQuery(std::unique_ptr<const TriangleTree> tree);
 
-  std::unique_ptr<Implementation> implementation_;
+  std::unique_ptr<const TriangleTree> tree_;
 };
 
 /// The same query, made in steps. The mesh must outlive both.

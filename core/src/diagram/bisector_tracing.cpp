@@ -207,7 +207,7 @@ void BisectorTracing::addUnmatchedSide(const Element& element, int side, int ver
   for (const auto& [node, share] : complex_.innerNodes(3 * element.index + side)) {
     Eigen::Vector3d bary = Eigen::Vector3d::Zero();
     bary[side] = 1 - share;
-    bary[(side + 1) % 3] = share;
+    bary[cornerAfter(side)] = share;
     bary = complex_.faceBary(element.index, bary);
     graph_.cells.points.push_back(points_.atNode(element, node, bary));
   }
@@ -220,7 +220,7 @@ void BisectorTracing::addBoundaryPoint(int h, int vertex) {
   const FaceEnvelope::Vertex& v = envelope_.vertices()[vertex];
   if (v.kind != FaceEnvelope::Vertex::kOnSide) return;
   const Eigen::Vector3d start = complex_.faceBary(h / 3, Eigen::Vector3d::Unit(h % 3));
-  graph_.boundary.push_back({boundary, start[(boundary + 1) % 3], placed_[vertex].point,
+  graph_.boundary.push_back({boundary, start[cornerAfter(boundary % 3)], placed_[vertex].point,
                              envelope_.label(v.functions[0]), envelope_.label(v.functions[1])});
 }
 

@@ -9,10 +9,11 @@
 #include <string>
 #include <utility>
 
-#include "diagram/bisector_arcs.h"
+#include "diagram/arc_chaining.h"
 #include "diagram/bisector_tracing.h"
 #include "diagram/final_cells.h"
 #include "diagram/final_points.h"
+#include "diagram/final_segments.h"
 #include "diagram/label_completion.h"
 #include "diagram/region_outlines.h"
 #include "diagram/voronoi_points.h"
@@ -151,6 +152,20 @@ class PartTracing final : public SlicedWork<TracedDiagram> {
   Tracing tracing_;
 };
 
+/// Yields the diagram of a tracing without the rest.
+class DiagramOfTracing final : public SlicedWork<Diagram> {
+ public:
+  explicit DiagramOfTracing(std::unique_ptr<SlicedWork<TracedDiagram>> tracing)
+      : tracing_(std::move(tracing)) {}
+
+  bool step(long budget) override { return tracing_->step(budget); }
+  double progress() const override { return tracing_->progress(); }
+  Diagram take() override { return tracing_->take().diagram; }
+
+ private:
+  const std::unique_ptr<SlicedWork<TracedDiagram>> tracing_;
+};
+
 }  // namespace
 
 std::unique_ptr<SlicedWork<TracedDiagram>> startTracing(const TriangleMesh& mesh,
@@ -158,6 +173,17 @@ std::unique_ptr<SlicedWork<TracedDiagram>> startTracing(const TriangleMesh& mesh
                                                         int siteCount,
                                                         const DiagramOptions& options) {
   return std::make_unique<FullTracing>(mesh, distances, siteCount, options);
+}
+
+std::unique_ptr<SlicedWork<Diagram>> startDiagram(const TriangleMesh& mesh,
+                                                  const DistanceField& distances, int siteCount,
+                                                  const DiagramOptions& options) {
+  return std::make_unique<DiagramOfTracing>(startTracing(mesh, distances, siteCount, options));
+}
+
+Diagram traceDiagram(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,
+                     const DiagramOptions& options) {
+  return finished(startDiagram(mesh, distances, siteCount, options));
 }
 
 PartialTracer::PartialTracer(const TriangleMesh& mesh, const DistanceField& distances,

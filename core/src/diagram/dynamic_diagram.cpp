@@ -70,7 +70,7 @@ class DynamicDiagram::Implementation {
     distances_->markTaken();
   }
 
-  void expectSite(int label) const {
+  void requireSite(int label) const {
     if (!distances_->sites().contains(label))
       throw Error(ErrorCode::kInvalidArgument, "there is no site " + std::to_string(label));
   }
@@ -356,13 +356,13 @@ std::unique_ptr<SlicedWork<DiagramChange>> DynamicDiagram::startInsert(const Sur
 }
 
 std::unique_ptr<SlicedWork<DiagramChange>> DynamicDiagram::startRemove(int label) {
-  implementation_->expectSite(label);
+  implementation_->requireSite(label);
   return implementation_->startSite(label, std::nullopt);
 }
 
 std::unique_ptr<SlicedWork<DiagramChange>> DynamicDiagram::startMove(int label,
                                                                      const SurfacePoint& site) {
-  implementation_->expectSite(label);
+  implementation_->requireSite(label);
   return implementation_->startSite(label, site);
 }
 
@@ -381,7 +381,7 @@ bool DynamicDiagram::hasSite(int label) const {
 }
 
 SurfacePoint DynamicDiagram::site(int label) const {
-  implementation_->expectSite(label);
+  implementation_->requireSite(label);
   return implementation_->distances().sites()[label];
 }
 

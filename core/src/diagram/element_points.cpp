@@ -32,7 +32,7 @@ double insideError(const FaceEnvelope& envelope, const FaceEnvelope::Vertex& v) 
 
 /// The error of a vertex on a side, where two functions are equal.
 double sideError(const FaceEnvelope& envelope, const FaceEnvelope::Vertex& v) {
-  const int i = v.place, j = (i + 1) % 3;
+  const int i = v.place, j = cornerAfter(i);
   const auto &a = envelope.value(v.functions[0]), &b = envelope.value(v.functions[1]);
   const double noise = 2 * kDistanceTolerance * std::max({a[i], a[j], b[i], b[j]});
   return placeError(noise, std::abs((a[i] - b[i]) - (a[j] - b[j])));
@@ -147,7 +147,7 @@ void ElementPoints::mergeOnSide(const Element& element, int side, int point, int
   const auto isNear = [&](const Eigen::Vector3d& place, double distance) {
     return (bary - place).lpNorm<Eigen::Infinity>() <= distance;
   };
-  for (const int corner : {side, (side + 1) % 3}) {
+  for (const int corner : {side, cornerAfter(side)}) {
     const Eigen::Vector3d place = complex_.faceBary(element.index, Eigen::Vector3d::Unit(corner));
     if (isNear(place, error))
       graph_.unite(point, atNode(element, tails_[3 * element.index + corner], place));

@@ -40,9 +40,9 @@ void Elements::addFace(int f, const std::array<int, 3>& nodes) {
 void Elements::split(int element, const std::array<int, 3>& middle) {
   const Eigen::Matrix3d outer = cornersIn(element);
   Eigen::Matrix3d middles;
-  for (int i = 0; i < 3; ++i) middles.col(i) = (outer.col(i) + outer.col((i + 1) % 3)) / 2;
+  for (int i = 0; i < 3; ++i) middles.col(i) = (outer.col(i) + outer.col(cornerAfter(i))) / 2;
   for (int i = 0; i < 3; ++i) {
-    const int before = (i + 2) % 3;
+    const int before = cornerBefore(i);
     tail.insert(tail.end(), {tail[3 * element + i], middle[i], middle[before]});
     face.push_back(face[element]);
     cornersOf.push_back(static_cast<int>(corners.size()));
@@ -96,7 +96,7 @@ bool ElementSplitting::addForced(long& budget) {
 bool ElementSplitting::mustSplit(int element) const {
   const int owner = commonOwner(element);
   for (int i = 0; i < 3; ++i) {
-    const int a = elements_.tail[3 * element + i], b = elements_.tail[3 * element + (i + 1) % 3];
+    const int a = elements_.tail[3 * element + i], b = elements_.tail[3 * element + cornerAfter(i)];
     if (owner == Diagram::kMixed ? nodes_.middleOf(a, b) >= 0 : !isUniform(a, b, owner))
       return true;
   }
@@ -154,7 +154,7 @@ void ElementSplitting::setLabels(std::span<const double> distances) {
 /// Adds the node in the middle of a side if there is none yet, and requires there the distances of
 /// the labels known at both ends.
 void ElementSplitting::addMiddle(int element, int side) {
-  const int next = (side + 1) % 3;
+  const int next = cornerAfter(side);
   const int a = elements_.tail[3 * element + side], b = elements_.tail[3 * element + next];
   if (nodes_.middleOf(a, b) >= 0) return;
   nodes_.addMiddle(a, b);

@@ -113,7 +113,7 @@ int FaceComplex::meshHalfedge(int h) const {
   if (isFace(element)) return 3 * face(element) + i;
   // The side of the face that both ends lie on.
   const Eigen::Matrix3d& corners = elements_.corners[elements_.cornersOf[element]];
-  const auto from = corners.col(i), to = corners.col((i + 1) % 3);
+  const auto from = corners.col(i), to = corners.col(cornerAfter(i));
   for (int side = 0; side < 3; ++side) {
     const int opposite = (side + 2) % 3;
     if (from[opposite] == 0 && to[opposite] == 0) return 3 * face(element) + side;

@@ -51,7 +51,7 @@ void FaceEnvelope::setBary(const Vertex& v, Eigen::Vector3d& bary) const {
 void FaceEnvelope::setInnerBary(const Vertex& v, Eigen::Vector3d& bary) const {
   const auto &a = value(v.functions[0]), &b = value(v.functions[1]), &c = value(v.functions[2]);
   for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    const int j = cornerAfter(i), k = cornerBefore(i);
     bary[i] = determinant({a[j], a[k]}, {b[j], b[k]}, {c[j], c[k]});
   }
   bary /= bary.sum();
@@ -64,7 +64,7 @@ bool FaceEnvelope::isBelow(int f, const Vertex& v) const {
   if (v.kind == Vertex::kCorner) return c[v.place] < a[v.place];
   const auto& b = value(v.functions[1]);
   if (v.kind == Vertex::kOnSide) {
-    const int i = v.place, j = (i + 1) % 3;
+    const int i = v.place, j = cornerAfter(i);
     return orientation({a[i], a[j]}, {b[i], b[j]}, {c[i], c[j]}) < 0;
   }
   return orientation(a, b, value(v.functions[2]), c) < 0;

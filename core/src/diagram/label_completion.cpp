@@ -85,7 +85,7 @@ bool LabelCompletion::mayLackLabels(int element) const {
     if (at[0] && at[1] && at[2]) return false;
     if (label == owners[0] || label == owners[1] || label == owners[2]) return true;
     for (int i = 0; i < 3; ++i) {
-      const int j = (i + 1) % 3;
+      const int j = cornerAfter(i);
       if (at[i] && at[j] &&
           !isDominated(label, at[i]->distance, at[j]->distance, known[i], known[j], owners))
         return true;

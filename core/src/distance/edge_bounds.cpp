@@ -69,7 +69,7 @@ void EdgeBounds::remove(int label, const SurfacePoint& site) {
 /// The vertices of a bucket come in the order in which they were queued. Where edges are much
 /// shorter than the bucket is wide, the latest first would make paths longer and longer, and lower
 /// each bound again and again.
-bool EdgeBounds::run(long& budget) {
+bool EdgeBounds::step(long& budget) {
   constexpr size_t kAhead = 2;  // turns before its own at which a vertex's faces are fetched
   while (queue_.advance()) {
     if (budget-- <= 0) return false;

@@ -24,9 +24,9 @@ class EdgeBounds {
   void remove(int label, const SurfacePoint& site);
   /// Works on at most `budget` vertices and lowers it by their number; true when all bounds are up
   /// to date.
-  bool run(long& budget);
+  bool step(long& budget);
 
-  /// Bounds below this are final, to the width of a bucket, while `run` is not done.
+  /// Bounds below this are final, to the width of a bucket, while `step` is not done.
   double front() const { return queue_.front(); }
 
   double operator[](int vertex) const { return vertices_[vertex].bound; }
@@ -42,7 +42,7 @@ class EdgeBounds {
     int label = kNone;  ///< of the site at the path's end
     int from = kNone;   ///< the vertex before this one on the path; none next to the site
     /// The bucket that the vertex is processed from, `kNone` if it is not queued. Other buckets may
-    /// hold stale entries of the vertex, which `run` skips.
+    /// hold stale entries of the vertex, which `step` skips.
     int bucket = kNone;
     bool isChanged = false;
   };

@@ -69,7 +69,7 @@ bool KnownLabels::step(long& budget) {
       },
       [&] {
         constexpr double kShare = 0.9;
-        const bool isDone = turns_.run(budget);
+        const bool isDone = turns_.step(budget);
         progress_ = kShare * turns_.progress();
         return isDone;
       },
@@ -78,7 +78,7 @@ bool KnownLabels::step(long& budget) {
         return loop_.run(changedVertices_.size(), budget, kQuickRounds,
                          [&](int i) { lists_.equalizeTies(changedVertices_.list()[i]); });
       },
-      [&] { closure_.start(changedFaces_); }, [&] { return closure_.run(budget); },
+      [&] { closure_.start(changedFaces_); }, [&] { return closure_.step(budget); },
       [&] {
         noteExtended();
         progress_ = 1;

@@ -16,7 +16,7 @@ void LabelClosure::start(const IndexSet& faces) {
   extended_.clear();
 }
 
-bool LabelClosure::run(long& budget) {
+bool LabelClosure::step(long& budget) {
   return sequence_.run(
       [&] {
         return loop_.run(faces_->size(), budget, kQuickRounds,
@@ -25,7 +25,7 @@ bool LabelClosure::run(long& budget) {
       [&] { beginRound(found_); },
       [&] {
         for (;;) {
-          if (!turns_.run(budget, [&](int l, std::vector<int>& faces) { listRequired(l, faces); }))
+          if (!turns_.step(budget, [&](int l, std::vector<int>& faces) { listRequired(l, faces); }))
             return false;
           if (required_.empty()) return true;
           beginRound(std::exchange(required_, {}));

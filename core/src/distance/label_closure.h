@@ -40,7 +40,7 @@ class LabelClosure {
   /// Begins to close some faces, which must outlive the work.
   void start(const IndexSet& faces);
   /// Works on at most `budget` units and lowers it by their number; true when all is closed.
-  bool run(long& budget);
+  bool step(long& budget);
   /// The vertices to whose lists labels were added.
   const std::vector<int>& extended() const { return extended_.list(); }
 

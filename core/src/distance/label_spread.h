@@ -25,7 +25,7 @@ struct ReachedVertex {
 };
 
 /// How labels spread from their sites: the part that differs between the two metrics. Labels spread
-/// one at a time: `start`, `resume` or `require` begins, and `run` carries on until it returns
+/// one at a time: `start`, `resume` or `require` begins, and `step` carries on until it returns
 /// true.
 class LabelSpread {
  public:
@@ -39,7 +39,7 @@ class LabelSpread {
   /// for the label that has spread last.
   virtual void require(int label, std::span<const int> faces) = 0;
   /// Works on at most `budget` units and lowers it by their number. True when the label is done.
-  virtual bool run(long& budget) = 0;
+  virtual bool step(long& budget) = 0;
   /// The index in `reached` of a corner of the faces required last.
   virtual int indexOf(int vertex) const = 0;
   /// Forgets some labels.

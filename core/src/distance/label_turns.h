@@ -39,12 +39,12 @@ class LabelTurns {
   /// Calls `then(label, faces)` when a label has spread, with the faces that it was required at. If
   /// `then` leaves other faces there, the label spreads on to these, too, before its turn is over.
   template <class Then>
-  bool run(long& budget, Then then) {
+  bool step(long& budget, Then then) {
     for (; next_ < turns_.size(); ++next_) {
       if (!std::exchange(hasBegun_, true)) begin(budget);
       const int label = turns_[next_].label;
       for (;;) {
-        if (!spread_.run(budget)) return false;
+        if (!spread_.step(budget)) return false;
         then(label, currentFaces_);
         if (currentFaces_.empty()) break;
         beginToRequire(label, budget);
@@ -53,8 +53,8 @@ class LabelTurns {
     }
     return true;
   }
-  bool run(long& budget) {
-    return run(budget, [](int /*label*/, std::vector<int>& faces) { faces.clear(); });
+  bool step(long& budget) {
+    return step(budget, [](int /*label*/, std::vector<int>& faces) { faces.clear(); });
   }
 
  private:

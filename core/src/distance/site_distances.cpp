@@ -94,13 +94,13 @@ void SiteDistances::forget(std::span<const int> labels) {
 
 bool SiteDistances::step(long budget) {
   if (stage_ == Stage::kBounds) {
-    if (!edgeBounds_.run(budget)) return false;
+    if (!edgeBounds_.step(budget)) return false;
     applyEdgeBounds();
     stage_ = Stage::kSpread;
   }
   if (stage_ == Stage::kSpread) {
     do {
-      if (!turns_.run(budget)) return false;
+      if (!turns_.step(budget)) return false;
       hasSpread_ = true;
     } while (requireMissed());
     known_.start(started_, resumed_, hasStarted_, resetVertices_);

@@ -36,11 +36,11 @@ class JsonFilter {
 
   FilteredJson take() { return {std::move(document_), std::move(fault_)}; }
 
-  bool null() { return reject(next(), "null"); }
+  bool null() { return skip(next(), "null"); }
 
   bool boolean(bool value) {
     const JsonRule* rule = next();
-    if (!rule || rule->kind != JsonKind::kBoolean) return reject(rule, value ? "true" : "false");
+    if (!rule || rule->kind != JsonKind::kBoolean) return skip(rule, value ? "true" : "false");
     return keep(value);
   }
 
@@ -49,14 +49,14 @@ class JsonFilter {
     if (!rule) return true;
     const bool fits = rule->kind == JsonKind::kWholeNumber && value >= rule->least &&
                       value <= rule->most && value % rule->multipleOf == 0;
-    if (!fits && rule->kind != JsonKind::kNumber) return reject(rule, std::to_string(value));
+    if (!fits && rule->kind != JsonKind::kNumber) return skip(rule, std::to_string(value));
     return keep(value);
   }
 
   /// nlohmann passes only negative integers here.
   bool number_integer(std::int64_t value) {
     const JsonRule* rule = next();
-    if (!rule || rule->kind != JsonKind::kNumber) return reject(rule, std::to_string(value));
+    if (!rule || rule->kind != JsonKind::kNumber) return skip(rule, std::to_string(value));
     return keep(value);
   }
 
@@ -66,14 +66,14 @@ class JsonFilter {
       return number_unsigned(static_cast<std::uint64_t>(value));  // 3.0, 1e2
     }
     const JsonRule* rule = next();
-    if (!rule || rule->kind != JsonKind::kNumber) return reject(rule, text.substr(0, 40));
+    if (!rule || rule->kind != JsonKind::kNumber) return skip(rule, text.substr(0, 40));
     return keep(value);
   }
 
   bool string(std::string& value) {
     const JsonRule* rule = next();
-    if (!rule || rule->kind != JsonKind::kText) return reject(rule, "a string");
-    if (!isAllowed(*rule, value)) return reject(rule, '"' + value.substr(0, 40) + '"');
+    if (!rule || rule->kind != JsonKind::kText) return skip(rule, "a string");
+    if (!isAllowed(*rule, value)) return skip(rule, '"' + value.substr(0, 40) + '"');
     return keep(std::move(value));
   }
 
@@ -124,7 +124,7 @@ class JsonFilter {
   }
 
   /// Skips a value, which is `what`; if it has a rule, that is a fault.
-  bool reject(const JsonRule* rule, const std::string& what) {
+  bool skip(const JsonRule* rule, const std::string& what) {
     if (rule) {
       setFault(pathWithIndices(rule->path) + " is " + what + "; it must be " + expectation(*rule));
     }
@@ -160,7 +160,7 @@ class JsonFilter {
     }
     const JsonRule* rule = next();
     if (!rule || rule->kind != kind) {
-      reject(rule, what);
+      skip(rule, what);
       ++skippedLevels_;
       return true;
     }

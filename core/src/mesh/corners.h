@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "gvd/surface_point.h"
+
 namespace gvd {
 
 /// The three vertices of a triangle.
@@ -28,7 +30,7 @@ struct WeldedTriangles {
 /// h % 3 of triangle h / 3 and runs from corner h % 3 to the next one.
 inline int tailOf(const std::vector<Corners>& triangles, int h) { return triangles[h / 3][h % 3]; }
 inline int tipOf(const std::vector<Corners>& triangles, int h) {
-  return triangles[h / 3][(h + 1) % 3];
+  return triangles[h / 3][cornerAfter(h % 3)];
 }
 
 /// The sum of the genera of all components of a surface.

@@ -14,6 +14,7 @@
 
 #include "base/sliced_loop.h"
 #include "gvd/error.h"
+#include "gvd/surface_point.h"
 
 namespace gvd {
 namespace {
@@ -60,7 +61,7 @@ class CurvatureMeasuring final : public SlicedWork<VertexCurvatures> {
     for (int i = 0; i < 3; ++i) {
       const int v = mesh_.tail(3 * f + i);
       areas_[v] += mesh_.faceArea(f) / 3;
-      areaGradients_[v] += normal.cross(p[(i + 2) % 3] - p[(i + 1) % 3]) / 2;
+      areaGradients_[v] += normal.cross(p[cornerBefore(i)] - p[cornerAfter(i)]) / 2;
     }
   }
 

@@ -9,9 +9,10 @@
 #include "gvd/sliced_work.h"
 #include "gvd/triangle_mesh.h"
 #include "mesh/input_map.h"
-#include "mesh/mesh_orientation.h"
+#include "mesh/manifold_building.h"
 #include "mesh/mollification.h"
 #include "mesh/triangle_selection.h"
+#include "mesh/vertex_welding.h"
 
 namespace gvd {
 

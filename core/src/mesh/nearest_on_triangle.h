@@ -6,6 +6,8 @@
 #include <array>
 #include <limits>
 
+#include "gvd/surface_point.h"
+
 namespace gvd {
 
 /// The point of a triangle that is nearest to p, as barycentric coordinates: the projection if it
@@ -23,14 +25,14 @@ inline Eigen::Vector3d nearestOnTriangle(const Eigen::Vector3d& p,
   Vector3d best = Vector3d::Unit(0);
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i) {
-    const Vector3d &from = corners[i], &to = corners[(i + 1) % 3];
+    const Vector3d &from = corners[i], &to = corners[cornerAfter(i)];
     const double length = (to - from).squaredNorm();
     const double share =
         length > 0 ? std::clamp((p - from).dot(to - from) / length, 0.0, 1.0) : 0.0;
     const double distance = (from + share * (to - from) - p).squaredNorm();
     if (distance < least) {
       least = distance;
-      best = (1 - share) * Vector3d::Unit(i) + share * Vector3d::Unit((i + 1) % 3);
+      best = (1 - share) * Vector3d::Unit(i) + share * Vector3d::Unit(cornerAfter(i));
     }
   }
   return best;

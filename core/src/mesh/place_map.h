@@ -1,23 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
 #include <unordered_map>
 
+#include "base/hashing.h"
 #include "gvd/surface_point.h"
 
 namespace gvd {
 
 struct PlaceHash {
   std::size_t operator()(const SurfacePoint& p) const {
-    auto hash = static_cast<std::uint64_t>(p.face);
-    for (int i = 0; i < 2; ++i) {
-      const double unsignedZero = p.bary[i] + 0.0;
-      hash = (hash ^ Eigen::numext::bit_cast<std::uint64_t>(unsignedZero)) * 0x9e3779b97f4a7c15u;
-    }
-    return static_cast<std::size_t>(hash ^ hash >> 32);
+    const auto face = static_cast<std::uint64_t>(p.face);
+    return static_cast<std::size_t>(hashOf(p.bary[1], hashOf(p.bary[0], face)));
   }
 };
 

@@ -181,7 +181,7 @@ class Walk {
     halfedge_ = twin;
     bary_.setZero();
     bary_[twin % 3] = share;
-    bary_[(twin + 1) % 3] = 1 - share;
+    bary_[cornerAfter(twin % 3)] = 1 - share;
     direction_ = -direction_;
     direction_.y() = std::max(0.0, direction_.y());  // into the face, whatever rounding says
   }
@@ -202,7 +202,7 @@ class Walk {
   void goAlongEdge() {
     isAlongEdge_ = false;
     const bool forward = direction_.x() > 0;
-    const int from = halfedge_ % 3, to = (from + 1) % 3;
+    const int from = halfedge_ % 3, to = cornerAfter(from);
     const int end = forward ? to : from;
     const double length = mesh_.length(halfedge_) * (1 - bary_[end]);
     if (!advance(length, Eigen::Vector3d::Unit(end))) return;

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Steps 1 to 3 of building a `TriangleMesh`, in slices: which triangles of the input are kept.
+// Steps 1 and 3 of building a `TriangleMesh`, in slices: which triangles of the input are kept.
 #pragma once
 
-#include <Eigen/Core>
-#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -13,42 +11,8 @@
 #include "base/sliced_loop.h"
 #include "gvd/triangle_mesh.h"
 #include "mesh/corners.h"
-#include "mesh/point_grid.h"
 
 namespace gvd {
-
-/// Finds the *representative* of every input vertex: the first vertex at the same position; -1 if a
-/// coordinate is not finite. O(n), except O(k log k) for a position that k vertices share.
-///
-/// With a tolerance (`weld` times the diagonal of the bounding box of all triangles), each vertex
-/// in turn gets the first representative within the tolerance, or becomes one itself.
-/// Representatives are farther apart than the tolerance, so a ball contains only a few: O(n log n).
-class VertexWelding {
- public:
-  /// All must outlive this.
-  VertexWelding(std::span<const double> positions, std::span<const int> triangles, double weld);
-  bool step(long& budget);
-  std::vector<int> take() { return std::move(representative_); }
-
- private:
-  Eigen::Vector3d position(int v) const;
-  int placeGroup(int v) const;
-  void weldGroup(std::span<int> vertices);
-  void addToBox(int v);
-  void openGrid();
-  void weldToNear(int v);
-
-  const std::span<const double> positions_;
-  const std::span<const int> triangles_;
-  const double weld_;
-
-  SlicedSequence sequence_;
-  SlicedLoop loop_;
-  std::vector<int> representative_;
-  Grouping places_;  ///< vertices, grouped by a hash of their positions
-  Eigen::Vector3d least_, most_;
-  std::optional<PointGrid> keptVertices_;  ///< the representatives, if there is a tolerance
-};
 
 /// Whether no corner of a welded triangle is -1.
 bool isFinite(const Corners& corners);

@@ -37,7 +37,7 @@ SurfacePoint middle(const TriangleMesh& mesh, const Partition& p,
   const double whole = length(h), share = whole > 0 ? std::clamp(rest / whole, 0.0, 1.0) : 0.5;
   const Eigen::Matrix3d corners = cornersInFace(mesh, p, h / 3);
   return {p.triangleFace[h / 3],
-          (1 - share) * corners.col(h % 3) + share * corners.col((h + 1) % 3)};
+          (1 - share) * corners.col(h % 3) + share * corners.col(cornerAfter(h % 3))};
 }
 
 }  // namespace

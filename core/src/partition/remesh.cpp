@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "base/sliced_loop.h"
+#include "gvd/surface_point.h"
 #include "mesh/triangle_tree.h"
 
 namespace gvd {
@@ -26,7 +27,7 @@ using Triangles = std::vector<TriangleTree::Triangle>;
 double leastAngle(const TriangleTree::Triangle& t) {
   double least = std::numbers::pi;
   for (int i = 0; i < 3; ++i) {
-    const Vector3d u = t[(i + 1) % 3] - t[i], v = t[(i + 2) % 3] - t[i];
+    const Vector3d u = t[cornerAfter(i)] - t[i], v = t[cornerBefore(i)] - t[i];
     least = std::min(least, std::atan2(u.cross(v).norm(), u.dot(v)));
   }
   return least * 180 / std::numbers::pi;
@@ -50,7 +51,7 @@ void measureValences(const PolygonTriangles& cut, int vertexCount, RemeshQuality
   for (const auto& triangle : cut.triangles)
     for (int i = 0; i < 3; ++i) {
       ++around[triangle[i]];
-      neighbours[triangle[i]].insert({triangle[(i + 1) % 3], triangle[(i + 2) % 3]});
+      neighbours[triangle[i]].insert({triangle[cornerAfter(i)], triangle[cornerBefore(i)]});
     }
   int inside = 0, regular = 0;
   for (int v = 0; v < vertexCount; ++v) {

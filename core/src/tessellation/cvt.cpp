@@ -37,7 +37,7 @@ void validate(const TriangleMesh& mesh, size_t siteCount, const CvtOptions& opti
           "there cannot be " + std::to_string(options.iterations) + " iterations");
   require(options.energyTolerance >= 0 && options.moveTolerance >= 0,
           "a tolerance is negative or not a number");
-  if (!options.density.empty()) validateDensity(mesh, options.density);
+  if (!options.density.empty()) requireDensity(mesh, options.density);
   for (const int label : options.fixedSites)
     require(label >= 0 && label < static_cast<int>(siteCount),
             "there is no site " + std::to_string(label) + " to be fixed");

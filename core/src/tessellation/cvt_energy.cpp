@@ -127,7 +127,8 @@ class Integrator final : public SlicedWork<CvtEnergy> {
     Vector3d opposite;  // squared sides, by the corner opposite
     for (int i = 0; i < 3; ++i) {
       squared[i] -= interpolationExcess(corners.col(i), sides_);
-      opposite[i] = squaredDistance(corners.col((i + 1) % 3), corners.col((i + 2) % 3), sides_);
+      opposite[i] =
+          squaredDistance(corners.col(cornerAfter(i)), corners.col(cornerBefore(i)), sides_);
     }
     add(area, corners.transpose() * rho_, squared, opposite, vectors_ * corners);
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Validation of densities that are given per vertex.
+// Checks densities that are given per vertex.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ inline double mostDensity(const TriangleMesh& mesh) {
 
 /// Throws `Error(kInvalidArgument)` unless there is one density per vertex of the mesh, finite, not
 /// negative, and small enough to be integrated.
-inline void validateDensity(const TriangleMesh& mesh, std::span<const double> density) {
+inline void requireDensity(const TriangleMesh& mesh, std::span<const double> density) {
   const auto fail = [](const std::string& what) { throw Error(ErrorCode::kInvalidArgument, what); };
   const size_t vertices = mesh.vertexCount();
   if (density.size() != vertices)

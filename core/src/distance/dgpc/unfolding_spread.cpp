@@ -38,9 +38,9 @@ void UnfoldingSpread::start(int label) {
 /// Does nothing: other labels never stop a label of this metric.
 void UnfoldingSpread::resume(int /*label*/) {}
 
-bool UnfoldingSpread::run(long& budget) {
+bool UnfoldingSpread::step(long& budget) {
   while (running_ >= 0) {
-    if (!sweep_.run(budget)) return false;
+    if (!sweep_.step(budget)) return false;
     if (requiredReach_ > 0)
       takeRequired();
     else

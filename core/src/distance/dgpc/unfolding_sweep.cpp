@@ -65,7 +65,7 @@ void UnfoldingSweep::startInFace(const SurfacePoint& site, const Vector2d& first
   }
 }
 
-bool UnfoldingSweep::run(long& budget) {
+bool UnfoldingSweep::step(long& budget) {
   while (queue_.advance()) {
     if (budget <= 0) return false;
     if (const auto next = queue_.ahead(kAhead)) prefetchFan(mesh_, *next);
@@ -95,7 +95,7 @@ void UnfoldingSweep::offer(int v, double distance, const Vector2d& direction,
   own.origin = origin;
   own.isQueued = distance <= own.reach;
   if (!own.isQueued) return;
-  // Older entries of the vertex may remain in the queue: `run` acts on the first that it meets.
+  // Older entries of the vertex may remain in the queue: `step` acts on the first that it meets.
   queue_.add(v, queue_.bucketOf(distance));
 }
 

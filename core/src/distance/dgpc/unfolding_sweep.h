@@ -92,7 +92,7 @@ class UnfoldingSweep {
   void start(const SurfacePoint& site, Reach reach);
   /// Passes on the distances of at most `budget` vertices and lowers it by their number. True when
   /// none is queued any more.
-  bool run(long& budget);
+  bool step(long& budget);
 
   /// The vertices that the site has reached, including those beyond their `Reach`.
   const std::vector<int>& reached() const { return reached_; }

@@ -51,7 +51,7 @@ class PathSearch final : public SlicedWork<std::vector<SurfacePoint>> {
     const bool isConnected = mesh_.component(from_.face) == mesh_.component(to_.face);
     isDone_ = !isConnected || sequence_.run([&] { return boundByEdges(budget); },
                                             [&] { startSearch(mostByEdges() * (1 + kSlack)); },
-                                            [&] { return sweep_.run(budget); });
+                                            [&] { return sweep_.step(budget); });
     return isDone_;
   }
 
@@ -74,7 +74,7 @@ class PathSearch final : public SlicedWork<std::vector<SurfacePoint>> {
     while (budget > 0) {
       long rest = std::min(budget, kVertices);
       budget -= rest;
-      if (edgeBounds_.run(rest) || edgeBounds_.front() > mostByEdges()) return true;
+      if (edgeBounds_.step(rest) || edgeBounds_.front() > mostByEdges()) return true;
     }
     return false;
   }
@@ -94,7 +94,7 @@ class PathSearch final : public SlicedWork<std::vector<SurfacePoint>> {
   void startSearch(double most) {
     sweep_.startWaiting(kLabel, to_, state_);
     long budget = kUnlimited;
-    sweep_.run(budget);
+    sweep_.step(budget);
     const exact::RequiredPoint point = {from_, most, 0};
     if (const int vertex = vertexAt(mesh_, from_); vertex >= 0)
       sweep_.require(kLabel, state_, {&from_.face, 1}, most + mesh_.longestEdge(vertex));

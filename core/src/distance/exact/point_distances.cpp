@@ -86,7 +86,7 @@ bool PointDistances::spread(long& budget) {
     sweep_ = spare_ ? std::move(spare_) : std::make_unique<WindowSweep>(mesh_, bounds_);
   while (begin_ < open_.size()) {
     if (stage_ == Stage::kNone) startLabel();
-    if (!sweep_->run(budget)) return false;
+    if (!sweep_->step(budget)) return false;
     if (stage_ == Stage::kSpread) {
       for (size_t i = 0; i < required_.size(); ++i)
         required_[i].distance = sweep_->distanceAtPoint(static_cast<int>(i));

@@ -23,7 +23,7 @@ void WindowSweep::search(const SurfacePoint& p, const SearchBounds& bounds, cons
   });
   if (search_.shortest() < kInfinity) startAt(p);
   long budget = kUnlimited;
-  run(budget);
+  step(budget);
 }
 
 /// Offers the straight paths through windows to the sites in their face.

@@ -138,7 +138,7 @@ std::vector<SurfacePoint> WindowSpread::path(int label, const SurfacePoint& p) {
   const RequiredPoint point = {p, least, nearest};
   sweep_.require(label, state, {&point, 1});
   long budget = kUnlimited;
-  sweep_.run(budget);
+  sweep_.step(budget);
   if (bounds_.ties().isAtMost(least, sweep_.distanceAtPoint(0))) return path;
   index_.reset(state.vertices);
   return pathToSite(mesh_, sites_[label], state, index_, p);

@@ -84,7 +84,7 @@ void WindowSweep::resume(int label, LabelState& state) {
   for (const int v : std::exchange(state.waitingSources, {})) queueSource(v);
 }
 
-bool WindowSweep::run(long& budget) {
+bool WindowSweep::step(long& budget) {
   while (queue_.advance()) {
     if (budget-- <= 0) return false;
     const int item = queue_.take();

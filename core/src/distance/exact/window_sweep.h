@@ -63,7 +63,7 @@ class WindowSweep {
   void start(int label, const SurfacePoint& site, LabelState& state,
              std::span<const RequiredPoint> points);
   /// Begins to spread a label on to some points. Does not lower bounds. If there is a single point,
-  /// the windows of its faces wait there when `run` is done, for `pathToSite`.
+  /// the windows of its faces wait there when `step` is done, for `pathToSite`.
   void require(int label, LabelState& state, std::span<const RequiredPoint> points);
   /// The distance at one of the points; valid until the next label begins.
   double distanceAtPoint(int index) const {
@@ -81,7 +81,7 @@ class WindowSweep {
   const SiteSearch& searched() const { return search_; }
   /// Works on at most `budget` batches and lowers it by their number; true when the label is done
   /// and its state is stored.
-  bool run(long& budget);
+  bool step(long& budget);
   /// Forgets the last label, whose state has been changed since: it has to be loaded again.
   void forget() { label_ = -1; }
   /// The index in the label's state of a vertex that it has reached.

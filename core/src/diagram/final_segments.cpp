@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-//
-// Segments and arcs of a diagram: from those of the bisector graph, with points merged.
-#include "diagram/bisector_arcs.h"
+#include "diagram/final_segments.h"
 
 #include <algorithm>
 #include <utility>
@@ -9,8 +7,6 @@
 #include "mesh/representations.h"
 
 namespace gvd {
-
-// --- Segments ------------------------------------------------------------------------------------
 
 FinalSegments::FinalSegments(const TriangleMesh& mesh, BisectorGraph& graph,
                              std::span<const RegionOutlines::BoundaryStep> boundarySteps,
@@ -118,57 +114,6 @@ void FinalSegments::moveToFaceOf(const Diagram::Segment& segment) {
     });
     isInFaceOfSegment_[p] = static_cast<char>(isInFace);
   }
-}
-
-// --- Arcs ----------------------------------------------------------------------------------------
-
-bool ArcChaining::step(long& budget) {
-  const size_t count = out_.segments.size();
-  const auto forSegments = [&](auto body) { return loop_.run(count, budget, kQuickRounds, body); };
-  return sequence_.run([&] { out_.arcs.points.reserve(count + count / 2); },
-                       [&] { return fillInSlices(ends_, out_.points.size(), Ends(), budget); },
-                       [&] { return forSegments([&](int s) { noteEnds(s); }); },
-                       [&] {
-                         return forSegments([&](int s) {
-                           if (!passes(out_.segments[s].points[0])) follow(s);
-                         });
-                       },
-                       [&] {
-                         return forSegments([&](int s) {
-                           if (out_.segments[s].arc < 0) follow(s);
-                         });
-                       });
-}
-
-void ArcChaining::noteEnds(int segment) {
-  const auto [tail, tip] = out_.segments[segment].points;
-  int &outgoing = ends_[tail].outgoing, &incoming = ends_[tip].incoming;
-  outgoing = outgoing == kNone ? segment : kSeveral;
-  incoming = incoming == kNone ? segment : kSeveral;
-}
-
-/// Whether an arc goes on through a point.
-bool ArcChaining::passes(int point) const {
-  const auto& [incoming, outgoing] = ends_[point];
-  if (incoming < 0 || outgoing < 0) return false;
-  const auto &before = out_.segments[incoming].labels, &after = out_.segments[outgoing].labels;
-  return before[0] == after[0] && before[1] == after[1];
-}
-
-void ArcChaining::follow(int segment) {
-  const int arc = out_.arcs.size();
-  std::vector<int>& points = out_.arcs.points;
-  out_.arcLabels.push_back(out_.segments[segment].labels);
-  points.push_back(out_.segments[segment].points[0]);
-  for (;;) {
-    Diagram::Segment& s = out_.segments[segment];
-    s.arc = arc;
-    points.push_back(s.points[1]);
-    if (!passes(s.points[1])) break;
-    segment = ends_[s.points[1]].outgoing;
-    if (out_.segments[segment].arc >= 0) break;
-  }
-  out_.arcs.offset.push_back(static_cast<int>(points.size()));
 }
 
 }  // namespace gvd

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/mesh_orientation.h"
+#include "mesh/manifold_building.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/vertex_welding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <tuple>
+
+#include "base/hashing.h"
+
+namespace gvd {
+namespace {
+
+/// A hash of a position, from 0 to below `count`.
+int hashBelow(int count, const Eigen::Vector3d& p) {
+  std::uint64_t hash = 0;
+  for (const double x : p) hash = hashOf(x, hash);
+  return static_cast<int>((hash & 0xFFFFFFFF) * static_cast<std::uint64_t>(count) >> 32);
+}
+
+}  // namespace
+
+VertexWelding::VertexWelding(std::span<const double> positions, std::span<const int> triangles,
+                             double weld)
+    : positions_(positions),
+      triangles_(triangles),
+      weld_(weld),
+      least_(Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity())),
+      most_(-least_) {}
+
+bool VertexWelding::step(long& budget) {
+  const int count = static_cast<int>(positions_.size() / 3);
+  return sequence_.run(
+      [&] { return fillInSlices(representative_, count, -1, budget); },
+      [&] {
+        return places_.run(
+            count, count, [&](int v) { return placeGroup(v); }, budget);
+      },
+      [&] {
+        return loop_.run(count, budget, 4, [&](int group) { weldGroup(places_.items(group)); });
+      },
+      [&] {
+        places_ = {};
+        return weld_ == 0 || loop_.run(triangles_.size(), budget, kQuickRounds,
+                                       [&](int i) { addToBox(triangles_[i]); });
+      },
+      [&] { openGrid(); },
+      [&] { return !keptVertices_ || loop_.run(count, budget, 1, [&](int v) { weldToNear(v); }); });
+}
+
+Eigen::Vector3d VertexWelding::position(int v) const {
+  return Eigen::Vector3d::Map(&positions_[3 * static_cast<std::size_t>(v)]);
+}
+
+int VertexWelding::placeGroup(int v) const {
+  const Eigen::Vector3d p = position(v);
+  return p.allFinite() ? hashBelow(static_cast<int>(representative_.size()), p) : -1;
+}
+
+void VertexWelding::weldGroup(std::span<int> vertices) {
+  const auto place = [&](int v) { return &positions_[3 * static_cast<std::size_t>(v)]; };
+  const auto isSame = [&](int u, int v) { return std::equal(place(u), place(u) + 3, place(v)); };
+  if (vertices.size() > 1)
+    std::sort(vertices.begin(), vertices.end(), [&](int u, int v) {
+      const double *const p = place(u), *const q = place(v);
+      return std::tie(p[0], p[1], p[2], u) < std::tie(q[0], q[1], q[2], v);
+    });
+  forEachRun(vertices, isSame, [&](std::span<const int> run) {
+    for (const int v : run) representative_[v] = run.front();
+  });
+}
+
+void VertexWelding::addToBox(int v) {
+  const Eigen::Vector3d p = position(v);
+  if (!p.allFinite()) return;
+  least_ = least_.cwiseMin(p);
+  most_ = most_.cwiseMax(p);
+}
+
+void VertexWelding::openGrid() {
+  const double tolerance = weld_ * (most_ - least_).norm();
+  constexpr double kRounding = std::numeric_limits<double>::epsilon();
+  if (weld_ >= kRounding && tolerance > 0 && std::isfinite(tolerance))
+    keptVertices_.emplace(positions_, tolerance);
+}
+
+void VertexWelding::weldToNear(int v) {
+  int& same = representative_[v];
+  if (same != v) {  // not finite, or at the position of an earlier vertex
+    if (same >= 0) same = representative_[same];
+    return;
+  }
+  const int near = keptVertices_->firstNear(position(v));
+  if (near >= 0)
+    same = near;
+  else
+    keptVertices_->add(v);
+}
+
+}  // namespace gvd
