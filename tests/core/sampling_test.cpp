@@ -244,6 +244,22 @@ TEST(SamplePoissonDisk, KeepsItsDistanceAndCoversThePlane) {
     }
 }
 
+/// Paths bend at the corners of holes, where unfolded distances err by a fifth.
+TEST(SampleByRadius, LeavesNoVertexFartherByExactDistances) {
+  const auto mesh = shapes::perforatedPlate(3, 8).mesh();
+  for (const double share : {0.05, 0.1, 0.2, 0.4})
+    for (const std::uint64_t seed : {1, 2, 3}) {
+      const double radius = share * mesh.boundingDiagonal();
+      for (const auto& points : {sampleFarthest(mesh, 100000, seed, radius),
+                                 samplePoissonDisk(mesh, radius, seed).points}) {
+        const auto field = finished(propagate(mesh, points, Metric::kExact));
+        for (int v = 0; v < mesh.vertexCount(); ++v)
+          ASSERT_LE(nearestOf(field->at(v)).distance, radius * (1 + 1e-12)) << share << ' ' << v;
+      }
+      EXPECT_EQ(sampleFarthest(mesh, 2, seed, radius).size(), 2u);
+    }
+}
+
 TEST(SamplePoissonDisk, KeepsItsDistanceOnASphere) {
   const auto mesh = shapes::icosphere(4).mesh();
   const PoissonDisk sample = samplePoissonDisk(mesh, 0.3, 1);

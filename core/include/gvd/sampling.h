@@ -43,9 +43,10 @@ std::vector<SurfacePoint> sampleByDensity(const TriangleMesh& mesh, std::span<co
 /// and points are at least as far apart as the last one was from the others. The first n points do
 /// not depend on `count`.
 ///
-/// Distances are geodesic, by unfolding (DGPC). A point spreads only where it is
-/// the nearest: O(V log V log count) for evenly spread vertices. Throws `Error(kInvalidArgument)`
-/// if the radius is negative or not a number.
+/// Distances are geodesic, by unfolding (DGPC). A point spreads only where it is the nearest: O(V
+/// log V log count) for evenly spread vertices. If a radius is given, exact distances of all points
+/// follow, and vertices that are farther than the radius by these are added. Throws
+/// `Error(kInvalidArgument)` if the radius is negative or not a number.
 /// Source: Gabriel Peyré, Laurent Cohen. Geodesic Remeshing Using Front Propagation. 2006.
 std::vector<SurfacePoint> sampleFarthest(const TriangleMesh& mesh, int count, std::uint64_t seed,
                                          double coveringRadius = 0);
@@ -61,12 +62,12 @@ struct PoissonDisk {
 };
 
 /// Random points, no two of them nearer to each other than `radius` (geodesic, as for
-/// `sampleFarthest`), until hardly any more fit; then vertices are added, so that no vertex is
-/// farther than `radius` from a point. Both hold for the distances that `Metric::kDgpc` measures:
-/// they are exact where straight lines connect, and err where shortest paths bend at vertices. On
-/// long thin triangles, as of mechanical parts, single ones are wrong by half, so that by exact
-/// distances some points are nearer than `radius` there. Throws `Error(kInvalidArgument)` if the
-/// radius is not positive and finite.
+/// `sampleFarthest`), until hardly any more fit; then vertices are added, so that by exact distances
+/// no vertex is farther than `radius` from a point. How near points are to each other is measured
+/// as `Metric::kDgpc` does: exactly where straight lines connect, and with errors where shortest
+/// paths bend at vertices. On long thin triangles, as of mechanical parts, single ones are wrong by
+/// half, so that by exact distances some points are nearer than `radius` there. Throws
+/// `Error(kInvalidArgument)` if the radius is not positive and finite.
 /// Source: Robert Cook. Stochastic Sampling in Computer Graphics. 1986.
 PoissonDisk samplePoissonDisk(const TriangleMesh& mesh, double radius, std::uint64_t seed);
 

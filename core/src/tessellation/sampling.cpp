@@ -26,6 +26,7 @@
 #include "mesh/surface_geometry.h"
 #include "tessellation/density.h"
 #include "tessellation/disk_grid.h"
+#include "tessellation/vertex_covering.h"
 
 namespace gvd {
 namespace {
@@ -69,7 +70,11 @@ class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
         [&] {
           if (count_ > 0) add(sampleUniform(mesh_, 1, seed_).front());
         },
-        [&] { return count_ == 0 || addOthers(budget); });
+        [&] { return count_ == 0 || addOthers(budget); },
+        [&] {
+          return coveringRadius_ == 0 || runPart(covering_, budget, mesh_, coveringRadius_,
+                                                 static_cast<size_t>(count_), points_);
+        });
   }
   double progress() const override {
     return count_ > 0 ? static_cast<double>(points_.size()) / count_ : 1;
@@ -89,7 +94,7 @@ class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
 
   bool addOthers(long& budget) {
     const auto& reached = sweep_.reached();
-    while (spread_.run([&] { return sweep_.run(budget); },
+    while (spread_.run([&] { return sweep_.step(budget); },
                        [&] {
                          return loop_.run(reached.size(), budget, 8, [&](int i) {
                            const int v = reached[i];
@@ -128,6 +133,7 @@ class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
   std::vector<double> least_;                          ///< from the nearest point, per vertex
   std::priority_queue<std::pair<double, int>> queue_;  ///< vertices negated: the lowest first
   std::vector<SurfacePoint> points_;
+  std::optional<VertexCovering> covering_;
 };
 
 /// Points that keep their distance. Each point has its distance at all vertices of the faces that
@@ -152,7 +158,11 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
   bool step(long budget) override {
     return sequence_.run([&] { return disks_.prepare(budget); },
                          [&] { sums_ = cumulative(faceAreas(mesh_)); },
-                         [&] { return addAll(budget); });
+                         [&] { return addAll(budget); },
+                         [&] {
+                           return count_ || runPart(covering_, budget, mesh_, radius_,
+                                                    std::numeric_limits<size_t>::max(), points_);
+                         });
   }
   double progress() const override {
     return count_.value_or(0) > 0 ? static_cast<double>(points_.size()) / *count_
@@ -200,7 +210,7 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
   bool spread(long& budget) {
     const auto& reached = sweep_.reached();
     isSpreading_ = !spread_.run(
-        [&] { return sweep_.run(budget); },
+        [&] { return sweep_.step(budget); },
         [&] { return loop_.run(reached.size(), budget, 4, [&](int i) { addDisk(reached[i]); }); });
     return !isSpreading_;
   }
@@ -246,6 +256,7 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
   bool isSpreading_ = false;
   DiskGrid disks_;
   std::vector<SurfacePoint> points_;
+  std::optional<VertexCovering> covering_;
 };
 
 }  // namespace
@@ -262,7 +273,7 @@ std::vector<SurfacePoint> sampleUniform(const TriangleMesh& mesh, int count, std
 std::vector<SurfacePoint> sampleByDensity(const TriangleMesh& mesh, std::span<const double> density,
                                           int count, std::uint64_t seed) {
   requireCount(count);
-  validateDensity(mesh, density);
+  requireDensity(mesh, density);
   std::vector<double> sums = faceAreas(mesh);
   std::vector<Eigen::Vector3d> corners(mesh.faceCount());
   for (int f = 0; f < mesh.faceCount(); ++f) {

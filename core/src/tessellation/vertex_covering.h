@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "base/sliced_loop.h"
+#include "distance/site_distances.h"
+#include "gvd/surface_point.h"
+#include "gvd/triangle_mesh.h"
+
+namespace gvd {
+
+/// Adds vertices to a list of points until no vertex of the mesh is farther than a radius from all
+/// of them by exact distances, always the farthest; of equals, the lowest. For points that cover
+/// the vertices by approximate distances, few are missing. In slices: as long as exact distances of
+/// all points, and O(V) for each that is added.
+class VertexCovering {
+ public:
+  /// The list grows to no more than `most` points. Both must outlive this.
+  VertexCovering(const TriangleMesh& mesh, double radius, std::size_t most,
+                 std::vector<SurfacePoint>& points);
+  bool step(long& budget);
+
+ private:
+  void offer(int vertex);
+
+  const TriangleMesh& mesh_;
+  const double radius_;
+  const std::size_t most_;
+  std::vector<SurfacePoint>& points_;
+
+  SlicedSequence round_;
+  SlicedLoop loop_;
+  SiteDistances distances_;
+  int farthest_ = -1;  ///< vertex
+  double distance_ = 0;
+};
+
+}  // namespace gvd
