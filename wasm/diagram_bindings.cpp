@@ -15,6 +15,16 @@
 namespace gvd::abi {
 namespace {
 
+/// A direction in the frame of a face, in the frame of the input triangle: if that was turned over,
+/// its first side is the face's last one, and left and right are exchanged.
+Eigen::Vector2d directionToInput(const TriangleMesh& mesh, int face,
+                                 const Eigen::Vector2d& direction) {
+  if (!mesh.isFlipped(face)) return direction;
+  const TriangleMesh::Face& f = mesh.face(face);
+  const Eigen::Vector2d firstSide(f.cosines[0], f.sines[0]);
+  return {direction.dot(firstSide), direction.x() * firstSide.y() - direction.y() * firstSide.x()};
+}
+
 /// `Located`.
 class LocatedPoints final : public PointLookup {
  public:
@@ -150,6 +160,7 @@ GVD_ABI Answer* distancesAtVertices(const VoronoiHandle* voronoi) {
     const TriangleMesh& mesh = voronoi->mesh();
     const DistanceField& field = voronoi->field();
     const int count = mesh.inputVertexCount();
+    const std::vector<SurfacePoint> sites = voronoi->sitesByLabel();
     std::vector<int> label(count, -1);
     std::vector<double> distance(count, kInfinity);
     std::vector<double> direction(2 * count, std::numeric_limits<double>::quiet_NaN());
@@ -160,7 +171,8 @@ GVD_ABI Answer* distancesAtVertices(const VoronoiHandle* voronoi) {
       if (nearest.label < 0) continue;
       label[i] = nearest.label;
       distance[i] = nearest.distance;
-      const Eigen::Vector2d towards = field.direction(nearest.label, vertex);
+      const Eigen::Vector2d towards =
+          directionToInput(mesh, sites[nearest.label].face, field.direction(nearest.label, vertex));
       direction[2 * i] = towards.x();
       direction[2 * i + 1] = towards.y();
     }
