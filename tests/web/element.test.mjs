@@ -5,6 +5,8 @@
 import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
 import { after, before, suite, test } from 'node:test';
+import { torus } from '../../web/page/sample_shapes.mjs';
+import { meshObj } from '../wasm/model_files.mjs';
 import { startBrowser } from './browser.mjs';
 
 const standalone = '<script type="module" src="/package/standalone.js"></script>';
@@ -331,7 +333,117 @@ suite('the page around it', () => {
   });
 });
 
+suite('assistive technology', () => {
+  test('hears what the keys do, and nothing else', async (context) => {
+    const viewer = await opened(context, 'one.html');
+    await viewer.settled();
+    const heard = async (attributes) => {
+      await viewer.evaluate(async (viewer, attributes) => {
+        for (const [name, value] of Object.entries(attributes)) viewer.setAttribute(name, value);
+        await null; // Attributes take effect together, after the code that sets them.
+      }, attributes);
+      const canvas = viewer.page.locator('geodesic-voronoi canvas');
+      const id = await canvas.getAttribute('aria-describedby');
+      return viewer.page.locator(`geodesic-voronoi #${id}`).textContent();
+    };
+    const all = await heard({ interactive: 'edit' });
+    for (const key of ['Arrow keys', 'F ', 'Enter adds a site', 'Shift', 'Delete', 'Escape'])
+      assert.ok(all.includes(key), `${key} in: ${all}`);
+    assert.match(await heard({ tool: 'density' }), /Enter paints density/);
+    const ofCamera = await heard({ interactive: 'camera' });
+    assert.match(ofCamera, /Arrow keys turn the model/);
+    assert.doesNotMatch(ofCamera, /Enter|Delete|Space/);
+    assert.equal(await heard({ interactive: 'none' }), '');
+  });
+});
+
 suite('attributes and events', () => {
+  test('an edit without a model is refused, in a sentence', async (context) => {
+    const viewer = await opened(context, 'empty.html');
+    await viewer.page.waitForFunction(() => customElements.get('geodesic-voronoi'));
+    const refusals = await viewer.page.evaluate(async () => {
+      const element = document.createElement('geodesic-voronoi');
+      document.body.append(element);
+      const site = { face: 0, bary: [1, 0, 0] };
+      const edits = [
+        () => element.addSite(site),
+        () => {
+          element.sites = { face: [0], bary: [1, 0, 0] };
+        },
+        () => {
+          element.density = [1];
+        },
+        () => element.scatter(5),
+        () => element.playCvt(),
+      ];
+      return Promise.all(
+        edits.map(async (edit) => {
+          try {
+            await edit();
+            return 'nothing';
+          } catch ({ message }) {
+            return message;
+          }
+        }),
+      );
+    });
+    assert.deepEqual(
+      [...new Set(refusals)],
+      ['There is no model to edit: wait for the event "load".'],
+    );
+  });
+
+  test('what cannot be computed is told apart from what cannot be opened', async (context) => {
+    const viewer = await opened(context, 'one.html');
+    await viewer.settled();
+    const refused = await viewer.after('error', () =>
+      viewer.evaluate((viewer) => viewer.setAttribute('metric', 'manhattan')),
+    );
+    assert.equal(refused.type, 'computefailure');
+    assert.match(refused.message, /^The diagram cannot be made: .*[^.]\.$/);
+    const scattered = await viewer.after('error', () =>
+      viewer.evaluate((viewer) => viewer.setAttribute('sampling', 'dense')),
+    );
+    assert.equal(scattered.type, 'computefailure');
+    assert.match(scattered.message, /^The sites cannot be placed: .*[^.]\.$/);
+  });
+
+  test('opening a file tells how far it is, and ends in the worker when it is cancelled', async (context) => {
+    const viewer = await opened(context, 'one.html', {
+      prepare: (page) =>
+        page.addInitScript(() => {
+          window.aborted = 0;
+          const { postMessage } = Worker.prototype;
+          Worker.prototype.postMessage = function (message, ...options) {
+            if ('abort' in message) ++window.aborted;
+            return postMessage.call(this, message, ...options);
+          };
+        }),
+    });
+    await viewer.settled();
+    const { shares, isOpen, aborted } = await viewer.evaluate(
+      async (viewer, text) => {
+        const shares = [];
+        const listener = ({ detail }) => {
+          shares.push(detail.totalProgress);
+          if (detail.totalProgress > 0.4) viewer.cancel();
+        };
+        viewer.addEventListener('progress', listener);
+        const isOpen = await viewer.loadFiles([new File([text], 'large.obj')]);
+        viewer.removeEventListener('progress', listener);
+        return { shares, isOpen, aborted: window.aborted };
+      },
+      new TextDecoder().decode(meshObj(torus(120, 120))),
+    );
+    assert.ok(
+      shares.some((share) => share > 0.4 && share < 1),
+      shares.join(),
+    );
+    assert.equal(isOpen, false);
+    assert.equal(aborted, 1);
+    assert.equal(await viewer.siteCount(), 12, 'the model before stays');
+  });
+
   test('loading is told of in order, and the poster goes', async (context) => {
     const viewer = await opened(context, 'empty.html');
     await viewer.page.waitForFunction(() => customElements.get('geodesic-voronoi'));

@@ -138,6 +138,23 @@ suite('hands', () => {
     await viewer.settled();
   });
 
+  test('a click whose work fails is told of, unless its model is gone', async () => {
+    await viewer.page.getByText('Smaller regions in places').click();
+    const clickAfter = (properties) =>
+      viewer.evaluate((viewer, properties) => {
+        viewer.mesh.curvatureDensity = async () => {
+          throw Object.assign(new Error('there is not enough memory'), properties);
+        };
+        document.getElementById('density-curvature').click();
+      }, properties);
+    const error = viewer.page.locator('#error-text');
+    await clickAfter({ code: 'disposed' });
+    await viewer.page.waitForTimeout(50);
+    assert.equal(await error.isVisible(), false);
+    await clickAfter({});
+    await error.filter({ hasText: /^The curvature cannot be had: .* memory\.$/ }).waitFor();
+  });
+
   test('too few vertices for places far apart, and a model that will not fit, are told of', async () => {
     await viewer.after('diagram', () => viewer.page.selectOption('#samples', 'hand.glb'));
     await viewer.page.fill('#count', '3000');

@@ -149,6 +149,18 @@ suite('region colours', () => {
     );
     assert.deepEqual([...after.subarray(0, 3)], [...before.subarray(1)]);
   });
+
+  test('the tones of sites that are long gone are forgotten', () => {
+    const colours = new RegionColours();
+    const [, second] = colours.assign(adjacency(2, [[0, 1]]), [1, 2]);
+    const alone = () => colours.assign(adjacency(1, []), [second === 0 ? 1 : 2])[0];
+    assert.notEqual(alone(), 0);
+    for (const first of [1e5, 2e5, 3e5]) {
+      const many = Array.from({ length: 15_000 }, (_, i) => first + i);
+      colours.assign(adjacency(many.length, []), many);
+    }
+    assert.equal(alone(), 0, 'as if it were new');
+  });
 });
 
 suite('a diagram that changes', () => {
@@ -544,6 +556,15 @@ suite('site history', () => {
       assert.equal(sites.present, list);
     }
     assert.equal(sites.canRedo, false);
+  });
+
+  test('a hundred steps can be undone: what is before them is forgotten', () => {
+    const sites = history();
+    for (let i = 0; i < 250; ++i) sites.recordTints(Float32Array.of(0, i));
+    let undone = 0;
+    for (; sites.canUndo; ++undone) sites.undo();
+    assert.equal(undone, 100);
+    assert.deepEqual([...sites.tints], [0, 149]);
   });
 
   test('the density is part of it', () => {

@@ -4,8 +4,8 @@
 
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { lastSegment } from '../viewer/model_files.js';
+import { isSample } from './first_model.js';
 import { isPageState, linkAttributes, pageState } from './page_state.js';
-import samples from './samples.json' with { type: 'json' };
 
 /** The address waits for the last of several changes: browsers limit how often it may change. */
 const addressMilliseconds = 300;
@@ -13,8 +13,6 @@ const addressMilliseconds = 300;
 const firstActs = ['pointerdown', 'keydown', 'wheel', 'drop'];
 /** Events of the viewer after which its state may be another. */
 const changes = ['status-change', 'diagram', 'sites-change', 'camera-change'];
-
-const isSample = (model: string) => samples.some(({ file }) => file === model);
 
 /**
  * Keeps the state of samples in the address, without a step in the browser's history. A link of a

@@ -2,36 +2,40 @@
 //
 // Code that makes the shown diagram elsewhere: a script, a page, a command.
 
-import type { Sampling } from 'geodesic-voronoi';
+import type { Sampling, SurfacePoints } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { listen } from './dom.js';
 import { downloadName } from './downloads.js';
+import { isSame } from './same_sites.js';
 
 /** How the present sites were made: by scattering, by a tessellation of those, or by hand. */
 type Origin = 'scattered' | 'even' | 'edited';
 
 /**
- * Notes where tessellations begin, and how far they get; returns what tells how the present sites
- * were made. Code repeats a tessellation only if it began with scattered sites, has a uniform
- * density, and has come as far as the code goes.
+ * Notes with which sites tessellations begin, and how far they get; returns what tells how the
+ * present sites were made. Code repeats a tessellation only if it began with scattered sites, has a
+ * uniform density, and has come as far as the code goes.
  */
 export function watchOrigin(viewer: GeodesicVoronoiElement): () => Promise<Origin> {
-  let beganScattered = Promise.resolve(false);
+  let first = viewer.sites;
   let iterations = 0;
   listen(viewer, 'cvt-iteration', ({ iteration }) => {
     iterations = iteration;
-    if (iteration === 0) beganScattered = isScattered(viewer);
+    if (iteration === 0) first = viewer.sites;
   });
   return async () => {
-    if (viewer.cvtStatus === 'idle') return (await isScattered(viewer)) ? 'scattered' : 'edited';
+    if (viewer.cvtStatus === 'idle')
+      return (await areScattered(viewer, viewer.sites)) ? 'scattered' : 'edited';
     const isRepeatable =
       iterations === Number(settingsOf(viewer).iterations) && viewer.density === undefined;
-    return isRepeatable && (await beganScattered) ? 'even' : 'edited';
+    return isRepeatable && (await areScattered(viewer, first)) ? 'even' : 'edited';
   };
 }
 
-async function isScattered(viewer: GeodesicVoronoiElement): Promise<boolean> {
-  const shown = String(viewer.sites.bary);
+async function areScattered(
+  viewer: GeodesicVoronoiElement,
+  sites: SurfacePoints,
+): Promise<boolean> {
   const { count, seed, sampling, perComponent } = settingsOf(viewer);
   const scattered = await viewer.mesh
     ?.sampleSites(Number(count), {
@@ -41,7 +45,7 @@ async function isScattered(viewer: GeodesicVoronoiElement): Promise<boolean> {
     })
     // Fails if there are fewer sites than that takes.
     .catch(() => undefined);
-  return String(scattered?.bary) === shown;
+  return scattered !== undefined && isSame(scattered, sites);
 }
 
 /** The model that code opens. */
@@ -74,7 +78,7 @@ export function codeOf(
     case 'command':
       return joined(
         needed && `# ${needed}`,
-        model.address && `curl -LO '${model.address}'`,
+        model.address && `curl -LO '${addressOf(model)}'`,
         commandOf(viewer, model, origin, sitesFile),
       );
     default:
@@ -85,6 +89,10 @@ export function codeOf(
 function joined(...lines: (string | undefined)[]): string {
   return lines.filter(Boolean).join('\n');
 }
+
+/** The values of the library, or of the element, where code does not give them. */
+const defaultMethod = 'lbfgs';
+const defaultIterations = '50';
 
 /** The settings, from the attributes of the page's viewer. */
 function settingsOf(viewer: GeodesicVoronoiElement) {
@@ -99,12 +107,13 @@ function settingsOf(viewer: GeodesicVoronoiElement) {
     minComponent: value('min-component', '0'),
     metric: value('metric', 'exact'),
     detail: value('detail', '0'),
-    iterations: value('cvt-iterations', '30'),
+    method: value('cvt-method', defaultMethod),
+    iterations: value('cvt-iterations', defaultIterations),
   };
 }
 
 /** The settings that differ from the defaults, by their names in each form of code. */
-function unusual(viewer: GeodesicVoronoiElement) {
+function changed(viewer: GeodesicVoronoiElement) {
   const { perComponent, weld, orientation, minComponent } = settingsOf(viewer);
   const isGiven = ([, value]: string[]) => value !== '0' && value !== 'unify';
   const build = [
@@ -129,29 +138,35 @@ function unusual(viewer: GeodesicVoronoiElement) {
   };
 }
 
+/** An address that code of every form may hold between quotes, whatever the name of the file is. */
+function addressOf({ name, address = encodeURIComponent(name) }: CodeModel): string {
+  return address.replace(/['&]/g, (c) => `%${c.charCodeAt(0).toString(16)}`);
+}
+
 function scriptOf(
   viewer: GeodesicVoronoiElement,
-  { name, address }: CodeModel,
+  model: CodeModel,
   origin: Origin,
   sitesFile: string,
 ): string {
-  const { count, seed, sampling, metric, detail, iterations } = settingsOf(viewer);
-  const { meshOptions, siteOptions } = unusual(viewer);
+  const { count, seed, sampling, metric, detail, method, iterations } = settingsOf(viewer);
+  const { meshOptions, siteOptions } = changed(viewer);
+  const ofMethod = method === defaultMethod ? '' : `, method: '${method}'`;
   const scattered = `await mesh.sampleSites(${count}, { seed: ${seed}, sampling: '${sampling}'${siteOptions} })`;
   const sites: Record<Origin, readonly string[]> = {
     scattered: [`const sites = ${scattered};`],
     even: [
       `let sites = ${scattered};`,
-      `const settings = { iterations: ${iterations}, metric: '${metric}' };`,
+      `const settings = { iterations: ${iterations}, metric: '${metric}'${ofMethod} };`,
       'for await (const state of mesh.cvt(sites, settings)) sites = state.sites;',
     ],
-    edited: [`const sites = await (await fetch('${sitesFile}')).json();`],
+    edited: [`const sites = await (await fetch('${addressOf({ name: sitesFile })}')).json();`],
   };
   return [
     "import { load } from 'geodesic-voronoi';",
     '',
     'const library = await load();',
-    `const bytes = await (await fetch('${address ?? name}')).arrayBuffer();`,
+    `const bytes = await (await fetch('${addressOf(model)}')).arrayBuffer();`,
     `const mesh = await library.mesh(new Uint8Array(bytes)${meshOptions});`,
     ...sites[origin],
     `const diagram = await mesh.voronoi(sites, { metric: '${metric}', detail: ${detail} });`,
@@ -164,16 +179,20 @@ function elementOf(
   origin: Origin,
   sitesFile: string,
 ): string {
-  const { count, seed, sampling, metric, detail } = settingsOf(viewer);
+  const { count, seed, sampling, metric, detail, method, iterations } = settingsOf(viewer);
   const name = 'geodesic-voronoi';
+  const ofCvt =
+    (iterations === defaultIterations ? '' : ` cvt-iterations="${iterations}"`) +
+    (method === defaultMethod ? '' : ` cvt-method="${method}"`);
+  const { html } = changed(viewer);
   const after: Record<Origin, readonly string[]> = {
     scattered: [],
     even: ["  viewer.addEventListener('diagram', () => viewer.playCvt(), { once: true });"],
-    edited: [`  viewer.sites = await (await fetch('${sitesFile}')).json();`],
+    edited: [`  viewer.sites = await (await fetch('${addressOf({ name: sitesFile })}')).json();`],
   };
   return [
-    `<${name} src="${model.address ?? model.name}" sites="${count}" seed="${seed}"`,
-    `  sampling="${sampling}" metric="${metric}" detail="${detail}"${unusual(viewer).html}></${name}>`,
+    `<${name} src="${addressOf(model)}" sites="${count}" seed="${seed}"`,
+    `  sampling="${sampling}" metric="${metric}" detail="${detail}"${html}${origin === 'even' ? ofCvt : ''}></${name}>`,
     '<script type="module">',
     "  import 'geodesic-voronoi/element';",
     ...(origin === 'scattered' ? [] : [`  const viewer = document.querySelector('${name}');`]),
@@ -193,8 +212,9 @@ function commandOf(
   origin: Origin,
   sitesFile: string,
 ): string {
-  const { count, seed, sampling, metric, detail, iterations } = settingsOf(viewer);
-  const { build, attributes, flags } = unusual(viewer);
+  const { count, seed, sampling, metric, detail, method, iterations } = settingsOf(viewer);
+  const ofMethod = method === defaultMethod ? '' : ` --method ${method}`;
+  const { build, attributes, flags } = changed(viewer);
   const sites =
     origin === 'edited'
       ? `--sites ${quoted(sitesFile)}${flags(build)}`
@@ -204,7 +224,7 @@ function commandOf(
     `geodesic-voronoi ${isEven ? 'cvt' : 'diagram'} ${quoted(name)} \\`,
     `  ${sites} \\`,
     isEven
-      ? `  --metric ${metric} --iterations ${iterations} -o sites.json`
+      ? `  --metric ${metric} --iterations ${iterations}${ofMethod} -o sites.json`
       : `  --metric ${metric} --detail ${detail} -o diagram.json`,
   ].join('\n');
 }

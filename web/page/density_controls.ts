@@ -4,6 +4,7 @@
 
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { byId, listen, onClick } from './dom.js';
+import { showFailure } from './feedback.js';
 
 /** Painting a density, or taking that of curvature: the tessellation sizes regions by it. */
 export function setUpDensityControls(viewer: GeodesicVoronoiElement): void {
@@ -32,8 +33,12 @@ export function setUpDensityControls(viewer: GeodesicVoronoiElement): void {
   }
   onClick('density-curvature', async () => {
     const { mesh } = viewer;
-    const density = await mesh?.curvatureDensity();
-    if (mesh === viewer.mesh) viewer.density = density;
+    try {
+      const density = await mesh?.curvatureDensity();
+      if (mesh === viewer.mesh) viewer.density = density;
+    } catch (error) {
+      showFailure('The curvature cannot be had', error);
+    }
   });
   const clear = onClick('density-clear', () => {
     viewer.density = undefined;

@@ -23,13 +23,13 @@ export function showAttributes(
   viewer: GeodesicVoronoiElement,
   fields: Readonly<Record<string, HTMLInputElement | HTMLSelectElement>>,
 ): void {
-  const usual = Object.entries(fields).map(([name, field]) => ({
+  const initial = Object.entries(fields).map(([name, field]) => ({
     name,
     field,
     value: field.value,
   }));
   const show = () => {
-    for (const { name, field, value } of usual) field.value = viewer.getAttribute(name) ?? value;
+    for (const { name, field, value } of initial) field.value = viewer.getAttribute(name) ?? value;
   };
   show();
   new MutationObserver(show).observe(viewer, { attributeFilter: Object.keys(fields) });

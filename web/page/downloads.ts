@@ -3,6 +3,7 @@
 // The menu of files to take away.
 
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
+import { sentence } from '../viewer/failure.js';
 import { byId, listen } from './dom.js';
 import { showError, showNote } from './feedback.js';
 import { repairDual } from './valid_dual.js';
@@ -86,7 +87,7 @@ export function setUpDownloads(viewer: GeodesicVoronoiElement, modelName: () => 
       menu.hidePopover();
       if (hadFocus) byId('download-button', HTMLElement).focus();
     } catch (error) {
-      showError(`The file cannot be made: ${(error as Error).message}.`);
+      showError(sentence('The file cannot be made', error).message);
     } finally {
       button.ariaBusy = null;
       update();

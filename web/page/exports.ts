@@ -4,6 +4,7 @@
 
 import type { Diagram, Mesh } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
+import { linear } from '../viewer/colour_vision.js';
 import { encode } from './encoding.js';
 import { outlinesSvg } from './outline_svg.js';
 import { sitesJson } from './sites_file.js';
@@ -92,10 +93,7 @@ function sourceOf({ mesh }: GeodesicVoronoiElement): Source | undefined {
 function coloursOf(viewer: GeodesicVoronoiElement): number[][] {
   return Array.from(viewer.regionAreas, (_, label) => {
     const colour = viewer.regionColour(label) ?? '#787878';
-    return [1, 3, 5].map((i) => {
-      const c = parseInt(colour.slice(i, i + 2), 16) / 255;
-      return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
-    });
+    return [...linear(parseInt(colour.slice(1), 16))];
   });
 }
 

@@ -3,6 +3,7 @@
 // The page's feedback: the status line, progress, errors and times.
 
 import type { GeodesicVoronoiElement, ViewerEvents } from '../viewer/element.js';
+import { isAbandoned, sentence } from '../viewer/failure.js';
 import { byId, listen, onClick } from './dom.js';
 import { counted, duration, integer, measure } from './numbers.js';
 
@@ -43,6 +44,11 @@ function hideNote(): void {
 export function showError(sentence: string): void {
   byId('error-text', HTMLElement).textContent = sentence;
   byId('error', HTMLElement).hidden = false;
+}
+
+/** Shows that something cannot be done, and why; nothing if its model or diagram is gone. */
+export function showFailure(what: string, cause: unknown): void {
+  if (!isAbandoned(cause)) showError(sentence(what, cause).message);
 }
 
 export function hideError(): void {
@@ -98,7 +104,7 @@ function setUpErrors(viewer: GeodesicVoronoiElement): void {
     // Without a model the view itself says why there is none, for as long as that is so.
     if (!viewer.loaded) {
       byId('status', HTMLElement).textContent = 'No model is open. Reload the page to try again.';
-    } else if (type === 'loadfailure') {
+    } else if (type === 'loadfailure' || type === 'computefailure') {
       showError(message);
     }
   });

@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: MIT
 //
-// Chooses the model that the page opens with.
+// The samples by their files, and the one that the page opens with.
 
 import samples from './samples.json' with { type: 'json' };
+
+/** Whether a file is a sample. */
+export function isSample(file: string | null): file is string {
+  return samples.some((sample) => sample.file === file);
+}
+
+/** Where the page has a sample. */
+export function sampleAddress(file: string): string {
+  return `./samples/${file}`;
+}
 
 /** The address of the sample that the page opens with: a link may name one. */
 export function modelOf(hash: string): string {
   const named = new URLSearchParams(hash.slice(1)).get('model');
-  const { file } = samples.find((sample) => sample.file === named) ?? samples[0];
-  return `./samples/${file}`;
+  return sampleAddress(isSample(named) ? named : samples[0].file);
 }

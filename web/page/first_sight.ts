@@ -7,6 +7,7 @@ import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { hexagonEnergy } from '../viewer/hexagon_energy.js';
 import type { CvtReadings } from './cvt_readings.js';
 import { byId, listen } from './dom.js';
+import { showFailure } from './feedback.js';
 import { modelOf } from './first_model.js';
 import { isPageState, readPageState } from './page_state.js';
 import { isSame } from './same_sites.js';
@@ -17,9 +18,12 @@ export function setUpFirstSight(viewer: GeodesicVoronoiElement, readings: CvtRea
   endCaption(viewer);
   // A link that is pasted into the page's own window changes nothing but the hash.
   addEventListener('hashchange', () => location.reload());
+  const play = () => {
+    evenOut(viewer, readings).catch((error) => showFailure('Regions cannot be evened out', error));
+  };
   viewer.src = modelOf(location.hash);
   if (isPageState(location.hash)) readPageState(viewer, location.hash);
-  else viewer.addEventListener('diagram', () => void evenOut(viewer, readings), { once: true });
+  else viewer.addEventListener('diagram', play, { once: true });
 }
 
 /** Controls are disabled until there is something for them to do. */

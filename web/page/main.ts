@@ -4,6 +4,7 @@
 
 import type { LoadOptions } from 'geodesic-voronoi';
 import { GeodesicVoronoiElement } from '../viewer/element.js';
+import { sentence } from '../viewer/failure.js';
 import { provideModules } from '../viewer/library_pool.js';
 import { provideModel } from '../viewer/model_files.js';
 import { setUpAddress } from './address.js';
@@ -54,6 +55,6 @@ async function addMenus(viewer: GeodesicVoronoiElement): Promise<void> {
     const { setUpMenus } = await import('./menus.js');
     setUpMenus(viewer);
   } catch (error) {
-    showError(`Downloads and links cannot be had: ${(error as Error).message}.`);
+    showError(sentence('Downloads and links cannot be had', error).message);
   }
 }

@@ -7,7 +7,7 @@ import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { chosenFiles, droppedFiles, lastSegment } from '../viewer/model_files.js';
 import { byId, listen, onClick } from './dom.js';
 import { showError, showNote } from './feedback.js';
-import { modelOf } from './first_model.js';
+import { modelOf, sampleAddress } from './first_model.js';
 import samples from './samples.json' with { type: 'json' };
 
 /**
@@ -54,7 +54,7 @@ class ModelMenu {
     this.#viewer = viewer;
     const choices = samples.map(({ title, file, credit }) => ({
       option: new Option(title, file),
-      open: () => viewer.load(`./samples/${file}`),
+      open: () => viewer.load(sampleAddress(file)),
       credit,
     }));
     this.#ownFiles.label = 'Your files';

@@ -7,7 +7,7 @@ import type { SurfacePoints } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement, ViewerEvents } from '../viewer/element.js';
 import { byId } from './dom.js';
 import { showError, showNote } from './feedback.js';
-import { modelOf } from './first_model.js';
+import { isSample } from './first_model.js';
 
 const version = '1';
 /** The most sites in a link: some programs cut off longer addresses. */
@@ -51,12 +51,11 @@ export function readPageState(viewer: GeodesicVoronoiElement, hash: string): voi
   }
   const at = parameters.get('at');
   const model = parameters.get('model');
-  const isOfSample = modelOf(hash) === `./samples/${model}`;
   const waiting = new AbortController();
   const bringBack = ({ detail: { name } }: CustomEvent<ViewerEvents['load']>) => {
     // Sites on a reader's own file make no sense without it: until it is opened, a sample is shown.
     if (model && name !== model) {
-      if (isOfSample) return;
+      if (isSample(model)) return;
       showNote(`This link is of ${model}, which it does not hold: open that file, too.`, {
         title: 'Open file…',
         act: () => byId('open', HTMLButtonElement).click(),

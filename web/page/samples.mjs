@@ -6,6 +6,8 @@
 import { copyFileSync, mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
+import { GlbBuilder } from '../../dist/glb.js';
+import { ply } from '../../dist/ply.js';
 import { bearingBlock, tangleCube, tripleTorus } from './implicit_shapes.mjs';
 import { knot, moebiusStrip, ripples, torus } from './sample_shapes.mjs';
 import { subdivide } from './subdivision.mjs';
@@ -34,32 +36,15 @@ export function makeSamples(folder) {
   for (const [file, source] of Object.entries(sources)) {
     const target = join(folder, file);
     if (typeof source === 'string') copyFileSync(require.resolve(source), target);
-    else writeFileSync(target, file.endsWith('.ply') ? ply(source()) : glb(source()));
+    else writeFileSync(target, file.endsWith('.ply') ? plyOf(source()) : glbOf(source()));
   }
 }
 
-/** A binary PLY of triangles. The first model is one, because reading it takes no other module. */
-function ply({ positions, indices }) {
-  const vertexCount = positions.length / 3;
-  const faceCount = indices.length / 3;
-  const header = [
-    'ply',
-    'format binary_little_endian 1.0',
-    `element vertex ${vertexCount}`,
-    ...['x', 'y', 'z'].map((axis) => `property float ${axis}`),
-    `element face ${faceCount}`,
-    'property list uchar int vertex_indices',
-    'end_header\n',
-  ];
-  const faceBytes = 13;
-  const faces = Buffer.alloc(faceBytes * faceCount);
-  indices.forEach((vertex, corner) => {
-    const at = faceBytes * Math.floor(corner / 3);
-    faces.writeUInt8(3, at);
-    faces.writeInt32LE(vertex, at + 1 + 4 * (corner % 3));
-  });
-  const vertices = Buffer.from(Float32Array.from(positions).buffer);
-  return Buffer.concat([Buffer.from(header.join('\n')), vertices, faces]);
+/** A PLY of triangles. The first model is one, because reading it takes no other module. */
+function plyOf({ positions, indices }) {
+  const offset = Array.from({ length: indices.length / 3 + 1 }, (_, face) => 3 * face);
+  const vertices = [{ names: ['x', 'y', 'z'], type: 'float', values: positions }];
+  return ply('A sample', vertices, { offset, points: indices }, []);
 }
 
 /** The bunny of the package has 3,674 triangles; two rounds of subdivision make 58,784. */
@@ -69,60 +54,14 @@ function bunny() {
 }
 
 /** A binary glTF of one mesh. */
-function glb({ positions, indices }) {
-  const vertices = Float32Array.from(positions);
-  const corners = Uint32Array.from(indices);
-  const axis = (k) => vertices.filter((_, i) => i % 3 === k);
-  const bounds = (pick) => [0, 1, 2].map((k) => axis(k).reduce((a, b) => pick(a, b)));
-  const float = 5126;
-  const unsignedInt = 5125;
-  const json = Buffer.from(
-    JSON.stringify({
-      asset: { version: '2.0' },
-      scene: 0,
-      scenes: [{ nodes: [0] }],
-      nodes: [{ mesh: 0 }],
-      meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1 }] }],
-      accessors: [
-        {
-          bufferView: 0,
-          componentType: float,
-          count: vertices.length / 3,
-          type: 'VEC3',
-          min: bounds(Math.min),
-          max: bounds(Math.max),
-        },
-        { bufferView: 1, componentType: unsignedInt, count: corners.length, type: 'SCALAR' },
-      ],
-      bufferViews: [
-        { buffer: 0, byteOffset: 0, byteLength: vertices.byteLength },
-        { buffer: 0, byteOffset: vertices.byteLength, byteLength: corners.byteLength },
-      ],
-      buffers: [{ byteLength: vertices.byteLength + corners.byteLength }],
-    }),
-  );
-  const padding = Buffer.alloc(-json.length & 3, ' ');
-  const data = [Buffer.from(vertices.buffer), Buffer.from(corners.buffer)];
-  return Buffer.concat(withHeader([chunk('JSON', [json, padding]), chunk('BIN\0', data)]));
-}
-
-function chunk(type, parts) {
-  const head = Buffer.alloc(8);
-  head.writeUInt32LE(
-    parts.reduce((sum, part) => sum + part.length, 0),
-    0,
-  );
-  head.write(type, 4, 'latin1');
-  return Buffer.concat([head, ...parts]);
-}
-
-function withHeader(chunks) {
-  const head = Buffer.alloc(12);
-  head.write('glTF', 0, 'latin1');
-  head.writeUInt32LE(2, 4);
-  head.writeUInt32LE(
-    chunks.reduce((sum, part) => sum + part.length, head.length),
-    8,
-  );
-  return [head, ...chunks];
+function glbOf({ positions, indices }) {
+  const file = new GlbBuilder();
+  const attributes = { POSITION: file.attribute(Float32Array.from(positions), 'VEC3') };
+  const primitives = [{ attributes, indices: file.indices(Uint32Array.from(indices)) }];
+  return file.finish({
+    scene: 0,
+    scenes: [{ nodes: [0] }],
+    nodes: [{ mesh: 0 }],
+    meshes: [{ primitives }],
+  });
 }

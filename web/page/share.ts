@@ -5,8 +5,8 @@
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { codeOf, watchOrigin } from './code_forms.js';
 import { byId, onClick } from './dom.js';
+import { isSample, sampleAddress } from './first_model.js';
 import { pageState } from './page_state.js';
-import samples from './samples.json' with { type: 'json' };
 
 /** A link that brings this diagram back, and code that makes it. */
 export function setUpShare(viewer: GeodesicVoronoiElement, modelName: () => string): void {
@@ -18,16 +18,16 @@ export function setUpShare(viewer: GeodesicVoronoiElement, modelName: () => stri
 
   const fill = () => {
     const model = modelName();
-    const isSample = samples.some(({ file }) => file === model);
+    const isShared = isSample(model);
     const address = new URL(location.href);
     address.hash = pageState(viewer, model);
     link.value = address.href;
     note.textContent =
-      (isSample
+      (isShared
         ? 'Whoever opens the link sees this model, these sites and this view.'
         : `The link does not hold ${model}: whoever opens it has to open that file, too.`) +
       (viewer.density ? ' It does not hold the painted density.' : '');
-    const itsAddress = isSample ? new URL(`samples/${model}`, location.href).href : undefined;
+    const itsAddress = isShared ? new URL(sampleAddress(model), location.href).href : undefined;
     void originOf().then((origin) => {
       code.textContent = codeOf(viewer, { name: model, address: itsAddress }, origin, chosen());
     });

@@ -5,7 +5,7 @@
 import type { Sampling } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { byId, listen, onClick, showAttributes } from './dom.js';
-import { showNote } from './feedback.js';
+import { showFailure, showNote } from './feedback.js';
 import { counted, integer, measure } from './numbers.js';
 
 /** Scattering, removing, and the list of sites. */
@@ -31,7 +31,9 @@ function setUpBareNote(viewer: GeodesicVoronoiElement): void {
       `${integer(bare.components)} of ${counted(info.components, 'component')}, ` +
       `${share} % of the area, ${bare.components === 1 ? 'has' : 'have'} no site.`;
   };
-  listen(viewer, 'diagram', () => void update());
+  listen(viewer, 'diagram', () => {
+    update().catch((error) => showFailure('Components without a site cannot be counted', error));
+  });
 }
 
 /** Notes if there are fewer sites than wanted: farthest points are vertices, and may run out. */

@@ -4,6 +4,7 @@
 
 import type { SurfacePoints } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
+import { sentence } from '../viewer/failure.js';
 import { hideError, showError } from './feedback.js';
 
 /** The JSON form of sites, as the page and the command write it. */
@@ -44,7 +45,7 @@ export async function openSites(viewer: GeodesicVoronoiElement, file: File): Pro
     const sites = await mesh.readPoints(json);
     if (mesh === viewer.mesh) viewer.sites = present(sites);
   } catch (error) {
-    showError(`${name} cannot be opened as sites: ${(error as Error).message}.`);
+    showError(sentence(`${name} cannot be opened as sites`, error).message);
   }
 }
 

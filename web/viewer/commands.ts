@@ -3,6 +3,7 @@
 // Keys and the commands of the viewer that they give.
 
 import { Vector2 } from 'three';
+import type { Attributes } from './attributes.js';
 import type { Viewer } from './viewer.js';
 
 /** A command of the viewer, given by a key. */
@@ -55,6 +56,17 @@ const actions: Readonly<Record<Command, (viewer: Viewer) => void>> = {
   'move-up': (viewer) => viewer.nudge(0, -moveStep),
   'move-down': (viewer) => viewer.nudge(0, moveStep),
 };
+
+/** What the keys do, for those who do not see the view; empty if they do nothing. */
+export function instructionsOf({ interactive, isPainting }: Attributes): string {
+  const ofCamera = 'Arrow keys turn the model, plus and minus zoom, F makes it fill the view.';
+  const ofEdit =
+    `Enter ${isPainting ? 'paints density' : 'adds a site'} at the centre of the view. ` +
+    'N and P choose a site, Shift with arrow keys moves it, Delete removes it. ' +
+    'Control Z undoes, Control Y redoes. Space plays and pauses the centroidal tessellation. ' +
+    'Escape gives up what is under way.';
+  return [interactive.camera && ofCamera, interactive.edit && ofEdit].filter(Boolean).join(' ');
+}
 
 /** Commands that change nothing but the view. */
 const ofView: ReadonlySet<Command> = new Set<Command>([

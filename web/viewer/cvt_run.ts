@@ -18,7 +18,7 @@ export interface CvtSettings {
 }
 
 /** An iteration, ready to be drawn. */
-export interface CvtPicture {
+export interface PreparedIteration {
   state: CvtState;
   /** Its diagram. */
   prepared: PreparedDiagram | undefined;
@@ -33,7 +33,7 @@ interface TimedState {
 }
 
 export interface CvtRunListener {
-  iterated(picture: CvtPicture): void;
+  iterated(iteration: PreparedIteration): void;
   /** Called when it stops playing, by itself or on request. */
   paused(): void;
   failed(error: unknown): void;
@@ -52,11 +52,11 @@ export class CvtRun {
   readonly #prepare: PrepareDiagram;
   readonly #states: AsyncGenerator<CvtState, void, void>;
   /** The iteration after the last one reported. */
-  #asked: Promise<CvtPicture | undefined> | undefined;
+  #asked: Promise<PreparedIteration | undefined> | undefined;
   /** The state after that one. */
   #coming: Promise<TimedState> | undefined;
   #playing: { until: number } | undefined;
-  #latest: CvtPicture | undefined;
+  #latest: PreparedIteration | undefined;
   #done = false;
 
   constructor(
@@ -98,7 +98,7 @@ export class CvtRun {
     return this.#done ? 'done' : 'paused';
   }
 
-  get latest(): CvtPicture | undefined {
+  get latest(): PreparedIteration | undefined {
     return this.#latest;
   }
 
@@ -126,24 +126,24 @@ export class CvtRun {
     this.#stopping.abort();
     void this.#states.return();
     // Diagrams that were computed but never reported.
-    this.#asked?.then((picture) => picture?.state.diagram?.dispose()).catch(() => {});
+    this.#asked?.then((next) => next?.state.diagram?.dispose()).catch(() => {});
     this.#coming?.then(({ state }) => state?.diagram?.dispose()).catch(() => {});
   }
 
   async #play(playing: { until: number }): Promise<void> {
     try {
       while (this.#playing === playing) {
-        const picture = await this.#ask();
+        const next = await this.#ask();
         if (this.#playing !== playing) return;
         this.#asked = undefined;
-        if (picture) {
-          this.#latest = { ...picture, prepared: undefined }; // large, and drawn now
-          this.#listener.iterated(picture);
+        if (next) {
+          this.#latest = { ...next, prepared: undefined }; // large, and drawn now
+          this.#listener.iterated(next);
         } else {
           this.#done = true;
         }
         if (this.#playing !== playing) return;
-        if (!picture || picture.state.iteration >= playing.until) this.pause();
+        if (!next || next.state.iteration >= playing.until) this.pause();
         else await nextFrame();
       }
     } catch (error) {
@@ -153,16 +153,16 @@ export class CvtRun {
     }
   }
 
-  #ask(): Promise<CvtPicture | undefined> {
+  #ask(): Promise<PreparedIteration | undefined> {
     if (!this.#asked) {
-      this.#asked = this.#nextPicture();
+      this.#asked = this.#prepareNext();
       // After a stop nobody may be waiting to handle a rejection.
       this.#asked.catch(() => {});
     }
     return this.#asked;
   }
 
-  async #nextPicture(): Promise<CvtPicture | undefined> {
+  async #prepareNext(): Promise<PreparedIteration | undefined> {
     const { state, milliseconds } = await (this.#coming ?? this.#nextState());
     this.#coming = undefined;
     if (!state) return undefined;

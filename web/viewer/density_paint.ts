@@ -3,6 +3,7 @@
 // A density painted on a model.
 
 import type { SurfaceHit } from './picking.js';
+import { cornersByPlace, firstAtPlace } from './places.js';
 import type { SceneMesh } from './scene_mesh.js';
 
 /** The densities that a brush paints with lie between this and its inverse. */
@@ -77,33 +78,19 @@ function tintOf(density: number): number {
   return Math.min(1, Math.max(-1, tint));
 }
 
-/** The faces around each place, even where the input has several vertices there. */
+/** Which faces meet at each place, even where the input has several vertices there. */
 class Adjacency {
   readonly #indices: Int32Array;
-  /** For every vertex, the first vertex at its place. */
-  readonly #first: Int32Array;
-  /** The faces around such a first vertex v: `#faces[#offset[v]] … #faces[#offset[v + 1] - 1]`. */
+  readonly #place: Int32Array;
   readonly #offset: Int32Array;
-  readonly #faces: Int32Array;
+  readonly #corners: Int32Array;
 
   constructor({ positions, indices }: SceneMesh) {
-    const count = positions.length / 3;
-    const atPlace = new Map<string, number>();
-    this.#first = Int32Array.from({ length: count }, (_, v) => {
-      const place = `${positions[3 * v]},${positions[3 * v + 1]},${positions[3 * v + 2]}`;
-      const first = atPlace.get(place) ?? v;
-      atPlace.set(place, first);
-      return first;
-    });
     this.#indices = indices;
-    this.#offset = new Int32Array(count + 1);
-    for (const v of indices) ++this.#offset[this.#first[v] + 1];
-    for (let v = 0; v < count; ++v) this.#offset[v + 1] += this.#offset[v];
-    this.#faces = new Int32Array(indices.length);
-    const end = this.#offset.slice();
-    indices.forEach((v, corner) => {
-      this.#faces[end[this.#first[v]]++] = Math.floor(corner / 3);
-    });
+    this.#place = firstAtPlace(positions);
+    const { offset, corners } = cornersByPlace(indices, this.#place);
+    this.#offset = offset;
+    this.#corners = corners;
   }
 
   /** Visits the vertices connected to a face by vertices that `accept` accepts, each once. */
@@ -116,11 +103,11 @@ class Adjacency {
         if (accepted.has(v)) continue;
         const isInside = accept(v);
         accepted.set(v, isInside);
-        const first = this.#first[v];
         if (!isInside) continue;
+        const place = this.#place[v];
         // The loop over the set also visits faces added here.
-        for (let i = this.#offset[first]; i < this.#offset[first + 1]; ++i)
-          seen.add(this.#faces[i]);
+        for (let i = this.#offset[place]; i < this.#offset[place + 1]; ++i)
+          seen.add(Math.floor(this.#corners[i] / 3));
       }
     }
   }

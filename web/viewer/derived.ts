@@ -3,29 +3,46 @@
 // A result computed from a diagram, which may be replaced in the meantime.
 
 import type { Diagram } from 'geodesic-voronoi';
+import { isAbandoned } from './failure.js';
 import type { ShownDiagram } from './shown_diagram.js';
+
+/** What to do with a result, and with a failure. */
+export interface DerivedUse<Result> {
+  compute(diagram: Diagram, signal: AbortSignal): Promise<Result | undefined>;
+  /** Gets the latest diagram's result; undefined without a diagram or after a failure. */
+  adopt(result: Result | undefined): void;
+  failed(error: unknown): void;
+}
 
 /** A result computed from the diagram that is shown, as long as it is wanted. */
 export class Derived<Result> {
-  readonly #compute: (diagram: Diagram) => Promise<Result | undefined>;
-  readonly #adopt: (result: Result | undefined) => void;
+  readonly #use: DerivedUse<Result>;
   #shown: ShownDiagram | undefined;
+  /** Of the last update; aborted if its result is to be computed again. */
+  #latest = new AbortController();
 
-  /** `adopt` gets the latest diagram's result; undefined without a diagram or after a failure. */
-  constructor(
-    compute: (diagram: Diagram) => Promise<Result | undefined>,
-    adopt: (result: Result | undefined) => void,
-  ) {
-    this.#compute = compute;
-    this.#adopt = adopt;
+  constructor(use: DerivedUse<Result>) {
+    this.#use = use;
   }
 
-  /** To be called with each new shown diagram; with undefined if no result is wanted. */
+  /** To be called with the shown diagram; with undefined if no result is wanted. */
   async update(shown: ShownDiagram | undefined): Promise<void> {
-    if (shown === this.#shown) return;
+    if (shown === this.#shown && !(shown && this.#latest.signal.aborted)) return;
+    this.stop();
     this.#shown = shown;
-    // A diagram may be replaced during the computation; the result of the next one follows then.
-    const result = shown?.diagram && (await this.#compute(shown.diagram).catch(() => undefined));
-    if (shown === this.#shown) this.#adopt(result);
+    this.#latest = new AbortController();
+    const { signal } = this.#latest;
+    let result: Result | undefined;
+    try {
+      result = shown?.diagram && (await this.#use.compute(shown.diagram, signal));
+    } catch (error) {
+      if (!isAbandoned(error, signal)) this.#use.failed(error);
+    }
+    if (!signal.aborted) this.#use.adopt(result);
+  }
+
+  /** Gives up a result that is under way. One that has been adopted stays until the next update. */
+  stop(): void {
+    this.#latest.abort();
   }
 }

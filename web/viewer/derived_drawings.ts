@@ -5,13 +5,16 @@
 import type { Diagram, Violation } from 'geodesic-voronoi';
 import type { Attributes } from './attributes.js';
 import { Derived } from './derived.js';
-import { type DistanceRange, distanceRange, type Legend } from './legend.js';
+import { type DistanceScale, distanceScale } from './distance_scale.js';
 import { cornersToAsk, type DistanceTriangles } from './distance_triangles.js';
 import type { Emit } from './events.js';
 import { type ExplodedParts, widestSpread } from './exploded_parts.js';
+import type { Legend } from './legend.js';
 import { boundarySides, chainEnds } from './lines.js';
+import { sentence } from './failure.js';
 import { nextFrame } from './next_frame.js';
 import type { OpenModel } from './open_model.js';
+import type { Session } from './session.js';
 import type { ShownDiagram } from './shown_diagram.js';
 import type { Stage } from './stage.js';
 
@@ -19,6 +22,7 @@ import type { Stage } from './stage.js';
 export interface DrawingPlace {
   readonly attributes: Attributes;
   readonly stage: Stage;
+  readonly session: Session;
   readonly model: OpenModel | undefined;
   readonly legend: Legend;
 }
@@ -32,7 +36,8 @@ interface Parts {
 /** The surface coloured by distance, and what the colours mean. */
 interface Distances {
   triangles: DistanceTriangles;
-  range: DistanceRange;
+  /** In the model's units. */
+  scale: DistanceScale;
 }
 
 /** The dual's sides, and whether it has the topology of the surface. */
@@ -43,30 +48,64 @@ interface Dual {
   violations: readonly Violation[];
 }
 
+/** In milliseconds, how long a site that is dragged rests before the drawings follow. */
+const dragRest = 150;
+
 export class DerivedDrawings {
   readonly #place: DrawingPlace;
   readonly #emit: Emit;
-  readonly #dual = new Derived(
-    (diagram) => this.#makeDual(diagram),
-    (dual) => this.#showDual(dual),
-  );
-  readonly #parts = new Derived(
-    (diagram) => this.#makeParts(diagram),
-    (parts) => this.#showParts(parts),
-  );
-
-  readonly #distances = new Derived(
-    (diagram) => this.#makeDistances(diagram),
-    (distances) => this.#showDistances(distances),
-  );
+  readonly #dual = new Derived<Dual>({
+    compute: (diagram, signal) => this.#makeDual(diagram, signal),
+    adopt: (dual) => this.#showDual(dual),
+    failed: (error) => this.#fail('The dual cannot be made', error),
+  });
+  readonly #parts = new Derived<Parts>({
+    compute: (diagram, signal) => this.#makeParts(diagram, signal),
+    adopt: (parts) => this.#showParts(parts),
+    failed: (error) => this.#fail('The regions cannot be drawn apart', error),
+  });
+  readonly #distances = new Derived<Distances>({
+    compute: (diagram, signal) => this.#makeDistances(diagram, signal),
+    adopt: (distances) => this.#showDistances(distances),
+    failed: (error) => this.#fail('The distances cannot be drawn', error),
+  });
+  #resting: ReturnType<typeof setTimeout> | undefined;
 
   constructor(place: DrawingPlace, emit: Emit) {
     this.#place = place;
     this.#emit = emit;
   }
 
+  /**
+   * To be called whenever the session has another status, or the attributes ask for other drawings.
+   * A diagram answers one call after the other, and these take as long as a whole diagram: they wait
+   * until nothing else is under way. Iterations are shown without them.
+   */
+  update(): void {
+    const { session } = this.#place;
+    clearTimeout(this.#resting);
+    if (session.status === 'iterating') this.#show(undefined);
+    else if (session.status !== 'ready') this.#stop();
+    else if (!session.isMoving) this.#show(session.shown);
+    else this.#resting = setTimeout(() => this.#show(session.shown), dragRest);
+  }
+
+  dispose(): void {
+    clearTimeout(this.#resting);
+    this.#stop();
+  }
+
+  #stop(): void {
+    for (const each of [this.#dual, this.#distances, this.#parts]) each.stop();
+  }
+
+  #fail(what: string, cause: unknown): void {
+    const { message } = sentence(what, cause);
+    this.#emit('error', { type: 'computefailure', message, cause });
+  }
+
   /** Shows what the attributes ask for of this diagram; nothing without a diagram. */
-  update(shown: ShownDiagram | undefined): void {
+  #show(shown: ShownDiagram | undefined): void {
     const { layers, exploded } = this.#place.attributes;
     void this.#dual.update(layers.includes('dual') ? shown : undefined);
     void this.#distances.update(layers.includes('distances') ? shown : undefined);
@@ -81,17 +120,19 @@ export class DerivedDrawings {
     stage.invalidate();
   }
 
-  async #makeParts(diagram: Diagram): Promise<Parts | undefined> {
-    const partition = await diagram.partition();
+  async #makeParts(diagram: Diagram, signal: AbortSignal): Promise<Parts | undefined> {
+    const partition = await diagram.partition({ signal });
     const { model, stage } = this.#place;
     const regions = partition.regions.area.length;
     const triangles = await model?.builder.parts(partition, model.drawing.tones);
-    if (!model || !triangles || model !== this.#place.model) return undefined;
+    signal.throwIfAborted();
+    if (!model || !triangles) return undefined;
     const parts = model.drawing.prepareParts(triangles);
     for (let isFirst = true; parts.uploadMore(); isFirst = false) {
       if (isFirst) await stage.compile(parts.object);
       stage.invalidate();
       await nextFrame();
+      signal.throwIfAborted();
     }
     return { regions, parts };
   }
@@ -103,13 +144,14 @@ export class DerivedDrawings {
     this.#emit('exploded', detail ?? null);
   }
 
-  async #makeDistances(diagram: Diagram): Promise<Distances | undefined> {
+  async #makeDistances(diagram: Diagram, signal: AbortSignal): Promise<Distances | undefined> {
     const { model } = this.#place;
     if (!model) return undefined;
     const { mesh } = model.drawing;
-    const { points, cells, faceLabel } = await diagram.fetchData();
+    const { points, cells, faceLabel } = await diagram.fetchData({ signal });
     const { vertex, points: corners } = cornersToAsk(mesh, { faceLabel });
-    const [atPoints, atCorners] = [await diagram.locate(points), await diagram.locate(corners)];
+    const atPoints = await diagram.locate(points, { signal });
+    const atCorners = await diagram.locate(corners, { signal });
     const atVertices = new Float64Array(mesh.positions.length / 3).fill(Infinity);
     for (let i = 0; i < vertex.length; ++i) atVertices[vertex[i]] = atCorners.distance[i];
     let longest = 0;
@@ -122,20 +164,20 @@ export class DerivedDrawings {
       atPoints: atPoints.distance,
       atVertices,
     });
-    return triangles && { triangles, range: distanceRange(longest) };
+    return triangles && { triangles, scale: distanceScale(longest) };
   }
 
   #showDistances(distances: Distances | undefined): void {
     const { model, stage, legend } = this.#place;
-    model?.drawing.setDistances(distances?.triangles, distances?.range);
-    legend.showDistances(distances?.range);
+    model?.drawing.setDistances(distances?.triangles, distances?.scale);
+    legend.showDistances(distances?.scale);
     stage.invalidate();
   }
 
-  async #makeDual(diagram: Diagram): Promise<Dual | undefined> {
-    const paths = await diagram.dualPaths();
-    const dual = await diagram.dual();
-    const violations = await diagram.violations();
+  async #makeDual(diagram: Diagram, signal: AbortSignal): Promise<Dual | undefined> {
+    const paths = await diagram.dualPaths({ signal });
+    const dual = await diagram.dual({ signal });
+    const violations = await diagram.violations({ signal });
     const { model } = this.#place;
     if (!model) return undefined;
     const { drawing, picker } = model;

@@ -11,21 +11,14 @@ import {
   Mesh,
   MeshLambertMaterial,
 } from 'three';
+import { type DistanceScale, distanceColours } from './distance_scale.js';
 import type { DistanceTriangles } from './distance_triangles.js';
+import { behindLines } from './lines.js';
 import { occlude } from './occlusion.js';
 import { wholeScene } from './record_buffer.js';
 import type { SceneMesh } from './scene_mesh.js';
 
-/** sRGB, from the sites to the farthest point: ever darker, so that every reader sees the order. */
-export const distanceColours = ['#fff4d6', '#f6c274', '#e27a72', '#9c4f96', '#44357f', '#171b45'];
-
-/** The range of distances, in lengths of the scene. */
-export interface DistanceScale {
-  longest: number;
-  /** Between two isolines. */
-  step: number;
-}
-
+/** Takes a scale in lengths of the scene. */
 export class DistanceSurface {
   readonly object = new Group();
   readonly #material: MeshLambertMaterial;
@@ -41,9 +34,7 @@ export class DistanceSurface {
     this.#uniforms.isolineStep.value = step;
     this.#material = new MeshLambertMaterial({
       side: DoubleSide,
-      polygonOffset: true,
-      polygonOffsetFactor: 2,
-      polygonOffsetUnits: 2,
+      ...behindLines,
     });
     this.#material.onBeforeCompile = (shader) => {
       Object.assign(shader.uniforms, this.#uniforms);

@@ -12,7 +12,7 @@ import type {
 } from 'geodesic-voronoi';
 import { buildAttributes, scatteringAttributes } from './attributes.js';
 import { formatCameraOrbit } from './camera_orbit.js';
-import { type Command, commandOf, perform } from './commands.js';
+import { type Command, commandOf, instructionsOf, perform } from './commands.js';
 import { fileOfPicture } from './drawing_builder.js';
 import { ElementShadow } from './element_shadow.js';
 import type { CvtIteration, ViewerEventMap, ViewerEvents } from './events.js';
@@ -26,6 +26,8 @@ import type { CvtStatus, Status } from './session_listener.js';
 import { type SitePlace, surfacePointsOf } from './site_history.js';
 import type { Session } from './session.js';
 import { Viewer } from './viewer.js';
+
+const contextLost = 'The graphics card has dropped this view; it returns when it can.';
 
 export type { Command, CvtIteration, CvtStatus, HoveredPoint, Layer, SitePlace, Status };
 export type { ViewerEventMap, ViewerEvents };
@@ -152,7 +154,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
   }
 
   set sites(sites: { face: ArrayLike<number>; bary: ArrayLike<number> }) {
-    this.#viewer?.replaceSites(sites);
+    this.#editable.replaceSites(sites);
   }
 
   /**
@@ -170,20 +172,20 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     sampling: Sampling = 'random',
     perComponent = 0,
   ): Promise<void> {
-    await this.#viewer?.scatter({ count, seed, sampling, perComponent });
+    await this.#editable.scatter({ count, seed, sampling, perComponent });
   }
 
   addSite(place: SitePlace): void {
-    this.#viewer?.addSite(place);
+    this.#editable.addSite(place);
   }
 
   moveSite(index: number, place: SitePlace): void {
-    this.#viewer?.moveSite(index, place);
+    this.#editable.moveSite(index, place);
   }
 
   /** Removes a site; the last one takes its index, all others keep theirs. */
   removeSite(index: number): void {
-    this.#viewer?.removeSite(index);
+    this.#editable.removeSite(index);
   }
 
   undo(): void {
@@ -238,12 +240,12 @@ export class GeodesicVoronoiElement extends ReflectingElement {
    * another `cvt-method`, `cvt-tolerance` or `metric`, ends them.
    */
   playCvt(): void {
-    this.#viewer?.playCvt();
+    this.#editable.playCvt();
   }
 
   /** One iteration. */
   stepCvt(): void {
-    this.#viewer?.stepCvt();
+    this.#editable.stepCvt();
   }
 
   pauseCvt(): void {
@@ -262,7 +264,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
 
   /** Values are kept between 1/1000 and 1000. Setting the density is a step that can be undone. */
   set density(density: ArrayLike<number> | undefined) {
-    if (this.#viewer) this.#viewer.density = density;
+    this.#editable.density = density;
   }
 
   // --- View -----------------------------------------------------------------------------------
@@ -315,6 +317,12 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     return this.#viewer?.session;
   }
 
+  /** The viewer with its model: without one, an edit would be lost without a word. */
+  get #editable(): Viewer {
+    if (this.#viewer?.model) return this.#viewer;
+    throw new Error('There is no model to edit: wait for the event "load".');
+  }
+
   async #open(read: Reader): Promise<boolean> {
     const isOpen = (await this.#started()?.open(read)) ?? false;
     if (isOpen) this.#read = read;
@@ -337,11 +345,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
         attributes: this.attributeValues,
         emit,
         hint: (sentence) => shadow.hint(sentence),
-        contextLost: () =>
-          fail(
-            'webglcontextlost',
-            'The graphics card has dropped this view; it returns when it can.',
-          ),
+        contextLost: () => fail('webglcontextlost', contextLost),
         contextRestored: () => {
           shadow.message = undefined;
         },
@@ -401,10 +405,9 @@ export class GeodesicVoronoiElement extends ReflectingElement {
 
   #describe(): void {
     if (!this.#shadow) return;
-    const { label } = this.attributeValues;
-    const choice = `; site ${this.selected} is chosen, of ${this.sites.face.length}`;
-    const full = this.selected < 0 ? label : label + choice;
-    this.#shadow.describe(full, this.interactive !== 'none');
+    const { attributeValues, selected } = this;
+    const choice = selected < 0 ? '' : `; site ${selected} is chosen, of ${this.sites.face.length}`;
+    this.#shadow.describe(attributeValues.label + choice, instructionsOf(attributeValues));
     this.#shadow.poster = this.poster;
   }
 

@@ -66,11 +66,6 @@ const style = `
   .instructions { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
 `;
 
-const instructions =
-  'Arrow keys turn the model, plus and minus zoom. Enter adds a site at the centre of the view; ' +
-  'N and P choose a site, Delete removes it. Control Z undoes. ' +
-  'Space plays and pauses the centroidal tessellation.';
-
 const hintMilliseconds = 2000;
 
 /**
@@ -80,11 +75,12 @@ const hintMilliseconds = 2000;
 export class ElementShadow {
   readonly canvas = make('canvas', { tabIndex: 0 });
   readonly #aim = make('div', { className: 'aim' });
-  readonly #message = make('p', { className: 'message', hidden: true, role: 'alert' });
+  readonly #message = make('p', { className: 'message', hidden: true });
   readonly #poster = make('div', { className: 'poster' });
   readonly #posterImage = make('img', { alt: '', hidden: true });
   readonly #progress = make('div', { className: 'progress' });
-  readonly #hint = make('div', { className: 'hint', ariaHidden: 'true' });
+  readonly #hint = make('div', { className: 'hint' });
+  readonly #instructions = make('p', { className: 'instructions', id: 'instructions' });
   #hintTimer = 0;
 
   constructor(host: HTMLElement) {
@@ -93,6 +89,9 @@ export class ElementShadow {
     sheet.replaceSync(style);
     root.adoptedStyleSheets = [sheet];
 
+    // Attributes, since browsers have these as properties only of late.
+    this.#hint.setAttribute('aria-hidden', 'true');
+    this.#message.setAttribute('role', 'alert');
     this.canvas.setAttribute('aria-describedby', 'instructions');
     this.#poster.append(slot('poster', this.#posterImage));
     this.#progress.append(slot('progress-bar', make('div', { className: 'bar' })));
@@ -105,17 +104,15 @@ export class ElementShadow {
       hint: this.#hint,
     };
     for (const [name, part] of Object.entries(parts)) part.setAttribute('part', name);
-    root.replaceChildren(
-      ...Object.values(parts),
-      make('p', { className: 'instructions', id: 'instructions', textContent: instructions }),
-    );
+    root.replaceChildren(...Object.values(parts), this.#instructions);
   }
 
-  /** Describes the canvas to assistive technology. */
-  describe(label: string, isInteractive: boolean): void {
-    this.canvas.ariaLabel = label;
-    this.canvas.setAttribute('role', isInteractive ? 'application' : 'img');
-    if (isInteractive) this.canvas.tabIndex = 0;
+  /** Describes the canvas to assistive technology; without instructions, nothing can be done there. */
+  describe(label: string, instructions: string): void {
+    this.canvas.setAttribute('aria-label', label);
+    this.canvas.setAttribute('role', instructions ? 'application' : 'img');
+    this.#instructions.textContent = instructions;
+    if (instructions) this.canvas.tabIndex = 0;
     else this.canvas.removeAttribute('tabindex');
   }
 

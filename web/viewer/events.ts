@@ -23,12 +23,15 @@ export interface CvtIteration {
   largestMove: number;
 }
 
+/** What failed: opening a model, computing with one that is open, or drawing. */
+export type FailureType = 'loadfailure' | 'computefailure' | 'nowebgl' | 'webglcontextlost';
+
 /** The `detail` of this element's events, by their name. */
 export interface ViewerEvents {
   /** A model was opened. */
   load: { name: string; info: MeshInfo; parts: readonly MeshPart[] };
   /** Something failed, in a sentence; everything is as it was before. */
-  error: { type: 'loadfailure' | 'nowebgl' | 'webglcontextlost'; message: string; cause?: unknown };
+  error: { type: FailureType; message: string; cause?: unknown };
   /** A diagram is drawn. */
   diagram: {
     sites: number;

@@ -7,3 +7,8 @@ export function sentence(what: string, cause: unknown): Error {
   const why = cause instanceof Error ? cause.message : String(cause);
   return new Error(`${what}: ${why.replace(/\.$/, '')}.`, { cause });
 }
+
+/** Whether work has failed only because nobody wants it any more: it was aborted, or its mesh is gone. */
+export function isAbandoned(error: unknown, signal?: AbortSignal): boolean {
+  return signal?.aborted === true || (error as { code?: unknown })?.code === 'disposed';
+}

@@ -3,23 +3,8 @@
 // The legend on the view: it tells what the colours of distances or of a density mean.
 
 import { greatestDensity } from './density_paint.js';
-import { distanceColours } from './distance_surface.js';
+import { type DistanceScale, distanceColours } from './distance_scale.js';
 import { tintColours } from './label_colours.js';
-
-/** In the model's units. */
-export interface DistanceRange {
-  longest: number;
-  /** Between two isolines. */
-  step: number;
-}
-
-/** Isolines at round numbers, about a dozen of them. */
-export function distanceRange(longest: number): DistanceRange {
-  const rough = longest / 12 || 1;
-  const power = 10 ** Math.floor(Math.log10(rough));
-  const step = [1, 2, 5, 10].map((n) => n * power).find((each) => each >= rough) ?? rough;
-  return { longest, step };
-}
 
 const style = `
   .legend {
@@ -69,17 +54,17 @@ export class Legend {
     this.#shadow.adoptedStyleSheets = sheets.filter((sheet) => sheet !== this.#sheet);
   }
 
-  /** Undefined if no distances are shown. */
-  showDistances(range: DistanceRange | undefined): void {
-    this.#distances.hidden = range === undefined;
-    if (!range) return;
+  /** Takes a scale in the model's units; undefined if no distances are shown. */
+  showDistances(scale: DistanceScale | undefined): void {
+    this.#distances.hidden = scale === undefined;
+    if (!scale) return;
     fill(this.#distances, {
       colours: distanceColours,
-      marks: [numeral(0), numeral(range.longest)],
+      marks: [numeral(0), numeral(scale.longest)],
       caption: [
         'Distance to the nearest site',
         ", in the model's units",
-        `; a line every ${numeral(range.step)}`,
+        `; a line every ${numeral(scale.step)}`,
       ],
     });
   }

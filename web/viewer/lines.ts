@@ -28,6 +28,13 @@ const limitedWidth = `min(
   0.5 * widest * resolution.y * projectionMatrix[1][1] / (position.y < 0.5 ? clipStart : clipEnd).w
 )`;
 
+/**
+ * What a material has whose surface lies behind the lines in it. These are some pixels wide: on a
+ * slope the depth differs across them by the slope times half their width, which is what the factor
+ * pushes back.
+ */
+export const behindLines = { polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2 };
+
 /** Line segments of a width in CSS pixels, at any zoom. */
 export class FatLines {
   readonly object: LineSegments2;

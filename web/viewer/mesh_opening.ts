@@ -2,7 +2,14 @@
 //
 // From a model's files to its mesh, with sites scattered on it and made ready to be drawn.
 
-import type { GeodesicVoronoi, Mesh, MeshOptions, Sampling, SurfacePoints } from 'geodesic-voronoi';
+import type {
+  GeodesicVoronoi,
+  Mesh,
+  MeshOptions,
+  Sampling,
+  SurfacePoints,
+  TaskOptions,
+} from 'geodesic-voronoi';
 import { DrawingBuilder } from './drawing_builder.js';
 import { sentence } from './failure.js';
 import { lastSegment, type NamedFiles } from './model_files.js';
@@ -44,6 +51,10 @@ export interface OpenedMesh {
 
 export type PointList = SurfacePoints | { face: number[]; bary: number[] };
 
+/** The shares of the work that are done when the files have been read, and when the mesh is there. */
+const readShare = 0.4;
+const meshShare = 0.8;
+
 /** Opens a mesh. If any step fails or is aborted, nothing stays open. */
 export async function openMesh(
   library: GeodesicVoronoi,
@@ -55,13 +66,17 @@ export async function openMesh(
   const builder = new DrawingBuilder();
   let mesh: Mesh | undefined;
   try {
-    const files = await read(signal, onProgress);
-    mesh = await library.mesh(files.files, { ...build, file: files.file }).catch((error) => {
+    const between = (from: number, to: number) => (share: number) =>
+      onProgress(from + (to - from) * share);
+    const files = await read(signal, between(0, readShare));
+    const building = { signal, onProgress: between(readShare, meshShare) };
+    const options = { ...build, file: files.file, ...building };
+    mesh = await library.mesh(files.files, options).catch((error) => {
       throw sentence(`${files.name} cannot be opened`, error);
     });
     const [sites, scene] = await Promise.all([
-      scatterSites(mesh, scattering),
-      sceneOf(mesh, builder),
+      scatterSites(mesh, scattering, { signal, onProgress: between(meshShare, 1) }),
+      sceneOf(mesh, builder, signal),
     ]);
     signal.throwIfAborted();
     return { mesh, name: lastSegment(mesh.info.origin.file), files, sites, scene, builder };
@@ -72,22 +87,32 @@ export async function openMesh(
   }
 }
 
-async function sceneOf(mesh: Mesh, builder: DrawingBuilder): Promise<SceneMesh> {
+async function sceneOf(
+  mesh: Mesh,
+  builder: DrawingBuilder,
+  signal: AbortSignal,
+): Promise<SceneMesh> {
   const arrays = await builder.scene(mesh);
+  signal.throwIfAborted();
   return new SceneMesh(arrays ?? (await import('./scene_arrays.js')).sceneArrays(mesh));
 }
 
 export async function scatterSites(
   mesh: Mesh,
   { count, seed, sampling = 'random', perComponent = 0, density }: Scattering,
+  task: TaskOptions,
 ): Promise<PointList> {
   if (count <= 0) return { face: [], bary: [] };
   const most = Math.floor(count / mesh.info.components);
-  return mesh.sampleSites(count, {
+  const sampled = mesh.sampleSites(count, {
     seed,
     sampling,
     perComponent: Math.min(perComponent, most),
     // Other samplings have none.
     density: sampling === 'random' ? density : undefined,
+    ...task,
+  });
+  return sampled.catch((error) => {
+    throw sentence('The sites cannot be placed', error);
   });
 }

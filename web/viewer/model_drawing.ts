@@ -13,7 +13,7 @@ import {
 } from 'three';
 import type { DiagramGeometry, PreparedDiagram } from './diagram_geometry.js';
 import type { DiagramSummary } from './diagram_summary.js';
-import type { DistanceRange } from './legend.js';
+import type { DistanceScale } from './distance_scale.js';
 import { DistanceSurface } from './distance_surface.js';
 import type { DistanceTriangles } from './distance_triangles.js';
 import { ExplodedParts } from './exploded_parts.js';
@@ -180,17 +180,17 @@ export class ModelDrawing {
    * The surface coloured by distance, in the model's units, instead of the regions; undefined for
    * none.
    */
-  setDistances(triangles: DistanceTriangles | undefined, range?: DistanceRange): void {
+  setDistances(triangles: DistanceTriangles | undefined, inUnits?: DistanceScale): void {
     if (this.#distances) this.#together.remove(this.#distances.object);
     this.#distances?.dispose();
     const { scale } = this.#mesh.frame;
     this.#distances =
       triangles &&
-      range &&
+      inUnits &&
       new DistanceSurface(
         this.#mesh,
         triangles,
-        { longest: scale * range.longest, step: scale * range.step },
+        { longest: scale * inUnits.longest, step: scale * inUnits.step },
         this.#occlusion,
       );
     if (this.#distances) this.#together.add(this.#distances.object);

@@ -112,6 +112,19 @@ async function fetchBytes(
   if (!response.ok) {
     throw new Error(`${name} cannot be fetched: the server answers ${response.status}.`);
   }
+  try {
+    return await bytesOf(response, signal, onProgress);
+  } catch (cause) {
+    signal.throwIfAborted();
+    throw new Error(`${name} cannot be fetched: the connection has ended.`, { cause });
+  }
+}
+
+async function bytesOf(
+  response: Response,
+  signal: AbortSignal,
+  onProgress: (share: number) => void,
+): Promise<Uint8Array> {
   if (!response.body) return new Uint8Array(await response.arrayBuffer());
 
   // With a content encoding, the header gives the length before decoding.
@@ -122,6 +135,7 @@ async function fetchBytes(
   let received = 0;
   const reader = response.body.getReader();
   for (let part = await reader.read(); !part.done; part = await reader.read()) {
+    signal.throwIfAborted();
     chunks.push(part.value);
     received += part.value.length;
     if (length > 0) onProgress(Math.min(1, received / length));

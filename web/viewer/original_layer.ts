@@ -29,11 +29,12 @@ export class OriginalLayer {
       problem = error.message;
       return undefined;
     });
-    if (wanted !== this.#shown) {
+    // Another model may be there by now, or none.
+    if (wanted !== this.#shown || model !== this.#place.model) {
       material?.dispose();
       return;
     }
-    if (model === this.#place.model) model?.drawing.setOriginal(material);
+    model?.drawing.setOriginal(material);
     this.#place.stage.invalidate();
     const textures = material?.textures ?? 0;
     this.#emit('original', wanted ? { isFound: material !== undefined, textures, problem } : null);

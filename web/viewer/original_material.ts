@@ -18,6 +18,7 @@ import {
 } from 'three';
 import type { GLTFParser } from 'three/addons/loaders/GLTFLoader.js';
 import type { DrawingBuilder } from './drawing_builder.js';
+import { behindLines } from './lines.js';
 import type { NamedFiles } from './model_files.js';
 import type { ModelFrame } from './model_frame.js';
 import { wholeScene } from './record_buffer.js';
@@ -79,10 +80,7 @@ function plainly(part: Mesh): Mesh {
   const material = new MeshLambertMaterial({
     ...{ color, map, vertexColors, transparent, opacity, alphaTest, flatShading },
     side: DoubleSide,
-    // Pushed back behind lines, as in `RegionSurface`.
-    polygonOffset: true,
-    polygonOffsetFactor: 2,
-    polygonOffsetUnits: 2,
+    ...behindLines,
   });
   const isSkinned = 'isSkinnedMesh' in part;
   const isInstanced = 'isInstancedMesh' in part;

@@ -22,12 +22,15 @@ const fewestTones = palette.length;
 /** Neighbours that differ less than this for some reader get other tones where there are any. */
 const comfortableDistance = 0.08;
 
+/** Of so many sites that are gone the tones are kept: undoing brings them back. */
+const mostGone = 20_000;
+
 /**
  * Chooses a tone for every site so that neighbours differ. A site keeps its tone from diagram to
  * diagram if possible, because jumping colours would drown out everything else in a drag.
  */
 export class RegionColours {
-  readonly #toneOfSite = new Map<number, number>();
+  #toneOfSite = new Map<number, number>();
 
   /**
    * A tone per label of the diagram, whose sites have these identities. Labels in `yielding` get
@@ -66,6 +69,8 @@ export class RegionColours {
         .filter((tone) => tone !== unset);
       give(label, bestTone(usage, around));
     }
+    if (this.#toneOfSite.size > siteIds.length + mostGone)
+      this.#toneOfSite = new Map(siteIds.map((id, label) => [id, tones[label]]));
     return tones;
   }
 }

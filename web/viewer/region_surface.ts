@@ -15,6 +15,7 @@ import {
 import { type Cells, type CellTriangles, cellTriangles } from './cell_triangles.js';
 import { dropped, mixed } from './face_label.js';
 import { LabelColours } from './label_colours.js';
+import { behindLines } from './lines.js';
 import { occlude } from './occlusion.js';
 import {
   type Marks,
@@ -75,11 +76,7 @@ export class RegionSurface {
     this.#material = new MeshLambertMaterial({
       vertexColors: true,
       side: DoubleSide,
-      // Lines lie in the surface and are some pixels wide: on a slope the depth differs across
-      // them by the slope times half their width, which is what the factor pushes back.
-      polygonOffset: true,
-      polygonOffsetFactor: 2,
-      polygonOffsetUnits: 2,
+      ...behindLines,
     });
     occlude(this.#material, occlusion);
     this.#wholeFaces = wholeFaceGeometry(mesh);

@@ -1,32 +1,39 @@
 // SPDX-License-Identifier: MIT
 //
 // Placing all sites anew: only the latest request counts.
+
 import type { Mesh } from 'geodesic-voronoi';
 import { type PointList, type Scattering, scatterSites } from './mesh_opening.js';
 
 export class ScatterTask {
-  #wanted: Scattering | undefined;
+  #running: AbortController | undefined;
 
   get isRunning(): boolean {
-    return this.#wanted !== undefined;
+    return this.#running !== undefined;
   }
 
-  /** The sites; undefined if another request followed, or a cancel. */
-  async run(mesh: Mesh, scattering: Scattering): Promise<PointList | undefined> {
-    this.#wanted = scattering;
-    const isWanted = () => this.#wanted === scattering;
+  /** The sites; undefined if another request followed, or a cancel. Either ends this one. */
+  async run(
+    mesh: Mesh,
+    scattering: Scattering,
+    onProgress: (share: number) => void,
+  ): Promise<PointList | undefined> {
+    this.cancel();
+    this.#running = new AbortController();
+    const { signal } = this.#running;
     try {
-      const sites = await scatterSites(mesh, scattering);
-      return isWanted() ? sites : undefined;
+      const sites = await scatterSites(mesh, scattering, { signal, onProgress });
+      return signal.aborted ? undefined : sites;
     } catch (error) {
-      if (isWanted()) throw error;
+      if (!signal.aborted) throw error;
       return undefined;
     } finally {
-      if (isWanted()) this.#wanted = undefined;
+      if (!signal.aborted) this.#running = undefined;
     }
   }
 
   cancel(): void {
-    this.#wanted = undefined;
+    this.#running?.abort();
+    this.#running = undefined;
   }
 }

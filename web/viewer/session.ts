@@ -3,7 +3,7 @@
 // The state of a viewer: model, sites, diagram, tessellation, history.
 
 import type { Mesh, Metric } from 'geodesic-voronoi';
-import { type CvtPicture, CvtRun, type CvtSettings } from './cvt_run.js';
+import { type PreparedIteration, CvtRun, type CvtSettings } from './cvt_run.js';
 import type { PrepareDiagram } from './diagram_geometry.js';
 import { sentence } from './failure.js';
 import { LatestTask } from './latest_task.js';
@@ -30,6 +30,7 @@ import { without } from './site_step.js';
 export class Session {
   readonly #prepare: PrepareDiagram;
   readonly #listener: SessionListener;
+  readonly #onProgress = (share: number) => this.#listener.progressed(share);
   readonly #history = new SiteHistory();
   readonly #task = new LatestTask<DiagramRequest>((wanted, signal) =>
     this.#compute(wanted, signal),
@@ -77,6 +78,11 @@ export class Session {
     return this.#history.canRedo;
   }
 
+  /** Whether a site is being moved: until `endMove` or `cancelMove`. */
+  get isMoving(): boolean {
+    return this.#move !== undefined;
+  }
+
   /** Opens a model with so many sites scattered; resolves to whether it is there now. */
   async open(read: Reader, how: Opening): Promise<boolean> {
     this.#opening?.abort();
@@ -89,13 +95,12 @@ export class Session {
       const library = await this.#lease.library.catch((error) => {
         throw sentence('Nothing can be computed', error);
       });
-      const onProgress = (share: number) => this.#listener.progressed(share);
-      this.#adopt(await openMesh(library, read, how, { signal, onProgress }));
+      this.#adopt(await openMesh(library, read, how, { signal, onProgress: this.#onProgress }));
       return true;
     } catch (error) {
       if (!signal.aborted) {
         this.#hasFailed = true;
-        this.#fail(error);
+        this.#fail(error, 'loadfailure');
       }
       const isFollowed = this.#opening && this.#opening !== opening;
       if (this.#mesh && !isFollowed) this.#listener.settingsRestored(this.#settings);
@@ -120,7 +125,7 @@ export class Session {
   async scatter(scattering: Opening['scattering']): Promise<void> {
     const mesh = this.#mesh;
     if (!mesh) return;
-    const placing = this.scattering.run(mesh, scattering);
+    const placing = this.scattering.run(mesh, scattering, this.#onProgress);
     this.#updateStatus();
     try {
       const sites = await placing;
@@ -298,10 +303,9 @@ export class Session {
     const start = performance.now();
     try {
       const changes = await changeDiagram(before, wanted);
-      const onProgress = (share: number) => this.#listener.progressed(share);
       const diagram = changes
         ? before?.diagram
-        : await computeDiagram(mesh, wanted, { signal, onProgress });
+        : await computeDiagram(mesh, wanted, { signal, onProgress: this.#onProgress });
       const milliseconds = performance.now() - start;
       const isAnew = diagram && !changes && mesh === this.#mesh;
       const prepared = isAnew ? await this.#prepare(diagram.data, wanted.sites) : undefined;
@@ -350,7 +354,7 @@ export class Session {
 
   #newCvt(mesh: Mesh, settings: CvtSettings): CvtRun {
     return new CvtRun(mesh, this.sites, settings, this.#prepare, {
-      iterated: (picture) => this.#showIteration(picture, settings.metric ?? 'exact'),
+      iterated: (iteration) => this.#showIteration(iteration, settings.metric ?? 'exact'),
       paused: () => this.#rest(),
       failed: (error) => {
         this.#stopCvt();
@@ -360,7 +364,7 @@ export class Session {
     });
   }
 
-  #showIteration({ state, prepared }: CvtPicture, metric: Metric): void {
+  #showIteration({ state, prepared }: PreparedIteration, metric: Metric): void {
     if (state.iteration > 0) {
       const sites = this.sites.map(({ id }, i) => ({ id, ...placeOf(state.sites, i) }));
       if (state.iteration === 1) this.#history.record(sites);
@@ -412,28 +416,26 @@ export class Session {
     this.#listener.sitesChanged(this.sites);
   }
 
-  #fail(error: unknown): void {
+  #fail(error: unknown, type: Parameters<SessionListener['failed']>[0] = 'computefailure'): void {
     // A library that has stopped never answers again; the next model starts another.
     const { code } = ((error as Error).cause ?? error) as { code?: unknown };
     if (code === 'internal' || code === 'load-failed') {
       this.#lease?.discard();
       this.#lease = undefined;
     }
-    this.#listener.failed(error);
+    this.#listener.failed(type, error);
+  }
+
+  #statusNow(): Status {
+    if (this.#opening) return 'loading';
+    if (this.#cvt?.playing) return 'iterating';
+    if (this.#computing || this.scattering.isRunning) return 'computing';
+    if (this.#mesh) return 'ready';
+    return this.#hasFailed ? 'failed' : 'empty';
   }
 
   #updateStatus(): void {
-    const status = this.#opening
-      ? 'loading'
-      : this.#cvt?.playing
-        ? 'iterating'
-        : this.#computing || this.scattering.isRunning
-          ? 'computing'
-          : this.#mesh
-            ? 'ready'
-            : this.#hasFailed
-              ? 'failed'
-              : 'empty';
+    const status = this.#statusNow();
     if (status !== this.#status) {
       this.#status = status;
       this.#listener.statusChanged(status);

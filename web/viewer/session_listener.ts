@@ -42,5 +42,5 @@ export interface SessionListener {
   statusChanged(status: Status): void;
   progressed(share: number): void;
   /** Something failed; model, sites and diagram are those from before. */
-  failed(error: unknown): void;
+  failed(type: 'loadfailure' | 'computefailure', error: unknown): void;
 }

@@ -35,8 +35,11 @@ interface State {
   tints: Tints;
 }
 
+/** How many steps can be undone: each may hold a number per vertex, or a list of all sites. */
+const mostSteps = 100;
+
 /**
- * The sites and the density, with all states to undo and redo. Each step changes one of the two.
+ * The sites and the density, with the states to undo and redo. Each step changes one of the two.
  * Lists are never changed, only replaced.
  */
 export class SiteHistory {
@@ -131,6 +134,7 @@ export class SiteHistory {
 
   #step(state: State): void {
     this.#past.push(this.#present);
+    if (this.#past.length > mostSteps) this.#past.shift();
     this.#present = state;
     this.#futureBefore = this.#future;
     this.#future = [];

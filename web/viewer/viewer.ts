@@ -61,13 +61,15 @@ export class Viewer implements Workpiece {
   readonly #derived: DerivedDrawings;
   readonly #original: OriginalLayer;
   readonly #wireframe: WireframeLayer;
-  /** Ends with the viewer. */
+  /** Ends with the viewer, which tells nothing afterwards. */
   readonly #watching = new AbortController();
 
   /** Throws if there is no WebGL 2. */
   constructor(canvas: HTMLCanvasElement, host: ViewerHost) {
     this.attributes = host.attributes;
-    this.#emit = host.emit;
+    this.#emit = (type, detail) => {
+      if (!this.#watching.signal.aborted) host.emit(type, detail);
+    };
     this.tools = new SurfaceTools(this);
     this.#gestures = new PointerGestures(canvas, this.tools);
     this.scrolling = new PageScrolling(
@@ -85,8 +87,8 @@ export class Viewer implements Workpiece {
     });
     this.stage.up = this.attributes.up;
     this.legend = new Legend(canvas.getRootNode() as ShadowRoot);
-    this.#derived = new DerivedDrawings(this, host.emit);
-    this.#original = new OriginalLayer(this, host.emit);
+    this.#derived = new DerivedDrawings(this, this.#emit);
+    this.#original = new OriginalLayer(this, this.#emit);
     this.#wireframe = new WireframeLayer(this);
     this.session = new Session(
       async (data, sites) => this.#model?.prepare(data, sites),
@@ -267,27 +269,28 @@ export class Viewer implements Workpiece {
     void this.#original.update();
     void this.#wireframe.update();
     this.stage.invalidate();
-    this.#derive();
+    this.#derived.update();
   }
 
   explode(): void {
-    this.#derive();
+    this.#derived.update();
     const { isFramed } = this.stage;
     this.#derived.spread();
     if (isFramed) this.refit();
   }
 
   dispose(): void {
-    this.#watching.abort();
     this.legend.dispose();
     this.#resizing.disconnect();
     cancelAnimationFrame(this.#gliding);
     this.scrolling.dispose();
     this.#gestures.dispose();
     this.session.dispose();
+    this.#derived.dispose();
     this.#model?.dispose();
     this.#model = undefined;
     this.stage.dispose();
+    this.#watching.abort();
   }
 
   #sessionListener(): SessionListener {
@@ -309,10 +312,7 @@ export class Viewer implements Workpiece {
         this.#showDiagram(shown, how);
         this.#tellDiagram(shown, milliseconds);
       },
-      cvtRested: (shown, milliseconds) => {
-        this.#derive();
-        this.#tellDiagram(shown, milliseconds);
-      },
+      cvtRested: (shown, milliseconds) => this.#tellDiagram(shown, milliseconds),
       cvtIterated: (shown, { iteration, energy, largestMove }, how) => {
         this.#showDiagram(shown, how);
         const least = shown.summary && hexagonEnergy(shown.summary, this.#density?.rootIntegral);
@@ -321,14 +321,17 @@ export class Viewer implements Workpiece {
       },
       cvtStatusChanged: (status) => this.#emit('cvt-change', { status }),
       settingsRestored: (settings) => this.attributes.restore(settings),
-      statusChanged: (status) => this.#emit('status-change', { status }),
+      statusChanged: (status) => {
+        this.#emit('status-change', { status });
+        this.#derived.update();
+      },
       progressed: (totalProgress) => {
         const reason = this.session.status === 'loading' ? 'loading' : 'computing';
         this.#emit('progress', { totalProgress, reason });
       },
-      failed: (cause) => {
+      failed: (type, cause) => {
         const message = cause instanceof Error ? cause.message : String(cause);
-        this.#emit('error', { type: 'loadfailure', message, cause });
+        this.#emit('error', { type, message, cause });
       },
     };
   }
@@ -346,11 +349,6 @@ export class Viewer implements Workpiece {
     this.showLayers();
     this.refit();
     this.orbit();
-  }
-
-  /** Requests the drawings derived from the diagram, but not for every iteration. */
-  #derive(): void {
-    this.#derived.update(this.session.cvtStatus === 'running' ? undefined : this.session.shown);
   }
 
   #adoptTheme(): void {
@@ -395,7 +393,6 @@ export class Viewer implements Workpiece {
     else drawing?.setDiagram(shown.data, prepared);
     this.stage.invalidate();
     this.hover.refresh();
-    this.#derive();
   }
 
   #tellDiagram({ sites, summary, metric, detail }: ShownDiagram, milliseconds: number): void {

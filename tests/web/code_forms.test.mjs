@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+//
+// The code that the page gives: it makes the diagram that is shown, and runs whatever a file is called.
+
+import assert from 'node:assert/strict';
+import { suite, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { transformSync } from 'esbuild';
+import { runnerImport } from 'vite';
+
+const path = fileURLToPath(new URL('../../web/page/code_forms.ts', import.meta.url));
+const { codeOf, watchOrigin } = (await runnerImport(path, { configFile: false, logLevel: 'error' }))
+  .module;
+
+/** As much of the viewer as the code depends on. */
+function viewerWith(attributes, more = {}) {
+  const viewer = new EventTarget();
+  viewer.getAttribute = (name) => attributes[name] ?? null;
+  return Object.assign(viewer, more);
+}
+
+suite('code', () => {
+  const ofPage = { sites: '60', seed: '4', 'cvt-iterations': '30', 'cvt-method': 'lloyd' };
+  const model = { name: 'a.obj' };
+
+  test('repeats a tessellation by the same method, to the same iteration', () => {
+    const code = (form) => codeOf(viewerWith(ofPage), model, 'even', form);
+    assert.match(code('script'), /\{ iterations: 30, metric: 'exact', method: 'lloyd' \}/);
+    assert.match(code('element'), / cvt-iterations="30" cvt-method="lloyd"><\/geodesic-voronoi>/);
+    assert.match(code('command'), /--iterations 30 --method lloyd -o/);
+  });
+
+  test('leaves out what is so without it', () => {
+    const viewer = viewerWith({ sites: '60' });
+    assert.match(
+      codeOf(viewer, model, 'even', 'script'),
+      /\{ iterations: 50, metric: 'exact' \}/,
+      'as the element does without the attribute',
+    );
+    for (const form of ['element', 'command'])
+      assert.doesNotMatch(codeOf(viewer, model, 'even', form), /cvt-|--method/);
+    assert.doesNotMatch(codeOf(viewerWith(ofPage), model, 'edited', 'element'), /cvt-/);
+  });
+
+  test('holds names of files with any characters', () => {
+    const odd = { name: `O'Neil & "Sons" <1>.obj` };
+    const viewer = viewerWith(ofPage);
+    for (const origin of ['scattered', 'even', 'edited']) {
+      const script = codeOf(viewer, odd, origin, 'script');
+      transformSync(script, { format: 'esm' }); // throws if it is no code
+      const [, address] = /fetch\('([^']*)'\)/.exec(script);
+      assert.equal(decodeURIComponent(address), odd.name);
+      const [, src] = /<geodesic-voronoi src="([^"]*)" sites/.exec(
+        codeOf(viewer, odd, origin, 'element'),
+      );
+      assert.equal(src, address);
+      assert.doesNotMatch(src, /[&<>']/);
+    }
+  });
+});
+
+suite('the origin of sites', () => {
+  const scattered = { face: Int32Array.of(3), bary: Float64Array.of(1, 0, 0) };
+  const moved = { face: Int32Array.of(3), bary: Float64Array.of(0, 1, 0) };
+  const attributes = { sites: '1', seed: '1', 'cvt-iterations': '2' };
+
+  test('is found when it is asked for', async () => {
+    let sampled = 0;
+    const sampleSites = async () => {
+      ++sampled;
+      return scattered;
+    };
+    const viewer = viewerWith(attributes, {
+      mesh: { sampleSites },
+      sites: scattered,
+      cvtStatus: 'idle',
+    });
+    const originOf = watchOrigin(viewer);
+    assert.equal(await originOf(), 'scattered');
+    const iterate = (iteration, sites) => {
+      Object.assign(viewer, { sites, cvtStatus: 'paused' });
+      viewer.dispatchEvent(new CustomEvent('cvt-iteration', { detail: { iteration } }));
+    };
+    iterate(0, scattered);
+    iterate(1, moved);
+    assert.equal(sampled, 1, 'not for a tessellation that nobody asks about');
+    assert.equal(await originOf(), 'edited', 'the code would go further');
+    iterate(2, moved);
+    assert.equal(await originOf(), 'even');
+    viewer.cvtStatus = 'idle';
+    assert.equal(await originOf(), 'edited');
+    iterate(0, moved);
+    iterate(2, moved);
+    assert.equal(await originOf(), 'edited', 'it began with others');
+  });
+});
