@@ -712,6 +712,8 @@ test('a model of another format, a folder, a zip', () => {
   write('model.zip', zipSync(files));
   assert.match(succeeds('info model').stdout, /^format +glTF \(scene\.gltf\)\n.*triangles +8/s);
   assert.match(succeeds('info model.zip').stdout, /^format +glTF \(model\/scene\.gltf\)\n/);
+  write('stored.zip', zipSync({ 'shape.obj': [meshObj(octahedron()), { level: 0 }] }));
+  assert.match(succeeds('info stored.zip').stdout, /^format +OBJ \(shape\.obj\)\n.*triangles +8/s);
 
   // Links lead anywhere.
   rmSync(join(folder, 'model', 'data', 'shape.bin'));

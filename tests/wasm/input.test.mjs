@@ -267,6 +267,7 @@ test('a zip that is broken, or a bomb, is refused', async () => {
   const zip = zipSync({ 'a.obj': meshObj(octahedron()) });
   const stored = zipSync({ 'a.obj': [meshObj(octahedron()), { level: 0 }] });
   assert.equal((await gvd.mesh(stored)).info.faces, 8);
+  assert.equal((await gvd.mesh(Buffer.from(stored))).info.faces, 8);
   const directory = Buffer.from(zip).indexOf('PK\x01\x02');
   const changed = (at, value) => {
     const copy = Uint8Array.from(zip);
