@@ -20,6 +20,7 @@ import {
 import type { Triangles } from './triangles.js';
 import {
   gltfLimitNames,
+  type Density,
   type GltfLimits,
   type MeshArrays,
   type MeshOptions,
@@ -123,11 +124,10 @@ function toLimits(limits: GltfLimits): GltfLimits {
   return limits;
 }
 
-/** Points by triangles and coordinates, by vertices, or by places in space. */
-export function toPoints(
-  name: string,
-  points: SurfacePointsInput,
-): SurfacePoints | { vertex: Int32Array } | { position: Float64Array } {
+/** Points by triangles and coordinates, by vertices, or by places in space, as copies. */
+export type GivenPoints = SurfacePoints | { vertex: Int32Array } | { position: Float64Array };
+
+export function toPoints(name: string, points: SurfacePointsInput): GivenPoints {
   if (isObject(points)) {
     requireOneForm(name, points);
     if ('vertex' in points) return { vertex: toIndices(`${name}.vertex`, points.vertex) };
@@ -135,6 +135,19 @@ export function toPoints(
     if ('position' in points) return { position: toPlaces(`${name}.position`, points.position) };
   }
   throw invalidArgument(`${name} is ${notPoints(points)}`);
+}
+
+/** One point. */
+export function toPoint(name: string, point: SurfacePointsInput): GivenPoints {
+  const points = toPoints(name, point);
+  const count =
+    'vertex' in points
+      ? points.vertex.length
+      : 'position' in points
+        ? points.position.length / 3
+        : points.face.length;
+  if (count === 1) return points;
+  throw invalidArgument(`${name} is a list of ${count} points where one is needed`);
 }
 
 /** Refuses vertices beside another form. Triangles may come with the places of the same points. */
@@ -225,6 +238,17 @@ export const tessellationDefaults = {
   fixedSites: [],
 } as const;
 
+/** A density as it was given: numbers, as a copy, or that of the curvature, which is computed later. */
+export type GivenDensity = Float64Array | 'curvature';
+
+/** `attribute` is the density that the mesh came with. */
+export function toDensity(density: Density, attribute: Float64Array): GivenDensity {
+  if (density === 'curvature') return density;
+  if (density !== 'attribute') return toFloat64('density', density);
+  if (attribute.length > 0) return attribute;
+  throw invalidArgument('the mesh came without a density');
+}
+
 /** The core checks whether density and fixed sites fit the mesh and the sites. */
 export function toCvtSettings({
   method,
@@ -232,19 +256,17 @@ export function toCvtSettings({
   iterations,
   energyTolerance,
   moveTolerance,
-  density,
   fixedSites,
-}: Omit<CvtSettings, 'density' | 'fixedSites'> & {
-  density: ArrayLike<number>;
-  fixedSites: ArrayLike<number>;
-}): CvtSettings {
+}: Omit<CvtSettings, 'density' | 'fixedSites'> & { fixedSites: ArrayLike<number> }): Omit<
+  CvtSettings,
+  'density'
+> {
   return {
     method: toOneOf('method', method, cvtMethods),
     metric: toMetric(metric),
     iterations: toInteger('iterations', iterations, 0, maxCount),
     energyTolerance: toTolerance('energyTolerance', energyTolerance),
     moveTolerance: toTolerance('moveTolerance', moveTolerance),
-    density: toFloat64('density', density),
     fixedSites: toInt32('fixedSites', fixedSites),
   };
 }

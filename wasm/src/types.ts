@@ -221,8 +221,11 @@ export interface Region {
  * A geodesic Voronoi diagram. Sites can be inserted, moved and removed: only their surroundings are
  * computed anew, and each change returns only what became different. The first change traces the
  * whole diagram once more; in a diagram that a tessellation gave, it computes the distances once
- * more, too. Changes are made in the order of the calls; `sites`, `data` and `regions` are as the
- * last change that has resolved left them.
+ * more, too.
+ *
+ * Calls are carried out one after the other, in their order, whether awaited or not: each is about
+ * the diagram as the calls before it leave it. Arguments are checked and copied at the call. `sites`,
+ * `data` and `regions` are as the last change that has resolved left them.
  */
 export interface Diagram extends Disposable {
   readonly metric: Metric;
@@ -235,7 +238,7 @@ export interface Diagram extends Disposable {
   readonly data: DiagramData;
   readonly regions: readonly Region[];
   /**
-   * Resolves to `data` after all changes asked for so far. The engine puts the arrays together, so
+   * Resolves to `data` after all changes asked for before. The engine puts the arrays together, so
    * with `loadWorker()` the calling thread is spared the work; `data` and `regions` are up to date
    * then.
    */
