@@ -179,7 +179,10 @@ test('--weld, --orientation and --min-component: how the mesh is made', () => {
 
   write('turned.glb', glb(withFlipped(octahedron(), 2)));
   assert.match(succeeds('info turned.glb').stdout, /repair: 1 triangle turned over/);
-  assert.match(succeeds('info turned.glb --orientation keep').stdout, /repair: 3 edges cut/);
+  assert.match(
+    succeeds('info turned.glb --orientation keep').stdout,
+    /repair: 3 edges cut because their two triangles disagree in orientation\n/,
+  );
 
   const large = succeeds('info two.glb --min-component 3').stdout;
   assert.match(large, /components +1\n[^]*repair: 1 component .*\nrepair: 2 triangles of these/);
@@ -327,6 +330,8 @@ test('cvt writes sites that other commands read, and the energy of every iterati
     succeeds('cvt shape.glb --sites 5 --iterations 1 --metric exact').stdout,
   );
   assert.ok(exact.energy[1] < exact.energy[0]);
+  const single = succeeds('cvt shape.glb --sites 1 --iterations 1 -o one.json').stderr;
+  assert.match(single, /^1 site, [01] iterations?( |,)/);
   succeeds('remesh shape.glb --sites 20 --iterations 1 --metric exact -o remesh.obj');
 
   const soon = succeeds(

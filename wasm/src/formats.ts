@@ -134,12 +134,12 @@ export function pointsJson(points: SurfacePoints): SurfacePointsJson {
 }
 
 /** Arrays of a diagram, or a diagram that has them. */
-type Arrays<Name extends keyof DiagramData> =
+export type DiagramArrays<Name extends keyof DiagramData> =
   | Pick<DiagramData, Name>
   | { data: Pick<DiagramData, Name> };
 
 function arraysOf<Name extends keyof DiagramData>(
-  diagram: Arrays<Name>,
+  diagram: DiagramArrays<Name>,
   ...names: Name[]
 ): Pick<DiagramData, Name> {
   const data = isObject(diagram) && 'data' in diagram ? diagram.data : diagram;
@@ -147,7 +147,7 @@ function arraysOf<Name extends keyof DiagramData>(
 }
 
 /** The bisectors as Wavefront OBJ: a polyline per arc, in a group that names its two labels. */
-export function diagramObj(diagram: Arrays<'points' | 'arcs'>, scale = 1): string {
+export function diagramObj(diagram: DiagramArrays<'points' | 'arcs'>, scale = 1): string {
   const { points, arcs } = arraysOf(diagram, 'points', 'arcs');
   toScale(scale);
   const { used, number } = compact([arcs.points], points.face.length);
@@ -169,7 +169,7 @@ export function diagramObj(diagram: Arrays<'points' | 'arcs'>, scale = 1): strin
 
 /** The bisectors as GLB: one primitive of line segments. */
 export function diagramGlb(
-  diagram: Arrays<'points' | 'segments'>,
+  diagram: DiagramArrays<'points' | 'segments'>,
   scale = 1,
 ): Uint8Array<ArrayBuffer> {
   const { points, segments } = arraysOf(diagram, 'points', 'segments');

@@ -16,7 +16,15 @@ export type { ErrorCode, LoadOptions, Modules, WasmSource };
 export { GeodesicVoronoiError };
 export { gltfResourceUris } from './input/gltf_document.js';
 export { type FindModelOptions, type FoundModel, findModel, listModels } from './find_model.js';
+export type {
+  DiagramArrays,
+  DiagramJson,
+  LengthsJson,
+  PlacedPointsJson,
+  SurfacePointsJson,
+} from './formats.js';
 export { diagramGlb, diagramJson, diagramObj, pointsJson } from './formats.js';
+export type { DistancesJson, PathsJson } from './distance_formats.js';
 export {
   distancesGlb,
   distancesJson,
@@ -24,9 +32,16 @@ export {
   pathsJson,
   pathsObj,
 } from './distance_formats.js';
-export type { SurfaceFileOptions } from './attributes.js';
-export type { PartitionColourOptions, PartitionGlbOptions } from './partition_formats.js';
+export type { AttributeSource, SurfaceFileOptions } from './attributes.js';
+export type {
+  PartitionColourOptions,
+  PartitionGlbOptions,
+  PartitionJson,
+  PartitionLayout,
+} from './partition_formats.js';
+export type { PolygonMeshJson } from './polygon_formats.js';
 export { partitionGlb, partitionJson, partitionObj, partitionPly } from './partition_formats.js';
+export { repairSentences } from './sentences.js';
 export { polygonGlb, polygonJson, polygonObj, polygonPly } from './polygon_formats.js';
 
 /** The library on the calling thread. Long work is done in slices of about 12 ms. */

@@ -4,7 +4,7 @@
 
 import { isObject, show, toBoolean, toOptions, toTask, toTaskOptions } from './checks.js';
 import { EngineDiagram } from './diagram.js';
-import type { AdvancedCvt, CvtForm, CvtSettings, Engine, OpenedMesh } from './engine.js';
+import type { AdvancedCvt, Engine, OpenedMesh } from './engine.js';
 import { GeodesicVoronoiError, invalidArgument } from './errors.js';
 import {
   isWorstFirst,
@@ -25,7 +25,6 @@ import {
   toSampling,
   toSeed,
   type GivenDensity,
-  type GivenPoints,
 } from './input.js';
 import { disposeSymbol, Kept } from './kept.js';
 import {
@@ -195,7 +194,10 @@ export class EngineMesh implements Mesh {
     return this.#kept.call('shortestPath', [start.face, start.bary, end.face, end.bary], task);
   }
 
-  cvt(sites: SurfacePointsInput, options?: CvtOptions): AsyncGenerator<CvtState, void, void> {
+  async *cvt(
+    sites: SurfacePointsInput,
+    options?: CvtOptions,
+  ): AsyncGenerator<CvtState, void, void> {
     const { data, diagrams, density, signal, onProgress, ...others } = toTaskOptions(options, {
       ...tessellationDefaults,
       data: false,
@@ -203,19 +205,10 @@ export class EngineMesh implements Mesh {
     });
     const withData = toBoolean('data', data);
     const form = toBoolean('diagrams', diagrams) ? 'diagram' : withData ? 'data' : 'bare';
-    const settings = { ...toCvtSettings(others), density: toDensity(density, this.density) };
-    return this.#tessellate(toPoints('sites', sites), settings, form, { signal, onProgress });
-  }
-
-  /** The states of a tessellation; the work begins when the first one is asked for. */
-  async *#tessellate(
-    sites: GivenPoints,
-    given: Omit<CvtSettings, 'density'> & { density: GivenDensity },
-    form: CvtForm,
-    { signal, onProgress }: TaskOptions,
-  ): AsyncGenerator<CvtState, void, void> {
-    const settings = { ...given, density: await this.#densityOf(given.density, signal) };
-    const points = await this.#kept.onSurface(sites);
+    const checked = toCvtSettings(others);
+    const [given, list] = [toDensity(density, this.density), toPoints('sites', sites)];
+    const settings = { ...checked, density: await this.#densityOf(given, signal) };
+    const points = await this.#kept.onSurface(list);
     const { engine } = this.#kept;
     const { handle } = await engine.openCvt(this.#kept.handle, points, settings, { signal });
     try {
@@ -237,16 +230,11 @@ export class EngineMesh implements Mesh {
       ...repairDefaults,
     });
     toMaxAdded(maxAdded);
-    const settings = toCvtSettings(others);
+    const checked = toCvtSettings(others);
     const [given, list] = [toDensity(density, this.density), toPoints('sites', sites)];
-    const weights = await this.#densityOf(given, signal);
+    const settings = { ...checked, density: await this.#densityOf(given, signal), maxAdded };
     const points = await this.#kept.onSurface(list);
-    return remesh(
-      this,
-      points,
-      { ...settings, density: weights, maxAdded },
-      { signal, onProgress },
-    );
+    return remesh(this, points, settings, { signal, onProgress });
   }
 
   /** The density per vertex. */

@@ -3,6 +3,7 @@
 // What each command does.
 import { extname } from 'node:path';
 import type { MeshInfo, Metric, PolygonMesh, SurfacePath, Violation } from '../results.js';
+import { counted } from '../sentences.js';
 import type { CvtOptions, CvtState, Diagram, Mesh, SurfacePointsInput } from '../types.js';
 import {
   toDiagramEncoder,
@@ -28,7 +29,7 @@ import {
   type SiteSource,
   withProgress,
 } from './sites.js';
-import { counted, unitOf } from './values.js';
+import { unitOf } from './values.js';
 
 interface Request<Command extends CommandName> {
   mesh: string;
@@ -207,7 +208,7 @@ async function cvt({ mesh: path, values }: Request<'cvt'>): Promise<void> {
   summarise(
     output,
     values,
-    `${last.face.length} sites, ${iteration} iterations` +
+    `${counted(last.face.length, 'site')}, ${counted(iteration, 'iteration')}` +
       `${iteration > 0 && iteration === values.iterations ? ' (no more were allowed)' : ''}, ` +
       `energy ${shown(energy[0])} to ${shown(energy.at(-1)!)}`,
   );
@@ -289,7 +290,7 @@ async function remesh({ mesh: path, values }: Request<'remesh'>): Promise<void> 
     output,
     values,
     `${polygonSummary(first, diagram, polygons)}\n` +
-      `${quality.triangles} triangles: least angle ${number(quality.minAngle)}°, ` +
+      `${counted(quality.triangles, 'triangle')}: least angle ${number(quality.minAngle)}°, ` +
       `mean of the least ones ${number(quality.meanMinAngle)}°; ` +
       `valence ${quality.minValence} to ${quality.maxValence}, ` +
       `${number(100 * quality.regularShare)} % have 6; ` +
@@ -341,10 +342,10 @@ function polygonSummary(first: number, diagram: Diagram, { topology }: PolygonMe
   const added = diagram.sites.face.length - first;
   const { vertices, faces, eulerCharacteristic, genus, boundaryLoops, isManifold } = topology;
   return (
-    `${diagram.sites.face.length} sites${added > 0 ? ` (${added} added)` : ''}, ` +
-    `${vertices} vertices, ${faces} polygons, ` +
+    `${counted(diagram.sites.face.length, 'site')}${added > 0 ? ` (${added} added)` : ''}, ` +
+    `${counted(vertices, 'vertex', 'vertices')}, ${counted(faces, 'polygon')}, ` +
     (isManifold
-      ? `Euler characteristic ${eulerCharacteristic}, genus ${genus}, ${boundaryLoops} boundary loops`
+      ? `Euler characteristic ${eulerCharacteristic}, genus ${genus}, ${counted(boundaryLoops, 'boundary loop')}`
       : 'no manifold')
   );
 }

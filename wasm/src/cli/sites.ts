@@ -4,12 +4,12 @@
 import { toPlaces } from '../input.js';
 import { load } from '../node.js';
 import { requireSameMesh } from '../points_file.js';
+import { counted } from '../sentences.js';
 import type { Density, Mesh, SurfacePointsInput } from '../types.js';
 import { FileError, readModel } from './files.js';
 import type { Values } from './options.js';
 import { type GivenPoints, readPoints } from './points.js';
 import { ProgressBar } from './progress.js';
-import { counted } from './values.js';
 
 /** Where sites come from. */
 export type SiteSource = Pick<

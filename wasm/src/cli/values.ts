@@ -95,8 +95,3 @@ export function assignments<Name extends string>(
         }),
     ) as Partial<Record<Name, number>>;
 }
-
-/** A count and what is counted, in the singular or the plural. */
-export function counted(count: number, noun: string): string {
-  return `${count} ${noun}${count === 1 ? '' : 's'}`;
-}
