@@ -701,8 +701,15 @@ test('a .gltf finds its buffer in its folder, and nothing outside', () => {
 test('a model of another format, a folder, a zip', () => {
   write('shape.stl', meshBinaryStl(octahedron()));
   write('shape.obj', meshObj(octahedron()));
-  const { stdout } = succeeds('distances shape.obj --sites sites.json');
-  assert.equal(stdout, succeeds('distances shape.glb --sites sites.json').stdout);
+  const distances = (args) => JSON.parse(succeeds(`distances ${args} --sites sites.json`).stdout);
+  const { unit, ...known } = distances('shape.glb');
+  assert.equal(unit, 'm');
+  assert.deepEqual(distances('shape.obj'), known, 'an OBJ has no unit');
+  assert.deepEqual(distances('shape.obj --units m'), { ...known, unit });
+  assert.equal(distances('shape.glb --units 100').unit, undefined);
+  assert.match(succeeds('info shape.glb').stdout, /diagonal +3\.4641 m\n/);
+  assert.match(succeeds('info shape.obj').stdout, /diagonal +3\.4641\n/);
+  assert.match(succeeds('info shape.obj --units cm').stdout, /diagonal +346\.41 cm\n/);
   succeeds('partition shape.stl --sites 3 -o parts.glb');
   assert.match(succeeds('info shape.stl').stdout, /^format +STL \(shape\.stl\)\n/);
   assert.match(succeeds('info -', meshObj(octahedron())).stdout, /^format +OBJ/);

@@ -211,7 +211,7 @@ test('GLB, OBJ and PLY hold the polygons', async () => {
     const labels = (primal ? face : vertex).map(({ label }) => label);
     assert.deepEqual(labels, [...(primal ? polygons.faceLabel : polygons.vertexLabel)]);
 
-    const json = polygonJson(polygons, 3);
+    const json = polygonJson(polygons, { scale: 3 });
     assert.deepEqual(json.faces, lists);
     assert.equal(json.points.position[1], 3 * polygons.points.position[1]);
   }

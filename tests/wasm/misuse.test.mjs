@@ -69,6 +69,8 @@ const notBooleans = [null, 0, 1, 'yes', {}];
 const notTolerances = [null, -1, NaN, '0'];
 const notScales = [null, 0, -1, NaN, Infinity, '1', {}];
 
+const toSites = ({ vertex }) => ({ face: [vertex].flat(), bary: [1, 0, 0] });
+
 let gvd;
 let mesh;
 let diagram;
@@ -434,23 +436,26 @@ test('what writes files', async () => {
   for (const f of [api.pathsJson, api.pathsObj])
     await refused([...list, [null], [{}]], (value) => f(value), missing);
   for (const f of [api.distancesPly, api.distancesGlb]) {
-    await refused(result, (value) => f(value, distances), /^mesh/);
-    await refused(result, (value) => f(mesh, value), /^distances/);
-    await refused(notScales, (scale) => f(mesh, distances, scale), /^scale is /);
+    await refused(result, (source) => f(distances, { mesh: source }), /^mesh/);
+    await refused([undefined, {}], (options) => f(distances, options), /^mesh is undefined/);
+    await refused(result, (value) => f(value, { mesh }), /^distances/);
   }
-  await refused(notScales, (scale) => api.diagramJson(diagram, scale), /^scale is /);
-  for (const f of [api.diagramObj, api.diagramGlb])
-    await refused(notScales, (scale) => f(diagram.data, scale), /^scale is /);
-  await refused(notScales, (scale) => api.distancesJson(distances, scale), /^scale is /);
-  for (const f of [api.pathsJson, api.pathsObj])
-    await refused(notScales, (scale) => f(paths, scale), /^scale is /);
-  await refused(
-    notScales,
-    (scale) => api.partitionJson(partition, diagram.sites, scale),
-    /^scale is /,
-  );
-  await refused(result, (sites) => api.partitionJson(partition, sites), /^sites/);
-  await refused(notScales, (scale) => api.polygonJson(polygons, scale), /^scale is /);
+  await refused(result, (sites) => api.partitionJson(partition, { sites }), /^sites/);
+  const { sites } = diagram;
+  const plain = [
+    ...[api.diagramJson, api.diagramObj, api.diagramGlb].map((f) => [f, diagram]),
+    [api.distancesJson, distances],
+    ...[api.distancesPly, api.distancesGlb].map((f) => [f, distances, { mesh }]),
+    ...[api.pathsJson, api.pathsObj].map((f) => [f, paths]),
+    [api.partitionJson, partition, { sites }],
+    [api.polygonJson, polygons],
+  ];
+  for (const [f, value, more] of plain) {
+    await refused(notOptions, (options) => f(value, options), /^options is /);
+    await refused(notScales, (scale) => f(value, { ...more, scale }), /^scale is /);
+  }
+  await refused([null, 5, {}], (unit) => api.diagramJson(diagram, { unit }), /^unit is /);
+  await refused([...notObjects, []].slice(1, 3), (value) => api.repairSentences(value), /^repairs/);
   const writers = [
     ...[api.partitionGlb, api.partitionObj, api.partitionPly].map((f) => [f, partition]),
     ...[api.polygonGlb, api.polygonObj, api.polygonPly].map((f) => [f, polygons]),
@@ -461,6 +466,20 @@ test('what writes files', async () => {
     await refused([null, 5, {}], (source) => f(value, { mesh: source }), /^mesh/);
   }
   await refused(notNames, (layout) => api.partitionGlb(partition, { layout }), /^layout is /);
+  // A mesh that the result is not of.
+  const other = await gvd.mesh({
+    positions: [0, 0, 0, 1, 0, 0, 0, 1, 0],
+    normals: new Array(9).fill(1),
+  });
+  for (const f of [api.distancesPly, api.distancesGlb])
+    await refused([other], (source) => f(distances, { mesh: source }), /3 vertices.*are of 6$/);
+  for (const [f, value] of writers)
+    await refused([other], (source) => f(value, { mesh: source }), /1 triangle:.*triangle [1-7]$/);
+  await refused(
+    [one],
+    (value) => api.partitionJson(partition, { sites: toSites(value) }),
+    /1 points.*4 regions$/,
+  );
   const notColours = [
     null,
     5,

@@ -24,7 +24,7 @@ export type {
   SurfacePointsJson,
 } from './formats.js';
 export { diagramGlb, diagramJson, diagramObj, pointsJson } from './formats.js';
-export type { DistancesJson, PathsJson } from './distance_formats.js';
+export type { DistancesFileOptions, DistancesJson, PathsJson } from './distance_formats.js';
 export {
   distancesGlb,
   distancesJson,
@@ -32,11 +32,17 @@ export {
   pathsJson,
   pathsObj,
 } from './distance_formats.js';
-export type { AttributeSource, SurfaceFileOptions } from './attributes.js';
+export type {
+  AttributeSource,
+  FileOptions,
+  JsonOptions,
+  SurfaceFileOptions,
+} from './file_options.js';
 export type {
   PartitionColourOptions,
   PartitionGlbOptions,
   PartitionJson,
+  PartitionJsonOptions,
   PartitionLayout,
 } from './partition_formats.js';
 export type { PolygonMeshJson } from './polygon_formats.js';

@@ -21,6 +21,7 @@ import type { CommandName, Invocation, Values } from './options.js';
 import { readNumbers, readPoints } from './points.js';
 import {
   type Notices,
+  lengthsOf,
   onSurface,
   openMesh,
   openWithSites,
@@ -29,7 +30,6 @@ import {
   type SiteSource,
   withProgress,
 } from './sites.js';
-import { unitOf } from './values.js';
 
 interface Request<Command extends CommandName> {
   mesh: string;
@@ -65,13 +65,12 @@ export function execute(invocation: Invocation): Promise<void> {
 async function info({ meshes, values }: Request<'info'>): Promise<void> {
   const output = await Output.open(values.output, meshes);
   const json = values.json || extname(values.output).toLowerCase() === '.json';
-  const unit = values.units === 1 ? undefined : unitOf(values.units);
   const isOnly = meshes.length === 1;
   const reports: string[] = [];
   const list: object[] = [];
   for (const path of meshes) {
     try {
-      const { parts, ...facts } = await factsOf(path, values);
+      const { unit, parts, ...facts } = await factsOf(path, values);
       reports.push(`${isOnly ? '' : `${path}\n`}${meshReport(facts, unit)}`);
       list.push({ ...(!isOnly && { mesh: path }), ...facts, parts });
     } catch (error) {
@@ -89,10 +88,12 @@ async function info({ meshes, values }: Request<'info'>): Promise<void> {
 async function factsOf(
   path: string,
   values: Values<'info'>,
-): Promise<MeshInfo & Pick<Mesh, 'parts'>> {
-  const scale = values.units;
-  const { info, parts } = await openMesh(path, values);
+): Promise<MeshInfo & Pick<Mesh, 'parts'> & { unit: string | undefined }> {
+  const mesh = await openMesh(path, values);
+  const { info, parts } = mesh;
+  const { scale, unit } = lengthsOf(mesh, values);
   return {
+    unit,
     ...info,
     area: scale * scale * info.area,
     boundingDiagonal: scale * info.boundingDiagonal,
@@ -102,11 +103,10 @@ async function factsOf(
 }
 
 async function diagram({ mesh: path, values }: Request<'diagram'>): Promise<void> {
-  const scale = values.units;
   const encode = toDiagramEncoder(values);
   const output = await Output.open(values.output, [path]);
-  const { diagram } = await compute(path, values);
-  await output.write(encode(diagram, scale));
+  const { mesh, diagram } = await compute(path, values);
+  await output.write(encode(diagram, lengthsOf(mesh, values)));
 
   const { arcs, voronoiPoints } = diagram.data;
   summarise(
@@ -126,11 +126,11 @@ async function locate({ mesh: path, values }: Request<'locate'>): Promise<void> 
   const points = await readPoints(values.points);
   const { mesh, diagram } = await compute(path, values);
   const located = await diagram.locate(await onSurface(mesh, points, values));
-  await output.write(encode({ mesh, ...located }, values.units));
+  await output.write(encode({ mesh, ...located }, lengthsOf(mesh, values)));
 }
 
 async function distances({ mesh: path, values }: Request<'distances'>): Promise<void> {
-  const scale = values.units;
+  const { scale } = values.units;
   const encode = toDistancesEncoder(values);
   const output = await Output.open(values.output, [path]);
   const { mesh, sites } = await openWithSites(path, values);
@@ -138,7 +138,7 @@ async function distances({ mesh: path, values }: Request<'distances'>): Promise<
   const distances = await withProgress(values, (onProgress) =>
     mesh.distances(sites, { metric, onProgress }),
   );
-  await output.write(encode({ mesh, distances }, scale));
+  await output.write(encode({ mesh, distances }, lengthsOf(mesh, values)));
   const reached = distances.distance.filter((d) => d < Infinity);
   const farthest = reached.reduce((most, d) => Math.max(most, d), 0);
   summarise(
@@ -150,7 +150,7 @@ async function distances({ mesh: path, values }: Request<'distances'>): Promise<
 }
 
 async function path({ mesh: model, values }: Request<'path'>): Promise<void> {
-  const scale = values.units;
+  const { scale } = values.units;
   const encode = toPathsEncoder(values);
   const output = await Output.open(values.output, [model]);
   const [from, to] = [await readPoints(values.from), await readPoints(values.to)];
@@ -171,7 +171,7 @@ async function path({ mesh: model, values }: Request<'path'>): Promise<void> {
     }
     return found;
   });
-  await output.write(encode(paths, scale));
+  await output.write(encode(paths, lengthsOf(mesh, values)));
   const lengths = paths.map(({ length }) => scale * length).filter((length) => length < Infinity);
   const missing = paths.length - lengths.length;
   if (missing > 0)
@@ -190,7 +190,7 @@ async function path({ mesh: model, values }: Request<'path'>): Promise<void> {
 }
 
 async function cvt({ mesh: path, values }: Request<'cvt'>): Promise<void> {
-  const scale = values.units;
+  const { scale } = values.units;
   const encode = toSitesEncoder(values);
   const output = await Output.open(values.output, [path]);
   const settings = await cvtSettings(values);
@@ -203,7 +203,7 @@ async function cvt({ mesh: path, values }: Request<'cvt'>): Promise<void> {
   const energy = states.map((state) => state.energy);
   const { iteration, sites: last } = states.at(-1)!;
   const position = await mesh.positionsOf(last);
-  await output.write(encode({ mesh, sites: last, position, energy }, scale));
+  await output.write(encode({ mesh, sites: last, position, energy }, lengthsOf(mesh, values)));
   const shown = (e: number) => (scale ** 4 * e).toPrecision(6); // area times squared length
   summarise(
     output,
@@ -215,7 +215,6 @@ async function cvt({ mesh: path, values }: Request<'cvt'>): Promise<void> {
 }
 
 async function partition({ mesh: path, values }: Request<'partition'>): Promise<void> {
-  const scale = values.units;
   const encode = toPartitionEncoder(values);
   const output = await Output.open(values.output, [path]);
   const { mesh, diagram } = await compute(path, values);
@@ -223,7 +222,7 @@ async function partition({ mesh: path, values }: Request<'partition'>): Promise<
     leaveOutIndifferent: values['leave-out-indifferent'],
     leaveOutUnreachable: values['leave-out-unreachable'],
   });
-  await output.write(encode({ mesh, sites: diagram.sites, partition }, scale));
+  await output.write(encode({ mesh, sites: diagram.sites, partition }, lengthsOf(mesh, values)));
   const { components, loops, eulerCharacteristic } = partition.regions;
   const disks = components.filter(
     (count, i) => count === 1 && loops[i] === 1 && eulerCharacteristic[i] === 1,
@@ -238,7 +237,6 @@ async function partition({ mesh: path, values }: Request<'partition'>): Promise<
 }
 
 async function dual({ mesh: path, values }: Request<'dual'>): Promise<void> {
-  const scale = values.units;
   const encode = toPolygonEncoder(values);
   const output = await Output.open(values.output, [path]);
   const { mesh, diagram: given } = await compute(path, values);
@@ -250,7 +248,9 @@ async function dual({ mesh: path, values }: Request<'dual'>): Promise<void> {
   const polygons = await diagram.dual({ primal: values.primal });
   const violations = await diagram.violations();
   if (values.check && violations.length > 0) throw new FileError(faultsOf(violations));
-  await output.write(encode({ mesh, sites: diagram.sites, polygons, violations }, scale));
+  await output.write(
+    encode({ mesh, sites: diagram.sites, polygons, violations }, lengthsOf(mesh, values)),
+  );
   summarise(output, values, polygonSummary(given.sites.face.length, diagram, polygons));
   if (violations.length === 0) return;
   if (values.quiet) {
@@ -271,7 +271,7 @@ function faultsOf([first, ...more]: Violation[]): string {
 }
 
 async function remesh({ mesh: path, values }: Request<'remesh'>): Promise<void> {
-  const scale = values.units;
+  const { scale } = values.units;
   const encode = toPolygonEncoder(values);
   const output = await Output.open(values.output, [path]);
   const settings = await cvtSettings(values);
@@ -284,7 +284,9 @@ async function remesh({ mesh: path, values }: Request<'remesh'>): Promise<void> 
   const first = indicesOf(sites).length;
   const polygons = await diagram.dual();
   const quality = await diagram.remeshQuality();
-  await output.write(encode({ mesh, sites: diagram.sites, polygons, quality }, scale));
+  await output.write(
+    encode({ mesh, sites: diagram.sites, polygons, quality }, lengthsOf(mesh, values)),
+  );
   const number = (x: number) => String(Number(x.toPrecision(4)));
   summarise(
     output,
@@ -314,7 +316,7 @@ async function cvtSettings(
   >,
 ): Promise<CvtOptions> {
   const { method, metric, iterations, 'energy-tolerance': energyTolerance } = values;
-  const moveTolerance = values['move-tolerance'] / values.units;
+  const moveTolerance = values['move-tolerance'] / values.units.scale;
   const numbers = (file?: string) => (file === undefined ? undefined : readNumbers(file));
   const named = (['attribute', 'curvature'] as const).find((name) => name === values.density);
   const density = named ?? (await numbers(values.density));

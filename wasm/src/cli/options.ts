@@ -15,7 +15,7 @@ import {
   numberOrPath,
   oneOf,
   path,
-  scale,
+  lengths,
   units,
   type Parser,
 } from './values.js';
@@ -151,9 +151,9 @@ export const options = {
   },
   units: {
     value: 'UNIT|FACTOR',
-    parse: scale,
-    default: 'm',
-    help: `Unit of lengths in the output, of --radius and of --move-tolerance, for a model in metres, the unit of glTF: ${listed(units)}; or the factor to multiply with. Coordinates in files of points are the model's own`,
+    parse: lengths,
+    default: '1',
+    help: `Unit of lengths in the output, of --radius and of --move-tolerance, for a model in metres, the unit of glTF: ${listed(units)}; or the factor to multiply the model's own with. Coordinates in files of points are the model's own`,
   },
   weld: {
     value: 'SHARE',

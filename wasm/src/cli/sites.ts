@@ -10,6 +10,7 @@ import { FileError, readModel } from './files.js';
 import type { Values } from './options.js';
 import { type GivenPoints, readPoints } from './points.js';
 import { ProgressBar } from './progress.js';
+import type { Lengths } from './values.js';
 
 /** Where sites come from. */
 export type SiteSource = Pick<
@@ -35,6 +36,12 @@ export async function openMesh(path: string, values: Reading): Promise<Mesh> {
     const message = (error as Error).message.replace(chosen, `: choose one, as ${path}#PATH`);
     throw new FileError(`${path}: ${message}`, { cause: error });
   }
+}
+
+/** What the lengths of a result are in: as --units says, or in the model's own unit, which glTF has. */
+export function lengthsOf(mesh: Mesh, { units }: Pick<Values, 'units'>): Lengths {
+  const isKnown = units.scale === 1 && mesh.info.origin.format === 'glTF';
+  return { ...units, unit: units.unit ?? (isKnown ? 'm' : undefined) };
 }
 
 export async function openWithSites(
@@ -79,7 +86,9 @@ async function closestOf(
   if (!quiet && farthest > Number.EPSILON * mesh.info.boundingDiagonal) {
     const count = closest.face.length;
     const places = count === 1 ? '1 place, it is' : `${count} places, the farthest`;
-    process.stderr.write(`note: ${places} ${(units * farthest).toPrecision(4)} from the surface\n`);
+    process.stderr.write(
+      `note: ${places} ${(units.scale * farthest).toPrecision(4)} from the surface\n`,
+    );
   }
   return closest;
 }
@@ -90,7 +99,7 @@ async function sampled(
   wantedDensity: Density | undefined,
 ): Promise<PointsOnSurface> {
   const { sites, radius, sampling, seed, 'per-component': perComponent, units } = values;
-  const wanted = radius === undefined ? (sites as number) : { radius: radius / units };
+  const wanted = radius === undefined ? (sites as number) : { radius: radius / units.scale };
   const isRandom = radius === undefined && (sampling ?? 'random') === 'random';
   const density = isRandom ? wantedDensity : undefined;
   const found = await withProgress(values, (onProgress) =>

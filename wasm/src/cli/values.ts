@@ -60,18 +60,17 @@ const unitScale: Record<string, number> = {
 
 export const units: readonly string[] = Object.keys(unitScale);
 
-/**
- * The unit that lengths in metres are in when they have been multiplied with a factor, if it has a
- * name.
- */
-export function unitOf(factor: number): string | undefined {
-  return units.find((unit) => unitScale[unit] === factor);
+/** What lengths of the model are multiplied by, and the unit that they are in then, if it is known. */
+export interface Lengths {
+  scale: number;
+  unit?: string | undefined;
 }
 
-/** The factor that lengths in metres are multiplied by. */
-export const scale: Parser<number> = (text, option) => {
-  const value = Object.hasOwn(unitScale, text) ? unitScale[text] : Number(text);
-  if (value > 0 && Number.isFinite(value)) return value;
+/** A unit by its name, for a model in metres; or a factor, after which the unit is not known. */
+export const lengths: Parser<Lengths> = (text, option) => {
+  if (Object.hasOwn(unitScale, text)) return { scale: unitScale[text], unit: text };
+  const scale = Number(text);
+  if (scale > 0 && Number.isFinite(scale)) return { scale };
   throw new UsageError(
     `${option} is '${text}', neither a positive factor nor one of ${listed(units)}`,
   );
