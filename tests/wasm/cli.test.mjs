@@ -148,6 +148,16 @@ test('info of several meshes: all that can be read, and status 1 if one cannot',
   );
 
   write('bad.glb', 'nothing');
+  const none = run('info bad.glb nowhere.glb --json');
+  assert.equal(none.status, 1);
+  assert.deepEqual(
+    JSON.parse(none.stdout).map(({ mesh, error }) => [mesh, typeof error]),
+    [
+      ['bad.glb', 'string'],
+      ['nowhere.glb', 'string'],
+    ],
+  );
+  assert.equal(run('info bad.glb nowhere.glb').stdout, '');
   const args = 'info shape.glb bad.glb nowhere.glb two.glb';
   const some = run(args);
   assert.equal(some.status, 1);
@@ -774,7 +784,11 @@ test('bad input: status 1, one line, no file', () => {
   write('many.json', '[1, 2]');
   write('outside.json', '{"face": [8], "bary": [1, 0, 0]}');
   fails(1, 'info nowhere.glb', /nowhere\.glb.*no such file/);
-  fails(1, 'info .', /shape\.glb and two\.glb are several models: choose one, as \.#PATH\n$/);
+  fails(
+    1,
+    'info .',
+    /shape\.glb and two\.glb are several models: choose one by its path, as \.#PATH\n$/,
+  );
   mkdirSync(join(folder, 'empty'));
   fails(1, 'info empty', /there is no model: there are no files/);
   fails(1, 'info /dev/zero', /is a device/);

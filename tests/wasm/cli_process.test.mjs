@@ -116,7 +116,9 @@ for (const [what, line, status, pattern] of [
     'several models',
     'gv info parts.zip',
     1,
-    oneLine('a/one\\.obj and two\\.obj are several models: choose one, as parts\\.zip#PATH'),
+    oneLine(
+      'a/one\\.obj and two\\.obj are several models: choose one by its path, as parts\\.zip#PATH',
+    ),
   ],
 ]) {
   test(`${what}: ${line.split(';')[0]}`, { skip: !isUnix }, () => {

@@ -157,7 +157,7 @@ test('repair may be limited and given up', async () => {
   const mesh = await gvd.mesh(octahedron());
   const diagram = await mesh.voronoi({ vertex: [0, 3] });
   await assert.rejects(diagram.repair({ maxAdded: 1 }), {
-    code: 'invalid-argument',
+    code: 'too-few-sites',
     message: /regions \d/,
   });
   await assert.rejects(diagram.repair({ maxAdded: -1 }), { code: 'invalid-argument' });

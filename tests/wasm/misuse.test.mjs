@@ -66,7 +66,7 @@ const notCounts = [0, -1, 1.5, NaN, Infinity, '3', null, undefined, {}, 2n, 2 **
 const notLabels = [-1, 0.5, NaN, '0', null, undefined, 2 ** 40];
 const notNames = [null, 5, '', 'Exact', 'toString', {}, ['exact']];
 const notBooleans = [null, 0, 1, 'yes', {}];
-const notTolerances = [null, -1, NaN, '0'];
+const notTolerances = [null, -1, NaN, '0', Infinity];
 const notScales = [null, 0, -1, NaN, Infinity, '1', {}];
 
 const toSites = ({ vertex }) => ({ face: [vertex].flat(), bary: [1, 0, 0] });
@@ -122,6 +122,15 @@ test('load and loadWorker', async () => {
   );
   await refused(notOptions, (options) => loadWorker(options), /^options is /);
   await refused([null, 5, true, {}], (worker) => loadWorker({ worker }), /^worker is /);
+  const terminate = () => assert.fail('it has been started');
+  const worker = { postMessage: terminate, terminate };
+  for (const wasm of ['nowhere.wasm', 'http://'])
+    await refused(
+      [wasm],
+      (value) => loadWorker({ worker, wasm: value }),
+      /^wasm is .*not an address$/,
+    );
+  await refused([5], (dracoWasm) => api.compileModules({ dracoWasm }), /no option "dracoWasm"/);
   const bytes = glb(octahedron());
   for (const gltfWasm of [null, 5, {}])
     await refused([gltfWasm], async () => (await load({ gltfWasm })).mesh(bytes), /^gltfWasm is /);
@@ -385,6 +394,7 @@ test('cvt', async () => {
     (energyTolerance) => start({ energyTolerance }),
     /^energyTolerance is /,
   );
+  await refused([1.5], (energyTolerance) => start({ energyTolerance }), /number from 0 to 1$/);
   await refused(notTolerances, (moveTolerance) => start({ moveTolerance }), /^moveTolerance is /);
   await refused(notLists, (density) => start({ density }), /^density(\[0\])? is /);
   await refused(

@@ -6,7 +6,7 @@
 import { appendChange, areLarge, changedData, changedSites } from './change.js';
 import { toBoolean, toTask, toTaskOptions } from './checks.js';
 import type { DiagramForm, Engine, OpenedDiagram } from './engine.js';
-import { invalidArgument } from './errors.js';
+import { GeodesicVoronoiError } from './errors.js';
 import { diagramJson, type DiagramJson } from './formats.js';
 import {
   repairDefaults,
@@ -264,7 +264,10 @@ export class EngineDiagram implements Diagram {
       const more = await this.#kept.call<SurfacePoints>('repairingSites', [], { signal });
       if (more.face.length <= most) return { sites: this.#sites, more };
       const [{ message }] = await this.#violations({ signal });
-      throw invalidArgument(`the dual is not valid with as many sites as may be added: ${message}`);
+      throw new GeodesicVoronoiError(
+        'too-few-sites',
+        `the dual is not valid with as many sites as may be added: ${message}`,
+      );
     });
   }
 

@@ -49,10 +49,8 @@ export const meshDefaults = {
 
 /** How the mesh builder makes a mesh. */
 export function toMeshBuild({ weld, orientation, minComponent }: MeshBuild): MeshBuild {
-  if (!(typeof weld === 'number' && weld >= 0 && weld <= 1))
-    throw invalidArgument(`weld is ${show(weld)}, not a number from 0 to 1`);
   return {
-    weld,
+    weld: toRange('weld', weld, 'share'),
     orientation: toOneOf('orientation', orientation, orientations),
     minComponent: toInteger('minComponent', minComponent, 0, maxCount),
   };
@@ -220,8 +218,7 @@ export function toWorstRegion(worst: WorstRegion): WorstRegion {
 }
 
 export function toRadius(radius: number): number {
-  if (typeof radius === 'number' && radius > 0 && radius < Infinity) return radius;
-  throw invalidArgument(`radius is ${show(radius)}, not a positive number`);
+  return toRange('radius', radius, 'radius');
 }
 
 export function toPerComponent(perComponent: number): number {
@@ -265,15 +262,22 @@ export function toCvtSettings({
     method: toOneOf('method', method, cvtMethods),
     metric: toMetric(metric),
     iterations: toInteger('iterations', iterations, 0, maxCount),
-    energyTolerance: toTolerance('energyTolerance', energyTolerance),
-    moveTolerance: toTolerance('moveTolerance', moveTolerance),
+    energyTolerance: toRange('energyTolerance', energyTolerance, 'share'),
+    moveTolerance: toRange('moveTolerance', moveTolerance, 'length'),
     fixedSites: toInt32('fixedSites', fixedSites),
   };
 }
 
-function toTolerance(name: string, value: number): number {
-  if (typeof value === 'number' && value >= 0) return value;
-  throw invalidArgument(`${name} is ${show(value)}, not a number from 0`);
+/** Ranges of numbers, with how an error names them. */
+export const ranges = {
+  share: { name: 'a number from 0 to 1', has: (x: number) => x >= 0 && x <= 1 },
+  length: { name: 'a number from 0', has: (x: number) => x >= 0 && x < Infinity },
+  radius: { name: 'a positive number', has: (x: number) => x > 0 && x < Infinity },
+} as const;
+
+function toRange(name: string, value: number, range: keyof typeof ranges): number {
+  if (typeof value === 'number' && ranges[range].has(value)) return value;
+  throw invalidArgument(`${name} is ${show(value)}, not ${ranges[range].name}`);
 }
 
 /** The options of a repair unless others are given. */

@@ -2,6 +2,7 @@
 //
 // What each command does.
 import { extname } from 'node:path';
+import { GeodesicVoronoiError } from '../errors.js';
 import type { MeshInfo, Metric, PolygonMesh, SurfacePath, Violation } from '../results.js';
 import { counted } from '../sentences.js';
 import type { CvtOptions, CvtState, Diagram, Mesh, SurfacePointsInput } from '../types.js';
@@ -79,7 +80,7 @@ async function info({ meshes, values }: Request<'info'>): Promise<void> {
       list.push({ mesh: path, error: (error as Error).message });
     }
   }
-  if (reports.length === 0) return;
+  if (reports.length === 0 && !json) return;
   await output.write(
     json ? `${JSON.stringify(isOnly ? list[0] : list, null, 2)}\n` : reports.join('\n'),
   );
@@ -163,11 +164,17 @@ async function path({ mesh: model, values }: Request<'path'>): Promise<void> {
     );
   }
   const paths = await withProgress(values, async (onProgress) => {
-    const toOneEnd = ends.length === 1 ? await mesh.voronoi(ends[0]) : undefined;
+    if (starts.length === 1) return [await mesh.path(starts[0], ends[0], { onProgress })];
+    // Many paths to one end have the distances from there in common.
+    const toOneEnd =
+      ends.length === 1
+        ? await mesh.voronoi(ends[0], { onProgress: (share) => onProgress(share / 2) })
+        : undefined;
     const found: SurfacePath[] = [];
     for (const [i, start] of starts.entries()) {
       found.push(await (toOneEnd?.path(start) ?? mesh.path(start, ends[i])));
-      onProgress(found.length / starts.length);
+      const share = found.length / starts.length;
+      onProgress(toOneEnd ? (1 + share) / 2 : share);
     }
     return found;
   });
@@ -330,8 +337,8 @@ async function explained<Result>(mesh: Mesh, repair: () => Promise<Result>): Pro
     return await repair();
   } catch (error) {
     const { components } = mesh.info;
-    const tooFewSites = /^the dual is not valid/.test((error as Error).message);
-    if (components === 1 || !tooFewSites) throw error;
+    const isTooFew = error instanceof GeodesicVoronoiError && error.code === 'too-few-sites';
+    if (components === 1 || !isTooFew) throw error;
     throw new FileError(
       `${(error as Error).message} (the mesh has ${components} components: --min-component drops small ones, ` +
         '--per-component 3 begins with sites on each)',

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The mesh of a command and its sites: read from files, or sampled.
+import { GeodesicVoronoiError } from '../errors.js';
 import { toPlaces } from '../input.js';
 import { load } from '../node.js';
 import { requireSameMesh } from '../points_file.js';
@@ -32,9 +33,9 @@ export async function openMesh(path: string, values: Reading): Promise<Mesh> {
     return await gvd.mesh(files, { limits, file, weld, orientation, minComponent });
   } catch (error) {
     // The library's option `file` is a part of the path here.
-    const chosen = /: choose one.*$/;
-    const message = (error as Error).message.replace(chosen, `: choose one, as ${path}#PATH`);
-    throw new FileError(`${path}: ${message}`, { cause: error });
+    const isUnclear = error instanceof GeodesicVoronoiError && error.code === 'several-models';
+    const message = `${path}: ${(error as Error).message}`;
+    throw new FileError(isUnclear ? `${message}, as ${path}#PATH` : message, { cause: error });
   }
 }
 

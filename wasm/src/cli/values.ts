@@ -34,11 +34,11 @@ export function integer(least: number, most = Number.MAX_SAFE_INTEGER): Parser<n
   };
 }
 
-export function number(isIn: (value: number) => boolean, range: string): Parser<number> {
+export function number(range: { name: string; has(value: number): boolean }): Parser<number> {
   return (text, option) => {
     const value = Number(text);
-    if (isNumber(text) && isIn(value)) return value;
-    throw new UsageError(`${option} is '${text}', not ${range}`);
+    if (isNumber(text) && range.has(value)) return value;
+    throw new UsageError(`${option} is '${text}', not ${range.name}`);
   };
 }
 
