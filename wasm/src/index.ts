@@ -51,6 +51,7 @@ export type {
   PartitionJson,
   PartitionJsonOptions,
   PartitionLayout,
+  partitionLayouts,
 } from './partition_formats.js';
 export type { PolygonMeshJson } from './polygon_formats.js';
 export { partitionGlb, partitionJson, partitionObj, partitionPly } from './partition_formats.js';
