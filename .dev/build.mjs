@@ -38,6 +38,7 @@ export async function buildPackage() {
     buildWithCMake('build/wasm', { wrapper: ['emcmake'], targets: wasmModules }),
   );
   const inputs = [
+    '.dev',
     'wasm/src',
     'wasm/module_address.d.ts',
     'wasm/tsconfig.json',

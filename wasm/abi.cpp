@@ -9,7 +9,7 @@
 namespace gvd::abi {
 namespace {
 
-/// `errorCodes` in `src/errors.ts` explains them.
+/// `ErrorCode` in `src/errors.ts` explains them.
 constexpr Named<ErrorCode> kErrorCodes[] = {
     {"invalid-mesh", ErrorCode::kInvalidMesh},
     {"invalid-gltf", ErrorCode::kInvalidGltf},

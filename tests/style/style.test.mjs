@@ -60,6 +60,14 @@ test('every source says what its licence is', () => {
   assert.deepEqual(silent, []);
 });
 
+test('what users read in declarations points to no file of the core, which the package has not', () => {
+  const sources = matching(/^(wasm\/src|web\/viewer)\/.*\.ts$/);
+  assert.deepEqual(
+    sources.filter((path) => /\bcore\/|\bgvd\/\w+\.h\b/.test(read(path))),
+    [],
+  );
+});
+
 test('the lock file names no host of a registry', () => {
   const hosts = read('package-lock.json').match(/"resolved": "https?:[^"]*"/g) ?? [];
   assert.deepEqual(hosts, []);

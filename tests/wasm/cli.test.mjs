@@ -148,6 +148,16 @@ test('info of several meshes: all that can be read, and status 1 if one cannot',
   );
 
   write('bad.glb', 'nothing');
+  const none = run('info bad.glb nowhere.glb --json');
+  assert.equal(none.status, 1);
+  assert.deepEqual(
+    JSON.parse(none.stdout).map(({ mesh, error }) => [mesh, typeof error]),
+    [
+      ['bad.glb', 'string'],
+      ['nowhere.glb', 'string'],
+    ],
+  );
+  assert.equal(run('info bad.glb nowhere.glb').stdout, '');
   const args = 'info shape.glb bad.glb nowhere.glb two.glb';
   const some = run(args);
   assert.equal(some.status, 1);
@@ -179,7 +189,10 @@ test('--weld, --orientation and --min-component: how the mesh is made', () => {
 
   write('turned.glb', glb(withFlipped(octahedron(), 2)));
   assert.match(succeeds('info turned.glb').stdout, /repair: 1 triangle turned over/);
-  assert.match(succeeds('info turned.glb --orientation keep').stdout, /repair: 3 edges cut/);
+  assert.match(
+    succeeds('info turned.glb --orientation keep').stdout,
+    /repair: 3 edges cut because their two triangles disagree in orientation\n/,
+  );
 
   const large = succeeds('info two.glb --min-component 3').stdout;
   assert.match(large, /components +1\n[^]*repair: 1 component .*\nrepair: 2 triangles of these/);
@@ -327,6 +340,8 @@ test('cvt writes sites that other commands read, and the energy of every iterati
     succeeds('cvt shape.glb --sites 5 --iterations 1 --metric exact').stdout,
   );
   assert.ok(exact.energy[1] < exact.energy[0]);
+  const single = succeeds('cvt shape.glb --sites 1 --iterations 1 -o one.json').stderr;
+  assert.match(single, /^1 site, [01] iterations?( |,)/);
   succeeds('remesh shape.glb --sites 20 --iterations 1 --metric exact -o remesh.obj');
 
   const soon = succeeds(
@@ -696,8 +711,15 @@ test('a .gltf finds its buffer in its folder, and nothing outside', () => {
 test('a model of another format, a folder, a zip', () => {
   write('shape.stl', meshBinaryStl(octahedron()));
   write('shape.obj', meshObj(octahedron()));
-  const { stdout } = succeeds('distances shape.obj --sites sites.json');
-  assert.equal(stdout, succeeds('distances shape.glb --sites sites.json').stdout);
+  const distances = (args) => JSON.parse(succeeds(`distances ${args} --sites sites.json`).stdout);
+  const { unit, ...known } = distances('shape.glb');
+  assert.equal(unit, 'm');
+  assert.deepEqual(distances('shape.obj'), known, 'an OBJ has no unit');
+  assert.deepEqual(distances('shape.obj --units m'), { ...known, unit });
+  assert.equal(distances('shape.glb --units 100').unit, undefined);
+  assert.match(succeeds('info shape.glb').stdout, /diagonal +3\.4641 m\n/);
+  assert.match(succeeds('info shape.obj').stdout, /diagonal +3\.4641\n/);
+  assert.match(succeeds('info shape.obj --units cm').stdout, /diagonal +346\.41 cm\n/);
   succeeds('partition shape.stl --sites 3 -o parts.glb');
   assert.match(succeeds('info shape.stl').stdout, /^format +STL \(shape\.stl\)\n/);
   assert.match(succeeds('info -', meshObj(octahedron())).stdout, /^format +OBJ/);
@@ -712,6 +734,8 @@ test('a model of another format, a folder, a zip', () => {
   write('model.zip', zipSync(files));
   assert.match(succeeds('info model').stdout, /^format +glTF \(scene\.gltf\)\n.*triangles +8/s);
   assert.match(succeeds('info model.zip').stdout, /^format +glTF \(model\/scene\.gltf\)\n/);
+  write('stored.zip', zipSync({ 'shape.obj': [meshObj(octahedron()), { level: 0 }] }));
+  assert.match(succeeds('info stored.zip').stdout, /^format +OBJ \(shape\.obj\)\n.*triangles +8/s);
 
   // Links lead anywhere.
   rmSync(join(folder, 'model', 'data', 'shape.bin'));
@@ -760,7 +784,11 @@ test('bad input: status 1, one line, no file', () => {
   write('many.json', '[1, 2]');
   write('outside.json', '{"face": [8], "bary": [1, 0, 0]}');
   fails(1, 'info nowhere.glb', /nowhere\.glb.*no such file/);
-  fails(1, 'info .', /shape\.glb and two\.glb are several models: choose one, as \.#PATH\n$/);
+  fails(
+    1,
+    'info .',
+    /shape\.glb and two\.glb are several models: choose one by its path, as \.#PATH\n$/,
+  );
   mkdirSync(join(folder, 'empty'));
   fails(1, 'info empty', /there is no model: there are no files/);
   fails(1, 'info /dev/zero', /is a device/);

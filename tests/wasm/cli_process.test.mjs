@@ -116,7 +116,9 @@ for (const [what, line, status, pattern] of [
     'several models',
     'gv info parts.zip',
     1,
-    oneLine('a/one\\.obj and two\\.obj are several models: choose one, as parts\\.zip#PATH'),
+    oneLine(
+      'a/one\\.obj and two\\.obj are several models: choose one by its path, as parts\\.zip#PATH',
+    ),
   ],
 ]) {
   test(`${what}: ${line.split(';')[0]}`, { skip: !isUnix }, () => {
@@ -177,6 +179,16 @@ test('an output may be the sites that were read, but not the model', { skip: !is
   assert.equal(status, 1, stderr);
   assertTidy(stderr, /mesh\.glb cannot be written: it is the model itself\n$/);
   assert.deepEqual(readFileSync(join(folder, 'mesh.glb')), before);
+});
+
+test('nor the file that has the model', { skip: !isUnix }, () => {
+  const before = readFileSync(join(folder, 'parts.zip'));
+  const { status, stderr } = shell(
+    'gv diagram "parts.zip#two.obj" --sites 1 --format json -o parts.zip -q',
+  );
+  assert.equal(status, 1, stderr);
+  assertTidy(stderr, /parts\.zip cannot be written: it is the model itself\n$/);
+  assert.deepEqual(readFileSync(join(folder, 'parts.zip')), before);
 });
 
 test('after a #, one of several models', { skip: !isUnix }, () => {

@@ -163,10 +163,7 @@ test('remesh: the sites given and some more, moved, with a valid dual', async ()
       [...shares].sort((a, b) => a - b),
     );
   }
-  await assert.rejects(
-    sphere.remesh({ vertex: [0, 3] }, { maxAdded: 1 }),
-    fails('invalid-argument'),
-  );
+  await assert.rejects(sphere.remesh({ vertex: [0, 3] }, { maxAdded: 1 }), fails('too-few-sites'));
 });
 
 test('remesh: with a density, and sites that stay', async () => {

@@ -119,7 +119,7 @@ test('PLY and GLB hold the mesh with its distances, JSON the arrays', async () =
   const distances = await mesh.distances({ vertex: [0, 5] });
   const { label, distance, direction } = distances;
 
-  const { vertex, face } = readPly(distancesPly(mesh, distances, 3));
+  const { vertex, face } = readPly(distancesPly(distances, { mesh, scale: 3 }));
   assert.equal(face.length, mesh.indices.length / 3);
   vertex.forEach((row, v) => {
     assert.equal(row.label, label[v]);
@@ -128,7 +128,7 @@ test('PLY and GLB hold the mesh with its distances, JSON the arrays', async () =
     assert.deepEqual(row.x, 3 * mesh.positions[3 * v]);
   });
 
-  const bytes = distancesGlb(mesh, distances, 3);
+  const bytes = distancesGlb(distances, { mesh, scale: 3 });
   await assertValidGlb(bytes);
   const [{ geometry }] = await threeMeshes(bytes);
   assert.equal(geometry.index.count, mesh.indices.length - 3, 'without what is not finite');
@@ -140,7 +140,7 @@ test('PLY and GLB hold the mesh with its distances, JSON the arrays', async () =
   );
   assert.equal(geometry.attributes.normal.count, vertex.length);
 
-  const json = JSON.parse(JSON.stringify(distancesJson(distances, 3)));
+  const json = JSON.parse(JSON.stringify(distancesJson(distances, { scale: 3 })));
   assert.deepEqual(json.label, [...label]);
   json.distance.forEach((d, v) => assert.equal(d ?? Infinity, 3 * distance[v]));
   json.direction.forEach((x, i) => assert.equal(x ?? NaN, direction[i]));

@@ -157,7 +157,7 @@ test('repair may be limited and given up', async () => {
   const mesh = await gvd.mesh(octahedron());
   const diagram = await mesh.voronoi({ vertex: [0, 3] });
   await assert.rejects(diagram.repair({ maxAdded: 1 }), {
-    code: 'invalid-argument',
+    code: 'too-few-sites',
     message: /regions \d/,
   });
   await assert.rejects(diagram.repair({ maxAdded: -1 }), { code: 'invalid-argument' });
@@ -211,7 +211,7 @@ test('GLB, OBJ and PLY hold the polygons', async () => {
     const labels = (primal ? face : vertex).map(({ label }) => label);
     assert.deepEqual(labels, [...(primal ? polygons.faceLabel : polygons.vertexLabel)]);
 
-    const json = polygonJson(polygons, 3);
+    const json = polygonJson(polygons, { scale: 3 });
     assert.deepEqual(json.faces, lists);
     assert.equal(json.points.position[1], 3 * polygons.points.position[1]);
   }

@@ -97,6 +97,58 @@ for (const metric of ['exact', 'dgpc'])
       diagram.dispose();
     });
 
+    it('calls are carried out in their order, whether awaited or not', async () => {
+      const diagram = await mesh.voronoi(await mesh.sampleSites(12), { metric });
+      const place = await mesh.sampleSites(1, { seed: 5 });
+      const before = diagram.locate(place);
+      void diagram.insertSite(place);
+      const after = diagram.locate(place);
+      const path = diagram.path(place);
+      const partition = diagram.partition();
+      // A vertex has to be looked up first; what comes after it waits for that.
+      const vertex = diagram.locate({ vertex: 7 });
+      void diagram.moveSite(12, { vertex: 7 });
+      assert.notEqual((await before).label[0], 12);
+      assert.equal((await after).label[0], 12);
+      assert.equal((await path).length, 0);
+      assert.equal((await partition).regions.area.length, 13);
+      assert.ok((await vertex).distance[0] > 0);
+      assert.equal((await diagram.locate({ vertex: 7 })).distance[0], 0);
+      diagram.dispose();
+    });
+
+    it('arguments are copied at the call, and refused at once if they are wrong', async () => {
+      const diagram = await mesh.voronoi(await mesh.sampleSites(12), { metric });
+      const places = await mesh.sampleSites(3, { seed: 5 });
+      const used = single(places, 0);
+      const changes = [];
+      for (let i = 0; i < 3; ++i) {
+        used.face.set(places.face.subarray(i, i + 1));
+        used.bary.set(places.bary.subarray(3 * i, 3 * i + 3));
+        changes.push(diagram.insertSite(used));
+      }
+      const ended = [];
+      changes[0].then(() => ended.push('change'));
+      await diagram.moveSite(0, { vertex: [1, 2] }).catch(() => ended.push('misuse'));
+      await Promise.all(changes);
+      assert.deepEqual(ended, ['misuse', 'change']);
+      assert.deepEqual([...diagram.sites.face.subarray(12)], [...places.face]);
+      assert.deepEqual([...diagram.sites.bary.subarray(36)], [...places.bary]);
+      diagram.dispose();
+    });
+
+    it('a repair is one of the sites as the changes before it leave them', async () => {
+      const diagram = await mesh.voronoi({ vertex: [0, 1] }, { metric });
+      void diagram.insertSite({ vertex: 100 });
+      const repairing = diagram.repair();
+      void diagram.insertSite({ vertex: 200 });
+      const repaired = await repairing;
+      const sites = await mesh.voronoi({ vertex: [0, 1, 100] }, { metric });
+      const expected = await sites.repair();
+      assert.deepEqual(repaired.sites, expected.sites);
+      for (const each of [diagram, repaired, sites, expected]) each.dispose();
+    });
+
     it('all arrays are fetched in their turn, and are those that are put together here', async () => {
       const sites = await mesh.sampleSites(12);
       const places = await mesh.sampleSites(4, { seed: 5 });

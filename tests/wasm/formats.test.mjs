@@ -108,7 +108,7 @@ test('JSON names the face of every piece of a bisector, and every point is named
 });
 
 test('JSON scales lengths and areas, and says so', () => {
-  const json = diagramJson(diagram, 1000, 'mm');
+  const json = diagramJson(diagram, { scale: 1000, unit: 'mm' });
   assert.deepEqual([json.scale, json.unit], [1000, 'mm']);
   const { position } = diagramJson(diagram).points;
   json.points.position.forEach((x, i) => near(x, 1000 * position[i], 1e-9));
@@ -116,7 +116,7 @@ test('JSON scales lengths and areas, and says so', () => {
 });
 
 test('OBJ draws every bisector once', () => {
-  const lines = diagramObj(diagram.data, 10)
+  const lines = diagramObj(diagram.data, { scale: 10 })
     .trimEnd()
     .split('\n')
     .map((line) => line.split(' '));
@@ -129,7 +129,7 @@ test('OBJ draws every bisector once', () => {
 });
 
 test('GLB draws every bisector once', () => {
-  const bytes = diagramGlb(diagram.data, 10);
+  const bytes = diagramGlb(diagram.data, { scale: 10 });
   const view = new DataView(bytes.buffer);
   assert.equal(view.getUint32(8, true), bytes.length);
   const jsonLength = view.getUint32(12, true);

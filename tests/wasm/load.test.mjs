@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { readFileSync } from 'node:fs';
+import { copyFileSync, mkdirSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { compileModules, GeodesicVoronoiError, load, loadWorker } from 'geodesic-voronoi';
@@ -35,6 +37,15 @@ test('load() takes a URL, a path, bytes, what a server answered, or a module', a
     const gvd = await load({ wasm });
     assert.equal((await gvd.mesh(octahedron())).info.faces, 8);
   }
+});
+
+test('in a path, # and % and ? are letters as any others', async (t) => {
+  const folder = mkdtempSync(join(tmpdir(), 'geodesic-voronoi-'));
+  t.after(() => rmSync(folder, { recursive: true }));
+  mkdirSync(join(folder, 'x#y%20?'));
+  const path = join(folder, 'x#y%20?', 'core.wasm');
+  copyFileSync(fileURLToPath(coreUrl), path);
+  assert.equal((await (await load({ wasm: path })).mesh(octahedron())).info.faces, 8);
 });
 
 test('what cannot be loaded says so', async () => {

@@ -66,8 +66,10 @@ const notCounts = [0, -1, 1.5, NaN, Infinity, '3', null, undefined, {}, 2n, 2 **
 const notLabels = [-1, 0.5, NaN, '0', null, undefined, 2 ** 40];
 const notNames = [null, 5, '', 'Exact', 'toString', {}, ['exact']];
 const notBooleans = [null, 0, 1, 'yes', {}];
-const notTolerances = [null, -1, NaN, '0'];
+const notTolerances = [null, -1, NaN, '0', Infinity];
 const notScales = [null, 0, -1, NaN, Infinity, '1', {}];
+
+const toSites = ({ vertex }) => ({ face: [vertex].flat(), bary: [1, 0, 0] });
 
 let gvd;
 let mesh;
@@ -120,6 +122,15 @@ test('load and loadWorker', async () => {
   );
   await refused(notOptions, (options) => loadWorker(options), /^options is /);
   await refused([null, 5, true, {}], (worker) => loadWorker({ worker }), /^worker is /);
+  const terminate = () => assert.fail('it has been started');
+  const worker = { postMessage: terminate, terminate };
+  for (const wasm of ['nowhere.wasm', 'http://'])
+    await refused(
+      [wasm],
+      (value) => loadWorker({ worker, wasm: value }),
+      /^wasm is .*not an address$/,
+    );
+  await refused([5], (dracoWasm) => api.compileModules({ dracoWasm }), /no option "dracoWasm"/);
   const bytes = glb(octahedron());
   for (const gltfWasm of [null, 5, {}])
     await refused([gltfWasm], async () => (await load({ gltfWasm })).mesh(bytes), /^gltfWasm is /);
@@ -383,6 +394,7 @@ test('cvt', async () => {
     (energyTolerance) => start({ energyTolerance }),
     /^energyTolerance is /,
   );
+  await refused([1.5], (energyTolerance) => start({ energyTolerance }), /number from 0 to 1$/);
   await refused(notTolerances, (moveTolerance) => start({ moveTolerance }), /^moveTolerance is /);
   await refused(notLists, (density) => start({ density }), /^density(\[0\])? is /);
   await refused(
@@ -434,23 +446,26 @@ test('what writes files', async () => {
   for (const f of [api.pathsJson, api.pathsObj])
     await refused([...list, [null], [{}]], (value) => f(value), missing);
   for (const f of [api.distancesPly, api.distancesGlb]) {
-    await refused(result, (value) => f(value, distances), /^mesh/);
-    await refused(result, (value) => f(mesh, value), /^distances/);
-    await refused(notScales, (scale) => f(mesh, distances, scale), /^scale is /);
+    await refused(result, (source) => f(distances, { mesh: source }), /^mesh/);
+    await refused([undefined, {}], (options) => f(distances, options), /^mesh is undefined/);
+    await refused(result, (value) => f(value, { mesh }), /^distances/);
   }
-  await refused(notScales, (scale) => api.diagramJson(diagram, scale), /^scale is /);
-  for (const f of [api.diagramObj, api.diagramGlb])
-    await refused(notScales, (scale) => f(diagram.data, scale), /^scale is /);
-  await refused(notScales, (scale) => api.distancesJson(distances, scale), /^scale is /);
-  for (const f of [api.pathsJson, api.pathsObj])
-    await refused(notScales, (scale) => f(paths, scale), /^scale is /);
-  await refused(
-    notScales,
-    (scale) => api.partitionJson(partition, diagram.sites, scale),
-    /^scale is /,
-  );
-  await refused(result, (sites) => api.partitionJson(partition, sites), /^sites/);
-  await refused(notScales, (scale) => api.polygonJson(polygons, scale), /^scale is /);
+  await refused(result, (sites) => api.partitionJson(partition, { sites }), /^sites/);
+  const { sites } = diagram;
+  const plain = [
+    ...[api.diagramJson, api.diagramObj, api.diagramGlb].map((f) => [f, diagram]),
+    [api.distancesJson, distances],
+    ...[api.distancesPly, api.distancesGlb].map((f) => [f, distances, { mesh }]),
+    ...[api.pathsJson, api.pathsObj].map((f) => [f, paths]),
+    [api.partitionJson, partition, { sites }],
+    [api.polygonJson, polygons],
+  ];
+  for (const [f, value, more] of plain) {
+    await refused(notOptions, (options) => f(value, options), /^options is /);
+    await refused(notScales, (scale) => f(value, { ...more, scale }), /^scale is /);
+  }
+  await refused([null, 5, {}], (unit) => api.diagramJson(diagram, { unit }), /^unit is /);
+  await refused([...notObjects, []].slice(1, 3), (value) => api.repairSentences(value), /^repairs/);
   const writers = [
     ...[api.partitionGlb, api.partitionObj, api.partitionPly].map((f) => [f, partition]),
     ...[api.polygonGlb, api.polygonObj, api.polygonPly].map((f) => [f, polygons]),
@@ -461,6 +476,20 @@ test('what writes files', async () => {
     await refused([null, 5, {}], (source) => f(value, { mesh: source }), /^mesh/);
   }
   await refused(notNames, (layout) => api.partitionGlb(partition, { layout }), /^layout is /);
+  // A mesh that the result is not of.
+  const other = await gvd.mesh({
+    positions: [0, 0, 0, 1, 0, 0, 0, 1, 0],
+    normals: new Array(9).fill(1),
+  });
+  for (const f of [api.distancesPly, api.distancesGlb])
+    await refused([other], (source) => f(distances, { mesh: source }), /3 vertices.*are of 6$/);
+  for (const [f, value] of writers)
+    await refused([other], (source) => f(value, { mesh: source }), /1 triangle:.*triangle [1-7]$/);
+  await refused(
+    [one],
+    (value) => api.partitionJson(partition, { sites: toSites(value) }),
+    /1 points.*4 regions$/,
+  );
   const notColours = [
     null,
     5,

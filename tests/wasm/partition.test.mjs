@@ -4,7 +4,16 @@
 
 import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
-import { load, partitionGlb, partitionJson, partitionObj, partitionPly } from 'geodesic-voronoi';
+import {
+  distancesGlb,
+  load,
+  partitionGlb,
+  partitionJson,
+  partitionObj,
+  partitionPly,
+  polygonGlb,
+  polygonPly,
+} from 'geodesic-voronoi';
 import {
   areaOf,
   assertValidGlb,
@@ -148,7 +157,7 @@ test('a site without a region has none of it', async () => {
   assert.equal(regions.triangleOffset[3], regions.triangleOffset[2]);
   assert.ok(Number.isNaN(regions.centroid[6]));
   assert.equal(regions.nearCentroid.face[2], -1);
-  const json = partitionJson(await diagram.partition(), diagram.sites);
+  const json = partitionJson(await diagram.partition(), { sites: diagram.sites });
   assert.equal(json.regions[2].centroid, null);
 });
 
@@ -330,6 +339,30 @@ test('a glTF brings its normals and texture coordinates', async () => {
   assert.equal(plain.normals.length + plain.uvs.length, 0);
 });
 
+test('normals and texture coordinates that are not finite do not get into files', async () => {
+  const shape = grid(3);
+  const count = shape.positions.length / 3;
+  const normals = Array.from({ length: 3 * count }, (_, i) =>
+    i < 12 ? NaN : i < 24 ? Infinity : 1,
+  );
+  const uvs = Array.from({ length: 2 * count }, (_, i) => [NaN, 0.5, -Infinity, 1e300][i % 4]);
+  const mesh = await gvd.mesh({ ...shape, normals, uvs });
+  const diagram = await mesh.voronoi({ vertex: [0, count - 1] });
+  const [partition, dual] = [await diagram.partition(), await diagram.dual({ primal: true })];
+  const { vertex } = readPly(partitionPly(partition, { mesh }));
+  for (const each of [vertex, readPly(polygonPly(dual, { mesh })).vertex])
+    for (const { nx, ny, nz, s, t } of each) {
+      near(Math.hypot(nx, ny, nz), 1, 1e-6);
+      assert.ok(Number.isFinite(s) && Number.isFinite(t), `${s} ${t}`);
+    }
+  const places = new Set(vertex.map(({ x, y, z }) => `${x} ${y} ${z}`));
+  assert.equal(vertex.length, places.size, 'there is no seam');
+  const distances = await mesh.distances({ vertex: [0] });
+  await assertValidGlb(partitionGlb(partition, { mesh }));
+  await assertValidGlb(polygonGlb(dual, { mesh }));
+  await assertValidGlb(distancesGlb(distances, { mesh }));
+});
+
 test('attributes have to fit the mesh', async () => {
   const { positions, indices } = grid(1);
   for (const more of [{ normals: [0, 0, 1] }, { uvs: [1] }])
@@ -343,7 +376,9 @@ test('JSON holds facts and triangles', async () => {
   const mesh = await gvd.mesh(grid(5));
   const diagram = await mesh.voronoi(await mesh.sampleSites(4));
   const partition = await diagram.partition();
-  const json = JSON.parse(JSON.stringify(partitionJson(partition, diagram.sites, 2)));
+  const json = JSON.parse(
+    JSON.stringify(partitionJson(partition, { sites: diagram.sites, scale: 2 })),
+  );
   json.regions.forEach((region, i) => {
     near(region.area, 4 * diagram.regions[i].area);
     near(region.perimeter, 2 * partition.regions.perimeter[i]);

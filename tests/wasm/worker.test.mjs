@@ -124,6 +124,16 @@ test('errors keep their code and their message', async (t) => {
   await assert.rejects(mesh.voronoi({ vertex: [6] }), fails('invalid-point', /6/));
 });
 
+test('what cannot be sent to the worker is refused', async (t) => {
+  const { library } = await loadThroughChannel(t);
+  const file = { arrayBuffer: async () => new ArrayBuffer(8) };
+  await assert.rejects(
+    library.mesh({ 'a.obj': file }),
+    fails('invalid-argument', /sent to the worker/),
+  );
+  assert.equal((await library.mesh(octahedron())).info.faces, 8);
+});
+
 test('arrays of the caller are not taken away', async (t) => {
   const { library } = await loadThroughChannel(t);
   const bytes = glb(octahedron());

@@ -91,7 +91,7 @@ suite('the panel', () => {
     };
     await open('faulty.glb', faulty);
     await showGroup('Model');
-    assert.match(await text('#repairs'), /non-manifold edges? cut/);
+    assert.match(await text('#repairs'), /edges? of three or more triangles, cut apart\./);
     assert.match(await text('#report'), /Triangles34/);
   });
 

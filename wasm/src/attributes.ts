@@ -2,19 +2,10 @@
 //
 // Normals and texture coordinates of the input, interpolated at points of the surface.
 
+import { invalidArgument } from './errors.js';
+import type { AttributeSource } from './file_options.js';
 import type { Partition } from './results.js';
-import type { Mesh } from './types.js';
-
-/** The mesh that a partition or a dual came from, or as much of it as writers need. */
-export type AttributeSource = Pick<Mesh, 'positions' | 'indices' | 'normals' | 'uvs'>;
-
-/** Options of a file with a partition or a dual. */
-export interface SurfaceFileOptions {
-  /** Brings the normals and texture coordinates to interpolate. */
-  mesh?: AttributeSource | undefined;
-  /** What lengths are multiplied with on the way out. */
-  scale?: number | undefined;
-}
+import { counted } from './sentences.js';
 
 /** Vertices of a file: the point of each, and its attributes, absent where the input has none. */
 export interface FileVertices {
@@ -39,19 +30,20 @@ class Interpolator {
   /** Sets `values` to those at the point with coordinates `bary[at] … bary[at + 2]`. */
   moveTo(face: number, bary: Float64Array, at: number): void {
     const { normals, uvs } = this.#source;
+    if (3 * face >= this.#source.indices.length)
+      throw invalidArgument(
+        `mesh has ${counted(this.#source.indices.length / 3, 'triangle')}: it is not the one of the result, which has a point in triangle ${face}`,
+      );
     let k = 0;
     if (normals.length > 0) {
-      let normal = [0, 1, 2].map((axis) => this.#mean(normals, 3, axis, face, bary, at));
-      let length = Math.hypot(...normal);
-      if (!(length > 1e-6)) {
-        normal = this.#faceNormal(face); // they cancel out, or there are none here
-        length = Math.hypot(...normal);
-      }
-      if (!(length > 0)) [normal, length] = [[0, 0, 1], 1]; // nothing to go by
-      for (const x of normal) this.values[k++] = x / length;
+      const mean = [0, 1, 2].map((axis) => this.#mean(normals, 3, axis, face, bary, at));
+      // Where normals cancel out, or there are none, that of the face.
+      const normal = directionOf(mean, 1e-6) ?? directionOf(this.#faceNormal(face)) ?? upward;
+      for (const x of normal) this.values[k++] = x;
     }
     if (uvs.length > 0)
-      for (const axis of [0, 1]) this.values[k++] = this.#mean(uvs, 2, axis, face, bary, at);
+      for (const axis of [0, 1])
+        this.values[k++] = finite(this.#mean(uvs, 2, axis, face, bary, at));
   }
 
   #mean(
@@ -161,19 +153,31 @@ export function inputVertices({ positions, normals, uvs }: AttributeSource): Fil
   return {
     points,
     ...(normals.length > 0 && { normals: unitVectors(normals) }),
-    ...(uvs.length > 0 && { uvs: Float32Array.from(uvs, (x) => (Number.isFinite(x) ? x : 0)) }),
+    ...(uvs.length > 0 && { uvs: Float32Array.from(uvs, finite) }),
   };
 }
 
 function unitVectors(vectors: Float64Array): Float32Array {
   const units = new Float32Array(vectors.length);
-  for (let i = 0; i < vectors.length; i += 3) {
-    const vector = vectors.subarray(i, i + 3);
-    const length = Math.hypot(...vector);
-    const isDirection = length > 0 && length < Infinity;
-    units.set(isDirection ? vector.map((x) => x / length) : [0, 0, 1], i);
-  }
+  for (let i = 0; i < vectors.length; i += 3)
+    units.set(directionOf(vectors.subarray(i, i + 3)) ?? upward, i);
   return units;
+}
+
+/** The normal where there is nothing to go by. */
+const upward = [0, 0, 1];
+
+/** A vector at length 1; undefined unless it is longer than `least` and finite. */
+function directionOf(vector: ArrayLike<number>, least = 0): number[] | undefined {
+  const parts = Array.from(vector);
+  const length = Math.hypot(...parts);
+  return length > least && length < Infinity ? parts.map((x) => x / length) : undefined;
+}
+
+/** A number as files have it, of 32 bits; 0 for one that is not finite there. */
+function finite(x: number): number {
+  const rounded = Math.fround(x);
+  return Number.isFinite(rounded) ? rounded : 0;
 }
 
 /** Joins lists of vertices; each attribute is in all of them or in none. */

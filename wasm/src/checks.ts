@@ -2,14 +2,13 @@
 //
 // Checks of what callers pass. Each names the argument, says what it is, and what it should be.
 
-import type { AttributeSource, SurfaceFileOptions } from './attributes.js';
 import { invalidArgument } from './errors.js';
 import type { TaskOptions } from './types.js';
 
-/** The default of every option. */
-type Usual<Options> = { [Name in keyof Required<Options>]: Options[Name] };
+/** The default of every option; undefined for one that has to be given, too. */
+export type Usual<Options> = { [Name in keyof Required<Options>]: Options[Name] | undefined };
 /** Options with defaults filled in: only those without a default may be undefined. */
-type Complete<Options, Defaults> = {
+export type Complete<Options, Defaults> = {
   [Name in keyof Defaults & keyof Options]: undefined extends Defaults[Name]
     ? Options[Name]
     : Exclude<Options[Name], undefined>;
@@ -161,32 +160,6 @@ export function toResult<Result extends object>(
   const missing = fields.find((field) => !isObject(value[field]));
   if (missing === undefined) return value;
   throw invalidArgument(`${name}.${missing} is ${show(value[missing])}, not an object`);
-}
-
-/** A factor for lengths. */
-export function toScale(scale: number): number {
-  if (Number.isFinite(scale) && scale > 0) return scale;
-  throw invalidArgument(`scale is ${show(scale)}, not a positive number`);
-}
-
-/** The options of a file's writer. */
-export function toFileOptions<
-  Options extends SurfaceFileOptions,
-  const Defaults extends Usual<Omit<Options, keyof SurfaceFileOptions>>,
->(
-  options: Options | undefined,
-  usual: Defaults,
-): Complete<Options, Defaults> & { mesh?: AttributeSource; scale: number } {
-  if (isObject(options) && 'positions' in options && 'indices' in options)
-    throw invalidArgument('options is a mesh: pass it as { mesh }');
-  const all = toOptions<object, object>(options, { ...usual, mesh: undefined, scale: 1 });
-  const { mesh, scale } = all as { mesh?: AttributeSource; scale: number };
-  if (mesh !== undefined) toAttributeSource(mesh);
-  return { ...(all as Complete<Options, Defaults>), mesh, scale: toScale(scale) };
-}
-
-export function toAttributeSource(mesh: AttributeSource): AttributeSource {
-  return toResult('mesh', mesh, 'positions', 'indices', 'normals', 'uvs');
 }
 
 export function requireBytes(name: string, bytes: Uint8Array): void {

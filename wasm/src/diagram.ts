@@ -6,10 +6,18 @@
 import { appendChange, areLarge, changedData, changedSites } from './change.js';
 import { toBoolean, toTask, toTaskOptions } from './checks.js';
 import type { DiagramForm, Engine, OpenedDiagram } from './engine.js';
-import { invalidArgument } from './errors.js';
+import { GeodesicVoronoiError } from './errors.js';
 import { diagramJson, type DiagramJson } from './formats.js';
-import { repairDefaults, toLabel, toMaxAdded, toWorstRegion } from './input.js';
-import { disposeSymbol, inspectSymbol, Kept } from './kept.js';
+import {
+  repairDefaults,
+  toLabel,
+  toMaxAdded,
+  toPoint,
+  toPoints,
+  toWorstRegion,
+  type GivenPoints,
+} from './input.js';
+import { disposeSymbol, inspectSymbol, Kept, settled } from './kept.js';
 import { regionsOf } from './region.js';
 import type {
   DiagramChange,
@@ -35,6 +43,7 @@ import type {
   SurfacePointsInput,
   TaskOptions,
 } from './types.js';
+import type { Argument } from './wasm_module.js';
 
 export class EngineDiagram implements Diagram {
   readonly #form: DiagramForm;
@@ -44,7 +53,7 @@ export class EngineDiagram implements Diagram {
   /** The changes that `#data` does not have yet: they are merged when the arrays are asked for. */
   #changes: DiagramChange[] = [];
   #regions: readonly Region[] | undefined;
-  #lastChange: Promise<unknown> = Promise.resolve();
+  #lastCall: Promise<void> = Promise.resolve();
 
   constructor(
     engine: Engine,
@@ -90,11 +99,9 @@ export class EngineDiagram implements Diagram {
     return { metric, sites, data, regions };
   }
 
-  /** Waits for the changes asked for before it; later ones wait for it. */
   async fetchData(options?: TaskOptions): Promise<DiagramData> {
     const task = toTask(options);
-    const result = this.#lastChange.then(async () => {
-      task.signal?.throwIfAborted();
+    return this.#inTurn(task, async () => {
       if (this.#changes.length > 0) {
         this.#data = await this.#kept.call<DiagramData>('voronoiDiagram', [], task);
         this.#changes = [];
@@ -103,66 +110,81 @@ export class EngineDiagram implements Diagram {
       }
       return this.#data;
     });
-    this.#lastChange = result.catch(() => undefined);
-    return result;
   }
 
-  insertSite(site: SurfacePointsInput, options?: TaskOptions): Promise<DiagramChange> {
-    return this.#inTurn(options, async (change) => {
-      const point = await this.#kept.point('site', site);
-      return [await change('insertSite', point.face, point.bary), point];
-    });
+  async insertSite(site: SurfacePointsInput, options?: TaskOptions): Promise<DiagramChange> {
+    return this.#change('insertSite', [], toPoint('site', site), options);
   }
 
-  moveSite(label: number, site: SurfacePointsInput, options?: TaskOptions): Promise<DiagramChange> {
-    return this.#inTurn(options, async (change) => {
-      const point = await this.#kept.point('site', site);
-      return [await change('moveSite', toLabel(label), point.face, point.bary), point];
-    });
+  async moveSite(
+    label: number,
+    site: SurfacePointsInput,
+    options?: TaskOptions,
+  ): Promise<DiagramChange> {
+    return this.#change('moveSite', [toLabel(label)], toPoint('site', site), options);
   }
 
-  removeSite(label: number, options?: TaskOptions): Promise<DiagramChange> {
-    return this.#inTurn(options, async (change) => [await change('removeSite', toLabel(label))]);
+  async removeSite(label: number, options?: TaskOptions): Promise<DiagramChange> {
+    return this.#change('removeSite', [toLabel(label)], undefined, options);
   }
 
   /**
-   * Makes changes one after the other, in the order in which they were asked for. One that has
-   * begun cannot be aborted: the engine's diagram could then differ from this one.
+   * Changes a site: `args` are the arguments of core.wasm before the new place, if there is one. A
+   * change that has begun cannot be aborted: the engine's diagram could then differ from this one.
    */
-  async #inTurn(
+  async #change(
+    name: string,
+    args: readonly number[],
+    place: GivenPoints | undefined,
     options: TaskOptions | undefined,
-    task: (change: ChangeCall) => Promise<[DiagramChange, SurfacePoints?]>,
   ): Promise<DiagramChange> {
     const { signal, onProgress } = toTask(options);
-    const result = this.#lastChange.then(async () => {
-      const [change, site] = await task((name, ...args) => {
-        signal?.throwIfAborted();
-        return this.#kept.call<DiagramChange>(name, args, { onProgress });
-      });
+    return this.#inTurn({ signal }, async () => {
+      const site = place && (await this.#kept.onSurface(place));
+      signal?.throwIfAborted();
+      const all = site ? [...args, site.face, site.bary] : args;
+      const change = await this.#kept.call<DiagramChange>(name, all, { onProgress });
       this.#sites = changedSites(this.#sites, change.label, site);
       appendChange(this.#changes, change);
       if (areLarge(this.#changes, this.#data)) this.#mergeChanges();
       this.#regions = undefined;
       return change;
     });
-    this.#lastChange = result.catch(() => undefined);
+  }
+
+  /** Carries out what is asked of the diagram one after the other, in the order of the calls. */
+  #inTurn<Result>({ signal }: TaskOptions, work: () => Promise<Result>): Promise<Result> {
+    const result = this.#lastCall.then(() => {
+      signal?.throwIfAborted();
+      return work();
+    });
+    this.#lastCall = settled(result);
     return result;
   }
 
+  /** Asks core.wasm about the diagram, in turn. */
+  #ask<Result>(name: string, args: readonly Argument[], task: TaskOptions): Promise<Result> {
+    return this.#inTurn(task, () => this.#kept.call<Result>(name, args, task));
+  }
+
+  /** Asks about points. */
+  #askOf<Result>(name: string, points: GivenPoints, task: TaskOptions): Promise<Result> {
+    return this.#inTurn(task, async () => {
+      const { face, bary } = await this.#kept.onSurface(points);
+      return this.#kept.call<Result>(name, [face, bary], task);
+    });
+  }
+
   async locate(points: SurfacePointsInput, options?: TaskOptions): Promise<Located> {
-    const task = toTask(options);
-    const { face, bary } = await this.#kept.points('points', points);
-    return this.#kept.call('locate', [face, bary], task);
+    return this.#askOf('locate', toPoints('points', points), toTask(options));
   }
 
   async worstRegionPoint(worst: WorstRegion, options?: TaskOptions): Promise<SurfacePoints> {
-    return this.#kept.call('worstRegionPoint', [toWorstRegion(worst)], toTask(options));
+    return this.#ask('worstRegionPoint', [toWorstRegion(worst)], toTask(options));
   }
 
   async path(point: SurfacePointsInput, options?: TaskOptions): Promise<SurfacePath> {
-    const task = toTask(options);
-    const { face, bary } = await this.#kept.point('point', point);
-    return this.#kept.call('pathToSite', [face, bary], task);
+    return this.#askOf('pathToSite', toPoint('point', point), toTask(options));
   }
 
   async partition(options?: PartitionOptions): Promise<Partition> {
@@ -174,23 +196,28 @@ export class EngineDiagram implements Diagram {
       toBoolean('leaveOutIndifferent', leaveOutIndifferent),
       toBoolean('leaveOutUnreachable', leaveOutUnreachable),
     ];
-    return this.#kept.call('partition', args, task);
+    return this.#ask('partition', args, task);
   }
 
   async dual(options?: DualOptions): Promise<PolygonMesh> {
     const { primal, ...task } = toTaskOptions(options, { primal: false });
-    return this.#kept.call('dual', [toBoolean('primal', primal)], task);
+    return this.#ask('dual', [toBoolean('primal', primal)], task);
   }
 
   async dualPaths(options?: TaskOptions): Promise<DualPaths> {
-    return this.#kept.call('dualPaths', [], toTask(options));
+    return this.#ask('dualPaths', [], toTask(options));
   }
 
   async violations(options?: TaskOptions): Promise<Violation[]> {
+    const task = toTask(options);
+    return this.#inTurn(task, () => this.#violations(task));
+  }
+
+  async #violations(task: TaskOptions): Promise<Violation[]> {
     const { kind, labelOffset, labels, message } = await this.#kept.call<ViolationArrays>(
       'dualViolations',
       [],
-      toTask(options),
+      task,
     );
     return kind.map((each, i) => ({
       kind: each,
@@ -200,7 +227,7 @@ export class EngineDiagram implements Diagram {
   }
 
   async remeshQuality(options?: TaskOptions): Promise<RemeshQuality> {
-    return this.#kept.call('dualQuality', [], toTask(options));
+    return this.#ask('dualQuality', [], toTask(options));
   }
 
   async repair(options?: RepairOptions): Promise<Diagram> {
@@ -210,14 +237,14 @@ export class EngineDiagram implements Diagram {
     let repaired: EngineDiagram | undefined; // gets its first sites when it is opened
     try {
       for (;;) {
-        const more = await (repaired ?? this).#repairingSites(left, signal);
+        const { sites, more } = await (repaired ?? this).#repairingSites(left, signal);
         if (more.face.length === 0) break;
         left -= more.face.length;
         // The number of rounds is not known: each counts as half of what is left.
         const [before, rest] = [share, (1 - share) / 2];
         const onShare = (part: number) => onProgress?.(before + rest * part);
         if (repaired) await repaired.#insertSites(more, { signal, onProgress: onShare });
-        else repaired = await this.#anew(joined(this.sites, more), { signal, onProgress: onShare });
+        else repaired = await this.#anew(joined(sites, more), { signal, onProgress: onShare });
         share += rest;
       }
     } catch (error) {
@@ -228,12 +255,20 @@ export class EngineDiagram implements Diagram {
     return repaired ?? this;
   }
 
-  /** The sites that one round of repair adds. Refuses more than `most`. */
-  async #repairingSites(most: number, signal?: AbortSignal): Promise<SurfacePoints> {
-    const more = await this.#kept.call<SurfacePoints>('repairingSites', [], { signal });
-    if (more.face.length <= most) return more;
-    const [{ message }] = await this.violations({ signal });
-    throw invalidArgument(`the dual is not valid with as many sites as may be added: ${message}`);
+  /** The sites, and those that one round of repair adds. Refuses more than `most`. */
+  #repairingSites(
+    most: number,
+    signal?: AbortSignal,
+  ): Promise<{ sites: SurfacePoints; more: SurfacePoints }> {
+    return this.#inTurn({ signal }, async () => {
+      const more = await this.#kept.call<SurfacePoints>('repairingSites', [], { signal });
+      if (more.face.length <= most) return { sites: this.#sites, more };
+      const [{ message }] = await this.#violations({ signal });
+      throw new GeodesicVoronoiError(
+        'too-few-sites',
+        `the dual is not valid with as many sites as may be added: ${message}`,
+      );
+    });
   }
 
   async #insertSites({ face, bary }: SurfacePoints, { signal, onProgress }: TaskOptions) {
@@ -266,12 +301,6 @@ function joined(a: SurfacePoints, b: SurfacePoints): SurfacePoints {
     bary: Float64Array.from([...a.bary, ...b.bary]),
   };
 }
-
-/** Calls a function of core.wasm that changes the diagram. */
-type ChangeCall = (
-  name: string,
-  ...args: readonly (number | Int32Array | Float64Array)[]
-) => Promise<DiagramChange>;
 
 /** `Violation`s as core.wasm lists them. */
 interface ViolationArrays {

@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: MIT
 //
-// Distances per vertex, and paths, as files. `scale` is what lengths are multiplied with on the way
-// out.
+// Distances per vertex, and paths, as files.
 
-import { inputVertices, type AttributeSource } from './attributes.js';
-import { toAttributeSource, toResult, toScale } from './checks.js';
+import { inputVertices } from './attributes.js';
+import { toResult } from './checks.js';
+import { invalidArgument } from './errors.js';
+import {
+  toAttributeSource,
+  toFileOptions,
+  type AttributeSource,
+  type FileOptions,
+  type JsonOptions,
+} from './file_options.js';
 import { glbAttributes, plyColumns } from './file_vertices.js';
 import {
   placedPointsJson,
   pointsJson,
-  toLengths,
+  lengthsJson,
   type LengthsJson,
   type PlacedPointsJson,
   type SurfacePointsJson,
@@ -29,7 +36,13 @@ export interface DistancesJson extends LengthsJson {
   direction: (number | null)[];
 }
 
-export function distancesJson(distances: Distances, scale = 1, unit?: string): DistancesJson {
+/** Options of a file with distances. */
+export interface DistancesFileOptions extends FileOptions {
+  /** The mesh that the distances are of. */
+  mesh: AttributeSource;
+}
+
+export function distancesJson(distances: Distances, options?: JsonOptions): DistancesJson {
   const { metric, sites, label, distance, direction } = toResult(
     'distances',
     distances,
@@ -38,11 +51,12 @@ export function distancesJson(distances: Distances, scale = 1, unit?: string): D
     'distance',
     'direction',
   );
+  const { scale, unit } = toFileOptions(options, { unit: undefined });
   // JSON has neither infinity nor NaN.
   const finite = (x: number) => (Number.isFinite(x) ? x : null);
   return {
     metric,
-    ...toLengths(scale, unit),
+    ...lengthsJson({ scale, unit }),
     sites: pointsJson(sites),
     label: [...label],
     distance: Array.from(distance, (d) => finite(scale * d)),
@@ -52,11 +66,9 @@ export function distancesJson(distances: Distances, scale = 1, unit?: string): D
 
 /** The input's vertices and triangles, with properties label, distance, direction_x and direction_y. */
 export function distancesPly(
-  mesh: AttributeSource,
   distances: VertexDistances,
-  scale = 1,
+  options: DistancesFileOptions,
 ): Uint8Array<ArrayBuffer> {
-  toAttributeSource(mesh);
   const { label, distance, direction } = toResult(
     'distances',
     distances,
@@ -64,7 +76,7 @@ export function distancesPly(
     'distance',
     'direction',
   );
-  toScale(scale);
+  const { mesh, scale } = withMesh(distances, options);
   return ply(
     'Geodesic distances',
     [
@@ -87,13 +99,11 @@ export function distancesPly(
  * attributes of applications to be floats or short integers.
  */
 export function distancesGlb(
-  mesh: AttributeSource,
   distances: VertexDistances,
-  scale = 1,
+  options: DistancesFileOptions,
 ): Uint8Array<ArrayBuffer> {
-  toAttributeSource(mesh);
   const { label, distance } = toResult('distances', distances, 'label', 'distance');
-  toScale(scale);
+  const { mesh, scale } = withMesh(distances, options);
   const hasFinitePosition = (vertex: number) =>
     mesh.positions.subarray(3 * vertex, 3 * vertex + 3).every(Number.isFinite);
   const triangles = Array.from({ length: mesh.indices.length / 3 }, (_, f) =>
@@ -118,6 +128,19 @@ export function distancesGlb(
   });
 }
 
+/** The options, with the mesh that they have to bring: one of as many vertices. */
+function withMesh(
+  { label }: VertexDistances,
+  options: DistancesFileOptions,
+): { mesh: AttributeSource; scale: number } {
+  const { mesh, scale } = toFileOptions(options, { mesh: undefined });
+  const count = toAttributeSource(mesh).positions.length / 3;
+  if (label.length === count) return { mesh, scale };
+  throw invalidArgument(
+    `mesh has ${count} vertices: it is not the one of the distances, which are of ${label.length}`,
+  );
+}
+
 /** The JSON form of paths; without points, and of length null, where there is none. */
 export interface PathsJson extends LengthsJson {
   paths: { points: PlacedPointsJson; length: number | null }[];
@@ -125,11 +148,11 @@ export interface PathsJson extends LengthsJson {
 
 export function pathsJson(
   paths: SurfacePath | readonly SurfacePath[],
-  scale = 1,
-  unit?: string,
+  options?: JsonOptions,
 ): PathsJson {
+  const { scale, unit } = toFileOptions(options, { unit: undefined });
   return {
-    ...toLengths(scale, unit),
+    ...lengthsJson({ scale, unit }),
     paths: toPaths(paths).map(({ points, length }) => ({
       points: placedPointsJson(points, scale),
       length: length === Infinity ? null : scale * length,
@@ -138,8 +161,11 @@ export function pathsJson(
 }
 
 /** A polyline per path, in a group each; a point where the path has no length. */
-export function pathsObj(paths: SurfacePath | readonly SurfacePath[], scale = 1): string {
-  toScale(scale);
+export function pathsObj(
+  paths: SurfacePath | readonly SurfacePath[],
+  options?: FileOptions,
+): string {
+  const { scale } = toFileOptions(options, {});
   const lines = ['# Shortest paths'];
   let count = 0;
   toPaths(paths).forEach(({ points: { face, position } }, i) => {

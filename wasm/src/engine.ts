@@ -39,7 +39,7 @@ export interface FileInput {
   file?: string;
 }
 
-/** How a mesh is made of triangles: `MeshOptions` in `core/include/gvd/triangle_mesh.h`. */
+/** How a mesh is made of triangles: options of `MeshOptions`, all given. */
 export interface MeshBuild {
   weld: number;
   orientation: Orientation;

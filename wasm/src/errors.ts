@@ -10,10 +10,14 @@ export type ErrorCode =
   | 'invalid-gltf'
   /** The file is no model that this library reads, is damaged, or needs a file that is missing. */
   | 'invalid-file'
+  /** There are several models among the files, and the option `file` chooses none. */
+  | 'several-models'
   /** A site or another point is not on the surface. */
   | 'invalid-point'
   /** An argument is of the wrong kind, or makes no sense for this object. */
   | 'invalid-argument'
+  /** The dual is not valid with as many sites as may be added (`maxAdded`). */
+  | 'too-few-sites'
   /** The object has been disposed, or the library that it belongs to. */
   | 'disposed'
   /** There is not enough memory; the library is still usable. */

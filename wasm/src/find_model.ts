@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Finds the models among files.
-import { toTaskOptions } from './checks.js';
+import { toTask, toTaskOptions } from './checks.js';
 import { toFileName, toFiles } from './input.js';
 import { type FoundModel, modelIn, modelsIn } from './input/read_model.js';
 import type { MeshOptions, ModelFile, ModelFiles, TaskOptions } from './types.js';
@@ -27,5 +27,5 @@ export async function listModels(
   files: ModelFile | ModelFiles,
   options?: TaskOptions,
 ): Promise<string[]> {
-  return modelsIn(toFiles(files), toTaskOptions(options, {}));
+  return modelsIn(toFiles(files), toTask(options));
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// A diagram as a file. `scale` is what lengths are multiplied with on the way out.
+// A diagram as a file.
 
-import { isObject, toResult, toScale } from './checks.js';
+import { isObject, toResult } from './checks.js';
+import { toFileOptions, type FileOptions, type JsonOptions } from './file_options.js';
 import { GlbBuilder } from './glb.js';
 import { regionsOf } from './region.js';
 import type { DiagramData, PlacedPoints, SurfacePoints } from './results.js';
@@ -24,9 +25,8 @@ export interface LengthsJson {
   unit?: string;
 }
 
-/** The fields of `LengthsJson`; throws unless `scale` is a factor. */
-export function toLengths(scale: number, unit?: string): LengthsJson {
-  return { scale: toScale(scale), ...(unit !== undefined && { unit }) };
+export function lengthsJson({ scale = 1, unit }: JsonOptions): LengthsJson {
+  return { scale, ...(unit !== undefined && { unit }) };
 }
 
 /** The JSON form of a diagram; every index in `loops`, `points` and `point` counts the points. */
@@ -52,10 +52,10 @@ export interface DiagramJson extends LengthsJson {
 
 export function diagramJson(
   diagram: Pick<Diagram, 'metric' | 'sites' | 'data'>,
-  scale = 1,
-  unit?: string,
+  options?: JsonOptions,
 ): DiagramJson {
   const { metric, sites, data } = toResult('diagram', diagram, 'sites', 'data');
+  const { scale, unit } = toFileOptions(options, { unit: undefined });
   const { points, arcs, voronoiPoints, loops, cells } = data;
   const named = [loops.points, arcs.points, voronoiPoints.point, cells.points];
   const { used, number } = compact(named, points.face.length);
@@ -64,7 +64,7 @@ export function diagramJson(
   return {
     mesh: { faces: data.faceLabel.length },
     metric,
-    ...toLengths(scale, unit),
+    ...lengthsJson({ scale, unit }),
     sites: pointsJson(sites),
     points: placedPointsJson(pointsAt(points, used), scale),
     regions: regionsOf(data).map(({ area, loops, neighbours }) => ({
@@ -134,12 +134,12 @@ export function pointsJson(points: SurfacePoints): SurfacePointsJson {
 }
 
 /** Arrays of a diagram, or a diagram that has them. */
-type Arrays<Name extends keyof DiagramData> =
+export type DiagramArrays<Name extends keyof DiagramData> =
   | Pick<DiagramData, Name>
   | { data: Pick<DiagramData, Name> };
 
 function arraysOf<Name extends keyof DiagramData>(
-  diagram: Arrays<Name>,
+  diagram: DiagramArrays<Name>,
   ...names: Name[]
 ): Pick<DiagramData, Name> {
   const data = isObject(diagram) && 'data' in diagram ? diagram.data : diagram;
@@ -147,9 +147,12 @@ function arraysOf<Name extends keyof DiagramData>(
 }
 
 /** The bisectors as Wavefront OBJ: a polyline per arc, in a group that names its two labels. */
-export function diagramObj(diagram: Arrays<'points' | 'arcs'>, scale = 1): string {
+export function diagramObj(
+  diagram: DiagramArrays<'points' | 'arcs'>,
+  options?: FileOptions,
+): string {
   const { points, arcs } = arraysOf(diagram, 'points', 'arcs');
-  toScale(scale);
+  const { scale } = toFileOptions(options, {});
   const { used, number } = compact([arcs.points], points.face.length);
   const lines = ['# Bisectors of a geodesic Voronoi diagram'];
   for (const point of used) {
@@ -169,11 +172,11 @@ export function diagramObj(diagram: Arrays<'points' | 'arcs'>, scale = 1): strin
 
 /** The bisectors as GLB: one primitive of line segments. */
 export function diagramGlb(
-  diagram: Arrays<'points' | 'segments'>,
-  scale = 1,
+  diagram: DiagramArrays<'points' | 'segments'>,
+  options?: FileOptions,
 ): Uint8Array<ArrayBuffer> {
   const { points, segments } = arraysOf(diagram, 'points', 'segments');
-  toScale(scale);
+  const { scale } = toFileOptions(options, {});
   const { used, number } = compact([segments.points], points.face.length);
   const positions = new Float32Array(3 * used.length);
   used.forEach((point, i) => {

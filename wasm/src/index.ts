@@ -6,17 +6,32 @@ import { isObject, show, toOptions } from './checks.js';
 import { compile, compileFromWeb, isAddress, isResponse, type WasmSource } from './compile.js';
 import { GeodesicVoronoiError, invalidArgument, type ErrorCode } from './errors.js';
 import { Library } from './library.js';
-import { compileSources, loadLocal, sourcesOf, type LoadOptions, type Modules } from './load.js';
+import {
+  compileSources,
+  loadLocal,
+  sourcesOf,
+  type CompileOptions,
+  type LoadOptions,
+  type Modules,
+} from './load.js';
 import type { GeodesicVoronoi } from './types.js';
 import { startWorkerEngine } from './worker_engine.js';
 
 export type * from './results.js';
 export type * from './types.js';
-export type { ErrorCode, LoadOptions, Modules, WasmSource };
+export type { CompileOptions, ErrorCode, LoadOptions, Modules, WasmSource };
 export { GeodesicVoronoiError };
 export { gltfResourceUris } from './input/gltf_document.js';
 export { type FindModelOptions, type FoundModel, findModel, listModels } from './find_model.js';
+export type {
+  DiagramArrays,
+  DiagramJson,
+  LengthsJson,
+  PlacedPointsJson,
+  SurfacePointsJson,
+} from './formats.js';
 export { diagramGlb, diagramJson, diagramObj, pointsJson } from './formats.js';
+export type { DistancesFileOptions, DistancesJson, PathsJson } from './distance_formats.js';
 export {
   distancesGlb,
   distancesJson,
@@ -24,21 +39,35 @@ export {
   pathsJson,
   pathsObj,
 } from './distance_formats.js';
-export type { SurfaceFileOptions } from './attributes.js';
-export type { PartitionColourOptions, PartitionGlbOptions } from './partition_formats.js';
+export type {
+  AttributeSource,
+  FileOptions,
+  JsonOptions,
+  SurfaceFileOptions,
+} from './file_options.js';
+export type {
+  PartitionColourOptions,
+  PartitionGlbOptions,
+  PartitionJson,
+  PartitionJsonOptions,
+  PartitionLayout,
+  partitionLayouts,
+} from './partition_formats.js';
+export type { PolygonMeshJson } from './polygon_formats.js';
 export { partitionGlb, partitionJson, partitionObj, partitionPly } from './partition_formats.js';
+export { repairSentences } from './sentences.js';
 export { polygonGlb, polygonJson, polygonObj, polygonPly } from './polygon_formats.js';
 
-/** The library on the calling thread. Long work is done in slices of about 12 ms. */
+/** The library on the calling thread. Long work is done in slices of about 12 ms, but for what the guide names. */
 export function load(options?: LoadOptions): Promise<GeodesicVoronoi> {
   return loadLocal(options, compileFromWeb);
 }
 
 /**
- * Both modules, compiled: with them as options, any number of workers start without compiling
- * again.
+ * The modules that every glTF needs, compiled: with them as options of `load` and `loadWorker`, any
+ * number of libraries start without compiling again.
  */
-export function compileModules(options?: LoadOptions): Promise<Modules> {
+export function compileModules(options?: CompileOptions): Promise<Modules> {
   return compileSources(options, compileFromWeb);
 }
 
@@ -72,17 +101,22 @@ export async function loadWorker(options?: LoadWorkerOptions): Promise<GeodesicV
     dracoWasm: undefined,
   });
   const { wasm, gltfWasm, dracoWasm } = sourcesOf(loaded);
-  const worker = toWorker(given);
+  requireWorker(given);
   const sources = {
     wasm: await toPost('wasm', wasm),
     gltfWasm: await toPost('gltfWasm', gltfWasm),
     dracoWasm: await toPost('dracoWasm', dracoWasm),
   };
-  return new Library(await startWorkerEngine(worker, sources));
+  // The worker starts last: none is left behind by a source that cannot be posted.
+  return new Library(await startWorkerEngine(startWorker(given), sources));
 }
 
-function toWorker(worker: LoadWorkerOptions['worker']): Worker {
-  if (isObject(worker) && 'postMessage' in worker && 'terminate' in worker) return worker;
+function isWorker(worker: unknown): worker is Worker {
+  return isObject(worker) && 'postMessage' in worker && 'terminate' in worker;
+}
+
+function requireWorker(worker: LoadWorkerOptions['worker']): void {
+  if (isWorker(worker)) return;
   if (worker !== undefined && !isAddress(worker))
     throw invalidArgument(`worker is ${show(worker)}, neither a Worker nor an address`);
   if (typeof Worker === 'undefined')
@@ -90,16 +124,33 @@ function toWorker(worker: LoadWorkerOptions['worker']): Worker {
       'load-failed',
       'there are no module workers here (as in Node, within whose workers load() works): use load()',
     );
-  return worker === undefined
-    ? new Worker(new URL('./worker.js', import.meta.url), {
-        type: 'module',
-        name: 'geodesic-voronoi',
-      })
-    : new Worker(worker, { type: 'module', name: 'geodesic-voronoi' });
+}
+
+function startWorker(worker: LoadWorkerOptions['worker']): Worker {
+  if (isWorker(worker)) return worker;
+  if (worker === undefined)
+    return new Worker(new URL('./worker.js', import.meta.url), {
+      type: 'module',
+      name: 'geodesic-voronoi',
+    });
+  try {
+    return new Worker(worker, { type: 'module', name: 'geodesic-voronoi' });
+  } catch (cause) {
+    throw new GeodesicVoronoiError(
+      'load-failed',
+      `the worker ${show(String(worker))} cannot be started: ${(cause as Error).message}`,
+      { cause },
+    );
+  }
 }
 
 /** Makes a source fit to be posted: resolves addresses here, since the worker has another base. */
 async function toPost(name: string, source: WasmSource): Promise<WasmSource> {
-  if (isAddress(source)) return new URL(source, globalThis.document?.baseURI ?? location.href).href;
-  return isResponse(source) ? compile(name, source, compileFromWeb) : source;
+  if (!isAddress(source))
+    return isResponse(source) ? compile(name, source, compileFromWeb) : source;
+  try {
+    return new URL(source, globalThis.document?.baseURI ?? globalThis.location?.href).href;
+  } catch {
+    throw invalidArgument(`${name} is ${show(source)}, not an address`);
+  }
 }

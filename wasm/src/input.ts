@@ -20,6 +20,7 @@ import {
 import type { Triangles } from './triangles.js';
 import {
   gltfLimitNames,
+  type Density,
   type GltfLimits,
   type MeshArrays,
   type MeshOptions,
@@ -48,10 +49,8 @@ export const meshDefaults = {
 
 /** How the mesh builder makes a mesh. */
 export function toMeshBuild({ weld, orientation, minComponent }: MeshBuild): MeshBuild {
-  if (!(typeof weld === 'number' && weld >= 0 && weld <= 1))
-    throw invalidArgument(`weld is ${show(weld)}, not a number from 0 to 1`);
   return {
-    weld,
+    weld: toRange('weld', weld, 'share'),
     orientation: toOneOf('orientation', orientation, orientations),
     minComponent: toInteger('minComponent', minComponent, 0, maxCount),
   };
@@ -123,11 +122,10 @@ function toLimits(limits: GltfLimits): GltfLimits {
   return limits;
 }
 
-/** Points by triangles and coordinates, by vertices, or by places in space. */
-export function toPoints(
-  name: string,
-  points: SurfacePointsInput,
-): SurfacePoints | { vertex: Int32Array } | { position: Float64Array } {
+/** Points by triangles and coordinates, by vertices, or by places in space, as copies. */
+export type GivenPoints = SurfacePoints | { vertex: Int32Array } | { position: Float64Array };
+
+export function toPoints(name: string, points: SurfacePointsInput): GivenPoints {
   if (isObject(points)) {
     requireOneForm(name, points);
     if ('vertex' in points) return { vertex: toIndices(`${name}.vertex`, points.vertex) };
@@ -135,6 +133,19 @@ export function toPoints(
     if ('position' in points) return { position: toPlaces(`${name}.position`, points.position) };
   }
   throw invalidArgument(`${name} is ${notPoints(points)}`);
+}
+
+/** One point. */
+export function toPoint(name: string, point: SurfacePointsInput): GivenPoints {
+  const points = toPoints(name, point);
+  const count =
+    'vertex' in points
+      ? points.vertex.length
+      : 'position' in points
+        ? points.position.length / 3
+        : points.face.length;
+  if (count === 1) return points;
+  throw invalidArgument(`${name} is a list of ${count} points where one is needed`);
 }
 
 /** Refuses vertices beside another form. Triangles may come with the places of the same points. */
@@ -207,8 +218,7 @@ export function toWorstRegion(worst: WorstRegion): WorstRegion {
 }
 
 export function toRadius(radius: number): number {
-  if (typeof radius === 'number' && radius > 0 && radius < Infinity) return radius;
-  throw invalidArgument(`radius is ${show(radius)}, not a positive number`);
+  return toRange('radius', radius, 'radius');
 }
 
 export function toPerComponent(perComponent: number): number {
@@ -225,6 +235,17 @@ export const tessellationDefaults = {
   fixedSites: [],
 } as const;
 
+/** A density as it was given: numbers, as a copy, or that of the curvature, which is computed later. */
+export type GivenDensity = Float64Array | 'curvature';
+
+/** `attribute` is the density that the mesh came with. */
+export function toDensity(density: Density, attribute: Float64Array): GivenDensity {
+  if (density === 'curvature') return density;
+  if (density !== 'attribute') return toFloat64('density', density);
+  if (attribute.length > 0) return attribute;
+  throw invalidArgument('the mesh came without a density');
+}
+
 /** The core checks whether density and fixed sites fit the mesh and the sites. */
 export function toCvtSettings({
   method,
@@ -232,26 +253,31 @@ export function toCvtSettings({
   iterations,
   energyTolerance,
   moveTolerance,
-  density,
   fixedSites,
-}: Omit<CvtSettings, 'density' | 'fixedSites'> & {
-  density: ArrayLike<number>;
-  fixedSites: ArrayLike<number>;
-}): CvtSettings {
+}: Omit<CvtSettings, 'density' | 'fixedSites'> & { fixedSites: ArrayLike<number> }): Omit<
+  CvtSettings,
+  'density'
+> {
   return {
     method: toOneOf('method', method, cvtMethods),
     metric: toMetric(metric),
     iterations: toInteger('iterations', iterations, 0, maxCount),
-    energyTolerance: toTolerance('energyTolerance', energyTolerance),
-    moveTolerance: toTolerance('moveTolerance', moveTolerance),
-    density: toFloat64('density', density),
+    energyTolerance: toRange('energyTolerance', energyTolerance, 'share'),
+    moveTolerance: toRange('moveTolerance', moveTolerance, 'length'),
     fixedSites: toInt32('fixedSites', fixedSites),
   };
 }
 
-function toTolerance(name: string, value: number): number {
-  if (typeof value === 'number' && value >= 0) return value;
-  throw invalidArgument(`${name} is ${show(value)}, not a number from 0`);
+/** Ranges of numbers, with how an error names them. */
+export const ranges = {
+  share: { name: 'a number from 0 to 1', has: (x: number) => x >= 0 && x <= 1 },
+  length: { name: 'a number from 0', has: (x: number) => x >= 0 && x < Infinity },
+  radius: { name: 'a positive number', has: (x: number) => x > 0 && x < Infinity },
+} as const;
+
+function toRange(name: string, value: number, range: keyof typeof ranges): number {
+  if (typeof value === 'number' && ranges[range].has(value)) return value;
+  throw invalidArgument(`${name} is ${show(value)}, not ${ranges[range].name}`);
 }
 
 /** The options of a repair unless others are given. */

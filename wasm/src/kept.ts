@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
 // The common part of the objects that callers hold: each stands for an object of an engine until it
-// is disposed, and takes points of its surface.
+// is disposed, and looks points of its surface up.
 
 import type { Engine, Handle } from './engine.js';
-import { GeodesicVoronoiError, invalidArgument } from './errors.js';
-import { toPoints } from './input.js';
+import { GeodesicVoronoiError } from './errors.js';
+import type { GivenPoints } from './input.js';
 import type { SurfacePoints } from './results.js';
-import type { SurfacePointsInput, TaskOptions } from './types.js';
+import type { TaskOptions } from './types.js';
 import type { Argument } from './wasm_module.js';
 
 /** `Symbol.dispose`, also where the runtime does not know it yet. */
@@ -47,30 +47,18 @@ export class Kept {
     return this.engine.call(name, this.handle, args, task);
   }
 
-  /**
-   * Points as faces and coordinates; those given by vertices or places are looked up. `name` is for
-   * errors.
-   */
-  async points(name: string, points: SurfacePointsInput): Promise<SurfacePoints> {
-    const list = toPoints(name, points);
-    if ('vertex' in list)
-      return this.engine.callMesh('pointsAtVertices', this.handle, [list.vertex], {});
-    if (!('position' in list)) return list;
+  /** Points as faces and coordinates; those given by vertices or places are looked up. */
+  async onSurface(points: GivenPoints): Promise<SurfacePoints> {
+    if ('vertex' in points)
+      return this.engine.callMesh('pointsAtVertices', this.handle, [points.vertex], {});
+    if (!('position' in points)) return points;
     const { face, bary } = await this.engine.callMesh<SurfacePoints>(
       'closestPoints',
       this.handle,
-      [list.position],
+      [points.position],
       {},
     );
     return { face, bary };
-  }
-
-  /** One point. */
-  async point(name: string, point: SurfacePointsInput): Promise<SurfacePoints> {
-    const points = await this.points(name, point);
-    const { length } = points.face;
-    if (length === 1) return points;
-    throw invalidArgument(`${name} is a list of ${length} points where one is needed`);
   }
 
   dispose(): void {
@@ -79,4 +67,12 @@ export class Kept {
     backstop.unregister(this);
     this.engine.close(this.#handle);
   }
+}
+
+/** The end of a call, good or bad; a promise of the result itself would keep that in memory. */
+export function settled(call: Promise<unknown>): Promise<void> {
+  return call.then(
+    () => {},
+    () => {},
+  );
 }

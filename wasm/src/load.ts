@@ -18,23 +18,30 @@ export interface LoadOptions {
   dracoWasm?: WasmSource | undefined;
 }
 
+/** Where the modules that every glTF needs are; by default beside this file. */
+export type CompileOptions = Pick<LoadOptions, 'wasm' | 'gltfWasm'>;
+
 /** The two modules that every glTF needs, compiled: options of `load` and `loadWorker`. */
 export type Modules = Record<'wasm' | 'gltfWasm', WebAssembly.Module>;
 
-/** Where the modules are. The addresses are written so that bundlers see them. */
+/** Where the modules are by default. The addresses are written so that bundlers see them. */
+const beside = () => ({
+  wasm: new URL('./core.wasm', import.meta.url),
+  gltfWasm: new URL('./gltf.wasm', import.meta.url),
+});
+
 export function sourcesOf(options: LoadOptions | undefined): EngineSources {
   return toOptions(options, {
-    wasm: new URL('./core.wasm', import.meta.url),
-    gltfWasm: new URL('./gltf.wasm', import.meta.url),
+    ...beside(),
     dracoWasm: new URL('./draco.wasm', import.meta.url),
   });
 }
 
 export async function compileSources(
-  options: LoadOptions | undefined,
+  options: CompileOptions | undefined,
   compileAddress: CompileAddress,
 ): Promise<Modules> {
-  const sources = sourcesOf(options);
+  const sources = toOptions(options, beside());
   const [wasm, gltfWasm] = await Promise.all([
     compile('wasm', sources.wasm, compileAddress),
     compile('gltfWasm', sources.gltfWasm, compileAddress),

@@ -19,6 +19,7 @@ import type {
 } from './engine.js';
 import { GeodesicVoronoiError } from './errors.js';
 import { type InputModules, readModel } from './input/read_model.js';
+import { settled } from './kept.js';
 import type { DiagramData, MeshInfo, Metric, SurfacePoints, VertexDistances } from './results.js';
 import { inSlices, nextTask, sliceMilliseconds } from './slices.js';
 import type { Triangles } from './triangles.js';
@@ -47,7 +48,7 @@ interface StoredObject {
   free?: 'freeMesh' | 'freeVoronoi' | 'freeCvt';
   /** The mesh of a diagram, made when first asked for and freed with the diagram. */
   mesh?: Handle;
-  lastCall?: Promise<unknown>;
+  lastCall?: Promise<void>;
 }
 
 /** The answer of `createMesh`: the mesh and its facts. */
@@ -89,7 +90,7 @@ export class LocalEngine implements Engine {
       const pointer = () => this.#pointer(object); // it may be closed between slices
       return this.#answer<Result>(name, [pointer(), ...args], { signal, onProgress }, pointer);
     });
-    if (kept) kept.lastCall = result.catch(() => undefined);
+    if (kept) kept.lastCall = settled(result);
     return result;
   }
 

@@ -2,15 +2,7 @@
 //
 // A mesh as callers hold it: it checks what it is given, and leaves the work to an engine.
 
-import {
-  isObject,
-  show,
-  toBoolean,
-  toFloat64,
-  toOptions,
-  toTask,
-  toTaskOptions,
-} from './checks.js';
+import { isObject, show, toBoolean, toOptions, toTask, toTaskOptions } from './checks.js';
 import { EngineDiagram } from './diagram.js';
 import type { AdvancedCvt, Engine, OpenedMesh } from './engine.js';
 import { GeodesicVoronoiError, invalidArgument } from './errors.js';
@@ -21,14 +13,18 @@ import {
   tessellationDefaults,
   toCount,
   toCvtSettings,
+  toDensity,
   toDetail,
   toMaxAdded,
   toMetric,
   toPerComponent,
   toPlaces,
+  toPoint,
+  toPoints,
   toRadius,
   toSampling,
   toSeed,
+  type GivenDensity,
 } from './input.js';
 import { disposeSymbol, Kept } from './kept.js';
 import {
@@ -48,7 +44,6 @@ import type { Triangles } from './triangles.js';
 import type {
   CvtOptions,
   CvtState,
-  Density,
   Diagram,
   DistancesOptions,
   Mesh,
@@ -98,19 +93,18 @@ export class EngineMesh implements Mesh {
     const least = toPerComponent(perComponent);
     const method = toSampling(sampling);
     toSeed(seed);
-    const weights = toFloat64('density', await this.#toDensity(density, task.signal));
+    const given = toDensity(density, this.density);
     if (byRadius && method !== 'farthest' && method !== 'poisson')
       throw invalidArgument(`the sampling ${show(method)} takes a number of sites, not a radius`);
-    if (weights.length > 0 && method !== 'random')
+    if ((given === 'curvature' || given.length > 0) && method !== 'random')
       throw invalidArgument(`a density is for random sites, not for the sampling ${show(method)}`);
+    const radius = byRadius && toRadius(toOptions(wanted, { radius: NaN }).radius);
     const count = byRadius ? maxCount : toCount(wanted);
-    const sample = (): Promise<SurfacePoints> => {
-      if (byRadius) {
-        const radius = toRadius(toOptions(wanted, { radius: NaN }).radius);
-        return this.#kept.call('sampleSitesByRadius', [radius, method, seed], task);
-      }
+    const sample = async (): Promise<SurfacePoints> => {
+      if (radius) return this.#kept.call('sampleSitesByRadius', [radius, method, seed], task);
       if (isWorstFirst(method))
         return this.#kept.call('sampleSitesWorstFirst', [count, method, seed], task);
+      const weights = await this.#densityOf(given, task.signal);
       return this.#kept.call('sampleSites', [count, method, seed, weights], task);
     };
     const sites = await sample();
@@ -120,7 +114,7 @@ export class EngineMesh implements Mesh {
 
   async bareComponents(sites: SurfacePointsInput, options?: TaskOptions): Promise<BareComponents> {
     const task = toTask(options);
-    const { face, bary } = await this.#kept.points('sites', sites);
+    const { face, bary } = await this.#kept.onSurface(toPoints('sites', sites));
     return this.#kept.call('bareComponents', [face, bary], task);
   }
 
@@ -142,13 +136,13 @@ export class EngineMesh implements Mesh {
   async readPoints(json: unknown): Promise<SurfacePoints> {
     const file = pointsFile(json);
     requireSameMesh(file, this.info);
-    const points = await this.#kept.points('points', file.points);
+    const points = await this.#kept.onSurface(toPoints('points', file.points));
     this.#requireFaces(points);
     return points;
   }
 
   async positionsOf(points: SurfacePointsInput): Promise<Float64Array> {
-    const { face, bary } = await this.#kept.points('points', points);
+    const { face, bary } = await this.#kept.onSurface(toPoints('points', points));
     this.#requireFaces({ face });
     const places = new Float64Array(3 * face.length).fill(NaN);
     face.forEach((f, i) => {
@@ -173,7 +167,7 @@ export class EngineMesh implements Mesh {
   async voronoi(sites: SurfacePointsInput, options?: VoronoiOptions): Promise<Diagram> {
     const { metric, detail, ...task } = toTaskOptions(options, { metric: metrics[0], detail: 0 });
     const form = { metric: toMetric(metric), detail: toDetail(detail) };
-    const points = await this.#kept.points('sites', sites);
+    const points = await this.#kept.onSurface(toPoints('sites', sites));
     const { engine, handle } = this.#kept;
     const opened = await engine.openDiagram(handle, points, form, task);
     return new EngineDiagram(engine, form, points, opened);
@@ -182,7 +176,7 @@ export class EngineMesh implements Mesh {
   async distances(sites: SurfacePointsInput, options?: DistancesOptions): Promise<Distances> {
     const { metric, ...task } = toTaskOptions(options, { metric: metrics[0] });
     toMetric(metric);
-    const points = await this.#kept.points('sites', sites);
+    const points = await this.#kept.onSurface(toPoints('sites', sites));
     const { engine, handle } = this.#kept;
     const known = await engine.distances(handle, points, metric, task);
     return { metric, sites: points, ...known };
@@ -194,8 +188,9 @@ export class EngineMesh implements Mesh {
     options?: TaskOptions,
   ): Promise<SurfacePath> {
     const task = toTask(options);
-    const start = await this.#kept.point('from', from);
-    const end = await this.#kept.point('to', to);
+    const ends = [toPoint('from', from), toPoint('to', to)];
+    const start = await this.#kept.onSurface(ends[0]);
+    const end = await this.#kept.onSurface(ends[1]);
     return this.#kept.call('shortestPath', [start.face, start.bary, end.face, end.bary], task);
   }
 
@@ -210,11 +205,10 @@ export class EngineMesh implements Mesh {
     });
     const withData = toBoolean('data', data);
     const form = toBoolean('diagrams', diagrams) ? 'diagram' : withData ? 'data' : 'bare';
-    const settings = toCvtSettings({
-      ...others,
-      density: await this.#toDensity(density, signal),
-    });
-    const points = await this.#kept.points('sites', sites);
+    const checked = toCvtSettings(others);
+    const [given, list] = [toDensity(density, this.density), toPoints('sites', sites)];
+    const settings = { ...checked, density: await this.#densityOf(given, signal) };
+    const points = await this.#kept.onSurface(list);
     const { engine } = this.#kept;
     const { handle } = await engine.openCvt(this.#kept.handle, points, settings, { signal });
     try {
@@ -236,19 +230,16 @@ export class EngineMesh implements Mesh {
       ...repairDefaults,
     });
     toMaxAdded(maxAdded);
-    const settings = toCvtSettings({
-      ...others,
-      density: await this.#toDensity(density, signal),
-    });
-    const points = await this.#kept.points('sites', sites);
-    return remesh(this, points, { ...settings, maxAdded }, { signal, onProgress });
+    const checked = toCvtSettings(others);
+    const [given, list] = [toDensity(density, this.density), toPoints('sites', sites)];
+    const settings = { ...checked, density: await this.#densityOf(given, signal), maxAdded };
+    const points = await this.#kept.onSurface(list);
+    return remesh(this, points, settings, { signal, onProgress });
   }
 
-  async #toDensity(density: Density, signal: AbortSignal | undefined): Promise<ArrayLike<number>> {
-    if (density === 'curvature') return this.curvatureDensity({ signal });
-    if (density !== 'attribute') return density as ArrayLike<number>;
-    if (this.density.length > 0) return this.density;
-    throw invalidArgument('the mesh came without a density');
+  /** The density per vertex. */
+  async #densityOf(given: GivenDensity, signal: AbortSignal | undefined): Promise<Float64Array> {
+    return given === 'curvature' ? this.curvatureDensity({ signal }) : given;
   }
 
   dispose(): void {

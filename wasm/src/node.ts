@@ -5,23 +5,30 @@
 import { readFile } from 'node:fs/promises';
 import { pathToFileURL } from 'node:url';
 import { compileFromWeb } from './compile.js';
-import { compileSources, loadLocal, type LoadOptions, type Modules } from './load.js';
+import {
+  compileSources,
+  loadLocal,
+  type CompileOptions,
+  type LoadOptions,
+  type Modules,
+} from './load.js';
 import type { GeodesicVoronoi } from './types.js';
 
 export * from './index.js';
 
-/** The library on the calling thread. Long work is done in slices of about 12 ms. */
+/** As in a page. */
 export function load(options?: LoadOptions): Promise<GeodesicVoronoi> {
   return loadLocal(options, compileFromDisk);
 }
 
-/** Both modules, compiled: with them as options, any number of libraries start without compiling again. */
-export function compileModules(options?: LoadOptions): Promise<Modules> {
+/** As in a page. */
+export function compileModules(options?: CompileOptions): Promise<Modules> {
   return compileSources(options, compileFromDisk);
 }
 
-/** A path or an address. */
+/** An address, or a path, in which # and ? and % are letters as any others. */
 async function compileFromDisk(address: URL | string): Promise<WebAssembly.Module> {
-  const url = new URL(address, pathToFileURL('./'));
+  const isPath = typeof address === 'string' && !/^([a-z][a-z\d+.-]*:\/\/|data:)/i.test(address);
+  const url = isPath ? pathToFileURL(address) : new URL(address);
   return url.protocol === 'file:' ? WebAssembly.compile(await readFile(url)) : compileFromWeb(url);
 }

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// A partition as a file. `scale` is what lengths are multiplied with on the way out.
+// A partition as a file.
 
-import { joined, partitionVertices, type SurfaceFileOptions } from './attributes.js';
-import { toFileOptions, toColours, toOneOf, toResult } from './checks.js';
+import { joined, partitionVertices } from './attributes.js';
+import { toColours, toOneOf, toResult } from './checks.js';
+import { toFileOptions, type JsonOptions, type SurfaceFileOptions } from './file_options.js';
+import { invalidArgument } from './errors.js';
 import { glbAttributes, objCorner, objLines, plyColumns } from './file_vertices.js';
 import {
   placedPointsJson,
   pointsJson,
-  toLengths,
+  lengthsJson,
   type LengthsJson,
   type PlacedPointsJson,
   type SurfacePointsJson,
@@ -58,17 +60,23 @@ export interface PartitionJson extends LengthsJson {
   triangles: { points: number[]; label: number[]; face: number[] };
 }
 
-export function partitionJson(
-  partition: Partition,
-  sites: SurfacePoints,
-  scale = 1,
-  unit?: string,
-): PartitionJson {
+/** Options of the JSON form of a partition. */
+export interface PartitionJsonOptions extends JsonOptions {
+  /** The sites of the diagram that the partition is of. */
+  sites: SurfacePoints;
+}
+
+export function partitionJson(partition: Partition, options: PartitionJsonOptions): PartitionJson {
   const { points, triangles, regions } = toPartition(partition);
+  const { sites, scale, unit } = toFileOptions(options, { sites: undefined, unit: undefined });
   toResult('sites', sites, 'face', 'bary');
+  if (sites.face.length !== regions.area.length)
+    throw invalidArgument(
+      `sites has ${sites.face.length} points: they are not those of the partition, which has ${regions.area.length} regions`,
+    );
   const { neighbours, nearCentroid, triangleOffset } = regions;
   return {
-    ...toLengths(scale, unit),
+    ...lengthsJson({ scale, unit }),
     sites: pointsJson(sites),
     regions: Array.from(regions.area, (area, i) => {
       const centroid = Array.from(regions.centroid.subarray(3 * i, 3 * i + 3), (x) => scale * x);
@@ -108,7 +116,11 @@ export function partitionGlb(
   options?: PartitionGlbOptions,
 ): Uint8Array<ArrayBuffer> {
   toPartition(partition);
-  const { layout, ...form } = toFileOptions(options, { layout: 'regions', colours: undefined });
+  const { layout, ...form } = toFileOptions(options, {
+    mesh: undefined,
+    layout: 'regions',
+    colours: undefined,
+  });
   toOneOf('layout', layout, partitionLayouts);
   if (form.colours !== undefined) toColours('colours', form.colours);
   if (partition.triangles.label.length === 0)
@@ -208,7 +220,7 @@ function featuresGlb(
 /** A group per region; all vertices are shared. */
 export function partitionObj(partition: Partition, options?: SurfaceFileOptions): string {
   toPartition(partition);
-  const { mesh, scale } = toFileOptions(options, {});
+  const { mesh, scale } = toFileOptions(options, { mesh: undefined });
   const { vertices, corners } = partitionVertices(partition, mesh);
   const lines = objLines(partition.points.position, vertices, scale);
   const corner = (c: number) => objCorner(vertices, partition.triangles.points[c], corners[c]);
@@ -226,7 +238,14 @@ export function partitionPly(
   options?: PartitionColourOptions,
 ): Uint8Array<ArrayBuffer> {
   toPartition(partition);
-  const { mesh, scale, colours = [] } = toFileOptions(options, { colours: undefined });
+  const {
+    mesh,
+    scale,
+    colours = [],
+  } = toFileOptions(options, {
+    mesh: undefined,
+    colours: undefined,
+  });
   toColours('colours', colours);
   const { label } = partition.triangles;
   const rgb = new Uint8Array(3 * label.length);

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// A dual, or regions as polygons, as a file. `scale` is what lengths are multiplied with on the way
-// out.
+// A dual, or regions as polygons, as a file.
 
-import { pointVertices, type SurfaceFileOptions } from './attributes.js';
-import { toFileOptions, toResult } from './checks.js';
+import { pointVertices } from './attributes.js';
+import { toResult } from './checks.js';
+import { toFileOptions, type JsonOptions, type SurfaceFileOptions } from './file_options.js';
 import { glbAttributes, objCorner, objLines, plyColumns } from './file_vertices.js';
-import { placedPointsJson, toLengths, type LengthsJson, type PlacedPointsJson } from './formats.js';
+import {
+  lengthsJson,
+  placedPointsJson,
+  type LengthsJson,
+  type PlacedPointsJson,
+} from './formats.js';
 import { GlbBuilder } from './glb.js';
 import { ply, type PlyColumns } from './ply.js';
 import type { PolygonMesh, PolygonTopology } from './results.js';
@@ -20,10 +25,11 @@ export interface PolygonMeshJson extends LengthsJson {
   topology: PolygonTopology;
 }
 
-export function polygonJson(polygons: PolygonMesh, scale = 1, unit?: string): PolygonMeshJson {
+export function polygonJson(polygons: PolygonMesh, options?: JsonOptions): PolygonMeshJson {
+  const { scale, unit } = toFileOptions(options, { unit: undefined });
   const { points, faces, vertexLabel, faceLabel, topology } = toPolygons(polygons);
   return {
-    ...toLengths(scale, unit),
+    ...lengthsJson({ scale, unit }),
     points: placedPointsJson(points, scale),
     faces: Array.from({ length: faces.offset.length - 1 }, (_, f) => [
       ...faces.points.subarray(faces.offset[f], faces.offset[f + 1]),
@@ -40,7 +46,7 @@ export function polygonGlb(
   options?: SurfaceFileOptions,
 ): Uint8Array<ArrayBuffer> {
   const { points, triangles } = toPolygons(polygons);
-  const { mesh, scale } = toFileOptions(options, {});
+  const { mesh, scale } = toFileOptions(options, { mesh: undefined });
   const file = new GlbBuilder();
   // glTF has no empty primitive.
   if (triangles.face.length === 0) return file.finish({ scene: 0, scenes: [{}] });
@@ -59,7 +65,7 @@ export function polygonGlb(
 /** Polygons; those of regions in a group each. */
 export function polygonObj(polygons: PolygonMesh, options?: SurfaceFileOptions): string {
   const { points } = toPolygons(polygons);
-  const { mesh, scale } = toFileOptions(options, {});
+  const { mesh, scale } = toFileOptions(options, { mesh: undefined });
   const { faces, faceLabel } = withArea(polygons);
   const vertices = pointVertices(points, mesh);
   const lines = objLines(points.position, vertices, scale);
@@ -77,7 +83,7 @@ export function polygonPly(
   options?: SurfaceFileOptions,
 ): Uint8Array<ArrayBuffer> {
   const { points, vertexLabel } = toPolygons(polygons);
-  const { mesh, scale } = toFileOptions(options, {});
+  const { mesh, scale } = toFileOptions(options, { mesh: undefined });
   const { faces, faceLabel } = withArea(polygons);
   const labels = (values: Int32Array): PlyColumns[] =>
     values.length > 0 ? [{ names: ['label'], type: 'int', values }] : [];

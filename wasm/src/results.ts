@@ -21,8 +21,7 @@ export const samplings = ['random', 'farthest', 'poisson'] as const;
 
 /**
  * Which region is the worst. 'size': the largest; 'distortion': the one whose logarithmic map is
- * most distorted, because the surface is bent or the map torn. `core/include/gvd/sampling.h` holds
- * the definitions.
+ * most distorted, because the surface is bent or the map torn.
  */
 export type WorstRegion = (typeof worstRegions)[number];
 export const worstRegions = ['size', 'distortion'] as const;
@@ -54,7 +53,9 @@ export type ClosestPoints = PlacedPoints & {
 
 /**
  * What the mesh builder did to make a manifold of the input, and to give every triangle a height;
- * all zero for a clean mesh. `core/include/gvd/triangle_mesh.h` holds the policy.
+ * all zero for a clean mesh. In this order: triangles with a corner that is not finite are dropped,
+ * vertices are welded, degenerate and duplicate triangles dropped, edges of three or more triangles
+ * cut, components oriented, small ones dropped, and vertices of several fans split.
  */
 export interface MeshRepairs {
   /** Vertices merged into an earlier one at their place. */
@@ -104,6 +105,7 @@ export interface MeshInfo {
   boundaryLoops: number;
   eulerCharacteristic: number;
   genus: number;
+  /** In the input's units, squared. */
   area: number;
   /** Length of the bounding box's diagonal. */
   boundingDiagonal: number;
@@ -123,7 +125,6 @@ export interface PointLists {
  * A geodesic Voronoi diagram as flat arrays: copies, yours to keep or to transfer. Labels are
  * indices into the list of sites. Left and right are as seen from the side on which triangles are
  * counterclockwise, after the mesh builder has turned some over.
- * `core/include/gvd/diagram.h` holds the definitions.
  */
 export interface DiagramData {
   siteCount: number;
@@ -137,7 +138,7 @@ export interface DiagramData {
   voronoiPoints: { point: Int32Array; labelOffset: Int32Array; labels: Int32Array };
   /** Closed outlines with their region on the left, ascending by `label`. */
   loops: PointLists & { label: Int32Array };
-  /** The area of each region, by label. */
+  /** The area of each region, by label, in the input's units, squared. */
   regionArea: Float64Array;
   /**
    * Per input triangle: the label that owns all of it, -1 if no site reaches it, -2 if several
@@ -152,7 +153,6 @@ export interface DiagramData {
 
 /**
  * How a change of one site has changed a diagram; everything not listed is as it was.
- * `core/include/gvd/dynamic_diagram.h` holds the definitions.
  */
 export interface DiagramChange {
   /** The label of the site that came, went or moved. */
@@ -221,7 +221,6 @@ export interface Located {
 /**
  * A mesh cut into the regions of a diagram: one mesh of triangles, in which regions share the
  * points on their borders, closed where the input is. Flat arrays, yours to keep or to transfer.
- * `core/include/gvd/partition.h` holds the definitions.
  */
 export interface Partition {
   points: PlacedPoints;
@@ -259,8 +258,9 @@ export interface PartitionRegions {
 }
 
 /**
- * The dual of a diagram, or its regions as polygons; `core/include/gvd/dual.h` says what is done on
- * the mesh boundary. Polygons are counterclockwise, as the surface is, with straight sides.
+ * The dual of a diagram, or its regions as polygons. Polygons are counterclockwise, as the surface
+ * is, with straight sides. On the mesh boundary, every piece of it in one region gets a point in its
+ * middle, and the polygons reach to these points.
  */
 export interface PolygonMesh {
   points: PlacedPoints;
@@ -279,7 +279,7 @@ export interface PolygonMesh {
 
 /**
  * Per arc of a diagram, in no particular order, the shortest path between its two sites across the
- * arc. `core/include/gvd/dual.h` holds the definition.
+ * arc, over the point of the arc nearest to both.
  */
 export interface DualPaths {
   /** Two per path: the labels of the arc, the lower one first. */
@@ -302,16 +302,25 @@ export interface PolygonTopology {
   genus: number;
 }
 
-/** Reasons why a dual lacks the surface's topology: `Violation` in `core/include/gvd/dual.h`. */
+/** Reasons why a dual lacks the surface's topology. */
 export type ViolationKind =
+  /** A component of the mesh has no site. */
   | 'unreachable'
+  /** A site owns nothing: another one is at its place. */
   | 'no-region'
+  /** A loop of the mesh boundary passes fewer than three runs of regions. */
   | 'few-runs'
+  /** Two regions meet along a closed curve, with no third one on it. */
   | 'closed-border'
+  /** A region has several outlines or parts, none, or a handle. */
   | 'no-disk'
+  /** A region comes to one point from two sides. */
   | 'touches-itself'
+  /** Two regions meet in several arcs or points. */
   | 'two-meet-twice'
+  /** Three or more regions meet in two Voronoi points. */
   | 'three-meet-twice'
+  /** None of these, and yet the dual is no manifold of the surface's topology. */
   | 'no-manifold';
 
 export interface Violation {

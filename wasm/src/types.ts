@@ -60,9 +60,12 @@ export interface VoronoiOptions extends TaskOptions {
 }
 
 export interface PartitionOptions extends TaskOptions {
-  /** Leaves out faces on which labels tie, as holes, instead of giving them to the lowest label. */
+  /**
+   * Leaves out faces on which labels tie, as holes, instead of giving them to the lowest label.
+   * Default false.
+   */
   leaveOutIndifferent?: boolean | undefined;
-  /** Leaves out the components without a site. */
+  /** Leaves out the components without a site. Default false. */
   leaveOutUnreachable?: boolean | undefined;
 }
 
@@ -89,7 +92,7 @@ export interface CvtOptions extends TaskOptions {
   metric?: Metric | undefined;
   /** The most iterations; default 50. */
   iterations?: number | undefined;
-  /** Ends when an iteration lowers the energy by no more than this share. Default 0. */
+  /** Ends when an iteration lowers the energy by no more than this share, 0 … 1. Default 0. */
   energyTolerance?: number | undefined;
   /** Ends when no site moves farther than this, in the input's units. Default 0. */
   moveTolerance?: number | undefined;
@@ -108,7 +111,7 @@ export interface RemeshOptions extends Omit<CvtOptions, 'data' | 'diagrams'> {
   maxAdded?: number | undefined;
 }
 
-/** A centroidal tessellation after an iteration; `core/include/gvd/cvt.h` holds the definitions. */
+/** A centroidal tessellation after an iteration. */
 export interface CvtState {
   /** 0 for the sites given. */
   iteration: number;
@@ -124,7 +127,7 @@ export interface CvtState {
 }
 
 export interface SampleOptions extends TaskOptions {
-  /** An integer, default 1. */
+  /** An integer from 0 to 2^53 - 1. Default 1. */
   seed?: number | undefined;
   /** Default 'random'; 'farthest' if a radius is given instead of a count. */
   sampling?: Sampling | undefined;
@@ -140,7 +143,7 @@ export interface SampleOptions extends TaskOptions {
   density?: Density | undefined;
 }
 
-/** The limits of `GltfLimits` in `core/include/gvd/gltf.h`, by the same names. */
+/** The limits by their names: those of the C++ reader. */
 export const gltfLimitNames = [
   'maxJsonBytes',
   'maxObjects',
@@ -155,13 +158,30 @@ export type GltfLimitName = (typeof gltfLimitNames)[number];
  * error about a file that asks for more names the limit to raise. The limits of vertices and
  * triangles hold for every format, the others for glTF.
  */
-export type GltfLimits = Partial<Record<GltfLimitName, number>>;
+export interface GltfLimits extends Partial<Record<GltfLimitName, number>> {
+  /** The size of the JSON. Default 2^29. */
+  maxJsonBytes?: number;
+  /**
+   * Nodes, meshes, primitives, accessors, buffer views, … together; also the primitives and morph
+   * targets of all nodes and instances together. Default 2^18.
+   */
+  maxObjects?: number;
+  /**
+   * The vertices of all nodes and instances together; each active morph target counts its vertices
+   * again. Default 2^24.
+   */
+  maxVertices?: number;
+  /** The triangles of all nodes and instances together. Default 2^24. */
+  maxTriangles?: number;
+  /** Elements of accessors without a buffer view, which are zeros in no file. Default 2^20. */
+  maxZeroElements?: number;
+}
 
 /**
- * How a mesh is read and built, see `MeshOptions` in `core/include/gvd/triangle_mesh.h`;
- * `MeshInfo.repairs` counts what was done.
+ * How a mesh is read and built; `MeshInfo.repairs` counts what was done.
  */
 export interface MeshOptions extends TaskOptions {
+  /** Higher limits, or lower ones. */
   limits?: GltfLimits | undefined;
   /** The path of the model to open, where a folder or a zip has several. */
   file?: string | undefined;
@@ -210,6 +230,7 @@ export interface MeshArrays {
 /** One region of a diagram, over the diagram's arrays; each property is computed when asked for. */
 export interface Region {
   readonly label: number;
+  /** In the input's units, squared. */
   readonly area: number;
   /** The closed outlines, the region on their left: lists of indices into `DiagramData.points`. */
   readonly loops: Int32Array[];
@@ -221,8 +242,11 @@ export interface Region {
  * A geodesic Voronoi diagram. Sites can be inserted, moved and removed: only their surroundings are
  * computed anew, and each change returns only what became different. The first change traces the
  * whole diagram once more; in a diagram that a tessellation gave, it computes the distances once
- * more, too. Changes are made in the order of the calls; `sites`, `data` and `regions` are as the
- * last change that has resolved left them.
+ * more, too.
+ *
+ * Calls are carried out one after the other, in their order, whether awaited or not: each is about
+ * the diagram as the calls before it leave it. Arguments are checked and copied at the call. `sites`,
+ * `data` and `regions` are as the last change that has resolved left them.
  */
 export interface Diagram extends Disposable {
   readonly metric: Metric;
@@ -235,7 +259,7 @@ export interface Diagram extends Disposable {
   readonly data: DiagramData;
   readonly regions: readonly Region[];
   /**
-   * Resolves to `data` after all changes asked for so far. The engine puts the arrays together, so
+   * Resolves to `data` after all changes asked for before. The engine puts the arrays together, so
    * with `loadWorker()` the calling thread is spared the work; `data` and `regions` are up to date
    * then.
    */
@@ -313,7 +337,8 @@ export interface Mesh extends Disposable {
   bareComponents(sites: SurfacePointsInput, options?: TaskOptions): Promise<BareComponents>;
   /**
    * A density per input vertex, of mean 1, that follows curvature: with it, regions are smaller
-   * where the surface bends more. `core/include/gvd/curvature.h` holds the definition.
+   * where the surface bends more: the sum of the squared principal curvatures, smoothed, and raised
+   * where it is so small that flat parts would get no sites.
    */
   curvatureDensity(options?: TaskOptions): Promise<Float64Array>;
   /**

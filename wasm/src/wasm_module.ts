@@ -183,7 +183,8 @@ export class WasmModule {
     try {
       return (yield* this.#copyOut(answer)) as Result;
     } catch (cause) {
-      throw outOfMemory(cause);
+      // What an array throws that is too long for the memory there is.
+      throw cause instanceof RangeError ? outOfMemory(cause) : cause;
     }
   }
 

@@ -4,7 +4,7 @@
 // so no function is listed here. The far side is `worker_server.ts`.
 
 import type { Engine, EngineSources, Handle } from './engine.js';
-import { GeodesicVoronoiError } from './errors.js';
+import { GeodesicVoronoiError, invalidArgument } from './errors.js';
 import type { TaskOptions } from './types.js';
 import type { Loaded, Port, Reply, Request } from './worker_server.js';
 
@@ -106,7 +106,13 @@ class Connection {
         };
         signal?.addEventListener('abort', abandon);
         this.#pending.set(id, { resolve, reject, onProgress });
-        this.post(message(id));
+        try {
+          this.post(message(id));
+        } catch (cause) {
+          this.#pending.delete(id);
+          const why = (cause as Error).message;
+          reject(invalidArgument(`an argument cannot be sent to the worker: ${why}`));
+        }
       });
     } finally {
       signal?.removeEventListener('abort', abandon);

@@ -2,10 +2,10 @@
 //
 // The panel's report on the mesh, and the fields that say how it is made of its file.
 
-import type { MeshInfo, MeshRepairs } from 'geodesic-voronoi';
+import { type MeshInfo, repairSentences } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { byId, listen, showAttributes } from './dom.js';
-import { counted, integer, measure } from './numbers.js';
+import { integer, measure } from './numbers.js';
 
 /** Sets up the report on the mesh and the options by which it is built from its file. */
 export function setUpMeshReport(viewer: GeodesicVoronoiElement): void {
@@ -17,7 +17,7 @@ export function setUpMeshReport(viewer: GeodesicVoronoiElement): void {
       ...factsOf(info).flatMap(([term, value]) => [cell('dt', term), cell('dd', value)]),
     );
     repairs.replaceChildren(
-      ...[...sentencesOf(info.repairs), ...info.notes].map((sentence) => cell('span', sentence)),
+      ...[...sentencesOf(info), ...info.notes].map((sentence) => cell('span', sentence)),
     );
   });
 }
@@ -48,24 +48,9 @@ function factsOf(info: MeshInfo): [string, string][] {
   ];
 }
 
-function sentencesOf(repairs: MeshRepairs): string[] {
-  const texts: Record<Exclude<keyof MeshRepairs, 'mollification'>, (n: number) => string> = {
-    weldedVertices: (n) => `${counted(n, 'vertex', 'vertices')} welded.`,
-    isolatedVertices: (n) => `${counted(n, 'vertex', 'vertices')} unused.`,
-    nonFiniteTriangles: (n) => `${counted(n, 'triangle')} with impossible coordinates dropped.`,
-    degenerateTriangles: (n) => `${counted(n, 'degenerate triangle')} dropped.`,
-    duplicateTriangles: (n) => `${counted(n, 'duplicate triangle')} dropped.`,
-    nonManifoldEdges: (n) => `${counted(n, 'non-manifold edge')} cut.`,
-    orientationCuts: (n) => `${counted(n, 'edge')} cut, since no orientation fits both sides.`,
-    flippedTriangles: (n) => `${counted(n, 'triangle')} turned over.`,
-    smallComponents: (n) => `${counted(n, 'small component')} dropped.`,
-    smallComponentTriangles: (n) => `${counted(n, 'triangle')} of these dropped.`,
-    splitVertices: (n) => `${counted(n, 'vertex', 'vertices')} split.`,
-    mollifiedTriangles: (n) =>
-      `${counted(n, 'flat or tiny triangle')}: for distances, all edges are longer by ${measure(repairs.mollification)}.`,
-  };
-  const made = (Object.keys(texts) as (keyof typeof texts)[]).filter((key) => repairs[key] > 0);
-  return made.length > 0 ? made.map((key) => texts[key](repairs[key])) : ['No repairs needed.'];
+function sentencesOf({ repairs }: MeshInfo): string[] {
+  const sentences = repairSentences(repairs, measure);
+  return sentences.length > 0 ? sentences.map((text) => `${text}.`) : ['No repairs needed.'];
 }
 
 function cell(tag: string, text: string): HTMLElement {

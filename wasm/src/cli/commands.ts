@@ -2,7 +2,9 @@
 //
 // What each command does.
 import { extname } from 'node:path';
+import { GeodesicVoronoiError } from '../errors.js';
 import type { MeshInfo, Metric, PolygonMesh, SurfacePath, Violation } from '../results.js';
+import { counted } from '../sentences.js';
 import type { CvtOptions, CvtState, Diagram, Mesh, SurfacePointsInput } from '../types.js';
 import {
   toDiagramEncoder,
@@ -20,6 +22,7 @@ import type { CommandName, Invocation, Values } from './options.js';
 import { readNumbers, readPoints } from './points.js';
 import {
   type Notices,
+  lengthsOf,
   onSurface,
   openMesh,
   openWithSites,
@@ -28,7 +31,6 @@ import {
   type SiteSource,
   withProgress,
 } from './sites.js';
-import { counted, unitOf } from './values.js';
 
 interface Request<Command extends CommandName> {
   mesh: string;
@@ -64,13 +66,12 @@ export function execute(invocation: Invocation): Promise<void> {
 async function info({ meshes, values }: Request<'info'>): Promise<void> {
   const output = await Output.open(values.output, meshes);
   const json = values.json || extname(values.output).toLowerCase() === '.json';
-  const unit = values.units === 1 ? undefined : unitOf(values.units);
   const isOnly = meshes.length === 1;
   const reports: string[] = [];
   const list: object[] = [];
   for (const path of meshes) {
     try {
-      const { parts, ...facts } = await factsOf(path, values);
+      const { unit, parts, ...facts } = await factsOf(path, values);
       reports.push(`${isOnly ? '' : `${path}\n`}${meshReport(facts, unit)}`);
       list.push({ ...(!isOnly && { mesh: path }), ...facts, parts });
     } catch (error) {
@@ -79,7 +80,7 @@ async function info({ meshes, values }: Request<'info'>): Promise<void> {
       list.push({ mesh: path, error: (error as Error).message });
     }
   }
-  if (reports.length === 0) return;
+  if (reports.length === 0 && !json) return;
   await output.write(
     json ? `${JSON.stringify(isOnly ? list[0] : list, null, 2)}\n` : reports.join('\n'),
   );
@@ -88,10 +89,12 @@ async function info({ meshes, values }: Request<'info'>): Promise<void> {
 async function factsOf(
   path: string,
   values: Values<'info'>,
-): Promise<MeshInfo & Pick<Mesh, 'parts'>> {
-  const scale = values.units;
-  const { info, parts } = await openMesh(path, values);
+): Promise<MeshInfo & Pick<Mesh, 'parts'> & { unit: string | undefined }> {
+  const mesh = await openMesh(path, values);
+  const { info, parts } = mesh;
+  const { scale, unit } = lengthsOf(mesh, values);
   return {
+    unit,
     ...info,
     area: scale * scale * info.area,
     boundingDiagonal: scale * info.boundingDiagonal,
@@ -101,11 +104,10 @@ async function factsOf(
 }
 
 async function diagram({ mesh: path, values }: Request<'diagram'>): Promise<void> {
-  const scale = values.units;
   const encode = toDiagramEncoder(values);
   const output = await Output.open(values.output, [path]);
-  const { diagram } = await compute(path, values);
-  await output.write(encode(diagram, scale));
+  const { mesh, diagram } = await compute(path, values);
+  await output.write(encode(diagram, lengthsOf(mesh, values)));
 
   const { arcs, voronoiPoints } = diagram.data;
   summarise(
@@ -125,11 +127,11 @@ async function locate({ mesh: path, values }: Request<'locate'>): Promise<void> 
   const points = await readPoints(values.points);
   const { mesh, diagram } = await compute(path, values);
   const located = await diagram.locate(await onSurface(mesh, points, values));
-  await output.write(encode({ mesh, ...located }, values.units));
+  await output.write(encode({ mesh, ...located }, lengthsOf(mesh, values)));
 }
 
 async function distances({ mesh: path, values }: Request<'distances'>): Promise<void> {
-  const scale = values.units;
+  const { scale } = values.units;
   const encode = toDistancesEncoder(values);
   const output = await Output.open(values.output, [path]);
   const { mesh, sites } = await openWithSites(path, values);
@@ -137,7 +139,7 @@ async function distances({ mesh: path, values }: Request<'distances'>): Promise<
   const distances = await withProgress(values, (onProgress) =>
     mesh.distances(sites, { metric, onProgress }),
   );
-  await output.write(encode({ mesh, distances }, scale));
+  await output.write(encode({ mesh, distances }, lengthsOf(mesh, values)));
   const reached = distances.distance.filter((d) => d < Infinity);
   const farthest = reached.reduce((most, d) => Math.max(most, d), 0);
   summarise(
@@ -149,7 +151,7 @@ async function distances({ mesh: path, values }: Request<'distances'>): Promise<
 }
 
 async function path({ mesh: model, values }: Request<'path'>): Promise<void> {
-  const scale = values.units;
+  const { scale } = values.units;
   const encode = toPathsEncoder(values);
   const output = await Output.open(values.output, [model]);
   const [from, to] = [await readPoints(values.from), await readPoints(values.to)];
@@ -162,15 +164,21 @@ async function path({ mesh: model, values }: Request<'path'>): Promise<void> {
     );
   }
   const paths = await withProgress(values, async (onProgress) => {
-    const toOneEnd = ends.length === 1 ? await mesh.voronoi(ends[0]) : undefined;
+    if (starts.length === 1) return [await mesh.path(starts[0], ends[0], { onProgress })];
+    // Many paths to one end have the distances from there in common.
+    const toOneEnd =
+      ends.length === 1
+        ? await mesh.voronoi(ends[0], { onProgress: (share) => onProgress(share / 2) })
+        : undefined;
     const found: SurfacePath[] = [];
     for (const [i, start] of starts.entries()) {
       found.push(await (toOneEnd?.path(start) ?? mesh.path(start, ends[i])));
-      onProgress(found.length / starts.length);
+      const share = found.length / starts.length;
+      onProgress(toOneEnd ? (1 + share) / 2 : share);
     }
     return found;
   });
-  await output.write(encode(paths, scale));
+  await output.write(encode(paths, lengthsOf(mesh, values)));
   const lengths = paths.map(({ length }) => scale * length).filter((length) => length < Infinity);
   const missing = paths.length - lengths.length;
   if (missing > 0)
@@ -189,7 +197,7 @@ async function path({ mesh: model, values }: Request<'path'>): Promise<void> {
 }
 
 async function cvt({ mesh: path, values }: Request<'cvt'>): Promise<void> {
-  const scale = values.units;
+  const { scale } = values.units;
   const encode = toSitesEncoder(values);
   const output = await Output.open(values.output, [path]);
   const settings = await cvtSettings(values);
@@ -202,19 +210,18 @@ async function cvt({ mesh: path, values }: Request<'cvt'>): Promise<void> {
   const energy = states.map((state) => state.energy);
   const { iteration, sites: last } = states.at(-1)!;
   const position = await mesh.positionsOf(last);
-  await output.write(encode({ mesh, sites: last, position, energy }, scale));
+  await output.write(encode({ mesh, sites: last, position, energy }, lengthsOf(mesh, values)));
   const shown = (e: number) => (scale ** 4 * e).toPrecision(6); // area times squared length
   summarise(
     output,
     values,
-    `${last.face.length} sites, ${iteration} iterations` +
+    `${counted(last.face.length, 'site')}, ${counted(iteration, 'iteration')}` +
       `${iteration > 0 && iteration === values.iterations ? ' (no more were allowed)' : ''}, ` +
       `energy ${shown(energy[0])} to ${shown(energy.at(-1)!)}`,
   );
 }
 
 async function partition({ mesh: path, values }: Request<'partition'>): Promise<void> {
-  const scale = values.units;
   const encode = toPartitionEncoder(values);
   const output = await Output.open(values.output, [path]);
   const { mesh, diagram } = await compute(path, values);
@@ -222,7 +229,7 @@ async function partition({ mesh: path, values }: Request<'partition'>): Promise<
     leaveOutIndifferent: values['leave-out-indifferent'],
     leaveOutUnreachable: values['leave-out-unreachable'],
   });
-  await output.write(encode({ mesh, sites: diagram.sites, partition }, scale));
+  await output.write(encode({ mesh, sites: diagram.sites, partition }, lengthsOf(mesh, values)));
   const { components, loops, eulerCharacteristic } = partition.regions;
   const disks = components.filter(
     (count, i) => count === 1 && loops[i] === 1 && eulerCharacteristic[i] === 1,
@@ -237,7 +244,6 @@ async function partition({ mesh: path, values }: Request<'partition'>): Promise<
 }
 
 async function dual({ mesh: path, values }: Request<'dual'>): Promise<void> {
-  const scale = values.units;
   const encode = toPolygonEncoder(values);
   const output = await Output.open(values.output, [path]);
   const { mesh, diagram: given } = await compute(path, values);
@@ -249,7 +255,9 @@ async function dual({ mesh: path, values }: Request<'dual'>): Promise<void> {
   const polygons = await diagram.dual({ primal: values.primal });
   const violations = await diagram.violations();
   if (values.check && violations.length > 0) throw new FileError(faultsOf(violations));
-  await output.write(encode({ mesh, sites: diagram.sites, polygons, violations }, scale));
+  await output.write(
+    encode({ mesh, sites: diagram.sites, polygons, violations }, lengthsOf(mesh, values)),
+  );
   summarise(output, values, polygonSummary(given.sites.face.length, diagram, polygons));
   if (violations.length === 0) return;
   if (values.quiet) {
@@ -270,7 +278,7 @@ function faultsOf([first, ...more]: Violation[]): string {
 }
 
 async function remesh({ mesh: path, values }: Request<'remesh'>): Promise<void> {
-  const scale = values.units;
+  const { scale } = values.units;
   const encode = toPolygonEncoder(values);
   const output = await Output.open(values.output, [path]);
   const settings = await cvtSettings(values);
@@ -283,13 +291,15 @@ async function remesh({ mesh: path, values }: Request<'remesh'>): Promise<void> 
   const first = indicesOf(sites).length;
   const polygons = await diagram.dual();
   const quality = await diagram.remeshQuality();
-  await output.write(encode({ mesh, sites: diagram.sites, polygons, quality }, scale));
+  await output.write(
+    encode({ mesh, sites: diagram.sites, polygons, quality }, lengthsOf(mesh, values)),
+  );
   const number = (x: number) => String(Number(x.toPrecision(4)));
   summarise(
     output,
     values,
     `${polygonSummary(first, diagram, polygons)}\n` +
-      `${quality.triangles} triangles: least angle ${number(quality.minAngle)}°, ` +
+      `${counted(quality.triangles, 'triangle')}: least angle ${number(quality.minAngle)}°, ` +
       `mean of the least ones ${number(quality.meanMinAngle)}°; ` +
       `valence ${quality.minValence} to ${quality.maxValence}, ` +
       `${number(100 * quality.regularShare)} % have 6; ` +
@@ -313,7 +323,7 @@ async function cvtSettings(
   >,
 ): Promise<CvtOptions> {
   const { method, metric, iterations, 'energy-tolerance': energyTolerance } = values;
-  const moveTolerance = values['move-tolerance'] / values.units;
+  const moveTolerance = values['move-tolerance'] / values.units.scale;
   const numbers = (file?: string) => (file === undefined ? undefined : readNumbers(file));
   const named = (['attribute', 'curvature'] as const).find((name) => name === values.density);
   const density = named ?? (await numbers(values.density));
@@ -327,8 +337,8 @@ async function explained<Result>(mesh: Mesh, repair: () => Promise<Result>): Pro
     return await repair();
   } catch (error) {
     const { components } = mesh.info;
-    const tooFewSites = /^the dual is not valid/.test((error as Error).message);
-    if (components === 1 || !tooFewSites) throw error;
+    const isTooFew = error instanceof GeodesicVoronoiError && error.code === 'too-few-sites';
+    if (components === 1 || !isTooFew) throw error;
     throw new FileError(
       `${(error as Error).message} (the mesh has ${components} components: --min-component drops small ones, ` +
         '--per-component 3 begins with sites on each)',
@@ -341,10 +351,10 @@ function polygonSummary(first: number, diagram: Diagram, { topology }: PolygonMe
   const added = diagram.sites.face.length - first;
   const { vertices, faces, eulerCharacteristic, genus, boundaryLoops, isManifold } = topology;
   return (
-    `${diagram.sites.face.length} sites${added > 0 ? ` (${added} added)` : ''}, ` +
-    `${vertices} vertices, ${faces} polygons, ` +
+    `${counted(diagram.sites.face.length, 'site')}${added > 0 ? ` (${added} added)` : ''}, ` +
+    `${counted(vertices, 'vertex', 'vertices')}, ${counted(faces, 'polygon')}, ` +
     (isManifold
-      ? `Euler characteristic ${eulerCharacteristic}, genus ${genus}, ${boundaryLoops} boundary loops`
+      ? `Euler characteristic ${eulerCharacteristic}, genus ${genus}, ${counted(boundaryLoops, 'boundary loop')}`
       : 'no manifold')
   );
 }

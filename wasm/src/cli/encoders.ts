@@ -9,7 +9,7 @@ import {
   diagramObj,
   placedPointsJson,
   pointsJson,
-  toLengths,
+  lengthsJson,
 } from '../formats.js';
 import {
   distancesGlb,
@@ -32,13 +32,13 @@ import type {
 } from '../results.js';
 import type { Diagram, Mesh } from '../types.js';
 import { standard, type Values } from './options.js';
-import { listed, unitOf, UsageError } from './values.js';
+import { listed, UsageError, type Lengths } from './values.js';
 
 /** Where the result goes, and its format if the name of the file does not decide. */
 type Target = Pick<Values, 'output' | 'json'> & Partial<Pick<Values<'diagram'>, 'format'>>;
 
-/** Makes a file of a result; `scale` is the output's unit. */
-type Encoder<Result> = (result: Result, scale: number) => string | Uint8Array;
+/** Makes a file of a result. */
+type Encoder<Result> = (result: Result, lengths: Lengths) => string | Uint8Array;
 /** By the endings of files. */
 type Encoders<Result> = Record<string, Encoder<Result>>;
 
@@ -78,13 +78,13 @@ interface LocatedResult {
 export function toLocatedEncoder(target: Target): Encoder<LocatedResult> {
   return encoderOf(
     {
-      '.json': ({ mesh, label, distance }, scale) =>
+      '.json': ({ mesh, label, distance }, lengths) =>
         text({
           ...ofMesh(mesh),
-          ...toLengths(scale, unitOf(scale)),
+          ...lengthsJson(lengths),
           label: Array.from(label),
           // JSON has no infinity: what no site reaches is null.
-          distance: Array.from(distance, (d) => (d === Infinity ? null : scale * d)),
+          distance: Array.from(distance, (d) => (d === Infinity ? null : lengths.scale * d)),
         }),
     },
     target,
@@ -108,14 +108,14 @@ interface SitesResult {
 export function toSitesEncoder(target: Target): Encoder<SitesResult> {
   return encoderOf(
     {
-      '.json': ({ mesh, sites, position, energy }, scale) =>
+      '.json': ({ mesh, sites, position, energy }, lengths) =>
         text({
           ...ofMesh(mesh),
-          ...toLengths(scale, unitOf(scale)),
-          ...placedPointsJson({ ...sites, position }, scale),
-          energy: energy.map((e) => scale ** 4 * e), // area times squared length
+          ...lengthsJson(lengths),
+          ...placedPointsJson({ ...sites, position }, lengths.scale),
+          energy: energy.map((e) => lengths.scale ** 4 * e), // area times squared length
         }),
-      '.ply': ({ position }, scale) => sitesPly(position.map((x) => scale * x)),
+      '.ply': ({ position }, { scale }) => sitesPly(position.map((x) => scale * x)),
     },
     target,
   );
@@ -124,9 +124,9 @@ export function toSitesEncoder(target: Target): Encoder<SitesResult> {
 export function toDiagramEncoder(target: Target): Encoder<Diagram> {
   return encoderOf(
     {
-      '.json': (diagram, scale) => text(diagramJson(diagram, scale, unitOf(scale))),
-      '.obj': ({ data }, scale) => diagramObj(data, scale),
-      '.glb': ({ data }, scale) => diagramGlb(data, scale),
+      '.json': (diagram, lengths) => text(diagramJson(diagram, lengths)),
+      '.obj': ({ data }, { scale }) => diagramObj(data, { scale }),
+      '.glb': ({ data }, { scale }) => diagramGlb(data, { scale }),
     },
     target,
   );
@@ -140,10 +140,10 @@ interface DistancesResult {
 export function toDistancesEncoder(target: Target): Encoder<DistancesResult> {
   return encoderOf(
     {
-      '.json': ({ mesh, distances }, scale) =>
-        text({ ...ofMesh(mesh), ...distancesJson(distances, scale, unitOf(scale)) }),
-      '.ply': ({ mesh, distances }, scale) => distancesPly(mesh, distances, scale),
-      '.glb': ({ mesh, distances }, scale) => distancesGlb(mesh, distances, scale),
+      '.json': ({ mesh, distances }, lengths) =>
+        text({ ...ofMesh(mesh), ...distancesJson(distances, lengths) }),
+      '.ply': ({ mesh, distances }, { scale }) => distancesPly(distances, { mesh, scale }),
+      '.glb': ({ mesh, distances }, { scale }) => distancesGlb(distances, { mesh, scale }),
     },
     target,
   );
@@ -152,8 +152,8 @@ export function toDistancesEncoder(target: Target): Encoder<DistancesResult> {
 export function toPathsEncoder(target: Target): Encoder<SurfacePath[]> {
   return encoderOf(
     {
-      '.json': (paths, scale) => text(pathsJson(paths, scale, unitOf(scale))),
-      '.obj': (paths, scale) => pathsObj(paths, scale),
+      '.json': (paths, lengths) => text(pathsJson(paths, lengths)),
+      '.obj': (paths, { scale }) => pathsObj(paths, { scale }),
     },
     target,
   );
@@ -173,11 +173,11 @@ export function toPartitionEncoder(target: Values<'partition'>): Encoder<Partiti
   }
   return encoderOf(
     {
-      '.json': ({ mesh, partition, sites }, scale) =>
-        text({ ...ofMesh(mesh), ...partitionJson(partition, sites, scale, unitOf(scale)) }),
-      '.glb': ({ partition, mesh }, scale) => partitionGlb(partition, { layout, mesh, scale }),
-      '.obj': ({ partition, mesh }, scale) => partitionObj(partition, { mesh, scale }),
-      '.ply': ({ partition, mesh }, scale) => partitionPly(partition, { mesh, scale }),
+      '.json': ({ mesh, partition, sites }, lengths) =>
+        text({ ...ofMesh(mesh), ...partitionJson(partition, { sites, ...lengths }) }),
+      '.glb': ({ partition, mesh }, { scale }) => partitionGlb(partition, { layout, mesh, scale }),
+      '.obj': ({ partition, mesh }, { scale }) => partitionObj(partition, { mesh, scale }),
+      '.ply': ({ partition, mesh }, { scale }) => partitionPly(partition, { mesh, scale }),
     },
     target,
   );
@@ -194,17 +194,17 @@ interface PolygonResult {
 export function toPolygonEncoder(target: Target): Encoder<PolygonResult> {
   return encoderOf(
     {
-      '.json': ({ mesh, sites, polygons, violations, quality }, scale) =>
+      '.json': ({ mesh, sites, polygons, violations, quality }, lengths) =>
         text({
           ...ofMesh(mesh),
           sites: pointsJson(sites),
-          ...polygonJson(polygons, scale, unitOf(scale)),
+          ...polygonJson(polygons, lengths),
           ...(violations && { violations }),
-          ...(quality && { quality: { ...quality, hausdorff: scale * quality.hausdorff } }),
+          ...(quality && { quality: { ...quality, hausdorff: lengths.scale * quality.hausdorff } }),
         }),
-      '.obj': ({ polygons, mesh }, scale) => polygonObj(polygons, { mesh, scale }),
-      '.ply': ({ polygons, mesh }, scale) => polygonPly(polygons, { mesh, scale }),
-      '.glb': ({ polygons, mesh }, scale) => polygonGlb(polygons, { mesh, scale }),
+      '.obj': ({ polygons, mesh }, { scale }) => polygonObj(polygons, { mesh, scale }),
+      '.ply': ({ polygons, mesh }, { scale }) => polygonPly(polygons, { mesh, scale }),
+      '.glb': ({ polygons, mesh }, { scale }) => polygonGlb(polygons, { mesh, scale }),
     },
     target,
   );

@@ -24,18 +24,20 @@ import { standard } from './options.js';
 export class FileError extends Error {}
 
 export function readBytes(path: string): Promise<Uint8Array> {
-  return path === standard ? readStandardInput() : read(path, path);
+  return path === standard ? readStandardInput() : readFileAt(path);
 }
 
-/**
- * The files of a model: all of a folder, or a file with those of its own folder that it refers to.
- * A path after a # chooses one of several models in a folder or a zip.
- */
+/** The files of a model: all of a folder, or a file with those of its own folder that it refers to. */
 export async function readModel(named: string): Promise<{ files: ModelFiles; file?: string }> {
+  const { path, file } = await partsOf(named);
+  return { files: await modelFiles(path), file };
+}
+
+/** The path of a model, and the one that a # after it chooses of several in a folder or a zip. */
+async function partsOf(named: string): Promise<{ path: string; file?: string }> {
   const mark = named.indexOf('#');
-  if (mark < 0 || named === standard || (await exists(named)))
-    return { files: await modelFiles(named) };
-  return { files: await modelFiles(named.slice(0, mark)), file: named.slice(mark + 1) };
+  if (mark < 0 || named === standard || (await exists(named))) return { path: named };
+  return { path: named.slice(0, mark), file: named.slice(mark + 1) };
 }
 
 async function modelFiles(path: string): Promise<ModelFiles> {
@@ -122,14 +124,14 @@ async function readStandardInput(): Promise<Uint8Array> {
   return Buffer.concat(chunks);
 }
 
-async function read(path: string, name: string): Promise<Uint8Array> {
+async function readFileAt(path: string): Promise<Uint8Array> {
   // Some devices never end, and pipes may never begin.
   if ((await kindOf(path)) === 'special')
     throw new FileError(`${path} is a device or a pipe and no file: - reads standard input`);
   try {
     return await readFile(path);
   } catch (error) {
-    throw new FileError(`${name} cannot be read: ${reason(error)}`);
+    throw new FileError(`${path} cannot be read: ${reason(error)}`);
   }
 }
 
@@ -147,7 +149,8 @@ export class Output {
     try {
       const target = await realpath(path).catch(() => resolve(path));
       for (const model of models) {
-        if ((await realpath(model).catch(() => undefined)) === target)
+        const { path: read } = await partsOf(model);
+        if ((await realpath(read).catch(() => undefined)) === target)
           throw new FileError('it is the model itself');
       }
       if ((await kindOf(target)) === 'folder') throw new FileError('it is a folder');

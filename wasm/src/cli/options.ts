@@ -3,7 +3,7 @@
 // The command line's one table: what can be given, to which command, what it means, and what the
 // help says of it.
 
-import { maxCount, maxDetail, maxLimit, repairDefaults } from '../input.js';
+import { maxCount, maxDetail, maxLimit, ranges, repairDefaults } from '../input.js';
 import { partitionLayouts } from '../partition_formats.js';
 import { cvtMethods, metrics, orientations, samplings, worstRegions } from '../results.js';
 import { gltfLimitNames } from '../types.js';
@@ -15,7 +15,7 @@ import {
   numberOrPath,
   oneOf,
   path,
-  scale,
+  lengths,
   units,
   type Parser,
 } from './values.js';
@@ -45,7 +45,7 @@ export const options = {
   },
   radius: {
     value: 'R',
-    parse: number((r) => r > 0 && r < Infinity, 'a positive number'),
+    parse: number(ranges.radius),
     optional: true,
     help: 'Instead of --sites: sample as many as it takes until no vertex is farther from one than this',
   },
@@ -108,13 +108,13 @@ export const options = {
   },
   'energy-tolerance': {
     value: 'SHARE',
-    parse: number((share) => share >= 0 && share <= 1, 'a number from 0 to 1'),
+    parse: number(ranges.share),
     default: '0',
     help: 'End when an iteration lowers the energy by no more than this share',
   },
   'move-tolerance': {
     value: 'LENGTH',
-    parse: number((length) => length >= 0 && length < Infinity, 'a number from 0'),
+    parse: number(ranges.length),
     default: '0',
     help: 'End when no site moves farther than this',
   },
@@ -151,13 +151,13 @@ export const options = {
   },
   units: {
     value: 'UNIT|FACTOR',
-    parse: scale,
-    default: 'm',
-    help: `Unit of lengths in the output, of --radius and of --move-tolerance, for a model in metres, the unit of glTF: ${listed(units)}; or the factor to multiply with. Coordinates in files of points are the model's own`,
+    parse: lengths,
+    default: '1',
+    help: `Unit of lengths in the output, of --radius and of --move-tolerance, for a model in metres, the unit of glTF: ${listed(units)}; or the factor to multiply the model's own with. Coordinates in files of points are the model's own`,
   },
   weld: {
     value: 'SHARE',
-    parse: number((share) => share >= 0 && share <= 1, 'a number from 0 to 1'),
+    parse: number(ranges.share),
     default: '0',
     help: "Weld vertices no farther apart than this share of the bounding box's diagonal",
   },

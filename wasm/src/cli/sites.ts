@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
 // The mesh of a command and its sites: read from files, or sampled.
+import { GeodesicVoronoiError } from '../errors.js';
 import { toPlaces } from '../input.js';
 import { load } from '../node.js';
 import { requireSameMesh } from '../points_file.js';
+import { counted } from '../sentences.js';
 import type { Density, Mesh, SurfacePointsInput } from '../types.js';
 import { FileError, readModel } from './files.js';
 import type { Values } from './options.js';
 import { type GivenPoints, readPoints } from './points.js';
 import { ProgressBar } from './progress.js';
-import { counted } from './values.js';
+import type { Lengths } from './values.js';
 
 /** Where sites come from. */
 export type SiteSource = Pick<
@@ -31,10 +33,16 @@ export async function openMesh(path: string, values: Reading): Promise<Mesh> {
     return await gvd.mesh(files, { limits, file, weld, orientation, minComponent });
   } catch (error) {
     // The library's option `file` is a part of the path here.
-    const chosen = /: choose one.*$/;
-    const message = (error as Error).message.replace(chosen, `: choose one, as ${path}#PATH`);
-    throw new FileError(`${path}: ${message}`, { cause: error });
+    const isUnclear = error instanceof GeodesicVoronoiError && error.code === 'several-models';
+    const message = `${path}: ${(error as Error).message}`;
+    throw new FileError(isUnclear ? `${message}, as ${path}#PATH` : message, { cause: error });
   }
+}
+
+/** What the lengths of a result are in: as --units says, or in the model's own unit, which glTF has. */
+export function lengthsOf(mesh: Mesh, { units }: Pick<Values, 'units'>): Lengths {
+  const isKnown = units.scale === 1 && mesh.info.origin.format === 'glTF';
+  return { ...units, unit: units.unit ?? (isKnown ? 'm' : undefined) };
 }
 
 export async function openWithSites(
@@ -79,7 +87,9 @@ async function closestOf(
   if (!quiet && farthest > Number.EPSILON * mesh.info.boundingDiagonal) {
     const count = closest.face.length;
     const places = count === 1 ? '1 place, it is' : `${count} places, the farthest`;
-    process.stderr.write(`note: ${places} ${(units * farthest).toPrecision(4)} from the surface\n`);
+    process.stderr.write(
+      `note: ${places} ${(units.scale * farthest).toPrecision(4)} from the surface\n`,
+    );
   }
   return closest;
 }
@@ -90,7 +100,7 @@ async function sampled(
   wantedDensity: Density | undefined,
 ): Promise<PointsOnSurface> {
   const { sites, radius, sampling, seed, 'per-component': perComponent, units } = values;
-  const wanted = radius === undefined ? (sites as number) : { radius: radius / units };
+  const wanted = radius === undefined ? (sites as number) : { radius: radius / units.scale };
   const isRandom = radius === undefined && (sampling ?? 'random') === 'random';
   const density = isRandom ? wantedDensity : undefined;
   const found = await withProgress(values, (onProgress) =>

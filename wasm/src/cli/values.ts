@@ -34,11 +34,11 @@ export function integer(least: number, most = Number.MAX_SAFE_INTEGER): Parser<n
   };
 }
 
-export function number(isIn: (value: number) => boolean, range: string): Parser<number> {
+export function number(range: { name: string; has(value: number): boolean }): Parser<number> {
   return (text, option) => {
     const value = Number(text);
-    if (isNumber(text) && isIn(value)) return value;
-    throw new UsageError(`${option} is '${text}', not ${range}`);
+    if (isNumber(text) && range.has(value)) return value;
+    throw new UsageError(`${option} is '${text}', not ${range.name}`);
   };
 }
 
@@ -60,18 +60,17 @@ const unitScale: Record<string, number> = {
 
 export const units: readonly string[] = Object.keys(unitScale);
 
-/**
- * The unit that lengths in metres are in when they have been multiplied with a factor, if it has a
- * name.
- */
-export function unitOf(factor: number): string | undefined {
-  return units.find((unit) => unitScale[unit] === factor);
+/** What lengths of the model are multiplied by, and the unit that they are in then, if it is known. */
+export interface Lengths {
+  scale: number;
+  unit?: string | undefined;
 }
 
-/** The factor that lengths in metres are multiplied by. */
-export const scale: Parser<number> = (text, option) => {
-  const value = Object.hasOwn(unitScale, text) ? unitScale[text] : Number(text);
-  if (value > 0 && Number.isFinite(value)) return value;
+/** A unit by its name, for a model in metres; or a factor, after which the unit is not known. */
+export const lengths: Parser<Lengths> = (text, option) => {
+  if (Object.hasOwn(unitScale, text)) return { scale: unitScale[text], unit: text };
+  const scale = Number(text);
+  if (scale > 0 && Number.isFinite(scale)) return { scale };
   throw new UsageError(
     `${option} is '${text}', neither a positive factor nor one of ${listed(units)}`,
   );
@@ -94,9 +93,4 @@ export function assignments<Name extends string>(
           return [oneName(name, `the name in ${option}`), value(number, `${option} ${name}`)];
         }),
     ) as Partial<Record<Name, number>>;
-}
-
-/** A count and what is counted, in the singular or the plural. */
-export function counted(count: number, noun: string): string {
-  return `${count} ${noun}${count === 1 ? '' : 's'}`;
 }

@@ -33,8 +33,8 @@ export class FileSet {
     if (wanted !== undefined) throw this.without(wanted);
     if (candidates.length > 1) {
       throw new GeodesicVoronoiError(
-        'invalid-file',
-        `${listed(candidates)} are several models: choose one by its path, in the option file or after a # in an address`,
+        'several-models',
+        `${listed(candidates)} are several models: choose one by its path`,
       );
     }
     const found = paths.length > 0 ? ` in ${listed(paths)}` : ': there are no files';

@@ -96,7 +96,7 @@ async function unpacked(archive: Uint8Array, entry: Entry, task: TaskOptions): P
   const start = offset + 30 + view.getUint16(offset + 26, true) + view.getUint16(offset + 28, true);
   const packed = archive.subarray(start, start + packedSize);
   if (packed.length < packedSize || (method === 0 && packedSize !== size)) throw damaged();
-  if (method === 0) return packed.slice();
+  if (method === 0) return new Uint8Array(packed); // the slice of a Buffer is no copy
   const content = await inSlices(inflated(packed, size), { signal: task.signal });
   if (!content) throw damaged();
   return content;

@@ -12,7 +12,7 @@ const centre = await mesh.sampleSites(1);
 const map = await mesh.distances(centre);
 
 // Vertices with properties label, distance, direction_x and direction_y.
-await writeFile(output, distancesPly(mesh, map));
+await writeFile(output, distancesPly(map, { mesh }));
 
 // Distance times direction are coordinates in the tangent plane of the point.
 const [u, v] = [0, 1].map((k) => Array.from(map.distance, (d, i) => d * map.direction[2 * i + k]));
