@@ -15,7 +15,7 @@
 ///     while (!propagation->step(100'000)) {
 ///     }
 ///     const auto distances = propagation->take();
-///     const gvd::Diagram diagram = gvd::traceDiagram(mesh, *distances, sites.size());
+///     const gvd::Diagram diagram = gvd::traceDiagram(mesh, *distances, int(sites.size()));
 ///
 /// Long computations can be done in steps (sliced_work.h): `propagate` always is; `startMesh`,
 /// `startDiagram`, `startPartition` … yield in steps what their namesakes return at once.

@@ -21,7 +21,9 @@ namespace gvd {
 ///
 /// A patch is cut apart where its region touches itself in a single point, which makes it a surface
 /// with boundary and does not change its inside. The counts below are those of that surface;
-/// `selfTouchings` counts the cuts.
+/// `selfTouchings` counts the cuts. They are also those of the mesh with its non-manifold edges cut
+/// (`MeshRepairs::nonManifoldEdges`): both sides of such an edge may have the same two points, so
+/// that a reader of the triangles alone joins them again.
 struct RegionPatch {
   struct Neighbour {
     int label;

@@ -62,11 +62,11 @@ struct PoissonDisk {
 };
 
 /// Random points, no two of them nearer to each other than `radius` (geodesic, as for
-/// `sampleFarthest`), until hardly any more fit; then vertices are added, so that by exact distances
-/// no vertex is farther than `radius` from a point. How near points are to each other is measured
-/// as `Metric::kDgpc` does: exactly where straight lines connect, and with errors where shortest
-/// paths bend at vertices. On long thin triangles, as of mechanical parts, single ones are wrong by
-/// half, so that by exact distances some points are nearer than `radius` there. Throws
+/// `sampleFarthest`), until hardly any more fit; then vertices are added, so that by exact
+/// distances no vertex is farther than `radius` from a point. How near points are to each other is
+/// measured as `Metric::kDgpc` does: exactly where straight lines connect, and with errors where
+/// shortest paths bend at vertices. On long thin triangles, as of mechanical parts, single ones are
+/// wrong by half, so that by exact distances some points are nearer than `radius` there. Throws
 /// `Error(kInvalidArgument)` if the radius is not positive and finite.
 /// Source: Robert Cook. Stochastic Sampling in Computer Graphics. 1986.
 PoissonDisk samplePoissonDisk(const TriangleMesh& mesh, double radius, std::uint64_t seed);
