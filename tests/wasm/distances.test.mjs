@@ -58,24 +58,31 @@ for (const metric of ['exact', 'dgpc'])
     });
 
     test('in the plane, distance and direction lead from the site to the vertex', async () => {
-      const mesh = await gvd.mesh(grid(7));
-      const sites = await mesh.sampleSites(9, { seed: 4 });
-      const places = Array.from(sites.face, (face, i) =>
-        [0, 1].map((axis) =>
-          [0, 1, 2].reduce(
-            (sum, c) =>
-              sum + sites.bary[3 * i + c] * mesh.positions[3 * mesh.indices[3 * face + c] + axis],
-            0,
+      const plane = grid(7);
+      const sites = await (await gvd.mesh(plane)).sampleSites(9, { seed: 4 });
+      const turned = sites.face[0];
+      for (const source of [plane, withFlipped(plane, turned)]) {
+        const mesh = await gvd.mesh(source);
+        const places = Array.from(sites.face, (face, i) =>
+          [0, 1].map((axis) =>
+            [0, 1, 2].reduce(
+              (sum, c) =>
+                sum + sites.bary[3 * i + c] * mesh.positions[3 * mesh.indices[3 * face + c] + axis],
+              0,
+            ),
           ),
-        ),
-      );
-      const { label, distance, direction } = await mesh.distances(sites, { metric });
-      label.forEach((site, v) => {
-        const [x, y] = frameOf(mesh, sites.face[site]);
-        const [along, across] = [direction[2 * v], direction[2 * v + 1]];
-        near(places[site][0] + distance[v] * (along * x - across * y), mesh.positions[3 * v]);
-        near(places[site][1] + distance[v] * (along * y + across * x), mesh.positions[3 * v + 1]);
-      });
+        );
+        const { label, distance, direction } = await mesh.distances(sites, { metric });
+        label.forEach((site, v) => {
+          const face = sites.face[site];
+          const [x, y] = frameOf(mesh, face);
+          // Of a triangle whose corners run clockwise, the left side is on the right.
+          const left = source !== plane && face === turned ? -1 : 1;
+          const [along, across] = [direction[2 * v], left * direction[2 * v + 1]];
+          near(places[site][0] + distance[v] * (along * x - across * y), mesh.positions[3 * v]);
+          near(places[site][1] + distance[v] * (along * y + across * x), mesh.positions[3 * v + 1]);
+        });
+      }
     });
 
     test('what is out of reach, isolated, at the same place', async () => {

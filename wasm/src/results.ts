@@ -182,9 +182,9 @@ export interface VertexDistances {
   /**
    * Two numbers per vertex: the direction in which the shortest path leaves the site, as a unit
    * vector; NaN if there is none. Times the distance, it is the logarithmic map. The x axis is the
-   * first side of the site's triangle (corner 0 to 1; to corner 2 if the mesh builder turned it
-   * over), the y axis lies to its left; triangles beside a site on an edge or vertex are unfolded
-   * counterclockwise. (1, 0) at the site itself.
+   * first side of the site's triangle (corner 0 to 1), the y axis lies to its left, seen from where
+   * the corners run counterclockwise; triangles beside a site on an edge or vertex are unfolded
+   * around it. Without a meaning at the site itself.
    */
   direction: Float64Array;
 }

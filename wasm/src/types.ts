@@ -330,7 +330,7 @@ export interface Mesh extends Disposable {
    * (an integer, default 1) gives the same sites everywhere. 'farthest' gives fewer than asked for
    * once it has used every vertex. A radius, in the input's units, instead of a count gives as many
    * sites as it takes for every vertex to be within that radius of a site; with 'poisson', no two
-   * sites are nearer to each other than the radius, either. These distances are approximate.
+   * sites are nearer to each other than the radius, either, by approximate distances.
    */
   sampleSites(count: number | { radius: number }, options?: SampleOptions): Promise<SurfacePoints>;
   /** The components that have none of these sites, so that no site reaches them. */
