@@ -5,13 +5,13 @@
 
 import assert from 'node:assert/strict';
 import { spawn, spawnSync } from 'node:child_process';
-import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { zipSync } from 'fflate';
-import { bumpySphere, glb, octahedron } from './meshes.mjs';
+import { bumpySphere, glb, gltf, octahedron } from './meshes.mjs';
 import { meshObj } from './model_files.mjs';
 
 const main = fileURLToPath(new URL('../../dist/cli/main.js', import.meta.url));
@@ -177,18 +177,36 @@ test('an output may be the sites that were read, but not the model', { skip: !is
   const before = readFileSync(join(folder, 'mesh.glb'));
   const { status, stderr } = shell(`${line}; code=$?; rm s.json link.glb; exit $code`);
   assert.equal(status, 1, stderr);
-  assertTidy(stderr, /mesh\.glb cannot be written: it is the model itself\n$/);
+  assertTidy(stderr, /mesh\.glb cannot be written: the model is read from it\n$/);
   assert.deepEqual(readFileSync(join(folder, 'mesh.glb')), before);
 });
 
-test('nor the file that has the model', { skip: !isUnix }, () => {
-  const before = readFileSync(join(folder, 'parts.zip'));
-  const { status, stderr } = shell(
-    'gv diagram "parts.zip#two.obj" --sites 1 --format json -o parts.zip -q',
-  );
-  assert.equal(status, 1, stderr);
-  assertTidy(stderr, /parts\.zip cannot be written: it is the model itself\n$/);
-  assert.deepEqual(readFileSync(join(folder, 'parts.zip')), before);
+test('nor a file that has the model, or that it refers to', { skip: !isUnix }, () => {
+  const { json, buffer } = gltf(octahedron(), { uri: 'data.bin' });
+  for (const [model, output, files] of [
+    ['parts.zip#two.obj', 'parts.zip', {}],
+    ['one', 'one/m.glb', { 'one/m.glb': glb(octahedron()) }],
+    ['one#m.glb', 'one/m.glb', { 'one/m.glb': glb(octahedron()), 'one/n.obj': 'v 0 0 0' }],
+    ['one/s.gltf', 'one/data.bin', { 'one/s.gltf': JSON.stringify(json), 'one/data.bin': buffer }],
+    ['one', 'one/data.bin', { 'one/s.gltf': JSON.stringify(json), 'one/data.bin': buffer }],
+  ]) {
+    mkdirSync(join(folder, 'one'));
+    for (const [name, content] of Object.entries(files)) writeFileSync(join(folder, name), content);
+    const before = readFileSync(join(folder, output));
+    const line = `gv partition "${model}" --sites 2 --format glb -o ${output} -q`;
+    const { status, stderr } = shell(line);
+    const after = readFileSync(join(folder, output));
+    const other = shell(`gv partition "${model}" --sites 2 --format glb -o one/new.glb -q`);
+    rmSync(join(folder, 'one'), { recursive: true });
+    assert.equal(status, 1, line);
+    assertTidy(stderr, oneLine(`${output} cannot be written: the model is read from it`));
+    assert.deepEqual(after, before);
+    assert.equal(other.status, 0, other.stderr);
+  }
+  // Of several models, those that can be read are reported, but not there.
+  const { status, stderr } = shell('gv info parts.zip#two.obj old.json -o old.json');
+  assert.equal(status, 1);
+  assertTidy(stderr, /old\.json cannot be written: the model is read from it\n$/);
 });
 
 test('after a #, one of several models', { skip: !isUnix }, () => {

@@ -64,14 +64,14 @@ export function execute(invocation: Invocation): Promise<void> {
 
 /** A mesh that fails does not keep the others from being reported. */
 async function info({ meshes, values }: Request<'info'>): Promise<void> {
-  const output = await Output.open(values.output, meshes);
+  const output = await Output.open(values.output);
   const json = values.json || extname(values.output).toLowerCase() === '.json';
   const isOnly = meshes.length === 1;
   const reports: string[] = [];
   const list: object[] = [];
   for (const path of meshes) {
     try {
-      const { unit, parts, ...facts } = await factsOf(path, values);
+      const { unit, parts, ...facts } = await factsOf(path, output, values);
       reports.push(`${isOnly ? '' : `${path}\n`}${meshReport(facts, unit)}`);
       list.push({ ...(!isOnly && { mesh: path }), ...facts, parts });
     } catch (error) {
@@ -88,9 +88,10 @@ async function info({ meshes, values }: Request<'info'>): Promise<void> {
 
 async function factsOf(
   path: string,
+  output: Output,
   values: Values<'info'>,
 ): Promise<MeshInfo & Pick<Mesh, 'parts'> & { unit: string | undefined }> {
-  const mesh = await openMesh(path, values);
+  const mesh = await openMesh(path, output, values);
   const { info, parts } = mesh;
   const { scale, unit } = lengthsOf(mesh, values);
   return {
@@ -105,8 +106,8 @@ async function factsOf(
 
 async function diagram({ mesh: path, values }: Request<'diagram'>): Promise<void> {
   const encode = toDiagramEncoder(values);
-  const output = await Output.open(values.output, [path]);
-  const { mesh, diagram } = await compute(path, values);
+  const output = await Output.open(values.output);
+  const { mesh, diagram } = await compute(path, output, values);
   await output.write(encode(diagram, lengthsOf(mesh, values)));
 
   const { arcs, voronoiPoints } = diagram.data;
@@ -123,9 +124,9 @@ async function diagram({ mesh: path, values }: Request<'diagram'>): Promise<void
 
 async function locate({ mesh: path, values }: Request<'locate'>): Promise<void> {
   const encode = toLocatedEncoder(values);
-  const output = await Output.open(values.output, [path]);
+  const output = await Output.open(values.output);
   const points = await readPoints(values.points);
-  const { mesh, diagram } = await compute(path, values);
+  const { mesh, diagram } = await compute(path, output, values);
   const located = await diagram.locate(await onSurface(mesh, points, values));
   await output.write(encode({ mesh, ...located }, lengthsOf(mesh, values)));
 }
@@ -133,8 +134,8 @@ async function locate({ mesh: path, values }: Request<'locate'>): Promise<void> 
 async function distances({ mesh: path, values }: Request<'distances'>): Promise<void> {
   const { scale } = values.units;
   const encode = toDistancesEncoder(values);
-  const output = await Output.open(values.output, [path]);
-  const { mesh, sites } = await openWithSites(path, values);
+  const output = await Output.open(values.output);
+  const { mesh, sites } = await openWithSites(path, output, values);
   const { metric } = values;
   const distances = await withProgress(values, (onProgress) =>
     mesh.distances(sites, { metric, onProgress }),
@@ -153,9 +154,9 @@ async function distances({ mesh: path, values }: Request<'distances'>): Promise<
 async function path({ mesh: model, values }: Request<'path'>): Promise<void> {
   const { scale } = values.units;
   const encode = toPathsEncoder(values);
-  const output = await Output.open(values.output, [model]);
+  const output = await Output.open(values.output);
   const [from, to] = [await readPoints(values.from), await readPoints(values.to)];
-  const mesh = await openMesh(model, values);
+  const mesh = await openMesh(model, output, values);
   const starts = singlePoints(await onSurface(mesh, from, values));
   const ends = singlePoints(await onSurface(mesh, to, values));
   if (ends.length !== 1 && ends.length !== starts.length) {
@@ -199,9 +200,9 @@ async function path({ mesh: model, values }: Request<'path'>): Promise<void> {
 async function cvt({ mesh: path, values }: Request<'cvt'>): Promise<void> {
   const { scale } = values.units;
   const encode = toSitesEncoder(values);
-  const output = await Output.open(values.output, [path]);
+  const output = await Output.open(values.output);
   const settings = await cvtSettings(values);
-  const { mesh, sites } = await openWithSites(path, values, settings.density);
+  const { mesh, sites } = await openWithSites(path, output, values, settings.density);
   const states = await withProgress(values, async (onProgress) => {
     const all: CvtState[] = [];
     for await (const state of mesh.cvt(sites, { ...settings, onProgress })) all.push(state);
@@ -223,8 +224,8 @@ async function cvt({ mesh: path, values }: Request<'cvt'>): Promise<void> {
 
 async function partition({ mesh: path, values }: Request<'partition'>): Promise<void> {
   const encode = toPartitionEncoder(values);
-  const output = await Output.open(values.output, [path]);
-  const { mesh, diagram } = await compute(path, values);
+  const output = await Output.open(values.output);
+  const { mesh, diagram } = await compute(path, output, values);
   const partition = await diagram.partition({
     leaveOutIndifferent: values['leave-out-indifferent'],
     leaveOutUnreachable: values['leave-out-unreachable'],
@@ -245,8 +246,8 @@ async function partition({ mesh: path, values }: Request<'partition'>): Promise<
 
 async function dual({ mesh: path, values }: Request<'dual'>): Promise<void> {
   const encode = toPolygonEncoder(values);
-  const output = await Output.open(values.output, [path]);
-  const { mesh, diagram: given } = await compute(path, values);
+  const output = await Output.open(values.output);
+  const { mesh, diagram: given } = await compute(path, output, values);
   const diagram = values.repair
     ? await withProgress(values, (onProgress) =>
         explained(mesh, () => given.repair({ maxAdded: values['max-added'], onProgress })),
@@ -280,9 +281,9 @@ function faultsOf([first, ...more]: Violation[]): string {
 async function remesh({ mesh: path, values }: Request<'remesh'>): Promise<void> {
   const { scale } = values.units;
   const encode = toPolygonEncoder(values);
-  const output = await Output.open(values.output, [path]);
+  const output = await Output.open(values.output);
   const settings = await cvtSettings(values);
-  const { mesh, sites } = await openWithSites(path, values, settings.density);
+  const { mesh, sites } = await openWithSites(path, output, values, settings.density);
   const diagram = await withProgress(values, (onProgress) =>
     explained(mesh, () =>
       mesh.remesh(sites, { ...settings, maxAdded: values['max-added'], onProgress }),
@@ -385,9 +386,10 @@ const leastFacesPerSite = 4;
 /** The diagram that the options ask for. */
 async function compute(
   path: string,
+  output: Output,
   values: Notices & Reading & SiteSource & { metric: Metric; detail?: number },
 ): Promise<{ mesh: Mesh; diagram: Diagram }> {
-  const { mesh, sites } = await openWithSites(path, values);
+  const { mesh, sites } = await openWithSites(path, output, values);
   const { metric, detail } = values;
   const diagram = await withProgress(values, (onProgress) =>
     mesh.voronoi(sites, { metric, detail, onProgress }),

@@ -40,11 +40,15 @@ async function partsOf(named: string): Promise<{ path: string; file?: string }> 
   return { path: named.slice(0, mark), file: named.slice(mark + 1) };
 }
 
+/** The real paths of the files that models were read from: no output replaces one. */
+const modelPaths = new Set<string>();
+
 async function modelFiles(path: string): Promise<ModelFiles> {
   if (path !== standard && (await kindOf(path)) === 'folder') return folderFiles(path);
   const bytes = await readBytes(path);
   const files: ModelFiles = { [basename(path)]: bytes };
   if (path === standard) return files;
+  modelPaths.add(await realpath(path));
   for (const uri of gltfResourceUris(bytes)) {
     const place = placeOf('', uri);
     const file = place === undefined ? undefined : await fileWithin(dirname(path), place);
@@ -99,6 +103,7 @@ function fileAt(path: string): ModelFile {
   return {
     async arrayBuffer() {
       try {
+        modelPaths.add(await realpath(path));
         const { buffer, byteOffset, byteLength } = await readFile(path);
         return buffer.slice(byteOffset, byteOffset + byteLength) as ArrayBuffer;
       } catch (error) {
@@ -143,16 +148,10 @@ export class Output {
     this.#path = path;
   }
 
-  /** Refuses to replace one of the models that the command reads. */
-  static async open(path: string, models: readonly string[]): Promise<Output> {
+  static async open(path: string): Promise<Output> {
     if (path === standard) return new Output(path);
     try {
       const target = await realpath(path).catch(() => resolve(path));
-      for (const model of models) {
-        const { path: read } = await partsOf(model);
-        if ((await realpath(read).catch(() => undefined)) === target)
-          throw new FileError('it is the model itself');
-      }
       if ((await kindOf(target)) === 'folder') throw new FileError('it is a folder');
       await access((await kindOf(target)) === 'special' ? target : dirname(target), constants.W_OK);
       return new Output(target);
@@ -165,9 +164,16 @@ export class Output {
     return this.#path !== standard;
   }
 
+  /** Refuses to replace what a model was read from; known when the model is, before the work. */
+  requireNoModel(): void {
+    if (modelPaths.has(this.#path))
+      throw new FileError(`${this.#path} cannot be written: the model is read from it`);
+  }
+
   /** Writes all or nothing: a file appears, or is replaced, when it is complete. */
   async write(content: string | Uint8Array): Promise<void> {
     if (!this.isFile) return writeStandardOutput(content);
+    this.requireNoModel();
     try {
       const isSpecial = (await kindOf(this.#path)) === 'special';
       await (isSpecial ? writeFile : replaceFile)(this.#path, content);

@@ -7,7 +7,7 @@ import { load } from '../node.js';
 import { requireSameMesh } from '../points_file.js';
 import { counted } from '../sentences.js';
 import type { Density, Mesh, SurfacePointsInput } from '../types.js';
-import { FileError, readModel } from './files.js';
+import { FileError, type Output, readModel } from './files.js';
 import type { Values } from './options.js';
 import { type GivenPoints, readPoints } from './points.js';
 import { ProgressBar } from './progress.js';
@@ -25,18 +25,20 @@ export type PointsOnSurface = Exclude<SurfacePointsInput, { position: unknown }>
 /** What may be written to standard error. */
 export type Notices = Pick<Values<'diagram'>, 'quiet' | 'progress'>;
 
-export async function openMesh(path: string, values: Reading): Promise<Mesh> {
+/** Opens a mesh whose result goes to an output, which may be none of the model's files. */
+export async function openMesh(path: string, output: Output, values: Reading): Promise<Mesh> {
   const { files, file } = await readModel(path);
   const gvd = await load();
   const { limits, weld, orientation, 'min-component': minComponent } = values;
-  try {
-    return await gvd.mesh(files, { limits, file, weld, orientation, minComponent });
-  } catch (error) {
+  const options = { limits, file, weld, orientation, minComponent };
+  const mesh = await gvd.mesh(files, options).catch((error: Error) => {
     // The library's option `file` is a part of the path here.
     const isUnclear = error instanceof GeodesicVoronoiError && error.code === 'several-models';
-    const message = `${path}: ${(error as Error).message}`;
+    const message = `${path}: ${error.message}`;
     throw new FileError(isUnclear ? `${message}, as ${path}#PATH` : message, { cause: error });
-  }
+  });
+  output.requireNoModel();
+  return mesh;
 }
 
 /** What the lengths of a result are in: as --units says, or in the model's own unit, which glTF has. */
@@ -47,11 +49,12 @@ export function lengthsOf(mesh: Mesh, { units }: Pick<Values, 'units'>): Lengths
 
 export async function openWithSites(
   path: string,
+  output: Output,
   values: Notices & Reading & SiteSource,
   density?: Density,
 ): Promise<{ mesh: Mesh; sites: PointsOnSurface }> {
   const given = typeof values.sites === 'string' ? await readPoints(values.sites) : undefined;
-  const mesh = await openMesh(path, values);
+  const mesh = await openMesh(path, output, values);
   const sites = given ? await onSurface(mesh, given, values) : await sampled(mesh, values, density);
   if (!values.quiet) {
     const notes = [...mesh.info.notes, ...cutNotes(mesh), ...(await bareNotes(mesh, sites))];
