@@ -15,7 +15,7 @@ import {
   type PlacedPointsJson,
   type SurfacePointsJson,
 } from './formats.js';
-import { GlbBuilder } from './glb.js';
+import { emptyGlb, GlbBuilder } from './glb.js';
 import { ply } from './ply.js';
 import type { Partition, SurfacePoints } from './results.js';
 
@@ -123,8 +123,7 @@ export function partitionGlb(
   });
   toOneOf('layout', layout, partitionLayouts);
   if (form.colours !== undefined) toColours('colours', form.colours);
-  if (partition.triangles.label.length === 0)
-    return new GlbBuilder().finish({ scene: 0, scenes: [{}] }); // glTF has no empty primitive
+  if (partition.triangles.label.length === 0) return emptyGlb();
   return layout === 'regions' ? regionsGlb(partition, form) : featuresGlb(partition, form);
 }
 
@@ -132,7 +131,7 @@ function regionsGlb(
   partition: Partition,
   { mesh, scale = 1, colours = [] }: PartitionGlbOptions,
 ): Uint8Array<ArrayBuffer> {
-  const file = new GlbBuilder();
+  const file = new GlbBuilder(partition.points.position, scale);
   const parts = partsOf(partition).map(({ label, first, last }, i) => {
     const { vertices, corners } = partitionVertices(partition, mesh, first, last);
     const name = nameOf(label);
@@ -143,7 +142,7 @@ function regionsGlb(
         name,
         primitives: [
           {
-            attributes: glbAttributes(file, partition.points.position, vertices, scale),
+            attributes: glbAttributes(file, vertices),
             indices: file.indices(corners),
             material: i,
           },
@@ -153,8 +152,6 @@ function regionsGlb(
     };
   });
   return file.finish({
-    scene: 0,
-    scenes: [{ nodes: parts.map((_, i) => i) }],
     nodes: parts.map(({ node }) => node),
     meshes: parts.map(({ mesh }) => mesh),
     materials: parts.map(({ material }) => material),
@@ -166,7 +163,7 @@ function featuresGlb(
   { mesh, scale = 1, colours: regionColours = [] }: PartitionGlbOptions,
 ): Uint8Array<ArrayBuffer> {
   const siteCount = partition.regions.area.length;
-  const file = new GlbBuilder();
+  const file = new GlbBuilder(partition.points.position, scale);
   const patches = partsOf(partition).map(({ label, first, last }) => ({
     label,
     ...partitionVertices(partition, mesh, first, last),
@@ -196,7 +193,7 @@ function featuresGlb(
   };
   const primitive = {
     attributes: {
-      ...glbAttributes(file, partition.points.position, vertices, scale),
+      ...glbAttributes(file, vertices),
       COLOR_0: file.attribute(colours, 'VEC4'),
       _FEATURE_ID_0: file.attribute(ids, 'SCALAR'),
     },
@@ -209,8 +206,6 @@ function featuresGlb(
   };
   return file.finish({
     ...(featureIds.featureCount > 0 && { extensionsUsed: ['EXT_mesh_features'] }),
-    scene: 0,
-    scenes: [{ nodes: [0] }],
     nodes: [{ name: 'regions', mesh: 0 }],
     meshes: [{ name: 'regions', primitives: [primitive] }],
     materials: [material('regions', [1, 1, 1, 1])],
