@@ -237,10 +237,22 @@ test('sites at one place are told of; sites of a file are not sampled', () => {
   );
 });
 
-test('edges of three triangles are told of', () => {
+test('edges that are cut are told of', () => {
   write('fin.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nf 1 2 3\nf 2 1 4\nf 1 2 5\n');
   const { stderr } = succeeds('distances fin.obj --sites {"vertex":[2]} -o d.json');
   assert.match(stderr, /^note: 1 edge of three or more triangles is cut apart: distances do not/);
+
+  write('turned.glb', glb(withFlipped(octahedron(), 2)));
+  const note =
+    /^note: 3 edges of two triangles that disagree in orientation are cut apart: distances do not lead across\n/;
+  for (const command of [
+    'distances turned.glb --sites {"vertex":[2]}',
+    'path turned.glb --from {"vertex":0} --to {"vertex":3}',
+  ]) {
+    assert.match(succeeds(`${command} --orientation keep -o d.json`).stderr, note);
+    assert.doesNotMatch(succeeds(`${command} -o d.json`).stderr, /note/);
+    assert.equal(succeeds(`${command} --orientation keep -o d.json -q`).stderr, '');
+  }
 });
 
 test('results name their mesh, so that their sites are not taken for those of another', () => {

@@ -23,6 +23,7 @@ import { readNumbers, readPoints } from './points.js';
 import {
   type Notices,
   lengthsOf,
+  meshNotes,
   onSurface,
   openMesh,
   openWithSites,
@@ -30,6 +31,7 @@ import {
   type Reading,
   type SiteSource,
   withProgress,
+  writeNotes,
 } from './sites.js';
 
 interface Request<Command extends CommandName> {
@@ -157,6 +159,7 @@ async function path({ mesh: model, values }: Request<'path'>): Promise<void> {
   const output = await Output.open(values.output);
   const [from, to] = [await readPoints(values.from), await readPoints(values.to)];
   const mesh = await openMesh(model, output, values);
+  writeNotes(meshNotes(mesh), values);
   const starts = singlePoints(await onSurface(mesh, from, values));
   const ends = singlePoints(await onSurface(mesh, to, values));
   if (ends.length !== 1 && ends.length !== starts.length) {
@@ -394,8 +397,7 @@ async function compute(
   const diagram = await withProgress(values, (onProgress) =>
     mesh.voronoi(sites, { metric, detail, onProgress }),
   );
-  if (!values.quiet)
-    for (const note of diagramNotes(mesh, diagram, detail)) process.stderr.write(`note: ${note}\n`);
+  writeNotes(diagramNotes(mesh, diagram, detail), values);
   return { mesh, diagram };
 }
 

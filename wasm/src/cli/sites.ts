@@ -56,11 +56,12 @@ export async function openWithSites(
   const given = typeof values.sites === 'string' ? await readPoints(values.sites) : undefined;
   const mesh = await openMesh(path, output, values);
   const sites = given ? await onSurface(mesh, given, values) : await sampled(mesh, values, density);
-  if (!values.quiet) {
-    const notes = [...mesh.info.notes, ...cutNotes(mesh), ...(await bareNotes(mesh, sites))];
-    for (const note of notes) process.stderr.write(`note: ${note}\n`);
-  }
+  writeNotes([...meshNotes(mesh), ...(await bareNotes(mesh, sites))], values);
   return { mesh, sites };
+}
+
+export function writeNotes(notes: string[], { quiet }: Notices): void {
+  if (!quiet) for (const note of notes) process.stderr.write(`note: ${note}\n`);
 }
 
 /** Points that were given; of places in space, the closest points, however far these are. */
@@ -115,12 +116,19 @@ async function sampled(
   return found;
 }
 
-/** Notes where the surface is not the one that its triangles seem to make. */
-function cutNotes({ info: { repairs } }: Mesh): string[] {
-  const edges = repairs.nonManifoldEdges;
-  if (edges === 0) return [];
-  const what = `${counted(edges, 'edge')} of three or more triangles`;
-  return [`${what} ${edges === 1 ? 'is' : 'are'} cut apart: distances do not lead across`];
+/** Notes what the reader passed over, and where the surface is not the one that its triangles seem to make. */
+export function meshNotes({ info: { notes, repairs } }: Mesh): string[] {
+  const cut = (edges: number, why: string) =>
+    edges === 0
+      ? []
+      : [
+          `${counted(edges, 'edge')} of ${why} ${edges === 1 ? 'is' : 'are'} cut apart: distances do not lead across`,
+        ];
+  return [
+    ...notes,
+    ...cut(repairs.nonManifoldEdges, 'three or more triangles'),
+    ...cut(repairs.orientationCuts, 'two triangles that disagree in orientation'),
+  ];
 }
 
 /** Notes the components that no site is on, if there are any. */
