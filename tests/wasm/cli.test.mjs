@@ -446,6 +446,9 @@ test('points as JSON in place of a file, and named in errors', () => {
   fails(1, `${path} 0`, /there is no file 0; a vertex is given as '\{"vertex": 0\}'\n$/);
   const both = '{"vertex":[0],"face":[0],"bary":[1,0,0]}';
   fails(1, `${path} ${both}`, /: points has both vertex and face: only one can say where/);
+  const other = '{"vertex":[1],"position":[0,0,0]}';
+  fails(1, `${path} ${other}`, /: points has both vertex and position: only one can say where/);
+  fails(1, `locate shape.glb --sites ${other} --points {"vertex":1}`, /both vertex and position/);
 });
 
 test('a note where there are fewer vertices than sites to be', () => {

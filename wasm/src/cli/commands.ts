@@ -292,7 +292,7 @@ async function remesh({ mesh: path, values }: Request<'remesh'>): Promise<void> 
       mesh.remesh(sites, { ...settings, maxAdded: values['max-added'], onProgress }),
     ),
   );
-  const first = indicesOf(sites).length;
+  const first = ('vertex' in sites ? sites.vertex : sites.face).length;
   const polygons = await diagram.dual();
   const quality = await diagram.remeshQuality();
   await output.write(
@@ -365,17 +365,9 @@ function polygonSummary(first: number, diagram: Diagram, { topology }: PolygonMe
 
 /** Each of some points. */
 function singlePoints(points: PointsOnSurface): SurfacePointsInput[] {
-  if ('vertex' in points) return indicesOf(points).map((vertex) => ({ vertex }));
-  return indicesOf(points).map((face, i) => ({
-    face,
-    bary: Array.from({ length: 3 }, (_, k) => points.bary[3 * i + k]),
-  }));
-}
-
-/** The vertices of points, or else their triangles. */
-function indicesOf(points: PointsOnSurface): number[] {
-  const indices = 'vertex' in points ? points.vertex : points.face;
-  return typeof indices === 'number' ? [indices] : Array.from(indices);
+  if ('vertex' in points) return Array.from(points.vertex, (vertex) => ({ vertex }));
+  const { face, bary } = points;
+  return Array.from(face, (f, i) => ({ face: f, bary: bary.subarray(3 * i, 3 * i + 3) }));
 }
 
 /** A line about a result that went to a file. */

@@ -2,9 +2,10 @@
 //
 // The mesh of a command and its sites: read from files, or sampled.
 import { GeodesicVoronoiError } from '../errors.js';
-import { toPlaces } from '../input.js';
+import { toPoints } from '../input.js';
 import { load } from '../node.js';
 import { requireSameMesh } from '../points_file.js';
+import type { SurfacePoints } from '../results.js';
 import { counted } from '../sentences.js';
 import type { Density, Mesh, SurfacePointsInput } from '../types.js';
 import { FileError, type Output, readModel } from './files.js';
@@ -21,7 +22,7 @@ export type SiteSource = Pick<
 /** How a model is read. */
 export type Reading = Pick<Values, 'limits' | 'weld' | 'orientation' | 'min-component'>;
 /** Points by triangles or vertices. */
-export type PointsOnSurface = Exclude<SurfacePointsInput, { position: unknown }>;
+export type PointsOnSurface = SurfacePoints | { vertex: Int32Array };
 /** What may be written to standard error. */
 export type Notices = Pick<Values<'diagram'>, 'quiet' | 'progress'>;
 
@@ -70,23 +71,23 @@ export async function onSurface(
   given: GivenPoints,
   values: Pick<Values<'diagram'>, 'quiet' | 'units'>,
 ): Promise<PointsOnSurface> {
-  const { name, points } = given;
   try {
     requireSameMesh(given, mesh.info);
-    if ('position' in points && !('face' in points)) return await closestOf(mesh, points, values);
+    const points = toPoints('points', given.points);
+    if ('position' in points) return await closestOf(mesh, points.position, values);
     await mesh.positionsOf(points);
-    return points as PointsOnSurface;
+    return points;
   } catch (error) {
-    throw new FileError(`${name}: ${(error as Error).message}`, { cause: error });
+    throw new FileError(`${given.name}: ${(error as Error).message}`, { cause: error });
   }
 }
 
 async function closestOf(
   mesh: Mesh,
-  { position }: { position: ArrayLike<number> },
+  places: Float64Array,
   { quiet, units }: Pick<Values<'diagram'>, 'quiet' | 'units'>,
 ): Promise<PointsOnSurface> {
-  const closest = await mesh.closestPoints(toPlaces('position', position));
+  const closest = await mesh.closestPoints(places);
   const farthest = closest.distance.reduce((most, d) => Math.max(most, d), 0);
   if (!quiet && farthest > Number.EPSILON * mesh.info.boundingDiagonal) {
     const count = closest.face.length;
