@@ -2,7 +2,7 @@
 //
 // A partition as a file.
 
-import { joined, partitionVertices } from './attributes.js';
+import { joined, partitionVertices, type TriangleRun } from './attributes.js';
 import { toColours, toOneOf, toResult } from './checks.js';
 import { toFileOptions, type JsonOptions, type SurfaceFileOptions } from './file_options.js';
 import { invalidArgument } from './errors.js';
@@ -132,8 +132,9 @@ function regionsGlb(
   { mesh, scale = 1, colours = [] }: PartitionGlbOptions,
 ): Uint8Array<ArrayBuffer> {
   const file = new GlbBuilder(partition.points.position, scale);
-  const parts = partsOf(partition).map(({ label, first, last }, i) => {
-    const { vertices, corners } = partitionVertices(partition, mesh, first, last);
+  const runs = partsOf(partition);
+  const parts = partitionVertices(partition, mesh, runs).map(({ vertices, corners }, i) => {
+    const { label } = runs[i];
     const name = nameOf(label);
     const extras = { region: label };
     return {
@@ -164,9 +165,10 @@ function featuresGlb(
 ): Uint8Array<ArrayBuffer> {
   const siteCount = partition.regions.area.length;
   const file = new GlbBuilder(partition.points.position, scale);
-  const patches = partsOf(partition).map(({ label, first, last }) => ({
-    label,
-    ...partitionVertices(partition, mesh, first, last),
+  const runs = partsOf(partition);
+  const patches = partitionVertices(partition, mesh, runs).map((patch, i) => ({
+    label: runs[i].label,
+    ...patch,
   }));
   // Vertices on borders are repeated for each region, because a vertex has one feature id.
   const vertices = joined(patches.map((patch) => patch.vertices));
@@ -216,7 +218,7 @@ function featuresGlb(
 export function partitionObj(partition: Partition, options?: SurfaceFileOptions): string {
   toPartition(partition);
   const { mesh, scale } = toFileOptions(options, { mesh: undefined });
-  const { vertices, corners } = partitionVertices(partition, mesh);
+  const [{ vertices, corners }] = partitionVertices(partition, mesh, [allOf(partition)]);
   const lines = objLines(partition.points.position, vertices, scale);
   const corner = (c: number) => objCorner(vertices, partition.triangles.points[c], corners[c]);
   for (const { label, first, last } of partsOf(partition)) {
@@ -248,7 +250,7 @@ export function partitionPly(
     const bytes = (colours[region] ?? hueOf(region)).map(srgbByte);
     for (let t = first; t < last; ++t) rgb.set(bytes, 3 * t);
   }
-  const { vertices, corners } = partitionVertices(partition, mesh);
+  const [{ vertices, corners }] = partitionVertices(partition, mesh, [allOf(partition)]);
   const offset = Int32Array.from({ length: partition.triangles.label.length + 1 }, (_, t) => 3 * t);
   return ply(
     'Regions of a geodesic Voronoi diagram',
@@ -261,12 +263,12 @@ export function partitionPly(
   );
 }
 
+function allOf({ triangles }: Partition): TriangleRun {
+  return { first: 0, last: triangles.label.length };
+}
+
 /** The runs of triangles of one label. */
-function partsOf({ triangles, regions }: Partition): {
-  label: number;
-  first: number;
-  last: number;
-}[] {
+function partsOf({ triangles, regions }: Partition): (TriangleRun & { label: number })[] {
   const { triangleOffset } = regions;
   const parts = Array.from(regions.area, (_, label) => ({
     label,
