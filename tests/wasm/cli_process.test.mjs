@@ -113,6 +113,12 @@ for (const [what, line, status, pattern] of [
     oneLine('there is no three\\.obj in a/one\\.obj and two\\.obj'),
   ],
   [
+    'several models on standard input',
+    'cat parts.zip | gv info -',
+    1,
+    oneLine('choose one by its path, as FILE#PATH of a file that is saved'),
+  ],
+  [
     'several models',
     'gv info parts.zip',
     1,

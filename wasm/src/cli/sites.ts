@@ -9,7 +9,7 @@ import type { SurfacePoints } from '../results.js';
 import { counted } from '../sentences.js';
 import type { Density, Mesh, SurfacePointsInput } from '../types.js';
 import { FileError, type Output, readModel } from './files.js';
-import type { Values } from './options.js';
+import { standard, type Values } from './options.js';
 import { type GivenPoints, readPoints } from './points.js';
 import { ProgressBar } from './progress.js';
 import type { Lengths } from './values.js';
@@ -35,8 +35,9 @@ export async function openMesh(path: string, output: Output, values: Reading): P
   const mesh = await gvd.mesh(files, options).catch((error: Error) => {
     // The library's option `file` is a part of the path here.
     const isUnclear = error instanceof GeodesicVoronoiError && error.code === 'several-models';
-    const message = `${path}: ${error.message}`;
-    throw new FileError(isUnclear ? `${message}, as ${path}#PATH` : message, { cause: error });
+    const advice =
+      path === standard ? ', as FILE#PATH of a file that is saved' : `, as ${path}#PATH`;
+    throw new FileError(`${path}: ${error.message}${isUnclear ? advice : ''}`, { cause: error });
   });
   output.requireNoModel();
   return mesh;
