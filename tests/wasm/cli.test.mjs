@@ -421,11 +421,24 @@ test('sites from a PLY and a CSV of places', () => {
     'blanks.xyz',
   ])
     assert.deepEqual(areas(sites), expected);
+  // Standard input has no ending.
+  for (const file of ['four.json', 'four.ply', 'named.csv', 'blanks.xyz']) {
+    const input = readFileSync(join(folder, file));
+    const { regions } = JSON.parse(succeeds('diagram shape.glb --sites - -q', input).stdout);
+    assert.deepEqual(
+      regions.map(({ area }) => area.toFixed(9)),
+      expected,
+    );
+  }
 
   for (const [content, message] of [
     ['1, 2, 3\n1, 2', /bad\.csv: line 2: z is missing\n$/],
     ['x,y,z\n1,2,three', /bad\.csv: line 2: z is 'three', not a number\n$/],
-    ['x,y\n1,2', /bad\.csv: no column is called z: there are x, y\n$/],
+    ['x,y\n1,2', /bad\.csv: line 1 is neither three numbers nor names with x, y and z: "x y"\n$/],
+    [
+      '0,0,nan',
+      /bad\.csv: line 1 is neither three numbers nor names with x, y and z: "0 0 nan"\n$/,
+    ],
   ]) {
     write('bad.csv', content);
     fails(1, 'diagram shape.glb --sites bad.csv', message);
@@ -810,7 +823,13 @@ test('bad input: status 1, one line, no file', () => {
   fails(1, 'info sites.json', /sites\.json/);
   fails(1, 'diagram broken.glb --sites 3 -o d.json', /broken\.glb/);
   fails(1, 'diagram shape.glb --sites nowhere.json -o d.json', /nowhere\.json/);
-  fails(1, 'diagram shape.glb --sites sites.txt -o d.json', /sites\.txt is not JSON/);
+  fails(
+    1,
+    'diagram shape.glb --sites sites.txt -o d.json',
+    /sites\.txt: line 1 is neither three numbers nor names with x, y and z: "one two"/,
+  );
+  write('nothing.csv', '\n');
+  fails(1, 'diagram shape.glb --sites nothing.csv -o d.json', /nothing\.csv: the file is empty/);
   fails(1, 'diagram shape.glb --sites many.json -o d.json', /many\.json/);
   fails(1, 'diagram shape.glb --sites outside.json -o d.json', /8/);
   write('three.json', '{"vertex": [0, 1, 2]}');

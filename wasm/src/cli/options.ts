@@ -41,7 +41,7 @@ export const options = {
     value: 'N|FILE',
     parse: numberOrPath(1, maxCount),
     optional: true,
-    help: 'Number of sites to sample, or a file of them: JSON, on the surface or by coordinates; or .ply, .csv or .xyz, by coordinates',
+    help: 'Number of sites to sample, or a file of them: JSON, on the surface or by coordinates; or a PLY or a table of numbers, by coordinates',
   },
   radius: {
     value: 'R',
