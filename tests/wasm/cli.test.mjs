@@ -235,6 +235,8 @@ test('sites at one place are told of; sites of a file are not sampled', () => {
     'diagram shape.glb --sites same.json --sampling poisson',
     /--sampling is for sites that/,
   );
+  fails(2, 'diagram shape.glb --sites same.json --seed 2', /--seed is for sites that are sampled/);
+  fails(2, 'diagram shape.glb --sites same.json --per-component 0', /--per-component is for sites/);
 });
 
 test('edges that are cut are told of', () => {
@@ -697,6 +699,28 @@ test('path as JSON and OBJ', () => {
   assert.equal(obj.filter((line) => line.startsWith('v ')).length, 3 + 1);
 });
 
+test('paths from one point to many are those from many to one, from their ends', () => {
+  write('many.json', '{"vertex": [0, 1, 3, 4]}');
+  const paths = (ends) => JSON.parse(succeeds(`path shape.glb ${ends}`).stdout).paths;
+  const there = paths('--from {"vertex":2} --to many.json');
+  const back = paths('--from many.json --to {"vertex":2}');
+  assert.equal(there.length, 4);
+  there.forEach(({ points, length }, i) => {
+    assert.equal(length, back[i].length);
+    assert.deepEqual(points.position.slice(0, 3), [0, 0, 1]);
+    const count = points.face.length;
+    for (let k = 0; k < count; ++k) {
+      const [at, from] = [3 * k, 3 * (count - 1 - k)];
+      assert.equal(points.face[k], back[i].points.face[count - 1 - k]);
+      for (const name of ['bary', 'position'])
+        assert.deepEqual(
+          points[name].slice(at, at + 3),
+          back[i].points[name].slice(from, from + 3),
+        );
+    }
+  });
+});
+
 test('no path leads to another component', () => {
   write('from.json', '{"vertex": [6]}');
   write('to.json', '{"vertex": [0]}');
@@ -797,6 +821,8 @@ test('a wrong command line: status 2', () => {
   fails(2, 'partition shape.glb --sites 3 --layout heap -o d.glb', /heap.*regions, features/);
   fails(2, 'partition shape.glb --sites 3 -o d.stl', /d\.stl.*\.json, \.glb, \.obj, \.ply/);
   fails(2, 'dual shape.glb --sites 3 --detail 2', /--detail/);
+  fails(2, 'dual shape.glb --sites 3 --max-added 2', /--max-added.*--repair is missing/);
+  fails(2, 'info shape.glb -o x.ply', /the ending of 'x\.ply' is not one of \.json, \.txt/);
   fails(2, 'remesh shape.glb', /--sites N\|FILE or --radius R is missing/);
   fails(2, 'locate shape.glb --sites 3', /--points/);
   fails(2, 'distances shape.glb', /--sites N\|FILE or --radius R is missing/);
@@ -834,8 +860,7 @@ test('bad input: status 1, one line, no file', () => {
   fails(1, 'diagram shape.glb --sites outside.json -o d.json', /8/);
   write('three.json', '{"vertex": [0, 1, 2]}');
   fails(1, 'path shape.glb --from three.json --to sites.json -o p.json', /3 points.*2 to end/);
-  write('one.json', '{"vertex": [1]}');
-  fails(1, 'path shape.glb --from one.json --to three.json -o p.json', /1 points.*3 to end/);
+  fails(1, 'path shape.glb --from sites.json --to three.json -o p.json', /2 points.*3 to end/);
   fails(1, 'diagram shape.glb --sites 3 -o nowhere/d.json', /nowhere.*no such file or folder/);
   mkdirSync(join(folder, 'taken.json'));
   fails(1, 'diagram shape.glb --sites 3 -o taken.json', /taken\.json.*folder/);

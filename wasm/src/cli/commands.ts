@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // What each command does.
-import { extname } from 'node:path';
 import { GeodesicVoronoiError } from '../errors.js';
-import type { MeshInfo, Metric, PolygonMesh, SurfacePath, Violation } from '../results.js';
+import type { MeshInfo, Metric, PolygonMesh, Violation } from '../results.js';
 import { counted } from '../sentences.js';
-import type { CvtOptions, CvtState, Diagram, Mesh, SurfacePointsInput } from '../types.js';
+import type { CvtOptions, CvtState, Diagram, Mesh } from '../types.js';
 import {
+  isJsonReport,
   toDiagramEncoder,
   toDistancesEncoder,
   toLocatedEncoder,
@@ -19,6 +19,7 @@ import { fail } from './failure.js';
 import { FileError, Output } from './files.js';
 import { meshReport } from './mesh_report.js';
 import type { CommandName, Invocation, Values } from './options.js';
+import { pathsBetween } from './paths.js';
 import { readNumbers, readPoints } from './points.js';
 import {
   type Notices,
@@ -27,7 +28,6 @@ import {
   onSurface,
   openMesh,
   openWithSites,
-  type PointsOnSurface,
   type Reading,
   type SiteSource,
   withProgress,
@@ -66,8 +66,8 @@ export function execute(invocation: Invocation): Promise<void> {
 
 /** A mesh that fails does not keep the others from being reported. */
 async function info({ meshes, values }: Request<'info'>): Promise<void> {
+  const isJson = isJsonReport(values);
   const output = await Output.open(values.output);
-  const json = values.json || extname(values.output).toLowerCase() === '.json';
   const isOnly = meshes.length === 1;
   const reports: string[] = [];
   const list: object[] = [];
@@ -82,9 +82,9 @@ async function info({ meshes, values }: Request<'info'>): Promise<void> {
       list.push({ mesh: path, error: (error as Error).message });
     }
   }
-  if (reports.length === 0 && !json) return;
+  if (reports.length === 0 && !isJson) return;
   await output.write(
-    json ? `${JSON.stringify(isOnly ? list[0] : list, null, 2)}\n` : reports.join('\n'),
+    isJson ? `${JSON.stringify(isOnly ? list[0] : list, null, 2)}\n` : reports.join('\n'),
   );
 }
 
@@ -160,28 +160,11 @@ async function path({ mesh: model, values }: Request<'path'>): Promise<void> {
   const [from, to] = [await readPoints(values.from), await readPoints(values.to)];
   const mesh = await openMesh(model, output, values);
   writeNotes(meshNotes(mesh), values);
-  const starts = singlePoints(await onSurface(mesh, from, values));
-  const ends = singlePoints(await onSurface(mesh, to, values));
-  if (ends.length !== 1 && ends.length !== starts.length) {
-    throw new FileError(
-      `there are ${starts.length} points to start at, but ${ends.length} to end at: give as many, or one`,
-    );
-  }
-  const paths = await withProgress(values, async (onProgress) => {
-    if (starts.length === 1) return [await mesh.path(starts[0], ends[0], { onProgress })];
-    // Many paths to one end have the distances from there in common.
-    const toOneEnd =
-      ends.length === 1
-        ? await mesh.voronoi(ends[0], { onProgress: (share) => onProgress(share / 2) })
-        : undefined;
-    const found: SurfacePath[] = [];
-    for (const [i, start] of starts.entries()) {
-      found.push(await (toOneEnd?.path(start) ?? mesh.path(start, ends[i])));
-      const share = found.length / starts.length;
-      onProgress(toOneEnd ? (1 + share) / 2 : share);
-    }
-    return found;
-  });
+  const starts = await onSurface(mesh, from, values);
+  const ends = await onSurface(mesh, to, values);
+  const paths = await withProgress(values, (onProgress) =>
+    pathsBetween(mesh, starts, ends, onProgress),
+  );
   await output.write(encode(paths, lengthsOf(mesh, values)));
   const lengths = paths.map(({ length }) => scale * length).filter((length) => length < Infinity);
   const missing = paths.length - lengths.length;
@@ -361,13 +344,6 @@ function polygonSummary(first: number, diagram: Diagram, { topology }: PolygonMe
       ? `Euler characteristic ${eulerCharacteristic}, genus ${genus}, ${counted(boundaryLoops, 'boundary loop')}`
       : 'no manifold')
   );
-}
-
-/** Each of some points. */
-function singlePoints(points: PointsOnSurface): SurfacePointsInput[] {
-  if ('vertex' in points) return Array.from(points.vertex, (vertex) => ({ vertex }));
-  const { face, bary } = points;
-  return Array.from(face, (f, i) => ({ face: f, bary: bary.subarray(3 * i, 3 * i + 3) }));
 }
 
 /** A line about a result that went to a file. */

@@ -57,11 +57,23 @@ function encoderOf<Result>(encoders: Encoders<Result>, target: Target): Encoder<
   const ending = endingOf(target);
   if (Object.hasOwn(encoders, ending)) return encoders[ending];
   const known = Object.keys(encoders);
-  throw new UsageError(
-    target.format === undefined
-      ? `the ending of '${target.output}' is not one of ${listed(known)}`
-      : `--format is '${target.format}', not one of ${listed(known.map((name) => name.slice(1)))}`,
-  );
+  throw target.format === undefined
+    ? unknownEnding(target, known)
+    : new UsageError(
+        `--format is '${target.format}', not one of ${listed(known.map((name) => name.slice(1)))}`,
+      );
+}
+
+function unknownEnding({ output }: Target, known: string[]): UsageError {
+  return new UsageError(`the ending of '${output}' is not one of ${listed(known)}`);
+}
+
+/** Whether a report on meshes is JSON, and not text for people. */
+export function isJsonReport(target: Target): boolean {
+  const ending = extname(target.output).toLowerCase();
+  if (target.json || ending === '.json') return true;
+  if (ending === '' || ending === '.txt') return false;
+  throw unknownEnding(target, ['.json', '.txt']);
 }
 
 const text = (json: object): string => `${JSON.stringify(json)}\n`;

@@ -80,7 +80,7 @@ export const options = {
   to: {
     value: 'FILE',
     parse: path,
-    help: 'The points at which they end, likewise: as many, or one for all',
+    help: 'The points at which they end, likewise: as many, or one of either for all',
   },
   iterations: {
     value: 'N',
