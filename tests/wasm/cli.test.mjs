@@ -658,6 +658,40 @@ test('distances as JSON, PLY and GLB', async () => {
   await assertValidGlb(new Uint8Array(readFileSync(join(folder, 'd.glb'))));
 });
 
+test('tables of located points, distances and sites', () => {
+  const numbers = (text) =>
+    text
+      .trim()
+      .split('\n')
+      .map((line) => line.split(','));
+  const locate = 'locate two.glb --sites {"vertex":[0]} --points {"vertex":[3,9]} -q --units cm';
+  const { label, distance } = JSON.parse(succeeds(locate).stdout);
+  assert.deepEqual(numbers(succeeds(`${locate} --format csv`).stdout), [
+    ['label', 'distance'],
+    [`${label[0]}`, `${distance[0]}`],
+    ['-1', ''],
+  ]);
+  succeeds('distances two.glb --sites sites.json -q -o d.csv');
+  const all = JSON.parse(succeeds('distances two.glb --sites sites.json -q').stdout);
+  const [names, ...rows] = numbers(read('d.csv'));
+  assert.deepEqual(names, ['label', 'distance', 'direction_x', 'direction_y']);
+  const text = (x) => (x === null ? '' : String(x));
+  assert.deepEqual(
+    rows,
+    all.label.map((l, v) =>
+      [l, all.distance[v], all.direction[2 * v], all.direction[2 * v + 1]].map(text),
+    ),
+  );
+  succeeds('cvt shape.glb --sites 3 -q -o s.json');
+  succeeds('cvt shape.glb --sites 3 -q -o s.csv');
+  const { position } = JSON.parse(read('s.json'));
+  assert.deepEqual(numbers(read('s.csv')), [
+    ['x', 'y', 'z'],
+    ...[0, 1, 2].map((i) => position.slice(3 * i, 3 * i + 3).map(String)),
+  ]);
+  succeeds('diagram shape.glb --sites s.csv -q');
+});
+
 test('--format decides, also on standard output and whatever the file is called', () => {
   const { stdout } = succeeds('partition shape.glb --sites 2 --format obj');
   succeeds('partition shape.glb --sites 2 -o parts.obj');
@@ -670,7 +704,7 @@ test('--format decides, also on standard output and whatever the file is called'
   const obj = 'partition shape.glb --sites 2 --layout features --format obj -o parts.glb';
   fails(2, obj, /--layout is about \.glb files: --format obj has none\n$/);
   fails(2, `${ply} --json`, /--json is a format as --format is: give one of them\n$/);
-  fails(2, 'cvt shape.glb --sites 2 --format obj', /--format is 'obj', not one of json, ply\n$/);
+  fails(2, 'cvt shape.glb --sites 2 --format obj', /--format is 'obj', not one of json, ply, csv\n$/);
 });
 
 test('path as JSON and OBJ', () => {
@@ -826,7 +860,7 @@ test('a wrong command line: status 2', () => {
   fails(2, 'remesh shape.glb', /--sites N\|FILE or --radius R is missing/);
   fails(2, 'locate shape.glb --sites 3', /--points/);
   fails(2, 'distances shape.glb', /--sites N\|FILE or --radius R is missing/);
-  fails(2, 'distances shape.glb --sites 3 -o d.obj', /d\.obj.*\.json, \.ply, \.glb/);
+  fails(2, 'distances shape.glb --sites 3 -o d.obj', /d\.obj.*\.json, \.csv, \.ply, \.glb/);
   fails(2, 'distances shape.glb --sites 3 --detail 1', /--detail/);
   fails(2, 'path shape.glb --from sites.json', /--to is missing/);
   fails(2, 'path shape.glb --from sites.json --to sites.json -o p.glb', /p\.glb.*\.json, \.obj/);

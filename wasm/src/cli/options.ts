@@ -252,13 +252,13 @@ export const commands = {
   },
   locate: {
     summary: 'The nearest site of points on a mesh, and its distance',
-    result: 'JSON: {"label": […], "distance": […]}; -1 and null for a point that no site reaches.',
+    result: `By FILE's ending or --format, by default .json: .json {"label": […], "distance": […]} (-1 and null for a point that no site reaches), .csv (the same as columns).`,
     examples: ['mesh.glb --sites sites.json --points points.json -o labels.json'],
-    options: [...ofSites, 'points', 'metric', 'progress', ...ofAll],
+    options: [...ofSites, 'points', 'metric', 'progress', 'format', ...ofAll],
   },
   distances: {
     summary: 'The nearest site of every vertex of a mesh, its distance and direction',
-    result: `By FILE's ending or --format, by default .json: .json {"label": […], "distance": […], "direction": […]} (-1 and null where no site reaches), .ply (properties of the vertices), .glb (attributes _LABEL and _DISTANCE, -1 where no site reaches).`,
+    result: `By FILE's ending or --format, by default .json: .json {"label": […], "distance": […], "direction": […]} (-1 and null where no site reaches), .csv (the same as columns), .ply (properties of the vertices), .glb (attributes _LABEL and _DISTANCE, -1 where no site reaches).`,
     examples: ['mesh.glb --sites sites.json -o distances.ply'],
     options: [...ofSites, 'metric', 'progress', 'format', ...ofAll],
   },
@@ -273,7 +273,7 @@ export const commands = {
   },
   cvt: {
     summary: 'Sites at the centroids of their regions: a centroidal Voronoi tessellation',
-    result: `By FILE's ending or --format, by default .json: .json {"face": […], "bary": […], "position": […], "energy": […]} (the sites, and the energy of the first ones and after each iteration), .ply (the sites as points).`,
+    result: `By FILE's ending or --format, by default .json: .json {"face": […], "bary": […], "position": […], "energy": […]} (the sites, and the energy of the first ones and after each iteration), .ply (the sites as points), .csv (their coordinates).`,
     examples: [
       'mesh.glb --sites 300 -o sites.json',
       'mesh.glb --sites sites.json --fixed-sites fixed.json -o new.json',
