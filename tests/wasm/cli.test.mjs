@@ -704,7 +704,11 @@ test('--format decides, also on standard output and whatever the file is called'
   const obj = 'partition shape.glb --sites 2 --layout features --format obj -o parts.glb';
   fails(2, obj, /--layout is about \.glb files: --format obj has none\n$/);
   fails(2, `${ply} --json`, /--json is a format as --format is: give one of them\n$/);
-  fails(2, 'cvt shape.glb --sites 2 --format obj', /--format is 'obj', not one of json, ply, csv\n$/);
+  fails(
+    2,
+    'cvt shape.glb --sites 2 --format obj',
+    /--format is 'obj', not one of json, ply, csv\n$/,
+  );
 });
 
 test('path as JSON and OBJ', () => {

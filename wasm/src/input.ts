@@ -180,7 +180,7 @@ function toBarycentric(
   );
 }
 
-function toIndices(name: string, indices: number | ArrayLike<number>): Int32Array {
+function toIndices(name: string, indices: number | ArrayLike<number>): Int32Array<ArrayBuffer> {
   return toInt32(name, typeof indices === 'number' ? [indices] : indices);
 }
 

@@ -124,7 +124,7 @@ interface SitesResult {
   mesh: Mesh;
   sites: SurfacePoints;
   /** Of the sites, x, y, z each. */
-  position: Float64Array;
+  position: Float64Array<ArrayBuffer>;
   /** Of a tessellation, before and after each iteration. */
   energy: number[];
 }
