@@ -4,12 +4,13 @@
 
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { dirname, join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { checkPackage, createPackageFromTarballData } from '@arethetypeswrong/core';
 import { publint } from 'publint';
 import { formatMessage } from 'publint/utils';
 import { zipSync } from 'fflate';
+import { outlineOf } from '../../web/docs/make/pages.mjs';
 import { blocks } from '../docs/documents.mjs';
 import { octahedron } from '../wasm/meshes.mjs';
 import { dracoModels, meshObj } from '../wasm/model_files.mjs';
@@ -30,17 +31,22 @@ function runModule(code, ...options) {
 }
 
 test('nothing is published but what is built, its licences and its documents', () => {
-  const documents = /^(web\/docs\/([\w-]+\.md|(examples|figures|pictures|plots)\/)|\.github\/C)/;
+  const documents =
+    /^(web\/docs\/([\w-]+\.md|bench\.json|(examples|figures|pictures|plots)\/)|\.github\/C)/;
   const others = installed.files.filter((path) => !/^dist\//.test(path) && !documents.test(path));
   assert.deepEqual(others.sort(), ['LICENSE', 'README.md', 'package.json']);
 });
 
-test('the pictures and documents that its description names are in it', () => {
-  const links = [...read('README.md').matchAll(/\]\(([^)#:]+)(#[^)]*)?\)/g)].map(
-    ([, path]) => path,
-  );
-  assert.ok(links.length >= 10);
-  for (const path of links) assert.ok(existsSync(join(installed.packageFolder, path)), path);
+test('what its documents link to is in it', () => {
+  const documents = installed.files.filter((path) => path.endsWith('.md'));
+  assert.ok(documents.length >= 9);
+  for (const document of documents) {
+    const { links } = outlineOf(read(document));
+    for (const link of links.filter((href) => !/^([a-z]+:|#)/.test(href))) {
+      const path = join(dirname(document), link.split('#')[0]);
+      assert.ok(existsSync(join(installed.packageFolder, path)), `${document}: ${link}`);
+    }
+  }
 });
 
 test('everything that package.json names is there', () => {
