@@ -334,7 +334,7 @@ test('cvt writes sites that other commands read, and the energy of every iterati
   const { stderr } = succeeds('cvt shape.glb --sites 5 --iterations 6 -o c.json');
   assert.match(
     stderr,
-    /^5 sites, 6 iterations \(no more were allowed\), energy [\d.]+ to [\d.]+\n$/,
+    /^note: .*\n5 sites, 6 iterations \(no more were allowed\), energy [\d.]+ to [\d.]+\n$/,
   );
   const { mesh, face, bary, position, energy } = JSON.parse(read('c.json'));
   assert.deepEqual(mesh, { faces: 8 });
@@ -586,6 +586,19 @@ test('remesh with a density, and with sites that stay', () => {
   );
   assert.deepEqual(sites.bary.slice(0, 3), first.bary.slice(0, 3));
   assert.notDeepEqual(sites.bary.slice(3, 6), first.bary.slice(3, 6));
+});
+
+test('tessellations tell that there are few faces per site', () => {
+  const note = (faces, sites) =>
+    new RegExp(
+      `^note: ${faces} faces for ${sites} sites: energies and centroids, .* are inaccurate`,
+      'm',
+    );
+  write('grid.glb', glb(grid(5)));
+  assert.match(succeeds('cvt shape.glb --sites 2 -o s.json').stderr, note(8, 2));
+  assert.match(succeeds('remesh grid.glb --sites 6 -o s.json').stderr, note(50, 6));
+  assert.doesNotMatch(succeeds('cvt grid.glb --sites 3 -o s.json').stderr, /note/);
+  assert.equal(succeeds('cvt shape.glb --sites 2 -q -o s.json').stderr, '');
 });
 
 test('cvt by curvature', () => {

@@ -2,7 +2,7 @@
 //
 // What each command does.
 import { GeodesicVoronoiError } from '../errors.js';
-import type { MeshInfo, Metric, PolygonMesh, Violation } from '../results.js';
+import type { MeshInfo, Metric, PolygonMesh, SurfacePoints, Violation } from '../results.js';
 import { counted } from '../sentences.js';
 import type { CvtOptions, CvtState, Diagram, Mesh } from '../types.js';
 import {
@@ -196,6 +196,7 @@ async function cvt({ mesh: path, values }: Request<'cvt'>): Promise<void> {
   });
   const energy = states.map((state) => state.energy);
   const { iteration, sites: last } = states.at(-1)!;
+  writeNotes(tessellationNotes(mesh, last), values);
   const position = await mesh.positionsOf(last);
   await output.write(encode({ mesh, sites: last, position, energy }, lengthsOf(mesh, values)));
   const shown = (e: number) => (scale ** 4 * e).toPrecision(6); // area times squared length
@@ -275,6 +276,7 @@ async function remesh({ mesh: path, values }: Request<'remesh'>): Promise<void> 
       mesh.remesh(sites, { ...settings, maxAdded: values['max-added'], onProgress }),
     ),
   );
+  writeNotes(tessellationNotes(mesh, diagram.sites), values);
   const first = ('vertex' in sites ? sites.vertex : sites.face).length;
   const polygons = await diagram.dual();
   const quality = await diagram.remeshQuality();
@@ -351,8 +353,29 @@ function summarise(output: Output, { quiet }: Notices, line: string): void {
   if (output.isFile && !quiet) process.stderr.write(`${line}\n`);
 }
 
-/** With fewer faces, straight borders give several per cent of the area to the wrong region. */
-const leastFacesPerSite = 4;
+/** With fewer faces per site, straight borders give several per cent of the area to the wrong region. */
+const leastForBorders = 4;
+/** With fewer, what is interpolated from the corners of faces gives an energy wrong by several per cent. */
+const leastForCentroids = 16;
+
+/** Notes that there are few faces per site, and what comes of it. */
+function coarseNotes(
+  { info: { faces } }: Mesh,
+  sites: SurfacePoints,
+  least: number,
+  so: string,
+): string[] {
+  const count = sites.face.length;
+  return faces < least * count
+    ? [`${counted(faces, 'face')} for ${counted(count, 'site')}: ${so}`]
+    : [];
+}
+
+function tessellationNotes(mesh: Mesh, sites: SurfacePoints): string[] {
+  const so =
+    'energies and centroids, which follow from the distances at corners, are inaccurate (subdivide the mesh first)';
+  return coarseNotes(mesh, sites, leastForCentroids, so);
+}
 
 /** The diagram that the options ask for. */
 async function compute(
@@ -371,7 +394,6 @@ async function compute(
 
 /** What may surprise in a diagram. */
 function diagramNotes(mesh: Mesh, { sites, regions }: Diagram, detail?: number): string[] {
-  const { faces } = mesh.info;
   const notes: string[] = [];
   const isEmpty = (label: number) => regions[label].area === 0 && regions[label].loops.length === 0;
   const hidden = sites.face.reduce(
@@ -380,10 +402,7 @@ function diagramNotes(mesh: Mesh, { sites, regions }: Diagram, detail?: number):
   );
   if (hidden > 0)
     notes.push(`${counted(hidden, 'site')} without a region: another site is at the same place`);
-  if (detail === 0 && faces < leastFacesPerSite * sites.face.length)
-    notes.push(
-      `${counted(faces, 'face')} for ${counted(sites.face.length, 'site')}: ` +
-        'borders, one straight line per face, are coarse (--detail 3 refines them)',
-    );
+  const so = 'borders, one straight line per face, are coarse (--detail 3 refines them)';
+  if (detail === 0) notes.push(...coarseNotes(mesh, sites, leastForBorders, so));
   return notes;
 }
