@@ -67,7 +67,12 @@ for (const [what, line, status, pattern] of [
     /^$/,
   ],
   ['a reader that is gone', 'gv diagram mesh.glb --sites 2 | true', 0, /^$/],
-  ['a full disk', 'gv cvt mesh.glb --sites 2 -o /dev/full', 1, oneLine('/dev/full.*disk is full')],
+  [
+    'a full disk',
+    'gv cvt mesh.glb --sites 2 -q -o /dev/full',
+    1,
+    oneLine('/dev/full.*disk is full'),
+  ],
   [
     'a full disk behind standard output',
     'gv info mesh.glb --json >/dev/full',
