@@ -4,12 +4,14 @@
 
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { dirname, join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { checkPackage, createPackageFromTarballData } from '@arethetypeswrong/core';
 import { publint } from 'publint';
 import { formatMessage } from 'publint/utils';
 import { zipSync } from 'fflate';
+import { outlineOf } from '../../web/docs/make/pages.mjs';
+import { blocks } from '../docs/documents.mjs';
 import { octahedron } from '../wasm/meshes.mjs';
 import { dracoModels, meshObj } from '../wasm/model_files.mjs';
 import { inModules, install, run } from './installed.mjs';
@@ -29,17 +31,22 @@ function runModule(code, ...options) {
 }
 
 test('nothing is published but what is built, its licences and its documents', () => {
-  const documents = /^(web\/docs\/([\w-]+\.md|(examples|figures|pictures|plots)\/)|\.github\/C)/;
+  const documents =
+    /^(web\/docs\/([\w-]+\.md|bench\.json|(examples|figures|pictures|plots)\/)|\.github\/C)/;
   const others = installed.files.filter((path) => !/^dist\//.test(path) && !documents.test(path));
   assert.deepEqual(others.sort(), ['LICENSE', 'README.md', 'package.json']);
 });
 
-test('the pictures and documents that its description names are in it', () => {
-  const links = [...read('README.md').matchAll(/\]\(([^)#:]+)(#[^)]*)?\)/g)].map(
-    ([, path]) => path,
-  );
-  assert.ok(links.length >= 10);
-  for (const path of links) assert.ok(existsSync(join(installed.packageFolder, path)), path);
+test('what its documents link to is in it', () => {
+  const documents = installed.files.filter((path) => path.endsWith('.md'));
+  assert.ok(documents.length >= 9);
+  for (const document of documents) {
+    const { links } = outlineOf(read(document));
+    for (const link of links.filter((href) => !/^([a-z]+:|#)/.test(href))) {
+      const path = join(dirname(document), link.split('#')[0]);
+      assert.ok(existsSync(join(installed.packageFolder, path)), `${document}: ${link}`);
+    }
+  }
 });
 
 test('everything that package.json names is there', () => {
@@ -162,14 +169,42 @@ test('its types are complete, with and without those of Node', () => {
      partitionGlb(await diagram.partition(), { mesh, layout: undefined, colours: [undefined] });
      // @ts-expect-error: not a metric
      await mesh.voronoi({ vertex: [0] }, { metric: 'euclid' });
+     for await (const { data, diagram } of mesh.cvt({ vertex: [0] }, { diagrams: true }))
+       console.log(data.siteCount, diagram.sites);
+     for await (const { data } of mesh.cvt({ vertex: [0] }, { data: true })) console.log(data.cells);
+     // @ts-expect-error: data is asked for, no diagram
+     for await (const { diagram: { sites } } of mesh.cvt({ vertex: [0] }, { data: true })) break;
+     const { points } = await diagram.partition();
+     structuredClone(points, { transfer: [points.position.buffer, data.regionArea.buffer] });
      export { loops };`,
   );
+  writeFileSync(
+    join(installed.folder, 'page.mts'),
+    `import { loadWorker } from 'geodesic-voronoi';
+     await loadWorker({ worker: new Worker('w.js') });
+     // @ts-expect-error: no worker
+     await loadWorker({ worker: { postMessage() {} } });`,
+  );
   const strict = ['--strict', '--exactOptionalPropertyTypes'];
-  const options = ['--noEmit', ...strict, '--target', 'es2022', '--lib', 'es2022,dom', 'use.mts'];
+  const options = ['--noEmit', ...strict, '--target', 'es2022', '--lib', 'es2022,dom'];
   const kinds = [
     ['--module', 'nodenext', '--types', 'node'],
     ['--module', 'node16', '--types', 'node'],
     ['--module', 'esnext', '--moduleResolution', 'bundler', '--types', ''],
   ];
-  for (const kind of kinds) run(inModules('.bin', 'tsc'), [...kind, ...options], installed.folder);
+  const compile = (...args) => run(inModules('.bin', 'tsc'), args, installed.folder);
+  for (const kind of kinds) compile(...kind, ...options, 'use.mts', 'page.mts');
+});
+
+test('the code of its documents is strict, and Node needs no types of the DOM', () => {
+  const compile = (file, code, ...args) => {
+    writeFileSync(join(installed.folder, file), code);
+    const options = ['--noEmit', '--strict', '--target', 'es2022', '--module', 'nodenext', file];
+    run(inModules('.bin', 'tsc'), ['--types', 'node', ...options, ...args], installed.folder);
+  };
+  compile('node.mts', use, '--lib', 'es2022');
+  for (const source of ['README.md', 'web/docs/guide.md']) {
+    const code = blocks(source, 'js').join('\n');
+    compile('document.mts', code, '--lib', 'es2022,dom', '--skipLibCheck');
+  }
 });

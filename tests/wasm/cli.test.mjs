@@ -235,12 +235,26 @@ test('sites at one place are told of; sites of a file are not sampled', () => {
     'diagram shape.glb --sites same.json --sampling poisson',
     /--sampling is for sites that/,
   );
+  fails(2, 'diagram shape.glb --sites same.json --seed 2', /--seed is for sites that are sampled/);
+  fails(2, 'diagram shape.glb --sites same.json --per-component 0', /--per-component is for sites/);
 });
 
-test('edges of three triangles are told of', () => {
+test('edges that are cut are told of', () => {
   write('fin.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nf 1 2 3\nf 2 1 4\nf 1 2 5\n');
   const { stderr } = succeeds('distances fin.obj --sites {"vertex":[2]} -o d.json');
   assert.match(stderr, /^note: 1 edge of three or more triangles is cut apart: distances do not/);
+
+  write('turned.glb', glb(withFlipped(octahedron(), 2)));
+  const note =
+    /^note: 3 edges of two triangles that disagree in orientation are cut apart: distances do not lead across\n/;
+  for (const command of [
+    'distances turned.glb --sites {"vertex":[2]}',
+    'path turned.glb --from {"vertex":0} --to {"vertex":3}',
+  ]) {
+    assert.match(succeeds(`${command} --orientation keep -o d.json`).stderr, note);
+    assert.doesNotMatch(succeeds(`${command} -o d.json`).stderr, /note/);
+    assert.equal(succeeds(`${command} --orientation keep -o d.json -q`).stderr, '');
+  }
 });
 
 test('results name their mesh, so that their sites are not taken for those of another', () => {
@@ -320,7 +334,7 @@ test('cvt writes sites that other commands read, and the energy of every iterati
   const { stderr } = succeeds('cvt shape.glb --sites 5 --iterations 6 -o c.json');
   assert.match(
     stderr,
-    /^5 sites, 6 iterations \(no more were allowed\), energy [\d.]+ to [\d.]+\n$/,
+    /^note: .*\n5 sites, 6 iterations \(no more were allowed\), energy [\d.]+ to [\d.]+\n$/,
   );
   const { mesh, face, bary, position, energy } = JSON.parse(read('c.json'));
   assert.deepEqual(mesh, { faces: 8 });
@@ -341,13 +355,13 @@ test('cvt writes sites that other commands read, and the energy of every iterati
   );
   assert.ok(exact.energy[1] < exact.energy[0]);
   const single = succeeds('cvt shape.glb --sites 1 --iterations 1 -o one.json').stderr;
-  assert.match(single, /^1 site, [01] iterations?( |,)/);
+  assert.match(single, /^note: .*\n1 site, [01] iterations?( |,)/);
   succeeds('remesh shape.glb --sites 20 --iterations 1 --metric exact -o remesh.obj');
 
   const soon = succeeds(
     'cvt shape.glb --sites 5 --energy-tolerance 0.01 --units cm -o c.ply',
   ).stderr;
-  assert.match(soon, /^5 sites, \d+ iterations, energy/);
+  assert.match(soon, /^note: .*\n5 sites, \d+ iterations, energy/);
   assert.match(read('c.ply'), /^ply\n[^]*element vertex 5\nproperty double x/);
   // One millimetre, of moves that are given in centimetres: the same as a thousandth of a metre.
   const ended = (options) =>
@@ -409,11 +423,24 @@ test('sites from a PLY and a CSV of places', () => {
     'blanks.xyz',
   ])
     assert.deepEqual(areas(sites), expected);
+  // Standard input has no ending.
+  for (const file of ['four.json', 'four.ply', 'named.csv', 'blanks.xyz']) {
+    const input = readFileSync(join(folder, file));
+    const { regions } = JSON.parse(succeeds('diagram shape.glb --sites - -q', input).stdout);
+    assert.deepEqual(
+      regions.map(({ area }) => area.toFixed(9)),
+      expected,
+    );
+  }
 
   for (const [content, message] of [
     ['1, 2, 3\n1, 2', /bad\.csv: line 2: z is missing\n$/],
     ['x,y,z\n1,2,three', /bad\.csv: line 2: z is 'three', not a number\n$/],
-    ['x,y\n1,2', /bad\.csv: no column is called z: there are x, y\n$/],
+    ['x,y\n1,2', /bad\.csv: line 1 is neither three numbers nor names with x, y and z: "x y"\n$/],
+    [
+      '0,0,nan',
+      /bad\.csv: line 1 is neither three numbers nor names with x, y and z: "0 0 nan"\n$/,
+    ],
   ]) {
     write('bad.csv', content);
     fails(1, 'diagram shape.glb --sites bad.csv', message);
@@ -434,6 +461,9 @@ test('points as JSON in place of a file, and named in errors', () => {
   fails(1, `${path} 0`, /there is no file 0; a vertex is given as '\{"vertex": 0\}'\n$/);
   const both = '{"vertex":[0],"face":[0],"bary":[1,0,0]}';
   fails(1, `${path} ${both}`, /: points has both vertex and face: only one can say where/);
+  const other = '{"vertex":[1],"position":[0,0,0]}';
+  fails(1, `${path} ${other}`, /: points has both vertex and position: only one can say where/);
+  fails(1, `locate shape.glb --sites ${other} --points {"vertex":1}`, /both vertex and position/);
 });
 
 test('a note where there are fewer vertices than sites to be', () => {
@@ -558,6 +588,19 @@ test('remesh with a density, and with sites that stay', () => {
   assert.notDeepEqual(sites.bary.slice(3, 6), first.bary.slice(3, 6));
 });
 
+test('tessellations tell that there are few faces per site', () => {
+  const note = (faces, sites) =>
+    new RegExp(
+      `^note: ${faces} faces for ${sites} sites: energies and centroids, .* are inaccurate`,
+      'm',
+    );
+  write('grid.glb', glb(grid(5)));
+  assert.match(succeeds('cvt shape.glb --sites 2 -o s.json').stderr, note(8, 2));
+  assert.match(succeeds('remesh grid.glb --sites 6 -o s.json').stderr, note(50, 6));
+  assert.doesNotMatch(succeeds('cvt grid.glb --sites 3 -o s.json').stderr, /note/);
+  assert.equal(succeeds('cvt shape.glb --sites 2 -q -o s.json').stderr, '');
+});
+
 test('cvt by curvature', () => {
   const args = 'cvt two.glb --sites 9 --per-component 3 --iterations 2';
   assert.notEqual(succeeds(args).stdout, succeeds(`${args} --density curvature`).stdout);
@@ -628,6 +671,40 @@ test('distances as JSON, PLY and GLB', async () => {
   await assertValidGlb(new Uint8Array(readFileSync(join(folder, 'd.glb'))));
 });
 
+test('tables of located points, distances and sites', () => {
+  const numbers = (text) =>
+    text
+      .trim()
+      .split('\n')
+      .map((line) => line.split(','));
+  const locate = 'locate two.glb --sites {"vertex":[0]} --points {"vertex":[3,9]} -q --units cm';
+  const { label, distance } = JSON.parse(succeeds(locate).stdout);
+  assert.deepEqual(numbers(succeeds(`${locate} --format csv`).stdout), [
+    ['label', 'distance'],
+    [`${label[0]}`, `${distance[0]}`],
+    ['-1', ''],
+  ]);
+  succeeds('distances two.glb --sites sites.json -q -o d.csv');
+  const all = JSON.parse(succeeds('distances two.glb --sites sites.json -q').stdout);
+  const [names, ...rows] = numbers(read('d.csv'));
+  assert.deepEqual(names, ['label', 'distance', 'direction_x', 'direction_y']);
+  const text = (x) => (x === null ? '' : String(x));
+  assert.deepEqual(
+    rows,
+    all.label.map((l, v) =>
+      [l, all.distance[v], all.direction[2 * v], all.direction[2 * v + 1]].map(text),
+    ),
+  );
+  succeeds('cvt shape.glb --sites 3 -q -o s.json');
+  succeeds('cvt shape.glb --sites 3 -q -o s.csv');
+  const { position } = JSON.parse(read('s.json'));
+  assert.deepEqual(numbers(read('s.csv')), [
+    ['x', 'y', 'z'],
+    ...[0, 1, 2].map((i) => position.slice(3 * i, 3 * i + 3).map(String)),
+  ]);
+  succeeds('diagram shape.glb --sites s.csv -q');
+});
+
 test('--format decides, also on standard output and whatever the file is called', () => {
   const { stdout } = succeeds('partition shape.glb --sites 2 --format obj');
   succeeds('partition shape.glb --sites 2 -o parts.obj');
@@ -640,7 +717,11 @@ test('--format decides, also on standard output and whatever the file is called'
   const obj = 'partition shape.glb --sites 2 --layout features --format obj -o parts.glb';
   fails(2, obj, /--layout is about \.glb files: --format obj has none\n$/);
   fails(2, `${ply} --json`, /--json is a format as --format is: give one of them\n$/);
-  fails(2, 'cvt shape.glb --sites 2 --format obj', /--format is 'obj', not one of json, ply\n$/);
+  fails(
+    2,
+    'cvt shape.glb --sites 2 --format obj',
+    /--format is 'obj', not one of json, ply, csv\n$/,
+  );
 });
 
 test('path as JSON and OBJ', () => {
@@ -667,6 +748,28 @@ test('path as JSON and OBJ', () => {
     ['p 4'],
   );
   assert.equal(obj.filter((line) => line.startsWith('v ')).length, 3 + 1);
+});
+
+test('paths from one point to many are those from many to one, from their ends', () => {
+  write('many.json', '{"vertex": [0, 1, 3, 4]}');
+  const paths = (ends) => JSON.parse(succeeds(`path shape.glb ${ends}`).stdout).paths;
+  const there = paths('--from {"vertex":2} --to many.json');
+  const back = paths('--from many.json --to {"vertex":2}');
+  assert.equal(there.length, 4);
+  there.forEach(({ points, length }, i) => {
+    assert.equal(length, back[i].length);
+    assert.deepEqual(points.position.slice(0, 3), [0, 0, 1]);
+    const count = points.face.length;
+    for (let k = 0; k < count; ++k) {
+      const [at, from] = [3 * k, 3 * (count - 1 - k)];
+      assert.equal(points.face[k], back[i].points.face[count - 1 - k]);
+      for (const name of ['bary', 'position'])
+        assert.deepEqual(
+          points[name].slice(at, at + 3),
+          back[i].points[name].slice(from, from + 3),
+        );
+    }
+  });
 });
 
 test('no path leads to another component', () => {
@@ -769,10 +872,12 @@ test('a wrong command line: status 2', () => {
   fails(2, 'partition shape.glb --sites 3 --layout heap -o d.glb', /heap.*regions, features/);
   fails(2, 'partition shape.glb --sites 3 -o d.stl', /d\.stl.*\.json, \.glb, \.obj, \.ply/);
   fails(2, 'dual shape.glb --sites 3 --detail 2', /--detail/);
+  fails(2, 'dual shape.glb --sites 3 --max-added 2', /--max-added.*--repair is missing/);
+  fails(2, 'info shape.glb -o x.ply', /the ending of 'x\.ply' is not one of \.json, \.txt/);
   fails(2, 'remesh shape.glb', /--sites N\|FILE or --radius R is missing/);
   fails(2, 'locate shape.glb --sites 3', /--points/);
   fails(2, 'distances shape.glb', /--sites N\|FILE or --radius R is missing/);
-  fails(2, 'distances shape.glb --sites 3 -o d.obj', /d\.obj.*\.json, \.ply, \.glb/);
+  fails(2, 'distances shape.glb --sites 3 -o d.obj', /d\.obj.*\.json, \.csv, \.ply, \.glb/);
   fails(2, 'distances shape.glb --sites 3 --detail 1', /--detail/);
   fails(2, 'path shape.glb --from sites.json', /--to is missing/);
   fails(2, 'path shape.glb --from sites.json --to sites.json -o p.glb', /p\.glb.*\.json, \.obj/);
@@ -795,13 +900,18 @@ test('bad input: status 1, one line, no file', () => {
   fails(1, 'info sites.json', /sites\.json/);
   fails(1, 'diagram broken.glb --sites 3 -o d.json', /broken\.glb/);
   fails(1, 'diagram shape.glb --sites nowhere.json -o d.json', /nowhere\.json/);
-  fails(1, 'diagram shape.glb --sites sites.txt -o d.json', /sites\.txt is not JSON/);
+  fails(
+    1,
+    'diagram shape.glb --sites sites.txt -o d.json',
+    /sites\.txt: line 1 is neither three numbers nor names with x, y and z: "one two"/,
+  );
+  write('nothing.csv', '\n');
+  fails(1, 'diagram shape.glb --sites nothing.csv -o d.json', /nothing\.csv: the file is empty/);
   fails(1, 'diagram shape.glb --sites many.json -o d.json', /many\.json/);
   fails(1, 'diagram shape.glb --sites outside.json -o d.json', /8/);
   write('three.json', '{"vertex": [0, 1, 2]}');
   fails(1, 'path shape.glb --from three.json --to sites.json -o p.json', /3 points.*2 to end/);
-  write('one.json', '{"vertex": [1]}');
-  fails(1, 'path shape.glb --from one.json --to three.json -o p.json', /1 points.*3 to end/);
+  fails(1, 'path shape.glb --from sites.json --to three.json -o p.json', /2 points.*3 to end/);
   fails(1, 'diagram shape.glb --sites 3 -o nowhere/d.json', /nowhere.*no such file or folder/);
   mkdirSync(join(folder, 'taken.json'));
   fails(1, 'diagram shape.glb --sites 3 -o taken.json', /taken\.json.*folder/);

@@ -5,13 +5,22 @@
 
 import assert from 'node:assert/strict';
 import { spawn, spawnSync } from 'node:child_process';
-import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import {
+  lstatSync,
+  mkdirSync,
+  mkdtempSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  statSync,
+  writeFileSync,
+} from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { zipSync } from 'fflate';
-import { bumpySphere, glb, octahedron } from './meshes.mjs';
+import { bumpySphere, glb, gltf, octahedron } from './meshes.mjs';
 import { meshObj } from './model_files.mjs';
 
 const main = fileURLToPath(new URL('../../dist/cli/main.js', import.meta.url));
@@ -58,7 +67,12 @@ for (const [what, line, status, pattern] of [
     /^$/,
   ],
   ['a reader that is gone', 'gv diagram mesh.glb --sites 2 | true', 0, /^$/],
-  ['a full disk', 'gv cvt mesh.glb --sites 2 -o /dev/full', 1, oneLine('/dev/full.*disk is full')],
+  [
+    'a full disk',
+    'gv cvt mesh.glb --sites 2 -q -o /dev/full',
+    1,
+    oneLine('/dev/full.*disk is full'),
+  ],
   [
     'a full disk behind standard output',
     'gv info mesh.glb --json >/dev/full',
@@ -69,12 +83,12 @@ for (const [what, line, status, pattern] of [
   ['no standard error', 'gv info nowhere.glb 2>&-', 1, /^$/],
   ['no standard input', 'gv info - <&-', 1, oneLine('file is empty')],
   ['an empty standard input', 'gv info - </dev/null', 1, oneLine('file is empty')],
-  ['a device for a model', 'gv info /dev/zero', 1, oneLine('/dev/zero is a device or a pipe')],
+  ['a device for a model', 'gv info /dev/zero', 1, oneLine('/dev/zero is a device and no file')],
   [
     'a device for sites',
     'gv diagram mesh.glb --sites /dev/zero',
     1,
-    oneLine('/dev/zero is a device or a pipe'),
+    oneLine('/dev/zero is a device and no file'),
   ],
   [
     'a link to a device',
@@ -83,10 +97,11 @@ for (const [what, line, status, pattern] of [
     oneLine('z\\.glb is a device'),
   ],
   [
-    'a pipe that nobody writes to',
-    'mkfifo p.glb; gv info p.glb; code=$?; rm p.glb; exit $code',
-    1,
-    oneLine('p\\.glb is a device or a pipe'),
+    'a model and sites through pipes',
+    `mkfifo p.tmp; cat mesh.glb >p.tmp & echo '{"vertex": [0]}' |
+      gv diagram p.tmp --sites /dev/fd/0 -o /dev/fd/1 | grep -q '"regions"'; code=$?; rm p.tmp; exit $code`,
+    0,
+    /^1 region, 0 bisector arcs, 0 Voronoi points\n$/,
   ],
   [
     'a folder for output',
@@ -113,6 +128,12 @@ for (const [what, line, status, pattern] of [
     oneLine('there is no three\\.obj in a/one\\.obj and two\\.obj'),
   ],
   [
+    'several models on standard input',
+    'cat parts.zip | gv info -',
+    1,
+    oneLine('choose one by its path, as FILE#PATH of a file that is saved'),
+  ],
+  [
     'several models',
     'gv info parts.zip',
     1,
@@ -128,7 +149,46 @@ for (const [what, line, status, pattern] of [
   });
 }
 
-test('a folder without permission to write', { skip: !isUnix || process.getuid() === 0 }, () => {
+const mode = (name) => (statSync(join(folder, name)).mode & 0o777).toString(8);
+
+test('an output keeps its mode, and is written where its links lead', { skip: !isUnix }, () => {
+  const gv = 'gv diagram mesh.glb --sites 2 -q -o';
+  const { status, stderr } = shell(`umask 022; echo old >made.json; chmod 660 made.json
+    ln -s made.json link.json; ln -s new.json dangling.json; ln -s dangling.json twice.json
+    ln -s circle.json circle.json
+    ${gv} link.json && ${gv} twice.json && ${gv} circle.json`);
+  const results = ['made', 'new', 'link', 'dangling'].map((name) => {
+    const path = join(folder, `${name}.json`);
+    const isLink = lstatSync(path).isSymbolicLink();
+    return [isLink, mode(`${name}.json`), readFileSync(path, 'utf8').startsWith('{"mesh"')];
+  });
+  for (const name of ['made', 'new', 'link', 'dangling', 'twice', 'circle'])
+    rmSync(join(folder, `${name}.json`));
+  assert.deepEqual(results, [
+    [false, '660', true],
+    [false, '644', true],
+    [true, '660', true],
+    [true, '644', true],
+  ]);
+  assert.equal(status, 1);
+  assertTidy(stderr, oneLine('circle\\.json cannot be written: its links lead in circles'));
+});
+
+const isRoot = isUnix && process.getuid() === 0;
+
+test('a file that may not be written, and one where no other may be', {
+  skip: !isUnix || isRoot,
+}, () => {
+  const { status, stdout, stderr } = shell(`cp old.json made.json; chmod 444 made.json
+    gv diagram mesh.glb --sites 2 -o made.json; code=$?; cat made.json; chmod 644 made.json; chmod a-w .
+    gv diagram mesh.glb --sites 2 -q -o made.json; echo $?; chmod u+w .; cut -c 1-7 made.json
+    rm made.json; exit $code`);
+  assert.equal(status, 1);
+  assert.equal(stdout, 'old0\n{"mesh"\n');
+  assertTidy(stderr, oneLine('made\\.json cannot be written: permission is denied'));
+});
+
+test('a folder without permission to write', { skip: !isUnix || isRoot }, () => {
   const { status, stderr } = shell(
     'chmod a-w .; gv diagram mesh.glb --sites 2 -o d.json; code=$?; chmod u+w .; exit $code',
   );
@@ -177,18 +237,36 @@ test('an output may be the sites that were read, but not the model', { skip: !is
   const before = readFileSync(join(folder, 'mesh.glb'));
   const { status, stderr } = shell(`${line}; code=$?; rm s.json link.glb; exit $code`);
   assert.equal(status, 1, stderr);
-  assertTidy(stderr, /mesh\.glb cannot be written: it is the model itself\n$/);
+  assertTidy(stderr, /mesh\.glb cannot be written: the model is read from it\n$/);
   assert.deepEqual(readFileSync(join(folder, 'mesh.glb')), before);
 });
 
-test('nor the file that has the model', { skip: !isUnix }, () => {
-  const before = readFileSync(join(folder, 'parts.zip'));
-  const { status, stderr } = shell(
-    'gv diagram "parts.zip#two.obj" --sites 1 --format json -o parts.zip -q',
-  );
-  assert.equal(status, 1, stderr);
-  assertTidy(stderr, /parts\.zip cannot be written: it is the model itself\n$/);
-  assert.deepEqual(readFileSync(join(folder, 'parts.zip')), before);
+test('nor a file that has the model, or that it refers to', { skip: !isUnix }, () => {
+  const { json, buffer } = gltf(octahedron(), { uri: 'data.bin' });
+  for (const [model, output, files] of [
+    ['parts.zip#two.obj', 'parts.zip', {}],
+    ['one', 'one/m.glb', { 'one/m.glb': glb(octahedron()) }],
+    ['one#m.glb', 'one/m.glb', { 'one/m.glb': glb(octahedron()), 'one/n.obj': 'v 0 0 0' }],
+    ['one/s.gltf', 'one/data.bin', { 'one/s.gltf': JSON.stringify(json), 'one/data.bin': buffer }],
+    ['one', 'one/data.bin', { 'one/s.gltf': JSON.stringify(json), 'one/data.bin': buffer }],
+  ]) {
+    mkdirSync(join(folder, 'one'));
+    for (const [name, content] of Object.entries(files)) writeFileSync(join(folder, name), content);
+    const before = readFileSync(join(folder, output));
+    const line = `gv partition "${model}" --sites 2 --format glb -o ${output} -q`;
+    const { status, stderr } = shell(line);
+    const after = readFileSync(join(folder, output));
+    const other = shell(`gv partition "${model}" --sites 2 --format glb -o one/new.glb -q`);
+    rmSync(join(folder, 'one'), { recursive: true });
+    assert.equal(status, 1, line);
+    assertTidy(stderr, oneLine(`${output} cannot be written: the model is read from it`));
+    assert.deepEqual(after, before);
+    assert.equal(other.status, 0, other.stderr);
+  }
+  // Of several models, those that can be read are reported, but not there.
+  const { status, stderr } = shell('gv info parts.zip#two.obj old.json -o old.json');
+  assert.equal(status, 1);
+  assertTidy(stderr, /old\.json cannot be written: the model is read from it\n$/);
 });
 
 test('after a #, one of several models', { skip: !isUnix }, () => {

@@ -15,7 +15,7 @@ import {
   total,
   trianglesOf,
 } from './files.mjs';
-import { apart, grid, octahedron } from './meshes.mjs';
+import { apart, bumpySphere, grid, octahedron } from './meshes.mjs';
 
 let gvd;
 before(async () => {
@@ -238,6 +238,43 @@ test('quality of a dual as a remesh', async () => {
   assert.ok(quality.regularShare >= 0 && quality.regularShare <= 1);
   // Flat, and corners of the square are cut.
   assert.ok(quality.hausdorff > 0 && quality.hausdorff < 0.3);
+});
+
+/** A ball with five long spikes, each of which needs a ring of sites. */
+function star() {
+  const { positions, indices } = bumpySphere(24, 40);
+  const places = [];
+  for (let i = 0; i < positions.length; i += 3) {
+    const place = positions.slice(i, i + 3);
+    const length = Math.hypot(...place);
+    const spike = 0.5 + 0.5 * Math.cos(5 * Math.atan2(place[1], place[0]));
+    const radius = 0.3 + 6 * ((Math.hypot(place[0], place[1]) / length) * spike) ** 4;
+    places.push(...place.map((x) => (radius * x) / length));
+  }
+  return { positions: places, indices };
+}
+
+test('each round of a remesh adds at most half as many sites as the one before', async () => {
+  const mesh = await gvd.mesh(star());
+  const sites = await mesh.sampleSites(20);
+  let last;
+  for await (last of mesh.cvt(sites, { iterations: 5 }));
+  const once = await (await mesh.voronoi(last.sites)).repair();
+  const added = once.sites.face.length - 20;
+  assert.ok(added > 20, 'there is something to add');
+  const shares = [];
+  const onProgress = (share) => shares.push(share);
+  const remeshed = await mesh.remesh(sites, { iterations: 5, onProgress });
+  const inRounds = added + Math.floor(added / 2) + Math.floor(added / 4);
+  assert.ok(remeshed.sites.face.length <= 20 + inRounds, `${remeshed.sites.face.length}`);
+  assert.deepEqual(await remeshed.violations(), []);
+  assert.equal(shares.at(-1), 1);
+  // The limit holds for all rounds together.
+  const limited = await mesh.remesh(sites, { iterations: 5, maxAdded: added });
+  assert.equal(limited.sites.face.length, once.sites.face.length);
+  await assert.rejects(mesh.remesh(sites, { iterations: 5, maxAdded: 1 }), {
+    code: 'too-few-sites',
+  });
 });
 
 test('after sites have come and gone, it is about those that are there', async () => {

@@ -1,14 +1,24 @@
 // SPDX-License-Identifier: MIT
 import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
-import { diagramGlb, diagramJson, diagramObj, load } from 'geodesic-voronoi';
-import { grid } from './meshes.mjs';
+import {
+  diagramGlb,
+  diagramJson,
+  diagramObj,
+  distancesGlb,
+  load,
+  partitionGlb,
+  polygonGlb,
+} from 'geodesic-voronoi';
+import { assertValidGlb } from './files.mjs';
+import { bumpySphere, grid } from './meshes.mjs';
 
+let gvd;
 let diagram;
 let mesh;
 let single;
 before(async () => {
-  const gvd = await load();
+  gvd = await load();
   mesh = await gvd.mesh(grid(5));
   diagram = await mesh.voronoi(await mesh.sampleSites(6));
   single = await mesh.voronoi({ vertex: [0] });
@@ -163,4 +173,40 @@ test('a diagram without bisectors is a valid file all the same', () => {
   const bytes = diagramGlb(single.data);
   const json = JSON.parse(new TextDecoder().decode(bytes.subarray(20)));
   assert.deepEqual(json.scenes, [{}]);
+});
+
+test('a GLB keeps a model together that is far from the origin', async () => {
+  const shape = bumpySphere(24, 36);
+  const from = [500000, 4649776, 120];
+  const far = await gvd.mesh({
+    ...shape,
+    positions: shape.positions.map((x, i) => x + from[i % 3]),
+  });
+  const sites = await far.sampleSites(20);
+  const apart = await far.voronoi(sites);
+  const partition = await apart.partition();
+  for (const scale of [1, 1000]) {
+    for (const bytes of [
+      partitionGlb(partition, { mesh: far, scale }),
+      partitionGlb(partition, { mesh: far, scale, layout: 'features' }),
+      distancesGlb(await far.distances(sites), { mesh: far, scale }),
+    ]) {
+      await assertValidGlb(bytes);
+      const { info, positions } = await gvd.mesh(bytes);
+      assert.equal(info.components, 1);
+      assert.equal(info.boundaryLoops, 0);
+      near(info.area / (scale * scale * far.info.area), 1, 1e-6);
+      const top = positions.reduce((most, x, i) => (i % 3 === 2 ? Math.max(most, x) : most), 0);
+      near(top / scale, 120 + Math.max(...shape.positions.filter((_, i) => i % 3 === 2)), 1e-6);
+    }
+    const { info } = await gvd.mesh(polygonGlb(await apart.dual(), { mesh: far, scale }));
+    assert.equal(info.boundaryLoops, 0);
+    await assertValidGlb(diagramGlb(apart, { scale }));
+  }
+  const tooLarge = {
+    code: 'invalid-argument',
+    message: /^scale is 1e\+60: coordinates are too large/,
+  };
+  assert.throws(() => partitionGlb(partition, { scale: 1e60 }), tooLarge);
+  assert.throws(() => diagramGlb(apart, { scale: 1e60 }), tooLarge);
 });

@@ -193,7 +193,7 @@ l 1 2`;
   assert.ok(Math.abs(mesh.info.area - 7.5) < 1e-12);
   assert.deepEqual(mesh.info.notes, [
     '2 polygons were cut into triangles',
-    '1 lines and points were passed over',
+    '1 line or point was passed over',
   ]);
   const partition = await (
     await mesh.voronoi({ face: [0, 4, 7], bary: Array(9).fill(1 / 3) })
@@ -201,6 +201,25 @@ l 1 2`;
   assert.deepEqual(
     [...partition.regions.area].map((x) => x.toFixed(9)),
     ['3.000000000', '4.000000000', '0.500000000'],
+  );
+});
+
+test('comments end any line of an OBJ and an OFF', async () => {
+  const obj = `# three\nv 0 0 0 # a\nv 1 0 0#b\nv 0 1 0 #\n  # four
+f 1 2 3 # comment\nf 1 2 3 4 #c\nf 1 2# a line\n#f 1 2 3\nl 1 2 # too\nv 1 1 0\nf 2 4 3#c`;
+  const off = `OFF # by hand\n# counts\n4 2 0 # each\n0 0 0#a\n1 0 0 # b\n 0 1 0\n#\n1 1 0
+3 0 1 2 # first\n3 1 3 2#second`;
+  for (const [text, faces] of [
+    [obj, 4],
+    [off, 2],
+  ]) {
+    const { info } = await gvd.mesh(bytesOf(text));
+    assert.equal(info.inputFaces, faces);
+    assert.equal(info.inputVertices, 4);
+  }
+  await assert.rejects(
+    gvd.mesh(bytesOf('v 0 0 # 0\nf 1 1 1')),
+    fails('invalid-file', /line 1: a number is missing after 'v 0 0/),
   );
 });
 

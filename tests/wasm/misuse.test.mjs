@@ -402,6 +402,13 @@ test('cvt', async () => {
     (density) => start({ density }),
     /densit/,
   );
+  const zero = [new Float64Array(6), [0, 0, 0, 0, 0, -0]];
+  await refused(
+    zero,
+    (density) => start({ density }),
+    /^the density is zero all over the surface$/,
+  );
+  await refused(zero, (density) => mesh.sampleSites(2, { density }), /^the density is zero all ov/);
   await refused(notLists, (fixedSites) => start({ fixedSites }), /^fixedSites(\[0\])? is /);
   await refused([[0.5], [NaN]], (fixedSites) => start({ fixedSites }), /^fixedSites\[0\] is /);
   await refused([[-1], [2]], (fixedSites) => start({ fixedSites }), /site (-1|2) /);

@@ -93,42 +93,58 @@ function columnsOf(source: AttributeSource, rows: number[]): Omit<FileVertices, 
   };
 }
 
+/** A run of triangles of a partition: `first` … `last - 1`. */
+export interface TriangleRun {
+  first: number;
+  last: number;
+}
+
+/** Vertices of a run of triangles, and the vertex of each corner. */
+export interface RunVertices {
+  vertices: FileVertices;
+  corners: Uint32Array<ArrayBuffer>;
+}
+
 /**
- * Vertices for the triangles `first` … `last - 1` of a partition, and the vertex of each corner. A
- * point has one vertex, or several on a seam of the input's normals or texture coordinates.
+ * Vertices for each run of triangles. A point has one vertex there, or several on a seam of the
+ * input's normals or texture coordinates.
  */
 export function partitionVertices(
   { triangles, points }: Partition,
   source: AttributeSource | undefined,
-  first = 0,
-  last = triangles.label.length,
-): { vertices: FileVertices; corners: Uint32Array<ArrayBuffer> } {
+  runs: readonly TriangleRun[],
+): RunVertices[] {
   const interpolator = source && new Interpolator(source);
   const values = interpolator?.values ?? new Float32Array();
-  /** Per point the last vertex made there, per vertex the one before; -1 for none. */
+  /** Per point the last vertex of the run made there, -1 for none. */
   const newest = new Int32Array(points.face.length).fill(-1);
-  const before: number[] = [];
-  const at: number[] = [];
-  const rows: number[] = [];
-  const corners = new Uint32Array(3 * (last - first));
-  for (let c = 0; c < corners.length; ++c) {
-    const corner = 3 * first + c;
-    const point = triangles.points[corner];
-    interpolator?.moveTo(triangles.face[Math.floor(corner / 3)], triangles.bary, 3 * corner);
-    let vertex = newest[point];
-    while (vertex >= 0 && !values.every((x, k) => x === rows[vertex * values.length + k]))
-      vertex = before[vertex];
-    if (vertex < 0) {
-      vertex = at.length;
-      at.push(point);
-      before.push(newest[point]);
-      newest[point] = vertex;
-      rows.push(...values);
+  return runs.map(({ first, last }) => {
+    /** Per vertex the one before at its point. */
+    const before: number[] = [];
+    const at: number[] = [];
+    const rows: number[] = [];
+    const corners = new Uint32Array(3 * (last - first));
+    for (let c = 0; c < corners.length; ++c) {
+      const corner = 3 * first + c;
+      const point = triangles.points[corner];
+      interpolator?.moveTo(triangles.face[Math.floor(corner / 3)], triangles.bary, 3 * corner);
+      let vertex = newest[point];
+      while (vertex >= 0 && !values.every((x, k) => x === rows[vertex * values.length + k]))
+        vertex = before[vertex];
+      if (vertex < 0) {
+        vertex = at.length;
+        at.push(point);
+        before.push(newest[point]);
+        newest[point] = vertex;
+        rows.push(...values);
+      }
+      corners[c] = vertex;
     }
-    corners[c] = vertex;
-  }
-  const columns = source && values.length > 0 ? columnsOf(source, rows) : {};
-  return { vertices: { points: Int32Array.from(at), ...columns }, corners };
+    // Not by a new array: there may be as many runs as points.
+    for (const point of at) newest[point] = -1;
+    const columns = source && values.length > 0 ? columnsOf(source, rows) : {};
+    return { vertices: { points: Int32Array.from(at), ...columns }, corners };
+  });
 }
 
 /** One vertex per point. */

@@ -202,7 +202,7 @@ class Merge {
     return { ...lists, face: keys, label: label.toArray() };
   }
 
-  #indifferentFaces(): Int32Array {
+  #indifferentFaces(): Int32Array<ArrayBuffer> {
     const faces = this.#numbers(({ indifferentFaces }) => indifferentFaces);
     for (const { order, arrays } of this.#sources)
       for (const face of arrays.indifferentFaces)
@@ -211,7 +211,7 @@ class Merge {
   }
 
   /** An array with room for all numbers of all sources. */
-  #numbers(of: (arrays: Pieces) => Int32Array): GrowingArray<Int32Array> {
+  #numbers(of: (arrays: Pieces) => Int32Array): GrowingArray<Int32Array<ArrayBuffer>> {
     return new GrowingArray(
       Int32Array,
       total(this.#sources, ({ arrays }) => of(arrays).length),
@@ -235,7 +235,7 @@ class Merge {
     keyOf: (arrays: Pieces) => Int32Array,
     last: LastChange,
     taken: (arrays: Pieces, i: number) => void = () => {},
-  ): { lists: PointLists; keys: Int32Array } {
+  ): { lists: PointLists; keys: Int32Array<ArrayBuffer> } {
     const lists = this.#lists(listsOf);
     const keys = this.#numbers(keyOf);
     const take = ({ arrays, pointOf }: Source, i: number) => {
@@ -285,9 +285,9 @@ function total<Item>(items: readonly Item[], count: (item: Item) => number): num
 
 /** Collects the points that a merged diagram refers to, each place once. */
 class MergedPoints {
-  readonly #face: GrowingArray<Int32Array>;
-  readonly #bary: GrowingArray<Float64Array>;
-  readonly #position: GrowingArray<Float64Array>;
+  readonly #face: GrowingArray<Int32Array<ArrayBuffer>>;
+  readonly #bary: GrowingArray<Float64Array<ArrayBuffer>>;
+  readonly #position: GrowingArray<Float64Array<ArrayBuffer>>;
   /** By face, if several sources may have points there at the same place: its points so far. */
   readonly #shared: Map<number, { point: number; b0: number; b1: number }[]>;
 
@@ -339,11 +339,14 @@ class MergedPoints {
 }
 
 class ListsBuilder {
-  readonly #offset: GrowingArray<Int32Array>;
-  readonly #points: GrowingArray<Int32Array>;
+  readonly #offset: GrowingArray<Int32Array<ArrayBuffer>>;
+  readonly #points: GrowingArray<Int32Array<ArrayBuffer>>;
 
   /** Of two empty arrays. */
-  constructor(offset: GrowingArray<Int32Array>, points: GrowingArray<Int32Array>) {
+  constructor(
+    offset: GrowingArray<Int32Array<ArrayBuffer>>,
+    points: GrowingArray<Int32Array<ArrayBuffer>>,
+  ) {
     this.#offset = offset;
     this.#points = points;
     this.#offset.push(0);

@@ -111,12 +111,12 @@ export function toColours(
   return colours;
 }
 
-export function toFloat64(name: string, values: ArrayLike<number>): Float64Array {
+export function toFloat64(name: string, values: ArrayLike<number>): Float64Array<ArrayBuffer> {
   requireNumbers(name, values);
   return new Float64Array(values);
 }
 
-export function toInt32(name: string, values: ArrayLike<number>): Int32Array {
+export function toInt32(name: string, values: ArrayLike<number>): Int32Array<ArrayBuffer> {
   requireNumbers(name, values);
   const integers = new Int32Array(values);
   for (let i = 0; i < integers.length; ++i) {

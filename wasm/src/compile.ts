@@ -6,26 +6,26 @@ import { show } from './checks.js';
 import { GeodesicVoronoiError, invalidArgument } from './errors.js';
 
 /**
+ * A compiled module: a `WebAssembly.Module`. That name is one of the DOM's types, which a project for
+ * Node need not have.
+ */
+export type CompiledModule = object;
+
+/**
  * Where a WebAssembly module comes from: its address, its bytes (any typed array, also a `Buffer`),
  * what the server answered, or the module itself.
  */
-export type WasmSource =
-  | URL
-  | string
-  | ArrayBuffer
-  | ArrayBufferView
-  | Response
-  | WebAssembly.Module;
+export type WasmSource = URL | string | ArrayBuffer | ArrayBufferView | Response | CompiledModule;
 
 /** Compiles the module at an address; how depends on where the library runs. */
-export type CompileAddress = (address: URL | string) => Promise<WebAssembly.Module>;
+export type CompileAddress = (address: URL | string) => Promise<CompiledModule>;
 
 /** Compiles a source, or throws 'load-failed'. `name` is the option's, for errors. */
 export async function compile(
   name: string,
   source: WasmSource,
   compileAddress: CompileAddress,
-): Promise<WebAssembly.Module> {
+): Promise<CompiledModule> {
   if (source instanceof WebAssembly.Module) return source;
   try {
     if (isAddress(source)) return await compileAddress(source);
@@ -42,11 +42,11 @@ export async function compile(
   );
 }
 
-export async function compileFromWeb(address: URL | string): Promise<WebAssembly.Module> {
+export async function compileFromWeb(address: URL | string): Promise<CompiledModule> {
   return compileResponse(await fetch(address));
 }
 
-async function compileResponse(response: Response): Promise<WebAssembly.Module> {
+async function compileResponse(response: Response): Promise<CompiledModule> {
   if (!response.ok) throw new Error(`the server answers ${response.status} ${response.statusText}`);
   // Streaming compilation needs this media type, which some servers do not send.
   return response.headers.get('Content-Type')?.startsWith('application/wasm')

@@ -109,20 +109,17 @@ export function distancesGlb(
   const triangles = Array.from({ length: mesh.indices.length / 3 }, (_, f) =>
     mesh.indices.subarray(3 * f, 3 * f + 3),
   ).filter((corners) => corners.every(hasFinitePosition));
-  const positions = mesh.positions.map((x) => (Number.isFinite(x) ? x : 0));
   const known = distance.map((d) => (d === Infinity ? -1 : scale * d));
-  const file = new GlbBuilder();
+  const file = new GlbBuilder(mesh.positions, scale);
   const primitive = {
     attributes: {
-      ...glbAttributes(file, positions, inputVertices(mesh), scale),
+      ...glbAttributes(file, inputVertices(mesh)),
       _LABEL: file.attribute(Float32Array.from(label), 'SCALAR'),
       _DISTANCE: file.attribute(Float32Array.from(known), 'SCALAR'),
     },
     indices: file.indices(Uint32Array.from(triangles.flatMap((corners) => [...corners]))),
   };
   return file.finish({
-    scene: 0,
-    scenes: [{ nodes: [0] }],
     nodes: [{ name: 'distances', mesh: 0 }],
     meshes: [{ name: 'distances', primitives: [primitive] }],
   });

@@ -9,13 +9,10 @@ import type { PlyColumns } from './ply.js';
 /** As the attributes of a primitive. */
 export function glbAttributes(
   file: GlbBuilder,
-  position: Float64Array,
   { points, normals, uvs }: FileVertices,
-  scale: number,
 ): Record<string, number> {
-  const positions = Float32Array.from(positionsAt(position, points, scale));
   return {
-    POSITION: file.attribute(positions, 'VEC3'),
+    POSITION: file.positions(points),
     ...(normals && { NORMAL: file.attribute(normals, 'VEC3') }),
     ...(uvs && { TEXCOORD_0: file.attribute(uvs, 'VEC2') }),
   };

@@ -4,7 +4,7 @@
 
 import { isObject, toResult } from './checks.js';
 import { toFileOptions, type FileOptions, type JsonOptions } from './file_options.js';
-import { GlbBuilder } from './glb.js';
+import { emptyGlb, GlbBuilder } from './glb.js';
 import { regionsOf } from './region.js';
 import type { DiagramData, PlacedPoints, SurfacePoints } from './results.js';
 import type { Diagram } from './types.js';
@@ -178,22 +178,16 @@ export function diagramGlb(
   const { points, segments } = arraysOf(diagram, 'points', 'segments');
   const { scale } = toFileOptions(options, {});
   const { used, number } = compact([segments.points], points.face.length);
-  const positions = new Float32Array(3 * used.length);
-  used.forEach((point, i) => {
-    for (let k = 0; k < 3; ++k) positions[3 * i + k] = scale * points.position[3 * point + k];
-  });
-  const file = new GlbBuilder();
-  // One region, no bisectors: glTF has no empty primitive.
-  if (used.length === 0) return file.finish({ scene: 0, scenes: [{}] });
+  // One region has no bisectors.
+  if (used.length === 0) return emptyGlb();
+  const file = new GlbBuilder(points.position, scale);
   const lines = 1;
   const primitive = {
-    attributes: { POSITION: file.attribute(positions, 'VEC3') },
+    attributes: { POSITION: file.positions(used) },
     indices: file.indices(Uint32Array.from(segments.points, (point) => number[point])),
     mode: lines,
   };
   return file.finish({
-    scene: 0,
-    scenes: [{ nodes: [0] }],
     nodes: [{ name: 'bisectors', mesh: 0 }],
     meshes: [{ primitives: [primitive] }],
   });

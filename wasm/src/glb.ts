@@ -2,6 +2,8 @@
 //
 // Writing binary glTF.
 
+import { invalidArgument } from './errors.js';
+
 type Elements = Float32Array | Uint32Array | Uint8Array;
 
 const componentTypes = new Map<unknown, number>([
@@ -15,10 +17,34 @@ const sizes = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 };
 
 /** A binary glTF in the making: accessors first, then the objects that name them. */
 export class GlbBuilder {
+  readonly #places: Float64Array;
+  readonly #scale: number;
+  readonly #origin: number[];
   readonly #accessors: object[] = [];
   readonly #bufferViews: object[] = [];
   readonly #data: Elements[] = [];
   #byteLength = 0;
+
+  /** A file of some places, x, y, z each, of which all lengths are multiplied with `scale`. */
+  constructor(places: Float64Array, scale: number) {
+    this.#places = places;
+    this.#scale = scale;
+    this.#origin = originOf(places);
+  }
+
+  /** Adds the positions of some of the places; one that is not finite is at the origin of all. */
+  positions(points: ArrayLike<number>): number {
+    const positions = new Float32Array(3 * points.length);
+    for (let i = 0; i < positions.length; ++i) {
+      const x = this.#places[3 * points[Math.floor(i / 3)] + (i % 3)];
+      if (Number.isFinite(x)) positions[i] = this.#scale * (x - this.#origin[i % 3]);
+      if (!Number.isFinite(positions[i]))
+        throw invalidArgument(
+          `scale is ${this.#scale}: coordinates are too large then for the numbers of a GLB, of 32 bits`,
+        );
+    }
+    return this.attribute(positions, 'VEC3');
+  }
 
   /** Adds a vertex attribute. Bytes stand for 0 … 1; elements take a multiple of four bytes. */
   attribute(data: Elements, type: keyof typeof sizes): number {
@@ -44,35 +70,57 @@ export class GlbBuilder {
       count: data.length / sizes[type],
       type,
       ...(data instanceof Uint8Array && { normalized: true }),
-      ...(type === 'VEC3' && extremes(data)),
+      ...(type === 'VEC3' && data instanceof Float32Array && extremes(data)),
     });
     this.#data.push(data);
     this.#byteLength += data.byteLength;
     return this.#accessors.length - 1;
   }
 
-  /** The file: `objects` with an `asset` and what the accessors need. */
-  finish(objects: object): Uint8Array<ArrayBuffer> {
+  /** The file: a scene of all `nodes`, with the other objects and what the accessors need. */
+  finish({ nodes, ...objects }: { nodes: object[] } & Record<string, unknown>): GlbBytes {
+    const translation = this.#origin.map((x) => this.#scale * x);
+    const isMoved = translation.some((x) => x !== 0);
     const json = {
-      asset: { version: '2.0', generator: 'geodesic-voronoi' },
+      ...head,
       ...objects,
-      // glTF has no empty lists.
-      ...(this.#data.length > 0 && {
-        accessors: this.#accessors,
-        bufferViews: this.#bufferViews,
-        buffers: [{ byteLength: this.#byteLength }],
-      }),
+      scenes: [{ nodes: nodes.map((_, i) => i) }],
+      nodes: nodes.map((node) => ({ ...node, ...(isMoved && { translation }) })),
+      accessors: this.#accessors,
+      bufferViews: this.#bufferViews,
+      buffers: [{ byteLength: this.#byteLength }],
     };
     return glb(json, this.#data, this.#byteLength);
   }
 }
 
-/** The least and the greatest of each of three coordinates. */
-function extremes(data: Elements): { min: number[]; max: number[] } {
+type GlbBytes = Uint8Array<ArrayBuffer>;
+
+const head = { asset: { version: '2.0', generator: 'geodesic-voronoi' }, scene: 0 };
+
+/** A file of nothing: glTF has neither empty primitives nor empty lists. */
+export function emptyGlb(): GlbBytes {
+  return glb({ ...head, scenes: [{}] }, [], 0);
+}
+
+/**
+ * Where the coordinates of a file count from: the centre of the places if it is farther from zero
+ * than they are from each other. The numbers of a GLB, of 32 bits, would not tell them apart there.
+ */
+function originOf(places: Float64Array): number[] {
+  const { min, max } = extremes(places);
+  const centre = min.map((x, k) => x / 2 + max[k] / 2);
+  const size = Math.hypot(...min.map((x, k) => max[k] - x));
+  return Math.hypot(...centre) > size ? centre : [0, 0, 0];
+}
+
+/** The least and the greatest of each of three coordinates, of those that are finite. */
+function extremes(data: Float32Array | Float64Array): { min: number[]; max: number[] } {
   const min = [Infinity, Infinity, Infinity];
   const max = [-Infinity, -Infinity, -Infinity];
   for (let i = 0; i < data.length; ++i) {
     const k = i % 3;
+    if (!Number.isFinite(data[i])) continue;
     if (data[i] < min[k]) min[k] = data[i];
     if (data[i] > max[k]) max[k] = data[i];
   }
@@ -80,7 +128,7 @@ function extremes(data: Elements): { min: number[]; max: number[] } {
 }
 
 /** A JSON chunk and, if there is data, a BIN chunk. */
-function glb(json: object, data: Elements[], binLength: number): Uint8Array<ArrayBuffer> {
+function glb(json: object, data: Elements[], binLength: number): GlbBytes {
   const text = new TextEncoder().encode(JSON.stringify(json));
   const jsonLength = 4 * Math.ceil(text.length / 4);
   const length = 12 + 8 + jsonLength + (binLength > 0 ? 8 + binLength : 0);

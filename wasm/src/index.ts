@@ -3,7 +3,14 @@
 // geodesic-voronoi in a page or a worker; Node has `node.ts` instead. Importing it does nothing.
 
 import { isObject, show, toOptions } from './checks.js';
-import { compile, compileFromWeb, isAddress, isResponse, type WasmSource } from './compile.js';
+import {
+  compile,
+  compileFromWeb,
+  isAddress,
+  isResponse,
+  type CompiledModule,
+  type WasmSource,
+} from './compile.js';
 import { GeodesicVoronoiError, invalidArgument, type ErrorCode } from './errors.js';
 import { Library } from './library.js';
 import {
@@ -19,7 +26,7 @@ import { startWorkerEngine } from './worker_engine.js';
 
 export type * from './results.js';
 export type * from './types.js';
-export type { CompileOptions, ErrorCode, LoadOptions, Modules, WasmSource };
+export type { CompileOptions, CompiledModule, ErrorCode, LoadOptions, Modules, WasmSource };
 export { GeodesicVoronoiError };
 export { gltfResourceUris } from './input/gltf_document.js';
 export { type FindModelOptions, type FoundModel, findModel, listModels } from './find_model.js';
@@ -71,12 +78,19 @@ export function compileModules(options?: CompileOptions): Promise<Modules> {
   return compileSources(options, compileFromWeb);
 }
 
+/** A `Worker` of a page. That name is one of the DOM's types, which a project for Node need not have. */
+export interface PageWorker {
+  onerror: ((event: never) => unknown) | null;
+  postMessage(message: unknown): void;
+  terminate(): void;
+}
+
 export interface LoadWorkerOptions extends LoadOptions {
   /**
    * A module worker that runs `geodesic-voronoi/worker`, or the address of that script; by default
    * the one beside this file.
    */
-  worker?: Worker | URL | string | undefined;
+  worker?: PageWorker | URL | string | undefined;
 }
 
 /**
@@ -111,7 +125,7 @@ export async function loadWorker(options?: LoadWorkerOptions): Promise<GeodesicV
   return new Library(await startWorkerEngine(startWorker(given), sources));
 }
 
-function isWorker(worker: unknown): worker is Worker {
+function isWorker(worker: unknown): worker is PageWorker {
   return isObject(worker) && 'postMessage' in worker && 'terminate' in worker;
 }
 
@@ -127,7 +141,7 @@ function requireWorker(worker: LoadWorkerOptions['worker']): void {
 }
 
 function startWorker(worker: LoadWorkerOptions['worker']): Worker {
-  if (isWorker(worker)) return worker;
+  if (isWorker(worker)) return worker as Worker;
   if (worker === undefined)
     return new Worker(new URL('./worker.js', import.meta.url), {
       type: 'module',

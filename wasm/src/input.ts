@@ -180,7 +180,7 @@ function toBarycentric(
   );
 }
 
-function toIndices(name: string, indices: number | ArrayLike<number>): Int32Array {
+function toIndices(name: string, indices: number | ArrayLike<number>): Int32Array<ArrayBuffer> {
   return toInt32(name, typeof indices === 'number' ? [indices] : indices);
 }
 
@@ -241,9 +241,12 @@ export type GivenDensity = Float64Array | 'curvature';
 /** `attribute` is the density that the mesh came with. */
 export function toDensity(density: Density, attribute: Float64Array): GivenDensity {
   if (density === 'curvature') return density;
-  if (density !== 'attribute') return toFloat64('density', density);
-  if (attribute.length > 0) return attribute;
-  throw invalidArgument('the mesh came without a density');
+  const numbers = density === 'attribute' ? attribute : toFloat64('density', density);
+  if (density === 'attribute' && numbers.length === 0)
+    throw invalidArgument('the mesh came without a density');
+  if (numbers.length > 0 && numbers.every((x) => x === 0))
+    throw invalidArgument('the density is zero all over the surface');
+  return numbers;
 }
 
 /** The core checks whether density and fixed sites fit the mesh and the sites. */

@@ -3,7 +3,7 @@
 // How the library is loaded; where files are read from is for `index.ts` and `node.ts` to say.
 
 import { toOptions } from './checks.js';
-import { compile, type CompileAddress, type WasmSource } from './compile.js';
+import { type CompiledModule, compile, type CompileAddress, type WasmSource } from './compile.js';
 import type { EngineSources } from './engine.js';
 import { Library } from './library.js';
 import { LocalEngine } from './local_engine.js';
@@ -22,7 +22,7 @@ export interface LoadOptions {
 export type CompileOptions = Pick<LoadOptions, 'wasm' | 'gltfWasm'>;
 
 /** The two modules that every glTF needs, compiled: options of `load` and `loadWorker`. */
-export type Modules = Record<'wasm' | 'gltfWasm', WebAssembly.Module>;
+export type Modules = Record<'wasm' | 'gltfWasm', CompiledModule>;
 
 /** Where the modules are by default. The addresses are written so that bundlers see them. */
 const beside = () => ({

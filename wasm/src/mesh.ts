@@ -44,6 +44,8 @@ import type { Triangles } from './triangles.js';
 import type {
   CvtOptions,
   CvtState,
+  CvtStateWithData,
+  CvtStateWithDiagram,
   Diagram,
   DistancesOptions,
   Mesh,
@@ -118,9 +120,9 @@ export class EngineMesh implements Mesh {
     return this.#kept.call('bareComponents', [face, bary], task);
   }
 
-  async curvatureDensity(options?: TaskOptions): Promise<Float64Array> {
+  async curvatureDensity(options?: TaskOptions): Promise<Float64Array<ArrayBuffer>> {
     const task = toTask(options);
-    const { values } = await this.#kept.call<{ values: Float64Array }>(
+    const { values } = await this.#kept.call<{ values: Float64Array<ArrayBuffer> }>(
       'curvatureDensity',
       [],
       task,
@@ -141,7 +143,7 @@ export class EngineMesh implements Mesh {
     return points;
   }
 
-  async positionsOf(points: SurfacePointsInput): Promise<Float64Array> {
+  async positionsOf(points: SurfacePointsInput): Promise<Float64Array<ArrayBuffer>> {
     const { face, bary } = await this.#kept.onSurface(toPoints('points', points));
     this.#requireFaces({ face });
     const places = new Float64Array(3 * face.length).fill(NaN);
@@ -194,6 +196,15 @@ export class EngineMesh implements Mesh {
     return this.#kept.call('shortestPath', [start.face, start.bary, end.face, end.bary], task);
   }
 
+  cvt(
+    sites: SurfacePointsInput,
+    options: CvtOptions & { diagrams: true },
+  ): AsyncGenerator<CvtStateWithDiagram, void, void>;
+  cvt(
+    sites: SurfacePointsInput,
+    options: CvtOptions & { data: true },
+  ): AsyncGenerator<CvtStateWithData, void, void>;
+  cvt(sites: SurfacePointsInput, options?: CvtOptions): AsyncGenerator<CvtState, void, void>;
   async *cvt(
     sites: SurfacePointsInput,
     options?: CvtOptions,

@@ -4,7 +4,7 @@
 
 import { readFile } from 'node:fs/promises';
 import { pathToFileURL } from 'node:url';
-import { compileFromWeb } from './compile.js';
+import { compileFromWeb, type CompiledModule } from './compile.js';
 import {
   compileSources,
   loadLocal,
@@ -27,7 +27,7 @@ export function compileModules(options?: CompileOptions): Promise<Modules> {
 }
 
 /** An address, or a path, in which # and ? and % are letters as any others. */
-async function compileFromDisk(address: URL | string): Promise<WebAssembly.Module> {
+async function compileFromDisk(address: URL | string): Promise<CompiledModule> {
   const isPath = typeof address === 'string' && !/^([a-z][a-z\d+.-]*:\/\/|data:)/i.test(address);
   const url = isPath ? pathToFileURL(address) : new URL(address);
   return url.protocol === 'file:' ? WebAssembly.compile(await readFile(url)) : compileFromWeb(url);

@@ -2,7 +2,7 @@
 //
 // A partition as a file.
 
-import { joined, partitionVertices } from './attributes.js';
+import { joined, partitionVertices, type TriangleRun } from './attributes.js';
 import { toColours, toOneOf, toResult } from './checks.js';
 import { toFileOptions, type JsonOptions, type SurfaceFileOptions } from './file_options.js';
 import { invalidArgument } from './errors.js';
@@ -15,7 +15,7 @@ import {
   type PlacedPointsJson,
   type SurfacePointsJson,
 } from './formats.js';
-import { GlbBuilder } from './glb.js';
+import { emptyGlb, GlbBuilder } from './glb.js';
 import { ply } from './ply.js';
 import type { Partition, SurfacePoints } from './results.js';
 
@@ -123,8 +123,7 @@ export function partitionGlb(
   });
   toOneOf('layout', layout, partitionLayouts);
   if (form.colours !== undefined) toColours('colours', form.colours);
-  if (partition.triangles.label.length === 0)
-    return new GlbBuilder().finish({ scene: 0, scenes: [{}] }); // glTF has no empty primitive
+  if (partition.triangles.label.length === 0) return emptyGlb();
   return layout === 'regions' ? regionsGlb(partition, form) : featuresGlb(partition, form);
 }
 
@@ -132,9 +131,10 @@ function regionsGlb(
   partition: Partition,
   { mesh, scale = 1, colours = [] }: PartitionGlbOptions,
 ): Uint8Array<ArrayBuffer> {
-  const file = new GlbBuilder();
-  const parts = partsOf(partition).map(({ label, first, last }, i) => {
-    const { vertices, corners } = partitionVertices(partition, mesh, first, last);
+  const file = new GlbBuilder(partition.points.position, scale);
+  const runs = partsOf(partition);
+  const parts = partitionVertices(partition, mesh, runs).map(({ vertices, corners }, i) => {
+    const { label } = runs[i];
     const name = nameOf(label);
     const extras = { region: label };
     return {
@@ -143,7 +143,7 @@ function regionsGlb(
         name,
         primitives: [
           {
-            attributes: glbAttributes(file, partition.points.position, vertices, scale),
+            attributes: glbAttributes(file, vertices),
             indices: file.indices(corners),
             material: i,
           },
@@ -153,8 +153,6 @@ function regionsGlb(
     };
   });
   return file.finish({
-    scene: 0,
-    scenes: [{ nodes: parts.map((_, i) => i) }],
     nodes: parts.map(({ node }) => node),
     meshes: parts.map(({ mesh }) => mesh),
     materials: parts.map(({ material }) => material),
@@ -166,10 +164,11 @@ function featuresGlb(
   { mesh, scale = 1, colours: regionColours = [] }: PartitionGlbOptions,
 ): Uint8Array<ArrayBuffer> {
   const siteCount = partition.regions.area.length;
-  const file = new GlbBuilder();
-  const patches = partsOf(partition).map(({ label, first, last }) => ({
-    label,
-    ...partitionVertices(partition, mesh, first, last),
+  const file = new GlbBuilder(partition.points.position, scale);
+  const runs = partsOf(partition);
+  const patches = partitionVertices(partition, mesh, runs).map((patch, i) => ({
+    label: runs[i].label,
+    ...patch,
   }));
   // Vertices on borders are repeated for each region, because a vertex has one feature id.
   const vertices = joined(patches.map((patch) => patch.vertices));
@@ -196,7 +195,7 @@ function featuresGlb(
   };
   const primitive = {
     attributes: {
-      ...glbAttributes(file, partition.points.position, vertices, scale),
+      ...glbAttributes(file, vertices),
       COLOR_0: file.attribute(colours, 'VEC4'),
       _FEATURE_ID_0: file.attribute(ids, 'SCALAR'),
     },
@@ -209,8 +208,6 @@ function featuresGlb(
   };
   return file.finish({
     ...(featureIds.featureCount > 0 && { extensionsUsed: ['EXT_mesh_features'] }),
-    scene: 0,
-    scenes: [{ nodes: [0] }],
     nodes: [{ name: 'regions', mesh: 0 }],
     meshes: [{ name: 'regions', primitives: [primitive] }],
     materials: [material('regions', [1, 1, 1, 1])],
@@ -221,7 +218,7 @@ function featuresGlb(
 export function partitionObj(partition: Partition, options?: SurfaceFileOptions): string {
   toPartition(partition);
   const { mesh, scale } = toFileOptions(options, { mesh: undefined });
-  const { vertices, corners } = partitionVertices(partition, mesh);
+  const [{ vertices, corners }] = partitionVertices(partition, mesh, [allOf(partition)]);
   const lines = objLines(partition.points.position, vertices, scale);
   const corner = (c: number) => objCorner(vertices, partition.triangles.points[c], corners[c]);
   for (const { label, first, last } of partsOf(partition)) {
@@ -253,7 +250,7 @@ export function partitionPly(
     const bytes = (colours[region] ?? hueOf(region)).map(srgbByte);
     for (let t = first; t < last; ++t) rgb.set(bytes, 3 * t);
   }
-  const { vertices, corners } = partitionVertices(partition, mesh);
+  const [{ vertices, corners }] = partitionVertices(partition, mesh, [allOf(partition)]);
   const offset = Int32Array.from({ length: partition.triangles.label.length + 1 }, (_, t) => 3 * t);
   return ply(
     'Regions of a geodesic Voronoi diagram',
@@ -266,12 +263,12 @@ export function partitionPly(
   );
 }
 
+function allOf({ triangles }: Partition): TriangleRun {
+  return { first: 0, last: triangles.label.length };
+}
+
 /** The runs of triangles of one label. */
-function partsOf({ triangles, regions }: Partition): {
-  label: number;
-  first: number;
-  last: number;
-}[] {
+function partsOf({ triangles, regions }: Partition): (TriangleRun & { label: number })[] {
   const { triangleOffset } = regions;
   const parts = Array.from(regions.area, (_, label) => ({
     label,

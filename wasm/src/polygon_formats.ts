@@ -12,7 +12,7 @@ import {
   type LengthsJson,
   type PlacedPointsJson,
 } from './formats.js';
-import { GlbBuilder } from './glb.js';
+import { emptyGlb, GlbBuilder } from './glb.js';
 import { ply, type PlyColumns } from './ply.js';
 import type { PolygonMesh, PolygonTopology } from './results.js';
 
@@ -47,16 +47,13 @@ export function polygonGlb(
 ): Uint8Array<ArrayBuffer> {
   const { points, triangles } = toPolygons(polygons);
   const { mesh, scale } = toFileOptions(options, { mesh: undefined });
-  const file = new GlbBuilder();
-  // glTF has no empty primitive.
-  if (triangles.face.length === 0) return file.finish({ scene: 0, scenes: [{}] });
+  if (triangles.face.length === 0) return emptyGlb();
+  const file = new GlbBuilder(points.position, scale);
   const primitive = {
-    attributes: glbAttributes(file, points.position, pointVertices(points, mesh), scale),
+    attributes: glbAttributes(file, pointVertices(points, mesh)),
     indices: file.indices(Uint32Array.from(triangles.points)),
   };
   return file.finish({
-    scene: 0,
-    scenes: [{ nodes: [0] }],
     nodes: [{ name: 'polygons', mesh: 0 }],
     meshes: [{ name: 'polygons', primitives: [primitive] }],
   });

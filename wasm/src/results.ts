@@ -38,17 +38,17 @@ export const orientations = ['unify', 'keep'] as const;
  * `bary[3i…3i+2]` are the barycentric coordinates in the order of that triangle's corners.
  */
 export interface SurfacePoints {
-  face: Int32Array;
-  bary: Float64Array;
+  face: Int32Array<ArrayBuffer>;
+  bary: Float64Array<ArrayBuffer>;
 }
 
 /** Surface points with their places in space: x, y, z each. */
-export type PlacedPoints = SurfacePoints & { position: Float64Array };
+export type PlacedPoints = SurfacePoints & { position: Float64Array<ArrayBuffer> };
 
 /** The points of a surface closest to places in space, in the order of the places. */
 export type ClosestPoints = PlacedPoints & {
   /** The straight distance of each from its place, in the input's units. */
-  distance: Float64Array;
+  distance: Float64Array<ArrayBuffer>;
 };
 
 /**
@@ -117,8 +117,8 @@ export interface MeshInfo {
 
 /** A list of lists of point indices: list i is `points[offset[i]] … points[offset[i + 1] - 1]`. */
 export interface PointLists {
-  offset: Int32Array;
-  points: Int32Array;
+  offset: Int32Array<ArrayBuffer>;
+  points: Int32Array<ArrayBuffer>;
 }
 
 /**
@@ -131,24 +131,33 @@ export interface DiagramData {
   /** The points that the fields below refer to by index, each place once. */
   points: PlacedPoints;
   /** Per bisector segment: two points, its left (lower) and right label, its face and its arc. */
-  segments: { points: Int32Array; labels: Int32Array; face: Int32Array; arc: Int32Array };
+  segments: {
+    points: Int32Array<ArrayBuffer>;
+    labels: Int32Array<ArrayBuffer>;
+    face: Int32Array<ArrayBuffer>;
+    arc: Int32Array<ArrayBuffer>;
+  };
   /** Maximal chains of segments with the same two labels, as lists of points; two labels each. */
-  arcs: PointLists & { labels: Int32Array };
+  arcs: PointLists & { labels: Int32Array<ArrayBuffer> };
   /** Per Voronoi point its index in `points`, and the labels around it, counterclockwise. */
-  voronoiPoints: { point: Int32Array; labelOffset: Int32Array; labels: Int32Array };
+  voronoiPoints: {
+    point: Int32Array<ArrayBuffer>;
+    labelOffset: Int32Array<ArrayBuffer>;
+    labels: Int32Array<ArrayBuffer>;
+  };
   /** Closed outlines with their region on the left, ascending by `label`. */
-  loops: PointLists & { label: Int32Array };
+  loops: PointLists & { label: Int32Array<ArrayBuffer> };
   /** The area of each region, by label, in the input's units, squared. */
-  regionArea: Float64Array;
+  regionArea: Float64Array<ArrayBuffer>;
   /**
    * Per input triangle: the label that owns all of it, -1 if no site reaches it, -2 if several
    * regions share it (see `cells`), -3 if the mesh builder dropped it.
    */
-  faceLabel: Int32Array;
+  faceLabel: Int32Array<ArrayBuffer>;
   /** Input triangles on which several labels tie; they go to the lowest of these. */
-  indifferentFaces: Int32Array;
+  indifferentFaces: Int32Array<ArrayBuffer>;
   /** The parts of triangles that several regions share: convex polygons, counterclockwise. */
-  cells: PointLists & { face: Int32Array; label: Int32Array };
+  cells: PointLists & { face: Int32Array<ArrayBuffer>; label: Int32Array<ArrayBuffer> };
 }
 
 /**
@@ -158,9 +167,9 @@ export interface DiagramChange {
   /** The label of the site that came, went or moved. */
   label: number;
   /** The regions that may differ, ascending. */
-  labels: Int32Array;
+  labels: Int32Array<ArrayBuffer>;
   /** The input triangles that may differ; `part` has all cells of each. */
-  faces: Int32Array;
+  faces: Int32Array<ArrayBuffer>;
   /**
    * The arrays that replace everything the diagram had of these regions and triangles. Points have
    * numbers of their own here. `faceLabel` has an entry for each of `faces`, `regionArea` for each
@@ -176,9 +185,9 @@ export interface DiagramChange {
  */
 export interface VertexDistances {
   /** The nearest site, the first one of those that tie; -1 if none reaches the vertex. */
-  label: Int32Array;
+  label: Int32Array<ArrayBuffer>;
   /** In the input's units; Infinity if no site reaches the vertex. */
-  distance: Float64Array;
+  distance: Float64Array<ArrayBuffer>;
   /**
    * Two numbers per vertex: the direction in which the shortest path leaves the site, as a unit
    * vector; NaN if there is none. Times the distance, it is the logarithmic map. The x axis is the
@@ -186,7 +195,7 @@ export interface VertexDistances {
    * the corners run counterclockwise; triangles beside a site on an edge or vertex are unfolded
    * around it. Without a meaning at the site itself.
    */
-  direction: Float64Array;
+  direction: Float64Array<ArrayBuffer>;
 }
 
 /** Distances, with the metric and the sites that they belong to. */
@@ -213,9 +222,9 @@ export interface SurfacePath {
 
 export interface Located {
   /** Nearest site per point, -1 if none reaches it. */
-  label: Int32Array;
+  label: Int32Array<ArrayBuffer>;
   /** Its distance in the input's units, Infinity if none reaches it. */
-  distance: Float64Array;
+  distance: Float64Array<ArrayBuffer>;
 }
 
 /**
@@ -229,32 +238,41 @@ export interface Partition {
    * `face` is the input triangle that each is part of, and `bary` gives its three corners in that
    * triangle (nine numbers), to interpolate values that input triangles have at their corners.
    */
-  triangles: { points: Int32Array; label: Int32Array; face: Int32Array; bary: Float64Array };
+  triangles: {
+    points: Int32Array<ArrayBuffer>;
+    label: Int32Array<ArrayBuffer>;
+    face: Int32Array<ArrayBuffer>;
+    bary: Float64Array<ArrayBuffer>;
+  };
   regions: PartitionRegions;
 }
 
 /** Facts of each region, by label: zeros for a site without a region, and NaN as its centroid. */
 export interface PartitionRegions {
   /** Region i has the triangles `triangleOffset[i] … triangleOffset[i + 1] - 1`. */
-  triangleOffset: Int32Array;
-  area: Float64Array;
+  triangleOffset: Int32Array<ArrayBuffer>;
+  area: Float64Array<ArrayBuffer>;
   /** The length of the outline: borders, mesh boundary and holes left for indifferent faces. */
-  perimeter: Float64Array;
+  perimeter: Float64Array<ArrayBuffer>;
   /** The part of the perimeter with no region beyond it. */
-  boundaryLength: Float64Array;
+  boundaryLength: Float64Array<ArrayBuffer>;
   /** The mean of the region's points in space, x, y, z each: off the surface where it bends. */
-  centroid: Float64Array;
+  centroid: Float64Array<ArrayBuffer>;
   /** The point of each region nearest to its centroid; face -1 for a site without a region. */
   nearCentroid: SurfacePoints;
-  components: Int32Array;
+  components: Int32Array<ArrayBuffer>;
   /** Closed outlines. A region is a disk if components, loops and Euler characteristic are 1. */
-  loops: Int32Array;
-  eulerCharacteristic: Int32Array;
-  genus: Int32Array;
+  loops: Int32Array<ArrayBuffer>;
+  eulerCharacteristic: Int32Array<ArrayBuffer>;
+  genus: Int32Array<ArrayBuffer>;
   /** How often a region touches itself in a point; the other counts see it cut apart there. */
-  selfTouchings: Int32Array;
+  selfTouchings: Int32Array<ArrayBuffer>;
   /** The neighbours of region i from `label[offset[i]]` on, ascending; lengths of the borders. */
-  neighbours: { offset: Int32Array; label: Int32Array; length: Float64Array };
+  neighbours: {
+    offset: Int32Array<ArrayBuffer>;
+    label: Int32Array<ArrayBuffer>;
+    length: Float64Array<ArrayBuffer>;
+  };
 }
 
 /**
@@ -269,11 +287,11 @@ export interface PolygonMesh {
    * In a dual, the region of each point. The sites come first, ascending by label: point i is site
    * i, unless an earlier site has been removed. The points after them are on the boundary.
    */
-  vertexLabel: Int32Array;
+  vertexLabel: Int32Array<ArrayBuffer>;
   /** In regions as polygons, the region of each face. */
-  faceLabel: Int32Array;
+  faceLabel: Int32Array<ArrayBuffer>;
   /** The polygons cut along diagonals: per triangle three points, and the polygon it is part of. */
-  triangles: { points: Int32Array; face: Int32Array };
+  triangles: { points: Int32Array<ArrayBuffer>; face: Int32Array<ArrayBuffer> };
   topology: PolygonTopology;
 }
 
@@ -283,9 +301,9 @@ export interface PolygonMesh {
  */
 export interface DualPaths {
   /** Two per path: the labels of the arc, the lower one first. */
-  labels: Int32Array;
+  labels: Int32Array<ArrayBuffer>;
   /** Path i has the points `offset[i] … offset[i + 1] - 1`, from site to site. */
-  offset: Int32Array;
+  offset: Int32Array<ArrayBuffer>;
   points: PlacedPoints;
 }
 

@@ -126,6 +126,11 @@ export interface CvtState {
   diagram?: Diagram;
 }
 
+/** A state if `data` is set. */
+export type CvtStateWithData = CvtState & { data: DiagramData };
+/** A state if `diagrams` is set. */
+export type CvtStateWithDiagram = CvtStateWithData & { diagram: Diagram };
+
 export interface SampleOptions extends TaskOptions {
   /** An integer from 0 to 2^53 - 1. Default 1. */
   seed?: number | undefined;
@@ -340,7 +345,7 @@ export interface Mesh extends Disposable {
    * where the surface bends more: the sum of the squared principal curvatures, smoothed, and raised
    * where it is so small that flat parts would get no sites.
    */
-  curvatureDensity(options?: TaskOptions): Promise<Float64Array>;
+  curvatureDensity(options?: TaskOptions): Promise<Float64Array<ArrayBuffer>>;
   /**
    * The points of the surface closest to places in space, given as x, y, z each in the frame and
    * the unit of `positions`. The result can be passed as sites. Of points that are equally close up
@@ -358,7 +363,7 @@ export interface Mesh extends Disposable {
    * Where points of the surface are: x, y, z each, in the frame and the unit of `positions`. NaN for
    * a label without a site (`Diagram.sites`).
    */
-  positionsOf(points: SurfacePointsInput): Promise<Float64Array>;
+  positionsOf(points: SurfacePointsInput): Promise<Float64Array<ArrayBuffer>>;
   /** The diagram of sites, labelled by their order. Several sites may lie in one place. */
   voronoi(sites: SurfacePointsInput, options?: VoronoiOptions): Promise<Diagram>;
   /** For every input vertex: its nearest site, the distance, and the direction from the site. */
@@ -376,12 +381,20 @@ export interface Mesh extends Disposable {
    * Moves sites to the centroids of their regions. Yields a state per iteration, the first one for
    * the sites given. Leaving the loop ends the computation.
    */
+  cvt(
+    sites: SurfacePointsInput,
+    options: CvtOptions & { diagrams: true },
+  ): AsyncGenerator<CvtStateWithDiagram, void, void>;
+  cvt(
+    sites: SurfacePointsInput,
+    options: CvtOptions & { data: true },
+  ): AsyncGenerator<CvtStateWithData, void, void>;
   cvt(sites: SurfacePointsInput, options?: CvtOptions): AsyncGenerator<CvtState, void, void>;
   /**
    * An isotropic remesh: a diagram whose `dual()` is the remesh, and whose `remeshQuality()` says
    * how good that is. The sites move to the centroids of their regions, then sites are added until
-   * the dual is valid; after that all move again, in two more rounds at most. Sites given keep
-   * their labels.
+   * the dual is valid; after that all move again, in two more rounds at most, each of which adds no
+   * more than half as many sites as the one before. Sites given keep their labels.
    */
   remesh(sites: SurfacePointsInput, options?: RemeshOptions): Promise<Diagram>;
   dispose(): void;

@@ -3,6 +3,7 @@
 // Calls of our WebAssembly modules: plain values and arrays in, copies out, failures as errors.
 // Functions are called by their C++ names (see `abi.h`); only those of `abi.cpp` are known here.
 
+import type { CompiledModule } from './compile.js';
 import { GeodesicVoronoiError, outOfMemory, type ErrorCode } from './errors.js';
 import type { SlicedWork } from './slices.js';
 
@@ -106,7 +107,7 @@ export class WasmModule {
     this.#exports = exports;
   }
 
-  static async instantiate(module: WebAssembly.Module): Promise<WasmModule> {
+  static async instantiate(module: CompiledModule): Promise<WasmModule> {
     const imports = importsFor(module, () => exports.memory);
     let exports: Exports;
     try {

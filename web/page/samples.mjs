@@ -55,13 +55,9 @@ function bunny() {
 
 /** A binary glTF of one mesh. */
 function glbOf({ positions, indices }) {
-  const file = new GlbBuilder();
-  const attributes = { POSITION: file.attribute(Float32Array.from(positions), 'VEC3') };
+  const places = Float64Array.from(positions);
+  const file = new GlbBuilder(places, 1);
+  const attributes = { POSITION: file.positions([...Array(places.length / 3).keys()]) };
   const primitives = [{ attributes, indices: file.indices(Uint32Array.from(indices)) }];
-  return file.finish({
-    scene: 0,
-    scenes: [{ nodes: [0] }],
-    nodes: [{ mesh: 0 }],
-    meshes: [{ primitives }],
-  });
+  return file.finish({ nodes: [{ mesh: 0 }], meshes: [{ primitives }] });
 }

@@ -12,7 +12,7 @@ type Lines = Pick<DiagramData, 'segments' | 'arcs' | 'voronoiPoints'>;
  */
 export class DiagramSummary {
   /** Per label. */
-  readonly regionArea: Float64Array;
+  readonly regionArea: Float64Array<ArrayBuffer>;
   /** Two labels per arc. */
   readonly arcs: { readonly labels: readonly number[] };
   /** Per arc. */
@@ -22,7 +22,7 @@ export class DiagramSummary {
   readonly #around: () => readonly Int32Array[];
 
   private constructor(
-    regionArea: Float64Array,
+    regionArea: Float64Array<ArrayBuffer>,
     labels: readonly number[],
     segments: readonly number[],
     voronoiPointCount: number,

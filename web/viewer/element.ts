@@ -206,7 +206,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
   }
 
   /** The area of every region, by site. `diagram` has it too, but puts all its arrays together. */
-  get regionAreas(): Float64Array {
+  get regionAreas(): Float64Array<ArrayBuffer> {
     return this.#session?.shown?.summary?.regionArea.slice() ?? new Float64Array();
   }
 

@@ -41,12 +41,14 @@ export function parseCommandLine(args: string[], version: string): Invocation | 
     throw new UsageError('only one file can be standard input');
   const names: readonly OptionName[] = commands[command].options;
   const values = Object.fromEntries(names.map((name) => [name, parsedValue(name, texts[name])]));
-  if (names.includes('sites')) requireSites(values as Partial<Values<'cvt'>>);
+  if (names.includes('sites')) requireSites(values as Partial<Values<'cvt'>>, texts);
+  if (names.includes('repair') && texts['max-added'] !== undefined && !texts.repair)
+    throw new UsageError('--max-added is about a repair: --repair is missing');
   return { command, mesh: positionals[0], meshes: positionals, values } as Invocation;
 }
 
 /** Requires exactly one source of sites, and no option of sampling that does not go with it. */
-function requireSites(values: Partial<Values<'cvt'>>): void {
+function requireSites(values: Partial<Values<'cvt'>>, texts: Texts): void {
   const { sites, radius, sampling, density, iterations } = values;
   if (sites === undefined && radius === undefined)
     throw new UsageError('--sites N|FILE or --radius R is missing');
@@ -54,12 +56,9 @@ function requireSites(values: Partial<Values<'cvt'>>): void {
     throw new UsageError('--radius is instead of --sites: give one of them');
   if (radius !== undefined && sampling && sampling !== 'farthest' && sampling !== 'poisson')
     throw new UsageError(`--sampling ${sampling} takes a number of sites, not --radius`);
-  for (const [name, isGiven] of Object.entries({
-    sampling: sampling !== undefined,
-    'per-component': values['per-component']! > 0,
-  }))
-    if (typeof sites === 'string' && isGiven)
-      throw new UsageError(`--${name} is for sites that are sampled, not those of a file`);
+  const ofSampling = (['sampling', 'per-component', 'seed'] as const).find((name) => texts[name]);
+  if (typeof sites === 'string' && ofSampling)
+    throw new UsageError(`--${ofSampling} is for sites that are sampled, not those of a file`);
   const isRandom = radius === undefined && (sampling ?? 'random') === 'random';
   if (density !== undefined && iterations === 0 && typeof sites !== 'string' && !isRandom)
     throw new UsageError(

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // What each command does.
-import { extname } from 'node:path';
 import { GeodesicVoronoiError } from '../errors.js';
-import type { MeshInfo, Metric, PolygonMesh, SurfacePath, Violation } from '../results.js';
+import type { MeshInfo, Metric, PolygonMesh, SurfacePoints, Violation } from '../results.js';
 import { counted } from '../sentences.js';
-import type { CvtOptions, CvtState, Diagram, Mesh, SurfacePointsInput } from '../types.js';
+import type { CvtOptions, CvtState, Diagram, Mesh } from '../types.js';
 import {
+  isJsonReport,
   toDiagramEncoder,
   toDistancesEncoder,
   toLocatedEncoder,
@@ -19,17 +19,19 @@ import { fail } from './failure.js';
 import { FileError, Output } from './files.js';
 import { meshReport } from './mesh_report.js';
 import type { CommandName, Invocation, Values } from './options.js';
+import { pathsBetween } from './paths.js';
 import { readNumbers, readPoints } from './points.js';
 import {
   type Notices,
   lengthsOf,
+  meshNotes,
   onSurface,
   openMesh,
   openWithSites,
-  type PointsOnSurface,
   type Reading,
   type SiteSource,
   withProgress,
+  writeNotes,
 } from './sites.js';
 
 interface Request<Command extends CommandName> {
@@ -64,14 +66,14 @@ export function execute(invocation: Invocation): Promise<void> {
 
 /** A mesh that fails does not keep the others from being reported. */
 async function info({ meshes, values }: Request<'info'>): Promise<void> {
-  const output = await Output.open(values.output, meshes);
-  const json = values.json || extname(values.output).toLowerCase() === '.json';
+  const isJson = isJsonReport(values);
+  const output = await Output.open(values.output);
   const isOnly = meshes.length === 1;
   const reports: string[] = [];
   const list: object[] = [];
   for (const path of meshes) {
     try {
-      const { unit, parts, ...facts } = await factsOf(path, values);
+      const { unit, parts, ...facts } = await factsOf(path, output, values);
       reports.push(`${isOnly ? '' : `${path}\n`}${meshReport(facts, unit)}`);
       list.push({ ...(!isOnly && { mesh: path }), ...facts, parts });
     } catch (error) {
@@ -80,17 +82,18 @@ async function info({ meshes, values }: Request<'info'>): Promise<void> {
       list.push({ mesh: path, error: (error as Error).message });
     }
   }
-  if (reports.length === 0 && !json) return;
+  if (reports.length === 0 && !isJson) return;
   await output.write(
-    json ? `${JSON.stringify(isOnly ? list[0] : list, null, 2)}\n` : reports.join('\n'),
+    isJson ? `${JSON.stringify(isOnly ? list[0] : list, null, 2)}\n` : reports.join('\n'),
   );
 }
 
 async function factsOf(
   path: string,
+  output: Output,
   values: Values<'info'>,
 ): Promise<MeshInfo & Pick<Mesh, 'parts'> & { unit: string | undefined }> {
-  const mesh = await openMesh(path, values);
+  const mesh = await openMesh(path, output, values);
   const { info, parts } = mesh;
   const { scale, unit } = lengthsOf(mesh, values);
   return {
@@ -105,8 +108,8 @@ async function factsOf(
 
 async function diagram({ mesh: path, values }: Request<'diagram'>): Promise<void> {
   const encode = toDiagramEncoder(values);
-  const output = await Output.open(values.output, [path]);
-  const { mesh, diagram } = await compute(path, values);
+  const output = await Output.open(values.output);
+  const { mesh, diagram } = await compute(path, output, values);
   await output.write(encode(diagram, lengthsOf(mesh, values)));
 
   const { arcs, voronoiPoints } = diagram.data;
@@ -123,9 +126,9 @@ async function diagram({ mesh: path, values }: Request<'diagram'>): Promise<void
 
 async function locate({ mesh: path, values }: Request<'locate'>): Promise<void> {
   const encode = toLocatedEncoder(values);
-  const output = await Output.open(values.output, [path]);
+  const output = await Output.open(values.output);
   const points = await readPoints(values.points);
-  const { mesh, diagram } = await compute(path, values);
+  const { mesh, diagram } = await compute(path, output, values);
   const located = await diagram.locate(await onSurface(mesh, points, values));
   await output.write(encode({ mesh, ...located }, lengthsOf(mesh, values)));
 }
@@ -133,8 +136,8 @@ async function locate({ mesh: path, values }: Request<'locate'>): Promise<void> 
 async function distances({ mesh: path, values }: Request<'distances'>): Promise<void> {
   const { scale } = values.units;
   const encode = toDistancesEncoder(values);
-  const output = await Output.open(values.output, [path]);
-  const { mesh, sites } = await openWithSites(path, values);
+  const output = await Output.open(values.output);
+  const { mesh, sites } = await openWithSites(path, output, values);
   const { metric } = values;
   const distances = await withProgress(values, (onProgress) =>
     mesh.distances(sites, { metric, onProgress }),
@@ -153,31 +156,15 @@ async function distances({ mesh: path, values }: Request<'distances'>): Promise<
 async function path({ mesh: model, values }: Request<'path'>): Promise<void> {
   const { scale } = values.units;
   const encode = toPathsEncoder(values);
-  const output = await Output.open(values.output, [model]);
+  const output = await Output.open(values.output);
   const [from, to] = [await readPoints(values.from), await readPoints(values.to)];
-  const mesh = await openMesh(model, values);
-  const starts = singlePoints(await onSurface(mesh, from, values));
-  const ends = singlePoints(await onSurface(mesh, to, values));
-  if (ends.length !== 1 && ends.length !== starts.length) {
-    throw new FileError(
-      `there are ${starts.length} points to start at, but ${ends.length} to end at: give as many, or one`,
-    );
-  }
-  const paths = await withProgress(values, async (onProgress) => {
-    if (starts.length === 1) return [await mesh.path(starts[0], ends[0], { onProgress })];
-    // Many paths to one end have the distances from there in common.
-    const toOneEnd =
-      ends.length === 1
-        ? await mesh.voronoi(ends[0], { onProgress: (share) => onProgress(share / 2) })
-        : undefined;
-    const found: SurfacePath[] = [];
-    for (const [i, start] of starts.entries()) {
-      found.push(await (toOneEnd?.path(start) ?? mesh.path(start, ends[i])));
-      const share = found.length / starts.length;
-      onProgress(toOneEnd ? (1 + share) / 2 : share);
-    }
-    return found;
-  });
+  const mesh = await openMesh(model, output, values);
+  writeNotes(meshNotes(mesh), values);
+  const starts = await onSurface(mesh, from, values);
+  const ends = await onSurface(mesh, to, values);
+  const paths = await withProgress(values, (onProgress) =>
+    pathsBetween(mesh, starts, ends, onProgress),
+  );
   await output.write(encode(paths, lengthsOf(mesh, values)));
   const lengths = paths.map(({ length }) => scale * length).filter((length) => length < Infinity);
   const missing = paths.length - lengths.length;
@@ -199,9 +186,9 @@ async function path({ mesh: model, values }: Request<'path'>): Promise<void> {
 async function cvt({ mesh: path, values }: Request<'cvt'>): Promise<void> {
   const { scale } = values.units;
   const encode = toSitesEncoder(values);
-  const output = await Output.open(values.output, [path]);
+  const output = await Output.open(values.output);
   const settings = await cvtSettings(values);
-  const { mesh, sites } = await openWithSites(path, values, settings.density);
+  const { mesh, sites } = await openWithSites(path, output, values, settings.density);
   const states = await withProgress(values, async (onProgress) => {
     const all: CvtState[] = [];
     for await (const state of mesh.cvt(sites, { ...settings, onProgress })) all.push(state);
@@ -209,6 +196,7 @@ async function cvt({ mesh: path, values }: Request<'cvt'>): Promise<void> {
   });
   const energy = states.map((state) => state.energy);
   const { iteration, sites: last } = states.at(-1)!;
+  writeNotes(tessellationNotes(mesh, last), values);
   const position = await mesh.positionsOf(last);
   await output.write(encode({ mesh, sites: last, position, energy }, lengthsOf(mesh, values)));
   const shown = (e: number) => (scale ** 4 * e).toPrecision(6); // area times squared length
@@ -223,8 +211,8 @@ async function cvt({ mesh: path, values }: Request<'cvt'>): Promise<void> {
 
 async function partition({ mesh: path, values }: Request<'partition'>): Promise<void> {
   const encode = toPartitionEncoder(values);
-  const output = await Output.open(values.output, [path]);
-  const { mesh, diagram } = await compute(path, values);
+  const output = await Output.open(values.output);
+  const { mesh, diagram } = await compute(path, output, values);
   const partition = await diagram.partition({
     leaveOutIndifferent: values['leave-out-indifferent'],
     leaveOutUnreachable: values['leave-out-unreachable'],
@@ -245,8 +233,8 @@ async function partition({ mesh: path, values }: Request<'partition'>): Promise<
 
 async function dual({ mesh: path, values }: Request<'dual'>): Promise<void> {
   const encode = toPolygonEncoder(values);
-  const output = await Output.open(values.output, [path]);
-  const { mesh, diagram: given } = await compute(path, values);
+  const output = await Output.open(values.output);
+  const { mesh, diagram: given } = await compute(path, output, values);
   const diagram = values.repair
     ? await withProgress(values, (onProgress) =>
         explained(mesh, () => given.repair({ maxAdded: values['max-added'], onProgress })),
@@ -280,15 +268,16 @@ function faultsOf([first, ...more]: Violation[]): string {
 async function remesh({ mesh: path, values }: Request<'remesh'>): Promise<void> {
   const { scale } = values.units;
   const encode = toPolygonEncoder(values);
-  const output = await Output.open(values.output, [path]);
+  const output = await Output.open(values.output);
   const settings = await cvtSettings(values);
-  const { mesh, sites } = await openWithSites(path, values, settings.density);
+  const { mesh, sites } = await openWithSites(path, output, values, settings.density);
   const diagram = await withProgress(values, (onProgress) =>
     explained(mesh, () =>
       mesh.remesh(sites, { ...settings, maxAdded: values['max-added'], onProgress }),
     ),
   );
-  const first = indicesOf(sites).length;
+  writeNotes(tessellationNotes(mesh, diagram.sites), values);
+  const first = ('vertex' in sites ? sites.vertex : sites.face).length;
   const polygons = await diagram.dual();
   const quality = await diagram.remeshQuality();
   await output.write(
@@ -359,47 +348,52 @@ function polygonSummary(first: number, diagram: Diagram, { topology }: PolygonMe
   );
 }
 
-/** Each of some points. */
-function singlePoints(points: PointsOnSurface): SurfacePointsInput[] {
-  if ('vertex' in points) return indicesOf(points).map((vertex) => ({ vertex }));
-  return indicesOf(points).map((face, i) => ({
-    face,
-    bary: Array.from({ length: 3 }, (_, k) => points.bary[3 * i + k]),
-  }));
-}
-
-/** The vertices of points, or else their triangles. */
-function indicesOf(points: PointsOnSurface): number[] {
-  const indices = 'vertex' in points ? points.vertex : points.face;
-  return typeof indices === 'number' ? [indices] : Array.from(indices);
-}
-
 /** A line about a result that went to a file. */
 function summarise(output: Output, { quiet }: Notices, line: string): void {
   if (output.isFile && !quiet) process.stderr.write(`${line}\n`);
 }
 
-/** With fewer faces, straight borders give several per cent of the area to the wrong region. */
-const leastFacesPerSite = 4;
+/** With fewer faces per site, straight borders give several per cent of the area to the wrong region. */
+const leastForBorders = 4;
+/** With fewer, what is interpolated from the corners of faces gives an energy wrong by several per cent. */
+const leastForCentroids = 16;
+
+/** Notes that there are few faces per site, and what comes of it. */
+function coarseNotes(
+  { info: { faces } }: Mesh,
+  sites: SurfacePoints,
+  least: number,
+  so: string,
+): string[] {
+  const count = sites.face.length;
+  return faces < least * count
+    ? [`${counted(faces, 'face')} for ${counted(count, 'site')}: ${so}`]
+    : [];
+}
+
+function tessellationNotes(mesh: Mesh, sites: SurfacePoints): string[] {
+  const so =
+    'energies and centroids, which follow from the distances at corners, are inaccurate (subdivide the mesh first)';
+  return coarseNotes(mesh, sites, leastForCentroids, so);
+}
 
 /** The diagram that the options ask for. */
 async function compute(
   path: string,
+  output: Output,
   values: Notices & Reading & SiteSource & { metric: Metric; detail?: number },
 ): Promise<{ mesh: Mesh; diagram: Diagram }> {
-  const { mesh, sites } = await openWithSites(path, values);
+  const { mesh, sites } = await openWithSites(path, output, values);
   const { metric, detail } = values;
   const diagram = await withProgress(values, (onProgress) =>
     mesh.voronoi(sites, { metric, detail, onProgress }),
   );
-  if (!values.quiet)
-    for (const note of diagramNotes(mesh, diagram, detail)) process.stderr.write(`note: ${note}\n`);
+  writeNotes(diagramNotes(mesh, diagram, detail), values);
   return { mesh, diagram };
 }
 
 /** What may surprise in a diagram. */
 function diagramNotes(mesh: Mesh, { sites, regions }: Diagram, detail?: number): string[] {
-  const { faces } = mesh.info;
   const notes: string[] = [];
   const isEmpty = (label: number) => regions[label].area === 0 && regions[label].loops.length === 0;
   const hidden = sites.face.reduce(
@@ -408,10 +402,7 @@ function diagramNotes(mesh: Mesh, { sites, regions }: Diagram, detail?: number):
   );
   if (hidden > 0)
     notes.push(`${counted(hidden, 'site')} without a region: another site is at the same place`);
-  if (detail === 0 && faces < leastFacesPerSite * sites.face.length)
-    notes.push(
-      `${counted(faces, 'face')} for ${counted(sites.face.length, 'site')}: ` +
-        'borders, one straight line per face, are coarse (--detail 3 refines them)',
-    );
+  const so = 'borders, one straight line per face, are coarse (--detail 3 refines them)';
+  if (detail === 0) notes.push(...coarseNotes(mesh, sites, leastForBorders, so));
   return notes;
 }

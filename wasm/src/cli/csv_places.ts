@@ -2,6 +2,8 @@
 //
 // Places in a table of text: x, y and z in a line each.
 
+import { show } from '../checks.js';
+
 const axes = ['x', 'y', 'z'];
 
 /**
@@ -20,7 +22,7 @@ export function readCsvPlaces(bytes: Uint8Array): number[] {
     pattern ??= columnPattern(line);
     const words = wordsOf(line.trim(), pattern);
     if (isFirst && words.slice(0, 3).some((word) => Number.isNaN(Number(word))))
-      columns = columnsOf(words);
+      columns = columnsOf(words, i + 1);
     else places.push(...columns.map((column, k) => numberOf(words[column], i + 1, axes[k])));
   }
   return places;
@@ -43,12 +45,12 @@ function wordsOf(line: string, pattern: RegExp): string[] {
   return words;
 }
 
-function columnsOf(names: readonly string[]): number[] {
+function columnsOf(names: readonly string[], line: number): number[] {
   const plain = names.map((name) => name.toLowerCase());
   const columns = axes.map((axis) => plain.indexOf(axis));
-  const missing = axes.find((_, k) => columns[k] < 0);
-  if (missing) throw new Error(`no column is called ${missing}: there are ${plain.join(', ')}`);
-  return columns;
+  if (columns.every((column) => column >= 0)) return columns;
+  const read = show(names.join(' ').slice(0, 40));
+  throw new Error(`line ${line} is neither three numbers nor names with x, y and z: ${read}`);
 }
 
 function numberOf(word: string | undefined, line: number, axis: string): number {

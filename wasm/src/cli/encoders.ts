@@ -23,6 +23,7 @@ import { polygonGlb, polygonJson, polygonObj, polygonPly } from '../polygon_form
 import { ply, type PlyColumns } from '../ply.js';
 import type {
   Distances,
+  Located,
   Partition,
   PolygonMesh,
   RemeshQuality,
@@ -57,23 +58,44 @@ function encoderOf<Result>(encoders: Encoders<Result>, target: Target): Encoder<
   const ending = endingOf(target);
   if (Object.hasOwn(encoders, ending)) return encoders[ending];
   const known = Object.keys(encoders);
-  throw new UsageError(
-    target.format === undefined
-      ? `the ending of '${target.output}' is not one of ${listed(known)}`
-      : `--format is '${target.format}', not one of ${listed(known.map((name) => name.slice(1)))}`,
-  );
+  throw target.format === undefined
+    ? unknownEnding(target, known)
+    : new UsageError(
+        `--format is '${target.format}', not one of ${listed(known.map((name) => name.slice(1)))}`,
+      );
+}
+
+function unknownEnding({ output }: Target, known: string[]): UsageError {
+  return new UsageError(`the ending of '${output}' is not one of ${listed(known)}`);
+}
+
+/** Whether a report on meshes is JSON, and not text for people. */
+export function isJsonReport(target: Target): boolean {
+  const ending = extname(target.output).toLowerCase();
+  if (target.json || ending === '.json') return true;
+  if (ending === '' || ending === '.txt') return false;
+  throw unknownEnding(target, ['.json', '.txt']);
 }
 
 const text = (json: object): string => `${JSON.stringify(json)}\n`;
 
+/** A table: a line of names, then one of numbers for each row; nothing for what is not finite. */
+function csv(columns: { [name: string]: ArrayLike<number> }): string {
+  const lists = Object.values(columns);
+  const cell = (x: number) => (Number.isFinite(x) ? String(x) : '');
+  const rows = Array.from(lists[0], (_, i) => lists.map((list) => cell(list[i])).join(','));
+  return `${[Object.keys(columns).join(','), ...rows].join('\n')}\n`;
+}
+
+/** The numbers at one place in each group of `size`. */
+function column(values: Float64Array, size: number, at: number): Float64Array {
+  return Float64Array.from({ length: values.length / size }, (_, i) => values[size * i + at]);
+}
+
 /** What tells later that sites or points of a file are not those of another mesh. */
 const ofMesh = ({ info }: Mesh) => ({ mesh: { faces: info.inputFaces } });
 
-interface LocatedResult {
-  mesh: Mesh;
-  label: ArrayLike<number>;
-  distance: ArrayLike<number>;
-}
+type LocatedResult = Located & { mesh: Mesh };
 
 export function toLocatedEncoder(target: Target): Encoder<LocatedResult> {
   return encoderOf(
@@ -86,6 +108,8 @@ export function toLocatedEncoder(target: Target): Encoder<LocatedResult> {
           // JSON has no infinity: what no site reaches is null.
           distance: Array.from(distance, (d) => (d === Infinity ? null : lengths.scale * d)),
         }),
+      '.csv': ({ label, distance }, { scale }) =>
+        csv({ label, distance: distance.map((d) => scale * d) }),
     },
     target,
   );
@@ -100,7 +124,7 @@ interface SitesResult {
   mesh: Mesh;
   sites: SurfacePoints;
   /** Of the sites, x, y, z each. */
-  position: Float64Array;
+  position: Float64Array<ArrayBuffer>;
   /** Of a tessellation, before and after each iteration. */
   energy: number[];
 }
@@ -116,6 +140,10 @@ export function toSitesEncoder(target: Target): Encoder<SitesResult> {
           energy: energy.map((e) => lengths.scale ** 4 * e), // area times squared length
         }),
       '.ply': ({ position }, { scale }) => sitesPly(position.map((x) => scale * x)),
+      '.csv': ({ position }, { scale }) => {
+        const [x, y, z] = [0, 1, 2].map((k) => column(position, 3, k).map((c) => scale * c));
+        return csv({ x, y, z });
+      },
     },
     target,
   );
@@ -142,6 +170,13 @@ export function toDistancesEncoder(target: Target): Encoder<DistancesResult> {
     {
       '.json': ({ mesh, distances }, lengths) =>
         text({ ...ofMesh(mesh), ...distancesJson(distances, lengths) }),
+      '.csv': ({ distances: { label, distance, direction } }, { scale }) =>
+        csv({
+          label,
+          distance: distance.map((d) => scale * d),
+          direction_x: column(direction, 2, 0),
+          direction_y: column(direction, 2, 1),
+        }),
       '.ply': ({ mesh, distances }, { scale }) => distancesPly(distances, { mesh, scale }),
       '.glb': ({ mesh, distances }, { scale }) => distancesGlb(distances, { mesh, scale }),
     },

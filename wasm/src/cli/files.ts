@@ -2,12 +2,14 @@
 //
 // Files that the command reads and writes.
 import { randomUUID } from 'node:crypto';
-import { rmSync } from 'node:fs';
+import { createReadStream, rmSync } from 'node:fs';
 import {
   access,
+  chmod,
   constants,
   readdir,
   readFile,
+  readlink,
   realpath,
   rename,
   rm,
@@ -15,6 +17,7 @@ import {
   writeFile,
 } from 'node:fs/promises';
 import { basename, dirname, join, resolve, sep } from 'node:path';
+import type { Readable } from 'node:stream';
 import { gltfResourceUris } from '../input/gltf_document.js';
 import { placeOf } from '../input/model_files.js';
 import type { ModelFile, ModelFiles } from '../types.js';
@@ -24,7 +27,7 @@ import { standard } from './options.js';
 export class FileError extends Error {}
 
 export function readBytes(path: string): Promise<Uint8Array> {
-  return path === standard ? readStandardInput() : readFileAt(path);
+  return path === standard ? readPipe(process.stdin, 'standard input') : readFileAt(path);
 }
 
 /** The files of a model: all of a folder, or a file with those of its own folder that it refers to. */
@@ -40,11 +43,15 @@ async function partsOf(named: string): Promise<{ path: string; file?: string }> 
   return { path: named.slice(0, mark), file: named.slice(mark + 1) };
 }
 
+/** The real paths of the files that models were read from: no output replaces one. */
+const modelPaths = new Set<string>();
+
 async function modelFiles(path: string): Promise<ModelFiles> {
   if (path !== standard && (await kindOf(path)) === 'folder') return folderFiles(path);
   const bytes = await readBytes(path);
   const files: ModelFiles = { [basename(path)]: bytes };
   if (path === standard) return files;
+  modelPaths.add(await targetOf(path));
   for (const uri of gltfResourceUris(bytes)) {
     const place = placeOf('', uri);
     const file = place === undefined ? undefined : await fileWithin(dirname(path), place);
@@ -99,6 +106,7 @@ function fileAt(path: string): ModelFile {
   return {
     async arrayBuffer() {
       try {
+        modelPaths.add(await realpath(path));
         const { buffer, byteOffset, byteLength } = await readFile(path);
         return buffer.slice(byteOffset, byteOffset + byteLength) as ArrayBuffer;
       } catch (error) {
@@ -109,28 +117,27 @@ function fileAt(path: string): ModelFile {
 }
 
 /** The most bytes read from a pipe, which may never end. */
-const maxStandardInput = 2 ** 30;
+const maxPiped = 2 ** 30;
 
-async function readStandardInput(): Promise<Uint8Array> {
+async function readPipe(pipe: Readable, name: string): Promise<Uint8Array> {
   const chunks: Buffer[] = [];
   let length = 0;
-  for await (const chunk of process.stdin) {
+  for await (const chunk of pipe) {
     length += chunk.length;
-    if (length > maxStandardInput) {
-      throw new FileError(`standard input has more than ${maxStandardInput / 2 ** 20} MB`);
-    }
+    if (length > maxPiped) throw new FileError(`${name} has more than ${maxPiped / 2 ** 20} MB`);
     chunks.push(chunk);
   }
   return Buffer.concat(chunks);
 }
 
 async function readFileAt(path: string): Promise<Uint8Array> {
-  // Some devices never end, and pipes may never begin.
-  if ((await kindOf(path)) === 'special')
-    throw new FileError(`${path} is a device or a pipe and no file: - reads standard input`);
+  const kind = await kindOf(path);
+  // Some devices never end.
+  if (kind === 'device') throw new FileError(`${path} is a device and no file`);
   try {
-    return await readFile(path);
+    return await (kind === 'pipe' ? readPipe(createReadStream(path), path) : readFile(path));
   } catch (error) {
+    if (error instanceof FileError) throw error;
     throw new FileError(`${path} cannot be read: ${reason(error)}`);
   }
 }
@@ -143,18 +150,13 @@ export class Output {
     this.#path = path;
   }
 
-  /** Refuses to replace one of the models that the command reads. */
-  static async open(path: string, models: readonly string[]): Promise<Output> {
+  static async open(path: string): Promise<Output> {
     if (path === standard) return new Output(path);
     try {
-      const target = await realpath(path).catch(() => resolve(path));
-      for (const model of models) {
-        const { path: read } = await partsOf(model);
-        if ((await realpath(read).catch(() => undefined)) === target)
-          throw new FileError('it is the model itself');
-      }
-      if ((await kindOf(target)) === 'folder') throw new FileError('it is a folder');
-      await access((await kindOf(target)) === 'special' ? target : dirname(target), constants.W_OK);
+      const target = await targetOf(path);
+      const kind = await kindOf(target);
+      if (kind === 'folder') throw new FileError('it is a folder');
+      await access(kind === 'none' ? dirname(target) : target, constants.W_OK);
       return new Output(target);
     } catch (error) {
       throw new FileError(`${path} cannot be written: ${reason(error)}`);
@@ -165,23 +167,36 @@ export class Output {
     return this.#path !== standard;
   }
 
-  /** Writes all or nothing: a file appears, or is replaced, when it is complete. */
+  /** Refuses to replace what a model was read from; known when the model is, before the work. */
+  requireNoModel(): void {
+    if (modelPaths.has(this.#path))
+      throw new FileError(`${this.#path} cannot be written: the model is read from it`);
+  }
+
+  /**
+   * Writes all or nothing: a file appears, or is replaced, when it is complete. Devices and pipes are
+   * written to, as are files in folders that take no others.
+   */
   async write(content: string | Uint8Array): Promise<void> {
     if (!this.isFile) return writeStandardOutput(content);
+    this.requireNoModel();
     try {
-      const isSpecial = (await kindOf(this.#path)) === 'special';
-      await (isSpecial ? writeFile : replaceFile)(this.#path, content);
+      const kind = await kindOf(this.#path);
+      const isReplaced =
+        (kind === 'file' || kind === 'none') && (await isWritable(dirname(this.#path)));
+      await (isReplaced ? replaceFile : writeFile)(this.#path, content);
     } catch (error) {
       throw new FileError(`${this.#path} cannot be written: ${reason(error)}`);
     }
   }
 }
 
-/** A device or a pipe is special: written to, not replaced. */
-async function kindOf(path: string): Promise<'file' | 'folder' | 'special'> {
+async function kindOf(path: string): Promise<'file' | 'folder' | 'pipe' | 'device' | 'none'> {
   const entry = await stat(path).catch(() => undefined);
-  if (entry?.isDirectory()) return 'folder';
-  return entry && !entry.isFile() ? 'special' : 'file';
+  if (!entry) return 'none';
+  if (entry.isDirectory()) return 'folder';
+  if (entry.isFIFO()) return 'pipe';
+  return entry.isFile() ? 'file' : 'device';
 }
 
 export async function exists(path: string): Promise<boolean> {
@@ -189,6 +204,25 @@ export async function exists(path: string): Promise<boolean> {
     () => true,
     () => false,
   );
+}
+
+function isWritable(path: string): Promise<boolean> {
+  return access(path, constants.W_OK).then(
+    () => true,
+    () => false,
+  );
+}
+
+/** Where a path leads by its links, even if there is nothing yet. */
+async function targetOf(path: string): Promise<string> {
+  try {
+    return await realpath(path);
+  } catch (error) {
+    if ((error as NodeJS.ErrnoException).code !== 'ENOENT') throw error;
+    // A pipe in /dev/fd is there, and yet has no real path.
+    const link = (await exists(path)) ? undefined : await readlink(path).catch(() => undefined);
+    return link === undefined ? resolve(path) : targetOf(resolve(dirname(path), link));
+  }
 }
 
 async function replaceFile(path: string, content: string | Uint8Array): Promise<void> {
@@ -202,6 +236,8 @@ async function replaceFile(path: string, content: string | Uint8Array): Promise<
   for (const name of endSignals) process.on(name, end);
   try {
     await writeFile(draft, content);
+    const replaced = await stat(path).catch(() => undefined);
+    if (replaced) await chmod(draft, replaced.mode);
     await rename(draft, path);
   } catch (error) {
     await rm(draft, { force: true });
@@ -228,6 +264,7 @@ function writeStandardOutput(content: string | Uint8Array): Promise<void> {
 const reasons: Record<string, string> = {
   ENOENT: 'there is no such file or folder',
   EACCES: 'permission is denied',
+  ELOOP: 'its links lead in circles',
   EISDIR: 'it is a folder',
   ENOTDIR: 'part of its path is no folder',
   ENOSPC: 'the disk is full',

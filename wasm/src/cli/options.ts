@@ -41,7 +41,7 @@ export const options = {
     value: 'N|FILE',
     parse: numberOrPath(1, maxCount),
     optional: true,
-    help: 'Number of sites to sample, or a file of them: JSON, on the surface or by coordinates; or .ply, .csv or .xyz, by coordinates',
+    help: 'Number of sites to sample, or a file of them: JSON, on the surface or by coordinates; or a PLY or a table of numbers, by coordinates',
   },
   radius: {
     value: 'R',
@@ -80,7 +80,7 @@ export const options = {
   to: {
     value: 'FILE',
     parse: path,
-    help: 'The points at which they end, likewise: as many, or one for all',
+    help: 'The points at which they end, likewise: as many, or one of either for all',
   },
   iterations: {
     value: 'N',
@@ -252,13 +252,13 @@ export const commands = {
   },
   locate: {
     summary: 'The nearest site of points on a mesh, and its distance',
-    result: 'JSON: {"label": […], "distance": […]}; -1 and null for a point that no site reaches.',
+    result: `By FILE's ending or --format, by default .json: .json {"label": […], "distance": […]} (-1 and null for a point that no site reaches), .csv (the same as columns).`,
     examples: ['mesh.glb --sites sites.json --points points.json -o labels.json'],
-    options: [...ofSites, 'points', 'metric', 'progress', ...ofAll],
+    options: [...ofSites, 'points', 'metric', 'progress', 'format', ...ofAll],
   },
   distances: {
     summary: 'The nearest site of every vertex of a mesh, its distance and direction',
-    result: `By FILE's ending or --format, by default .json: .json {"label": […], "distance": […], "direction": […]} (-1 and null where no site reaches), .ply (properties of the vertices), .glb (attributes _LABEL and _DISTANCE, -1 where no site reaches).`,
+    result: `By FILE's ending or --format, by default .json: .json {"label": […], "distance": […], "direction": […]} (-1 and null where no site reaches), .csv (the same as columns), .ply (properties of the vertices), .glb (attributes _LABEL and _DISTANCE, -1 where no site reaches).`,
     examples: ['mesh.glb --sites sites.json -o distances.ply'],
     options: [...ofSites, 'metric', 'progress', 'format', ...ofAll],
   },
@@ -273,7 +273,7 @@ export const commands = {
   },
   cvt: {
     summary: 'Sites at the centroids of their regions: a centroidal Voronoi tessellation',
-    result: `By FILE's ending or --format, by default .json: .json {"face": […], "bary": […], "position": […], "energy": […]} (the sites, and the energy of the first ones and after each iteration), .ply (the sites as points).`,
+    result: `By FILE's ending or --format, by default .json: .json {"face": […], "bary": […], "position": […], "energy": […]} (the sites, and the energy of the first ones and after each iteration), .ply (the sites as points), .csv (their coordinates).`,
     examples: [
       'mesh.glb --sites 300 -o sites.json',
       'mesh.glb --sites sites.json --fixed-sites fixed.json -o new.json',

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
 // Lists that the command reads: points and numbers.
-import { extname } from 'node:path';
 import { parseJson } from '../input/json_members.js';
 import { toSizeLimits } from '../input/limits.js';
 import { readPlyPlaces } from '../input/ply_reader.js';
@@ -11,20 +10,23 @@ import { readCsvPlaces } from './csv_places.js';
 import { exists, FileError, readBytes } from './files.js';
 import { standard } from './options.js';
 
-/** A JSON file, or JSON itself: no file is called `{…` or `[…`. */
-async function readJson(given: string): Promise<unknown> {
-  const bytes = isJson(given) ? new TextEncoder().encode(given) : await readBytes(given);
+/** The bytes of a file, or of JSON itself: no file is called `{…` or `[…`. */
+async function bytesOf(given: string): Promise<Uint8Array> {
+  return isJson(given) ? new TextEncoder().encode(given) : readBytes(given);
+}
+
+function jsonOf(bytes: Uint8Array, name: string): unknown {
   try {
     return parseJson(bytes);
   } catch (error) {
     const what = error instanceof SyntaxError ? 'is not JSON' : 'cannot be read';
-    throw new FileError(`${nameOf(given)} ${what}: ${(error as Error).message}`);
+    throw new FileError(`${name} ${what}: ${(error as Error).message}`);
   }
 }
 
 /** Reads a list of numbers. */
 export async function readNumbers(given: string): Promise<number[]> {
-  const json = await readJson(given);
+  const json = jsonOf(await bytesOf(given), nameOf(given));
   if (Array.isArray(json) && json.every((item) => typeof item === 'number')) return json;
   throw new FileError(`${nameOf(given)} holds no list of numbers`);
 }
@@ -32,27 +34,31 @@ export async function readNumbers(given: string): Promise<number[]> {
 /** Points as they were given, with the name that messages call them. */
 export type GivenPoints = PointsFile & { name: string };
 
-/** Reads a list of sites or points: of JSON, also of a result; or places, of a PLY or a CSV. */
+/**
+ * Reads a list of sites or points: of JSON, also of a result; or places, of a PLY or a table. The
+ * content tells which: pipes have no names that could.
+ */
 export async function readPoints(given: string): Promise<GivenPoints> {
   if (/^\d+$/.test(given) && !(await exists(given)))
     throw new FileError(`there is no file ${given}; a vertex is given as '{"vertex": ${given}}'`);
   const name = nameOf(given);
-  const read = isJson(given) ? undefined : tables[extname(given).toLowerCase()];
   try {
-    if (read) return { name, points: { position: await read(await readBytes(given)) } };
-    return { name, ...pointsFile(await readJson(given)) };
+    const bytes = await bytesOf(given);
+    const head = new TextDecoder().decode(bytes.subarray(0, headBytes));
+    if (head.trim() === '') throw new Error('the file is empty');
+    if (isJson(head)) return { name, ...pointsFile(jsonOf(bytes, name)) };
+    const places = /^ply\s/.test(head)
+      ? await inSlices(readPlyPlaces(bytes, toSizeLimits({})), {})
+      : readCsvPlaces(bytes);
+    return { name, points: { position: places } };
   } catch (error) {
     if (error instanceof FileError) throw error;
     throw new FileError(`${name}: ${(error as Error).message}`, { cause: error });
   }
 }
 
-/** What reads places from files other than JSON, by their endings. */
-const tables: Record<string, (bytes: Uint8Array) => Promise<ArrayLike<number>>> = {
-  '.ply': (bytes) => inSlices(readPlyPlaces(bytes, toSizeLimits({})), {}),
-  '.csv': async (bytes) => readCsvPlaces(bytes),
-  '.xyz': async (bytes) => readCsvPlaces(bytes),
-};
+/** Enough to find the first letter. */
+const headBytes = 2 ** 10;
 
 function isJson(given: string): boolean {
   return /^\s*[[{]/.test(given);

@@ -2,13 +2,14 @@
 //
 // The mesh of a command and its sites: read from files, or sampled.
 import { GeodesicVoronoiError } from '../errors.js';
-import { toPlaces } from '../input.js';
+import { toPoints } from '../input.js';
 import { load } from '../node.js';
 import { requireSameMesh } from '../points_file.js';
+import type { SurfacePoints } from '../results.js';
 import { counted } from '../sentences.js';
 import type { Density, Mesh, SurfacePointsInput } from '../types.js';
-import { FileError, readModel } from './files.js';
-import type { Values } from './options.js';
+import { FileError, type Output, readModel } from './files.js';
+import { standard, type Values } from './options.js';
 import { type GivenPoints, readPoints } from './points.js';
 import { ProgressBar } from './progress.js';
 import type { Lengths } from './values.js';
@@ -21,22 +22,25 @@ export type SiteSource = Pick<
 /** How a model is read. */
 export type Reading = Pick<Values, 'limits' | 'weld' | 'orientation' | 'min-component'>;
 /** Points by triangles or vertices. */
-export type PointsOnSurface = Exclude<SurfacePointsInput, { position: unknown }>;
+export type PointsOnSurface = SurfacePoints | { vertex: Int32Array };
 /** What may be written to standard error. */
 export type Notices = Pick<Values<'diagram'>, 'quiet' | 'progress'>;
 
-export async function openMesh(path: string, values: Reading): Promise<Mesh> {
+/** Opens a mesh whose result goes to an output, which may be none of the model's files. */
+export async function openMesh(path: string, output: Output, values: Reading): Promise<Mesh> {
   const { files, file } = await readModel(path);
   const gvd = await load();
   const { limits, weld, orientation, 'min-component': minComponent } = values;
-  try {
-    return await gvd.mesh(files, { limits, file, weld, orientation, minComponent });
-  } catch (error) {
+  const options = { limits, file, weld, orientation, minComponent };
+  const mesh = await gvd.mesh(files, options).catch((error: Error) => {
     // The library's option `file` is a part of the path here.
     const isUnclear = error instanceof GeodesicVoronoiError && error.code === 'several-models';
-    const message = `${path}: ${(error as Error).message}`;
-    throw new FileError(isUnclear ? `${message}, as ${path}#PATH` : message, { cause: error });
-  }
+    const advice =
+      path === standard ? ', as FILE#PATH of a file that is saved' : `, as ${path}#PATH`;
+    throw new FileError(`${path}: ${error.message}${isUnclear ? advice : ''}`, { cause: error });
+  });
+  output.requireNoModel();
+  return mesh;
 }
 
 /** What the lengths of a result are in: as --units says, or in the model's own unit, which glTF has. */
@@ -47,17 +51,19 @@ export function lengthsOf(mesh: Mesh, { units }: Pick<Values, 'units'>): Lengths
 
 export async function openWithSites(
   path: string,
+  output: Output,
   values: Notices & Reading & SiteSource,
   density?: Density,
 ): Promise<{ mesh: Mesh; sites: PointsOnSurface }> {
   const given = typeof values.sites === 'string' ? await readPoints(values.sites) : undefined;
-  const mesh = await openMesh(path, values);
+  const mesh = await openMesh(path, output, values);
   const sites = given ? await onSurface(mesh, given, values) : await sampled(mesh, values, density);
-  if (!values.quiet) {
-    const notes = [...mesh.info.notes, ...cutNotes(mesh), ...(await bareNotes(mesh, sites))];
-    for (const note of notes) process.stderr.write(`note: ${note}\n`);
-  }
+  writeNotes([...meshNotes(mesh), ...(await bareNotes(mesh, sites))], values);
   return { mesh, sites };
+}
+
+export function writeNotes(notes: string[], { quiet }: Notices): void {
+  if (!quiet) for (const note of notes) process.stderr.write(`note: ${note}\n`);
 }
 
 /** Points that were given; of places in space, the closest points, however far these are. */
@@ -66,23 +72,23 @@ export async function onSurface(
   given: GivenPoints,
   values: Pick<Values<'diagram'>, 'quiet' | 'units'>,
 ): Promise<PointsOnSurface> {
-  const { name, points } = given;
   try {
     requireSameMesh(given, mesh.info);
-    if ('position' in points && !('face' in points)) return await closestOf(mesh, points, values);
+    const points = toPoints('points', given.points);
+    if ('position' in points) return await closestOf(mesh, points.position, values);
     await mesh.positionsOf(points);
-    return points as PointsOnSurface;
+    return points;
   } catch (error) {
-    throw new FileError(`${name}: ${(error as Error).message}`, { cause: error });
+    throw new FileError(`${given.name}: ${(error as Error).message}`, { cause: error });
   }
 }
 
 async function closestOf(
   mesh: Mesh,
-  { position }: { position: ArrayLike<number> },
+  places: Float64Array,
   { quiet, units }: Pick<Values<'diagram'>, 'quiet' | 'units'>,
 ): Promise<PointsOnSurface> {
-  const closest = await mesh.closestPoints(toPlaces('position', position));
+  const closest = await mesh.closestPoints(places);
   const farthest = closest.distance.reduce((most, d) => Math.max(most, d), 0);
   if (!quiet && farthest > Number.EPSILON * mesh.info.boundingDiagonal) {
     const count = closest.face.length;
@@ -112,12 +118,19 @@ async function sampled(
   return found;
 }
 
-/** Notes where the surface is not the one that its triangles seem to make. */
-function cutNotes({ info: { repairs } }: Mesh): string[] {
-  const edges = repairs.nonManifoldEdges;
-  if (edges === 0) return [];
-  const what = `${counted(edges, 'edge')} of three or more triangles`;
-  return [`${what} ${edges === 1 ? 'is' : 'are'} cut apart: distances do not lead across`];
+/** Notes what the reader passed over, and where the surface is not the one that its triangles seem to make. */
+export function meshNotes({ info: { notes, repairs } }: Mesh): string[] {
+  const cut = (edges: number, why: string) =>
+    edges === 0
+      ? []
+      : [
+          `${counted(edges, 'edge')} of ${why} ${edges === 1 ? 'is' : 'are'} cut apart: distances do not lead across`,
+        ];
+  return [
+    ...notes,
+    ...cut(repairs.nonManifoldEdges, 'three or more triangles'),
+    ...cut(repairs.orientationCuts, 'two triangles that disagree in orientation'),
+  ];
 }
 
 /** Notes the components that no site is on, if there are any. */

@@ -16,7 +16,7 @@ import { lineFault, TextWords } from './text_words.js';
 const linesPerStep = 64;
 
 export function* readObj(bytes: Uint8Array, limits: SizeLimits): SlicedWork<ReadModel> {
-  const words = new TextWords(bytes);
+  const words = new TextWords(bytes, { hasComments: true });
   const reader = new ObjReader(words, limits);
   for (let line = 1; words.nextLine(); ++line) {
     reader.readLine();
@@ -32,8 +32,6 @@ class ObjReader {
   readonly #limits: SizeLimits;
   /** Vertices may follow the faces that name them. */
   #highest = { vertex: -1, line: 0 };
-  /** Faces of fewer than three corners, lines and points. */
-  #passedOver = 0;
 
   constructor(words: TextWords, limits: SizeLimits) {
     this.#words = words;
@@ -52,7 +50,7 @@ class ObjReader {
         break;
       case 'l':
       case 'p':
-        ++this.#passedOver;
+        this.#polygons.passOver();
     }
   }
 
@@ -69,7 +67,6 @@ class ObjReader {
     }
     const positions = yield* this.#positions.take();
     const { indices, notes } = yield* this.#polygons.take(positions);
-    if (this.#passedOver > 0) notes.push(`${this.#passedOver} lines and points were passed over`);
     return { positions, indices, notes };
   }
 
@@ -86,7 +83,7 @@ class ObjReader {
   #readFace(): void {
     const first = [this.#words.next(), this.#words.next(), this.#words.next()];
     if (first[2] === undefined) {
-      ++this.#passedOver;
+      this.#polygons.passOver();
       return;
     }
     for (const corner of first as string[]) this.#polygons.addCorner(this.#vertexOf(corner));

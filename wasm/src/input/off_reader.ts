@@ -34,11 +34,10 @@ export function* readOff(bytes: Uint8Array, limits: SizeLimits): SlicedWork<Read
   }
 
   const polygons = new Polygons(limits, atMost(faceCount, leastFaceBytes));
-  let passedOver = 0;
   for (let face = 0; face < faceCount; ++face) {
     const size = words.countOf(words.firstOfLine(`${face} of ${faceCount} faces`));
     if (size < 3) {
-      ++passedOver;
+      polygons.passOver();
     } else {
       for (let i = 0; i < size; ++i) polygons.addCorner(vertexOf(words, vertexCount));
       polygons.endPolygon();
@@ -50,7 +49,6 @@ export function* readOff(bytes: Uint8Array, limits: SizeLimits): SlicedWork<Read
 
   const positions = yield* places.take();
   const { indices, notes } = yield* polygons.take(positions);
-  if (passedOver > 0) notes.push(`${passedOver} lines and points were passed over`);
   return { positions, indices, notes };
 }
 
@@ -65,9 +63,8 @@ function readHead(words: OffWords): { vertexCount: number; faceCount: number } {
     );
   const beside = words.next();
   if (beside === 'BINARY') throw words.fault('binary OFF is not read: save it as text');
-  const first = beside === undefined || beside.startsWith('#') ? undefined : beside;
   return {
-    vertexCount: words.countOf(first ?? words.firstOfLine('its keyword')),
+    vertexCount: words.countOf(beside ?? words.firstOfLine('its keyword')),
     faceCount: words.countOf(words.next()),
   };
 }
@@ -79,11 +76,15 @@ function vertexOf(words: OffWords, vertexCount: number): number {
 }
 
 class OffWords extends TextWords {
+  constructor(bytes: Uint8Array) {
+    super(bytes, { hasComments: true });
+  }
+
   /** The first word of the next line that is no comment; `read` tells what was there before it. */
   firstOfLine(read: string): string {
     while (this.nextLine()) {
-      const word = this.next()!;
-      if (!word.startsWith('#')) return word;
+      const word = this.next();
+      if (word !== undefined) return word;
     }
     throw this.fault(`the OFF is truncated: it ends after ${read}`);
   }

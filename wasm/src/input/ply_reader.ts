@@ -236,7 +236,7 @@ class TextValues implements Values {
   readonly #words: TextWords;
 
   constructor(bytes: Uint8Array, header: PlyHeader) {
-    this.#words = new TextWords(bytes.subarray(header.bytes), header.lines);
+    this.#words = new TextWords(bytes.subarray(header.bytes), { linesBefore: header.lines });
   }
 
   get place(): string {

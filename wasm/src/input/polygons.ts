@@ -4,6 +4,7 @@
 // triangles, also where corners lie in a line: else the faces beside it would not fit any more.
 
 import earcut from 'earcut';
+import { counted } from '../sentences.js';
 import type { SlicedWork } from '../slices.js';
 import { GrowingArray } from './growing_array.js';
 import { requireCorners, requireTriangles, type SizeLimits } from './limits.js';
@@ -20,6 +21,7 @@ export class Polygons {
   #start = 0;
   #count = 0;
   #triangles = 0;
+  #passedOver = 0;
 
   /** Exactly the `expected` number of triangles takes the least memory. */
   constructor(limits: SizeLimits, expected = 0) {
@@ -49,11 +51,17 @@ export class Polygons {
     this.#start += size;
   }
 
-  /** Gives up three vertices per triangle, and a sentence about what was cut. */
+  /** Counts a line or a point: a polygon of fewer corners, or what the file calls so. */
+  passOver(): void {
+    ++this.#passedOver;
+  }
+
+  /** Gives up three vertices per triangle, and sentences about what was cut or passed over. */
   *take(positions: Float64Array): SlicedWork<{ indices: Int32Array; notes: string[] }> {
     const corners = yield* this.#corners.take();
     const larger = yield* this.#larger.take();
-    if (larger.length === 0) return { indices: corners, notes: [] };
+    const notes = notesOf(larger.length / 2, this.#passedOver);
+    if (larger.length === 0) return { indices: corners, notes };
     const indices = new Int32Array(3 * this.#triangles);
     let [at, behind] = [0, 0];
     for (let i = 0; i <= larger.length; i += 2) {
@@ -72,12 +80,19 @@ export class Polygons {
       behind += polygon.length;
       yield 1;
     }
-    const cut = larger.length / 2;
-    return {
-      indices,
-      notes: [`${cut === 1 ? '1 polygon was' : `${cut} polygons were`} cut into triangles`],
-    };
+    return { indices, notes };
   }
+}
+
+function notesOf(cut: number, passedOver: number): string[] {
+  const be = (count: number) => (count === 1 ? 'was' : 'were');
+  const notes: string[] = [];
+  if (cut > 0) notes.push(`${counted(cut, 'polygon')} ${be(cut)} cut into triangles`);
+  if (passedOver > 0)
+    notes.push(
+      `${counted(passedOver, 'line or point', 'lines and points')} ${be(passedOver)} passed over`,
+    );
+  return notes;
 }
 
 /** The vertices of the triangles of a polygon: always two fewer than it has corners. */

@@ -2,6 +2,7 @@
 //
 // From the files of a model to its triangles. What a format needs is loaded with its first file.
 
+import type { CompiledModule } from '../compile.js';
 import type { FileInput } from '../engine.js';
 import { GeodesicVoronoiError } from '../errors.js';
 import { readGltf } from '../gltf.js';
@@ -24,8 +25,8 @@ import { type FileFormat, formatOf } from './model_format.js';
 
 /** WebAssembly modules, compiled when they are first needed. */
 export interface InputModules {
-  gltf(): Promise<WebAssembly.Module>;
-  draco(): Promise<WebAssembly.Module>;
+  gltf(): Promise<CompiledModule>;
+  draco(): Promise<CompiledModule>;
 }
 
 export interface Model {
@@ -134,7 +135,7 @@ export async function readModel(
 async function readableGltf(
   bytes: Uint8Array,
   resource: (uri: string) => Promise<Uint8Array | undefined>,
-  dracoModule: () => Promise<WebAssembly.Module>,
+  dracoModule: () => Promise<CompiledModule>,
 ): Promise<GltfFile> {
   const head = parseGltfHead(bytes) ?? {};
   const resources: Resources = {};

@@ -9,10 +9,18 @@ const blockBytes = 2 ** 16;
 /** No number or keyword is as long. */
 const maxWord = 2 ** 12;
 
-const [lineFeed, carriageReturn, space, backslash] = [0x0a, 0x0d, 0x20, 0x5c];
+const [lineFeed, carriageReturn, space, hash, backslash] = [0x0a, 0x0d, 0x20, 0x23, 0x5c];
+
+interface TextOptions {
+  /** The lines of the file before these bytes, if they are only its end. */
+  linesBefore?: number;
+  /** Whether a # begins a comment, up to the line's end. */
+  hasComments?: boolean;
+}
 
 export class TextWords {
   readonly #bytes: Uint8Array;
+  readonly #comment: number | undefined;
   readonly #decoder = new TextDecoder();
   #read = 0;
   /** Decoded text still needed: from the start of the line, or of the last word in a long line. */
@@ -24,10 +32,10 @@ export class TextWords {
   #ended: number;
   #line = 0;
 
-  /** `linesBefore` counts the file's lines before these bytes, if they are only its end. */
-  constructor(bytes: Uint8Array, linesBefore = 0) {
+  constructor(bytes: Uint8Array, { linesBefore = 0, hasComments = false }: TextOptions = {}) {
     this.#bytes = bytes;
     this.#ended = linesBefore;
+    this.#comment = hasComments ? hash : undefined;
   }
 
   /** The line's number, from 1 as editors count; before the first one, how many there were. */
@@ -60,14 +68,14 @@ export class TextWords {
     return true;
   }
 
-  /** The next word of the line, if there is one. */
+  /** The next word of the line, if there is one: in a line of comment, there is none. */
   next(): string | undefined {
     let code = this.#peek();
     while (code <= space && !this.#isLineEnd(code)) {
       ++this.#at;
       code = this.#peek();
     }
-    if (this.#isLineEnd(code)) return undefined;
+    if (this.#isLineEnd(code) || code === this.#comment) return undefined;
     let length = 0;
     while (this.#isWithinWord()) {
       ++this.#at;
@@ -108,6 +116,7 @@ export class TextWords {
   #isWithinWord(): boolean {
     if (this.#at >= this.#text.length && !this.#decodeMore()) return false;
     const code = this.#text.charCodeAt(this.#at);
+    if (code === this.#comment) return false;
     return code > space && (code !== backslash || !this.#isLineEnd(this.#after()));
   }
 
