@@ -130,11 +130,12 @@ suite('hands', () => {
     assert.equal(edge, 0, 'nothing is cut off at the top');
     const { x, y, width, height } = await viewer.page.locator('geodesic-voronoi').boundingBox();
     await viewer.page.mouse.click(x + width / 2, y + height / 2);
-    await viewer.page.locator('#note-text', { hasText: 'cannot be edited' }).waitFor();
+    await viewer.page.locator('#note-text', { hasText: 'are pulled apart' }).waitFor();
     assert.equal(await viewer.siteCount(), 60);
     await viewer.page.evaluate(() => document.querySelector('#cvt-step').click());
     await viewer.page.locator('#cvt-iteration', { hasText: '1' }).waitFor();
     assert.equal(await viewer.page.locator('#exploded').inputValue(), '0');
+    assert.equal(await viewer.page.locator('#note').isVisible(), false, 'it is no longer true');
     await viewer.settled();
   });
 

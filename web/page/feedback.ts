@@ -23,9 +23,16 @@ export function setUpFeedback(viewer: GeodesicVoronoiElement): void {
   listen(viewer, 'load', hideNote);
 }
 
-/** Shows a note that is no error, with an action, if there is one, to do about it. */
-export function showNote(sentence: string, action?: { title: string; act: () => void }): void {
-  byId('note-text', HTMLElement).textContent = sentence;
+/**
+ * Shows a note that is no error, with an action, if there is one, to do about it. Returns what hides
+ * it, if it is still there, once it is no longer true.
+ */
+export function showNote(
+  sentence: string,
+  action?: { title: string; act: () => void },
+): () => void {
+  const text = byId('note-text', HTMLElement);
+  text.textContent = sentence;
   const button = byId('note-action', HTMLButtonElement);
   button.hidden = action === undefined;
   button.textContent = action?.title ?? '';
@@ -34,6 +41,9 @@ export function showNote(sentence: string, action?: { title: string; act: () => 
     action?.act();
   };
   byId('note', HTMLElement).hidden = false;
+  return () => {
+    if (text.textContent === sentence) hideNote();
+  };
 }
 
 function hideNote(): void {

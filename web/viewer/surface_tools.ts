@@ -54,7 +54,7 @@ export class SurfaceTools implements GestureTarget {
   }
 
   /**
-   * The surface at device coordinates; undefined while the regions are apart and cannot be edited.
+   * The surface at device coordinates; undefined while the regions are apart.
    */
   pick(device: Vector2): SurfaceHit | undefined {
     const { attributes, model, stage } = this.#work;
