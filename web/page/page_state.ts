@@ -8,6 +8,7 @@ import type { GeodesicVoronoiElement, ViewerEvents } from '../viewer/element.js'
 import { byId } from './dom.js';
 import { showError, showNote } from './feedback.js';
 import { isSample } from './first_model.js';
+import { integer } from './numbers.js';
 
 const version = '1';
 /** The most sites in a link: some programs cut off longer addresses. */
@@ -19,7 +20,7 @@ const bytesPerSite = 8;
 /** The viewer's attributes that a link keeps. */
 export const linkAttributes = [
   ...['sites', 'seed', 'sampling', 'per-component', 'weld', 'orientation', 'min-component'],
-  ...['metric', 'detail', 'up', 'layers', 'camera-orbit'],
+  ...['metric', 'detail', 'up', 'layers', 'exploded', 'camera-orbit'],
 ] as const;
 
 /** Whether an address's hash is one that `pageState` wrote. */
@@ -37,6 +38,22 @@ export function pageState(viewer: GeodesicVoronoiElement, model: string): string
   const { sites } = viewer;
   if (sites.face.length <= mostSites) parameters.set('at', encodeSites(sites));
   return `#${parameters}`;
+}
+
+/** What a link of the present state does not hold, as sentences. */
+export function notHeld(viewer: GeodesicVoronoiElement, model: string): string[] {
+  const sentences: string[] = [];
+  if (!isSample(model)) {
+    sentences.push(`It does not hold the file ${model}: whoever opens it has to open that, too.`);
+  }
+  if (viewer.sites.face.length > mostSites) {
+    sentences.push(
+      `It does not hold more than ${integer(mostSites)} sites: others are placed. ` +
+        'The file Sites, in the menu Download, has them all.',
+    );
+  }
+  if (viewer.density) sentences.push('It does not hold the painted density.');
+  return sentences;
 }
 
 /** Restores the state in a link; links of another version are ignored. */
