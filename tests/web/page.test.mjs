@@ -444,7 +444,17 @@ suite('the page', () => {
       /of 9 components, .* % of the area, ha(s|ve) no site/,
     );
 
+    // Sites stay where they are, those placed by hand, too; so does the density.
+    await viewer.evaluate((viewer) => {
+      viewer.sites = { face: [0, 1, 4], bary: [0.2, 0.3, 0.5, 0.6, 0.3, 0.1, 0.4, 0.4, 0.2] };
+      viewer.density = Float64Array.from({ length: 24 }, (_, v) => 1 + v);
+    });
+    const places = () =>
+      viewer.evaluate(async ({ mesh, sites }) => [...(await mesh.positionsOf(sites))]);
+    const before = await places();
     await viewer.after('diagram', () => viewer.page.selectOption('#weld', '1e-4'));
+    (await places()).forEach((x, i) => assert.ok(Math.abs(x - before[i]) < 1e-6, `${i}: ${x}`));
+    assert.ok(Math.abs((await viewer.evaluate(({ density }) => density[7])) - 8) < 1e-3);
     assert.match(await text(viewer, '#report'), /Components2/);
     assert.match(await text(viewer, '#repairs'), /18 vertices welded.*1 triangle turned over/);
     await viewer.after('diagram', () => viewer.page.selectOption('#orientation', 'keep'));
@@ -455,7 +465,7 @@ suite('the page', () => {
     });
     assert.match(
       await text(viewer, '#repairs'),
-      /2 small components dropped.*3 triangles of these/,
+      /2 components with fewer triangles than asked for, dropped.*3 triangles of these/,
     );
     assert.match(await text(viewer, '#report'), /Components1/);
     assert.equal(await viewer.page.locator('#bare-note').isVisible(), false);

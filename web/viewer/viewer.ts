@@ -2,7 +2,7 @@
 //
 // The content of an element: it connects the session, the scene and the tools.
 
-import type { DiagramData, SurfacePath } from 'geodesic-voronoi';
+import type { SurfacePath } from 'geodesic-voronoi';
 import { Vector3 } from 'three';
 import { type Attributes, buildAttributes, scatteringAttributes } from './attributes.js';
 import { formatCameraOrbit } from './camera_orbit.js';
@@ -13,15 +13,14 @@ import type { Emit } from './events.js';
 import { hexagonEnergy, rootDensityIntegral } from './hexagon_energy.js';
 import { Hover, type HoveredPoint } from './hover.js';
 import type { OpenedMesh, Reader, Scattering } from './mesh_opening.js';
-import type { DrawnDiagram } from './model_drawing.js';
 import { OpenModel } from './open_model.js';
 import { OriginalLayer } from './original_layer.js';
 import { PageScrolling } from './page_scrolling.js';
 import { PointerGestures } from './pointer_gestures.js';
 import { Session } from './session.js';
 import type { Drawable, SessionListener } from './session_listener.js';
-import type { ShownDiagram } from './shown_diagram.js';
-import type { SitePlace } from './site_history.js';
+import { drawnDiagram, type ShownDiagram } from './shown_diagram.js';
+import { type SitePlace, surfacePointsOf } from './site_history.js';
 import type { ContextListener } from './shared_renderer.js';
 import { Stage } from './stage.js';
 import { SurfaceTools, type Workpiece } from './surface_tools.js';
@@ -142,6 +141,17 @@ export class Viewer implements Workpiece {
 
   open(read: Reader): Promise<boolean> {
     return this.session.open(read, this.attributes.opening);
+  }
+
+  /** Opens the model that is shown anew, made otherwise of its files: sites and density stay. */
+  async rebuild(read: Reader): Promise<void> {
+    const { attributes, density, session } = this;
+    const { mesh } = session;
+    const areOthersAsked = attributes.differ(scatteringAttributes);
+    const sites = () => surfacePointsOf(session.sites);
+    const kept = mesh && !areOthersAsked ? { mesh, sites } : undefined;
+    const isOpen = await session.open(read, { ...attributes.opening, kept });
+    if (isOpen && density) this.density = density;
   }
 
   /** Applies the metric and the detail of the attributes. */
@@ -431,17 +441,4 @@ export class Viewer implements Workpiece {
     this.stage.invalidate();
     this.#emit('hover', point ? { ...point, colour: drawing?.regionColour(region) } : null);
   }
-}
-
-function drawnDiagram(shown: ShownDiagram): DrawnDiagram | undefined {
-  const { sites, summary } = shown;
-  return (
-    summary && {
-      summary,
-      siteIds: sites.map(({ id }) => id),
-      get data() {
-        return shown.data as DiagramData;
-      },
-    }
-  );
 }
