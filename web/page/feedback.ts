@@ -74,6 +74,16 @@ function setUpStatus(viewer: GeodesicVoronoiElement): void {
       status.textContent = sentenceOf(diagram);
     }, statusMilliseconds);
   });
+  // After a failure or a cancel, a model whose diagrams all were is left without one.
+  let endNote = () => {};
+  listen(viewer, 'status-change', ({ status: now }) => {
+    endNote();
+    if (now !== 'ready' || viewer.diagram || viewer.sites.face.length === 0) return;
+    clearTimeout(waiting);
+    status.textContent = 'No diagram: its computation has ended early.';
+    const again = { title: 'Compute it', act: () => (viewer.sites = viewer.sites) };
+    endNote = showNote('The diagram of this model was not computed to its end.', again);
+  });
 }
 
 function sentenceOf({ sites, milliseconds }: ViewerEvents['diagram']): string {
@@ -155,6 +165,7 @@ function setUpTimes(viewer: GeodesicVoronoiElement): void {
   });
   listen(viewer, 'load', () => {
     opening.textContent = duration(performance.now() - start);
+    for (const cell of [arcCount, voronoiPointCount, diagram, drawing]) cell.textContent = '–';
   });
   listen(viewer, 'diagram', ({ arcs, voronoiPoints, milliseconds }) => {
     arcCount.textContent = integer(arcs);
