@@ -122,6 +122,31 @@ suite('files', () => {
     assert.equal(await note.isVisible(), false);
   });
 
+  test('a file that would be empty is not written, and a note goes with its file', async () => {
+    await viewer.after('diagram', () => drop('three.json', '{"vertex": [0, 900, 7000]}'));
+    await download('dual', 'obj');
+    await viewer.page.locator('#note').waitFor();
+    await download('sites', 'json');
+    assert.equal(await viewer.page.locator('#note').isVisible(), false);
+
+    await viewer.after('diagram', () => drop('one.json', '{"vertex": [900]}'));
+    await viewer.page.click('#download-button');
+    for (const [id, why] of [
+      ['bisectors-glb', 'there are no bisectors'],
+      ['bisectors-obj', 'there are no bisectors'],
+      ['outlines-svg', 'no bisector is seen in this view'],
+      ['dual-glb', 'the dual has no polygons'],
+    ]) {
+      await viewer.page.click(`#download-${id}`);
+      const error = viewer.page.locator('#error-text', { hasText: `cannot be made: ${why}.` });
+      await error.waitFor();
+      await viewer.page.evaluate(() => document.getElementById('error-close').click());
+    }
+    await viewer.page.keyboard.press('Escape');
+    for (let step = 0; step < 2; ++step)
+      await viewer.after('diagram', () => viewer.page.click('#undo'));
+  });
+
   test('sites count the triangles of the file, also of a mesh that was repaired', async () => {
     const repaired = await browser.open();
     await repaired.settled();
@@ -149,9 +174,12 @@ suite('files', () => {
     const svg = content.toString();
     const [, width, height] = svg.match(/viewBox="0 0 (\d+) (\d+)"/).map(Number);
     const drawn = svg.match(/[\d.]+ [\d.]+(?=[ML"])/g).map((place) => place.split(' ').map(Number));
-    const { segments } = await viewer.evaluate(({ diagram }) => ({
-      segments: diagram.data.segments.points.length / 2,
+    const { segments, arcs } = await viewer.evaluate(({ diagram: { data } }) => ({
+      segments: data.segments.points.length / 2,
+      arcs: data.arcs.offset.length - 1,
     }));
+    const lines = svg.match(/M/g).length;
+    assert.ok(lines < 1.5 * arcs, `${lines} lines for ${arcs} arcs`);
     const share = drawn.length / segments;
     assert.ok(share > 0.2 && share < 1.5, `${drawn.length} ends of ${segments} segments`);
     assert.ok(drawn.every(([x, y]) => x >= 0 && x <= width && y >= 0 && y <= height));
@@ -164,7 +192,8 @@ suite('files', () => {
       size(twice),
       size(once).map((pixels) => 2 * pixels),
     );
-    assert.equal(twice.name, 'bunny-picture.png');
+    assert.equal(once.name, 'bunny-picture.png');
+    assert.equal(twice.name, 'bunny-picture@2x.png');
   });
 
   test('regions in a file have the colours and the numbers of the page', async () => {

@@ -3,10 +3,9 @@
 // The page's own address: it keeps the state that a link keeps, for reloading and coming back.
 
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
-import { lastSegment } from '../viewer/model_files.js';
 import { listen } from './dom.js';
 import { isSample } from './first_model.js';
-import { isPageState, linkAttributes, notHeld, pageState } from './page_state.js';
+import { isPageState, linkAttributes, modelName, notHeld, pageState } from './page_state.js';
 
 /** The address waits for the last of several changes: browsers limit how often it may change. */
 const addressMilliseconds = 300;
@@ -31,7 +30,7 @@ export function setUpAddress(viewer: GeodesicVoronoiElement): void {
     // Another hash than the known one is a link that has just been pasted.
     const isReady = viewer.getAttribute('status') === 'ready' && standIns < 0;
     if (!isReady || location.hash !== known) return;
-    history.replaceState(history.state, '', pageState(viewer, modelOf(viewer)));
+    history.replaceState(history.state, '', pageState(viewer));
     known = location.hash;
   };
   const writeSoon = () => {
@@ -57,13 +56,7 @@ export function setUpLeaving(viewer: GeodesicVoronoiElement): void {
     isEdited = canUndo;
   });
   addEventListener('beforeunload', (event) => {
-    const model = modelOf(viewer);
-    const isLost = isEdited || !isSample(model);
-    if (viewer.loaded && isLost && notHeld(viewer, model).length > 0) event.preventDefault();
+    const isWork = viewer.loaded && (isEdited || !isSample(modelName(viewer)));
+    if (isWork && notHeld(viewer).length > 0) event.preventDefault();
   });
-}
-
-/** The name of the model's file. */
-function modelOf({ info }: GeodesicVoronoiElement): string {
-  return lastSegment(info?.origin.file ?? '');
 }

@@ -5,6 +5,7 @@
 
 import type { SurfacePoints } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement, ViewerEvents } from '../viewer/element.js';
+import { lastSegment } from '../viewer/model_files.js';
 import { byId } from './dom.js';
 import { showError, showNote } from './feedback.js';
 import { isSample } from './first_model.js';
@@ -28,9 +29,14 @@ export function isPageState(hash: string): boolean {
   return parametersOf(hash).has('v');
 }
 
-/** The hash that restores the present state; `model` is the name of the model's file. */
-export function pageState(viewer: GeodesicVoronoiElement, model: string): string {
-  const parameters = new URLSearchParams({ v: version, model });
+/** The name of the file that the model came from. */
+export function modelName({ info }: GeodesicVoronoiElement): string {
+  return lastSegment(info?.origin.file ?? '');
+}
+
+/** The hash that restores the present state. */
+export function pageState(viewer: GeodesicVoronoiElement): string {
+  const parameters = new URLSearchParams({ v: version, model: modelName(viewer) });
   for (const name of linkAttributes) {
     const value = name === 'camera-orbit' ? viewer.cameraOrbit : viewer.getAttribute(name);
     if (isGiven(name, value)) parameters.set(name, value);
@@ -41,8 +47,9 @@ export function pageState(viewer: GeodesicVoronoiElement, model: string): string
 }
 
 /** What a link of the present state does not hold, as sentences. */
-export function notHeld(viewer: GeodesicVoronoiElement, model: string): string[] {
+export function notHeld(viewer: GeodesicVoronoiElement): string[] {
   const sentences: string[] = [];
+  const model = modelName(viewer);
   if (!isSample(model)) {
     sentences.push(`It does not hold the file ${model}: whoever opens it has to open that, too.`);
   }
