@@ -77,6 +77,22 @@ suite('files', () => {
     assert.equal(await viewer.page.locator('#error').isVisible(), false);
   });
 
+  test('a model that is chosen together with its sites opens with them', async () => {
+    const own = await browser.open();
+    await own.settled();
+    const sites = { face: [2, 7], bary: [1 / 2, 1 / 4, 1 / 4, 1, 0, 0] };
+    await own.page.setInputFiles('#files', [
+      { name: 'sites.json', mimeType: '', buffer: Buffer.from(JSON.stringify(sites)) },
+      { name: 'mine.glb', mimeType: '', buffer: Buffer.from(glb(octahedron())) },
+    ]);
+    await own.page.waitForFunction(
+      () => document.querySelector('geodesic-voronoi').diagram?.sites.face.length === 2,
+    );
+    assert.deepEqual(await own.sites(), sites);
+    assert.deepEqual(own.complaints, []);
+    await own.close();
+  });
+
   test('sites in space and those of a diagram are sites, too', async () => {
     const places = await viewer.evaluate(async ({ mesh, sites }) => [
       ...(await mesh.positionsOf(sites)),

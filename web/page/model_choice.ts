@@ -18,11 +18,11 @@ export function setUpModelChoice(viewer: GeodesicVoronoiElement): void {
   const menu = new ModelMenu(viewer);
   const open = async (files: readonly File[], all: ModelFiles | Promise<ModelFiles>) => {
     try {
-      if (isSites(files)) {
-        const { openSites } = await import('./sites_file.js');
-        return await openSites(viewer, files[0]);
-      }
-      await menu.openFiles(await all);
+      const sites = files.filter(isSites);
+      if (files.length > sites.length && !(await menu.openFiles(await all))) return;
+      if (sites.length === 0) return;
+      const { openSites } = await import('./sites_file.js');
+      for (const file of sites) await openSites(viewer, file);
     } catch (error) {
       showError((error as Error).message);
     }
@@ -71,8 +71,11 @@ class ModelMenu {
     listen(viewer, 'load', () => this.#show(this.#asked));
   }
 
-  /** Opens the first of the models among files; all are in the menu then. */
-  async openFiles(files: ModelFiles): Promise<void> {
+  /**
+   * Opens the first of the models among files; all are in the menu then. Resolves to whether it is
+   * there.
+   */
+  async openFiles(files: ModelFiles): Promise<boolean> {
     const { ownModels } = await import('./own_models.js');
     const paths = await ownModels(files);
     const choices = paths.map((path) => ({
@@ -80,14 +83,13 @@ class ModelMenu {
       open: () => this.#viewer.loadFiles(files, path),
       credit: '',
     }));
-    if (choices.length === 0) {
-      await this.#viewer.loadFiles(files);
-      return;
-    }
+    if (choices.length === 0) return this.#viewer.loadFiles(files);
     if (choices.length > 1) for (const choice of choices) this.#addOwn(choice);
-    if ((await this.#open(choices[0])) && choices.length > 1) {
+    const isOpen = await this.#open(choices[0]);
+    if (isOpen && choices.length > 1) {
       showNote(`This is one of ${choices.length} models: choose another in the menu “Model”.`);
     }
+    return isOpen;
   }
 
   /** A model that cannot be opened leaves the one before, which is then what the menu says. */
@@ -121,8 +123,9 @@ class ModelMenu {
   }
 }
 
-function isSites(files: readonly File[]): boolean {
-  return files.length === 1 && /\.json$/i.test(files[0].name);
+/** A folder's files that end in .json may be anything; those chosen one by one are sites. */
+function isSites({ name, webkitRelativePath }: File): boolean {
+  return /\.json$/i.test(name) && !webkitRelativePath;
 }
 
 function setUpPicker(open: (files: readonly File[]) => void): void {
