@@ -159,6 +159,8 @@ suite('first sight', () => {
     const message = viewer.page.locator('geodesic-voronoi [role=alert]');
     assert.match(await message.textContent(), /needs WebGL 2/);
     assert.equal(await message.isVisible(), true);
+    await viewer.page.locator('#status', { hasText: /^No model is open\.$/ }).waitFor();
+    assert.equal(await viewer.page.locator('#progress').isVisible(), false);
     await viewer.close();
   });
 

@@ -545,6 +545,14 @@ suite('the page', () => {
       (await text(viewer, '#readout')).trim(),
       new RegExp(`^Region ${first} · area \\S+ · \\S+ from its site$`),
     );
+    // What is rounded off is no distance.
+    await viewer.evaluate(
+      (viewer, detail) => {
+        viewer.dispatchEvent(new CustomEvent('hover', { detail }));
+      },
+      { ...hovered, distance: 2e-5 * Math.sqrt(hovered.area) },
+    );
+    assert.match(await text(viewer, '#readout'), / · 0 from its site/);
   });
 
   async function download(button) {

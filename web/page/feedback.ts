@@ -119,11 +119,17 @@ function setUpProgress(viewer: GeodesicVoronoiElement): void {
 
 function setUpErrors(viewer: GeodesicVoronoiElement): void {
   onClick('error-close', hideError);
+  // Without a model the view itself says why there is none, for as long as that is so.
+  const tellNone = (advice: string) => {
+    byId('progress', HTMLElement).hidden = true;
+    byId('status', HTMLElement).textContent = `No model is open.${advice}`;
+  };
+  // The element may have found that there is no WebGL before anything listened to it.
+  if (viewer.status === 'failed') tellNone('');
   listen(viewer, 'error', ({ type, message }) => {
     byId('progress', HTMLElement).hidden = true;
-    // Without a model the view itself says why there is none, for as long as that is so.
     if (!viewer.loaded) {
-      byId('status', HTMLElement).textContent = 'No model is open. Reload the page to try again.';
+      tellNone(type === 'nowebgl' ? '' : ' Reload the page to try again.');
     } else if (type === 'loadfailure' || type === 'computefailure') {
       showError(message);
     }
@@ -143,8 +149,8 @@ function setUpReadout(viewer: GeodesicVoronoiElement): void {
     if (!point) return;
     colour.style.background = point.colour ?? 'gray';
     const { region, area } = point;
-    // At the site itself, rounding leaves a tiny distance.
-    const distance = point.distance < 1e-9 * Math.sqrt(area) ? 0 : point.distance;
+    // At the site itself, rounding leaves a tiny distance: far less than a pixel of the region.
+    const distance = point.distance < 1e-4 * Math.sqrt(area) ? 0 : point.distance;
     text.textContent =
       region < 0
         ? 'No site reaches this part'
