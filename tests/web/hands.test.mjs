@@ -102,6 +102,21 @@ suite('hands', () => {
     await viewer.after('diagram', () => press('Shift+ArrowRight'));
     const to = await viewer.sitePosition(hidden);
     assert.ok(Math.abs(to.x - from.x - 8) < 1 && Math.abs(to.y - from.y) < 1, `${to.x - from.x}`);
+
+    // Steps of one site by keys are one to undo, until there is another act.
+    const first = await viewer.sites();
+    await viewer.after('diagram', () => press('Shift+ArrowLeft'));
+    await viewer.after('diagram', () => press('Shift+ArrowUp'));
+    await viewer.after('diagram', () => press('Enter'));
+    await viewer.evaluate((viewer, hidden) => (viewer.selected = hidden), hidden);
+    await viewer.after('diagram', () => press('Shift+ArrowDown'));
+    for (const count of [61, 60]) {
+      await viewer.after('diagram', () => press('Control+z'));
+      assert.equal(await viewer.siteCount(), count);
+    }
+    assert.notDeepEqual(await viewer.sites(), first);
+    await viewer.after('diagram', () => press('Control+z'));
+    assert.equal(await viewer.page.locator('#undo').isDisabled(), true);
   });
 
   test('what is under the pointer is told again when the model turns or a site is dragged', async () => {

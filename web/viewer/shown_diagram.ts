@@ -11,6 +11,7 @@ import type {
   TaskOptions,
 } from 'geodesic-voronoi';
 import type { DiagramSummary } from './diagram_summary.js';
+import type { ViewerEvents } from './events.js';
 import type { DrawnDiagram } from './model_drawing.js';
 import { type Sites, surfacePointsOf } from './site_history.js';
 import { type SiteStep, stepsBetween } from './site_step.js';
@@ -107,4 +108,21 @@ export function drawnDiagram(shown: ShownDiagram): DrawnDiagram | undefined {
       },
     }
   );
+}
+
+/** What is told of a diagram that took so long. */
+export function factsOf(
+  { sites, summary, metric, detail }: ShownDiagram,
+  milliseconds: number,
+): ViewerEvents['diagram'] {
+  return {
+    sites: sites.length,
+    regions: summary?.regionCount ?? 0,
+    segments: summary?.segmentCount ?? 0,
+    arcs: summary?.arcCount ?? 0,
+    voronoiPoints: summary?.voronoiPointCount ?? 0,
+    metric,
+    detail,
+    milliseconds,
+  };
 }

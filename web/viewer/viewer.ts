@@ -19,8 +19,8 @@ import { PageScrolling } from './page_scrolling.js';
 import { PointerGestures } from './pointer_gestures.js';
 import { Session } from './session.js';
 import type { Drawable, SessionListener } from './session_listener.js';
-import { drawnDiagram, type ShownDiagram } from './shown_diagram.js';
-import { type SitePlace, surfacePointsOf } from './site_history.js';
+import { drawnDiagram, factsOf, type ShownDiagram } from './shown_diagram.js';
+import { type SitePlace, type Sites, surfacePointsOf } from './site_history.js';
 import type { ContextListener } from './shared_renderer.js';
 import { Stage } from './stage.js';
 import { SurfaceTools, type Workpiece } from './surface_tools.js';
@@ -54,6 +54,8 @@ export class Viewer implements Workpiece {
   /** The density ρ when painting last came to rest, and ∫ √ρ. */
   #density: { perVertex: Float64Array; rootIntegral: number } | undefined;
   #selected: number | undefined;
+  /** The site that `nudge` moved, and all sites after it: they are another list after any other act. */
+  #nudged: { index: number; sites: Sites } | undefined;
   /** The time at which an iteration last moved the sites. */
   #lastIteration = 0;
   #gliding = 0;
@@ -180,11 +182,11 @@ export class Viewer implements Workpiece {
     this.#showSites();
   }
 
-  moveSite(index: number, place: SitePlace): void {
+  moveSite(index: number, place: SitePlace, isSameStep = false): void {
     const site = this.session.sites[index];
     if (!site) return;
     this.edit(() => {
-      this.session.moveSite(site.id, place);
+      this.session.moveSite(site.id, place, isSameStep);
       this.session.endMove();
     });
   }
@@ -211,13 +213,20 @@ export class Viewer implements Workpiece {
     if (isPlaying) this.playCvt();
   }
 
-  /** Moves the chosen site so many CSS pixels over the view; it stays where there is no surface. */
+  /**
+   * Moves the chosen site so many CSS pixels over the view; it stays where there is no surface. Until
+   * something else is done, further ones are the same step to undo.
+   */
   nudge(right: number, down: number): void {
     const { selected } = this;
     const from = this.sitePosition(selected);
     if (!from) return;
     const place = this.tools.pick(this.stage.toDevice(from.x + right, from.y + down));
-    if (place) this.moveSite(selected, place);
+    if (!place) return;
+    const { session } = this;
+    const isSame = this.#nudged?.sites === session.sites && this.#nudged.index === selected;
+    this.moveSite(selected, place, isSame && !session.canRedo);
+    this.#nudged = { index: selected, sites: session.sites };
   }
 
   /** Where a site is drawn on the page; undefined if it is behind the surface. */
@@ -320,9 +329,9 @@ export class Viewer implements Workpiece {
       diagramChanged: (shown, milliseconds, how) => {
         if (!this.session.scattering.isRunning) this.attributes.keep(scatteringAttributes);
         this.#showDiagram(shown, how);
-        this.#tellDiagram(shown, milliseconds);
+        this.#emit('diagram', factsOf(shown, milliseconds));
       },
-      cvtRested: (shown, milliseconds) => this.#tellDiagram(shown, milliseconds),
+      cvtRested: (shown, milliseconds) => this.#emit('diagram', factsOf(shown, milliseconds)),
       cvtIterated: (shown, { iteration, energy, largestMove }, how) => {
         this.#showDiagram(shown, how);
         const least = shown.summary && hexagonEnergy(shown.summary, this.#density?.rootIntegral);
@@ -403,19 +412,6 @@ export class Viewer implements Workpiece {
     else drawing?.setDiagram(shown.data, prepared);
     this.stage.invalidate();
     this.hover.refresh();
-  }
-
-  #tellDiagram({ sites, summary, metric, detail }: ShownDiagram, milliseconds: number): void {
-    this.#emit('diagram', {
-      sites: sites.length,
-      regions: summary?.regionCount ?? 0,
-      segments: summary?.segmentCount ?? 0,
-      arcs: summary?.arcCount ?? 0,
-      voronoiPoints: summary?.voronoiPointCount ?? 0,
-      metric,
-      detail,
-      milliseconds,
-    });
   }
 
   #adoptDensity(): void {
