@@ -459,6 +459,7 @@ suite('the page', () => {
     assert.match(await text(viewer, '#repairs'), /18 vertices welded.*1 triangle turned over/);
     await viewer.after('diagram', () => viewer.page.selectOption('#orientation', 'keep'));
     assert.match(await text(viewer, '#repairs'), /3 edges cut/);
+    assert.match(await text(viewer, '#note-text'), /cut along 3 edges .* around the cuts\./);
     await viewer.after('diagram', async () => {
       await viewer.page.fill('#min-component', '3');
       await viewer.page.locator('#min-component').blur();

@@ -56,7 +56,7 @@ suite('the panel', () => {
   });
 
   test('sites are chosen from a list, which tells their regions', async () => {
-    await viewer.page.getByText('List of sites').click();
+    await viewer.page.getByText('List of 60 sites').click();
     const list = viewer.page.locator('#site-list');
     await list.locator('option').nth(59).waitFor({ state: 'attached' });
     assert.equal(await list.locator('option').count(), 60);

@@ -33,8 +33,8 @@ export function setUpPage(modules: Promise<LoadOptions>, model: Promise<Response
   const viewer = byId('viewer', GeodesicVoronoiElement);
   setUpFeedback(viewer);
   setUpModelChoice(viewer);
-  setUpSizeWarning(viewer);
   setUpMeshReport(viewer);
+  setUpSizeWarning(viewer);
   const readings = new CvtReadings(viewer);
   setUpFirstSight(viewer, readings);
   setUpAddress(viewer);
