@@ -197,3 +197,31 @@ test('textures and vertex colours are shown where the file has them', async () =
   assert.deepEqual(viewer.complaints, []);
   await viewer.close();
 });
+
+test('bisectors are seen on a surface of any colour', async () => {
+  const viewer = await browser.open({
+    viewport: { width: 1100, height: 420 },
+    colorScheme: 'light',
+  });
+  await viewer.settled();
+  await viewer.evaluate((viewer) => viewer.setAttribute('sites', '2'));
+  const black = [4, 4, 4];
+  await shown(viewer, [file('black.ply', ply([black, black, black, black]))]);
+  await viewer.settled();
+  const light = async (layers) =>
+    viewer.evaluate(
+      (viewer, picture) => {
+        const { data } = viewer.pictures[picture];
+        let count = 0;
+        for (let i = 0; i < data.length; i += 4)
+          if (data[i + 3] === 255 && Math.min(data[i], data[i + 1], data[i + 2]) > 150) ++count;
+        return count;
+      },
+      await viewer.picture(layers),
+    );
+  assert.equal(await light(['original']), 0);
+  const seen = await light(['original', 'bisectors']);
+  assert.ok(seen > 50, `${seen} light pixels beside the bisector`);
+  assert.deepEqual(viewer.complaints, []);
+  await viewer.close();
+});
