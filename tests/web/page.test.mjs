@@ -325,6 +325,11 @@ suite('the page', () => {
     await viewer.after('diagram', () => choose(fine));
     await is('grid 10.obj', 18);
     assert.equal((await choices()).length, all.length);
+    // Another one of the same name is.
+    await viewer.after('diagram', () => choose(file('grid 10.obj', meshObj(grid(4)))));
+    await is('grid 10.obj (2)', 32);
+    await pick('grid 10.obj');
+    await is('grid 10.obj', 18);
   });
 
   test('a folder is dropped', async () => {

@@ -79,7 +79,10 @@ class ModelMenu {
     const { ownModels } = await import('./own_models.js');
     const paths = await ownModels(files);
     const choices = paths.map((path) => ({
-      option: new Option(paths.length > 1 ? path : lastSegment(path)),
+      option: new Option(
+        paths.length > 1 ? path : lastSegment(path),
+        `${path} ${sizeOf(files[path])}`,
+      ),
       open: () => this.#viewer.loadFiles(files, path),
       credit: '',
     }));
@@ -107,12 +110,14 @@ class ModelMenu {
     byId('credit', HTMLElement).textContent = choice.credit;
   }
 
-  /** Adds a model; replaces one with the same path, which is an earlier state of the file. */
+  /** Adds a model; replaces the same file. Another one of the same name gets a number. */
   #addOwn(choice: Choice): void {
-    const before = [...this.#ownFiles.children].find(
-      (option) => (option as HTMLOptionElement).text === choice.option.text,
-    );
-    before?.remove();
+    const { option } = choice;
+    const own = [...this.#ownFiles.children] as HTMLOptionElement[];
+    own.find(({ value }) => value === option.value)?.remove();
+    const isTaken = (text: string) => own.some((each) => each.isConnected && each.text === text);
+    const { text } = option;
+    for (let number = 2; isTaken(option.text); ++number) option.text = `${text} (${number})`;
     this.#add(choice, this.#ownFiles);
     this.#menu.prepend(this.#ownFiles);
   }
@@ -121,6 +126,11 @@ class ModelMenu {
     this.#choices.set(choice.option, choice);
     list.append(choice.option);
   }
+}
+
+/** In bytes; it tells files of the same path apart. Unknown within a zip, and zero there. */
+function sizeOf(file: ModelFiles[string] | undefined): number {
+  return file instanceof File ? file.size : 0;
 }
 
 /** A folder's files that end in .json may be anything; those chosen one by one are sites. */
