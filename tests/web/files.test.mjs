@@ -58,7 +58,7 @@ suite('files', () => {
     assert.equal(await viewer.siteCount(), 59);
 
     const wrong = {
-      '{': 'is no JSON that can be read.',
+      '{': 'cannot be opened as sites: it is no JSON that can be read.',
       '{"face": [1]}': 'cannot be opened as sites: there are no points: ',
       '{"face": [1], "bary": [1, 0]}': 'cannot be opened as sites: points.bary has 2 numbers: ',
       '{"face": [999999], "bary": [1, 0, 0]}':
@@ -104,6 +104,16 @@ suite('files', () => {
     await viewer.after('diagram', () => drop('d.json', JSON.stringify({ sites: removed })));
     const now = JSON.stringify(await viewer.sites()); // which knows no -0
     assert.equal(now, JSON.stringify(before), 'labels without a site are left out');
+    const table = ['x,y,z', places.slice(0, 3), places.slice(3, 6)].join('\n');
+    await viewer.after('diagram', () => drop('two.csv', table));
+    assert.equal(await viewer.siteCount(), 2);
+    await drop('wrong.xyz', '1 2');
+    const error = viewer.page.locator('#error-text', {
+      hasText: /^wrong\.xyz cannot .* line 1: z /,
+    });
+    await error.waitFor();
+    await viewer.page.click('#error-close');
+    await viewer.after('diagram', () => viewer.page.click('#undo'));
   });
 
   test('a site that is dragged while a file replaces it is not moved any more', async () => {

@@ -81,7 +81,8 @@ function setUpStatus(viewer: GeodesicVoronoiElement): void {
     if (now !== 'ready' || viewer.diagram || viewer.sites.face.length === 0) return;
     clearTimeout(waiting);
     status.textContent = 'No diagram: its computation has ended early.';
-    const again = { title: 'Compute it', act: () => (viewer.sites = viewer.sites) };
+    const { sites } = viewer;
+    const again = { title: 'Compute it', act: () => (viewer.sites = sites) };
     endNote = showNote('The diagram of this model was not computed to its end.', again);
   });
 }

@@ -133,9 +133,9 @@ function sizeOf(file: ModelFiles[string] | undefined): number {
   return file instanceof File ? file.size : 0;
 }
 
-/** A folder's files that end in .json may be anything; those chosen one by one are sites. */
+/** A folder's files of these kinds may be anything; those chosen one by one are sites. */
 function isSites({ name, webkitRelativePath }: File): boolean {
-  return /\.json$/i.test(name) && !webkitRelativePath;
+  return /\.(json|csv|xyz)$/i.test(name) && !webkitRelativePath;
 }
 
 function setUpPicker(open: (files: readonly File[]) => void): void {
