@@ -29,7 +29,7 @@ for (const source of markdownFiles) {
 test('links of the pages', () => {
   const folder = join(root, 'build/page/docs');
   for (const { target: name } of documents) {
-    const text = readFileSync(join(folder, name), 'utf8').replace(/<pre>[^]*?<\/pre>/g, '');
+    const text = readFileSync(join(folder, name), 'utf8').replace(/<pre[^>]*>[^]*?<\/pre>/g, '');
     const links = [...text.matchAll(/(?:href|src)="([^"#]+)(?:#[^"]*)?"/g)].map(([, href]) => href);
     for (const href of links) {
       if (/^[a-z]+:/.test(href)) continue;

@@ -7,6 +7,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
+import { pathToFileURL } from 'node:url';
 import { chromium } from 'playwright-core';
 import { servePackages } from '../../web/docs/make/packages_server.mjs';
 import { torus } from '../../web/page/sample_shapes.mjs';
@@ -58,6 +59,24 @@ test('the live diagram tells its regions, and one more when a site is added', as
     document.querySelector('geodesic-voronoi').addSite({ face: 3, bary: [0.2, 0.3, 0.5] }),
   );
   await page.waitForFunction(() => document.querySelector('output').textContent.startsWith('41 '));
+  await page.close();
+});
+
+test('what scrolls in a document is reached by keys, and its examples are saved', async () => {
+  const page = await browser.newPage({ viewport: { width: 360, height: 640 } });
+  const missing = [];
+  page.on('requestfailed', (request) => missing.push(request.url()));
+  await page.goto(String(pathToFileURL(join(root, 'build/page/docs/gallery.html'))));
+  const unreached = await page.evaluate(() =>
+    [...document.querySelectorAll('pre, .wide')]
+      .filter(({ scrollWidth, clientWidth, tabIndex }) => scrollWidth > clientWidth && tabIndex < 0)
+      .map(({ textContent }) => textContent),
+  );
+  assert.deepEqual(unreached, []);
+  assert.ok((await page.locator('pre[aria-label=Code]').count()) > 0);
+  assert.equal(await page.getAttribute('a[href="examples/live.html"]', 'download'), '');
+  assert.equal(await page.locator('link[rel=icon]').count(), 1);
+  assert.deepEqual(missing, []);
   await page.close();
 });
 

@@ -132,6 +132,40 @@ suite('access', () => {
     await viewer.close();
   });
 
+  test('in a low window the controls are beside the view, unless it is narrow, too', async () => {
+    const viewer = await browser.open({ viewport: { width: 740, height: 360 } });
+    await viewer.settled();
+    const panel = viewer.page.locator('#panel');
+    const view = viewer.page.locator('geodesic-voronoi');
+    for (const [width, height, isBeside] of [
+      [667, 375, true],
+      [375, 667, false],
+      [640, 400, true],
+      [320, 256, false],
+    ]) {
+      await viewer.page.setViewportSize({ width, height });
+      await panel.waitFor({ state: isBeside ? 'visible' : 'hidden' });
+      const { width: across, height: down } = await view.boundingBox();
+      if (isBeside) assert.ok(across >= 380 && down > 0.8 * height, `${across} × ${down}`);
+      else assert.equal(across, width);
+    }
+    await viewer.close();
+  });
+
+  test('long work can be given up on a phone', async () => {
+    const viewer = await browser.open({ viewport: { width: 360, height: 740 } });
+    await viewer.settled();
+    await viewer.page.evaluate(() => {
+      document.getElementById('progress-label').textContent = 'Computing the diagram';
+      document.getElementById('progress').hidden = false;
+    });
+    for (const id of ['progress', 'cancel']) {
+      const { x, width } = await viewer.page.locator(`#${id}`).boundingBox();
+      assert.ok(x >= 0 && x + width <= 360, `${id} from ${x} to ${x + width}`);
+    }
+    await viewer.close();
+  });
+
   test('readout, scale of distances and toolbar lie side by side', async () => {
     for (const [width, height] of [
       [844, 390],

@@ -42,6 +42,13 @@ suite('code', () => {
     assert.doesNotMatch(codeOf(viewerWith(ofPage), model, 'edited', 'element'), /cvt-/);
   });
 
+  test('no name of a file ends the comment that tells of it', () => {
+    const odd = { name: 'a --> b --!> c.obj' };
+    const [comment, ...rest] = codeOf(viewerWith(ofPage), odd, 'edited', 'element').split('\n');
+    assert.match(comment, /^<!-- Needs in its folder: [^>]* -->$/);
+    assert.match(rest[0], /^<geodesic-voronoi src=/);
+  });
+
   test('holds names of files with any characters', () => {
     const odd = { name: `O'Neil & "Sons" <1>.obj` };
     const viewer = viewerWith(ofPage);

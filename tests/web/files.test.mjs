@@ -58,7 +58,7 @@ suite('files', () => {
     assert.equal(await viewer.siteCount(), 59);
 
     const wrong = {
-      '{': 'is no JSON that can be read.',
+      '{': 'cannot be opened as sites: it is no JSON that can be read.',
       '{"face": [1]}': 'cannot be opened as sites: there are no points: ',
       '{"face": [1], "bary": [1, 0]}': 'cannot be opened as sites: points.bary has 2 numbers: ',
       '{"face": [999999], "bary": [1, 0, 0]}':
@@ -77,6 +77,22 @@ suite('files', () => {
     assert.equal(await viewer.page.locator('#error').isVisible(), false);
   });
 
+  test('a model that is chosen together with its sites opens with them', async () => {
+    const own = await browser.open();
+    await own.settled();
+    const sites = { face: [2, 7], bary: [1 / 2, 1 / 4, 1 / 4, 1, 0, 0] };
+    await own.page.setInputFiles('#files', [
+      { name: 'sites.json', mimeType: '', buffer: Buffer.from(JSON.stringify(sites)) },
+      { name: 'mine.glb', mimeType: '', buffer: Buffer.from(glb(octahedron())) },
+    ]);
+    await own.page.waitForFunction(
+      () => document.querySelector('geodesic-voronoi').diagram?.sites.face.length === 2,
+    );
+    assert.deepEqual(await own.sites(), sites);
+    assert.deepEqual(own.complaints, []);
+    await own.close();
+  });
+
   test('sites in space and those of a diagram are sites, too', async () => {
     const places = await viewer.evaluate(async ({ mesh, sites }) => [
       ...(await mesh.positionsOf(sites)),
@@ -88,6 +104,16 @@ suite('files', () => {
     await viewer.after('diagram', () => drop('d.json', JSON.stringify({ sites: removed })));
     const now = JSON.stringify(await viewer.sites()); // which knows no -0
     assert.equal(now, JSON.stringify(before), 'labels without a site are left out');
+    const table = ['x,y,z', places.slice(0, 3), places.slice(3, 6)].join('\n');
+    await viewer.after('diagram', () => drop('two.csv', table));
+    assert.equal(await viewer.siteCount(), 2);
+    await drop('wrong.xyz', '1 2');
+    const error = viewer.page.locator('#error-text', {
+      hasText: /^wrong\.xyz cannot .* line 1: z /,
+    });
+    await error.waitFor();
+    await viewer.page.click('#error-close');
+    await viewer.after('diagram', () => viewer.page.click('#undo'));
   });
 
   test('a site that is dragged while a file replaces it is not moved any more', async () => {
@@ -122,6 +148,31 @@ suite('files', () => {
     assert.equal(await note.isVisible(), false);
   });
 
+  test('a file that would be empty is not written, and a note goes with its file', async () => {
+    await viewer.after('diagram', () => drop('three.json', '{"vertex": [0, 900, 7000]}'));
+    await download('dual', 'obj');
+    await viewer.page.locator('#note').waitFor();
+    await download('sites', 'json');
+    assert.equal(await viewer.page.locator('#note').isVisible(), false);
+
+    await viewer.after('diagram', () => drop('one.json', '{"vertex": [900]}'));
+    await viewer.page.click('#download-button');
+    for (const [id, why] of [
+      ['bisectors-glb', 'there are no bisectors'],
+      ['bisectors-obj', 'there are no bisectors'],
+      ['outlines-svg', 'no bisector is seen in this view'],
+      ['dual-glb', 'the dual has no polygons'],
+    ]) {
+      await viewer.page.click(`#download-${id}`);
+      const error = viewer.page.locator('#error-text', { hasText: `cannot be made: ${why}.` });
+      await error.waitFor();
+      await viewer.page.evaluate(() => document.getElementById('error-close').click());
+    }
+    await viewer.page.keyboard.press('Escape');
+    for (let step = 0; step < 2; ++step)
+      await viewer.after('diagram', () => viewer.page.click('#undo'));
+  });
+
   test('sites count the triangles of the file, also of a mesh that was repaired', async () => {
     const repaired = await browser.open();
     await repaired.settled();
@@ -149,9 +200,12 @@ suite('files', () => {
     const svg = content.toString();
     const [, width, height] = svg.match(/viewBox="0 0 (\d+) (\d+)"/).map(Number);
     const drawn = svg.match(/[\d.]+ [\d.]+(?=[ML"])/g).map((place) => place.split(' ').map(Number));
-    const { segments } = await viewer.evaluate(({ diagram }) => ({
-      segments: diagram.data.segments.points.length / 2,
+    const { segments, arcs } = await viewer.evaluate(({ diagram: { data } }) => ({
+      segments: data.segments.points.length / 2,
+      arcs: data.arcs.offset.length - 1,
     }));
+    const lines = svg.match(/M/g).length;
+    assert.ok(lines < 1.5 * arcs, `${lines} lines for ${arcs} arcs`);
     const share = drawn.length / segments;
     assert.ok(share > 0.2 && share < 1.5, `${drawn.length} ends of ${segments} segments`);
     assert.ok(drawn.every(([x, y]) => x >= 0 && x <= width && y >= 0 && y <= height));
@@ -164,7 +218,8 @@ suite('files', () => {
       size(twice),
       size(once).map((pixels) => 2 * pixels),
     );
-    assert.equal(twice.name, 'bunny-picture.png');
+    assert.equal(once.name, 'bunny-picture.png');
+    assert.equal(twice.name, 'bunny-picture@2x.png');
   });
 
   test('regions in a file have the colours and the numbers of the page', async () => {

@@ -159,6 +159,8 @@ suite('first sight', () => {
     const message = viewer.page.locator('geodesic-voronoi [role=alert]');
     assert.match(await message.textContent(), /needs WebGL 2/);
     assert.equal(await message.isVisible(), true);
+    await viewer.page.locator('#status', { hasText: /^No model is open\.$/ }).waitFor();
+    assert.equal(await viewer.page.locator('#progress').isVisible(), false);
     await viewer.close();
   });
 
@@ -304,15 +306,25 @@ suite('first sight', () => {
       await page.selectOption('#samples', 'bunny.ply');
     });
     await kept(/model=bunny\.ply/);
-    const { hash } = new URL(page.url());
     await viewer.after('diagram', () => page.setInputFiles('#files', [ownFile]));
-    await page.keyboard.press('ArrowRight');
-    await page.waitForTimeout(600);
-    assert.equal(
-      new URL(page.url()).hash,
-      hash,
-      'what is on this computer cannot be in an address',
+    await kept(/model=mine\.glb/);
+    const own = await viewer.sites();
+    // The file is lost, and asked for again; its sites are not.
+    const asked = new Promise((resolve) => page.once('dialog', resolve));
+    const reloading = page.reload();
+    const dialog = await asked;
+    assert.equal(dialog.type(), 'beforeunload');
+    await dialog.accept();
+    await reloading;
+    await page.locator('#note-text', { hasText: 'This link is of mine.glb' }).waitFor();
+    await viewer.settled();
+    await viewer.after('diagram', () => page.setInputFiles('#files', [ownFile]));
+    await page.waitForFunction(
+      (count) => document.querySelector('geodesic-voronoi').sites.face.length === count,
+      own.face.length,
     );
+    await viewer.settled();
+    assert.deepEqual((await viewer.sites()).face, own.face);
     assert.deepEqual(viewer.complaints, []);
     await viewer.close();
   });
@@ -326,6 +338,32 @@ suite('first sight', () => {
       assert.equal(new URL(viewer.page.url()).hash, hash);
       await viewer.close();
     }
+  });
+
+  test('what a link does not hold is told; regions that are apart are in it', async () => {
+    const viewer = await browser.open({
+      hash: '#v=1&model=torus.glb&sites=12&seed=3&exploded=0.4',
+    });
+    await viewer.settled();
+    const { page } = viewer;
+    assert.equal(await page.locator('#exploded').inputValue(), '40');
+    const note = async () => {
+      await page.click('#share-button');
+      const text = await page.textContent('#share-note');
+      const link = await page.inputValue('#share-link');
+      await page.keyboard.press('Escape');
+      return { text, link };
+    };
+    const whole = await note();
+    assert.match(whole.text, /sees this model, these sites and this view/);
+    assert.match(whole.link, /exploded=0\.4/);
+    await viewer.after('diagram', () => viewer.evaluate((viewer) => viewer.scatter(2001)));
+    const { text, link } = await note();
+    assert.doesNotMatch(link, /&at=/);
+    assert.match(text, /It does not hold more than 2,000 sites: .* menu Download, has them all\./);
+    assert.doesNotMatch(text, /these sites/);
+    assert.deepEqual(viewer.complaints, []);
+    await viewer.close();
   });
 
   test('a link of a file of my own asks for it, and brings its sites back', async () => {

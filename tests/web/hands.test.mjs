@@ -102,6 +102,21 @@ suite('hands', () => {
     await viewer.after('diagram', () => press('Shift+ArrowRight'));
     const to = await viewer.sitePosition(hidden);
     assert.ok(Math.abs(to.x - from.x - 8) < 1 && Math.abs(to.y - from.y) < 1, `${to.x - from.x}`);
+
+    // Steps of one site by keys are one to undo, until there is another act.
+    const first = await viewer.sites();
+    await viewer.after('diagram', () => press('Shift+ArrowLeft'));
+    await viewer.after('diagram', () => press('Shift+ArrowUp'));
+    await viewer.after('diagram', () => press('Enter'));
+    await viewer.evaluate((viewer, hidden) => (viewer.selected = hidden), hidden);
+    await viewer.after('diagram', () => press('Shift+ArrowDown'));
+    for (const count of [61, 60]) {
+      await viewer.after('diagram', () => press('Control+z'));
+      assert.equal(await viewer.siteCount(), count);
+    }
+    assert.notDeepEqual(await viewer.sites(), first);
+    await viewer.after('diagram', () => press('Control+z'));
+    assert.equal(await viewer.page.locator('#undo').isDisabled(), true);
   });
 
   test('what is under the pointer is told again when the model turns or a site is dragged', async () => {
@@ -130,11 +145,12 @@ suite('hands', () => {
     assert.equal(edge, 0, 'nothing is cut off at the top');
     const { x, y, width, height } = await viewer.page.locator('geodesic-voronoi').boundingBox();
     await viewer.page.mouse.click(x + width / 2, y + height / 2);
-    await viewer.page.locator('#note-text', { hasText: 'cannot be edited' }).waitFor();
+    await viewer.page.locator('#note-text', { hasText: 'are pulled apart' }).waitFor();
     assert.equal(await viewer.siteCount(), 60);
     await viewer.page.evaluate(() => document.querySelector('#cvt-step').click());
     await viewer.page.locator('#cvt-iteration', { hasText: '1' }).waitFor();
     assert.equal(await viewer.page.locator('#exploded').inputValue(), '0');
+    assert.equal(await viewer.page.locator('#note').isVisible(), false, 'it is no longer true');
     await viewer.settled();
   });
 

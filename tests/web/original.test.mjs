@@ -185,7 +185,7 @@ test('textures and vertex colours are shown where the file has them', async () =
   const note = viewer.page.locator('#original-note');
   assert.equal(await note.isVisible(), false);
   assert.deepEqual(await shown(viewer, [file('bare.ply', ply())]), { isFound: false, textures: 0 });
-  assert.match(await note.textContent(), /gives its surface no colours/);
+  assert.match(await note.textContent(), /no colours to show: they are read of glTF and PLY/);
   assert.ok((await viewer.coverage(await viewer.picture(['original']))) > 0.05, 'it is neutral');
 
   await viewer.after('original', () =>
@@ -194,6 +194,34 @@ test('textures and vertex colours are shown where the file has them', async () =
     }),
   );
   assert.equal(await note.isHidden(), true);
+  assert.deepEqual(viewer.complaints, []);
+  await viewer.close();
+});
+
+test('bisectors are seen on a surface of any colour', async () => {
+  const viewer = await browser.open({
+    viewport: { width: 1100, height: 420 },
+    colorScheme: 'light',
+  });
+  await viewer.settled();
+  await viewer.evaluate((viewer) => viewer.setAttribute('sites', '2'));
+  const black = [4, 4, 4];
+  await shown(viewer, [file('black.ply', ply([black, black, black, black]))]);
+  await viewer.settled();
+  const light = async (layers) =>
+    viewer.evaluate(
+      (viewer, picture) => {
+        const { data } = viewer.pictures[picture];
+        let count = 0;
+        for (let i = 0; i < data.length; i += 4)
+          if (data[i + 3] === 255 && Math.min(data[i], data[i + 1], data[i + 2]) > 150) ++count;
+        return count;
+      },
+      await viewer.picture(layers),
+    );
+  assert.equal(await light(['original']), 0);
+  const seen = await light(['original', 'bisectors']);
+  assert.ok(seen > 50, `${seen} light pixels beside the bisector`);
   assert.deepEqual(viewer.complaints, []);
   await viewer.close();
 });

@@ -284,7 +284,8 @@ suite('the page', () => {
       mkdirSync(join(folder, 'data'));
       for (const [name, content] of Object.entries(scene))
         writeFileSync(join(folder, name), content);
-      await opens('a.gltf', () => viewer.page.setInputFiles('#folder', folder));
+      // Of another path, so another one than in the zip.
+      await opens('a.gltf (2)', () => viewer.page.setInputFiles('#folder', folder));
     } finally {
       rmSync(folder, { recursive: true });
     }
@@ -325,6 +326,11 @@ suite('the page', () => {
     await viewer.after('diagram', () => choose(fine));
     await is('grid 10.obj', 18);
     assert.equal((await choices()).length, all.length);
+    // Another one of the same name is.
+    await viewer.after('diagram', () => choose(file('grid 10.obj', meshObj(grid(4)))));
+    await is('grid 10.obj (2)', 32);
+    await pick('grid 10.obj');
+    await is('grid 10.obj', 18);
   });
 
   test('a folder is dropped', async () => {
@@ -360,7 +366,10 @@ suite('the page', () => {
     const { positions, indices } = octahedron();
     const obj = meshObj({ positions: [...positions, NaN, 0, 0], indices: [...indices, 0, 1, 6] });
     await viewer.after('diagram', () => choose(file('a.obj', obj)));
-    assert.match(await text(viewer, '#repairs'), /1 triangle with impossible coordinates dropped/);
+    assert.match(
+      await text(viewer, '#repairs'),
+      /1 triangle with a corner that is not finite, dropped/,
+    );
     const covered = await viewer.coverage(await viewer.picture());
     assert.ok(covered > 0.05, `${covered} of the view is the model's`);
   });
@@ -444,18 +453,29 @@ suite('the page', () => {
       /of 9 components, .* % of the area, ha(s|ve) no site/,
     );
 
+    // Sites stay where they are, those placed by hand, too; so does the density.
+    await viewer.evaluate((viewer) => {
+      viewer.sites = { face: [0, 1, 4], bary: [0.2, 0.3, 0.5, 0.6, 0.3, 0.1, 0.4, 0.4, 0.2] };
+      viewer.density = Float64Array.from({ length: 24 }, (_, v) => 1 + v);
+    });
+    const places = () =>
+      viewer.evaluate(async ({ mesh, sites }) => [...(await mesh.positionsOf(sites))]);
+    const before = await places();
     await viewer.after('diagram', () => viewer.page.selectOption('#weld', '1e-4'));
+    (await places()).forEach((x, i) => assert.ok(Math.abs(x - before[i]) < 1e-6, `${i}: ${x}`));
+    assert.ok(Math.abs((await viewer.evaluate(({ density }) => density[7])) - 8) < 1e-3);
     assert.match(await text(viewer, '#report'), /Components2/);
     assert.match(await text(viewer, '#repairs'), /18 vertices welded.*1 triangle turned over/);
     await viewer.after('diagram', () => viewer.page.selectOption('#orientation', 'keep'));
     assert.match(await text(viewer, '#repairs'), /3 edges cut/);
+    assert.match(await text(viewer, '#note-text'), /cut along 3 edges .* around the cuts\./);
     await viewer.after('diagram', async () => {
       await viewer.page.fill('#min-component', '3');
       await viewer.page.locator('#min-component').blur();
     });
     assert.match(
       await text(viewer, '#repairs'),
-      /2 small components dropped.*3 triangles of these/,
+      /2 components with fewer triangles than asked for, dropped.*3 triangles of these/,
     );
     assert.match(await text(viewer, '#report'), /Components1/);
     assert.equal(await viewer.page.locator('#bare-note').isVisible(), false);
@@ -535,6 +555,14 @@ suite('the page', () => {
       (await text(viewer, '#readout')).trim(),
       new RegExp(`^Region ${first} · area \\S+ · \\S+ from its site$`),
     );
+    // What is rounded off is no distance.
+    await viewer.evaluate(
+      (viewer, detail) => {
+        viewer.dispatchEvent(new CustomEvent('hover', { detail }));
+      },
+      { ...hovered, distance: 2e-5 * Math.sqrt(hovered.area) },
+    );
+    assert.match(await text(viewer, '#readout'), / · 0 from its site/);
   });
 
   async function download(button) {

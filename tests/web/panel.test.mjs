@@ -56,7 +56,7 @@ suite('the panel', () => {
   });
 
   test('sites are chosen from a list, which tells their regions', async () => {
-    await viewer.page.getByText('List of sites').click();
+    await viewer.page.getByText('List of 60 sites').click();
     const list = viewer.page.locator('#site-list');
     await list.locator('option').nth(59).waitFor({ state: 'attached' });
     assert.equal(await list.locator('option').count(), 60);
@@ -150,6 +150,24 @@ suite('the panel', () => {
     await viewer.settled();
     assert.equal(await bar.isVisible(), false);
     assert.deepEqual(await viewer.sites(), before);
+  });
+
+  test('a model whose first diagram is cancelled has none, which is told, and gets one', async () => {
+    await viewer.evaluate((viewer) => {
+      // Before its diagram, which begins with the event.
+      viewer.addEventListener('load', () => queueMicrotask(() => viewer.cancel()), { once: true });
+    });
+    await viewer.page.setInputFiles('#files', [
+      { name: 'torus.glb', mimeType: '', buffer: Buffer.from(glb(torus(320, 160))) },
+    ]);
+    const status = viewer.page.locator('#status', { hasText: 'No diagram' });
+    await status.waitFor();
+    await viewer.settled();
+    assert.equal(await viewer.page.textContent('#arc-count'), '–');
+    assert.equal(await viewer.regionCount(), 0);
+    await viewer.after('diagram', () => viewer.page.click('#note-action'));
+    assert.equal(await viewer.page.locator('#note').isVisible(), false);
+    await viewer.page.locator('#status', { hasText: 'regions, computed' }).waitFor();
   });
 
   test('link and code are copied', async () => {

@@ -83,6 +83,69 @@ suite('by fingers', () => {
     assert.equal(await viewer.siteCount(), before);
   });
 
+  /** A site that is seen, near enough to another one for a finger to cover both. */
+  async function crowdedSite() {
+    await viewer.still();
+    const found = await viewer.evaluate((viewer) => {
+      const seen = [...viewer.sites.face.keys()]
+        .map((i) => viewer.sitePosition(i))
+        .filter((at) => at && document.elementFromPoint(at.x, at.y) === viewer);
+      for (const site of seen) {
+        const distance = ({ x, y }) => Math.hypot(x - site.x, y - site.y);
+        const [, next] = seen.toSorted((a, b) => distance(a) - distance(b));
+        if (distance(next) < 18 || distance(next) > 40) continue;
+        const beside = { x: (site.x + next.x) / 2, y: (site.y + next.y) / 2 };
+        if (viewer.surfaceFromPoint(beside.x, beside.y)) return { site, beside };
+      }
+    });
+    assert.ok(found, 'some sites are crowded');
+    return found;
+  }
+
+  test('between crowded sites a tap adds one, and a swipe turns the model', async () => {
+    const before = await viewer.sites();
+    const { beside } = await crowdedSite();
+    await viewer.after('camera-change', async () => {
+      await touch('touchStart', beside);
+      for (const way of [8, 16, 24]) await touch('touchMove', shifted(beside, way, 0));
+      await touch('touchEnd');
+    });
+    assert.deepEqual(await viewer.sites(), before);
+
+    const { beside: there } = await crowdedSite();
+    await viewer.after('diagram', async () => {
+      await touch('touchStart', there);
+      await touch('touchEnd');
+    });
+    assert.equal(await viewer.siteCount(), 61);
+  });
+
+  test('a tap chooses a site and marks nothing else; a pinch that begins on one does not', async () => {
+    const selected = () => viewer.evaluate(({ selected }) => selected);
+    const { site } = await crowdedSite();
+    const other = shifted(site, 40, 50);
+    await viewer.after('camera-change', async () => {
+      await touch('touchStart', site);
+      await touch('touchStart', site, other);
+      for (const way of [10, 20]) await touch('touchMove', site, shifted(other, way, way));
+      await touch('touchEnd');
+    });
+    assert.equal(await selected(), -1);
+
+    // With a key before, as browsers show the focus then.
+    await viewer.page.keyboard.press('Shift');
+    const { site: tapped } = await crowdedSite();
+    await viewer.after('sites-change', async () => {
+      await touch('touchStart', tapped);
+      await touch('touchEnd');
+    });
+    assert.notEqual(await selected(), -1);
+    const isMarked = await viewer.evaluate((viewer) =>
+      viewer.shadowRoot.querySelector('canvas').matches(':focus-visible'),
+    );
+    assert.equal(isMarked, false, 'the focus is not shown as by keys');
+  });
+
   test('two fingers zoom and shift the view, and add nothing', async () => {
     const before = await viewer.sites();
     const first = await orbit();

@@ -3,9 +3,9 @@
 // The page's own address: it keeps the state that a link keeps, for reloading and coming back.
 
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
-import { lastSegment } from '../viewer/model_files.js';
+import { listen } from './dom.js';
 import { isSample } from './first_model.js';
-import { isPageState, linkAttributes, pageState } from './page_state.js';
+import { isPageState, linkAttributes, modelName, notHeld, pageState } from './page_state.js';
 
 /** The address waits for the last of several changes: browsers limit how often it may change. */
 const addressMilliseconds = 300;
@@ -15,21 +15,22 @@ const firstActs = ['pointerdown', 'keydown', 'wheel', 'drop'];
 const changes = ['status-change', 'diagram', 'sites-change', 'camera-change'];
 
 /**
- * Keeps the state of samples in the address, without a step in the browser's history. A link of a
- * file of one's own stays: the file has yet to be opened, or is opened again after reloading.
+ * Keeps the state in the address, without a step in the browser's history. A link of a file of
+ * one's own stays until that file, or any other model than the one that stands in for it, is opened.
  */
 export function setUpAddress(viewer: GeodesicVoronoiElement): void {
   const { hash } = location;
   const named = new URLSearchParams(hash.slice(1)).get('model');
-  if (isPageState(hash) && named && !isSample(named)) return;
+  // Models to come before the first that the address is to tell of.
+  let standIns = isPageState(hash) && named && !isSample(named) ? 1 : 0;
+  listen(viewer, 'load', () => --standIns);
   let known = hash;
   let waiting = 0;
   const write = () => {
-    const model = lastSegment(viewer.info?.origin.file ?? '');
     // Another hash than the known one is a link that has just been pasted.
-    if (viewer.getAttribute('status') !== 'ready' || !isSample(model) || location.hash !== known)
-      return;
-    history.replaceState(history.state, '', pageState(viewer, model));
+    const isReady = viewer.getAttribute('status') === 'ready' && standIns < 0;
+    if (!isReady || location.hash !== known) return;
+    history.replaceState(history.state, '', pageState(viewer));
     known = location.hash;
   };
   const writeSoon = () => {
@@ -46,4 +47,16 @@ export function setUpAddress(viewer: GeodesicVoronoiElement): void {
   for (const type of firstActs) {
     addEventListener(type, begin, { capture: true, passive: true, signal: begun.signal });
   }
+}
+
+/** Asks before the page is left, if its address does not hold what was done. */
+export function setUpLeaving(viewer: GeodesicVoronoiElement): void {
+  let isEdited = false;
+  listen(viewer, 'sites-change', ({ canUndo }) => {
+    isEdited = canUndo;
+  });
+  addEventListener('beforeunload', (event) => {
+    const isWork = viewer.loaded && (isEdited || !isSample(modelName(viewer)));
+    if (isWork && notHeld(viewer).length > 0) event.preventDefault();
+  });
 }

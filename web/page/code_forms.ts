@@ -74,7 +74,11 @@ export function codeOf(
   const needed = needs.length > 0 ? `Needs in its folder: ${needs.join(' and ')}` : undefined;
   switch (form) {
     case 'element':
-      return joined(needed && `<!-- ${needed} -->`, elementOf(viewer, model, origin, sitesFile));
+      // A name with an arrow would end the comment.
+      return joined(
+        needed && `<!-- ${needed.replace(/>/g, '&gt;')} -->`,
+        elementOf(viewer, model, origin, sitesFile),
+      );
     case 'command':
       return joined(
         needed && `# ${needed}`,

@@ -5,7 +5,8 @@
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { sentence } from '../viewer/failure.js';
 import { byId, listen } from './dom.js';
-import { showError, showNote } from './feedback.js';
+import { hideError, showError, showNote } from './feedback.js';
+import { modelName } from './page_state.js';
 import { repairDual } from './valid_dual.js';
 
 /** A row of the menu: a result and the formats it comes in. */
@@ -48,13 +49,13 @@ const rows: readonly Row[] = [
   },
   {
     title: 'Regions as polygons',
-    hint: 'A polygon per region, with its Voronoi points as corners',
+    hint: 'One each, with Voronoi points as corners; in GLB cut into triangles',
     name: 'polygons',
     formats: meshFormats,
   },
   {
     title: 'Dual',
-    hint: 'A vertex per site, a polygon per Voronoi point',
+    hint: 'A vertex per site, a polygon per Voronoi point; in GLB cut into triangles',
     name: 'dual',
     formats: meshFormats,
   },
@@ -66,12 +67,16 @@ export function downloadName(model: string, name: string, ending: string): strin
 }
 
 /** One menu of files to take away. */
-export function setUpDownloads(viewer: GeodesicVoronoiElement, modelName: () => string): void {
+export function setUpDownloads(viewer: GeodesicVoronoiElement): void {
   const menu = byId('download', HTMLElement);
+  let endNote = () => {};
 
   const download = async ({ name }: Row, format: string, button: HTMLButtonElement) => {
     // This takes seconds for a large model.
     button.ariaBusy = 'true';
+    // What is told of one file is not of the next.
+    endNote();
+    hideError();
     button.disabled = true;
     const hadFocus =
       menu.contains(document.activeElement) || document.activeElement === document.body;
@@ -79,10 +84,10 @@ export function setUpDownloads(viewer: GeodesicVoronoiElement, modelName: () => 
       // The code that writes files is fetched with the first download.
       const { fileOf } = await import('./exports.js');
       const file = await fileOf(viewer, name, format);
-      save(file.blob, downloadName(modelName(), name, file.ending));
+      save(file.blob, downloadName(modelName(viewer), file.name, file.ending));
       if (file.faults) {
         const title = 'Add sites to make it valid';
-        showNote(file.faults, { title, act: () => void repairDual(viewer) });
+        endNote = showNote(file.faults, { title, act: () => void repairDual(viewer) });
       }
       menu.hidePopover();
       if (hadFocus) byId('download-button', HTMLElement).focus();

@@ -2,7 +2,7 @@
 //
 // Makes the files of the download menu. This code is fetched with the first download.
 
-import type { Diagram, Mesh } from 'geodesic-voronoi';
+import type { Diagram, DiagramData, Mesh } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { linear } from '../viewer/colour_vision.js';
 import { encode } from './encoding.js';
@@ -45,11 +45,11 @@ const encoders: Record<string, Record<string, Encoder>> = {
   bisectors: {
     // Copies only the arrays that are needed.
     glb: async (diagram) => {
-      const { points, segments } = await diagram.fetchData();
+      const { points, segments } = await bisectorsOf(diagram);
       return encode(mediaTypes.glb, 'diagramGlb', { points, segments });
     },
     obj: async (diagram) => {
-      const { points, arcs } = await diagram.fetchData();
+      const { points, arcs } = await bisectorsOf(diagram);
       return encode(mediaTypes.obj, 'diagramObj', { points, arcs });
     },
   },
@@ -71,14 +71,26 @@ const encoders: Record<string, Record<string, Encoder>> = {
   dual: polygonEncoders(false),
 };
 
+/** The data of a diagram that has any bisectors: a file without content is of no use. */
+async function bisectorsOf(diagram: Diagram): Promise<DiagramData> {
+  const data = await diagram.fetchData();
+  if (data.segments.points.length === 0) throw new Error('there are no bisectors');
+  return data;
+}
+
 function polygonEncoders(primal: boolean): Record<string, Encoder> {
+  const polygons = async (diagram: Diagram) => {
+    const mesh = await diagram.dual({ primal });
+    if (mesh.faces.offset.length > 1) return mesh;
+    throw new Error(`the ${primal ? 'regions have' : 'dual has'} no polygons`);
+  };
   return {
     glb: async (diagram, options) =>
-      encode(mediaTypes.glb, 'polygonGlb', await diagram.dual({ primal }), options),
+      encode(mediaTypes.glb, 'polygonGlb', await polygons(diagram), options),
     obj: async (diagram, options) =>
-      encode(mediaTypes.obj, 'polygonObj', await diagram.dual({ primal }), options),
+      encode(mediaTypes.obj, 'polygonObj', await polygons(diagram), options),
     ply: async (diagram, options) =>
-      encode(mediaTypes.ply, 'polygonPly', await diagram.dual({ primal }), options),
+      encode(mediaTypes.ply, 'polygonPly', await polygons(diagram), options),
   };
 }
 
@@ -99,6 +111,8 @@ function coloursOf(viewer: GeodesicVoronoiElement): number[][] {
 
 interface ExportedFile {
   blob: Blob;
+  /** The middle of its name. */
+  name: string;
   ending: string;
   /** The faults of the mesh in it, as a sentence. */
   faults?: string | undefined;
@@ -117,8 +131,10 @@ export async function fileOf(
   format: string,
 ): Promise<ExportedFile> {
   if (name === 'picture') {
+    const scale = parseInt(format, 10);
     return {
-      blob: await viewer.toBlob('image/png', undefined, parseInt(format, 10)),
+      blob: await viewer.toBlob('image/png', undefined, scale),
+      name: scale === 1 ? name : `${name}@${scale}x`,
       ending: 'png',
     };
   }
@@ -126,5 +142,5 @@ export async function fileOf(
   if (!diagram) throw new Error('there is no diagram');
   const blob = await encoders[name][format](diagram, { mesh: sourceOf(viewer) }, viewer);
   const faults = faulty[name] && faultsOf(faulty[name], await diagram.violations());
-  return { blob, ending: format, faults };
+  return { blob, name, ending: format, faults };
 }

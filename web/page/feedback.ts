@@ -23,9 +23,16 @@ export function setUpFeedback(viewer: GeodesicVoronoiElement): void {
   listen(viewer, 'load', hideNote);
 }
 
-/** Shows a note that is no error, with an action, if there is one, to do about it. */
-export function showNote(sentence: string, action?: { title: string; act: () => void }): void {
-  byId('note-text', HTMLElement).textContent = sentence;
+/**
+ * Shows a note that is no error, with an action, if there is one, to do about it. Returns what hides
+ * it, if it is still there, once it is no longer true.
+ */
+export function showNote(
+  sentence: string,
+  action?: { title: string; act: () => void },
+): () => void {
+  const text = byId('note-text', HTMLElement);
+  text.textContent = sentence;
   const button = byId('note-action', HTMLButtonElement);
   button.hidden = action === undefined;
   button.textContent = action?.title ?? '';
@@ -34,6 +41,9 @@ export function showNote(sentence: string, action?: { title: string; act: () => 
     action?.act();
   };
   byId('note', HTMLElement).hidden = false;
+  return () => {
+    if (text.textContent === sentence) hideNote();
+  };
 }
 
 function hideNote(): void {
@@ -63,6 +73,17 @@ function setUpStatus(viewer: GeodesicVoronoiElement): void {
     waiting = window.setTimeout(() => {
       status.textContent = sentenceOf(diagram);
     }, statusMilliseconds);
+  });
+  // After a failure or a cancel, a model whose diagrams all were is left without one.
+  let endNote = () => {};
+  listen(viewer, 'status-change', ({ status: now }) => {
+    endNote();
+    if (now !== 'ready' || viewer.diagram || viewer.sites.face.length === 0) return;
+    clearTimeout(waiting);
+    status.textContent = 'No diagram: its computation has ended early.';
+    const { sites } = viewer;
+    const again = { title: 'Compute it', act: () => (viewer.sites = sites) };
+    endNote = showNote('The diagram of this model was not computed to its end.', again);
   });
 }
 
@@ -99,11 +120,17 @@ function setUpProgress(viewer: GeodesicVoronoiElement): void {
 
 function setUpErrors(viewer: GeodesicVoronoiElement): void {
   onClick('error-close', hideError);
+  // Without a model the view itself says why there is none, for as long as that is so.
+  const tellNone = (advice: string) => {
+    byId('progress', HTMLElement).hidden = true;
+    byId('status', HTMLElement).textContent = `No model is open.${advice}`;
+  };
+  // The element may have found that there is no WebGL before anything listened to it.
+  if (viewer.status === 'failed') tellNone('');
   listen(viewer, 'error', ({ type, message }) => {
     byId('progress', HTMLElement).hidden = true;
-    // Without a model the view itself says why there is none, for as long as that is so.
     if (!viewer.loaded) {
-      byId('status', HTMLElement).textContent = 'No model is open. Reload the page to try again.';
+      tellNone(type === 'nowebgl' ? '' : ' Reload the page to try again.');
     } else if (type === 'loadfailure' || type === 'computefailure') {
       showError(message);
     }
@@ -123,8 +150,8 @@ function setUpReadout(viewer: GeodesicVoronoiElement): void {
     if (!point) return;
     colour.style.background = point.colour ?? 'gray';
     const { region, area } = point;
-    // At the site itself, rounding leaves a tiny distance.
-    const distance = point.distance < 1e-9 * Math.sqrt(area) ? 0 : point.distance;
+    // At the site itself, rounding leaves a tiny distance: far less than a pixel of the region.
+    const distance = point.distance < 1e-4 * Math.sqrt(area) ? 0 : point.distance;
     text.textContent =
       region < 0
         ? 'No site reaches this part'
@@ -145,6 +172,7 @@ function setUpTimes(viewer: GeodesicVoronoiElement): void {
   });
   listen(viewer, 'load', () => {
     opening.textContent = duration(performance.now() - start);
+    for (const cell of [arcCount, voronoiPointCount, diagram, drawing]) cell.textContent = '–';
   });
   listen(viewer, 'diagram', ({ arcs, voronoiPoints, milliseconds }) => {
     arcCount.textContent = integer(arcs);

@@ -5,7 +5,8 @@
 import { type MeshInfo, repairSentences } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { byId, listen, showAttributes } from './dom.js';
-import { integer, measure } from './numbers.js';
+import { showNote } from './feedback.js';
+import { counted, integer, measure } from './numbers.js';
 
 /** Sets up the report on the mesh and the options by which it is built from its file. */
 export function setUpMeshReport(viewer: GeodesicVoronoiElement): void {
@@ -19,6 +20,14 @@ export function setUpMeshReport(viewer: GeodesicVoronoiElement): void {
     repairs.replaceChildren(
       ...[...sentencesOf(info), ...info.notes].map((sentence) => cell('span', sentence)),
     );
+    const { orientationCuts, nonManifoldEdges } = info.repairs;
+    const cuts = orientationCuts + nonManifoldEdges;
+    if (cuts > 0) {
+      showNote(
+        `This model is cut along ${counted(cuts, 'edge')} where its triangles do not fit together: ` +
+          'distances lead around the cuts. “Model”, in the controls, tells more.',
+      );
+    }
   });
 }
 

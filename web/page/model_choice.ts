@@ -18,11 +18,11 @@ export function setUpModelChoice(viewer: GeodesicVoronoiElement): void {
   const menu = new ModelMenu(viewer);
   const open = async (files: readonly File[], all: ModelFiles | Promise<ModelFiles>) => {
     try {
-      if (isSites(files)) {
-        const { openSites } = await import('./sites_file.js');
-        return await openSites(viewer, files[0]);
-      }
-      await menu.openFiles(await all);
+      const sites = files.filter(isSites);
+      if (files.length > sites.length && !(await menu.openFiles(await all))) return;
+      if (sites.length === 0) return;
+      const { openSites } = await import('./sites_file.js');
+      for (const file of sites) await openSites(viewer, file);
     } catch (error) {
       showError((error as Error).message);
     }
@@ -71,23 +71,28 @@ class ModelMenu {
     listen(viewer, 'load', () => this.#show(this.#asked));
   }
 
-  /** Opens the first of the models among files; all are in the menu then. */
-  async openFiles(files: ModelFiles): Promise<void> {
+  /**
+   * Opens the first of the models among files; all are in the menu then. Resolves to whether it is
+   * there.
+   */
+  async openFiles(files: ModelFiles): Promise<boolean> {
     const { ownModels } = await import('./own_models.js');
     const paths = await ownModels(files);
     const choices = paths.map((path) => ({
-      option: new Option(paths.length > 1 ? path : lastSegment(path)),
+      option: new Option(
+        paths.length > 1 ? path : lastSegment(path),
+        `${path} ${sizeOf(files[path])}`,
+      ),
       open: () => this.#viewer.loadFiles(files, path),
       credit: '',
     }));
-    if (choices.length === 0) {
-      await this.#viewer.loadFiles(files);
-      return;
-    }
+    if (choices.length === 0) return this.#viewer.loadFiles(files);
     if (choices.length > 1) for (const choice of choices) this.#addOwn(choice);
-    if ((await this.#open(choices[0])) && choices.length > 1) {
+    const isOpen = await this.#open(choices[0]);
+    if (isOpen && choices.length > 1) {
       showNote(`This is one of ${choices.length} models: choose another in the menu “Model”.`);
     }
+    return isOpen;
   }
 
   /** A model that cannot be opened leaves the one before, which is then what the menu says. */
@@ -105,12 +110,14 @@ class ModelMenu {
     byId('credit', HTMLElement).textContent = choice.credit;
   }
 
-  /** Adds a model; replaces one with the same path, which is an earlier state of the file. */
+  /** Adds a model; replaces the same file. Another one of the same name gets a number. */
   #addOwn(choice: Choice): void {
-    const before = [...this.#ownFiles.children].find(
-      (option) => (option as HTMLOptionElement).text === choice.option.text,
-    );
-    before?.remove();
+    const { option } = choice;
+    const own = [...this.#ownFiles.children] as HTMLOptionElement[];
+    own.find(({ value }) => value === option.value)?.remove();
+    const isTaken = (text: string) => own.some((each) => each.isConnected && each.text === text);
+    const { text } = option;
+    for (let number = 2; isTaken(option.text); ++number) option.text = `${text} (${number})`;
     this.#add(choice, this.#ownFiles);
     this.#menu.prepend(this.#ownFiles);
   }
@@ -121,8 +128,14 @@ class ModelMenu {
   }
 }
 
-function isSites(files: readonly File[]): boolean {
-  return files.length === 1 && /\.json$/i.test(files[0].name);
+/** In bytes; it tells files of the same path apart. Unknown within a zip, and zero there. */
+function sizeOf(file: ModelFiles[string] | undefined): number {
+  return file instanceof File ? file.size : 0;
+}
+
+/** A folder's files of these kinds may be anything; those chosen one by one are sites. */
+function isSites({ name, webkitRelativePath }: File): boolean {
+  return /\.(json|csv|xyz)$/i.test(name) && !webkitRelativePath;
 }
 
 function setUpPicker(open: (files: readonly File[]) => void): void {

@@ -20,18 +20,22 @@ export async function outlinesSvg(
   const { clientWidth: width, clientHeight: height } = viewer;
   const work = new Slices();
   const places = await seenPoints(viewer, data.points.position, work);
-  const { points } = data.segments;
+  const { points, offset } = data.arcs;
   const parts: string[] = [];
-  let last = -1;
-  for (let s = 0; s < points.length; s += 2) {
+  for (let arc = 0; arc + 1 < offset.length; ++arc) {
     if (work.isDue) await work.next();
-    const [a, b] = [points[s], points[s + 1]];
-    const [from, to] = [places[a], places[b]];
-    if (!from || !to) continue;
-    // Segments of an arc follow each other.
-    parts.push(a === last ? `L${numbers(to)}` : `M${numbers(from)}L${numbers(to)}`);
-    last = b;
+    // A line for every stretch of the arc that is seen.
+    let stretch: string[] = [];
+    for (let i = offset[arc]; i <= offset[arc + 1]; ++i) {
+      const place = i < offset[arc + 1] ? places[points[i]] : undefined;
+      if (place) stretch.push(numbers(place));
+      else {
+        if (stretch.length > 1) parts.push(`M${stretch.join('L')}`);
+        stretch = [];
+      }
+    }
   }
+  if (parts.length === 0) throw new Error('no bisector is seen in this view');
   return (
     `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}">` +
     `<path d="${parts.join('')}" fill="none" stroke="#1f2933" stroke-width="1.2" ` +

@@ -5,9 +5,11 @@
 
 import type { SurfacePoints } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement, ViewerEvents } from '../viewer/element.js';
+import { lastSegment } from '../viewer/model_files.js';
 import { byId } from './dom.js';
 import { showError, showNote } from './feedback.js';
 import { isSample } from './first_model.js';
+import { integer } from './numbers.js';
 
 const version = '1';
 /** The most sites in a link: some programs cut off longer addresses. */
@@ -19,7 +21,7 @@ const bytesPerSite = 8;
 /** The viewer's attributes that a link keeps. */
 export const linkAttributes = [
   ...['sites', 'seed', 'sampling', 'per-component', 'weld', 'orientation', 'min-component'],
-  ...['metric', 'detail', 'up', 'layers', 'camera-orbit'],
+  ...['metric', 'detail', 'up', 'layers', 'exploded', 'camera-orbit'],
 ] as const;
 
 /** Whether an address's hash is one that `pageState` wrote. */
@@ -27,9 +29,14 @@ export function isPageState(hash: string): boolean {
   return parametersOf(hash).has('v');
 }
 
-/** The hash that restores the present state; `model` is the name of the model's file. */
-export function pageState(viewer: GeodesicVoronoiElement, model: string): string {
-  const parameters = new URLSearchParams({ v: version, model });
+/** The name of the file that the model came from. */
+export function modelName({ info }: GeodesicVoronoiElement): string {
+  return lastSegment(info?.origin.file ?? '');
+}
+
+/** The hash that restores the present state. */
+export function pageState(viewer: GeodesicVoronoiElement): string {
+  const parameters = new URLSearchParams({ v: version, model: modelName(viewer) });
   for (const name of linkAttributes) {
     const value = name === 'camera-orbit' ? viewer.cameraOrbit : viewer.getAttribute(name);
     if (isGiven(name, value)) parameters.set(name, value);
@@ -37,6 +44,23 @@ export function pageState(viewer: GeodesicVoronoiElement, model: string): string
   const { sites } = viewer;
   if (sites.face.length <= mostSites) parameters.set('at', encodeSites(sites));
   return `#${parameters}`;
+}
+
+/** What a link of the present state does not hold, as sentences. */
+export function notHeld(viewer: GeodesicVoronoiElement): string[] {
+  const sentences: string[] = [];
+  const model = modelName(viewer);
+  if (!isSample(model)) {
+    sentences.push(`It does not hold the file ${model}: whoever opens it has to open that, too.`);
+  }
+  if (viewer.sites.face.length > mostSites) {
+    sentences.push(
+      `It does not hold more than ${integer(mostSites)} sites: others are placed. ` +
+        'The file Sites, in the menu Download, has them all.',
+    );
+  }
+  if (viewer.density) sentences.push('It does not hold the painted density.');
+  return sentences;
 }
 
 /** Restores the state in a link; links of another version are ignored. */

@@ -6,10 +6,10 @@ import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { codeOf, watchOrigin } from './code_forms.js';
 import { byId, onClick } from './dom.js';
 import { isSample, sampleAddress } from './first_model.js';
-import { pageState } from './page_state.js';
+import { modelName, notHeld, pageState } from './page_state.js';
 
 /** A link that brings this diagram back, and code that makes it. */
-export function setUpShare(viewer: GeodesicVoronoiElement, modelName: () => string): void {
+export function setUpShare(viewer: GeodesicVoronoiElement): void {
   const menu = byId('share', HTMLElement);
   const note = byId('share-note', HTMLElement);
   const link = byId('share-link', HTMLInputElement);
@@ -17,17 +17,16 @@ export function setUpShare(viewer: GeodesicVoronoiElement, modelName: () => stri
   const originOf = watchOrigin(viewer);
 
   const fill = () => {
-    const model = modelName();
-    const isShared = isSample(model);
+    const model = modelName(viewer);
     const address = new URL(location.href);
-    address.hash = pageState(viewer, model);
+    address.hash = pageState(viewer);
     link.value = address.href;
+    const lacking = notHeld(viewer);
     note.textContent =
-      (isShared
-        ? 'Whoever opens the link sees this model, these sites and this view.'
-        : `The link does not hold ${model}: whoever opens it has to open that file, too.`) +
-      (viewer.density ? ' It does not hold the painted density.' : '');
-    const itsAddress = isShared ? new URL(sampleAddress(model), location.href).href : undefined;
+      lacking.join(' ') || 'Whoever opens the link sees this model, these sites and this view.';
+    const itsAddress = isSample(model)
+      ? new URL(sampleAddress(model), location.href).href
+      : undefined;
     void originOf().then((origin) => {
       code.textContent = codeOf(viewer, { name: model, address: itsAddress }, origin, chosen());
     });

@@ -13,18 +13,22 @@ const swipeDistance = 24;
  */
 export function setUpSheet(): void {
   const panel = byId('panel', HTMLElement);
-  const narrow = matchMedia('(max-width: 760px)');
+  const isSheet = () => getComputedStyle(grip).display !== 'none';
   const show = (open: boolean) => {
     panel.hidden = !open;
     grip.ariaExpanded = String(open);
   };
   const grip = onClick('sheet', () => show(panel.hidden === true));
   setUpSwipe([grip, byId('lead', HTMLElement)], (up) => {
-    if (narrow.matches) show(up);
+    if (isSheet()) show(up);
   });
-  // On a wide page the panel is beside the view and has no grip to open it again.
-  narrow.addEventListener('change', () => show(!narrow.matches));
-  show(!narrow.matches);
+  // Beside the view, the panel has no grip to open it again.
+  let wasSheet = isSheet();
+  addEventListener('resize', () => {
+    if (isSheet() !== wasSheet) show(wasSheet);
+    wasSheet = isSheet();
+  });
+  show(!wasSheet);
 }
 
 /** Calls back when a press on one of the elements moves up or down, and suppresses its click. */

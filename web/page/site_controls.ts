@@ -87,6 +87,7 @@ function setUpEditing(viewer: GeodesicVoronoiElement): void {
   listen(viewer, 'sites-change', ({ count, selected }) => {
     remove.disabled = selected < 0;
     clear.disabled = count === 0;
+    byId('site-count', HTMLElement).textContent = counted(count, 'site');
   });
 }
 

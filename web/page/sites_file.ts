@@ -4,6 +4,7 @@
 
 import type { SurfacePoints } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
+import { readCsvPlaces } from '../../dist/cli/csv_places.js';
 import { sentence } from '../viewer/failure.js';
 import { hideError, showError } from './feedback.js';
 
@@ -34,18 +35,24 @@ export async function openSites(viewer: GeodesicVoronoiElement, file: File): Pro
     showError(`${name} holds sites: open their model first.`);
     return;
   }
-  let json: unknown;
   try {
-    json = JSON.parse(await file.text());
-  } catch {
-    showError(`${name} is no JSON that can be read.`);
-    return;
-  }
-  try {
-    const sites = await mesh.readPoints(json);
+    const sites = await mesh.readPoints(await contentOf(file));
     if (mesh === viewer.mesh) viewer.sites = present(sites);
   } catch (error) {
     showError(sentence(`${name} cannot be opened as sites`, error).message);
+  }
+}
+
+/** The JSON of a file, or the places in a table of x, y and z. */
+async function contentOf(file: File): Promise<unknown> {
+  if (!/\.json$/i.test(file.name)) {
+    return { position: readCsvPlaces(new Uint8Array(await file.arrayBuffer())) };
+  }
+  const text = await file.text();
+  try {
+    return JSON.parse(text);
+  } catch (cause) {
+    throw new Error('it is no JSON that can be read', { cause });
   }
 }
 

@@ -55,7 +55,7 @@ function setUpOriginal(viewer: GeodesicVoronoiElement): void {
     note.hidden = original?.isFound ?? true;
     note.textContent = original?.problem
       ? `Its own material cannot be shown: ${original.problem}.`
-      : 'This file gives its surface no colours.';
+      : 'There are no colours to show: they are read of glTF and PLY files that have some.';
   });
 }
 
@@ -85,18 +85,22 @@ function setUpExploded(viewer: GeodesicVoronoiElement): void {
   };
   listen(viewer, 'diagram', update);
   listen(viewer, 'cvt-iteration', update);
-  // Playing a tessellation puts the regions together.
-  new MutationObserver(() => {
-    const value = String(Math.round(100 * viewer.exploded));
-    if (slider.value !== value) slider.value = value;
-  }).observe(viewer, { attributeFilter: ['exploded'] });
-  // The note explains why a click on separate regions does nothing.
+  // The note explains why a click on separate regions does nothing, and ends with them.
   const together = { title: 'Put them together', act: () => (viewer.exploded = 0) };
+  let endNote = () => {};
   viewer.addEventListener('click', () => {
     if (viewer.exploded > 0) {
-      showNote('Regions that are pulled apart cannot be edited.', together);
+      endNote = showNote('No site can be added or moved while regions are pulled apart.', together);
     }
   });
+  // A link may have set it, and playing a tessellation puts the regions together.
+  const show = () => {
+    const value = String(Math.round(100 * viewer.exploded));
+    if (slider.value !== value) slider.value = value;
+    if (viewer.exploded === 0) endNote();
+  };
+  show();
+  new MutationObserver(show).observe(viewer, { attributeFilter: ['exploded'] });
 }
 
 function setUpDistance(viewer: GeodesicVoronoiElement): void {

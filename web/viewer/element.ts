@@ -432,7 +432,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     const isOther = (...names: string[]) => names.some((name) => changed.has(name));
     if (changed.has('src') && this.src) void this.load(this.src);
     else if (this.#read && isOther(...buildAttributes) && isNews(buildAttributes))
-      void this.#open(this.#read);
+      void viewer.rebuild(this.#read);
     else if (isOther(...scatteringAttributes) && isNews(scatteringAttributes))
       void viewer.scatter(this.attributeValues.scattering);
   }

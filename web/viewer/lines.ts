@@ -35,6 +35,9 @@ const limitedWidth = `min(
  */
 export const behindLines = { polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2 };
 
+/** The width of a line with its rim, in widths of the line. */
+const rimmedWidth = 2;
+
 /** Line segments of a width in CSS pixels, at any zoom. */
 export class FatLines {
   readonly object: LineSegments2;
@@ -44,15 +47,12 @@ export class FatLines {
   ]);
 
   readonly #widest = { value: 1e9 };
+  /** Wider lines at the same places, drawn before these. */
+  #rim: LineSegments2 | undefined;
+  readonly #widestRim = { value: 1e9 };
 
   constructor({ width }: { width: number }) {
-    // Only multisampling smooths lines: alpha coverage would let the page shine through the canvas.
-    const material = new LineMaterial({ linewidth: width });
-    material.uniforms.widest = this.#widest;
-    material.vertexShader = material.vertexShader
-      .replace('uniform float linewidth;', 'uniform float linewidth;\nuniform float widest;')
-      .replace('offset *= linewidth;', `offset *= ${limitedWidth};`);
-    this.object = new LineSegments2(new LineSegmentsGeometry(), material);
+    this.object = new LineSegments2(new LineSegmentsGeometry(), lineMaterial(width, this.#widest));
     this.object.frustumCulled = false;
     this.object.visible = false;
   }
@@ -60,6 +60,27 @@ export class FatLines {
   /** The greatest width in the scene: far away, lines are thinner than their pixels. */
   set widest(width: number) {
     this.#widest.value = width;
+    this.#widestRim.value = rimmedWidth * width;
+  }
+
+  /** The colour of a rim, for lines on a surface of any colour; undefined for none. */
+  set rim(colour: number | undefined) {
+    const { object } = this;
+    if (this.#rim) {
+      object.remove(this.#rim);
+      this.#rim.material.dispose();
+      this.#rim = undefined;
+    }
+    // Before these lines, but after the surface, which it writes no depth for.
+    object.renderOrder = colour === undefined ? 0 : 0.5;
+    if (colour === undefined) return;
+    const material = lineMaterial(rimmedWidth * object.material.linewidth, this.#widestRim);
+    material.color.set(colour);
+    material.depthWrite = false;
+    this.#rim = new LineSegments2(object.geometry, material);
+    this.#rim.frustumCulled = false;
+    this.#rim.renderOrder = 0.25;
+    object.add(this.#rim);
   }
 
   set colour(colour: number) {
@@ -89,6 +110,7 @@ export class FatLines {
   }
 
   dispose(): void {
+    this.rim = undefined;
     this.object.geometry.dispose();
     this.object.material.dispose();
   }
@@ -104,10 +126,21 @@ export class FatLines {
       geometry.setAttribute('instanceEnd', new InterleavedBufferAttribute(buffer, 3, 3));
       geometry.boundingSphere = wholeScene;
       this.object.geometry = geometry;
+      if (this.#rim) this.#rim.geometry = geometry;
     }
     this.object.geometry.instanceCount = this.count;
     this.object.visible = this.count > 0;
   }
+}
+
+function lineMaterial(width: number, widest: { value: number }): LineMaterial {
+  // Only multisampling smooths lines: alpha coverage would let the page shine through the canvas.
+  const material = new LineMaterial({ linewidth: width });
+  material.uniforms.widest = widest;
+  material.vertexShader = material.vertexShader
+    .replace('uniform float linewidth;', 'uniform float linewidth;\nuniform float widest;')
+    .replace('offset *= linewidth;', `offset *= ${limitedWidth};`);
+  return material;
 }
 
 /** The places in the scene of points of a diagram, by their indices. */

@@ -30,6 +30,8 @@ export interface Scattering {
 export interface Opening {
   build: Pick<MeshOptions, 'weld' | 'orientation' | 'minComponent'>;
   scattering: Scattering;
+  /** Sites of a mesh of the same model, which are put where they were rather than scattered. */
+  kept?: { mesh: Mesh; sites(): SurfacePoints } | undefined;
 }
 
 /** Reads a model's files. */
@@ -55,11 +57,11 @@ export type PointList = SurfacePoints | { face: number[]; bary: number[] };
 const readShare = 0.4;
 const meshShare = 0.8;
 
-/** Opens a mesh. If any step fails or is aborted, nothing stays open. */
+/** Opens a mesh with its sites. If any step fails or is aborted, nothing stays open. */
 export async function openMesh(
   library: GeodesicVoronoi,
   read: Reader,
-  { build, scattering }: Opening,
+  { build, scattering, kept }: Opening,
   { signal, onProgress }: { signal: AbortSignal; onProgress: (share: number) => void },
 ): Promise<OpenedMesh> {
   // The builder's worker starts while the files are read.
@@ -74,8 +76,9 @@ export async function openMesh(
     mesh = await library.mesh(files.files, options).catch((error) => {
       throw sentence(`${files.name} cannot be opened`, error);
     });
+    const placing = { signal, onProgress: between(meshShare, 1) };
     const [sites, scene] = await Promise.all([
-      scatterSites(mesh, scattering, { signal, onProgress: between(meshShare, 1) }),
+      kept ? keptSites(mesh, kept, placing) : scatterSites(mesh, scattering, placing),
       sceneOf(mesh, builder, signal),
     ]);
     signal.throwIfAborted();
@@ -95,6 +98,16 @@ async function sceneOf(
   const arrays = await builder.scene(mesh);
   signal.throwIfAborted();
   return new SceneMesh(arrays ?? (await import('./scene_arrays.js')).sceneArrays(mesh));
+}
+
+async function keptSites(
+  mesh: Mesh,
+  kept: NonNullable<Opening['kept']>,
+  task: TaskOptions,
+): Promise<PointList> {
+  return mesh.closestPoints(await kept.mesh.positionsOf(kept.sites()), task).catch((error) => {
+    throw sentence('The sites cannot be kept', error);
+  });
 }
 
 export async function scatterSites(

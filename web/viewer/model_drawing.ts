@@ -122,6 +122,7 @@ export class ModelDrawing {
     this.#theme = theme;
     this.#surface.shade = theme.surfaceShade;
     this.#bisectors.colour = this.#outline.colour = theme.ink;
+    this.#rimBisectors();
     this.#dual.colour = this.#brush.colour = this.#path.colour = theme.accent;
     this.#siteMarkers.theme = theme;
     this.#voronoiPoints.markers.theme = theme;
@@ -204,7 +205,13 @@ export class ModelDrawing {
     this.#original?.dispose();
     this.#original = original;
     if (original) this.#together.add(original.object);
+    this.#rimBisectors();
     this.#showSurface();
+  }
+
+  /** Regions are coloured so that bisectors stand out; a file's own colours may be any. */
+  #rimBisectors(): void {
+    this.#bisectors.rim = this.#original ? this.#theme.paper : undefined;
   }
 
   /** Two vertices for every edge: the wireframe's. */

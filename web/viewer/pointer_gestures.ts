@@ -8,7 +8,7 @@ const longPressMilliseconds = 600;
 
 /** The actions behind gestures; places are on the page, sites are given by their identity. */
 export interface GestureTarget {
-  /** The site drawn there, within a finger's or a pointer's reach. */
+  /** The site drawn there, not farther than the reach of a finger or of a pointer. */
   siteAt(x: number, y: number, reach: number): number | undefined;
   select(site: number): void;
   /** Whether a stroke of a brush begins there, rather than anything else. */
@@ -96,10 +96,10 @@ export class PointerGestures {
     if (site === undefined) return;
 
     event.stopImmediatePropagation();
-    this.#canvas.focus({ preventScroll: true });
+    // Not as by keys: no frame and no mark at the centre.
+    this.#canvas.focus({ preventScroll: true, focusVisible: false } as FocusOptions);
     this.#canvas.setPointerCapture(pointer);
     if (site === 'brush') return;
-    this.#target.select(site);
     if (event.pointerType !== 'mouse') {
       this.#longPress = window.setTimeout(() => {
         this.#end();
@@ -128,6 +128,8 @@ export class PointerGestures {
     }
     if (event.pointerId !== press.pointer) return;
     if (!press.moved && Math.hypot(x - press.x, y - press.y) <= clickRadius) return;
+    // Not before: a second finger makes a pinch of the press.
+    if (!press.moved && typeof press.site === 'number') this.#target.select(press.site);
     press.moved = true;
     clearTimeout(this.#longPress);
     if (press.site === 'brush') this.#target.stroke(x, y);
@@ -140,6 +142,7 @@ export class PointerGestures {
     if (!press || event.pointerId !== press.pointer) return;
     if (press.site === 'brush') this.#target.endStroke();
     else if (press.site !== undefined && press.moved) this.#target.endMove();
+    else if (press.site !== undefined) this.#target.select(press.site);
     this.#end();
     if (press.moved || press.site !== undefined) return;
     const { clientX: x, clientY: y } = event;

@@ -156,12 +156,12 @@ export class Session {
     if (rest !== this.sites) this.#record(rest);
   }
 
-  /** Moves a site, if it is there; all moves until `endMove` are one step to undo. */
-  moveSite(id: number, { face, bary }: SitePlace): void {
+  /** Moves a site, if it is there; all moves until `endMove` are one step to undo, or still the last. */
+  moveSite(id: number, { face, bary }: SitePlace, isSameStep = false): void {
     if (!this.sites.some((site) => site.id === id)) return;
     this.#stopCvt();
     const moved = this.sites.map((site) => (site.id === id ? { id, face, bary } : site));
-    if (this.#move?.id !== id) this.#move = { id, recorded: false };
+    if (this.#move?.id !== id) this.#move = { id, recorded: isSameStep };
     if (this.#move.recorded) this.#history.revise(moved);
     else this.#history.record(moved);
     this.#move.recorded = true;

@@ -11,6 +11,8 @@ import type {
   TaskOptions,
 } from 'geodesic-voronoi';
 import type { DiagramSummary } from './diagram_summary.js';
+import type { ViewerEvents } from './events.js';
+import type { DrawnDiagram } from './model_drawing.js';
 import { type Sites, surfacePointsOf } from './site_history.js';
 import { type SiteStep, stepsBetween } from './site_step.js';
 
@@ -92,4 +94,35 @@ function takeStep(diagram: Diagram, step: SiteStep): Promise<DiagramChange> {
   const place = surfacePointsOf([step.site]);
   if (step.kind === 'insert') return diagram.insertSite(place);
   return diagram.moveSite(step.index, place);
+}
+
+/** A diagram as its drawing needs it; undefined without sites. */
+export function drawnDiagram(shown: ShownDiagram): DrawnDiagram | undefined {
+  const { sites, summary } = shown;
+  return (
+    summary && {
+      summary,
+      siteIds: sites.map(({ id }) => id),
+      get data() {
+        return shown.data as DiagramData;
+      },
+    }
+  );
+}
+
+/** What is told of a diagram that took so long. */
+export function factsOf(
+  { sites, summary, metric, detail }: ShownDiagram,
+  milliseconds: number,
+): ViewerEvents['diagram'] {
+  return {
+    sites: sites.length,
+    regions: summary?.regionCount ?? 0,
+    segments: summary?.segmentCount ?? 0,
+    arcs: summary?.arcCount ?? 0,
+    voronoiPoints: summary?.voronoiPointCount ?? 0,
+    metric,
+    detail,
+    milliseconds,
+  };
 }

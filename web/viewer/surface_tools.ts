@@ -13,6 +13,17 @@ import type { Session } from './session.js';
 import type { SitePlace } from './site_history.js';
 import type { Stage } from './stage.js';
 
+/** How far a site can be grasped at most, as a share of the distance to the nearest other one. */
+const reachShare = 0.25;
+
+/** A site by its identity and its index, and where it is on the page. */
+interface DrawnSite {
+  id: number;
+  index: number;
+  x: number;
+  y: number;
+}
+
 /** The object that the tools work on and report to. */
 export interface Workpiece {
   readonly stage: Stage;
@@ -43,7 +54,7 @@ export class SurfaceTools implements GestureTarget {
   }
 
   /**
-   * The surface at device coordinates; undefined while the regions are apart and cannot be edited.
+   * The surface at device coordinates; undefined while the regions are apart.
    */
   pick(device: Vector2): SurfaceHit | undefined {
     const { attributes, model, stage } = this.#work;
@@ -60,24 +71,33 @@ export class SurfaceTools implements GestureTarget {
     if (hit) this.#work.addSite(hit);
   }
 
+  /**
+   * The site drawn nearest there; none if it is out of reach, which is a share of its distance to
+   * the nearest other one: between crowded sites there is room to add some, and to turn the model.
+   */
   siteAt(x: number, y: number, reach: number): number | undefined {
     const { attributes, model, session, stage } = this.#work;
     const { layers, exploded, interactive } = attributes;
     if (!model || !layers.includes('sites') || exploded > 0 || !interactive.edit) return undefined;
     const { drawing, picker } = model;
     const toClient = stage.projection();
-    let nearest: number | undefined;
-    let nearestDistance = reach;
+    const nearby: DrawnSite[] = [];
     session.sites.forEach(({ id }, i) => {
-      const place = drawing.sitePlace(i);
-      const client = toClient(place);
-      if (!client) return;
-      const distance = Math.hypot(client.x - x, client.y - y);
-      if (distance > nearestDistance || picker.hides(place, stage.camera)) return;
-      nearest = id;
-      nearestDistance = distance;
+      const client = toClient(drawing.sitePlace(i));
+      if (client && Math.hypot(client.x - x, client.y - y) <= reach * (1 + 1 / reachShare))
+        nearby.push({ id, index: i, ...client });
     });
-    return nearest;
+    // Rays are cast for few of them: most are out of reach, or hidden by none.
+    const nearestSeen = (at: { x: number; y: number }, most: number, but?: DrawnSite) =>
+      nearby
+        .map((site) => ({ site, distance: Math.hypot(site.x - at.x, site.y - at.y) }))
+        .filter(({ site, distance }) => site !== but && distance <= most)
+        .sort((a, b) => a.distance - b.distance)
+        .find(({ site }) => !picker.hides(drawing.sitePlace(site.index), stage.camera));
+    const nearest = nearestSeen({ x, y }, reach);
+    if (!nearest) return undefined;
+    const isCrowded = nearestSeen(nearest.site, nearest.distance / reachShare, nearest.site);
+    return isCrowded ? undefined : nearest.site.id;
   }
 
   select(site: number): void {

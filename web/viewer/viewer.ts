@@ -2,7 +2,7 @@
 //
 // The content of an element: it connects the session, the scene and the tools.
 
-import type { DiagramData, SurfacePath } from 'geodesic-voronoi';
+import type { SurfacePath } from 'geodesic-voronoi';
 import { Vector3 } from 'three';
 import { type Attributes, buildAttributes, scatteringAttributes } from './attributes.js';
 import { formatCameraOrbit } from './camera_orbit.js';
@@ -13,15 +13,14 @@ import type { Emit } from './events.js';
 import { hexagonEnergy, rootDensityIntegral } from './hexagon_energy.js';
 import { Hover, type HoveredPoint } from './hover.js';
 import type { OpenedMesh, Reader, Scattering } from './mesh_opening.js';
-import type { DrawnDiagram } from './model_drawing.js';
 import { OpenModel } from './open_model.js';
 import { OriginalLayer } from './original_layer.js';
 import { PageScrolling } from './page_scrolling.js';
 import { PointerGestures } from './pointer_gestures.js';
 import { Session } from './session.js';
 import type { Drawable, SessionListener } from './session_listener.js';
-import type { ShownDiagram } from './shown_diagram.js';
-import type { SitePlace } from './site_history.js';
+import { drawnDiagram, factsOf, type ShownDiagram } from './shown_diagram.js';
+import { type SitePlace, type Sites, surfacePointsOf } from './site_history.js';
 import type { ContextListener } from './shared_renderer.js';
 import { Stage } from './stage.js';
 import { SurfaceTools, type Workpiece } from './surface_tools.js';
@@ -55,6 +54,8 @@ export class Viewer implements Workpiece {
   /** The density ρ when painting last came to rest, and ∫ √ρ. */
   #density: { perVertex: Float64Array; rootIntegral: number } | undefined;
   #selected: number | undefined;
+  /** The site that `nudge` moved, and all sites after it: they are another list after any other act. */
+  #nudged: { index: number; sites: Sites } | undefined;
   /** The time at which an iteration last moved the sites. */
   #lastIteration = 0;
   #gliding = 0;
@@ -144,6 +145,17 @@ export class Viewer implements Workpiece {
     return this.session.open(read, this.attributes.opening);
   }
 
+  /** Opens the model that is shown anew, made otherwise of its files: sites and density stay. */
+  async rebuild(read: Reader): Promise<void> {
+    const { attributes, density, session } = this;
+    const { mesh } = session;
+    const areOthersAsked = attributes.differ(scatteringAttributes);
+    const sites = () => surfacePointsOf(session.sites);
+    const kept = mesh && !areOthersAsked ? { mesh, sites } : undefined;
+    const isOpen = await session.open(read, { ...attributes.opening, kept });
+    if (isOpen && density) this.density = density;
+  }
+
   /** Applies the metric and the detail of the attributes. */
   configure(): void {
     this.session.configure(this.attributes.diagram);
@@ -170,11 +182,11 @@ export class Viewer implements Workpiece {
     this.#showSites();
   }
 
-  moveSite(index: number, place: SitePlace): void {
+  moveSite(index: number, place: SitePlace, isSameStep = false): void {
     const site = this.session.sites[index];
     if (!site) return;
     this.edit(() => {
-      this.session.moveSite(site.id, place);
+      this.session.moveSite(site.id, place, isSameStep);
       this.session.endMove();
     });
   }
@@ -201,13 +213,20 @@ export class Viewer implements Workpiece {
     if (isPlaying) this.playCvt();
   }
 
-  /** Moves the chosen site so many CSS pixels over the view; it stays where there is no surface. */
+  /**
+   * Moves the chosen site so many CSS pixels over the view; it stays where there is no surface. Until
+   * something else is done, further ones are the same step to undo.
+   */
   nudge(right: number, down: number): void {
     const { selected } = this;
     const from = this.sitePosition(selected);
     if (!from) return;
     const place = this.tools.pick(this.stage.toDevice(from.x + right, from.y + down));
-    if (place) this.moveSite(selected, place);
+    if (!place) return;
+    const { session } = this;
+    const isSame = this.#nudged?.sites === session.sites && this.#nudged.index === selected;
+    this.moveSite(selected, place, isSame && !session.canRedo);
+    this.#nudged = { index: selected, sites: session.sites };
   }
 
   /** Where a site is drawn on the page; undefined if it is behind the surface. */
@@ -310,9 +329,9 @@ export class Viewer implements Workpiece {
       diagramChanged: (shown, milliseconds, how) => {
         if (!this.session.scattering.isRunning) this.attributes.keep(scatteringAttributes);
         this.#showDiagram(shown, how);
-        this.#tellDiagram(shown, milliseconds);
+        this.#emit('diagram', factsOf(shown, milliseconds));
       },
-      cvtRested: (shown, milliseconds) => this.#tellDiagram(shown, milliseconds),
+      cvtRested: (shown, milliseconds) => this.#emit('diagram', factsOf(shown, milliseconds)),
       cvtIterated: (shown, { iteration, energy, largestMove }, how) => {
         this.#showDiagram(shown, how);
         const least = shown.summary && hexagonEnergy(shown.summary, this.#density?.rootIntegral);
@@ -395,19 +414,6 @@ export class Viewer implements Workpiece {
     this.hover.refresh();
   }
 
-  #tellDiagram({ sites, summary, metric, detail }: ShownDiagram, milliseconds: number): void {
-    this.#emit('diagram', {
-      sites: sites.length,
-      regions: summary?.regionCount ?? 0,
-      segments: summary?.segmentCount ?? 0,
-      arcs: summary?.arcCount ?? 0,
-      voronoiPoints: summary?.voronoiPointCount ?? 0,
-      metric,
-      detail,
-      milliseconds,
-    });
-  }
-
   #adoptDensity(): void {
     const { mesh } = this.session;
     if (!this.#model || !mesh) return;
@@ -431,17 +437,4 @@ export class Viewer implements Workpiece {
     this.stage.invalidate();
     this.#emit('hover', point ? { ...point, colour: drawing?.regionColour(region) } : null);
   }
-}
-
-function drawnDiagram(shown: ShownDiagram): DrawnDiagram | undefined {
-  const { sites, summary } = shown;
-  return (
-    summary && {
-      summary,
-      siteIds: sites.map(({ id }) => id),
-      get data() {
-        return shown.data as DiagramData;
-      },
-    }
-  );
 }

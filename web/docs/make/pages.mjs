@@ -38,6 +38,7 @@ const assets = ['style.css', 'figures', 'plots', 'pictures', 'examples', 'bench.
 export function writePages(output, hasReference = () => true) {
   mkdirSync(output, { recursive: true });
   for (const name of assets) cpSync(join(folder, name), join(output, name), { recursive: true });
+  cpSync(join(folder, '../page/icon.svg'), join(output, 'icon.svg'));
   const shown = references.filter(({ target }) => hasReference(target));
   for (const document of documents) {
     const navigation = [...documents, ...shown];
@@ -80,14 +81,20 @@ function pageOf({ source, target, title }, navigation) {
         const row = (cells, tag) =>
           `<tr>${cells.map((cell) => `<${tag}${cell.align ? ` class="${cell.align}"` : ''}>${this.parser.parseInline(cell.tokens)}</${tag}>`).join('')}</tr>`;
         const body = token.rows.map((cells) => row(cells, 'td')).join('\n');
-        return `<div class="wide"><table><thead>${row(token.header, 'th')}</thead><tbody>\n${body}</tbody></table></div>\n`;
+        return `<div class="wide" ${scrollable('Table')}><table><thead>${row(token.header, 'th')}</thead><tbody>\n${body}</tbody></table></div>\n`;
       },
       paragraph(token) {
         const example = exampleOf(token, source);
         const text = `<p>${this.parser.parseInline(token.tokens)}</p>\n`;
-        return example === undefined
-          ? text
-          : `${text}<pre><code>${escaped(example)}</code></pre>\n`;
+        return example === undefined ? text : text + codeBlock(example);
+      },
+      code({ text }) {
+        return codeBlock(text);
+      },
+      link({ href, tokens }) {
+        // Examples are files to save: a page among them runs in a folder of its own, not here.
+        const saved = href.startsWith('examples/') ? ' download' : '';
+        return `<a href="${escaped(href)}"${saved}>${this.parser.parseInline(tokens)}</a>`;
       },
     },
     walkTokens(token) {
@@ -128,8 +135,13 @@ function addressOf(href, source, from) {
   throw new Error(`${relative(process.cwd(), source)} links to ${href}, which is no page`);
 }
 
+/** What is wider than its page is scrolled by keys once it has the focus. */
+const scrollable = (label) => `tabindex="0" role="group" aria-label="${label}"`;
+
+const codeBlock = (text) => `<pre ${scrollable('Code')}><code>${escaped(text)}</code></pre>\n`;
+
 const escaped = (text) =>
-  text.replace(/[&<>]/g, (c) => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;' })[c]);
+  text.replace(/[&<>"]/g, (c) => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' })[c]);
 
 function framed({ title, target, navigation, content }) {
   const items = navigation.map((item) => {
@@ -143,6 +155,7 @@ function framed({ title, target, navigation, content }) {
     <meta name="viewport" content="width=device-width, initial-scale=1" />
     <meta name="color-scheme" content="light dark" />
     <title>${title} · geodesic-voronoi</title>
+    <link rel="icon" href="icon.svg" type="image/svg+xml" />
     <link rel="stylesheet" href="style.css" />
   </head>
   <body>
