@@ -4,7 +4,7 @@
 
 import type { SurfacePoints } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
-import { readCsvPlaces } from '../../dist/cli/csv_places.js';
+import { readCsvPlaces } from '../../dist/input/csv_places.js';
 import { sentence } from '../viewer/failure.js';
 import { hideError, showError } from './feedback.js';
 

@@ -6,7 +6,7 @@ import { toSizeLimits } from '../input/limits.js';
 import { readPlyPlaces } from '../input/ply_reader.js';
 import { type PointsFile, pointsFile } from '../points_file.js';
 import { inSlices } from '../slices.js';
-import { readCsvPlaces } from './csv_places.js';
+import { readCsvPlaces } from '../input/csv_places.js';
 import { exists, FileError, readBytes } from './files.js';
 import { standard } from './options.js';
 
