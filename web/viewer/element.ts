@@ -15,7 +15,7 @@ import { formatCameraOrbit } from './camera_orbit.js';
 import { type Command, commandOf, instructionsOf, perform } from './commands.js';
 import { fileOfPicture } from './drawing_builder.js';
 import { ElementShadow } from './element_shadow.js';
-import type { CvtIteration, ViewerEventMap, ViewerEvents } from './events.js';
+import type { CvtIteration, FailureType, ViewerEventMap, ViewerEvents } from './events.js';
 import type { HoveredPoint } from './hover.js';
 import type { Reader } from './mesh_opening.js';
 import { type Layer, layers } from './model_drawing.js';
@@ -30,7 +30,7 @@ import { Viewer } from './viewer.js';
 const contextLost = 'The graphics card has dropped this view; it returns when it can.';
 
 export type { Command, CvtIteration, CvtStatus, HoveredPoint, Layer, SitePlace, Status };
-export type { ViewerEventMap, ViewerEvents };
+export type { FailureType, ViewerEventMap, ViewerEvents };
 export { commandOf, layers };
 
 /**
