@@ -391,15 +391,17 @@ test('JSON holds facts and triangles', async () => {
   assert.deepEqual(json.sites.face, [...diagram.sites.face]);
 });
 
-test('the time of a file does not grow with the product of regions and points', async () => {
-  const mesh = await gvd.mesh(grid(60));
-  const vertex = Int32Array.from({ length: 61 * 61 }, (_, v) => v);
+test('places that no triangle names are not in a file', async () => {
+  const mesh = await gvd.mesh(grid(6));
+  const vertex = Int32Array.from({ length: 7 * 7 }, (_, v) => v);
   const partition = await (await mesh.voronoi({ vertex })).partition();
-  const position = new Float64Array(3e6); // most of them of no triangle
-  position.set(partition.points.position);
-  const face = new Int32Array(1e6);
-  const began = performance.now();
+  const { points } = partition;
+  const position = new Float64Array(points.position.length + 3000);
+  position.set(points.position);
+  const face = new Int32Array(position.length / 3);
   for (const layout of ['regions', 'features'])
-    partitionGlb({ ...partition, points: { ...partition.points, face, position } }, { layout });
-  assert.ok(performance.now() - began < 3000, `${performance.now() - began} ms`);
+    assert.deepEqual(
+      partitionGlb({ ...partition, points: { ...points, face, position } }, { layout }),
+      partitionGlb(partition, { layout }),
+    );
 });
