@@ -324,6 +324,21 @@ TEST(DynamicDiagram, LetsTiesFarAwayGoOnAfterARemoval) {
   EXPECT_TRUE(isUpToDate(mesh, dynamic, Metric::kExact));
 }
 
+/// The boundary turns by 1e-12 at vertex 1, so the shortest path along it is straight. Rounding
+/// turns the lines from vertex 6 by more, past the face behind: only a virtual source leads on.
+TEST(DynamicDiagram, KnowsPathsAlongABoundaryThatIsStraightWithinRounding) {
+  const TriangleMesh mesh = shapes::Shape{
+      {1e30, 0,    0,      0,       0.1, 0, 0.1135, 0.227,    -0.3405, 0.00728, 0.01456,
+       1e30, 1e30, 0.0388, -0.0582, 0,   0, 0,      -4.4e-16, 0.1,     0},
+      {0, 1, 4, 0, 4, 3, 2, 3, 6, 2, 6, 5, 3, 4, 1, 3, 1,
+       6}}.mesh();
+  DynamicDiagram dynamic(mesh, std::vector<SurfacePoint>{{2, {0.0234375, 0, 0.9765625}}});
+  for (const SurfacePoint& site : {SurfacePoint{0, {0, 1, 0}}, SurfacePoint{0, {1, 0, 0}}}) {
+    dynamic.insertSite(site);
+    EXPECT_TRUE(isUpToDate(mesh, dynamic, Metric::kExact));
+  }
+}
+
 /// Through faces 1e11 times as long as wide, straight paths along the strip come out longer than
 /// the path along its edges, by more than rounding of the path's length alone.
 TEST(DynamicDiagram, KnowsTiesOfPathsThroughLongFaces) {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/plane.h"
+#include "mesh/mollification.h"
 
 namespace gvd::exact {
 
@@ -21,11 +22,14 @@ constexpr double kFanRounding = 0x1p-50;
 }  // namespace
 
 bool isSaddle(const TriangleMesh& mesh, int vertex) {
-  // Angle sums are rounded. An inner vertex that is flat within rounding needs no virtual source. A
-  // boundary vertex that is straight within rounding is one: lines along the boundary may miss the
-  // faces beyond it.
-  constexpr double kRounding = 1e-12, kPi = std::numbers::pi;
-  return mesh.angleSum(vertex) > (mesh.onBoundary(vertex) ? kPi - kRounding : 2 * kPi + kRounding);
+  // Angle sums are rounded: an inner vertex that is flat within rounding needs no virtual source. A
+  // boundary vertex that is straight within rounding is one, since lines along the boundary may
+  // miss the faces beyond it. At a vertex of the thinnest faces rounding turns a line by up to
+  // `kMostTurned`; whether it turns a path that far is decided by `sides`.
+  constexpr double kRounding = 1e-12, kMostTurned = kFanRounding / kMollificationMargin;
+  constexpr double kPi = std::numbers::pi;
+  return mesh.angleSum(vertex) >
+         (mesh.onBoundary(vertex) ? kPi - kMostTurned : 2 * kPi + kRounding);
 }
 
 double FanBehind::oppositeLength(int outgoing) const {
