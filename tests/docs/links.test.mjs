@@ -28,14 +28,20 @@ for (const source of markdownFiles) {
 
 test('links of the pages', () => {
   const folder = join(root, 'build/page/docs');
+  const pageOf = (name) =>
+    readFileSync(join(folder, name), 'utf8').replace(/<pre[^>]*>[^]*?<\/pre>/g, '');
   for (const { target: name } of documents) {
-    const text = readFileSync(join(folder, name), 'utf8').replace(/<pre[^>]*>[^]*?<\/pre>/g, '');
-    const links = [...text.matchAll(/(?:href|src)="([^"#]+)(?:#[^"]*)?"/g)].map(([, href]) => href);
-    for (const href of links) {
+    for (const [, href] of pageOf(name).matchAll(/(?:href|src)="([^"]+)"/g)) {
       if (/^[a-z]+:/.test(href)) continue;
-      assert.ok(existsSync(join(folder, href)), `${name}: ${href}`);
+      const [path, anchor] = href.split('#');
+      const target = path || name;
+      assert.ok(existsSync(join(folder, target)), `${name}: ${href}`);
+      if (anchor && !target.startsWith('api/'))
+        assert.ok(pageOf(target).includes(`id="${anchor}"`), `${name}: ${href}: no such heading`);
     }
   }
+  const sections = /<nav class="sections"[^>]*>([^]*?)<\/nav>/.exec(pageOf('guide.html'))[1];
+  assert.match(sections, /^<a href="#a-mesh">A mesh<\/a>\n/);
 });
 
 test('names of files and folders in the documents exist', () => {

@@ -70,10 +70,13 @@ const plainText = ({ tokens, text }) =>
   tokens ? tokens.map(plainText).join('') : text.replace(/<[^>]*>/g, '');
 
 function pageOf({ source, target, title }, navigation) {
+  const sections = [];
   const marked = new Marked({
     renderer: {
       heading({ tokens, depth }) {
         const id = anchorOf(tokens.map(plainText).join(''));
+        if (depth === 2)
+          sections.push(`<a href="#${id}">${escaped(tokens.map(plainText).join(''))}</a>`);
         return `<h${depth} id="${id}"><a class="anchor" href="#${id}">${this.parser.parseInline(tokens)}</a></h${depth}>\n`;
       },
       table(token) {
@@ -107,7 +110,16 @@ function pageOf({ source, target, title }, navigation) {
       token.tokens.push({ type: 'text', text: ' (not built here)' });
     },
   });
-  return framed({ title, target, navigation, content: marked.parse(readFileSync(source, 'utf8')) });
+  const content = marked.parse(readFileSync(source, 'utf8'));
+  return framed({ title, target, navigation, content: withSections(content, sections) });
+}
+
+/** Adds the links to a page's sections, below its title, if they are many. */
+function withSections(content, sections) {
+  const few = 5;
+  if (sections.length <= few) return content;
+  const links = `<nav class="sections" aria-label="On this page">${sections.join('\n')}</nav>`;
+  return content.replace('</h1>', (end) => `${end}\n${links}`);
 }
 
 /** The code that a paragraph names, if that is all it says. */
