@@ -306,8 +306,29 @@ suite('first sight', () => {
       await page.selectOption('#samples', 'bunny.ply');
     });
     await kept(/model=bunny\.ply/);
+    // Another model is a step: the one before comes back with its sites, none here.
+    await page.goBack();
+    await page.locator('#status', { hasText: 'No sites' }).waitFor();
+    assert.equal(await page.inputValue('#samples'), 'torus.glb');
+    await page.goForward();
+    await kept(/model=bunny\.ply/);
+    await viewer.settled();
+    await page.mouse.wheel(0, 1);
     await viewer.after('diagram', () => page.setInputFiles('#files', [ownFile]));
     await kept(/model=mine\.glb/);
+    // Nothing is asked as long as nothing was done.
+    await page.reload();
+    await page.locator('#note-text', { hasText: 'This link is of mine.glb' }).waitFor();
+    await viewer.settled();
+    await viewer.after('diagram', () => page.setInputFiles('#files', [ownFile]));
+    await page.waitForFunction(() => !document.querySelector('#panel').disabled);
+    const free = await viewer.freePlace();
+    await viewer.after('diagram', () => page.mouse.click(free.x, free.y));
+    // Nor is it forgotten that something was, when the mesh is built otherwise.
+    await viewer.after('diagram', () =>
+      page.evaluate(() => document.querySelector('geodesic-voronoi').setAttribute('weld', '1e-6')),
+    );
+    await kept(/model=mine\.glb&.*weld=1e-6/);
     const own = await viewer.sites();
     // The file is lost, and asked for again; its sites are not.
     const asked = new Promise((resolve) => page.once('dialog', resolve));
