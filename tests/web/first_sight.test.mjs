@@ -66,7 +66,12 @@ suite('first sight', () => {
           await route.continue();
         }),
     });
-    for (const selector of ['#cvt-play', '#scatter [type=submit]', '#fit', '#download-button']) {
+    for (const selector of [
+      '#cvt-play',
+      '#sampling-form [type=submit]',
+      '#fit',
+      '#download-button',
+    ]) {
       assert.equal(await isDisabled(viewer, selector), true, `${selector} waits for the model`);
     }
     assert.equal(await viewer.page.locator('#poster').isVisible(), true);
@@ -361,7 +366,7 @@ suite('first sight', () => {
     }
   });
 
-  test('what a link does not hold is told; regions that are apart are in it', async () => {
+  test('what a link does not hold is told; the exploded view is in it', async () => {
     const viewer = await browser.open({
       hash: '#v=1&model=torus.glb&sites=12&seed=3&exploded=0.4',
     });
@@ -378,7 +383,7 @@ suite('first sight', () => {
     const whole = await note();
     assert.match(whole.text, /sees this model, these sites and this view/);
     assert.match(whole.link, /exploded=0\.4/);
-    await viewer.after('diagram', () => viewer.evaluate((viewer) => viewer.scatter(2001)));
+    await viewer.after('diagram', () => viewer.evaluate((viewer) => viewer.sampleSites(2001)));
     const { text, link } = await note();
     assert.doesNotMatch(link, /&at=/);
     assert.match(text, /It does not hold more than 2,000 sites: .* menu Download, has them all\./);

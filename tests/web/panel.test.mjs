@@ -49,20 +49,20 @@ suite('the panel', () => {
       return undefined;
     }, caption);
     assert.equal(hit, undefined);
-    for (const selector of ['#cvt-play', '#cvt-move', '#count', '#scatter [type=submit]']) {
+    for (const selector of ['#cvt-play', '#cvt-move', '#count', '#sampling-form [type=submit]']) {
       const { y, height } = await viewer.page.locator(selector).boundingBox();
       assert.ok(y + height <= 720, `${selector} ends at ${y + height} of 720 pixels`);
     }
   });
 
-  test('sites are chosen from a list, which tells their regions', async () => {
+  test('sites are selected in a list, which tells their regions', async () => {
     await viewer.page.getByText('List of 60 sites').click();
     const list = viewer.page.locator('#site-list');
     await list.locator('option').nth(59).waitFor({ state: 'attached' });
     assert.equal(await list.locator('option').count(), 60);
     await list.selectOption({ index: 12 });
     assert.equal(await viewer.evaluate(({ selected }) => selected), 12);
-    assert.match(await text('#announcement'), /^Site 12 chosen, of 60, region of area /);
+    assert.match(await text('#announcement'), /^Site 12 selected, of 60, region of area /);
     await list.focus();
     await viewer.after('diagram', () => viewer.page.keyboard.press('Delete'));
     assert.equal(await list.locator('option').count(), 59);
@@ -145,7 +145,7 @@ suite('the panel', () => {
         if (globalThis.wasSeen) cancel.click();
       }).observe(document.getElementById('progress'), { attributeFilter: ['hidden'] });
     });
-    await click('#scatter [type=submit]');
+    await click('#sampling-form [type=submit]');
     await viewer.page.waitForFunction(() => globalThis.wasSeen);
     await viewer.settled();
     assert.equal(await bar.isVisible(), false);

@@ -48,6 +48,6 @@ export function setUpKeyboard(viewer: GeodesicVoronoiElement): void {
 function isTyping({ target }: Event): boolean {
   if (target instanceof HTMLInputElement)
     return !['checkbox', 'radio', 'button'].includes(target.type);
-  // The list of sites is no field: Delete there removes the chosen site.
+  // The list of sites is no field: Delete there removes the selected site.
   return target instanceof HTMLSelectElement && target.size <= 1;
 }

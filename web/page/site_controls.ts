@@ -8,9 +8,9 @@ import { byId, listen, onClick, showAttributes } from './dom.js';
 import { showFailure, showNote } from './feedback.js';
 import { counted, integer, measure } from './numbers.js';
 
-/** Scattering, removing, and the list of sites. */
+/** Sampling, removing, and the list of sites. */
 export function setUpSiteControls(viewer: GeodesicVoronoiElement): void {
-  setUpScatter(viewer);
+  setUpSampling(viewer);
   setUpEditing(viewer);
   setUpList(viewer);
   setUpBareNote(viewer);
@@ -42,12 +42,12 @@ function tellOfFewer(viewer: GeodesicVoronoiElement, wanted: number): void {
   if (length === 0 || length >= wanted) return;
   showNote(
     `${counted(length, 'site')} instead of ${integer(wanted)}: places as far apart as possible are ` +
-      `vertices, and this model has ${integer(length)}. Random placement has no such limit.`,
+      `vertices, and this model has ${integer(length)}. Random sampling has no such limit.`,
   );
 }
 
-function setUpScatter(viewer: GeodesicVoronoiElement): void {
-  const form = byId('scatter', HTMLFormElement);
+function setUpSampling(viewer: GeodesicVoronoiElement): void {
+  const form = byId('sampling-form', HTMLFormElement);
   const count = byId('count', HTMLInputElement);
   const seed = byId('seed', HTMLInputElement);
   const sampling = byId('sampling', HTMLSelectElement);
@@ -63,14 +63,14 @@ function setUpScatter(viewer: GeodesicVoronoiElement): void {
       const wanted = count.valueAsNumber;
       viewer.addEventListener('diagram', () => tellOfFewer(viewer, wanted), { once: true });
     }
-    // The attributes also hold for the next model. The viewer scatters when they change.
+    // The attributes also hold for the next model. The viewer samples when they change.
     let isNew = false;
     for (const [name, field] of Object.entries(fields)) {
       isNew ||= viewer.getAttribute(name) !== field.value;
       viewer.setAttribute(name, field.value);
     }
     if (isNew) return;
-    void viewer.scatter(
+    void viewer.sampleSites(
       count.valueAsNumber,
       seed.valueAsNumber,
       sampling.value as Sampling,

@@ -85,15 +85,15 @@ function setUpExploded(viewer: GeodesicVoronoiElement): void {
   };
   listen(viewer, 'diagram', update);
   listen(viewer, 'cvt-iteration', update);
-  // The note explains why a click on separate regions does nothing, and ends with them.
-  const together = { title: 'Put them together', act: () => (viewer.exploded = 0) };
+  // The note explains why a click on these regions does nothing, and ends with the view.
+  const end = { title: 'End the exploded view', act: () => (viewer.exploded = 0) };
   let endNote = () => {};
   viewer.addEventListener('click', () => {
     if (viewer.exploded > 0) {
-      endNote = showNote('No site can be added or moved while regions are pulled apart.', together);
+      endNote = showNote('No site can be added or moved in the exploded view.', end);
     }
   });
-  // A link may have set it, and playing a tessellation puts the regions together.
+  // A link may have set it, and playing a tessellation ends it.
   const show = () => {
     const value = String(Math.round(100 * viewer.exploded));
     if (slider.value !== value) slider.value = value;

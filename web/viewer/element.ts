@@ -10,7 +10,7 @@ import type {
   Sampling,
   SurfacePoints,
 } from 'geodesic-voronoi';
-import { buildAttributes, scatteringAttributes } from './attributes.js';
+import { buildAttributes, samplingAttributes } from './attributes.js';
 import { formatCameraOrbit } from './camera_orbit.js';
 import { type Command, commandOf, instructionsOf, perform } from './commands.js';
 import { fileOfPicture } from './drawing_builder.js';
@@ -51,7 +51,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     'interactive',
     'touch-action',
     'camera-orbit',
-    ...scatteringAttributes,
+    ...samplingAttributes,
     ...buildAttributes,
     'metric',
     'detail',
@@ -166,13 +166,13 @@ export class GeodesicVoronoiElement extends ReflectingElement {
   }
 
   /** Replaces the sites by new ones in new places; random ones follow the density. */
-  async scatter(
+  async sampleSites(
     count: number,
     seed = 1,
     sampling: Sampling = 'random',
     perComponent = 0,
   ): Promise<void> {
-    await this.#editable.scatter({ count, seed, sampling, perComponent });
+    await this.#editable.sampleSites({ count, seed, sampling, perComponent });
   }
 
   addSite(place: SitePlace): void {
@@ -196,7 +196,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     this.#session?.redo();
   }
 
-  /** The index of the chosen site, -1 for none. */
+  /** The index of the selected site, -1 for none. */
   get selected(): number {
     return this.#viewer?.selected ?? -1;
   }
@@ -406,8 +406,9 @@ export class GeodesicVoronoiElement extends ReflectingElement {
   #describe(): void {
     if (!this.#shadow) return;
     const { attributeValues, selected } = this;
-    const choice = selected < 0 ? '' : `; site ${selected} is chosen, of ${this.sites.face.length}`;
-    this.#shadow.describe(attributeValues.label + choice, instructionsOf(attributeValues));
+    const selection =
+      selected < 0 ? '' : `; site ${selected} is selected, of ${this.sites.face.length}`;
+    this.#shadow.describe(attributeValues.label + selection, instructionsOf(attributeValues));
     this.#shadow.poster = this.poster;
   }
 
@@ -433,8 +434,8 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     if (changed.has('src') && this.src) void this.load(this.src);
     else if (this.#read && isOther(...buildAttributes) && isNews(buildAttributes))
       void viewer.rebuild(this.#read);
-    else if (isOther(...scatteringAttributes) && isNews(scatteringAttributes))
-      void viewer.scatter(this.attributeValues.scattering);
+    else if (isOther(...samplingAttributes) && isNews(samplingAttributes))
+      void viewer.sampleSites(this.attributeValues.siteSampling);
   }
 }
 
