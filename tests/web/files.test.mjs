@@ -116,6 +116,44 @@ suite('files', () => {
     await viewer.after('diagram', () => viewer.page.click('#undo'));
   });
 
+  test('a .ply without triangles has sites; too many are a scan, which is no surface', async () => {
+    const before = await viewer.sites();
+    const ply = (count, rows) =>
+      [
+        ...['ply', 'format ascii 1.0', `element vertex ${count}`],
+        ...['x', 'y', 'z'].map((name) => `property float ${name}`),
+        ...['end_header', ...rows, ''],
+      ].join('\n');
+    await viewer.after('diagram', () => drop('two.ply', ply(2, ['0 0 0', '0 1 0'])));
+    assert.equal(await viewer.siteCount(), 2);
+    const note = viewer.page.locator('#note');
+    assert.match(
+      await note.textContent(),
+      /two\.ply has no triangles: .* where its 2 points are\./,
+    );
+    await viewer.after('diagram', () => note.getByText('Undo').click());
+    assert.deepEqual(await viewer.sites(), before);
+    await drop('scan.ply', ply(20_001, Array(20_001).fill('0 0 0')));
+    const error = viewer.page.locator('#error-text', {
+      hasText: 'it has 20,001 points without triangles, more than 20,000.',
+    });
+    await error.waitFor();
+    await viewer.page.click('#error-close');
+
+    const own = await browser.open();
+    await own.settled();
+    await own.page.setInputFiles('#files', [
+      { name: 'a.ply', mimeType: '', buffer: Buffer.from(ply(2, ['0 0 1', '0 1 0'])) },
+      { name: 'mine.glb', mimeType: '', buffer: Buffer.from(glb(octahedron())) },
+    ]);
+    await own.page.waitForFunction(
+      () => document.querySelector('geodesic-voronoi').diagram?.sites.face.length === 2,
+    );
+    assert.match(await own.page.locator('#samples').inputValue(), /^mine\.glb /);
+    assert.deepEqual(own.complaints, []);
+    await own.close();
+  });
+
   test('a site that is dragged while a file replaces it is not moved any more', async () => {
     const place = await viewer.freePlace();
     await viewer.after('diagram', () => viewer.page.mouse.click(place.x, place.y));
