@@ -166,6 +166,9 @@ suite('first sight', () => {
     assert.equal(await message.isVisible(), true);
     await viewer.page.locator('#status', { hasText: /^No model is open\.$/ }).waitFor();
     assert.equal(await viewer.page.locator('#progress').isVisible(), false);
+    for (const id of ['#samples', '#open', '#open-folder']) {
+      assert.equal(await viewer.page.locator(id).isDisabled(), true, id);
+    }
     await viewer.close();
   });
 

@@ -253,6 +253,12 @@ suite('the page', () => {
         { files, types },
       );
 
+    await viewer.page.setInputFiles('#files', [
+      { name: 'grid.gltf', mimeType: '', buffer: Buffer.from(JSON.stringify(json)) },
+    ]);
+    const advice = 'which is missing. Open both together, or their folder.';
+    await viewer.page.locator('#error-text', { hasText: advice }).waitFor();
+
     await drop(['dragover']);
     assert.equal(await viewer.page.locator('#drop').isVisible(), true);
     await viewer.after('diagram', () => drop(['drop']));

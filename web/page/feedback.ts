@@ -56,6 +56,9 @@ export function showError(sentence: string): void {
   byId('error', HTMLElement).hidden = false;
 }
 
+/** A model that refers to another file, when it was opened without that. */
+const isIncomplete = /needs the file .+, which is missing\.$/;
+
 /** Shows that something cannot be done, and why; nothing if its model or diagram is gone. */
 export function showFailure(what: string, cause: unknown): void {
   if (!isAbandoned(cause)) showError(sentence(what, cause).message);
@@ -132,7 +135,8 @@ function setUpErrors(viewer: GeodesicVoronoiElement): void {
     if (!viewer.loaded) {
       tellNone(type === 'nowebgl' ? '' : ' Reload the page to try again.');
     } else if (type === 'loadfailure' || type === 'computefailure') {
-      showError(message);
+      const advice = isIncomplete.test(message) ? ' Open both together, or their folder.' : '';
+      showError(message + advice);
     }
   });
   // The next attempt makes its own.

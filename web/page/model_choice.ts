@@ -15,6 +15,8 @@ import samples from './samples.json' with { type: 'json' };
  * dropping them on it.
  */
 export function setUpModelChoice(viewer: GeodesicVoronoiElement): void {
+  // Without WebGL nothing can be opened; the view says so.
+  if (viewer.status === 'failed') return;
   const menu = new ModelMenu(viewer);
   const open = async (files: readonly File[], all: ModelFiles | Promise<ModelFiles>) => {
     try {

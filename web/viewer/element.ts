@@ -16,6 +16,7 @@ import { type Command, commandOf, instructionsOf, perform } from './commands.js'
 import { fileOfPicture } from './drawing_builder.js';
 import { ElementShadow } from './element_shadow.js';
 import type { CvtIteration, FailureType, ViewerEventMap, ViewerEvents } from './events.js';
+import { contextLost, noWebGl } from './failure.js';
 import type { HoveredPoint } from './hover.js';
 import type { Reader } from './mesh_opening.js';
 import { type Layer, layers } from './model_drawing.js';
@@ -26,8 +27,6 @@ import type { CvtStatus, Status } from './session_listener.js';
 import { type SitePlace, surfacePointsOf } from './site_history.js';
 import type { Session } from './session.js';
 import { Viewer } from './viewer.js';
-
-const contextLost = 'The graphics card has dropped this view; it returns when it can.';
 
 export type { Command, CvtIteration, CvtStatus, HoveredPoint, Layer, SitePlace, Status };
 export type { FailureType, ViewerEventMap, ViewerEvents };
@@ -352,7 +351,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
       });
     } catch (cause) {
       this.setAttribute('status', 'failed');
-      fail('nowebgl', 'This view needs WebGL 2, which this browser does not offer.', cause);
+      fail('nowebgl', noWebGl, cause);
     }
     return this.#viewer;
   }
