@@ -141,14 +141,18 @@ suite('the panel', () => {
     await viewer.page.evaluate(() => {
       const cancel = document.getElementById('cancel');
       new MutationObserver(() => {
-        globalThis.wasSeen ||= cancel.checkVisibility();
-        if (globalThis.wasSeen) cancel.click();
+        if (globalThis.wasSeen || !cancel.checkVisibility()) return;
+        globalThis.wasSeen = true;
+        globalThis.told = document.getElementById('status').textContent;
+        cancel.click();
       }).observe(document.getElementById('progress'), { attributeFilter: ['hidden'] });
     });
     await click('#sampling-form [type=submit]');
     await viewer.page.waitForFunction(() => globalThis.wasSeen);
     await viewer.settled();
     assert.equal(await bar.isVisible(), false);
+    assert.equal(await viewer.page.evaluate(() => globalThis.told), 'Computing the diagram…');
+    await viewer.page.locator('#status', { hasText: '60 regions, computed' }).waitFor();
     assert.deepEqual(await viewer.sites(), before);
   });
 
