@@ -282,6 +282,33 @@ suite('files', () => {
     });
   });
 
+  test('a file has the diagram that is asked for, and that of a tessellation pauses it', async () => {
+    const [coarse, fine] = ['0', '2'];
+    const sizeOf = async (prepare, argument) => {
+      const [file] = await Promise.all([
+        viewer.page.waitForEvent('download'),
+        viewer.evaluate(
+          `(viewer, argument) => {
+            (${prepare})(viewer, argument);
+            setTimeout(() => document.getElementById('download-diagram-json').click());
+          }`,
+          argument,
+        ),
+      ]);
+      let size = 0;
+      for await (const chunk of await file.createReadStream()) size += chunk.length;
+      await viewer.settled();
+      return size;
+    };
+    const detail = (viewer, detail) => viewer.setAttribute('detail', detail);
+    const large = await sizeOf(detail, fine);
+    assert.ok(large > 1.2 * (await sizeOf(detail, coarse)));
+    await sizeOf((viewer) => viewer.playCvt());
+    assert.equal(await viewer.evaluate((viewer) => viewer.cvtStatus), 'paused');
+    assert.equal(await viewer.page.locator('#error').isVisible(), false);
+    await viewer.after('diagram', () => viewer.evaluate((viewer) => viewer.resetCvt()));
+  });
+
   test('every file of the menu can be had, also after a change', async () => {
     await viewer.after('diagram', () =>
       viewer.evaluate((viewer) => viewer.addSite({ face: 0, bary: [1, 0, 0] })),
