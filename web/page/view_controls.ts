@@ -55,7 +55,7 @@ function setUpOriginal(viewer: GeodesicVoronoiElement): void {
     note.hidden = original?.isFound ?? true;
     note.textContent = original?.problem
       ? `Its own material cannot be shown: ${original.problem}.`
-      : 'There are no colours to show: they are read of glTF and PLY files that have some.';
+      : 'This file has no colours to show: they are read from glTF and PLY files that have some.';
   });
 }
 
