@@ -107,7 +107,7 @@ function setUpStatus(viewer: GeodesicVoronoiElement): void {
 }
 
 function sentenceOf({ sites, milliseconds }: ViewerEvents['diagram']): string {
-  if (sites === 0) return 'No sites: click the model.';
+  if (sites === 0) return 'No sites: add one on the model.';
   return `${counted(sites, 'region')}, computed in ${duration(milliseconds)}`;
 }
 

@@ -63,7 +63,7 @@ export function instructionsOf({ interactive, isPainting }: Attributes): string 
   const ofEdit =
     `Enter ${isPainting ? 'paints density' : 'adds a site'} at the centre of the view. ` +
     'N and P select a site, Shift with arrow keys moves it, Delete removes it. ' +
-    'Control Z undoes, Control Y redoes. Space plays and pauses the centroidal tessellation. ' +
+    'Control Z undoes, Control Y redoes. Space evens out the regions, or pauses. ' +
     'Escape gives up what is under way.';
   return [interactive.camera && ofCamera, interactive.edit && ofEdit].filter(Boolean).join(' ');
 }
