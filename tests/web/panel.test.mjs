@@ -156,6 +156,42 @@ suite('the panel', () => {
     assert.deepEqual(await viewer.sites(), before);
   });
 
+  test('what takes long to be drawn is marked until it is', async () => {
+    await open('torus.glb', torus(320, 160));
+    const busy = (selector) =>
+      viewer.page.evaluate((selector) => document.querySelector(selector).ariaBusy, selector);
+    const press = (selector, value) =>
+      viewer.evaluate(
+        (_, { selector, value }) => {
+          const field = document.querySelector(selector);
+          if (value) field.value = value;
+          if (value) field.dispatchEvent(new Event('input'));
+          else field.click();
+          globalThis.marked = field.ariaBusy;
+        },
+        { selector, value },
+      );
+    for (const [type, selector, value] of [
+      ['dual', '#layers [value=dual]'],
+      ['distances', '#layers [value=distances]'],
+      ['original', '#layers [value=original]'],
+      ['exploded', '#exploded', 40],
+    ]) {
+      const detail = await viewer.after(type, () => press(selector, value));
+      assert.ok(detail, type);
+      assert.equal(await viewer.page.evaluate(() => globalThis.marked), 'true', type);
+      assert.equal(await busy(selector), 'false', type);
+    }
+    await press('#exploded', 50);
+    assert.equal(await viewer.page.evaluate(() => globalThis.marked), 'false', 'it is drawn');
+    await press('#layers [value=dual]');
+    assert.equal(
+      await viewer.page.evaluate(() => globalThis.marked),
+      'false',
+      'it is not asked for',
+    );
+  });
+
   test('a model whose first diagram is cancelled has none, which is told, and gets one', async () => {
     await viewer.evaluate((viewer) => {
       // Before its diagram, which begins with the event.

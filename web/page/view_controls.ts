@@ -41,11 +41,35 @@ function setUpLayers(viewer: GeodesicVoronoiElement): void {
     label.title = layerTexts[layer].hint;
     label.append(box, title);
     group.append(label);
+    if (isLate(layer)) markUntilDrawn(viewer, box, layer);
     return box;
   });
   group.addEventListener('change', () => {
     viewer.layers = boxes.filter((box) => box.checked).map((box) => box.value as Layer);
   });
+}
+
+/** Layers that take long to be drawn; an event of the same name tells of it. */
+type LateLayer = 'dual' | 'distances' | 'original';
+
+function isLate(layer: Layer): layer is LateLayer {
+  return layer === 'dual' || layer === 'distances' || layer === 'original';
+}
+
+/** Marks the box of a layer that is asked for, until it is drawn. */
+function markUntilDrawn(
+  viewer: GeodesicVoronoiElement,
+  box: HTMLInputElement,
+  layer: LateLayer,
+): void {
+  box.addEventListener('change', () => {
+    box.ariaBusy = String(box.checked && (layer === 'original' || viewer.diagram !== undefined));
+  });
+  const end = () => {
+    box.ariaBusy = 'false';
+  };
+  listen(viewer, layer, end);
+  listen(viewer, 'error', end);
 }
 
 /** Notes why the file's own material is not shown, if it is not. */
@@ -77,8 +101,17 @@ function setUpDual(viewer: GeodesicVoronoiElement): void {
 
 function setUpExploded(viewer: GeodesicVoronoiElement): void {
   const slider = byId('exploded', HTMLInputElement);
+  let isDrawn = false;
   slider.addEventListener('input', () => {
     viewer.exploded = Number(slider.value) / 100;
+    slider.ariaBusy = String(viewer.exploded > 0 && !isDrawn);
+  });
+  listen(viewer, 'exploded', (parts) => {
+    isDrawn = parts !== null;
+    slider.ariaBusy = 'false';
+  });
+  listen(viewer, 'error', () => {
+    slider.ariaBusy = 'false';
   });
   const update = () => {
     slider.disabled = viewer.diagram === undefined;

@@ -172,6 +172,7 @@ export class DerivedDrawings {
     model?.drawing.setDistances(distances?.triangles, distances?.scale);
     legend.showDistances(distances?.scale);
     stage.invalidate();
+    this.#emit('distances', distances ? { longest: distances.scale.longest } : null);
   }
 
   async #makeDual(diagram: Diagram, signal: AbortSignal): Promise<Dual | undefined> {
