@@ -493,7 +493,10 @@ suite('the page', () => {
       await viewer.page.fill('#count', '1');
       await viewer.page.click('#sampling-form [type="submit"]');
     });
-    await viewer.page.locator('#bare-note').filter({ hasText: '1 of 2 components' }).waitFor();
+    await viewer.page
+      .locator('#bare-note')
+      .filter({ hasText: /^1 of 2 components, .* has no site\. “At least/ })
+      .waitFor();
     await viewer.after('diagram', async () => {
       await viewer.page.fill('#count', '8');
       await viewer.page.fill('#per-component', '4');

@@ -95,6 +95,28 @@ suite('the panel', () => {
     assert.match(await text('#report'), /Triangles34/);
   });
 
+  test('debris of a scan is told of with what drops it, and notes of the reader are sentences', async () => {
+    const { positions, indices } = torus(40, 20);
+    const lines = [];
+    for (let i = 0; i < positions.length; i += 3)
+      lines.push(`v ${[...positions.slice(i, i + 3)].join(' ')}`);
+    for (let i = 0; i < indices.length; i += 3)
+      lines.push(`f ${[...indices.slice(i, i + 3)].map((v) => v + 1).join(' ')}`);
+    lines.push('v 9 9 9', 'v 9.1 9 9', 'v 9 9.1 9', 'v 9.1 9.1 9', 'f -4 -3 -1 -2');
+    await viewer.after('diagram', () =>
+      viewer.page.setInputFiles('#files', [
+        { name: 'scan.obj', mimeType: '', buffer: Buffer.from(lines.join('\n')) },
+      ]),
+    );
+    const note = viewer.page.locator('#bare-note', { hasText: '“Smallest component kept”' });
+    await note.waitFor();
+    assert.match(
+      await note.textContent(),
+      /^1 of 2 components, 0\.\d+ % of the area, has no site\./,
+    );
+    assert.match(await text('#repairs'), /1 polygon was cut into triangles\.$/);
+  });
+
   test('fields of numbers say what they are of', async () => {
     assert.equal(await viewer.page.getByLabel('Number of sites', { exact: true }).count(), 1);
   });

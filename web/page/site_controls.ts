@@ -16,6 +16,9 @@ export function setUpSiteControls(viewer: GeodesicVoronoiElement): void {
   setUpBareNote(viewer);
 }
 
+/** Components of less area than this share, all of them together, are likely the debris of a scan. */
+const debrisShare = 0.05;
+
 /** Notes components that no site reaches. */
 function setUpBareNote(viewer: GeodesicVoronoiElement): void {
   const note = byId('bare-note', HTMLElement);
@@ -26,10 +29,15 @@ function setUpBareNote(viewer: GeodesicVoronoiElement): void {
     const bare = isAsked ? await mesh.bareComponents(sites) : { components: 0, area: 0 };
     if (mesh !== viewer.mesh) return;
     note.hidden = bare.components === 0;
-    const share = Number(((100 * bare.area) / info.area).toPrecision(2));
+    const share = bare.area / info.area;
+    const advice =
+      share < debrisShare
+        ? '“Smallest component kept”, below “Model”, drops small ones.'
+        : '“At least per component” places some.';
     note.textContent =
       `${integer(bare.components)} of ${counted(info.components, 'component')}, ` +
-      `${share} % of the area, ${bare.components === 1 ? 'has' : 'have'} no site.`;
+      `${Number((100 * share).toPrecision(2))} % of the area, ` +
+      `${bare.components === 1 ? 'has' : 'have'} no site. ${advice}`;
   };
   listen(viewer, 'diagram', () => {
     update().catch((error) => showFailure('Components without a site cannot be counted', error));
