@@ -77,6 +77,24 @@ suite('files', () => {
     assert.equal(await viewer.page.locator('#error').isVisible(), false);
   });
 
+  test('coordinates of sites are a table, which brings them back', async () => {
+    const { name, content } = await download('sites', 'csv');
+    assert.equal(name, 'bunny-sites.csv');
+    const places = () =>
+      viewer.evaluate(async ({ mesh, sites }) => [...(await mesh.positionsOf(sites))]);
+    const before = await places();
+    assert.deepEqual(
+      content
+        .toString()
+        .match(/-?\d[\d.e-]*/g)
+        .map(Number),
+      before,
+    );
+    await viewer.after('diagram', () => drop(name, content.toString()));
+    (await places()).forEach((x, i) => assert.ok(Math.abs(x - before[i]) < 1e-6, `${i}: ${x}`));
+    await viewer.after('diagram', () => viewer.page.click('#undo'));
+  });
+
   test('a model that is chosen together with its sites opens with them', async () => {
     const own = await browser.open();
     await own.settled();

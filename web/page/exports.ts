@@ -7,7 +7,7 @@ import type { GeodesicVoronoiElement, Status } from '../viewer/element.js';
 import { linear } from '../viewer/colour_vision.js';
 import { encode } from './encoding.js';
 import { outlinesSvg } from './outline_svg.js';
-import { sitesJson } from './sites_file.js';
+import { sitesCsv, sitesJson } from './sites_file.js';
 import { faultsOf } from './valid_dual.js';
 
 type Source = Pick<Mesh, 'positions' | 'indices' | 'normals' | 'uvs'>;
@@ -18,6 +18,7 @@ type Encoder = (
 ) => Blob | Promise<Blob>;
 
 const mediaTypes = {
+  csv: 'text/csv',
   glb: 'model/gltf-binary',
   json: 'application/json',
   obj: 'model/obj',
@@ -34,6 +35,7 @@ const encoders: Record<string, Record<string, Encoder>> = {
   sites: {
     json: (_, __, viewer) =>
       new Blob([JSON.stringify(sitesJson(viewer))], { type: mediaTypes.json }),
+    csv: async (_, __, viewer) => new Blob([await sitesCsv(viewer)], { type: mediaTypes.csv }),
   },
   diagram: {
     json: async (diagram) => {

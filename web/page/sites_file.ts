@@ -29,6 +29,13 @@ export function sitesJson({ sites, info }: GeodesicVoronoiElement): SitesJson {
   };
 }
 
+/** A table of coordinates, as the command writes it. */
+export async function sitesCsv({ sites, mesh }: GeodesicVoronoiElement): Promise<string> {
+  const places = await mesh?.positionsOf(sites);
+  const rows = Array.from(sites.face, (_, i) => places?.slice(3 * i, 3 * i + 3).join(','));
+  return ['x,y,z', ...rows, ''].join('\n');
+}
+
 /** A folder's files of these kinds may be anything; those that are opened one by one are sites. */
 export async function isSitesFile(file: File): Promise<boolean> {
   if (file.webkitRelativePath) return false;
