@@ -133,6 +133,26 @@ suite('hands', () => {
     await viewer.after('hover', () => viewer.page.mouse.wheel(0, -200));
   });
 
+  test('on Apple’s keyboards, keys are called as they are there', async () => {
+    const apple = await browser.open({
+      prepare: (page) =>
+        page.addInitScript(() => {
+          Object.defineProperty(Navigator.prototype, 'platform', { get: () => 'MacIntel' });
+        }),
+    });
+    await apple.settled();
+    assert.equal(await apple.page.getAttribute('#undo', 'title'), 'Undo (⌘ Z)');
+    assert.match(await apple.page.textContent('#help'), /⌘ Z, ⇧ ⌘ Z.*Undo, redo/);
+    assert.doesNotMatch(await apple.page.textContent('#help'), /Ctrl/);
+    await apple.after('diagram', () => apple.evaluate((viewer) => viewer.removeSite(0)));
+    await apple.after('diagram', () => apple.page.keyboard.press('Meta+z'));
+    assert.equal(await apple.siteCount(), 60);
+    await apple.after('diagram', () => apple.page.keyboard.press('Meta+Shift+z'));
+    assert.equal(await apple.siteCount(), 59);
+    assert.deepEqual(apple.complaints, []);
+    await apple.close();
+  });
+
   test('the exploded view fills the view, is not edited, and ends to play', async () => {
     await viewer.after('exploded', () => viewer.page.locator('#exploded').fill('80'));
     const edge = await viewer.evaluate(async (viewer) => {
