@@ -116,8 +116,13 @@ suite('access', () => {
   test('nothing is cut off, however wide the window', async () => {
     const viewer = await browser.open();
     await viewer.settled();
-    for (const width of [320, 460, 760, 761, 900, 1200, 1201, 1440]) {
-      await viewer.page.setViewportSize({ width, height: 560 });
+    await openEverything(viewer.page);
+    await viewer.page.evaluate(() => {
+      for (const id of ['density-settings', 'per-component-label', 'repair'])
+        document.getElementById(id).hidden = false;
+    });
+    for (const width of [320, 460, 640, 760, 761, 900, 1200, 1201, 1440]) {
+      await viewer.page.setViewportSize({ width, height: width === 640 ? 400 : 560 });
       const reached = await viewer.page.evaluate(() =>
         Math.max(
           ...[...document.querySelectorAll('header *, main, aside')].map(
@@ -126,6 +131,14 @@ suite('access', () => {
         ),
       );
       assert.ok(reached <= width, `${reached} of ${width} pixels`);
+      const wide = await viewer.page.evaluate(() => {
+        const panel = document.getElementById('panel');
+        const right = panel.querySelector('.group').getBoundingClientRect().right;
+        return [...panel.querySelectorAll('button, select, input')]
+          .filter((element) => element.getBoundingClientRect().right > right + 0.5)
+          .map(({ id }) => id);
+      });
+      assert.deepEqual(wide, [], `at ${width}`);
       const samples = await viewer.page.locator('#samples').boundingBox();
       assert.ok(samples.width >= 80, `${samples.width} pixels for the model's name at ${width}`);
     }

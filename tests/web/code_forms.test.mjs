@@ -52,7 +52,7 @@ suite('code', () => {
   test('holds names of files with any characters', () => {
     const odd = { name: `O'Neil & "Sons" <1>.obj` };
     const viewer = viewerWith(ofPage);
-    for (const origin of ['scattered', 'even', 'edited']) {
+    for (const origin of ['sampled', 'even', 'edited']) {
       const script = codeOf(viewer, odd, origin, 'script');
       transformSync(script, { format: 'esm' }); // throws if it is no code
       const [, address] = /fetch\('([^']*)'\)/.exec(script);
@@ -67,30 +67,30 @@ suite('code', () => {
 });
 
 suite('the origin of sites', () => {
-  const scattered = { face: Int32Array.of(3), bary: Float64Array.of(1, 0, 0) };
+  const sampled = { face: Int32Array.of(3), bary: Float64Array.of(1, 0, 0) };
   const moved = { face: Int32Array.of(3), bary: Float64Array.of(0, 1, 0) };
   const attributes = { sites: '1', seed: '1', 'cvt-iterations': '2' };
 
   test('is found when it is asked for', async () => {
-    let sampled = 0;
+    let samplings = 0;
     const sampleSites = async () => {
-      ++sampled;
-      return scattered;
+      ++samplings;
+      return sampled;
     };
     const viewer = viewerWith(attributes, {
       mesh: { sampleSites },
-      sites: scattered,
+      sites: sampled,
       cvtStatus: 'idle',
     });
     const originOf = watchOrigin(viewer);
-    assert.equal(await originOf(), 'scattered');
+    assert.equal(await originOf(), 'sampled');
     const iterate = (iteration, sites) => {
       Object.assign(viewer, { sites, cvtStatus: 'paused' });
       viewer.dispatchEvent(new CustomEvent('cvt-iteration', { detail: { iteration } }));
     };
-    iterate(0, scattered);
+    iterate(0, sampled);
     iterate(1, moved);
-    assert.equal(sampled, 1, 'not for a tessellation that nobody asks about');
+    assert.equal(samplings, 1, 'not for a tessellation that nobody asks about');
     assert.equal(await originOf(), 'edited', 'the code would go further');
     iterate(2, moved);
     assert.equal(await originOf(), 'even');

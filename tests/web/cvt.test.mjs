@@ -177,7 +177,7 @@ suite('the centroidal tessellation', () => {
     }, picture);
     assert.ok(shares.dense < 0.6 * shares.even, JSON.stringify(shares));
 
-    await viewer.after('diagram', () => press('#scatter [type=submit]'));
+    await viewer.after('diagram', () => press('#sampling-form [type=submit]'));
     const dense = await viewer.evaluate(async (viewer) => {
       const positions = await viewer.mesh.positionsOf(viewer.sites);
       return [...viewer.sites.face.keys()].filter((i) =>
@@ -276,8 +276,8 @@ suite('the centroidal tessellation', () => {
     const left = await viewer.difference(bare, await viewer.picture());
     assert.equal(left.count, 0, 'the brush is seen no more');
     await isEnded(() => viewer.page.getByText('Smaller regions in places').click(), 'folded');
-    await isEnded(() => press('#scatter [type=submit]'), 'placed anew');
-    await isEnded(() => viewer.page.selectOption('#site-list', { index: 3 }), 'a site chosen');
+    await isEnded(() => press('#sampling-form [type=submit]'), 'placed anew');
+    await isEnded(() => viewer.page.selectOption('#site-list', { index: 3 }), 'a site selected');
     await isEnded(() => press('#clear'), 'removed');
     await isEnded(() => viewer.page.selectOption('#samples', 'torus.glb'), 'another model');
   });
@@ -290,7 +290,7 @@ suite('the centroidal tessellation', () => {
         { name: 'torus.glb', mimeType: '', buffer: Buffer.from(glb(torus(320, 160))) },
       ]),
     );
-    await viewer.after('diagram', () => viewer.evaluate((viewer) => viewer.scatter(300)));
+    await viewer.after('diagram', () => viewer.evaluate((viewer) => viewer.sampleSites(300)));
     assert.equal(await viewer.evaluate(({ info }) => info.faces), 102_400);
     const before = await viewer.sites();
 
@@ -371,15 +371,15 @@ suite('the centroidal tessellation', () => {
     assert.deepEqual(await viewer.sites(), before, 'all of it is one step');
   });
 
-  test('sites are scattered in three ways', async () => {
-    const scatter = (sampling) =>
+  test('sites are sampled in three ways', async () => {
+    const sample = (sampling) =>
       viewer.after('diagram', async () => {
         await viewer.page.selectOption('#sampling', sampling);
-        await press('#scatter [type=submit]');
+        await press('#sampling-form [type=submit]');
       });
     const lists = [];
     for (const sampling of ['farthest', 'poisson', 'random']) {
-      assert.equal((await scatter(sampling)).sites, 60);
+      assert.equal((await sample(sampling)).sites, 60);
       lists.push(JSON.stringify(await viewer.sites()));
     }
     assert.equal(new Set(lists).size, 3);

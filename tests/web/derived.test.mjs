@@ -7,7 +7,7 @@ import { suite, test } from 'node:test';
 import { DerivedDrawings } from '../../dist/viewer/derived_drawings.js';
 import { fetchModelFiles } from '../../dist/viewer/model_files.js';
 import { OriginalLayer } from '../../dist/viewer/original_layer.js';
-import { ScatterTask } from '../../dist/viewer/scatter_task.js';
+import { SamplingTask } from '../../dist/viewer/sampling_task.js';
 
 const turn = () => new Promise((resolve) => setImmediate(resolve));
 const milliseconds = (count) => new Promise((resolve) => setTimeout(resolve, count));
@@ -101,7 +101,7 @@ test('a placement of sites ends when another is asked for, or at a cancel', asyn
         signal.addEventListener('abort', () => reject(signal.reason));
       }),
   };
-  const task = new ScatterTask();
+  const task = new SamplingTask();
   const run = (count) => task.run(mesh, { count, seed: 1 }, (share) => shares.push(share));
   const results = [run(1), run(2)];
   assert.deepEqual(

@@ -373,7 +373,7 @@ suite('attributes and events', () => {
         () => {
           element.density = [1];
         },
-        () => element.scatter(5),
+        () => element.sampleSites(5),
         () => element.playCvt(),
       ];
       return Promise.all(
@@ -401,11 +401,11 @@ suite('attributes and events', () => {
     );
     assert.equal(refused.type, 'computefailure');
     assert.match(refused.message, /^The diagram cannot be made: .*[^.]\.$/);
-    const scattered = await viewer.after('error', () =>
+    const sampled = await viewer.after('error', () =>
       viewer.evaluate((viewer) => viewer.setAttribute('sampling', 'dense')),
     );
-    assert.equal(scattered.type, 'computefailure');
-    assert.match(scattered.message, /^The sites cannot be placed: .*[^.]\.$/);
+    assert.equal(sampled.type, 'computefailure');
+    assert.match(sampled.message, /^The sites cannot be placed: .*[^.]\.$/);
   });
 
   test('opening a file tells how far it is, and ends in the worker when it is cancelled', async (context) => {

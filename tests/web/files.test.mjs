@@ -77,6 +77,24 @@ suite('files', () => {
     assert.equal(await viewer.page.locator('#error').isVisible(), false);
   });
 
+  test('coordinates of sites are a table, which brings them back', async () => {
+    const { name, content } = await download('sites', 'csv');
+    assert.equal(name, 'bunny-sites.csv');
+    const places = () =>
+      viewer.evaluate(async ({ mesh, sites }) => [...(await mesh.positionsOf(sites))]);
+    const before = await places();
+    assert.deepEqual(
+      content
+        .toString()
+        .match(/-?\d[\d.e-]*/g)
+        .map(Number),
+      before,
+    );
+    await viewer.after('diagram', () => drop(name, content.toString()));
+    (await places()).forEach((x, i) => assert.ok(Math.abs(x - before[i]) < 1e-6, `${i}: ${x}`));
+    await viewer.after('diagram', () => viewer.page.click('#undo'));
+  });
+
   test('a model that is chosen together with its sites opens with them', async () => {
     const own = await browser.open();
     await own.settled();
@@ -114,6 +132,44 @@ suite('files', () => {
     await error.waitFor();
     await viewer.page.click('#error-close');
     await viewer.after('diagram', () => viewer.page.click('#undo'));
+  });
+
+  test('a .ply without triangles has sites; too many are a scan, which is no surface', async () => {
+    const before = await viewer.sites();
+    const ply = (count, rows) =>
+      [
+        ...['ply', 'format ascii 1.0', `element vertex ${count}`],
+        ...['x', 'y', 'z'].map((name) => `property float ${name}`),
+        ...['end_header', ...rows, ''],
+      ].join('\n');
+    await viewer.after('diagram', () => drop('two.ply', ply(2, ['0 0 0', '0 1 0'])));
+    assert.equal(await viewer.siteCount(), 2);
+    const note = viewer.page.locator('#note');
+    assert.match(
+      await note.textContent(),
+      /two\.ply has no triangles: .* where its 2 points are\./,
+    );
+    await viewer.after('diagram', () => note.getByText('Undo').click());
+    assert.deepEqual(await viewer.sites(), before);
+    await drop('scan.ply', ply(20_001, Array(20_001).fill('0 0 0')));
+    const error = viewer.page.locator('#error-text', {
+      hasText: 'it has 20,001 points without triangles, more than 20,000.',
+    });
+    await error.waitFor();
+    await viewer.page.click('#error-close');
+
+    const own = await browser.open();
+    await own.settled();
+    await own.page.setInputFiles('#files', [
+      { name: 'a.ply', mimeType: '', buffer: Buffer.from(ply(2, ['0 0 1', '0 1 0'])) },
+      { name: 'mine.glb', mimeType: '', buffer: Buffer.from(glb(octahedron())) },
+    ]);
+    await own.page.waitForFunction(
+      () => document.querySelector('geodesic-voronoi').diagram?.sites.face.length === 2,
+    );
+    assert.match(await own.page.locator('#samples').inputValue(), /^mine\.glb /);
+    assert.deepEqual(own.complaints, []);
+    await own.close();
   });
 
   test('a site that is dragged while a file replaces it is not moved any more', async () => {
@@ -242,6 +298,33 @@ suite('files', () => {
       const label = Number(name.match(/\d+/)[0]);
       assert.equal(`#${hex(pbrMetallicRoughness.baseColorFactor)}`, colours[label]);
     });
+  });
+
+  test('a file has the diagram that is asked for, and that of a tessellation pauses it', async () => {
+    const [coarse, fine] = ['0', '2'];
+    const sizeOf = async (prepare, argument) => {
+      const [file] = await Promise.all([
+        viewer.page.waitForEvent('download'),
+        viewer.evaluate(
+          `(viewer, argument) => {
+            (${prepare})(viewer, argument);
+            setTimeout(() => document.getElementById('download-diagram-json').click());
+          }`,
+          argument,
+        ),
+      ]);
+      let size = 0;
+      for await (const chunk of await file.createReadStream()) size += chunk.length;
+      await viewer.settled();
+      return size;
+    };
+    const detail = (viewer, detail) => viewer.setAttribute('detail', detail);
+    const large = await sizeOf(detail, fine);
+    assert.ok(large > 1.2 * (await sizeOf(detail, coarse)));
+    await sizeOf((viewer) => viewer.playCvt());
+    assert.equal(await viewer.evaluate((viewer) => viewer.cvtStatus), 'paused');
+    assert.equal(await viewer.page.locator('#error').isVisible(), false);
+    await viewer.after('diagram', () => viewer.evaluate((viewer) => viewer.resetCvt()));
   });
 
   test('every file of the menu can be had, also after a change', async () => {

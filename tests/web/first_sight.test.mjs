@@ -66,7 +66,12 @@ suite('first sight', () => {
           await route.continue();
         }),
     });
-    for (const selector of ['#cvt-play', '#scatter [type=submit]', '#fit', '#download-button']) {
+    for (const selector of [
+      '#cvt-play',
+      '#sampling-form [type=submit]',
+      '#fit',
+      '#download-button',
+    ]) {
       assert.equal(await isDisabled(viewer, selector), true, `${selector} waits for the model`);
     }
     assert.equal(await viewer.page.locator('#poster').isVisible(), true);
@@ -161,6 +166,9 @@ suite('first sight', () => {
     assert.equal(await message.isVisible(), true);
     await viewer.page.locator('#status', { hasText: /^No model is open\.$/ }).waitFor();
     assert.equal(await viewer.page.locator('#progress').isVisible(), false);
+    for (const id of ['#samples', '#open', '#open-folder']) {
+      assert.equal(await viewer.page.locator(id).isDisabled(), true, id);
+    }
     await viewer.close();
   });
 
@@ -306,8 +314,29 @@ suite('first sight', () => {
       await page.selectOption('#samples', 'bunny.ply');
     });
     await kept(/model=bunny\.ply/);
+    // Another model is a step: the one before comes back with its sites, none here.
+    await page.goBack();
+    await page.locator('#status', { hasText: 'No sites' }).waitFor();
+    assert.equal(await page.inputValue('#samples'), 'torus.glb');
+    await page.goForward();
+    await kept(/model=bunny\.ply/);
+    await viewer.settled();
+    await page.mouse.wheel(0, 1);
     await viewer.after('diagram', () => page.setInputFiles('#files', [ownFile]));
     await kept(/model=mine\.glb/);
+    // Nothing is asked as long as nothing was done.
+    await page.reload();
+    await page.locator('#note-text', { hasText: 'This link is of mine.glb' }).waitFor();
+    await viewer.settled();
+    await viewer.after('diagram', () => page.setInputFiles('#files', [ownFile]));
+    await page.waitForFunction(() => !document.querySelector('#panel').disabled);
+    const free = await viewer.freePlace();
+    await viewer.after('diagram', () => page.mouse.click(free.x, free.y));
+    // Nor is it forgotten that something was, when the mesh is built otherwise.
+    await viewer.after('diagram', () =>
+      page.evaluate(() => document.querySelector('geodesic-voronoi').setAttribute('weld', '1e-6')),
+    );
+    await kept(/model=mine\.glb&.*weld=1e-6/);
     const own = await viewer.sites();
     // The file is lost, and asked for again; its sites are not.
     const asked = new Promise((resolve) => page.once('dialog', resolve));
@@ -340,7 +369,7 @@ suite('first sight', () => {
     }
   });
 
-  test('what a link does not hold is told; regions that are apart are in it', async () => {
+  test('what a link does not hold is told; the exploded view is in it', async () => {
     const viewer = await browser.open({
       hash: '#v=1&model=torus.glb&sites=12&seed=3&exploded=0.4',
     });
@@ -357,7 +386,7 @@ suite('first sight', () => {
     const whole = await note();
     assert.match(whole.text, /sees this model, these sites and this view/);
     assert.match(whole.link, /exploded=0\.4/);
-    await viewer.after('diagram', () => viewer.evaluate((viewer) => viewer.scatter(2001)));
+    await viewer.after('diagram', () => viewer.evaluate((viewer) => viewer.sampleSites(2001)));
     const { text, link } = await note();
     assert.doesNotMatch(link, /&at=/);
     assert.match(text, /It does not hold more than 2,000 sites: .* menu Download, has them all\./);

@@ -86,16 +86,16 @@ suite('hands', () => {
     assert.equal(await viewer.page.locator('#undo').isDisabled(), true);
   });
 
-  test('a site that is chosen turns into view, is told of, and moves by keys', async () => {
+  test('a site that is selected turns into view, is told of, and moves by keys', async () => {
     const hidden = await viewer.evaluate((viewer) =>
       [...viewer.sites.face.keys()].find((i) => !viewer.sitePosition(i)),
     );
     await viewer.evaluate((viewer, hidden) => (viewer.selected = hidden), hidden);
     assert.ok(await viewer.sitePosition(hidden), 'it is seen now');
-    const told = new RegExp(`Site ${hidden} chosen, of 60, region of area`);
+    const told = new RegExp(`Site ${hidden} selected, of 60, region of area`);
     await viewer.page.locator('#announcement', { hasText: told }).waitFor({ state: 'attached' });
     const label = await viewer.page.locator('geodesic-voronoi canvas').getAttribute('aria-label');
-    assert.match(label, new RegExp(`site ${hidden} is chosen, of 60`));
+    assert.match(label, new RegExp(`site ${hidden} is selected, of 60`));
 
     await focus();
     const from = await viewer.sitePosition(hidden);
@@ -133,7 +133,27 @@ suite('hands', () => {
     await viewer.after('hover', () => viewer.page.mouse.wheel(0, -200));
   });
 
-  test('regions that are apart fill the view, are not edited, and come together to play', async () => {
+  test('on Apple’s keyboards, keys are called as they are there', async () => {
+    const apple = await browser.open({
+      prepare: (page) =>
+        page.addInitScript(() => {
+          Object.defineProperty(Navigator.prototype, 'platform', { get: () => 'MacIntel' });
+        }),
+    });
+    await apple.settled();
+    assert.equal(await apple.page.getAttribute('#undo', 'title'), 'Undo (⌘ Z)');
+    assert.match(await apple.page.textContent('#help'), /⌘ Z, ⇧ ⌘ Z.*Undo, redo/);
+    assert.doesNotMatch(await apple.page.textContent('#help'), /Ctrl/);
+    await apple.after('diagram', () => apple.evaluate((viewer) => viewer.removeSite(0)));
+    await apple.after('diagram', () => apple.page.keyboard.press('Meta+z'));
+    assert.equal(await apple.siteCount(), 60);
+    await apple.after('diagram', () => apple.page.keyboard.press('Meta+Shift+z'));
+    assert.equal(await apple.siteCount(), 59);
+    assert.deepEqual(apple.complaints, []);
+    await apple.close();
+  });
+
+  test('the exploded view fills the view, is not edited, and ends to play', async () => {
     await viewer.after('exploded', () => viewer.page.locator('#exploded').fill('80'));
     const edge = await viewer.evaluate(async (viewer) => {
       const bitmap = await createImageBitmap(await viewer.toBlob());
@@ -145,7 +165,7 @@ suite('hands', () => {
     assert.equal(edge, 0, 'nothing is cut off at the top');
     const { x, y, width, height } = await viewer.page.locator('geodesic-voronoi').boundingBox();
     await viewer.page.mouse.click(x + width / 2, y + height / 2);
-    await viewer.page.locator('#note-text', { hasText: 'are pulled apart' }).waitFor();
+    await viewer.page.locator('#note-text', { hasText: 'in the exploded view' }).waitFor();
     assert.equal(await viewer.siteCount(), 60);
     await viewer.page.evaluate(() => document.querySelector('#cvt-step').click());
     await viewer.page.locator('#cvt-iteration', { hasText: '1' }).waitFor();
@@ -175,7 +195,7 @@ suite('hands', () => {
     await viewer.after('diagram', () => viewer.page.selectOption('#samples', 'hand.glb'));
     await viewer.page.fill('#count', '3000');
     await viewer.page.selectOption('#sampling', 'farthest');
-    await viewer.after('diagram', () => viewer.page.click('#scatter [type=submit]'));
+    await viewer.after('diagram', () => viewer.page.click('#sampling-form [type=submit]'));
     await viewer.page.locator('#note-text', { hasText: 'sites instead of 3,000' }).waitFor();
 
     const info = await viewer.evaluate(({ info }) => info);

@@ -185,7 +185,7 @@ test('textures and vertex colours are shown where the file has them', async () =
   const note = viewer.page.locator('#original-note');
   assert.equal(await note.isVisible(), false);
   assert.deepEqual(await shown(viewer, [file('bare.ply', ply())]), { isFound: false, textures: 0 });
-  assert.match(await note.textContent(), /no colours to show: they are read of glTF and PLY/);
+  assert.match(await note.textContent(), /no colours to show: they are read from glTF and PLY/);
   assert.ok((await viewer.coverage(await viewer.picture(['original']))) > 0.05, 'it is neutral');
 
   await viewer.after('original', () =>

@@ -253,6 +253,12 @@ suite('the page', () => {
         { files, types },
       );
 
+    await viewer.page.setInputFiles('#files', [
+      { name: 'grid.gltf', mimeType: '', buffer: Buffer.from(JSON.stringify(json)) },
+    ]);
+    const advice = 'which is missing. Open both together, or their folder.';
+    await viewer.page.locator('#error-text', { hasText: advice }).waitFor();
+
     await drop(['dragover']);
     assert.equal(await viewer.page.locator('#drop').isVisible(), true);
     await viewer.after('diagram', () => drop(['drop']));
@@ -374,19 +380,19 @@ suite('the page', () => {
     assert.ok(covered > 0.05, `${covered} of the view is the model's`);
   });
 
-  test('sites are scattered by number and seed, and cleared', async () => {
+  test('sites are sampled by number and seed, and cleared', async () => {
     const before = await viewer.sites();
     await viewer.page.fill('#count', '7');
     await viewer.page.fill('#seed', '3');
-    const scattered = await viewer.after('diagram', () =>
-      viewer.page.click('#scatter [type=submit]'),
+    const sampled = await viewer.after('diagram', () =>
+      viewer.page.click('#sampling-form [type=submit]'),
     );
-    assert.equal(scattered.sites, 7);
+    assert.equal(sampled.sites, 7);
     const first = await viewer.sites();
     await viewer.after('diagram', () => viewer.page.click('#clear'));
     assert.equal(await viewer.siteCount(), 0);
     await status(viewer, /^No sites/);
-    await viewer.after('diagram', () => viewer.page.click('#scatter [type=submit]'));
+    await viewer.after('diagram', () => viewer.page.click('#sampling-form [type=submit]'));
     assert.deepEqual(await viewer.sites(), first);
     for (const _ of [1, 2, 3]) await viewer.after('diagram', () => press('Control+z'));
     assert.deepEqual(await viewer.sites(), before);
@@ -421,7 +427,7 @@ suite('the page', () => {
       before[2],
     );
     await viewer.page.fill('#count', '20000');
-    await viewer.page.click('#scatter [type=submit]');
+    await viewer.page.click('#sampling-form [type=submit]');
     await viewer.evaluate(async (viewer) => {
       await new Promise((resolve) => setTimeout(resolve, 30));
       viewer.cancel();
@@ -485,14 +491,17 @@ suite('the page', () => {
     await viewer.after('diagram', () => choose(file('two.glb', glb(apart(grid(6), octahedron())))));
     await viewer.after('diagram', async () => {
       await viewer.page.fill('#count', '1');
-      await viewer.page.click('#scatter [type="submit"]');
+      await viewer.page.click('#sampling-form [type="submit"]');
     });
-    await viewer.page.locator('#bare-note').filter({ hasText: '1 of 2 components' }).waitFor();
+    await viewer.page
+      .locator('#bare-note')
+      .filter({ hasText: /^1 of 2 components, .* has no site\. “At least/ })
+      .waitFor();
     await viewer.after('diagram', async () => {
       await viewer.page.fill('#count', '8');
       await viewer.page.fill('#per-component', '4');
       await viewer.page.selectOption('#sampling', 'distortion');
-      await viewer.page.click('#scatter [type="submit"]');
+      await viewer.page.click('#sampling-form [type="submit"]');
     });
     const { face } = await viewer.sites();
     assert.equal([...face].filter((f) => f < 72).length, 4);
@@ -576,8 +585,8 @@ suite('the page', () => {
     return { name: file.suggestedFilename(), content: Buffer.concat(chunks) };
   }
 
-  test('the dual is drawn and repaired, regions move apart, and both can be taken away', async () => {
-    await viewer.after('diagram', () => viewer.evaluate((viewer) => viewer.scatter(3)));
+  test('the dual is drawn and repaired, regions in an exploded view, and both can be taken away', async () => {
+    await viewer.after('diagram', () => viewer.evaluate((viewer) => viewer.sampleSites(3)));
     const shown = ['regions', 'bisectors', 'sites', 'dual'];
     const plain = await viewer.picture(shown.slice(0, 3));
     const dual = await viewer.after('dual', () => viewer.page.check('#layers [value=dual]'));

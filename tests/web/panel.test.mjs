@@ -49,20 +49,20 @@ suite('the panel', () => {
       return undefined;
     }, caption);
     assert.equal(hit, undefined);
-    for (const selector of ['#cvt-play', '#cvt-move', '#count', '#scatter [type=submit]']) {
+    for (const selector of ['#cvt-play', '#cvt-move', '#count', '#sampling-form [type=submit]']) {
       const { y, height } = await viewer.page.locator(selector).boundingBox();
       assert.ok(y + height <= 720, `${selector} ends at ${y + height} of 720 pixels`);
     }
   });
 
-  test('sites are chosen from a list, which tells their regions', async () => {
+  test('sites are selected in a list, which tells their regions', async () => {
     await viewer.page.getByText('List of 60 sites').click();
     const list = viewer.page.locator('#site-list');
     await list.locator('option').nth(59).waitFor({ state: 'attached' });
     assert.equal(await list.locator('option').count(), 60);
     await list.selectOption({ index: 12 });
     assert.equal(await viewer.evaluate(({ selected }) => selected), 12);
-    assert.match(await text('#announcement'), /^Site 12 chosen, of 60, region of area /);
+    assert.match(await text('#announcement'), /^Site 12 selected, of 60, region of area /);
     await list.focus();
     await viewer.after('diagram', () => viewer.page.keyboard.press('Delete'));
     assert.equal(await list.locator('option').count(), 59);
@@ -93,6 +93,28 @@ suite('the panel', () => {
     await showGroup('Model');
     assert.match(await text('#repairs'), /edges? of three or more triangles, cut apart\./);
     assert.match(await text('#report'), /Triangles34/);
+  });
+
+  test('debris of a scan is told of with what drops it, and notes of the reader are sentences', async () => {
+    const { positions, indices } = torus(40, 20);
+    const lines = [];
+    for (let i = 0; i < positions.length; i += 3)
+      lines.push(`v ${[...positions.slice(i, i + 3)].join(' ')}`);
+    for (let i = 0; i < indices.length; i += 3)
+      lines.push(`f ${[...indices.slice(i, i + 3)].map((v) => v + 1).join(' ')}`);
+    lines.push('v 9 9 9', 'v 9.1 9 9', 'v 9 9.1 9', 'v 9.1 9.1 9', 'f -4 -3 -1 -2');
+    await viewer.after('diagram', () =>
+      viewer.page.setInputFiles('#files', [
+        { name: 'scan.obj', mimeType: '', buffer: Buffer.from(lines.join('\n')) },
+      ]),
+    );
+    const note = viewer.page.locator('#bare-note', { hasText: '“Smallest component kept”' });
+    await note.waitFor();
+    assert.match(
+      await note.textContent(),
+      /^1 of 2 components, 0\.\d+ % of the area, has no site\./,
+    );
+    assert.match(await text('#repairs'), /1 polygon was cut into triangles\.$/);
   });
 
   test('fields of numbers say what they are of', async () => {
@@ -141,15 +163,55 @@ suite('the panel', () => {
     await viewer.page.evaluate(() => {
       const cancel = document.getElementById('cancel');
       new MutationObserver(() => {
-        globalThis.wasSeen ||= cancel.checkVisibility();
-        if (globalThis.wasSeen) cancel.click();
+        if (globalThis.wasSeen || !cancel.checkVisibility()) return;
+        globalThis.wasSeen = true;
+        globalThis.told = document.getElementById('status').textContent;
+        cancel.click();
       }).observe(document.getElementById('progress'), { attributeFilter: ['hidden'] });
     });
-    await click('#scatter [type=submit]');
+    await click('#sampling-form [type=submit]');
     await viewer.page.waitForFunction(() => globalThis.wasSeen);
     await viewer.settled();
     assert.equal(await bar.isVisible(), false);
+    assert.equal(await viewer.page.evaluate(() => globalThis.told), 'Computing the diagram…');
+    await viewer.page.locator('#status', { hasText: '60 regions, computed' }).waitFor();
     assert.deepEqual(await viewer.sites(), before);
+  });
+
+  test('what takes long to be drawn is marked until it is', async () => {
+    await open('torus.glb', torus(320, 160));
+    const busy = (selector) =>
+      viewer.page.evaluate((selector) => document.querySelector(selector).ariaBusy, selector);
+    const press = (selector, value) =>
+      viewer.evaluate(
+        (_, { selector, value }) => {
+          const field = document.querySelector(selector);
+          if (value) field.value = value;
+          if (value) field.dispatchEvent(new Event('input'));
+          else field.click();
+          globalThis.marked = field.ariaBusy;
+        },
+        { selector, value },
+      );
+    for (const [type, selector, value] of [
+      ['dual', '#layers [value=dual]'],
+      ['distances', '#layers [value=distances]'],
+      ['original', '#layers [value=original]'],
+      ['exploded', '#exploded', 40],
+    ]) {
+      const detail = await viewer.after(type, () => press(selector, value));
+      assert.ok(detail, type);
+      assert.equal(await viewer.page.evaluate(() => globalThis.marked), 'true', type);
+      assert.equal(await busy(selector), 'false', type);
+    }
+    await press('#exploded', 50);
+    assert.equal(await viewer.page.evaluate(() => globalThis.marked), 'false', 'it is drawn');
+    await press('#layers [value=dual]');
+    assert.equal(
+      await viewer.page.evaluate(() => globalThis.marked),
+      'false',
+      'it is not asked for',
+    );
   });
 
   test('a model whose first diagram is cancelled has none, which is told, and gets one', async () => {

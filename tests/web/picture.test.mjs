@@ -181,7 +181,7 @@ test('the pointer shows the shortest path to the site', async () => {
   const bare = await viewer.picture(['regions']);
   const place = await viewer.freePlace();
   await viewer.after('hover', () => viewer.page.mouse.move(place.x, place.y));
-  // The region's outline and the path; the outline is ink, the path has the colour of what is chosen.
+  // The region's outline and the path; the outline is ink, the path has the colour of what is selected.
   const isAccent = (await viewer.difference(bare, await viewer.picture(['regions']), place)).there;
   assert.ok(isAccent, 'it begins under the pointer');
   await viewer.close();

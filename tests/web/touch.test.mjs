@@ -158,7 +158,7 @@ suite('by fingers', () => {
     assert.deepEqual(await viewer.sites(), before);
   });
 
-  test('the site that is chosen is removed by a button', async () => {
+  test('the selected site is removed by a button', async () => {
     const remove = viewer.page.locator('#remove');
     assert.equal(await remove.isEnabled(), false, 'there is none');
     const place = await viewer.freePlace();

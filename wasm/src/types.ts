@@ -331,7 +331,7 @@ export interface Mesh extends Disposable {
   /** The primitives of a glTF that the triangles came from; empty for other meshes. */
   readonly parts: readonly MeshPart[];
   /**
-   * Scatters sites on the surface, by default independently and uniformly by area. The same seed
+   * Samples sites on the surface, by default independently and uniformly by area. The same seed
    * (an integer, default 1) gives the same sites everywhere. 'farthest' gives fewer than asked for
    * once it has used every vertex. A radius, in the input's units, instead of a count gives as many
    * sites as it takes for every vertex to be within that radius of a site; with 'poisson', no two

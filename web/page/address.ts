@@ -3,8 +3,9 @@
 // The page's own address: it keeps the state that a link keeps, for reloading and coming back.
 
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
+import { lastSegment } from '../viewer/model_files.js';
 import { listen } from './dom.js';
-import { isSample } from './first_model.js';
+import { isSample, modelOf } from './first_model.js';
 import { isPageState, linkAttributes, modelName, notHeld, pageState } from './page_state.js';
 
 /** The address waits for the last of several changes: browsers limit how often it may change. */
@@ -15,8 +16,9 @@ const firstActs = ['pointerdown', 'keydown', 'wheel', 'drop'];
 const changes = ['status-change', 'diagram', 'sites-change', 'camera-change'];
 
 /**
- * Keeps the state in the address, without a step in the browser's history. A link of a file of
- * one's own stays until that file, or any other model than the one that stands in for it, is opened.
+ * Keeps the state in the address. Another model is a step in the browser's history, so that Back
+ * returns to the one before with its sites; other changes are none. A link of a file of one's own
+ * stays until that file, or any other model than the one that stands in for it, is opened.
  */
 export function setUpAddress(viewer: GeodesicVoronoiElement): void {
   const { hash } = location;
@@ -25,12 +27,17 @@ export function setUpAddress(viewer: GeodesicVoronoiElement): void {
   let standIns = isPageState(hash) && named && !isSample(named) ? 1 : 0;
   listen(viewer, 'load', () => --standIns);
   let known = hash;
+  let model = named ?? lastSegment(modelOf(hash));
   let waiting = 0;
   const write = () => {
     // Another hash than the known one is a link that has just been pasted.
     const isReady = viewer.getAttribute('status') === 'ready' && standIns < 0;
     if (!isReady || location.hash !== known) return;
-    history.replaceState(history.state, '', pageState(viewer));
+    const state = pageState(viewer);
+    const isOther = modelName(viewer) !== model;
+    if (isOther) history.pushState(null, '', state);
+    else history.replaceState(history.state, '', state);
+    model = modelName(viewer);
     known = location.hash;
   };
   const writeSoon = () => {
@@ -49,14 +56,21 @@ export function setUpAddress(viewer: GeodesicVoronoiElement): void {
   }
 }
 
-/** Asks before the page is left, if its address does not hold what was done. */
+/** Asks before the page is left, if anything was done that its address does not hold. */
 export function setUpLeaving(viewer: GeodesicVoronoiElement): void {
+  let file = '';
+  // Edits that are no steps to undo any more: of a mesh that was then built otherwise.
+  let wasEdited = false;
   let isEdited = false;
+  listen(viewer, 'load', ({ name, info }) => {
+    const opened = `${name} ${info.inputFaces}`;
+    wasEdited = isEdited && opened === file;
+    file = opened;
+  });
   listen(viewer, 'sites-change', ({ canUndo }) => {
-    isEdited = canUndo;
+    isEdited = canUndo || wasEdited;
   });
   addEventListener('beforeunload', (event) => {
-    const isWork = viewer.loaded && (isEdited || !isSample(modelName(viewer)));
-    if (isWork && notHeld(viewer).length > 0) event.preventDefault();
+    if (viewer.loaded && isEdited && notHeld(viewer).length > 0) event.preventDefault();
   });
 }

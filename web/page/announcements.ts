@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: MIT
 //
-// Tells those who do not see the page which site is chosen.
+// Tells those who do not see the page which site is selected.
 
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { byId, listen } from './dom.js';
 import { integer, measure } from './numbers.js';
 
-/** Announces the chosen site to screen readers when the choice or its region changes. */
+/** Announces the selected site to screen readers when the selection or its region changes. */
 export function setUpAnnouncements(viewer: GeodesicVoronoiElement): void {
   const announcement = byId('announcement', HTMLElement);
-  let chosen = -1;
+  let told = -1;
   const tell = () => {
-    const area = viewer.regionAreas[chosen];
+    const area = viewer.regionAreas[told];
     const region = area === undefined ? '' : `, region of area ${measure(area)}`;
     const count = integer(viewer.sites.face.length);
-    announcement.textContent = chosen < 0 ? '' : `Site ${chosen} chosen, of ${count}${region}`;
+    announcement.textContent = told < 0 ? '' : `Site ${told} selected, of ${count}${region}`;
   };
   listen(viewer, 'sites-change', ({ selected }) => {
-    if (selected === chosen) return;
-    chosen = selected;
+    if (selected === told) return;
+    told = selected;
     tell();
   });
   listen(viewer, 'diagram', tell);

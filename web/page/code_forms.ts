@@ -8,12 +8,12 @@ import { listen } from './dom.js';
 import { downloadName } from './downloads.js';
 import { isSame } from './same_sites.js';
 
-/** How the present sites were made: by scattering, by a tessellation of those, or by hand. */
-type Origin = 'scattered' | 'even' | 'edited';
+/** How the present sites were made: by sampling, by a tessellation of those, or by hand. */
+type Origin = 'sampled' | 'even' | 'edited';
 
 /**
  * Notes with which sites tessellations begin, and how far they get; returns what tells how the
- * present sites were made. Code repeats a tessellation only if it began with scattered sites, has a
+ * present sites were made. Code repeats a tessellation only if it began with sampled sites, has a
  * uniform density, and has come as far as the code goes.
  */
 export function watchOrigin(viewer: GeodesicVoronoiElement): () => Promise<Origin> {
@@ -25,19 +25,16 @@ export function watchOrigin(viewer: GeodesicVoronoiElement): () => Promise<Origi
   });
   return async () => {
     if (viewer.cvtStatus === 'idle')
-      return (await areScattered(viewer, viewer.sites)) ? 'scattered' : 'edited';
+      return (await areSampled(viewer, viewer.sites)) ? 'sampled' : 'edited';
     const isRepeatable =
       iterations === Number(settingsOf(viewer).iterations) && viewer.density === undefined;
-    return isRepeatable && (await areScattered(viewer, first)) ? 'even' : 'edited';
+    return isRepeatable && (await areSampled(viewer, first)) ? 'even' : 'edited';
   };
 }
 
-async function areScattered(
-  viewer: GeodesicVoronoiElement,
-  sites: SurfacePoints,
-): Promise<boolean> {
+async function areSampled(viewer: GeodesicVoronoiElement, sites: SurfacePoints): Promise<boolean> {
   const { count, seed, sampling, perComponent } = settingsOf(viewer);
-  const scattered = await viewer.mesh
+  const sampled = await viewer.mesh
     ?.sampleSites(Number(count), {
       seed: Number(seed),
       sampling: sampling as Sampling,
@@ -45,7 +42,7 @@ async function areScattered(
     })
     // Fails if there are fewer sites than that takes.
     .catch(() => undefined);
-  return scattered !== undefined && isSame(scattered, sites);
+  return sampled !== undefined && isSame(sampled, sites);
 }
 
 /** The model that code opens. */
@@ -156,11 +153,11 @@ function scriptOf(
   const { count, seed, sampling, metric, detail, method, iterations } = settingsOf(viewer);
   const { meshOptions, siteOptions } = changed(viewer);
   const ofMethod = method === defaultMethod ? '' : `, method: '${method}'`;
-  const scattered = `await mesh.sampleSites(${count}, { seed: ${seed}, sampling: '${sampling}'${siteOptions} })`;
+  const sampled = `await mesh.sampleSites(${count}, { seed: ${seed}, sampling: '${sampling}'${siteOptions} })`;
   const sites: Record<Origin, readonly string[]> = {
-    scattered: [`const sites = ${scattered};`],
+    sampled: [`const sites = ${sampled};`],
     even: [
-      `let sites = ${scattered};`,
+      `let sites = ${sampled};`,
       `const settings = { iterations: ${iterations}, metric: '${metric}'${ofMethod} };`,
       'for await (const state of mesh.cvt(sites, settings)) sites = state.sites;',
     ],
@@ -190,7 +187,7 @@ function elementOf(
     (method === defaultMethod ? '' : ` cvt-method="${method}"`);
   const { html } = changed(viewer);
   const after: Record<Origin, readonly string[]> = {
-    scattered: [],
+    sampled: [],
     even: ["  viewer.addEventListener('diagram', () => viewer.playCvt(), { once: true });"],
     edited: [`  viewer.sites = await (await fetch('${addressOf({ name: sitesFile })}')).json();`],
   };
@@ -199,7 +196,7 @@ function elementOf(
     `  sampling="${sampling}" metric="${metric}" detail="${detail}"${html}${origin === 'even' ? ofCvt : ''}></${name}>`,
     '<script type="module">',
     "  import 'geodesic-voronoi/element';",
-    ...(origin === 'scattered' ? [] : [`  const viewer = document.querySelector('${name}');`]),
+    ...(origin === 'sampled' ? [] : [`  const viewer = document.querySelector('${name}');`]),
     ...(origin === 'edited'
       ? [
           "  await new Promise((resolve) => viewer.addEventListener('load', resolve, { once: true }));",

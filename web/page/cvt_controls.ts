@@ -33,17 +33,17 @@ function setUpPlaying(viewer: GeodesicVoronoiElement): void {
     });
   }
   const isRunning = () => viewer.cvtStatus === 'running';
-  // With the regions apart, one would not see it play.
-  const together = () => {
+  // In the exploded view, one would not see it play.
+  const endExplodedView = () => {
     if (viewer.exploded > 0) viewer.exploded = 0;
   };
   const play = onClick('cvt-play', () => {
-    together();
+    endExplodedView();
     if (isRunning()) viewer.pauseCvt();
     else viewer.playCvt();
   });
   const step = onClick('cvt-step', () => {
-    together();
+    endExplodedView();
     viewer.stepCvt();
   });
   const reset = onClick('cvt-reset', () => viewer.resetCvt());

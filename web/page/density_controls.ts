@@ -68,7 +68,7 @@ function endPainting(viewer: GeodesicVoronoiElement, paint: HTMLInputElement): v
     if (key === 'Escape' && isFree && !document.querySelector(':popover-open, dialog[open]')) end();
   });
   listen(viewer, 'load', end);
-  byId('scatter', HTMLFormElement).addEventListener('submit', end);
+  byId('sampling-form', HTMLFormElement).addEventListener('submit', end);
   onClick('clear', end);
   byId('site-list', HTMLSelectElement).addEventListener('change', end);
 }

@@ -33,7 +33,12 @@ const rows: readonly Row[] = [
     name: 'outlines',
     formats: ['svg'],
   },
-  { title: 'Sites', hint: 'Can be dropped on this page again', name: 'sites', formats: ['json'] },
+  {
+    title: 'Sites',
+    hint: 'On triangles, or a table of x, y, z; can be dropped on this page again',
+    name: 'sites',
+    formats: ['json', 'csv'],
+  },
   {
     title: 'Diagram',
     hint: 'Regions, outlines, bisectors, Voronoi points',

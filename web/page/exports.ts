@@ -3,11 +3,11 @@
 // Makes the files of the download menu. This code is fetched with the first download.
 
 import type { Diagram, DiagramData, Mesh } from 'geodesic-voronoi';
-import type { GeodesicVoronoiElement } from '../viewer/element.js';
+import type { GeodesicVoronoiElement, Status } from '../viewer/element.js';
 import { linear } from '../viewer/colour_vision.js';
 import { encode } from './encoding.js';
 import { outlinesSvg } from './outline_svg.js';
-import { sitesJson } from './sites_file.js';
+import { sitesCsv, sitesJson } from './sites_file.js';
 import { faultsOf } from './valid_dual.js';
 
 type Source = Pick<Mesh, 'positions' | 'indices' | 'normals' | 'uvs'>;
@@ -18,6 +18,7 @@ type Encoder = (
 ) => Blob | Promise<Blob>;
 
 const mediaTypes = {
+  csv: 'text/csv',
   glb: 'model/gltf-binary',
   json: 'application/json',
   obj: 'model/obj',
@@ -34,6 +35,7 @@ const encoders: Record<string, Record<string, Encoder>> = {
   sites: {
     json: (_, __, viewer) =>
       new Blob([JSON.stringify(sitesJson(viewer))], { type: mediaTypes.json }),
+    csv: async (_, __, viewer) => new Blob([await sitesCsv(viewer)], { type: mediaTypes.csv }),
   },
   diagram: {
     json: async (diagram) => {
@@ -124,6 +126,18 @@ const faulty: Record<string, string> = {
   polygons: 'The polygons in the file are',
 };
 
+/** The diagram, once it is the one that is asked for. A tessellation that plays is paused. */
+async function restingDiagram(viewer: GeodesicVoronoiElement): Promise<Diagram | undefined> {
+  if (viewer.cvtStatus === 'running') viewer.pauseCvt();
+  const busy: readonly Status[] = ['loading', 'computing', 'iterating'];
+  while (busy.includes(viewer.status)) {
+    await new Promise((resolve) => {
+      viewer.addEventListener('status-change', resolve, { once: true });
+    });
+  }
+  return viewer.diagram;
+}
+
 /** A file by the name and the format of its row in the menu; a picture's format is its scale. */
 export async function fileOf(
   viewer: GeodesicVoronoiElement,
@@ -138,7 +152,7 @@ export async function fileOf(
       ending: 'png',
     };
   }
-  const { diagram } = viewer;
+  const diagram = await restingDiagram(viewer);
   if (!diagram) throw new Error('there is no diagram');
   const blob = await encoders[name][format](diagram, { mesh: sourceOf(viewer) }, viewer);
   const faults = faulty[name] && faultsOf(faulty[name], await diagram.violations());

@@ -2,7 +2,7 @@
 //
 // The page's feedback: the status line, progress, errors and times.
 
-import type { GeodesicVoronoiElement, ViewerEvents } from '../viewer/element.js';
+import type { GeodesicVoronoiElement, Status, ViewerEvents } from '../viewer/element.js';
 import { isAbandoned, sentence } from '../viewer/failure.js';
 import { byId, listen, onClick } from './dom.js';
 import { counted, duration, integer, measure } from './numbers.js';
@@ -11,6 +11,12 @@ import { counted, duration, integer, measure } from './numbers.js';
 const patienceMilliseconds = 300;
 /** Status messages for screen readers wait for the last of several changes. */
 const statusMilliseconds = 250;
+
+/** Work that is waited for, by the viewer's status. */
+const works: Partial<Record<Status, string>> = {
+  loading: 'Opening the model',
+  computing: 'Computing the diagram',
+};
 
 /** Sets up the status line, progress, errors, times, and facts of the point under the pointer. */
 export function setUpFeedback(viewer: GeodesicVoronoiElement): void {
@@ -56,6 +62,9 @@ export function showError(sentence: string): void {
   byId('error', HTMLElement).hidden = false;
 }
 
+/** A model that refers to another file, when it was opened without that. */
+const isIncomplete = /needs the file .+, which is missing\.$/;
+
 /** Shows that something cannot be done, and why; nothing if its model or diagram is gone. */
 export function showFailure(what: string, cause: unknown): void {
   if (!isAbandoned(cause)) showError(sentence(what, cause).message);
@@ -67,19 +76,29 @@ export function hideError(): void {
 
 function setUpStatus(viewer: GeodesicVoronoiElement): void {
   const status = byId('status', HTMLElement);
+  let shown = '';
   let waiting = 0;
-  listen(viewer, 'diagram', (diagram) => {
+  const tellSoon = (text: string) => {
     clearTimeout(waiting);
     waiting = window.setTimeout(() => {
-      status.textContent = sentenceOf(diagram);
+      status.textContent = text;
     }, statusMilliseconds);
+  };
+  listen(viewer, 'diagram', (diagram) => {
+    shown = sentenceOf(diagram);
+    tellSoon(shown);
   });
   // After a failure or a cancel, a model whose diagrams all were is left without one.
   let endNote = () => {};
   listen(viewer, 'status-change', ({ status: now }) => {
     endNote();
+    clearTimeout(waiting);
+    const work = works[now];
+    if (work) tellSoon(`${work}…`);
+    else if (shown) tellSoon(shown);
     if (now !== 'ready' || viewer.diagram || viewer.sites.face.length === 0) return;
     clearTimeout(waiting);
+    shown = '';
     status.textContent = 'No diagram: its computation has ended early.';
     const { sites } = viewer;
     const again = { title: 'Compute it', act: () => (viewer.sites = sites) };
@@ -88,7 +107,7 @@ function setUpStatus(viewer: GeodesicVoronoiElement): void {
 }
 
 function sentenceOf({ sites, milliseconds }: ViewerEvents['diagram']): string {
-  if (sites === 0) return 'No sites: click the model.';
+  if (sites === 0) return 'No sites: add one on the model.';
   return `${counted(sites, 'region')}, computed in ${duration(milliseconds)}`;
 }
 
@@ -100,13 +119,13 @@ function setUpProgress(viewer: GeodesicVoronoiElement): void {
   let waiting = 0;
   listen(viewer, 'status-change', ({ status }) => {
     clearTimeout(waiting);
-    const busy = status === 'loading' || status === 'computing';
-    if (!busy) {
+    const work = works[status];
+    if (!work) {
       box.hidden = true;
       cancel.hidden = false;
       return;
     }
-    label.textContent = status === 'loading' ? 'Opening the model' : 'Computing the diagram';
+    label.textContent = work;
     // Until the first model is there, `early.ts` sets the bar.
     if (!cancel.hidden) bar.removeAttribute('value');
     waiting = window.setTimeout(() => {
@@ -132,7 +151,8 @@ function setUpErrors(viewer: GeodesicVoronoiElement): void {
     if (!viewer.loaded) {
       tellNone(type === 'nowebgl' ? '' : ' Reload the page to try again.');
     } else if (type === 'loadfailure' || type === 'computefailure') {
-      showError(message);
+      const advice = isIncomplete.test(message) ? ' Open both together, or their folder.' : '';
+      showError(message + advice);
     }
   });
   // The next attempt makes its own.

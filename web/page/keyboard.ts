@@ -13,7 +13,17 @@ const withoutFocus: ReadonlySet<Command> = new Set(['play-cvt']);
 /** Keys that press a button of the toolbar. */
 const ofButtons: Readonly<Record<string, string>> = { u: 'up', h: 'hide-panel' };
 
+/** On Apple's keyboards, the key of commands is another one. */
+function nameAppleKeys(): void {
+  if (!/^(Mac|iP)/.test(navigator.platform)) return;
+  byId('history-keys', HTMLElement).innerHTML =
+    '<kbd>⌘</kbd> <kbd>Z</kbd>, <kbd>⇧</kbd> <kbd>⌘</kbd> <kbd>Z</kbd>';
+  byId('undo', HTMLButtonElement).title = 'Undo (⌘ Z)';
+  byId('redo', HTMLButtonElement).title = 'Redo (⇧ ⌘ Z)';
+}
+
 export function setUpKeyboard(viewer: GeodesicVoronoiElement): void {
+  nameAppleKeys();
   const help = byId('help', HTMLDialogElement);
   const showHelp = () => help.showModal();
   onClick('help-button', showHelp);
@@ -48,6 +58,6 @@ export function setUpKeyboard(viewer: GeodesicVoronoiElement): void {
 function isTyping({ target }: Event): boolean {
   if (target instanceof HTMLInputElement)
     return !['checkbox', 'radio', 'button'].includes(target.type);
-  // The list of sites is no field: Delete there removes the chosen site.
+  // The list of sites is no field: Delete there removes the selected site.
   return target instanceof HTMLSelectElement && target.size <= 1;
 }

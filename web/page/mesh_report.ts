@@ -17,9 +17,7 @@ export function setUpMeshReport(viewer: GeodesicVoronoiElement): void {
     report.replaceChildren(
       ...factsOf(info).flatMap(([term, value]) => [cell('dt', term), cell('dd', value)]),
     );
-    repairs.replaceChildren(
-      ...[...sentencesOf(info), ...info.notes].map((sentence) => cell('span', sentence)),
-    );
+    repairs.replaceChildren(...sentencesOf(info).map((sentence) => cell('span', sentence)));
     const { orientationCuts, nonManifoldEdges } = info.repairs;
     const cuts = orientationCuts + nonManifoldEdges;
     if (cuts > 0) {
@@ -57,9 +55,10 @@ function factsOf(info: MeshInfo): [string, string][] {
   ];
 }
 
-function sentencesOf({ repairs }: MeshInfo): string[] {
-  const sentences = repairSentences(repairs, measure);
-  return sentences.length > 0 ? sentences.map((text) => `${text}.`) : ['No repairs needed.'];
+/** What the mesh builder and the reader of the file did. */
+function sentencesOf({ repairs, notes }: MeshInfo): string[] {
+  const made = repairSentences(repairs, measure);
+  return [...(made.length > 0 ? made : ['No repairs needed']), ...notes].map((text) => `${text}.`);
 }
 
 function cell(tag: string, text: string): HTMLElement {

@@ -15,13 +15,15 @@ import samples from './samples.json' with { type: 'json' };
  * dropping them on it.
  */
 export function setUpModelChoice(viewer: GeodesicVoronoiElement): void {
+  // Without WebGL nothing can be opened; the view says so.
+  if (viewer.status === 'failed') return;
   const menu = new ModelMenu(viewer);
   const open = async (files: readonly File[], all: ModelFiles | Promise<ModelFiles>) => {
     try {
-      const sites = files.filter(isSites);
-      if (files.length > sites.length && !(await menu.openFiles(await all))) return;
-      if (sites.length === 0) return;
-      const { openSites } = await import('./sites_file.js');
+      const { isSitesFile, openSites } = await import('./sites_file.js');
+      const areSites = await Promise.all(files.map(isSitesFile));
+      const sites = files.filter((_, i) => areSites[i]);
+      if (files.length > sites.length && !(await menu.openFiles(without(sites, await all)))) return;
       for (const file of sites) await openSites(viewer, file);
     } catch (error) {
       showError((error as Error).message);
@@ -133,9 +135,9 @@ function sizeOf(file: ModelFiles[string] | undefined): number {
   return file instanceof File ? file.size : 0;
 }
 
-/** A folder's files of these kinds may be anything; those chosen one by one are sites. */
-function isSites({ name, webkitRelativePath }: File): boolean {
-  return /\.(json|csv|xyz)$/i.test(name) && !webkitRelativePath;
+function without(some: readonly File[], files: ModelFiles): ModelFiles {
+  const gone = new Set(some.map(({ name }) => name));
+  return Object.fromEntries(Object.entries(files).filter(([path]) => !gone.has(path)));
 }
 
 function setUpPicker(open: (files: readonly File[]) => void): void {

@@ -8,13 +8,16 @@ import { byId, listen, onClick, showAttributes } from './dom.js';
 import { showFailure, showNote } from './feedback.js';
 import { counted, integer, measure } from './numbers.js';
 
-/** Scattering, removing, and the list of sites. */
+/** Sampling, removing, and the list of sites. */
 export function setUpSiteControls(viewer: GeodesicVoronoiElement): void {
-  setUpScatter(viewer);
+  setUpSampling(viewer);
   setUpEditing(viewer);
   setUpList(viewer);
   setUpBareNote(viewer);
 }
+
+/** Components of less area than this share, all of them together, are likely the debris of a scan. */
+const debrisShare = 0.05;
 
 /** Notes components that no site reaches. */
 function setUpBareNote(viewer: GeodesicVoronoiElement): void {
@@ -26,10 +29,15 @@ function setUpBareNote(viewer: GeodesicVoronoiElement): void {
     const bare = isAsked ? await mesh.bareComponents(sites) : { components: 0, area: 0 };
     if (mesh !== viewer.mesh) return;
     note.hidden = bare.components === 0;
-    const share = Number(((100 * bare.area) / info.area).toPrecision(2));
+    const share = bare.area / info.area;
+    const advice =
+      share < debrisShare
+        ? '“Smallest component kept”, below “Model”, drops small ones.'
+        : '“At least per component” places some.';
     note.textContent =
       `${integer(bare.components)} of ${counted(info.components, 'component')}, ` +
-      `${share} % of the area, ${bare.components === 1 ? 'has' : 'have'} no site.`;
+      `${Number((100 * share).toPrecision(2))} % of the area, ` +
+      `${bare.components === 1 ? 'has' : 'have'} no site. ${advice}`;
   };
   listen(viewer, 'diagram', () => {
     update().catch((error) => showFailure('Components without a site cannot be counted', error));
@@ -42,12 +50,12 @@ function tellOfFewer(viewer: GeodesicVoronoiElement, wanted: number): void {
   if (length === 0 || length >= wanted) return;
   showNote(
     `${counted(length, 'site')} instead of ${integer(wanted)}: places as far apart as possible are ` +
-      `vertices, and this model has ${integer(length)}. Random placement has no such limit.`,
+      `vertices, and this model has ${integer(length)}. Random sampling has no such limit.`,
   );
 }
 
-function setUpScatter(viewer: GeodesicVoronoiElement): void {
-  const form = byId('scatter', HTMLFormElement);
+function setUpSampling(viewer: GeodesicVoronoiElement): void {
+  const form = byId('sampling-form', HTMLFormElement);
   const count = byId('count', HTMLInputElement);
   const seed = byId('seed', HTMLInputElement);
   const sampling = byId('sampling', HTMLSelectElement);
@@ -63,14 +71,14 @@ function setUpScatter(viewer: GeodesicVoronoiElement): void {
       const wanted = count.valueAsNumber;
       viewer.addEventListener('diagram', () => tellOfFewer(viewer, wanted), { once: true });
     }
-    // The attributes also hold for the next model. The viewer scatters when they change.
+    // The attributes also hold for the next model. The viewer samples when they change.
     let isNew = false;
     for (const [name, field] of Object.entries(fields)) {
       isNew ||= viewer.getAttribute(name) !== field.value;
       viewer.setAttribute(name, field.value);
     }
     if (isNew) return;
-    void viewer.scatter(
+    void viewer.sampleSites(
       count.valueAsNumber,
       seed.valueAsNumber,
       sampling.value as Sampling,

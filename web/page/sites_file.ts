@@ -5,8 +5,14 @@
 import type { SurfacePoints } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { readCsvPlaces } from '../../dist/input/csv_places.js';
+import { toSizeLimits } from '../../dist/input/limits.js';
+import { maxHeaderBytes, readPlyHeader } from '../../dist/input/ply_header.js';
+import { readPlyPlaces } from '../../dist/input/ply_reader.js';
+import { inSlices } from '../../dist/slices.js';
 import { sentence } from '../viewer/failure.js';
-import { hideError, showError } from './feedback.js';
+import { byId } from './dom.js';
+import { hideError, showError, showNote } from './feedback.js';
+import { counted, integer } from './numbers.js';
 
 /** The JSON form of sites, as the page and the command write it. */
 interface SitesJson {
@@ -23,6 +29,34 @@ export function sitesJson({ sites, info }: GeodesicVoronoiElement): SitesJson {
   };
 }
 
+/** A table of coordinates, as the command writes it. */
+export async function sitesCsv({ sites, mesh }: GeodesicVoronoiElement): Promise<string> {
+  const places = await mesh?.positionsOf(sites);
+  const rows = Array.from(sites.face, (_, i) => places?.slice(3 * i, 3 * i + 3).join(','));
+  return ['x,y,z', ...rows, ''].join('\n');
+}
+
+/** A folder's files of these kinds may be anything; those that are opened one by one are sites. */
+export async function isSitesFile(file: File): Promise<boolean> {
+  if (file.webkitRelativePath) return false;
+  return /\.(json|csv|xyz)$/i.test(file.name) || (isPly(file) && (await isWithoutFaces(file)));
+}
+
+function isPly({ name }: File): boolean {
+  return /\.ply$/i.test(name);
+}
+
+/** Whether a PLY has points only. False for one that is damaged, which opening it will report. */
+async function isWithoutFaces(file: File): Promise<boolean> {
+  try {
+    const head = await file.slice(0, maxHeaderBytes).arrayBuffer();
+    const { elements } = readPlyHeader(new Uint8Array(head));
+    return elements.every(({ name, count }) => name === 'vertex' || count === 0);
+  } catch {
+    return false;
+  }
+}
+
 /**
  * Replaces the sites by those of a file, a step to undo. Shows an error if the file has none, or
  * those of another model.
@@ -37,16 +71,36 @@ export async function openSites(viewer: GeodesicVoronoiElement, file: File): Pro
   }
   try {
     const sites = await mesh.readPoints(await contentOf(file));
-    if (mesh === viewer.mesh) viewer.sites = present(sites);
+    if (mesh !== viewer.mesh) return;
+    viewer.sites = present(sites);
+    if (isPly(file)) tellOfPoints(viewer, name);
   } catch (error) {
     showError(sentence(`${name} cannot be opened as sites`, error).message);
   }
 }
 
-/** The JSON of a file, or the places in a table of x, y and z. */
+/** A .ply is often meant to be a model. */
+function tellOfPoints(viewer: GeodesicVoronoiElement, name: string): void {
+  const points = counted(viewer.sites.face.length, 'point');
+  showNote(`${name} has no triangles: the sites are now where its ${points} are.`, {
+    title: 'Undo',
+    act: () => viewer.undo(),
+  });
+}
+
+/** The JSON of a file, or the places in a PLY, or in a table of x, y and z. */
 async function contentOf(file: File): Promise<unknown> {
   if (!/\.json$/i.test(file.name)) {
-    return { position: readCsvPlaces(new Uint8Array(await file.arrayBuffer())) };
+    const bytes = new Uint8Array(await file.arrayBuffer());
+    const position = isPly(file)
+      ? await inSlices(readPlyPlaces(bytes, toSizeLimits({})), {})
+      : readCsvPlaces(bytes);
+    const most = Number(byId('count', HTMLInputElement).max);
+    if (position.length > 3 * most) {
+      const points = integer(position.length / 3);
+      throw new Error(`it has ${points} points without triangles, more than ${integer(most)}`);
+    }
+    return { position };
   }
   const text = await file.text();
   try {

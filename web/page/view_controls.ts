@@ -41,11 +41,35 @@ function setUpLayers(viewer: GeodesicVoronoiElement): void {
     label.title = layerTexts[layer].hint;
     label.append(box, title);
     group.append(label);
+    if (isLate(layer)) markUntilDrawn(viewer, box, layer);
     return box;
   });
   group.addEventListener('change', () => {
     viewer.layers = boxes.filter((box) => box.checked).map((box) => box.value as Layer);
   });
+}
+
+/** Layers that take long to be drawn; an event of the same name tells of it. */
+type LateLayer = 'dual' | 'distances' | 'original';
+
+function isLate(layer: Layer): layer is LateLayer {
+  return layer === 'dual' || layer === 'distances' || layer === 'original';
+}
+
+/** Marks the box of a layer that is asked for, until it is drawn. */
+function markUntilDrawn(
+  viewer: GeodesicVoronoiElement,
+  box: HTMLInputElement,
+  layer: LateLayer,
+): void {
+  box.addEventListener('change', () => {
+    box.ariaBusy = String(box.checked && (layer === 'original' || viewer.diagram !== undefined));
+  });
+  const end = () => {
+    box.ariaBusy = 'false';
+  };
+  listen(viewer, layer, end);
+  listen(viewer, 'error', end);
 }
 
 /** Notes why the file's own material is not shown, if it is not. */
@@ -55,7 +79,7 @@ function setUpOriginal(viewer: GeodesicVoronoiElement): void {
     note.hidden = original?.isFound ?? true;
     note.textContent = original?.problem
       ? `Its own material cannot be shown: ${original.problem}.`
-      : 'There are no colours to show: they are read of glTF and PLY files that have some.';
+      : 'This file has no colours to show: they are read from glTF and PLY files that have some.';
   });
 }
 
@@ -77,23 +101,32 @@ function setUpDual(viewer: GeodesicVoronoiElement): void {
 
 function setUpExploded(viewer: GeodesicVoronoiElement): void {
   const slider = byId('exploded', HTMLInputElement);
+  let isDrawn = false;
   slider.addEventListener('input', () => {
     viewer.exploded = Number(slider.value) / 100;
+    slider.ariaBusy = String(viewer.exploded > 0 && !isDrawn);
+  });
+  listen(viewer, 'exploded', (parts) => {
+    isDrawn = parts !== null;
+    slider.ariaBusy = 'false';
+  });
+  listen(viewer, 'error', () => {
+    slider.ariaBusy = 'false';
   });
   const update = () => {
     slider.disabled = viewer.diagram === undefined;
   };
   listen(viewer, 'diagram', update);
   listen(viewer, 'cvt-iteration', update);
-  // The note explains why a click on separate regions does nothing, and ends with them.
-  const together = { title: 'Put them together', act: () => (viewer.exploded = 0) };
+  // The note explains why a click on these regions does nothing, and ends with the view.
+  const end = { title: 'End the exploded view', act: () => (viewer.exploded = 0) };
   let endNote = () => {};
   viewer.addEventListener('click', () => {
     if (viewer.exploded > 0) {
-      endNote = showNote('No site can be added or moved while regions are pulled apart.', together);
+      endNote = showNote('No site can be added or moved in the exploded view.', end);
     }
   });
-  // A link may have set it, and playing a tessellation puts the regions together.
+  // A link may have set it, and playing a tessellation ends it.
   const show = () => {
     const value = String(Math.round(100 * viewer.exploded));
     if (slider.value !== value) slider.value = value;

@@ -7,7 +7,7 @@ import { type CameraOrbit, parseCameraOrbit } from './camera_orbit.js';
 import type { CvtSettings } from './cvt_run.js';
 import type { Brush } from './density_paint.js';
 import { type Layer, layers } from './model_drawing.js';
-import type { Opening, Scattering } from './mesh_opening.js';
+import type { Opening, SiteSampling } from './mesh_opening.js';
 import type { DiagramSettings } from './shown_diagram.js';
 import type { UpAxis } from './stage.js';
 
@@ -16,7 +16,7 @@ const defaultLayers: readonly Layer[] = ['regions', 'bisectors', 'sites'];
 /** How a model is made of its file. */
 export const buildAttributes = ['weld', 'orientation', 'min-component'] as const;
 /** How sites are placed. */
-export const scatteringAttributes = ['sites', 'seed', 'sampling', 'per-component'] as const;
+export const samplingAttributes = ['sites', 'seed', 'sampling', 'per-component'] as const;
 
 /** Attributes are read anew at each access, so values are never stale. */
 export class Attributes {
@@ -113,11 +113,11 @@ export class Attributes {
         orientation: (this.#text('orientation') ?? 'unify') as Orientation,
         minComponent: this.#number('min-component', 0),
       },
-      scattering: this.scattering,
+      siteSampling: this.siteSampling,
     };
   }
 
-  get scattering(): Scattering {
+  get siteSampling(): SiteSampling {
     return {
       count: this.#number('sites', 0),
       seed: this.#number('seed', 1),

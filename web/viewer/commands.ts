@@ -62,8 +62,8 @@ export function instructionsOf({ interactive, isPainting }: Attributes): string 
   const ofCamera = 'Arrow keys turn the model, plus and minus zoom, F makes it fill the view.';
   const ofEdit =
     `Enter ${isPainting ? 'paints density' : 'adds a site'} at the centre of the view. ` +
-    'N and P choose a site, Shift with arrow keys moves it, Delete removes it. ' +
-    'Control Z undoes, Control Y redoes. Space plays and pauses the centroidal tessellation. ' +
+    'N and P select a site, Shift with arrow keys moves it, Delete removes it. ' +
+    'Control Z undoes, Control Y redoes. Space evens out the regions, or pauses. ' +
     'Escape gives up what is under way.';
   return [interactive.camera && ofCamera, interactive.edit && ofEdit].filter(Boolean).join(' ');
 }

@@ -27,7 +27,7 @@ export interface DrawingPlace {
   readonly legend: Legend;
 }
 
-/** The regions apart. */
+/** The exploded view. */
 interface Parts {
   regions: number;
   parts: ExplodedParts;
@@ -62,7 +62,7 @@ export class DerivedDrawings {
   readonly #parts = new Derived<Parts>({
     compute: (diagram, signal) => this.#makeParts(diagram, signal),
     adopt: (parts) => this.#showParts(parts),
-    failed: (error) => this.#fail('The regions cannot be drawn apart', error),
+    failed: (error) => this.#fail('The exploded view cannot be drawn', error),
   });
   readonly #distances = new Derived<Distances>({
     compute: (diagram, signal) => this.#makeDistances(diagram, signal),
@@ -112,7 +112,7 @@ export class DerivedDrawings {
     void this.#parts.update(exploded > 0 ? shown : undefined);
   }
 
-  /** Moves the regions as far apart as the attributes ask for. */
+  /** Moves the regions of the exploded view as far as the attributes ask for. */
   spread(): void {
     const { attributes, model, stage } = this.#place;
     model?.drawing.spread(attributes.exploded);
@@ -172,6 +172,7 @@ export class DerivedDrawings {
     model?.drawing.setDistances(distances?.triangles, distances?.scale);
     legend.showDistances(distances?.scale);
     stage.invalidate();
+    this.#emit('distances', distances ? { longest: distances.scale.longest } : null);
   }
 
   async #makeDual(diagram: Diagram, signal: AbortSignal): Promise<Dual | undefined> {

@@ -10,12 +10,13 @@ import type {
   Sampling,
   SurfacePoints,
 } from 'geodesic-voronoi';
-import { buildAttributes, scatteringAttributes } from './attributes.js';
+import { buildAttributes, samplingAttributes } from './attributes.js';
 import { formatCameraOrbit } from './camera_orbit.js';
 import { type Command, commandOf, instructionsOf, perform } from './commands.js';
 import { fileOfPicture } from './drawing_builder.js';
 import { ElementShadow } from './element_shadow.js';
 import type { CvtIteration, FailureType, ViewerEventMap, ViewerEvents } from './events.js';
+import { contextLost, noWebGl } from './failure.js';
 import type { HoveredPoint } from './hover.js';
 import type { Reader } from './mesh_opening.js';
 import { type Layer, layers } from './model_drawing.js';
@@ -26,8 +27,6 @@ import type { CvtStatus, Status } from './session_listener.js';
 import { type SitePlace, surfacePointsOf } from './site_history.js';
 import type { Session } from './session.js';
 import { Viewer } from './viewer.js';
-
-const contextLost = 'The graphics card has dropped this view; it returns when it can.';
 
 export type { Command, CvtIteration, CvtStatus, HoveredPoint, Layer, SitePlace, Status };
 export type { FailureType, ViewerEventMap, ViewerEvents };
@@ -51,7 +50,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     'interactive',
     'touch-action',
     'camera-orbit',
-    ...scatteringAttributes,
+    ...samplingAttributes,
     ...buildAttributes,
     'metric',
     'detail',
@@ -166,13 +165,13 @@ export class GeodesicVoronoiElement extends ReflectingElement {
   }
 
   /** Replaces the sites by new ones in new places; random ones follow the density. */
-  async scatter(
+  async sampleSites(
     count: number,
     seed = 1,
     sampling: Sampling = 'random',
     perComponent = 0,
   ): Promise<void> {
-    await this.#editable.scatter({ count, seed, sampling, perComponent });
+    await this.#editable.sampleSites({ count, seed, sampling, perComponent });
   }
 
   addSite(place: SitePlace): void {
@@ -196,7 +195,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     this.#session?.redo();
   }
 
-  /** The index of the chosen site, -1 for none. */
+  /** The index of the selected site, -1 for none. */
   get selected(): number {
     return this.#viewer?.selected ?? -1;
   }
@@ -352,7 +351,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
       });
     } catch (cause) {
       this.setAttribute('status', 'failed');
-      fail('nowebgl', 'This view needs WebGL 2, which this browser does not offer.', cause);
+      fail('nowebgl', noWebGl, cause);
     }
     return this.#viewer;
   }
@@ -406,8 +405,9 @@ export class GeodesicVoronoiElement extends ReflectingElement {
   #describe(): void {
     if (!this.#shadow) return;
     const { attributeValues, selected } = this;
-    const choice = selected < 0 ? '' : `; site ${selected} is chosen, of ${this.sites.face.length}`;
-    this.#shadow.describe(attributeValues.label + choice, instructionsOf(attributeValues));
+    const selection =
+      selected < 0 ? '' : `; site ${selected} is selected, of ${this.sites.face.length}`;
+    this.#shadow.describe(attributeValues.label + selection, instructionsOf(attributeValues));
     this.#shadow.poster = this.poster;
   }
 
@@ -433,8 +433,8 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     if (changed.has('src') && this.src) void this.load(this.src);
     else if (this.#read && isOther(...buildAttributes) && isNews(buildAttributes))
       void viewer.rebuild(this.#read);
-    else if (isOther(...scatteringAttributes) && isNews(scatteringAttributes))
-      void viewer.scatter(this.attributeValues.scattering);
+    else if (isOther(...samplingAttributes) && isNews(samplingAttributes))
+      void viewer.sampleSites(this.attributeValues.siteSampling);
   }
 }
 

@@ -44,13 +44,15 @@ export interface ViewerEvents {
     /** From asking for it to having it. */
     milliseconds: number;
   };
-  /** The dual is drawn (null: no more). Without violations it has the topology of the surface. */
+  /** The dual is drawn (null: no longer). Without violations it has the topology of the surface. */
   dual: { polygons: number; violations: readonly Violation[] } | null;
-  /** The file's own material is drawn, if any (null: no more); `problem`: why it cannot be read. */
+  /** Distances are drawn (null: no longer); `longest` is the greatest of them. */
+  distances: { longest: number } | null;
+  /** The file's own material is drawn, if any (null: no longer); `problem`: why it cannot be read. */
   original: { isFound: boolean; textures: number; problem?: string } | null;
-  /** The regions are drawn apart (null: together again). */
+  /** The exploded view is drawn (null: no longer). */
   exploded: { regions: number; triangles: number } | null;
-  /** The sites or the choice of one changed; the diagram follows. */
+  /** The sites or the selection changed; the diagram follows. */
   'sites-change': { count: number; selected: number; canUndo: boolean; canRedo: boolean };
   /** Sites and diagram are those of an iteration now; a `diagram` event follows when it pauses. */
   'cvt-iteration': CvtIteration;

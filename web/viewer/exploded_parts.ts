@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The regions as patches that move apart.
+// The exploded view: the regions as patches that move.
 
 import {
   BufferAttribute,
@@ -21,7 +21,7 @@ export const widestSpread = 1;
 /** The most triangles that one frame uploads. */
 const trianglesPerUpload = 40_000;
 
-/** Parts are moved by the graphics card: going apart uploads nothing. */
+/** Parts are moved by the graphics card: no movement uploads anything. */
 export class ExplodedParts {
   readonly object = new Group();
   readonly triangleCount: number;
@@ -80,7 +80,7 @@ export class ExplodedParts {
     this.#material.color.setScalar(shade);
   }
 
-  /** 0: together, 1: as far apart as they go. */
+  /** 0: in their places, 1: as far as they go. */
   spread(share: number): void {
     this.#spread.value = widestSpread * share;
   }

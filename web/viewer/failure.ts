@@ -12,3 +12,9 @@ export function sentence(what: string, cause: unknown): Error {
 export function isAbandoned(error: unknown, signal?: AbortSignal): boolean {
   return signal?.aborted === true || (error as { code?: unknown })?.code === 'disposed';
 }
+
+/** Why nothing is drawn. */
+export const noWebGl =
+  'This view needs WebGL 2, which this browser does not offer; ' +
+  'its settings may have it turned off, with graphics acceleration.';
+export const contextLost = 'The graphics card has dropped this view; it returns when it can.';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// From a model's files to its mesh, with sites scattered on it and made ready to be drawn.
+// From a model's files to its mesh, with sites sampled on it and made ready to be drawn.
 
 import type {
   GeodesicVoronoi,
@@ -15,8 +15,8 @@ import { sentence } from './failure.js';
 import { lastSegment, type NamedFiles } from './model_files.js';
 import { SceneMesh } from './scene_mesh.js';
 
-/** How sites are scattered. */
-export interface Scattering {
+/** How sites are sampled. */
+export interface SiteSampling {
   count: number;
   seed: number;
   sampling?: Sampling;
@@ -29,8 +29,8 @@ export interface Scattering {
 /** How a model is opened. */
 export interface Opening {
   build: Pick<MeshOptions, 'weld' | 'orientation' | 'minComponent'>;
-  scattering: Scattering;
-  /** Sites of a mesh of the same model, which are put where they were rather than scattered. */
+  siteSampling: SiteSampling;
+  /** Sites of a mesh of the same model, which are put where they were rather than sampled. */
   kept?: { mesh: Mesh; sites(): SurfacePoints } | undefined;
 }
 
@@ -61,7 +61,7 @@ const meshShare = 0.8;
 export async function openMesh(
   library: GeodesicVoronoi,
   read: Reader,
-  { build, scattering, kept }: Opening,
+  { build, siteSampling, kept }: Opening,
   { signal, onProgress }: { signal: AbortSignal; onProgress: (share: number) => void },
 ): Promise<OpenedMesh> {
   // The builder's worker starts while the files are read.
@@ -78,7 +78,7 @@ export async function openMesh(
     });
     const placing = { signal, onProgress: between(meshShare, 1) };
     const [sites, scene] = await Promise.all([
-      kept ? keptSites(mesh, kept, placing) : scatterSites(mesh, scattering, placing),
+      kept ? keptSites(mesh, kept, placing) : sampleSites(mesh, siteSampling, placing),
       sceneOf(mesh, builder, signal),
     ]);
     signal.throwIfAborted();
@@ -110,9 +110,9 @@ async function keptSites(
   });
 }
 
-export async function scatterSites(
+export async function sampleSites(
   mesh: Mesh,
-  { count, seed, sampling = 'random', perComponent = 0, density }: Scattering,
+  { count, seed, sampling = 'random', perComponent = 0, density }: SiteSampling,
   task: TaskOptions,
 ): Promise<PointList> {
   if (count <= 0) return { face: [], bary: [] };

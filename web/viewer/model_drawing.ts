@@ -77,7 +77,7 @@ export class ModelDrawing {
   readonly #voronoiPoints: VoronoiPointMarkers;
   readonly #siteMarkers = new Markers({ least: 2.5, most: 9, rim: 0.3 });
   /** The surface and everything that lies on it. */
-  readonly #together = new Group();
+  readonly #whole = new Group();
   #parts: ExplodedParts | undefined;
   #coming: ExplodedParts | undefined;
   #distances: DistanceSurface | undefined;
@@ -105,8 +105,8 @@ export class ModelDrawing {
     this.#surface = new RegionSurface(mesh, this.#occlusion);
     this.#voronoiPoints = new VoronoiPointMarkers(mesh, { least: 1.5, most: 4.5, rim: 0.3 });
     this.theme = this.#theme;
-    this.object.add(this.#together);
-    this.#together.add(
+    this.object.add(this.#whole);
+    this.#whole.add(
       this.#surface.object,
       this.#bisectors.object,
       this.#outline.object,
@@ -182,7 +182,7 @@ export class ModelDrawing {
    * none.
    */
   setDistances(triangles: DistanceTriangles | undefined, inUnits?: DistanceScale): void {
-    if (this.#distances) this.#together.remove(this.#distances.object);
+    if (this.#distances) this.#whole.remove(this.#distances.object);
     this.#distances?.dispose();
     const { scale } = this.#mesh.frame;
     this.#distances =
@@ -194,17 +194,17 @@ export class ModelDrawing {
         { longest: scale * inUnits.longest, step: scale * inUnits.step },
         this.#occlusion,
       );
-    if (this.#distances) this.#together.add(this.#distances.object);
+    if (this.#distances) this.#whole.add(this.#distances.object);
     this.#showSurface();
   }
 
   /** The surface as its file colours it, instead of the regions; undefined for none. */
   setOriginal(original: OriginalMaterial | undefined): void {
     if (this.#original === original) return;
-    if (this.#original) this.#together.remove(this.#original.object);
+    if (this.#original) this.#whole.remove(this.#original.object);
     this.#original?.dispose();
     this.#original = original;
-    if (original) this.#together.add(original.object);
+    if (original) this.#whole.add(original.object);
     this.#rimBisectors();
     this.#showSurface();
   }
@@ -219,7 +219,7 @@ export class ModelDrawing {
     this.#wireframe = wireframe(this.#mesh, edges);
     this.#wireframe.material.color.set(this.#theme.ink);
     this.#wireframe.visible = this.#shown.has('wireframe');
-    this.#together.add(this.#wireframe);
+    this.#whole.add(this.#wireframe);
   }
 
   /** Shows one surface only, or several would be drawn in the same place. */
@@ -254,7 +254,7 @@ export class ModelDrawing {
     this.#discard(this.#parts);
     this.#parts = parts;
     this.#parts?.show();
-    this.#together.visible = !this.#parts;
+    this.#whole.visible = !this.#parts;
   }
 
   #discard(parts: ExplodedParts | undefined): void {
@@ -262,7 +262,7 @@ export class ModelDrawing {
     parts?.dispose();
   }
 
-  /** How far apart the parts are, 0 … 1. */
+  /** How far the parts of the exploded view have moved, 0 … 1. */
   spread(share: number): void {
     this.#parts?.spread(share);
   }

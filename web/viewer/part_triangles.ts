@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The triangles of a partition, ready to be drawn apart.
+// The triangles of a partition, ready for the exploded view.
 
 import type { Partition } from 'geodesic-voronoi';
 import { LabelColours } from './label_colours.js';
@@ -15,9 +15,9 @@ export interface Parts {
 
 /** Per corner. */
 export interface PartTriangles {
-  /** The corner's place while the parts are together. */
+  /** The corner's place on the model. */
   position: Float32Array;
-  /** Its movement when they go apart, and the shading normal: as shares of the greatest number. */
+  /** Its movement in the exploded view, and the shading normal: as shares of the greatest number. */
   direction: Int16Array;
   normal: Int16Array;
   colour: Uint8Array;

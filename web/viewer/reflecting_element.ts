@@ -111,7 +111,7 @@ export class ReflectingElement extends Base {
     this.setAttribute('layers', shown.join(' '));
   }
 
-  /** How far the regions are apart, 0 … 1. */
+  /** How far the regions move away from each other in the exploded view, 0 (none) … 1. */
   get exploded(): number {
     return this.attributeValues.exploded;
   }

@@ -9,7 +9,7 @@ import { sentence } from './failure.js';
 import { LatestTask } from './latest_task.js';
 import { LibraryLease } from './library_pool.js';
 import { type OpenedMesh, type Opening, openMesh, type Reader } from './mesh_opening.js';
-import { ScatterTask } from './scatter_task.js';
+import { SamplingTask } from './sampling_task.js';
 import type { CvtStatus, SessionListener, Status } from './session_listener.js';
 import {
   changeDiagram,
@@ -43,7 +43,7 @@ export class Session {
   #move: { id: number; recorded: boolean } | undefined;
   #cvt: CvtRun | undefined;
   #cvtStatus: CvtStatus = 'idle';
-  readonly scattering = new ScatterTask();
+  readonly sampling = new SamplingTask();
   #computing = false;
   #hasFailed = false;
   #status: Status = 'empty';
@@ -83,7 +83,7 @@ export class Session {
     return this.#move !== undefined;
   }
 
-  /** Opens a model with so many sites scattered; resolves to whether it is there now. */
+  /** Opens a model with so many sites sampled; resolves to whether it is there now. */
   async open(read: Reader, how: Opening): Promise<boolean> {
     this.#opening?.abort();
     const opening = (this.#opening = new AbortController());
@@ -122,15 +122,15 @@ export class Session {
   }
 
   /** Replaces the sites by new ones in new places. */
-  async scatter(scattering: Opening['scattering']): Promise<void> {
+  async sampleSites(siteSampling: Opening['siteSampling']): Promise<void> {
     const mesh = this.#mesh;
     if (!mesh) return;
-    const placing = this.scattering.run(mesh, scattering, this.#onProgress);
+    const placing = this.sampling.run(mesh, siteSampling, this.#onProgress);
     this.#updateStatus();
     try {
       const sites = await placing;
       if (sites) this.#record(this.#history.createAll(sites));
-      else if (mesh === this.#mesh && !this.scattering.isRunning)
+      else if (mesh === this.#mesh && !this.sampling.isRunning)
         this.#listener.settingsRestored(this.#settings);
     } catch (error) {
       this.#fail(error);
@@ -235,7 +235,7 @@ export class Session {
   cancel(): void {
     this.#opening?.abort();
     this.#opening = undefined;
-    this.scattering.cancel();
+    this.sampling.cancel();
     if (this.#cvt?.playing) this.#cvt.pause();
     else this.#task.cancel();
     this.#updateStatus();
@@ -256,7 +256,7 @@ export class Session {
     const { mesh } = opened;
     const sites = this.#history.createAll(opened.sites);
     this.#stopCvt();
-    this.scattering.cancel();
+    this.sampling.cancel();
     this.#task.cancel();
     this.#shown?.diagram?.dispose();
     this.#mesh?.dispose();
@@ -429,7 +429,7 @@ export class Session {
   #statusNow(): Status {
     if (this.#opening) return 'loading';
     if (this.#cvt?.playing) return 'iterating';
-    if (this.#computing || this.scattering.isRunning) return 'computing';
+    if (this.#computing || this.sampling.isRunning) return 'computing';
     if (this.#mesh) return 'ready';
     return this.#hasFailed ? 'failed' : 'empty';
   }

@@ -215,7 +215,7 @@ export class Stage {
     const halfWidth =
       half * this.camera.aspect * share(width - padding.left - padding.right, width);
     let distance = 0;
-    // Parts that go apart are framed anew in every frame: nothing is made or called per point.
+    // The exploded view is framed anew in every frame: nothing is made or called per point.
     const [ax, ay, az] = right.divideScalar(halfWidth);
     const [bx, by, bz] = up.divideScalar(halfHeight);
     for (let i = 0; i < points.length; i += 3) {

@@ -54,7 +54,7 @@ export class SurfaceTools implements GestureTarget {
   }
 
   /**
-   * The surface at device coordinates; undefined while the regions are apart.
+   * The surface at device coordinates; undefined in the exploded view.
    */
   pick(device: Vector2): SurfaceHit | undefined {
     const { attributes, model, stage } = this.#work;

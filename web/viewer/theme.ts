@@ -7,7 +7,7 @@ export interface Theme {
   readonly ink: number;
   /** The rim of markers. */
   readonly paper: number;
-  /** The chosen site, the dual, paths and the brush. */
+  /** The selected site, the dual, paths and the brush. */
   readonly accent: number;
   /** The factor for the colours of regions, so that lines stand out. */
   readonly surfaceShade: number;

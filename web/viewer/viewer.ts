@@ -4,7 +4,7 @@
 
 import type { SurfacePath } from 'geodesic-voronoi';
 import { Vector3 } from 'three';
-import { type Attributes, buildAttributes, scatteringAttributes } from './attributes.js';
+import { type Attributes, buildAttributes, samplingAttributes } from './attributes.js';
 import { formatCameraOrbit } from './camera_orbit.js';
 import { commandOf, isOfView, perform } from './commands.js';
 import { DerivedDrawings } from './derived_drawings.js';
@@ -12,7 +12,7 @@ import { Legend } from './legend.js';
 import type { Emit } from './events.js';
 import { hexagonEnergy, rootDensityIntegral } from './hexagon_energy.js';
 import { Hover, type HoveredPoint } from './hover.js';
-import type { OpenedMesh, Reader, Scattering } from './mesh_opening.js';
+import type { OpenedMesh, Reader, SiteSampling } from './mesh_opening.js';
 import { OpenModel } from './open_model.js';
 import { OriginalLayer } from './original_layer.js';
 import { PageScrolling } from './page_scrolling.js';
@@ -126,12 +126,12 @@ export class Viewer implements Workpiece {
     this.recordDensity();
   }
 
-  /** The index of the chosen site, -1 for none. */
+  /** The index of the selected site, -1 for none. */
   get selected(): number {
     return this.session.sites.findIndex((site) => site.id === this.#selected);
   }
 
-  /** Choosing a hidden site turns the camera until it is seen. */
+  /** Selecting a hidden site turns the camera until it is seen. */
   set selected(index: number) {
     this.select(this.session.sites[index]?.id);
     const site = this.session.sites[index];
@@ -149,7 +149,7 @@ export class Viewer implements Workpiece {
   async rebuild(read: Reader): Promise<void> {
     const { attributes, density, session } = this;
     const { mesh } = session;
-    const areOthersAsked = attributes.differ(scatteringAttributes);
+    const areOthersAsked = attributes.differ(samplingAttributes);
     const sites = () => surfacePointsOf(session.sites);
     const kept = mesh && !areOthersAsked ? { mesh, sites } : undefined;
     const isOpen = await session.open(read, { ...attributes.opening, kept });
@@ -200,9 +200,9 @@ export class Viewer implements Workpiece {
     this.edit(() => this.session.replaceSites(sites));
   }
 
-  async scatter(scattering: Scattering): Promise<void> {
+  async sampleSites(siteSampling: SiteSampling): Promise<void> {
     const isPlaying = this.session.cvtStatus === 'running';
-    await this.session.scatter({ ...scattering, density: this.density });
+    await this.session.sampleSites({ ...siteSampling, density: this.density });
     if (isPlaying) this.playCvt();
   }
 
@@ -214,7 +214,7 @@ export class Viewer implements Workpiece {
   }
 
   /**
-   * Moves the chosen site so many CSS pixels over the view; it stays where there is no surface. Until
+   * Moves the selected site so many CSS pixels over the view; it stays where there is no surface. Until
    * something else is done, further ones are the same step to undo.
    */
   nudge(right: number, down: number): void {
@@ -327,7 +327,7 @@ export class Viewer implements Workpiece {
         this.#adoptDensity();
       },
       diagramChanged: (shown, milliseconds, how) => {
-        if (!this.session.scattering.isRunning) this.attributes.keep(scatteringAttributes);
+        if (!this.session.sampling.isRunning) this.attributes.keep(samplingAttributes);
         this.#showDiagram(shown, how);
         this.#emit('diagram', factsOf(shown, milliseconds));
       },

@@ -59,7 +59,7 @@ const formats = ['ascii', 'binary_little_endian', 'binary_big_endian'] as const;
 type PlyFormat = (typeof formats)[number];
 
 /** The most bytes of a header: a file whose header has not ended by then is no PLY. */
-const maxHeaderBytes = 2 ** 16;
+export const maxHeaderBytes = 2 ** 16;
 
 export function readPlyHeader(bytes: Uint8Array): PlyHeader {
   const text = new TextDecoder('latin1').decode(bytes.subarray(0, maxHeaderBytes));

@@ -3,9 +3,9 @@
 // Placing all sites anew: only the latest request counts.
 
 import type { Mesh } from 'geodesic-voronoi';
-import { type PointList, type Scattering, scatterSites } from './mesh_opening.js';
+import { type PointList, type SiteSampling, sampleSites } from './mesh_opening.js';
 
-export class ScatterTask {
+export class SamplingTask {
   #running: AbortController | undefined;
 
   get isRunning(): boolean {
@@ -15,14 +15,14 @@ export class ScatterTask {
   /** The sites; undefined if another request followed, or a cancel. Either ends this one. */
   async run(
     mesh: Mesh,
-    scattering: Scattering,
+    siteSampling: SiteSampling,
     onProgress: (share: number) => void,
   ): Promise<PointList | undefined> {
     this.cancel();
     this.#running = new AbortController();
     const { signal } = this.#running;
     try {
-      const sites = await scatterSites(mesh, scattering, { signal, onProgress });
+      const sites = await sampleSites(mesh, siteSampling, { signal, onProgress });
       return signal.aborted ? undefined : sites;
     } catch (error) {
       if (!signal.aborted) throw error;
