@@ -393,6 +393,23 @@ suite('attributes and events', () => {
     );
   });
 
+  test('properties take what attributes do, as React and Vue set them', async (context) => {
+    const viewer = await opened(context, 'empty.html');
+    const made = await viewer.page.evaluate(async () => {
+      const element = document.createElement('geodesic-voronoi');
+      element.src = '/samples/torus.glb';
+      element.sites = 12;
+      element.layers = 'regions sites';
+      element.exploded = '0.5';
+      const drawn = new Promise((resolve) => element.addEventListener('diagram', resolve));
+      document.body.append(element);
+      await drawn;
+      const { sites, layers, exploded } = element;
+      return { count: sites.face.length, layers, exploded };
+    });
+    assert.deepEqual(made, { count: 12, layers: ['regions', 'sites'], exploded: 0.5 });
+  });
+
   test('what cannot be computed is told apart from what cannot be opened', async (context) => {
     const viewer = await opened(context, 'one.html');
     await viewer.settled();

@@ -147,13 +147,14 @@ export class GeodesicVoronoiElement extends ReflectingElement {
 
   // --- Sites ----------------------------------------------------------------------------------
 
-  /** The sites; setting them is a step that can be undone. */
+  /** The sites; setting them is a step that can be undone. Their number sets the attribute. */
   get sites(): SurfacePoints {
     return surfacePointsOf(this.#session?.sites ?? []);
   }
 
-  set sites(sites: { face: ArrayLike<number>; bary: ArrayLike<number> }) {
-    this.#editable.replaceSites(sites);
+  set sites(sites: { face: ArrayLike<number>; bary: ArrayLike<number> } | number | string) {
+    if (typeof sites === 'object') this.#editable.replaceSites(sites);
+    else this.setAttribute('sites', String(sites));
   }
 
   /**
@@ -397,9 +398,8 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     const { showsPoster } = this.#shadow;
     const isRevealed = this.reveal === 'auto' || this.#isDismissed;
     this.#shadow.showsPoster = !(this.loaded && isRevealed);
-    if (showsPoster && !this.#shadow.showsPoster) {
+    if (showsPoster && !this.#shadow.showsPoster)
       this.dispatchEvent(new CustomEvent('poster-dismissed', { detail: null }));
-    }
   }
 
   #describe(): void {

@@ -38,11 +38,14 @@ export interface ReflectingElement {
   ): void;
 }
 
-/** The element's attributes as properties, and the types of its events. */
+/**
+ * The element's attributes as properties, and the types of its events. React and Vue set the
+ * properties in place of the attributes, so these take an attribute's text, too.
+ */
 export class ReflectingElement extends Base {
   protected readonly attributeValues = new Attributes(this);
 
-  /** Address of a .glb or .gltf. */
+  /** Address of the model. */
   get src(): string {
     return this.getAttribute('src') ?? '';
   }
@@ -107,8 +110,8 @@ export class ReflectingElement extends Base {
     return this.attributeValues.layers;
   }
 
-  set layers(shown: readonly Layer[]) {
-    this.setAttribute('layers', shown.join(' '));
+  set layers(shown: readonly Layer[] | string) {
+    this.setAttribute('layers', typeof shown === 'string' ? shown : shown.join(' '));
   }
 
   /** How far the regions move away from each other in the exploded view, 0 (none) … 1. */
@@ -116,7 +119,7 @@ export class ReflectingElement extends Base {
     return this.attributeValues.exploded;
   }
 
-  set exploded(share: number) {
+  set exploded(share: number | string) {
     this.setAttribute('exploded', String(share));
   }
 }
