@@ -62,7 +62,7 @@ Bytes Buffers::content(Buffer& buffer, int index, const std::string& name) {
     if (index == 0 && bin_) return *bin_;
     if (!buffer.object.compression.empty()) {
       reject(name + " stands for data compressed with " + buffer.object.compression +
-             kDecompressFirst);
+             kNotDecompressed);
     }
     reject(name + " has no uri, and there is no binary chunk for it");
   }
@@ -76,7 +76,7 @@ Bytes Buffers::content(Buffer& buffer, int index, const std::string& name) {
   for (const GltfResource& resource : resources_) {
     if (percentDecoded(resource.uri) == path) return resource.bytes;
   }
-  reject("it needs the file \"" + uri + "\" (" + name + "), which is missing" +
+  reject(name + " needs the file \"" + uri + "\", which is missing" +
          (leadsOutside(path) ? ": files outside the model's folder are not read" : ""));
 }
 

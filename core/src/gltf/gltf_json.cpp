@@ -40,7 +40,7 @@ void requireKnownExtensions(const json& document) {
     if (isReadable(extension)) continue;
     const bool isCompression = extension.ends_with("_compression");
     reject("the glTF requires the extension " + extension +
-           (isCompression ? kDecompressFirst : ", which is not supported"));
+           (isCompression ? kNotDecompressed : ", which is not supported"));
   }
 }
 

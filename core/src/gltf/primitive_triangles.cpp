@@ -53,7 +53,7 @@ PrimitiveSize sizeOf(const Primitive& primitive, std::span<const double> weights
   };
   const Accessor& positions = accessors.at(primitive.attributes.at("POSITION"), name);
   if (!positions.elements && !primitive.compression.empty()) {
-    reject(name + " is compressed with " + primitive.compression + kDecompressFirst);
+    reject(name + " is compressed with " + primitive.compression + kNotDecompressed);
   }
   countZeros(positions);
   size.vertices = positions.count;
