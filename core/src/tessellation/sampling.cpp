@@ -38,10 +38,9 @@ std::vector<double> faceAreas(const TriangleMesh& mesh) {
 }
 
 void requireCount(int count) {
-  if (count < 0) {
+  if (count < 0)
     throw Error(ErrorCode::kInvalidArgument,
                 "there cannot be " + std::to_string(count) + " sample points");
-  }
 }
 
 SurfacePoint drawPoint(std::mt19937_64& random, const std::vector<double>& sums) {
