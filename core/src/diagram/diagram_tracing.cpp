@@ -196,7 +196,7 @@ PartialTracer::PartialTracer(const TriangleMesh& mesh, const DistanceField& dist
 
 std::unique_ptr<SlicedWork<TracedDiagram>> PartialTracer::start(std::span<const int> faces,
                                                                 std::vector<char> isTraced) {
-  complex_.take(faces);
+  complex_.setPart(faces);
   return std::make_unique<PartTracing>(mesh_, distances_, complex_, std::move(isTraced),
                                        nodePoints_);
 }
