@@ -90,8 +90,8 @@ class JsonFilter {
 
   static bool parse_error(std::size_t position, const std::string&, const json::exception& error) {
     constexpr int kNumberOverflow = 406;
-    if (error.id == kNumberOverflow) gltf::reject("the JSON has a number that is too large");
-    gltf::reject("the JSON is malformed at byte " + std::to_string(position));
+    if (error.id == kNumberOverflow) reject("the JSON has a number that is too large");
+    reject("the JSON is malformed at byte " + std::to_string(position));
   }
 
  private:
@@ -148,13 +148,12 @@ class JsonFilter {
 
   static void count(std::uint64_t& sum, std::uint64_t most, const char* what) {
     if (++sum <= most) return;
-    gltf::reject("the glTF has more than " + std::to_string(most) + ' ' + what +
-                 toRaise("maxObjects"));
+    reject("the glTF has more than " + std::to_string(most) + ' ' + what + toRaise("maxObjects"));
   }
 
   bool open(JsonKind kind, const char* what) {
     if (++depth_ > kMaxDepth)
-      gltf::reject("the JSON is nested more than " + std::to_string(kMaxDepth) + " levels deep");
+      reject("the JSON is nested more than " + std::to_string(kMaxDepth) + " levels deep");
     const JsonRule* rule = next();
     if (!rule || rule->kind != kind) {
       skip(rule, what);

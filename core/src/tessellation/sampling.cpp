@@ -186,7 +186,7 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
 
   SurfacePoint next() {
     constexpr size_t kFewestMisses = 100;
-    constexpr double kShrink = 0.95;
+    constexpr double kShrink = 0.95;  // nearer to 1, points are more even, and take longer
     if (nextVertex_ > 0 || misses_ >= points_.size() + kFewestMisses) {
       if (!count_) return pointAtVertex(mesh_, nextVertex_++);
       radius_ *= kShrink;
