@@ -12,7 +12,7 @@
 #include "base/plane.h"
 #include "base/tolerances.h"
 #include "mesh/face_layout.h"
-#include "mesh/surface_geometry.h"
+#include "mesh/given_points.h"
 
 namespace gvd {
 namespace {

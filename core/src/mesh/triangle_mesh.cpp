@@ -10,7 +10,7 @@
 #include "base/number_text.h"
 #include "base/tolerances.h"
 #include "gvd/error.h"
-#include "mesh/surface_geometry.h"
+#include "mesh/given_points.h"
 
 namespace gvd {
 namespace {

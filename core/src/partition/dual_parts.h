@@ -14,7 +14,7 @@
 #include "gvd/dual.h"
 #include "gvd/error.h"
 #include "gvd/partition.h"
-#include "mesh/surface_geometry.h"
+#include "mesh/given_points.h"
 #include "partition/region_complex.h"
 
 namespace gvd {

@@ -9,7 +9,6 @@
 
 #include "base/sorting.h"
 #include "mesh/nearest_on_triangle.h"
-#include "mesh/surface_geometry.h"
 
 namespace gvd {
 namespace {

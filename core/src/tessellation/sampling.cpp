@@ -22,6 +22,7 @@
 #include "distance/dgpc/unfolding_sweep.h"
 #include "gvd/error.h"
 #include "gvd/geodesic.h"
+#include "mesh/given_points.h"
 #include "mesh/representations.h"
 #include "mesh/surface_geometry.h"
 #include "tessellation/density.h"
