@@ -43,7 +43,8 @@ void UnfoldingSweep::start(const SurfacePoint& site, Reach reach) {
   startInFace(site, {1, 0});
   const int side = place.side;
   if (side < 0 || face.twins[side] < 0) return;
-  // The side in the site's frame; its twin runs the other way, and to the first side of that face.
+  // The direction of the side in the site's frame. In the face beyond, the side runs the other way,
+  // and the first side of that face is turned from it by `firstSide`.
   const Vector2d along =
       layOut(face, 0, Eigen::Vector3d::Unit(cornerAfter(side)) - Eigen::Vector3d::Unit(side)) /
       face.lengths[side];
