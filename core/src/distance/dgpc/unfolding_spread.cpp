@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "base/index_set.h"
 #include "base/sliced_loop.h"
+#include "distance/common_labels.h"
 #include "distance/dgpc/unfolding_path.h"
 #include "distance/known_labels.h"
 #include "mesh/surface_geometry.h"
@@ -146,15 +146,13 @@ void UnfoldingSpread::takeRequired() {
 
 std::vector<LabelledDistance> UnfoldingSpread::nearestAt(const SurfacePoint& p,
                                                          const KnownLabels& known) {
-  std::vector<int> labels;
-  for (const int v : mesh_.face(p.face).vertices)
-    for (const LabelledDistance& d : known[v]) labels.push_back(d.label);
-  makeSet(labels);
+  const auto& [a, b, c] = mesh_.face(p.face).vertices;
   std::vector<LabelledDistance> distances;
-  distances.reserve(labels.size());
-  for (const int label : labels)
+  anyLabel(known[a], known[b], known[c], [&](int label, const auto& /*at*/) {
     distances.push_back(
         {label, distanceAt(label, p, [&](int v) { return known.distance(v, label); })});
+    return false;
+  });
   return distances;
 }
 
