@@ -10,9 +10,7 @@ namespace gvd {
 namespace {
 
 /// Of compressed data.
-const std::string kRemedy =
-    ", which is not decompressed here: save the model without it, or open it with the JavaScript "
-    "library or the command geodesic-voronoi";
+const std::string kRemedy = ", which is not decompressed here: save the model without it";
 
 const std::string kNoVersion = "the JSON has no asset.version, so it is not a glTF";
 const std::string kUnknownFormat = ": glTF, OBJ, OFF, PLY or STL, or a zip with one of them";
@@ -324,8 +322,7 @@ void addUriCases(GltfCases& cases) {
     std::string shown;  // as it is without the backslashes that JSON wants
     for (std::size_t i = 0; i < uri.size(); ++i) shown += uri[uri[i] == '\\' ? i++ : i];
     cases.refused("external buffer " + uri + ", missing",
-                  "it needs the file \"" + shown + "\" (buffer 0), which is missing" + more,
-                  named(uri));
+                  "buffer 0 needs the file \"" + shown + "\", which is missing" + more, named(uri));
   };
   missing("missing.bin", "");
   missing("a..b/it%20is%.bin", "");

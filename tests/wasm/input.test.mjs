@@ -260,7 +260,7 @@ test('files come in any order, by paths that are percent-encoded or not', async 
   const without = { 'models/scene.gltf': scene, 'data/Its Buffer.bin': buffer };
   await assert.rejects(
     gvd.mesh(without),
-    fails('invalid-gltf', /it needs the file.*buffer\.bin.*missing/),
+    fails('invalid-gltf', /needs the file.*buffer\.bin.*missing/),
   );
   await assert.rejects(
     gvd.mesh({ 'scene.gltf': scene, 'x/y': buffer }),

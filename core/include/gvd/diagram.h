@@ -42,7 +42,7 @@ struct Diagram {
   static constexpr int kUnreachable = -1;  ///< label of places that no site reaches
   static constexpr int kMixed = -2;        ///< faceLabel of a face with several regions
 
-  int siteCount = 0;
+  int siteCount = 0;  ///< labels are below this number
 
   /// Every point that the lists below refer to, each place once. `face` counts the mesh's faces.
   /// Points that rounding cannot tell apart are one point. On an edge or a vertex, the coordinates
@@ -62,7 +62,7 @@ struct Diagram {
 
   /// Arcs, oriented as their segments; a closed arc repeats its first point at the end.
   PointLists arcs;
-  std::vector<std::array<int, 2>> arcLabels;
+  std::vector<std::array<int, 2>> arcLabels;  ///< of each arc, as of its segments
 
   struct VoronoiPoint {
     int point;

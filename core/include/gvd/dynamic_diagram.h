@@ -85,10 +85,12 @@ class DynamicDiagram {
   std::unique_ptr<SlicedWork<DiagramChange>> startRemove(int label);
   std::unique_ptr<SlicedWork<DiagramChange>> startMove(int label, const SurfacePoint& site);
 
+  /// The lowest label without a site. O(labels).
   int lowestFreeLabel() const;
   /// All labels are below this number.
   int labelCount() const;
   bool hasSite(int label) const;
+  /// Throws `Error(kInvalidArgument)` if no site has the label.
   SurfacePoint site(int label) const;
   /// By label; face -1 where a label has no site.
   std::vector<SurfacePoint> sites() const;

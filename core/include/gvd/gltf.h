@@ -18,9 +18,9 @@ namespace gvd {
 struct GltfScene {
   /// Where a run of triangles came from, in scene order.
   struct Part {
-    int node = -1;
-    int mesh = -1;
-    int primitive = -1;
+    int node = -1;       ///< index in the glTF, -1 if it has no nodes
+    int mesh = -1;       ///< index in the glTF
+    int primitive = -1;  ///< index in the mesh
     int firstTriangle = 0;
     int triangleCount = 0;
     std::string name;  ///< the node's name, else the mesh's, else empty

@@ -22,8 +22,8 @@
 
 namespace gvd {
 
-/// `count` points, independent and uniform by area. The
-/// first n points do not depend on `count`. O(F + count log F).
+/// `count` points, independent and uniform by area. The first n points do not depend on `count`.
+/// O(F + count log F).
 std::vector<SurfacePoint> sampleUniform(const TriangleMesh& mesh, int count, std::uint64_t seed);
 
 /// `count` points, independent, spread as the sites of a tessellation with this density are in the

@@ -13,10 +13,9 @@ template <class Result>
 class SlicedWork {
  public:
   virtual ~SlicedWork() = default;
-  /// Works for `budget` units of about a microsecond, at least one; true when everything is done.
-  /// Further calls do nothing then. Indivisible
-  /// work (a single face with all the sites in it, say, or sorting a list) makes a step longer. Do
-  /// not call again after an exception.
+  /// Works for `budget` units of about a microsecond, one or more; true when everything is done.
+  /// Further calls do nothing then. Indivisible work (a single face with all the sites in it, say,
+  /// or sorting a list) makes a step longer. Do not call again after an exception.
   virtual bool step(long budget) = 0;
   /// The share of the work done, an estimate in [0, 1] that never falls.
   virtual double progress() const = 0;

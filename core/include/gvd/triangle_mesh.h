@@ -188,9 +188,11 @@ class TriangleMesh {
     for (const int h : fan(v)) visit(faceOf(h));
   }
 
+  /// In the frame of the input's positions.
   Eigen::Vector3d position(int v) const {
     return Eigen::Vector3d::Map(&positions_[3 * static_cast<std::size_t>(v)]);
   }
+  /// The point on the flat face between the positions of its corners.
   Eigen::Vector3d position(const SurfacePoint& p) const;
   /// The interior angle at corner h % 3 of face h / 3, in (0, π).
   double cornerAngle(int h) const { return faces_[faceOf(h)].angles[h % 3]; }

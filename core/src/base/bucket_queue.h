@@ -12,8 +12,9 @@
 
 namespace gvd {
 
-/// The most buckets that a queue may have per short edge (`TriangleMesh::shortEdgeLength`), so that
-/// an int can number them.
+/// The most buckets that a queue may have per short edge (`TriangleMesh::shortEdgeLength`). No
+/// distance is longer than all sides of faces together, and a short edge is at least 6 / 2^30 of
+/// that: so distances have no more than 2^30 buckets, which an int can number.
 inline constexpr double kMostBucketsPerEdge = 6;
 
 /// A queue of items by distance, in buckets of equal width. Items of a bucket come in the order in

@@ -6,7 +6,7 @@
 namespace gvd {
 
 /// A number for people, in six significant digits: 0.25, -1e-09, 3e+06, nan. For messages of
-/// errors: `std::to_string` prints small numbers as 0.000000, and adds printf to core.wasm.
+/// errors: `std::to_string` prints small numbers as 0.000000, and needs all of printf.
 std::string numberText(double number);
 
 }  // namespace gvd

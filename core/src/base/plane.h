@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Rotations of vectors in the plane.
+// Rotations of vectors in the plane. A rotation is a unit vector, by which vectors are multiplied
+// like complex numbers; a vector of another length scales, too.
 #pragma once
 
 #include <Eigen/Core>
 #include <cmath>
 
 namespace gvd {
-
-// Rotations are unit vectors, multiplied like complex numbers; vectors of other lengths scale, too.
 
 inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Determinants with the right sign.
+// Determinants of doubles and their signs: by floating-point arithmetic if its error bound permits,
+// otherwise by exact expansion arithmetic (Shewchuk, Adaptive precision floating-point arithmetic
+// and fast robust geometric predicates, 1997). Valid while no product of three coordinates
+// overflows or underflows.
 #pragma once
 
 #include <array>
 
 namespace gvd {
-
-/// Determinants of doubles and their signs: by floating-point arithmetic if its error bound
-/// permits, otherwise by exact expansion arithmetic (Shewchuk, Adaptive precision floating-point
-/// arithmetic and fast robust geometric predicates, 1997). Valid while no product of three
-/// coordinates overflows or underflows.
 
 /// The sign (-1, 0, 1) of | b-a ; c-a |.
 int orientation(const std::array<double, 2>& a, const std::array<double, 2>& b,

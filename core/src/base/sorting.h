@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A stable sort that keeps core.wasm small. The standard library's is compiled for each kind of
-// item and each order, which took a twentieth of core.wasm; here it is compiled for indices only.
+// A stable sort that keeps programs small. The standard library's is compiled for each kind of item
+// and each order, which was a twentieth of the library; here it is compiled for indices only.
 #pragma once
 
 #include <algorithm>

@@ -24,19 +24,19 @@ namespace {
 
 /// Traces the diagram of a complex: the bisector graph with all ties broken, the outlines of
 /// regions, and from these the diagram with points merged.
-class Tracing {
+class Tracing final : public SlicedWork<TracedDiagram> {
  public:
   /// Traces outlines of the labels with `isTraced[label]`, of all labels if it is empty.
   Tracing(const TriangleMesh& mesh, const DistanceField& distances, FaceComplex& complex,
-          int siteCount, std::span<const char> isTraced, NodePoints& nodePoints)
+          int siteCount, std::vector<char> isTraced, NodePoints& nodePoints)
       : mesh_(mesh),
         distances_(distances),
         complex_(complex),
         siteCount_(siteCount),
-        isTraced_(isTraced),
+        isTraced_(std::move(isTraced)),
         nodePoints_(nodePoints) {}
 
-  bool step(long& budget) {
+  bool step(long budget) override {
     return sequence_.run(
         [&] { return complex_.step(budget); },
         [&] { return complex_.hasFacesOnly() || runPart(completion_, budget, complex_); },
@@ -55,9 +55,9 @@ class Tracing {
         [&] { return collectLoops(budget); },
         [&] { return runPart(cells_, budget, complex_, graph_, points_, out_); });
   }
-  double progress() const { return sequence_.progress(); }
+  double progress() const override { return sequence_.progress(); }
 
-  TracedDiagram take() {
+  TracedDiagram take() override {
     out_.siteCount = siteCount_;
     out_.regionArea = std::move(graph_.regionArea);
     out_.indifferentFaces = std::move(graph_.indifferentFaces);
@@ -80,7 +80,7 @@ class Tracing {
   const DistanceField& distances_;
   FaceComplex& complex_;
   const int siteCount_;
-  const std::span<const char> isTraced_;
+  const std::vector<char> isTraced_;
   NodePoints& nodePoints_;
 
   SlicedSequence sequence_;
@@ -134,24 +134,6 @@ class FullTracing final : public SlicedWork<TracedDiagram> {
   Tracing tracing_;
 };
 
-/// The tracing of a part, whose faces `complex` has already.
-class PartTracing final : public SlicedWork<TracedDiagram> {
- public:
-  PartTracing(const TriangleMesh& mesh, const DistanceField& distances, FaceComplex& complex,
-              std::vector<char> isTraced, NodePoints& nodePoints)
-      : isTraced_(std::move(isTraced)),
-        tracing_(mesh, distances, complex, static_cast<int>(isTraced_.size()), isTraced_,
-                 nodePoints) {}
-
-  bool step(long budget) override { return tracing_.step(budget); }
-  double progress() const override { return tracing_.progress(); }
-  TracedDiagram take() override { return tracing_.take(); }
-
- private:
-  const std::vector<char> isTraced_;
-  Tracing tracing_;
-};
-
 /// Yields the diagram of a tracing without the rest.
 class DiagramOfTracing final : public SlicedWork<Diagram> {
  public:
@@ -196,9 +178,10 @@ PartialTracer::PartialTracer(const TriangleMesh& mesh, const DistanceField& dist
 
 std::unique_ptr<SlicedWork<TracedDiagram>> PartialTracer::start(std::span<const int> faces,
                                                                 std::vector<char> isTraced) {
-  complex_.take(faces);
-  return std::make_unique<PartTracing>(mesh_, distances_, complex_, std::move(isTraced),
-                                       nodePoints_);
+  complex_.setPart(faces);
+  const int labelCount = static_cast<int>(isTraced.size());
+  return std::make_unique<Tracing>(mesh_, distances_, complex_, labelCount, std::move(isTraced),
+                                   nodePoints_);
 }
 
 }  // namespace gvd

@@ -13,9 +13,11 @@
 
 namespace gvd {
 
+/// An element of a complex (`FaceComplex`).
 struct Element {
-  int index, face;
-  bool isFace;  ///< the element is a face
+  int index;
+  int face;     ///< that has the element
+  bool isFace;  ///< whether the element is all of it
 };
 
 /// Makes the points of the graph for the vertices of envelopes, each with an error bound for

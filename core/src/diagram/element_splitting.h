@@ -44,9 +44,9 @@ struct Elements {
 /// neighbours until every side between elements of different size has a single owner.
 class ElementSplitting {
  public:
-  ElementSplitting(const TriangleMesh& mesh, const DistanceField& distances, int detail,
+  ElementSplitting(const TieTolerance& ties, const DistanceField& distances, int detail,
                    Elements& elements, NodeLabels& nodes)
-      : ties_(mesh), distances_(distances), detail_(detail), elements_(elements), nodes_(nodes) {}
+      : ties_(ties), distances_(distances), detail_(detail), elements_(elements), nodes_(nodes) {}
   bool step(long& budget);
 
  private:
@@ -60,7 +60,7 @@ class ElementSplitting {
   void setLabels(std::span<const double> distances);
   int commonOwner(int element) const { return nodes_.commonOwner(elements_.nodes(element)); }
 
-  const TieTolerance ties_;
+  const TieTolerance& ties_;
   const DistanceField& distances_;
   const int detail_;
   Elements& elements_;

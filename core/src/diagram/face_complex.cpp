@@ -17,20 +17,21 @@ FaceComplex::FaceComplex(const TriangleMesh& mesh, const DistanceField& distance
       isPart_(extent == Extent::kPart),
       detail_(detail),
       isOwn_(isPart_ || detail > 0),
+      ties_(mesh),
       nodes_(distances, mesh.vertexCount()) {
   if (!isPart_) return;
   indexInPart_.assign(mesh.faceCount(), -1);
   nodes_.addVertices();
 }
 
-bool FaceComplex::step(long& budget) { return (isPart_ || takeMesh(budget)) && finish(budget); }
+bool FaceComplex::step(long& budget) { return (isPart_ || addMesh(budget)) && finish(budget); }
 
-/// Takes the vertices, and the faces too if mixed ones are to be split.
-bool FaceComplex::takeMesh(long& budget) {
+/// Adds all vertices, and the faces too if mixed ones are to be split.
+bool FaceComplex::addMesh(long& budget) {
   const auto forFaces = [&](auto body) {
     return !isOwn_ || loop_.run(mesh_.faceCount(), budget, kQuickRounds, body);
   };
-  return taking_.run(
+  return adding_.run(
       [&] { nodes_.reserve(mesh_.vertexCount()); },
       [&] {
         return loop_.run(mesh_.vertexCount(), budget, kQuickRounds,
@@ -56,7 +57,7 @@ bool FaceComplex::finish(long& budget) {
   return finishing_.run(
       [&] {
         return detail_ == 0 ||
-               runPart(splitting_, budget, mesh_, distances_, detail_, elements_, nodes_);
+               runPart(splitting_, budget, ties_, distances_, detail_, elements_, nodes_);
       },
       [&] { return !isOwn_ || matchTwins(budget); }, [&] { soleOwner_.reserve(elementCount()); },
       [&] {
@@ -64,14 +65,14 @@ bool FaceComplex::finish(long& budget) {
       });
 }
 
-void FaceComplex::take(std::span<const int> faces) {
+void FaceComplex::setPart(std::span<const int> faces) {
   clear();
   partSize_ = static_cast<int>(faces.size());
   for (const int f : faces) {
     indexInPart_[f] = elements_.count();
     addFace(f);
   }
-  for (const int v : elements_.tail) nodes_.take(v);
+  for (const int v : elements_.tail) nodes_.findOwner(v);
 }
 
 void FaceComplex::clear() {
@@ -102,7 +103,6 @@ std::vector<NodeLabels::InnerNode> FaceComplex::innerNodes(int h) const {
 }
 
 int FaceComplex::boundaryHalfedge(int h) const {
-  if (twins()[h] >= 0) return -1;
   const int side = meshHalfedge(h);
   return side >= 0 && mesh_.twin(side) < 0 ? side : -1;
 }
@@ -115,17 +115,10 @@ int FaceComplex::meshHalfedge(int h) const {
   const Eigen::Matrix3d& corners = elements_.corners[elements_.cornersOf[element]];
   const auto from = corners.col(i), to = corners.col(cornerAfter(i));
   for (int side = 0; side < 3; ++side) {
-    const int opposite = (side + 2) % 3;
-    if (from[opposite] == 0 && to[opposite] == 0) return 3 * face(element) + side;
+    const int apex = cornerBefore(side);
+    if (from[apex] == 0 && to[apex] == 0) return 3 * face(element) + side;
   }
   return -1;
-}
-
-/// A side on the mesh boundary gets no twin, even if the mesh was cut there and another side has
-/// the same two nodes.
-bool FaceComplex::isOnMeshBoundary(int h) const {
-  const int side = meshHalfedge(h);
-  return side >= 0 && mesh_.twin(side) < 0;
 }
 
 bool FaceComplex::matchTwins(long& budget) {
@@ -144,14 +137,16 @@ bool FaceComplex::matchTwins(long& budget) {
       [&] { return loop_.run(count, budget, kQuickRounds, [&](int h) { matchTwin(h); }); });
 }
 
-/// Puts a halfedge in the list of those that leave its tail.
+/// Puts a halfedge in the list of those that leave its tail. A side on the mesh boundary gets no
+/// twin, even if the mesh was cut there and another side has the same two nodes.
 void FaceComplex::linkHalfedge(int h) {
-  before_.push_back(isOnMeshBoundary(h) ? -1 : std::exchange(lastOut_[elements_.tail[h]], h));
+  const bool isOnBoundary = boundaryHalfedge(h) >= 0;
+  before_.push_back(isOnBoundary ? -1 : std::exchange(lastOut_[elements_.tail[h]], h));
 }
 
 void FaceComplex::matchTwin(int h) {
   int twin = -1;
-  if (!isOnMeshBoundary(h)) {
+  if (boundaryHalfedge(h) < 0) {
     twin = lastOut_[elements_.tail[TriangleMesh::next(h)]];
     while (twin >= 0 && elements_.tail[TriangleMesh::next(twin)] != elements_.tail[h])
       twin = before_[twin];

@@ -9,6 +9,7 @@
 #include "base/sliced_loop.h"
 #include "diagram/element_splitting.h"
 #include "diagram/node_labels.h"
+#include "distance/ties.h"
 #include "gvd/geodesic.h"
 #include "gvd/triangle_mesh.h"
 
@@ -24,12 +25,12 @@ class FaceComplex {
  public:
   enum class Extent { kMesh, kPart };
 
-  /// A complex of all faces or, after `take`, of some. Mixed faces are split in four `detail`
+  /// A complex of all faces or, after `setPart`, of some. Mixed faces are split in four `detail`
   /// times, with distances at the new nodes.
   FaceComplex(const TriangleMesh& mesh, const DistanceField& distances, int detail, Extent extent);
-  /// Begins to replace a part by another one: some faces, given ascending; other vertices get no
-  /// labels. Takes time for the new faces and the previous ones only.
-  void take(std::span<const int> faces);
+  /// Begins to replace the part by another one: some faces, given ascending. Only the nodes of
+  /// these have owners. Takes time for the new faces and the previous ones only.
+  void setPart(std::span<const int> faces);
   /// The complex is complete once this has returned true.
   bool step(long& budget);
 
@@ -41,7 +42,7 @@ class FaceComplex {
   /// -1 on the mesh boundary, at faces outside of the complex, and where an element meets several
   /// smaller ones: one label owns all of such a side.
   std::span<const int> twins() const { return isOwn_ ? twin_ : mesh_.twins(); }
-  /// The mesh's boundary halfedge that a halfedge without twin is part of, or -1.
+  /// The mesh's boundary halfedge that a halfedge is part of, -1 if none.
   int boundaryHalfedge(int h) const;
   /// The number of faces of the complex, and the index of a face among them, -1 if it is not in.
   int faceCount() const { return isPart_ ? partSize_ : mesh_.faceCount(); }
@@ -63,7 +64,8 @@ class FaceComplex {
   /// The nodes between the ends of a halfedge where its element meets smaller ones, in order. None
   /// where the elements on both sides have the same size.
   std::vector<NodeLabels::InnerNode> innerNodes(int h) const;
-  /// The label that owns all of an element: the owner of all its nodes; else -2, `Diagram::kMixed`.
+  /// The label that owns all of an element: the owner of all its nodes. `Diagram::kUnreachable` if
+  /// they have none, `Diagram::kMixed` if they have several.
   int soleOwner(int element) const { return soleOwner_[element]; }
   /// The elements, ascending, that are mixed, have no owner, or have ties at all nodes, where two
   /// labels may tie on all of the element.
@@ -72,13 +74,12 @@ class FaceComplex {
   int mixedCount() const { return mixedCount_; }
 
  private:
-  bool takeMesh(long& budget);
+  bool addMesh(long& budget);
   bool finish(long& budget);
   void addFace(int face);
   void clear();
   void noteContested(int element);
   int meshHalfedge(int h) const;
-  bool isOnMeshBoundary(int h) const;
   bool matchTwins(long& budget);
   void linkHalfedge(int h);
   void matchTwin(int h);
@@ -89,6 +90,7 @@ class FaceComplex {
   const bool isPart_;
   const int detail_;
   const bool isOwn_;  ///< whether elements are kept here: they are not just the faces of the mesh
+  const TieTolerance ties_;
   NodeLabels nodes_;
   Elements elements_;  ///< if they are kept here
   std::vector<int> twin_;
@@ -97,7 +99,7 @@ class FaceComplex {
   std::vector<int> indexInPart_;  ///< per face of the mesh, -1 if it is not in; empty if all are
   int partSize_ = 0;
 
-  SlicedSequence taking_, finishing_, matching_;
+  SlicedSequence adding_, finishing_, matching_;
   SlicedLoop loop_;
   int splitCount_ = 0;  ///< mixed faces, if they are to be split
   int mixedCount_ = 0;

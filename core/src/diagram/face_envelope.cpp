@@ -231,8 +231,8 @@ void FaceEnvelope::insert(int f) {
     if (!isGone) cell.sides.push_back({at, link->across});
     at = link->to;
   }
-  for (int v = 0; v < 3; ++v)
-    if (below_[v] == 1) vertices_[v].functions[0] = f;
+  for (int corner = 0; corner < 3; ++corner)  // the first vertices
+    if (below_[corner] == 1) vertices_[corner].functions[0] = f;
 }
 
 }  // namespace gvd

@@ -84,9 +84,11 @@ class FaceEnvelope {
   bool cutCell(Cell& cell, int f);
   int cutVertex(const Cell& cell, const CellSide& from, const CellSide& to, bool toIsBelow, int f);
 
+  /// A piece of the outline of the cell being inserted, from vertex to vertex.
   struct Link {
     int from, to, across;
   };
+  /// A side between two former cells that the new cell cuts, and the vertex there.
   struct CutSide {
     int from, to, vertex;
   };
@@ -94,12 +96,14 @@ class FaceEnvelope {
   std::span<const LabelFunction> functions_;
   Cut cut_;
   std::vector<Vertex> vertices_;
-  std::vector<Cell> cells_;  // the first cellCount_ are in use; the rest keep their memory
+  std::vector<Cell> cells_;  ///< the first `cellCount_` are in use; the rest keep their memory
   int cellCount_ = 0;
-  std::vector<char> below_;
-  std::vector<Link> links_;
-  std::vector<CutSide> cuts_;
-  std::vector<CellSide> kept_;
+
+  // While a function is inserted.
+  std::vector<char> below_;     ///< per vertex: whether the function is below the envelope there
+  std::vector<Link> links_;     ///< in no order
+  std::vector<CutSide> cuts_;   ///< by the cells on their first sides
+  std::vector<CellSide> kept_;  ///< what remains of the sides of the current cell
 };
 
 }  // namespace gvd

@@ -120,7 +120,9 @@ bool LabelCompletion::completeAcross(int element, int side) {
   return changed;
 }
 
-/// The distance of an element's third node from the virtual source behind a side.
+/// The distance of an element's third node from the virtual source behind a side. Unlike in the
+/// DGPC update, there has to be one: if the distances violate the triangle inequality, the source
+/// is on the line of the side.
 double LabelCompletion::unfold(int element, int side, double atTail, double atTip) const {
   const double squared = squaredLength(element, side, side + 1);
   const double fromTail = squaredLength(element, side, side + 2);

@@ -20,15 +20,16 @@ class NodeLabels {
 
   int count() const { return static_cast<int>(nodes_.size()); }
   void reserve(int count) { nodes_.reserve(count); }
-  /// Adds the vertices, without labels yet (`take`).
+  /// Adds the vertices, their owners not yet found.
   void addVertices() { nodes_.resize(vertexCount_); }
-  /// Adds the next vertex with its labels.
+  /// Adds the next vertex and finds its owner.
   void addVertex();
-  /// Reads the labels of a vertex, unless that has been done.
-  void take(int vertex) {
+  /// Finds the owner of a vertex, unless that has been done.
+  void findOwner(int vertex) {
     if (nodes_[vertex].owner < 0) noteOwner(vertex);
   }
-  /// Forgets all midpoints, and the labels of the listed nodes.
+  /// Forgets all midpoints and added labels, and the owners of the listed nodes: all that were
+  /// found.
   void clear(std::span<const int> nodes);
 
   std::span<const LabelledDistance> labels(int node) const {

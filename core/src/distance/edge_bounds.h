@@ -35,7 +35,9 @@ class EdgeBounds {
   void clearChanged();
 
  private:
-  static constexpr double kBucketsPerEdge = 1.5;  ///< per short edge
+  /// Buckets of the queue per short edge. Hardly any edge leads to a vertex of the same bucket, so
+  /// most vertices are processed once (delta-stepping: Meyer & Sanders 2003).
+  static constexpr double kBucketsPerEdge = 1.5;
   static constexpr int kNone = -1;
   struct Vertex {
     double bound = kInfinity;

@@ -8,7 +8,7 @@
 #include "distance/path_points.h"
 #include "distance/site_distances.h"
 #include "gvd/error.h"
-#include "mesh/surface_geometry.h"
+#include "mesh/given_points.h"
 
 namespace gvd {
 namespace {

@@ -6,6 +6,7 @@
 #include <utility>
 
 namespace gvd {
+
 KnownLabels::KnownLabels(const TriangleMesh& mesh, const SiteSet& sites, NearestBounds& bounds,
                          LabelSpread& spread)
     : mesh_(mesh),
@@ -60,7 +61,8 @@ bool KnownLabels::step(long& budget) {
   return sequence_.run(
       [&] { return markFinal(budget); }, [&] { findAffected(); }, [&] { return findTies(budget); },
       [&] {
-        return forFaces(affectedFaces_, budget, [&](int f) { owners_.reset(f, requirements_); });
+        return loop_.run(affectedFaces_.size(), budget, kQuickRounds,
+                         [&](int i) { owners_.reset(affectedFaces_.list()[i], requirements_); });
       },
       [&] { addTies(); },
       [&] {
@@ -83,11 +85,6 @@ bool KnownLabels::step(long& budget) {
         noteExtended();
         progress_ = 1;
       });
-}
-
-template <class Body>
-bool KnownLabels::forFaces(const IndexSet& faces, long& budget, Body body) {
-  return loop_.run(faces.size(), budget, kQuickRounds, [&](int i) { body(faces.list()[i]); });
 }
 
 /// Calls work(i) for i from the cursor up to `count`; it returns the units of budget it used.

@@ -58,8 +58,6 @@ class KnownLabels {
   const std::vector<int>& changedLabels() const { return changedLabels_; }
 
  private:
-  template <class Body>
-  bool forFaces(const IndexSet& faces, long& budget, Body body);
   template <class Work>
   bool forEach(size_t count, long& budget, Work work);
 

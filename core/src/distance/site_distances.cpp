@@ -9,8 +9,8 @@
 #include "base/sliced_loop.h"
 #include "distance/dgpc/unfolding_spread.h"
 #include "distance/exact/window_spread.h"
+#include "mesh/given_points.h"
 #include "mesh/representations.h"
-#include "mesh/surface_geometry.h"
 
 namespace gvd {
 namespace {

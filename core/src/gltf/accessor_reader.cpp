@@ -31,9 +31,8 @@ constexpr ComponentType kRotationTypes[] = {kInt8, kInt16, kFloat};
 constexpr ComponentType kFloatOnly[] = {kFloat};
 
 const ComponentType& componentType(int id, const Format& format, const std::string& owner) {
-  for (const ComponentType& type : format.allowed) {
+  for (const ComponentType& type : format.allowed)
     if (type.id == id) return type;
-  }
   reject(owner + " has component type " + std::to_string(id) + ", which " + format.what +
          " cannot have");
 }
@@ -71,9 +70,8 @@ AccessorReading AccessorReader::start(int index, const Format& format, const std
   reading.components_ = format.components;
   reading.type_ = &type;
   reading.isNormalized_ = accessor.normalized && type.largest > 0;
-  if (accessor.elements) {
+  if (accessor.elements)
     reading.elements_ = elements(*accessor.elements, accessor.count, type, format.components, name);
-  }
   if (accessor.sparse) {
     const SparseElements& sparse = *accessor.sparse;
     const std::string part = "the sparse part of " + name;
@@ -121,9 +119,8 @@ void AccessorReading::store(std::uint64_t element, const std::byte* bytes) {
 
 void AccessorReading::storeSparse(std::uint64_t i) {
   const auto place = static_cast<std::uint64_t>(sparse_->placeType->load(sparse_->places.at(i)));
-  if (place >= count_) {
+  if (place >= count_)
     reject(sparse_->name + " has the index " + std::to_string(place) + " past its end");
-  }
   store(place, sparse_->values.at(i));
 }
 
@@ -134,9 +131,8 @@ Elements AccessorReader::elements(const ElementRange& range, std::uint64_t count
   const BufferView& view = document_.bufferViews[range.bufferView];
   const std::string name = "buffer view " + std::to_string(range.bufferView);
   const Bytes buffer = buffers_.at(view.buffer, name);
-  if (view.byteOffset > buffer.size() || view.byteLength > buffer.size() - view.byteOffset) {
+  if (view.byteOffset > buffer.size() || view.byteLength > buffer.size() - view.byteOffset)
     reject(name + " reaches past the end of buffer " + std::to_string(view.buffer));
-  }
   const std::uint64_t size = components * type.size;
   const std::uint64_t stride = view.byteStride == 0 ? size : view.byteStride;
   if (stride < size) reject(name + " has a byteStride less than the elements of " + owner);
@@ -145,11 +141,10 @@ Elements AccessorReader::elements(const ElementRange& range, std::uint64_t count
   const bool fits = count == 0 || (offset <= length && size <= length - offset &&
                                    count - 1 <= (length - offset - size) / stride);
   if (!fits) reject(owner + " reaches past the end of " + name);
-  if (const std::uint64_t first = view.byteOffset + offset; first % type.size != 0) {
+  if (const std::uint64_t first = view.byteOffset + offset; first % type.size != 0)
     reject(owner + " begins at byte " + std::to_string(first) +
            " of its buffer, which is not a multiple of " + std::to_string(type.size) +
            ", the size of its numbers");
-  }
   return {buffer.data() + view.byteOffset + (count == 0 ? 0 : offset), stride};
 }
 

@@ -50,20 +50,18 @@ Bytes Buffers::load(Buffer& buffer, int index) {
   if (!buffer.object.byteLength) reject(name + " has no byteLength");
   const std::uint64_t length = *buffer.object.byteLength;
   const Bytes bytes = content(buffer, index, name);
-  if (length > bytes.size()) {
+  if (length > bytes.size())
     reject(name + " should have " + std::to_string(length) + " bytes but has " +
            std::to_string(bytes.size()));
-  }
   return bytes.first(length);
 }
 
 Bytes Buffers::content(Buffer& buffer, int index, const std::string& name) {
   if (!buffer.object.uri) {
     if (index == 0 && bin_) return *bin_;
-    if (!buffer.object.compression.empty()) {
+    if (!buffer.object.compression.empty())
       reject(name + " stands for data compressed with " + buffer.object.compression +
-             kDecompressFirst);
-    }
+             kNotDecompressed);
     reject(name + " has no uri, and there is no binary chunk for it");
   }
   const std::string& uri = *buffer.object.uri;
@@ -73,10 +71,9 @@ Bytes Buffers::content(Buffer& buffer, int index, const std::string& name) {
     return std::as_bytes(std::span(buffer.decoded));
   }
   const std::string path = percentDecoded(uri);
-  for (const GltfResource& resource : resources_) {
+  for (const GltfResource& resource : resources_)
     if (percentDecoded(resource.uri) == path) return resource.bytes;
-  }
-  reject("it needs the file \"" + uri + "\" (" + name + "), which is missing" +
+  reject(name + " needs the file \"" + uri + "\", which is missing" +
          (leadsOutside(path) ? ": files outside the model's folder are not read" : ""));
 }
 

@@ -32,9 +32,8 @@ tinygltf::Model parseModel(const std::string& text) {
       parser.LoadASCIIFromString(&model, &error, &warning, text.data(),
                                  static_cast<unsigned int>(text.size()), "", kRequireNothing);
   // tinygltf leaves out faulty objects, which would shift the indices of those after them.
-  if (!parsed || !error.empty()) {
+  if (!parsed || !error.empty())
     reject("the glTF is invalid: " + error.substr(0, error.find_last_not_of(".\n") + 1));
-  }
   return model;
 }
 
@@ -85,9 +84,8 @@ Primitive converted(tinygltf::Primitive& from) {
     to.attributes.erase(indices);
   }
   to.targets = std::move(from.targets);
-  for (const auto& [extension, value] : from.extensions) {
+  for (const auto& [extension, value] : from.extensions)
     if (extension.find("compression") != std::string::npos) to.compression = extension;
-  }
   return to;
 }
 
@@ -104,9 +102,8 @@ Mesh converted(tinygltf::Mesh& from) {
   Mesh to;
   to.name = shortened(std::move(from.name));
   to.weights = std::move(from.weights);
-  for (tinygltf::Primitive& primitive : from.primitives) {
+  for (tinygltf::Primitive& primitive : from.primitives)
     to.primitives.push_back(converted(primitive));
-  }
   return to;
 }
 
@@ -120,9 +117,8 @@ Node converted(tinygltf::Node& from) {
   const auto instancing = from.extensions.find("EXT_mesh_gpu_instancing");
   if (instancing != from.extensions.end() && instancing->second.Has("attributes")) {
     const tinygltf::Value& attributes = instancing->second.Get("attributes");
-    for (const std::string& semantic : attributes.Keys()) {
+    for (const std::string& semantic : attributes.Keys())
       to.instances[semantic] = attributes.Get(semantic).GetNumberAsInt();
-    }
   }
   to.matrix = std::move(from.matrix);
   to.translation = std::move(from.translation);
@@ -136,13 +132,11 @@ Node converted(tinygltf::Node& from) {
 Document parseDocument(const std::string& text) {
   tinygltf::Model model = parseModel(text);
   Document document;
-  for (const tinygltf::BufferView& view : model.bufferViews) {
+  for (const tinygltf::BufferView& view : model.bufferViews)
     document.bufferViews.push_back(
         {view.buffer, view.byteOffset, view.byteLength, view.byteStride});
-  }
-  for (const tinygltf::Accessor& accessor : model.accessors) {
+  for (const tinygltf::Accessor& accessor : model.accessors)
     document.accessors.push_back(converted(accessor));
-  }
   for (tinygltf::Mesh& mesh : model.meshes) document.meshes.push_back(converted(mesh));
   for (tinygltf::Node& node : model.nodes) document.nodes.push_back(converted(node));
   for (tinygltf::Scene& scene : model.scenes) document.scenes.push_back(std::move(scene.nodes));

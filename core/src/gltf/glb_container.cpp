@@ -52,10 +52,9 @@ Container openGlb(Bytes bytes) {
   const std::uint32_t version = uint32At(bytes, 4), length = uint32At(bytes, 8);
   if (version != 2)
     reject("this is GLB version " + std::to_string(version) + "; only version 2 is read");
-  if (length > bytes.size()) {
+  if (length > bytes.size())
     reject("the GLB is truncated: it should have " + std::to_string(length) + " bytes but has " +
            std::to_string(bytes.size()));
-  }
   Bytes rest = bytes.first(length).subspan(std::min<std::size_t>(kHeaderSize, length));
   const Chunk json = takeChunk(rest), bin = takeChunk(rest);
   if (json.type != kJson) reject("the GLB does not begin with a JSON chunk");
@@ -71,9 +70,8 @@ Container openContainer(Bytes bytes) {
   if (text.starts_with("glTF")) return openGlb(bytes);
   const std::string_view withoutMark = text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
   const std::size_t first = withoutMark.find_first_not_of(" \t\r\n");
-  if (first == std::string_view::npos || withoutMark[first] != '{') {
+  if (first == std::string_view::npos || withoutMark[first] != '{')
     reject("this is neither GLB nor glTF JSON");
-  }
   return {withoutMark, std::nullopt};
 }
 

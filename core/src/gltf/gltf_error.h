@@ -16,10 +16,8 @@ inline std::string toRaise(const char* limit) {
   return "; raise the limit " + std::string(limit) + " to read it";
 }
 
-/// Advice on compressed files: only the JavaScript library decompresses, before it hands a file to
-/// this reader.
-inline constexpr char kDecompressFirst[] =
-    ", which is not decompressed here: save the model without it, or open it with the JavaScript "
-    "library or the command geodesic-voronoi";
+/// The end of a sentence that names the extension by which data are compressed.
+inline constexpr char kNotDecompressed[] =
+    ", which is not decompressed here: save the model without it";
 
 }  // namespace gvd::gltf

@@ -24,11 +24,10 @@ void requireVersion2(const json& document) {
 
 /// Whether triangles can be read: the extension is implemented here, or does not affect them.
 bool isReadable(const std::string& extension) {
-  for (const char* prefix : {"KHR_mesh_quantization", "EXT_mesh_gpu_instancing", "KHR_materials_",
-                             "KHR_texture_", "EXT_texture_", "MSFT_texture_", "KHR_lights_",
-                             "EXT_lights_", "KHR_animation_", "KHR_xmp"}) {
+  for (const char* prefix :
+       {"KHR_mesh_quantization", "EXT_mesh_gpu_instancing", "KHR_materials_", "KHR_texture_",
+        "EXT_texture_", "MSFT_texture_", "KHR_lights_", "EXT_lights_", "KHR_animation_", "KHR_xmp"})
     if (extension.starts_with(prefix)) return true;
-  }
   return false;
 }
 
@@ -40,7 +39,7 @@ void requireKnownExtensions(const json& document) {
     if (isReadable(extension)) continue;
     const bool isCompression = extension.ends_with("_compression");
     reject("the glTF requires the extension " + extension +
-           (isCompression ? kDecompressFirst : ", which is not supported"));
+           (isCompression ? kNotDecompressed : ", which is not supported"));
   }
 }
 
@@ -55,9 +54,8 @@ std::vector<BufferObject> takeBuffers(json& document) {
     if (uri != object.end()) buffer.uri = std::move(uri->get_ref<std::string&>());
     if (length != object.end()) buffer.byteLength = length->get<std::uint64_t>();
     const auto extensions = object.find("extensions");
-    if (extensions != object.end() && !extensions->empty()) {
+    if (extensions != object.end() && !extensions->empty())
       buffer.compression = extensions->begin().key();
-    }
   }
   document.erase(list);
   return buffers;

@@ -62,9 +62,8 @@ class JsonFilter {
 
   bool number_float(double value, const std::string& text) {
     constexpr double kMostExact = 9007199254740992;  // 2^53
-    if (value >= 0 && value <= kMostExact && value == std::floor(value)) {
+    if (value >= 0 && value <= kMostExact && value == std::floor(value))
       return number_unsigned(static_cast<std::uint64_t>(value));  // 3.0, 1e2
-    }
     const JsonRule* rule = next();
     if (!rule || rule->kind != JsonKind::kNumber) return skip(rule, text.substr(0, 40));
     return keep(value);
@@ -91,8 +90,8 @@ class JsonFilter {
 
   static bool parse_error(std::size_t position, const std::string&, const json::exception& error) {
     constexpr int kNumberOverflow = 406;
-    if (error.id == kNumberOverflow) gltf::reject("the JSON has a number that is too large");
-    gltf::reject("the JSON is malformed at byte " + std::to_string(position));
+    if (error.id == kNumberOverflow) reject("the JSON has a number that is too large");
+    reject("the JSON is malformed at byte " + std::to_string(position));
   }
 
  private:
@@ -125,9 +124,8 @@ class JsonFilter {
 
   /// Skips a value, which is `what`; if it has a rule, that is a fault.
   bool skip(const JsonRule* rule, const std::string& what) {
-    if (rule) {
+    if (rule)
       setFault(pathWithIndices(rule->path) + " is " + what + "; it must be " + expectation(*rule));
-    }
     return true;
   }
 
@@ -150,23 +148,20 @@ class JsonFilter {
 
   static void count(std::uint64_t& sum, std::uint64_t most, const char* what) {
     if (++sum <= most) return;
-    gltf::reject("the glTF has more than " + std::to_string(most) + ' ' + what +
-                 toRaise("maxObjects"));
+    reject("the glTF has more than " + std::to_string(most) + ' ' + what + toRaise("maxObjects"));
   }
 
   bool open(JsonKind kind, const char* what) {
-    if (++depth_ > kMaxDepth) {
-      gltf::reject("the JSON is nested more than " + std::to_string(kMaxDepth) + " levels deep");
-    }
+    if (++depth_ > kMaxDepth)
+      reject("the JSON is nested more than " + std::to_string(kMaxDepth) + " levels deep");
     const JsonRule* rule = next();
     if (!rule || rule->kind != kind) {
       skip(rule, what);
       ++skippedLevels_;
       return true;
     }
-    if (kind == JsonKind::kObject && rule->path.ends_with("[]")) {
+    if (kind == JsonKind::kObject && rule->path.ends_with("[]"))
       count(objects_, limits_.maxObjects, "nodes, meshes, accessors and other objects");
-    }
     json& value = add(kind == JsonKind::kObject ? json::object() : json::array());
     levels_.push_back({rule, &value});
     return true;
@@ -189,9 +184,8 @@ class JsonFilter {
       for (const JsonRule& member : jsonRules()) {
         const bool isMissing = member.isRequired && member.object() == level.rule->path &&
                                !level.value->contains(member.name());
-        if (isMissing) {
+        if (isMissing)
           setFault(pathWithIndices(level.rule->path) + " has no " + std::string(member.name()));
-        }
       }
     }
     return true;
@@ -236,20 +230,18 @@ void requireShortNumbers(std::string_view text) {
     if (isInString && c == '\\') ++i;  // the next character does not end the string
     const bool isOfNumber = !isInString && ((c >= '0' && c <= '9') || c == '.' || c == '-');
     length = isOfNumber ? length + 1 : 0;
-    if (length > kMaxNumberLength) {
+    if (length > kMaxNumberLength)
       reject("the JSON has a number of more than " + std::to_string(kMaxNumberLength) +
              " characters");
-    }
   }
 }
 
 }  // namespace
 
 FilteredJson filterJson(std::string_view text, const GltfLimits& limits) {
-  if (text.size() > limits.maxJsonBytes) {
+  if (text.size() > limits.maxJsonBytes)
     reject("the JSON has " + std::to_string(text.size()) + " bytes, more than " +
            std::to_string(limits.maxJsonBytes) + toRaise("maxJsonBytes"));
-  }
   requireShortNumbers(text);
   JsonFilter filter(limits);
   json::sax_parse(text, &filter);

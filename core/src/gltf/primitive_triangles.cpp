@@ -37,9 +37,8 @@ void forEachActiveTarget(const Primitive& primitive, std::span<const double> wei
 }  // namespace
 
 PrimitiveKind kindOf(const Primitive& primitive, const std::string& name) {
-  if (primitive.mode < kPoints || primitive.mode > kTriangleFan) {
+  if (primitive.mode < kPoints || primitive.mode > kTriangleFan)
     reject(name + " has the unknown mode " + std::to_string(primitive.mode));
-  }
   if (primitive.mode < kTriangleList) return PrimitiveKind::kPointsOrLines;
   return primitive.attributes.contains("POSITION") ? PrimitiveKind::kTriangles
                                                    : PrimitiveKind::kWithoutPositions;
@@ -52,9 +51,8 @@ PrimitiveSize sizeOf(const Primitive& primitive, std::span<const double> weights
     if (!accessor.elements) size.zeroElements += accessor.count;
   };
   const Accessor& positions = accessors.at(primitive.attributes.at("POSITION"), name);
-  if (!positions.elements && !primitive.compression.empty()) {
-    reject(name + " is compressed with " + primitive.compression + kDecompressFirst);
-  }
+  if (!positions.elements && !primitive.compression.empty())
+    reject(name + " is compressed with " + primitive.compression + kNotDecompressed);
   countZeros(positions);
   size.vertices = positions.count;
   size.triangles = triangleCount(primitive.mode, positions.count);
@@ -78,10 +76,9 @@ AttributeReading::AttributeReading(const Primitive& primitive, const char* seman
                                    const std::string& name, std::vector<double>& to)
     : to_(to), first_(to.size()) {
   const auto addLayer = [&](int accessor, const Format& as, double weight) {
-    if (const std::uint64_t count = accessors.at(accessor, name).count; count != vertexCount) {
+    if (const std::uint64_t count = accessors.at(accessor, name).count; count != vertexCount)
       reject(name + " has " + std::to_string(count) + " elements of " + as.what +
              ", but there are " + std::to_string(vertexCount) + " positions");
-    }
     std::vector<double>& values = layers_.empty() ? to_ : displacements_;
     layers_.push_back({accessors.start(accessor, as, name, values), weight});
   };

@@ -25,14 +25,12 @@ std::vector<int> rootNodes(const Document& document) {
   const int count = static_cast<int>(document.nodes.size());
   std::vector<char> isChild(count, false);
   for (const Node& node : document.nodes) {
-    for (int child : node.children) {
+    for (int child : node.children)
       if (child >= 0 && child < count) isChild[child] = true;
-    }
   }
   std::vector<int> roots;
-  for (int n = 0; n < count; ++n) {
+  for (int n = 0; n < count; ++n)
     if (!isChild[n]) roots.push_back(n);
-  }
   return roots;
 }
 
@@ -47,15 +45,12 @@ Eigen::Affine3d localTransform(const Node& node, const std::string& name) {
   if (!node.matrix.empty()) {
     constexpr double kRounding = 1e-6;  // of numbers of single precision
     const Eigen::Matrix4d matrix = Eigen::Matrix4d::Map(node.matrix.data());
-    if (!matrix.row(3).isApprox(Eigen::RowVector4d::UnitW(), kRounding)) {
+    if (!matrix.row(3).isApprox(Eigen::RowVector4d::UnitW(), kRounding))
       reject(name + " has a matrix whose last row is not 0, 0, 0, 1");
-    }
     transform.affine() = matrix.topRows<3>();
     return transform;
   }
-  if (!node.translation.empty()) {
-    transform.translate(Eigen::Vector3d::Map(node.translation.data()));
-  }
+  if (!node.translation.empty()) transform.translate(Eigen::Vector3d::Map(node.translation.data()));
   if (!node.rotation.empty()) rotate(transform, node.rotation.data(), name);
   if (!node.scale.empty()) transform.scale(Eigen::Vector3d::Map(node.scale.data()));
   return transform;
@@ -82,9 +77,8 @@ std::vector<Eigen::Affine3d> instanceTransforms(const Node& node, const std::str
   for (std::size_t i = 0; i < transforms.size(); ++i) {
     Eigen::Affine3d& transform = transforms[i];
     if (!translations.empty()) transform.translate(Eigen::Vector3d::Map(&translations[3 * i]));
-    if (!rotations.empty()) {
+    if (!rotations.empty())
       rotate(transform, &rotations[4 * i], "instance " + std::to_string(i) + " of " + name);
-    }
     if (!scales.empty()) transform.scale(Eigen::Vector3d::Map(&scales[3 * i]));
   }
   return transforms;
@@ -121,9 +115,8 @@ class SceneWalk {
             std::none_of(node.instances.begin(), node.instances.end(), [&](const auto& attribute) {
               return accessors_.at(attribute.second, name).elements.has_value();
             });
-        for (const Eigen::Affine3d& instance : instanceTransforms(node, name, accessors_, most_)) {
+        for (const Eigen::Affine3d& instance : instanceTransforms(node, name, accessors_, most_))
           place({*node.mesh, index, base * instance, areFree});
-        }
       }
       push(node.children, name, transform);
     }
@@ -132,9 +125,8 @@ class SceneWalk {
   }
 
   std::vector<PlacedMesh> allMeshes() {
-    for (int m = 0; m < static_cast<int>(document_.meshes.size()); ++m) {
+    for (int m = 0; m < static_cast<int>(document_.meshes.size()); ++m)
       place({m, -1, Eigen::Affine3d::Identity()});
-    }
     return std::move(placed_);
   }
 

@@ -31,8 +31,8 @@ int PointGrid::firstNear(const Eigen::Vector3d& p) const {
   return first;
 }
 
-/// The cube of a point. Coordinates are clamped to finite numbers if the quotient overflows,
-/// because infinity has no next cube.
+/// The cube of a point. Cubes are four radii wide: a ball meets eight at most. Coordinates are
+/// clamped to finite numbers if the quotient overflows, because infinity has no next cube.
 PointGrid::Cube PointGrid::cubeOf(const Eigen::Vector3d& p) const {
   constexpr double kMost = std::numeric_limits<double>::max();
   Cube cube;

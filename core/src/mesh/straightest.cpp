@@ -6,12 +6,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "base/plane.h"
 #include "base/tolerances.h"
 #include "mesh/face_layout.h"
-#include "mesh/surface_geometry.h"
+#include "mesh/given_points.h"
 
 namespace gvd {
 namespace {
@@ -57,7 +58,7 @@ class Walk {
     const int stretch = mesh_.halfedgeCount() + 16;
     // Needed because a line may wind around a spike millions of times.
     const long most = kMostCrossings + 16L * mesh_.halfedgeCount();
-    double before = -kNever;
+    double before = -std::numeric_limits<double>::infinity();
     for (long crossings = 0; remaining_ > 0 && crossings < most; ++crossings) {
       if (crossings % stretch == 0) {
         if (walked_ - before < kLeastProgress * mesh_.meanEdgeLength()) break;
@@ -74,7 +75,6 @@ class Walk {
   }
 
  private:
-  static constexpr double kNever = 1e300;
   static constexpr long kMostCrossings = 1 << 16;  ///< and more on larger meshes
 
   // --- Coordinates ---

@@ -4,12 +4,8 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <string>
 
 #include "base/prefetch.h"
-#include "base/tolerances.h"
-#include "gvd/error.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
 
@@ -65,29 +61,6 @@ inline double squaredDistance(const Eigen::Vector3d& a, const Eigen::Vector3d& b
 /// Σ bᵢ bⱼ |eᵢⱼ|²: by how much squared distances, interpolated linearly, exceed those in the plane.
 inline double interpolationExcess(const Eigen::Vector3d& bary, const std::array<double, 3>& sides) {
   return bary[0] * bary[1] * sides[0] + bary[1] * bary[2] * sides[1] + bary[2] * bary[0] * sides[2];
-}
-
-/// Barycentric coordinates below this are set to zero in points given by callers: 512 times the
-/// rounding 2^-53, and less than `kMaxPointError`.
-inline constexpr double kCoordinateRounding = 0x1p-44;
-
-/// Barycentric coordinates that are valid within `kBarycentricTolerance` as coordinates that are
-/// not negative and sum to 1 but for rounding. A point within rounding of an edge or vertex is
-/// moved onto it: unfolded into the faces beside it, it might come out on the wrong side.
-inline Eigen::Vector3d cleanBarycentric(const Eigen::Vector3d& bary) {
-  const Eigen::Vector3d clamped = (bary.array() < kCoordinateRounding).select(0, bary);
-  const double sum = clamped.sum();
-  if (clamped == bary && std::abs(sum - 1) <= kCoordinateRounding) return bary;
-  return clamped / sum;
-}
-
-/// A point from outside with clean coordinates. Throws `Error(kInvalidPoint)` if it is not on the
-/// mesh; the message begins with `what`.
-inline SurfacePoint onMesh(const TriangleMesh& mesh, const SurfacePoint& p,
-                           const std::string& what = {}) {
-  if (const std::string fault = mesh.faultOfPoint(p); !fault.empty())
-    throw Error(ErrorCode::kInvalidPoint, what + fault);
-  return {p.face, cleanBarycentric(p.bary)};
 }
 
 }  // namespace gvd

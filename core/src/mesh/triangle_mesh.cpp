@@ -10,7 +10,7 @@
 #include "base/number_text.h"
 #include "base/tolerances.h"
 #include "gvd/error.h"
-#include "mesh/surface_geometry.h"
+#include "mesh/given_points.h"
 
 namespace gvd {
 namespace {
@@ -58,14 +58,12 @@ std::string TriangleMesh::faultOfPoint(const SurfacePoint& p) const {
 }
 
 SurfacePoint TriangleMesh::fromInput(const SurfacePoint& p) const {
-  if (p.face < 0 || p.face >= inputFaceCount()) {
+  if (p.face < 0 || p.face >= inputFaceCount())
     rejectPoint("there is no triangle " + std::to_string(p.face));
-  }
   const int* const halfedges = &halfedgeOfInput_[3 * static_cast<std::size_t>(p.face)];
-  if (halfedges[0] < 0) {
+  if (halfedges[0] < 0)
     rejectPoint("triangle " + std::to_string(p.face) +
                 " was dropped and no other triangle has its points");
-  }
   if (const std::string fault = faultOf(p.bary); !fault.empty()) rejectPoint(fault);
   const Eigen::Vector3d bary = cleanBarycentric(p.bary);
   SurfacePoint q{faceOf(halfedges[0]), Eigen::Vector3d::Zero()};
@@ -74,9 +72,8 @@ SurfacePoint TriangleMesh::fromInput(const SurfacePoint& p) const {
 }
 
 SurfacePoint TriangleMesh::fromInputVertex(int inputVertex) const {
-  if (inputVertex < 0 || inputVertex >= inputVertexCount()) {
+  if (inputVertex < 0 || inputVertex >= inputVertexCount())
     rejectPoint("there is no vertex " + std::to_string(inputVertex));
-  }
   const int h = vertexOfInput_[inputVertex];
   if (h < 0) rejectPoint("no triangle of the surface uses vertex " + std::to_string(inputVertex));
   return {faceOf(h), Eigen::Vector3d::Unit(h % 3)};

@@ -19,7 +19,7 @@ int addVertex(const TriangleMesh& mesh, const SurfacePoint& p, PolygonMesh& resu
 }
 
 bool isRun(const RegionComplex::Border& border) {
-  return border.beyond == RegionComplex::kOutside && border.fromNode >= 0;
+  return border.beyond == RegionComplex::kOutside && border.fromVertex >= 0;
 }
 
 /// The midpoint of a border, by length.
@@ -59,13 +59,13 @@ PolygonMesh buildDual(const TriangleMesh& mesh, std::span<const SurfacePoint> si
     result.vertexLabel.push_back(border.label);
   }
   std::vector<int> polygon;
-  for (size_t n = 0; n < complex.nodes.size(); ++n) {
-    const RegionComplex::Node& node = complex.nodes[n];
-    polygon = complex.labelsAt(static_cast<int>(n));
-    for (int& vertex : polygon) vertex = vertexOfLabel[vertex];
-    if (node.isOnBoundary()) {
-      polygon.insert(polygon.begin(), vertexOfRun[node.borders.front()]);
-      polygon.push_back(vertexOfRun[node.arrivingRun]);
+  for (size_t v = 0; v < complex.vertices.size(); ++v) {
+    const RegionComplex::Vertex& vertex = complex.vertices[v];
+    polygon = complex.labelsAt(static_cast<int>(v));
+    for (int& corner : polygon) corner = vertexOfLabel[corner];
+    if (vertex.isOnBoundary()) {
+      polygon.insert(polygon.begin(), vertexOfRun[vertex.borders.front()]);
+      polygon.push_back(vertexOfRun[vertex.arrivingRun]);
     }
     result.faces.add(polygon);
   }
@@ -77,14 +77,14 @@ namespace {
 PolygonMesh buildRegions(const TriangleMesh& mesh, const Partition& partition,
                          const RegionComplex& complex) {
   PolygonMesh result;
-  for (const RegionComplex::Node& node : complex.nodes)
-    addVertex(mesh, partition.points[node.vertex], result);
+  for (const RegionComplex::Vertex& vertex : complex.vertices)
+    addVertex(mesh, partition.points[vertex.point], result);
   std::vector<int> polygon;
   for (const RegionComplex::Loop& loop : complex.loops) {
     polygon.clear();
     for (int b = loop.firstBorder; b < loop.firstBorder + loop.borderCount; ++b) {
       const RegionComplex::Border& border = complex.borders[b];
-      if (border.fromNode >= 0) polygon.push_back(border.fromNode);
+      if (border.fromVertex >= 0) polygon.push_back(border.fromVertex);
       if (isRun(border))
         polygon.push_back(addVertex(mesh, middle(mesh, partition, border), result));
     }

@@ -14,7 +14,7 @@
 #include "gvd/dual.h"
 #include "gvd/error.h"
 #include "gvd/partition.h"
-#include "mesh/surface_geometry.h"
+#include "mesh/given_points.h"
 #include "partition/region_complex.h"
 
 namespace gvd {
@@ -82,11 +82,11 @@ inline std::vector<SurfacePoint> sitesOf(const TriangleMesh& mesh, const Diagram
   return clean;
 }
 
-/// A violation, and the vertices of the partition where it shows: the one farthest from all sites
+/// A violation, and the points of the partition where it shows: the one farthest from all sites
 /// is a good place for another site.
 struct Finding {
   Violation violation;
-  std::vector<int> vertices;
+  std::vector<int> points;
 };
 
 /// Like `findViolations`, in the same order.

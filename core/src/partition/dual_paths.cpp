@@ -47,7 +47,8 @@ class DualPathFinding final : public SlicedWork<std::vector<DualPath>> {
   double progress() const override {
     const double ofPaths =
         nearest_.empty() ? 1 : static_cast<double>(paths_.size()) / nearest_.size();
-    return std::min(1.0, sequence_.progress() + 0.2 * ofPaths);
+    constexpr double kShareOfPaths = 0.2;  // the last of five parts
+    return std::min(1.0, sequence_.progress() + kShareOfPaths * ofPaths);
   }
   std::vector<DualPath> take() override { return std::move(paths_); }
 

@@ -62,16 +62,16 @@ class RepairRound {
     return points;
   }
 
-  double distanceAt(int vertex) const { return field_.nearest(partition_.points[vertex]).distance; }
+  double distanceAt(int point) const { return field_.nearest(partition_.points[point]).distance; }
 
   SurfacePoint farthestPoint(const Finding& finding) const {
     double most = -1;
-    int farthest = finding.vertices.front();
-    for (const int vertex : finding.vertices) {
-      const double distance = distanceAt(vertex);
+    int farthest = finding.points.front();
+    for (const int point : finding.points) {
+      const double distance = distanceAt(point);
       if (distance <= most) continue;
       most = distance;
-      farthest = vertex;
+      farthest = point;
     }
     return partition_.points[farthest];
   }

@@ -52,22 +52,22 @@ class Inspector {
 
  private:
   void add(Violation::Kind kind, std::vector<int> labels, std::string message,
-           std::vector<int> vertices = {}) {
-    found_.push_back({{kind, std::move(labels), std::move(message)}, std::move(vertices)});
+           std::vector<int> points = {}) {
+    found_.push_back({{kind, std::move(labels), std::move(message)}, std::move(points)});
   }
 
-  std::vector<int> verticesOf(const RegionPatch& region) const {
-    std::vector<int> vertices;
+  std::vector<int> pointsOf(const RegionPatch& region) const {
+    std::vector<int> points;
     for (int i = 0; i < region.triangleCount; ++i)
-      for (const int v : partition_.triangles[region.firstTriangle + i]) vertices.push_back(v);
-    makeSet(vertices);
-    return vertices;
+      for (const int p : partition_.triangles[region.firstTriangle + i]) points.push_back(p);
+    makeSet(points);
+    return points;
   }
 
-  void addVerticesOf(const RegionComplex::Border& border, std::vector<int>& vertices) const {
+  void addPointsOf(const RegionComplex::Border& border, std::vector<int>& points) const {
     for (const int h : border.path) {
-      vertices.push_back(tailOf(partition_.triangles, h));
-      vertices.push_back(tipOf(partition_.triangles, h));
+      points.push_back(tailOf(partition_.triangles, h));
+      points.push_back(tipOf(partition_.triangles, h));
     }
   }
 
@@ -91,24 +91,23 @@ class Inspector {
       add(Violation::kNoDisk, {region.label},
           name + " is no disk: it has " + counted(region.components, "part") + ", " +
               counted(region.loops, "outline") + " and genus " + std::to_string(region.genus),
-          verticesOf(region));
+          pointsOf(region));
     if (region.selfTouchings > 0)
       add(Violation::kTouchesItself, {region.label},
-          name + " touches itself in " + counted(region.selfTouchings, "point"),
-          verticesOf(region));
+          name + " touches itself in " + counted(region.selfTouchings, "point"), pointsOf(region));
   }
 
-  /// The regions around a node in ascending order, each once.
-  std::vector<int> labelSet(int node) const {
-    std::vector<int> labels = complex_.labelsAt(node);
+  /// The regions around a vertex in ascending order, each once.
+  std::vector<int> labelSet(int vertex) const {
+    std::vector<int> labels = complex_.labelsAt(vertex);
     makeSet(labels);
     return labels;
   }
 
-  /// How often two regions meet, and at which vertices.
+  /// How often two regions meet, and at which points.
   struct Meeting {
     int count = 0;
-    std::vector<int> vertices;
+    std::vector<int> points;
   };
   using Meetings = std::map<std::pair<int, int>, Meeting>;
 
@@ -118,95 +117,95 @@ class Inspector {
       if (border.beyond < border.label) continue;  // the outside, or counted from the other side
       Meeting& meeting = meetings[{border.label, border.beyond}];
       ++meeting.count;
-      addVerticesOf(border, meeting.vertices);
-      if (border.fromNode >= 0) continue;
-      std::vector<int> vertices;
-      addVerticesOf(border, vertices);
+      addPointsOf(border, meeting.points);
+      if (border.fromVertex >= 0) continue;
+      std::vector<int> points;
+      addPointsOf(border, points);
       add(Violation::kClosedBorder, {border.label, border.beyond},
-          regions({border.label, border.beyond}) + " meet along a closed curve",
-          std::move(vertices));
+          regions({border.label, border.beyond}) + " meet along a closed curve", std::move(points));
     }
-    for (int n = 0; n < static_cast<int>(complex_.nodes.size()); ++n) countMeetingsIn(n, meetings);
+    for (int v = 0; v < static_cast<int>(complex_.vertices.size()); ++v)
+      countMeetingsAt(v, meetings);
     for (const auto& [labels, meeting] : meetings)
       if (meeting.count > 1)
         add(Violation::kTwoMeetTwice, {labels.first, labels.second},
             regions({labels.first, labels.second}) + " meet in " + std::to_string(meeting.count) +
                 " places",
-            meeting.vertices);
+            meeting.points);
   }
 
-  /// Counts pairs of regions that meet in a node, but in none of the arcs that end there.
-  void countMeetingsIn(int n, Meetings& meetings) const {
-    const auto around = complex_.labelsAt(n);
-    if (around.size() <= 3 && !complex_.nodes[n].isOnBoundary()) return;
+  /// Counts pairs of regions that meet at a vertex, but in none of the arcs that end there.
+  void countMeetingsAt(int v, Meetings& meetings) const {
+    const auto around = complex_.labelsAt(v);
+    if (around.size() <= 3 && !complex_.vertices[v].isOnBoundary()) return;
     std::set<std::pair<int, int>> inArcs;
     for (size_t i = 0; i < around.size(); ++i) {
-      if (i + 1 == around.size() && complex_.nodes[n].isOnBoundary()) break;
+      if (i + 1 == around.size() && complex_.vertices[v].isOnBoundary()) break;
       inArcs.insert(std::minmax(around[i], around[(i + 1) % around.size()]));
     }
-    const auto labels = labelSet(n);
+    const auto labels = labelSet(v);
     for (size_t i = 0; i < labels.size(); ++i)
       for (size_t k = i + 1; k < labels.size(); ++k)
         if (!inArcs.contains({labels[i], labels[k]})) {
           Meeting& meeting = meetings[{labels[i], labels[k]}];
           ++meeting.count;
-          meeting.vertices.push_back(complex_.nodes[n].vertex);
+          meeting.points.push_back(complex_.vertices[v].point);
         }
   }
 
-  /// Finds pairs of nodes that have three or more regions in common. Only nodes that share the two
-  /// lowest of these are compared; two regions rarely share more than the ends of one arc.
+  /// Finds pairs of vertices that have three or more regions in common. Only vertices that share
+  /// the two lowest of these are compared; two regions rarely share more than the ends of one arc.
   void inspectTriples() {
     std::vector<std::vector<int>> labels;
-    std::map<std::pair<int, int>, std::vector<int>> nodesOf;  // of two regions
-    for (int n = 0; n < static_cast<int>(complex_.nodes.size()); ++n) {
-      labels.push_back(labelSet(n));
+    std::map<std::pair<int, int>, std::vector<int>> verticesOf;  // two regions
+    for (int v = 0; v < static_cast<int>(complex_.vertices.size()); ++v) {
+      labels.push_back(labelSet(v));
       const std::vector<int>& around = labels.back();
       for (size_t i = 0; i < around.size(); ++i)
-        for (size_t k = i + 1; k < around.size(); ++k) nodesOf[{around[i], around[k]}].push_back(n);
+        for (size_t k = i + 1; k < around.size(); ++k)
+          verticesOf[{around[i], around[k]}].push_back(v);
     }
-    std::map<std::vector<int>, std::vector<int>> found;  // regions → vertices
+    std::map<std::vector<int>, std::vector<int>> found;  // regions → points
     std::vector<int> common;
-    for (const auto& [lowest, nodes] : nodesOf)
-      for (size_t i = 0; i < nodes.size(); ++i)
-        for (size_t k = i + 1; k < nodes.size(); ++k) {
-          const auto &a = labels[nodes[i]], &b = labels[nodes[k]];
+    for (const auto& [lowest, vertices] : verticesOf)
+      for (size_t i = 0; i < vertices.size(); ++i)
+        for (size_t k = i + 1; k < vertices.size(); ++k) {
+          const auto &a = labels[vertices[i]], &b = labels[vertices[k]];
           common.clear();
           std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(common));
           if (common.size() < 3 || std::pair(common[0], common[1]) != lowest) continue;
-          for (const int n : {nodes[i], nodes[k]})
-            found[common].push_back(complex_.nodes[n].vertex);
+          for (const int v : {vertices[i], vertices[k]})
+            found[common].push_back(complex_.vertices[v].point);
         }
-    for (const auto& [three, vertices] : found)
+    for (const auto& [three, points] : found)
       add(Violation::kThreeMeetTwice, three,
-          regions(three) + " meet in more than one Voronoi point", vertices);
+          regions(three) + " meet in more than one Voronoi point", points);
   }
 
-  /// Checks the loops of the mesh boundary: those with nodes run by run, then those without.
+  /// Checks the loops of the mesh boundary: those with vertices run by run, then those without.
   void inspectBoundary() {
-    std::vector<char> isWalked(complex_.nodes.size(), false);
-    for (int start = 0; start < static_cast<int>(complex_.nodes.size()); ++start) {
-      if (isWalked[start] || !complex_.nodes[start].isOnBoundary()) continue;
-      std::vector<int> labels, vertices;
-      for (int n = start; !isWalked[n];) {
-        isWalked[n] = true;
-        const RegionComplex::Border& run = complex_.borders[complex_.nodes[n].borders.front()];
+    std::vector<char> isWalked(complex_.vertices.size(), false);
+    for (int start = 0; start < static_cast<int>(complex_.vertices.size()); ++start) {
+      if (isWalked[start] || !complex_.vertices[start].isOnBoundary()) continue;
+      std::vector<int> labels, points;
+      for (int v = start; !isWalked[v];) {
+        isWalked[v] = true;
+        const RegionComplex::Border& run = complex_.borders[complex_.vertices[v].borders.front()];
         labels.push_back(run.label);
-        addVerticesOf(run, vertices);
-        n = run.toNode;
+        addPointsOf(run, points);
+        v = run.toVertex;
       }
       if (labels.size() >= 3) continue;
       makeSet(labels);
       add(Violation::kFewRuns, labels, "a loop of the mesh boundary passes only " + regions(labels),
-          std::move(vertices));
+          std::move(points));
     }
     for (const RegionComplex::Border& border : complex_.borders) {
-      if (border.beyond != RegionComplex::kOutside || border.fromNode >= 0) continue;
-      std::vector<int> vertices;
-      addVerticesOf(border, vertices);
+      if (border.beyond != RegionComplex::kOutside || border.fromVertex >= 0) continue;
+      std::vector<int> points;
+      addPointsOf(border, points);
       add(Violation::kFewRuns, {border.label},
-          "a loop of the mesh boundary passes only " + regions({border.label}),
-          std::move(vertices));
+          "a loop of the mesh boundary passes only " + regions({border.label}), std::move(points));
     }
   }
 

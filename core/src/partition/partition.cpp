@@ -43,8 +43,8 @@ class Partitioner final : public SlicedWork<Partition> {
   Partition take() override { return std::move(out_); }
 
  private:
-  /// A triangle, before triangles are sorted by label.
-  struct LooseTriangle {
+  /// A triangle of the partition, before triangles are sorted by label.
+  struct Piece {
     std::array<int, 3> vertices;
     int label, face;
     double area;
@@ -168,7 +168,7 @@ class Partitioner final : public SlicedWork<Partition> {
     size_t largest = first;
     double rest = faceArea;
     for (size_t i = first; i < pieces_.size(); ++i) {
-      LooseTriangle& piece = pieces_[i];
+      Piece& piece = pieces_[i];
       const auto& [a, b, c] = piece.vertices;
       piece.area = faceArea * std::max(0.0, areaShare(baryOf(a, piece.face), baryOf(b, piece.face),
                                                       baryOf(c, piece.face)));
@@ -250,7 +250,7 @@ class Partitioner final : public SlicedWork<Partition> {
   }
 
   void addTriangle(int i, int t) {
-    const LooseTriangle& piece = pieces_[i];
+    const Piece& piece = pieces_[i];
     triangleOfPiece_[i] = t;
     out_.triangles.push_back(piece.vertices);
     out_.triangleLabel.push_back(piece.label);
@@ -347,7 +347,7 @@ class Partitioner final : public SlicedWork<Partition> {
       if (mesh_.twin(3 * face + i) >= 0) continue;
       bool isOnSide = true;
       for (const int end : {tailOf(out_.triangles, h), tipOf(out_.triangles, h)})
-        isOnSide &= baryInFace(mesh_, out_.points[end], face)[(i + 2) % 3] == 0;
+        isOnSide &= baryInFace(mesh_, out_.points[end], face)[cornerBefore(i)] == 0;
       if (isOnSide) return true;
     }
     return false;
@@ -363,7 +363,7 @@ class Partitioner final : public SlicedWork<Partition> {
   std::vector<int> vertexOfPoint_;
   std::vector<SidePoint> sidePoints_;       ///< ascending by halfedge and order
   std::vector<std::pair<int, int>> sides_;  ///< of the cells of the current face
-  std::vector<LooseTriangle> pieces_;
+  std::vector<Piece> pieces_;
   std::vector<char> isLeftOut_;  ///< faces
   int nextCell_ = 0;
   size_t nextSidePoint_ = 0;

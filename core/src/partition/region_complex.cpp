@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Borders and nodes of a partition, read off the outlines of its regions.
+// Borders and vertices of a partition, read off the outlines of its regions.
 #include "partition/region_complex.h"
 
 #include <algorithm>
@@ -13,16 +13,16 @@ namespace gvd {
 bool RegionComplexBuilding::step(long& budget) {
   const std::size_t points = partition_.points.size(), halfedges = partition_.twins.size();
   return sequence_.run(
-      [&] { return fillInSlices(nodeOfVertex_, points, -1, budget); },
+      [&] { return fillInSlices(vertexOfPoint_, points, -1, budget); },
       [&] { return fillInSlices(borderAt_, halfedges, -1, budget); },
       [&] { return fillInSlices(sectors_, points, 0, budget); },
       [&] { return fillInSlices(isOnBoundary_, points, '\0', budget); },
       [&] { return fillInSlices(isWalked_, halfedges, '\0', budget); },
       [&] { return loop_.run(halfedges, budget, 8, [&](int h) { countSector(h); }); },
-      [&] { return loop_.run(points, budget, kQuickRounds, [&](int v) { findNode(v); }); },
+      [&] { return loop_.run(points, budget, kQuickRounds, [&](int p) { findVertex(p); }); },
       [&] { return loop_.run(halfedges, budget, 8, [&](int h) { walkLoopFrom(h); }); },
       [&] { return loop_.run(out_.borders.size(), budget, 2, [&](int b) { listBorder(b); }); },
-      [&] { return loop_.run(out_.nodes.size(), budget, 1, [&](int n) { turnAround(n); }); });
+      [&] { return loop_.run(out_.vertices.size(), budget, 1, [&](int v) { turnAround(v); }); });
 }
 
 /// The last halfedge of the sector that starts with h: the first one on the outline when turning
@@ -39,11 +39,11 @@ void RegionComplexBuilding::countSector(int h) {
   if (partition_.twins[h] < 0) isOnBoundary_[tail(h)] = true;
 }
 
-/// A vertex is a node if three or more sectors meet there, or two on the mesh boundary.
-void RegionComplexBuilding::findNode(int v) {
-  if (sectors_[v] < (isOnBoundary_[v] ? 2 : 3)) return;
-  nodeOfVertex_[v] = static_cast<int>(out_.nodes.size());
-  out_.nodes.push_back({v, {}, -1});
+/// A point is a vertex if three or more sectors meet there, or two on the mesh boundary.
+void RegionComplexBuilding::findVertex(int point) {
+  if (sectors_[point] < (isOnBoundary_[point] ? 2 : 3)) return;
+  vertexOfPoint_[point] = static_cast<int>(out_.vertices.size());
+  out_.vertices.push_back({point, {}, -1});
 }
 
 void RegionComplexBuilding::walkLoopFrom(int start) {
@@ -53,17 +53,17 @@ void RegionComplexBuilding::walkLoopFrom(int start) {
     isWalked_[h] = true;
     steps_.push_back(h);
   }
-  const auto leavesNode = [&](int h) { return nodeOfVertex_[tail(h)] >= 0; };
-  const auto first = std::find_if(steps_.begin(), steps_.end(), leavesNode);
+  const auto leavesVertex = [&](int h) { return vertexOfPoint_[tail(h)] >= 0; };
+  const auto first = std::find_if(steps_.begin(), steps_.end(), leavesVertex);
   if (first != steps_.end()) std::rotate(steps_.begin(), first, steps_.end());
   const int firstBorder = static_cast<int>(out_.borders.size());
   for (const int h : steps_) {
-    if (leavesNode(h) || h == steps_.front()) startBorder(h);
+    if (leavesVertex(h) || h == steps_.front()) startBorder(h);
     out_.borders.back().path.push_back(h);
   }
   const int end = static_cast<int>(out_.borders.size());
   for (int b = firstBorder; b < end; ++b)
-    out_.borders[b].toNode = out_.borders[b + 1 < end ? b + 1 : firstBorder].fromNode;
+    out_.borders[b].toVertex = out_.borders[b + 1 < end ? b + 1 : firstBorder].fromVertex;
   out_.loops.push_back({partition_.triangleLabel[start / 3], firstBorder, end - firstBorder});
 }
 
@@ -72,24 +72,24 @@ void RegionComplexBuilding::startBorder(int h) {
   borderAt_[h] = static_cast<int>(out_.borders.size());
   out_.borders.push_back({partition_.triangleLabel[h / 3],
                           twin < 0 ? RegionComplex::kOutside : partition_.triangleLabel[twin / 3],
-                          nodeOfVertex_[tail(h)],
+                          vertexOfPoint_[tail(h)],
                           -1,
                           {}});
 }
 
-/// Makes a border the first of its node: a run if there is one, else the first border listed.
+/// Makes a border the first of its vertex: a run if there is one, else the first border listed.
 /// `turnAround` adds the others.
 void RegionComplexBuilding::listBorder(int b) {
   const RegionComplex::Border& border = out_.borders[b];
-  if (border.fromNode < 0) return;
-  std::vector<int>& borders = out_.nodes[border.fromNode].borders;
+  if (border.fromVertex < 0) return;
+  std::vector<int>& borders = out_.vertices[border.fromVertex].borders;
   const bool isRun = border.beyond == RegionComplex::kOutside;
-  if (isRun) out_.nodes[border.toNode].arrivingRun = b;
+  if (isRun) out_.vertices[border.toVertex].arrivingRun = b;
   if (isRun || borders.empty()) borders.assign(1, b);
 }
 
-void RegionComplexBuilding::turnAround(int n) {
-  std::vector<int>& borders = out_.nodes[n].borders;
+void RegionComplexBuilding::turnAround(int vertex) {
+  std::vector<int>& borders = out_.vertices[vertex].borders;
   for (;;) {
     const int last = endOfSector(out_.borders[borders.back()].path.front());
     const int beyond = partition_.twins[last];
@@ -98,9 +98,9 @@ void RegionComplexBuilding::turnAround(int n) {
   }
 }
 
-std::vector<int> RegionComplex::labelsAt(int node) const {
+std::vector<int> RegionComplex::labelsAt(int vertex) const {
   std::vector<int> labels;
-  for (const int b : nodes[node].borders) labels.push_back(borders[b].label);
+  for (const int b : vertices[vertex].borders) labels.push_back(borders[b].label);
   return labels;
 }
 

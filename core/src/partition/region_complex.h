@@ -11,28 +11,28 @@
 namespace gvd {
 
 /// The regions of a partition as a complex. Its faces are the regions. Its edges are the *borders*
-/// between two regions, or between a region and the outside. Its vertices are the *nodes*, where
+/// between two regions, or between a region and the outside. Its vertices are the points where
 /// three or more sectors of regions, or two and the outside, meet. A border has its region on the
 /// left, so an arc between two regions consists of two borders; a *run*, a border along the mesh
 /// boundary, is there once.
 struct RegionComplex {
   static constexpr int kOutside = -1;
 
-  struct Node {
-    int vertex;  ///< of the partition
-    /// The borders that leave the node, counterclockwise; each starts a sector of the region to its
-    /// left. On the mesh boundary the first border is a run, and the sectors do not close.
+  struct Vertex {
+    int point;  ///< in `Partition::points`
+    /// The borders that leave the vertex, counterclockwise; each starts a sector of the region to
+    /// its left. On the mesh boundary the first border is a run, and the sectors do not close.
     std::vector<int> borders;
-    /// The run that ends at the node; -1 inside.
+    /// The run that ends at the vertex; -1 inside.
     int arrivingRun = -1;
 
     bool isOnBoundary() const { return arrivingRun >= 0; }
   };
 
   struct Border {
-    int label, beyond;      ///< to the left, to the right
-    int fromNode, toNode;   ///< -1 if the border is closed and meets no node
-    std::vector<int> path;  ///< the halfedges of the partition along it
+    int label, beyond;         ///< to the left, to the right
+    int fromVertex, toVertex;  ///< -1 if the border is closed and meets no vertex
+    std::vector<int> path;     ///< the halfedges of the partition along it
   };
 
   struct Loop {
@@ -40,12 +40,12 @@ struct RegionComplex {
     int firstBorder, borderCount;
   };
 
-  std::vector<Node> nodes;
+  std::vector<Vertex> vertices;
   std::vector<Border> borders;
   std::vector<Loop> loops;  ///< ascending by label
 
-  /// The regions around a node, counterclockwise.
-  std::vector<int> labelsAt(int node) const;
+  /// The regions around a vertex, counterclockwise.
+  std::vector<int> labelsAt(int vertex) const;
 };
 
 /// Builds, in slices, the complex of a partition that leaves out components without a site.
@@ -60,19 +60,19 @@ class RegionComplexBuilding {
   int tail(int h) const { return tailOf(partition_.triangles, h); }
   int endOfSector(int h) const;
   void countSector(int h);
-  void findNode(int v);
+  void findVertex(int point);
   void walkLoopFrom(int start);
   void startBorder(int h);
   void listBorder(int b);
-  void turnAround(int n);
+  void turnAround(int vertex);
 
   const Partition& partition_;
   SlicedSequence sequence_;
   SlicedLoop loop_;
-  std::vector<int> nodeOfVertex_;
+  std::vector<int> vertexOfPoint_;
   std::vector<int> borderAt_;       ///< the border that starts with a halfedge, or -1
-  std::vector<int> sectors_;        ///< of regions around a vertex
-  std::vector<char> isOnBoundary_;  ///< vertices
+  std::vector<int> sectors_;        ///< of regions around a point
+  std::vector<char> isOnBoundary_;  ///< points
   std::vector<char> isWalked_;      ///< halfedges
   std::vector<int> steps_;          ///< of the current loop
   RegionComplex out_;

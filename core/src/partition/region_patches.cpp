@@ -9,7 +9,6 @@
 
 #include "base/sorting.h"
 #include "mesh/nearest_on_triangle.h"
-#include "mesh/surface_geometry.h"
 
 namespace gvd {
 namespace {
@@ -54,7 +53,7 @@ bool PatchMeasuring::step(long& budget) {
       [&] {
         return loop_.run(siteCount_, budget, 8, [&](int l) { partition_.regions[l].label = l; });
       },
-      [&] { return surveyAll(budget); });
+      [&] { return measureAll(budget); });
 }
 
 std::array<Vector3d, 3> PatchMeasuring::cornersOf(int t) const {
@@ -73,22 +72,22 @@ void PatchMeasuring::noteOutline(int h) {
 }
 
 /// Measures all regions, then the part that no site reaches.
-bool PatchMeasuring::surveyAll(long& budget) {
-  for (; surveyed_ <= siteCount_; ++surveyed_) {
-    if (!survey(patchOf(surveyed_ < siteCount_ ? surveyed_ : -1), budget)) return false;
-    survey_ = {};
+bool PatchMeasuring::measureAll(long& budget) {
+  for (; measured_ <= siteCount_; ++measured_) {
+    if (!measure(patchOf(measured_ < siteCount_ ? measured_ : -1), budget)) return false;
+    measuring_ = {};
   }
   return true;
 }
 
 /// Measures a region whose label and range of triangles are set.
-bool PatchMeasuring::survey(RegionPatch& region, long& budget) {
+bool PatchMeasuring::measure(RegionPatch& region, long& budget) {
   if (region.triangleCount == 0) return true;
   const int first = region.firstTriangle;
   const auto forTriangles = [&](long perUnit, auto body) {
     return loop_.run(region.triangleCount, budget, perUnit, [&](int i) { body(first + i); });
   };
-  return survey_.run(
+  return measuring_.run(
       [&] {
         moment_ = sum_ = Vector3d::Zero();
         reach_ = 0;

@@ -31,8 +31,8 @@ class PatchMeasuring {
   double squaredDistanceToCentroid(int t, const RegionPatch& region) const;
   RegionPatch& patchOf(int label);
 
-  bool surveyAll(long& budget);
-  bool survey(RegionPatch& region, long& budget);
+  bool measureAll(long& budget);
+  bool measure(RegionPatch& region, long& budget);
   void noteOutline(int h);
   void addArea(int t, RegionPatch& region);
   void walkOutlineFrom(int start, RegionPatch& region);
@@ -47,9 +47,9 @@ class PatchMeasuring {
   const std::span<const double> areas_;
   Partition& partition_;
 
-  SlicedSequence sequence_, survey_;
+  SlicedSequence sequence_, measuring_;
   SlicedLoop loop_;
-  int surveyed_ = 0;               ///< regions
+  int measured_ = 0;               ///< regions
   std::vector<char> isOnOutline_;  ///< halfedges
   std::vector<char> isSeen_;       ///< triangles
   std::vector<char> isWalked_;     ///< halfedges on outlines

@@ -16,7 +16,7 @@
 #include "base/sliced_loop.h"
 #include "gvd/error.h"
 #include "gvd/straightest.h"
-#include "mesh/surface_geometry.h"
+#include "mesh/given_points.h"
 #include "tessellation/cvt_energy.h"
 #include "tessellation/density.h"
 #include "tessellation/lbfgs.h"

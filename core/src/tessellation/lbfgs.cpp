@@ -10,7 +10,7 @@ namespace gvd {
 using Eigen::VectorXd;
 
 void LbfgsMemory::learn(const VectorXd& step, const VectorXd& change) {
-  constexpr double kLeastCosine = 1e-8;
+  constexpr double kLeastCosine = 1e-8;  // between a step and the change: the root of the rounding
   const double curvature = step.dot(change);
   if (!(curvature > kLeastCosine * step.norm() * change.norm())) return;
   if (steps_.size() == kSteps) steps_.pop_front();

@@ -22,6 +22,7 @@
 #include "distance/dgpc/unfolding_sweep.h"
 #include "gvd/error.h"
 #include "gvd/geodesic.h"
+#include "mesh/given_points.h"
 #include "mesh/representations.h"
 #include "mesh/surface_geometry.h"
 #include "tessellation/density.h"
@@ -38,10 +39,9 @@ std::vector<double> faceAreas(const TriangleMesh& mesh) {
 }
 
 void requireCount(int count) {
-  if (count < 0) {
+  if (count < 0)
     throw Error(ErrorCode::kInvalidArgument,
                 "there cannot be " + std::to_string(count) + " sample points");
-  }
 }
 
 SurfacePoint drawPoint(std::mt19937_64& random, const std::vector<double>& sums) {
@@ -187,7 +187,7 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
 
   SurfacePoint next() {
     constexpr size_t kFewestMisses = 100;
-    constexpr double kShrink = 0.95;
+    constexpr double kShrink = 0.95;  // nearer to 1, points are more even, and take longer
     if (nextVertex_ > 0 || misses_ >= points_.size() + kFewestMisses) {
       if (!count_) return pointAtVertex(mesh_, nextVertex_++);
       radius_ *= kShrink;

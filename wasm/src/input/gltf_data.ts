@@ -91,7 +91,7 @@ export class GltfData {
       throw gltfFault(`buffer ${index}, which ${what} needs, has no uri`);
     if (/^data:/i.test(uri)) return dataUriContent(uri, `buffer ${index}`);
     if (Object.hasOwn(this.#resources, uri)) return this.#resources[uri];
-    throw gltfFault(`it needs the file "${uri}" (buffer ${index}), which is missing`);
+    throw gltfFault(`buffer ${index} needs the file "${uri}", which is missing`);
   }
 }
 

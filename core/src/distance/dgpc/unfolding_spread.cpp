@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "base/index_set.h"
 #include "base/sliced_loop.h"
+#include "distance/common_labels.h"
 #include "distance/dgpc/unfolding_path.h"
 #include "distance/known_labels.h"
 #include "mesh/surface_geometry.h"
@@ -90,23 +90,24 @@ void UnfoldingSpread::require(int label, std::span<const int> faces) {
 void UnfoldingSpread::requireVertex(Label& known, int vertex) {
   ReachedVertex required = {vertex, true, kInfinity};
   Eigen::Vector2d direction(1, 0);
-  const auto sweptAt = [&](int v) { return index_[v] < known.sweptCount ? index_[v] : -1; };
+  const auto sweptDistance = [&](int v) {
+    const int i = index_[v];
+    return i >= 0 && i < known.sweptCount ? known.vertices[i].distance : kInfinity;
+  };
   const auto offer = [&](double distance, int from) {
     if (!(distance < required.distance)) return;
     required.distance = distance;
-    direction = known.directions[from];
+    direction = known.directions[index_[from]];
   };
   for (const int h : mesh_.fan(vertex)) {
     const TriangleMesh::Face& face = mesh_.face(TriangleMesh::faceOf(h));
     const int k = h % 3, i = cornerAfter(k), j = cornerBefore(k);
-    const int tail = sweptAt(face.vertices[i]), tip = sweptAt(face.vertices[j]);
-    const double atTail = tail < 0 ? kInfinity : known.vertices[tail].distance;
-    const double atTip = tip < 0 ? kInfinity : known.vertices[tip].distance;
-    if (tail >= 0 && tip >= 0)
-      if (const auto unfolding = unfold(face, i, atTail, atTip))
-        offer(unfolding->toApex.norm(), atTail < atTip ? tail : tip);
-    if (tail >= 0) offer(atTail + face.lengths[k], tail);
-    if (tip >= 0) offer(atTip + face.lengths[j], tip);
+    const int tail = face.vertices[i], tip = face.vertices[j];
+    const double atTail = sweptDistance(tail), atTip = sweptDistance(tip);
+    if (const auto unfolding = unfold(face, i, atTail, atTip))
+      offer(unfolding->toApex.norm(), atTail < atTip ? tail : tip);
+    offer(atTail + face.lengths[k], tail);
+    offer(atTip + face.lengths[j], tip);
   }
   known.vertices.push_back(required);
   known.directions.push_back(direction);
@@ -145,15 +146,13 @@ void UnfoldingSpread::takeRequired() {
 
 std::vector<LabelledDistance> UnfoldingSpread::nearestAt(const SurfacePoint& p,
                                                          const KnownLabels& known) {
-  std::vector<int> labels;
-  for (const int v : mesh_.face(p.face).vertices)
-    for (const LabelledDistance& d : known[v]) labels.push_back(d.label);
-  makeSet(labels);
+  const auto& [a, b, c] = mesh_.face(p.face).vertices;
   std::vector<LabelledDistance> distances;
-  distances.reserve(labels.size());
-  for (const int label : labels)
+  anyLabel(known[a], known[b], known[c], [&](int label, const auto& /*at*/) {
     distances.push_back(
         {label, distanceAt(label, p, [&](int v) { return known.distance(v, label); })});
+    return false;
+  });
   return distances;
 }
 
@@ -222,7 +221,7 @@ std::vector<SurfacePoint> UnfoldingSpread::path(int label, const SurfacePoint& p
     return index_[v] < 0 ? kInfinity : known.vertices[index_[v]].distance;
   };
   const double most = (1 + kMostDetour) * distanceAt(label, p, atVertex);
-  auto path = UnfoldingPath(mesh_, sites_[label], atVertex).from(p);
+  auto path = pathByUnfolding(mesh_, sites_[label], atVertex, p);
   if (!path.empty() && lengthOf(mesh_, path) <= most) return path;
   return shortestPath(mesh_, p, sites_[label]);
 }

@@ -28,24 +28,23 @@ void UnfoldingSweep::start(const SurfacePoint& site, Reach reach) {
   const TriangleMesh::Face& face = mesh_.face(site.face);
   const Incidence place = incidenceOf(site.bary);
   if (place.corner >= 0) {
-    const int vertex = face.vertices[place.corner], first = mesh_.outgoing(vertex);
+    const int vertex = face.vertices[place.corner];
+    const std::span<const int> fan = mesh_.fan(vertex);
     offer(vertex, 0, {1, 0}, kFromSite);
-    double angle = angleOfOutgoing(mesh_, site, first);
-    int h = first;
-    do {
+    double angle = angleOfOutgoing(mesh_, site, fan.front());
+    for (const int h : fan) {
       offer(mesh_.tip(h), mesh_.length(h), unitVector(angle), kFromSite);
       angle += mesh_.cornerAngle(h);
-      const int last = TriangleMesh::previous(h);
-      h = mesh_.twin(last);
-      if (h < 0)  // the last side along the boundary leads here only
-        offer(mesh_.tail(last), mesh_.length(last), unitVector(angle), kFromSite);
-    } while (h >= 0 && h != first);
+    }
+    if (const int last = TriangleMesh::previous(fan.back()); mesh_.twin(last) < 0)
+      offer(mesh_.tail(last), mesh_.length(last), unitVector(angle), kFromSite);
     return;
   }
   startInFace(site, {1, 0});
   const int side = place.side;
   if (side < 0 || face.twins[side] < 0) return;
-  // The side in the site's frame; its twin runs the other way, and to the first side of that face.
+  // The direction of the side in the site's frame. In the face beyond, the side runs the other way,
+  // and the first side of that face is turned from it by `firstSide`.
   const Vector2d along =
       layOut(face, 0, Eigen::Vector3d::Unit(cornerAfter(side)) - Eigen::Vector3d::Unit(side)) /
       face.lengths[side];

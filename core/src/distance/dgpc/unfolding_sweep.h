@@ -77,7 +77,7 @@ inline std::optional<Unfolding> unfold(const TriangleMesh::Face& face, int side,
 /// Where paths bend, virtual sources are inconsistent, and two neighbouring vertices could lower
 /// each other's distances forever, a little each time. So a distance is not passed back to a vertex
 /// that it follows from. To end longer cycles, too, the relative improvement that a vertex requires
-/// doubles with each improvement, which allows at most 41.
+/// doubles with each improvement, from 2^-41 on (`kDistanceTolerance`), which allows at most 41.
 class UnfoldingSweep {
  public:
   /// The distance up to which a site spreads on from a vertex. Called once per vertex and site.

@@ -14,8 +14,8 @@
 #include "distance/site_set.h"
 #include "gvd/geodesic.h"
 #include "mesh/face_layout.h"
+#include "mesh/given_points.h"
 #include "mesh/representations.h"
-#include "mesh/surface_geometry.h"
 
 namespace gvd {
 namespace {

@@ -21,7 +21,7 @@ class SearchBounds {
   /// An upper bound for one of the labels: the length of a known path, infinity if there is none.
   virtual double atMost(int vertex) const = 0;
   /// Whether a label is one of those searched for.
-  virtual bool isAbout(int label) const = 0;
+  virtual bool isSought(int label) const = 0;
 };
 
 /// The sites that a search from a point has found, and the length of the shortest path to one of
@@ -60,7 +60,7 @@ class SiteSearch {
   template <class Visit>
   void visitSites(int face, Visit visit) const {
     for (const FaceSite& site : sites_->inFace(face))
-      if (bounds_->isAbout(site.label) && incidenceOf(site.bary).corner < 0) visit(site);
+      if (bounds_->isSought(site.label) && incidenceOf(site.bary).corner < 0) visit(site);
   }
 
  private:

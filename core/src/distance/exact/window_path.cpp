@@ -16,8 +16,8 @@ namespace {
 using Eigen::Vector2d;
 
 /// A path over a vertex counts as no longer than the straight line beside the vertex if it exceeds
-/// it by at most this share: a hundredth of the tests' tolerance, some 10^4 times the rounding of
-/// distances.
+/// it by at most this share: some 200 times the rounding of distances (`kLineDifference`), and
+/// still too little to see.
 constexpr double kSameLength = 1e-11;
 /// How far an unfolded virtual source may be from its vertex, as a share of the way to it. The
 /// distances must agree as well (`kSameLength`).

@@ -65,7 +65,7 @@ class WindowSpread::NearestLabels final : public SearchBounds {
   explicit NearestLabels(const NearestBounds& bounds) : bounds_(bounds) {}
   double atLeast(int v) const override { return bounds_[v].distance; }
   double atMost(int v) const override { return bounds_[v].distance; }
-  bool isAbout(int /*label*/) const override { return true; }
+  bool isSought(int /*label*/) const override { return true; }
 
  private:
   const NearestBounds& bounds_;
@@ -84,7 +84,7 @@ class WindowSpread::OneLabel final : public SearchBounds {
   double atMost(int v) const override {
     return index_[v] < 0 ? kInfinity : state_.vertices[index_[v]].distance;
   }
-  bool isAbout(int label) const override { return label == label_; }
+  bool isSought(int label) const override { return label == label_; }
 
  private:
   const int label_;
