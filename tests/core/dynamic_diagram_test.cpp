@@ -339,6 +339,30 @@ TEST(DynamicDiagram, KnowsPathsAlongABoundaryThatIsStraightWithinRounding) {
   }
 }
 
+/// Paths to vertices 4 and 8 from either side of the cone at vertex 7 are equally long within
+/// rounding. Only one of them is kept, and only behind the other one lies the strip to vertex 2.
+TEST(DynamicDiagram, KnowsPathsBehindSaddlesWhicheverOfTwoPathsToThemIsKept) {
+  const TriangleMesh mesh =
+      shapes::Shape{
+          {1,     1,     1,     0.142, 0.285, -0.427, 1e30,  0.0117, 0.004,  0.143, 0.286, -0.429,
+           0,     0.016, 0.012, 1e30,  0.004, 1,      0.142, 0.285,  -0.427, 0.004, 1,     1e30,
+           0.008, 0,     0.074, 0.001, 0.748, 0.703,  0.793, 0.808,  0.249,  0.114, 0.227, -0.341},
+          {0, 1, 4, 0, 4, 3, 1, 2, 5,  1, 5,  4, 3, 4, 7,  3, 7,  6,
+           4, 5, 8, 4, 8, 7, 6, 7, 10, 6, 10, 9, 7, 8, 11, 7, 11, 10}}
+          .mesh();
+  const std::vector<SurfacePoint> sites = {
+      {11, {0.2039337158203125, 0.2039337158203125, 0.592132568359375}},
+      {9, {0.3839874267578125, 0.602783203125, 0.0132293701171875}},
+      {3, {0.0038909912109375, 0.59765625, 0.3984527587890625}},
+      {3, {0.0077972412109375, 0.4994964599609375, 0.492706298828125}},
+      {11, {1.52587890625e-05, 0.2508087158203125, 0.749176025390625}}};
+  DynamicDiagram dynamic(mesh, sites);
+  dynamic.moveSite(3, {2, {0.427459716796875, 0.427459716796875, 0.14508056640625}});
+  dynamic.moveSite(1, {2, {0.427459716796875, 0.4265899658203125, 0.1459503173828125}});
+  dynamic.moveSite(3, {11, {0.1889495849609375, 0.3748931884765625, 0.4361572265625}});
+  EXPECT_TRUE(isUpToDate(mesh, dynamic, Metric::kExact));
+}
+
 /// Through faces 1e11 times as long as wide, straight paths along the strip come out longer than
 /// the path along its edges, by more than rounding of the path's length alone.
 TEST(DynamicDiagram, KnowsTiesOfPathsThroughLongFaces) {

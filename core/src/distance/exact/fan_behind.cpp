@@ -2,6 +2,7 @@
 #include "distance/exact/fan_behind.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "base/plane.h"
@@ -13,21 +14,22 @@ using Eigen::Vector2d;
 
 namespace {
 
-/// How far rounding may move the crossing at which a path arrives, and the ends of a fan, as shares
-/// of the sides that they lie on. The fan is wider by both: seen from a vertex of a needle, whose
-/// sides are 2^36 times as long as it is wide, either may leave a gap wide enough for a shortest
-/// path. Where the fan overlaps other windows, its paths turn too sharply, and none is too short.
+/// How far rounding may move the ends of a fan, as a share of the sides that they lie on. Seen from
+/// a vertex of a needle, whose sides are 2^36 times as long as it is wide, that may leave a gap
+/// wide enough for a shortest path.
 constexpr double kFanRounding = 0x1p-50;
+
+/// Rounding makes a path turn more sharply than the shortest one by no more than this: the root in
+/// `sides`, for a piece as short as the thinnest face is wide.
+const double kMostTurned = std::sqrt(2 * kFanRounding / kMollificationMargin);
 
 }  // namespace
 
 bool isSaddle(const TriangleMesh& mesh, int vertex) {
   // Angle sums are rounded: an inner vertex that is flat within rounding needs no virtual source. A
   // boundary vertex that is straight within rounding is one, since lines along the boundary may
-  // miss the faces beyond it. At a vertex of the thinnest faces rounding turns a line by up to
-  // `kMostTurned`; whether it turns a path that far is decided by `sides`.
-  constexpr double kRounding = 1e-12, kMostTurned = kFanRounding / kMollificationMargin;
-  constexpr double kPi = std::numbers::pi;
+  // miss the faces beyond it.
+  constexpr double kRounding = 1e-12, kPi = std::numbers::pi;
   return mesh.angleSum(vertex) >
          (mesh.onBoundary(vertex) ? kPi - kMostTurned : 2 * kPi + kRounding);
 }
@@ -81,8 +83,10 @@ std::span<const OppositeSide> FanBehind::sides(int vertex, int arrival, double c
   const double share = crossing / face.lengths[cornerAfter(i)];
   const double toPrevious = share * face.lengths[cornerBefore(i)];
   Vector2d back((1 - share) * face.lengths[i] + toPrevious * c, toPrevious * s);
-  // Rounding of the crossing turns the path by up to this.
-  const double angle = kFanRounding * face.lengths[cornerAfter(i)] / back.norm();
+  // A path that leaves by less than π on one side is longer than the shortest one by half the
+  // square of what it lacks, times the length of its last piece. Up to this angle, rounding may
+  // take the one for the other, so the fan is wider by it. None of its paths is too short.
+  const double angle = std::min(kMostTurned, std::sqrt(2 * rounding_ / back.norm()));
   back.normalize();
   const auto widened = [&](double x, double y) { return Vector2d(x - angle * y, y + angle * x); };
   const Turn left =

@@ -23,7 +23,8 @@ struct OppositeSide {
 /// source, with angles of at least π on both sides (Mitchell et al. 1987, §3).
 class FanBehind {
  public:
-  explicit FanBehind(const TriangleMesh& mesh) : mesh_(mesh) {}
+  /// The lengths of paths round by up to `rounding`.
+  FanBehind(const TriangleMesh& mesh, double rounding) : mesh_(mesh), rounding_(rounding) {}
 
   /// The parts of the opposite sides that the vertex sees. The path to the vertex enters its last
   /// face across the halfedge `arrival`, of which the vertex is the apex, at `crossing`. Arrival
@@ -45,6 +46,7 @@ class FanBehind {
   double meetOpposite(int outgoing, const Eigen::Vector2d& direction) const;
 
   const TriangleMesh& mesh_;
+  const double rounding_;
   std::vector<OppositeSide> sides_;
 };
 

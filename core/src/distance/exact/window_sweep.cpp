@@ -38,7 +38,7 @@ WindowSweep::WindowSweep(const TriangleMesh& mesh, NearestBounds& bounds)
       bounds_(bounds),
       leastGrazing_(kRoundingOfLines * longestEdge(mesh)),
       tieMargin_(kDistanceTolerance * kFarthestTie * mesh.boundingDiagonal()),
-      fan_(mesh),
+      fan_(mesh, leastGrazing_),
       revisits_(mesh),
       required_(mesh.boundingDiagonal()),
       search_(bounds.ties()),
