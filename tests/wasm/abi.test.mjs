@@ -27,9 +27,11 @@ test('every function of the modules is called by its name, and there is none but
       .filter(({ kind, name }) => kind === 'function' && !name.startsWith('_'))
       .map(({ name }) => name),
   );
-  const scripts = readdirSync(dist)
-    .filter((file) => file.endsWith('.js'))
-    .map((file) => readFileSync(new URL(file, dist), 'utf8'))
+  const scripts = ['./', './input/']
+    .map((folder) => new URL(folder, dist))
+    .flatMap((folder) => readdirSync(folder).map((file) => new URL(file, folder)))
+    .filter(({ pathname }) => pathname.endsWith('.js'))
+    .map((file) => readFileSync(file, 'utf8'))
     .join('\n');
   const named = (name) => new RegExp(`'${name}'|#exports\\.${name}\\b`).test(scripts);
   const idle = [...functions].filter((name) => !named(name));

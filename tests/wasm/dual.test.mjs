@@ -277,6 +277,30 @@ test('each round of a remesh adds at most half as many sites as the one before',
   });
 });
 
+test('the sites that a remesh adds last move towards their centroids if that makes angles larger', async () => {
+  const mesh = await gvd.mesh(star());
+  const angleOf = async (diagram) => (await diagram.remeshQuality()).minAngle;
+  const gains = [];
+  for (const seed of [1, 2, 3, 4]) {
+    const sites = await mesh.sampleSites(12, { seed });
+    let last;
+    for await (last of mesh.cvt(sites, { iterations: 3 }));
+    const once = await (await mesh.voronoi(last.sites)).repair();
+    const count = once.sites.face.length;
+    // So there is one round.
+    const settled = await mesh.remesh(sites, { iterations: 3, maxAdded: count - 12 });
+    assert.equal(settled.sites.face.length, count);
+    assert.deepEqual(settled.sites.face.slice(0, 12), once.sites.face.slice(0, 12));
+    assert.deepEqual(await settled.violations(), []);
+    gains.push((await angleOf(settled)) - (await angleOf(once)));
+  }
+  assert.ok(
+    gains.every((gain) => gain >= 0),
+    `${gains}`,
+  );
+  assert.ok(Math.max(...gains) > 0.5, `${gains}`);
+});
+
 test('after sites have come and gone, it is about those that are there', async () => {
   const mesh = await gvd.mesh(octahedron());
   const diagram = await mesh.voronoi({ vertex: [0, 3] });

@@ -69,6 +69,27 @@ test('gltf.wasm is loaded with the first glTF, not before', async () => {
   await assert.rejects(gvd.mesh(glb(octahedron())), failsToLoad(/nowhere\.wasm/));
 });
 
+test('a timer keeps the event loop of Node busy while modules are compiled and started', async (t) => {
+  const timers = () => process.getActiveResourcesInfo().filter((name) => name === 'Timeout').length;
+  const before = timers();
+  const during = [];
+  for (const name of ['compile', 'instantiate']) {
+    const original = WebAssembly[name];
+    t.mock.method(WebAssembly, name, (...args) => {
+      during.push([name, timers() - before]);
+      return original.apply(WebAssembly, args);
+    });
+  }
+  const gvd = await load();
+  await gvd.mesh(glb(octahedron()));
+  const calls = ['compile', 'instantiate', 'compile', 'instantiate'];
+  assert.deepEqual(
+    during,
+    calls.map((name) => [name, 1]),
+  );
+  assert.equal(timers(), before);
+});
+
 test('what is compiled once is enough for any number of libraries', async () => {
   const modules = await compileModules();
   assert.ok(Object.values(modules).every((module) => module instanceof WebAssembly.Module));

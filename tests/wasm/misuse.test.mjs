@@ -6,6 +6,7 @@
 import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
 import * as api from 'geodesic-voronoi';
+import { BufferAttribute, BufferGeometry } from 'three';
 import { glb, octahedron } from './meshes.mjs';
 
 const { load, loadWorker } = api;
@@ -246,7 +247,7 @@ test('options that there are not', async () => {
         { ['x'.repeat(9e5)]: 1 },
       ],
       call,
-      /^there is no option ".*" here: (the nearest is "\w+"|there are \w+(, \w+)*)$/,
+      /^there is no option ".*" here: (the nearest is "\w+"|there are \w+(, \w+)+|there is only \w+)$/,
     );
   }
   const nearest = [
@@ -338,6 +339,26 @@ test('points, wherever they are taken', async () => {
   for (const f of single)
     await refused([{ vertex: [] }, { vertex: [0, 1] }], f, /is a list of \d points/);
   await refused([{ vertex: [] }], (sites) => mesh.voronoi(sites), /site/);
+});
+
+test('what is not points or a mesh, but has some', async () => {
+  for (const [sites, message] of [
+    [diagram, /^sites is a result: pass its sites$/],
+    [mesh.cvt(one), /^sites is what cvt gives: loop over it, and pass the sites of a state$/],
+    [mesh.sampleSites(3), /^sites is a promise: await it$/],
+  ])
+    await refused([sites], (points) => mesh.voronoi(points), message);
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(new Float32Array(mesh.positions), 3));
+  await assert.rejects(gvd.mesh(geometry), {
+    code: 'invalid-argument',
+    message: /this is of type BufferGeometry: pass \{ positions: geometry\.attributes/,
+  });
+  const { positions, indices } = mesh;
+  geometry.setIndex(new BufferAttribute(Uint16Array.from(indices), 1));
+  const arrays = { positions: geometry.attributes.position.array, indices: geometry.index?.array };
+  assert.equal((await gvd.mesh(arrays)).info.faces, indices.length / 3);
+  assert.equal(arrays.positions.length, positions.length);
 });
 
 test('the options of every task', async () => {

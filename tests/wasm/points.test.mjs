@@ -87,4 +87,9 @@ test('without indices, every three vertices are a triangle', async () => {
       'positions has 69 numbers: without indices, every triangle needs nine',
     ),
   );
+  await assert.rejects(
+    gvd.mesh({ positions, index: indices }),
+    fails('invalid-argument', /^positions come with "index", but without indices: the fields are/),
+  );
+  await gvd.mesh(await gvd.mesh({ positions, indices })); // with fields of its own
 });

@@ -197,7 +197,7 @@ function finite(x: number): number {
 }
 
 /** Joins lists of vertices; each attribute is in all of them or in none. */
-export function joined(lists: FileVertices[]): FileVertices {
+export function joinedVertices(lists: FileVertices[]): FileVertices {
   const concat = <List extends Int32Array | Float32Array>(
     type: { new (length: number): List },
     parts: List[],

@@ -33,7 +33,7 @@ export function toOptions<Options extends object, const Defaults extends Usual<O
     throw invalidArgument(
       `there is no option ${show(stranger)} here: ` +
         (nearest === undefined
-          ? `there are ${known.join(', ')}`
+          ? `there ${known.length === 1 ? 'is only' : 'are'} ${known.join(', ')}`
           : `the nearest is ${show(nearest)}`),
     );
   }

@@ -28,10 +28,10 @@ export async function compile(
 ): Promise<CompiledModule> {
   if (source instanceof WebAssembly.Module) return source;
   try {
-    if (isAddress(source)) return await compileAddress(source);
-    if (isResponse(source)) return await compileResponse(source);
+    if (isAddress(source)) return await awake(() => compileAddress(source));
+    if (isResponse(source)) return await awake(() => compileResponse(source));
     const bytes = bytesOf(source);
-    if (bytes) return await WebAssembly.compile(bytes);
+    if (bytes) return await awake(() => WebAssembly.compile(bytes));
   } catch (cause) {
     const what = isAddress(source) ? String(source) : 'the WebAssembly module';
     const why = cause instanceof Error ? cause.message : String(cause);
@@ -40,6 +40,20 @@ export async function compile(
   throw invalidArgument(
     `${name} is ${show(source)}, not an address, bytes, a Response or a WebAssembly.Module`,
   );
+}
+
+/**
+ * Compiles or instantiates a module while a timer keeps the event loop busy. With nothing else to wait
+ * for, Node 20 blocks the thread until its background tasks end: for ever, if one of them, which
+ * optimizes JavaScript, needs this thread to collect garbage.
+ */
+export async function awake<Result>(work: () => Promise<Result>): Promise<Result> {
+  const timer = setInterval(() => {}, 1000);
+  try {
+    return await work();
+  } finally {
+    clearInterval(timer);
+  }
 }
 
 export async function compileFromWeb(address: URL | string): Promise<CompiledModule> {

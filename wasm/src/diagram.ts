@@ -16,7 +16,7 @@ import {
   toPoints,
   toWorstRegion,
   type GivenPoints,
-} from './input.js';
+} from './arguments.js';
 import { disposeSymbol, inspectSymbol, Kept, settled } from './kept.js';
 import { regionsOf } from './region.js';
 import type {

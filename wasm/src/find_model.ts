@@ -2,7 +2,7 @@
 //
 // Finds the models among files.
 import { toTask, toTaskOptions } from './checks.js';
-import { toFileName, toFiles } from './input.js';
+import { toFileName, toFiles } from './arguments.js';
 import { type FoundModel, modelIn, modelsIn } from './input/read_model.js';
 import type { MeshOptions, ModelFile, ModelFiles, TaskOptions } from './types.js';
 

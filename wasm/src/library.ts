@@ -5,7 +5,7 @@
 
 import { toTaskOptions } from './checks.js';
 import type { Engine } from './engine.js';
-import { meshDefaults, toMeshBuild, toMeshInput } from './input.js';
+import { meshDefaults, toMeshBuild, toMeshInput } from './arguments.js';
 import { disposeSymbol } from './kept.js';
 import { EngineMesh } from './mesh.js';
 import type { Triangles } from './triangles.js';

@@ -25,7 +25,7 @@ import {
   toSampling,
   toSeed,
   type GivenDensity,
-} from './input.js';
+} from './arguments.js';
 import { disposeSymbol, Kept } from './kept.js';
 import {
   metrics,

@@ -2,7 +2,7 @@
 //
 // A partition as a file.
 
-import { joined, partitionVertices, type TriangleRun } from './attributes.js';
+import { joinedVertices, partitionVertices, type TriangleRun } from './attributes.js';
 import { toColours, toOneOf, toResult } from './checks.js';
 import { toFileOptions, type JsonOptions, type SurfaceFileOptions } from './file_options.js';
 import { invalidArgument } from './errors.js';
@@ -171,7 +171,7 @@ function featuresGlb(
     ...patch,
   }));
   // Vertices on borders are repeated for each region, because a vertex has one feature id.
-  const vertices = joined(patches.map((patch) => patch.vertices));
+  const vertices = joinedVertices(patches.map((patch) => patch.vertices));
   const ids = new Float32Array(vertices.points.length);
   const colours = new Uint8Array(4 * ids.length);
   const corners = new Uint32Array(partition.triangles.points.length);

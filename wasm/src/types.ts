@@ -394,7 +394,8 @@ export interface Mesh extends Disposable {
    * An isotropic remesh: a diagram whose `dual()` is the remesh, and whose `remeshQuality()` says
    * how good that is. The sites move to the centroids of their regions, then sites are added until
    * the dual is valid; after that all move again, in two more rounds at most, each of which adds no
-   * more than half as many sites as the one before. Sites given keep their labels.
+   * more than half as many sites as the one before. Sites that the last round added move on while
+   * the least angle grows and the dual stays valid. Sites given keep their labels.
    */
   remesh(sites: SurfacePointsInput, options?: RemeshOptions): Promise<Diagram>;
   dispose(): void;

@@ -3,7 +3,7 @@
 // Calls of our WebAssembly modules: plain values and arrays in, copies out, failures as errors.
 // Functions are called by their C++ names (see `abi.h`); only those of `abi.cpp` are known here.
 
-import type { CompiledModule } from './compile.js';
+import { awake, type CompiledModule } from './compile.js';
 import { GeodesicVoronoiError, outOfMemory, type ErrorCode } from './errors.js';
 import type { SlicedWork } from './slices.js';
 
@@ -111,7 +111,7 @@ export class WasmModule {
     const imports = importsFor(module, () => exports.memory);
     let exports: Exports;
     try {
-      const instance = await WebAssembly.instantiate(module, imports);
+      const instance = await awake(() => WebAssembly.instantiate(module, imports));
       exports = instance.exports as unknown as Exports;
       exports._initialize();
     } catch (cause) {

@@ -64,7 +64,7 @@ export function execute(invocation: Invocation): Promise<void> {
   }
 }
 
-/** A mesh that fails does not keep the others from being reported. */
+/** A mesh that fails does not keep the others from being reported, unless the report would replace it. */
 async function info({ meshes, values }: Request<'info'>): Promise<void> {
   const isJson = isJsonReport(values);
   const output = await Output.open(values.output);
@@ -78,6 +78,7 @@ async function info({ meshes, values }: Request<'info'>): Promise<void> {
       list.push({ ...(!isOnly && { mesh: path }), ...facts, parts });
     } catch (error) {
       if (isOnly) throw error;
+      output.requireNoModel();
       fail(error as Error);
       list.push({ mesh: path, error: (error as Error).message });
     }

@@ -3,7 +3,7 @@
 // The command line's one table: what can be given, to which command, what it means, and what the
 // help says of it.
 
-import { maxCount, maxDetail, maxLimit, ranges, repairDefaults } from '../input.js';
+import { maxCount, maxDetail, maxLimit, ranges, repairDefaults } from '../arguments.js';
 import { partitionLayouts } from '../partition_formats.js';
 import { cvtMethods, metrics, orientations, samplings, worstRegions } from '../results.js';
 import { gltfLimitNames } from '../types.js';

@@ -2,7 +2,7 @@
 //
 // The mesh of a command and its sites: read from files, or sampled.
 import { GeodesicVoronoiError } from '../errors.js';
-import { toPoints } from '../input.js';
+import { toPoints } from '../arguments.js';
 import { load } from '../node.js';
 import { requireSameMesh } from '../points_file.js';
 import type { SurfacePoints } from '../results.js';

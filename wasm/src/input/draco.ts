@@ -2,6 +2,7 @@
 //
 // Primitives as KHR_draco_mesh_compression has them, decoded by Google's library.
 
+import { awake } from '../compile.js';
 import createDracoModule, { type DracoModule, type Pointer } from './draco_decoder.js';
 import { gltfFault, type JsonObject } from './gltf_document.js';
 
@@ -93,7 +94,7 @@ function instantiated(compiled: WebAssembly.Module): Promise<DracoModule> {
   return new Promise((resolve, reject) => {
     createDracoModule({
       instantiateWasm(imports, done) {
-        const instance = WebAssembly.instantiate(compiled, imports);
+        const instance = awake(() => WebAssembly.instantiate(compiled, imports));
         instance.then((started) => done(started, compiled)).catch(reject);
         return {};
       },

@@ -5,7 +5,7 @@
 import type { CompiledModule } from '../compile.js';
 import type { FileInput } from '../engine.js';
 import { GeodesicVoronoiError } from '../errors.js';
-import { readGltf } from '../gltf.js';
+import { readGltf } from './gltf_reader.js';
 import type { MeshOrigin, MeshPart } from '../results.js';
 import { inSlices, type SlicedWork } from '../slices.js';
 import type { ReadModel, Triangles } from '../triangles.js';

@@ -2,12 +2,12 @@
 //
 // glTF files, read by gltf.wasm.
 
-import type { GltfFile } from './input/gltf_document.js';
-import type { MeshPart } from './results.js';
-import { inSlices } from './slices.js';
-import type { Triangles } from './triangles.js';
-import type { GltfLimits, TaskOptions } from './types.js';
-import { WasmModule } from './wasm_module.js';
+import type { GltfFile } from './gltf_document.js';
+import type { MeshPart } from '../results.js';
+import { inSlices } from '../slices.js';
+import type { Triangles } from '../triangles.js';
+import type { GltfLimits, TaskOptions } from '../types.js';
+import { WasmModule } from '../wasm_module.js';
 
 /** The triangles of a glTF scene in world space. */
 export interface GltfScene extends Triangles {

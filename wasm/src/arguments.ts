@@ -77,8 +77,10 @@ export function toFileName(file: string | undefined): string | undefined {
   throw invalidArgument(`file is ${show(file)}, not a string`);
 }
 
-function toTriangles({ positions: places, indices, normals, uvs, density }: MeshArrays): Triangles {
+function toTriangles(source: MeshArrays): Triangles {
+  const { positions: places, indices, normals, uvs, density } = source;
   const positions = toFloat64('positions', places);
+  if (indices === undefined) requireNoOtherIndices(source);
   if (indices === undefined && positions.length % 9 !== 0)
     throw invalidArgument(
       `positions has ${positions.length} numbers: without indices, every triangle needs nine`,
@@ -95,6 +97,16 @@ function toTriangles({ positions: places, indices, normals, uvs, density }: Mesh
   };
 }
 
+/** Indices by another name would be missed in silence, and every three vertices be a triangle. */
+function requireNoOtherIndices(source: MeshArrays): void {
+  const known = ['positions', 'indices', 'normals', 'uvs', 'density'];
+  const stranger = Object.keys(source).find((name) => !known.includes(name));
+  if (stranger === undefined) return;
+  throw invalidArgument(
+    `positions come with ${show(stranger)}, but without indices: the fields are ${known.join(', ')}`,
+  );
+}
+
 export function toFiles(source: unknown): ModelFiles {
   if (isModelFile(source)) return { '': source };
   if (source instanceof ArrayBuffer) return { '': new Uint8Array(source) };
@@ -104,8 +116,16 @@ export function toFiles(source: unknown): ModelFiles {
   }
   throw invalidArgument(
     `a mesh is made from the bytes of a file, from files by their paths, or from { positions, indices }; this is ${show(source)}` +
-      (typeof source === 'string' || source instanceof URL ? ': fetch or read the file' : ''),
+      adviceOn(source),
   );
+}
+
+function adviceOn(source: unknown): string {
+  if (typeof source === 'string' || source instanceof URL) return ': fetch or read the file';
+  if (isObject(source) && 'isBufferGeometry' in source)
+    // of three.js
+    return ': pass { positions: geometry.attributes.position.array, indices: geometry.index?.array }';
+  return '';
 }
 
 function isModelFile(value: unknown): value is ModelFile {
@@ -162,6 +182,7 @@ function notPoints(value: unknown): string {
   if (value instanceof Promise) return 'a promise: await it';
   if (isObject(value) && Symbol.asyncIterator in value)
     return 'what cvt gives: loop over it, and pass the sites of a state';
+  if (isObject(value) && 'sites' in value) return 'a result: pass its sites';
   return (
     `${show(value)}, not points: { face: [i, …], bary: [b0, b1, b2, …] }, { vertex: [i, …] } ` +
     'or { position: [x, y, z, …] }'
