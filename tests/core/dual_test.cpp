@@ -174,13 +174,7 @@ TEST(Dual, OfThirtySitesHasTheGenusOfTheSurface) {
 
 TEST(Dual, OfTheSidesOfACubeIsAnOctahedron) {
   const auto mesh = shapes::cube().mesh();
-  std::vector<SurfacePoint> sites;
-  for (int h = 0; h < mesh.halfedgeCount(); ++h) {
-    if (mesh.length(h) < 1.2 || mesh.twin(h) < h) continue;
-    Vector3d bary = Vector3d::Zero();
-    bary[h % 3] = bary[(h + 1) % 3] = 0.5;
-    sites.push_back({h / 3, bary});
-  }
+  const auto sites = shapes::middlesOfSides(mesh);
   const Diagram d = trace(mesh, sites).diagram;
   EXPECT_TRUE(findViolations(mesh, sites, d).empty());
   const PolygonTopology dual = topologyOf(dualMesh(mesh, sites, d));

@@ -75,13 +75,7 @@ TEST(Partition, IsTheSurfaceItWasWithDetail) {
 
 TEST(Partition, MeasuresTheSidesOfACube) {
   const auto mesh = shapes::cube().mesh();
-  std::vector<SurfacePoint> sites;
-  for (int h = 0; h < mesh.halfedgeCount(); ++h) {
-    if (mesh.length(h) < 1.2 || mesh.twin(h) < h) continue;
-    Vector3d bary = Vector3d::Zero();
-    bary[h % 3] = bary[(h + 1) % 3] = 0.5;
-    sites.push_back({h / 3, bary});
-  }
+  const auto sites = shapes::middlesOfSides(mesh);
   const Diagram d = trace(mesh, sites).diagram;
   const Partition p = partition(mesh, d);
   ASSERT_EQ(p.regions.size(), 6u);

@@ -324,6 +324,18 @@ Shape octahedron() {
 
 Shape cube() { return voxelSurface({{0, 0, 0}}); }
 
+std::vector<SurfacePoint> middlesOfSides(const TriangleMesh& cube) {
+  constexpr double kBetweenEdgeAndDiagonal = 1.2;
+  std::vector<SurfacePoint> middles;
+  for (int h = 0; h < cube.halfedgeCount(); ++h) {
+    if (cube.length(h) < kBetweenEdgeAndDiagonal || cube.twin(h) < h) continue;
+    Eigen::Vector3d bary = Eigen::Vector3d::Constant(0.5);
+    bary[(h + 2) % 3] = 0;
+    middles.push_back({TriangleMesh::faceOf(h), bary});
+  }
+  return middles;
+}
+
 Shape icosphere(int subdivisions) {
   const double g = std::numbers::phi;
   Shape shape = fromLists(

@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
 
 namespace gvd::shapes {
@@ -97,9 +98,11 @@ Shape vertexFan(int n, double angleSum);
 
 // --- Closed surfaces -----------------------------------------------------------------------------
 
-Shape tetrahedron();                ///< regular, edges 2√2
-Shape octahedron();                 ///< vertices at distance 1 on the axes
-Shape cube();                       ///< [0,1]³, 12 faces
+Shape tetrahedron();  ///< regular, edges 2√2
+Shape octahedron();   ///< vertices at distance 1 on the axes
+Shape cube();         ///< [0,1]³, 12 faces
+/// The middles of a cube's sides, on the edges that cut them in two faces.
+std::vector<SurfacePoint> middlesOfSides(const TriangleMesh& cube);
 Shape icosphere(int subdivisions);  ///< unit sphere, 20·4ⁿ faces
 /// `major` × `minor` cells around the axis z and around the tube.
 Shape torus(int major, int minor, double majorRadius = 1, double minorRadius = 0.4);
