@@ -82,12 +82,13 @@ suite('the centroidal tessellation', () => {
 
   test('pauses, steps, goes on and resets', async () => {
     const before = await viewer.sites();
+    // So many that they are not over before the pause.
+    await viewer.evaluate((viewer) => viewer.setAttribute('cvt-iterations', '1000'));
     await press('#cvt-play');
     await reached(2);
     assert.equal(await text('#cvt-play'), 'Pause');
     await viewer.after('diagram', () => press('#cvt-play'));
     const paused = (await iterations()).at(-1).iteration;
-    assert.ok(paused < 30);
     assert.equal(await viewer.evaluate(({ cvtStatus }) => cvtStatus), 'paused');
     assert.equal(await viewer.regionCount(), 60);
 
