@@ -80,11 +80,13 @@ export function toFileName(file: string | undefined): string | undefined {
 function toTriangles(source: MeshArrays): Triangles {
   const { positions: places, indices, normals, uvs, density } = source;
   const positions = toFloat64('positions', places);
-  if (indices === undefined) requireNoOtherIndices(source);
-  if (indices === undefined && positions.length % 9 !== 0)
-    throw invalidArgument(
-      `positions has ${positions.length} numbers: without indices, every triangle needs nine`,
-    );
+  if (indices === undefined) {
+    requireNoOtherIndices(source);
+    if (positions.length % 9 !== 0)
+      throw invalidArgument(
+        `positions has ${positions.length} numbers: without indices, every triangle needs nine`,
+      );
+  }
   return {
     positions,
     indices:
@@ -120,10 +122,10 @@ export function toFiles(source: unknown): ModelFiles {
   );
 }
 
+/** What is nearly a mesh: the address of a file, or a geometry of three.js. */
 function adviceOn(source: unknown): string {
   if (typeof source === 'string' || source instanceof URL) return ': fetch or read the file';
   if (isObject(source) && 'isBufferGeometry' in source)
-    // of three.js
     return ': pass { positions: geometry.attributes.position.array, indices: geometry.index?.array }';
   return '';
 }

@@ -99,9 +99,12 @@ async function settle(
         next = state.diagram;
       }
       const violations = await next!.violations({ signal });
-      for (const label of violations.flatMap(({ labels: concerned }) => concerned))
-        movable.delete(label);
-      if (violations.length > 0) continue;
+      if (violations.length > 0) {
+        const moved = violations.flatMap(({ labels }) => labels).filter((l) => movable.has(l));
+        if (moved.length === 0) break; // the next step would be the same
+        for (const label of moved) movable.delete(label);
+        continue;
+      }
       if ((await leastAngle(next!, signal)) <= (await leastAngle(kept, signal))) break;
       kept.dispose();
       [kept, next] = [next!, undefined];
