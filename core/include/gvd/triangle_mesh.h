@@ -132,15 +132,15 @@ class TriangleMesh {
   /// Positive, and the same bits for both halfedges of an edge.
   double length(int h) const { return faces_[faceOf(h)].lengths[h % 3]; }
 
-  /// The data of a face for unfolding, in two cache lines. Side i is halfedge 3f+i, from corner i
-  /// to the next.
+  /// The data of a face for unfolding, in two cache lines: what walks along edges need is in the
+  /// first. Side i is halfedge 3f+i, from corner i to the next.
   struct alignas(64) Face {
     std::array<double, 3> lengths;  ///< of side i
-    std::array<double, 3> angles;   ///< the interior angle at corner i, in (0, π)
-    std::array<double, 3> cosines;  ///< of that angle
-    std::array<double, 3> sines;    ///< positive, to full relative precision
     std::array<int, 3> vertices;    ///< at corner i: `tail(3f+i)`
     std::array<int, 3> twins;       ///< of side i: `twin(3f+i)`
+    std::array<double, 3> cosines;  ///< of the interior angle at corner i
+    std::array<double, 3> sines;    ///< positive, to full relative precision
+    std::array<double, 3> angles;   ///< in (0, π)
   };
   const Face& face(int f) const { return faces_[f]; }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/prefetch.h"
 #include "mesh/face_layout.h"
 #include "mesh/representations.h"
 #include "mesh/surface_geometry.h"
@@ -73,7 +74,8 @@ bool EdgeBounds::step(long& budget) {
   constexpr size_t kAhead = 2;  // turns before its own at which a vertex's faces are fetched
   while (queue_.advance()) {
     if (budget-- <= 0) return false;
-    if (const auto next = queue_.ahead(kAhead)) prefetchFan(mesh_, *next);
+    if (const auto next = queue_.ahead(kAhead))
+      mesh_.visitFaces(*next, [&](int f) { prefetch(mesh_.face(f).lengths); });
     const int v = queue_.take();
     Vertex& own = vertices_[v];
     if (own.bucket != static_cast<int>(queue_.frontBucket())) continue;  // a stale entry
