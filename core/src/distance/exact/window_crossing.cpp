@@ -28,8 +28,6 @@ void WindowSweep::crossFace(int h) {
   const TriangleMesh::Face& face = mesh_.face(h / 3);
   const int i = h % 3, j = cornerAfter(i), k = cornerBefore(i);
   const int left = face.twins[k], right = face.twins[j];
-  if (left >= 0) windows_.prefetch(left);
-  if (right >= 0) windows_.prefetch(right);
   const WindowLists::List list = windows_.take(h);
   const std::span<const Window> windows = list.windows();
   revisits_.noteCrossing(reached_.size());

@@ -87,6 +87,7 @@ void WindowSweep::resume(int label, LabelState& state) {
 bool WindowSweep::step(long& budget) {
   while (queue_.advance()) {
     if (budget-- <= 0) return false;
+    if (const auto next = queue_.ahead(1)) prefetchTurn(*next);
     const int item = queue_.take();
     if (item >= 0)
       crossFace(item);
@@ -229,7 +230,7 @@ double WindowSweep::directionAt(int v) const {
 void WindowSweep::queueSource(int v) {
   if (std::exchange(vertices_[v].isQueued, true)) return;
   queue_.add(-1 - v, queue_.bucketOf(vertices_[v].distance));
-  prefetchFan(mesh_, v);
+  prefetch(mesh_.fan(v).front());
 }
 
 /// Queues a halfedge when its first windows arrive. If neither end has a distance, because windows
@@ -237,6 +238,17 @@ void WindowSweep::queueSource(int v) {
 void WindowSweep::queueBatch(int halfedge, double key) {
   queue_.add(halfedge, queue_.bucketOf(key < kInfinity ? key : 0));
   prefetch(mesh_.face(halfedge / 3));
+}
+
+/// Fetches into the cache what the next turn begins with. Its face or fan was fetched when it was
+/// queued.
+void WindowSweep::prefetchTurn(int item) const {
+  if (item < 0) return prefetchFan(mesh_, -1 - item);
+  const TriangleMesh::Face& face = mesh_.face(item / 3);
+  const int i = item % 3;
+  prefetch(vertices_[face.vertices[cornerBefore(i)]]);
+  for (const int side : {cornerBefore(i), cornerAfter(i)})
+    if (face.twins[side] >= 0) windows_.prefetch(face.twins[side]);
 }
 
 // --- Virtual sources ---------------------------------------------------------------------------

@@ -139,6 +139,7 @@ class WindowSweep {
 
   void queueSource(int vertex);
   void queueBatch(int halfedge, double key);
+  void prefetchTurn(int item) const;
 
   void becomeSource(int vertex);
   bool maySpreadFrom(int vertex);
