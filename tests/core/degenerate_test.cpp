@@ -628,6 +628,19 @@ TEST_P(Degenerate, MoebiusStripIsDividedWhereItWasNotCut) {
   EXPECT_TRUE(d.voronoiPoints.empty());
 }
 
+TEST_P(Degenerate, SidesOfACutAreSplitOnTheirOwn) {
+  // A tetrahedron with a triangle more on its edge from 0 to 1, which is therefore cut. The sites
+  // lie on both sides of the cut, alike, so they share the tetrahedron evenly.
+  const Shape shape{{-1, 0, 0, 1, 0, 0, 0, -1, 1, 0, 1, 1, 0, 0, -1},
+                    {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3, 0, 1, 4}};
+  const auto mesh = shape.mesh();
+  ASSERT_EQ(mesh.repairs().nonManifoldEdges, 1);
+  const Sites sites{{0, {0.45, 0.1, 0.45}}, {1, {0.45, 0.45, 0.1}}};
+  const auto traced = checks::trace(mesh, sites, GetParam(), 1);
+  EXPECT_TRUE(isConsistent(mesh, traced.diagram, 1));
+  EXPECT_NEAR(traced.diagram.regionArea[0], traced.diagram.regionArea[1], 1e-12);
+}
+
 // --- Symmetric solids ----------------------------------------------------------------------------
 
 Sites atAllVertices(const TriangleMesh& mesh) {

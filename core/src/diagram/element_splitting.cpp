@@ -13,6 +13,19 @@ constexpr long kLooksPerUnit = 8;
 
 // --- Elements ------------------------------------------------------------------------------------
 
+int Elements::meshHalfedge(int h) const {
+  const int element = h / 3, i = h % 3;
+  if (isFace(element)) return 3 * face[element] + i;
+  // The side of the face that both ends lie on.
+  const Eigen::Matrix3d& here = corners[cornersOf[element]];
+  const auto from = here.col(i), to = here.col(cornerAfter(i));
+  for (int side = 0; side < 3; ++side) {
+    const int apex = cornerBefore(side);
+    if (from[apex] == 0 && to[apex] == 0) return 3 * face[element] + side;
+  }
+  return -1;
+}
+
 void Elements::reserve(std::size_t count) {
   tail.reserve(3 * count);
   face.reserve(count);
@@ -115,22 +128,20 @@ bool ElementSplitting::splitBatch(long& budget) {
   if (!split_.run(
           [&] {
             return loop_.run(batch_.size(), budget, 1, [&](int i) {
-              for (int side = 0; side < 3; ++side) addMiddle(batch_[i], side);
+              std::array<int, 3>& middle = middles_.emplace_back();
+              for (int side = 0; side < 3; ++side) middle[side] = middleOf(batch_[i], side);
             });
           },
           [&] { atNodes_ = distances_.startDistancesAt(required_); },
           [&] { return atNodes_->step(budget); }, [&] { setLabels(atNodes_->take()); },
           [&] {
-            return loop_.run(batch_.size(), budget, 1, [&](int i) {
-              const int* const corner = elements_.nodes(batch_[i]);
-              elements_.split(batch_[i], {nodes_.middleOf(corner[0], corner[1]),
-                                          nodes_.middleOf(corner[1], corner[2]),
-                                          nodes_.middleOf(corner[2], corner[0])});
-            });
+            return loop_.run(batch_.size(), budget, 1,
+                             [&](int i) { elements_.split(batch_[i], middles_[i]); });
           }))
     return false;
   split_ = {};
   batch_.clear();
+  middles_.clear();
   required_.clear();
   requiredCounts_.clear();
   return true;
@@ -151,13 +162,16 @@ void ElementSplitting::setLabels(std::span<const double> distances) {
   }
 }
 
-/// Adds the node in the middle of a side if there is none yet, and requires there the distances of
-/// the labels known at both ends.
-void ElementSplitting::addMiddle(int element, int side) {
+/// The node in the middle of a side. If there is none yet, adds it, and requires there the
+/// distances of the labels known at both ends.
+int ElementSplitting::middleOf(int element, int side) {
   const int next = cornerAfter(side);
   const int a = elements_.tail[3 * element + side], b = elements_.tail[3 * element + next];
-  if (nodes_.middleOf(a, b) >= 0) return;
-  nodes_.addMiddle(a, b);
+  const int meshSide = elements_.meshHalfedge(3 * element + side);
+  const bool isShared = meshSide < 0 || mesh_.twin(meshSide) >= 0;
+  const int shared = isShared ? nodes_.middleOf(a, b) : -1;
+  if (shared >= 0) return shared;
+  const int node = nodes_.addMiddle(a, b, isShared);
   const Eigen::Matrix3d corners = elements_.cornersIn(element);
   const SurfacePoint p{elements_.face[element], (corners.col(side) + corners.col(next)) / 2};
   const size_t requiredBefore = required_.size();
@@ -173,6 +187,7 @@ void ElementSplitting::addMiddle(int element, int side) {
     }
   }
   requiredCounts_.push_back(static_cast<int>(required_.size() - requiredBefore));
+  return node;
 }
 
 }  // namespace gvd

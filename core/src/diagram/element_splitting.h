@@ -13,6 +13,7 @@
 #include "diagram/node_labels.h"
 #include "distance/ties.h"
 #include "gvd/geodesic.h"
+#include "gvd/triangle_mesh.h"
 
 namespace gvd {
 
@@ -32,6 +33,8 @@ struct Elements {
   Eigen::Matrix3d cornersIn(int element) const {
     return isFace(element) ? Eigen::Matrix3d::Identity() : corners[cornersOf[element]];
   }
+  /// The halfedge of the mesh that a halfedge is part of, -1 if it is inside a face.
+  int meshHalfedge(int h) const;
   void reserve(std::size_t count);
   void clear();
   void addFace(int f, const std::array<int, 3>& nodes);
@@ -44,9 +47,15 @@ struct Elements {
 /// neighbours until every side between elements of different size has a single owner.
 class ElementSplitting {
  public:
-  ElementSplitting(const TieTolerance& ties, const DistanceField& distances, int detail,
-                   Elements& elements, NodeLabels& nodes)
-      : ties_(ties), distances_(distances), detail_(detail), elements_(elements), nodes_(nodes) {}
+  ElementSplitting(const TriangleMesh& mesh, const TieTolerance& ties,
+                   const DistanceField& distances, int detail, Elements& elements,
+                   NodeLabels& nodes)
+      : mesh_(mesh),
+        ties_(ties),
+        distances_(distances),
+        detail_(detail),
+        elements_(elements),
+        nodes_(nodes) {}
   bool step(long& budget);
 
  private:
@@ -56,10 +65,11 @@ class ElementSplitting {
   bool splitBatch(long& budget);
   bool mustSplit(int element) const;
   bool isUniform(int a, int b, int owner) const;
-  void addMiddle(int element, int side);
+  int middleOf(int element, int side);
   void setLabels(std::span<const double> distances);
   int commonOwner(int element) const { return nodes_.commonOwner(elements_.nodes(element)); }
 
+  const TriangleMesh& mesh_;
   const TieTolerance& ties_;
   const DistanceField& distances_;
   const int detail_;
@@ -68,10 +78,11 @@ class ElementSplitting {
 
   SlicedSequence level_, round_, split_;
   SlicedLoop loop_;
-  int levelCount_ = 0;                   ///< how often mixed elements have been split
-  std::vector<int> batch_;               ///< elements to be split next
-  std::vector<LabelledPoint> required_;  ///< labels at their new nodes
-  std::vector<int> requiredCounts_;      ///< the number of them per new node
+  int levelCount_ = 0;                       ///< how often mixed elements have been split
+  std::vector<int> batch_;                   ///< elements to be split next
+  std::vector<std::array<int, 3>> middles_;  ///< of the sides of each
+  std::vector<LabelledPoint> required_;      ///< labels at their new nodes
+  std::vector<int> requiredCounts_;          ///< the number of them per new node
   std::unique_ptr<SlicedWork<std::vector<double>>> atNodes_;
 };
 

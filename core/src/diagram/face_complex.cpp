@@ -57,7 +57,7 @@ bool FaceComplex::finish(long& budget) {
   return finishing_.run(
       [&] {
         return detail_ == 0 ||
-               runPart(splitting_, budget, ties_, distances_, detail_, elements_, nodes_);
+               runPart(splitting_, budget, mesh_, ties_, distances_, detail_, elements_, nodes_);
       },
       [&] { return !isOwn_ || matchTwins(budget); }, [&] { soleOwner_.reserve(elementCount()); },
       [&] {
@@ -103,22 +103,8 @@ std::vector<NodeLabels::InnerNode> FaceComplex::innerNodes(int h) const {
 }
 
 int FaceComplex::boundaryHalfedge(int h) const {
-  const int side = meshHalfedge(h);
+  const int side = isOwn_ ? elements_.meshHalfedge(h) : h;
   return side >= 0 && mesh_.twin(side) < 0 ? side : -1;
-}
-
-/// The halfedge of the mesh that a side of an element is part of, -1 if it is inside a face.
-int FaceComplex::meshHalfedge(int h) const {
-  const int element = h / 3, i = h % 3;
-  if (isFace(element)) return 3 * face(element) + i;
-  // The side of the face that both ends lie on.
-  const Eigen::Matrix3d& corners = elements_.corners[elements_.cornersOf[element]];
-  const auto from = corners.col(i), to = corners.col(cornerAfter(i));
-  for (int side = 0; side < 3; ++side) {
-    const int apex = cornerBefore(side);
-    if (from[apex] == 0 && to[apex] == 0) return 3 * face(element) + side;
-  }
-  return -1;
 }
 
 bool FaceComplex::matchTwins(long& budget) {

@@ -79,7 +79,6 @@ class FaceComplex {
   void addFace(int face);
   void clear();
   void noteContested(int element);
-  int meshHalfedge(int h) const;
   bool matchTwins(long& budget);
   void linkHalfedge(int h);
   void matchTwin(int h);

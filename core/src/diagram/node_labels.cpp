@@ -65,11 +65,13 @@ int NodeLabels::middleOf(int a, int b) const {
   return middle;
 }
 
-void NodeLabels::addMiddle(int a, int b) {
+int NodeLabels::addMiddle(int a, int b, bool isShared) {
   const auto [low, high] = std::minmax(a, b);
+  const int node = count();
   if (low >= static_cast<int>(firstMidpoint_.size())) firstMidpoint_.resize(low + 1, -1);
-  midpoints_.push_back({low, high, std::exchange(firstMidpoint_[low], count()), {}});
+  midpoints_.push_back({low, high, isShared ? std::exchange(firstMidpoint_[low], node) : -1, {}});
   nodes_.emplace_back();
+  return node;
 }
 
 void NodeLabels::setLabels(int node, std::span<const LabelledDistance> labels) {

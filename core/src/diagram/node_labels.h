@@ -48,17 +48,20 @@ class NodeLabels {
   /// Adds a label that is not known at a node. Its distance is kept above the owner's.
   void addLabel(int node, LabelledDistance added);
 
-  /// The node in the middle of the side between two nodes, -1 if it is not split.
+  /// The node in the middle of the side between two nodes that neighbours share, -1 if it is not
+  /// split.
   int middleOf(int a, int b) const;
-  /// Adds that node; its labels are to be set.
-  void addMiddle(int a, int b);
+  /// Adds a node in the middle of a side and returns it; its labels are to be set. `middleOf` finds
+  /// it if it is shared. On the mesh boundary it is not: where the mesh was cut, two sides may have
+  /// the same ends and different distances between them.
+  int addMiddle(int a, int b, bool isShared);
   void setLabels(int node, std::span<const LabelledDistance> labels);
   /// A node between the ends of a side, and its share of the way.
   struct InnerNode {
     int node;
     double share;
   };
-  /// Appends the nodes between two others, in order.
+  /// Appends the nodes between two others on a side that neighbours share, in order.
   void appendBetween(int a, int b, std::vector<InnerNode>& nodes) const {
     appendBetween(a, b, 0, 1, nodes);
   }
