@@ -36,7 +36,7 @@ class Tracing final : public SlicedWork<TracedDiagram> {
         isTraced_(std::move(isTraced)),
         nodePoints_(nodePoints) {}
 
-  bool step(long budget) override {
+  bool advance(long budget) override {
     return sequence_.run(
         [&] { return complex_.step(budget); },
         [&] { return complex_.hasFacesOnly() || runPart(completion_, budget, complex_); },
@@ -57,7 +57,7 @@ class Tracing final : public SlicedWork<TracedDiagram> {
   }
   double progress() const override { return sequence_.progress(); }
 
-  TracedDiagram take() override {
+  TracedDiagram result() override {
     out_.siteCount = siteCount_;
     out_.regionArea = std::move(graph_.regionArea);
     out_.indifferentFaces = std::move(graph_.indifferentFaces);
@@ -124,9 +124,9 @@ class FullTracing final : public SlicedWork<TracedDiagram> {
     requireLabels(mesh, distances, siteCount);
   }
 
-  bool step(long budget) override { return tracing_.step(budget); }
+  bool advance(long budget) override { return tracing_.step(budget); }
   double progress() const override { return tracing_.progress(); }
-  TracedDiagram take() override { return tracing_.take(); }
+  TracedDiagram result() override { return tracing_.take(); }
 
  private:
   FaceComplex complex_;
@@ -140,9 +140,9 @@ class DiagramOfTracing final : public SlicedWork<Diagram> {
   explicit DiagramOfTracing(std::unique_ptr<SlicedWork<TracedDiagram>> tracing)
       : tracing_(std::move(tracing)) {}
 
-  bool step(long budget) override { return tracing_->step(budget); }
+  bool advance(long budget) override { return tracing_->step(budget); }
   double progress() const override { return tracing_->progress(); }
-  Diagram take() override { return tracing_->take().diagram; }
+  Diagram result() override { return tracing_->take().diagram; }
 
  private:
   const std::unique_ptr<SlicedWork<TracedDiagram>> tracing_;

@@ -133,7 +133,7 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
   /// The change of the distances has begun. The whole diagram is traced if there is none yet.
   Update(Implementation& diagram, bool isFirst) : diagram_(diagram), tracesAll_(isFirst) {}
 
-  bool step(long budget) override {
+  bool advance(long budget) override {
     return sequence_.run(
         [&] { return diagram_.distances_->step(budget); }, [&] { forgetMixed(); },
         [&] { return noteMixed(budget); }, [&] { return tracesAll_ || traceParts(budget); },
@@ -145,7 +145,7 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
     return kOfDistances * diagram_.distances_->progress() +
            (1 - kOfDistances) * sequence_.progress();
   }
-  DiagramChange take() override { return std::move(change_); }
+  DiagramChange result() override { return std::move(change_); }
 
  private:
   int labelCount() const { return diagram_.labelCount(); }
@@ -298,9 +298,9 @@ class DynamicDiagram::Opening final : public SlicedWork<DynamicDiagram> {
       : implementation_(std::make_unique<Implementation>(mesh, std::move(distances), options)),
         update_(*implementation_, true) {}
 
-  bool step(long budget) override { return update_.step(budget); }
+  bool advance(long budget) override { return update_.step(budget); }
   double progress() const override { return update_.progress(); }
-  DynamicDiagram take() override {
+  DynamicDiagram result() override {
     implementation_->takeDistances();
     return DynamicDiagram(std::move(implementation_));
   }

@@ -257,14 +257,14 @@ class SiteDistances::DistancesAtPlaces final : public SlicedWork<std::vector<dou
         points_(points.begin(), points.end()),
         distances_(points.size(), kInfinity) {}
 
-  bool step(long budget) override {
+  bool advance(long budget) override {
     return sequence_.run(
         [&] { return loop_.run(points_.size(), budget, kQuickRounds, [&](int i) { sortOut(i); }); },
         [&] { atPoints_ = field_.spread_->startDistancesAt(open_, field_.known_); },
         [&] { return atPoints_->step(budget); });
   }
   double progress() const override { return atPoints_ ? atPoints_->progress() : 0; }
-  std::vector<double> take() override {
+  std::vector<double> result() override {
     const std::vector<double> found = atPoints_->take();
     for (std::size_t i = 0; i < found.size(); ++i) distances_[openIndices_[i]] = found[i];
     return std::move(distances_);

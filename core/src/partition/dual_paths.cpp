@@ -31,7 +31,7 @@ class DualPathFinding final : public SlicedWork<std::vector<DualPath>> {
   DualPathFinding(const TriangleMesh& mesh, const Diagram& diagram, const DistanceField& field)
       : mesh_(mesh), diagram_(diagram), field_(field), nearest_(diagram.arcLabels.size()) {}
 
-  bool step(long budget) override {
+  bool advance(long budget) override {
     constexpr long kPathUnits = 1000;
     return sequence_.run([&] { return addEvenPlaces(budget); }, [&] { return offerPlaces(budget); },
                          [&] { return addLeastPlaces(budget); },
@@ -50,7 +50,7 @@ class DualPathFinding final : public SlicedWork<std::vector<DualPath>> {
     constexpr double kShareOfPaths = 0.2;  // the last of five parts
     return std::min(1.0, sequence_.progress() + kShareOfPaths * ofPaths);
   }
-  std::vector<DualPath> take() override { return std::move(paths_); }
+  std::vector<DualPath> result() override { return std::move(paths_); }
 
  private:
   /// A point of a segment, by its position along the segment.

@@ -32,7 +32,7 @@ class Partitioner final : public SlicedWork<Partition> {
   Partitioner(const TriangleMesh& mesh, const Diagram& diagram, const PartitionOptions& options)
       : mesh_(mesh), diagram_(diagram), options_(options) {}
 
-  bool step(long budget) override {
+  bool advance(long budget) override {
     return sequence_.run(
         [&] { return nameVertices(budget); }, [&] { return collectSidePoints(budget); },
         [&] { return cutFaces(budget); }, [&] { return groupByLabel(budget); },
@@ -40,7 +40,7 @@ class Partitioner final : public SlicedWork<Partition> {
         [&] { return runPart(patches_, budget, mesh_, diagram_.siteCount, areas_, out_); });
   }
   double progress() const override { return sequence_.progress(); }
-  Partition take() override { return std::move(out_); }
+  Partition result() override { return std::move(out_); }
 
  private:
   /// A triangle of the partition, before triangles are sorted by label.

@@ -159,7 +159,7 @@ class WorstFirstSampling final : public SlicedWork<std::vector<SurfacePoint>> {
         worst_(worst),
         points_(sampleUniform(mesh, std::min(count, 1), seed)) {}
 
-  bool step(long budget) override {
+  bool advance(long budget) override {
     return sequence_.run(
         [&] {
           if (count_ == 0) return true;
@@ -177,7 +177,7 @@ class WorstFirstSampling final : public SlicedWork<std::vector<SurfacePoint>> {
   double progress() const override {
     return count_ > 0 ? static_cast<double>(points_.size() - 1) / count_ : 1;
   }
-  std::vector<SurfacePoint> take() override { return std::move(points_); }
+  std::vector<SurfacePoint> result() override { return std::move(points_); }
 
  private:
   /// One site per step at the most, because finding its place takes O(F).
