@@ -17,6 +17,7 @@
 #include "diagram/label_completion.h"
 #include "diagram/region_outlines.h"
 #include "diagram/voronoi_points.h"
+#include "distance/site_distances.h"
 #include "gvd/error.h"
 
 namespace gvd {
@@ -119,10 +120,7 @@ class FullTracing final : public SlicedWork<TracedDiagram> {
   FullTracing(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,
               const DiagramOptions& options)
       : complex_(mesh, distances, options.detail, FaceComplex::Extent::kMesh),
-        tracing_(mesh, distances, complex_, siteCount, {}, nodePoints_) {
-    requireValid(options);
-    requireLabels(mesh, distances, siteCount);
-  }
+        tracing_(mesh, distances, complex_, siteCount, {}, nodePoints_) {}
 
   bool advance(long budget) override { return tracing_.step(budget); }
   double progress() const override { return tracing_.progress(); }
@@ -154,6 +152,9 @@ std::unique_ptr<SlicedWork<TracedDiagram>> startTracing(const TriangleMesh& mesh
                                                         const DistanceField& distances,
                                                         int siteCount,
                                                         const DiagramOptions& options) {
+  requireValid(options);
+  requireMesh(mesh, distances);
+  requireLabels(mesh, distances, siteCount);
   return std::make_unique<FullTracing>(mesh, distances, siteCount, options);
 }
 

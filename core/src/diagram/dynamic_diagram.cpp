@@ -39,8 +39,7 @@ std::shared_ptr<SiteDistances> asSiteDistances(const TriangleMesh& mesh,
   auto found = std::dynamic_pointer_cast<SiteDistances>(distances);
   if (!found)
     throw Error(ErrorCode::kInvalidArgument, "the distances are not those that propagate gives");
-  if (&found->mesh() != &mesh)
-    throw Error(ErrorCode::kInvalidArgument, "the distances are those of another mesh");
+  requireMesh(mesh, *found);
   requireFree(*found);
   return found;
 }

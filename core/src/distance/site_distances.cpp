@@ -9,6 +9,7 @@
 #include "base/sliced_loop.h"
 #include "distance/dgpc/unfolding_spread.h"
 #include "distance/exact/window_spread.h"
+#include "gvd/error.h"
 #include "mesh/given_points.h"
 #include "mesh/representations.h"
 
@@ -30,6 +31,12 @@ std::vector<SiteChange> arrivals(std::span<const SurfacePoint> sites) {
   for (size_t label = 0; label < sites.size(); ++label)
     if (sites[label].face != -1) changes.push_back({static_cast<int>(label), sites[label]});
   return changes;
+}
+
+void requireMesh(const TriangleMesh& mesh, const DistanceField& distances) {
+  const auto* const own = dynamic_cast<const SiteDistances*>(&distances);
+  if (own && &own->mesh() != &mesh)
+    throw Error(ErrorCode::kInvalidArgument, "the distances are those of another mesh");
 }
 
 SiteDistances::SiteDistances(const TriangleMesh& mesh, Metric metric)

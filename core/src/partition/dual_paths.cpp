@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "base/sliced_loop.h"
+#include "diagram/given_diagram.h"
+#include "distance/site_distances.h"
 #include "gvd/dual.h"
 #include "mesh/representations.h"
 
@@ -29,7 +31,10 @@ struct Crossing {
 class DualPathFinding final : public SlicedWork<std::vector<DualPath>> {
  public:
   DualPathFinding(const TriangleMesh& mesh, const Diagram& diagram, const DistanceField& field)
-      : mesh_(mesh), diagram_(diagram), field_(field), nearest_(diagram.arcLabels.size()) {}
+      : mesh_(mesh), diagram_(diagram), field_(field), nearest_(diagram.arcLabels.size()) {
+    requireFaces(mesh, diagram);
+    requireMesh(mesh, field);
+  }
 
   bool advance(long budget) override {
     constexpr long kPathUnits = 1000;

@@ -15,6 +15,7 @@
 #include "base/grouping.h"
 #include "base/sliced_loop.h"
 #include "base/sorting.h"
+#include "diagram/given_diagram.h"
 #include "mesh/corners.h"
 #include "mesh/face_layout.h"
 #include "mesh/representations.h"
@@ -30,7 +31,9 @@ namespace {
 class Partitioner final : public SlicedWork<Partition> {
  public:
   Partitioner(const TriangleMesh& mesh, const Diagram& diagram, const PartitionOptions& options)
-      : mesh_(mesh), diagram_(diagram), options_(options) {}
+      : mesh_(mesh), diagram_(diagram), options_(options) {
+    requireFaces(mesh, diagram);
+  }
 
   bool advance(long budget) override {
     return sequence_.run(

@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "base/sliced_loop.h"
+#include "diagram/given_diagram.h"
+#include "distance/site_distances.h"
 #include "gvd/dynamic_diagram.h"
 #include "gvd/sampling.h"
 #include "mesh/face_layout.h"
@@ -80,6 +82,8 @@ WorstRegions::WorstRegions(const TriangleMesh& mesh, const DistanceField& distan
       worst_(worst),
       faceLabel_(mesh.faceCount(), Diagram::kUnreachable),
       shares_(worst == WorstRegion::kMostDistorted ? mesh.faceCount() : 0) {
+  requireFaces(mesh, diagram);
+  requireMesh(mesh, distances);
   DiagramChange all{std::vector<int>(diagram.siteCount), std::vector<int>(mesh.faceCount()),
                     diagram};
   std::iota(all.labels.begin(), all.labels.end(), 0);
