@@ -325,7 +325,7 @@ DynamicDiagram::DynamicDiagram(const TriangleMesh& mesh, std::span<const Surface
 DynamicDiagram::DynamicDiagram(std::unique_ptr<Implementation> implementation)
     : implementation_(std::move(implementation)) {}
 
-DynamicDiagram::Implementation& DynamicDiagram::whole() const {
+[[gnu::noinline]] DynamicDiagram::Implementation& DynamicDiagram::whole() const {
   implementation_->requireWhole();
   return *implementation_;
 }

@@ -33,7 +33,7 @@ std::vector<SiteChange> arrivals(std::span<const SurfacePoint> sites) {
   return changes;
 }
 
-void requireMesh(const TriangleMesh& mesh, const DistanceField& distances) {
+[[gnu::noinline]] void requireMesh(const TriangleMesh& mesh, const DistanceField& distances) {
   const auto* const own = dynamic_cast<const SiteDistances*>(&distances);
   if (own && &own->mesh() != &mesh)
     throw Error(ErrorCode::kInvalidArgument, "the distances are those of another mesh");

@@ -68,14 +68,13 @@ class PolygonHalfedges {
   bool isOriented_ = true;
 };
 
-void requireVertices(const PolygonMesh& mesh) {
+[[gnu::noinline]] void requireVertices(const PolygonMesh& mesh) {
   const int vertexCount = static_cast<int>(mesh.positions.size());
   for (int f = 0; f < mesh.faces.size(); ++f)
     for (const int v : mesh.faces[f])
       if (v < 0 || v >= vertexCount)
-        throw Error(ErrorCode::kInvalidArgument, "polygon " + std::to_string(f) + " has vertex " +
-                                                     std::to_string(v) + ", but there are " +
-                                                     std::to_string(vertexCount) + " vertices");
+        throw Error(ErrorCode::kInvalidArgument,
+                    "polygon " + std::to_string(f) + ": there is no vertex " + std::to_string(v));
 }
 
 bool hasRepeatedCorner(const PolygonMesh& mesh) {
