@@ -141,9 +141,9 @@ class RecordOfResult final : public SlicedWork<Record> {
  public:
   RecordOfResult(std::unique_ptr<SlicedWork<Result>> work, ToRecord toRecord)
       : toRecord_(std::move(toRecord)), work_(std::move(work)) {}
-  bool step(long budget) override { return work_->step(budget); }
+  bool advance(long budget) override { return work_->step(budget); }
   double progress() const override { return work_->progress(); }
-  Record take() override { return toRecord_(work_->take()); }
+  Record result() override { return toRecord_(work_->take()); }
 
  private:
   ToRecord toRecord_;  // keeps what the work refers to, so it has to outlive the work

@@ -36,7 +36,7 @@ class PartitionAnswer final : public SlicedWork<Record> {
   PartitionAnswer(Surface on, const PartitionOptions& options)
       : on_(std::move(on)), work_(startPartition(*on_.mesh, *on_.diagram, options)) {}
 
-  bool step(long budget) override {
+  bool advance(long budget) override {
     if (work_) {
       if (!work_->step(budget)) return false;
       partition_ = work_->take();
@@ -55,7 +55,7 @@ class PartitionAnswer final : public SlicedWork<Record> {
     const auto count = static_cast<double>(partition_.triangles.size());
     return count > 0 ? kPartitionShare + (1 - kPartitionShare) * next_ / count : 1;
   }
-  Record take() override {
+  Record result() override {
     return partitionRecord(*on_.mesh, std::move(partition_), std::move(corners_));
   }
 

@@ -36,7 +36,7 @@ class LocatedPoints final : public PointLookup {
         face_(face.begin(), face.end()),
         bary_(bary.begin(), bary.end()) {}
 
-  Record take() override {
+  Record result() override {
     Record out;
     out.add("label", std::move(label_));
     out.add("distance", std::move(distance_));
@@ -67,7 +67,7 @@ class SiteChanging final : public SlicedWork<Record> {
   SiteChanging(VoronoiHandle& voronoi, std::optional<int> label, std::optional<SurfacePoint> site)
       : voronoi_(voronoi), label_(label), site_(std::move(site)) {}
 
-  bool step(long budget) override {
+  bool advance(long budget) override {
     if (!change_) {
       if (!makeDynamic(budget)) return false;
       start();
@@ -79,7 +79,7 @@ class SiteChanging final : public SlicedWork<Record> {
     const double own = change_ ? change_->progress() : 0;
     return wasMade_ ? (1 + own) / 2 : own;
   }
-  Record take() override {
+  Record result() override {
     const DiagramChange change = change_->take();
     if (voronoi_.worstRegions) voronoi_.worstRegions->follow(change);
     return changeRecord(voronoi_.mesh(), *label_, change);

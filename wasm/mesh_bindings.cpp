@@ -49,7 +49,7 @@ class ClosestPointLookup final : public PointLookup {
         mesh_(handle.mesh),
         places_(places.begin(), places.end()) {}
 
-  Record take() override {
+  Record result() override {
     Record out = placedRecord(*mesh_, points_);
     out.add("distance", std::move(distance_));
     return out;

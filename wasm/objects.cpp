@@ -17,7 +17,7 @@ constexpr Named<WorstRegion> kWorstRegions[] = {{"size", WorstRegion::kLargest},
 
 }  // namespace
 
-bool PointLookup::step(long budget) {
+bool PointLookup::advance(long budget) {
   constexpr long kUnits = 16;
   if (!prepare(budget)) return false;
   for (; next_ < count_; budget -= kUnits) {

@@ -80,7 +80,7 @@ struct CvtHandle {
 class PointLookup : public SlicedWork<Record> {
  public:
   explicit PointLookup(std::size_t count) : count_(count) {}
-  bool step(long budget) final;
+  bool advance(long budget) final;
   double progress() const final { return count_ > 0 ? static_cast<double>(next_) / count_ : 1; }
 
  protected:

@@ -241,6 +241,7 @@ Record partitionRecord(const TriangleMesh& mesh, Partition partition,
 
 Record polygonRecord(const TriangleMesh& mesh, PolygonMesh polygons) {
   PolygonTriangles cut = triangulate(polygons);
+  const PolygonTopology topology = topologyOf(polygons);
   Record points = pointsRecord(mesh, polygons.points);
   points.add("position", std::move(polygons.positions));
   Record triangles;
@@ -250,7 +251,7 @@ Record polygonRecord(const TriangleMesh& mesh, PolygonMesh polygons) {
   Record out;
   out.add("points", std::move(points));
   out.add("triangles", std::move(triangles));
-  out.add("topology", topologyRecord(topologyOf(polygons)));
+  out.add("topology", topologyRecord(topology));
   out.add("faces", listsRecord(std::move(polygons.faces)));
   out.add("vertexLabel", std::move(polygons.vertexLabel));
   out.add("faceLabel", std::move(polygons.faceLabel));

@@ -12,9 +12,9 @@ namespace {
 class Done final : public SlicedWork<std::vector<double>> {
  public:
   explicit Done(std::vector<double> result) : result_(std::move(result)) {}
-  bool step(long /*budget*/) override { return true; }
+  bool advance(long /*budget*/) override { return true; }
   double progress() const override { return 1; }
-  std::vector<double> take() override { return std::move(result_); }
+  std::vector<double> result() override { return std::move(result_); }
 
  private:
   std::vector<double> result_;

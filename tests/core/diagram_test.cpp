@@ -446,10 +446,7 @@ TEST(Diagram, KeepsRegionsConsistentWithDetail) {
 
 TEST(Diagram, RefusesNegativeDetailAndSitesThatAreNotCounted) {
   const auto mesh = shapes::grid(3, 3, 0.3, 1).mesh();
-  const auto propagation = propagate(mesh, sampleUniform(mesh, 3, 1), Metric::kExact);
-  while (!propagation->step(100)) {
-  }
-  const auto distances = propagation->take();
+  const auto distances = finished(propagate(mesh, sampleUniform(mesh, 3, 1), Metric::kExact));
   EXPECT_THROW(traceDiagram(mesh, *distances, 3, {.detail = -1}), Error);
   EXPECT_THROW(traceDiagram(mesh, *distances, 2), Error);
   EXPECT_EQ(traceDiagram(mesh, *distances, 3).siteCount, 3);

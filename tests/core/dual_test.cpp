@@ -11,6 +11,7 @@
 #include "diagram_checks.h"
 #include "gvd/dynamic_diagram.h"
 #include "gvd/error.h"
+#include "gvd/partition.h"
 #include "gvd/sampling.h"
 #include "shapes.h"
 #include "surface_checks.h"
@@ -304,6 +305,27 @@ TEST(Dual, RefusesOtherSitesThanTheDiagrams) {
   }
 }
 
+/// Each of these read beyond the end of an array.
+TEST(Dual, NothingIsMadeOfTheDiagramOrDistancesOfAnotherMesh) {
+  const auto mesh = shapes::icosphere(1).mesh(), other = shapes::icosphere(2).mesh();
+  const auto sites = sampleFarthest(mesh, 6, 1);
+  const auto [field, diagram] = trace(mesh, sites);
+  EXPECT_THROW(traceDiagram(other, *field, 6), Error);
+  for (const Diagram& wrong : {diagram, Diagram()}) {
+    EXPECT_THROW(partition(other, wrong), Error);
+    EXPECT_THROW(regionMesh(other, wrong), Error);
+    EXPECT_THROW(dualMesh(other, sites, wrong), Error);
+    EXPECT_THROW(findViolations(other, sites, wrong), Error);
+    EXPECT_THROW(repairingSites(other, sites, wrong, *field), Error);
+    EXPECT_THROW(dualPaths(other, wrong, *field), Error);
+    EXPECT_THROW(WorstRegions(other, *field, wrong, WorstRegion::kLargest), Error);
+  }
+  const Diagram own = trace(other, sites).diagram;
+  EXPECT_THROW(repairingSites(other, sites, own, *field), Error);
+  EXPECT_THROW(dualPaths(other, own, *field), Error);
+  EXPECT_THROW(WorstRegions(other, *field, own, WorstRegion::kLargest), Error);
+}
+
 TEST(Dual, HasItsSitesWithCleanCoordinates) {
   const auto mesh = shapes::icosphere(2).mesh();
   auto sites = sampleFarthest(mesh, 14, 1);
@@ -375,7 +397,7 @@ TEST(Repair, GivesTheSameSitesEveryTime) {
 TEST(PolygonTopology, KnowsWhatIsNoManifold) {
   const auto topology = [](int vertices, const std::vector<std::vector<int>>& faces) {
     PolygonMesh mesh;
-    mesh.points.resize(vertices);
+    mesh.positions.resize(vertices);
     for (const auto& face : faces) mesh.faces.add(face);
     return topologyOf(mesh);
   };

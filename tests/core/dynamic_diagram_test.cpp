@@ -495,6 +495,25 @@ TEST(DynamicDiagram, GivesTheLowestFreeLabel) {
   EXPECT_TRUE(isUpToDate(mesh, dynamic, Metric::kExact));
 }
 
+/// The diagram is inconsistent meanwhile: using it read memory that was not its own.
+TEST(DynamicDiagram, RefusesEverythingUntilAChangeIsDone) {
+  const TriangleMesh mesh = shapes::cube().mesh();
+  DynamicDiagram dynamic(mesh, {{mesh.fromInputVertex(0)}});
+  auto change = dynamic.startInsert(mesh.fromInputVertex(7));
+  const auto expectRefusal = [&] {
+    EXPECT_THROW(dynamic.insertSite(mesh.fromInputVertex(1)), Error);
+    EXPECT_THROW(dynamic.diagram(), Error);
+    EXPECT_THROW(dynamic.distances(), Error);
+    EXPECT_THROW(dynamic.sites(), Error);
+  };
+  expectRefusal();
+  while (!change->step(1)) expectRefusal();
+  EXPECT_EQ(dynamic.insertSite(mesh.fromInputVertex(1)).part.siteCount, 3);
+  change = dynamic.startRemove(1);
+  change.reset();
+  expectRefusal();
+}
+
 TEST(DynamicDiagram, RefusesLabelsWithoutSite) {
   const TriangleMesh mesh = shapes::triangle().mesh();
   DynamicDiagram dynamic(mesh, {});

@@ -9,8 +9,8 @@
 
 namespace gvd::checks {
 
-/// Runs work in steps of changing size, the first with a budget of zero; progress must not
-/// decrease.
+/// Runs work in steps of changing size, the least with a budget of zero, which counts as one;
+/// progress must not decrease.
 template <class Result>
 Result inSteps(std::unique_ptr<SlicedWork<Result>> work) {
   double before = work->progress();

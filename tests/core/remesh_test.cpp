@@ -10,6 +10,7 @@
 #include "diagram_checks.h"
 #include "gvd/cvt.h"
 #include "gvd/dual.h"
+#include "gvd/error.h"
 #include "gvd/sampling.h"
 #include "mesh/nearest_on_triangle.h"
 #include "mesh/triangle_tree.h"
@@ -129,6 +130,22 @@ TEST(RemeshQuality, OfACentroidalTessellationIsHigh) {
   EXPECT_GT(quality.meanMinAngle, 50);
   EXPECT_GE(quality.minValence, 5);
   EXPECT_LE(quality.maxValence, 7);
+}
+
+/// Meshes of polygons are made by callers, too.
+TEST(PolygonMesh, RefusesFacesOfVerticesThatDoNotExist) {
+  const TriangleMesh cube = shapes::cube().mesh();
+  for (const int absent : {-1, 3}) {
+    PolygonMesh polygons;
+    polygons.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    polygons.faces.add(std::vector<int>{0, 1, 2});
+    EXPECT_TRUE(topologyOf(polygons).isManifold);
+    EXPECT_EQ(measureQuality(cube, polygons).triangles, 1);
+    polygons.faces.add(std::vector<int>{1, 0, absent});
+    EXPECT_THROW(topologyOf(polygons), Error);
+    EXPECT_THROW(triangulate(polygons), Error);
+    EXPECT_THROW(measureQuality(cube, polygons), Error);
+  }
 }
 
 TEST(Triangulate, KeepsSidesAndTurnsNoTriangleOver) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "diagram_checks.h"
+#include "gvd/cvt.h"
 #include "gvd/dual.h"
 #include "gvd/dynamic_diagram.h"
 #include "gvd/error.h"
@@ -81,6 +82,34 @@ std::string errorOf(const std::function<void()>& make) {
     return error.what();
   }
   return "";
+}
+
+/// Distances that were taken too early looked like those of sites that reach nothing.
+TEST(SlicedWork, ResultsAreTakenOnceAndAtTheEnd) {
+  const TriangleMesh mesh = shapes::cube().mesh();
+  const std::vector<SurfacePoint> sites = {mesh.fromInputVertex(0)};
+  EXPECT_THROW(propagate(mesh, sites, Metric::kExact)->take(), Error);
+  EXPECT_THROW(startMesh({0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2})->take(), Error);
+  const auto propagation = propagate(mesh, sites, Metric::kExact);
+  while (!propagation->step(1)) EXPECT_THROW(propagation->take(), Error);
+  EXPECT_NE(propagation->take(), nullptr);
+  EXPECT_TRUE(propagation->step(1));
+  EXPECT_THROW(propagation->take(), Error);
+}
+
+/// A loop with such a budget never ended.
+TEST(SlicedWork, GoesOnWithoutBudget) {
+  const TriangleMesh mesh = shapes::cube().mesh();
+  const std::vector<SurfacePoint> sites = {mesh.fromInputVertex(0)};
+  const auto propagation = propagate(mesh, sites, Metric::kExact);
+  Cvt cvt(mesh, sites);
+  bool isDone = false, isEvaluated = false;
+  for (int i = 0; i < 1000; ++i) {
+    isDone = propagation->step(-1);
+    isEvaluated = isEvaluated || cvt.step(0);
+  }
+  EXPECT_TRUE(isDone);
+  EXPECT_TRUE(isEvaluated);
 }
 
 TEST(SlicedWork, ALongOutlineThatUsesUpTheBudgetLeavesNothingOut) {

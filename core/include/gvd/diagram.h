@@ -114,7 +114,8 @@ struct DiagramOptions {
 /// O(k²) for each face with k regions.
 /// The distances must be known at all corners where `DistanceField` says so; a field of another
 /// implementation that lacks some may end in `std::logic_error`. Throws `Error(kInvalidArgument)`
-/// if there are distances of more than `siteCount` sites, or if `detail` is negative.
+/// if the distances are those of another mesh or of more than `siteCount` sites, or if `detail` is
+/// negative.
 Diagram traceDiagram(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,
                      const DiagramOptions& options = {});
 

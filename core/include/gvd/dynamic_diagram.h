@@ -72,15 +72,16 @@ class DynamicDiagram {
   /// large the mesh is. (If several sites tie behind a saddle vertex, a little time per vertex of
   /// the mesh is added. With `detail`, the whole diagram is traced again if the change touches a
   /// face in which a label is nearest without being known at its corners.) The new site gets
-  /// `lowestFreeLabel()`. After `std::bad_alloc` the diagram must not be used any more.
+  /// `lowestFreeLabel()`. After `std::bad_alloc` the change stays unfinished (`startInsert`).
   DiagramChange insertSite(const SurfacePoint& site);
   /// Throws `Error(kInvalidArgument)` if no site has the label.
   DiagramChange removeSite(int label);
   DiagramChange moveSite(int label, const SurfacePoint& site);
 
   /// The same in steps. Errors are thrown here, before anything changes. Until the change is done
-  /// the diagram is inconsistent: call nothing else, and do not use the diagram any more if the
-  /// change is dropped unfinished. The diagram must outlive the change.
+  /// the diagram is inconsistent: all functions throw `Error(kInvalidArgument)`, for good if the
+  /// change is dropped unfinished, and `distances` given out before must not be used. The diagram
+  /// must outlive the change.
   std::unique_ptr<SlicedWork<DiagramChange>> startInsert(const SurfacePoint& site);
   std::unique_ptr<SlicedWork<DiagramChange>> startRemove(int label);
   std::unique_ptr<SlicedWork<DiagramChange>> startMove(int label, const SurfacePoint& site);
@@ -104,6 +105,7 @@ class DynamicDiagram {
   class Implementation;
   class Opening;
   explicit DynamicDiagram(std::unique_ptr<Implementation> implementation);
+  Implementation& whole() const;
 
   std::unique_ptr<Implementation> implementation_;
 };

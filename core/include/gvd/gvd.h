@@ -11,14 +11,12 @@
 /// That is all that a diagram takes:
 ///
 ///     gvd::TriangleMesh mesh(positions, triangles);
-///     const auto propagation = gvd::propagate(mesh, sites, gvd::Metric::kExact);
-///     while (!propagation->step(100'000)) {
-///     }
-///     const auto distances = propagation->take();
+///     const auto distances = gvd::finished(gvd::propagate(mesh, sites, gvd::Metric::kExact));
 ///     const gvd::Diagram diagram = gvd::traceDiagram(mesh, *distances, int(sites.size()));
 ///
-/// Long computations can be done in steps (sliced_work.h): `propagate` always is; `startMesh`,
-/// `startDiagram`, `startPartition` … yield in steps what their namesakes return at once.
+/// Long computations can be done in steps (sliced_work.h), with progress and an end at any time:
+/// `propagate` returns such work, and `finished` does it at once; `startMesh`, `startDiagram`,
+/// `startPartition` … yield in steps what their namesakes return at once.
 ///
 /// Then, as needed, in any order:
 ///  - sampling.h: sites to begin with; curvature.h: densities for them; closest_point.h: points on
@@ -31,6 +29,13 @@
 ///
 /// Faces and vertices are those of a `TriangleMesh`; `TriangleMesh::toInput` and `fromInput`
 /// convert to and from the triangles it was made of. Lengths are in the unit of the positions.
+///
+/// Bad input throws `Error`. Not checked are the indices of vertices, faces and halfedges that a
+/// function reads at (`TriangleMesh::tail`, `DistanceField::at`, …), as with `std::vector`. Nor is
+/// anything but the number of faces, where a diagram and a mesh are given that must belong
+/// together. An object that was moved from can only be assigned to or destroyed. Results that refer
+/// to a mesh say so: it must outlive them, at the same address.
+///
 /// Nothing keeps global state: threads that share no object are independent of one another. A mesh
 /// and a diagram may be read by several threads; so may distances at vertices, but not at other
 /// points (geodesic.h). The same input gives the same bits with one build; builds, native or

@@ -99,7 +99,8 @@ enum class WorstRegion {
 class WorstRegions {
  public:
   /// Takes a diagram of detail 0 and its distances. The mesh and the distances, which change with
-  /// the diagram, must outlive this. O(F).
+  /// the diagram, must outlive this. Throws `Error(kInvalidArgument)` if one of them is that of
+  /// another mesh. O(F).
   WorstRegions(const TriangleMesh& mesh, const DistanceField& distances, const Diagram& diagram,
                WorstRegion worst);
   /// Follows a change of the diagram; `distances` must have changed already. Takes time for the

@@ -8,19 +8,43 @@
 
 namespace gvd {
 
-/// A long computation. Destroying the object before the end cancels the computation.
-template <class Result>
-class SlicedWork {
+/// The steps of a long computation, whatever its result. Destroying the object before the end
+/// cancels the computation.
+class SlicedSteps {
  public:
-  virtual ~SlicedWork() = default;
-  /// Works for `budget` units of about a microsecond, one or more; true when everything is done.
+  virtual ~SlicedSteps() = default;
+  /// Works for `budget` units of about a microsecond, at least one; true when everything is done.
   /// Further calls do nothing then. Indivisible work (a single face with all the sites in it, say,
   /// or sorting a list) makes a step longer. Do not call again after an exception.
-  virtual bool step(long budget) = 0;
-  /// The share of the work done, an estimate in [0, 1] that never falls.
+  bool step(long budget);
+  /// The share of the work done, an estimate in [0, 1] that never falls. Not after the result was
+  /// taken.
   virtual double progress() const = 0;
-  /// The result; call once, after `step` returned true.
-  virtual Result take() = 0;
+
+ protected:
+  /// `step`, as long as the work is not done.
+  virtual bool advance(long budget) = 0;
+  /// Throws `Error(kInvalidArgument)` unless the work is done, and this is the first call.
+  void beginTake();
+
+ private:
+  enum class State : unsigned char { kUnderWay, kDone, kTaken };
+  State state_ = State::kUnderWay;
+};
+
+/// A long computation and its result.
+template <class Result>
+class SlicedWork : public SlicedSteps {
+ public:
+  /// The result, once, after `step` has returned true; `Error(kInvalidArgument)` otherwise.
+  Result take() {
+    beginTake();
+    return result();
+  }
+
+ protected:
+  /// `take`, called once.
+  virtual Result result() = 0;
 };
 
 /// The result without steps.

@@ -17,6 +17,7 @@
 #include "diagram/label_completion.h"
 #include "diagram/region_outlines.h"
 #include "diagram/voronoi_points.h"
+#include "distance/site_distances.h"
 #include "gvd/error.h"
 
 namespace gvd {
@@ -36,7 +37,7 @@ class Tracing final : public SlicedWork<TracedDiagram> {
         isTraced_(std::move(isTraced)),
         nodePoints_(nodePoints) {}
 
-  bool step(long budget) override {
+  bool advance(long budget) override {
     return sequence_.run(
         [&] { return complex_.step(budget); },
         [&] { return complex_.hasFacesOnly() || runPart(completion_, budget, complex_); },
@@ -57,7 +58,7 @@ class Tracing final : public SlicedWork<TracedDiagram> {
   }
   double progress() const override { return sequence_.progress(); }
 
-  TracedDiagram take() override {
+  TracedDiagram result() override {
     out_.siteCount = siteCount_;
     out_.regionArea = std::move(graph_.regionArea);
     out_.indifferentFaces = std::move(graph_.indifferentFaces);
@@ -119,14 +120,11 @@ class FullTracing final : public SlicedWork<TracedDiagram> {
   FullTracing(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,
               const DiagramOptions& options)
       : complex_(mesh, distances, options.detail, FaceComplex::Extent::kMesh),
-        tracing_(mesh, distances, complex_, siteCount, {}, nodePoints_) {
-    requireValid(options);
-    requireLabels(mesh, distances, siteCount);
-  }
+        tracing_(mesh, distances, complex_, siteCount, {}, nodePoints_) {}
 
-  bool step(long budget) override { return tracing_.step(budget); }
+  bool advance(long budget) override { return tracing_.step(budget); }
   double progress() const override { return tracing_.progress(); }
-  TracedDiagram take() override { return tracing_.take(); }
+  TracedDiagram result() override { return tracing_.take(); }
 
  private:
   FaceComplex complex_;
@@ -140,9 +138,9 @@ class DiagramOfTracing final : public SlicedWork<Diagram> {
   explicit DiagramOfTracing(std::unique_ptr<SlicedWork<TracedDiagram>> tracing)
       : tracing_(std::move(tracing)) {}
 
-  bool step(long budget) override { return tracing_->step(budget); }
+  bool advance(long budget) override { return tracing_->step(budget); }
   double progress() const override { return tracing_->progress(); }
-  Diagram take() override { return tracing_->take().diagram; }
+  Diagram result() override { return tracing_->take().diagram; }
 
  private:
   const std::unique_ptr<SlicedWork<TracedDiagram>> tracing_;
@@ -154,6 +152,9 @@ std::unique_ptr<SlicedWork<TracedDiagram>> startTracing(const TriangleMesh& mesh
                                                         const DistanceField& distances,
                                                         int siteCount,
                                                         const DiagramOptions& options) {
+  requireValid(options);
+  requireMesh(mesh, distances);
+  requireLabels(mesh, distances, siteCount);
   return std::make_unique<FullTracing>(mesh, distances, siteCount, options);
 }
 

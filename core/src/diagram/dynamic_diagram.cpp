@@ -39,8 +39,7 @@ std::shared_ptr<SiteDistances> asSiteDistances(const TriangleMesh& mesh,
   auto found = std::dynamic_pointer_cast<SiteDistances>(distances);
   if (!found)
     throw Error(ErrorCode::kInvalidArgument, "the distances are not those that propagate gives");
-  if (&found->mesh() != &mesh)
-    throw Error(ErrorCode::kInvalidArgument, "the distances are those of another mesh");
+  requireMesh(mesh, *found);
   requireFree(*found);
   return found;
 }
@@ -68,6 +67,12 @@ class DynamicDiagram::Implementation {
   void takeDistances() {
     requireFree(*distances_);
     distances_->markTaken();
+  }
+
+  /// Throws unless the last change was carried to its end.
+  void requireWhole() const {
+    if (isChanging_)
+      throw Error(ErrorCode::kInvalidArgument, "a change of the diagram is not finished");
   }
 
   void requireSite(int label) const {
@@ -115,6 +120,7 @@ class DynamicDiagram::Implementation {
 
   const TriangleMesh& mesh_;
   DiagramOptions options_;
+  bool isChanging_ = false;  ///< from `startSite` until the change is done
   std::shared_ptr<SiteDistances> distances_;
   PartialTracer tracer_;
   DiagramPieces pieces_;
@@ -133,7 +139,7 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
   /// The change of the distances has begun. The whole diagram is traced if there is none yet.
   Update(Implementation& diagram, bool isFirst) : diagram_(diagram), tracesAll_(isFirst) {}
 
-  bool step(long budget) override {
+  bool advance(long budget) override {
     return sequence_.run(
         [&] { return diagram_.distances_->step(budget); }, [&] { forgetMixed(); },
         [&] { return noteMixed(budget); }, [&] { return tracesAll_ || traceParts(budget); },
@@ -145,7 +151,7 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
     return kOfDistances * diagram_.distances_->progress() +
            (1 - kOfDistances) * sequence_.progress();
   }
-  DiagramChange take() override { return std::move(change_); }
+  DiagramChange result() override { return std::move(change_); }
 
  private:
   int labelCount() const { return diagram_.labelCount(); }
@@ -260,6 +266,7 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
     if (!tracesAll_)
       for (const int label : change_.labels) areas.push_back(areaOf(label));
     for (size_t i = 0; i < areas.size(); ++i) diagram_.pieces_.setArea(change_.labels[i], areas[i]);
+    diagram_.isChanging_ = false;
   }
 
   /// The area in the traced faces plus the region triangles outside of them.
@@ -285,6 +292,7 @@ std::unique_ptr<SlicedWork<DiagramChange>> DynamicDiagram::Implementation::start
     int label, const std::optional<SurfacePoint>& site) {
   const SiteChange change = {label, site};
   distances_->change({&change, 1});
+  isChanging_ = true;
   return std::make_unique<Update>(*this, false);
 }
 
@@ -298,9 +306,9 @@ class DynamicDiagram::Opening final : public SlicedWork<DynamicDiagram> {
       : implementation_(std::make_unique<Implementation>(mesh, std::move(distances), options)),
         update_(*implementation_, true) {}
 
-  bool step(long budget) override { return update_.step(budget); }
+  bool advance(long budget) override { return update_.step(budget); }
   double progress() const override { return update_.progress(); }
-  DynamicDiagram take() override {
+  DynamicDiagram result() override {
     implementation_->takeDistances();
     return DynamicDiagram(std::move(implementation_));
   }
@@ -316,6 +324,11 @@ DynamicDiagram::DynamicDiagram(const TriangleMesh& mesh, std::span<const Surface
 
 DynamicDiagram::DynamicDiagram(std::unique_ptr<Implementation> implementation)
     : implementation_(std::move(implementation)) {}
+
+[[gnu::noinline]] DynamicDiagram::Implementation& DynamicDiagram::whole() const {
+  implementation_->requireWhole();
+  return *implementation_;
+}
 
 std::unique_ptr<SlicedWork<DynamicDiagram>> DynamicDiagram::start(
     const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric,
@@ -352,18 +365,18 @@ DiagramChange DynamicDiagram::moveSite(int label, const SurfacePoint& site) {
 }
 
 std::unique_ptr<SlicedWork<DiagramChange>> DynamicDiagram::startInsert(const SurfacePoint& site) {
-  return implementation_->startSite(lowestFreeLabel(), site);
+  return whole().startSite(lowestFreeLabel(), site);
 }
 
 std::unique_ptr<SlicedWork<DiagramChange>> DynamicDiagram::startRemove(int label) {
-  implementation_->requireSite(label);
-  return implementation_->startSite(label, std::nullopt);
+  whole().requireSite(label);
+  return whole().startSite(label, std::nullopt);
 }
 
 std::unique_ptr<SlicedWork<DiagramChange>> DynamicDiagram::startMove(int label,
                                                                      const SurfacePoint& site) {
-  implementation_->requireSite(label);
-  return implementation_->startSite(label, site);
+  whole().requireSite(label);
+  return whole().startSite(label, site);
 }
 
 // --- What there is -----------------------------------------------------------------------------
@@ -374,27 +387,27 @@ int DynamicDiagram::lowestFreeLabel() const {
   return label;
 }
 
-int DynamicDiagram::labelCount() const { return implementation_->labelCount(); }
+int DynamicDiagram::labelCount() const { return whole().labelCount(); }
 
 bool DynamicDiagram::hasSite(int label) const {
-  return implementation_->distances().sites().contains(label);
+  return whole().distances().sites().contains(label);
 }
 
 SurfacePoint DynamicDiagram::site(int label) const {
-  implementation_->requireSite(label);
-  return implementation_->distances().sites()[label];
+  whole().requireSite(label);
+  return whole().distances().sites()[label];
 }
 
 std::vector<SurfacePoint> DynamicDiagram::sites() const {
-  const SiteSet& all = implementation_->distances().sites();
+  const SiteSet& all = whole().distances().sites();
   std::vector<SurfacePoint> sites;
   sites.reserve(all.labelCount());
   for (int label = 0; label < all.labelCount(); ++label) sites.push_back(all[label]);
   return sites;
 }
 
-const DistanceField& DynamicDiagram::distances() const { return implementation_->distances(); }
+const DistanceField& DynamicDiagram::distances() const { return whole().distances(); }
 
-Diagram DynamicDiagram::diagram() const { return implementation_->diagram(); }
+Diagram DynamicDiagram::diagram() const { return whole().diagram(); }
 
 }  // namespace gvd

@@ -29,17 +29,17 @@ std::span<const LabelFunction> ElementFunctions::of(int element) {
   LabelFunction* next = functions_.data();
   for (auto a = atA.begin(), b = atB.begin(), c = atC.begin();
        a != atA.end() && b != atB.end() && c != atC.end();) {
-    const int label = std::max({a->label, b->label, c->label});
-    const bool isCommon = (a->label == label) & (b->label == label) & (c->label == label);
+    const int ofA = a->label, ofB = b->label, ofC = c->label, label = std::max({ofA, ofB, ofC});
+    const bool isCommon = (ofA == label) & (ofB == label) & (ofC == label);
     next->label = label;
     const double inA = unit_ * a->distance, inB = unit_ * b->distance, inC = unit_ * c->distance;
     next->value[0] = inA * inA;
     next->value[1] = inB * inB;
     next->value[2] = inC * inC;
     next += isCommon & ((soleOwner < 0) | (label == soleOwner));
-    a += isCommon | (a->label < label);
-    b += isCommon | (b->label < label);
-    c += isCommon | (c->label < label);
+    a += isCommon | (ofA < label);
+    b += isCommon | (ofB < label);
+    c += isCommon | (ofC < label);
   }
   functions_.resize(next - functions_.data());
   if (functions_.empty()) rejectDistances();

@@ -37,8 +37,8 @@ void NodeLabels::noteOwner(int node) {
 }
 
 int NodeLabels::commonOwner(const int* nodes) const {
-  const int first = owner(nodes[0]);
-  const bool isCommon = (owner(nodes[1]) == first) & (owner(nodes[2]) == first);
+  const int first = owner(nodes[0]), second = owner(nodes[1]), third = owner(nodes[2]);
+  const bool isCommon = (first == second) & (second == third);
   return isCommon ? first : Diagram::kMixed;
 }
 

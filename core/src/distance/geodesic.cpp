@@ -20,9 +20,9 @@ class SitePropagation final : public Propagation {
     distances_->change(arrivals(sites));
   }
 
-  bool step(long budget) override { return distances_->step(budget); }
+  bool advance(long budget) override { return distances_->step(budget); }
   double progress() const override { return distances_->progress(); }
-  std::unique_ptr<DistanceField> take() override { return std::move(distances_); }
+  std::unique_ptr<DistanceField> result() override { return std::move(distances_); }
 
  private:
   std::unique_ptr<SiteDistances> distances_;

@@ -9,6 +9,7 @@
 #include "base/sliced_loop.h"
 #include "distance/dgpc/unfolding_spread.h"
 #include "distance/exact/window_spread.h"
+#include "gvd/error.h"
 #include "mesh/given_points.h"
 #include "mesh/representations.h"
 
@@ -30,6 +31,12 @@ std::vector<SiteChange> arrivals(std::span<const SurfacePoint> sites) {
   for (size_t label = 0; label < sites.size(); ++label)
     if (sites[label].face != -1) changes.push_back({static_cast<int>(label), sites[label]});
   return changes;
+}
+
+[[gnu::noinline]] void requireMesh(const TriangleMesh& mesh, const DistanceField& distances) {
+  const auto* const own = dynamic_cast<const SiteDistances*>(&distances);
+  if (own && &own->mesh() != &mesh)
+    throw Error(ErrorCode::kInvalidArgument, "the distances are those of another mesh");
 }
 
 SiteDistances::SiteDistances(const TriangleMesh& mesh, Metric metric)
@@ -257,14 +264,14 @@ class SiteDistances::DistancesAtPlaces final : public SlicedWork<std::vector<dou
         points_(points.begin(), points.end()),
         distances_(points.size(), kInfinity) {}
 
-  bool step(long budget) override {
+  bool advance(long budget) override {
     return sequence_.run(
         [&] { return loop_.run(points_.size(), budget, kQuickRounds, [&](int i) { sortOut(i); }); },
         [&] { atPoints_ = field_.spread_->startDistancesAt(open_, field_.known_); },
         [&] { return atPoints_->step(budget); });
   }
   double progress() const override { return atPoints_ ? atPoints_->progress() : 0; }
-  std::vector<double> take() override {
+  std::vector<double> result() override {
     const std::vector<double> found = atPoints_->take();
     for (std::size_t i = 0; i < found.size(); ++i) distances_[openIndices_[i]] = found[i];
     return std::move(distances_);

@@ -29,6 +29,9 @@ struct SiteChange {
 /// site.
 std::vector<SiteChange> arrivals(std::span<const SurfacePoint> sites);
 
+/// Throws `Error(kInvalidArgument)` if distances that `propagate` gave are those of another mesh.
+void requireMesh(const TriangleMesh& mesh, const DistanceField& distances);
+
 /// The distances of sites that are inserted, removed and moved. For a first diagram, all sites are
 /// inserted in one change. A change has three stages:
 ///

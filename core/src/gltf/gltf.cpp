@@ -69,14 +69,14 @@ class SceneReading final : public SlicedWork<GltfScene> {
                const GltfLimits& limits)
       : bytes_(bytes), resources_(resources), limits_(limits) {}
 
-  bool step(long budget) override {
+  bool advance(long budget) override {
     return sequence_.run([&] { parse(); }, [&] { measure(); },
                          [&] { return addPrimitives(budget); }, [&] { finish(); });
   }
   double progress() const override {
     return primitives_.empty() ? 0 : (next_ + adding_.progress()) / (primitives_.size() + 1);
   }
-  GltfScene take() override { return std::move(scene_); }
+  GltfScene result() override { return std::move(scene_); }
 
  private:
   /// A primitive of triangles at one of its places in the scene.

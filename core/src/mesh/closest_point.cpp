@@ -14,9 +14,9 @@ namespace gvd {
 class ClosestPointQuery::Building final : public SlicedWork<ClosestPointQuery> {
  public:
   explicit Building(const TriangleMesh& mesh) : tree_(std::make_unique<TriangleTree>(mesh)) {}
-  bool step(long budget) override { return tree_->step(budget); }
+  bool advance(long budget) override { return tree_->step(budget); }
   double progress() const override { return tree_->progress(); }
-  ClosestPointQuery take() override { return ClosestPointQuery(std::move(tree_)); }
+  ClosestPointQuery result() override { return ClosestPointQuery(std::move(tree_)); }
 
  private:
   std::unique_ptr<TriangleTree> tree_;

@@ -30,8 +30,7 @@ class CurvatureMeasuring final : public SlicedWork<VertexCurvatures> {
  public:
   explicit CurvatureMeasuring(const TriangleMesh& mesh) : mesh_(mesh) {}
 
-  bool step(long budget) override { return advance(budget); }
-  bool advance(long& budget) {
+  bool advance(long budget) override {
     const int vertices = mesh_.vertexCount();
     const auto forVertices = [&](auto body) { return loop_.run(vertices, budget, 8, body); };
     return sequence_.run(
@@ -46,7 +45,7 @@ class CurvatureMeasuring final : public SlicedWork<VertexCurvatures> {
         [&] { return forVertices([&](int v) { takeFromNeighbours(v); }); });
   }
   double progress() const override { return sequence_.progress(); }
-  VertexCurvatures take() override { return std::move(curvatures_); }
+  VertexCurvatures result() override { return std::move(curvatures_); }
   /// A third of the area of the faces around each vertex.
   std::vector<double> takeAreas() { return std::move(areas_); }
 
@@ -105,13 +104,13 @@ class DensityMaking final : public SlicedWork<std::vector<double>> {
                   "the smoothing is negative, or the floor not positive and finite");
   }
 
-  bool step(long budget) override {
+  bool advance(long budget) override {
     const int vertices = mesh_.vertexCount();
     const auto forVertices = [&](auto body) {
       return loop_.run(vertices, budget, kQuickRounds, body);
     };
     return sequence_.run(
-        [&] { return measuring_.advance(budget); },
+        [&] { return measuring_.step(budget); },
         [&] {
           if (density_.empty()) {
             areas_ = measuring_.takeAreas();
@@ -139,7 +138,7 @@ class DensityMaking final : public SlicedWork<std::vector<double>> {
         [&] { return forVertices([&](int v) { density_[v] = scaled(density_[v]); }); });
   }
   double progress() const override { return (measuring_.progress() + sequence_.progress()) / 2; }
-  std::vector<double> take() override { return std::move(density_); }
+  std::vector<double> result() override { return std::move(density_); }
 
  private:
   /// Sets every vertex to the mean of the faces around it, weighted by area; the value of a face is

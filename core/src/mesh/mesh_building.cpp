@@ -53,7 +53,7 @@ MeshBuilding::MeshBuilding(std::vector<double> positions, std::vector<int> trian
   requireTriples(triangles_.size(), "vertex indices");
 }
 
-bool MeshBuilding::step(long budget) {
+bool MeshBuilding::advance(long budget) {
   TriangleMesh& m = mesh_;
   const auto forFaces = [&](long perUnit, auto body) {
     return loop_.run(m.faceCount(), budget, perUnit, body);

@@ -23,9 +23,9 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
  public:
   MeshBuilding(std::vector<double> positions, std::vector<int> triangles,
                const MeshOptions& options);
-  bool step(long budget) override;
+  bool advance(long budget) override;
   double progress() const override { return sequence_.progress(); }
-  TriangleMesh take() override { return std::move(mesh_); }
+  TriangleMesh result() override { return std::move(mesh_); }
 
  private:
   int inputVertexCount() const { return static_cast<int>(positions_.size() / 3); }

@@ -32,7 +32,7 @@ class FromRegions final : public SlicedWork<Result> {
       : partitioning_(startPartition(mesh, diagram, {.leaveOutUnreachable = true})),
         make_(std::move(make)) {}
 
-  bool step(long budget) override {
+  bool advance(long budget) override {
     return sequence_.run([&] { return partitioning_->step(budget); },
                          [&] {
                            partition_ = partitioning_->take();
@@ -49,7 +49,7 @@ class FromRegions final : public SlicedWork<Result> {
     constexpr double kPartitionsShare = 0.8;
     return partitioning_ ? kPartitionsShare * partitioning_->progress() : kPartitionsShare;
   }
-  Result take() override { return std::move(result_); }
+  Result result() override { return std::move(result_); }
 
  private:
   std::unique_ptr<SlicedWork<Partition>> partitioning_;

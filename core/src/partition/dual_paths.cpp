@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "base/sliced_loop.h"
+#include "diagram/given_diagram.h"
+#include "distance/site_distances.h"
 #include "gvd/dual.h"
 #include "mesh/representations.h"
 
@@ -29,9 +31,12 @@ struct Crossing {
 class DualPathFinding final : public SlicedWork<std::vector<DualPath>> {
  public:
   DualPathFinding(const TriangleMesh& mesh, const Diagram& diagram, const DistanceField& field)
-      : mesh_(mesh), diagram_(diagram), field_(field), nearest_(diagram.arcLabels.size()) {}
+      : mesh_(mesh), diagram_(diagram), field_(field), nearest_(diagram.arcLabels.size()) {
+    requireFaces(mesh, diagram);
+    requireMesh(mesh, field);
+  }
 
-  bool step(long budget) override {
+  bool advance(long budget) override {
     constexpr long kPathUnits = 1000;
     return sequence_.run([&] { return addEvenPlaces(budget); }, [&] { return offerPlaces(budget); },
                          [&] { return addLeastPlaces(budget); },
@@ -50,7 +55,7 @@ class DualPathFinding final : public SlicedWork<std::vector<DualPath>> {
     constexpr double kShareOfPaths = 0.2;  // the last of five parts
     return std::min(1.0, sequence_.progress() + kShareOfPaths * ofPaths);
   }
-  std::vector<DualPath> take() override { return std::move(paths_); }
+  std::vector<DualPath> result() override { return std::move(paths_); }
 
  private:
   /// A point of a segment, by its position along the segment.

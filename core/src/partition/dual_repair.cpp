@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "distance/site_distances.h"
 #include "gvd/dynamic_diagram.h"
 #include "gvd/error.h"
 #include "partition/dual_parts.h"
@@ -89,6 +90,7 @@ class RepairRound {
 std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> startRepairingSites(
     const TriangleMesh& mesh, std::span<const SurfacePoint> sites, const Diagram& diagram,
     const DistanceField& field) {
+  requireMesh(mesh, field);
   return fromRegions(mesh, diagram,
                      [&mesh, sites = sitesOf(mesh, diagram, sites), &diagram, &field](
                          const Partition& partition, const RegionComplex& complex) {

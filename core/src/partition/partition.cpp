@@ -15,6 +15,7 @@
 #include "base/grouping.h"
 #include "base/sliced_loop.h"
 #include "base/sorting.h"
+#include "diagram/given_diagram.h"
 #include "mesh/corners.h"
 #include "mesh/face_layout.h"
 #include "mesh/representations.h"
@@ -30,9 +31,11 @@ namespace {
 class Partitioner final : public SlicedWork<Partition> {
  public:
   Partitioner(const TriangleMesh& mesh, const Diagram& diagram, const PartitionOptions& options)
-      : mesh_(mesh), diagram_(diagram), options_(options) {}
+      : mesh_(mesh), diagram_(diagram), options_(options) {
+    requireFaces(mesh, diagram);
+  }
 
-  bool step(long budget) override {
+  bool advance(long budget) override {
     return sequence_.run(
         [&] { return nameVertices(budget); }, [&] { return collectSidePoints(budget); },
         [&] { return cutFaces(budget); }, [&] { return groupByLabel(budget); },
@@ -40,7 +43,7 @@ class Partitioner final : public SlicedWork<Partition> {
         [&] { return runPart(patches_, budget, mesh_, diagram_.siteCount, areas_, out_); });
   }
   double progress() const override { return sequence_.progress(); }
-  Partition take() override { return std::move(out_); }
+  Partition result() override { return std::move(out_); }
 
  private:
   /// A triangle of the partition, before triangles are sorted by label.

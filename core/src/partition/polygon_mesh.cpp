@@ -6,9 +6,11 @@
 #include <cstdint>
 #include <functional>
 #include <numeric>
+#include <string>
 #include <utility>
 
 #include "base/sorting.h"
+#include "gvd/error.h"
 #include "mesh/corners.h"
 #include "partition/convex_triangulation.h"
 
@@ -65,6 +67,15 @@ class PolygonHalfedges {
   std::vector<int> next_, previous_, twin_;
   bool isOriented_ = true;
 };
+
+[[gnu::noinline]] void requireVertices(const PolygonMesh& mesh) {
+  const int vertexCount = static_cast<int>(mesh.positions.size());
+  for (int f = 0; f < mesh.faces.size(); ++f)
+    for (const int v : mesh.faces[f])
+      if (v < 0 || v >= vertexCount)
+        throw Error(ErrorCode::kInvalidArgument,
+                    "polygon " + std::to_string(f) + ": there is no vertex " + std::to_string(v));
+}
 
 bool hasRepeatedCorner(const PolygonMesh& mesh) {
   std::vector<int> corners;
@@ -142,6 +153,7 @@ int countBoundaryLoops(const PolygonHalfedges& halfedges) {
 }  // namespace
 
 PolygonTriangles triangulate(const PolygonMesh& mesh) {
+  requireVertices(mesh);
   PolygonTriangles result;
   ConvexTriangulation triangulation;
   std::vector<Eigen::Vector2d> corners;
@@ -165,7 +177,8 @@ PolygonTriangles triangulate(const PolygonMesh& mesh) {
 }
 
 PolygonTopology topologyOf(const PolygonMesh& mesh) {
-  const int vertexCount = static_cast<int>(mesh.points.size());
+  requireVertices(mesh);
+  const int vertexCount = static_cast<int>(mesh.positions.size());
   const PolygonHalfedges halfedges(mesh);
   PolygonTopology topology;
   std::vector<char> isUsed(vertexCount, false);

@@ -70,7 +70,7 @@ class QualityMeasuring final : public SlicedWork<RemeshQuality> {
   QualityMeasuring(const TriangleMesh& surface, std::unique_ptr<SlicedWork<PolygonMesh>> remeshing)
       : surface_(surface), remeshing_(std::move(remeshing)), fine_(surface) {}
 
-  bool step(long budget) override {
+  bool advance(long budget) override {
     const int vertices = surface_.vertexCount(), faces = surface_.faceCount();
     return sequence_.run(
         [&] { return remeshing_->step(budget); }, [&] { measureRemesh(remeshing_->take()); },
@@ -87,7 +87,7 @@ class QualityMeasuring final : public SlicedWork<RemeshQuality> {
         [&] { return visitRemesh(budget); });
   }
   double progress() const override { return sequence_.progress(); }
-  RemeshQuality take() override { return quality_; }
+  RemeshQuality result() override { return quality_; }
 
  private:
   void measureRemesh(const PolygonMesh& remesh) {
@@ -136,9 +136,9 @@ template <class Result>
 class Ready final : public SlicedWork<Result> {
  public:
   explicit Ready(Result result) : result_(std::move(result)) {}
-  bool step(long /*budget*/) override { return true; }
+  bool advance(long /*budget*/) override { return true; }
   double progress() const override { return 1; }
-  Result take() override { return std::move(result_); }
+  Result result() override { return std::move(result_); }
 
  private:
   Result result_;

@@ -63,7 +63,7 @@ class Integrator final : public SlicedWork<CvtEnergy> {
     out_.regions.resize(diagram.siteCount);
   }
 
-  bool step(long budget) override {
+  bool advance(long budget) override {
     const int faces = mesh_.faceCount();
     return sequence_.run(
         [&] {
@@ -79,7 +79,7 @@ class Integrator final : public SlicedWork<CvtEnergy> {
         });
   }
   double progress() const override { return sequence_.progress(); }
-  CvtEnergy take() override { return std::move(out_); }
+  CvtEnergy result() override { return std::move(out_); }
 
  private:
   void addFace(int face) {

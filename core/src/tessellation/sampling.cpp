@@ -59,7 +59,7 @@ class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
     requireCount(count);
   }
 
-  bool step(long budget) override {
+  bool advance(long budget) override {
     return sequence_.run(
         [&] { return fillInSlices(least_, mesh_.vertexCount(), kInfinity, budget); },
         [&] {
@@ -79,7 +79,7 @@ class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
   double progress() const override {
     return count_ > 0 ? static_cast<double>(points_.size()) / count_ : 1;
   }
-  std::vector<SurfacePoint> take() override { return std::move(points_); }
+  std::vector<SurfacePoint> result() override { return std::move(points_); }
 
  private:
   void add(const SurfacePoint& point) {
@@ -155,7 +155,7 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
     if (count) requireCount(*count);
   }
 
-  bool step(long budget) override {
+  bool advance(long budget) override {
     return sequence_.run([&] { return disks_.prepare(budget); },
                          [&] { sums_ = cumulative(faceAreas(mesh_)); },
                          [&] { return addAll(budget); },
@@ -168,7 +168,7 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
     return count_.value_or(0) > 0 ? static_cast<double>(points_.size()) / *count_
                                   : static_cast<double>(nextVertex_) / mesh_.vertexCount();
   }
-  PoissonDisk take() override { return {std::move(points_), radius_}; }
+  PoissonDisk result() override { return {std::move(points_), radius_}; }
 
  private:
   bool addAll(long& budget) {

@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "base/sliced_loop.h"
+#include "diagram/given_diagram.h"
+#include "distance/site_distances.h"
 #include "gvd/dynamic_diagram.h"
 #include "gvd/sampling.h"
 #include "mesh/face_layout.h"
@@ -80,6 +82,8 @@ WorstRegions::WorstRegions(const TriangleMesh& mesh, const DistanceField& distan
       worst_(worst),
       faceLabel_(mesh.faceCount(), Diagram::kUnreachable),
       shares_(worst == WorstRegion::kMostDistorted ? mesh.faceCount() : 0) {
+  requireFaces(mesh, diagram);
+  requireMesh(mesh, distances);
   DiagramChange all{std::vector<int>(diagram.siteCount), std::vector<int>(mesh.faceCount()),
                     diagram};
   std::iota(all.labels.begin(), all.labels.end(), 0);
@@ -159,7 +163,7 @@ class WorstFirstSampling final : public SlicedWork<std::vector<SurfacePoint>> {
         worst_(worst),
         points_(sampleUniform(mesh, std::min(count, 1), seed)) {}
 
-  bool step(long budget) override {
+  bool advance(long budget) override {
     return sequence_.run(
         [&] {
           if (count_ == 0) return true;
@@ -177,7 +181,7 @@ class WorstFirstSampling final : public SlicedWork<std::vector<SurfacePoint>> {
   double progress() const override {
     return count_ > 0 ? static_cast<double>(points_.size() - 1) / count_ : 1;
   }
-  std::vector<SurfacePoint> take() override { return std::move(points_); }
+  std::vector<SurfacePoint> result() override { return std::move(points_); }
 
  private:
   /// One site per step at the most, because finding its place takes O(F).

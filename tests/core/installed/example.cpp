@@ -14,10 +14,7 @@ int main(int argc, char**) try {
                                    1, 0, 5, 3, 1, 5, 4, 3, 5, 0, 4, 5};
   const gvd::TriangleMesh mesh(positions, triangles);
   const auto sites = gvd::sampleUniform(mesh, 3, /*seed=*/1);
-  const auto propagation = gvd::propagate(mesh, sites, gvd::Metric::kExact);
-  while (!propagation->step(/*budget=*/100'000)) {
-  }
-  const auto distances = propagation->take();
+  const auto distances = gvd::finished(gvd::propagate(mesh, sites, gvd::Metric::kExact));
   const gvd::Diagram diagram = gvd::traceDiagram(mesh, *distances, static_cast<int>(sites.size()));
   for (const double area : diagram.regionArea) std::cout << area << '\n';
   if (argc > 1) gvd::readGltf({});  // of no bytes: says what is wrong with them

@@ -163,7 +163,7 @@ class UnfoldingSpread::PointDistances final : public SlicedWork<std::vector<doub
                  std::span<const LabelledPoint> points)
       : spread_(spread), known_(known), points_(points.begin(), points.end()) {}
 
-  bool step(long budget) override {
+  bool advance(long budget) override {
     constexpr long kPointsPerUnit = 8;
     return loop_.run(points_.size(), budget, kPointsPerUnit, [&](int i) {
       const LabelledPoint& at = points_[i];
@@ -174,7 +174,7 @@ class UnfoldingSpread::PointDistances final : public SlicedWork<std::vector<doub
   double progress() const override {
     return points_.empty() ? 1 : static_cast<double>(distances_.size()) / points_.size();
   }
-  std::vector<double> take() override { return std::move(distances_); }
+  std::vector<double> result() override { return std::move(distances_); }
 
  private:
   const UnfoldingSpread& spread_;

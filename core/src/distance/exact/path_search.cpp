@@ -47,7 +47,7 @@ class PathSearch final : public SlicedWork<std::vector<SurfacePoint>> {
     edgeBounds_.insert(kLabel);
   }
 
-  bool step(long budget) override {
+  bool advance(long budget) override {
     const bool isConnected = mesh_.component(from_.face) == mesh_.component(to_.face);
     isDone_ = !isConnected || sequence_.run([&] { return boundByEdges(budget); },
                                             [&] { startSearch(mostByEdges() * (1 + kSlack)); },
@@ -61,7 +61,7 @@ class PathSearch final : public SlicedWork<std::vector<SurfacePoint>> {
     return straight_ > 0 ? std::min(sweep_.front() / straight_, 0.9) : 0;
   }
 
-  std::vector<SurfacePoint> take() override {
+  std::vector<SurfacePoint> result() override {
     ReachedIndex index(mesh_.vertexCount());
     index.reset(state_.vertices);
     return exact::pathToSite(mesh_, to_, state_, index, from_);

@@ -55,7 +55,7 @@ PointDistances::PointDistances(const TriangleMesh& mesh, const SiteSet& sites,
       points_(points.begin(), points.end()),
       spare_(spare) {}
 
-bool PointDistances::step(long budget) {
+bool PointDistances::advance(long budget) {
   return sequence_.run(
       [&] {
         return loop_.run(points_.size(), budget, kPointsPerUnit,
@@ -75,7 +75,7 @@ void PointDistances::sortOut(const LabelledPoint& p) {
     open_.push_back({at, static_cast<int>(distances_.size()) - 1});
 }
 
-std::vector<double> PointDistances::take() {
+std::vector<double> PointDistances::result() {
   // Only now: in the working memory of a work that is given up there are windows.
   if (sweep_) spare_ = std::move(sweep_);
   return std::move(distances_);

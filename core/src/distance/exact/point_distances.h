@@ -36,14 +36,14 @@ class FoundDistances {
 class PointDistances final : public SlicedWork<std::vector<double>> {
  public:
   /// The labels must be known around the points. `bounds` are final. Working memory for the whole
-  /// mesh is taken from `spare`, or allocated if that is null, and left there by `take`.
+  /// mesh is taken from `spare`, or allocated if that is null, and left there by `result`.
   PointDistances(const TriangleMesh& mesh, const SiteSet& sites, NearestBounds& bounds,
                  FoundDistances& found, std::unique_ptr<WindowSweep>& spare,
                  std::span<const LabelledPoint> points);
 
-  bool step(long budget) override;
+  bool advance(long budget) override;
   double progress() const override;
-  std::vector<double> take() override;
+  std::vector<double> result() override;
 
  private:
   /// A point at which the distance has not been found before.

@@ -68,7 +68,9 @@ int WindowSweep::requiredIndex(int v) const {
 
 bool WindowSweep::hasRequiredCorner(int f) const {
   const TriangleMesh::Face& face = mesh_.face(f);
-  return isRequired(face.vertices[0]) | isRequired(face.vertices[1]) | isRequired(face.vertices[2]);
+  return isRequired(face.vertices[0]) + isRequired(face.vertices[1]) +
+             isRequired(face.vertices[2]) >
+         0;
 }
 
 void WindowSweep::offerRequired(int v, double distance, const LastPiece& piece) {
@@ -85,7 +87,8 @@ void WindowSweep::offerAlongSides(int f) {
     if (distance == kInfinity || vertices_[v].piece.arrival < 0) continue;
     const auto offerTo = [&](int corner, double length, int arrival, double crossing) {
       const int to = face.vertices[corner];
-      if (isRequired(to) & (distance + length < vertices_[to].distance))
+      const bool isShorter = distance + length < vertices_[to].distance;
+      if (isRequired(to) & isShorter)
         offer(to, distance + length,
               {crossing, distance, directionAt(v), arrival, PathKind::kBent});
     };

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#include "diagram/given_diagram.h"
+
+#include "gvd/error.h"
+
+namespace gvd {
+
+[[gnu::noinline]] void requireFaces(const TriangleMesh& mesh, const Diagram& diagram) {
+  if (static_cast<int>(diagram.faceLabel.size()) != mesh.faceCount())
+    throw Error(ErrorCode::kInvalidArgument, "the diagram is that of another mesh");
+}
+
+}  // namespace gvd
