@@ -37,6 +37,13 @@ suite('hands', () => {
     assert.equal(await viewer.page.getAttribute('#up', 'aria-label'), 'Upward axis: Y');
     assert.equal(await changedSince(upright), 0);
 
+    // Characters outside the view are no commands: dictation types them.
+    await viewer.page.focus('#cvt-play');
+    for (const key of ['u', 'h', '?']) await press(key);
+    assert.equal(await viewer.page.getAttribute('#up', 'aria-label'), 'Upward axis: Y');
+    assert.equal(await viewer.page.getAttribute('#hide-panel', 'aria-pressed'), 'false');
+    assert.equal(await viewer.page.locator('#help').isVisible(), false);
+
     await focus();
     await press('ArrowRight');
     await press('+');
