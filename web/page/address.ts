@@ -16,11 +16,35 @@ const firstActs = ['pointerdown', 'keydown', 'wheel', 'drop'];
 const changes = ['status-change', 'diagram', 'sites-change', 'camera-change'];
 
 /**
- * Keeps the state in the address. Another model is a step in the browser's history, so that Back
- * returns to the one before with its sites; other changes are none. A link of a file of one's own
- * stays until that file, or any other model than the one that stands in for it, is opened.
+ * Keeps the state in the address, opens a link that comes into it, and asks before anything is left
+ * that was done and that the address does not hold.
  */
 export function setUpAddress(viewer: GeodesicVoronoiElement): void {
+  const restore = keepState(viewer);
+  const losesEdits = watchEdits(viewer);
+  let isLeaving = false;
+  // A link that is pasted into the page's own window, Back and Forward change nothing but the hash.
+  addEventListener('hashchange', () => {
+    isLeaving = !losesEdits() || confirm(leavingQuestion(modelName(viewer)));
+    if (isLeaving) location.reload();
+    else restore();
+  });
+  addEventListener('beforeunload', (event) => {
+    if (!isLeaving && losesEdits()) event.preventDefault();
+  });
+}
+
+function leavingQuestion(model: string): string {
+  return `Leave ${model}? Not all that was done with it can be brought back.`;
+}
+
+/**
+ * Keeps the state in the address. Another model is a step in the browser's history, so that Back
+ * returns to the one before with its sites; other changes are none. A link of a file of one's own
+ * stays until that file, or any other model than the one that stands in for it, is opened. Returns
+ * what brings the state back into the address after another has come there.
+ */
+function keepState(viewer: GeodesicVoronoiElement): () => void {
   const { hash } = location;
   const named = new URLSearchParams(hash.slice(1)).get('model');
   // Models to come before the first that the address is to tell of.
@@ -30,7 +54,7 @@ export function setUpAddress(viewer: GeodesicVoronoiElement): void {
   let model = named ?? lastSegment(modelOf(hash));
   let waiting = 0;
   const write = () => {
-    // Another hash than the known one is a link that has just been pasted.
+    // Another hash than the known one is a link that is about to be opened.
     const isReady = viewer.getAttribute('status') === 'ready' && standIns < 0;
     if (!isReady || location.hash !== known) return;
     const state = pageState(viewer);
@@ -54,10 +78,11 @@ export function setUpAddress(viewer: GeodesicVoronoiElement): void {
   for (const type of firstActs) {
     addEventListener(type, begin, { capture: true, passive: true, signal: begun.signal });
   }
+  return () => history.pushState(null, '', known);
 }
 
-/** Asks before the page is left, if anything was done that its address does not hold. */
-export function setUpLeaving(viewer: GeodesicVoronoiElement): void {
+/** Returns whether anything was done that the address does not hold. */
+function watchEdits(viewer: GeodesicVoronoiElement): () => boolean {
   let file = '';
   // Edits that are no steps to undo any more: of a mesh that was then built otherwise.
   let wasEdited = false;
@@ -70,7 +95,5 @@ export function setUpLeaving(viewer: GeodesicVoronoiElement): void {
   listen(viewer, 'sites-change', ({ canUndo }) => {
     isEdited = canUndo || wasEdited;
   });
-  addEventListener('beforeunload', (event) => {
-    if (viewer.loaded && isEdited && notHeld(viewer).length > 0) event.preventDefault();
-  });
+  return () => viewer.loaded && isEdited && notHeld(viewer).length > 0;
 }
