@@ -16,6 +16,7 @@ import {
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { CameraOrbit } from './camera_orbit.js';
+import { type Framing, framingOf } from './framing.js';
 import type { DrawnPixels } from './picture_file.js';
 import { type ContextListener, type Picture, SharedRenderer } from './shared_renderer.js';
 import type { Padding } from './view_padding.js';
@@ -164,7 +165,7 @@ export class Stage {
     // This call updates the projection, too.
     this.camera.setViewOffset(width, height, right, down, width, height);
     if (this.#isFramed) this.frame(this.#points);
-    else this.#framingDistance = this.#distanceToFit();
+    else this.#framingDistance = this.#framing().distance;
     this.draw();
   }
 
@@ -179,16 +180,19 @@ export class Stage {
   }
 
   /**
-   * Looks at the origin so that all these points (x, y, z triples), `reach` times as far, just fit.
+   * Looks from the first direction at the middle of these points (x, y, z triples), `reach` times as
+   * far, so that all of them just fit.
    */
   frame(points: Float32Array): void {
     this.#points = points;
-    this.#framingDistance = this.#distanceToFit();
+    const { target, distance } = this.#framing();
+    this.#framingDistance = distance;
     this.#stopGliding();
-    this.#controls.target.set(0, 0, 0);
+    this.#controls.target.copy(target).multiplyScalar(this.reach);
     this.camera.position
       .copy(this.#firstDirection)
-      .multiplyScalar(this.reach * this.#framingDistance);
+      .multiplyScalar(this.reach * distance)
+      .add(this.#controls.target);
     this.#controls.update();
     this.#isFramed = true;
     this.invalidate();
@@ -198,34 +202,18 @@ export class Stage {
     return firstDirection.clone().applyQuaternion(this.#upright);
   }
 
-  /**
-   * The distance from which the points to be framed fill the view, seen from the first direction.
-   */
-  #distanceToFit(): number {
-    const points = this.#points;
+  /** Where the points to be framed fill what the padding leaves of the view, but for a margin. */
+  #framing(): Framing {
     const back = this.#firstDirection;
     const right = this.camera.up.clone().cross(back).normalize();
-    const up = back.clone().cross(right);
     const { width, height } = this.#size;
     const padding = this.#padding;
     const share = (free: number, whole: number) =>
       (1 - margin) * (whole > 0 ? Math.max(leastShare, free / whole) : 1);
     const half = Math.tan((fieldOfView * Math.PI) / 360);
-    const halfHeight = half * share(height - padding.top - padding.bottom, height);
-    const halfWidth =
-      half * this.camera.aspect * share(width - padding.left - padding.right, width);
-    let distance = 0;
-    // The exploded view is framed anew in every frame: nothing is made or called per point.
-    const [ax, ay, az] = right.divideScalar(halfWidth);
-    const [bx, by, bz] = up.divideScalar(halfHeight);
-    for (let i = 0; i < points.length; i += 3) {
-      const [x, y, z] = [points[i], points[i + 1], points[i + 2]];
-      const a = Math.abs(ax * x + ay * y + az * z);
-      const b = Math.abs(bx * x + by * y + bz * z);
-      const needed = back.x * x + back.y * y + back.z * z + (a > b ? a : b);
-      if (needed > distance && needed < Infinity) distance = needed;
-    }
-    return distance || 3;
+    const h = half * this.camera.aspect * share(width - padding.left - padding.right, width);
+    const v = half * share(height - padding.top - padding.bottom, height);
+    return framingOf(this.#points, { right, up: back.clone().cross(right), back }, h, v);
   }
 
   /**
