@@ -358,9 +358,10 @@ export class Stage {
 
   /** Fits the depth range tightly around the content: depth has to tell lines from the surface. */
   #fitDepthRange(): void {
-    const distance = this.camera.position.length();
+    const ahead = this.camera.getWorldDirection(new Vector3());
+    const distance = -ahead.dot(this.camera.position);
     const radius = 1.01 * this.reach;
-    this.camera.far = distance + radius;
+    this.camera.far = Math.max(distance, 0) + radius;
     this.camera.near = Math.max(distance - radius, 0.002);
     this.camera.updateProjectionMatrix();
   }
