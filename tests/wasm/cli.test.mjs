@@ -540,6 +540,8 @@ test('dual says what is wrong with it, and can be repaired', () => {
     /the dual is not valid: regions/,
   );
   succeeds('dual shape.glb --sites sites.json --repair --check -q -o base.obj');
+  succeeds('dual shape.glb --sites sites.json --repair -q -o base.stl');
+  assert.match(succeeds('info base.stl').stdout, /^format +STL.*\n[^]*boundary loops +0\n/);
   const repaired = succeeds('dual shape.glb --sites sites.json --repair -o base.json').stderr;
   assert.match(repaired, /^\d sites \(\d added\).*Euler characteristic 2, genus 0, 0 boundary/);
   assert.doesNotMatch(repaired, /not valid/);

@@ -4,6 +4,7 @@
 
 import assert from 'node:assert/strict';
 import { after, before, suite, test } from 'node:test';
+import { unzipSync } from 'fflate';
 import { glb, octahedron } from '../wasm/meshes.mjs';
 import { startBrowser } from './browser.mjs';
 
@@ -335,6 +336,7 @@ suite('files', () => {
     const isGlb = (content) => content.subarray(0, 4).toString() === 'glTF';
     const isObj = (content) => /^v /m.test(content) && /^[fl] /m.test(content);
     const isPly = (content) => content.subarray(0, 3).toString() === 'ply';
+    const isStl = (content) => content.length === 84 + 50 * content.readUint32LE(80);
     const isDiagram = (content) => JSON.parse(content).regions.length === regions;
     const isPng = (content) => content.subarray(1, 4).toString() === 'PNG';
     const files = [
@@ -345,11 +347,20 @@ suite('files', () => {
     ];
     for (const row of ['parts', 'polygons', 'dual']) {
       files.push([row, 'glb', isGlb], [row, 'obj', isObj], [row, 'ply', isPly]);
+      if (row !== 'parts') files.push([row, 'stl', isStl]);
     }
     for (const [row, format, isRight] of files) {
       const { name, content } = await download(row, format);
       assert.equal(name, `bunny-${row}.${row === 'picture' ? 'png' : format}`);
       assert.ok(isRight(content), name);
     }
+    const { name, content } = await download('parts', 'stl');
+    assert.equal(name, 'bunny-parts.zip');
+    const parts = Object.entries(unzipSync(content));
+    assert.deepEqual(
+      parts.map(([part]) => part).sort(),
+      Array.from({ length: regions }, (_, i) => `region-${String(i).padStart(2, '0')}.stl`),
+    );
+    for (const [part, stl] of parts) assert.ok(isStl(Buffer.from(stl)) && stl.length > 84, part);
   });
 });

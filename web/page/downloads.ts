@@ -18,7 +18,7 @@ interface Row {
   formats: readonly string[];
 }
 
-const meshFormats = ['glb', 'obj', 'ply'];
+const meshFormats = ['glb', 'obj', 'ply', 'stl'];
 
 const rows: readonly Row[] = [
   {
@@ -48,19 +48,19 @@ const rows: readonly Row[] = [
   { title: 'Bisectors', hint: 'As lines in space', name: 'bisectors', formats: ['glb', 'obj'] },
   {
     title: 'Regions as meshes',
-    hint: 'The model, cut along the bisectors',
+    hint: 'The model, cut along the bisectors; STL as a zip, a file for each',
     name: 'parts',
     formats: meshFormats,
   },
   {
     title: 'Regions as polygons',
-    hint: 'One each, with Voronoi points as corners; in GLB cut into triangles',
+    hint: 'One each, with Voronoi points as corners; in GLB and STL cut into triangles',
     name: 'polygons',
     formats: meshFormats,
   },
   {
     title: 'Dual',
-    hint: 'A vertex per site, a polygon per Voronoi point; in GLB cut into triangles',
+    hint: 'A vertex per site, a polygon per Voronoi point; in GLB and STL cut into triangles',
     name: 'dual',
     formats: meshFormats,
   },
@@ -127,7 +127,8 @@ function rowOf(row: Row, choose: (format: string, button: HTMLButtonElement) => 
   const hint = document.createElement('small');
   hint.textContent = row.hint;
   title.append(hint);
-  const buttons = row.formats.map((format) => {
+  const formats = document.createElement('div');
+  for (const format of row.formats) {
     const button = document.createElement('button');
     button.type = 'button';
     button.id = `download-${row.name}-${format.replace('×', 'x')}`;
@@ -135,9 +136,9 @@ function rowOf(row: Row, choose: (format: string, button: HTMLButtonElement) => 
     button.textContent = format.toUpperCase();
     button.ariaLabel = `${row.title}, ${format.toUpperCase()}`;
     button.addEventListener('click', () => choose(format, button));
-    return button;
-  });
-  element.append(title, ...buttons);
+    formats.append(button);
+  }
+  element.append(title, formats);
   return element;
 }
 
