@@ -371,7 +371,9 @@ export class Viewer implements Workpiece {
   }
 
   #adoptTheme(): void {
-    if (this.#model) this.#model.drawing.theme = themeOf(this.stage.canvas);
+    const theme = themeOf(this.stage.canvas);
+    if (!this.#model || this.#model.drawing.theme === theme) return;
+    this.#model.drawing.theme = theme;
     this.stage.invalidate();
   }
 
