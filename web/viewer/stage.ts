@@ -47,8 +47,6 @@ export interface StageListener extends ContextListener {
  * `reach`.
  */
 export class Stage {
-  /** The radius around the origin that the content takes. */
-  reach = 1;
   readonly camera = new PerspectiveCamera(fieldOfView, 1, 0.01, 10);
   readonly canvas: HTMLCanvasElement;
   readonly #renderer: SharedRenderer;
@@ -64,7 +62,9 @@ export class Stage {
   #padding: Padding = { top: 0, right: 0, bottom: 0, left: 0 };
   /** The points that were framed last. */
   #points: Float32Array = new Float32Array();
+  /** Whether the camera stands as `frame` left it. */
   #isFramed = false;
+  #reach = 1;
   #drawing = 0;
   /** The distance from which these points fill the view. */
   #framingDistance = 3;
@@ -100,9 +100,11 @@ export class Stage {
     this.frame(this.#points);
   }
 
-  /** Whether the camera stands as `frame` left it. */
-  get isFramed(): boolean {
-    return this.#isFramed;
+  /** The radius around the origin that the content takes. What is framed stays so. */
+  set reach(reach: number) {
+    if (reach === this.#reach) return;
+    this.#reach = reach;
+    if (this.#isFramed) this.frame(this.#points);
   }
 
   /** Out of view nothing is drawn, and the scene's memory on the graphics card is freed. */
@@ -188,10 +190,10 @@ export class Stage {
     const { target, distance } = this.#framing();
     this.#framingDistance = distance;
     this.#stopGliding();
-    this.#controls.target.copy(target).multiplyScalar(this.reach);
+    this.#controls.target.copy(target).multiplyScalar(this.#reach);
     this.camera.position
       .copy(this.#firstDirection)
-      .multiplyScalar(this.reach * distance)
+      .multiplyScalar(this.#reach * distance)
       .add(this.#controls.target);
     this.#controls.update();
     this.#isFramed = true;
@@ -360,7 +362,7 @@ export class Stage {
   #fitDepthRange(): void {
     const ahead = this.camera.getWorldDirection(new Vector3());
     const distance = -ahead.dot(this.camera.position);
-    const radius = 1.01 * this.reach;
+    const radius = 1.01 * this.#reach;
     this.camera.far = Math.max(distance, 0) + radius;
     this.camera.near = Math.max(distance - radius, 0.002);
     this.camera.updateProjectionMatrix();

@@ -293,9 +293,7 @@ export class Viewer implements Workpiece {
 
   explode(): void {
     this.#derived.update();
-    const { isFramed } = this.stage;
     this.#derived.spread();
-    if (isFramed) this.refit();
   }
 
   dispose(): void {
