@@ -447,6 +447,10 @@ suite('attributes and events', () => {
     const viewer = await opened(context, 'scheme.html');
     await viewer.settled();
     await viewer.page.emulateMedia({ colorScheme: 'dark' });
+    // Pages are told with the next frame.
+    await viewer.page.evaluate(
+      () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
+    );
     const lightness = () =>
       viewer.evaluate(async (viewer) => {
         const bitmap = await createImageBitmap(await viewer.toBlob());
