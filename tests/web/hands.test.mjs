@@ -62,6 +62,37 @@ suite('hands', () => {
     assert.ok(grown > 0.7 * covered, `it fills the view again: ${grown}, ${covered} before`);
   });
 
+  test('zooming comes ever nearer to the surface, and not through it', async () => {
+    const { x, y, width, height } = await viewer.page.locator('geodesic-voronoi').boundingBox();
+    const corner = (place) =>
+      viewer.evaluate((element, { x, y }) => {
+        const { face } = element.surfaceFromPoint(x, y);
+        const vertex = element.mesh.indices[3 * face];
+        return [...element.mesh.positions.subarray(3 * vertex, 3 * vertex + 3)];
+      }, place);
+    const diagonal = await viewer.evaluate(({ info }) => info.boundingDiagonal);
+    const [left, right, top, bottom] = await viewer.evaluate((viewer) => {
+      const style = getComputedStyle(viewer);
+      const sides = ['left', 'right', 'top', 'bottom'];
+      return sides.map((side) => parseFloat(style.getPropertyValue(`padding-${side}`)));
+    });
+    const middle = { x: x + (left + width - right) / 2, y: y + (top + height - bottom) / 2 };
+    const aside = { x: middle.x - 40, y: middle.y + 30 };
+    for (const [place, zoom] of [
+      [aside, () => viewer.page.mouse.wheel(0, -400)],
+      [middle, () => press('+')],
+    ]) {
+      await viewer.page.click('#fit');
+      const before = await corner(place);
+      await focus();
+      await viewer.page.mouse.move(place.x, place.y);
+      for (let i = 0; i < 20; ++i) await viewer.after('camera-change', zoom);
+      const after = await corner(place);
+      const distance = Math.hypot(...after.map((c, k) => c - before[k]));
+      assert.ok(distance < 0.03 * diagonal, `${before} became ${after}`);
+    }
+  });
+
   test('an edit while a tessellation plays is a step of its own, and it goes on', async () => {
     const before = await viewer.sites();
     await viewer.evaluate((viewer) => viewer.setAttribute('cvt-iterations', 500));

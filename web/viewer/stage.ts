@@ -65,6 +65,7 @@ export class Stage {
   /** Whether the camera stands as `frame` left it. */
   #isFramed = false;
   #reach = 1;
+  #isApproaching = false;
   #drawing = 0;
   /** The distance from which these points fill the view. */
   #framingDistance = 3;
@@ -251,12 +252,52 @@ export class Stage {
     this.#placeAt(place);
   }
 
-  /** Changes the distance to what the camera looks at by a factor. */
+  /**
+   * Until the gesture that begins here ends, zooming is by shares of the distance to this place: it
+   * comes ever nearer, and does not go through the surface on its way to the model's middle.
+   */
+  approach(place: Vector3): void {
+    this.#isApproaching = true;
+    this.#lookAsFarAs(place);
+  }
+
+  /** The camera turns around the model's middle again, but nearer to the surface, around that. */
+  #endApproach(): void {
+    if (!this.#isApproaching) return;
+    this.#isApproaching = false;
+    const middle = new Vector3();
+    const depth = this.#depthOf(this.#controls.target);
+    const depthOfMiddle = this.#depthOf(middle);
+    if (depthOfMiddle > depth && depthOfMiddle < 2 * depth) this.#lookAsFarAs(middle);
+    this.#listener.cameraMoved();
+  }
+
+  /** Looks in the same direction, at a point as deep in the view as this place. */
+  #lookAsFarAs(place: Vector3): void {
+    const ahead = this.camera.getWorldDirection(new Vector3());
+    this.#controls.target.copy(this.camera.position).addScaledVector(ahead, this.#depthOf(place));
+  }
+
+  #depthOf(place: Vector3): number {
+    return place
+      .clone()
+      .sub(this.camera.position)
+      .dot(this.camera.getWorldDirection(new Vector3()));
+  }
+
+  /** Changes the distance to what the camera looks at, or to what it approaches, by a factor. */
   dolly(factor: number): void {
     const { target } = this.#controls;
     this.camera.position.sub(target).multiplyScalar(factor).add(target);
+    this.#endApproach();
     this.#controls.update();
     this.invalidate();
+  }
+
+  /** Device coordinates of what the camera looks at: the middle of what the padding leaves. */
+  get middle(): Vector2 {
+    const { x, y } = this.#controls.target.clone().project(this.camera);
+    return new Vector2(x, y);
   }
 
   /** Device coordinates (-1 … 1) of a place on the page. */
@@ -320,6 +361,7 @@ export class Stage {
       this.#listener.cameraMoved();
       this.invalidate();
     });
+    controls.addEventListener('end', () => this.#endApproach());
     return controls;
   }
 
@@ -360,8 +402,7 @@ export class Stage {
 
   /** Fits the depth range tightly around the content: depth has to tell lines from the surface. */
   #fitDepthRange(): void {
-    const ahead = this.camera.getWorldDirection(new Vector3());
-    const distance = -ahead.dot(this.camera.position);
+    const distance = this.#depthOf(new Vector3());
     const radius = 1.01 * this.#reach;
     this.camera.far = Math.max(distance, 0) + radius;
     this.camera.near = Math.max(distance - radius, 0.002);
