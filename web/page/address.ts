@@ -40,14 +40,14 @@ function leavingQuestion(model: string): string {
 
 /**
  * Keeps the state in the address. Another model is a step in the browser's history, so that Back
- * returns to the one before with its sites; other changes are none. A link of a file of one's own
- * stays until that file, or any other model than the one that stands in for it, is opened. Returns
- * what brings the state back into the address after another has come there.
+ * returns to the one before with its sites; other changes are none. A link of a reader's own file
+ * opens with a sample in its place, and stays in the address until another model is opened. Returns
+ * a function that puts the state back into the address.
  */
 function keepState(viewer: GeodesicVoronoiElement): () => void {
   const { hash } = location;
   const named = new URLSearchParams(hash.slice(1)).get('model');
-  // Models to come before the first that the address is to tell of.
+  // How many models are opened that the address does not describe: the sample in place of a file.
   let standIns = isPageState(hash) && named && !isSample(named) ? 1 : 0;
   listen(viewer, 'load', () => --standIns);
   let known = hash;
@@ -84,7 +84,7 @@ function keepState(viewer: GeodesicVoronoiElement): () => void {
 /** Returns whether anything was done that the address does not hold. */
 function watchEdits(viewer: GeodesicVoronoiElement): () => boolean {
   let file = '';
-  // Edits that are no steps to undo any more: of a mesh that was then built otherwise.
+  // Edits made before the mesh was built anew, which can no longer be undone.
   let wasEdited = false;
   let isEdited = false;
   listen(viewer, 'load', ({ name, info }) => {

@@ -79,7 +79,7 @@ export function setUpDownloads(viewer: GeodesicVoronoiElement): void {
   const download = async ({ name }: Row, format: string, button: HTMLButtonElement) => {
     // This takes seconds for a large model.
     button.ariaBusy = 'true';
-    // What is told of one file is not of the next.
+    // Notes and errors are about the last file only.
     endNote();
     hideError();
     button.disabled = true;

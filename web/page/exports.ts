@@ -124,7 +124,7 @@ interface ExportedFile {
   faults?: string | undefined;
 }
 
-/** What has the faults of a dual, with its verb, by the names of files. */
+/** The files that can be invalid meshes; the sentence on their faults begins so. */
 const faulty: Record<string, string> = {
   dual: 'The dual in the file is',
   polygons: 'The polygons in the file are',

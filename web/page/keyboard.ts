@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Keys that work anywhere in the page, and the dialogue that lists all keys.
+// Keys outside the viewer, and the dialogue that lists all keys.
 
 import { type Command, commandOf, type GeodesicVoronoiElement } from '../viewer/element.js';
 import { byId, onClick } from './dom.js';

@@ -54,7 +54,7 @@ export class Viewer implements Workpiece {
   /** The density ρ when painting last came to rest, and ∫ √ρ. */
   #density: { perVertex: Float64Array; rootIntegral: number } | undefined;
   #selected: number | undefined;
-  /** The site that `nudge` moved, and all sites after it: they are another list after any other act. */
+  /** The site that `nudge` moved last, and the list of sites after that: any other edit replaces the list. */
   #nudged: { index: number; sites: Sites } | undefined;
   /** The time at which an iteration last moved the sites. */
   #lastIteration = 0;
