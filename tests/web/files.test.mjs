@@ -5,7 +5,7 @@
 import assert from 'node:assert/strict';
 import { after, before, suite, test } from 'node:test';
 import { unzipSync } from 'fflate';
-import { glb, octahedron } from '../wasm/meshes.mjs';
+import { glb, grid, octahedron } from '../wasm/meshes.mjs';
 import { startBrowser } from './browser.mjs';
 
 suite('files', () => {
@@ -36,11 +36,11 @@ suite('files', () => {
       { name, content },
     );
 
-  async function download(row, format) {
-    await viewer.page.click('#download-button');
+  async function download(row, format, { page } = viewer) {
+    await page.click('#download-button');
     const [file] = await Promise.all([
-      viewer.page.waitForEvent('download'),
-      viewer.page.click(`#download-${row}-${format}`),
+      page.waitForEvent('download'),
+      page.click(`#download-${row}-${format}`),
     ]);
     const chunks = [];
     for await (const chunk of await file.createReadStream()) chunks.push(chunk);
@@ -217,7 +217,7 @@ suite('files', () => {
     for (const [id, why] of [
       ['bisectors-glb', 'there are no bisectors'],
       ['bisectors-obj', 'there are no bisectors'],
-      ['outlines-svg', 'no bisector is seen in this view'],
+      ['outlines-svg', 'no outline of a region is seen in this view'],
       ['dual-glb', 'the dual has no polygons'],
     ]) {
       await viewer.page.click(`#download-${id}`);
@@ -266,6 +266,46 @@ suite('files', () => {
     const share = drawn.length / segments;
     assert.ok(share > 0.2 && share < 1.5, `${drawn.length} ends of ${segments} segments`);
     assert.ok(drawn.every(([x, y]) => x >= 0 && x <= width && y >= 0 && y <= height));
+  });
+
+  test('outlines end at the boundary of the mesh, which is among them', async () => {
+    const open = await browser.open();
+    await open.settled();
+    await open.after('load', () =>
+      open.page.setInputFiles('#files', {
+        name: 'grid.glb',
+        mimeType: '',
+        buffer: Buffer.from(glb(grid(4))),
+      }),
+    );
+    await open.after('diagram', () =>
+      open.evaluate((viewer) => {
+        viewer.sites = { face: [0, 31], bary: [1, 0, 0, 0, 1, 0] };
+      }),
+    );
+    const lengthOf = (svg) =>
+      [...svg.matchAll(/M([^M"]+)/g)].reduce((sum, [, chain]) => {
+        const places = chain.split('L').map((place) => place.split(' ').map(Number));
+        const pieces = places
+          .slice(1)
+          .map(([x, y], i) => Math.hypot(x - places[i][0], y - places[i][1]));
+        return pieces.reduce((a, b) => a + b, sum);
+      }, 0);
+    const corners = await open.evaluate((viewer) =>
+      viewer.project([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0]),
+    );
+    const around = corners.reduce((sum, { x, y }, i) => {
+      const next = corners[(i + 1) % 4];
+      return sum + Math.hypot(next.x - x, next.y - y);
+    }, 0);
+    const diagonal = Math.hypot(corners[3].x - corners[1].x, corners[3].y - corners[1].y);
+    const { content } = await download('outlines', 'svg', open);
+    const length = lengthOf(content.toString());
+    assert.ok(
+      Math.abs(length / (around + diagonal) - 1) < 0.05,
+      `${length} of ${around + diagonal}`,
+    );
+    await open.close();
   });
 
   test('a picture is as large as was asked for', async () => {
@@ -357,9 +397,10 @@ suite('files', () => {
     const { name, content } = await download('parts', 'stl');
     assert.equal(name, 'bunny-parts.zip');
     const parts = Object.entries(unzipSync(content));
+    const digits = String(regions - 1).length;
     assert.deepEqual(
       parts.map(([part]) => part).sort(),
-      Array.from({ length: regions }, (_, i) => `region-${String(i).padStart(2, '0')}.stl`),
+      Array.from({ length: regions }, (_, i) => `region-${String(i).padStart(digits, '0')}.stl`),
     );
     for (const [part, stl] of parts) assert.ok(isStl(Buffer.from(stl)) && stl.length > 84, part);
   });

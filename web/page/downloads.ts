@@ -29,7 +29,7 @@ const rows: readonly Row[] = [
   },
   {
     title: 'Outlines',
-    hint: 'What is seen of the bisectors, as lines',
+    hint: 'What is seen of bisectors and the mesh boundary, as lines',
     name: 'outlines',
     formats: ['svg'],
   },
