@@ -186,6 +186,10 @@ test('--weld, --orientation and --min-component: how the mesh is made', () => {
   const { stdout } = succeeds('info torn.obj --weld 1e-5');
   assert.match(stdout, /components +1\n[^]*repair: 18 vertices welded/);
   assert.match(succeeds('info torn.obj').stdout, /components +8\n/);
+  const many = Array.from({ length: 1250 }, () => indices).flat();
+  write('many.glb', glb({ positions, indices: many }));
+  const report = succeeds('info many.glb').stdout;
+  assert.match(report, /8 \(10,000 in the file\)[^]*repair: 9,992 triangles given twice/);
 
   write('turned.glb', glb(withFlipped(octahedron(), 2)));
   assert.match(succeeds('info turned.glb').stdout, /repair: 1 triangle turned over/);
@@ -536,6 +540,8 @@ test('dual says what is wrong with it, and can be repaired', () => {
     /the dual is not valid: regions/,
   );
   succeeds('dual shape.glb --sites sites.json --repair --check -q -o base.obj');
+  succeeds('dual shape.glb --sites sites.json --repair -q -o base.stl');
+  assert.match(succeeds('info base.stl').stdout, /^format +STL.*\n[^]*boundary loops +0\n/);
   const repaired = succeeds('dual shape.glb --sites sites.json --repair -o base.json').stderr;
   assert.match(repaired, /^\d sites \(\d added\).*Euler characteristic 2, genus 0, 0 boundary/);
   assert.doesNotMatch(repaired, /not valid/);

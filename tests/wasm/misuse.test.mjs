@@ -233,9 +233,11 @@ test('options that there are not', async () => {
     (options) => api.partitionGlb(partition, options),
     (options) => api.partitionObj(partition, options),
     (options) => api.partitionPly(partition, options),
+    (options) => api.partitionStl(partition, options),
     (options) => api.polygonGlb(polygons, options),
     (options) => api.polygonObj(polygons, options),
     (options) => api.polygonPly(polygons, options),
+    (options) => api.polygonStl(polygons, options),
   ];
   for (const call of calls) {
     await refused(
@@ -465,10 +467,12 @@ test('what writes files', async () => {
     api.partitionGlb,
     api.partitionObj,
     api.partitionPly,
+    api.partitionStl,
     api.polygonJson,
     api.polygonGlb,
     api.polygonObj,
     api.polygonPly,
+    api.polygonStl,
   ])
     await refused(result, (value) => f(value), missing);
   for (const f of [api.pathsJson, api.pathsObj])
@@ -487,11 +491,15 @@ test('what writes files', async () => {
     ...[api.pathsJson, api.pathsObj].map((f) => [f, paths]),
     [api.partitionJson, partition, { sites }],
     [api.polygonJson, polygons],
+    [api.partitionStl, partition],
+    [api.polygonStl, polygons],
   ];
   for (const [f, value, more] of plain) {
     await refused(notOptions, (options) => f(value, options), /^options is /);
     await refused(notScales, (scale) => f(value, { ...more, scale }), /^scale is /);
   }
+  const notRegions = [null, -2, 0.5, '0', partition.regions.area.length];
+  await refused(notRegions, (region) => api.partitionStl(partition, { region }), /^region is /);
   await refused([null, 5, {}], (unit) => api.diagramJson(diagram, { unit }), /^unit is /);
   await refused([...notObjects, []].slice(1, 3), (value) => api.repairSentences(value), /^repairs/);
   const writers = [

@@ -11,8 +11,10 @@ import {
   partitionJson,
   partitionObj,
   partitionPly,
+  partitionStl,
   polygonGlb,
   polygonPly,
+  polygonStl,
 } from 'geodesic-voronoi';
 import {
   areaOf,
@@ -291,6 +293,33 @@ test('PLY: a label per face', async () => {
     for (const { label, vertex_indices: corners } of face)
       if (label >= 0) areas[label] += areaOf(corners.map(place));
     diagram.regions.forEach(({ area }, i) => near(areas[i], area));
+  }
+});
+
+test('STL: the triangles of one region or of all, and of polygons', async () => {
+  for await (const { name, mesh, diagram, partition } of cases()) {
+    const read = (stl) => gvd.mesh(stl);
+    const all = await read(partitionStl(partition, { scale: 2 }));
+    assert.equal(all.info.inputFaces, partition.triangles.label.length, name);
+    near(all.info.area / 4, mesh.info.area, 1e-5);
+    for (const [region, { area }] of diagram.regions.entries()) {
+      const stl = partitionStl(partition, { region });
+      if (area > 0) near((await read(stl)).info.area, area, 1e-5);
+      else assert.equal(stl.length, 84);
+    }
+    const dual = await diagram.dual();
+    const stl = polygonStl(dual);
+    assert.equal(new DataView(stl.buffer).getUint32(80, true), dual.triangles.face.length);
+  }
+  const { value } = await cases().next();
+  const view = new DataView(partitionStl(value.partition).buffer);
+  const [normal, first, ...others] = [0, 1, 2, 3].map((i) =>
+    [0, 1, 2].map((k) => view.getFloat32(84 + 12 * i + 4 * k, true)),
+  );
+  near(Math.hypot(...normal), 1, 1e-6);
+  for (const corner of others) {
+    const along = corner.reduce((sum, x, k) => sum + normal[k] * (x - first[k]), 0);
+    near(along, 0, 1e-6);
   }
 });
 

@@ -41,6 +41,18 @@ before(async () => {
     '/icon.svg': { html: '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9" />' },
     '/one.html': page(`<geodesic-voronoi ${model}></geodesic-voronoi>`),
     '/twenty.html': page(twenty),
+    '/exploded.html': page(
+      `<geodesic-voronoi ${model} exploded="0.8" layers="regions"></geodesic-voronoi>
+       <script type="module" src="count.js"></script>`,
+    ),
+    '/count.js': {
+      html: `const viewer = document.querySelector('geodesic-voronoi');
+        viewer.addEventListener('exploded', ({ detail }) => { viewer.parts = detail?.regions; });`,
+    },
+    '/scheme.html': page(
+      `<geodesic-voronoi ${model} layers="regions"></geodesic-voronoi>`,
+      `<meta name="color-scheme" content="light dark" />${standalone}`,
+    ),
     '/empty.html': page(''),
     '/pentagon.obj': { html: 'v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 2 0\nv 0 1 0\nf 1 2 3 4 5\n' },
     '/article.html': page(`<geodesic-voronoi ${model}></geodesic-voronoi>${longText}`),
@@ -408,6 +420,52 @@ suite('attributes and events', () => {
       return { count: sites.face.length, layers, exploded };
     });
     assert.deepEqual(made, { count: 12, layers: ['regions', 'sites'], exploded: 0.5 });
+  });
+
+  test('an exploded view fills the view from the start, and no more', async (context) => {
+    const viewer = await opened(context, 'exploded.html');
+    await viewer.page.waitForFunction(() => document.querySelector('geodesic-voronoi').diagram);
+    await viewer.settled();
+    const edges = await viewer.evaluate(async (viewer) => {
+      while (viewer.parts !== 12) await new Promise((next) => setTimeout(next, 50));
+      const bitmap = await createImageBitmap(await viewer.toBlob());
+      const { width, height } = bitmap;
+      const context = new OffscreenCanvas(width, height).getContext('2d');
+      context.drawImage(bitmap, 0, 0);
+      const { data } = context.getImageData(0, 0, width, height);
+      const isDrawn = (x, y) => data[4 * (y * width + x) + 3] > 0;
+      const [columns, rows] = [width, height].map((n) => [...Array(n).keys()]);
+      return (
+        columns.filter((x) => isDrawn(x, 0) || isDrawn(x, height - 1)).length +
+        rows.filter((y) => isDrawn(0, y) || isDrawn(width - 1, y)).length
+      );
+    });
+    assert.equal(edges, 0, 'no part is cut off');
+  });
+
+  test('its colours follow the colour scheme of the page, however that is set', async (context) => {
+    const viewer = await opened(context, 'scheme.html');
+    await viewer.settled();
+    await viewer.page.emulateMedia({ colorScheme: 'dark' });
+    // Pages are told with the next frame.
+    await viewer.page.evaluate(
+      () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
+    );
+    const lightness = () =>
+      viewer.evaluate(async (viewer) => {
+        const bitmap = await createImageBitmap(await viewer.toBlob());
+        const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
+        context.drawImage(bitmap, 0, 0);
+        const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
+        return data.reduce((sum, x, i) => (i % 4 < 3 ? sum + x : sum), 0);
+      });
+    const dark = await lightness();
+    await viewer.page.evaluate(async () => {
+      document.documentElement.style.colorScheme = 'light';
+      await null; // Observers are told after the code that changes something.
+    });
+    const light = await lightness();
+    assert.ok(dark < 0.9 * light, `${dark} after ${light}`);
   });
 
   test('what cannot be computed is told apart from what cannot be opened', async (context) => {

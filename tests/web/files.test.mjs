@@ -4,7 +4,8 @@
 
 import assert from 'node:assert/strict';
 import { after, before, suite, test } from 'node:test';
-import { glb, octahedron } from '../wasm/meshes.mjs';
+import { unzipSync } from 'fflate';
+import { glb, grid, octahedron } from '../wasm/meshes.mjs';
 import { startBrowser } from './browser.mjs';
 
 suite('files', () => {
@@ -35,11 +36,11 @@ suite('files', () => {
       { name, content },
     );
 
-  async function download(row, format) {
-    await viewer.page.click('#download-button');
+  async function download(row, format, { page } = viewer) {
+    await page.click('#download-button');
     const [file] = await Promise.all([
-      viewer.page.waitForEvent('download'),
-      viewer.page.click(`#download-${row}-${format}`),
+      page.waitForEvent('download'),
+      page.click(`#download-${row}-${format}`),
     ]);
     const chunks = [];
     for await (const chunk of await file.createReadStream()) chunks.push(chunk);
@@ -216,7 +217,7 @@ suite('files', () => {
     for (const [id, why] of [
       ['bisectors-glb', 'there are no bisectors'],
       ['bisectors-obj', 'there are no bisectors'],
-      ['outlines-svg', 'no bisector is seen in this view'],
+      ['outlines-svg', 'no outline of a region is seen in this view'],
       ['dual-glb', 'the dual has no polygons'],
     ]) {
       await viewer.page.click(`#download-${id}`);
@@ -265,6 +266,46 @@ suite('files', () => {
     const share = drawn.length / segments;
     assert.ok(share > 0.2 && share < 1.5, `${drawn.length} ends of ${segments} segments`);
     assert.ok(drawn.every(([x, y]) => x >= 0 && x <= width && y >= 0 && y <= height));
+  });
+
+  test('outlines end at the boundary of the mesh, which is among them', async () => {
+    const open = await browser.open();
+    await open.settled();
+    await open.after('load', () =>
+      open.page.setInputFiles('#files', {
+        name: 'grid.glb',
+        mimeType: '',
+        buffer: Buffer.from(glb(grid(4))),
+      }),
+    );
+    await open.after('diagram', () =>
+      open.evaluate((viewer) => {
+        viewer.sites = { face: [0, 31], bary: [1, 0, 0, 0, 1, 0] };
+      }),
+    );
+    const lengthOf = (svg) =>
+      [...svg.matchAll(/M([^M"]+)/g)].reduce((sum, [, chain]) => {
+        const places = chain.split('L').map((place) => place.split(' ').map(Number));
+        const pieces = places
+          .slice(1)
+          .map(([x, y], i) => Math.hypot(x - places[i][0], y - places[i][1]));
+        return pieces.reduce((a, b) => a + b, sum);
+      }, 0);
+    const corners = await open.evaluate((viewer) =>
+      viewer.project([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0]),
+    );
+    const around = corners.reduce((sum, { x, y }, i) => {
+      const next = corners[(i + 1) % 4];
+      return sum + Math.hypot(next.x - x, next.y - y);
+    }, 0);
+    const diagonal = Math.hypot(corners[3].x - corners[1].x, corners[3].y - corners[1].y);
+    const { content } = await download('outlines', 'svg', open);
+    const length = lengthOf(content.toString());
+    assert.ok(
+      Math.abs(length / (around + diagonal) - 1) < 0.05,
+      `${length} of ${around + diagonal}`,
+    );
+    await open.close();
   });
 
   test('a picture is as large as was asked for', async () => {
@@ -335,6 +376,7 @@ suite('files', () => {
     const isGlb = (content) => content.subarray(0, 4).toString() === 'glTF';
     const isObj = (content) => /^v /m.test(content) && /^[fl] /m.test(content);
     const isPly = (content) => content.subarray(0, 3).toString() === 'ply';
+    const isStl = (content) => content.length === 84 + 50 * content.readUint32LE(80);
     const isDiagram = (content) => JSON.parse(content).regions.length === regions;
     const isPng = (content) => content.subarray(1, 4).toString() === 'PNG';
     const files = [
@@ -345,11 +387,21 @@ suite('files', () => {
     ];
     for (const row of ['parts', 'polygons', 'dual']) {
       files.push([row, 'glb', isGlb], [row, 'obj', isObj], [row, 'ply', isPly]);
+      if (row !== 'parts') files.push([row, 'stl', isStl]);
     }
     for (const [row, format, isRight] of files) {
       const { name, content } = await download(row, format);
       assert.equal(name, `bunny-${row}.${row === 'picture' ? 'png' : format}`);
       assert.ok(isRight(content), name);
     }
+    const { name, content } = await download('parts', 'stl');
+    assert.equal(name, 'bunny-parts.zip');
+    const parts = Object.entries(unzipSync(content));
+    const digits = String(regions - 1).length;
+    assert.deepEqual(
+      parts.map(([part]) => part).sort(),
+      Array.from({ length: regions }, (_, i) => `region-${String(i).padStart(digits, '0')}.stl`),
+    );
+    for (const [part, stl] of parts) assert.ok(isStl(Buffer.from(stl)) && stl.length > 84, part);
   });
 });

@@ -338,6 +338,13 @@ suite('first sight', () => {
     );
     await kept(/model=mine\.glb&.*weld=1e-6/);
     const own = await viewer.sites();
+    const back = page.evaluate(() => history.back());
+    const question = await new Promise((resolve) => page.once('dialog', resolve));
+    assert.match(question.message(), /^Leave mine\.glb\?/);
+    await question.dismiss();
+    await back;
+    await kept(/model=mine\.glb&.*weld=1e-6/); // Stay: the address tells of what is shown.
+    assert.deepEqual((await viewer.sites()).face, own.face);
     // The file is lost, and asked for again; its sites are not.
     const asked = new Promise((resolve) => page.once('dialog', resolve));
     const reloading = page.reload();

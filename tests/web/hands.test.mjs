@@ -37,6 +37,13 @@ suite('hands', () => {
     assert.equal(await viewer.page.getAttribute('#up', 'aria-label'), 'Upward axis: Y');
     assert.equal(await changedSince(upright), 0);
 
+    // Characters outside the view are no commands: dictation types them.
+    await viewer.page.focus('#cvt-play');
+    for (const key of ['u', 'h', '?']) await press(key);
+    assert.equal(await viewer.page.getAttribute('#up', 'aria-label'), 'Upward axis: Y');
+    assert.equal(await viewer.page.getAttribute('#hide-panel', 'aria-pressed'), 'false');
+    assert.equal(await viewer.page.locator('#help').isVisible(), false);
+
     await focus();
     await press('ArrowRight');
     await press('+');
@@ -53,6 +60,37 @@ suite('hands', () => {
     );
     const grown = await viewer.coverage(await viewer.picture());
     assert.ok(grown > 0.7 * covered, `it fills the view again: ${grown}, ${covered} before`);
+  });
+
+  test('zooming comes ever nearer to the surface, and not through it', async () => {
+    const { x, y, width, height } = await viewer.page.locator('geodesic-voronoi').boundingBox();
+    const corner = (place) =>
+      viewer.evaluate((element, { x, y }) => {
+        const { face } = element.surfaceFromPoint(x, y);
+        const vertex = element.mesh.indices[3 * face];
+        return [...element.mesh.positions.subarray(3 * vertex, 3 * vertex + 3)];
+      }, place);
+    const diagonal = await viewer.evaluate(({ info }) => info.boundingDiagonal);
+    const [left, right, top, bottom] = await viewer.evaluate((viewer) => {
+      const style = getComputedStyle(viewer);
+      const sides = ['left', 'right', 'top', 'bottom'];
+      return sides.map((side) => parseFloat(style.getPropertyValue(`padding-${side}`)));
+    });
+    const middle = { x: x + (left + width - right) / 2, y: y + (top + height - bottom) / 2 };
+    const aside = { x: middle.x - 40, y: middle.y + 30 };
+    for (const [place, zoom] of [
+      [aside, () => viewer.page.mouse.wheel(0, -400)],
+      [middle, () => press('+')],
+    ]) {
+      await viewer.page.click('#fit');
+      const before = await corner(place);
+      await focus();
+      await viewer.page.mouse.move(place.x, place.y);
+      for (let i = 0; i < 20; ++i) await viewer.after('camera-change', zoom);
+      const after = await corner(place);
+      const distance = Math.hypot(...after.map((c, k) => c - before[k]));
+      assert.ok(distance < 0.03 * diagonal, `${before} became ${after}`);
+    }
   });
 
   test('an edit while a tessellation plays is a step of its own, and it goes on', async () => {

@@ -186,3 +186,23 @@ test('the pointer shows the shortest path to the site', async () => {
   assert.ok(isAccent, 'it begins under the pointer');
   await viewer.close();
 });
+
+test('nothing is cut off near the camera, also where it looks beside the model', async () => {
+  const kite = {
+    positions: [0, 0, 1, 0.5, 0, 0, 0, 0, -1, -0.5, 0, 0],
+    indices: [0, 1, 2, 0, 2, 3],
+  };
+  const viewer = await opened(kite, { sites: 3 });
+  await viewer.evaluate((viewer) => {
+    viewer.cameraOrbit = '0deg 70deg 250% -1.2 0 0';
+  });
+  const picture = await viewer.picture();
+  const alpha = await viewer.evaluate((viewer, picture) => {
+    const { data, width } = viewer.pictures[picture];
+    const [{ x, y }] = viewer.project([0, 0, 0.95]);
+    const scale = width / viewer.clientWidth;
+    return data[4 * (Math.round(y * scale) * width + Math.round(x * scale)) + 3];
+  }, picture);
+  assert.equal(alpha, 255, 'the tip in front is seen');
+  await viewer.close();
+});

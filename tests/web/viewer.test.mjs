@@ -6,11 +6,13 @@ import assert from 'node:assert/strict';
 import { suite, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { load } from 'geodesic-voronoi';
+import { Vector3 } from 'three';
 import { runnerImport } from 'vite';
 import { apart, bumpySphere, grid, octahedron } from '../wasm/meshes.mjs';
 
 const { DensityPaint, greatestDensity } = await viewerModule('density_paint');
 const { DiagramSummary } = await viewerModule('diagram_summary');
+const { framingOf } = await viewerModule('framing');
 const { hexagonEnergy, rootDensityIntegral } = await viewerModule('hexagon_energy');
 const { sceneArrays } = await viewerModule('scene_arrays');
 const { SceneMesh } = await viewerModule('scene_mesh');
@@ -507,6 +509,40 @@ suite('density paint', () => {
     paint.density.forEach((density, v) => {
       assert.ok(Math.abs(density / expected[v] - 1) < 1e-5);
     });
+  });
+});
+
+suite('framing', () => {
+  test('a model that is deep along the view stands in its middle, and just fits', () => {
+    const right = new Vector3(1, 0, 0.5).normalize();
+    const back = new Vector3(-0.4, 0.3, 0.8).normalize();
+    const up = back.clone().cross(right).normalize();
+    right.copy(up).cross(back);
+    const beam = [-1, 1].flatMap((x) => [-1, 1].flatMap((y) => [x, y, -9, x, y, 9]));
+    const points = Float32Array.from([...beam, NaN, 0, 0], (x) => x / 9.2);
+    for (const [h, v] of [
+      [0.3, 0.2],
+      [1.5, 0.2],
+      [0.1, 0.4],
+    ]) {
+      const { target, distance } = framingOf(points, { right, up, back }, h, v);
+      const eye = target.clone().addScaledVector(back, distance);
+      const seen = beam.length / 3;
+      const [x, y] = [right, up].map((axis) =>
+        Array.from({ length: seen }, (_, i) => {
+          const point = new Vector3().fromArray(points, 3 * i).sub(eye);
+          return point.dot(axis) / -point.dot(back);
+        }),
+      );
+      const range = (values) => [Math.min(...values), Math.max(...values)];
+      const [[left, rightmost], [bottom, top]] = [range(x), range(y)];
+      const fills = Math.max((rightmost - left) / (2 * h), (top - bottom) / (2 * v));
+      assert.ok(Math.abs(fills - 1) < 1e-6, `${fills} of the view`);
+      assert.ok(Math.abs(left + rightmost) < 0.1 * h, `from ${left} to ${rightmost} of ±${h}`);
+      assert.ok(Math.abs(bottom + top) < 0.1 * v, `from ${bottom} to ${top} of ±${v}`);
+    }
+    const none = framingOf(new Float32Array(3), { right, up, back }, 0.3, 0.2);
+    assert.deepEqual(none, { target: new Vector3(), distance: 3 });
   });
 });
 

@@ -58,12 +58,19 @@ export type {
   PartitionJson,
   PartitionJsonOptions,
   PartitionLayout,
+  PartitionStlOptions,
   partitionLayouts,
 } from './partition_formats.js';
 export type { PolygonMeshJson } from './polygon_formats.js';
-export { partitionGlb, partitionJson, partitionObj, partitionPly } from './partition_formats.js';
+export {
+  partitionGlb,
+  partitionJson,
+  partitionObj,
+  partitionPly,
+  partitionStl,
+} from './partition_formats.js';
 export { repairSentences } from './sentences.js';
-export { polygonGlb, polygonJson, polygonObj, polygonPly } from './polygon_formats.js';
+export { polygonGlb, polygonJson, polygonObj, polygonPly, polygonStl } from './polygon_formats.js';
 
 /** The library on the calling thread. Long work is done in slices of about 12 ms, but for what the guide names. */
 export function load(options?: LoadOptions): Promise<GeodesicVoronoi> {

@@ -3,8 +3,13 @@
 // A partition as a file.
 
 import { joinedVertices, partitionVertices, type TriangleRun } from './attributes.js';
-import { toColours, toOneOf, toResult } from './checks.js';
-import { toFileOptions, type JsonOptions, type SurfaceFileOptions } from './file_options.js';
+import { toColours, toInteger, toOneOf, toResult } from './checks.js';
+import {
+  toFileOptions,
+  type FileOptions,
+  type JsonOptions,
+  type SurfaceFileOptions,
+} from './file_options.js';
 import { invalidArgument } from './errors.js';
 import { glbAttributes, objCorner, objLines, plyColumns } from './file_vertices.js';
 import {
@@ -18,6 +23,7 @@ import {
 import { emptyGlb, GlbBuilder } from './glb.js';
 import { ply } from './ply.js';
 import type { Partition, SurfacePoints } from './results.js';
+import { stl } from './stl.js';
 
 export interface PartitionColourOptions extends SurfaceFileOptions {
   /** Linear RGB, 0 … 1, per region; by default hues, far apart for the first few regions. */
@@ -31,6 +37,11 @@ export interface PartitionGlbOptions extends PartitionColourOptions {
    * EXT_mesh_features has them. Default 'regions'.
    */
   layout?: PartitionLayout | undefined;
+}
+
+export interface PartitionStlOptions extends FileOptions {
+  /** The region to write, by the index of its site; -1 is what no site reaches. Default: all. */
+  region?: number | undefined;
 }
 
 export const partitionLayouts = ['regions', 'features'] as const;
@@ -261,6 +272,26 @@ export function partitionPly(
       { names: ['red', 'green', 'blue'], type: 'uchar', values: rgb },
     ],
   );
+}
+
+/**
+ * Triangles alone, of one region or of all, which then cannot be told apart. A region without
+ * triangles, as of a removed site, gives a file without any.
+ */
+export function partitionStl(
+  partition: Partition,
+  options?: PartitionStlOptions,
+): Uint8Array<ArrayBuffer> {
+  const { points, triangles, regions } = toPartition(partition);
+  const { region, scale } = toFileOptions(options, { region: undefined });
+  if (region !== undefined) toInteger('region', region, -1, regions.area.length - 1);
+  const part =
+    region === undefined
+      ? allOf(partition)
+      : partsOf(partition).find(({ label }) => label === region);
+  const corners = triangles.points.subarray(3 * (part?.first ?? 0), 3 * (part?.last ?? 0));
+  const what = region === undefined ? 'Regions' : nameOf(region);
+  return stl(`${what} of a geodesic Voronoi diagram`, points.position, corners, scale);
 }
 
 function allOf({ triangles }: Partition): TriangleRun {

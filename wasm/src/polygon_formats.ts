@@ -4,7 +4,12 @@
 
 import { pointVertices } from './attributes.js';
 import { toResult } from './checks.js';
-import { toFileOptions, type JsonOptions, type SurfaceFileOptions } from './file_options.js';
+import {
+  toFileOptions,
+  type FileOptions,
+  type JsonOptions,
+  type SurfaceFileOptions,
+} from './file_options.js';
 import { glbAttributes, objCorner, objLines, plyColumns } from './file_vertices.js';
 import {
   lengthsJson,
@@ -15,6 +20,7 @@ import {
 import { emptyGlb, GlbBuilder } from './glb.js';
 import { ply, type PlyColumns } from './ply.js';
 import type { PolygonMesh, PolygonTopology } from './results.js';
+import { stl } from './stl.js';
 
 /** The JSON form of a polygon mesh; `vertexLabel` of a dual, `faceLabel` of regions. */
 export interface PolygonMeshJson extends LengthsJson {
@@ -90,6 +96,14 @@ export function polygonPly(
     faces,
     labels(faceLabel),
   );
+}
+
+/** The polygons cut into triangles. */
+export function polygonStl(polygons: PolygonMesh, options?: FileOptions): Uint8Array<ArrayBuffer> {
+  const { points, triangles } = toPolygons(polygons);
+  const { scale } = toFileOptions(options, {});
+  const comment = 'Polygons of a geodesic Voronoi diagram';
+  return stl(comment, points.position, triangles.points, scale);
 }
 
 /** Drops polygons of one or two corners, which occur where regions have few neighbours. */

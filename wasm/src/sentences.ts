@@ -5,9 +5,16 @@
 import { toResult } from './checks.js';
 import type { MeshRepairs } from './results.js';
 
-/** A count and what is counted, in the singular or the plural. */
+const integers = new Intl.NumberFormat('en');
+
+/** "1,200", for people. */
+export function integer(value: number): string {
+  return integers.format(value);
+}
+
+/** "1 site", "1,200 sites". */
 export function counted(count: number, one: string, many = `${one}s`): string {
-  return `${count} ${count === 1 ? one : many}`;
+  return `${integer(count)} ${count === 1 ? one : many}`;
 }
 
 /** What is said of each kind of repair, by its count. */

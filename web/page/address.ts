@@ -16,21 +16,45 @@ const firstActs = ['pointerdown', 'keydown', 'wheel', 'drop'];
 const changes = ['status-change', 'diagram', 'sites-change', 'camera-change'];
 
 /**
- * Keeps the state in the address. Another model is a step in the browser's history, so that Back
- * returns to the one before with its sites; other changes are none. A link of a file of one's own
- * stays until that file, or any other model than the one that stands in for it, is opened.
+ * Keeps the state in the address, opens a link that comes into it, and asks before anything is left
+ * that was done and that the address does not hold.
  */
 export function setUpAddress(viewer: GeodesicVoronoiElement): void {
+  const restore = keepState(viewer);
+  const losesEdits = watchEdits(viewer);
+  let isLeaving = false;
+  // A link that is pasted into the page's own window, Back and Forward change nothing but the hash.
+  addEventListener('hashchange', () => {
+    isLeaving = !losesEdits() || confirm(leavingQuestion(modelName(viewer)));
+    if (isLeaving) location.reload();
+    else restore();
+  });
+  addEventListener('beforeunload', (event) => {
+    if (!isLeaving && losesEdits()) event.preventDefault();
+  });
+}
+
+function leavingQuestion(model: string): string {
+  return `Leave ${model}? Not all that was done with it can be brought back.`;
+}
+
+/**
+ * Keeps the state in the address. Another model is a step in the browser's history, so that Back
+ * returns to the one before with its sites; other changes are none. A link of a reader's own file
+ * opens with a sample in its place, and stays in the address until another model is opened. Returns
+ * a function that puts the state back into the address.
+ */
+function keepState(viewer: GeodesicVoronoiElement): () => void {
   const { hash } = location;
   const named = new URLSearchParams(hash.slice(1)).get('model');
-  // Models to come before the first that the address is to tell of.
+  // How many models are opened that the address does not describe: the sample in place of a file.
   let standIns = isPageState(hash) && named && !isSample(named) ? 1 : 0;
   listen(viewer, 'load', () => --standIns);
   let known = hash;
   let model = named ?? lastSegment(modelOf(hash));
   let waiting = 0;
   const write = () => {
-    // Another hash than the known one is a link that has just been pasted.
+    // Another hash than the known one is a link that is about to be opened.
     const isReady = viewer.getAttribute('status') === 'ready' && standIns < 0;
     if (!isReady || location.hash !== known) return;
     const state = pageState(viewer);
@@ -54,12 +78,13 @@ export function setUpAddress(viewer: GeodesicVoronoiElement): void {
   for (const type of firstActs) {
     addEventListener(type, begin, { capture: true, passive: true, signal: begun.signal });
   }
+  return () => history.pushState(null, '', known);
 }
 
-/** Asks before the page is left, if anything was done that its address does not hold. */
-export function setUpLeaving(viewer: GeodesicVoronoiElement): void {
+/** Returns whether anything was done that the address does not hold. */
+function watchEdits(viewer: GeodesicVoronoiElement): () => boolean {
   let file = '';
-  // Edits that are no steps to undo any more: of a mesh that was then built otherwise.
+  // Edits made before the mesh was built anew, which can no longer be undone.
   let wasEdited = false;
   let isEdited = false;
   listen(viewer, 'load', ({ name, info }) => {
@@ -70,7 +95,5 @@ export function setUpLeaving(viewer: GeodesicVoronoiElement): void {
   listen(viewer, 'sites-change', ({ canUndo }) => {
     isEdited = canUndo || wasEdited;
   });
-  addEventListener('beforeunload', (event) => {
-    if (viewer.loaded && isEdited && notHeld(viewer).length > 0) event.preventDefault();
-  });
+  return () => viewer.loaded && isEdited && notHeld(viewer).length > 0;
 }

@@ -50,9 +50,7 @@ export function setUpDensityControls(viewer: GeodesicVoronoiElement): void {
   });
 }
 
-/**
- * Ends painting at Escape, where its control is folded away, for another model, and for other ways to edit sites.
- */
+/** Ends painting at Escape, with another model, when its controls are folded away, and by other edits of sites. */
 function endPainting(viewer: GeodesicVoronoiElement, paint: HTMLInputElement): void {
   const end = () => {
     if (paint.checked) paint.click();

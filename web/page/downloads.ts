@@ -18,7 +18,7 @@ interface Row {
   formats: readonly string[];
 }
 
-const meshFormats = ['glb', 'obj', 'ply'];
+const meshFormats = ['glb', 'obj', 'ply', 'stl'];
 
 const rows: readonly Row[] = [
   {
@@ -29,7 +29,7 @@ const rows: readonly Row[] = [
   },
   {
     title: 'Outlines',
-    hint: 'What is seen of the bisectors, as lines',
+    hint: 'What is seen of bisectors and the mesh boundary, as lines',
     name: 'outlines',
     formats: ['svg'],
   },
@@ -48,19 +48,19 @@ const rows: readonly Row[] = [
   { title: 'Bisectors', hint: 'As lines in space', name: 'bisectors', formats: ['glb', 'obj'] },
   {
     title: 'Regions as meshes',
-    hint: 'The model, cut along the bisectors',
+    hint: 'The model, cut along the bisectors; STL as a zip, a file for each',
     name: 'parts',
     formats: meshFormats,
   },
   {
     title: 'Regions as polygons',
-    hint: 'One each, with Voronoi points as corners; in GLB cut into triangles',
+    hint: 'One each, with Voronoi points as corners; in GLB and STL cut into triangles',
     name: 'polygons',
     formats: meshFormats,
   },
   {
     title: 'Dual',
-    hint: 'A vertex per site, a polygon per Voronoi point; in GLB cut into triangles',
+    hint: 'A vertex per site, a polygon per Voronoi point; in GLB and STL cut into triangles',
     name: 'dual',
     formats: meshFormats,
   },
@@ -79,7 +79,7 @@ export function setUpDownloads(viewer: GeodesicVoronoiElement): void {
   const download = async ({ name }: Row, format: string, button: HTMLButtonElement) => {
     // This takes seconds for a large model.
     button.ariaBusy = 'true';
-    // What is told of one file is not of the next.
+    // Notes and errors are about the last file only.
     endNote();
     hideError();
     button.disabled = true;
@@ -127,7 +127,8 @@ function rowOf(row: Row, choose: (format: string, button: HTMLButtonElement) => 
   const hint = document.createElement('small');
   hint.textContent = row.hint;
   title.append(hint);
-  const buttons = row.formats.map((format) => {
+  const formats = document.createElement('div');
+  for (const format of row.formats) {
     const button = document.createElement('button');
     button.type = 'button';
     button.id = `download-${row.name}-${format.replace('×', 'x')}`;
@@ -135,9 +136,9 @@ function rowOf(row: Row, choose: (format: string, button: HTMLButtonElement) => 
     button.textContent = format.toUpperCase();
     button.ariaLabel = `${row.title}, ${format.toUpperCase()}`;
     button.addEventListener('click', () => choose(format, button));
-    return button;
-  });
-  element.append(title, ...buttons);
+    formats.append(button);
+  }
+  element.append(title, formats);
   return element;
 }
 

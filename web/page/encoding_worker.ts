@@ -2,17 +2,34 @@
 //
 // The script of the worker that writes files: seconds of work, for large models.
 
+import { zipSync } from 'fflate';
 import {
+  type Partition,
   diagramGlb,
   diagramJson,
   diagramObj,
   partitionGlb,
   partitionObj,
   partitionPly,
+  partitionStl,
   polygonGlb,
   polygonObj,
   polygonPly,
+  polygonStl,
 } from 'geodesic-voronoi';
+
+/** A zip of the regions, a file each: STL has no names to tell them apart. */
+function partitionStls(partition: Partition): Uint8Array<ArrayBuffer> {
+  const labels = new Set(partition.triangles.label);
+  const digits = String(partition.regions.area.length - 1).length;
+  const nameOf = (label: number) =>
+    label < 0 ? 'unreachable.stl' : `region-${String(label).padStart(digits, '0')}.stl`;
+  return zipSync(
+    Object.fromEntries(
+      Array.from(labels, (region) => [nameOf(region), partitionStl(partition, { region })]),
+    ),
+  );
+}
 
 /** The encoders, by the names that `encode` takes. */
 const encoders = {
@@ -23,9 +40,11 @@ const encoders = {
   partitionGlb,
   partitionObj,
   partitionPly,
+  partitionStls,
   polygonGlb,
   polygonObj,
   polygonPly,
+  polygonStl,
 };
 export type Encoders = typeof encoders;
 

@@ -23,7 +23,9 @@ const mediaTypes = {
   json: 'application/json',
   obj: 'model/obj',
   ply: 'application/octet-stream',
+  stl: 'model/stl',
   svg: 'image/svg+xml',
+  zip: 'application/zip',
 };
 
 /** The encoders of results of the diagram, by name, then by format. */
@@ -68,6 +70,7 @@ const encoders: Record<string, Record<string, Encoder>> = {
         ...options,
         colours: coloursOf(viewer),
       }),
+    stl: async (diagram) => encode(mediaTypes.zip, 'partitionStls', await diagram.partition()),
   },
   polygons: polygonEncoders(true),
   dual: polygonEncoders(false),
@@ -93,6 +96,7 @@ function polygonEncoders(primal: boolean): Record<string, Encoder> {
       encode(mediaTypes.obj, 'polygonObj', await polygons(diagram), options),
     ply: async (diagram, options) =>
       encode(mediaTypes.ply, 'polygonPly', await polygons(diagram), options),
+    stl: async (diagram) => encode(mediaTypes.stl, 'polygonStl', await polygons(diagram)),
   };
 }
 
@@ -120,7 +124,7 @@ interface ExportedFile {
   faults?: string | undefined;
 }
 
-/** What has the faults of a dual, with its verb, by the names of files. */
+/** The files that can be invalid meshes; the sentence on their faults begins so. */
 const faulty: Record<string, string> = {
   dual: 'The dual in the file is',
   polygons: 'The polygons in the file are',
@@ -156,5 +160,5 @@ export async function fileOf(
   if (!diagram) throw new Error('there is no diagram');
   const blob = await encoders[name][format](diagram, { mesh: sourceOf(viewer) }, viewer);
   const faults = faulty[name] && faultsOf(faulty[name], await diagram.violations());
-  return { blob, name, ending: format, faults };
+  return { blob, name, ending: blob.type === mediaTypes.zip ? 'zip' : format, faults };
 }

@@ -62,9 +62,6 @@ export function showError(sentence: string): void {
   byId('error', HTMLElement).hidden = false;
 }
 
-/** A model that refers to another file, when it was opened without that. */
-const isIncomplete = /needs the file .+, which is missing\.$/;
-
 /** Shows that something cannot be done, and why; nothing if its model or diagram is gone. */
 export function showFailure(what: string, cause: unknown): void {
   if (!isAbandoned(cause)) showError(sentence(what, cause).message);
@@ -88,7 +85,7 @@ function setUpStatus(viewer: GeodesicVoronoiElement): void {
     shown = sentenceOf(diagram);
     tellSoon(shown);
   });
-  // After a failure or a cancel, a model whose diagrams all were is left without one.
+  // A model has no diagram if computing the first one fails or is cancelled.
   let endNote = () => {};
   listen(viewer, 'status-change', ({ status: now }) => {
     endNote();
@@ -137,6 +134,9 @@ function setUpProgress(viewer: GeodesicVoronoiElement): void {
   });
 }
 
+/** The error of a model that refers to a file that was not opened with it. */
+const isIncomplete = /needs the file .+, which is missing\.$/;
+
 function setUpErrors(viewer: GeodesicVoronoiElement): void {
   onClick('error-close', hideError);
   // Without a model the view itself says why there is none, for as long as that is so.
@@ -155,7 +155,7 @@ function setUpErrors(viewer: GeodesicVoronoiElement): void {
       showError(message + advice);
     }
   });
-  // The next attempt makes its own.
+  // The next attempt shows its own error, if any.
   listen(viewer, 'status-change', ({ status }) => {
     if (status === 'loading') hideError();
   });

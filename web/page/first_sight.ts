@@ -16,8 +16,6 @@ import { isSame } from './same_sites.js';
 export function setUpFirstSight(viewer: GeodesicVoronoiElement, readings: CvtReadings): void {
   enableWithModel(viewer);
   endCaption(viewer);
-  // A link that is pasted into the page's own window changes nothing but the hash.
-  addEventListener('hashchange', () => location.reload());
   const play = () => {
     evenOut(viewer, readings).catch((error) => showFailure('Regions cannot be evened out', error));
   };

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
 //
-// Keys that work anywhere in the page, and the dialogue that lists all keys.
+// Keys outside the viewer, and the dialogue that lists all keys.
 
 import { type Command, commandOf, type GeodesicVoronoiElement } from '../viewer/element.js';
 import { byId, onClick } from './dom.js';
 
-/** Commands of keys anywhere in the page; with the view in focus, the viewer handles all keys. */
+/** Commands of keys outside the viewer; with the focus in it, the viewer handles all its keys. */
 const everywhere: ReadonlySet<Command> = new Set(['undo', 'redo', 'remove', 'refit', 'cancel']);
-/** Those of keys that elsewhere press the button or open the menu in focus. */
-const withoutFocus: ReadonlySet<Command> = new Set(['play-cvt']);
 
-/** Keys that press a button of the toolbar. */
-const ofButtons: Readonly<Record<string, string>> = { u: 'up', h: 'hide-panel' };
+/** Keys that press a button. */
+const ofButtons: Readonly<Record<string, string>> = {
+  '?': 'help-button',
+  h: 'hide-panel',
+  u: 'up',
+};
 
 /** On Apple's keyboards, the key of commands is another one. */
 function nameAppleKeys(): void {
@@ -24,9 +26,9 @@ function nameAppleKeys(): void {
 
 export function setUpKeyboard(viewer: GeodesicVoronoiElement): void {
   nameAppleKeys();
+  const view = byId('view', HTMLElement);
   const help = byId('help', HTMLDialogElement);
-  const showHelp = () => help.showModal();
-  onClick('help-button', showHelp);
+  onClick('help-button', () => help.showModal());
   // A click on the backdrop has the dialog itself as its target, not its content.
   help.addEventListener('click', (event) => {
     if (event.target === help) help.close();
@@ -34,19 +36,16 @@ export function setUpKeyboard(viewer: GeodesicVoronoiElement): void {
 
   document.addEventListener('keydown', (event) => {
     if (event.defaultPrevented || help.open || isTyping(event)) return;
-    if (event.key === '?') {
-      showHelp();
-      return;
-    }
+    // A key that types a character acts in the view only: dictation types such keys (WCAG 2.1.4).
+    const isCharacter = event.key.length === 1 && !(event.ctrlKey || event.metaKey || event.altKey);
+    if (isCharacter && !view.contains(document.activeElement)) return;
     const button = ofButtons[event.key.toLowerCase()];
-    if (button && !event.ctrlKey && !event.metaKey && !event.altKey) {
+    if (isCharacter && button) {
       byId(button, HTMLButtonElement).click();
       return;
     }
     const command = commandOf(event);
-    const hasFocus = document.activeElement !== null && document.activeElement !== document.body;
-    if (command === undefined) return;
-    if (!everywhere.has(command) && (hasFocus || !withoutFocus.has(command))) return;
+    if (command === undefined || !everywhere.has(command)) return;
     // The browser closes the menu that is open.
     if (command === 'cancel' && document.querySelector(':popover-open')) return;
     event.preventDefault();

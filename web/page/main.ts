@@ -7,7 +7,7 @@ import { GeodesicVoronoiElement } from '../viewer/element.js';
 import { sentence } from '../viewer/failure.js';
 import { provideModules } from '../viewer/library_pool.js';
 import { provideModel } from '../viewer/model_files.js';
-import { setUpAddress, setUpLeaving } from './address.js';
+import { setUpAddress } from './address.js';
 import { setUpAnnouncements } from './announcements.js';
 import { setUpCvtControls } from './cvt_controls.js';
 import { CvtReadings } from './cvt_readings.js';
@@ -38,7 +38,6 @@ export function setUpPage(modules: Promise<LoadOptions>, model: Promise<Response
   const readings = new CvtReadings(viewer);
   setUpFirstSight(viewer, readings);
   setUpAddress(viewer);
-  setUpLeaving(viewer);
   setUpSiteControls(viewer);
   setUpCvtControls(viewer, readings);
   setUpDensityControls(viewer);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// An SVG drawing of the bisectors that are visible in the view.
+// An SVG drawing of the outlines of regions that are visible in the view.
 
 import type { DiagramData } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
@@ -12,7 +12,7 @@ type SeenPoint = { x: number; y: number } | undefined;
 /** Points tested between two looks at the clock; each test for visibility casts a ray. */
 const pointsPerStep = 256;
 
-/** The bisectors that are seen in the view, as a drawing of its size in CSS pixels. */
+/** What is seen of bisectors and of the mesh boundary, as a drawing of the view's size in CSS pixels. */
 export async function outlinesSvg(
   viewer: GeodesicVoronoiElement,
   data: DiagramData,
@@ -20,14 +20,13 @@ export async function outlinesSvg(
   const { clientWidth: width, clientHeight: height } = viewer;
   const work = new Slices();
   const places = await seenPoints(viewer, data.points.position, work);
-  const { points, offset } = data.arcs;
   const parts: string[] = [];
-  for (let arc = 0; arc + 1 < offset.length; ++arc) {
+  for (const chain of [...bisectorChains(data), ...boundaryChains(data)]) {
     if (work.isDue) await work.next();
-    // A line for every stretch of the arc that is seen.
+    // A line for every stretch of the chain that is seen.
     let stretch: string[] = [];
-    for (let i = offset[arc]; i <= offset[arc + 1]; ++i) {
-      const place = i < offset[arc + 1] ? places[points[i]] : undefined;
+    for (let i = 0; i <= chain.length; ++i) {
+      const place = i < chain.length ? places[chain[i]] : undefined;
       if (place) stretch.push(numbers(place));
       else {
         if (stretch.length > 1) parts.push(`M${stretch.join('L')}`);
@@ -35,12 +34,39 @@ export async function outlinesSvg(
       }
     }
   }
-  if (parts.length === 0) throw new Error('no bisector is seen in this view');
+  if (parts.length === 0) throw new Error('no outline of a region is seen in this view');
   return (
     `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}">` +
     `<path d="${parts.join('')}" fill="none" stroke="#1f2933" stroke-width="1.2" ` +
     'stroke-linecap="round" stroke-linejoin="round"/></svg>\n'
   );
+}
+
+function bisectorChains({ arcs: { points, offset } }: DiagramData): Int32Array[] {
+  return Array.from({ length: offset.length - 1 }, (_, arc) =>
+    points.subarray(offset[arc], offset[arc + 1]),
+  );
+}
+
+/** The sides of the regions' loops that are on no bisector, as chains of points. */
+function boundaryChains({ loops, segments, points: { face } }: DiagramData): number[][] {
+  const keyOf = (a: number, b: number) => Math.min(a, b) * face.length + Math.max(a, b);
+  const bisectors = new Set<number>();
+  for (let i = 0; i < segments.points.length; i += 2)
+    bisectors.add(keyOf(segments.points[i], segments.points[i + 1]));
+  const chains: number[][] = [];
+  for (let loop = 0; loop + 1 < loops.offset.length; ++loop) {
+    const corners = loops.points.subarray(loops.offset[loop], loops.offset[loop + 1]);
+    let isOn = false;
+    corners.forEach((corner, i) => {
+      const next = corners[(i + 1) % corners.length];
+      const isBoundary = !bisectors.has(keyOf(corner, next));
+      if (isBoundary && isOn) chains.at(-1)!.push(next);
+      else if (isBoundary) chains.push([corner, next]);
+      isOn = isBoundary;
+    });
+  }
+  return chains;
 }
 
 async function seenPoints(

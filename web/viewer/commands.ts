@@ -49,13 +49,18 @@ const actions: Readonly<Record<Command, (viewer: Viewer) => void>> = {
   'turn-right': ({ stage }) => stage.orbit(turnStep, 0),
   'turn-up': ({ stage }) => stage.orbit(0, turnStep),
   'turn-down': ({ stage }) => stage.orbit(0, -turnStep),
-  nearer: ({ stage }) => stage.dolly(1 / dollyStep),
-  farther: ({ stage }) => stage.dolly(dollyStep),
+  nearer: (viewer) => dolly(viewer, 1 / dollyStep),
+  farther: (viewer) => dolly(viewer, dollyStep),
   'move-left': (viewer) => viewer.nudge(-moveStep, 0),
   'move-right': (viewer) => viewer.nudge(moveStep, 0),
   'move-up': (viewer) => viewer.nudge(0, -moveStep),
   'move-down': (viewer) => viewer.nudge(0, moveStep),
 };
+
+function dolly({ stage, tools }: Viewer, factor: number): void {
+  tools.approachAt(stage.middle);
+  stage.dolly(factor);
+}
 
 /** What the keys do, for those who do not see the view; empty if they do nothing. */
 export function instructionsOf({ interactive, isPainting }: Attributes): string {

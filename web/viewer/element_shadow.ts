@@ -19,6 +19,7 @@ const style = `
     position: absolute; inset: 0; width: 100%; height: 100%; outline: none;
     /* The camera's controls would set it to "none" everywhere. */
     touch-action: var(--own-touch-action, none) !important;
+    color: CanvasText; /* themeOf() tells dark pages by it */
   }
   canvas:focus-visible { box-shadow: inset 0 0 0 3px var(--focus-color, Highlight); }
   :host([interactive='none']) canvas { pointer-events: none; }

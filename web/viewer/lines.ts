@@ -71,7 +71,7 @@ export class FatLines {
       this.#rim.material.dispose();
       this.#rim = undefined;
     }
-    // Before these lines, but after the surface, which it writes no depth for.
+    // Drawn after the surface and before the lines; without depth, the lines are drawn over it.
     object.renderOrder = colour === undefined ? 0 : 0.5;
     if (colour === undefined) return;
     const material = lineMaterial(rimmedWidth * object.material.linewidth, this.#widestRim);

@@ -118,6 +118,10 @@ export class ModelDrawing {
     );
   }
 
+  get theme(): Theme {
+    return this.#theme;
+  }
+
   set theme(theme: Theme) {
     this.#theme = theme;
     this.#surface.shade = theme.surfaceShade;

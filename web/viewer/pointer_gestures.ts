@@ -21,6 +21,8 @@ export interface GestureTarget {
   remove(site: number): void;
   /** A click beside all sites. */
   click(x: number, y: number): void;
+  /** Zooming begins, towards this place. */
+  approach(x: number, y: number): void;
   hover(x: number, y: number): void;
   leave(): void;
 }
@@ -61,6 +63,7 @@ export class PointerGestures {
     listen('pointercancel', () => this.cancel());
     // A lifted finger also "leaves", but the reader still wants to see what it pointed at.
     listen('pointerleave', ({ pointerType }) => pointerType !== 'touch' && this.#target.leave());
+    listen('wheel', ({ clientX, clientY }) => this.#target.approach(clientX, clientY));
     listen('contextmenu', (event) => event.preventDefault());
   }
 
@@ -84,9 +87,10 @@ export class PointerGestures {
     if (this.#isHandingOver) return;
     if (this.#press) {
       // A second finger turns a click or a drag of a site into a gesture of the camera.
-      const { site, event: first } = this.#press;
+      const { site, event: first, x, y } = this.#press;
       this.cancel();
       if (site !== undefined) this.#handOver(first);
+      this.#target.approach((x + event.clientX) / 2, (y + event.clientY) / 2);
       return;
     }
     const { clientX: x, clientY: y, pointerId: pointer } = event;

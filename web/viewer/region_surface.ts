@@ -45,9 +45,8 @@ export interface TonedDiagram {
 
 /**
  * The model's surface filled by region. Faces with one owner are drawn whole from arrays made once;
- * only their colours change with the diagram, and in the list of corners mixed faces are collapsed
- * to a point. Their cells are drawn as they were traced: the fill ends exactly where the bisector
- * runs.
+ * only their colours change with the diagram. Mixed faces are collapsed to a point there, and their
+ * cells are drawn as they were traced: the fill ends exactly where the bisector runs.
  */
 export class RegionSurface {
   readonly object = new Group();

@@ -66,9 +66,9 @@ export async function computeDiagram(
 }
 
 /**
- * Turns the shown diagram into the one asked for, if a step or two are enough: the work of a few
- * regions, the first time that of a whole diagram. It is too short to be aborted. Undefined if it
- * takes more steps or one failed, which leaves `shown` without a diagram.
+ * Turns the shown diagram into the one asked for, if a step or two are enough. That costs as
+ * much as a few regions, and the first step on a diagram as much as all of them; it cannot be
+ * aborted. Undefined if more steps are needed, or if one fails: `shown` has no diagram then.
  */
 export async function changeDiagram(
   shown: ShownDiagram | undefined,
@@ -81,8 +81,8 @@ export async function changeDiagram(
   try {
     return await Promise.all(steps.map((step) => takeStep(diagram, step)));
   } catch {
-    // The other step may have been taken, and then the diagram has neither the sites of `shown` nor
-    // those asked for. The caller computes it anew, which works or gives a reason.
+    // With only one of two steps taken, the diagram has neither the sites of `shown` nor those asked
+    // for. The caller computes another one, or finds out why it cannot be computed.
     diagram.dispose();
     shown.diagram = undefined;
     return undefined;

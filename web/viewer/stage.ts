@@ -16,6 +16,7 @@ import {
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { CameraOrbit } from './camera_orbit.js';
+import { type Framing, framingOf } from './framing.js';
 import type { DrawnPixels } from './picture_file.js';
 import { type ContextListener, type Picture, SharedRenderer } from './shared_renderer.js';
 import type { Padding } from './view_padding.js';
@@ -46,8 +47,6 @@ export interface StageListener extends ContextListener {
  * `reach`.
  */
 export class Stage {
-  /** The radius around the origin that the content takes. */
-  reach = 1;
   readonly camera = new PerspectiveCamera(fieldOfView, 1, 0.01, 10);
   readonly canvas: HTMLCanvasElement;
   readonly #renderer: SharedRenderer;
@@ -63,7 +62,10 @@ export class Stage {
   #padding: Padding = { top: 0, right: 0, bottom: 0, left: 0 };
   /** The points that were framed last. */
   #points: Float32Array = new Float32Array();
+  /** Whether the camera stands as `frame` left it. */
   #isFramed = false;
+  #reach = 1;
+  #isApproaching = false;
   #drawing = 0;
   /** The distance from which these points fill the view. */
   #framingDistance = 3;
@@ -99,9 +101,11 @@ export class Stage {
     this.frame(this.#points);
   }
 
-  /** Whether the camera stands as `frame` left it. */
-  get isFramed(): boolean {
-    return this.#isFramed;
+  /** The radius around the origin that the content takes. What is framed stays so. */
+  set reach(reach: number) {
+    if (reach === this.#reach) return;
+    this.#reach = reach;
+    if (this.#isFramed) this.frame(this.#points);
   }
 
   /** Out of view nothing is drawn, and the scene's memory on the graphics card is freed. */
@@ -164,7 +168,7 @@ export class Stage {
     // This call updates the projection, too.
     this.camera.setViewOffset(width, height, right, down, width, height);
     if (this.#isFramed) this.frame(this.#points);
-    else this.#framingDistance = this.#distanceToFit();
+    else this.#framingDistance = this.#framing().distance;
     this.draw();
   }
 
@@ -179,16 +183,19 @@ export class Stage {
   }
 
   /**
-   * Looks at the origin so that all these points (x, y, z triples), `reach` times as far, just fit.
+   * Looks from the first direction at the middle of these points (x, y, z triples), `reach` times as
+   * far, so that all of them just fit.
    */
   frame(points: Float32Array): void {
     this.#points = points;
-    this.#framingDistance = this.#distanceToFit();
+    const { target, distance } = this.#framing();
+    this.#framingDistance = distance;
     this.#stopGliding();
-    this.#controls.target.set(0, 0, 0);
+    this.#controls.target.copy(target).multiplyScalar(this.#reach);
     this.camera.position
       .copy(this.#firstDirection)
-      .multiplyScalar(this.reach * this.#framingDistance);
+      .multiplyScalar(this.#reach * distance)
+      .add(this.#controls.target);
     this.#controls.update();
     this.#isFramed = true;
     this.invalidate();
@@ -198,34 +205,18 @@ export class Stage {
     return firstDirection.clone().applyQuaternion(this.#upright);
   }
 
-  /**
-   * The distance from which the points to be framed fill the view, seen from the first direction.
-   */
-  #distanceToFit(): number {
-    const points = this.#points;
+  /** Where the points to be framed fill what the padding leaves of the view, but for a margin. */
+  #framing(): Framing {
     const back = this.#firstDirection;
     const right = this.camera.up.clone().cross(back).normalize();
-    const up = back.clone().cross(right);
     const { width, height } = this.#size;
     const padding = this.#padding;
     const share = (free: number, whole: number) =>
       (1 - margin) * (whole > 0 ? Math.max(leastShare, free / whole) : 1);
     const half = Math.tan((fieldOfView * Math.PI) / 360);
-    const halfHeight = half * share(height - padding.top - padding.bottom, height);
-    const halfWidth =
-      half * this.camera.aspect * share(width - padding.left - padding.right, width);
-    let distance = 0;
-    // The exploded view is framed anew in every frame: nothing is made or called per point.
-    const [ax, ay, az] = right.divideScalar(halfWidth);
-    const [bx, by, bz] = up.divideScalar(halfHeight);
-    for (let i = 0; i < points.length; i += 3) {
-      const [x, y, z] = [points[i], points[i + 1], points[i + 2]];
-      const a = Math.abs(ax * x + ay * y + az * z);
-      const b = Math.abs(bx * x + by * y + bz * z);
-      const needed = back.x * x + back.y * y + back.z * z + (a > b ? a : b);
-      if (needed > distance && needed < Infinity) distance = needed;
-    }
-    return distance || 3;
+    const h = half * this.camera.aspect * share(width - padding.left - padding.right, width);
+    const v = half * share(height - padding.top - padding.bottom, height);
+    return framingOf(this.#points, { right, up: back.clone().cross(right), back }, h, v);
   }
 
   /**
@@ -261,12 +252,52 @@ export class Stage {
     this.#placeAt(place);
   }
 
-  /** Changes the distance to what the camera looks at by a factor. */
+  /**
+   * Until the gesture that begins here ends, zooming is by shares of the distance to this place: it
+   * comes ever nearer, and does not go through the surface on its way to the model's middle.
+   */
+  approach(place: Vector3): void {
+    this.#isApproaching = true;
+    this.#lookAsFarAs(place);
+  }
+
+  /** The camera turns around the model's middle again, but nearer to the surface, around that. */
+  #endApproach(): void {
+    if (!this.#isApproaching) return;
+    this.#isApproaching = false;
+    const middle = new Vector3();
+    const depth = this.#depthOf(this.#controls.target);
+    const depthOfMiddle = this.#depthOf(middle);
+    if (depthOfMiddle > depth && depthOfMiddle < 2 * depth) this.#lookAsFarAs(middle);
+    this.#listener.cameraMoved();
+  }
+
+  /** Looks in the same direction, at a point as deep in the view as this place. */
+  #lookAsFarAs(place: Vector3): void {
+    const ahead = this.camera.getWorldDirection(new Vector3());
+    this.#controls.target.copy(this.camera.position).addScaledVector(ahead, this.#depthOf(place));
+  }
+
+  #depthOf(place: Vector3): number {
+    return place
+      .clone()
+      .sub(this.camera.position)
+      .dot(this.camera.getWorldDirection(new Vector3()));
+  }
+
+  /** Changes the distance to what the camera looks at, or to what it approaches, by a factor. */
   dolly(factor: number): void {
     const { target } = this.#controls;
     this.camera.position.sub(target).multiplyScalar(factor).add(target);
+    this.#endApproach();
     this.#controls.update();
     this.invalidate();
+  }
+
+  /** Device coordinates of what the camera looks at: the middle of what the padding leaves. */
+  get middle(): Vector2 {
+    const { x, y } = this.#controls.target.clone().project(this.camera);
+    return new Vector2(x, y);
   }
 
   /** Device coordinates (-1 … 1) of a place on the page. */
@@ -330,6 +361,7 @@ export class Stage {
       this.#listener.cameraMoved();
       this.invalidate();
     });
+    controls.addEventListener('end', () => this.#endApproach());
     return controls;
   }
 
@@ -370,9 +402,9 @@ export class Stage {
 
   /** Fits the depth range tightly around the content: depth has to tell lines from the surface. */
   #fitDepthRange(): void {
-    const distance = this.camera.position.length();
-    const radius = 1.01 * this.reach;
-    this.camera.far = distance + radius;
+    const distance = this.#depthOf(new Vector3());
+    const radius = 1.01 * this.#reach;
+    this.camera.far = Math.max(distance, 0) + radius;
     this.camera.near = Math.max(distance - radius, 0.002);
     this.camera.updateProjectionMatrix();
   }

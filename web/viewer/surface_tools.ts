@@ -155,6 +155,16 @@ export class SurfaceTools implements GestureTarget {
     if (attributes.interactive.edit) this.useAt(stage.toDevice(x, y));
   }
 
+  approach(x: number, y: number): void {
+    this.approachAt(this.#work.stage.toDevice(x, y));
+  }
+
+  /** Has the camera zoom towards the surface there, if there is any. */
+  approachAt(device: Vector2): void {
+    const hit = this.pick(device);
+    if (hit) this.#work.stage.approach(hit.place);
+  }
+
   /** To be called when the camera has moved: another point is under the pointer. */
   follow(): void {
     if (this.#pointer) this.hover(this.#pointer.x, this.#pointer.y);

@@ -29,15 +29,23 @@ export const darkTheme: Theme = {
 
 const darkPages = '(prefers-color-scheme: dark)';
 
-/** The theme of a part of a page, by its `color-scheme`: dark only where that allows it. */
-export function themeOf(host: Element): Theme {
-  const schemes = getComputedStyle(host).colorScheme.split(' ');
-  if (!schemes.includes('dark')) return lightTheme;
-  const isDark = !schemes.includes('light') || matchMedia(darkPages).matches;
-  return isDark ? darkTheme : lightTheme;
+/**
+ * The theme of a part of a page, by an element there whose colour is the system's of text: light text
+ * is on a dark page. So `color-scheme` counts, in styles and in a `<meta>` of the page.
+ */
+export function themeOf(element: Element): Theme {
+  const [red] = /\d+/.exec(getComputedStyle(element).color) ?? ['0'];
+  return Number(red) > 127 ? darkTheme : lightTheme;
 }
 
-/** Calls back when the reader's preference changes, until the signal ends it. */
+/**
+ * Calls back when the theme may be another, until the signal ends it: when the reader's preference
+ * changes, and the attributes of the page's root or body, by which pages switch between themes.
+ */
 export function watchTheme(changed: () => void, signal: AbortSignal): void {
   matchMedia(darkPages).addEventListener('change', changed, { signal });
+  const observer = new MutationObserver(changed);
+  for (const element of [document.documentElement, document.body])
+    observer.observe(element, { attributes: true });
+  signal.addEventListener('abort', () => observer.disconnect());
 }

@@ -54,7 +54,7 @@ export class Viewer implements Workpiece {
   /** The density ρ when painting last came to rest, and ∫ √ρ. */
   #density: { perVertex: Float64Array; rootIntegral: number } | undefined;
   #selected: number | undefined;
-  /** The site that `nudge` moved, and all sites after it: they are another list after any other act. */
+  /** The site that `nudge` moved last, and the list of sites after that: any other edit replaces the list. */
   #nudged: { index: number; sites: Sites } | undefined;
   /** The time at which an iteration last moved the sites. */
   #lastIteration = 0;
@@ -293,9 +293,7 @@ export class Viewer implements Workpiece {
 
   explode(): void {
     this.#derived.update();
-    const { isFramed } = this.stage;
     this.#derived.spread();
-    if (isFramed) this.refit();
   }
 
   dispose(): void {
@@ -371,7 +369,9 @@ export class Viewer implements Workpiece {
   }
 
   #adoptTheme(): void {
-    if (this.#model) this.#model.drawing.theme = themeOf(this.stage.canvas);
+    const theme = themeOf(this.stage.canvas);
+    if (!this.#model || this.#model.drawing.theme === theme) return;
+    this.#model.drawing.theme = theme;
     this.stage.invalidate();
   }
 

@@ -3,7 +3,7 @@
 // What each command does.
 import { GeodesicVoronoiError } from '../errors.js';
 import type { MeshInfo, Metric, PolygonMesh, SurfacePoints, Violation } from '../results.js';
-import { counted } from '../sentences.js';
+import { counted, integer } from '../sentences.js';
 import type { CvtOptions, CvtState, Diagram, Mesh } from '../types.js';
 import {
   isJsonReport,
@@ -149,7 +149,7 @@ async function distances({ mesh: path, values }: Request<'distances'>): Promise<
   summarise(
     output,
     values,
-    `${reached.length} of ${distances.label.length} vertices reached, ` +
+    `${integer(reached.length)} of ${counted(distances.label.length, 'vertex', 'vertices')} reached, ` +
       `the farthest at ${(scale * farthest).toPrecision(6)}`,
   );
 }
@@ -226,7 +226,7 @@ async function partition({ mesh: path, values }: Request<'partition'>): Promise<
   summarise(
     output,
     values,
-    `${counted(diagram.regions.length, 'region')}, ${disks.length} of them ` +
+    `${counted(diagram.regions.length, 'region')}, ${integer(disks.length)} of them ` +
       `${disks.length === 1 ? 'a disk' : 'disks'}, ` +
       counted(partition.triangles.label.length, 'triangle'),
   );
@@ -341,7 +341,7 @@ function polygonSummary(first: number, diagram: Diagram, { topology }: PolygonMe
   const added = diagram.sites.face.length - first;
   const { vertices, faces, eulerCharacteristic, genus, boundaryLoops, isManifold } = topology;
   return (
-    `${counted(diagram.sites.face.length, 'site')}${added > 0 ? ` (${added} added)` : ''}, ` +
+    `${counted(diagram.sites.face.length, 'site')}${added > 0 ? ` (${integer(added)} added)` : ''}, ` +
     `${counted(vertices, 'vertex', 'vertices')}, ${counted(faces, 'polygon')}, ` +
     (isManifold
       ? `Euler characteristic ${eulerCharacteristic}, genus ${genus}, ${counted(boundaryLoops, 'boundary loop')}`

@@ -19,7 +19,7 @@ import {
   pathsObj,
 } from '../distance_formats.js';
 import { partitionGlb, partitionJson, partitionObj, partitionPly } from '../partition_formats.js';
-import { polygonGlb, polygonJson, polygonObj, polygonPly } from '../polygon_formats.js';
+import { polygonGlb, polygonJson, polygonObj, polygonPly, polygonStl } from '../polygon_formats.js';
 import { ply, type PlyColumns } from '../ply.js';
 import type {
   Distances,
@@ -239,6 +239,7 @@ export function toPolygonEncoder(target: Target): Encoder<PolygonResult> {
         }),
       '.obj': ({ polygons, mesh }, { scale }) => polygonObj(polygons, { mesh, scale }),
       '.ply': ({ polygons, mesh }, { scale }) => polygonPly(polygons, { mesh, scale }),
+      '.stl': ({ polygons }, { scale }) => polygonStl(polygons, { scale }),
       '.glb': ({ polygons, mesh }, { scale }) => polygonGlb(polygons, { mesh, scale }),
     },
     target,

@@ -2,7 +2,7 @@
 //
 // The facts of a mesh, as `info` prints them.
 import type { MeshInfo } from '../results.js';
-import { repairSentences } from '../sentences.js';
+import { integer, repairSentences } from '../sentences.js';
 
 /** The facts of a mesh, a line each, for people; `unit` is that of lengths, if it has a name. */
 export function meshReport(facts: MeshInfo, unit: string | undefined): string {
@@ -11,13 +11,13 @@ export function meshReport(facts: MeshInfo, unit: string | undefined): string {
   const { format, file } = facts.origin;
   const rows: [string, string][] = [
     ['format', file ? `${format} (${file})` : format],
-    ['triangles', `${facts.faces} (${facts.inputFaces} in the file)`],
-    ['vertices', `${facts.vertices} (${facts.inputVertices} in the file)`],
-    ['edges', String(facts.edges)],
-    ['components', String(facts.components)],
-    ['boundary loops', String(facts.boundaryLoops)],
-    ['genus', String(facts.genus)],
-    ['Euler characteristic', String(facts.eulerCharacteristic)],
+    ['triangles', `${integer(facts.faces)} (${integer(facts.inputFaces)} in the file)`],
+    ['vertices', `${integer(facts.vertices)} (${integer(facts.inputVertices)} in the file)`],
+    ['edges', integer(facts.edges)],
+    ['components', integer(facts.components)],
+    ['boundary loops', integer(facts.boundaryLoops)],
+    ['genus', integer(facts.genus)],
+    ['Euler characteristic', integer(facts.eulerCharacteristic)],
     ['area', unit ? `${number(facts.area)} ${unit}²` : number(facts.area)],
     ['bounding diagonal', length(facts.boundingDiagonal)],
   ];

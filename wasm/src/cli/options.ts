@@ -304,7 +304,7 @@ export const commands = {
   },
   dual: {
     summary: 'The polygonal base mesh of sites: a vertex each, a polygon per Voronoi point',
-    result: `By FILE's ending or --format, by default .json: .obj or .ply (polygons), .glb (triangles), .json (polygons, sites, and what is wrong with the dual).`,
+    result: `By FILE's ending or --format, by default .json: .obj or .ply (polygons), .glb or .stl (triangles), .json (polygons, sites, and what is wrong with the dual).`,
     examples: ['mesh.glb --sites 300 --repair -o base.obj'],
     options: [
       ...ofSites,
@@ -320,7 +320,7 @@ export const commands = {
   },
   remesh: {
     summary: 'An isotropic or adaptive remesh: the valid dual of a centroidal tessellation',
-    result: `By FILE's ending or --format, by default .json: .obj or .ply (polygons), .glb (triangles), .json (polygons, sites and quality). Sites may be added until it is valid.`,
+    result: `By FILE's ending or --format, by default .json: .obj or .ply (polygons), .glb or .stl (triangles), .json (polygons, sites and quality). Sites may be added until it is valid.`,
     examples: [
       'mesh.glb --sites 1000 -o fine.obj',
       'mesh.glb --sites 1000 --density curvature -o adaptive.obj',

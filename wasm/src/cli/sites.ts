@@ -6,7 +6,7 @@ import { toPoints } from '../arguments.js';
 import { load } from '../node.js';
 import { requireSameMesh } from '../points_file.js';
 import type { SurfacePoints } from '../results.js';
-import { counted } from '../sentences.js';
+import { counted, integer } from '../sentences.js';
 import type { Density, Mesh, SurfacePointsInput } from '../types.js';
 import { FileError, type Output, readModel } from './files.js';
 import { standard, type Values } from './options.js';
@@ -114,7 +114,9 @@ async function sampled(
   );
   const count = found.face.length;
   if (radius === undefined && count < (sites as number) && !values.quiet)
-    process.stderr.write(`note: ${count} of ${sites} sites: every vertex has one\n`);
+    process.stderr.write(
+      `note: ${integer(count)} of ${counted(sites as number, 'site')}: every vertex has one\n`,
+    );
   return found;
 }
 
