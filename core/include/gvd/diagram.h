@@ -105,7 +105,7 @@ struct DiagramOptions {
   /// With more detail the bisectors converge to the true curves. 0: one straight segment per face
   /// and bisector. Each level about doubles the points, and the time for mixed faces. With the
   /// exact metric, the sites also spread once more per level (`DistanceField::distancesAt`), which
-  /// takes about as long as `propagate`.
+  /// takes about as long as `propagate`; around a vertex with hundreds of faces, 5 to 15 times.
   int detail = 0;
 };
 
