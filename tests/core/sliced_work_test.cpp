@@ -8,10 +8,12 @@
 #include <algorithm>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "diagram_checks.h"
+#include "distance/label_turns.h"
 #include "gvd/cvt.h"
 #include "gvd/dual.h"
 #include "gvd/dynamic_diagram.h"
@@ -110,6 +112,51 @@ TEST(SlicedWork, GoesOnWithoutBudget) {
   }
   EXPECT_TRUE(isDone);
   EXPECT_TRUE(isEvaluated);
+}
+
+/// Distances that are known wherever they are required: no label ever has to spread.
+class KnownEverywhere final : public LabelSpread {
+ public:
+  void start(int /*label*/) override {}
+  void resume(int /*label*/) override {}
+  long require(int /*label*/, std::span<const int> /*faces*/) override { return 0; }
+  bool step(long& /*budget*/) override { return true; }
+  int indexOf(int /*vertex*/) const override { return 0; }
+  void remove(std::span<const int> /*labels*/) override {}
+  const std::vector<ReachedVertex>& reached(int /*label*/) const override { return reached_; }
+  void markFinal(int /*label*/, int /*index*/) override {}
+  bool dependsOnEdgeBounds() const override { return false; }
+  std::vector<LabelledDistance> nearestAt(const SurfacePoint& /*p*/,
+                                          const KnownLabels& /*known*/) override {
+    return {};
+  }
+  std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
+      std::span<const LabelledPoint> /*points*/, const KnownLabels& /*known*/) override {
+    return nullptr;
+  }
+  Eigen::Vector2d direction(int /*label*/, int /*index*/) const override { return {1, 0}; }
+  std::vector<SurfacePoint> path(int /*label*/, const SurfacePoint& /*p*/) override { return {}; }
+
+ private:
+  std::vector<ReachedVertex> reached_;
+};
+
+/// Along a strip of needles a label is required face after face, and hardly ever has to spread.
+TEST(SlicedWork, ATurnOfManyRoundsIsInterrupted) {
+  KnownEverywhere spread;
+  LabelTurns turns(spread);
+  const Requirement required = {.label = 0, .face = 0};
+  turns.addRequired({&required, 1});
+  int rounds = 0;
+  const auto goOn = [&](int /*label*/, std::vector<int>& faces) {
+    if (++rounds == 100) faces.clear();
+  };
+  long budget = 10;
+  EXPECT_FALSE(turns.step(budget, goOn));
+  EXPECT_LE(rounds, 10);
+  budget = 1000;
+  EXPECT_TRUE(turns.step(budget, goOn));
+  EXPECT_EQ(rounds, 100);
 }
 
 TEST(SlicedWork, ALongOutlineThatUsesUpTheBudgetLeavesNothingOut) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -25,6 +26,18 @@ class SlicedLoop {
     const std::size_t begin = next_, end = advance(count, budget, perUnit);
     for (std::size_t i = begin; i < end; ++i) body(static_cast<int>(i));
     return end == count;
+  }
+  /// The same for indices that differ in cost: `body` returns how many of `perUnit` rounds it took.
+  template <class Body>
+  bool runWeighted(std::size_t count, long& budget, long perUnit, Body body) {
+    while (next_ < count) {
+      if (budget <= 0) return false;
+      long rounds = 0;
+      while (next_ < count && rounds < perUnit) rounds += body(static_cast<int>(next_++));
+      budget -= std::max(rounds / perUnit, 1L);
+    }
+    next_ = 0;
+    return true;
   }
 
  private:

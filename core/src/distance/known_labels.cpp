@@ -87,21 +87,11 @@ bool KnownLabels::step(long& budget) {
       });
 }
 
-/// Calls work(i) for i from the cursor up to `count`; it returns the units of budget it used.
-template <class Work>
-bool KnownLabels::forEach(size_t count, long& budget, Work work) {
-  for (; cursor_ < count; ++cursor_) {
-    if (budget <= 0) return false;
-    budget -= work(cursor_);
-  }
-  cursor_ = 0;
-  return true;
-}
-
 /// Marks the distances that are final because the label owns the vertex or ties with its owner.
 bool KnownLabels::markFinal(long& budget) {
-  return forEach(started_.size() + resumed_.size(), budget, [&](size_t i) {
-    const int label = i < started_.size() ? started_[i] : resumed_[i - started_.size()];
+  const size_t startedCount = started_.size();
+  return loop_.runWeighted(startedCount + resumed_.size(), budget, kQuickRounds, [&](size_t i) {
+    const int label = i < startedCount ? started_[i] : resumed_[i - startedCount];
     const std::vector<ReachedVertex>& reached = spread_.reached(label);
     for (size_t k = 0; k < reached.size(); ++k) {
       const ReachedVertex& r = reached[k];
@@ -111,7 +101,7 @@ bool KnownLabels::markFinal(long& budget) {
       spread_.markFinal(label, static_cast<int>(k));
       if (!areAllNew()) newlyFinal_.push_back(r.vertex);
     }
-    return 1 + static_cast<long>(reached.size()) / kQuickRounds;
+    return 1 + static_cast<long>(reached.size());
   });
 }
 
@@ -225,7 +215,7 @@ void KnownLabels::collectLists() {
 bool KnownLabels::listLabels(long& budget) {
   // If all labels have just spread, every final distance goes into a list.
   const bool isAllWanted = areAllNew();
-  return forEach(listed_.size(), budget, [&](size_t i) {
+  return loop_.runWeighted(listed_.size(), budget, kQuickRounds, [&](size_t i) {
     const int label = listed_[i];
     const auto& reached = spread_.reached(label);
     for (int r = 0; r < static_cast<int>(reached.size()); ++r) {
@@ -234,7 +224,7 @@ bool KnownLabels::listLabels(long& budget) {
           (isAllWanted || (changedVertices_.contains(vertex) && ownsPartAround(label, vertex))))
         lists_.add(label, r);
     }
-    return 1 + static_cast<long>(reached.size()) / kQuickRounds;
+    return 1 + static_cast<long>(reached.size());
   });
 }
 

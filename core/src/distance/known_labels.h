@@ -58,9 +58,6 @@ class KnownLabels {
   const std::vector<int>& changedLabels() const { return changedLabels_; }
 
  private:
-  template <class Work>
-  bool forEach(size_t count, long& budget, Work work);
-
   void addFacesOfSite(int label);
   bool markFinal(long& budget);
   void noteTie(int vertex, int label);
@@ -88,7 +85,6 @@ class KnownLabels {
   std::span<const char> hasStarted_;  ///< per label
   SlicedSequence sequence_;
   SlicedLoop loop_;
-  size_t cursor_ = 0;  ///< of loops whose rounds differ in cost
   double progress_ = 1;
   std::vector<int> newlyFinal_;      ///< vertices where a distance has become final
   std::vector<LabelAtVertex> ties_;  ///< labels that are as near as the owner

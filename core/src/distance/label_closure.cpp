@@ -19,8 +19,8 @@ void LabelClosure::start(const IndexSet& faces) {
 bool LabelClosure::step(long& budget) {
   return sequence_.run(
       [&] {
-        return loop_.run(faces_->size(), budget, kQuickRounds,
-                         [&](int i) { closeFace(faces_->list()[i]); });
+        return loop_.runWeighted(faces_->size(), budget, kQuickRounds,
+                                 [&](int i) { return closeFace(faces_->list()[i]); });
       },
       [&] { beginRound(found_); },
       [&] {
@@ -73,15 +73,17 @@ void LabelClosure::noteAdded(int vertex, int label) {
 
 // --- What is required ----------------------------------------------------------------------------
 
-void LabelClosure::closeFace(int f) {
+/// Returns the number of labels looked at, or 1.
+long LabelClosure::closeFace(int f) {
   const int* const corners = &mesh_.tails()[3 * static_cast<size_t>(f)];
   const auto a = lists_[corners[0]], b = lists_[corners[1]], c = lists_[corners[2]];
-  if ((a.size() > 1) + (b.size() > 1) + (c.size() > 1) < 2) return;
+  if ((a.size() > 1) + (b.size() > 1) + (c.size() > 1) < 2) return 1;
   anyLabel(a, b, c, [&](int label, const auto& at) {
     const int known = (at[0] != nullptr) + (at[1] != nullptr) + (at[2] != nullptr);
     if (known == 2) requireAcross(3 * f + (at[2] ? at[1] ? 1 : 2 : 0), label);
     return false;
   });
+  return static_cast<long>(a.size() + b.size() + c.size());
 }
 
 /// The same for one label, newly known at a vertex, in all faces around the vertex.

@@ -46,7 +46,7 @@ class LabelClosure {
 
  private:
   void beginRound(std::span<const Requirement> requirements);
-  void closeFace(int face);
+  long closeFace(int face);
   void closeAround(const LabelAtVertex& added);
   void requireAcross(int halfedge, int label);
   bool ownsPartOfEdge(int label, int halfedge) const;

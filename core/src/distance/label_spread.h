@@ -36,8 +36,8 @@ class LabelSpread {
   /// Spreads a label on from where it stopped, because bounds have risen.
   virtual void resume(int label) = 0;
   /// Spreads a label on to all corners of some faces. The label must own part of each. Quickest
-  /// for the label that has spread last.
-  virtual void require(int label, std::span<const int> faces) = 0;
+  /// for the label that has spread last. Returns how many quick rounds it took (`kQuickRounds`).
+  virtual long require(int label, std::span<const int> faces) = 0;
   /// Works on at most `budget` units and lowers it by their number. True when the label is done.
   virtual bool step(long& budget) = 0;
   /// The index in `reached` of a corner of the faces required last.

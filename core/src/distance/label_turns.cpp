@@ -51,8 +51,7 @@ void LabelTurns::begin(long& budget) {
 }
 
 void LabelTurns::beginToRequire(int label, long& budget) {
-  spread_.require(label, currentFaces_);
-  budget -= static_cast<long>(spread_.reached(label).size() + currentFaces_.size()) / kQuickRounds;
+  budget -= 1 + spread_.require(label, currentFaces_) / kQuickRounds;
 }
 
 }  // namespace gvd

@@ -68,7 +68,7 @@ void UnfoldingSpread::remove(std::span<const int> labels) {
 
 // --- Required distances ------------------------------------------------------------------------
 
-void UnfoldingSpread::require(int label, std::span<const int> faces) {
+long UnfoldingSpread::require(int label, std::span<const int> faces) {
   Label& known = labels_[label];
   index_.reset(known.vertices);
   bool isAllKnown = true;
@@ -79,9 +79,11 @@ void UnfoldingSpread::require(int label, std::span<const int> faces) {
       required.isFinal = true;
       isAllKnown &= required.distance < kInfinity;
     }
-  if (isAllKnown) return;
-  running_ = label;
-  sweepToRequired(mesh_.shortEdgeLength());
+  if (!isAllKnown) {
+    running_ = label;
+    sweepToRequired(mesh_.shortEdgeLength());
+  }
+  return static_cast<long>(known.vertices.size() + faces.size());
 }
 
 /// Adds a vertex that the sweep has not reached, and unfolds its distance from the neighbours as in

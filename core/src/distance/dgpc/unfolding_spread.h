@@ -27,7 +27,7 @@ class UnfoldingSpread final : public LabelSpread {
 
   void start(int label) override;
   void resume(int label) override;
-  void require(int label, std::span<const int> faces) override;
+  long require(int label, std::span<const int> faces) override;
   bool step(long& budget) override;
   int indexOf(int vertex) const override { return index_[vertex]; }
   void remove(std::span<const int> labels) override;

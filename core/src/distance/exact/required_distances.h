@@ -34,6 +34,9 @@ class RequiredDistances {
   /// Whether there are no places.
   bool isEmpty() const { return nearest_.size() == 1; }
 
+  /// How many quick rounds `canGain` takes.
+  std::size_t cost() const { return 1 + blocks_.size() / kLanes; }
+
   /// `bound` is the least distance of the label known so far, `nearest` the distance of the nearest
   /// label. Returns the index of the place.
   int add(const Eigen::Vector3d& position, double bound, double nearest) {

@@ -21,8 +21,9 @@ RevisitFilter::RevisitFilter(const TriangleMesh& mesh) : mesh_(mesh) {
 
 bool RevisitFilter::dropsSuspicious(const Window& w, int halfedge) {
   if ((backtracksLeft_ += kBacktracksPerWindow) <= 0) return false;
+  const long before = crossedBack_;
   const bool isDropped = entersAgain(w, halfedge);
-  backtracksLeft_ -= crossedBack_;
+  backtracksLeft_ -= crossedBack_ - before;
   return isDropped;
 }
 
@@ -31,7 +32,8 @@ bool RevisitFilter::dropsSuspicious(const Window& w, int halfedge) {
 bool RevisitFilter::entersAgain(const Window& w, int halfedge) {
   StraightLine line{halfedge, (w.begin + w.end) / 2, {w.x, w.y}};
   const double atSource = kLineRounding * line.length();
-  for (crossedBack_ = 1; crossedBack_ <= mesh_.faceCount(); ++crossedBack_) {
+  for (int crossed = 0; crossed < mesh_.faceCount(); ++crossed) {
+    ++crossedBack_;
     if (!line.enterFace(mesh_) || line.length() < atSource) return false;
     if (line.halfedge / 3 == halfedge / 3) return true;
     if (!line.crossFace(mesh_)) return false;

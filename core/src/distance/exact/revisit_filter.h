@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "distance/exact/window.h"
@@ -30,6 +31,8 @@ class RevisitFilter {
   void noteCrossing(size_t reachedCount) {
     isSuspicious_ = ++crossedCount_ > kMostCrossingsPerVertex * reachedCount;
   }
+  /// The number of faces across which windows were followed back since the last call.
+  long takeCrossedBack() { return std::exchange(crossedBack_, 0); }
   /// Whether a window at a halfedge has been found to enter its face again.
   bool drops(const Window& w, int halfedge) {
     if (!isNeedle_.empty() && isNeedle_[halfedge / 3]) return entersAgain(w, halfedge);
@@ -54,7 +57,7 @@ class RevisitFilter {
   std::vector<char> isNeedle_;
   size_t crossedCount_ = 0;  ///< of batches
   bool isSuspicious_ = false;
-  long crossedBack_ = 0;  ///< faces across which the last window was followed back
+  long crossedBack_ = 0;  ///< faces across which windows were followed back
   /// Faces across which windows of the suspicious label may still be followed back.
   long backtracksLeft_ = 0;
 };

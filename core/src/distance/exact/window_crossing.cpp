@@ -24,6 +24,7 @@ constexpr double kLeastDepth = 0x1p-52;
 }  // namespace
 
 void WindowSweep::crossFace(int h) {
+  crossedWindows_ += static_cast<long>(windows_[h].size());
   if (to_ == SpreadTo::kRequired && !isBatchNeeded(h)) return;
   const TriangleMesh::Face& face = mesh_.face(h / 3);
   const int i = h % 3, j = cornerAfter(i), k = cornerBefore(i);

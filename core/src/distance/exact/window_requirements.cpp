@@ -19,7 +19,7 @@ constexpr size_t kAhead = 4;
 
 }  // namespace
 
-void WindowSweep::require(int label, LabelState& state, std::span<const int> faces, double atMost) {
+long WindowSweep::require(int label, LabelState& state, std::span<const int> faces, double atMost) {
   beginToRequire(label, state);
   for (size_t i = 0; i < faces.size(); ++i) {
     if (i + kAhead < faces.size()) prefetch(mesh_.face(faces[i + kAhead]));
@@ -35,7 +35,9 @@ void WindowSweep::require(int label, LabelState& state, std::span<const int> fac
     for (const WaitingWindow& w : windows) offerToCorners(w.window, h);
   });
   for (const int f : faces) offerAlongSides(f);
+  const size_t waiting = state.waiting.size() + state.waitingSources.size();
   continueNeeded();
+  return static_cast<long>(state.vertices.size() + faces.size() + waiting * required_.cost());
 }
 
 /// Calls `visit` with the windows that wait at one halfedge after another.

@@ -31,8 +31,8 @@ void WindowSpread::start(int label) { sweep_.start(label, sites_[label], stateOf
 
 void WindowSpread::resume(int label) { sweep_.resume(label, stateOf(label)); }
 
-void WindowSpread::require(int label, std::span<const int> faces) {
-  sweep_.require(label, stateOf(label), faces);
+long WindowSpread::require(int label, std::span<const int> faces) {
+  return sweep_.require(label, stateOf(label), faces);
 }
 
 void WindowSpread::markFinal(int label, int index) {

@@ -24,7 +24,7 @@ class WindowSpread final : public LabelSpread {
 
   void start(int label) override;
   void resume(int label) override;
-  void require(int label, std::span<const int> faces) override;
+  long require(int label, std::span<const int> faces) override;
   bool step(long& budget) override { return sweep_.step(budget); }
   int indexOf(int vertex) const override { return sweep_.indexOf(vertex); }
   void remove(std::span<const int> labels) override;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/prefetch.h"
+#include "base/sliced_loop.h"
 #include "distance/site_frame.h"
 #include "mesh/face_layout.h"
 #include "mesh/representations.h"
@@ -86,13 +87,14 @@ void WindowSweep::resume(int label, LabelState& state) {
 
 bool WindowSweep::step(long& budget) {
   while (queue_.advance()) {
-    if (budget-- <= 0) return false;
+    if (budget <= 0) return false;
     if (const auto next = queue_.ahead(1)) prefetchTurn(*next);
     const int item = queue_.take();
     if (item >= 0)
       crossFace(item);
     else
       becomeSource(-1 - item);
+    budget -= 1 + (std::exchange(crossedWindows_, 0) + revisits_.takeCrossedBack()) / kQuickRounds;
   }
   store();
   return true;

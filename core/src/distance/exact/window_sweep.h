@@ -56,8 +56,8 @@ class WindowSweep {
   /// Begins to spread a label on from its waiting windows, because bounds have risen.
   void resume(int label, LabelState& state);
   /// Begins to spread a label on to all corners of some faces, whose distances are at most
-  /// `atMost`.
-  void require(int label, LabelState& state, std::span<const int> faces, double atMost = kInfinity);
+  /// `atMost`. Returns how many quick rounds it took.
+  long require(int label, LabelState& state, std::span<const int> faces, double atMost = kInfinity);
   /// Begins to spread a new label, to find its distances at points in faces that it crosses. Does
   /// not lower bounds.
   void start(int label, const SurfacePoint& site, LabelState& state,
@@ -79,8 +79,8 @@ class WindowSweep {
               LabelState& state);
   /// What the last search has found.
   const SiteSearch& searched() const { return search_; }
-  /// Works on at most `budget` batches and lowers it by their number; true when the label is done
-  /// and its state is stored.
+  /// Works for `budget` units and lowers it by their number; true when the label is done and its
+  /// state is stored.
   bool step(long& budget);
   /// Forgets the last label, whose state has been changed since: it has to be loaded again.
   void forget() { label_ = -1; }
@@ -207,6 +207,8 @@ class WindowSweep {
   double mostExcess_ = 0;  ///< of `required_`, when the label began to go on
   PointsByFace points_;
   std::vector<int> inFace_;  ///< indices in `required_` of the current face
+
+  long crossedWindows_ = 0;  ///< in the current turn of the queue
 
   SiteSearch search_;  ///< if the label is a point that searches
 
