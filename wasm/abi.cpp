@@ -11,9 +11,8 @@ namespace {
 
 /// `ErrorCode` in `src/errors.ts` explains them.
 constexpr Named<ErrorCode> kErrorCodes[] = {
-    {"invalid-mesh", ErrorCode::kInvalidMesh},
-    {"invalid-gltf", ErrorCode::kInvalidGltf},
-    {"invalid-point", ErrorCode::kInvalidPoint},
+    {"invalid-mesh", ErrorCode::kInvalidMesh},         {"invalid-gltf", ErrorCode::kInvalidGltf},
+    {"invalid-point", ErrorCode::kInvalidPoint},       {"too-few-sites", ErrorCode::kTooFewSites},
     {"invalid-argument", ErrorCode::kInvalidArgument},
 };
 

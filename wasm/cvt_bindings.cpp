@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Centroidal tessellations for JavaScript, an iteration in slices.
+// Centroidal tessellations for JavaScript, an iteration in slices; remeshes.
 
 #include <memory>
 #include <utility>
 #include <vector>
 
+#include "gvd/remesh.h"
 #include "objects.h"
 #include "records.h"
 
@@ -15,22 +16,30 @@ namespace {
 constexpr Named<CvtMethod> kCvtMethods[] = {{"lloyd", CvtMethod::kLloyd},
                                             {"lbfgs", CvtMethod::kLbfgs}};
 
+/// `density` is one value per input vertex, or none.
+CvtOptions optionsOf(const TriangleMesh& mesh, Text method, Text metric, int iterations,
+                     double energyTolerance, double moveTolerance, Doubles density,
+                     Ints fixedSites) {
+  CvtOptions options;
+  options.method = valueOf(kCvtMethods, "method", toView(method));
+  options.metric = metricOf(toView(metric));
+  options.iterations = iterations;
+  options.energyTolerance = energyTolerance;
+  options.moveTolerance = moveTolerance;
+  options.density = valuesFromInput(mesh, "densities", density.span());
+  options.fixedSites.assign(fixedSites.data, fixedSites.data + fixedSites.size);
+  return options;
+}
+
 }  // namespace
 
-/// `density` is one value per input vertex, or none.
 GVD_ABI CvtHandle* startCvt(const MeshHandle* handle, Ints face, Doubles bary, Text method,
                             Text metric, int iterations, double energyTolerance,
                             double moveTolerance, Doubles density, Ints fixedSites) {
   return guarded([&] {
     const TriangleMesh& mesh = *handle->mesh;
-    CvtOptions options;
-    options.method = valueOf(kCvtMethods, "method", toView(method));
-    options.metric = metricOf(toView(metric));
-    options.iterations = iterations;
-    options.energyTolerance = energyTolerance;
-    options.moveTolerance = moveTolerance;
-    options.density = valuesFromInput(mesh, "densities", density.span());
-    options.fixedSites.assign(fixedSites.data, fixedSites.data + fixedSites.size);
+    CvtOptions options = optionsOf(mesh, method, metric, iterations, energyTolerance, moveTolerance,
+                                   density, fixedSites);
     const std::vector<SurfacePoint> sites = sitesFromInput(mesh, face, bary);
     auto cvt = std::make_unique<CvtHandle>();
     cvt->surface = *handle;
@@ -78,6 +87,21 @@ GVD_ABI VoronoiHandle* cvtVoronoi(const CvtHandle* handle) {
     voronoi->sharedDistances = cvt.distances();
     voronoi->traced = std::make_shared<const Diagram>(cvt.diagram());
     return voronoi.release();
+  });
+}
+
+/// `SurfacePoints`: the sites of a remesh.
+GVD_ABI Answer* remeshedSites(const MeshHandle* handle, Ints face, Doubles bary, Text method,
+                              Text metric, int iterations, double energyTolerance,
+                              double moveTolerance, Doubles density, Ints fixedSites,
+                              int maxAdded) {
+  return guarded([&] {
+    const auto mesh = handle->mesh;
+    const CvtOptions tessellation = optionsOf(*mesh, method, metric, iterations, energyTolerance,
+                                              moveTolerance, density, fixedSites);
+    return answerOf(
+        startRemesh(*mesh, sitesFromInput(*mesh, face, bary), {tessellation, maxAdded}),
+        [mesh](const RepairedSites& remeshed) { return pointsRecord(*mesh, remeshed.sites); });
   });
 }
 

@@ -376,8 +376,8 @@ TEST(Repair, SaysWhatIsLeftWhereItMayNotAddMore) {
     repair(mesh, sites, Metric::kExact, {.maxAdded = 1});
     FAIL();
   } catch (const Error& e) {
-    EXPECT_EQ(e.code(), ErrorCode::kInvalidArgument);
-    EXPECT_NE(std::string(e.what()).find("1 site more: region"), std::string::npos) << e.what();
+    EXPECT_EQ(e.code(), ErrorCode::kTooFewSites);
+    EXPECT_NE(std::string(e.what()).find("may be added: region"), std::string::npos) << e.what();
   }
   const std::vector<SurfacePoint> twice = {centroid(0), centroid(0)};
   EXPECT_THROW(repair(mesh, twice, Metric::kExact), Error);

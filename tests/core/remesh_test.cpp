@@ -132,6 +132,34 @@ TEST(RemeshQuality, OfACentroidalTessellationIsHigh) {
   EXPECT_LE(quality.maxValence, 7);
 }
 
+TEST(Remesh, HasAValidDualAndKeepsLabelsAndFixedSites) {
+  const TriangleMesh mesh = shapes::bumpySurface(1, 3, 0.1, 1).mesh();
+  const auto sites = sampleFarthest(mesh, 40, 1);
+  const RepairedSites remeshed =
+      remesh(mesh, sites, {.tessellation = {.iterations = 10, .fixedSites = {3}}});
+  EXPECT_EQ(remeshed.sites.size(), sites.size() + remeshed.added);
+  EXPECT_EQ(remeshed.diagram.siteCount, static_cast<int>(remeshed.sites.size()));
+  EXPECT_TRUE(findViolations(mesh, remeshed.sites, remeshed.diagram).empty());
+  EXPECT_EQ(remeshed.sites[3].bary, sites[3].bary);
+  EXPECT_NE(remeshed.sites[4].bary, sites[4].bary);
+  const auto meanAngle = [&](const RepairedSites& r) {
+    return measureQuality(mesh, dualMesh(mesh, r.sites, r.diagram)).meanMinAngle;
+  };
+  EXPECT_GT(meanAngle(remeshed), meanAngle(repair(mesh, sites, Metric::kExact)));
+}
+
+TEST(Remesh, RefusesWhatTakesMoreSitesThanAllowed) {
+  const TriangleMesh mesh = shapes::icosphere(1).mesh();
+  const std::vector<SurfacePoint> sites = {mesh.fromInputVertex(0), mesh.fromInputVertex(3)};
+  try {
+    remesh(mesh, sites, {.maxAdded = 1});
+    ADD_FAILURE() << "two sites have a valid dual";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kTooFewSites);
+  }
+  EXPECT_THROW(remesh(mesh, sites, {.maxAdded = -1}), Error);
+}
+
 /// Meshes of polygons are made by callers, too.
 TEST(PolygonMesh, RefusesFacesOfVerticesThatDoNotExist) {
   const TriangleMesh cube = shapes::cube().mesh();

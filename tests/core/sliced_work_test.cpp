@@ -202,6 +202,18 @@ TEST(SlicedWork, GivesTheSameSamples) {
   }
 }
 
+TEST(SlicedWork, RepairsAndRemeshesTheSame) {
+  const TriangleMesh mesh = shapes::torus(12, 8).mesh();
+  const auto sites = sampleUniform(mesh, 5, 1);
+  const RepairedSites repaired = repair(mesh, sites, Metric::kExact);
+  EXPECT_GT(repaired.added, 0);
+  EXPECT_TRUE(samePoints(inSteps(startRepair(mesh, sites, Metric::kExact)).sites, repaired.sites));
+  const RemeshOptions options = {.tessellation = {.iterations = 3}};
+  const RepairedSites remeshed = remesh(mesh, sites, options);
+  EXPECT_GT(remeshed.added, 0);
+  EXPECT_TRUE(samePoints(inSteps(startRemesh(mesh, sites, options)).sites, remeshed.sites));
+}
+
 TEST(SlicedWork, SamplesNothingIfNothingIsAskedFor) {
   const TriangleMesh mesh = shapes::cube().mesh();
   EXPECT_TRUE(inSteps(startFarthest(mesh, 0, 1)).empty());

@@ -39,7 +39,6 @@ import {
   type SurfacePoints,
 } from './results.js';
 import { pointsFile, requireSameMesh } from './points_file.js';
-import { remesh } from './remesh.js';
 import type { Triangles } from './triangles.js';
 import type {
   CvtOptions,
@@ -240,12 +239,26 @@ export class EngineMesh implements Mesh {
       ...tessellationDefaults,
       ...repairDefaults,
     });
-    toMaxAdded(maxAdded);
-    const checked = toCvtSettings(others);
+    const most = toMaxAdded(maxAdded);
+    const settings = toCvtSettings(others);
     const [given, list] = [toDensity(density, this.density), toPoints('sites', sites)];
-    const settings = { ...checked, density: await this.#densityOf(given, signal), maxAdded };
-    const points = await this.#kept.onSurface(list);
-    return remesh(this, points, settings, { signal, onProgress });
+    const perVertex = await this.#densityOf(given, signal);
+    const { face, bary } = await this.#kept.onSurface(list);
+    const { method, metric, iterations, energyTolerance, moveTolerance, fixedSites } = settings;
+    const shareOfSites = 0.95; // the rest is the diagram
+    const remeshed = await this.#kept.call<SurfacePoints>(
+      'remeshedSites',
+      [
+        ...[face, bary, method, metric, iterations, energyTolerance, moveTolerance],
+        ...[perVertex, fixedSites, most],
+      ],
+      { signal, onProgress: (share) => onProgress?.(shareOfSites * share) },
+    );
+    return this.voronoi(remeshed, {
+      metric,
+      signal,
+      onProgress: (share) => onProgress?.(shareOfSites + (1 - shareOfSites) * share),
+    });
   }
 
   /** The density per vertex. */

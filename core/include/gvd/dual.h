@@ -136,9 +136,15 @@ struct RepairedSites {
 /// are inserted into a `DynamicDiagram`. Deterministic. Takes as long as the diagram and these
 /// insertions, plus a `findViolations` per round.
 ///
-/// Throws `Error(kInvalidArgument)`, naming the first violation that is left, if more than
-/// `maxAdded` would be needed, and as `repairingSites` and `propagate` do.
+/// Throws `Error(kTooFewSites)`, naming the first violation that is left, if more than `maxAdded`
+/// would be needed, `Error(kInvalidArgument)` if `maxAdded` is negative, and as `repairingSites`
+/// and `propagate` do.
 RepairedSites repair(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric,
                      const RepairOptions& options = {});
+/// The same in steps; the mesh must outlive them.
+std::unique_ptr<SlicedWork<RepairedSites>> startRepair(const TriangleMesh& mesh,
+                                                       std::span<const SurfacePoint> sites,
+                                                       Metric metric,
+                                                       const RepairOptions& options = {});
 
 }  // namespace gvd

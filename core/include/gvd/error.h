@@ -13,6 +13,7 @@ enum class ErrorCode {
   kInvalidMesh,      ///< the triangles cannot be made into a surface
   kInvalidGltf,      ///< the bytes are not a glTF this library reads
   kInvalidPoint,     ///< a site or query point is not on the surface
+  kTooFewSites,      ///< the dual is not valid with as many sites as may be added
   kInvalidArgument,  ///< an option, count or list does not fit, as the function says
 };
 

@@ -24,7 +24,7 @@
 ///  - dynamic_diagram.h: sites that are inserted, removed and moved
 ///  - cvt.h: sites at the centroids of their regions; straightest.h: how they are moved there
 ///  - partition.h: the mesh cut into regions, and facts of each region
-///  - dual.h, polygon_mesh.h, remesh.h: polygonal base meshes and their quality
+///  - dual.h, polygon_mesh.h, remesh.h: polygonal base meshes, remeshes and their quality
 ///  - gltf.h: triangles from a file; error.h: what is thrown on bad input
 ///
 /// Faces and vertices are those of a `TriangleMesh`; `TriangleMesh::toInput` and `fromInput`

@@ -1,15 +1,41 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// How good the dual of a tessellation is as a remesh of the surface.
+/// Remeshing: the valid dual of a centroidal tessellation, and how good it is as a mesh.
 #pragma once
 
 #include <memory>
+#include <span>
 
+#include "gvd/cvt.h"
+#include "gvd/dual.h"
 #include "gvd/polygon_mesh.h"
 #include "gvd/sliced_work.h"
+#include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
 
 namespace gvd {
+
+struct RemeshOptions {
+  CvtOptions tessellation = {};
+  int maxAdded = 1000;  ///< how many sites may be added; not negative
+};
+
+/// Sites whose dual (`dualMesh`) is an isotropic remesh of the surface, or with a density an
+/// adaptive one: tessellates, adds sites until the dual is valid (`repair`), and tessellates again,
+/// because the sites just added are not at centroids yet; at most three times. Each round adds at
+/// most half as many sites as the one before, or else the sites before it are the result: sites
+/// that are spread anew may lack others in other places, and there would be more and more. In the
+/// end the sites that were added last are settled: they move towards their centroids as long as the
+/// dual stays valid and its least angle grows.
+///
+/// Deterministic. Takes as long as three tessellations, and a few diagrams besides. Throws as `Cvt`
+/// and `repair` do, `Error(kTooFewSites)` if the first round needs more than `maxAdded` sites.
+RepairedSites remesh(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
+                     const RemeshOptions& options = {});
+/// The same in steps; the mesh must outlive them.
+std::unique_ptr<SlicedWork<RepairedSites>> startRemesh(const TriangleMesh& mesh,
+                                                       std::span<const SurfacePoint> sites,
+                                                       const RemeshOptions& options = {});
 
 /// How good a remesh is. The triangles are those that `triangulate` makes of its polygons.
 struct RemeshQuality {

@@ -94,4 +94,7 @@ std::vector<Finding> inspect(const TriangleMesh& mesh, std::span<const SurfacePo
                              const Diagram& diagram, const Partition& partition,
                              const RegionComplex& complex);
 
+/// Throws unless so many sites may be added by `repair` or `remesh`.
+void requireMaxAdded(int count);
+
 }  // namespace gvd

@@ -2,10 +2,13 @@
 //
 // Repair of a dual: adds sites at its violations until there are none.
 #include <algorithm>
+#include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
 
+#include "base/sliced_loop.h"
 #include "distance/site_distances.h"
 #include "gvd/dynamic_diagram.h"
 #include "gvd/error.h"
@@ -104,24 +107,106 @@ std::vector<SurfacePoint> repairingSites(const TriangleMesh& mesh,
   return finished(startRepairingSites(mesh, sites, diagram, field));
 }
 
+// --- Rounds --------------------------------------------------------------------------------------
+
+void requireMaxAdded(int count) {
+  if (count < 0)
+    throw Error(ErrorCode::kInvalidArgument,
+                "maxAdded is " + std::to_string(count) + ", not a number from 0");
+}
+
+namespace {
+
+/// Repairs in rounds: finds sites to add, and inserts them one by one.
+class Repairing final : public SlicedWork<RepairedSites> {
+ public:
+  Repairing(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric,
+            const RepairOptions& options)
+      : mesh_(mesh), most_(options.maxAdded), opening_(DynamicDiagram::start(mesh, sites, metric)) {
+    requireMaxAdded(most_);
+  }
+
+  bool advance(long budget) override {
+    if (!dynamic_) {
+      if (!opening_->step(budget)) return false;
+      dynamic_.emplace(opening_->take());
+      beginRound();
+      return false;
+    }
+    if (!round_.run([&] { return finding_->step(budget); }, [&] { takeFound(); },
+                    [&] { return insert(budget); }))
+      return false;
+    if (found_.empty()) return true;
+    share_ = shareAfterRound();
+    beginRound();
+    return false;
+  }
+
+  /// The number of rounds is not known: each counts as half of what is left.
+  double progress() const override {
+    if (!dynamic_) return share_ * opening_->progress();
+    if (found_.empty()) return share_;
+    const double part = static_cast<double>(inserted_) / static_cast<double>(found_.size());
+    return share_ + (shareAfterRound() - share_) * part;
+  }
+  RepairedSites result() override { return std::move(repaired_); }
+
+ private:
+  double shareAfterRound() const { return (1 + share_) / 2; }
+
+  void beginRound() {
+    round_ = {};
+    found_.clear();
+    inserted_ = 0;
+    repaired_ = {dynamic_->sites(), repaired_.added, dynamic_->diagram()};
+    finding_ =
+        startRepairingSites(mesh_, repaired_.sites, repaired_.diagram, dynamic_->distances());
+  }
+
+  void takeFound() {
+    found_ = finding_->take();
+    const int count = static_cast<int>(found_.size());
+    if (count > most_ - repaired_.added)
+      throw Error(ErrorCode::kTooFewSites,
+                  "the dual is not valid with as many sites as may be added: " +
+                      findViolations(mesh_, repaired_.sites, repaired_.diagram).front().message);
+    repaired_.added += count;
+  }
+
+  /// One site per step at the most.
+  bool insert(long budget) {
+    if (found_.empty()) return true;
+    if (!change_) change_ = dynamic_->startInsert(found_[inserted_]);
+    if (!change_->step(budget)) return false;
+    change_.reset();
+    return ++inserted_ == found_.size();
+  }
+
+  const TriangleMesh& mesh_;
+  const int most_;
+  std::unique_ptr<SlicedWork<DynamicDiagram>> opening_;
+  std::optional<DynamicDiagram> dynamic_;
+  RepairedSites repaired_;  ///< before the sites of this round
+  SlicedSequence round_;
+  std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> finding_;
+  std::vector<SurfacePoint> found_;  ///< sites to be inserted in this round
+  std::size_t inserted_ = 0;
+  std::unique_ptr<SlicedWork<DiagramChange>> change_;
+  double share_ = 0.5;  ///< of the work up to this round
+};
+
+}  // namespace
+
+std::unique_ptr<SlicedWork<RepairedSites>> startRepair(const TriangleMesh& mesh,
+                                                       std::span<const SurfacePoint> sites,
+                                                       Metric metric,
+                                                       const RepairOptions& options) {
+  return std::make_unique<Repairing>(mesh, sites, metric, options);
+}
+
 RepairedSites repair(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric,
                      const RepairOptions& options) {
-  if (options.maxAdded < 0)
-    throw Error(ErrorCode::kInvalidArgument,
-                "maxAdded is " + std::to_string(options.maxAdded) + ", not a number from 0");
-  auto dynamic = DynamicDiagram::fromDistances(mesh, finished(propagate(mesh, sites, metric)));
-  for (int added = 0;;) {
-    RepairedSites repaired{dynamic.sites(), added, dynamic.diagram()};
-    const auto more = repairingSites(mesh, repaired.sites, repaired.diagram, dynamic.distances());
-    if (more.empty()) return repaired;
-    added += static_cast<int>(more.size());
-    if (added > options.maxAdded)
-      throw Error(ErrorCode::kInvalidArgument,
-                  "the dual is not valid with " + std::to_string(options.maxAdded) +
-                      (options.maxAdded == 1 ? " site" : " sites") + " more: " +
-                      findViolations(mesh, repaired.sites, repaired.diagram).front().message);
-    for (const SurfacePoint& site : more) dynamic.insertSite(site);
-  }
+  return finished(startRepair(mesh, sites, metric, options));
 }
 
 }  // namespace gvd

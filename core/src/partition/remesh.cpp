@@ -1,158 +1,244 @@
 // SPDX-License-Identifier: MIT
 //
-// The quality of a remesh: angles and valences of its triangles, and distance from the surface.
+// Remeshing: sites move to the centroids of their regions, and more are added for a valid dual.
 #include "gvd/remesh.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <memory>
-#include <numbers>
 #include <optional>
-#include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "base/sliced_loop.h"
-#include "gvd/surface_point.h"
-#include "mesh/triangle_tree.h"
+#include "gvd/error.h"
+#include "partition/dual_parts.h"
 
 namespace gvd {
 namespace {
 
-using Eigen::Vector3d;
-using Triangles = std::vector<TriangleTree::Triangle>;
+/// The sites of a valid dual are settled in at most as many steps.
+constexpr int kMostSettlings = 5;
 
-/// The least angle of a triangle, in degrees; 0 if it has no area.
-double leastAngle(const TriangleTree::Triangle& t) {
-  double least = std::numbers::pi;
-  for (int i = 0; i < 3; ++i) {
-    const Vector3d u = t[cornerAfter(i)] - t[i], v = t[cornerBefore(i)] - t[i];
-    least = std::min(least, std::atan2(u.cross(v).norm(), u.dot(v)));
-  }
-  return least * 180 / std::numbers::pi;
+/// The labels that have a site now, and had none before.
+std::vector<int> labelsAdded(std::span<const SurfacePoint> before,
+                             std::span<const SurfacePoint> now) {
+  std::vector<int> added;
+  for (std::size_t label = 0; label < now.size(); ++label)
+    if (now[label].face >= 0 && !(label < before.size() && before[label].face >= 0))
+      added.push_back(static_cast<int>(label));
+  return added;
 }
 
-void measureAngles(const Triangles& triangles, RemeshQuality& quality) {
-  quality.triangles = static_cast<int>(triangles.size());
-  if (triangles.empty()) return;
-  quality.minAngle = 180;
-  for (const auto& triangle : triangles) {
-    const double angle = leastAngle(triangle);
-    quality.minAngle = std::min(quality.minAngle, angle);
-    quality.meanMinAngle += angle / quality.triangles;
-  }
+/// The sites of the last iteration of a tessellation and their diagram.
+RepairedSites stateOf(const Cvt& cvt, int added) {
+  return {{cvt.sites().begin(), cvt.sites().end()}, added, cvt.diagram()};
 }
 
-/// Measures the inner vertices: those with as many triangles as neighbours.
-void measureValences(const PolygonTriangles& cut, int vertexCount, RemeshQuality& quality) {
-  std::vector<std::set<int>> neighbours(vertexCount);
-  std::vector<int> around(vertexCount, 0);
-  for (const auto& triangle : cut.triangles)
-    for (int i = 0; i < 3; ++i) {
-      ++around[triangle[i]];
-      neighbours[triangle[i]].insert({triangle[cornerAfter(i)], triangle[cornerBefore(i)]});
-    }
-  int inside = 0, regular = 0;
-  for (int v = 0; v < vertexCount; ++v) {
-    const int valence = static_cast<int>(neighbours[v].size());
-    if (valence == 0 || valence != around[v]) continue;
-    quality.minValence = inside == 0 ? valence : std::min(quality.minValence, valence);
-    quality.maxValence = std::max(quality.maxValence, valence);
-    regular += valence == 6;
-    ++inside;
-  }
-  if (inside > 0) quality.regularShare = static_cast<double>(regular) / inside;
-}
-
-class QualityMeasuring final : public SlicedWork<RemeshQuality> {
+/// Moves some sites towards the centroids of their regions, a step of Lloyd's method at a time, as
+/// long as the dual stays valid and its least angle grows. Steps of all sites would soon break the
+/// dual, and so may these: a site of a violation then stays where it is, and the others try again.
+class Settling final : public SlicedWork<RepairedSites> {
  public:
-  QualityMeasuring(const TriangleMesh& surface, std::unique_ptr<SlicedWork<PolygonMesh>> remeshing)
-      : surface_(surface), remeshing_(std::move(remeshing)), fine_(surface) {}
+  Settling(const TriangleMesh& mesh, RepairedSites valid, std::span<const int> labels,
+           CvtOptions tessellation)
+      : mesh_(mesh),
+        kept_(std::move(valid)),
+        movable_(labels.begin(), labels.end()),
+        tessellation_(std::move(tessellation)) {
+    tessellation_.method = CvtMethod::kLloyd;
+    tessellation_.iterations = 1;
+  }
 
   bool advance(long budget) override {
-    const int vertices = surface_.vertexCount(), faces = surface_.faceCount();
-    return sequence_.run(
-        [&] { return remeshing_->step(budget); }, [&] { measureRemesh(remeshing_->take()); },
-        [&] { return runPart(coarse_, budget, triangles_); }, [&] { return fine_.step(budget); },
+    if (isOver_ || movable_.empty()) return true;
+    const bool isStepDone = step_.run(
+        [&] { return keptAngle_ || measure(kept_, keptAngle_, budget); },
+        [&] { cvt_.emplace(mesh_, kept_.sites, optionsOfStep()); },
+        [&] { return cvt_->step(budget) && cvt_->isDone(); },
         [&] {
-          return loop_.run(vertices, budget, 1,
-                           [&](int v) { note(coarse_->distance(surface_.position(v))); });
+          moved_ = stateOf(*cvt_, kept_.added);
+          violations_ = startViolations(mesh_, moved_.sites, moved_.diagram);
         },
-        [&] {
-          return loop_.run(faces, budget, 1, [&](int f) {
-            note(coarse_->distance(surface_.position({f, Vector3d::Constant(1.0 / 3)})));
-          });
-        },
-        [&] { return visitRemesh(budget); });
+        [&] { return violations_->step(budget); }, [&] { holdBack(violations_->take()); },
+        [&] { return !isValid_ || measure(moved_, movedAngle_, budget); }, [&] { keepBetter(); });
+    if (!isStepDone) return false;
+    step_ = {};
+    isOver_ = isOver_ || ++stepCount_ == kMostSettlings;
+    return isOver_;
   }
-  double progress() const override { return sequence_.progress(); }
-  RemeshQuality result() override { return quality_; }
+  double progress() const override {
+    return isOver_ ? 1 : (stepCount_ + step_.progress()) / kMostSettlings;
+  }
+  RepairedSites result() override { return std::move(kept_); }
 
  private:
-  void measureRemesh(const PolygonMesh& remesh) {
-    const PolygonTriangles cut = triangulate(remesh);
-    for (const auto& [a, b, c] : cut.triangles)
-      triangles_.push_back({remesh.positions[a], remesh.positions[b], remesh.positions[c]});
-    measureAngles(triangles_, quality_);
-    measureValences(cut, static_cast<int>(remesh.positions.size()), quality_);
+  bool isMovable(int label) const {
+    return std::find(movable_.begin(), movable_.end(), label) != movable_.end();
   }
 
-  void note(double distance) { quality_.hausdorff = std::max(quality_.hausdorff, distance); }
+  CvtOptions optionsOfStep() const {
+    CvtOptions options = tessellation_;
+    options.fixedSites.clear();
+    for (int label = 0; label < static_cast<int>(kept_.sites.size()); ++label)
+      if (kept_.sites[label].face >= 0 && !isMovable(label)) options.fixedSites.push_back(label);
+    return options;
+  }
 
-  /// Notes the distances of a regular grid of points on each triangle, row by row. The grid is no
-  /// wider than the surface's mean edge, or has 64 rows.
-  bool visitRemesh(long& budget) {
-    constexpr int kMostSteps = 64;
-    for (; triangle_ < triangles_.size(); ++triangle_, row_ = 0) {
-      const auto& [a, b, c] = triangles_[triangle_];
-      const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
-      const int steps = static_cast<int>(
-          std::clamp(std::ceil(longest / surface_.meanEdgeLength()), 1.0, double{kMostSteps}));
-      for (; row_ <= steps; ++row_) {
-        if (budget <= 0) return false;
-        for (int k = 0; row_ + k <= steps; ++k, --budget)
-          note(fine_.distance((row_ * a + k * b + (steps - row_ - k) * c) / steps));
-      }
-    }
+  /// Finds the least angle of a remesh.
+  bool measure(const RepairedSites& of, std::optional<double>& angle, long budget) {
+    if (!quality_) quality_ = startQuality(mesh_, startDualMesh(mesh_, of.sites, of.diagram));
+    if (!quality_->step(budget)) return false;
+    angle = quality_->take().minAngle;
+    quality_.reset();
     return true;
   }
 
-  const TriangleMesh& surface_;
-  std::unique_ptr<SlicedWork<PolygonMesh>> remeshing_;
+  /// If there are violations, their sites must not move; if none of these has moved, the next step
+  /// would be the same.
+  void holdBack(const std::vector<Violation>& violations) {
+    isValid_ = violations.empty();
+    bool isHeldBack = false;
+    for (const Violation& violation : violations)
+      for (const int label : violation.labels) isHeldBack |= std::erase(movable_, label) > 0;
+    isOver_ = !isValid_ && !isHeldBack;
+  }
 
-  SlicedSequence sequence_;
-  SlicedLoop loop_;
-  Triangles triangles_;  ///< of the remesh
-  std::optional<TriangleTree> coarse_;
-  TriangleTree fine_;         ///< of the surface
-  std::size_t triangle_ = 0;  ///< of the remesh, to be visited next
-  int row_ = 0;               ///< of that triangle
-  RemeshQuality quality_;
+  void keepBetter() {
+    if (!isValid_) return;
+    if (*movedAngle_ <= *keptAngle_) {
+      isOver_ = true;
+      return;
+    }
+    kept_ = std::move(moved_);
+    keptAngle_ = movedAngle_;
+  }
+
+  const TriangleMesh& mesh_;
+  RepairedSites kept_, moved_;
+  std::vector<int> movable_;  ///< labels
+  CvtOptions tessellation_;
+  SlicedSequence step_;
+  int stepCount_ = 0;
+  std::optional<Cvt> cvt_;
+  std::unique_ptr<SlicedWork<std::vector<Violation>>> violations_;
+  std::unique_ptr<SlicedWork<RemeshQuality>> quality_;
+  std::optional<double> keptAngle_, movedAngle_;
+  bool isValid_ = false;  ///< the dual of `moved_`
+  bool isOver_ = false;
 };
 
-/// Work whose result is known already.
-template <class Result>
-class Ready final : public SlicedWork<Result> {
+class Remeshing final : public SlicedWork<RepairedSites> {
  public:
-  explicit Ready(Result result) : result_(std::move(result)) {}
-  bool advance(long /*budget*/) override { return true; }
-  double progress() const override { return 1; }
-  Result result() override { return std::move(result_); }
+  Remeshing(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
+            const RemeshOptions& options)
+      : mesh_(mesh),
+        tessellation_(options.tessellation),
+        sites_(sites.begin(), sites.end()),
+        most_(options.maxAdded),
+        left_(options.maxAdded) {
+    requireMaxAdded(left_);
+    cvt_.emplace(mesh_, sites_, tessellation_);
+  }
+
+  bool advance(long budget) override {
+    if (settling_) return settling_->step(budget);
+    if (!round_.run([&] { return tessellate(budget); },
+                    [&] {
+                      sites_.assign(cvt_->sites().begin(), cvt_->sites().end());
+                      repairing_ = startRepair(mesh_, sites_, tessellation_.metric,
+                                               {.maxAdded = std::min(most_, left_)});
+                    },
+                    [&] { return repair(budget); }))
+      return false;
+    round_ = {};
+    iterationShare_ = 0;
+    if (isValid_ || ++roundCount_ == kMostRounds)
+      settling_.emplace(mesh_, std::move(*kept_), last_, tessellation_);
+    else
+      cvt_.emplace(mesh_, sites_, tessellation_);
+    return false;
+  }
+
+  double progress() const override {
+    if (settling_) return (kMostRounds + settling_->progress()) / (kMostRounds + 1);
+    constexpr double kTessellationShare = 0.8;  // roughly, in the time of a round
+    const double ofRound =
+        repairing_ ? kTessellationShare + (1 - kTessellationShare) * repairing_->progress()
+                   : kTessellationShare * iterationShare_;
+    return (roundCount_ + ofRound) / (kMostRounds + 1);
+  }
+  RepairedSites result() override {
+    RepairedSites remeshed = settling_->take();
+    remeshed.added = added_;
+    return remeshed;
+  }
 
  private:
-  Result result_;
+  static constexpr int kMostRounds = 3;
+
+  bool tessellate(long budget);
+  bool repair(long budget);
+  void endRound(RepairedSites repaired);
+
+  const TriangleMesh& mesh_;
+  const CvtOptions tessellation_;
+  std::vector<SurfacePoint> sites_;
+  int most_;  ///< how many sites this round may add
+  int left_;  ///< how many sites all further rounds may add
+  int added_ = 0, roundCount_ = 0;
+  SlicedSequence round_;
+  std::optional<Cvt> cvt_;
+  double iterationShare_ = 0;  ///< of this round
+  std::unique_ptr<SlicedWork<RepairedSites>> repairing_;
+  std::optional<RepairedSites> kept_;  ///< after the last round
+  std::vector<int> last_;              ///< labels of the sites that the last round added
+  bool isValid_ = false;               ///< whether no further round is needed, or helps
+  std::optional<Settling> settling_;
 };
+
+bool Remeshing::tessellate(long budget) {
+  if (!cvt_->step(budget)) return false;
+  iterationShare_ = (1.0 + cvt_->iteration().number) / (1 + tessellation_.iterations);
+  return cvt_->isDone();
+}
+
+/// Adds sites for a valid dual. If a round needs too many, the one before has the result.
+bool Remeshing::repair(long budget) {
+  try {
+    if (!repairing_->step(budget)) return false;
+  } catch (const Error& error) {
+    if (!kept_ || error.code() != ErrorCode::kTooFewSites) throw;
+    isValid_ = true;
+    return true;
+  }
+  endRound(repairing_->take());
+  repairing_.reset();
+  return true;
+}
+
+void Remeshing::endRound(RepairedSites repaired) {
+  last_ = labelsAdded(sites_, repaired.sites);
+  const int count = static_cast<int>(last_.size());
+  most_ = count / 2;
+  left_ -= count;
+  added_ += count;
+  sites_ = repaired.sites;
+  isValid_ = count == 0;
+  kept_ = std::move(repaired);
+}
 
 }  // namespace
 
-std::unique_ptr<SlicedWork<RemeshQuality>> startQuality(
-    const TriangleMesh& surface, std::unique_ptr<SlicedWork<PolygonMesh>> remeshing) {
-  return std::make_unique<QualityMeasuring>(surface, std::move(remeshing));
+std::unique_ptr<SlicedWork<RepairedSites>> startRemesh(const TriangleMesh& mesh,
+                                                       std::span<const SurfacePoint> sites,
+                                                       const RemeshOptions& options) {
+  return std::make_unique<Remeshing>(mesh, sites, options);
 }
 
-RemeshQuality measureQuality(const TriangleMesh& surface, const PolygonMesh& remesh) {
-  return finished(startQuality(surface, std::make_unique<Ready<PolygonMesh>>(remesh)));
+RepairedSites remesh(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
+                     const RemeshOptions& options) {
+  return finished(startRemesh(mesh, sites, options));
 }
 
 }  // namespace gvd
