@@ -249,8 +249,16 @@ export class EngineMesh implements Mesh {
     const remeshed = await this.#kept.call<SurfacePoints>(
       'remeshedSites',
       [
-        ...[face, bary, method, metric, iterations, energyTolerance, moveTolerance],
-        ...[perVertex, fixedSites, most],
+        face,
+        bary,
+        method,
+        metric,
+        iterations,
+        energyTolerance,
+        moveTolerance,
+        perVertex,
+        fixedSites,
+        most,
       ],
       { signal, onProgress: (share) => onProgress?.(shareOfSites * share) },
     );

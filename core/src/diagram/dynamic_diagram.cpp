@@ -325,6 +325,7 @@ DynamicDiagram::DynamicDiagram(const TriangleMesh& mesh, std::span<const Surface
 DynamicDiagram::DynamicDiagram(std::unique_ptr<Implementation> implementation)
     : implementation_(std::move(implementation)) {}
 
+// Not inlined, as the WebAssembly module would be larger.
 [[gnu::noinline]] DynamicDiagram::Implementation& DynamicDiagram::whole() const {
   implementation_->requireWhole();
   return *implementation_;

@@ -5,6 +5,7 @@
 
 namespace gvd {
 
+// Not inlined, as the WebAssembly module would be larger.
 [[gnu::noinline]] void requireFaces(const TriangleMesh& mesh, const Diagram& diagram) {
   if (static_cast<int>(diagram.faceLabel.size()) != mesh.faceCount())
     throw Error(ErrorCode::kInvalidArgument, "the diagram is that of another mesh");

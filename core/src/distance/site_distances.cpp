@@ -33,6 +33,7 @@ std::vector<SiteChange> arrivals(std::span<const SurfacePoint> sites) {
   return changes;
 }
 
+// Not inlined, as the WebAssembly module would be larger.
 [[gnu::noinline]] void requireMesh(const TriangleMesh& mesh, const DistanceField& distances) {
   const auto* const own = dynamic_cast<const SiteDistances*>(&distances);
   if (own && &own->mesh() != &mesh)

@@ -68,6 +68,7 @@ class PolygonHalfedges {
   bool isOriented_ = true;
 };
 
+// Not inlined, as the WebAssembly module would be larger.
 [[gnu::noinline]] void requireVertices(const PolygonMesh& mesh) {
   const int vertexCount = static_cast<int>(mesh.positions.size());
   for (int f = 0; f < mesh.faces.size(); ++f)

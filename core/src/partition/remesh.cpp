@@ -17,7 +17,7 @@
 namespace gvd {
 namespace {
 
-/// The sites of a valid dual are settled in at most as many steps.
+/// The sites that were added last take at most so many steps towards their centroids.
 constexpr int kMostSettlings = 5;
 
 /// The labels that have a site now, and had none before.
@@ -128,6 +128,7 @@ class Settling final : public SlicedWork<RepairedSites> {
   bool isOver_ = false;
 };
 
+/// Tessellates and repairs in rounds, then settles the sites that the last round added.
 class Remeshing final : public SlicedWork<RepairedSites> {
  public:
   Remeshing(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
@@ -153,7 +154,7 @@ class Remeshing final : public SlicedWork<RepairedSites> {
       return false;
     round_ = {};
     iterationShare_ = 0;
-    if (isValid_ || ++roundCount_ == kMostRounds)
+    if (isLastRound_ || ++roundCount_ == kMostRounds)
       settling_.emplace(mesh_, std::move(*kept_), last_, tessellation_);
     else
       cvt_.emplace(mesh_, sites_, tessellation_);
@@ -175,6 +176,7 @@ class Remeshing final : public SlicedWork<RepairedSites> {
   }
 
  private:
+  /// More than one, because sites just added are not at centroids yet.
   static constexpr int kMostRounds = 3;
 
   bool tessellate(long budget);
@@ -193,7 +195,7 @@ class Remeshing final : public SlicedWork<RepairedSites> {
   std::unique_ptr<SlicedWork<RepairedSites>> repairing_;
   std::optional<RepairedSites> kept_;  ///< after the last round
   std::vector<int> last_;              ///< labels of the sites that the last round added
-  bool isValid_ = false;               ///< whether no further round is needed, or helps
+  bool isLastRound_ = false;           ///< whether no further round is needed, or helps
   std::optional<Settling> settling_;
 };
 
@@ -209,7 +211,7 @@ bool Remeshing::repair(long budget) {
     if (!repairing_->step(budget)) return false;
   } catch (const Error& error) {
     if (!kept_ || error.code() != ErrorCode::kTooFewSites) throw;
-    isValid_ = true;
+    isLastRound_ = true;
     return true;
   }
   endRound(repairing_->take());
@@ -224,7 +226,7 @@ void Remeshing::endRound(RepairedSites repaired) {
   left_ -= count;
   added_ += count;
   sites_ = repaired.sites;
-  isValid_ = count == 0;
+  isLastRound_ = count == 0;
   kept_ = std::move(repaired);
 }
 

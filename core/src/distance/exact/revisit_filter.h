@@ -57,7 +57,7 @@ class RevisitFilter {
   std::vector<char> isNeedle_;
   size_t crossedCount_ = 0;  ///< of batches
   bool isSuspicious_ = false;
-  long crossedBack_ = 0;  ///< faces across which windows were followed back
+  long crossedBack_ = 0;  ///< what `takeCrossedBack` returns next
   /// Faces across which windows of the suspicious label may still be followed back.
   long backtracksLeft_ = 0;
 };
