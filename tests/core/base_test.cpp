@@ -55,10 +55,12 @@ TEST(BucketQueue, GivesItemsByDistanceAndThoseOfABucketAsTheyCame) {
       items.push_back(queue.take());
       if (items.back() == 3) {
         EXPECT_NEAR(queue.front(), 0.7, 1e-12);
-        add(6, 0.2);  // too late for its bucket
+        add(6, 0.2);  // before the rest of the current bucket
+        add(9, 0.25);
         add(7, 0.75);
         add(8, 1e5);
       }
+      if (items.back() == 9) add(10, 0.71);
     }
     return items;
   };
@@ -68,7 +70,7 @@ TEST(BucketQueue, GivesItemsByDistanceAndThoseOfABucketAsTheyCame) {
     add(3, 0.72);
     add(4, 0.05);
     add(5, 6.35);  // bucket 63, the last of the first 64
-    EXPECT_EQ(takeAll(), (std::vector<int>{4, 1, 3, 6, 7, 5, 2, 8}));
+    EXPECT_EQ(takeAll(), (std::vector<int>{4, 1, 3, 6, 9, 7, 10, 5, 2, 8}));
     EXPECT_EQ(queue.front(), 0);
   }
 }

@@ -18,29 +18,31 @@ namespace gvd {
 inline constexpr double kMostBucketsPerEdge = 6;
 
 /// A queue of items by distance, in buckets of equal width. Items of a bucket come in the order in
-/// which they were added, at any time before the bucket is done; an item that belongs to an earlier
-/// bucket goes to the current one. Constant time per item, and 1/64 of that per bucket without
-/// items: where some edges are a million times as long as others, most buckets have none. Memory is
-/// held for the buckets with items, in pages of 64, and 1/8 of a byte for every other one.
+/// which they were added. An item of an earlier bucket than the current one may still be added; it
+/// comes next, since what follows from it would have to be done twice otherwise. Constant time per
+/// item, and 1/64 of that per bucket without items: where some edges are a million times as long as
+/// others, most buckets have none. Memory is held for the buckets with items, in pages of 64, and
+/// 1/8 of a byte for every other one.
 class BucketQueue {
  public:
   explicit BucketQueue(double bucketsPerUnit) : bucketsPerUnit_(bucketsPerUnit) {}
 
   /// The bucket of a distance.
   std::size_t bucketOf(double distance) const {
-    return std::max(front_, static_cast<std::size_t>(distance * bucketsPerUnit_));
+    return static_cast<std::size_t>(distance * bucketsPerUnit_);
   }
   void add(int item, std::size_t bucket) {
+    if (bucket < front_) goBackTo(bucket);
     Page& page = pageOf(bucket);
-    page.buckets[bucket % kPerPage].push_back(item);
+    page.buckets[bucket % kPerPage].items.push_back(item);
     page.occupied |= std::uint64_t{1} << bucket % kPerPage;
     ++count_;
   }
 
   /// Moves on to the next item; false if there is none, and the queue begins again at distance 0.
   bool advance() {
-    while (!current_ || next_ == current_->size()) {
-      if (current_) leaveCurrent();
+    while (!current_ || current_->isDone()) {
+      leaveCurrent();
       if (count_ == 0) {
         front_ = 0;
         return false;
@@ -53,12 +55,12 @@ class BucketQueue {
   /// Takes the next item, after `advance`.
   int take() {
     --count_;
-    return (*current_)[next_++];
+    return current_->items[current_->next++];
   }
   /// The item after a few others of the same bucket, after `advance`.
   std::optional<int> ahead(std::size_t others) const {
-    return next_ + others < current_->size() ? std::optional((*current_)[next_ + others])
-                                             : std::nullopt;
+    const std::size_t i = current_->next + others;
+    return i < current_->items.size() ? std::optional(current_->items[i]) : std::nullopt;
   }
 
   /// The current bucket, and the distance at which it begins.
@@ -67,8 +69,14 @@ class BucketQueue {
 
  private:
   static constexpr std::size_t kPerPage = 64;
+  struct Bucket {
+    std::vector<int> items;
+    std::size_t next = 0;  ///< of the items, the next one to be taken
+
+    bool isDone() const { return next == items.size(); }
+  };
   struct Page {
-    std::array<std::vector<int>, kPerPage> buckets;
+    std::array<Bucket, kPerPage> buckets;
     std::uint64_t occupied = 0;  ///< one bit per bucket: whether it has items
   };
 
@@ -84,12 +92,20 @@ class BucketQueue {
     return *page;
   }
 
+  /// Makes a bucket before the current one the first to be looked at.
+  void goBackTo(std::size_t bucket) {
+    leaveCurrent();
+    front_ = bucket;
+  }
+
+  /// Leaves the current bucket, if it has begun, with the items that have not been taken.
   void leaveCurrent() {
+    Bucket* const left = std::exchange(current_, nullptr);
+    if (!left || !left->isDone()) return;
     std::unique_ptr<Page>& page = pages_[front_ / kPerPage];
     page->occupied &= ~(std::uint64_t{1} << front_ % kPerPage);
-    current_->clear();
-    current_ = nullptr;
-    next_ = 0;
+    left->items.clear();
+    left->next = 0;
     if (page->occupied == 0) free_.push_back(std::move(page));
   }
 
@@ -102,8 +118,8 @@ class BucketQueue {
   double bucketsPerUnit_;
   std::vector<std::unique_ptr<Page>> pages_;  ///< null where no bucket has items
   std::vector<std::unique_ptr<Page>> free_;   ///< without items, to be used again
-  std::vector<int>* current_ = nullptr;       ///< the bucket `front_`, once it has begun
-  std::size_t front_ = 0, next_ = 0;          ///< `next_`: in the current bucket
+  Bucket* current_ = nullptr;                 ///< the bucket `front_`, once it has begun
+  std::size_t front_ = 0;
   std::size_t count_ = 0;                     ///< of items that have not been taken
 };
 

@@ -52,13 +52,14 @@ class PathSearch final : public SlicedWork<std::vector<SurfacePoint>> {
     isDone_ = !isConnected || sequence_.run([&] { return boundByEdges(budget); },
                                             [&] { startSearch(mostByEdges() * (1 + kSlack)); },
                                             [&] { return sweep_.step(budget); });
+    farthest_ = std::max(farthest_, sweep_.front());
     return isDone_;
   }
 
-  /// The wavefront's distance as a share of the straight line in space.
+  /// The wavefront's largest distance so far as a share of the straight line in space.
   double progress() const override {
     if (isDone_) return 1;
-    return straight_ > 0 ? std::min(sweep_.front() / straight_, 0.9) : 0;
+    return straight_ > 0 ? std::min(farthest_ / straight_, 0.9) : 0;
   }
 
   std::vector<SurfacePoint> result() override {
@@ -112,6 +113,7 @@ class PathSearch final : public SlicedWork<std::vector<SurfacePoint>> {
   LabelState state_;
 
   SlicedSequence sequence_;
+  double farthest_ = 0;  ///< that the wavefront has come
   bool isDone_ = false;
 };
 
