@@ -15,6 +15,7 @@
 #include "diagram_checks.h"
 #include "gvd/error.h"
 #include "gvd/sampling.h"
+#include "mechanical_shapes.h"
 #include "shapes.h"
 
 namespace gvd {
@@ -166,6 +167,11 @@ class RandomEdits {
   std::mt19937_64 random_;
 };
 
+shapes::Shape mechanicalShape(const std::string& name) {
+  const auto parts = shapes::mechanicalShapes();
+  return std::ranges::find(parts, name, &shapes::MechanicalShape::name)->shape;
+}
+
 struct EditCase {
   const char* name;
   shapes::Shape shape;
@@ -228,7 +234,11 @@ INSTANTIATE_TEST_SUITE_P(
                       EditCase{"needles", shapes::torus(60, 6), 8, 40, 0},
                       EditCase{"moebius", shapes::moebiusStrip(14, 3), 7, 40, 0},
                       EditCase{"bumpyTorusDetail", shapes::bumpySurface(1, 5, 0.3, 3), 9, 25, 2},
-                      EditCase{"gridDetail", shapes::grid(8, 6, 0.4, 1), 6, 25, 1}),
+                      EditCase{"gridDetail", shapes::grid(8, 6, 0.4, 1), 6, 25, 1},
+                      // Its long faces have sides where labels are added, which may own something
+                      // beyond the faces that an edit has changed.
+                      EditCase{"partDetail", mechanicalShape("plate with nine round holes"), 40, 25,
+                               1}),
     [](const auto& info) { return std::string(info.param.name); });
 
 TEST(DynamicDiagram, FollowsTiesFarBehindASaddle) {

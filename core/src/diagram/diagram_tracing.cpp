@@ -41,6 +41,27 @@ class Tracing final : public SlicedWork<TracedDiagram> {
     return sequence_.run(
         [&] { return complex_.step(budget); },
         [&] { return complex_.hasFacesOnly() || runPart(completion_, budget, complex_); },
+        [&] { return isUnreliable() || trace(budget); });
+  }
+  double progress() const override { return (sequence_.progress() + tracing_.progress()) / 2; }
+
+  TracedDiagram result() override {
+    out_.siteCount = siteCount_;
+    out_.regionArea = std::move(graph_.regionArea);
+    out_.indifferentFaces = std::move(graph_.indifferentFaces);
+    nodePoints_.clear();
+    return {std::move(out_), std::move(graph_.mergedFaces),
+            completion_ ? completion_->takeFaces() : std::vector<int>()};
+  }
+
+ private:
+  /// Whether labels were added in a part. Their regions may then go on into faces outside of it.
+  bool isUnreliable() const {
+    return !isTraced_.empty() && completion_ && completion_->hasAddedLabels();
+  }
+
+  bool trace(long& budget) {
+    return tracing_.run(
         [&] { return runPart(bisectors_, budget, complex_, siteCount_, nodePoints_, graph_); },
         [&] { bisectors_.reset(); },
         [&] {
@@ -56,18 +77,7 @@ class Tracing final : public SlicedWork<TracedDiagram> {
         [&] { return collectLoops(budget); },
         [&] { return runPart(cells_, budget, complex_, graph_, points_, out_); });
   }
-  double progress() const override { return sequence_.progress(); }
 
-  TracedDiagram result() override {
-    out_.siteCount = siteCount_;
-    out_.regionArea = std::move(graph_.regionArea);
-    out_.indifferentFaces = std::move(graph_.indifferentFaces);
-    nodePoints_.clear();
-    return {std::move(out_), std::move(graph_.mergedFaces),
-            completion_ ? completion_->takeFaces() : std::vector<int>()};
-  }
-
- private:
   bool collectLoops(long& budget) {
     out_.loops.points.reserve(outlines_->pointCount());
     return loop_.run(outlines_->size(), budget, 1, [&](int outline) {
@@ -84,7 +94,7 @@ class Tracing final : public SlicedWork<TracedDiagram> {
   const std::vector<char> isTraced_;
   NodePoints& nodePoints_;
 
-  SlicedSequence sequence_;
+  SlicedSequence sequence_, tracing_;
   SlicedLoop loop_;
   BisectorGraph graph_;
   Diagram out_;

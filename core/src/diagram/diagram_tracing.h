@@ -24,8 +24,8 @@ struct TracedDiagram {
   /// traced.
   std::vector<int> mergedFaces;
   /// The faces of a refined diagram for which the tracer had to add labels (`LabelCompletion`).
-  /// There the regions that meet do not follow from the distances at the corners, so no part is
-  /// reliable.
+  /// There the regions that meet do not follow from the distances at the corners, so a part with
+  /// such faces is not traced: its `diagram` is empty.
   std::vector<int> completedFaces;
 };
 

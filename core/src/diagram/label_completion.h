@@ -19,6 +19,8 @@ class LabelCompletion {
   explicit LabelCompletion(FaceComplex& complex) : complex_(complex) {}
   /// True when no label is missing any more.
   bool step(long& budget);
+  /// Whether any labels were added.
+  bool hasAddedLabels() const { return !faces_.empty(); }
   /// The faces for which labels were added, with repetitions.
   std::vector<int> takeFaces() { return std::move(faces_); }
 
