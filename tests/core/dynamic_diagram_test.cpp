@@ -167,7 +167,7 @@ class RandomEdits {
   std::mt19937_64 random_;
 };
 
-shapes::Shape mechanicalShape(const std::string& name) {
+shapes::Shape partNamed(const std::string& name) {
   const auto parts = shapes::mechanicalShapes();
   return std::ranges::find(parts, name, &shapes::MechanicalShape::name)->shape;
 }
@@ -237,8 +237,7 @@ INSTANTIATE_TEST_SUITE_P(
                       EditCase{"gridDetail", shapes::grid(8, 6, 0.4, 1), 6, 25, 1},
                       // Its long faces have sides where labels are added, which may own something
                       // beyond the faces that an edit has changed.
-                      EditCase{"partDetail", mechanicalShape("plate with nine round holes"), 40, 25,
-                               1}),
+                      EditCase{"partDetail", partNamed("plate with nine round holes"), 40, 25, 1}),
     [](const auto& info) { return std::string(info.param.name); });
 
 TEST(DynamicDiagram, FollowsTiesFarBehindASaddle) {

@@ -120,7 +120,7 @@ class BucketQueue {
   std::vector<std::unique_ptr<Page>> free_;   ///< without items, to be used again
   Bucket* current_ = nullptr;                 ///< the bucket `front_`, once it has begun
   std::size_t front_ = 0;
-  std::size_t count_ = 0;                     ///< of items that have not been taken
+  std::size_t count_ = 0;  ///< of items that have not been taken
 };
 
 }  // namespace gvd
