@@ -163,13 +163,13 @@ GVD_ABI Answer* dualQuality(const VoronoiHandle* voronoi) {
   });
 }
 
-/// `SurfacePoints`: the sites that one round of repair adds.
-GVD_ABI Answer* repairingSites(const VoronoiHandle* voronoi) {
+/// `SurfacePoints`: the sites by label, and more for a valid dual.
+GVD_ABI Answer* repairedSites(const VoronoiHandle* voronoi, int maxAdded) {
   return guarded([&] {
-    const Surface on = voronoi->snapshot();
+    const auto mesh = voronoi->surface.mesh;
     return answerOf(
-        startRepairingSites(*on.mesh, voronoi->sitesByLabel(), *on.diagram, voronoi->field()),
-        [on](const std::vector<SurfacePoint>& sites) { return pointsRecord(*on.mesh, sites); });
+        startRepair(*mesh, voronoi->sitesByLabel(), voronoi->metric, {maxAdded, voronoi->options}),
+        [mesh](const RepairedSites& repaired) { return pointsRecord(*mesh, repaired.sites); });
   });
 }
 

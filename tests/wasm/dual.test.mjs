@@ -153,6 +153,19 @@ test('repair keeps the sites, adds some, and leaves what is valid alone', async 
   assert.equal((await diagram.dual()).points.face.length, 2, 'the first one is still there');
 });
 
+test('repair gives added sites the labels of removed ones, and keeps the detail', async () => {
+  const mesh = await gvd.mesh(octahedron());
+  const diagram = await mesh.voronoi({ vertex: [0, 1, 3] }, { detail: 1 });
+  await diagram.removeSite(1);
+  const valid = await diagram.repair();
+  const { face } = valid.sites;
+  assert.deepEqual([face[0], face[2]], [diagram.sites.face[0], diagram.sites.face[2]]);
+  assert.ok(face.every((each) => each >= 0));
+  assert.deepEqual(await valid.violations(), []);
+  const anew = await mesh.voronoi(valid.sites, { detail: 1 });
+  assert.deepEqual(valid.data.loops, anew.data.loops);
+});
+
 test('repair may be limited and given up', async () => {
   const mesh = await gvd.mesh(octahedron());
   const diagram = await mesh.voronoi({ vertex: [0, 3] });

@@ -6,7 +6,6 @@
 import { appendChange, areLarge, changedData, changedSites } from './change.js';
 import { toBoolean, toTask, toTaskOptions } from './checks.js';
 import type { DiagramForm, Engine, OpenedDiagram } from './engine.js';
-import { GeodesicVoronoiError } from './errors.js';
 import { diagramJson, type DiagramJson } from './formats.js';
 import {
   repairDefaults,
@@ -232,51 +231,24 @@ export class EngineDiagram implements Diagram {
 
   async repair(options?: RepairOptions): Promise<Diagram> {
     const { maxAdded, signal, onProgress } = toTaskOptions(options, repairDefaults);
-    let left = toMaxAdded(maxAdded);
-    let share = 0;
-    let repaired: EngineDiagram | undefined; // gets its first sites when it is opened
-    try {
-      for (;;) {
-        const { sites, more } = await (repaired ?? this).#repairingSites(left, signal);
-        if (more.face.length === 0) break;
-        left -= more.face.length;
-        // The number of rounds is not known: each counts as half of what is left.
-        const [before, rest] = [share, (1 - share) / 2];
-        const onShare = (part: number) => onProgress?.(before + rest * part);
-        if (repaired) await repaired.#insertSites(more, { signal, onProgress: onShare });
-        else repaired = await this.#anew(joined(sites, more), { signal, onProgress: onShare });
-        share += rest;
-      }
-    } catch (error) {
-      repaired?.dispose();
-      throw error;
-    }
+    const most = toMaxAdded(maxAdded);
+    const shareOfSites = 0.9; // the rest is their diagram
+    const sites = await this.#inTurn({ signal }, async () => {
+      const violations = await this.#violations({ signal });
+      if (violations.length === 0) return undefined;
+      return this.#kept.call<SurfacePoints>('repairedSites', [most], {
+        signal,
+        onProgress: (share) => onProgress?.(shareOfSites * share),
+      });
+    });
+    const repaired =
+      sites &&
+      (await this.#anew(sites, {
+        signal,
+        onProgress: (share) => onProgress?.(shareOfSites + (1 - shareOfSites) * share),
+      }));
     onProgress?.(1);
     return repaired ?? this;
-  }
-
-  /** The sites, and those that one round of repair adds. Refuses more than `most`. */
-  #repairingSites(
-    most: number,
-    signal?: AbortSignal,
-  ): Promise<{ sites: SurfacePoints; more: SurfacePoints }> {
-    return this.#inTurn({ signal }, async () => {
-      const more = await this.#kept.call<SurfacePoints>('repairingSites', [], { signal });
-      if (more.face.length <= most) return { sites: this.#sites, more };
-      const [{ message }] = await this.#violations({ signal });
-      throw new GeodesicVoronoiError(
-        'too-few-sites',
-        `the dual is not valid with as many sites as may be added: ${message}`,
-      );
-    });
-  }
-
-  async #insertSites({ face, bary }: SurfacePoints, { signal, onProgress }: TaskOptions) {
-    for (let i = 0; i < face.length; ++i) {
-      const site = { face: face.subarray(i, i + 1), bary: bary.subarray(3 * i, 3 * i + 3) };
-      await this.insertSite(site, { signal });
-      onProgress?.((i + 1) / face.length);
-    }
   }
 
   /** The diagram of other sites on the same mesh. */
@@ -293,13 +265,6 @@ export class EngineDiagram implements Diagram {
   [disposeSymbol](): void {
     this.dispose();
   }
-}
-
-function joined(a: SurfacePoints, b: SurfacePoints): SurfacePoints {
-  return {
-    face: Int32Array.from([...a.face, ...b.face]),
-    bary: Float64Array.from([...a.bary, ...b.bary]),
-  };
 }
 
 /** `Violation`s as core.wasm lists them. */

@@ -121,7 +121,8 @@ std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> startRepairingSites(
     const DistanceField& field);
 
 struct RepairOptions {
-  int maxAdded = 1000;  ///< how many sites may be added; not negative
+  int maxAdded = 1000;          ///< how many sites may be added; not negative
+  DiagramOptions diagram = {};  ///< of the diagram that is to have no violations
 };
 
 /// Sites with a valid dual.

@@ -122,7 +122,9 @@ class Repairing final : public SlicedWork<RepairedSites> {
  public:
   Repairing(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric,
             const RepairOptions& options)
-      : mesh_(mesh), most_(options.maxAdded), opening_(DynamicDiagram::start(mesh, sites, metric)) {
+      : mesh_(mesh),
+        most_(options.maxAdded),
+        opening_(DynamicDiagram::start(mesh, sites, metric, options.diagram)) {
     requireMaxAdded(most_);
   }
 
