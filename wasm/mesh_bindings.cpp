@@ -253,8 +253,8 @@ GVD_ABI Answer* sampleSitesByRadius(const MeshHandle* handle, double radius, Tex
   });
 }
 
-/// `SurfacePoints`: the given ones, with at least `perComponent` on each component, and no more
-/// than `count` unless more were given.
+/// `SurfacePoints`: the given ones, with at least `perComponent` on each component, and `count` in
+/// all as far as that is possible (`gvd::coverComponents`).
 GVD_ABI Answer* coverComponents(const MeshHandle* handle, Ints face, Doubles bary, int perComponent,
                                 int count, double seed) {
   return answer([&] {

@@ -8,6 +8,8 @@
 #include <initializer_list>
 #include <limits>
 #include <memory>
+#include <new>
+#include <utility>
 #include <vector>
 
 #include "brute_force.h"
@@ -414,6 +416,42 @@ TEST(Windows, CrossInAFewBatchesOnGradedMeshes) {
     return most - budget;
   };
   EXPECT_LT(batches(beside), 2 * batches(alone));
+}
+
+/// Bounds that do not help, and memory that runs out after a number of calls.
+class ScarceBounds final : public exact::SearchBounds {
+ public:
+  explicit ScarceBounds(long calls) : left_(calls) {}
+  double atLeast(int /*vertex*/) const override {
+    if (left_-- == 0) throw std::bad_alloc();
+    return 0;
+  }
+  double atMost(int /*vertex*/) const override { return 1e3; }
+  bool isSought(int /*label*/) const override { return true; }
+
+ private:
+  mutable long left_;
+};
+
+TEST(Windows, LeaveNothingToTheNextSearchWhenMemoryRunsOut) {
+  const TriangleMesh mesh = shapes::grid(12, 9, 0.4, 1).mesh();
+  SiteSet sites(mesh);
+  sites.insert(0, {mesh.faceCount() / 2, {0.2, 0.3, 0.5}});
+  const SurfacePoint p{0, {0.2, 0.3, 0.5}}, farther{mesh.faceCount() - 1, {0.2, 0.3, 0.5}};
+  NearestBounds bounds(mesh);
+  const auto search = [&](exact::WindowSweep& sweep, const SurfacePoint& from, long calls) {
+    exact::LabelState state;
+    sweep.search(from, ScarceBounds(calls), sites, state);
+    return std::pair(sweep.searched().shortest(), state.vertices.size());
+  };
+  constexpr long kEnough = 1L << 40;
+  exact::WindowSweep fresh(mesh, bounds), used(mesh, bounds);
+  const auto expected = search(fresh, farther, kEnough);
+  EXPECT_LT(expected.first, 2);
+  for (const long calls : {1, 10, 30}) {
+    EXPECT_THROW(search(used, p, calls), std::bad_alloc);
+    EXPECT_EQ(search(used, farther, kEnough), expected) << "after " << calls << " calls";
+  }
 }
 
 // --- Directions ----------------------------------------------------------------------------------

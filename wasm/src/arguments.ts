@@ -30,7 +30,7 @@ import {
   type SurfacePointsInput,
 } from './types.js';
 
-/** Each level doubles the segments; ten of them turn a face into a million. */
+/** Each level about doubles the segments: ten levels make a thousand of one. */
 export const maxDetail = 10;
 
 /** The core counts in 32 bits. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The options of what writes files: of a result, they say how, and bring what it does not have.
+// Options of the functions that write files: how a result is written, and the mesh that some formats
+// need besides.
 
 import { isObject, show, toOptions, toResult, type Complete, type Usual } from './checks.js';
 import { invalidArgument } from './errors.js';

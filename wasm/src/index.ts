@@ -72,7 +72,10 @@ export {
 export { repairSentences } from './sentences.js';
 export { polygonGlb, polygonJson, polygonObj, polygonPly, polygonStl } from './polygon_formats.js';
 
-/** The library on the calling thread. Long work is done in slices of about 12 ms, but for what the guide names. */
+/**
+ * The library on the calling thread. Long work is done in slices of about 12 ms; the guide names the
+ * few calls that block the thread longer.
+ */
 export function load(options?: LoadOptions): Promise<GeodesicVoronoi> {
   return loadLocal(options, compileFromWeb);
 }

@@ -330,7 +330,7 @@ export type ViolationKind =
   | 'few-runs'
   /** Two regions meet along a closed curve, with no third one on it. */
   | 'closed-border'
-  /** A region has several outlines or parts, none, or a handle. */
+  /** A region has several components, no outline or several, or a handle. */
   | 'no-disk'
   /** A region comes to one point from two sides. */
   | 'touches-itself'

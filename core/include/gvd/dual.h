@@ -21,8 +21,8 @@ namespace gvd {
 
 /// The dual of a diagram: a polygonal base mesh. The first vertices are the sites, ascending by
 /// label (`vertexLabel`): vertex l is site l, unless labels before it have no site. Every Voronoi
-/// point of degree d is a d-gon of the sites around it; where no three sites are equidistant by
-/// chance, a geodesic Delaunay triangulation.
+/// point of degree d is a d-gon of the sites around it. Where no four sites are equidistant from
+/// one point, this is a geodesic Delaunay triangulation.
 ///
 /// To extend the dual from the outermost sites to the mesh boundary, every *run*, a piece of the
 /// mesh boundary in one region, gets a vertex of its own: in its middle, with the region's label,
@@ -31,8 +31,9 @@ namespace gvd {
 /// in one point, a (d+2)-gon. So the boundary of the dual lies along that of the mesh. A boundary
 /// loop that only one region touches gets nothing.
 ///
-/// Sites without region, or whose region meets no three others, are in no face. The dual is a
-/// manifold with the topology of the surface if `findViolations` has none.
+/// A site is in no face if it has no region, or if its region has neither a Voronoi point nor an
+/// arc that ends on the mesh boundary. The dual is a manifold with the topology of the surface if
+/// `findViolations` has none.
 ///
 /// Here and below, `sites` are the sites of the diagram by label, with face -1 for a label without
 /// a site; throws `Error(kInvalidArgument)` if their number is not the diagram's, and
@@ -82,7 +83,7 @@ struct Violation {
     kNoRegion,        ///< a site owns nothing, another one is at its place
     kFewRuns,         ///< a loop of the mesh boundary passes fewer than three runs of regions
     kClosedBorder,    ///< two regions meet along a closed curve, with no third one on it
-    kNoDisk,          ///< a region has several outlines or parts, none, or a handle
+    kNoDisk,          ///< a region has several components, no outline or several, or a handle
     kTouchesItself,   ///< a region comes to one point from two sides
     kTwoMeetTwice,    ///< two regions meet in several arcs or points
     kThreeMeetTwice,  ///< three or more regions meet in two Voronoi points
@@ -111,8 +112,8 @@ std::unique_ptr<SlicedWork<std::vector<Violation>>> startViolations(
 /// `field` holds the distances that the diagram was traced from. Costs as much as `findViolations`,
 /// and a `DistanceField::nearest` per vertex of the partition in the regions that show a violation;
 /// these queries are one step.
-/// Throws `Error(kInvalidArgument)`, naming the violation, if further sites do not help: a site has
-/// no region because another one is at its place.
+/// Throws `Error(kInvalidArgument)` if a site has no region because another one is at its place:
+/// further sites do not help.
 std::vector<SurfacePoint> repairingSites(const TriangleMesh& mesh,
                                          std::span<const SurfacePoint> sites,
                                          const Diagram& diagram, const DistanceField& field);

@@ -45,7 +45,8 @@ class DynamicDiagram {
  public:
   /// The mesh must outlive this. Sites are given in the mesh's faces; the list may be empty and may
   /// have labels without a site (face -1). Here and below, a site that is not on the mesh throws
-  /// `Error(kInvalidPoint)` and changes nothing.
+  /// `Error(kInvalidPoint)` and changes nothing. Throws `Error(kInvalidArgument)` if `detail` is
+  /// negative.
   DynamicDiagram(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
                  Metric metric = Metric::kExact, const DiagramOptions& options = {});
   /// The same in steps.

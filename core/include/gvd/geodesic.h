@@ -64,7 +64,8 @@ inline LabelledDistance nearestOf(std::span<const LabelledDistance> sites) {
 /// Points are in terms of the mesh's faces; `Error(kInvalidPoint)` if one is not on the mesh. A
 /// vertex that is asked for must exist; a label may be any number, and is not known anywhere if no
 /// site has it. Queries at points share working memory: several threads may call `at` and
-/// `direction` at the same time, but no other function.
+/// `direction` at the same time, but no other function, and none that takes the field and asks it
+/// about points (tracing with `detail`, `dualPaths`, `repairingSites`, `WorstRegions`).
 class DistanceField {
  public:
   virtual ~DistanceField() = default;

@@ -15,8 +15,8 @@
 ///     const gvd::Diagram diagram = gvd::traceDiagram(mesh, *distances, int(sites.size()));
 ///
 /// Long computations can be done in steps (sliced_work.h), with progress and an end at any time:
-/// `propagate` returns such work, and `finished` does it at once; `startMesh`, `startDiagram`,
-/// `startPartition` … yield in steps what their namesakes return at once.
+/// `propagate` returns such work, and so do the functions that begin with `start`, each declared
+/// beside the one that returns the same result at once. `finished` does such work at one go.
 ///
 /// Then, as needed, in any order:
 ///  - sampling.h: sites to begin with; curvature.h: densities for them; closest_point.h: points on

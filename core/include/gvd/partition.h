@@ -21,9 +21,9 @@ namespace gvd {
 ///
 /// A patch is cut apart where its region touches itself in a single point, which makes it a surface
 /// with boundary and does not change its inside. The counts below are those of that surface;
-/// `selfTouchings` counts the cuts. They are also those of the mesh with its non-manifold edges cut
-/// (`MeshRepairs::nonManifoldEdges`): both sides of such an edge may have the same two points, so
-/// that a reader of the triangles alone joins them again.
+/// `selfTouchings` counts the cuts. Non-manifold edges of the input count as cut
+/// (`MeshRepairs::nonManifoldEdges`). The two sides of such a cut may have the same two points, so
+/// a program that reads the triangles alone would join them again, and get other counts.
 struct RegionPatch {
   struct Neighbour {
     int label;
@@ -39,7 +39,7 @@ struct RegionPatch {
   /// The length of its outline: borders, mesh boundary, and holes left for indifferent faces.
   double perimeter = 0;
   double boundaryLength = 0;          ///< the part of the perimeter without a region beyond
-  std::vector<Neighbour> neighbours;  ///< ascending by label; no part that was left out
+  std::vector<Neighbour> neighbours;  ///< ascending by label; without what was left out
 
   /// The mean of its points by area (by triangle, if it has no area), in space: off the surface
   /// where the surface is bent.

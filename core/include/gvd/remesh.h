@@ -22,11 +22,11 @@ struct RemeshOptions {
 
 /// Sites whose dual (`dualMesh`) is an isotropic remesh of the surface, or with a density an
 /// adaptive one: tessellates, adds sites until the dual is valid (`repair`), and tessellates again,
-/// because the sites just added are not at centroids yet; at most three times. Each round adds at
-/// most half as many sites as the one before, or else the sites before it are the result: sites
-/// that are spread anew may lack others in other places, and there would be more and more. In the
-/// end the sites that were added last are settled: they move towards their centroids as long as the
-/// dual stays valid and its least angle grows.
+/// because the sites just added are not at centroids yet; at most three times. A round that
+/// needs more than half as many sites as the one before is undone, and is the last: moving all
+/// sites can break the dual in other places, so rounds could add sites for ever. In the end the
+/// sites that were added last are settled: they move towards their centroids as long as the dual
+/// stays valid and its least angle grows.
 ///
 /// Deterministic. Takes as long as three tessellations, and a few diagrams besides. Throws as `Cvt`
 /// and `repair` do, `Error(kTooFewSites)` if the first round needs more than `maxAdded` sites.

@@ -65,10 +65,10 @@ struct PoissonDisk {
 /// `sampleFarthest`), until hardly any more fit; then vertices are added, so that by exact
 /// distances no vertex is farther than `radius` from a point. How near points are to each other is
 /// measured as `Metric::kDgpc` does: exactly where straight lines connect, and with errors where
-/// shortest paths bend at vertices. On long thin triangles, as of mechanical parts, single ones are
-/// wrong by half, so that by exact distances some points are nearer than `radius` there. Throws
-/// `Error(kInvalidArgument)` if the radius is not positive and finite.
-/// Source: Robert Cook. Stochastic Sampling in Computer Graphics. 1986.
+/// shortest paths bend at vertices. On long thin triangles, such as those of mechanical parts,
+/// a distance may be wrong by half, so by exact distances some points are nearer than `radius`.
+/// Throws `Error(kInvalidArgument)` if the radius is not positive and finite. Source: Robert Cook.
+/// Stochastic Sampling in Computer Graphics. 1986.
 PoissonDisk samplePoissonDisk(const TriangleMesh& mesh, double radius, std::uint64_t seed);
 
 /// `count` such points: the radius falls until as many fit. Points come in order of falling radius,
@@ -98,9 +98,10 @@ enum class WorstRegion {
 /// removed.
 class WorstRegions {
  public:
-  /// Takes a diagram of detail 0 and its distances. The mesh and the distances, which change with
-  /// the diagram, must outlive this. Throws `Error(kInvalidArgument)` if one of them is that of
-  /// another mesh. O(F).
+  /// Takes a diagram and its distances. With `detail`, a region may have a share in a face at whose
+  /// corners its label is not known; such a share counts as undistorted. The mesh and the
+  /// distances, which change with the diagram, must outlive this. Throws `Error(kInvalidArgument)`
+  /// if one of them is that of another mesh. O(F).
   WorstRegions(const TriangleMesh& mesh, const DistanceField& distances, const Diagram& diagram,
                WorstRegion worst);
   /// Follows a change of the diagram; `distances` must have changed already. Takes time for the

@@ -31,8 +31,9 @@ struct StraightestGeodesic {
 /// The exponential map: walks from `start` straight on by the vector `move`, in the mesh's units.
 /// The frame of a point is that of its face: the x axis is the first side of the face, the y axis
 /// lies to its left (as for `DistanceField::direction`). Around a start on an edge or vertex, faces
-/// are unfolded counterclockwise; around a vertex, beginning with `TriangleMesh::outgoing`, and a
-/// direction in the gap of an unfolded cone is moved to the gap's side.
+/// are unfolded counterclockwise; around a vertex, beginning with `TriangleMesh::outgoing`. Where
+/// the angles around a vertex add up to less than 2π, a direction in the gap leaves along
+/// `outgoing`; where they add up to more, the directions beyond 2π cannot be named.
 ///
 /// Through a face and across an edge the geodesic is a straight line; at an inner vertex it leaves
 /// equal angles on both sides, whatever the angle sum, and the frame keeps its angle to it. A

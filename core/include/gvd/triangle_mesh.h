@@ -110,12 +110,12 @@ struct MeshTopology {
 class TriangleMesh {
  public:
   /// `positions`: x, y, z per vertex, any unit. `triangles`: three vertex indices each. Throws
-  /// `Error(kInvalidMesh)` if an array's size is no multiple of three, an index is out of range, or
-  /// no triangle is left after the repairs; `Error(kInvalidArgument)` if an option is not in its
-  /// range; `Error(kInvalidMesh)` also if the bounding diagonal is longer than 2^200 (1.6e60) or
-  /// the mean edge shorter than 2^-200 (6e-61): between these limits, which all numbers of single
-  /// precision keep, no product of four lengths overflows or underflows. The mesh may be anywhere
-  /// relative to the origin. O(n log n).
+  /// `Error(kInvalidMesh)` if an array's size is no multiple of three or more than 2^31 - 1, an
+  /// index is out of range, or no triangle is left after the repairs; `Error(kInvalidArgument)` if
+  /// an option is not in its range; `Error(kInvalidMesh)` also if the bounding diagonal is longer
+  /// than 2^200 (1.6e60) or the mean edge shorter than 2^-200 (6e-61): between these limits, which
+  /// all numbers of single precision keep, no product of four lengths overflows or underflows. The
+  /// mesh may be anywhere relative to the origin. O(n log n).
   TriangleMesh(std::span<const double> positions, std::span<const int> triangles,
                const MeshOptions& options = {});
 
@@ -208,8 +208,9 @@ class TriangleMesh {
   std::span<const int> needles() const { return needles_; }
   /// The mean of `length` over all halfedges: an inner edge counts twice.
   double meanEdgeLength() const { return meanEdgeLength_; }
-  /// A length that three quarters of the edges are not shorter than, as far as a sample of them
-  /// shows; not less than 1/256 of the mean, nor than 6/2^30 of all sides of faces together.
+  /// For the width of the buckets that distances are sorted into: about the lower quartile of edge
+  /// lengths, estimated from a sample. Not less than 1/256 of the mean, nor than 6/2^30 of all
+  /// sides of faces together, so that no distance needs more than 2^30 buckets.
   double shortEdgeLength() const { return shortEdgeLength_; }
   /// The component of a face, numbered from 0 in order of the first face.
   int component(int f) const { return component_[f]; }

@@ -59,7 +59,7 @@ bool BisectorTracing::divideAll(long& budget) {
     --budget;
     const int stop = nextContested_ < contested.size() ? contested[nextContested_] : count;
     const int end = std::min(stop, next_ + static_cast<int>(kQuickRounds));
-    giveUpTo(end);
+    assignUntil(end);
     if (next_ < stop || stop == count) continue;
     divideContested(next_++);
     ++nextContested_;
@@ -74,15 +74,15 @@ void BisectorTracing::divideContested(int element) {
     prefetch(mesh_.face(complex_.face(contested[nextContested_ + kAhead])));
   const int owner = complex_.soleOwner(element);
   if (owner == Diagram::kMixed) return divide(element);
-  give(element, owner);
+  assign(element, owner);
   if (owner >= 0 && complex_.isFace(element) && isIndifferent(element, owner))
     graph_.indifferentFaces.push_back(complex_.face(element));
 }
 
-/// Gives elements to their sole owners.
-void BisectorTracing::giveUpTo(int end) {
+/// Assigns the elements before `end` to their sole owners.
+void BisectorTracing::assignUntil(int end) {
   if (!complex_.hasFacesOnly()) {
-    for (; next_ < end; ++next_) give(next_, complex_.soleOwner(next_));
+    for (; next_ < end; ++next_) assign(next_, complex_.soleOwner(next_));
     return;
   }
   int last = -1;  // many faces of one label follow each other
@@ -100,8 +100,8 @@ void BisectorTracing::giveUpTo(int end) {
   if (last >= 0) graph_.regionArea[last] = area;
 }
 
-/// Gives all of an element to one label, or to none.
-void BisectorTracing::give(int element, int owner) {
+/// Assigns all of an element to one label, or to none.
+void BisectorTracing::assign(int element, int owner) {
   if (!complex_.isFace(element)) return divide(element);
   const int face = complex_.face(element);
   graph_.faceLabel[complex_.faceIndex(face)] = owner;

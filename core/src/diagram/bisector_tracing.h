@@ -28,9 +28,9 @@ class BisectorTracing {
 
   void reserve();
   bool divideAll(long& budget);
-  void giveUpTo(int end);
+  void assignUntil(int end);
   void divideContested(int element);
-  void give(int element, int owner);
+  void assign(int element, int owner);
   void divide(int index);
   bool isIndifferent(int element, int owner) const;
   double addCell(const Element& element, const FaceEnvelope::Cell& cell);

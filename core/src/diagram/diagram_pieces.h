@@ -116,8 +116,8 @@ class DiagramPieces {
   // The current change.
   SlicedSequence replacing_;
   SlicedLoop loop_;
-  /// The labels that list arcs or points that it has removed, because these lay between them and a
-  /// changed label.
+  /// Unchanged labels beside a changed one: their lists still name arcs and Voronoi points that the
+  /// change has removed.
   std::vector<int> beside_;
   std::vector<int> arcOf_;  ///< the numbers of its arcs
 };

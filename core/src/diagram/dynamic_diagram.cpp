@@ -16,6 +16,7 @@
 #include "diagram/diagram_tracing.h"
 #include "distance/site_distances.h"
 #include "gvd/error.h"
+#include "mesh/given_points.h"
 
 namespace gvd {
 namespace {
@@ -291,8 +292,9 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
 std::unique_ptr<SlicedWork<DiagramChange>> DynamicDiagram::Implementation::startSite(
     int label, const std::optional<SurfacePoint>& site) {
   const SiteChange change = {label, site};
+  if (site) onMesh(mesh_, *site, "site " + std::to_string(label) + ": ");
+  isChanging_ = true;  // whatever throws from here on, the change stays unfinished
   distances_->change({&change, 1});
-  isChanging_ = true;
   return std::make_unique<Update>(*this, false);
 }
 

@@ -28,8 +28,8 @@ class NodeLabels {
   void findOwner(int vertex) {
     if (nodes_[vertex].owner < 0) noteOwner(vertex);
   }
-  /// Forgets all midpoints and added labels, and the owners of the listed nodes: all that were
-  /// found.
+  /// Forgets all midpoints and added labels, and the owners of `nodes`, which must be all nodes
+  /// with an owner.
   void clear(std::span<const int> nodes);
 
   std::span<const LabelledDistance> labels(int node) const {

@@ -38,7 +38,7 @@ class RegionOutlines {
   int size() const { return static_cast<int>(outlines_.size()); }
   /// Ascending.
   int label(int outline) const { return outlines_[outline].label; }
-  /// Roots.
+  /// In order, as roots of `BisectorGraph::merging`.
   std::span<const int> points(int outline) const {
     return std::span(points_).subspan(outlines_[outline].first, outlines_[outline].count);
   }

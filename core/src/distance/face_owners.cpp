@@ -12,26 +12,26 @@ bool FaceOwners::has(int face, int label) const {
                      [&](const Owner& owner) { return owner.label == label; });
 }
 
-void FaceOwners::reset(int face, std::vector<Requirement>& found) {
+void FaceOwners::reset(int face, std::vector<Requirement>& required) {
   several_.clear(face);
   const auto ownerAt = [&](int corner) { return bounds_[mesh_.tail(3 * face + corner)].label; };
   sole_[face] = ownerAt(0);
   for (int i = 1; i < 3; ++i)
-    if (ownerAt(i) >= 0) add(face, ownerAt(i), false, found);
-  for (const FaceSite& site : sites_.inFace(face)) add(face, site.label, false, found);
+    if (ownerAt(i) >= 0) add(face, ownerAt(i), false, required);
+  for (const FaceSite& site : sites_.inFace(face)) add(face, site.label, false, required);
 }
 
-void FaceOwners::add(int face, int label, bool isInterpolated, std::vector<Requirement>& found) {
+void FaceOwners::add(int face, int label, bool isInterpolated, std::vector<Requirement>& required) {
   if (has(face, label)) return;
   if (sole_[face] != kSeveral) {
     if (sole_[face] >= 0) {
       several_.add(face, {sole_[face], false});
-      found.push_back({sole_[face], face});
+      required.push_back({sole_[face], face});
     }
     sole_[face] = kSeveral;
   }
   several_.add(face, {label, isInterpolated});
-  found.push_back({label, face});
+  required.push_back({label, face});
 }
 
 bool FaceOwners::removeInterpolated(int face, int label) {

@@ -38,10 +38,12 @@ class FaceOwners {
   std::span<const Owner> several(int face) const { return several_[face]; }
   bool has(int face, int label) const;
 
-  /// Sets the owners of a face to those of its corners and the sites in it.
-  void reset(int face, std::vector<Requirement>& found);
-  /// Adds a label that owns part of a face.
-  void add(int face, int label, bool isInterpolated, std::vector<Requirement>& found);
+  /// Sets the owners of a face to those of its corners and the sites in it. Appends to `required`
+  /// all of them, if there are several: each must then be known at all corners.
+  void reset(int face, std::vector<Requirement>& required);
+  /// Adds a label that owns part of a face. Appends to `required` the owners that have to be known
+  /// at all corners from now on: the label, and the one that was the sole owner.
+  void add(int face, int label, bool isInterpolated, std::vector<Requirement>& required);
   /// Removes a label if it was found by interpolation; returns whether it was.
   bool removeInterpolated(int face, int label);
 

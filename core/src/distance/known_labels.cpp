@@ -33,7 +33,7 @@ void KnownLabels::beginChange() {
   requirements_.clear();
 }
 
-void KnownLabels::leave(int label) {
+void KnownLabels::noteLeaving(int label) {
   changedLabels_.push_back(label);
   for (const ReachedVertex& r : spread_.reached(label))
     if (r.isFinal)
@@ -131,10 +131,10 @@ void KnownLabels::findAffected() {
   dropInterpolated();
 }
 
-/// Drops the owners found by interpolation in faces around changed vertices, because they depend on
-/// the distances there, and what follows from them: a label that was an owner of a face may not be
-/// known at its corners any more, which then count as changed, too. Labels that tie with it there
-/// may have been listed with its distance (`equalizeTies`).
+/// Drops the owners found by interpolation in all faces around changed vertices: they depend on the
+/// distances at the corners of their faces. A label that was dropped from a face may not be known
+/// at the corners of that face any more, so these corners count as changed, too, and so on. The
+/// same goes for labels listed there with the distance of the dropped one (`equalizeTies`).
 void KnownLabels::dropInterpolated() {
   std::vector<LabelAtVertex> doubtful;
   std::set<std::pair<int, int>> isDoubtful;

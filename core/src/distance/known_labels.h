@@ -41,9 +41,10 @@ class KnownLabels {
   /// The index in `LabelSpread::reached(label)` of the vertex, -1 if the label is not known.
   int reachedIndex(int vertex, int label) const { return lists_.reachedIndex(vertex, label); }
 
-  /// Begins a change, during which labels may `leave` before they are forgotten.
   void beginChange();
-  void leave(int label);
+  /// Notes the faces that a label owns a part of, whose owners may change without it. Call before
+  /// the spread forgets the label and before its site is removed.
+  void noteLeaving(int label);
   /// Begins to find the known labels, after `started` labels have spread from their sites and
   /// `resumed` ones from where they had stopped; `hasStarted` says per label which. The former
   /// owners of `resetVertices` are gone. The lists must outlive the change.

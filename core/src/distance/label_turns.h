@@ -44,7 +44,7 @@ class LabelTurns {
       if (!std::exchange(hasBegun_, true)) begin(budget);
       const int label = turns_[next_].label;
       for (;;) {
-        // A step with nothing to spread is done whatever the budget.
+        // The budget is looked at here, because a step with nothing to spread needs none.
         if (budget <= 0 || !spread_.step(budget)) return false;
         then(label, currentFaces_);
         if (currentFaces_.empty()) break;

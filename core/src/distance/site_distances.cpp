@@ -84,7 +84,7 @@ void SiteDistances::change(std::span<const SiteChange> changes) {
 /// go on, so they are resumed: the neighbours, and labels that tie with a neighbour farther on.
 void SiteDistances::forget(std::span<const int> labels) {
   for (const int label : labels) {
-    known_.leave(label);
+    known_.noteLeaving(label);
     for (const ReachedVertex& r : spread_->reached(label)) {
       if (!r.isFinal) continue;
       const auto reaching = reaching_[r.vertex];

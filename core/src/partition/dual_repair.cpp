@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -34,8 +35,8 @@ class RepairRound {
     std::vector<SurfacePoint> result;
     for (const Finding& finding : findings) {
       const Violation& v = finding.violation;
-      if (v.kind == Violation::kNoRegion || v.kind == Violation::kNoManifold)
-        throw Error(ErrorCode::kInvalidArgument, v.message);
+      if (v.kind == Violation::kNoRegion) throw Error(ErrorCode::kInvalidArgument, v.message);
+      if (v.kind == Violation::kNoManifold) throw std::logic_error(v.message);
       if (v.kind == Violation::kUnreachable) {
         if (result.empty()) result = unreachablePoints();
         continue;

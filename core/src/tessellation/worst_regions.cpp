@@ -13,6 +13,7 @@
 
 #include "base/sliced_loop.h"
 #include "diagram/given_diagram.h"
+#include "distance/common_labels.h"
 #include "distance/site_distances.h"
 #include "gvd/dynamic_diagram.h"
 #include "gvd/sampling.h"
@@ -29,17 +30,16 @@ using Eigen::Vector2d;
 /// of distances and of their differences can cause.
 constexpr double kFlatDistortion = 1e-12;
 
-/// (σ₁ - 1)² + (σ₂ - 1)² of a label's logarithmic map on a face, as if the map were 0 at corners
-/// where it is not known.
+/// (σ₁ - 1)² + (σ₂ - 1)² of a label's logarithmic map on a face; 0 if the label is not known at all
+/// corners.
 double distortionOf(const TriangleMesh& mesh, const DistanceField& distances, int label, int f) {
   const TriangleMesh::Face& face = mesh.face(f);
   Eigen::Matrix<double, 2, 3> u;
   for (int i = 0; i < 3; ++i) {
     const int v = face.vertices[i];
-    u.col(i).setZero();
-    for (const LabelledDistance& d : distances.at(v))
-      if (d.label == label && d.distance > 0) u.col(i) = d.distance * distances.direction(label, v);
-    if (!u.col(i).allFinite()) u.col(i).setZero();
+    const LabelledDistance* const known = findLabel(distances.at(v), label);
+    if (!known) return 0;
+    u.col(i) = known->distance * distances.direction(label, v);
   }
   // The derivatives along the first side of the face and across it.
   const Vector2d apex = apexOf(face, 0);

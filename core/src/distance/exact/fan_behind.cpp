@@ -19,8 +19,8 @@ namespace {
 /// wide enough for a shortest path.
 constexpr double kFanRounding = 0x1p-50;
 
-/// Rounding makes a path turn more sharply than the shortest one by no more than this: the root in
-/// `sides`, for a piece as short as the thinnest face is wide.
+/// The largest angle by which rounding may turn a path more sharply than the shortest one: the root
+/// in `sides`, for a last piece as short as the thinnest face is wide.
 const double kMostTurned = std::sqrt(2 * kFanRounding / kMollificationMargin);
 
 }  // namespace

@@ -19,6 +19,9 @@ struct LastPiece {
   /// if the path starts at the vertex.
   int arrival;
   PathKind kind = PathKind::kStraight;  ///< of this piece
+
+  /// Whether the path runs straight from the site.
+  bool isFromSite() const { return sourceDistance == 0; }
 };
 
 /// A window that has not crossed its face, because the label was stopped there.

@@ -60,6 +60,8 @@ struct Window {
   /// at which the shortest path to the source leaves the site.
   double direction;
 
+  /// Whether the source is the site.
+  bool isFromSite() const { return sourceDistance == 0; }
   /// The least distance from the site of any point of the window.
   double least() const {
     const double beside = std::max({begin - x, x - end, 0.0});
@@ -118,7 +120,7 @@ template <Side kSide>
     beyond.end = crossing < w.end ? side : met[1];
     beyond.x = w.x * c + w.y * s;
     beyond.y = w.y * c - w.x * s;
-    beyond.direction = w.direction + (w.sourceDistance > 0 ? 0 : face.angles[i]);
+    beyond.direction = w.direction + (w.isFromSite() ? face.angles[i] : 0);
   } else {
     const double c = face.cosines[j], s = face.sines[j], side = face.lengths[j];
     const double length = face.lengths[i], x = length - w.x;
@@ -127,7 +129,7 @@ template <Side kSide>
     beyond.end = side - met[1];
     beyond.x = side - (x * c + w.y * s);
     beyond.y = w.y * c - x * s;
-    beyond.direction = w.direction - (w.sourceDistance > 0 ? 0 : face.angles[j]);
+    beyond.direction = w.direction - (w.isFromSite() ? face.angles[j] : 0);
   }
   return beyond;
 }

@@ -25,7 +25,7 @@ constexpr double kLeastDepth = 0x1p-52;
 
 void WindowSweep::crossFace(int h) {
   crossedWindows_ += static_cast<long>(windows_[h].size());
-  if (to_ == SpreadTo::kRequired && !isBatchNeeded(h)) return;
+  if (to_ == SpreadTo::kRequired && !offerAndGoOn(h)) return;
   const TriangleMesh::Face& face = mesh_.face(h / 3);
   const int i = h % 3, j = cornerAfter(i), k = cornerBefore(i);
   const int left = face.twins[k], right = face.twins[j];
@@ -82,10 +82,11 @@ WindowSweep::Portal WindowSweep::portalTo(int h) const {
   return portal(h, face.lengths[i], endAt(face.vertices[i]), endAt(face.vertices[cornerAfter(i)]));
 }
 
-/// Trims a window that is about to arrive at its halfedge. False if it ends there: it is dropped if
-/// the label's own paths over the ends of the halfedge are shorter everywhere on it; if those of
-/// other labels are, it waits there. Inlined to keep the window in registers between two steps.
-[[gnu::always_inline]] inline bool WindowSweep::goesOn(Window& w, const Portal& portal) {
+/// Trims a window that is about to arrive at its halfedge, the portal. False if it ends there: it
+/// is dropped if the label's own paths over the ends of the halfedge are shorter everywhere on it;
+/// if those of other labels are, it waits there. Inlined to keep the window in registers between
+/// two steps.
+[[gnu::always_inline]] inline bool WindowSweep::trimAtPortal(Window& w, const Portal& portal) {
   w.y = std::min(w.y, -kLeastDepth * portal.length);
   trim(w, portal.length, portal.own);
   if (!(w.begin < w.end)) return false;
@@ -133,7 +134,7 @@ void WindowSweep::crossSide(int h, std::span<const Window> windows, const Portal
       if (!(part.begin < part.end)) continue;
     }
     Window beyond = windowBeyond<kSide>(part, face, i, crossing);
-    const bool isKept = goesOn(beyond, portal);
+    const bool isKept = trimAtPortal(beyond, portal);
     children_[count] = beyond;
     count += isKept;
   }
@@ -144,7 +145,7 @@ void WindowSweep::crossSide(int h, std::span<const Window> windows, const Portal
 }
 
 void WindowSweep::add(Window& w, const Portal& portal) {
-  if (!goesOn(w, portal)) return;
+  if (!trimAtPortal(w, portal)) return;
   const bool isFirst = windows_.isEmpty(portal.halfedge);
   windows_.add(portal.halfedge, {&w, 1});
   if (isFirst)

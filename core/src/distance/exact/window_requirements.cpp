@@ -250,8 +250,9 @@ void WindowSweep::continueNeeded() {
   });
 }
 
-/// Whether the batch at a halfedge can shorten a required distance; if not, its windows wait.
-bool WindowSweep::isBatchNeeded(int h) {
+/// Offers the paths through the batch at a halfedge to the required places of its face. If the
+/// batch can shorten no other required distance, its windows wait there, and the answer is false.
+bool WindowSweep::offerAndGoOn(int h) {
   const std::span<const Window> windows = windows_[h];
   const bool hasCorner = hasRequiredCorner(h / 3), hasPoints = !points_.in(h / 3).empty();
   if (hasCorner || hasPoints)

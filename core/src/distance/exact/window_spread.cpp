@@ -50,7 +50,7 @@ void WindowSpread::remove(std::span<const int> labels) {
 Eigen::Vector2d WindowSpread::direction(int label, int index) const {
   const LastPiece& piece = labels_[label].pieces[index];
   if (piece.arrival < 0) return {1, 0};
-  if (piece.sourceDistance > 0) return unitVector(piece.direction);
+  if (!piece.isFromSite()) return unitVector(piece.direction);
   const TriangleMesh::Face& face = mesh_.face(piece.arrival / 3);
   const int i = piece.arrival % 3;
   const Eigen::Vector2d toApex = apexOf(face, i) - Eigen::Vector2d(piece.crossing, 0);

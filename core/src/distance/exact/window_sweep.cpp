@@ -52,6 +52,7 @@ WindowSweep::WindowSweep(const TriangleMesh& mesh, NearestBounds& bounds)
 // --- One label ---------------------------------------------------------------------------------
 
 void WindowSweep::begin(int label, SpreadTo to, LabelState& state) {
+  if (std::exchange(isUnderWay_, true)) dropLeftovers();
   label_ = label;
   to_ = to;
   state_ = &state;
@@ -62,6 +63,13 @@ void WindowSweep::begin(int label, SpreadTo to, LabelState& state) {
   reached_.clear();
   waiting_.clear();
   waitingSources_.clear();
+}
+
+/// Drops what an exception has left in the working memory, as when memory runs out in a query: the
+/// next label would spread the windows of the last one.
+void WindowSweep::dropLeftovers() {
+  for (int h = 0; h < mesh_.halfedgeCount(); ++h) windows_.free(windows_.take(h));
+  while (queue_.advance()) queue_.take();
 }
 
 void WindowSweep::start(int label, const SurfacePoint& site, LabelState& state) {
@@ -103,10 +111,13 @@ bool WindowSweep::step(long& budget) {
 /// Begins to spread a label on to required places. If distances of the same label were required
 /// last, all of it is still in the working memory.
 void WindowSweep::beginToRequire(int label, LabelState& state) {
-  if (to_ != SpreadTo::kRequired || label_ != label || state_ != &state || !points_.isEmpty()) {
+  const bool isSame =
+      to_ == SpreadTo::kRequired && label_ == label && state_ == &state && points_.isEmpty();
+  if (!isSame || isUnderWay_) {
     begin(label, SpreadTo::kRequired, state);
     load();
   }
+  isUnderWay_ = true;
   required_.clear();
   waiting_.clear();
   waitingSources_.clear();
@@ -144,6 +155,7 @@ void WindowSweep::store() {
   state_->waiting.insert(state_->waiting.end(), waiting_.begin(), waiting_.end());
   state_->waitingSources.insert(state_->waitingSources.end(), waitingSources_.begin(),
                                 waitingSources_.end());
+  isUnderWay_ = false;
 }
 
 // --- The site and the vertices -----------------------------------------------------------------
@@ -220,7 +232,7 @@ void WindowSweep::addVertex(int v) {
 /// The angle at which the path to a vertex leaves the site.
 double WindowSweep::directionAt(int v) const {
   const LastPiece& piece = vertices_[v].piece;
-  if (piece.sourceDistance > 0 || piece.arrival < 0) return piece.direction;
+  if (!piece.isFromSite() || piece.arrival < 0) return piece.direction;
   const TriangleMesh::Face& face = mesh_.face(piece.arrival / 3);
   const int i = piece.arrival % 3;
   const Eigen::Vector2d apex = apexOf(face, i);

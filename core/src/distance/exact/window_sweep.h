@@ -126,6 +126,7 @@ class WindowSweep {
   };
 
   void begin(int label, SpreadTo to, LabelState& state);
+  void dropLeftovers();
   void beginToRequire(int label, LabelState& state);
   void load();
   void store();
@@ -153,7 +154,7 @@ class WindowSweep {
   End endAt(int vertex) const;
   Portal portal(int halfedge, double length, const End& tail, const End& tip) const;
   Portal portalTo(int halfedge) const;
-  bool goesOn(Window& w, const Portal& portal);
+  bool trimAtPortal(Window& w, const Portal& portal);
 
   /// The position of a vertex relative to vertex 0: positions of a mesh far from the origin would
   /// round too coarsely.
@@ -177,7 +178,7 @@ class WindowSweep {
   template <class Windows>
   bool canGain(int halfedge, const Windows& windows);
   void continueNeeded();
-  bool isBatchNeeded(int halfedge);
+  bool offerAndGoOn(int halfedge);
 
   /// How far past the end of a window on a halfedge of some length a vertex may be seen
   /// (`kGrazing`).
@@ -201,6 +202,7 @@ class WindowSweep {
   // The current label.
   int label_ = -1;
   SpreadTo to_ = SpreadTo::kOwned;
+  bool isUnderWay_ = false;  ///< until its state is stored
   LabelState* state_ = nullptr;
   SurfacePoint site_;
   RequiredDistances required_;
