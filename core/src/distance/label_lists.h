@@ -58,10 +58,10 @@ class LabelLists {
   void add(int label, int reachedIndex) {
     const ReachedVertex& reached = spread_.reached(label)[reachedIndex];
     const auto known = distances_[reached.vertex];
-    size_t place = known.size();
-    while (place > 0 && known[place - 1].label > label) --place;
-    distances_.insert(reached.vertex, place, {label, listed(reached)});
-    indices_.insert(reached.vertex, place, reachedIndex);
+    size_t index = known.size();
+    while (index > 0 && known[index - 1].label > label) --index;
+    distances_.insert(reached.vertex, index, {label, listed(reached)});
+    indices_.insert(reached.vertex, index, reachedIndex);
   }
   void equalizeTies(int vertex) { gvd::equalizeTies(distances_[vertex], bounds_.ties()); }
   /// The same once labels were added since, from the distances that the labels have found: listed

@@ -118,10 +118,10 @@ void AccessorReading::store(std::uint64_t element, const std::byte* bytes) {
 }
 
 void AccessorReading::storeSparse(std::uint64_t i) {
-  const auto place = static_cast<std::uint64_t>(sparse_->placeType->load(sparse_->places.at(i)));
-  if (place >= count_)
-    reject(sparse_->name + " has the index " + std::to_string(place) + " past its end");
-  store(place, sparse_->values.at(i));
+  const auto index = static_cast<std::uint64_t>(sparse_->placeType->load(sparse_->places.at(i)));
+  if (index >= count_)
+    reject(sparse_->name + " has the index " + std::to_string(index) + " past its end");
+  store(index, sparse_->values.at(i));
 }
 
 Elements AccessorReader::elements(const ElementRange& range, std::uint64_t count,

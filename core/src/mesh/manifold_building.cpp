@@ -56,7 +56,7 @@ bool TriangleOrienting::step(long& budget) {
       [&] { return fillInSlices(out_.component, count, -1, budget); },
       [&] {
         queue_.reserve(count);
-        return loop_.run(count, budget, 8, [&](int place) { visit(place); });
+        return loop_.run(count, budget, 8, [&](int i) { visit(i); });
       },
       [&] {
         endComponent();
@@ -95,14 +95,14 @@ void TriangleOrienting::cutIfInconsistent(int h) {
 
 /// Visits the next triangle, breadth first: the orientation of a component's first triangle spreads
 /// over the component.
-void TriangleOrienting::visit(int place) {
-  if (static_cast<std::size_t>(place) == queue_.size()) {
+void TriangleOrienting::visit(int index) {
+  if (static_cast<std::size_t>(index) == queue_.size()) {
     endComponent();
     while (out_.component[nextRoot_] >= 0) ++nextRoot_;
     out_.component[nextRoot_] = out_.components++;
     queue_.push_back(nextRoot_);
   }
-  const int f = queue_[place];
+  const int f = queue_[index];
   for (int h = 3 * f; h < 3 * f + 3; ++h) {
     if (twin_[h] < 0 || out_.component[twin_[h] / 3] >= 0) continue;
     const int neighbour = twin_[h] / 3;

@@ -62,7 +62,7 @@ class TriangleOrienting {
  private:
   bool disagree(int h) const;
   void cutIfInconsistent(int h);
-  void visit(int place);
+  void visit(int index);
   void endComponent();
   void turnOver(int t);
 

@@ -65,15 +65,15 @@ inline SurfacePoint acrossEdge(const TriangleMesh& mesh, const SurfacePoint& p, 
 /// Calls `visit` with a point as it is in every face that has it.
 template <class Visit>
 void visitRepresentations(const TriangleMesh& mesh, const SurfacePoint& p, Visit visit) {
-  const Incidence place = incidenceOf(p.bary);
-  if (place.corner >= 0) {
-    for (const int h : mesh.fan(mesh.tail(3 * p.face + place.corner)))
+  const Incidence incidence = incidenceOf(p.bary);
+  if (incidence.corner >= 0) {
+    for (const int h : mesh.fan(mesh.tail(3 * p.face + incidence.corner)))
       visit(SurfacePoint{TriangleMesh::faceOf(h), Eigen::Vector3d::Unit(h % 3)});
     return;
   }
   visit(p);
-  const int h = 3 * p.face + place.side;
-  if (place.side >= 0 && mesh.twin(h) >= 0) visit(acrossEdge(mesh, p, h));
+  const int h = 3 * p.face + incidence.side;
+  if (incidence.side >= 0 && mesh.twin(h) >= 0) visit(acrossEdge(mesh, p, h));
 }
 
 /// A point as it is in a face; none if the face does not have it.

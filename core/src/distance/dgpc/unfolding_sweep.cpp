@@ -26,9 +26,9 @@ void UnfoldingSweep::start(const SurfacePoint& site, Reach reach) {
   ++epoch_;
   reached_.clear();
   const TriangleMesh::Face& face = mesh_.face(site.face);
-  const Incidence place = incidenceOf(site.bary);
-  if (place.corner >= 0) {
-    const int vertex = face.vertices[place.corner];
+  const Incidence incidence = incidenceOf(site.bary);
+  if (incidence.corner >= 0) {
+    const int vertex = face.vertices[incidence.corner];
     const std::span<const int> fan = mesh_.fan(vertex);
     offer(vertex, 0, {1, 0}, kFromSite);
     double angle = angleOfOutgoing(mesh_, site, fan.front());
@@ -41,7 +41,7 @@ void UnfoldingSweep::start(const SurfacePoint& site, Reach reach) {
     return;
   }
   startInFace(site, {1, 0});
-  const int side = place.side;
+  const int side = incidence.side;
   if (side < 0 || face.twins[side] < 0) return;
   // The direction of the side in the site's frame. In the face beyond, the side runs the other way,
   // and the first side of that face is turned from it by `firstSide`.

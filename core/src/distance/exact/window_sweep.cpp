@@ -162,15 +162,16 @@ void WindowSweep::store() {
 
 void WindowSweep::startAt(const SurfacePoint& site) {
   site_ = site;
-  const Incidence place = incidenceOf(site.bary);
-  if (place.corner >= 0) {
-    offer(mesh_.face(site.face).vertices[place.corner], 0, {0, 0, 0, -1});
+  const Incidence incidence = incidenceOf(site.bary);
+  if (incidence.corner >= 0) {
+    offer(mesh_.face(site.face).vertices[incidence.corner], 0, {0, 0, 0, -1});
     return;
   }
   double angle = 0;  // of side i in the site's frame
   for (int i = 0; i < 3; ++i) {
-    startAtSide(site, i, angle, i == place.side);
-    if (i == place.side && mesh_.face(site.face).twins[i] >= 0) startAcross(site, i, angle + kPi);
+    startAtSide(site, i, angle, i == incidence.side);
+    if (i == incidence.side && mesh_.face(site.face).twins[i] >= 0)
+      startAcross(site, i, angle + kPi);
     angle += kPi - mesh_.cornerAngle(3 * site.face + cornerAfter(i));
   }
 }
