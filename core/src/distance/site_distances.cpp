@@ -48,7 +48,8 @@ SiteDistances::SiteDistances(const TriangleMesh& mesh, Metric metric)
       spread_(makeSpread(mesh, metric, sites_, edgeBounds_, bounds_)),
       reaching_(mesh.vertexCount()),
       known_(mesh, sites_, bounds_, *spread_),
-      turns_(*spread_) {}
+      turns_(*spread_),
+      forgottenAt_(mesh.vertexCount()) {}
 
 // --- A change ----------------------------------------------------------------------------------
 
@@ -59,6 +60,7 @@ void SiteDistances::change(std::span<const SiteChange> changes) {
   resumed_.clear();
   resetVertices_.clear();
   missed_.clear();
+  forgottenAt_.clear();
   known_.beginChange();
   if (sites_.count() > 0) reaching_.collect(*spread_, sites_.labelCount());
   std::vector<int> leaving;
@@ -87,8 +89,11 @@ void SiteDistances::forget(std::span<const int> labels) {
     known_.noteLeaving(label);
     for (const ReachedVertex& r : spread_->reached(label)) {
       if (!r.isFinal) continue;
-      const auto reaching = reaching_[r.vertex];
-      resumed_.insert(resumed_.end(), reaching.begin(), reaching.end());
+      // Once per vertex, even if all labels reach it and all are forgotten.
+      if (forgottenAt_.add(r.vertex)) {
+        const auto reaching = reaching_[r.vertex];
+        resumed_.insert(resumed_.end(), reaching.begin(), reaching.end());
+      }
       LabelledDistance& nearest = bounds_[r.vertex];
       if (nearest.label < 0 || !bounds_.ties().isAtMost(r.distance, nearest.distance)) continue;
       nearest = {};

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/index_set.h"
 #include "distance/edge_bounds.h"
 #include "distance/known_labels.h"
 #include "distance/label_spread.h"
@@ -104,6 +105,7 @@ class SiteDistances final : public DistanceField {
   std::vector<int> bounded_;         ///< vertices limited by paths along edges alone
   std::vector<Requirement> missed_;  ///< of labels that go on to such vertices
   std::vector<int> resetVertices_;   ///< the owner was removed or exceeds the edge bound
+  IndexSet forgottenAt_;             ///< vertices where a label was forgotten
 };
 
 }  // namespace gvd
