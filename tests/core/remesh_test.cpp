@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -62,6 +63,25 @@ TEST(NearestOnTriangle, IsNotFartherThanAnySample) {
     for (int a = 0; a <= 10; ++a)
       for (int b = 0; a + b <= 10; ++b)
         EXPECT_LE(distance, ((a * t[0] + b * t[1] + (10 - a - b) * t[2]) / 10 - p).norm() + 1e-12);
+  }
+}
+
+/// On needles and on caps, whose third corner is beside the longest side. The error was that of the
+/// squared area: from 1e-6 of the length on, the height.
+TEST(NearestOnTriangle, OfAPointOnAThinTriangleIsThatPoint) {
+  shapes::Random random(3);
+  for (const double height : {1e-3, 1e-5, 1e-7, 1e-10}) {
+    for (int i = 0; i < 200; ++i) {
+      const Vector3d u = randomPoint(random).normalized();
+      const Vector3d v = u.cross(randomPoint(random)).normalized();
+      const Vector3d from = randomPoint(random);
+      TriangleTree::Triangle t = {from, from + u, from + random.uniform() * u + height * v};
+      std::rotate(t.begin(), t.begin() + i % 3, t.end());
+      const double a = random.uniform(), b = (1 - a) * random.uniform();
+      const Vector3d p = a * t[0] + b * t[1] + (1 - a - b) * t[2];
+      const Vector3d bary = nearestOnTriangle(p, t);
+      EXPECT_NEAR((bary[0] * t[0] + bary[1] * t[1] + bary[2] * t[2] - p).norm(), 0, 2e-15);
+    }
   }
 }
 
