@@ -84,16 +84,19 @@ class BucketQueue {
     const std::size_t number = bucket / kPerPage;
     if (number >= pages_.size()) pages_.resize(number + 1);
     std::unique_ptr<Page>& page = pages_[number];
-    if (!page && free_.empty()) page = std::make_unique<Page>();
-    if (!page) {
-      page = std::move(free_.back());
-      free_.pop_back();
-    }
+    if (!page) page = newPage();
     return *page;
   }
+  [[gnu::noinline]] std::unique_ptr<Page> newPage() {
+    if (free_.empty()) return std::make_unique<Page>();
+    std::unique_ptr<Page> page = std::move(free_.back());
+    free_.pop_back();
+    return page;
+  }
 
-  /// Makes a bucket before the current one the first to be looked at.
-  void goBackTo(std::size_t bucket) {
+  /// Makes a bucket before the current one the first to be looked at. Not inlined, because that is
+  /// rare on most meshes.
+  [[gnu::noinline]] void goBackTo(std::size_t bucket) {
     leaveCurrent();
     front_ = bucket;
   }

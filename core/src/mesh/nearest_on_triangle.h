@@ -2,11 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <array>
-#include <limits>
-
-#include "gvd/surface_point.h"
 
 namespace gvd {
 
@@ -14,41 +10,7 @@ namespace gvd {
 /// falls inside, else the nearest of the three sides. Also on needles, rounding moves the point by
 /// no more than it would move the corners: p is split into a part along the longest side, which has
 /// no errors from the height, and the rest, which the height is compared with.
-inline Eigen::Vector3d nearestOnTriangle(const Eigen::Vector3d& p,
-                                         const std::array<Eigen::Vector3d, 3>& corners) {
-  using Eigen::Vector3d;
-  const auto squaredSide = [&](int i) {
-    return (corners[cornerAfter(i)] - corners[i]).squaredNorm();
-  };
-  int from = squaredSide(1) > squaredSide(0) ? 1 : 0;
-  if (squaredSide(2) > squaredSide(from)) from = 2;
-  const int to = cornerAfter(from), apex = cornerBefore(from);
-  const Vector3d u = corners[to] - corners[from], v = corners[apex] - corners[from],
-                 w = p - corners[from];
-  const double uu = u.squaredNorm();
-  const Vector3d height = v - v.dot(u) / uu * u;
-  const double share = (w - w.dot(u) / uu * u).dot(height) / height.squaredNorm();
-  const double along = (w - share * v).dot(u) / uu;
-  if (share >= 0 && along >= 0 && share + along <= 1) {
-    Vector3d inside;
-    inside[from] = std::max(0.0, 1 - along - share);
-    inside[to] = along;
-    inside[apex] = share;
-    return inside;
-  }
-  Vector3d best = Vector3d::Unit(0);
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 3; ++i) {
-    const Vector3d &start = corners[i], side = corners[cornerAfter(i)] - start;
-    const double length = side.squaredNorm();
-    const double part = length > 0 ? std::clamp((p - start).dot(side) / length, 0.0, 1.0) : 0.0;
-    const double distance = (start + part * side - p).squaredNorm();
-    if (distance < least) {
-      least = distance;
-      best = (1 - part) * Vector3d::Unit(i) + part * Vector3d::Unit(cornerAfter(i));
-    }
-  }
-  return best;
-}
+Eigen::Vector3d nearestOnTriangle(const Eigen::Vector3d& p,
+                                  const std::array<Eigen::Vector3d, 3>& corners);
 
 }  // namespace gvd
