@@ -334,6 +334,47 @@ TEST(Dual, HasItsSitesWithCleanCoordinates) {
   for (const SurfacePoint& p : dual.points) EXPECT_NEAR(p.bary.sum(), 1, 1e-12);
 }
 
+/// Distances that may be asked for in steps only.
+class InStepsOnly final : public DistanceField {
+ public:
+  explicit InStepsOnly(const DistanceField& field) : field_(field) {}
+  std::span<const LabelledDistance> at(int vertex) const override { return field_.at(vertex); }
+  LabelledDistance nearest(const SurfacePoint& p) const override {
+    ADD_FAILURE() << "asks for the distance at one point";
+    return field_.nearest(p);
+  }
+  double distance(int label, const SurfacePoint& p) const override {
+    ADD_FAILURE() << "asks for the distance at one point";
+    return field_.distance(label, p);
+  }
+  std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
+      std::span<const LabelledPoint> points) const override {
+    return field_.startDistancesAt(points);
+  }
+  Eigen::Vector2d direction(int label, int vertex) const override {
+    return field_.direction(label, vertex);
+  }
+  std::vector<SurfacePoint> path(int label, const SurfacePoint& p) const override {
+    return field_.path(label, p);
+  }
+
+ private:
+  const DistanceField& field_;
+};
+
+/// On a narrow tube of long faces, the distances at 25,000 points were asked for one by one, in one
+/// step of 8 seconds.
+TEST(Repair, AsksForDistancesInSteps) {
+  const auto mesh = shapes::cylinder(60, 1, 0.01, 10).mesh();
+  const auto sites = sampleUniform(mesh, 20, 1);
+  const checks::Traced traced = trace(mesh, sites);
+  const InStepsOnly field(*traced.field);
+  const auto added = repairingSites(mesh, sites, traced.diagram, field);
+  ASSERT_FALSE(added.empty());
+  // Each is in a region that shows a violation, well away from the sites.
+  for (const SurfacePoint& p : added) EXPECT_GT(traced.field->nearest(p).distance, 0.01);
+}
+
 TEST(Repair, RefusesANegativeNumberOfSites) {
   const auto mesh = shapes::icosphere(2).mesh();
   EXPECT_THROW(repair(mesh, sampleFarthest(mesh, 12, 1), Metric::kExact, {.maxAdded = -1}), Error);

@@ -110,8 +110,7 @@ std::unique_ptr<SlicedWork<std::vector<Violation>>> startViolations(
 /// this round, because it may then be gone. Empty if there are no violations.
 ///
 /// `field` holds the distances that the diagram was traced from. Costs as much as `findViolations`,
-/// and a `DistanceField::nearest` per vertex of the partition in the regions that show a violation;
-/// these queries are one step.
+/// and `DistanceField::distancesAt` the vertices of the partition that show a violation.
 /// Throws `Error(kInvalidArgument)` if a site has no region because another one is at its place:
 /// further sites do not help.
 std::vector<SurfacePoint> repairingSites(const TriangleMesh& mesh,

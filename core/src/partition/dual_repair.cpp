@@ -18,33 +18,40 @@
 namespace gvd {
 namespace {
 
-/// One round of the repair: finds the sites to add for the violations of a diagram.
+/// Where one site is to be added: at that one of some points that is farthest from the sites of the
+/// regions it lies in.
+struct Gap {
+  std::vector<int> labels;  ///< of these regions
+  std::vector<SurfacePoint> points;
+};
+
+/// One round of the repair: finds the gaps to fill for the violations of a diagram.
 class RepairRound {
  public:
   RepairRound(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, const Diagram& diagram,
-              const DistanceField& field, const Partition& partition)
+              const Partition& partition)
       : mesh_(mesh),
         sites_(sites),
         diagram_(diagram),
-        field_(field),
         partition_(partition),
         isTouched_(diagram.siteCount, false) {}
 
-  std::vector<SurfacePoint> newSites(const RegionComplex& complex) {
+  std::vector<Gap> gaps(const RegionComplex& complex) {
     const auto findings = inspect(mesh_, sites_, diagram_, partition_, complex);
-    std::vector<SurfacePoint> result;
+    std::vector<Gap> result;
     for (const Finding& finding : findings) {
       const Violation& v = finding.violation;
       if (v.kind == Violation::kNoRegion) throw Error(ErrorCode::kInvalidArgument, v.message);
       if (v.kind == Violation::kNoManifold) throw std::logic_error(v.message);
       if (v.kind == Violation::kUnreachable) {
-        if (result.empty()) result = unreachablePoints();
+        if (result.empty()) result = unreachableGaps();
         continue;
       }
       const bool isTouched = std::any_of(v.labels.begin(), v.labels.end(),
                                          [&](int label) { return isTouched_[label]; });
       if (isTouched) continue;
-      result.push_back(farthestPoint(finding));
+      Gap& gap = result.emplace_back(Gap{v.labels, {}});
+      for (const int point : finding.points) gap.points.push_back(partition_.points[point]);
       for (const int label : v.labels) touch(label);
     }
     return result;
@@ -57,36 +64,74 @@ class RepairRound {
   }
 
   /// A point in each component without a site.
-  std::vector<SurfacePoint> unreachablePoints() const {
-    std::vector<SurfacePoint> points;
+  std::vector<Gap> unreachableGaps() const {
+    std::vector<Gap> gaps;
     std::set<int> components;
     for (int f = 0; f < mesh_.faceCount(); ++f)
       if (diagram_.faceLabel[f] == Diagram::kUnreachable &&
           components.insert(mesh_.component(f)).second)
-        points.push_back({f, Eigen::Vector3d::Constant(1.0 / 3)});
-    return points;
-  }
-
-  double distanceAt(int point) const { return field_.nearest(partition_.points[point]).distance; }
-
-  SurfacePoint farthestPoint(const Finding& finding) const {
-    double most = -1;
-    int farthest = finding.points.front();
-    for (const int point : finding.points) {
-      const double distance = distanceAt(point);
-      if (distance <= most) continue;
-      most = distance;
-      farthest = point;
-    }
-    return partition_.points[farthest];
+        gaps.push_back({{}, {{f, Eigen::Vector3d::Constant(1.0 / 3)}}});
+    return gaps;
   }
 
   const TriangleMesh& mesh_;
   const std::span<const SurfacePoint> sites_;
   const Diagram& diagram_;
-  const DistanceField& field_;
   const Partition& partition_;
   std::vector<char> isTouched_;  ///< regions that a new site may change
+};
+
+/// Finds the sites that fill the gaps. The distances at the points of all of them are requested at
+/// once: on long faces there are many points, and each is far from its site by way of faces.
+class GapFilling final : public SlicedWork<std::vector<SurfacePoint>> {
+ public:
+  GapFilling(std::unique_ptr<SlicedWork<std::vector<Gap>>> finding, const DistanceField& field)
+      : finding_(std::move(finding)), field_(field) {}
+
+  bool advance(long budget) override {
+    return sequence_.run([&] { return finding_->step(budget); },
+                         [&] {
+                           gaps_ = finding_->take();
+                           startDistances();
+                         },
+                         [&] { return distances_->step(budget); });
+  }
+  double progress() const override {
+    return distances_ ? (1 + distances_->progress()) / 2 : finding_->progress() / 2;
+  }
+
+  std::vector<SurfacePoint> result() override {
+    const std::vector<double> distances = distances_->take();
+    auto next = distances.begin();
+    std::vector<SurfacePoint> sites;
+    for (const Gap& gap : gaps_) {
+      sites.push_back(gap.points.front());
+      double most = -1;
+      for (const SurfacePoint& p : gap.points) {
+        double nearest = kInfinity;
+        for (size_t i = 0; i < gap.labels.size(); ++i) nearest = std::min(nearest, *next++);
+        if (nearest <= most || nearest == kInfinity) continue;
+        most = nearest;
+        sites.back() = p;
+      }
+    }
+    return sites;
+  }
+
+ private:
+  void startDistances() {
+    std::vector<LabelledPoint> points;
+    for (const Gap& gap : gaps_)
+      for (const SurfacePoint& p : gap.points)
+        for (const int label : gap.labels) points.push_back({label, p});
+    distances_ = field_.startDistancesAt(points);
+  }
+
+  std::unique_ptr<SlicedWork<std::vector<Gap>>> finding_;
+  const DistanceField& field_;
+  SlicedSequence sequence_;
+  std::vector<Gap> gaps_;
+  std::unique_ptr<SlicedWork<std::vector<double>>> distances_;
 };
 
 }  // namespace
@@ -95,11 +140,13 @@ std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> startRepairingSites(
     const TriangleMesh& mesh, std::span<const SurfacePoint> sites, const Diagram& diagram,
     const DistanceField& field) {
   requireMesh(mesh, field);
-  return fromRegions(mesh, diagram,
-                     [&mesh, sites = sitesOf(mesh, diagram, sites), &diagram, &field](
-                         const Partition& partition, const RegionComplex& complex) {
-                       return RepairRound(mesh, sites, diagram, field, partition).newSites(complex);
-                     });
+  return std::make_unique<GapFilling>(
+      fromRegions(mesh, diagram,
+                  [&mesh, sites = sitesOf(mesh, diagram, sites), &diagram](
+                      const Partition& partition, const RegionComplex& complex) {
+                    return RepairRound(mesh, sites, diagram, partition).gaps(complex);
+                  }),
+      field);
 }
 
 std::vector<SurfacePoint> repairingSites(const TriangleMesh& mesh,
