@@ -22,6 +22,7 @@
 #include "gvd/straightest.h"
 #include "random_case.h"
 #include "shapes.h"
+#include "strip_between_holes.h"
 
 namespace gvd {
 namespace {
@@ -452,6 +453,19 @@ TEST(Windows, LeaveNothingToTheNextSearchWhenMemoryRunsOut) {
     EXPECT_THROW(search(used, p, calls), std::bad_alloc);
     EXPECT_EQ(search(used, farther, kEnough), expected) << "after " << calls << " calls";
   }
+}
+
+/// A line to an apex along the end of a window says nothing about the lines beside it: a virtual
+/// source may lie on it, and their paths pass beside that.
+TEST(Windows, KeepLinesBesideAVirtualSourceOnTheLineToAnApex) {
+  const TriangleMesh mesh = shapes::stripBetweenHoles().mesh();
+  const std::vector<SurfacePoint> sites = {{36, {0.40600219866918641, 0, 0.59399780133081359}},
+                                           {46, {0.75124451605227438, 0, 0.24875548394772562}}};
+  const auto field = inSlices(mesh, sites, Metric::kExact, 1L << 40);
+  const LabelledPoint near{0, {102, {0.5, 0, 0.5}}}, far{0, {92, {0.5, 0.5, 0}}};
+  const std::vector<LabelledPoint> both = {far, near};
+  const double expected = lengthOf(mesh, shortestPath(mesh, near.point, sites[0]));
+  EXPECT_NEAR(field->distancesAt(both)[1], expected, 1e-12);
 }
 
 // --- Directions ----------------------------------------------------------------------------------

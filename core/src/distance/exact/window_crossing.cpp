@@ -56,7 +56,8 @@ void WindowSweep::offerToApex(int h, std::span<const Window> windows) {
     toApex_[n] = {crossing, -kInfinity};
     if (!((crossing >= w.begin - grazed) & (crossing <= w.end + grazed))) continue;
     const PathLength path = w.path(p.x(), p.y());
-    if ((crossing >= w.begin) & (crossing <= w.end)) toApex_[n].length = path.length;
+    if ((crossing > w.begin + grazed) & (crossing < w.end - grazed))
+      toApex_[n].length = path.length;
     offer(apex, path.length, {crossing, w.sourceDistance, w.direction, h, path.kind});
   }
 }
@@ -112,8 +113,8 @@ void WindowSweep::crossSide(int h, std::span<const Window> windows, const Portal
   // Of the windows of one halfedge that see the apex, only the one nearest to it has children on
   // both sides ("one angle, one split", Chen & Han 1990). If a path that turns on the halfedge is
   // the shortest one to the apex, only lines that cross its last piece are longer. None of this
-  // applies if the apex is beside a window, however little: all lines then pass it on the same
-  // side.
+  // applies if the apex is beside a window or at its end, up to rounding: all lines then pass it on
+  // the same side, and a virtual source may lie on the line to the apex.
   const Vertex& apex = vertices_[face.vertices[cornerBefore(i)]];
   const bool isApexFromHere = (apex.epoch == epoch_) & (apex.piece.arrival == h);
   const double longest = apex.distance + kDistanceTolerance * (apex.distance + face.lengths[i]);

@@ -115,7 +115,7 @@ class WindowSweep {
   /// The straight line of a window to the apex of its face.
   struct LineToApex {
     double crossing;  ///< where it crosses the halfedge
-    double length;    ///< of the path along it, -infinity if the window does not see the apex
+    double length;    ///< of the path along it, -infinity unless lines pass the apex on both sides
   };
   /// A side through which windows leave a face, as a halfedge of the face beyond.
   struct Portal {
