@@ -5,9 +5,9 @@
 
 namespace gvd::shapes {
 
-/// A strip between the round holes of a sheet, from one of which shortest paths turn at the next.
-/// Many lines along its long thin triangles pass exactly through vertices up to rounding, so the
-/// coordinates are given to the last bit.
+/// A strip cut out of a sheet with round holes, at which shortest paths turn one after the other.
+/// Lines along its long thin triangles pass through vertices up to rounding. On which side they
+/// pass decides about windows, so the coordinates are given to the last bit.
 inline Shape stripBetweenHoles() {
   constexpr double kPlaces[][2] = {
       {0.500003690258382, 2.8999976447107674},  {0.500003690258382, 3.9000050252275313},

@@ -105,14 +105,14 @@ std::unique_ptr<SlicedWork<std::vector<Violation>>> startViolations(
     const TriangleMesh& mesh, std::span<const SurfacePoint> sites, const Diagram& diagram);
 
 /// The sites that one round of `repair` adds. For each violation, this is the point farthest from
-/// all sites among those that show the violation; a component without a site gets one point. A
+/// its site among those that show the violation; a component without a site gets one point. A
 /// violation is left to the next round if a region concerned is next to one that gets a new site in
 /// this round, because it may then be gone. Empty if there are no violations.
 ///
 /// `field` holds the distances that the diagram was traced from. Costs as much as `findViolations`,
 /// and `DistanceField::distancesAt` the vertices of the partition that show a violation.
 /// Throws `Error(kInvalidArgument)` if a site has no region because another one is at its place:
-/// further sites do not help.
+/// further sites do not help. Throws `std::logic_error` for `Violation::kNoManifold`.
 std::vector<SurfacePoint> repairingSites(const TriangleMesh& mesh,
                                          std::span<const SurfacePoint> sites,
                                          const Diagram& diagram, const DistanceField& field);

@@ -14,9 +14,8 @@ namespace gvd {
 
 /// A mesh of polygons with corners on a surface, counterclockwise as that is. Sides are straight in
 /// space, so they leave the surface where it is bent. The functions below throw
-/// `Error(kInvalidArgument)` if a face has a vertex without a position. They and
-/// `measureQuality` read positions and faces only, so a mesh made by the caller needs no other
-/// members.
+/// `Error(kInvalidArgument)` if a face has a vertex without a position. They and `measureQuality`
+/// read positions and faces only, so a mesh made by the caller needs no other members.
 struct PolygonMesh {
   std::vector<SurfacePoint> points;  ///< vertices; `face` counts the faces of the triangle mesh
   std::vector<Eigen::Vector3d> positions;

@@ -65,10 +65,10 @@ struct PoissonDisk {
 /// `sampleFarthest`), until hardly any more fit; then vertices are added, so that by exact
 /// distances no vertex is farther than `radius` from a point. How near points are to each other is
 /// measured as `Metric::kDgpc` does: exactly where straight lines connect, and with errors where
-/// shortest paths bend at vertices. On long thin triangles, such as those of mechanical parts,
-/// a distance may be wrong by half, so by exact distances some points are nearer than `radius`.
-/// Throws `Error(kInvalidArgument)` if the radius is not positive and finite. Source: Robert Cook.
-/// Stochastic Sampling in Computer Graphics. 1986.
+/// shortest paths bend at vertices. On long thin triangles, such as those of mechanical parts, a
+/// distance may be wrong by half, so by exact distances some points are nearer than `radius`.
+/// Throws `Error(kInvalidArgument)` if the radius is not positive and finite.
+/// Source: Robert Cook. Stochastic Sampling in Computer Graphics. 1986.
 PoissonDisk samplePoissonDisk(const TriangleMesh& mesh, double radius, std::uint64_t seed);
 
 /// `count` such points: the radius falls until as many fit. Points come in order of falling radius,

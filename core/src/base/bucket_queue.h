@@ -20,9 +20,9 @@ inline constexpr double kMostBucketsPerEdge = 6;
 /// A queue of items by distance, in buckets of equal width. Items of a bucket come in the order in
 /// which they were added. An item of an earlier bucket than the current one may still be added; it
 /// comes next, since what follows from it would have to be done twice otherwise. Constant time per
-/// item, and 1/64 of that per bucket without items: where some edges are a million times as long as
-/// others, most buckets have none. Memory is held for the buckets with items, in pages of 64, and
-/// 1/8 of a byte for every other one.
+/// item, and 1/64 of that each time that a bucket without items is passed over: where some edges
+/// are a million times as long as others, most buckets have none. Memory is held for the buckets
+/// with items, in pages of 64, and 1/8 of a byte for every other one.
 class BucketQueue {
  public:
   explicit BucketQueue(double bucketsPerUnit) : bucketsPerUnit_(bucketsPerUnit) {}
@@ -87,6 +87,7 @@ class BucketQueue {
     if (!page) page = newPage();
     return *page;
   }
+  /// Not inlined, because most items go into a page that is there.
   [[gnu::noinline]] std::unique_ptr<Page> newPage() {
     if (free_.empty()) return std::make_unique<Page>();
     std::unique_ptr<Page> page = std::move(free_.back());

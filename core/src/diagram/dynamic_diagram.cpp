@@ -16,7 +16,6 @@
 #include "diagram/diagram_tracing.h"
 #include "distance/site_distances.h"
 #include "gvd/error.h"
-#include "mesh/given_points.h"
 
 namespace gvd {
 namespace {
@@ -292,9 +291,13 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
 std::unique_ptr<SlicedWork<DiagramChange>> DynamicDiagram::Implementation::startSite(
     int label, const std::optional<SurfacePoint>& site) {
   const SiteChange change = {label, site};
-  if (site) onMesh(mesh_, *site, "site " + std::to_string(label) + ": ");
-  isChanging_ = true;  // whatever throws from here on, the change stays unfinished
-  distances_->change({&change, 1});
+  isChanging_ = true;
+  try {
+    distances_->change({&change, 1});
+  } catch (const Error&) {  // The site was refused. Anything else leaves the change unfinished.
+    isChanging_ = false;
+    throw;
+  }
   return std::make_unique<Update>(*this, false);
 }
 

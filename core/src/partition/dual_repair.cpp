@@ -18,10 +18,10 @@
 namespace gvd {
 namespace {
 
-/// Where one site is to be added: at that one of some points that is farthest from the sites of the
-/// regions it lies in.
+/// Where one site is to be added: at the one of these points that is farthest from the nearest
+/// site.
 struct Gap {
-  std::vector<int> labels;  ///< of these regions
+  std::vector<int> labels;  ///< of the regions that the points lie in; none in a bare component
   std::vector<SurfacePoint> points;
 };
 
@@ -82,7 +82,7 @@ class RepairRound {
 };
 
 /// Finds the sites that fill the gaps. The distances at the points of all of them are requested at
-/// once: on long faces there are many points, and each is far from its site by way of faces.
+/// once: on long faces there are many points, and the path of each to its site crosses many faces.
 class GapFilling final : public SlicedWork<std::vector<SurfacePoint>> {
  public:
   GapFilling(std::unique_ptr<SlicedWork<std::vector<Gap>>> finding, const DistanceField& field)

@@ -9,8 +9,8 @@
 
 namespace gvd::exact {
 
-/// Whether shortest paths may turn at a vertex: at saddle vertices, and at boundary
-/// vertices unless they are convex by more than rounding.
+/// Whether shortest paths may turn at a vertex: at saddle vertices, and at boundary vertices unless
+/// they are convex by more than rounding.
 bool isSaddle(const TriangleMesh& mesh, int vertex);
 
 /// A part of the side across from a vertex in a face around it.
