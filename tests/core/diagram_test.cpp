@@ -5,6 +5,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
@@ -13,6 +15,8 @@
 #include "diagram_checks.h"
 #include "gvd/error.h"
 #include "gvd/sampling.h"
+#include "mechanical_shapes.h"
+#include "mesh/representations.h"
 #include "random_case.h"
 #include "shapes.h"
 
@@ -442,6 +446,61 @@ TEST(Diagram, KeepsRegionsConsistentWithDetail) {
   const auto sites = sampleUniform(mesh, 12, 5);
   for (const int detail : {1, 2, 3})
     EXPECT_TRUE(isConsistent(mesh, trace(mesh, sites, Metric::kDgpc, detail).diagram, detail));
+}
+
+std::array<SurfacePoint, 2> endsOf(const TriangleMesh& mesh, const Diagram& d,
+                                   const Diagram::Segment& s) {
+  const auto inFace = [&](int point) {
+    return SurfacePoint{s.face, baryInFace(mesh, d.points[point], s.face)};
+  };
+  return {inFace(s.points[0]), inFace(s.points[1])};
+}
+
+TEST(Diagram, HasNoLongerSegmentsThanItsDetailAllows) {
+  for (const auto& [name, shape, genus] : shapes::mechanicalShapes()) {
+    const auto mesh = shape.mesh();
+    const auto sites = sampleUniform(mesh, 12, 3);
+    for (const Metric metric : {Metric::kDgpc, Metric::kExact})
+      for (const int detail : {1, 2}) {
+        const Diagram d = trace(mesh, sites, metric, detail).diagram;
+        EXPECT_TRUE(isConsistent(mesh, d, detail)) << name;
+        const double side = std::sqrt(4 / std::sqrt(3.0) * mesh.area() / mesh.faceCount());
+        const double most = std::ldexp(std::sqrt(2.0) * side, -detail) * (1 + 1e-9);
+        for (const Diagram::Segment& s : d.segments)
+          ASSERT_LE(lengthOf(mesh, endsOf(mesh, d, s)), most) << name << ", detail " << detail;
+      }
+  }
+}
+
+/// By how much the middles of segments are nearer to some other label than to those of the segment,
+/// on average.
+double meanErrorOfSegments(const TriangleMesh& mesh, const checks::Traced& traced) {
+  const Diagram& d = traced.diagram;
+  std::vector<LabelledPoint> middles;
+  for (const Diagram::Segment& s : d.segments) {
+    const auto [a, b] = endsOf(mesh, d, s);
+    for (const int label : s.labels) middles.push_back({label, {s.face, (a.bary + b.bary) / 2}});
+  }
+  const auto distances = finished(traced.field->startDistancesAt(middles));
+  double sum = 0;
+  int count = 0;
+  for (size_t i = 0; i < middles.size(); ++i) {
+    if (distances[i] == kInfinity) continue;  // unknown at the corners of the face
+    sum += distances[i] - traced.field->nearest(middles[i].point).distance;
+    ++count;
+  }
+  return sum / count;
+}
+
+TEST(Diagram, InDetailIsFineOnLongThinFacesToo) {
+  for (const auto& [name, shape, genus] : shapes::mechanicalShapes()) {
+    if (name != "plate with nine round holes" && name != "comb") continue;
+    const auto mesh = shape.mesh();
+    const auto sites = sampleUniform(mesh, 12, 3);
+    const double coarse = meanErrorOfSegments(mesh, trace(mesh, sites));
+    const double fine = meanErrorOfSegments(mesh, trace(mesh, sites, Metric::kExact, 1));
+    EXPECT_LT(fine, coarse / 4) << name;
+  }
 }
 
 TEST(Diagram, RefusesNegativeDetailAndSitesThatAreNotCounted) {

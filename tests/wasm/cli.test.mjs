@@ -220,7 +220,7 @@ test('components without a site are told of; --per-component puts some there', (
   assert.equal(succeeds('diagram two.glb --sites 1 -o d.json --quiet').stderr, '');
   for (const sites of ['--sites 4 --per-component 2', '--radius 9 --per-component 1']) {
     const { stderr } = succeeds(`diagram two.glb ${sites} -o d.json`);
-    assert.match(stderr, /^(note: 10 faces for \d sites: .*\n)?\d regions/);
+    assert.match(stderr, /^(note: borders, .*\n)?\d regions/);
   }
   fails(
     1,
@@ -317,7 +317,7 @@ test('diagram as JSON, to a file or to standard output', () => {
   const { stderr } = succeeds('diagram shape.glb --sites 5 --seed 7 -o d.json');
   assert.match(
     stderr,
-    /^note: 8 faces for 5 sites: .*--detail 3.*\n5 regions, \d+ bisector arcs, \d+ Voronoi points\n$/,
+    /^note: borders, .* are coarse: .*--detail 2.*\n5 regions, \d+ bisector arcs, \d+ Voronoi points\n$/,
   );
   const single = succeeds('diagram shape.glb --sites 1 -o one.json').stderr;
   assert.match(single, /^1 region, 0 bisector arcs, 0 Voronoi points\n$/);

@@ -55,7 +55,10 @@ export interface TaskOptions {
 export interface VoronoiOptions extends TaskOptions {
   /** Default 'exact'. */
   metric?: Metric | undefined;
-  /** How many times faces with several regions are split in four, 0 … 10. Default 0. */
+  /**
+   * How finely faces with several regions are split, 0 … 10: into parts about 2^-detail times as long as a
+   * face of mean area. Default 0: not at all.
+   */
   detail?: number | undefined;
 }
 

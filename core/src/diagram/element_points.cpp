@@ -81,11 +81,12 @@ std::span<const ElementPoints::PlacedVertex> ElementPoints::of(const Element& el
 /// largest error bound, because a chain of merged points may reach nearer to the corner.
 bool ElementPoints::isNearCorner(const Element& element, const Eigen::Vector3d& bary) const {
   constexpr double kNear = 64 * kMaxPointError;
-  double size = 1;
-  if (!element.isFace) {
-    const Eigen::Vector3d side = complex_.faceBary(element.index, Eigen::Vector3d::UnitX()) -
-                                 complex_.faceBary(element.index, Eigen::Vector3d::UnitY());
-    size = side.lpNorm<Eigen::Infinity>();
+  double size = 1;  // of its shortest side, in the face
+  for (int i = 0; i < 3 && !element.isFace; ++i) {
+    const Eigen::Vector3d side =
+        complex_.faceBary(element.index, Eigen::Vector3d::Unit(i)) -
+        complex_.faceBary(element.index, Eigen::Vector3d::Unit(cornerAfter(i)));
+    size = std::min(size, side.lpNorm<Eigen::Infinity>());
   }
   return (size * bary.array() <= kNear).count() >= 2;
 }

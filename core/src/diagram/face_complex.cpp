@@ -4,11 +4,25 @@
 #include "diagram/face_complex.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 #include "gvd/diagram.h"
 
 namespace gvd {
+namespace {
+
+/// The longest side of the parts of mixed faces: √2 times the side of an equilateral triangle with
+/// the area of a mean face, halved `detail` times. Halving leaves sides between half of this and
+/// all of it, about the side of that triangle on average. A mean length would hardly do: where long
+/// thin triangles are many, it is theirs.
+double longestSideOf(const TriangleMesh& mesh, int detail) {
+  const double squaredSide = 4 / std::sqrt(3.0) * mesh.area() / mesh.faceCount();
+  return std::ldexp(std::sqrt(2 * squaredSide), -detail);
+}
+
+}  // namespace
 
 FaceComplex::FaceComplex(const TriangleMesh& mesh, const DistanceField& distances, int detail,
                          Extent extent)
@@ -16,6 +30,7 @@ FaceComplex::FaceComplex(const TriangleMesh& mesh, const DistanceField& distance
       distances_(distances),
       isPart_(extent == Extent::kPart),
       detail_(detail),
+      longestSide_(longestSideOf(mesh, detail)),
       isOwn_(isPart_ || detail > 0),
       ties_(mesh),
       nodes_(distances, mesh.vertexCount()) {
@@ -31,24 +46,31 @@ bool FaceComplex::addMesh(long& budget) {
   const auto forFaces = [&](auto body) {
     return !isOwn_ || loop_.run(mesh_.faceCount(), budget, kQuickRounds, body);
   };
-  return adding_.run(
-      [&] { nodes_.reserve(mesh_.vertexCount()); },
-      [&] {
-        return loop_.run(mesh_.vertexCount(), budget, kQuickRounds,
-                         [&](int) { nodes_.addVertex(); });
-      },
-      [&] {
-        return forFaces([&](int f) {
-          splitCount_ += nodes_.commonOwner(&mesh_.tails()[3 * f]) == Diagram::kMixed;
-        });
-      },
-      [&] {
-        // Reserves memory for splitting, to avoid copying everything: three new elements for each
-        // split one, twice as many splits in every level, and some more around them.
-        const size_t splits = static_cast<size_t>(splitCount_) << std::min(detail_, 8);
-        if (isOwn_) elements_.reserve(mesh_.faceCount() + 4 * splits);
-      },
-      [&] { return forFaces([&](int f) { addFace(f); }); });
+  return adding_.run([&] { nodes_.reserve(mesh_.vertexCount()); },
+                     [&] {
+                       return loop_.run(mesh_.vertexCount(), budget, kQuickRounds,
+                                        [&](int) { nodes_.addVertex(); });
+                     },
+                     [&] {
+                       return forFaces([&](int f) {
+                         if (nodes_.commonOwner(&mesh_.tails()[3 * f]) == Diagram::kMixed)
+                           partsExpected_ += expectedParts(f);
+                       });
+                     },
+                     [&] {
+                       // To avoid copying everything.
+                       if (isOwn_)
+                         elements_.reserve(mesh_.faceCount() + static_cast<size_t>(partsExpected_));
+                     },
+                     [&] { return forFaces([&](int f) { addFace(f); }); });
+}
+
+/// About how many elements a mixed face becomes, if bisectors run along its longest side; at most a
+/// thousand, as they mostly run across where faces are large.
+double FaceComplex::expectedParts(int face) const {
+  const std::array<double, 3>& lengths = mesh_.face(face).lengths;
+  const double longest = *std::max_element(lengths.begin(), lengths.end());
+  return 4 * std::min(longest / longestSide_, 256.0);
 }
 
 /// Splits elements, matches twins and finds owners, once faces and the labels of vertices are
@@ -56,8 +78,8 @@ bool FaceComplex::addMesh(long& budget) {
 bool FaceComplex::finish(long& budget) {
   return finishing_.run(
       [&] {
-        return detail_ == 0 ||
-               runPart(splitting_, budget, mesh_, ties_, distances_, detail_, elements_, nodes_);
+        return detail_ == 0 || runPart(splitting_, budget, mesh_, ties_, distances_, longestSide_,
+                                       elements_, nodes_);
       },
       [&] { return !isOwn_ || matchTwins(budget); }, [&] { soleOwner_.reserve(elementCount()); },
       [&] {

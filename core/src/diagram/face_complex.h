@@ -25,8 +25,8 @@ class FaceComplex {
  public:
   enum class Extent { kMesh, kPart };
 
-  /// A complex of all faces or, after `setPart`, of some. Mixed faces are split in four `detail`
-  /// times, with distances at the new nodes.
+  /// A complex of all faces or, after `setPart`, of some. Mixed faces are split as
+  /// `DiagramOptions::detail` says, with distances at the new nodes.
   FaceComplex(const TriangleMesh& mesh, const DistanceField& distances, int detail, Extent extent);
   /// Begins to replace the part by another one: some faces, given ascending. Only the nodes of
   /// these have owners. Takes time for the new faces and the previous ones only.
@@ -77,6 +77,7 @@ class FaceComplex {
   bool addMesh(long& budget);
   bool finish(long& budget);
   void addFace(int face);
+  double expectedParts(int face) const;
   void clear();
   void noteContested(int element);
   bool matchTwins(long& budget);
@@ -88,6 +89,7 @@ class FaceComplex {
   const DistanceField& distances_;
   const bool isPart_;
   const int detail_;
+  const double longestSide_;  ///< of mixed elements, if these are split
   const bool isOwn_;  ///< whether elements are kept here: they are not just the faces of the mesh
   const TieTolerance ties_;
   NodeLabels nodes_;
@@ -100,7 +102,7 @@ class FaceComplex {
 
   SlicedSequence adding_, finishing_, matching_;
   SlicedLoop loop_;
-  int splitCount_ = 0;  ///< mixed faces, if they are to be split
+  double partsExpected_ = 0;  ///< of mixed faces
   int mixedCount_ = 0;
   std::optional<ElementSplitting> splitting_;
   std::vector<int> lastOut_, before_;  ///< lists of halfedges, per node and per halfedge

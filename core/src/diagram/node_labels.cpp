@@ -74,6 +74,15 @@ int NodeLabels::addMiddle(int a, int b, bool isShared) {
   return node;
 }
 
+bool NodeLabels::enlarge(Side& side) const {
+  const auto [other, middle] = std::minmax(side.from, side.to);  // the midpoint was added later
+  if (middle < vertexCount_) return false;
+  const Midpoint& m = midpoint(middle);
+  if (other != m.lowerEnd && other != m.higherEnd) return false;
+  side = {m.lowerEnd, m.higherEnd};
+  return true;
+}
+
 void NodeLabels::setLabels(int node, std::span<const LabelledDistance> labels) {
   constexpr size_t kChunk = 4096;
   if (labelChunks_.empty() ||

@@ -48,6 +48,10 @@ class NodeLabels {
   /// Adds a label that is not known at a node. Its distance is kept above the owner's.
   void addLabel(int node, LabelledDistance added);
 
+  /// Whether an element at a node has been split lately (`ElementSplitting`).
+  bool isNearSplit(int node) const { return nodes_[node].isNearSplit; }
+  void setNearSplit(int node, bool isNear) { nodes_[node].isNearSplit = isNear; }
+
   /// The node in the middle of the side between two nodes that neighbours share, -1 if it is not
   /// split.
   int middleOf(int a, int b) const;
@@ -56,6 +60,11 @@ class NodeLabels {
   /// the same ends and different distances between them.
   int addMiddle(int a, int b, bool isShared);
   void setLabels(int node, std::span<const LabelledDistance> labels);
+  struct Side {
+    int from, to;
+  };
+  /// Replaces a side by the one that it is half of; false if there is none.
+  bool enlarge(Side& side) const;
   /// A node between the ends of a side, and its share of the way.
   struct InnerNode {
     int node;
@@ -69,9 +78,10 @@ class NodeLabels {
  private:
   /// Packed in one word, because there are many nodes.
   struct Node {
-    int owner : 30 = -1;
+    int owner : 29 = -1;
     unsigned hasTie : 1 = false;
     unsigned hasAddedLabels : 1 = false;
+    unsigned isNearSplit : 1 = false;
   };
   /// A node in the middle of a split side, in a list for the lower of the side's ends.
   struct Midpoint {

@@ -354,28 +354,41 @@ function summarise(output: Output, { quiet }: Notices, line: string): void {
   if (output.isFile && !quiet) process.stderr.write(`${line}\n`);
 }
 
-/** With fewer faces per site, straight borders give several per cent of the area to the wrong region. */
-const leastForBorders = 4;
+/**
+ * If the squared length of the faces that borders cross, on average over their area, is a larger share of a mean
+ * region's area than this, straight borders may give several per cent of the area to the wrong region. Equal
+ * triangles reach it with four per region, the long thin ones of mechanical parts with hundreds.
+ */
+const mostSquaredLength = 0.6;
 /** With fewer, what is interpolated from the corners of faces gives an energy wrong by several per cent. */
-const leastForCentroids = 16;
+const leastFacesPerSite = 16;
 
-/** Notes that there are few faces per site, and what comes of it. */
-function coarseNotes(
-  { info: { faces } }: Mesh,
-  sites: SurfacePoints,
-  least: number,
-  so: string,
-): string[] {
+function tessellationNotes({ info: { faces } }: Mesh, sites: SurfacePoints): string[] {
   const count = sites.face.length;
-  return faces < least * count
-    ? [`${counted(faces, 'face')} for ${counted(count, 'site')}: ${so}`]
-    : [];
+  if (faces >= leastFacesPerSite * count) return [];
+  return [
+    `${counted(faces, 'face')} for ${counted(count, 'site')}: energies and centroids, which follow from the distances at corners, are inaccurate (subdivide the mesh first)`,
+  ];
 }
 
-function tessellationNotes(mesh: Mesh, sites: SurfacePoints): string[] {
-  const so =
-    'energies and centroids, which follow from the distances at corners, are inaccurate (subdivide the mesh first)';
-  return coarseNotes(mesh, sites, leastForCentroids, so);
+/** Whether borders, which are straight within each face, are coarse. */
+function haveCoarseBorders({ positions, indices }: Mesh, { data }: Diagram): boolean {
+  const side = (from: number, to: number) =>
+    [0, 1, 2].map((axis) => positions[3 * to + axis] - positions[3 * from + axis]);
+  let area = 0;
+  let weighted = 0;
+  data.faceLabel.forEach((label, face) => {
+    if (label !== -2) return;
+    const [a, b, c] = indices.subarray(3 * face, 3 * face + 3);
+    const sides = [side(a, b), side(b, c), side(c, a)];
+    const [[x, y, z], [u, v, w]] = sides;
+    const ofFace = Math.hypot(y * w - z * v, z * u - x * w, x * v - y * u) / 2;
+    area += ofFace;
+    weighted += ofFace * Math.max(...sides.map((s) => Math.hypot(...s))) ** 2;
+  });
+  const regions = data.regionArea.filter((ofRegion) => ofRegion > 0);
+  const meanRegion = regions.reduce((sum, ofRegion) => sum + ofRegion, 0) / regions.length;
+  return weighted > mostSquaredLength * meanRegion * area;
 }
 
 /** The diagram that the options ask for. */
@@ -394,7 +407,8 @@ async function compute(
 }
 
 /** What may surprise in a diagram. */
-function diagramNotes(mesh: Mesh, { sites, regions }: Diagram, detail?: number): string[] {
+function diagramNotes(mesh: Mesh, diagram: Diagram, detail?: number): string[] {
+  const { sites, regions } = diagram;
   const notes: string[] = [];
   const isEmpty = (label: number) => regions[label].area === 0 && regions[label].loops.length === 0;
   const hidden = sites.face.reduce(
@@ -403,7 +417,9 @@ function diagramNotes(mesh: Mesh, { sites, regions }: Diagram, detail?: number):
   );
   if (hidden > 0)
     notes.push(`${counted(hidden, 'site')} without a region: another site is at the same place`);
-  const so = 'borders, one straight line per face, are coarse (--detail 3 refines them)';
-  if (detail === 0) notes.push(...coarseNotes(mesh, sites, leastForBorders, so));
+  if (detail === 0 && haveCoarseBorders(mesh, diagram))
+    notes.push(
+      'borders, straight within each face, are coarse: they cross faces about as long as regions (--detail 2 refines them)',
+    );
   return notes;
 }

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "diagram/required_labels.h"
+
+#include <algorithm>
+
+#include "distance/common_labels.h"
+
+namespace gvd {
+
+void RequiredLabels::add(int midpoint, int label, const SurfacePoint& p) {
+  if (findLabel(nodes_.labels(midpoint), label)) return;
+  const size_t index = midpoint - firstMidpoint_;
+  if (index >= last_.size()) last_.resize(index + 1, -1);
+  int& last = last_[index];
+  for (int i = last; i >= 0; i = previous_[i])
+    if (required_[i].label == label) return;
+  if (last < 0) midpoints_.push_back(midpoint);
+  previous_.push_back(last);
+  last = static_cast<int>(required_.size());
+  required_.push_back({label, p});
+}
+
+bool RequiredLabels::find(long& budget) {
+  if (!sequence_.run([&] { finding_ = distances_.startDistancesAt(required_); },
+                     [&] { return finding_->step(budget); }, [&] { found_ = finding_->take(); },
+                     [&] {
+                       return loop_.run(midpoints_.size(), budget, 1,
+                                        [&](int i) { setLabels(midpoints_[i]); });
+                     }))
+    return false;
+  sequence_ = {};
+  required_.clear();
+  previous_.clear();
+  midpoints_.clear();
+  return true;
+}
+
+void RequiredLabels::setLabels(int midpoint) {
+  const auto known = nodes_.labels(midpoint);
+  atPoint_.assign(known.begin(), known.end());
+  int& last = last_[midpoint - firstMidpoint_];
+  for (int i = last; i >= 0; i = previous_[i]) {
+    const LabelledDistance d{required_[i].label, found_[i]};
+    const auto isBefore = [](const auto& a, const auto& b) { return a.label < b.label; };
+    if (d.distance < kInfinity)
+      atPoint_.insert(std::upper_bound(atPoint_.begin(), atPoint_.end(), d, isBefore), d);
+  }
+  last = -1;
+  equalizeTies(atPoint_, ties_);
+  nodes_.setLabels(midpoint, atPoint_);
+}
+
+}  // namespace gvd
