@@ -56,8 +56,8 @@ export interface VoronoiOptions extends TaskOptions {
   /** Default 'exact'. */
   metric?: Metric | undefined;
   /**
-   * How finely faces with several regions are split, 0 … 10: into parts about 2^-detail times as long as a
-   * face of mean area. Default 0: not at all.
+   * How finely faces with several regions are split, 0 … 10: into parts about 2^-detail times as long as
+   * the mean edge. Default 0: not at all.
    */
   detail?: number | undefined;
 }

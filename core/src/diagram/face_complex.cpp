@@ -13,13 +13,10 @@
 namespace gvd {
 namespace {
 
-/// The longest side of the parts of mixed faces: √2 times the side of an equilateral triangle with
-/// the area of a mean face, halved `detail` times. Halving leaves sides between half of this and
-/// all of it, about the side of that triangle on average. A mean length would hardly do: where long
-/// thin triangles are many, it is theirs.
+/// The longest side of the parts of mixed faces: √2 times the mean edge, halved `detail` times.
+/// Halving leaves sides between half of this and all of it, a mean edge on average.
 double longestSideOf(const TriangleMesh& mesh, int detail) {
-  const double squaredSide = 4 / std::sqrt(3.0) * mesh.area() / mesh.faceCount();
-  return std::ldexp(std::sqrt(2 * squaredSide), -detail);
+  return std::ldexp(std::sqrt(2.0) * mesh.meanEdgeLength(), -detail);
 }
 
 }  // namespace

@@ -147,7 +147,7 @@ export const options = {
     value: 'N',
     parse: integer(0, maxDetail),
     default: '0',
-    help: 'Split triangles of several regions into parts 2^N times shorter than a mean triangle',
+    help: 'Split triangles of several regions into parts 2^N times shorter than the mean edge',
   },
   units: {
     value: 'UNIT|FACTOR',
