@@ -9,9 +9,12 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <random>
 #include <set>
 #include <stdexcept>
 
+#include "base/random.h"
+#include "diagram/near_labels.h"
 #include "diagram_checks.h"
 #include "gvd/error.h"
 #include "gvd/sampling.h"
@@ -501,6 +504,49 @@ TEST(Diagram, InDetailIsFineOnLongThinFacesToo) {
   const double coarse = meanErrorOfSegments(mesh, trace(mesh, sites));
   const double fine = meanErrorOfSegments(mesh, trace(mesh, sites, Metric::kExact, 2));
   EXPECT_LT(fine, coarse / 16);
+}
+
+/// In a plane, with sites all around an element, many of them far.
+TEST(Diagram, InDetailAsksForAllLabelsThatAreNearestInAnElement) {
+  const TieTolerance ties(shapes::grid(1, 1, 0, 1).mesh());
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> place(-1, 1);
+  long nearCount = 0, knownCount = 0;
+  for (int round = 0; round < 300; ++round) {
+    const double width = std::pow(10.0, -3 * (round % 3));  // down to needles
+    std::array<Eigen::Vector2d, 3> corners;
+    for (auto& corner : corners) corner = {place(random), width * place(random)};
+    std::vector<Eigen::Vector2d> sites(40);
+    for (auto& site : sites) site = 4 * Eigen::Vector2d(place(random), place(random));
+    const auto distance = [&](int label, const Eigen::Vector2d& p) {
+      return (sites[label] - p).norm();
+    };
+    std::array<std::vector<LabelledDistance>, 3> known;
+    std::array<double, 3> lengths;
+    for (int i = 0; i < 3; ++i) {
+      lengths[i] = (corners[cornerAfter(i)] - corners[i]).norm();
+      for (int label = 0; label < 40; ++label)
+        // Every fourth is not known at the first corner.
+        if (i > 0 || label % 4 > 0) known[i].push_back({label, distance(label, corners[i])});
+    }
+    NearLabels nearLabels;
+    std::set<int> near;
+    for (const auto& found : nearLabels.of({known[0], known[1], known[2]}, lengths, ties)) {
+      near.insert(found.label);
+      EXPECT_EQ(found.isKnown, (std::array{found.label % 4 > 0, true, true}));
+    }
+    nearCount += static_cast<long>(near.size());
+    knownCount += 40;
+    for (int k = 0; k < 50; ++k) {
+      const Eigen::Vector3d bary = drawBarycentric(random);
+      const Eigen::Vector2d p = bary[0] * corners[0] + bary[1] * corners[1] + bary[2] * corners[2];
+      int nearest = 0;
+      for (int label = 1; label < 40; ++label)
+        if (distance(label, p) < distance(nearest, p)) nearest = label;
+      EXPECT_TRUE(near.contains(nearest)) << "round " << round;
+    }
+  }
+  EXPECT_LT(nearCount, knownCount / 2);
 }
 
 TEST(Diagram, RefusesNegativeDetailAndSitesThatAreNotCounted) {

@@ -173,6 +173,20 @@ suite('files', () => {
     await own.close();
   });
 
+  test('finer borders are offered for triangles as long as regions', async () => {
+    const own = await browser.open();
+    await own.settled();
+    const file = { name: 'mine.glb', mimeType: '', buffer: Buffer.from(glb(octahedron())) };
+    await own.page.setInputFiles('#files', [file]);
+    const note = own.page.locator('#note').filter({ hasText: 'as long as regions' });
+    await note.waitFor();
+    await own.after('diagram', () => own.page.getByText('Finer borders').click());
+    assert.equal(await own.page.locator('#detail').inputValue(), '2');
+    assert.equal(await note.isVisible(), false);
+    assert.deepEqual(own.complaints, []);
+    await own.close();
+  });
+
   test('a site that is dragged while a file replaces it is not moved any more', async () => {
     const place = await viewer.freePlace();
     await viewer.after('diagram', () => viewer.page.mouse.click(place.x, place.y));

@@ -425,7 +425,8 @@ suite('first sight', () => {
     );
     await second.settled();
     assert.deepEqual((await second.sites()).face, face);
-    assert.equal(await second.page.locator('#note').isVisible(), false);
+    const asking = second.page.locator('#note', { hasText: 'This link is of mine.glb' });
+    assert.equal(await asking.isVisible(), false);
     assert.deepEqual(second.complaints, []);
     await second.close();
   });

@@ -313,7 +313,8 @@ suite('the page', () => {
     assert.match(await text(viewer, '#note-text'), /^This is one of 2 models: choose another /);
     await pick('grid 10.obj');
     await is('grid 10.obj', 18);
-    assert.equal(await viewer.page.locator('#note').isVisible(), false);
+    const ofSeveral = viewer.page.locator('#note', { hasText: 'This is one of' });
+    assert.equal(await ofSeveral.isVisible(), false);
     await pick('Bunny');
     await pick('grid 2.obj');
     await is('grid 2.obj', 8);

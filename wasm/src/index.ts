@@ -69,6 +69,7 @@ export {
   partitionPly,
   partitionStl,
 } from './partition_formats.js';
+export { hasCoarseBorders } from './coarse_borders.js';
 export { repairSentences } from './sentences.js';
 export { polygonGlb, polygonJson, polygonObj, polygonPly, polygonStl } from './polygon_formats.js';
 

@@ -52,6 +52,10 @@ export function showNote(
   };
 }
 
+export function hasNote(): boolean {
+  return !byId('note', HTMLElement).hidden;
+}
+
 function hideNote(): void {
   byId('note', HTMLElement).hidden = true;
 }

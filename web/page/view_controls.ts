@@ -2,9 +2,10 @@
 //
 // The controls of the layers that are shown, and of the metric.
 
+import { hasCoarseBorders } from 'geodesic-voronoi';
 import { type GeodesicVoronoiElement, type Layer, layers } from '../viewer/element.js';
 import { byId, listen, onClick } from './dom.js';
-import { showNote } from './feedback.js';
+import { hasNote, showNote } from './feedback.js';
 import { faultsOf, repairDual } from './valid_dual.js';
 
 /** The titles of the layers, and hints on what they show. */
@@ -144,12 +145,42 @@ function setUpDistance(viewer: GeodesicVoronoiElement): void {
   }
   detail.addEventListener('change', () => viewer.setAttribute('detail', detail.value));
 
+  let endOffer = () => {};
   // The viewer goes back to what it shows if the choice fails or is cancelled.
   const show = () => {
     const metric = viewer.getAttribute('metric') ?? 'exact';
     for (const radio of radios) radio.checked = radio.value === metric;
     detail.value = viewer.getAttribute('detail') ?? '0';
+    if (detail.value !== '0') endOffer();
   };
   show(); // A link may have set them.
   new MutationObserver(show).observe(viewer, { attributeFilter: ['metric', 'detail'] });
+
+  listen(viewer, 'load', () => {
+    const offer = () => {
+      endOffer = offerDetail(viewer);
+    };
+    viewer.addEventListener('diagram', offer, { once: true });
+  });
+}
+
+/**
+ * Offers finer borders if those of a model's first diagram are coarse, and no note is shown that matters more.
+ * Returns what ends the offer.
+ */
+function offerDetail(viewer: GeodesicVoronoiElement): () => void {
+  const { mesh, diagram } = viewer;
+  const isCoarse =
+    mesh !== undefined &&
+    diagram !== undefined &&
+    !(Number(viewer.getAttribute('detail')) > 0) &&
+    hasCoarseBorders(mesh, diagram.data);
+  if (!isCoarse || hasNote()) return () => {};
+  return showNote(
+    'Borders are straight in each triangle, and some triangles are as long as regions.',
+    {
+      title: 'Finer borders',
+      act: () => viewer.setAttribute('detail', '2'),
+    },
+  );
 }

@@ -45,8 +45,8 @@ bool ElementSplitting::mustSplit(int element) const {
   return false;
 }
 
-/// Whether a side is split if its element is. Were long sides kept because they have one owner, the
-/// parts of a thin element might never get shorter.
+/// Whether a side is split if its element is. Long ones are, even those with one owner: the parts
+/// of a thin element might never get shorter otherwise.
 bool ElementSplitting::isSideSplit(int element, int side, double length) const {
   return length > longestSide_ ||
          nodes_.middleOf(node(element, side), node(element, cornerAfter(side))) >= 0;

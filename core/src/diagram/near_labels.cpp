@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "distance/common_labels.h"
-#include "mesh/corners.h"
+#include "gvd/surface_point.h"
 
 namespace gvd {
 namespace {

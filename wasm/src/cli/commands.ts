@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What each command does.
+import { hasCoarseBorders } from '../coarse_borders.js';
 import { GeodesicVoronoiError } from '../errors.js';
 import type { MeshInfo, Metric, PolygonMesh, SurfacePoints, Violation } from '../results.js';
 import { counted, integer } from '../sentences.js';
@@ -354,12 +355,6 @@ function summarise(output: Output, { quiet }: Notices, line: string): void {
   if (output.isFile && !quiet) process.stderr.write(`${line}\n`);
 }
 
-/**
- * If the squared length of the faces that borders cross, on average over their area, is a larger share of a mean
- * region's area than this, straight borders may give several per cent of the area to the wrong region. Equal
- * triangles reach it with four per region, the long thin ones of mechanical parts with hundreds.
- */
-const mostSquaredLength = 0.6;
 /** With fewer, what is interpolated from the corners of faces gives an energy wrong by several per cent. */
 const leastFacesPerSite = 16;
 
@@ -369,26 +364,6 @@ function tessellationNotes({ info: { faces } }: Mesh, sites: SurfacePoints): str
   return [
     `${counted(faces, 'face')} for ${counted(count, 'site')}: energies and centroids, which follow from the distances at corners, are inaccurate (subdivide the mesh first)`,
   ];
-}
-
-/** Whether borders, which are straight within each face, are coarse. */
-function haveCoarseBorders({ positions, indices }: Mesh, { data }: Diagram): boolean {
-  const side = (from: number, to: number) =>
-    [0, 1, 2].map((axis) => positions[3 * to + axis] - positions[3 * from + axis]);
-  let area = 0;
-  let weighted = 0;
-  data.faceLabel.forEach((label, face) => {
-    if (label !== -2) return;
-    const [a, b, c] = indices.subarray(3 * face, 3 * face + 3);
-    const sides = [side(a, b), side(b, c), side(c, a)];
-    const [[x, y, z], [u, v, w]] = sides;
-    const ofFace = Math.hypot(y * w - z * v, z * u - x * w, x * v - y * u) / 2;
-    area += ofFace;
-    weighted += ofFace * Math.max(...sides.map((s) => Math.hypot(...s))) ** 2;
-  });
-  const regions = data.regionArea.filter((ofRegion) => ofRegion > 0);
-  const meanRegion = regions.reduce((sum, ofRegion) => sum + ofRegion, 0) / regions.length;
-  return weighted > mostSquaredLength * meanRegion * area;
 }
 
 /** The diagram that the options ask for. */
@@ -417,7 +392,7 @@ function diagramNotes(mesh: Mesh, diagram: Diagram, detail?: number): string[] {
   );
   if (hidden > 0)
     notes.push(`${counted(hidden, 'site')} without a region: another site is at the same place`);
-  if (detail === 0 && haveCoarseBorders(mesh, diagram))
+  if (detail === 0 && hasCoarseBorders(mesh, diagram.data))
     notes.push(
       'borders, straight within each face, are coarse: they cross faces about as long as regions (--detail 2 refines them)',
     );

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/sorting.h"
 #include "mesh/face_layout.h"
 #include "mesh/representations.h"
 
@@ -62,8 +61,9 @@ bool PointDistances::advance(long budget) {
                          [&](int i) { sortOut(points_[i]); });
       },
       [&] {
-        sortStably(std::span(open_),
-                   [](const OpenPoint& a, const OpenPoint& b) { return a.at.label < b.at.label; });
+        return byLabel_.run(
+            static_cast<int>(open_.size()), sites_.labelCount(),
+            [&](int i) { return open_[i].at.label; }, budget);
       },
       [&] { return spread(budget); });
 }
@@ -84,13 +84,13 @@ std::vector<double> PointDistances::result() {
 bool PointDistances::spread(long& budget) {
   if (!open_.empty() && !sweep_)
     sweep_ = spare_ ? std::move(spare_) : std::make_unique<WindowSweep>(mesh_, bounds_);
-  while (begin_ < open_.size()) {
+  while (doneCount_ < open_.size()) {
     if (stage_ == Stage::kNone) startLabel();
     if (!sweep_->step(budget)) return false;
     if (stage_ == Stage::kSpread) {
       for (size_t i = 0; i < required_.size(); ++i)
         required_[i].distance = sweep_->distanceAtPoint(static_cast<int>(i));
-      sweep_->require(open_[begin_].at.label, state_, required_);
+      sweep_->require(label_, state_, required_);
       stage_ = Stage::kRequire;
     } else {
       finishLabel();
@@ -102,28 +102,31 @@ bool PointDistances::spread(long& budget) {
 
 double PointDistances::progress() const {
   if (open_.empty()) return sequence_.progress();
-  return static_cast<double>(begin_) / static_cast<double>(open_.size());
+  return static_cast<double>(doneCount_) / static_cast<double>(open_.size());
 }
 
+/// Starts with the next label that has open points.
 void PointDistances::startLabel() {
-  const int label = open_[begin_].at.label;
+  while (byLabel_.items(label_).empty()) ++label_;
   state_ = {};
   required_.clear();
-  for (end_ = begin_; end_ < open_.size() && open_[end_].at.label == label; ++end_) {
-    const SurfacePoint& p = open_[end_].at.point;
-    required_.push_back({p, straightTo(label, p), nearestAtLeast(p)});
+  for (const int i : byLabel_.items(label_)) {
+    const SurfacePoint& p = open_[i].at.point;
+    required_.push_back({p, straightTo(label_, p), nearestAtLeast(p)});
   }
-  sweep_->start(label, sites_[label], state_, required_);
+  sweep_->start(label_, sites_[label_], state_, required_);
   stage_ = Stage::kSpread;
 }
 
 void PointDistances::finishLabel() {
-  for (size_t i = begin_; i < end_; ++i) {
-    const double distance = sweep_->distanceAtPoint(static_cast<int>(i - begin_));
+  int point = 0;
+  for (const int i : byLabel_.items(label_)) {
+    const double distance = sweep_->distanceAtPoint(point++);
     distances_[open_[i].index] = distance;
     found_.add(open_[i].at, distance);
   }
-  begin_ = end_;
+  doneCount_ += point;
+  ++label_;
 }
 
 /// No label is nearer to a point than this, by the distances at the corners of its face.

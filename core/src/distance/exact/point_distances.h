@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/grouping.h"
 #include "base/sliced_loop.h"
 #include "distance/exact/window_sweep.h"
 #include "distance/nearest_bounds.h"
@@ -69,11 +70,12 @@ class PointDistances final : public SlicedWork<std::vector<double>> {
   SlicedSequence sequence_;
   SlicedLoop loop_;
   std::vector<double> distances_;
-  std::vector<OpenPoint> open_;  ///< by label
+  std::vector<OpenPoint> open_;
+  Grouping byLabel_;      ///< of these
+  size_t doneCount_ = 0;  ///< of these
 
-  // The current label.
   enum class Stage { kNone, kSpread, kRequire } stage_ = Stage::kNone;
-  size_t begin_ = 0, end_ = 0;  ///< of its points in `open_`
+  int label_ = 0;  ///< the current one
   LabelState state_;
   std::vector<RequiredPoint> required_;
 };
