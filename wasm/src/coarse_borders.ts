@@ -24,19 +24,22 @@ export function hasCoarseBorders(
 ): boolean {
   const { positions, indices } = toResult('mesh', mesh);
   const { faceLabel, regionArea } = toResult('data', data);
-  const side = (from: number, to: number) =>
-    [0, 1, 2].map((axis) => positions[3 * to + axis] - positions[3 * from + axis]);
+  const squared = (from: number, to: number) => {
+    const x = positions[3 * to] - positions[3 * from];
+    const y = positions[3 * to + 1] - positions[3 * from + 1];
+    const z = positions[3 * to + 2] - positions[3 * from + 2];
+    return x * x + y * y + z * z;
+  };
   let area = 0;
   let weighted = 0;
-  faceLabel.forEach((label, face) => {
-    if (label !== -2) return;
+  for (let face = 0; face < faceLabel.length; ++face) {
+    if (faceLabel[face] !== -2) continue;
     const [a, b, c] = indices.subarray(3 * face, 3 * face + 3);
-    const sides = [side(a, b), side(b, c), side(c, a)];
-    const [[x, y, z], [u, v, w]] = sides;
-    const ofFace = Math.hypot(y * w - z * v, z * u - x * w, x * v - y * u) / 2;
+    const [ab, bc, ca] = [squared(a, b), squared(b, c), squared(c, a)];
+    const ofFace = Math.sqrt(Math.max(0, 4 * ab * bc - (ab + bc - ca) ** 2)) / 4; // Heron
     area += ofFace;
-    weighted += ofFace * Math.max(...sides.map((s) => Math.hypot(...s))) ** 2;
-  });
+    weighted += ofFace * Math.max(ab, bc, ca);
+  }
   const regions = regionArea.filter((ofRegion) => ofRegion > 0);
   const meanRegion = regions.reduce((sum, ofRegion) => sum + ofRegion, 0) / regions.length;
   return weighted > mostSquaredLength * meanRegion * area;

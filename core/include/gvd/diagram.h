@@ -101,13 +101,15 @@ struct Diagram {
 };
 
 struct DiagramOptions {
-  /// How finely mixed faces are split, with distances evaluated at the new corners: until their
-  /// mixed parts have no side longer than √2 · 2^-detail times the mean edge of the mesh. On a scan
-  /// this splits a face in four, once per level; long thin faces are cut shorter first. With more
-  /// detail the bisectors converge to the true curves. 0: one straight segment per face and
-  /// bisector. Each further level about doubles the points, and the time for mixed faces. With the
-  /// exact metric, the sites also spread once more each time the longest sides are halved
-  /// (`DistanceField::distancesAt`), which takes about as long as `propagate`.
+  static constexpr int kMostDetail = 10;
+
+  /// From 0 to `kMostDetail`: how finely mixed faces are split, with distances evaluated at the new
+  /// corners: until their mixed parts have no side longer than √2 · 2^-detail times the mean edge
+  /// of the mesh. On a scan this splits a face in four, once per level; long thin faces are cut
+  /// shorter first. With more detail the bisectors converge to the true curves. 0: one straight
+  /// segment per face and bisector. Each further level about doubles the points, and the time for
+  /// mixed faces. With the exact metric, the sites also spread once more each time the longest
+  /// sides are halved (`DistanceField::distancesAt`), which takes about as long as `propagate`.
   int detail = 0;
 };
 
@@ -117,7 +119,7 @@ struct DiagramOptions {
 /// The distances must be known at all corners where `DistanceField` says so; a field of another
 /// implementation that lacks some may end in `std::logic_error`. Throws `Error(kInvalidArgument)`
 /// if the distances are those of another mesh or of more than `siteCount` sites, or if `detail` is
-/// negative.
+/// negative or more than `kMostDetail`.
 Diagram traceDiagram(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,
                      const DiagramOptions& options = {});
 

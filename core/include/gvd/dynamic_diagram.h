@@ -46,7 +46,7 @@ class DynamicDiagram {
   /// The mesh must outlive this. Sites are given in the mesh's faces; the list may be empty and may
   /// have labels without a site (face -1). Here and below, a site that is not on the mesh throws
   /// `Error(kInvalidPoint)` and changes nothing. Throws `Error(kInvalidArgument)` if `detail` is
-  /// negative.
+  /// out of its range.
   DynamicDiagram(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
                  Metric metric = Metric::kExact, const DiagramOptions& options = {});
   /// The same in steps.

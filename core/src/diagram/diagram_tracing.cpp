@@ -109,9 +109,10 @@ class Tracing final : public SlicedWork<TracedDiagram> {
 };
 
 void requireValid(const DiagramOptions& options) {
-  if (options.detail < 0)
-    throw Error(ErrorCode::kInvalidArgument,
-                "the detail " + std::to_string(options.detail) + " is negative");
+  if (options.detail < 0 || options.detail > DiagramOptions::kMostDetail)
+    throw Error(ErrorCode::kInvalidArgument, "the detail " + std::to_string(options.detail) +
+                                                 " is not from 0 to " +
+                                                 std::to_string(DiagramOptions::kMostDetail));
 }
 
 void requireLabels(const TriangleMesh& mesh, const DistanceField& distances, int siteCount) {
