@@ -55,7 +55,7 @@ bool FaceComplex::addMesh(long& budget) {
                        });
                      },
                      [&] {
-                       // To avoid copying everything.
+                       // Lists that grow beyond what is reserved are copied in one step.
                        if (isOwn_)
                          elements_.reserve(mesh_.faceCount() + static_cast<size_t>(partsExpected_));
                      },

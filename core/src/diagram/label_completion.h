@@ -11,9 +11,10 @@ namespace gvd {
 
 /// Adds missing labels to a refined complex: a label that owns part of a side of an element has to
 /// be known at all three nodes. `DistanceField` guarantees this at vertices of the mesh, but a
-/// midpoint only has the labels known at both ends of its side. An added label may own part of
-/// another side, so elements with added labels are checked again until nothing is added. An element
-/// with one owner lacks no label: a function that is least at all nodes is least everywhere.
+/// midpoint only has labels known at both ends of its side (`ElementSplitting`). An added label may
+/// own part of another side, so elements with added labels are checked again until nothing is
+/// added. An element with one owner lacks no label: a function that is least at all nodes is least
+/// everywhere.
 class LabelCompletion {
  public:
   explicit LabelCompletion(FaceComplex& complex) : complex_(complex) {}

@@ -59,7 +59,9 @@ class NodeLabels {
   /// it if it is shared. On the mesh boundary it is not: where the mesh was cut, two sides may have
   /// the same ends and different distances between them.
   int addMiddle(int a, int b, bool isShared);
+  /// Sets all labels of a midpoint, ascending; finds its owner.
   void setLabels(int node, std::span<const LabelledDistance> labels);
+  /// A side of an element, by the nodes at its ends.
   struct Side {
     int from, to;
   };

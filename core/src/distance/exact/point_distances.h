@@ -71,8 +71,8 @@ class PointDistances final : public SlicedWork<std::vector<double>> {
   SlicedLoop loop_;
   std::vector<double> distances_;
   std::vector<OpenPoint> open_;
-  Grouping byLabel_;      ///< of these
-  size_t doneCount_ = 0;  ///< of these
+  Grouping byLabel_;      ///< the indices of open points
+  size_t doneCount_ = 0;  ///< of open points
 
   enum class Stage { kNone, kSpread, kRequire } stage_ = Stage::kNone;
   int label_ = 0;  ///< the current one
