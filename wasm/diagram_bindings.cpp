@@ -80,9 +80,9 @@ class SiteChanging final : public SlicedWork<Record> {
     return wasMade_ ? (1 + own) / 2 : own;
   }
   Record result() override {
-    const DiagramChange change = change_->take();
+    DiagramChange change = change_->take();
     if (voronoi_.worstRegions) voronoi_.worstRegions->follow(change);
-    return changeRecord(voronoi_.mesh(), *label_, change);
+    return changeRecord(voronoi_.mesh(), *label_, std::move(change));
   }
 
  private:

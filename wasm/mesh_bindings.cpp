@@ -156,15 +156,16 @@ GVD_ABI Answer* createMesh(MeshArrays* arrays, double weld, Text orientation, in
         .weld = weld,
         .orientation = valueOf(kOrientations, "orientation", toView(orientation)),
         .minComponent = minComponent};
-    return answerOf(
-        startMesh(std::move(arrays->positions), std::move(arrays->triangles), options),
-        [](TriangleMesh mesh) {
-          auto handle = std::make_unique<MeshHandle>();
-          handle->mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
-          Record out = infoRecord(*handle->mesh);
-          out.add("mesh", static_cast<double>(reinterpret_cast<std::uintptr_t>(handle.release())));
-          return out;
-        });
+    return answerOf(startMesh(std::move(arrays->positions), std::move(arrays->triangles), options),
+                    [](TriangleMesh mesh) {
+                      auto handle = std::make_unique<MeshHandle>();
+                      handle->mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
+                      Record out = infoRecord(*handle->mesh);
+                      out.add("mesh",
+                              static_cast<double>(reinterpret_cast<std::uintptr_t>(handle.get())));
+                      handle.release();
+                      return out;
+                    });
   });
 }
 

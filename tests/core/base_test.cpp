@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Small tools of the core: loops in slices, a queue, a sort, and numbers in messages.
+// Small tools of the core: loops in slices, a queue, a sort, draws, and numbers in messages.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,6 +14,7 @@
 
 #include "base/bucket_queue.h"
 #include "base/number_text.h"
+#include "base/random.h"
 #include "base/sliced_loop.h"
 #include "base/sorting.h"
 
@@ -31,6 +32,12 @@ TEST(NumberText, IsThatOfSixSignificantDigits) {
     EXPECT_EQ(numberText(number), expected);
   }
   EXPECT_EQ(numberText(std::numeric_limits<double>::quiet_NaN()), "nan");
+}
+
+TEST(DrawIndex, FindsPositiveValuesEvenIfTheirSumIsSubnormal) {
+  std::mt19937_64 random(1);
+  const std::vector<double> sums = cumulative(std::vector<double>{0, 5e-324, 0});
+  for (int i = 0; i < 100; ++i) EXPECT_EQ(drawIndex(random, sums), 1);
 }
 
 TEST(SlicedLoop, TakesABudgetThatIsOverdrawnForOneThatIsUsedUp) {

@@ -241,6 +241,27 @@ test('what a listener throws ends the task', async () => {
   await assert.rejects(mesh.voronoi({ vertex: [0] }, { onProgress }), /no screen/);
 });
 
+test('a mesh is freed if a listener throws once it is made', async (t) => {
+  const { instantiate } = WebAssembly;
+  const memories = [];
+  t.mock.method(WebAssembly, 'instantiate', async (...args) => {
+    const instance = await instantiate(...args);
+    memories.push(instance.exports.memory);
+    return instance;
+  });
+  const fresh = await load();
+  const input = grid(200);
+  const onProgress = (share) => {
+    if (share === 1) throw new Error('no screen');
+  };
+  const openOnce = () => assert.rejects(fresh.mesh(input, { onProgress }), /no screen/);
+  const bytes = () => memories.reduce((sum, { buffer }) => sum + buffer.byteLength, 0);
+  await openOnce();
+  const before = bytes();
+  for (let i = 0; i < 5; ++i) await openOnce();
+  assert.equal(bytes(), before);
+});
+
 test('tasks at the same time do not disturb each other', async () => {
   const mesh = await gvd.mesh(grid(60));
   const seeds = [1, 2, 3];

@@ -176,6 +176,13 @@ suite('the panel', () => {
     assert.equal(await viewer.page.evaluate(() => globalThis.told), 'Computing the diagram…');
     await viewer.page.locator('#status', { hasText: '60 regions, computed' }).waitFor();
     assert.deepEqual(await viewer.sites(), before);
+    // What was given up is not compared with the next diagram.
+    await viewer.after('diagram', () =>
+      viewer.evaluate((viewer) => {
+        viewer.sites = { face: [0], bary: [1, 0, 0] };
+      }),
+    );
+    assert.equal(await viewer.page.locator('#note-text', { hasText: 'instead of' }).count(), 0);
   });
 
   test('what takes long to be drawn is marked until it is', async () => {

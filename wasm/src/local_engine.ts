@@ -133,7 +133,7 @@ export class LocalEngine implements Engine {
   async #openTriangles(
     { positions, indices }: Triangles,
     { weld, orientation, minComponent }: MeshBuild,
-    task: TaskOptions,
+    { signal, onProgress }: TaskOptions,
   ): Promise<OpenedMesh> {
     const core = this.#open();
     const arrays = core.call('newMeshArrays', positions.length, indices.length);
@@ -146,11 +146,21 @@ export class LocalEngine implements Engine {
         core.call('appendToMeshArrays', arrays, ...pieces);
         return at < length ? sliceMoreToDo : sliceDone;
       };
-      await this.#inSlices(copyMore, { signal: task.signal });
+      await this.#inSlices(copyMore, { signal });
       const args = [arrays, weld, orientation, minComponent];
-      const { mesh, ...counts } = await this.#answer<CreatedMesh>('createMesh', args, task);
+      const { mesh, ...counts } = await this.#answer<CreatedMesh>('createMesh', args, {
+        signal,
+        onProgress: (share) => share < 1 && onProgress?.(share),
+      });
       const info: MeshInfo = { ...counts, origin: { format: 'arrays', file: '' }, notes: [] };
-      return { handle: this.#keep({ pointer: mesh, free: 'freeMesh' }), info, parts: [] };
+      const handle = this.#keep({ pointer: mesh, free: 'freeMesh' });
+      try {
+        onProgress?.(1); // may throw, which ends the task
+      } catch (error) {
+        this.close(handle);
+        throw error;
+      }
+      return { handle, info, parts: [] };
     } finally {
       core.run('freeMeshArrays', arrays);
     }

@@ -118,7 +118,10 @@ export interface RemeshOptions extends Omit<CvtOptions, 'data' | 'diagrams'> {
 export interface CvtState {
   /** 0 for the sites given. */
   iteration: number;
-  /** Σ ∫ ρ d² over all regions, ρ the density, d the distance to the site. It never rises. */
+  /**
+   * Σ ∫ ρ d² over all regions, ρ the density, d the distance to the site. It never rises by more
+   * than rounding.
+   */
   energy: number;
   /** The farthest that a site moved in this iteration, in the input's units. */
   largestMove: number;

@@ -2,17 +2,9 @@
 //
 // Numbers as the page writes them.
 
-const integers = new Intl.NumberFormat('en');
+export { counted, integer } from '../../dist/sentences.js';
+
 const measures = new Intl.NumberFormat('en', { maximumSignificantDigits: 3 });
-
-/** "1 site", "1,200 sites". */
-export function counted(count: number, one: string, many = `${one}s`): string {
-  return `${integers.format(count)} ${count === 1 ? one : many}`;
-}
-
-export function integer(value: number): string {
-  return integers.format(value);
-}
 
 /** A length or an area in the model's units, which may be of any size. */
 export function measure(value: number): string {

@@ -44,14 +44,26 @@ function setUpBareNote(viewer: GeodesicVoronoiElement): void {
   });
 }
 
-/** Notes if there are fewer sites than wanted: farthest points are vertices, and may run out. */
-function tellOfFewer(viewer: GeodesicVoronoiElement, wanted: number): void {
-  const { length } = viewer.sites.face;
-  if (length === 0 || length >= wanted) return;
-  showNote(
-    `${counted(length, 'site')} instead of ${integer(wanted)}: places as far apart as possible are ` +
-      `vertices, and this model has ${integer(length)}. Random sampling has no such limit.`,
-  );
+/**
+ * Notes if sampling gives fewer sites than wanted: farthest points are vertices, and may run out.
+ * The function returned tells how many are wanted by the sampling that begins.
+ */
+function setUpNoteOfFewer(viewer: GeodesicVoronoiElement): (count: number) => void {
+  let expected = 0;
+  listen(viewer, 'diagram', ({ sites }) => {
+    const wanted = expected;
+    expected = 0;
+    // The attributes are what they were if the sampling was given up.
+    const isSampled = Number(viewer.getAttribute('sites')) === wanted;
+    if (!isSampled || sites === 0 || sites >= wanted) return;
+    showNote(
+      `${counted(sites, 'site')} instead of ${integer(wanted)}: places as far apart as possible are ` +
+        `vertices, and this model has ${integer(sites)}. Random sampling has no such limit.`,
+    );
+  });
+  return (count) => {
+    expected = count;
+  };
 }
 
 function setUpSampling(viewer: GeodesicVoronoiElement): void {
@@ -62,15 +74,13 @@ function setUpSampling(viewer: GeodesicVoronoiElement): void {
   const perComponent = byId('per-component', HTMLInputElement);
   const fields = { sites: count, seed, sampling, 'per-component': perComponent };
   showAttributes(viewer, fields);
+  const expectSites = setUpNoteOfFewer(viewer);
   listen(viewer, 'load', ({ info }) => {
     byId('per-component-label', HTMLElement).hidden = info.components < 2;
   });
   form.addEventListener('submit', (event) => {
     event.preventDefault();
-    if (sampling.value === 'farthest') {
-      const wanted = count.valueAsNumber;
-      viewer.addEventListener('diagram', () => tellOfFewer(viewer, wanted), { once: true });
-    }
+    expectSites(sampling.value === 'farthest' ? count.valueAsNumber : 0);
     // The attributes also hold for the next model. The viewer samples when they change.
     let isNew = false;
     for (const [name, field] of Object.entries(fields)) {

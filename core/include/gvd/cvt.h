@@ -37,9 +37,11 @@ struct CvtOptions {
 
 /// The result of one iteration.
 struct CvtIteration {
-  int number = 0;          ///< 0: the initial sites
-  double energy = 0;       ///< Σ over the labels of ∫ ρ d² over the label's region
-  double largestMove = 0;  ///< the largest distance a site has moved, in the mesh's units
+  int number = 0;     ///< 0: the initial sites
+  double energy = 0;  ///< Σ over the labels of ∫ ρ d² over the label's region
+  /// The largest distance that a site has moved along the surface, in the mesh's units. A site that
+  /// moved to a random place does not count, and no tolerance ends such an iteration.
+  double largestMove = 0;
 };
 
 /// A centroidal Voronoi tessellation of a mesh: moves sites so that the energy E = Σ ∫ ρ d² falls,

@@ -127,7 +127,8 @@ struct RepairOptions {
 
 /// Sites with a valid dual.
 struct RepairedSites {
-  /// The given sites by label, and `added` more: each got the lowest label without a site.
+  /// The given sites by label, but for labels without a site at the end, and `added` more: each got
+  /// the lowest label without a site.
   std::vector<SurfacePoint> sites;
   int added = 0;
   Diagram diagram;

@@ -27,8 +27,8 @@ struct DiagramChange {
   ///  - all arcs, with their segments, and all Voronoi points that involve one of `labels`;
   ///  - the cells of `faces`, and the indifferent ones of `faces`.
   ///
-  /// Points are numbered anew. `faceLabel` is given per entry of `faces`, `regionArea` per entry of
-  /// `labels`.
+  /// Points are numbered anew, and `siteCount` is `labelCount()`. `faceLabel` is given per entry of
+  /// `faces`, `regionArea` per entry of `labels`.
   Diagram part;
 };
 
@@ -89,7 +89,8 @@ class DynamicDiagram {
 
   /// The lowest label without a site. O(labels).
   int lowestFreeLabel() const;
-  /// All labels are below this number.
+  /// All labels that have had a site are below this number. Labels without a site at the end of the
+  /// list given do not count.
   int labelCount() const;
   bool hasSite(int label) const;
   /// Throws `Error(kInvalidArgument)` if no site has the label.

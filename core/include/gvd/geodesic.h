@@ -79,7 +79,8 @@ class DistanceField {
   virtual double distance(int label, const SurfacePoint& p) const = 0;
   /// Starts to find distances at many points. With the exact metric, each of the sites spreads once
   /// more, as far as it is nearest and on to its points, which takes about as long as the first
-  /// time. Distances that were found are kept until their site is removed. The field must outlive
+  /// time. Distances that were found are kept until their site is removed. The points are copied;
+  /// one that is not on the mesh throws `Error(kInvalidPoint)` in a step. The field must outlive
   /// the work, and sites must not change until it is done.
   virtual std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
       std::span<const LabelledPoint> points) const = 0;

@@ -32,7 +32,8 @@ struct RegionPatch {
 
   int label = Diagram::kUnreachable;
   /// Its triangles: `firstTriangle` … `firstTriangle + triangleCount - 1`. None for a site without
-  /// region (it coincides with another one); everything below is zero then, the centroid NaN.
+  /// region (it coincides with another one); everything below is zero then, the centroid NaN, and
+  /// `nearCentroid` on no face.
   int firstTriangle = 0, triangleCount = 0;
 
   double area = 0;

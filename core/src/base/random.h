@@ -28,9 +28,11 @@ inline std::vector<double> cumulative(std::span<const double> values) {
 /// An index with a probability in proportion to its value, from the cumulative sums of values that
 /// are not negative and not all zero.
 inline int drawIndex(std::mt19937_64& random, const std::vector<double>& sums) {
-  // u < 1 makes u · total < total, even rounded, so an index with a positive value is found.
-  const double place = drawUniform(random) * sums.back();
-  return static_cast<int>(std::upper_bound(sums.begin(), sums.end(), place) - sums.begin());
+  // u < 1 makes u · total < total, even rounded, unless the total is subnormal.
+  const double total = sums.back(), place = drawUniform(random) * total;
+  const auto index = place < total ? std::upper_bound(sums.begin(), sums.end(), place)
+                                   : std::lower_bound(sums.begin(), sums.end(), total);
+  return static_cast<int>(index - sums.begin());
 }
 
 /// Uniform in a triangle, by folding the unit square onto the triangle below its diagonal.

@@ -52,26 +52,26 @@ void BisectorTracing::reserve() {
 
 /// Goes through elements in order, so that areas are always summed in the same order.
 bool BisectorTracing::divideAll(long& budget) {
-  const std::vector<int>& contested = complex_.contested();
+  const std::vector<int>& undecided = complex_.undecided();
   const int count = complex_.elementCount();
   while (next_ < count) {
     if (budget <= 0) return false;
     --budget;
-    const int stop = nextContested_ < contested.size() ? contested[nextContested_] : count;
+    const int stop = nextUndecided_ < undecided.size() ? undecided[nextUndecided_] : count;
     const int end = std::min(stop, next_ + static_cast<int>(kQuickRounds));
     assignUntil(end);
     if (next_ < stop || stop == count) continue;
-    divideContested(next_++);
-    ++nextContested_;
+    divideUndecided(next_++);
+    ++nextUndecided_;
   }
   return true;
 }
 
-void BisectorTracing::divideContested(int element) {
+void BisectorTracing::divideUndecided(int element) {
   constexpr size_t kAhead = 6;
-  const std::vector<int>& contested = complex_.contested();
-  if (nextContested_ + kAhead < contested.size())
-    prefetch(mesh_.face(complex_.face(contested[nextContested_ + kAhead])));
+  const std::vector<int>& undecided = complex_.undecided();
+  if (nextUndecided_ + kAhead < undecided.size())
+    prefetch(mesh_.face(complex_.face(undecided[nextUndecided_ + kAhead])));
   const int owner = complex_.soleOwner(element);
   if (owner == Diagram::kMixed) return divide(element);
   assign(element, owner);

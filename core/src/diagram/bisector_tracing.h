@@ -29,7 +29,7 @@ class BisectorTracing {
   void reserve();
   bool divideAll(long& budget);
   void assignUntil(int end);
-  void divideContested(int element);
+  void divideUndecided(int element);
   void assign(int element, int owner);
   void divide(int index);
   bool isIndifferent(int element, int owner) const;
@@ -50,7 +50,7 @@ class BisectorTracing {
   BisectorGraph& graph_;
 
   SlicedSequence sequence_;
-  size_t nextContested_ = 0;
+  size_t nextUndecided_ = 0;
   int next_ = 0;  ///< element
   ElementFunctions functions_;
   FaceEnvelope envelope_;

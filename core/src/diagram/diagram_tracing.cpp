@@ -108,11 +108,12 @@ class Tracing final : public SlicedWork<TracedDiagram> {
   std::optional<FinalCells> cells_;
 };
 
-void requireValid(const DiagramOptions& options) {
+int validDetail(const DiagramOptions& options) {
   if (options.detail < 0 || options.detail > DiagramOptions::kMostDetail)
     throw Error(ErrorCode::kInvalidArgument, "the detail " + std::to_string(options.detail) +
                                                  " is not from 0 to " +
                                                  std::to_string(DiagramOptions::kMostDetail));
+  return options.detail;
 }
 
 void requireLabels(const TriangleMesh& mesh, const DistanceField& distances, int siteCount) {
@@ -130,7 +131,7 @@ class FullTracing final : public SlicedWork<TracedDiagram> {
  public:
   FullTracing(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,
               const DiagramOptions& options)
-      : complex_(mesh, distances, options.detail, FaceComplex::Extent::kMesh),
+      : complex_(mesh, distances, validDetail(options), FaceComplex::Extent::kMesh),
         tracing_(mesh, distances, complex_, siteCount, {}, nodePoints_) {}
 
   bool advance(long budget) override { return tracing_.step(budget); }
@@ -163,7 +164,6 @@ std::unique_ptr<SlicedWork<TracedDiagram>> startTracing(const TriangleMesh& mesh
                                                         const DistanceField& distances,
                                                         int siteCount,
                                                         const DiagramOptions& options) {
-  requireValid(options);
   requireMesh(mesh, distances);
   requireLabels(mesh, distances, siteCount);
   return std::make_unique<FullTracing>(mesh, distances, siteCount, options);
@@ -184,9 +184,7 @@ PartialTracer::PartialTracer(const TriangleMesh& mesh, const DistanceField& dist
                              const DiagramOptions& options)
     : mesh_(mesh),
       distances_(distances),
-      complex_(mesh, distances, options.detail, FaceComplex::Extent::kPart) {
-  requireValid(options);
-}
+      complex_(mesh, distances, validDetail(options), FaceComplex::Extent::kPart) {}
 
 std::unique_ptr<SlicedWork<TracedDiagram>> PartialTracer::start(std::span<const int> faces,
                                                                 std::vector<char> isTraced) {

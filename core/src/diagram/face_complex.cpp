@@ -80,7 +80,7 @@ bool FaceComplex::finish(long& budget) {
       },
       [&] { return !isOwn_ || matchTwins(budget); }, [&] { soleOwner_.reserve(elementCount()); },
       [&] {
-        return loop_.run(elementCount(), budget, kQuickRounds, [&](int e) { noteContested(e); });
+        return loop_.run(elementCount(), budget, kQuickRounds, [&](int e) { noteUndecided(e); });
       });
 }
 
@@ -98,7 +98,7 @@ void FaceComplex::clear() {
   nodes_.clear(elements_.tail);
   for (const int f : elements_.face) indexInPart_[f] = -1;
   elements_.clear();
-  for (auto* list : {&twin_, &soleOwner_, &contested_, &lastOut_, &before_}) list->clear();
+  for (auto* list : {&twin_, &soleOwner_, &undecided_, &lastOut_, &before_}) list->clear();
   splitting_.reset();
   mixedCount_ = 0;
   finishing_ = matching_ = {};
@@ -106,12 +106,12 @@ void FaceComplex::clear() {
 
 void FaceComplex::addFace(int face) { elements_.addFace(face, mesh_.face(face).vertices); }
 
-void FaceComplex::noteContested(int element) {
+void FaceComplex::noteUndecided(int element) {
   const int* const node = &tails()[3 * element];
   soleOwner_.push_back(nodes_.commonOwner(node));
   mixedCount_ += soleOwner_.back() == Diagram::kMixed;
   if (soleOwner_.back() < 0 || std::all_of(node, node + 3, [&](int n) { return nodes_.hasTie(n); }))
-    contested_.push_back(element);
+    undecided_.push_back(element);
 }
 
 std::vector<NodeLabels::InnerNode> FaceComplex::innerNodes(int h) const {

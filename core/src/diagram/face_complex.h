@@ -69,7 +69,7 @@ class FaceComplex {
   int soleOwner(int element) const { return soleOwner_[element]; }
   /// The elements, ascending, that are mixed, have no owner, or have ties at all nodes, where two
   /// labels may tie on all of the element.
-  const std::vector<int>& contested() const { return contested_; }
+  const std::vector<int>& undecided() const { return undecided_; }
   /// The number of mixed elements.
   int mixedCount() const { return mixedCount_; }
 
@@ -79,7 +79,7 @@ class FaceComplex {
   void addFace(int face);
   double expectedParts(int face) const;
   void clear();
-  void noteContested(int element);
+  void noteUndecided(int element);
   bool matchTwins(long& budget);
   void linkHalfedge(int h);
   void matchTwin(int h);
@@ -96,7 +96,7 @@ class FaceComplex {
   Elements elements_;  ///< if they are kept here
   std::vector<int> twin_;
   std::vector<int> soleOwner_;
-  std::vector<int> contested_;
+  std::vector<int> undecided_;
   std::vector<int> indexInPart_;  ///< per face of the mesh, -1 if it is not in; empty if all are
   int partSize_ = 0;
 

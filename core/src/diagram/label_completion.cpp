@@ -46,9 +46,9 @@ bool isDominated(int label, double atTail, double atTip, Labels tail, Labels tip
 
 bool LabelCompletion::step(long& budget) {
   constexpr long kElementsPerUnit = 8;
-  const std::vector<int>& contested = complex_.contested();
-  while (loop_.run(contested.size(), budget, kElementsPerUnit,
-                   [&](int i) { complete(contested[i]); })) {
+  const std::vector<int>& undecided = complex_.undecided();
+  while (loop_.run(undecided.size(), budget, kElementsPerUnit,
+                   [&](int i) { complete(undecided[i]); })) {
     isFirstRound_ = false;
     if (!std::exchange(hasChanged_, false)) return true;
   }

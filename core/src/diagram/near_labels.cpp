@@ -31,10 +31,9 @@ std::span<const NearLabels::Label> NearLabels::of(
     const std::array<double, 3>& lengths, const TieTolerance& ties) {
   std::array<double, 3> nearest;  // of the labels known at all corners
   nearest.fill(kInfinity);
-  anyLabel(known[0], known[1], known[2], [&](int, const auto& at) {
+  visitLabels(known[0], known[1], known[2], [&](int /*label*/, const auto& at) {
     for (int i = 0; i < 3 && at[0] && at[1] && at[2]; ++i)
       nearest[i] = std::min(nearest[i], at[i]->distance);
-    return false;
   });
   // What is farther from a corner is farther from all points of the element than that label.
   std::array<double, 3> most;
@@ -44,7 +43,7 @@ std::span<const NearLabels::Label> NearLabels::of(
     most[i] = ties.mostTying(most[i]);
   }
   near_.clear();
-  anyLabel(known[0], known[1], known[2], [&](int label, const auto& at) {
+  visitLabels(known[0], known[1], known[2], [&](int label, const auto& at) {
     Label found{label, {}};
     bool isFar = false, isNearest = false;
     for (int i = 0; i < 3; ++i) {
@@ -53,7 +52,6 @@ std::span<const NearLabels::Label> NearLabels::of(
       isNearest |= at[i] && at[i]->distance <= nearest[i];
     }
     if (!isFar || isNearest) near_.push_back(found);
-    return false;
   });
   return near_;
 }

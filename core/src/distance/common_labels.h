@@ -46,4 +46,14 @@ bool anyLabel(std::span<const LabelledDistance> a, std::span<const LabelledDista
   }
 }
 
+/// Calls visit(label, at) for every label known at a corner of a triangle, as `anyLabel` does.
+template <class Visit>
+void visitLabels(std::span<const LabelledDistance> a, std::span<const LabelledDistance> b,
+                 std::span<const LabelledDistance> c, Visit visit) {
+  anyLabel(a, b, c, [&](int label, const auto& at) {
+    visit(label, at);
+    return false;
+  });
+}
+
 }  // namespace gvd

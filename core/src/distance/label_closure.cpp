@@ -78,10 +78,9 @@ long LabelClosure::closeFace(int f) {
   const int* const corners = &mesh_.tails()[3 * static_cast<size_t>(f)];
   const auto a = lists_[corners[0]], b = lists_[corners[1]], c = lists_[corners[2]];
   if ((a.size() > 1) + (b.size() > 1) + (c.size() > 1) < 2) return 1;
-  anyLabel(a, b, c, [&](int label, const auto& at) {
+  visitLabels(a, b, c, [&](int label, const auto& at) {
     const int known = (at[0] != nullptr) + (at[1] != nullptr) + (at[2] != nullptr);
     if (known == 2) requireAcross(3 * f + (at[2] ? at[1] ? 1 : 2 : 0), label);
-    return false;
   });
   return static_cast<long>(a.size() + b.size() + c.size());
 }

@@ -31,12 +31,12 @@ class LabelSpread {
  public:
   virtual ~LabelSpread() = default;
 
-  /// Spreads a new label from its site, up to where another label is nearer.
+  /// Spreads a new label from its site, at least as far as it is nearest.
   virtual void start(int label) = 0;
-  /// Spreads a label on from where it stopped, because bounds have risen.
+  /// Spreads a label on from where others stopped it, because bounds have risen.
   virtual void resume(int label) = 0;
   /// Spreads a label on to all corners of some faces. The label must own part of each. Quickest
-  /// for the label that has spread last. Returns how many quick rounds it took (`kQuickRounds`).
+  /// if the same label was required last. Returns how many quick rounds it took (`kQuickRounds`).
   virtual long require(int label, std::span<const int> faces) = 0;
   /// Works on at most `budget` units and lowers it by their number. True when the label is done.
   virtual bool step(long& budget) = 0;

@@ -44,7 +44,7 @@ class LabelTurns {
       if (!std::exchange(hasBegun_, true)) begin(budget);
       const int label = turns_[next_].label;
       for (;;) {
-        // The budget is looked at here, because a step with nothing to spread needs none.
+        // A label with nothing to spread is done without a look at the budget.
         if (budget <= 0 || !spread_.step(budget)) return false;
         then(label, currentFaces_);
         if (currentFaces_.empty()) break;

@@ -105,7 +105,7 @@ void SiteDistances::forget(std::span<const int> labels) {
   spread_->remove(labels);
 }
 
-bool SiteDistances::step(long budget) {
+bool SiteDistances::step(long& budget) {
   if (stage_ == Stage::kBounds) {
     if (!edgeBounds_.step(budget)) return false;
     applyEdgeBounds();
@@ -263,9 +263,9 @@ double SiteDistances::distance(int label, const SurfacePoint& p) const {
 }
 
 /// Distances at vertices come from the lists, at other points from the spread.
-class SiteDistances::DistancesAtPlaces final : public SlicedWork<std::vector<double>> {
+class SiteDistances::DistancesAtPoints final : public SlicedWork<std::vector<double>> {
  public:
-  DistancesAtPlaces(const SiteDistances& field, std::span<const LabelledPoint> points)
+  DistancesAtPoints(const SiteDistances& field, std::span<const LabelledPoint> points)
       : field_(field),
         points_(points.begin(), points.end()),
         distances_(points.size(), kInfinity) {}
@@ -307,7 +307,7 @@ class SiteDistances::DistancesAtPlaces final : public SlicedWork<std::vector<dou
 
 std::unique_ptr<SlicedWork<std::vector<double>>> SiteDistances::startDistancesAt(
     std::span<const LabelledPoint> points) const {
-  return std::make_unique<DistancesAtPlaces>(*this, points);
+  return std::make_unique<DistancesAtPoints>(*this, points);
 }
 
 Eigen::Vector2d SiteDistances::direction(int label, int vertex) const {

@@ -38,10 +38,11 @@ void requireMesh(const TriangleMesh& mesh, const DistanceField& distances);
 ///
 /// 1. *Bounds* (`EdgeBounds`): the length of the shortest path along edges is an upper bound on the
 ///    distance of the nearest site at every vertex.
-/// 2. *Spread* (`LabelTurns`, `LabelSpread`): each label in turn spreads from its site while it is
-///    nearer than the bounds, and lowers them. Other labels limit how far a label spreads, not the
-///    distances it finds. So after a change, new labels start, and labels that have reached
-///    vertices of removed ones resume from where they stopped.
+/// 2. *Spread* (`LabelTurns`, `LabelSpread`): each label in turn spreads from its site and lowers
+///    the bounds: with the exact metric while it is nearer than they are, with DGPC as far as the
+///    edge bounds allow. Other labels limit how far a label spreads, not the distances it finds. So
+///    after a change, new labels start, and labels that have reached vertices of removed ones
+///    resume from where they stopped.
 /// 3. *Known labels* (`KnownLabels`): adds the distances that a diagram needs at vertices owned by
 ///    other labels.
 class SiteDistances final : public DistanceField {
@@ -52,7 +53,7 @@ class SiteDistances final : public DistanceField {
   /// `Error(kInvalidPoint)`, and changes nothing, if a site is not on the mesh.
   void change(std::span<const SiteChange> changes);
   /// Works on at most `budget` units, about a microsecond each; true when the change is done.
-  bool step(long budget);
+  bool step(long& budget);
   double progress() const;
 
   /// The faces and labels that the last change may have altered. Elsewhere the same labels are
@@ -75,7 +76,7 @@ class SiteDistances final : public DistanceField {
   std::vector<SurfacePoint> path(int label, const SurfacePoint& given) const override;
 
  private:
-  class DistancesAtPlaces;
+  class DistancesAtPoints;
   enum class Stage { kBounds, kSpread, kKnown, kDone };
   void forget(std::span<const int> labels);
   void applyEdgeBounds();

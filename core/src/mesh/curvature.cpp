@@ -112,12 +112,10 @@ class DensityMaking final : public SlicedWork<std::vector<double>> {
     return sequence_.run(
         [&] { return measuring_.step(budget); },
         [&] {
-          if (density_.empty()) {
-            areas_ = measuring_.takeAreas();
-            curvatures_ = measuring_.take();
-          }
-          return fillInSlices(density_, vertices, 0., budget);
+          areas_ = measuring_.takeAreas();
+          curvatures_ = measuring_.take();
         },
+        [&] { return fillInSlices(density_, vertices, 0., budget); },
         [&] {
           return forVertices([&](int v) {
             const double h = curvatures_.mean[v], k = curvatures_.gaussian[v];

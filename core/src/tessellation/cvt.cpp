@@ -115,6 +115,8 @@ class Cvt::Solver {
   };
 
   int siteCount() const { return static_cast<int>(isFixed_.size()); }
+  /// Whether the region of an accepted site has a mass that can be divided by.
+  bool hasMass(int label) const { return std::isnormal(accepted_.energy.regions[label].mass); }
 
   // --- One set of sites ---
 
@@ -185,10 +187,9 @@ class Cvt::Solver {
   /// -2 ∫ ρ u to minus the mean of u.
   VectorXd inverseDiagonal() const {
     VectorXd result = VectorXd::Zero(2 * siteCount());
-    for (int l = 0; l < siteCount(); ++l) {
-      const double mass = accepted_.energy.regions[l].mass;
-      if (mass > 0) result.segment<2>(2 * l).setConstant(1 / (2 * mass));
-    }
+    for (int l = 0; l < siteCount(); ++l)
+      if (hasMass(l))
+        result.segment<2>(2 * l).setConstant(1 / (2 * accepted_.energy.regions[l].mass));
     return result;
   }
 
@@ -276,7 +277,7 @@ class Cvt::Solver {
     attempts_ = 0;
     std::vector<double> sums;
     for (int l = 0; l < siteCount(); ++l) {
-      if (isFixed_[l] || accepted_.energy.regions[l].mass > 0) continue;
+      if (isFixed_[l] || hasMass(l)) continue;
       if (sums.empty()) sums = cumulative(accepted_.energy.faceEnergy);
       if (!(sums.back() > 0)) return;
       newPlaces_[l].face = drawIndex(random_, sums);

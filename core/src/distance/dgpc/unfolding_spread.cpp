@@ -150,10 +150,9 @@ std::vector<LabelledDistance> UnfoldingSpread::nearestAt(const SurfacePoint& p,
                                                          const KnownLabels& known) {
   const auto& [a, b, c] = mesh_.face(p.face).vertices;
   std::vector<LabelledDistance> distances;
-  anyLabel(known[a], known[b], known[c], [&](int label, const auto& /*at*/) {
+  visitLabels(known[a], known[b], known[c], [&](int label, const auto& /*at*/) {
     distances.push_back(
         {label, distanceAt(label, p, [&](int v) { return known.distance(v, label); })});
-    return false;
   });
   return distances;
 }
@@ -193,7 +192,7 @@ std::unique_ptr<SlicedWork<std::vector<double>>> UnfoldingSpread::startDistances
 
 /// In the plane, the squared distance of a point is the linear interpolant of the corners' squared
 /// distances minus a quadratic term that depends on the point alone. Infinity if the label is not
-/// known at all corners.
+/// known at a corner of the face, or of the side that the point is on.
 template <class AtVertex>
 double UnfoldingSpread::distanceAt(int label, const SurfacePoint& p, AtVertex atVertex) const {
   const auto sides = squaredSides(mesh_, p.face);

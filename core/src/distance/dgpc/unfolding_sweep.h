@@ -104,8 +104,8 @@ class UnfoldingSweep {
   const Eigen::Vector2d& direction(int vertex) const { return vertices_[vertex].direction; }
 
  private:
-  /// Buckets of the queue per short edge. Order within a bucket is arbitrary; a distance that was
-  /// passed on too early is passed on again once it falls.
+  /// Buckets of the queue per short edge. Within a bucket, vertices come in the order of queueing;
+  /// a distance that was passed on too early is passed on again once it falls.
   static constexpr double kBucketsPerEdge = kMostBucketsPerEdge;
 
   /// The two ends of the side, or twice the vertex, that a distance follows from; -1 for a site.

@@ -36,7 +36,7 @@ struct WaitingWindow {
 struct LabelState {
   std::vector<ReachedVertex> vertices;
   std::vector<LastPiece> pieces;       ///< of each entry of `vertices`
-  std::vector<WaitingWindow> waiting;  ///< grouped by halfedge
+  std::vector<WaitingWindow> waiting;  ///< in runs of one halfedge each
   std::vector<int> waitingSources;     ///< vertices that would become virtual sources
 };
 

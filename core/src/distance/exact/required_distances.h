@@ -31,8 +31,6 @@ class RequiredDistances {
     blocks_.assign(1, Block{});
     nearest_.assign(1, 0);
   }
-  /// Whether there are no places.
-  bool isEmpty() const { return nearest_.size() == 1; }
 
   /// How many quick rounds `canGain` takes.
   std::size_t cost() const { return 1 + blocks_.size() / kLanes; }
@@ -56,9 +54,9 @@ class RequiredDistances {
     Block& block = blocks_[index / kLanes];
     const int lane = index % kLanes;
     const double most = bound * (1 + kDistanceTolerance);
-    block.bound[lane] = std::min<float>(block.bound[lane], atLeast(scale_ * most));
+    block.bound[lane] = std::min<float>(block.bound[lane], roundedUp(scale_ * most));
     block.excess[lane] =
-        std::min<float>(block.excess[lane], atLeast(scale_ * (most - nearest_[index])));
+        std::min<float>(block.excess[lane], roundedUp(scale_ * (most - nearest_[index])));
   }
   /// The largest excess over the nearest label's distance with which a path can still shorten any
   /// required distance.
@@ -75,8 +73,8 @@ class RequiredDistances {
   bool canGain(const Eigen::Vector3d& place, double radius, double length, double excess,
                std::span<const int> without) const {
     const Eigen::Vector3f p = (scale_ * place).cast<float>();
-    const float reach = atLeast(scale_ * (radius - length)) + kPlaceRounding;
-    const float least = -atLeast(-scale_ * excess);
+    const float reach = roundedUp(scale_ * (radius - length)) + kPlaceRounding;
+    const float least = -roundedUp(-scale_ * excess);
     const auto gainsIn = [&](const Block& block) {  // -1 where there is a gain
       const FloatLanes rest = block.bound + reach;
       const FloatLanes dx = block.x - p.x(), dy = block.y - p.y(), dz = block.z - p.z();
@@ -97,7 +95,7 @@ class RequiredDistances {
   static constexpr float kPlaceRounding = 0x1p-20F;
 
   /// A value in single precision, not smaller.
-  static float atLeast(double value) {
+  static float roundedUp(double value) {
     return static_cast<float>(value + kRounding * std::abs(value));
   }
 

@@ -40,7 +40,7 @@ long WindowSweep::require(int label, LabelState& state, std::span<const int> fac
   return static_cast<long>(state.vertices.size() + faces.size() + waiting * required_.cost());
 }
 
-/// Calls `visit` with the windows that wait at one halfedge after another.
+/// Calls `visit` with each run of windows that wait at one halfedge. A halfedge may have several.
 template <class Visit>
 void WindowSweep::visitWaiting(Visit visit) const {
   const std::span<const WaitingWindow> waiting = state_->waiting;
@@ -231,7 +231,7 @@ void WindowSweep::continueNeeded() {
     if (!canGain(h, [&](auto visit) {
           for (const WaitingWindow& w : windows) visit(w.window);
         })) {
-      kept = std::copy(windows.begin(), windows.end(), kept);
+      for (const WaitingWindow& w : windows) *kept++ = w;
       return;
     }
     const bool isFirst = windows_.isEmpty(h);

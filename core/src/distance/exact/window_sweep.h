@@ -34,8 +34,8 @@ struct RequiredPoint {
 /// offer their distances to the apex, then their children are trimmed by the label's distances at
 /// the ends of the sides that they leave through. Halfedges and virtual sources are queued by
 /// distance in buckets of two thirds of a short edge (Xu et al. 2015, Fast Wavefront Propagation).
-/// Order within a bucket is arbitrary: a virtual source whose distance falls after it has spread is
-/// queued again.
+/// Within a bucket they come in the order of queueing: a virtual source whose distance falls after
+/// it has spread is queued again.
 ///
 /// A window waits at its halfedge if another label is nearer on all of it. By the triangle
 /// inequality that label is also nearer on every path that goes on from the window, so the waiting
