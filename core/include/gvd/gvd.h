@@ -19,6 +19,7 @@
 /// beside the one that returns the same result at once. `finished` does such work at one go.
 ///
 /// Then, as needed, in any order:
+///  - subdivision.h: smaller triangles, where those of a model are about as long as regions
 ///  - sampling.h: sites to begin with; curvature.h: densities for them; closest_point.h: points on
 ///    the surface for places in space
 ///  - dynamic_diagram.h: sites that are inserted, removed and moved
@@ -56,5 +57,6 @@
 #include "gvd/sampling.h"
 #include "gvd/sliced_work.h"
 #include "gvd/straightest.h"
+#include "gvd/subdivision.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "base/bucket_queue.h"
 #include "base/number_text.h"
 #include "gvd/error.h"
+#include "mesh/given_triangles.h"
 
 namespace gvd {
 namespace {
@@ -37,20 +37,13 @@ void requireValid(const MeshOptions& options) {
     reject("minComponent is " + std::to_string(options.minComponent) + ", not a number from 0");
 }
 
-void requireTriples(std::size_t count, const std::string& what) {
-  if (count % 3 != 0)
-    rejectMesh("there are " + std::to_string(count) + " " + what + ", not a multiple of three");
-  if (count > std::numeric_limits<int>::max()) rejectMesh("there are too many " + what);
-}
-
 }  // namespace
 
 MeshBuilding::MeshBuilding(std::vector<double> positions, std::vector<int> triangles,
                            const MeshOptions& options)
     : positions_(std::move(positions)), triangles_(std::move(triangles)), options_(options) {
   requireValid(options);
-  requireTriples(positions_.size(), "coordinates");
-  requireTriples(triangles_.size(), "vertex indices");
+  requireTriples(positions_.size(), triangles_.size());
 }
 
 bool MeshBuilding::advance(long budget) {
@@ -62,7 +55,7 @@ bool MeshBuilding::advance(long budget) {
   return sequence_.run(
       [&] {
         return loop_.run(triangles_.size() / 3, budget, kQuickRounds,
-                         [&](int t) { requireVertices(t); });
+                         [&](int t) { requireVertices(triangles_, t, inputVertexCount()); });
       },
       [&] { return runPart(welding_, budget, positions_, triangles_, options_.weld); },
       [&] { representative_ = taken(welding_); },
@@ -147,15 +140,6 @@ bool MeshBuilding::advance(long budget) {
 }
 
 // --- The manifold ------------------------------------------------------------------------------
-
-void MeshBuilding::requireVertices(int triangle) const {
-  for (int i = 0; i < 3; ++i) {
-    const int v = triangles_[3 * triangle + i];
-    if (v >= 0 && v < inputVertexCount()) continue;
-    rejectMesh("triangle " + std::to_string(triangle) + " has vertex index " + std::to_string(v) +
-               ", but there are " + std::to_string(inputVertexCount()) + " vertices");
-  }
-}
 
 void MeshBuilding::takeFans() {
   mesh_.tail_ = std::move(fans_.tail);

@@ -29,7 +29,6 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
 
  private:
   int inputVertexCount() const { return static_cast<int>(positions_.size() / 3); }
-  void requireVertices(int triangle) const;
   void takeFans();
   void listFan(int vertex);
   void takePosition(int vertex);

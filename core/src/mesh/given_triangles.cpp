@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/given_triangles.h"
+
+#include <limits>
+#include <string>
+
+#include "gvd/error.h"
+
+namespace gvd {
+namespace {
+
+[[noreturn]] void rejectMesh(const std::string& why) { throw Error(ErrorCode::kInvalidMesh, why); }
+
+void requireTriples(std::size_t count, const std::string& what) {
+  if (count % 3 != 0)
+    rejectMesh("there are " + std::to_string(count) + " " + what + ", not a multiple of three");
+  if (count > std::numeric_limits<int>::max()) rejectMesh("there are too many " + what);
+}
+
+}  // namespace
+
+void requireTriples(std::size_t coordinates, std::size_t indices) {
+  requireTriples(coordinates, "coordinates");
+  requireTriples(indices, "vertex indices");
+}
+
+void requireVertices(std::span<const int> triangles, int triangle, int vertexCount) {
+  for (const int v : triangles.subspan(3 * static_cast<std::size_t>(triangle), 3)) {
+    if (v >= 0 && v < vertexCount) continue;
+    rejectMesh("triangle " + std::to_string(triangle) + " has vertex index " + std::to_string(v) +
+               ", but there are " + std::to_string(vertexCount) + " vertices");
+  }
+}
+
+}  // namespace gvd

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include "gvd/subdivision.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cstdint>
+#include <initializer_list>
+#include <iterator>
+#include <string>
+#include <unordered_map>
+#include <utility>
+
+#include "base/number_text.h"
+#include "base/sliced_loop.h"
+#include "gvd/error.h"
+#include "gvd/surface_point.h"
+#include "mesh/given_triangles.h"
+
+namespace gvd {
+namespace {
+
+using Eigen::Vector3d;
+
+void requireValid(const SubdivisionOptions& options) {
+  const auto reject = [](const std::string& why) { throw Error(ErrorCode::kInvalidArgument, why); };
+  if (!(options.maxEdge > 0 && options.maxEdge <= 1))
+    reject("maxEdge is " + numberText(options.maxEdge) + ", not above 0 and at most 1");
+  if (options.maxTriangles < 1)
+    reject("maxTriangles is " + std::to_string(options.maxTriangles) + ", not positive");
+}
+
+/// Subdivides twice: first the parts are only counted, so that there is room for them, or an error,
+/// before the first of them is made.
+class Subdivision final : public SlicedWork<SubdividedTriangles> {
+ public:
+  Subdivision(std::vector<double> positions, std::vector<int> triangles,
+              const SubdivisionOptions& options)
+      : options_(options), triangles_(std::move(triangles)) {
+    requireValid(options);
+    requireTriples(positions.size(), triangles_.size());
+    out_.positions = std::move(positions);
+  }
+
+  bool advance(long budget) override {
+    return sequence_.run(
+        [&] {
+          return loop_.run(triangles_.size() / 3, budget, kQuickRounds, [&](int t) {
+            requireVertices(triangles_, t, vertexCount());
+            for (int i = 0; i < 3; ++i)
+              if (const Vector3d p = place(triangles_[3 * t + i]); p.allFinite()) box_.extend(p);
+          });
+        },
+        [&] { longest_ = options_.maxEdge * box_.diagonal().norm(); },
+        [&] {
+          return visitParts(
+              budget,
+              [](const Corner& a, const Corner& b) {
+                return Corner{middle(a, b), -1};
+              },
+              [&](const Part& /*part*/) { count(); });
+        },
+        [&] { reserve(); },
+        [&] {
+          return visitParts(
+              budget, [&](const Corner& a, const Corner& b) { return atMidpoint(a, b); },
+              [&](const Part& part) { add(part); });
+        });
+  }
+  double progress() const override { return sequence_.progress(); }
+  SubdividedTriangles result() override { return std::move(out_); }
+
+ private:
+  struct Corner {
+    Vector3d place;
+    int vertex;  ///< -1 while parts are only counted
+  };
+  using Part = std::array<Corner, 3>;
+
+  int vertexCount() const { return static_cast<int>(out_.positions.size() / 3); }
+  Vector3d place(int v) const {
+    return Vector3d::Map(&out_.positions[3 * static_cast<std::size_t>(v)]);
+  }
+  /// The same bits from both ends, and so in all triangles of a side.
+  static Vector3d middle(const Corner& a, const Corner& b) { return (a.place + b.place) / 2; }
+  bool isLong(const Corner& a, const Corner& b) const {
+    return (b.place - a.place).norm() > longest_;  // false if it is not a number
+  }
+
+  /// Calls `visit` with the parts of all triangles, in order. `halve(a, b)` is the middle of a
+  /// side.
+  template <class Halve, class Visit>
+  bool visitParts(long& budget, Halve halve, Visit visit) {
+    constexpr int kPartsPerUnit = 4;
+    const int triangles = static_cast<int>(triangles_.size() / 3);
+    while (next_ < triangles || !open_.empty()) {
+      if (budget-- <= 0) return false;
+      for (int i = 0; i < kPartsPerUnit && (next_ < triangles || !open_.empty()); ++i) {
+        if (open_.empty()) open_.push_back(given(next_++));
+        const Part part = open_.back();
+        open_.pop_back();
+        if (!split(part, halve)) visit(part);
+      }
+    }
+    next_ = 0;
+    return true;
+  }
+
+  Part given(int t) const {
+    const int* const v = &triangles_[3 * static_cast<std::size_t>(t)];
+    return {Corner{place(v[0]), v[0]}, Corner{place(v[1]), v[1]}, Corner{place(v[2]), v[2]}};
+  }
+
+  /// Replaces a part that has long sides by smaller ones; false if it has none.
+  template <class Halve>
+  bool split(const Part& part, Halve halve) {
+    std::array<bool, 3> isSplit;
+    for (int i = 0; i < 3; ++i) isSplit[i] = isLong(part[i], part[cornerAfter(i)]);
+    const int splits = isSplit[0] + isSplit[1] + isSplit[2];
+    if (splits == 0) return false;
+    // Side i is the only long one, or the only short one.
+    int i = 0;
+    while (splits < 3 && isSplit[i] != (splits == 1)) ++i;
+    const Corner &a = part[i], &b = part[cornerAfter(i)], &c = part[cornerBefore(i)];
+    if (splits == 1) {
+      const Corner ab = halve(a, b);
+      push({Part{a, ab, c}, Part{ab, b, c}});
+    } else if (splits == 2) {
+      const Corner bc = halve(b, c), ca = halve(c, a);
+      const bool isFromA = (bc.place - a.place).norm() <= (ca.place - b.place).norm();
+      push({Part{a, b, isFromA ? bc : ca}, Part{isFromA ? a : b, bc, ca}, Part{ca, bc, c}});
+    } else {
+      const Corner ab = halve(a, b), bc = halve(b, c), ca = halve(c, a);
+      push({Part{a, ab, ca}, Part{ab, b, bc}, Part{ab, bc, ca}, Part{ca, bc, c}});
+    }
+    return true;
+  }
+  void push(std::initializer_list<Part> parts) {
+    open_.insert(open_.end(), std::rbegin(parts), std::rend(parts));
+  }
+
+  void count() {
+    if (partCount_++ < options_.maxTriangles) return;
+    throw Error(ErrorCode::kInvalidArgument,
+                "with maxEdge " + numberText(options_.maxEdge) + " there would be more than " +
+                    std::to_string(options_.maxTriangles) + " triangles");
+  }
+
+  /// Each part of a triangle has three sides, most of them shared by two: about half as many
+  /// midpoints as parts.
+  void reserve() {
+    const std::size_t parts = partCount_, added = parts - triangles_.size() / 3;
+    out_.triangles.reserve(3 * parts);
+    out_.parents.reserve(parts);
+    out_.ends.reserve(added);
+    out_.positions.reserve(out_.positions.size() + 3 * added);
+    midpoints_.reserve(added);
+  }
+
+  Corner atMidpoint(const Corner& a, const Corner& b) {
+    const auto [low, high] = std::minmax(a.vertex, b.vertex);
+    const std::uint64_t key = static_cast<std::uint64_t>(low) << 32 | static_cast<unsigned>(high);
+    const auto [found, isNew] = midpoints_.try_emplace(key, vertexCount());
+    const Vector3d p = middle(a, b);
+    if (isNew) {
+      out_.positions.insert(out_.positions.end(), p.begin(), p.end());
+      out_.ends.push_back({low, high});
+    }
+    return {p, found->second};
+  }
+
+  void add(const Part& part) {
+    for (const Corner& corner : part) out_.triangles.push_back(corner.vertex);
+    out_.parents.push_back(next_ - 1);
+  }
+
+  const SubdivisionOptions options_;
+  const std::vector<int> triangles_;  ///< as given
+
+  SlicedSequence sequence_;
+  SlicedLoop loop_;
+  Eigen::AlignedBox3d box_;
+  double longest_ = 0;      ///< sides longer than this are halved
+  int next_ = 0;            ///< triangle
+  std::vector<Part> open_;  ///< parts of the last triangle, not looked at yet, the next one last
+  int partCount_ = 0;
+  std::unordered_map<std::uint64_t, int> midpoints_;  ///< by the ends of their sides
+  SubdividedTriangles out_;
+};
+
+}  // namespace
+
+std::unique_ptr<SlicedWork<SubdividedTriangles>> startSubdivision(
+    std::vector<double> positions, std::vector<int> triangles, const SubdivisionOptions& options) {
+  return std::make_unique<Subdivision>(std::move(positions), std::move(triangles), options);
+}
+
+SubdividedTriangles subdivide(std::vector<double> positions, std::vector<int> triangles,
+                              const SubdivisionOptions& options) {
+  return finished(startSubdivision(std::move(positions), std::move(triangles), options));
+}
+
+}  // namespace gvd

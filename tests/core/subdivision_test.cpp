@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include "gvd/subdivision.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "gvd/diagram.h"
+#include "gvd/error.h"
+#include "gvd/geodesic.h"
+#include "gvd/sampling.h"
+#include "mechanical_shapes.h"
+#include "shapes.h"
+
+namespace gvd {
+namespace {
+
+using Eigen::Vector3d;
+using shapes::Shape;
+
+Shape shapeOf(const SubdividedTriangles& parts) { return {parts.positions, parts.triangles}; }
+
+double longestEdge(const Shape& shape) {
+  double longest = 0;
+  for (int t = 0; t < shape.faceCount(); ++t)
+    for (int i = 0; i < 3; ++i) {
+      const int a = shape.triangles[3 * t + i], b = shape.triangles[3 * t + cornerAfter(i)];
+      longest = std::max(longest, (shape.position(a) - shape.position(b)).norm());
+    }
+  return longest;
+}
+
+Vector3d areaVector(const Shape& shape, int t) {
+  const int* const v = &shape.triangles[3 * t];
+  const Vector3d a = shape.position(v[0]);
+  return (shape.position(v[1]) - a).cross(shape.position(v[2]) - a) / 2;
+}
+
+TEST(Subdivision, KeepsTheSurfaceAndItsTopology) {
+  for (const auto& [name, shape, genus] : shapes::mechanicalShapes()) {
+    SCOPED_TRACE(name);
+    const TriangleMesh whole = shape.mesh();
+    for (const double share : {0.3, 0.07}) {
+      const auto parts = subdivide(shape.positions, shape.triangles, {.maxEdge = share});
+      const Shape fine = shapeOf(parts);
+      EXPECT_LE(longestEdge(fine), share * whole.boundingDiagonal() * (1 + 1e-12));
+      const TriangleMesh mesh = fine.mesh();
+      EXPECT_EQ(mesh.faceCount(), fine.faceCount());
+      EXPECT_EQ(mesh.topology().boundaryLoops, 0);
+      EXPECT_EQ(mesh.topology().genus, genus);
+      EXPECT_EQ(mesh.repairs().weldedVertices, whole.repairs().weldedVertices);
+      EXPECT_EQ(mesh.repairs().mollifiedTriangles, 0);
+      EXPECT_NEAR(mesh.area(), whole.area(), 1e-12 * whole.area());
+    }
+  }
+}
+
+TEST(Subdivision, NamesWhatEachPartAndMidpointComesFrom) {
+  const Shape shape = shapes::mechanicalShapes().front().shape;
+  const auto parts = subdivide(shape.positions, shape.triangles, {.maxEdge = 0.1});
+  const Shape fine = shapeOf(parts);
+  ASSERT_EQ(parts.parents.size(), static_cast<std::size_t>(fine.faceCount()));
+  EXPECT_TRUE(std::is_sorted(parts.parents.begin(), parts.parents.end()));
+  std::vector<Vector3d> sums(shape.faceCount(), Vector3d::Zero());
+  for (int t = 0; t < fine.faceCount(); ++t) {
+    const Vector3d own = areaVector(fine, t), all = areaVector(shape, parts.parents[t]);
+    EXPECT_GT(own.dot(all), 0) << "turned over";
+    sums[parts.parents[t]] += own;
+  }
+  for (int t = 0; t < shape.faceCount(); ++t)
+    EXPECT_LE((sums[t] - areaVector(shape, t)).norm(), 1e-12 * sums[t].norm());
+  ASSERT_EQ(fine.vertexCount(), shape.vertexCount() + static_cast<int>(parts.ends.size()));
+  for (int v = 0; v < fine.vertexCount(); ++v) {
+    if (v < shape.vertexCount()) {
+      EXPECT_EQ(fine.position(v), shape.position(v));
+      continue;
+    }
+    const auto [a, b] = parts.ends[v - shape.vertexCount()];
+    EXPECT_LT(std::max(a, b), v);
+    EXPECT_EQ(fine.position(v), (fine.position(a) + fine.position(b)) / 2);
+  }
+}
+
+TEST(Subdivision, LeavesTrianglesWithoutLongSidesAlone) {
+  const Shape shape = shapes::grid(3, 3);
+  const auto parts = subdivide(shape.positions, shape.triangles, {.maxEdge = 0.5});
+  EXPECT_EQ(parts.positions, shape.positions);
+  EXPECT_EQ(parts.triangles, shape.triangles);
+  EXPECT_TRUE(parts.ends.empty());
+}
+
+TEST(Subdivision, PutsMidpointsOfSeamsAtTheSamePlace) {
+  // Each triangle has vertices of its own, as in STL.
+  Shape apart;
+  const Shape shape = shapes::icosphere(1);
+  for (const int v : shape.triangles) apart.triangles.push_back(apart.addVertex(shape.position(v)));
+  const Shape fine = shapeOf(subdivide(apart.positions, apart.triangles, {.maxEdge = 0.05}));
+  const TriangleMesh mesh = fine.mesh();
+  EXPECT_GT(mesh.faceCount(), 4 * shape.faceCount());
+  EXPECT_EQ(mesh.topology().boundaryLoops, 0);
+  EXPECT_EQ(mesh.topology().eulerCharacteristic, 2);
+}
+
+TEST(Subdivision, LeavesTrianglesThatAreNotFiniteToTheMesh) {
+  Shape shape = shapes::triangle();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  shape.addTriangle(0, 1, shape.addVertex({nan, 0, 0}));
+  const TriangleMesh mesh =
+      shapeOf(subdivide(shape.positions, shape.triangles, {.maxEdge = 0.2})).mesh();
+  EXPECT_GT(mesh.repairs().nonFiniteTriangles, 0);
+  EXPECT_NEAR(mesh.area(), 0.5, 1e-15);
+}
+
+/// The share of random points whose nearest site is not the label of the face that they are in.
+/// Points in mixed faces do not count.
+double wrongShare(const Shape& shape) {
+  const TriangleMesh mesh = shape.mesh();
+  const auto sites = sampleUniform(mesh, 10, 4);
+  const auto distances = finished(propagate(mesh, sites, Metric::kExact));
+  const Diagram diagram = traceDiagram(mesh, *distances, 10);
+  int wrong = 0, points = 0;
+  for (const SurfacePoint& p : sampleUniform(mesh, 5000, 5)) {
+    const int label = diagram.faceLabel[p.face];
+    if (label < 0) continue;
+    ++points;
+    wrong += label != distances->nearest(p).label;
+  }
+  return static_cast<double>(wrong) / points;
+}
+
+TEST(Subdivision, LetsDiagramsFindRegionsBetweenTheCornersOfLongTriangles) {
+  const auto [name, shape, genus] = shapes::mechanicalShapes().front();
+  ASSERT_EQ(name, "plate with a round hole");
+  EXPECT_GE(wrongShare(shape), 0.05);
+  EXPECT_EQ(wrongShare(shapeOf(subdivide(shape.positions, shape.triangles, {.maxEdge = 0.03}))), 0);
+}
+
+TEST(Subdivision, RejectsWhatItCannotDo) {
+  const Shape shape = shapes::grid(2, 2);
+  const auto expectError = [&](SubdivisionOptions options, const char* what) {
+    try {
+      subdivide(shape.positions, shape.triangles, options);
+      FAIL() << what;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kInvalidArgument);
+      EXPECT_STREQ(error.what(), what);
+    }
+  };
+  expectError({.maxEdge = 0}, "maxEdge is 0, not above 0 and at most 1");
+  expectError({.maxEdge = std::numeric_limits<double>::quiet_NaN()},
+              "maxEdge is nan, not above 0 and at most 1");
+  expectError({.maxEdge = 0.1, .maxTriangles = 0}, "maxTriangles is 0, not positive");
+  expectError({.maxEdge = 0.1, .maxTriangles = 40},
+              "with maxEdge 0.1 there would be more than 40 triangles");
+  expectError({.maxEdge = 1e-300},
+              "with maxEdge 1e-300 there would be more than 16777216 triangles");
+  try {
+    subdivide(shape.positions, {0, 1, 9}, {.maxEdge = 0.1});
+    FAIL() << "a vertex that does not exist";
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "triangle 0 has vertex index 9, but there are 9 vertices");
+  }
+}
+
+}  // namespace
+}  // namespace gvd
