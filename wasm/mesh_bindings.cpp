@@ -13,6 +13,7 @@
 #include "gvd/curvature.h"
 #include "gvd/geodesic.h"
 #include "gvd/sampling.h"
+#include "gvd/subdivision.h"
 #include "objects.h"
 #include "records.h"
 
@@ -147,6 +148,24 @@ GVD_ABI MeshArrays* appendToMeshArrays(MeshArrays* arrays, Doubles positions, In
 }
 
 GVD_ABI void freeMeshArrays(MeshArrays* arrays) { delete arrays; }
+
+/// `Subdivision`. The arrays then hold the parts.
+GVD_ABI Answer* subdivideMeshArrays(MeshArrays* arrays, double maxEdge) {
+  return guarded([&] {
+    return answerOf(startSubdivision(std::move(arrays->positions), std::move(arrays->triangles),
+                                     {.maxEdge = maxEdge}),
+                    [arrays](SubdividedTriangles parts) {
+                      arrays->positions = parts.positions;
+                      arrays->triangles = parts.triangles;
+                      Record out;
+                      out.add("positions", std::move(parts.positions));
+                      out.add("indices", std::move(parts.triangles));
+                      out.add("parents", std::move(parts.parents));
+                      out.add("ends", std::move(parts.ends));
+                      return out;
+                    });
+  });
+}
 
 /// `MeshInfo`, but for the notes of the reader, and `mesh`: a `MeshHandle`. The arrays are empty
 /// then.

@@ -177,7 +177,7 @@ test('info of several meshes: all that can be read, and status 1 if one cannot',
   assert.ok(!readdirSync(folder).includes('report.txt'));
 });
 
-test('--weld, --orientation and --min-component: how the mesh is made', () => {
+test('--max-edge, --weld, --orientation and --min-component: how the mesh is made', () => {
   const { positions, indices } = octahedron();
   const torn = indices.flatMap((v, i) =>
     positions.slice(3 * v, 3 * v + 3).map((x) => x + 1e-6 * (i % 3)),
@@ -197,6 +197,11 @@ test('--weld, --orientation and --min-component: how the mesh is made', () => {
     succeeds('info turned.glb --orientation keep').stdout,
     /repair: 3 edges cut because their two triangles disagree in orientation\n/,
   );
+
+  const finer = succeeds('info shape.glb --max-edge 0.2').stdout;
+  assert.match(finer, /triangles +128 [^]*note: long edges were halved: 8 triangles became 128/);
+  fails(2, 'info shape.glb --max-edge=2', /^geodesic-voronoi: --max-edge/);
+  fails(1, 'info shape.glb --max-edge 1e-9', /there would be more than 16777216 triangles/);
 
   const large = succeeds('info two.glb --min-component 3').stdout;
   assert.match(large, /components +1\n[^]*repair: 1 component .*\nrepair: 2 triangles of these/);
@@ -220,7 +225,7 @@ test('components without a site are told of; --per-component puts some there', (
   assert.equal(succeeds('diagram two.glb --sites 1 -o d.json --quiet').stderr, '');
   for (const sites of ['--sites 4 --per-component 2', '--radius 9 --per-component 1']) {
     const { stderr } = succeeds(`diagram two.glb ${sites} -o d.json`);
-    assert.match(stderr, /^(note: borders, .*\n)?\d regions/);
+    assert.match(stderr, /^(note: faces .*\n)?\d regions/);
   }
   fails(
     1,
@@ -317,7 +322,7 @@ test('diagram as JSON, to a file or to standard output', () => {
   const { stderr } = succeeds('diagram shape.glb --sites 5 --seed 7 -o d.json');
   assert.match(
     stderr,
-    /^note: borders, .* are coarse: .*--detail 2.*\n5 regions, \d+ bisector arcs, \d+ Voronoi points\n$/,
+    /^note: faces are about as long as regions: borders .*--max-edge 0\.\d .*\n5 regions, \d+ bisector arcs, \d+ Voronoi points\n$/,
   );
   const single = succeeds('diagram shape.glb --sites 1 -o one.json').stderr;
   assert.match(single, /^1 region, 0 bisector arcs, 0 Voronoi points\n$/);
@@ -594,16 +599,15 @@ test('remesh with a density, and with sites that stay', () => {
   assert.notDeepEqual(sites.bary.slice(3, 6), first.bary.slice(3, 6));
 });
 
-test('tessellations tell that there are few faces per site', () => {
-  const note = (faces, sites) =>
-    new RegExp(
-      `^note: ${faces} faces for ${sites} sites: energies and centroids, .* are inaccurate`,
-      'm',
-    );
+test('tessellations tell that faces are as long as regions', () => {
+  const note =
+    /^note: faces are about as long as regions: energies .* are inaccurate \(--max-edge/m;
   write('grid.glb', glb(grid(5)));
-  assert.match(succeeds('cvt shape.glb --sites 2 -o s.json').stderr, note(8, 2));
-  assert.match(succeeds('remesh grid.glb --sites 6 -o s.json').stderr, note(50, 6));
-  assert.doesNotMatch(succeeds('cvt grid.glb --sites 3 -o s.json').stderr, /note/);
+  assert.match(succeeds('cvt shape.glb --sites 2 -o s.json').stderr, note);
+  assert.match(succeeds('remesh grid.glb --sites 15 -o s.json').stderr, note);
+  const finer = succeeds('cvt shape.glb --sites 2 --max-edge 0.1 -o s.json').stderr;
+  assert.doesNotMatch(finer, note);
+  assert.doesNotMatch(succeeds('cvt grid.glb --sites 1 -o s.json').stderr, /note/);
   assert.equal(succeeds('cvt shape.glb --sites 2 -q -o s.json').stderr, '');
 });
 

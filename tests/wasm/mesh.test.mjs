@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
-import { gltfResourceUris, load } from 'geodesic-voronoi';
+import { finerMaxEdge, gltfResourceUris, load } from 'geodesic-voronoi';
 import { apart, glb, gltf, grid, octahedron, withFlipped } from './meshes.mjs';
 import { meshPly } from './model_files.mjs';
 
@@ -11,6 +11,10 @@ before(async () => {
 });
 
 const fails = (code, message) => ({ name: 'GeodesicVoronoiError', code, message });
+
+function near(actual, expected, tolerance = 1e-9) {
+  assert.ok(Math.abs(actual - expected) <= tolerance, `${actual} is not ${expected}`);
+}
 
 test('a mesh of arrays: counts, topology, measures', async () => {
   const { info } = await gvd.mesh(octahedron());
@@ -154,6 +158,64 @@ test('orientations are unified, or kept', async () => {
   assert.equal(info.repairs.flippedTriangles, 0);
   assert.equal(info.repairs.orientationCuts, 3);
   assert.equal(info.components, 2);
+});
+
+test('edges are halved until none is long, with what belongs to vertices and triangles', async () => {
+  const input = apart(octahedron(), grid(1));
+  const normals = octahedron().positions.concat(
+    Array.from({ length: 12 }, (_, i) => +(i % 3 === 2)),
+  );
+  const density = input.positions.filter((_, i) => i % 3 === 0).map((x) => x + 1);
+  const uvs = density.flatMap((_, v) => [input.positions[3 * v], 0.25]);
+  const whole = await gvd.mesh({ ...input, normals, density, uvs });
+  assert.equal(whole.parents.length, 0);
+  const mesh = await gvd.mesh({ ...input, normals, density, uvs }, { maxEdge: 0.05 });
+  const { info, positions, parents } = mesh;
+  const triangles = input.indices.length / 3;
+  assert.ok(info.inputFaces > 5 * triangles);
+  assert.deepEqual(info.notes, [
+    `long edges were halved: ${triangles} triangles became ${info.inputFaces}`,
+  ]);
+  near(info.area, whole.info.area, 1e-12);
+  near(info.boundingDiagonal, whole.info.boundingDiagonal);
+  assert.deepEqual(positions.slice(0, input.positions.length), whole.positions);
+  assert.equal(parents.length, info.inputFaces);
+  assert.deepEqual([...new Set(parents)], [...Array(triangles).keys()]);
+  for (let h = 0; h < mesh.indices.length; ++h) {
+    const [from, to] = [mesh.indices[h], mesh.indices[h % 3 === 2 ? h - 2 : h + 1]];
+    const length = Math.hypot(
+      ...[0, 1, 2].map((k) => positions[3 * from + k] - positions[3 * to + k]),
+    );
+    assert.ok(length <= 0.05 * info.boundingDiagonal * (1 + 1e-12));
+  }
+  for (let v = 0; v < info.inputVertices; ++v) {
+    near(Math.hypot(...mesh.normals.subarray(3 * v, 3 * v + 3)), 1);
+    near(mesh.density[v], positions[3 * v] + 1);
+    near(mesh.uvs[2 * v], positions[3 * v]);
+    near(mesh.uvs[2 * v + 1], 0.25);
+  }
+  // Results are in terms of the parts.
+  const diagram = await mesh.voronoi({ vertex: [0, 1] });
+  assert.equal(diagram.data.faceLabel.length, info.inputFaces);
+  assert.equal(finerMaxEdge(mesh, diagram.data), 0);
+  const { data } = await whole.voronoi({ vertex: [0, 1] });
+  assert.equal(finerMaxEdge(whole, data), 0);
+  assert.equal(finerMaxEdge(whole, data, { length: 0.4 }), 0.04);
+});
+
+test('the parts of a model are told by their triangles after subdivision', async () => {
+  const bytes = glb(apart(octahedron(), grid(2)));
+  const [whole, mesh] = [await gvd.mesh(bytes), await gvd.mesh(bytes, { maxEdge: 0.1 })];
+  assert.equal(mesh.info.origin.format, 'glTF');
+  for (const [i, part] of mesh.parts.entries()) {
+    const { firstTriangle, triangleCount } = whole.parts[i];
+    mesh.parents.forEach((parent, t) =>
+      assert.equal(
+        t >= part.firstTriangle && t < part.firstTriangle + part.triangleCount,
+        parent >= firstTriangle && parent < firstTriangle + triangleCount,
+      ),
+    );
+  }
 });
 
 test('small components are dropped, and their triangles keep their numbers', async () => {

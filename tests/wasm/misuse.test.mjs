@@ -276,6 +276,11 @@ test('how a mesh is made', async () => {
     /^weld is .*, not a number from 0 to 1$/,
   );
   await refused(
+    [null, -0.1, 1.5, NaN, '0.1'],
+    (maxEdge) => gvd.mesh(octahedron(), { maxEdge }),
+    /^maxEdge is .*, not a number from 0 to 1$/,
+  );
+  await refused(
     notNames,
     (orientation) => gvd.mesh(octahedron(), { orientation }),
     /^orientation is /,
@@ -502,8 +507,13 @@ test('what writes files', async () => {
   await refused(notRegions, (region) => api.partitionStl(partition, { region }), /^region is /);
   await refused([null, 5, {}], (unit) => api.diagramJson(diagram, { unit }), /^unit is /);
   await refused([...notObjects, []].slice(1, 3), (value) => api.repairSentences(value), /^repairs/);
-  await refused(notObjects, (value) => api.hasCoarseBorders(value, diagram.data), /^mesh is /);
-  await refused(notObjects, (value) => api.hasCoarseBorders(mesh, value), /^data is /);
+  await refused(notObjects, (value) => api.finerMaxEdge(value, diagram.data), /^mesh is /);
+  await refused(notObjects, (value) => api.finerMaxEdge(mesh, value), /^data is /);
+  await refused(
+    [null, 0, -1, NaN, '1'],
+    (length) => api.finerMaxEdge(mesh, diagram.data, { length }),
+    /^length is .*, not a positive number$/,
+  );
   const writers = [
     ...[api.partitionGlb, api.partitionObj, api.partitionPly].map((f) => [f, partition]),
     ...[api.polygonGlb, api.polygonObj, api.polygonPly].map((f) => [f, polygons]),

@@ -173,15 +173,17 @@ suite('files', () => {
     await own.close();
   });
 
-  test('finer borders are offered for triangles as long as regions', async () => {
+  test('finer triangles are offered where they are as long as regions', async () => {
     const own = await browser.open();
     await own.settled();
     const file = { name: 'mine.glb', mimeType: '', buffer: Buffer.from(glb(octahedron())) };
     await own.page.setInputFiles('#files', [file]);
     const note = own.page.locator('#note').filter({ hasText: 'as long as regions' });
     await note.waitFor();
-    await own.after('diagram', () => own.page.getByText('Finer borders').click());
-    assert.equal(await own.page.locator('#detail').inputValue(), '2');
+    await own.after('diagram', () => own.page.getByText('Finer triangles').click());
+    assert.ok((await own.evaluate(({ info }) => info.faces)) > 100);
+    assert.match(await own.page.locator('#repairs').textContent(), /8 triangles became/);
+    assert.ok(Number(await own.page.locator('#max-edge').inputValue()) > 0);
     assert.equal(await note.isVisible(), false);
     assert.deepEqual(own.complaints, []);
     await own.close();

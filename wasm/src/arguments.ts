@@ -42,14 +42,16 @@ export const maxLimit = 2 ** 32 - 1;
 export const meshDefaults = {
   limits: {},
   file: undefined,
+  maxEdge: 0,
   weld: 0,
   orientation: orientations[0],
   minComponent: 0,
 } as const;
 
 /** How the mesh builder makes a mesh. */
-export function toMeshBuild({ weld, orientation, minComponent }: MeshBuild): MeshBuild {
+export function toMeshBuild({ maxEdge, weld, orientation, minComponent }: MeshBuild): MeshBuild {
   return {
+    maxEdge: toRange('maxEdge', maxEdge, 'share'),
     weld: toRange('weld', weld, 'share'),
     orientation: toOneOf('orientation', orientation, orientations),
     minComponent: toInteger('minComponent', minComponent, 0, maxCount),
@@ -301,7 +303,7 @@ export const ranges = {
   radius: { name: 'a positive number', has: (x: number) => x > 0 && x < Infinity },
 } as const;
 
-function toRange(name: string, value: number, range: keyof typeof ranges): number {
+export function toRange(name: string, value: number, range: keyof typeof ranges): number {
   if (typeof value === 'number' && ranges[range].has(value)) return value;
   throw invalidArgument(`${name} is ${show(value)}, not ${ranges[range].name}`);
 }

@@ -41,12 +41,13 @@ export interface FileInput {
 
 /** How a mesh is made of triangles: options of `MeshOptions`, all given. */
 export interface MeshBuild {
+  maxEdge: number;
   weld: number;
   orientation: Orientation;
   minComponent: number;
 }
 
-/** An opened mesh; `triangles` is given if it came from files, because the caller has none yet. */
+/** An opened mesh; `triangles` is given if they came from files or were subdivided. */
 export interface OpenedMesh {
   handle: Handle;
   info: MeshInfo;

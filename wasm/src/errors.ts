@@ -35,7 +35,7 @@ export class GeodesicVoronoiError extends Error {
   override readonly name = 'GeodesicVoronoiError';
   readonly code: ErrorCode;
 
-  constructor(code: ErrorCode, message: string, options?: ErrorOptions) {
+  constructor(code: ErrorCode, message: string, options?: { cause?: unknown }) {
     super(message, options);
     this.code = code;
   }

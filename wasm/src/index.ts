@@ -69,7 +69,8 @@ export {
   partitionPly,
   partitionStl,
 } from './partition_formats.js';
-export { hasCoarseBorders } from './coarse_borders.js';
+export type { FinerMaxEdgeOptions } from './finer_max_edge.js';
+export { finerMaxEdge } from './finer_max_edge.js';
 export { repairSentences } from './sentences.js';
 export { polygonGlb, polygonJson, polygonObj, polygonPly, polygonStl } from './polygon_formats.js';
 

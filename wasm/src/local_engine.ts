@@ -20,8 +20,21 @@ import type {
 import { GeodesicVoronoiError } from './errors.js';
 import { type InputModules, readModel } from './input/read_model.js';
 import { settled } from './kept.js';
-import type { DiagramData, MeshInfo, Metric, SurfacePoints, VertexDistances } from './results.js';
+import type {
+  DiagramData,
+  MeshInfo,
+  MeshPart,
+  Metric,
+  SurfacePoints,
+  VertexDistances,
+} from './results.js';
 import { inSlices, nextTask, sliceMilliseconds } from './slices.js';
+import {
+  type Subdivision,
+  subdividedParts,
+  subdividedTriangles,
+  subdivisionNote,
+} from './subdivision.js';
 import type { Triangles } from './triangles.js';
 import type { TaskOptions } from './types.js';
 import {
@@ -110,7 +123,7 @@ export class LocalEngine implements Engine {
   ): Promise<OpenedMesh> {
     signal?.throwIfAborted();
     return 'positions' in source
-      ? this.#openTriangles(source, build, { signal, onProgress })
+      ? this.#openTriangles(source, [], build, { signal, onProgress })
       : this.#openFiles(source, build, { signal, onProgress });
   }
 
@@ -119,23 +132,29 @@ export class LocalEngine implements Engine {
     build: MeshBuild,
     { signal, onProgress }: TaskOptions,
   ): Promise<OpenedMesh> {
-    const { triangles, parts, origin, notes } = await readModel(input, this.#inputModules, {
+    const { parts, origin, notes, ...read } = await readModel(input, this.#inputModules, {
       signal,
       onProgress: (share) => onProgress?.(readingShare * share),
     });
-    const { handle, info } = await this.#openTriangles(triangles, build, {
+    const { info, triangles, ...opened } = await this.#openTriangles(read.triangles, parts, build, {
       signal,
       onProgress: (share) => onProgress?.(readingShare + (1 - readingShare) * share),
     });
-    return { handle, info: { ...info, origin, notes }, parts, triangles };
+    return {
+      ...opened,
+      info: { ...info, origin, notes: [...notes, ...info.notes] },
+      triangles: triangles ?? read.triangles,
+    };
   }
 
   async #openTriangles(
-    { positions, indices }: Triangles,
-    { weld, orientation, minComponent }: MeshBuild,
+    given: Triangles,
+    parts: MeshPart[],
+    { maxEdge, weld, orientation, minComponent }: MeshBuild,
     { signal, onProgress }: TaskOptions,
   ): Promise<OpenedMesh> {
     const core = this.#open();
+    const { positions, indices } = given;
     const arrays = core.call('newMeshArrays', positions.length, indices.length);
     try {
       const length = Math.max(positions.length, indices.length);
@@ -147,12 +166,20 @@ export class LocalEngine implements Engine {
         return at < length ? sliceMoreToDo : sliceDone;
       };
       await this.#inSlices(copyMore, { signal });
+      const cut =
+        maxEdge > 0
+          ? await this.#answer<Subdivision>('subdivideMeshArrays', [arrays, maxEdge], { signal })
+          : undefined;
       const args = [arrays, weld, orientation, minComponent];
       const { mesh, ...counts } = await this.#answer<CreatedMesh>('createMesh', args, {
         signal,
         onProgress: (share) => share < 1 && onProgress?.(share),
       });
-      const info: MeshInfo = { ...counts, origin: { format: 'arrays', file: '' }, notes: [] };
+      const info: MeshInfo = {
+        ...counts,
+        origin: { format: 'arrays', file: '' },
+        notes: cut ? [subdivisionNote(indices.length / 3, cut)] : [],
+      };
       const handle = this.#keep({ pointer: mesh, free: 'freeMesh' });
       try {
         onProgress?.(1); // may throw, which ends the task
@@ -160,7 +187,9 @@ export class LocalEngine implements Engine {
         this.close(handle);
         throw error;
       }
-      return { handle, info, parts: [] };
+      if (!cut) return { handle, info, parts };
+      const triangles = subdividedTriangles(given, cut);
+      return { handle, info, parts: subdividedParts(parts, cut), triangles };
     } finally {
       core.run('freeMeshArrays', arrays);
     }

@@ -59,6 +59,7 @@ export class EngineMesh implements Mesh {
   readonly info: MeshInfo;
   readonly positions: Float64Array;
   readonly indices: Int32Array;
+  readonly parents: Int32Array;
   readonly normals: Float64Array;
   readonly uvs: Float64Array;
   readonly density: Float64Array;
@@ -68,11 +69,12 @@ export class EngineMesh implements Mesh {
   constructor(
     engine: Engine,
     { handle, info, parts }: OpenedMesh,
-    { positions, indices, normals, uvs, density }: Triangles,
+    { positions, indices, parents, normals, uvs, density }: Triangles,
   ) {
     this.info = info;
     this.positions = positions;
     this.indices = indices;
+    this.parents = parents ?? new Int32Array();
     this.normals = normals;
     this.uvs = uvs;
     this.density = density;

@@ -10,6 +10,8 @@ export interface Triangles {
   normals: Float64Array;
   uvs: Float64Array;
   density: Float64Array;
+  /** Per triangle the one that it is part of, if triangles have been subdivided. */
+  parents?: Int32Array;
 }
 
 /** A model of a format without normals, texture coordinates and parts; its density is optional. */

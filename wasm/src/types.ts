@@ -57,7 +57,8 @@ export interface VoronoiOptions extends TaskOptions {
   metric?: Metric | undefined;
   /**
    * How finely faces with several regions are split, 0 … 10: into parts about 2^-detail times as long as
-   * the mean edge. Default 0: not at all.
+   * the mean edge. Default 0: not at all. Regions that own no corner of a face in which they lie are
+   * missed at any detail; see `maxEdge`.
    */
   detail?: number | undefined;
 }
@@ -197,6 +198,12 @@ export interface MeshOptions extends TaskOptions {
   /** The path of the model to open, where a folder or a zip has several. */
   file?: string | undefined;
   /**
+   * Edges longer than this are halved until none is; a share of the bounding box's diagonal, 0 … 1.
+   * The triangles of the mesh, in all results too, are then the parts (`Mesh.parents`). For models
+   * whose triangles are about as long as regions (`finerMaxEdge`). Default 0: as they are.
+   */
+  maxEdge?: number | undefined;
+  /**
    * Vertices no farther apart than this are welded; a share of the bounding box's diagonal, 0 … 1.
    * Default 0: only vertices at the same position.
    */
@@ -326,9 +333,14 @@ export interface Diagram extends Disposable {
 /** A surface, made from a file or from arrays. */
 export interface Mesh extends Disposable {
   readonly info: MeshInfo;
-  /** The input in world space: x, y, z per input vertex, three vertices per input triangle. */
+  /**
+   * The input in world space: x, y, z per input vertex, three vertices per input triangle. With
+   * `maxEdge`, vertices and triangles are those after subdivision, here and everywhere.
+   */
   readonly positions: Float64Array;
   readonly indices: Int32Array;
+  /** With `maxEdge`: per triangle, ascending, the one of the file or the arrays that it is part of. */
+  readonly parents: Int32Array;
   /** Normals (3 numbers) and texture coordinates (2) per input vertex; empty without. */
   readonly normals: Float64Array;
   readonly uvs: Float64Array;
@@ -347,7 +359,7 @@ export interface Mesh extends Disposable {
   /** The components that have none of these sites, so that no site reaches them. */
   bareComponents(sites: SurfacePointsInput, options?: TaskOptions): Promise<BareComponents>;
   /**
-   * A density per input vertex, of mean 1, that follows curvature: with it, regions are smaller
+   * A density per input vertex, of mean 1 over the surface, that follows curvature: with it, regions are smaller
    * where the surface bends more: the sum of the squared principal curvatures, smoothed, and raised
    * where it is so small that flat parts would get no sites.
    */

@@ -103,6 +103,7 @@ function settingsOf(viewer: GeodesicVoronoiElement) {
     seed: value('seed', '1'),
     sampling: value('sampling', 'random'),
     perComponent: value('per-component', '0'),
+    maxEdge: value('max-edge', '0'),
     weld: value('weld', '0'),
     orientation: value('orientation', 'unify'),
     minComponent: value('min-component', '0'),
@@ -115,9 +116,10 @@ function settingsOf(viewer: GeodesicVoronoiElement) {
 
 /** The settings that differ from the defaults, by their names in each form of code. */
 function changed(viewer: GeodesicVoronoiElement) {
-  const { perComponent, weld, orientation, minComponent } = settingsOf(viewer);
+  const { perComponent, maxEdge, weld, orientation, minComponent } = settingsOf(viewer);
   const isGiven = ([, value]: string[]) => value !== '0' && value !== 'unify';
   const build = [
+    ['max-edge', maxEdge],
     ['weld', weld],
     ['orientation', orientation],
     ['min-component', minComponent],

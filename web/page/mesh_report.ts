@@ -32,6 +32,7 @@ export function setUpMeshReport(viewer: GeodesicVoronoiElement): void {
 /** A change opens the model anew. */
 function setUpBuild(viewer: GeodesicVoronoiElement): void {
   const fields = {
+    'max-edge': byId('max-edge', HTMLInputElement),
     weld: byId('weld', HTMLSelectElement),
     orientation: byId('orientation', HTMLSelectElement),
     'min-component': byId('min-component', HTMLInputElement),

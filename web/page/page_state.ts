@@ -20,7 +20,16 @@ const bytesPerSite = 8;
 
 /** The viewer's attributes that a link keeps. */
 export const linkAttributes = [
-  ...['sites', 'seed', 'sampling', 'per-component', 'weld', 'orientation', 'min-component'],
+  ...[
+    'sites',
+    'seed',
+    'sampling',
+    'per-component',
+    'max-edge',
+    'weld',
+    'orientation',
+    'min-component',
+  ],
   ...['metric', 'detail', 'up', 'layers', 'exploded', 'camera-orbit'],
 ] as const;
 

@@ -2,7 +2,7 @@
 //
 // The controls of the layers that are shown, and of the metric.
 
-import { hasCoarseBorders } from 'geodesic-voronoi';
+import { finerMaxEdge } from 'geodesic-voronoi';
 import { type GeodesicVoronoiElement, type Layer, layers } from '../viewer/element.js';
 import { byId, listen, onClick } from './dom.js';
 import { hasNote, showNote } from './feedback.js';
@@ -145,42 +145,38 @@ function setUpDistance(viewer: GeodesicVoronoiElement): void {
   }
   detail.addEventListener('change', () => viewer.setAttribute('detail', detail.value));
 
-  let endOffer = () => {};
   // The viewer goes back to what it shows if the choice fails or is cancelled.
   const show = () => {
     const metric = viewer.getAttribute('metric') ?? 'exact';
     for (const radio of radios) radio.checked = radio.value === metric;
     detail.value = viewer.getAttribute('detail') ?? '0';
-    if (detail.value !== '0') endOffer();
   };
   show(); // A link may have set them.
   new MutationObserver(show).observe(viewer, { attributeFilter: ['metric', 'detail'] });
 
+  let endOffer = () => {};
   listen(viewer, 'load', () => {
+    endOffer();
     const offer = () => {
-      endOffer = offerDetail(viewer);
+      endOffer = offerFinerTriangles(viewer);
     };
     viewer.addEventListener('diagram', offer, { once: true });
   });
 }
 
 /**
- * Offers finer borders if those of a model's first diagram are coarse, and no note is shown that matters more.
- * Returns what ends the offer.
+ * Offers smaller triangles if those of a model are too long for its first diagram, and no note is shown that
+ * matters more. Returns what ends the offer.
  */
-function offerDetail(viewer: GeodesicVoronoiElement): () => void {
+function offerFinerTriangles(viewer: GeodesicVoronoiElement): () => void {
   const { mesh, diagram } = viewer;
-  const isCoarse =
-    mesh !== undefined &&
-    diagram !== undefined &&
-    !(Number(viewer.getAttribute('detail')) > 0) &&
-    hasCoarseBorders(mesh, diagram.data);
-  if (!isCoarse || hasNote()) return () => {};
+  const maxEdge = mesh && diagram ? finerMaxEdge(mesh, diagram.data) : 0;
+  if (maxEdge === 0 || hasNote()) return () => {};
   return showNote(
-    'Borders are straight in each triangle, and some triangles are as long as regions.',
+    'Some triangles are as long as regions: borders, straight in each of them, and distances are coarse.',
     {
-      title: 'Finer borders',
-      act: () => viewer.setAttribute('detail', '2'),
+      title: 'Finer triangles',
+      act: () => viewer.setAttribute('max-edge', String(maxEdge)),
     },
   );
 }

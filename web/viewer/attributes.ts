@@ -14,7 +14,7 @@ import type { UpAxis } from './stage.js';
 const defaultLayers: readonly Layer[] = ['regions', 'bisectors', 'sites'];
 
 /** How a model is made of its file. */
-export const buildAttributes = ['weld', 'orientation', 'min-component'] as const;
+export const buildAttributes = ['max-edge', 'weld', 'orientation', 'min-component'] as const;
 /** How sites are placed. */
 export const samplingAttributes = ['sites', 'seed', 'sampling', 'per-component'] as const;
 
@@ -109,6 +109,7 @@ export class Attributes {
     return {
       // The library refuses values that make no sense.
       build: {
+        maxEdge: this.#number('max-edge', 0),
         weld: this.#number('weld', 0),
         orientation: (this.#text('orientation') ?? 'unify') as Orientation,
         minComponent: this.#number('min-component', 0),

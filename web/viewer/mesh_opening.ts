@@ -28,7 +28,7 @@ export interface SiteSampling {
 
 /** How a model is opened. */
 export interface Opening {
-  build: Pick<MeshOptions, 'weld' | 'orientation' | 'minComponent'>;
+  build: Pick<MeshOptions, 'maxEdge' | 'weld' | 'orientation' | 'minComponent'>;
   siteSampling: SiteSampling;
   /** Sites of a mesh of the same model, which are put where they were rather than sampled. */
   kept?: { mesh: Mesh; sites(): SurfacePoints } | undefined;

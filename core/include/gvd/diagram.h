@@ -106,10 +106,12 @@ struct DiagramOptions {
   /// From 0 to `kMostDetail`: how finely mixed faces are split, with distances evaluated at the new
   /// corners: until their mixed parts have no side longer than √2 · 2^-detail times the mean edge
   /// of the mesh. On a scan this splits a face in four, once per level; long thin faces are cut
-  /// shorter first. With more detail the bisectors converge to the true curves. 0: one straight
-  /// segment per face and bisector. Each further level about doubles the points, and the time for
-  /// mixed faces. With the exact metric, the sites also spread once more each time the longest
-  /// sides are halved (`DistanceField::distancesAt`), which takes about as long as `propagate`.
+  /// shorter first. With more detail the bisectors converge to the true curves, but for regions
+  /// that own no corner of a face in which they lie: `subdivide` where faces are about as long as
+  /// regions. 0: one straight segment per face and bisector. Each further level about doubles the
+  /// points, and the time for mixed faces. With the exact metric, the sites also spread once more
+  /// each time the longest sides are halved (`DistanceField::distancesAt`), which takes about as
+  /// long as `propagate`.
   int detail = 0;
 };
 

@@ -3,13 +3,14 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cstdint>
+#include <bit>
+#include <cstddef>
 #include <initializer_list>
 #include <iterator>
 #include <string>
-#include <unordered_map>
 #include <utility>
 
+#include "base/hashing.h"
 #include "base/number_text.h"
 #include "base/sliced_loop.h"
 #include "gvd/error.h"
@@ -51,20 +52,7 @@ class Subdivision final : public SlicedWork<SubdividedTriangles> {
           });
         },
         [&] { longest_ = options_.maxEdge * box_.diagonal().norm(); },
-        [&] {
-          return visitParts(
-              budget,
-              [](const Corner& a, const Corner& b) {
-                return Corner{middle(a, b), -1};
-              },
-              [&](const Part& /*part*/) { count(); });
-        },
-        [&] { reserve(); },
-        [&] {
-          return visitParts(
-              budget, [&](const Corner& a, const Corner& b) { return atMidpoint(a, b); },
-              [&](const Part& part) { add(part); });
-        });
+        [&] { return splitAll(budget); }, [&] { reserve(); }, [&] { return splitAll(budget); });
   }
   double progress() const override { return sequence_.progress(); }
   SubdividedTriangles result() override { return std::move(out_); }
@@ -80,16 +68,12 @@ class Subdivision final : public SlicedWork<SubdividedTriangles> {
   Vector3d place(int v) const {
     return Vector3d::Map(&out_.positions[3 * static_cast<std::size_t>(v)]);
   }
-  /// The same bits from both ends, and so in all triangles of a side.
-  static Vector3d middle(const Corner& a, const Corner& b) { return (a.place + b.place) / 2; }
   bool isLong(const Corner& a, const Corner& b) const {
     return (b.place - a.place).norm() > longest_;  // false if it is not a number
   }
 
-  /// Calls `visit` with the parts of all triangles, in order. `halve(a, b)` is the middle of a
-  /// side.
-  template <class Halve, class Visit>
-  bool visitParts(long& budget, Halve halve, Visit visit) {
+  /// Counts the parts of all triangles, or makes them once there is room.
+  bool splitAll(long& budget) {
     constexpr int kPartsPerUnit = 4;
     const int triangles = static_cast<int>(triangles_.size() / 3);
     while (next_ < triangles || !open_.empty()) {
@@ -98,7 +82,11 @@ class Subdivision final : public SlicedWork<SubdividedTriangles> {
         if (open_.empty()) open_.push_back(given(next_++));
         const Part part = open_.back();
         open_.pop_back();
-        if (!split(part, halve)) visit(part);
+        if (split(part)) continue;
+        if (hasRoom())
+          add(part);
+        else
+          count();
       }
     }
     next_ = 0;
@@ -111,8 +99,7 @@ class Subdivision final : public SlicedWork<SubdividedTriangles> {
   }
 
   /// Replaces a part that has long sides by smaller ones; false if it has none.
-  template <class Halve>
-  bool split(const Part& part, Halve halve) {
+  bool split(const Part& part) {
     std::array<bool, 3> isSplit;
     for (int i = 0; i < 3; ++i) isSplit[i] = isLong(part[i], part[cornerAfter(i)]);
     const int splits = isSplit[0] + isSplit[1] + isSplit[2];
@@ -145,27 +132,35 @@ class Subdivision final : public SlicedWork<SubdividedTriangles> {
                     std::to_string(options_.maxTriangles) + " triangles");
   }
 
-  /// Each part of a triangle has three sides, most of them shared by two: about half as many
-  /// midpoints as parts.
+  /// Makes room for the parts, and for a midpoint each, of which there are about half as many.
   void reserve() {
     const std::size_t parts = partCount_, added = parts - triangles_.size() / 3;
     out_.triangles.reserve(3 * parts);
     out_.parents.reserve(parts);
     out_.ends.reserve(added);
     out_.positions.reserve(out_.positions.size() + 3 * added);
-    midpoints_.reserve(added);
+    nextMidpoint_.reserve(added);
+    firstMidpoint_.assign(std::bit_ceil(added + 1), -1);
+  }
+  bool hasRoom() const { return !firstMidpoint_.empty(); }
+
+  /// The middle of a side: the same bits from both ends, and so in all triangles of the side.
+  Corner halve(const Corner& a, const Corner& b) {
+    const Vector3d p = (a.place + b.place) / 2;
+    return {p, hasRoom() ? midpointOf(a.vertex, b.vertex, p) : -1};
   }
 
-  Corner atMidpoint(const Corner& a, const Corner& b) {
-    const auto [low, high] = std::minmax(a.vertex, b.vertex);
-    const std::uint64_t key = static_cast<std::uint64_t>(low) << 32 | static_cast<unsigned>(high);
-    const auto [found, isNew] = midpoints_.try_emplace(key, vertexCount());
-    const Vector3d p = middle(a, b);
-    if (isNew) {
-      out_.positions.insert(out_.positions.end(), p.begin(), p.end());
-      out_.ends.push_back({low, high});
-    }
-    return {p, found->second};
+  /// The vertex at a midpoint, added if it is not there yet.
+  int midpointOf(int a, int b, const Vector3d& p) {
+    const std::array<int, 2> ends = {std::min(a, b), std::max(a, b)};
+    int& first = firstMidpoint_[hashOf(ends[1], hashOf(ends[0], 0)) & (firstMidpoint_.size() - 1)];
+    const int given = vertexCount() - static_cast<int>(out_.ends.size());
+    for (int m = first; m >= 0; m = nextMidpoint_[m])
+      if (out_.ends[m] == ends) return given + m;
+    nextMidpoint_.push_back(std::exchange(first, static_cast<int>(out_.ends.size())));
+    out_.ends.push_back(ends);
+    out_.positions.insert(out_.positions.end(), p.begin(), p.end());
+    return vertexCount() - 1;
   }
 
   void add(const Part& part) {
@@ -183,7 +178,9 @@ class Subdivision final : public SlicedWork<SubdividedTriangles> {
   int next_ = 0;            ///< triangle
   std::vector<Part> open_;  ///< parts of the last triangle, not looked at yet, the next one last
   int partCount_ = 0;
-  std::unordered_map<std::uint64_t, int> midpoints_;  ///< by the ends of their sides
+  /// Midpoints by a hash of their ends: the first of each hash, and after each, the next of its
+  /// hash.
+  std::vector<int> firstMidpoint_, nextMidpoint_;
   SubdividedTriangles out_;
 };
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // What each command does.
-import { hasCoarseBorders } from '../coarse_borders.js';
+import { finerMaxEdge } from '../finer_max_edge.js';
 import { GeodesicVoronoiError } from '../errors.js';
-import type { MeshInfo, Metric, PolygonMesh, SurfacePoints, Violation } from '../results.js';
+import type { MeshInfo, Metric, PolygonMesh, Violation } from '../results.js';
 import { counted, integer } from '../sentences.js';
 import type { CvtOptions, CvtState, Diagram, Mesh } from '../types.js';
 import {
@@ -198,7 +198,8 @@ async function cvt({ mesh: path, values }: Request<'cvt'>): Promise<void> {
   });
   const energy = states.map((state) => state.energy);
   const { iteration, sites: last } = states.at(-1)!;
-  writeNotes(tessellationNotes(mesh, last), values);
+  const diagram = await mesh.voronoi(last, { metric: settings.metric });
+  writeNotes(tessellationNotes(mesh, diagram), values);
   const position = await mesh.positionsOf(last);
   await output.write(encode({ mesh, sites: last, position, energy }, lengthsOf(mesh, values)));
   const shown = (e: number) => (scale ** 4 * e).toPrecision(6); // area times squared length
@@ -278,7 +279,7 @@ async function remesh({ mesh: path, values }: Request<'remesh'>): Promise<void> 
       mesh.remesh(sites, { ...settings, maxAdded: values['max-added'], onProgress }),
     ),
   );
-  writeNotes(tessellationNotes(mesh, diagram.sites), values);
+  writeNotes(tessellationNotes(mesh, diagram), values);
   const first = ('vertex' in sites ? sites.vertex : sites.face).length;
   const polygons = await diagram.dual();
   const quality = await diagram.remeshQuality();
@@ -355,14 +356,12 @@ function summarise(output: Output, { quiet }: Notices, line: string): void {
   if (output.isFile && !quiet) process.stderr.write(`${line}\n`);
 }
 
-/** With fewer, what is interpolated from the corners of faces gives an energy wrong by several per cent. */
-const leastFacesPerSite = 16;
-
-function tessellationNotes({ info: { faces } }: Mesh, sites: SurfacePoints): string[] {
-  const count = sites.face.length;
-  if (faces >= leastFacesPerSite * count) return [];
+/** What a tessellation lacks on faces about as long as regions. */
+function tessellationNotes(mesh: Mesh, { data }: Diagram): string[] {
+  const maxEdge = finerMaxEdge(mesh, data, { length: 0.4 });
+  if (maxEdge === 0) return [];
   return [
-    `${counted(faces, 'face')} for ${counted(count, 'site')}: energies and centroids, which follow from the distances at corners, are inaccurate (subdivide the mesh first)`,
+    `faces are about as long as regions: energies and centroids, which follow from the distances at corners, are inaccurate (--max-edge ${maxEdge} makes faces shorter)`,
   ];
 }
 
@@ -392,9 +391,10 @@ function diagramNotes(mesh: Mesh, diagram: Diagram, detail?: number): string[] {
   );
   if (hidden > 0)
     notes.push(`${counted(hidden, 'site')} without a region: another site is at the same place`);
-  if (detail === 0 && hasCoarseBorders(mesh, diagram.data))
+  const maxEdge = detail === undefined ? 0 : finerMaxEdge(mesh, diagram.data);
+  if (maxEdge > 0)
     notes.push(
-      'borders, straight within each face, are coarse: they cross faces about as long as regions (--detail 2 refines them)',
+      `faces are about as long as regions: borders are coarse, and regions between the corners of a face are missed (--max-edge ${maxEdge} makes faces shorter)`,
     );
   return notes;
 }

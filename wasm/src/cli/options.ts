@@ -155,6 +155,12 @@ export const options = {
     default: '1',
     help: `Unit of lengths in the output, of --radius and of --move-tolerance, for a model in metres, the unit of glTF: ${listed(units)}; or the factor to multiply the model's own with. Coordinates in files of points are the model's own`,
   },
+  'max-edge': {
+    value: 'SHARE',
+    parse: number(ranges.share),
+    default: '0',
+    help: "Halve edges longer than this share of the bounding box's diagonal until none is; 0: leave them. Triangles are then numbered anew",
+  },
   weld: {
     value: 'SHARE',
     parse: number(ranges.share),
@@ -221,7 +227,7 @@ const ofTessellation = [
   'metric',
   'progress',
 ] as const;
-const ofMesh = ['weld', 'orientation', 'min-component', 'limits'] as const;
+const ofMesh = ['max-edge', 'weld', 'orientation', 'min-component', 'limits'] as const;
 const ofAll = [...ofMesh, 'units', 'output', 'json', 'quiet', 'help'] as const;
 
 export interface CommandSpec {

@@ -20,7 +20,10 @@ export type SiteSource = Pick<
   'sites' | 'radius' | 'sampling' | 'per-component' | 'seed' | 'units'
 >;
 /** How a model is read. */
-export type Reading = Pick<Values, 'limits' | 'weld' | 'orientation' | 'min-component'>;
+export type Reading = Pick<
+  Values,
+  'limits' | 'max-edge' | 'weld' | 'orientation' | 'min-component'
+>;
 /** Points by triangles or vertices. */
 export type PointsOnSurface = SurfacePoints | { vertex: Int32Array };
 /** What may be written to standard error. */
@@ -30,8 +33,9 @@ export type Notices = Pick<Values<'diagram'>, 'quiet' | 'progress'>;
 export async function openMesh(path: string, output: Output, values: Reading): Promise<Mesh> {
   const { files, file } = await readModel(path);
   const gvd = await load();
-  const { limits, weld, orientation, 'min-component': minComponent } = values;
-  const options = { limits, file, weld, orientation, minComponent };
+  const { limits, weld, orientation } = values;
+  const { 'max-edge': maxEdge, 'min-component': minComponent } = values;
+  const options = { limits, file, maxEdge, weld, orientation, minComponent };
   const mesh = await gvd.mesh(files, options).catch((error: Error) => {
     // The library's option `file` is a part of the path here.
     const isUnclear = error instanceof GeodesicVoronoiError && error.code === 'several-models';
