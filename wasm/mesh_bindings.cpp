@@ -182,7 +182,7 @@ GVD_ABI Answer* createMesh(MeshArrays* arrays, double weld, Text orientation, in
                       Record out = infoRecord(*handle->mesh);
                       out.add("mesh",
                               static_cast<double>(reinterpret_cast<std::uintptr_t>(handle.get())));
-                      handle.release();
+                      static_cast<void>(handle.release());  // only now, as `add` may throw
                       return out;
                     });
   });
