@@ -131,7 +131,15 @@ suite('files', () => {
       hasText: /^wrong\.xyz cannot .* line 1: z /,
     });
     await error.waitFor();
-    await viewer.page.click('#error-close');
+    await drop('empty.csv', 'x,y,z\n');
+    await viewer.page.locator('#error-text', { hasText: 'empty.csv cannot' }).waitFor();
+    assert.equal(await viewer.siteCount(), 2);
+    const note = viewer.page.locator('#note');
+    const scaled = ['x,y,z', places.slice(0, 3).map((x) => 1000 * x)].join('\n');
+    await viewer.after('diagram', () => drop('mm.csv', scaled));
+    assert.match(await note.textContent(), /1 point of the file .* away from the surface/);
+    await viewer.after('diagram', () => viewer.page.click('#undo'));
+    assert.equal(await note.isVisible(), false);
     await viewer.after('diagram', () => viewer.page.click('#undo'));
   });
 
@@ -148,7 +156,7 @@ suite('files', () => {
     const note = viewer.page.locator('#note');
     assert.match(
       await note.textContent(),
-      /two\.ply has no triangles: .* where its 2 points are\./,
+      /two\.ply has no triangles: .* where the 2 points of the file are\./,
     );
     await viewer.after('diagram', () => note.getByText('Undo').click());
     assert.deepEqual(await viewer.sites(), before);

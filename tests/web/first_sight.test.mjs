@@ -365,6 +365,36 @@ suite('first sight', () => {
     await viewer.close();
   });
 
+  test('what a link says of my own file applies to no other model, nor do settings to the next one', async () => {
+    const hash =
+      '#v=1&model=mine.glb&sites=12&min-component=60000&camera-orbit=9deg+9deg+9%25+1+1+1';
+    const viewer = await browser.open({ hash });
+    const { page } = viewer;
+    const attributes = (names) =>
+      viewer.evaluate((element, names) => names.map((name) => element.getAttribute(name)), names);
+    await viewer.settled();
+    const note = page.locator('#note-text', { hasText: 'This link is of mine.glb' });
+    await note.waitFor();
+    assert.deepEqual(await attributes(['min-component', 'camera-orbit']), [null, null]);
+    await viewer.after('diagram', () => page.selectOption('#samples', 'torus.glb'));
+    assert.equal(await note.isVisible(), false);
+    await viewer.evaluate((element) => element.setAttribute('up', 'z'));
+    await viewer.after('diagram', () =>
+      viewer.evaluate((element) => element.setAttribute('max-edge', '0.01')),
+    );
+    const finer = await viewer.evaluate(({ info }) => info.faces);
+    await viewer.after('diagram', () => page.selectOption('#samples', 'hand.glb'));
+    assert.deepEqual(await attributes(['up', 'max-edge']), [null, null]);
+    await viewer.after('diagram', () => page.selectOption('#samples', 'torus.glb'));
+    assert.ok((await viewer.evaluate(({ info }) => info.faces)) < finer);
+    // The file itself is built as the link says, where that is possible.
+    await page.setInputFiles('#files', [ownFile]);
+    await page.locator('#error-text', { hasText: 'no component has' }).waitFor();
+    assert.match(await page.inputValue('#samples'), /^mine\.glb/);
+    assert.deepEqual(viewer.complaints, []);
+    await viewer.close();
+  });
+
   test('an address stays as it was opened until something is done, and one of a file of my own', async () => {
     for (const hash of ['#v=1&model=torus.glb&sites=12&seed=3', '#v=1&model=mine.glb&at=AAAA']) {
       const viewer = await browser.open({ hash });

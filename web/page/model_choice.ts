@@ -3,6 +3,7 @@
 // Choosing a model: a sample, files, a folder, or any of them dropped on the page.
 
 import type { ModelFiles } from 'geodesic-voronoi';
+import { buildAttributes } from '../viewer/attributes.js';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { chosenFiles, droppedFiles, lastSegment } from '../viewer/model_files.js';
 import { byId, listen, onClick } from './dom.js';
@@ -34,6 +35,9 @@ export function setUpModelChoice(viewer: GeodesicVoronoiElement): void {
     void open([...dropped.files], droppedFiles(dropped));
   });
 }
+
+/** Settings that are about one model: the next one begins without them. */
+const ofOneModel = [...buildAttributes, 'detail', 'up', 'exploded', 'camera-orbit'];
 
 /** A model that can be chosen. */
 interface Choice {
@@ -100,6 +104,10 @@ class ModelMenu {
   /** A model that cannot be opened leaves the one before, which is then what the menu says. */
   async #open(choice: Choice): Promise<boolean> {
     this.#asked = choice;
+    if (choice !== this.#shown) {
+      for (const name of ofOneModel) this.#viewer.removeAttribute(name);
+      await Promise.resolve(); // The viewer follows at the end of a task, what it begins is given up.
+    }
     const isOpen = await choice.open();
     if (!isOpen && this.#asked === choice) this.#show(this.#shown);
     return isOpen;

@@ -4,6 +4,7 @@
 // where they are, the distance, and the view.
 
 import type { SurfacePoints } from 'geodesic-voronoi';
+import { buildAttributes } from '../viewer/attributes.js';
 import type { GeodesicVoronoiElement, ViewerEvents } from '../viewer/element.js';
 import { lastSegment } from '../viewer/model_files.js';
 import { byId } from './dom.js';
@@ -20,18 +21,12 @@ const bytesPerSite = 8;
 
 /** The viewer's attributes that a link keeps. */
 export const linkAttributes = [
-  ...[
-    'sites',
-    'seed',
-    'sampling',
-    'per-component',
-    'max-edge',
-    'weld',
-    'orientation',
-    'min-component',
-  ],
+  ...['sites', 'seed', 'sampling', 'per-component', ...buildAttributes],
   ...['metric', 'detail', 'up', 'layers', 'exploded', 'camera-orbit'],
 ] as const;
+
+/** Those that apply to no other model. */
+const ofOneFile = [...buildAttributes, 'camera-orbit'];
 
 /** Whether an address's hash is one that `pageState` wrote. */
 export function isPageState(hash: string): boolean {
@@ -76,25 +71,36 @@ export function notHeld(viewer: GeodesicVoronoiElement): string[] {
 export function readPageState(viewer: GeodesicVoronoiElement, hash: string): void {
   const parameters = parametersOf(hash);
   if (parameters.get('v') !== version) return;
-  for (const name of linkAttributes) {
+  /** Whether an attribute was another. */
+  const restore = (name: string): boolean => {
     const value = parameters.get(name);
-    if (isGiven(name, value) && (name !== 'sites' || isCount(value))) {
-      viewer.setAttribute(name, value);
-    }
-  }
+    if (!isGiven(name, value) || (name === 'sites' && !isCount(value))) return false;
+    const isOther = viewer.getAttribute(name) !== value;
+    viewer.setAttribute(name, value);
+    return isOther;
+  };
   const at = parameters.get('at');
   const model = parameters.get('model');
+  // Until a reader's own file is opened, a sample is shown, to which these may not apply.
+  const ofFile: readonly string[] = model && !isSample(model) ? ofOneFile : [];
+  for (const name of linkAttributes) if (!ofFile.includes(name)) restore(name);
   const waiting = new AbortController();
+  let endNote: (() => void) | undefined;
   const bringBack = ({ detail: { name } }: CustomEvent<ViewerEvents['load']>) => {
-    // Sites on a reader's own file make no sense without it: until it is opened, a sample is shown.
+    const isFirst = !endNote;
+    endNote?.();
+    endNote = () => {};
+    // Sites on a reader's own file make no sense without it.
     if (model && name !== model) {
-      if (isSample(model)) return;
-      showNote(`This link is of ${model}, which it does not hold: open that file, too.`, {
+      if (isSample(model) || !isFirst) return;
+      endNote = showNote(`This link is of ${model}, which it does not hold: open that file, too.`, {
         title: 'Open file…',
         act: () => byId('open', HTMLButtonElement).click(),
       });
       return;
     }
+    const isBuiltOtherwise = ofFile.filter(restore).some((each) => each !== 'camera-orbit');
+    if (isBuiltOtherwise) return; // The model is opened anew.
     waiting.abort();
     // Empty where all sites were removed.
     if (model && at !== null) showSites(viewer, at);

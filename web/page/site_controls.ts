@@ -58,7 +58,7 @@ function setUpNoteOfFewer(viewer: GeodesicVoronoiElement): (count: number) => vo
     if (!isSampled || sites === 0 || sites >= wanted) return;
     showNote(
       `${counted(sites, 'site')} instead of ${integer(wanted)}: places as far apart as possible are ` +
-        `vertices, and this model has ${integer(sites)}. Random sampling has no such limit.`,
+        'vertices, and this model has no more. Random sampling has no such limit.',
     );
   });
   return (count) => {

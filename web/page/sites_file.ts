@@ -2,7 +2,7 @@
 //
 // Sites as a file.
 
-import type { SurfacePoints } from 'geodesic-voronoi';
+import type { Mesh, SurfacePoints } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { readCsvPlaces } from '../../dist/input/csv_places.js';
 import { toSizeLimits } from '../../dist/input/limits.js';
@@ -12,7 +12,10 @@ import { inSlices } from '../../dist/slices.js';
 import { sentence } from '../viewer/failure.js';
 import { byId } from './dom.js';
 import { hideError, showError, showNote } from './feedback.js';
-import { counted, integer } from './numbers.js';
+import { counted, integer, measure } from './numbers.js';
+
+/** How far places are from the surface before it is told, in diagonals of the model. */
+const mostFar = 0.05;
 
 /** The JSON form of sites, as the page and the command write it. */
 interface SitesJson {
@@ -70,22 +73,40 @@ export async function openSites(viewer: GeodesicVoronoiElement, file: File): Pro
     return;
   }
   try {
-    const sites = await mesh.readPoints(await contentOf(file));
+    const content = await contentOf(file);
+    const sites = await mesh.readPoints(content);
+    const far = await farthestFrom(mesh, content);
     if (mesh !== viewer.mesh) return;
     viewer.sites = present(sites);
-    if (isPly(file)) tellOfPoints(viewer, name);
+    tellOfPoints(viewer, file, far);
   } catch (error) {
     showError(sentence(`${name} cannot be opened as sites`, error).message);
   }
 }
 
-/** A .ply is often meant to be a model. */
-function tellOfPoints(viewer: GeodesicVoronoiElement, name: string): void {
+/**
+ * Tells what a file was taken for: a .ply is often meant to be a model, and places far from the surface are
+ * often those of another one, or in another unit. The note ends with the next change of the sites.
+ */
+function tellOfPoints(viewer: GeodesicVoronoiElement, file: File, far: number): void {
+  const isFar = far > mostFar * (viewer.info?.boundingDiagonal ?? 0);
+  if (!isFar && !isPly(file)) return;
+  const what = isPly(file) ? `${file.name} has no triangles: the` : 'The';
   const points = counted(viewer.sites.face.length, 'point');
-  showNote(`${name} has no triangles: the sites are now where its ${points} are.`, {
+  const how = isFar ? `, up to ${measure(far)} away from the surface` : '';
+  const end = showNote(`${what} sites are now where the ${points} of the file are${how}.`, {
     title: 'Undo',
     act: () => viewer.undo(),
   });
+  viewer.addEventListener('sites-change', end, { once: true });
+}
+
+/** The largest distance from the surface, where points are given by their places. */
+async function farthestFrom(mesh: Mesh, content: unknown): Promise<number> {
+  const { position } = (content ?? {}) as { position?: ArrayLike<number> };
+  if (!position) return 0;
+  const { distance } = await mesh.closestPoints(position);
+  return distance.reduce((most, each) => Math.max(most, each), 0);
 }
 
 /** The JSON of a file, or the places in a PLY, or in a table of x, y and z. */
@@ -95,6 +116,7 @@ async function contentOf(file: File): Promise<unknown> {
     const position = isPly(file)
       ? await inSlices(readPlyPlaces(bytes, toSizeLimits({})), {})
       : readCsvPlaces(bytes);
+    if (position.length === 0) throw new Error('it has no points');
     const most = Number(byId('count', HTMLInputElement).max);
     if (position.length > 3 * most) {
       const points = integer(position.length / 3);

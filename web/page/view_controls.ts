@@ -176,7 +176,10 @@ function offerFinerTriangles(viewer: GeodesicVoronoiElement): () => void {
     'Some triangles are as long as regions: borders, straight in each of them, and distances are coarse.',
     {
       title: 'Finer triangles',
-      act: () => viewer.setAttribute('max-edge', String(maxEdge)),
+      act: () => {
+        viewer.setAttribute('max-edge', String(maxEdge));
+        if (Number(viewer.getAttribute('detail')) === 0) viewer.setAttribute('detail', '1');
+      },
     },
   );
 }

@@ -324,8 +324,10 @@ export class GeodesicVoronoiElement extends ReflectingElement {
   }
 
   async #open(read: Reader): Promise<boolean> {
+    const before = this.#read;
+    this.#read = read; // what attributes that change meanwhile are about
     const isOpen = (await this.#started()?.open(read)) ?? false;
-    if (isOpen) this.#read = read;
+    if (!isOpen && this.#read === read) this.#read = before;
     return isOpen;
   }
 
