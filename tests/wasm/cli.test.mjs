@@ -113,6 +113,8 @@ test('sites and points by their coordinates', () => {
   assert.equal(succeeds('diagram shape.glb --sites places.json -q -o d.json').stderr, '');
   const one = succeeds('diagram shape.glb --sites {"position":[0,0,2]} -o d.json').stderr;
   assert.match(one, /^note: 1 place, it is 1\.000 from the surface\n/);
+  const far = succeeds('diagram shape.glb --sites {"position":[0,0,1000]} -q -o d.json').stderr;
+  assert.equal(far, 'warning: 1 place, it is 999.0 from the surface\n');
   const located = JSON.parse(
     succeeds('locate shape.glb --sites places.json --points places.json').stdout,
   );
@@ -832,7 +834,9 @@ test('a model of another format, a folder, a zip', () => {
   assert.equal(distances('shape.glb --units 100').unit, undefined);
   assert.match(succeeds('info shape.glb').stdout, /diagonal +3\.4641 m\n/);
   assert.match(succeeds('info shape.obj').stdout, /diagonal +3\.4641\n/);
-  assert.match(succeeds('info shape.obj --units cm').stdout, /diagonal +346\.41 cm\n/);
+  const inCentimetres = succeeds('info shape.obj --units cm');
+  assert.match(inCentimetres.stdout, /diagonal +346\.41 cm\n/);
+  assert.match(inCentimetres.stderr, /^note: OBJ has no unit: .* taken for metres/);
   succeeds('partition shape.stl --sites 3 -o parts.glb');
   assert.match(succeeds('info shape.stl').stdout, /^format +STL \(shape\.stl\)\n/);
   assert.match(succeeds('info -', meshObj(octahedron())).stdout, /^format +OBJ/);

@@ -30,7 +30,11 @@ export type PointsOnSurface = SurfacePoints | { vertex: Int32Array };
 export type Notices = Pick<Values<'diagram'>, 'quiet' | 'progress'>;
 
 /** Opens a mesh whose result goes to an output, which may be none of the model's files. */
-export async function openMesh(path: string, output: Output, values: Reading): Promise<Mesh> {
+export async function openMesh(
+  path: string,
+  output: Output,
+  values: Reading & Pick<Values<'info'>, 'units' | 'quiet'>,
+): Promise<Mesh> {
   const { files, file } = await readModel(path);
   const gvd = await load();
   const { limits, weld, orientation } = values;
@@ -44,6 +48,9 @@ export async function openMesh(path: string, output: Output, values: Reading): P
     throw new FileError(`${path}: ${error.message}${isUnclear ? advice : ''}`, { cause: error });
   });
   output.requireNoModel();
+  const { format } = mesh.info.origin;
+  if (values.units.unit && format !== 'glTF')
+    writeNotes([`${format} has no unit: lengths of the model are taken for metres`], values);
   return mesh;
 }
 
@@ -66,7 +73,7 @@ export async function openWithSites(
   return { mesh, sites };
 }
 
-export function writeNotes(notes: string[], { quiet }: Notices): void {
+export function writeNotes(notes: string[], { quiet }: Pick<Notices, 'quiet'>): void {
   if (!quiet) for (const note of notes) process.stderr.write(`note: ${note}\n`);
 }
 
@@ -94,11 +101,13 @@ async function closestOf(
 ): Promise<PointsOnSurface> {
   const closest = await mesh.closestPoints(places);
   const farthest = closest.distance.reduce((most, d) => Math.max(most, d), 0);
-  if (!quiet && farthest > Number.EPSILON * mesh.info.boundingDiagonal) {
+  const { boundingDiagonal } = mesh.info;
+  const isFar = farthest > boundingDiagonal; // of another model, or in another unit
+  if (isFar || (!quiet && farthest > Number.EPSILON * boundingDiagonal)) {
     const count = closest.face.length;
     const places = count === 1 ? '1 place, it is' : `${count} places, the farthest`;
     process.stderr.write(
-      `note: ${places} ${(units.scale * farthest).toPrecision(4)} from the surface\n`,
+      `${isFar ? 'warning' : 'note'}: ${places} ${(units.scale * farthest).toPrecision(4)} from the surface\n`,
     );
   }
   return closest;
