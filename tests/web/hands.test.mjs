@@ -4,6 +4,7 @@
 
 import assert from 'node:assert/strict';
 import { after, afterEach, before, beforeEach, suite, test } from 'node:test';
+import { glb } from '../wasm/meshes.mjs';
 import { startBrowser } from './browser.mjs';
 
 suite('hands', () => {
@@ -122,6 +123,33 @@ suite('hands', () => {
     }
     assert.deepEqual(await viewer.sites(), before);
     assert.equal(await viewer.page.locator('#undo').isDisabled(), true);
+  });
+
+  test('sites on the far side of a thin plate are neither seen nor hit', async () => {
+    const own = await browser.open();
+    await own.settled();
+    const corners = [0, 1, 2, 3, 4, 5, 6, 7];
+    const plate = {
+      positions: corners.flatMap((i) => [(i & 1) * 10, ((i >> 1) & 1) * 6, (i >> 2) * 0.05]),
+      indices: [
+        ...[0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4],
+        ...[2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5],
+      ],
+    };
+    const file = { name: 'plate.glb', mimeType: '', buffer: Buffer.from(glb(plate)) };
+    await own.after('diagram', () => own.page.setInputFiles('#files', [file]));
+    await own.settled();
+    const seen = await own.evaluate(async (viewer) => {
+      const places = await viewer.mesh.positionsOf(viewer.sites);
+      const sites = [...viewer.sites.face.keys()];
+      const on = (z) => sites.filter((i) => Math.abs(places[3 * i + 2] - z) < 1e-9);
+      return [0, 0.05].map((z) => on(z).map((i) => Boolean(viewer.sitePosition(i))));
+    });
+    const [back, front] = seen[0].includes(true) ? seen.reverse() : seen;
+    assert.ok(back.length > 10 && front.length > 10);
+    assert.ok(back.every((isSeen) => !isSeen));
+    assert.ok(front.every(Boolean));
+    await own.close();
   });
 
   test('a site that is selected turns into view, is told of, and moves by keys', async () => {

@@ -42,6 +42,7 @@ const vertexShader = /* glsl */ `
   uniform float least;
   uniform float most;
   uniform float usual;
+  uniform float front;
   uniform float pixelsPerUnitAtOne;
   varying vec2 vCorner;
   varying float vPixels;
@@ -51,11 +52,12 @@ const vertexShader = /* glsl */ `
     vec3 centre = (modelViewMatrix * vec4(place, 1.0)).xyz;
     vec3 normal = normalize(normalMatrix * outward);
     vec3 view = -normalize(centre);
-    float slope = abs(dot(normal, view));
+    float facing = dot(normal, view);
+    float slope = front == 0.0 ? abs(facing) : max(0.0, front * facing);
     float pixelsPerUnit = pixelsPerUnitAtOne / -centre.z;
     float lowest = min(least, ${crowding.toFixed(1)} * usual * pixelsPerUnit);
     float pixels = clamp(size * pixelsPerUnit, lowest, most) * mix(1.0, ${emphasisedSize}, emphasised);
-    // Hides the slivers that are left of discs at the silhouette.
+    // Hides the slivers that are left of discs at the silhouette, and discs on the back.
     pixels *= smoothstep(0.02, 0.15, slope);
     // A pixel more, for a smooth edge.
     float radius = (pixels + 1.0) / pixelsPerUnit;
@@ -83,7 +85,7 @@ const fragmentShader = /* glsl */ `
     float distance = length(vCorner);
     // The width of a pixel of the screen, which is wide where the disc is seen from the side.
     float pixel = max(fwidth(distance), 1e-4);
-    float opacity = clamp((vPixels - distance) / pixel + 0.5, 0.0, 1.0);
+    float opacity = vPixels > 0.0 ? clamp((vPixels - distance) / pixel + 0.5, 0.0, 1.0) : 0.0;
     if (opacity <= 0.0) discard;
     float inner = vPixels * (1.0 - rim);
     float core = clamp((inner - distance) / pixel + 0.5, 0.0, 1.0);
@@ -113,6 +115,7 @@ export class Markers {
         least: { value: least },
         most: { value: most },
         usual: { value: 1 },
+        front: { value: 0 },
         rim: { value: rim },
         fill: { value: new Color() },
         edge: { value: new Color() },
@@ -139,6 +142,14 @@ export class Markers {
     uniforms.fill.value.set(ink);
     uniforms.edge.value.set(paper);
     uniforms.emphasis.value.set(accent);
+  }
+
+  /**
+   * From which side markers are seen: 1 or -1, the side that their outward directions point to or the other,
+   * of a closed surface; 0: from both. On the far side of a thin wall they would be lifted through it.
+   */
+  set front(side: number) {
+    this.object.material.uniforms.front.value = side;
   }
 
   /** The radius in the scene of a marker in a region of usual size. */

@@ -118,6 +118,12 @@ export class ModelDrawing {
     );
   }
 
+  /** See `Markers`. */
+  set front(side: number) {
+    this.#siteMarkers.front = side;
+    this.#voronoiPoints.markers.front = side;
+  }
+
   get theme(): Theme {
     return this.#theme;
   }

@@ -23,11 +23,15 @@ export class OpenModel {
 
   readonly files: NamedFiles;
 
-  constructor({ scene, builder, files }: OpenedMesh, theme: Theme) {
+  constructor({ mesh, scene, builder, files }: OpenedMesh, theme: Theme) {
     this.files = files;
     this.builder = builder;
     this.drawing = new ModelDrawing(scene);
     this.drawing.theme = theme;
+    const { boundaryLoops, components, repairs } = mesh.info;
+    // The only ones of which it is certain that their back is never seen.
+    if (boundaryLoops === 0 && components === 1 && repairs.flippedTriangles === 0)
+      this.drawing.front = Math.sign(scene.sixfoldVolume);
     this.picker = new Picker(scene, builder.tree());
     this.paint = new DensityPaint(scene);
   }

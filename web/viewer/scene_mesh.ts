@@ -27,6 +27,20 @@ export class SceneMesh {
     return this.indices.length / 3;
   }
 
+  /** Six times the volume that the triangles enclose: negative if their normals point inwards. */
+  get sixfoldVolume(): number {
+    const { positions: p, indices } = this;
+    let sum = 0;
+    for (let i = 0; i < indices.length; i += 3) {
+      const [a, b, c] = [3 * indices[i], 3 * indices[i + 1], 3 * indices[i + 2]];
+      sum +=
+        p[a] * (p[b + 1] * p[c + 2] - p[b + 2] * p[c + 1]) +
+        p[a + 1] * (p[b + 2] * p[c] - p[b] * p[c + 2]) +
+        p[a + 2] * (p[b] * p[c + 1] - p[b + 1] * p[c]);
+    }
+    return sum;
+  }
+
   /** The place of a point of a face, written to `target[at…]`. */
   writePoint(face: number, bary: ArrayLike<number>, target: Float32Array, at: number): void {
     for (let axis = 0; axis < 3; ++axis) {
