@@ -21,6 +21,7 @@
 #include "gvd/partition.h"
 #include "gvd/remesh.h"
 #include "gvd/sampling.h"
+#include "gvd/subdivision.h"
 #include "in_steps.h"
 #include "shapes.h"
 #include "wild_mesh.h"
@@ -182,6 +183,25 @@ TEST(SlicedWork, MakesTheSameMeshes) {
     const std::string error = errorOf([&] { shape.mesh(options); });
     EXPECT_EQ(errorOf([&] { stepped(); }), error);
     if (error.empty()) expectSame(stepped(), shape.mesh(options), shape);
+  }
+}
+
+TEST(SlicedWork, SubdividesInTheSameWay) {
+  for (int seed = 0; seed < 300; ++seed) {
+    SCOPED_TRACE(seed);
+    shapes::Random random(seed);
+    const shapes::Shape shape = wildMesh(random, 60);
+    const SubdivisionOptions options = {.maxEdge = random.uniform(0.01, 1), .maxTriangles = 5000};
+    const auto stepped = [&] {
+      return inSteps(startSubdivision(shape.positions, shape.triangles, options));
+    };
+    const auto atOnce = [&] { return subdivide(shape.positions, shape.triangles, options); };
+    const std::string error = errorOf([&] { atOnce(); });
+    EXPECT_EQ(errorOf([&] { stepped(); }), error);
+    if (!error.empty()) continue;
+    EXPECT_EQ(stepped().triangles, atOnce().triangles);
+    EXPECT_EQ(stepped().parents, atOnce().parents);
+    EXPECT_EQ(stepped().ends, atOnce().ends);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "gvd/error.h"
+#include "gvd/subdivision.h"
 #include "wild_mesh.h"
 
 namespace {
@@ -42,6 +43,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         {.weld = random.uniform() * random.uniform(),
          .orientation = random.below(2) ? gvd::Orientation::kKeep : gvd::Orientation::kUnify,
          .minComponent = random.below(5)}));
+    const auto parts = gvd::subdivide(shape.positions, shape.triangles,
+                                      {.maxEdge = random.uniform(), .maxTriangles = 2000});
+    check(gvd::TriangleMesh(parts.positions, parts.triangles));
   } catch (const gvd::Error&) {
   }
   return 0;

@@ -68,8 +68,13 @@ class Subdivision final : public SlicedWork<SubdividedTriangles> {
   Vector3d place(int v) const {
     return Vector3d::Map(&out_.positions[3 * static_cast<std::size_t>(v)]);
   }
+  /// Halves are added, because the sum of the ends may overflow.
+  static Vector3d middle(const Corner& a, const Corner& b) { return a.place / 2 + b.place / 2; }
+  /// False if the length is no number, and where no other place lies between the ends by rounding.
   bool isLong(const Corner& a, const Corner& b) const {
-    return (b.place - a.place).norm() > longest_;  // false if it is not a number
+    if (!((b.place - a.place).norm() > longest_)) return false;
+    const Vector3d between = middle(a, b);
+    return between != a.place && between != b.place;
   }
 
   /// Counts the parts of all triangles, or makes them once there is room.
@@ -146,7 +151,7 @@ class Subdivision final : public SlicedWork<SubdividedTriangles> {
 
   /// The middle of a side: the same bits from both ends, and so in all triangles of the side.
   Corner halve(const Corner& a, const Corner& b) {
-    const Vector3d p = (a.place + b.place) / 2;
+    const Vector3d p = middle(a, b);
     return {p, hasRoom() ? midpointOf(a.vertex, b.vertex, p) : -1};
   }
 
