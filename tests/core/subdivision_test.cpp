@@ -106,8 +106,9 @@ TEST(Subdivision, PutsMidpointsOfSeamsAtTheSamePlace) {
 
 TEST(Subdivision, LeavesTrianglesThatAreNotFiniteToTheMesh) {
   Shape shape = shapes::triangle();
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  shape.addTriangle(0, 1, shape.addVertex({nan, 0, 0}));
+  for (const double x :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    shape.addTriangle(0, 1, shape.addVertex({x, 0, 0}));
   const TriangleMesh mesh =
       shapeOf(subdivide(shape.positions, shape.triangles, {.maxEdge = 0.2})).mesh();
   EXPECT_GT(mesh.repairs().nonFiniteTriangles, 0);
@@ -129,6 +130,13 @@ double wrongShare(const Shape& shape) {
     wrong += label != distances->nearest(p).label;
   }
   return static_cast<double>(wrong) / points;
+}
+
+TEST(Subdivision, EndsWhereCoordinatesAreHardlyFineEnough) {
+  Shape shape = shapes::triangle();
+  for (int v = 0; v < 3; ++v) shape.setPosition(v, 1e-14 * shape.position(v) + Vector3d(1, 1, 1));
+  const auto parts = subdivide(shape.positions, shape.triangles, {.maxEdge = 1e-3});
+  EXPECT_LE(parts.triangles.size(), 300u);
 }
 
 TEST(Subdivision, LetsDiagramsFindRegionsBetweenTheCornersOfLongTriangles) {

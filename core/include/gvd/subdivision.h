@@ -35,8 +35,8 @@ struct SubdividedTriangles {
 ///
 /// A triangle with one long side becomes two, with two three, with three four. A side is halved in
 /// all of its triangles, at a vertex that they share if they share its ends, so no cracks appear.
-/// Triangles without long sides stay as they are, as do those with a corner that is not finite, and
-/// sides whose ends are too near for a place in between, at this distance from the origin.
+/// Triangles without long sides stay as they are, as do those with a corner that is not finite. No
+/// side is halved that is shorter than 2^-48 of the largest coordinate.
 ///
 /// `positions` and `triangles` as for `TriangleMesh`. Throws as it does if an index is out of range
 /// or an array's size is no multiple of three; `Error(kInvalidArgument)` if an option is not in its

@@ -4,9 +4,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <initializer_list>
 #include <iterator>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -51,8 +53,8 @@ class Subdivision final : public SlicedWork<SubdividedTriangles> {
               if (const Vector3d p = place(triangles_[3 * t + i]); p.allFinite()) box_.extend(p);
           });
         },
-        [&] { longest_ = options_.maxEdge * box_.diagonal().norm(); },
-        [&] { return splitAll(budget); }, [&] { reserve(); }, [&] { return splitAll(budget); });
+        [&] { findLongest(); }, [&] { return splitAll(budget); }, [&] { reserve(); },
+        [&] { return splitAll(budget); });
   }
   double progress() const override { return sequence_.progress(); }
   SubdividedTriangles result() override { return std::move(out_); }
@@ -64,17 +66,24 @@ class Subdivision final : public SlicedWork<SubdividedTriangles> {
   };
   using Part = std::array<Corner, 3>;
 
+  /// Not below a multiple of what coordinates are rounded by: there, halves may be as long as a
+  /// side.
+  void findLongest() {
+    constexpr double kResolution = 0x1p-48;
+    const double farthest = box_.min().cwiseAbs().cwiseMax(box_.max().cwiseAbs()).maxCoeff();
+    longest_ = std::max({options_.maxEdge * box_.diagonal().norm(), kResolution * farthest,
+                         std::numeric_limits<double>::min()});
+  }
+
   int vertexCount() const { return static_cast<int>(out_.positions.size() / 3); }
   Vector3d place(int v) const {
     return Vector3d::Map(&out_.positions[3 * static_cast<std::size_t>(v)]);
   }
   /// Halves are added, because the sum of the ends may overflow.
   static Vector3d middle(const Corner& a, const Corner& b) { return a.place / 2 + b.place / 2; }
-  /// False if the length is no number, and where no other place lies between the ends by rounding.
   bool isLong(const Corner& a, const Corner& b) const {
-    if (!((b.place - a.place).norm() > longest_)) return false;
-    const Vector3d between = middle(a, b);
-    return between != a.place && between != b.place;
+    const double length = (b.place - a.place).norm();
+    return length > longest_ && std::isfinite(length);
   }
 
   /// Counts the parts of all triangles, or makes them once there is room.
