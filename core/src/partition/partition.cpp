@@ -9,19 +9,18 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <tuple>
 #include <utility>
 
 #include "base/grouping.h"
 #include "base/sliced_loop.h"
-#include "base/sorting.h"
 #include "diagram/given_diagram.h"
-#include "mesh/corners.h"
 #include "mesh/face_layout.h"
 #include "mesh/representations.h"
 #include "mesh/surface_geometry.h"
 #include "partition/convex_triangulation.h"
 #include "partition/region_patches.h"
+#include "partition/side_points.h"
+#include "partition/twin_matching.h"
 
 namespace gvd {
 namespace {
@@ -37,9 +36,10 @@ class Partitioner final : public SlicedWork<Partition> {
 
   bool advance(long budget) override {
     return sequence_.run(
-        [&] { return nameVertices(budget); }, [&] { return collectSidePoints(budget); },
+        [&] { return nameVertices(budget); }, [&] { return sidePoints_.step(budget); },
         [&] { return cutFaces(budget); }, [&] { return groupByLabel(budget); },
-        [&] { return numberVertices(budget); }, [&] { return findTwins(budget); },
+        [&] { return numberVertices(budget); },
+        [&] { return runPart(matching_, budget, mesh_, uncut_, out_); },
         [&] { return runPart(patches_, budget, mesh_, diagram_.siteCount, areas_, out_); });
   }
   double progress() const override { return sequence_.progress(); }
@@ -51,12 +51,6 @@ class Partitioner final : public SlicedWork<Partition> {
     std::array<int, 3> vertices;
     int label, face;
     double area;
-  };
-  /// A point on the side of a face that is not mixed, added by the mixed face beyond.
-  struct SidePoint {
-    int halfedge;
-    int order;  ///< ascending along the halfedge
-    int vertex;
   };
 
   // --- Triangles -------------------------------------------------------------------------------
@@ -72,59 +66,6 @@ class Partitioner final : public SlicedWork<Partition> {
     });
   }
 
-  bool isMixed(int face) const { return diagram_.faceLabel[face] == Diagram::kMixed; }
-
-  /// With detail, a diagram has points on the sides of mixed faces that the region triangle beyond
-  /// does not list.
-  bool collectSidePoints(long& budget) {
-    const bool isDone = loop_.run(diagram_.cells.size(), budget, 2, [&](int first) {
-      const int face = diagram_.cellFace[first];
-      if (first > 0 && diagram_.cellFace[first - 1] == face) return;
-      bool isGathered = false;
-      for (int h = 3 * face; h < 3 * (face + 1); ++h) {
-        if (mesh_.twin(h) < 0 || isMixed(TriangleMesh::faceOf(mesh_.twin(h)))) continue;
-        if (!isGathered) gatherSides(first);
-        isGathered = true;
-        followSide(h);
-      }
-    });
-    if (isDone)
-      sortStably(std::span(sidePoints_), [](const SidePoint& a, const SidePoint& b) {
-        return std::tie(a.halfedge, a.order) < std::tie(b.halfedge, b.order);
-      });
-    return isDone;
-  }
-
-  void gatherSides(int firstCell) {
-    sides_.clear();
-    const int face = diagram_.cellFace[firstCell];
-    for (int c = firstCell; c < diagram_.cells.size() && diagram_.cellFace[c] == face; ++c) {
-      const auto cell = diagram_.cells[c];
-      for (size_t i = 0; i < cell.size(); ++i)
-        sides_.emplace_back(vertexOfPoint_[cell[i]], vertexOfPoint_[cell[(i + 1) % cell.size()]]);
-    }
-  }
-
-  /// Follows a mixed face's halfedge from its tail to its tip, along the sides of cells that have
-  /// no other cell of the face beyond. The points on the way are found by the cells that list them,
-  /// not by coordinates, because rounding may have put an inner point on the side.
-  void followSide(int h) {
-    const auto has = [&](int from, int to) {
-      return std::find(sides_.begin(), sides_.end(), std::pair(from, to)) != sides_.end();
-    };
-    const int tip = mesh_.tip(h);
-    if (has(mesh_.tail(h), tip)) return;
-    int at = mesh_.tail(h);
-    for (int steps = 0; at != tip && steps < static_cast<int>(sides_.size()); ++steps) {
-      const auto next = std::find_if(sides_.begin(), sides_.end(), [&](const auto& side) {
-        return side.first == at && !has(side.second, at);
-      });
-      if (next == sides_.end()) return;
-      at = next->second;
-      if (at != tip) sidePoints_.push_back({mesh_.twin(h), -steps, at});
-    }
-  }
-
   bool cutFaces(long& budget) {
     const int faces = mesh_.faceCount();
     return cutting_.run([&] { return fillInSlices(isLeftOut_, faces, '\0', budget); },
@@ -133,32 +74,29 @@ class Partitioner final : public SlicedWork<Partition> {
                             for (const int f : diagram_.indifferentFaces) isLeftOut_[f] = true;
                           pieces_.reserve(faces + diagram_.cells.points.size());
                         },
-                        [&] { return fillInSlices(uncutPiece_, faces, -1, budget); },
+                        [&] { return fillInSlices(uncut_, faces, -1, budget); },
                         [&] { return loop_.run(faces, budget, 4, [&](int f) { cutFace(f); }); });
   }
 
   void cutFace(int f) {
     const size_t firstPiece = pieces_.size();
-    if (isMixed(f)) {
+    if (diagram_.faceLabel[f] == Diagram::kMixed) {
       for (; nextCell_ < diagram_.cells.size() && diagram_.cellFace[nextCell_] == f; ++nextCell_)
         addCell(nextCell_);
       measurePieces(firstPiece);
       return;
     }
     const int label = diagram_.faceLabel[f];
-    const size_t first = nextSidePoint_;
-    while (nextSidePoint_ < sidePoints_.size() &&
-           sidePoints_[nextSidePoint_].halfedge < 3 * (f + 1))
-      ++nextSidePoint_;
+    const auto onSides = sidePoints_.next(f);
     if (isLeftOut_[f] || (label < 0 && options_.leaveOutUnreachable)) return;
-    if (first == nextSidePoint_) {
-      uncutPiece_[f] = static_cast<int>(pieces_.size());
+    if (onSides.empty()) {
+      uncut_[f] = static_cast<int>(pieces_.size());
       pieces_.push_back({{mesh_.tail(3 * f), mesh_.tail(3 * f + 1), mesh_.tail(3 * f + 2)},
                          label,
                          f,
                          mesh_.faceArea(f)});
     } else {
-      addFaceWithSidePoints(f, std::span(sidePoints_).subspan(first, nextSidePoint_ - first));
+      addFaceWithSidePoints(f, onSides);
       measurePieces(firstPiece);
     }
   }
@@ -181,7 +119,7 @@ class Partitioner final : public SlicedWork<Partition> {
     pieces_[largest].area = std::max(0.0, pieces_[largest].area + rest);
   }
 
-  void addFaceWithSidePoints(int face, std::span<const SidePoint> points) {
+  void addFaceWithSidePoints(int face, std::span<const SidePoints::Point> points) {
     polygon_.clear();
     auto point = points.begin();
     for (int h = 3 * face; h < 3 * (face + 1); ++h) {
@@ -238,7 +176,6 @@ class Partitioner final : public SlicedWork<Partition> {
       return pieces_[i].label < 0 ? diagram_.siteCount : pieces_[i].label;
     };
     return grouping_.run([&] { return byLabel_.run(n, diagram_.siteCount + 1, partOf, budget); },
-                         [&] { return fillInSlices(triangleOfPiece_, n, 0, budget); },
                          [&] {
                            out_.triangles.reserve(n);
                            out_.triangleLabel.reserve(n);
@@ -254,7 +191,7 @@ class Partitioner final : public SlicedWork<Partition> {
 
   void addTriangle(int i, int t) {
     const Piece& piece = pieces_[i];
-    triangleOfPiece_[i] = t;
+    if (int& uncut = uncut_[piece.face]; uncut >= 0) uncut = t;
     out_.triangles.push_back(piece.vertices);
     out_.triangleLabel.push_back(piece.label);
     out_.triangleFace.push_back(piece.face);
@@ -297,90 +234,27 @@ class Partitioner final : public SlicedWork<Partition> {
     }
   }
 
-  bool findTwins(long& budget) {
-    const size_t n = out_.triangles.size();
-    return matching_.run([&] { return fillInSlices(out_.twins, 3 * n, -1, budget); },
-                         [&] { return fillInSlices(firstOpen_, out_.points.size(), -1, budget); },
-                         [&] { return fillInSlices(nextOpen_, 3 * n, -1, budget); },
-                         [&] { return loop_.run(n, budget, 4, [&](int t) { findTwinsOf(t); }); });
-  }
-
-  /// Between faces that are not cut, takes the twins of the mesh; matches other sides by their
-  /// ends.
-  void findTwinsOf(int t) {
-    const int face = out_.triangleFace[t];
-    for (int i = 0; i < 3; ++i) {
-      if (uncutPiece_[face] >= 0) {
-        const int beyond = mesh_.twin(3 * face + i);
-        if (beyond < 0) continue;
-        const int piece = uncutPiece_[TriangleMesh::faceOf(beyond)];
-        if (piece >= 0) {
-          out_.twins[3 * t + i] = 3 * triangleOfPiece_[piece] + beyond % 3;
-          continue;
-        }
-      }
-      findTwin(3 * t + i);
-    }
-  }
-
-  /// Pairs a halfedge with an open one at the lower of their ends, or adds it to the open ones.
-  void findTwin(int h) {
-    const int tail = tailOf(out_.triangles, h), tip = tipOf(out_.triangles, h);
-    int* link = &firstOpen_[std::min(tail, tip)];
-    for (int* open = link; *open >= 0; open = &nextOpen_[*open]) {
-      const int other = *open;
-      if (tailOf(out_.triangles, other) != tip || tipOf(out_.triangles, other) != tail) continue;
-      // Where the mesh was cut, sides of different faces may have the same ends without being
-      // neighbours.
-      if (out_.triangleFace[h / 3] != out_.triangleFace[other / 3] && isOnMeshBoundary(h) &&
-          isOnMeshBoundary(other))
-        continue;
-      out_.twins[h] = other;
-      out_.twins[other] = h;
-      *open = nextOpen_[other];
-      return;
-    }
-    nextOpen_[h] = *link;
-    *link = h;
-  }
-
-  bool isOnMeshBoundary(int h) const {
-    const int face = out_.triangleFace[h / 3];
-    for (int i = 0; i < 3; ++i) {
-      if (mesh_.twin(3 * face + i) >= 0) continue;
-      bool isOnSide = true;
-      for (const int end : {tailOf(out_.triangles, h), tipOf(out_.triangles, h)})
-        isOnSide &= baryInFace(mesh_, out_.points[end], face)[cornerBefore(i)] == 0;
-      if (isOnSide) return true;
-    }
-    return false;
-  }
-
   const TriangleMesh& mesh_;
   const Diagram& diagram_;
   const PartitionOptions options_;
   Partition out_;
 
-  SlicedSequence sequence_, cutting_, grouping_, numbering_, matching_;
+  SlicedSequence sequence_, cutting_, grouping_, numbering_;
   SlicedLoop loop_;
   std::vector<int> vertexOfPoint_;
-  std::vector<SidePoint> sidePoints_;       ///< ascending by halfedge and order
-  std::vector<std::pair<int, int>> sides_;  ///< of the cells of the current face
+  SidePoints sidePoints_{mesh_, diagram_, vertexOfPoint_};
   std::vector<Piece> pieces_;
   std::vector<char> isLeftOut_;  ///< faces
   int nextCell_ = 0;
-  size_t nextSidePoint_ = 0;
-  std::vector<int> uncutPiece_;  ///< per face that is not cut, its piece; else -1
-  std::vector<int> triangleOfPiece_;
+  std::vector<int> uncut_;     ///< per face that is not cut, its piece, later its triangle; else -1
   std::vector<double> areas_;  ///< per triangle
   Grouping byLabel_;           ///< pieces
   std::vector<int> number_;    ///< of a vertex in the result, -1 if it is not in use
   size_t used_ = 0;
-  /// Lists of the halfedges without a twin so far, by the lower of their ends.
-  std::vector<int> firstOpen_, nextOpen_;
   std::vector<int> polygon_;
   std::vector<Eigen::Vector2d> corners_;
   ConvexTriangulation triangulation_;
+  std::optional<TwinMatching> matching_;
   std::optional<PatchMeasuring> patches_;
 };
 
