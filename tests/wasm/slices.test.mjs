@@ -28,6 +28,8 @@ const tasks = {
   'a glTF': (options) => opened(glb(bumpySphere(40, 60)), options),
   'a mesh with a tolerance': (options) =>
     opened(bumpySphere(40, 60), { weld: 1e-4, minComponent: 3, ...options }),
+  'a mesh of subdivided triangles': (options) =>
+    opened(bumpySphere(40, 60), { maxEdge: 0.01, ...options }),
   'farthest points': (options) => mesh.sampleSites(40, { sampling: 'farthest', ...options }),
   'farthest points by radius': (options) => mesh.sampleSites({ radius: 0.5 }, options),
   'a Poisson disk': (options) => mesh.sampleSites(40, { sampling: 'poisson', ...options }),

@@ -71,7 +71,8 @@ function extended(values: Float64Array, size: number, ends: Int32Array): Float64
 /** Gives the vectors from `begin` on the length 1; opposite normals have no mean, and keep 0. */
 function unitVectors(vectors: Float64Array, begin: number): Float64Array {
   for (let i = begin; i < vectors.length; i += 3) {
-    const length = Math.hypot(vectors[i], vectors[i + 1], vectors[i + 2]) || 1;
+    const [x, y, z] = [vectors[i], vectors[i + 1], vectors[i + 2]];
+    const length = Math.sqrt(x * x + y * y + z * z) || 1;
     for (let k = i; k < i + 3; ++k) vectors[k] /= length;
   }
   return vectors;
