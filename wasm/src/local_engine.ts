@@ -170,6 +170,7 @@ export class LocalEngine implements Engine {
         maxEdge > 0
           ? await this.#answer<Subdivision>('subdivideMeshArrays', [arrays, maxEdge], { signal })
           : undefined;
+      const triangles = cut && subdividedTriangles(given, cut);
       const args = [arrays, weld, orientation, minComponent];
       const { mesh, ...counts } = await this.#answer<CreatedMesh>('createMesh', args, {
         signal,
@@ -188,7 +189,6 @@ export class LocalEngine implements Engine {
         throw error;
       }
       if (!cut) return { handle, info, parts };
-      const triangles = subdividedTriangles(given, cut);
       return { handle, info, parts: subdividedParts(parts, cut), triangles };
     } finally {
       core.run('freeMeshArrays', arrays);
