@@ -383,6 +383,13 @@ suite('first sight', () => {
       viewer.evaluate((element) => element.setAttribute('max-edge', '0.01')),
     );
     const finer = await viewer.evaluate(({ info }) => info.faces);
+    const broken = { name: 'broken.glb', mimeType: '', buffer: Buffer.from('glTF') };
+    await page.setInputFiles('#files', [broken]);
+    await page.locator('#error-text', { hasText: 'broken.glb' }).waitFor();
+    await page.click('#error-close');
+    await viewer.settled();
+    assert.deepEqual(await attributes(['up', 'max-edge']), ['z', '0.01']);
+    assert.equal(await viewer.evaluate(({ info }) => info.faces), finer);
     await viewer.after('diagram', () => page.selectOption('#samples', 'hand.glb'));
     assert.deepEqual(await attributes(['up', 'max-edge']), [null, null]);
     await viewer.after('diagram', () => page.selectOption('#samples', 'torus.glb'));

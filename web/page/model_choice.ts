@@ -104,13 +104,25 @@ class ModelMenu {
   /** A model that cannot be opened leaves the one before, which is then what the menu says. */
   async #open(choice: Choice): Promise<boolean> {
     this.#asked = choice;
-    if (choice !== this.#shown) {
-      for (const name of ofOneModel) this.#viewer.removeAttribute(name);
-      await Promise.resolve(); // The viewer follows at the end of a task, what it begins is given up.
-    }
+    const before = choice === this.#shown ? [] : await this.#takeSettings();
     const isOpen = await choice.open();
-    if (!isOpen && this.#asked === choice) this.#show(this.#shown);
+    if (!isOpen && this.#asked === choice) {
+      this.#show(this.#shown);
+      for (const [name, value] of before) this.#viewer.setAttribute(name, value);
+    }
     return isOpen;
+  }
+
+  /** Removes the settings of the model that is shown, and returns them. */
+  async #takeSettings(): Promise<[string, string][]> {
+    const settings: [string, string][] = [];
+    for (const name of ofOneModel) {
+      const value = this.#viewer.getAttribute(name);
+      if (value !== null) settings.push([name, value]);
+      this.#viewer.removeAttribute(name);
+    }
+    await Promise.resolve(); // The viewer follows now; what it begins, opening a model ends.
+    return settings;
   }
 
   #show(choice: Choice): void {
