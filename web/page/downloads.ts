@@ -5,7 +5,7 @@
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { sentence } from '../viewer/failure.js';
 import { byId, listen } from './dom.js';
-import { hideError, showError, showNote } from './feedback.js';
+import { hideError, showError, showNoteOnSites } from './feedback.js';
 import { modelName } from './page_state.js';
 import { repairDual } from './valid_dual.js';
 
@@ -92,7 +92,10 @@ export function setUpDownloads(viewer: GeodesicVoronoiElement): void {
       save(file.blob, downloadName(modelName(viewer), file.name, file.ending));
       if (file.faults) {
         const title = 'Add sites to make it valid';
-        endNote = showNote(file.faults, { title, act: () => void repairDual(viewer) });
+        endNote = showNoteOnSites(viewer, file.faults, {
+          title,
+          act: () => void repairDual(viewer),
+        });
       }
       menu.hidePopover();
       if (hadFocus) byId('download-button', HTMLElement).focus();

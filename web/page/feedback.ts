@@ -52,6 +52,16 @@ export function showNote(
   };
 }
 
+/** Shows a note on the sites as they are, which ends with their next change. Returns what hides it. */
+export function showNoteOnSites(
+  viewer: GeodesicVoronoiElement,
+  ...note: Parameters<typeof showNote>
+): () => void {
+  const end = showNote(...note);
+  viewer.addEventListener('sites-change', end, { once: true });
+  return end;
+}
+
 export function hasNote(): boolean {
   return !byId('note', HTMLElement).hidden;
 }

@@ -5,7 +5,7 @@
 import type { Sampling } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { byId, listen, onClick, showAttributes } from './dom.js';
-import { showFailure, showNote } from './feedback.js';
+import { showFailure, showNoteOnSites } from './feedback.js';
 import { counted, integer, measure } from './numbers.js';
 
 /** Sampling, removing, and the list of sites. */
@@ -56,7 +56,8 @@ function setUpNoteOfFewer(viewer: GeodesicVoronoiElement): (count: number) => vo
     // The attributes are what they were if the sampling was given up.
     const isSampled = Number(viewer.getAttribute('sites')) === wanted;
     if (!isSampled || sites === 0 || sites >= wanted) return;
-    showNote(
+    showNoteOnSites(
+      viewer,
       `${counted(sites, 'site')} instead of ${integer(wanted)}: places as far apart as possible are ` +
         'vertices, and this model has no more. Random sampling has no such limit.',
     );

@@ -11,7 +11,7 @@ import { readPlyPlaces } from '../../dist/input/ply_reader.js';
 import { inSlices } from '../../dist/slices.js';
 import { sentence } from '../viewer/failure.js';
 import { byId } from './dom.js';
-import { hideError, showError, showNote } from './feedback.js';
+import { hideError, showError, showNoteOnSites } from './feedback.js';
 import { counted, integer, measure } from './numbers.js';
 
 /** How far places are from the surface before it is told, in diagonals of the model. */
@@ -86,7 +86,7 @@ export async function openSites(viewer: GeodesicVoronoiElement, file: File): Pro
 
 /**
  * Tells what a file was taken for: a .ply is often meant to be a model, and places far from the surface are
- * often those of another one, or in another unit. The note ends with the next change of the sites.
+ * often those of another one, or in another unit.
  */
 function tellOfPoints(viewer: GeodesicVoronoiElement, file: File, far: number): void {
   const isFar = far > mostFar * (viewer.info?.boundingDiagonal ?? 0);
@@ -94,11 +94,10 @@ function tellOfPoints(viewer: GeodesicVoronoiElement, file: File, far: number): 
   const what = isPly(file) ? `${file.name} has no triangles: the` : 'The';
   const points = counted(viewer.sites.face.length, 'point');
   const how = isFar ? `, up to ${measure(far)} away from the surface` : '';
-  const end = showNote(`${what} sites are now where the ${points} of the file are${how}.`, {
+  showNoteOnSites(viewer, `${what} sites are now where the ${points} of the file are${how}.`, {
     title: 'Undo',
     act: () => viewer.undo(),
   });
-  viewer.addEventListener('sites-change', end, { once: true });
 }
 
 /** The largest distance from the surface, where points are given by their places. */
