@@ -34,9 +34,11 @@ struct SubdividedTriangles {
 /// the corners of long triangles, as on mechanical parts, is missed without subdivision.
 ///
 /// A triangle with one long side becomes two, with two three, with three four. A side is halved in
-/// all of its triangles, at a vertex that they share if they share its ends, so no cracks appear.
-/// Triangles without long sides stay as they are, as do those with a corner that is not finite. No
-/// side is halved that is shorter than 2^-48 of the largest coordinate.
+/// all of its triangles, at a vertex that they share if they share its ends, and at the same place
+/// if their ends are at the same places, so no cracks appear. (Where ends are only near each other,
+/// for `MeshOptions::weld` to join, rounding may decide differently on the two sides.) Triangles
+/// without long sides stay as they are, as do those with a corner that is not finite. No side is
+/// halved that is shorter than 2^-48 of the largest coordinate.
 ///
 /// `positions` and `triangles` as for `TriangleMesh`. Throws as it does if an index is out of range
 /// or an array's size is no multiple of three; `Error(kInvalidArgument)` if an option is not in its
