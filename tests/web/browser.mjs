@@ -204,8 +204,8 @@ export class ViewerPage {
       let best;
       for (let x = box.left + step; x < box.right - step; x += step) {
         for (let y = box.top + step; y < box.bottom - step; y += step) {
-          const isInside = [0, step, -step].every(
-            (d) => viewer.surfaceFromPoint(x + d, y) && viewer.surfaceFromPoint(x, y + d),
+          const isInside = [0, step, -step].every((dx) =>
+            [0, step, -step].every((dy) => viewer.surfaceFromPoint(x + dx, y + dy)),
           );
           // Buttons lie on the view.
           if (!isInside || document.elementFromPoint(x, y) !== viewer) continue;

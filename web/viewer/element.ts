@@ -326,9 +326,9 @@ export class GeodesicVoronoiElement extends ReflectingElement {
   async #open(read: Reader): Promise<boolean> {
     const before = this.#read;
     this.#read = read; // what attributes that change meanwhile are about
-    const isOpen = (await this.#started()?.open(read)) ?? false;
+    const isOpen = await this.#started()?.open(read);
     if (!isOpen && this.#read === read) this.#read = before;
-    return isOpen;
+    return isOpen ?? false;
   }
 
   /** The viewer, made now if there is none; undefined outside of documents and without WebGL 2. */
@@ -430,13 +430,11 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     if (changed.has('metric') || changed.has('detail')) viewer.configure();
     // After a failure or a cancel, attributes go back to what is shown.
     const isNews = (names: readonly string[]) =>
-      this.attributeValues.differ(names) || viewer.session.status !== 'ready';
-    const isOther = (...names: string[]) => names.some((name) => changed.has(name));
+      names.some((name) => changed.has(name)) &&
+      (this.attributeValues.differ(names) || viewer.session.status !== 'ready');
     if (changed.has('src') && this.src) void this.load(this.src);
-    else if (this.#read && isOther(...buildAttributes) && isNews(buildAttributes))
-      void viewer.rebuild(this.#read);
-    else if (isOther(...samplingAttributes) && isNews(samplingAttributes))
-      void viewer.sampleSites(this.attributeValues.siteSampling);
+    else if (this.#read && isNews(buildAttributes)) void viewer.rebuild(this.#read);
+    else if (isNews(samplingAttributes)) void viewer.sampleSites(this.attributeValues.siteSampling);
   }
 }
 

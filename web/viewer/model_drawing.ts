@@ -4,6 +4,7 @@
 
 import type { DiagramChange, DiagramData, SurfacePath } from 'geodesic-voronoi';
 import {
+  type Camera,
   type BufferGeometry,
   type Data3DTexture,
   Group,
@@ -95,6 +96,7 @@ export class ModelDrawing {
   /** The places at which the markers of sites are seen. */
   readonly #siteGlide = new Glide();
   #siteNormals = new Float32Array();
+  #front = 0;
   #regionAreas: Float64Array = new Float64Array();
   #selected = -1;
 
@@ -120,6 +122,7 @@ export class ModelDrawing {
 
   /** See `Markers`. */
   set front(side: number) {
+    this.#front = side;
     this.#siteMarkers.front = side;
     this.#voronoiPoints.markers.front = side;
   }
@@ -346,6 +349,13 @@ export class ModelDrawing {
     return this.#markerSizeOf(
       areas.reduce((sum, area) => sum + area, 0) / Math.max(1, areas.length),
     );
+  }
+
+  /** Whether a site is seen from inside a closed surface only. */
+  isTurnedAway(index: number, camera: Camera): boolean {
+    const normal = new Vector3().fromArray(this.#siteNormals, 3 * index);
+    const view = new Vector3().setFromMatrixPosition(camera.matrixWorld).sub(this.sitePlace(index));
+    return this.#front * normal.dot(view) < 0;
   }
 
   sitePlace(index: number): Vector3 {

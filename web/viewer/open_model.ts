@@ -3,6 +3,7 @@
 // The model that is open, with all that the viewer has of it.
 
 import type { DiagramData } from 'geodesic-voronoi';
+import type { Camera } from 'three';
 import { DensityPaint } from './density_paint.js';
 import type { PreparedDiagram } from './diagram_geometry.js';
 import { DiagramSummary } from './diagram_summary.js';
@@ -42,6 +43,12 @@ export class OpenModel {
     const summary = DiagramSummary.of(data);
     const tones = this.drawing.assignTones(summary, sites);
     return { summary, tones, geometry: await geometry };
+  }
+
+  /** Whether a site is behind the surface, or on the far side of a wall however thin. */
+  hidesSite(index: number, camera: Camera): boolean {
+    const { drawing, picker } = this;
+    return drawing.isTurnedAway(index, camera) || picker.hides(drawing.sitePlace(index), camera);
   }
 
   dispose(): void {

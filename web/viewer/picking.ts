@@ -68,8 +68,8 @@ export class Picker {
     return this.#builtTree()?.nearest(place) ?? place.clone();
   }
 
-  /** Whether the surface hides a point that lies on it, up to `slack`. */
-  hides(point: Vector3, camera: Camera, slack = 1e-4): boolean {
+  /** Whether the surface hides a point that lies on it or is lifted off it by up to `slack`. */
+  hides(point: Vector3, camera: Camera, slack = 0.01): boolean {
     const { ray } = this.#raycaster;
     ray.origin.setFromMatrixPosition(camera.matrixWorld);
     const distance = ray.origin.distanceTo(point);

@@ -79,7 +79,7 @@ export class SurfaceTools implements GestureTarget {
     const { attributes, model, session, stage } = this.#work;
     const { layers, exploded, interactive } = attributes;
     if (!model || !layers.includes('sites') || exploded > 0 || !interactive.edit) return undefined;
-    const { drawing, picker } = model;
+    const { drawing } = model;
     const toClient = stage.projection();
     const nearby: DrawnSite[] = [];
     session.sites.forEach(({ id }, i) => {
@@ -93,7 +93,7 @@ export class SurfaceTools implements GestureTarget {
         .map((site) => ({ site, distance: Math.hypot(site.x - at.x, site.y - at.y) }))
         .filter(({ site, distance }) => site !== but && distance <= most)
         .sort((a, b) => a.distance - b.distance)
-        .find(({ site }) => !picker.hides(drawing.sitePlace(site.index), stage.camera));
+        .find(({ site }) => !model.hidesSite(site.index, stage.camera));
     const nearest = nearestSeen({ x, y }, reach);
     if (!nearest) return undefined;
     const isCrowded = nearestSeen(nearest.site, nearest.distance / reachShare, nearest.site);

@@ -38,9 +38,6 @@ export interface ViewerHost extends ContextListener {
   hint(sentence: string): void;
 }
 
-/** How far off the surface a page's own places may lie, in radii of the model. */
-const mostOff = 0.01;
-
 /** The session's model, sites and diagram on the stage, with the tools to edit them. */
 export class Viewer implements Workpiece {
   readonly attributes: Attributes;
@@ -237,7 +234,7 @@ export class Viewer implements Workpiece {
     if (!this.#model || !this.session.sites[index]) return undefined;
     const place = this.#model.drawing.sitePlace(index);
     const client = this.stage.projection()(place);
-    return client && !this.#model.picker.hides(place, this.stage.camera) ? client : undefined;
+    return client && !this.#model.hidesSite(index, this.stage.camera) ? client : undefined;
   }
 
   /** See `GeodesicVoronoiElement.project`. */
@@ -250,7 +247,7 @@ export class Viewer implements Workpiece {
     return Array.from({ length: places.length / 3 }, (_, i) => {
       const place = new Vector3().fromArray(places, 3 * i);
       const client = toClient(place);
-      if (!client || picker.hides(place, this.stage.camera, mostOff)) return undefined;
+      if (!client || picker.hides(place, this.stage.camera)) return undefined;
       return { x: client.x - left, y: client.y - top };
     });
   }
