@@ -149,7 +149,7 @@ GVD_ABI MeshArrays* appendToMeshArrays(MeshArrays* arrays, Doubles positions, In
 
 GVD_ABI void freeMeshArrays(MeshArrays* arrays) { delete arrays; }
 
-/// `Subdivision`. The arrays then hold the parts.
+/// `Subdivision`. The arrays then hold the parts; they must outlive the answer.
 GVD_ABI Answer* subdivideMeshArrays(MeshArrays* arrays, double maxEdge) {
   return guarded([&] {
     return answerOf(startSubdivision(std::move(arrays->positions), std::move(arrays->triangles),

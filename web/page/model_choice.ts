@@ -121,7 +121,9 @@ class ModelMenu {
       if (value !== null) settings.push([name, value]);
       this.#viewer.removeAttribute(name);
     }
-    await Promise.resolve(); // The viewer follows now; what it begins, opening a model ends.
+    // The element applies attributes at the end of the task. It may begin to build this model anew, which
+    // opening the next one then ends; in the other order, it would end that.
+    await Promise.resolve();
     return settings;
   }
 

@@ -71,7 +71,7 @@ export function notHeld(viewer: GeodesicVoronoiElement): string[] {
 export function readPageState(viewer: GeodesicVoronoiElement, hash: string): void {
   const parameters = parametersOf(hash);
   if (parameters.get('v') !== version) return;
-  /** Whether an attribute was another. */
+  /** Sets an attribute as the link has it. Returns whether it had another value. */
   const restore = (name: string): boolean => {
     const value = parameters.get(name);
     if (!isGiven(name, value) || (name === 'sites' && !isCount(value))) return false;

@@ -325,7 +325,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
 
   async #open(read: Reader): Promise<boolean> {
     const before = this.#read;
-    this.#read = read; // what attributes that change meanwhile are about
+    this.#read = read; // now, so that attributes that change meanwhile rebuild this model
     const isOpen = await this.#started()?.open(read);
     if (!isOpen && this.#read === read) this.#read = before;
     return isOpen ?? false;

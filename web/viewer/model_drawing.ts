@@ -4,8 +4,8 @@
 
 import type { DiagramChange, DiagramData, SurfacePath } from 'geodesic-voronoi';
 import {
-  type Camera,
   type BufferGeometry,
+  type Camera,
   type Data3DTexture,
   Group,
   type LineBasicMaterial,
@@ -351,7 +351,7 @@ export class ModelDrawing {
     );
   }
 
-  /** Whether a site is seen from inside a closed surface only. */
+  /** Whether a site lies on the far side of a closed surface: what is seen of it faces inwards. */
   isTurnedAway(index: number, camera: Camera): boolean {
     const normal = new Vector3().fromArray(this.#siteNormals, 3 * index);
     const view = new Vector3().setFromMatrixPosition(camera.matrixWorld).sub(this.sitePlace(index));

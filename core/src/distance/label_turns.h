@@ -44,7 +44,7 @@ class LabelTurns {
       if (!std::exchange(hasBegun_, true)) begin(budget);
       const int label = turns_[next_].label;
       for (;;) {
-        // A label with nothing to spread is done without a look at the budget.
+        // `LabelSpread::step` does not look at the budget when nothing is left to spread.
         if (budget <= 0 || !spread_.step(budget)) return false;
         then(label, currentFaces_);
         if (currentFaces_.empty()) break;

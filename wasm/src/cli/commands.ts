@@ -198,8 +198,10 @@ async function cvt({ mesh: path, values }: Request<'cvt'>): Promise<void> {
   });
   const energy = states.map((state) => state.energy);
   const { iteration, sites: last } = states.at(-1)!;
-  const diagram = await mesh.voronoi(last, { metric: settings.metric });
-  writeNotes(tessellationNotes(mesh, diagram), values);
+  if (!values.quiet) {
+    const diagram = await mesh.voronoi(last, { metric: settings.metric });
+    writeNotes(tessellationNotes(mesh, diagram), values);
+  }
   const position = await mesh.positionsOf(last);
   await output.write(encode({ mesh, sites: last, position, energy }, lengthsOf(mesh, values)));
   const shown = (e: number) => (scale ** 4 * e).toPrecision(6); // area times squared length
