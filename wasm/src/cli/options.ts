@@ -319,6 +319,7 @@ export const commands = {
       'check',
       'primal',
       'metric',
+      'detail',
       'progress',
       'format',
       ...ofAll,
