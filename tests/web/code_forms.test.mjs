@@ -16,7 +16,7 @@ const { codeOf, watchOrigin } = (await runnerImport(path, { configFile: false, l
 function viewerWith(attributes, more = {}) {
   const viewer = new EventTarget();
   viewer.getAttribute = (name) => attributes[name] ?? null;
-  return Object.assign(viewer, more);
+  return Object.assign(viewer, { cameraOrbit: '0deg 75deg 100%', ...more });
 }
 
 suite('code', () => {
@@ -26,7 +26,7 @@ suite('code', () => {
   test('repeats a tessellation by the same method, to the same iteration', () => {
     const code = (form) => codeOf(viewerWith(ofPage), model, 'even', form);
     assert.match(code('script'), /\{ iterations: 30, metric: 'exact', method: 'lloyd' \}/);
-    assert.match(code('element'), / cvt-iterations="30" cvt-method="lloyd"><\/geodesic-voronoi>/);
+    assert.match(code('element'), / cvt-iterations="30" cvt-method="lloyd"\n/);
     assert.match(code('command'), /--iterations 30 --method lloyd -o/);
   });
 
@@ -40,6 +40,13 @@ suite('code', () => {
     for (const form of ['element', 'command'])
       assert.doesNotMatch(codeOf(viewer, model, 'even', form), /cvt-|--method/);
     assert.doesNotMatch(codeOf(viewerWith(ofPage), model, 'edited', 'element'), /cvt-/);
+  });
+
+  test('of the element shows the same view', () => {
+    const viewer = viewerWith({ ...ofPage, up: 'z', layers: '', exploded: '0.5' });
+    const view = / up="z" layers="" exploded="0.5" camera-orbit="0deg 75deg 100%"><\/geodesic/;
+    assert.match(codeOf(viewer, model, 'sampled', 'element'), view);
+    assert.doesNotMatch(codeOf(viewer, model, 'sampled', 'script'), /up|layers|orbit/);
   });
 
   test('no name of a file ends the comment that tells of it', () => {

@@ -249,6 +249,10 @@ suite('first sight', () => {
     const same = await second.sitePosition(12);
     assert.ok(Math.hypot(same.x - x, same.y - y) < 1, `${same.x} ${same.y}, not ${x} ${y}`);
     assert.equal(await second.page.locator('#samples').inputValue(), 'torus.glb');
+    assert.ok(
+      await second.page.locator('#undo').isDisabled(),
+      'the sites of the link are the first',
+    );
     assert.deepEqual(second.complaints, []);
     await second.close();
 

@@ -193,6 +193,9 @@ suite('the page', () => {
     const { x, y } = await viewer.sitePosition(before);
     const box = await viewer.page.locator('geodesic-voronoi').boundingBox();
     assert.ok(Math.abs(x - box.x - box.width / 2) < 1 && Math.abs(y - box.y - box.height / 2) < 1);
+    await press('Enter');
+    assert.equal(await viewer.siteCount(), before + 1, 'it selects the site that is there');
+    assert.equal(await viewer.evaluate(({ selected }) => selected), before);
     await press('n');
     assert.equal(await viewer.evaluate(({ selected }) => selected), 0);
     await viewer.after('diagram', () => press('Delete'));

@@ -141,6 +141,14 @@ function changed(viewer: GeodesicVoronoiElement) {
   };
 }
 
+/** How the model is looked at, by the attributes of the element. */
+function viewOf(viewer: GeodesicVoronoiElement): [name: string, value: string][] {
+  const given = ['up', 'layers', 'exploded'].map((name) => [name, viewer.getAttribute(name)]);
+  return [...given, ['camera-orbit', viewer.cameraOrbit]].filter(
+    (attribute): attribute is [string, string] => attribute[1] !== null,
+  );
+}
+
 /** An address that code of every form may hold between quotes, whatever the name of the file is. */
 function addressOf({ name, address = encodeURIComponent(name) }: CodeModel): string {
   return address.replace(/['&]/g, (c) => `%${c.charCodeAt(0).toString(16)}`);
@@ -188,6 +196,7 @@ function elementOf(
     (iterations === defaultIterations ? '' : ` cvt-iterations="${iterations}"`) +
     (method === defaultMethod ? '' : ` cvt-method="${method}"`);
   const { html } = changed(viewer);
+  const view = viewOf(viewer).map(([name, value]) => ` ${name}="${value}"`);
   const after: Record<Origin, readonly string[]> = {
     sampled: [],
     even: ["  viewer.addEventListener('diagram', () => viewer.playCvt(), { once: true });"],
@@ -195,7 +204,8 @@ function elementOf(
   };
   return [
     `<${name} src="${addressOf(model)}" sites="${count}" seed="${seed}"`,
-    `  sampling="${sampling}" metric="${metric}" detail="${detail}"${html}${origin === 'even' ? ofCvt : ''}></${name}>`,
+    `  sampling="${sampling}" metric="${metric}" detail="${detail}"${html}${origin === 'even' ? ofCvt : ''}`,
+    ` ${view.join('')}></${name}>`,
     '<script type="module">',
     "  import 'geodesic-voronoi/element';",
     ...(origin === 'sampled' ? [] : [`  const viewer = document.querySelector('${name}');`]),

@@ -2,7 +2,6 @@
 //
 // Keys and the commands of the viewer that they give.
 
-import { Vector2 } from 'three';
 import type { Attributes } from './attributes.js';
 import type { Viewer } from './viewer.js';
 
@@ -40,7 +39,7 @@ const actions: Readonly<Record<Command, (viewer: Viewer) => void>> = {
   remove: (viewer) => viewer.removeSite(viewer.selected),
   refit: (viewer) => viewer.refit(),
   cancel: (viewer) => viewer.cancel(),
-  place: ({ tools }) => tools.useAt(new Vector2(0, 0)),
+  place: ({ tools }) => tools.useAtCentre(),
   'play-cvt': (viewer) =>
     viewer.session.cvtStatus === 'running' ? viewer.session.pauseCvt() : viewer.playCvt(),
   'next-site': (viewer) => viewer.selectNext(1),

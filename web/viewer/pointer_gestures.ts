@@ -5,6 +5,8 @@
 /** A press that moves farther than this, in CSS pixels, is a drag and never a click. */
 const clickRadius = 4;
 const longPressMilliseconds = 600;
+/** How far from a site, in CSS pixels, a pointer that is no finger takes hold of it. */
+export const pointerReach = 10;
 
 /** The actions behind gestures; places are on the page, sites are given by their identity. */
 export interface GestureTarget {
@@ -170,5 +172,5 @@ function isPlain({ button, ctrlKey, metaKey, shiftKey }: PointerEvent): boolean 
 }
 
 function reachOf({ pointerType }: PointerEvent): number {
-  return pointerType === 'touch' ? 22 : 10;
+  return pointerType === 'touch' ? 22 : pointerReach;
 }

@@ -165,7 +165,7 @@ export class Session {
     if (this.#move.recorded) this.#history.revise(moved);
     else this.#history.record(moved);
     this.#move.recorded = true;
-    this.#listener.sitesChanged(this.sites);
+    this.#listener.sitesChanged();
     this.#request({ patient: true });
   }
 
@@ -179,7 +179,7 @@ export class Session {
     if (!this.#move) return;
     this.#move = undefined;
     this.#history.discard();
-    this.#listener.sitesChanged(this.sites);
+    this.#listener.sitesChanged();
     this.#request();
   }
 
@@ -196,7 +196,7 @@ export class Session {
     if (!this.#mesh || (!tints && !this.#history.tints)) return;
     this.#stopCvt();
     this.#history.recordTints(tints);
-    this.#listener.sitesChanged(this.sites);
+    this.#listener.sitesChanged();
   }
 
   // --- Centroidal tessellation ----------------------------------------------------------------
@@ -265,7 +265,9 @@ export class Session {
     this.#mesh = mesh;
     this.#history.reset(sites);
     this.#listener.modelChanged(opened);
-    this.#listener.sitesChanged(sites);
+    // Sites that a listener has set for the new model are no step: there is nothing to undo.
+    this.#history.reset(this.sites, this.#history.tints);
+    this.#listener.sitesChanged();
     this.#request();
   }
 
@@ -275,8 +277,8 @@ export class Session {
     this.#stopCvt();
     take();
     if (this.#history.tints !== tints) this.#listener.densityChanged(this.#history.tints);
-    if (this.sites !== sites) this.#sitesReplaced();
-    else this.#listener.sitesChanged(sites);
+    this.#listener.sitesChanged();
+    if (this.sites !== sites) this.#request();
   }
 
   #record(sites: Sites): void {
@@ -286,7 +288,7 @@ export class Session {
   }
 
   #sitesReplaced(): void {
-    this.#listener.sitesChanged(this.sites);
+    this.#listener.sitesChanged();
     this.#request();
   }
 
@@ -369,7 +371,7 @@ export class Session {
       const sites = this.sites.map(({ id }, i) => ({ id, ...placeOf(state.sites, i) }));
       if (state.iteration === 1) this.#history.record(sites);
       else this.#history.revise(sites);
-      this.#listener.sitesChanged(sites);
+      this.#listener.sitesChanged();
     }
     const settings = { sites: this.sites, metric, detail: 0 };
     const shown = shownDiagram(settings, state.diagram, prepared?.summary);
@@ -413,7 +415,7 @@ export class Session {
     this.#history.returnTo(sites);
     if (this.#history.tints !== tints) this.#listener.densityChanged(this.#history.tints);
     this.#listener.settingsRestored(this.#settings);
-    this.#listener.sitesChanged(this.sites);
+    this.#listener.sitesChanged();
   }
 
   #fail(error: unknown, type: Parameters<SessionListener['failed']>[0] = 'computefailure'): void {

@@ -6,7 +6,7 @@ import type { CvtState, DiagramChange } from 'geodesic-voronoi';
 import type { PreparedDiagram } from './diagram_geometry.js';
 import type { OpenedMesh } from './mesh_opening.js';
 import type { DiagramSettings, ShownDiagram } from './shown_diagram.js';
-import type { Sites, Tints } from './site_history.js';
+import type { Tints } from './site_history.js';
 
 /** 'failed': the first model could not be opened; there is none. */
 export type Status = 'empty' | 'loading' | 'computing' | 'iterating' | 'ready' | 'failed';
@@ -28,7 +28,7 @@ export interface Drawable {
 /** Gets told about changes after they were made. */
 export interface SessionListener {
   modelChanged(opened: OpenedMesh): void;
-  sitesChanged(sites: Sites): void;
+  sitesChanged(): void;
   /** The density changed by undoing or redoing, or after a failure. */
   densityChanged(tints: Tints): void;
   diagramChanged(shown: ShownDiagram, milliseconds: number, how: Drawable): void;

@@ -8,7 +8,7 @@ import { brushRing } from './brush_ring.js';
 import type { Hover } from './hover.js';
 import type { OpenModel } from './open_model.js';
 import type { SurfaceHit } from './picking.js';
-import type { GestureTarget } from './pointer_gestures.js';
+import { type GestureTarget, pointerReach } from './pointer_gestures.js';
 import type { Session } from './session.js';
 import type { SitePlace } from './site_history.js';
 import type { Stage } from './stage.js';
@@ -69,6 +69,16 @@ export class SurfaceTools implements GestureTarget {
     }
     const hit = this.pick(device);
     if (hit) this.#work.addSite(hit);
+  }
+
+  /** Does what a click at the centre of the view does: selects the site drawn there, or uses the tool. */
+  useAtCentre(): void {
+    const { attributes, stage } = this.#work;
+    const { left, top, width, height } = stage.canvas.getBoundingClientRect();
+    const [x, y] = [left + width / 2, top + height / 2];
+    const site = attributes.isPainting ? undefined : this.siteAt(x, y, pointerReach);
+    if (site === undefined) this.useAt(stage.toDevice(x, y));
+    else this.select(site);
   }
 
   /**
@@ -174,7 +184,8 @@ export class SurfaceTools implements GestureTarget {
     this.#pointer = { x, y };
     const { attributes, hover, stage } = this.#work;
     const hit = this.pick(stage.toDevice(x, y));
-    const isOverSite = hit && !attributes.isPainting && this.siteAt(x, y, 10) !== undefined;
+    const isOverSite =
+      hit && !attributes.isPainting && this.siteAt(x, y, pointerReach) !== undefined;
     const overSurface = attributes.interactive.edit ? 'crosshair' : '';
     stage.canvas.style.cursor = isOverSite ? 'grab' : hit ? overSurface : '';
     hover.moveTo(hit);
