@@ -157,6 +157,15 @@ Answer* answerOf(std::unique_ptr<SlicedWork<Result>> work, ToRecord toRecord) {
       std::make_unique<RecordOfResult<Result, ToRecord>>(std::move(work), std::move(toRecord)), {}};
 }
 
+/// The address of an object, by name, which JavaScript owns from then on.
+template <class Object>
+Record addressRecord(const char* name, std::unique_ptr<Object> object) {
+  Record out;
+  out.add(name, static_cast<double>(reinterpret_cast<std::uintptr_t>(object.get())));
+  static_cast<void>(object.release());  // only now, as `add` may throw
+  return out;
+}
+
 /// An enumerator and its name in JavaScript.
 template <class Enum>
 struct Named {

@@ -31,6 +31,30 @@ CvtOptions optionsOf(const TriangleMesh& mesh, Text method, Text metric, int ite
   return options;
 }
 
+/// `CvtState` of the next iteration without a diagram, and whether there is none after it.
+class CvtAdvancing final : public SlicedWork<Record> {
+ public:
+  /// The tessellation must outlive the steps. Others go on where these end.
+  explicit CvtAdvancing(CvtHandle& handle) : handle_(handle) {}
+
+  bool advance(long budget) override { return handle_.cvt->step(budget); }
+  double progress() const override { return 0; }  // not known
+  Record result() override {
+    const Cvt& cvt = *handle_.cvt;
+    const CvtIteration& iteration = cvt.iteration();
+    Record out;
+    out.add("isLast", cvt.isDone());
+    out.add("iteration", iteration.number);
+    out.add("energy", iteration.energy);
+    out.add("largestMove", iteration.largestMove);
+    out.add("sites", pointsRecord(*handle_.surface.mesh, cvt.sites()));
+    return out;
+  }
+
+ private:
+  CvtHandle& handle_;
+};
+
 }  // namespace
 
 GVD_ABI CvtHandle* startCvt(const MeshHandle* handle, Ints face, Doubles bary, Text method,
@@ -51,24 +75,9 @@ GVD_ABI CvtHandle* startCvt(const MeshHandle* handle, Ints face, Doubles bary, T
 
 GVD_ABI void freeCvt(CvtHandle* cvt) { delete cvt; }
 
-/// `kDone` when an iteration is done, the last or not.
-GVD_ABI SliceEnd stepCvt(CvtHandle* cvt, int budget) {
-  return guarded([&] { return cvt->cvt->step(budget) ? kDone : kMoreToDo; });
-}
-
-/// `CvtState` of the last iteration without a diagram, and whether there is none after it. Only
-/// after `stepCvt` said it is done.
-GVD_ABI Answer* cvtIteration(const CvtHandle* cvt) {
-  return answer([&] {
-    const CvtIteration& iteration = cvt->cvt->iteration();
-    Record out;
-    out.add("isLast", cvt->cvt->isDone());
-    out.add("iteration", iteration.number);
-    out.add("energy", iteration.energy);
-    out.add("largestMove", iteration.largestMove);
-    out.add("sites", pointsRecord(*cvt->surface.mesh, cvt->cvt->sites()));
-    return out;
-  });
+/// `CvtState` of the next iteration, see `CvtAdvancing`.
+GVD_ABI Answer* advanceCvt(CvtHandle* cvt) {
+  return guarded([&] { return new Answer{std::make_unique<CvtAdvancing>(*cvt), {}}; });
 }
 
 /// `DiagramData` of the last iteration.

@@ -76,7 +76,7 @@ class PartitionAnswer final : public SlicedWork<Record> {
 }  // namespace
 
 /// `Partition`.
-GVD_ABI Answer* partition(const VoronoiHandle* voronoi, bool leaveOutIndifferent,
+GVD_ABI Answer* partition(VoronoiHandle* voronoi, bool leaveOutIndifferent,
                           bool leaveOutUnreachable) {
   return guarded([&] {
     const PartitionOptions options = {.leaveOutIndifferent = leaveOutIndifferent,
@@ -86,7 +86,7 @@ GVD_ABI Answer* partition(const VoronoiHandle* voronoi, bool leaveOutIndifferent
 }
 
 /// `PolygonMesh`: the dual, or if `primal` the regions themselves.
-GVD_ABI Answer* dual(const VoronoiHandle* voronoi, bool primal) {
+GVD_ABI Answer* dual(VoronoiHandle* voronoi, bool primal) {
   return guarded([&] {
     const Surface on = voronoi->snapshot();
     return answerOf(
@@ -97,7 +97,7 @@ GVD_ABI Answer* dual(const VoronoiHandle* voronoi, bool primal) {
 }
 
 /// `DualPaths`.
-GVD_ABI Answer* dualPaths(const VoronoiHandle* voronoi) {
+GVD_ABI Answer* dualPaths(VoronoiHandle* voronoi) {
   return guarded([&] {
     const Surface on = voronoi->snapshot();
     return answerOf(startDualPaths(*on.mesh, *on.diagram, voronoi->field()),
@@ -119,7 +119,7 @@ GVD_ABI Answer* dualPaths(const VoronoiHandle* voronoi) {
 }
 
 /// Per violation of the dual its kind and its message, and a list of labels.
-GVD_ABI Answer* dualViolations(const VoronoiHandle* voronoi) {
+GVD_ABI Answer* dualViolations(VoronoiHandle* voronoi) {
   return guarded([&] {
     const Surface on = voronoi->snapshot();
     return answerOf(startViolations(*on.mesh, voronoi->sitesByLabel(), *on.diagram),
@@ -144,7 +144,7 @@ GVD_ABI Answer* dualViolations(const VoronoiHandle* voronoi) {
 }
 
 /// `RemeshQuality` of the dual.
-GVD_ABI Answer* dualQuality(const VoronoiHandle* voronoi) {
+GVD_ABI Answer* dualQuality(VoronoiHandle* voronoi) {
   return guarded([&] {
     const Surface on = voronoi->snapshot();
     return answerOf(

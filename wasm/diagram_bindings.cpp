@@ -25,6 +25,64 @@ Eigen::Vector2d directionToInput(const TriangleMesh& mesh, int face,
   return {direction.dot(firstSide), direction.x() * firstSide.y() - direction.y() * firstSide.x()};
 }
 
+/// `VertexDistances`.
+Record vertexDistances(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
+                       const DistanceField& field) {
+  const int count = mesh.inputVertexCount();
+  std::vector<int> label(count, -1);
+  std::vector<double> distance(count, kInfinity);
+  std::vector<double> direction(2 * count, std::numeric_limits<double>::quiet_NaN());
+  for (int i = 0; i < count; ++i) {
+    const int vertex = mesh.vertexOfInput(i);
+    if (vertex < 0) continue;
+    const LabelledDistance nearest = nearestOf(field.at(vertex));
+    if (nearest.label < 0) continue;
+    label[i] = nearest.label;
+    distance[i] = nearest.distance;
+    const Eigen::Vector2d towards =
+        directionToInput(mesh, sites[nearest.label].face, field.direction(nearest.label, vertex));
+    direction[2 * i] = towards.x();
+    direction[2 * i + 1] = towards.y();
+  }
+  Record out;
+  out.add("label", std::move(label));
+  out.add("distance", std::move(distance));
+  out.add("direction", std::move(direction));
+  return out;
+}
+
+/// Makes a diagram: distances first, then what is traced of them.
+class VoronoiMaking final : public SlicedWork<Record> {
+ public:
+  /// Takes a handle with a mesh, sites, metric and options.
+  explicit VoronoiMaking(std::unique_ptr<VoronoiHandle> voronoi)
+      : voronoi_(std::move(voronoi)),
+        propagation_(propagate(voronoi_->mesh(), voronoi_->sites, voronoi_->metric)) {}
+
+  bool advance(long budget) override {
+    if (tracing_) return tracing_->step(budget);
+    if (!propagation_->step(budget)) return false;
+    voronoi_->distances = propagation_->take();
+    tracing_ = startDiagram(voronoi_->mesh(), voronoi_->field(),
+                            static_cast<int>(voronoi_->sites.size()), voronoi_->options);
+    return false;
+  }
+  double progress() const override {
+    const double ofDistances = propagationShare(voronoi_->options);
+    return tracing_ ? ofDistances + (1 - ofDistances) * tracing_->progress()
+                    : ofDistances * propagation_->progress();
+  }
+  Record result() override {
+    voronoi_->traced = std::make_shared<const Diagram>(tracing_->take());
+    return addressRecord("voronoi", std::move(voronoi_));
+  }
+
+ private:
+  std::unique_ptr<VoronoiHandle> voronoi_;  // outlives the work on it
+  const std::unique_ptr<Propagation> propagation_;
+  std::unique_ptr<SlicedWork<Diagram>> tracing_;
+};
+
 /// `Located`.
 class LocatedPoints final : public PointLookup {
  public:
@@ -80,6 +138,7 @@ class SiteChanging final : public SlicedWork<Record> {
     return wasMade_ ? (1 + own) / 2 : own;
   }
   Record result() override {
+    voronoi_.traced.reset();
     DiagramChange change = change_->take();
     if (voronoi_.worstRegions) voronoi_.worstRegions->follow(change);
     return changeRecord(voronoi_.mesh(), *label_, std::move(change));
@@ -122,15 +181,16 @@ Answer* changeAnswer(VoronoiHandle& voronoi, std::optional<int> label,
 
 }  // namespace
 
-GVD_ABI VoronoiHandle* startVoronoi(const MeshHandle* handle, Ints face, Doubles bary,
-                                    Text metric) {
+/// `voronoi`: a `VoronoiHandle`.
+GVD_ABI Answer* createVoronoi(const MeshHandle* handle, Ints face, Doubles bary, Text metric,
+                              int detail) {
   return guarded([&] {
     auto voronoi = std::make_unique<VoronoiHandle>();
     voronoi->surface = *handle;
     voronoi->sites = sitesFromInput(voronoi->mesh(), face, bary);
     voronoi->metric = metricOf(toView(metric));
-    voronoi->propagation = propagate(voronoi->mesh(), voronoi->sites, voronoi->metric);
-    return voronoi.release();
+    voronoi->options = {.detail = detail};
+    return new Answer{std::make_unique<VoronoiMaking>(std::move(voronoi)), {}};
   });
 }
 
@@ -139,48 +199,16 @@ GVD_ABI void freeVoronoi(VoronoiHandle* voronoi) { delete voronoi; }
 /// The mesh that a diagram is on: the diagram's own handle of it, freed with it.
 GVD_ABI MeshHandle* meshOfVoronoi(VoronoiHandle* voronoi) { return &voronoi->surface; }
 
-/// Works on the distances.
-GVD_ABI SliceEnd stepDistances(VoronoiHandle* voronoi, int budget) {
+/// `VertexDistances` of sites, without a diagram.
+GVD_ABI Answer* distancesAtVertices(const MeshHandle* handle, Ints face, Doubles bary,
+                                    Text metric) {
   return guarded([&] {
-    if (!voronoi->propagation->step(budget)) return kMoreToDo;
-    voronoi->distances = voronoi->propagation->take();
-    voronoi->propagation.reset();
-    return kDone;
-  });
-}
-
-/// The share of the distances that is done, 0 … 1.
-GVD_ABI double distancesProgress(const VoronoiHandle* voronoi) {
-  return voronoi->propagation ? voronoi->propagation->progress() : 1;
-}
-
-/// `VertexDistances`. This and what follows only after `stepDistances` said it is done.
-GVD_ABI Answer* distancesAtVertices(const VoronoiHandle* voronoi) {
-  return answer([&] {
-    const TriangleMesh& mesh = voronoi->mesh();
-    const DistanceField& field = voronoi->field();
-    const int count = mesh.inputVertexCount();
-    const std::vector<SurfacePoint> sites = voronoi->sitesByLabel();
-    std::vector<int> label(count, -1);
-    std::vector<double> distance(count, kInfinity);
-    std::vector<double> direction(2 * count, std::numeric_limits<double>::quiet_NaN());
-    for (int i = 0; i < count; ++i) {
-      const int vertex = mesh.vertexOfInput(i);
-      if (vertex < 0) continue;
-      const LabelledDistance nearest = nearestOf(field.at(vertex));
-      if (nearest.label < 0) continue;
-      label[i] = nearest.label;
-      distance[i] = nearest.distance;
-      const Eigen::Vector2d towards =
-          directionToInput(mesh, sites[nearest.label].face, field.direction(nearest.label, vertex));
-      direction[2 * i] = towards.x();
-      direction[2 * i + 1] = towards.y();
-    }
-    Record out;
-    out.add("label", std::move(label));
-    out.add("distance", std::move(distance));
-    out.add("direction", std::move(direction));
-    return out;
+    const std::shared_ptr<const TriangleMesh> mesh = handle->mesh;
+    std::vector<SurfacePoint> sites = sitesFromInput(*mesh, face, bary);
+    auto propagation = propagate(*mesh, sites, metricOf(toView(metric)));
+    return answerOf(std::move(propagation), [mesh, sites = std::move(sites)](auto field) {
+      return vertexDistances(*mesh, sites, *field);
+    });
   });
 }
 
@@ -195,28 +223,8 @@ GVD_ABI Answer* pathToSite(const VoronoiHandle* voronoi, Ints face, Doubles bary
   });
 }
 
-/// Begins the diagram.
-GVD_ABI SliceEnd startTracing(VoronoiHandle* voronoi, int detail) {
-  return guarded([&] {
-    voronoi->options = {.detail = detail};
-    voronoi->tracing = startDiagram(voronoi->mesh(), voronoi->field(),
-                                    static_cast<int>(voronoi->sites.size()), voronoi->options);
-    return kMoreToDo;
-  });
-}
-
-/// Works on the diagram.
-GVD_ABI SliceEnd stepTracing(VoronoiHandle* voronoi, int budget) {
-  return guarded([&] {
-    if (!voronoi->tracing->step(budget)) return kMoreToDo;
-    voronoi->traced = std::make_shared<const Diagram>(voronoi->tracing->take());
-    voronoi->tracing.reset();
-    return kDone;
-  });
-}
-
-/// `DiagramData`. This and what follows only after `stepTracing` said it is done.
-GVD_ABI Answer* voronoiDiagram(const VoronoiHandle* voronoi) {
+/// `DiagramData`.
+GVD_ABI Answer* voronoiDiagram(VoronoiHandle* voronoi) {
   return answer([&] { return diagramRecord(voronoi->mesh(), voronoi->diagram()); });
 }
 

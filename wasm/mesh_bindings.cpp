@@ -58,15 +58,15 @@ class ClosestPointLookup final : public PointLookup {
 
  private:
   bool prepare(long budget) override {
-    if (handle_.closestPoints) return true;
+    if (*handle_.closestPoints) return true;
     if (!building_) building_ = startClosestPointQuery(*mesh_);
     if (!building_->step(budget)) return false;
-    handle_.closestPoints = std::make_shared<const ClosestPointQuery>(building_->take());
+    handle_.closestPoints->emplace(building_->take());
     return true;
   }
   void lookUp(std::size_t i) override {
     const ClosestPoint closest = naming("position", i, [&] {
-      return handle_.closestPoints->closestTo(Eigen::Vector3d::Map(&places_[3 * i]));
+      return (*handle_.closestPoints)->closestTo(Eigen::Vector3d::Map(&places_[3 * i]));
     });
     points_.push_back(closest.point);
     distance_.push_back(closest.distance);
@@ -179,10 +179,9 @@ GVD_ABI Answer* createMesh(MeshArrays* arrays, double weld, Text orientation, in
                     [](TriangleMesh mesh) {
                       auto handle = std::make_unique<MeshHandle>();
                       handle->mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
+                      handle->closestPoints = std::make_shared<std::optional<ClosestPointQuery>>();
                       Record out = infoRecord(*handle->mesh);
-                      out.add("mesh",
-                              static_cast<double>(reinterpret_cast<std::uintptr_t>(handle.get())));
-                      static_cast<void>(handle.release());  // only now, as `add` may throw
+                      out.add(addressRecord("mesh", std::move(handle)));
                       return out;
                     });
   });

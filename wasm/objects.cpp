@@ -31,16 +31,19 @@ Metric metricOf(std::string_view name) { return valueOf(kMetrics, "metric", name
 
 WorstRegion worstRegionOf(std::string_view name) { return valueOf(kWorstRegions, "worst", name); }
 
-Diagram VoronoiHandle::diagram() const {
-  if (!dynamic) return *traced;
-  Diagram diagram = dynamic->diagram();
-  diagram.siteCount = static_cast<int>(sitesByLabel().size());
-  diagram.regionArea.resize(diagram.siteCount);
-  return diagram;
+const Diagram& VoronoiHandle::diagram() {
+  if (!traced) {
+    Diagram diagram = dynamic->diagram();
+    diagram.siteCount = static_cast<int>(sitesByLabel().size());
+    diagram.regionArea.resize(diagram.siteCount);
+    traced = std::make_shared<const Diagram>(std::move(diagram));
+  }
+  return *traced;
 }
 
-Surface VoronoiHandle::snapshot() const {
-  return {surface.mesh, dynamic ? std::make_shared<const Diagram>(diagram()) : traced};
+Surface VoronoiHandle::snapshot() {
+  diagram();
+  return {surface.mesh, traced};
 }
 
 std::vector<SurfacePoint> VoronoiHandle::sitesByLabel() const {
@@ -60,11 +63,10 @@ void VoronoiHandle::takeDynamic(DynamicDiagram made) {
   dynamic = std::make_unique<DynamicDiagram>(std::move(made));
   distances.reset();
   sharedDistances.reset();
-  traced.reset();
 }
 
 SurfacePoint VoronoiHandle::worstRegionPoint(WorstRegion worst) {
-  if (!dynamic) return WorstRegions(mesh(), field(), *traced, worst).point();
+  if (!dynamic) return WorstRegions(mesh(), field(), diagram(), worst).point();
   if (!worstRegions || worstRegions->kind() != worst)
     worstRegions = std::make_unique<WorstRegions>(mesh(), field(), dynamic->diagram(), worst);
   return worstRegions->point();

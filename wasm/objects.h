@@ -6,6 +6,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -28,7 +29,8 @@ namespace gvd::abi {
 /// A mesh, shared so that its diagrams may outlive the caller's handle.
 struct MeshHandle {
   std::shared_ptr<const TriangleMesh> mesh;
-  std::shared_ptr<const ClosestPointQuery> closestPoints;  // once it is asked for
+  /// Made when it is first asked for, of the mesh or of a diagram on it.
+  std::shared_ptr<std::optional<ClosestPointQuery>> closestPoints;
 };
 
 /// A mesh and a diagram of it.
@@ -37,28 +39,26 @@ struct Surface {
   std::shared_ptr<const Diagram> diagram;
 };
 
-/// A diagram, from the first slice of its propagation to the last point located in it.
+/// A diagram of sites, which may change.
 struct VoronoiHandle {
   MeshHandle surface;
   std::vector<SurfacePoint> sites;
   Metric metric;
   DiagramOptions options;
-  std::unique_ptr<Propagation> propagation;              // until it is done
-  std::shared_ptr<DistanceField> distances;              // from then on
+  std::shared_ptr<DistanceField> distances;
   std::shared_ptr<const DistanceField> sharedDistances;  // or these, of a tessellation
-  std::unique_ptr<SlicedWork<Diagram>> tracing;          // while it goes on
-  std::shared_ptr<const Diagram> traced;                 // once it is traced
-  std::unique_ptr<DynamicDiagram> dynamic;               // instead, once sites have changed
-  std::unique_ptr<WorstRegions> worstRegions;            // of that, once they have been asked for
+  std::unique_ptr<DynamicDiagram> dynamic;               // or that of this, once sites have changed
+  std::shared_ptr<const Diagram> traced;       // none after a change, until it is asked for
+  std::unique_ptr<WorstRegions> worstRegions;  // of `dynamic`, once they have been asked for
 
   const TriangleMesh& mesh() const { return *surface.mesh; }
   const DistanceField& field() const {
     return dynamic ? dynamic->distances() : distances ? *distances : *sharedDistances;
   }
   /// The diagram of the present sites.
-  Diagram diagram() const;
+  const Diagram& diagram();
   /// The mesh and the present diagram, for work that may outlast them.
-  Surface snapshot() const;
+  Surface snapshot();
   /// The sites by label; face -1 where one has been removed. Labels at the end that have none do
   /// not count.
   std::vector<SurfacePoint> sitesByLabel() const;

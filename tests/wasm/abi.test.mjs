@@ -69,12 +69,11 @@ test('enumerators have the same names on both sides', async () => {
   const mesh = meshOf(orientations[0]);
   const site = [Int32Array.of(0), Float64Array.of(1, 0, 0)];
   const none = [0, 0, new Float64Array(), new Int32Array()];
-  const voronoi = core.call('startVoronoi', mesh, ...site, metrics[0]);
-  while (core.call('stepDistances', voronoi, 1000) !== 2);
-  core.call('startTracing', voronoi, 0);
-  while (core.call('stepTracing', voronoi, 1000) !== 2);
+  const voronoiOf = (metric) =>
+    finished(core.call('createVoronoi', mesh, ...site, metric, 0)).voronoi;
+  const voronoi = voronoiOf(metrics[0]);
   const named = [
-    [metrics, (name) => core.call('startVoronoi', mesh, ...site, name)],
+    [metrics, voronoiOf],
     [orientations, meshOf],
     [worstRegions, (name) => core.answer('worstRegionPoint', voronoi, name)],
     [samplings, (name) => finished(core.call('sampleSites', mesh, 1, name, 1, new Float64Array()))],

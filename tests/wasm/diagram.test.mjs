@@ -241,6 +241,42 @@ test('what a listener throws ends the task', async () => {
   await assert.rejects(mesh.voronoi({ vertex: [0] }, { onProgress }), /no screen/);
 });
 
+test('a site is inserted, whatever a listener throws, and when', async () => {
+  const mesh = await gvd.mesh(grid(20));
+  for (const end of [0, 1]) {
+    const diagram = await mesh.voronoi({ vertex: [0] });
+    const onProgress = (share) => {
+      if (share >= end) throw new Error('no screen');
+    };
+    await assert.rejects(diagram.insertSite({ vertex: 40 }, { onProgress }), /no screen/);
+    assert.equal(diagram.sites.face.length, 2);
+    assert.equal(diagram.regions.length, 2);
+    assert.equal((await diagram.insertSite({ vertex: 80 })).label, 2);
+    assert.deepEqual([...(await diagram.locate({ vertex: [0, 40, 80] })).label], [0, 1, 2]);
+  }
+});
+
+test('points are looked up as a part of the task, which can be given up', async () => {
+  const mesh = await gvd.mesh(grid(20));
+  const position = Array.from({ length: 30000 }, () => [3, 4, 5]).flat();
+  const controller = new AbortController();
+  const diagram = mesh.voronoi({ position }, { signal: controller.signal });
+  await Promise.resolve();
+  controller.abort(new Error('changed my mind'));
+  await assert.rejects(diagram, /changed my mind/);
+});
+
+test('a tessellation checks and copies what it is given at the call', async () => {
+  const mesh = await gvd.mesh(grid(20));
+  const refused = mesh.cvt({ vertex: [0] }, { iterations: -1 });
+  await assert.rejects(refused.next(), fails('invalid-argument'));
+  const vertex = [0, 40];
+  const states = mesh.cvt({ vertex }, { iterations: 0 });
+  vertex[1] = 80;
+  const { value } = await states.next();
+  assert.deepEqual(value.sites.face, (await mesh.readPoints({ vertex: [0, 40] })).face);
+});
+
 test('a mesh is freed if a listener throws once it is made', async (t) => {
   const { instantiate } = WebAssembly;
   const memories = [];

@@ -36,6 +36,18 @@ const tasks = {
   'a Poisson disk by radius': (options) =>
     mesh.sampleSites({ radius: 0.5 }, { sampling: 'poisson', ...options }),
   'sites in the worst region': (options) => mesh.sampleSites(6, { sampling: 'size', ...options }),
+  'farthest points on each component': (options) =>
+    mesh.sampleSites(40, { sampling: 'farthest', perComponent: 1, ...options }),
+  'a diagram': async (options) => (await mesh.voronoi(diagram.sites, options)).data,
+  'a diagram in detail': async (options) =>
+    (await mesh.voronoi(diagram.sites, { detail: 2, ...options })).data,
+  'a diagram of places': async (options) =>
+    (await mesh.voronoi({ position: mesh.positions.subarray(0, 900) }, options)).data,
+  distances: (options) => mesh.distances(diagram.sites, options),
+  'a path': (options) => mesh.path({ vertex: 0 }, { vertex: 900 }, options),
+  'a remesh': async (options) =>
+    (await mesh.remesh(diagram.sites, { iterations: 3, ...options })).data,
+  'a repair': async (options) => (await (await mesh.voronoi({ vertex: 0 })).repair(options)).data,
   'the closest points of places': (options) =>
     mesh.closestPoints(
       Float64Array.from({ length: 300 }, (_, i) => Math.sin(i)),
@@ -100,6 +112,13 @@ for (const [name, task] of Object.entries(tasks)) {
     assert.deepEqual(await task({}), expected);
   });
 }
+
+test('the share of a diagram in detail goes on while it is traced', async () => {
+  hurry();
+  const shares = [];
+  await mesh.voronoi(diagram.sites, { detail: 2, onProgress: (share) => shares.push(share) });
+  assert.ok(shares.filter((share) => share > 0.2 && share < 1).length > 10, `${shares}`);
+});
 
 test('a change of a site: in slices, as at one go, and not given up when it has begun', async () => {
   const change = async (options) => {

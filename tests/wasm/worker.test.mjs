@@ -221,6 +221,10 @@ test('what a listener throws ends the task', async (t) => {
     throw new Error('no screen');
   };
   await assert.rejects(mesh.voronoi({ vertex: [0] }, { onProgress }), /no screen/);
+  const diagram = await mesh.voronoi({ vertex: [0] });
+  await assert.rejects(diagram.insertSite({ vertex: 1 }, { onProgress }), /no screen/);
+  assert.equal(diagram.sites.face.length, 2, 'a change of a site is carried out');
+  assert.equal((await diagram.insertSite({ vertex: 2 })).label, 2);
 });
 
 test('disposing frees on the far side, and ends what waits', async (t) => {

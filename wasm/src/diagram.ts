@@ -18,6 +18,7 @@ import {
 } from './arguments.js';
 import { disposeSymbol, inspectSymbol, Kept, settled } from './kept.js';
 import { regionsOf } from './region.js';
+import { partOf } from './slices.js';
 import type {
   DiagramChange,
   DiagramData,
@@ -129,7 +130,8 @@ export class EngineDiagram implements Diagram {
 
   /**
    * Changes a site: `args` are the arguments of core.wasm before the new place, if there is one. A
-   * change that has begun cannot be aborted: the engine's diagram could then differ from this one.
+   * change that has begun goes on to its end, whatever its listener throws: else the engine's
+   * diagram could differ from this one.
    */
   async #change(
     name: string,
@@ -138,15 +140,24 @@ export class EngineDiagram implements Diagram {
     options: TaskOptions | undefined,
   ): Promise<DiagramChange> {
     const { signal, onProgress } = toTask(options);
+    let fault: { error: unknown } | undefined;
+    const report = (share: number) => {
+      try {
+        if (!fault) onProgress?.(share);
+      } catch (error) {
+        fault = { error };
+      }
+    };
     return this.#inTurn({ signal }, async () => {
-      const site = place && (await this.#kept.onSurface(place));
+      const site = place && (await this.#kept.onSurface(place, { signal }));
       signal?.throwIfAborted();
       const all = site ? [...args, site.face, site.bary] : args;
-      const change = await this.#kept.call<DiagramChange>(name, all, { onProgress });
+      const change = await this.#kept.call<DiagramChange>(name, all, { onProgress: report });
       this.#sites = changedSites(this.#sites, change.label, site);
       appendChange(this.#changes, change);
       if (areLarge(this.#changes, this.#data)) this.#mergeChanges();
       this.#regions = undefined;
+      if (fault) throw fault.error;
       return change;
     });
   }
@@ -169,7 +180,7 @@ export class EngineDiagram implements Diagram {
   /** Asks about points. */
   #askOf<Result>(name: string, points: GivenPoints, task: TaskOptions): Promise<Result> {
     return this.#inTurn(task, async () => {
-      const { face, bary } = await this.#kept.onSurface(points);
+      const { face, bary } = await this.#kept.onSurface(points, task);
       return this.#kept.call<Result>(name, [face, bary], task);
     });
   }
@@ -230,25 +241,18 @@ export class EngineDiagram implements Diagram {
   }
 
   async repair(options?: RepairOptions): Promise<Diagram> {
-    const { maxAdded, signal, onProgress } = toTaskOptions(options, repairDefaults);
+    const { maxAdded, ...task } = toTaskOptions(options, repairDefaults);
     const most = toMaxAdded(maxAdded);
     const shareOfSites = 0.9; // the rest is their diagram
-    const sites = await this.#inTurn({ signal }, async () => {
-      const violations = await this.#violations({ signal });
+    const sites = await this.#inTurn(task, async () => {
+      const violations = await this.#violations({ signal: task.signal });
       if (violations.length === 0) return undefined;
-      return this.#kept.call<SurfacePoints>('repairedSites', [most], {
-        signal,
-        onProgress: (share) => onProgress?.(shareOfSites * share),
-      });
+      const finding = partOf(task, 0, shareOfSites);
+      return this.#kept.call<SurfacePoints>('repairedSites', [most], finding);
     });
-    const repaired =
-      sites &&
-      (await this.#anew(sites, {
-        signal,
-        onProgress: (share) => onProgress?.(shareOfSites + (1 - shareOfSites) * share),
-      }));
-    onProgress?.(1);
-    return repaired ?? this;
+    if (sites) return this.#anew(sites, partOf(task, shareOfSites, 1));
+    task.onProgress?.(1);
+    return this;
   }
 
   /** The diagram of other sites on the same mesh. */

@@ -12,7 +12,6 @@ import type {
   Metric,
   Orientation,
   SurfacePoints,
-  VertexDistances,
 } from './results.js';
 import type { Triangles } from './triangles.js';
 import type { CvtState, GltfLimits, ModelFiles, TaskOptions } from './types.js';
@@ -78,6 +77,13 @@ export interface CvtSettings {
   fixedSites: Int32Array;
 }
 
+/** These as arguments of core.wasm. */
+export function cvtArguments(settings: CvtSettings): Argument[] {
+  const { method, metric, iterations, energyTolerance, moveTolerance, density, fixedSites } =
+    settings;
+  return [method, metric, iterations, energyTolerance, moveTolerance, density, fixedSites];
+}
+
 export interface OpenedCvt {
   handle: Handle;
 }
@@ -122,13 +128,6 @@ export interface Engine {
     form: DiagramForm,
     task: TaskOptions,
   ): Promise<OpenedDiagram>;
-  /** Distances alone, without a diagram. */
-  distances(
-    mesh: Handle,
-    sites: SurfacePoints,
-    metric: Metric,
-    task: TaskOptions,
-  ): Promise<VertexDistances>;
   openCvt(
     mesh: Handle,
     sites: SurfacePoints,

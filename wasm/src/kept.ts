@@ -48,15 +48,15 @@ export class Kept {
   }
 
   /** Points as faces and coordinates; those given by vertices or places are looked up. */
-  async onSurface(points: GivenPoints): Promise<SurfacePoints> {
+  async onSurface(points: GivenPoints, { signal }: TaskOptions): Promise<SurfacePoints> {
     if ('vertex' in points)
-      return this.engine.callMesh('pointsAtVertices', this.handle, [points.vertex], {});
+      return this.engine.callMesh('pointsAtVertices', this.handle, [points.vertex], { signal });
     if (!('position' in points)) return points;
     const { face, bary } = await this.engine.callMesh<SurfacePoints>(
       'closestPoints',
       this.handle,
       [points.position],
-      {},
+      { signal },
     );
     return { face, bary };
   }

@@ -3,32 +3,26 @@
 // The library on the thread that calls it: objects in core.wasm, and long work in slices.
 
 import { compile, type CompileAddress } from './compile.js';
-import type {
-  AdvancedCvt,
-  CvtForm,
-  CvtSettings,
-  DiagramForm,
-  Engine,
-  EngineSources,
-  FileInput,
-  Handle,
-  MeshBuild,
-  OpenedCvt,
-  OpenedDiagram,
-  OpenedMesh,
+import {
+  cvtArguments,
+  type AdvancedCvt,
+  type CvtForm,
+  type CvtSettings,
+  type DiagramForm,
+  type Engine,
+  type EngineSources,
+  type FileInput,
+  type Handle,
+  type MeshBuild,
+  type OpenedCvt,
+  type OpenedDiagram,
+  type OpenedMesh,
 } from './engine.js';
 import { GeodesicVoronoiError } from './errors.js';
 import { type InputModules, readModel } from './input/read_model.js';
 import { settled } from './kept.js';
-import type {
-  DiagramData,
-  MeshInfo,
-  MeshPart,
-  Metric,
-  SurfacePoints,
-  VertexDistances,
-} from './results.js';
-import { inSlices, nextTask, sliceMilliseconds } from './slices.js';
+import type { DiagramData, MeshInfo, MeshPart, SurfacePoints } from './results.js';
+import { inSlices, partOf, type SlicedWork } from './slices.js';
 import {
   type Subdivision,
   subdividedParts,
@@ -37,20 +31,12 @@ import {
 } from './subdivision.js';
 import type { Triangles } from './triangles.js';
 import type { TaskOptions } from './types.js';
-import {
-  type Argument,
-  sliceDone,
-  sliceMoreToDo,
-  unitsPerStep,
-  WasmModule,
-} from './wasm_module.js';
+import { type Argument, WasmModule } from './wasm_module.js';
 
 /** Numbers that are copied between two looks at the clock. */
 const numbersPerStep = 2 ** 15;
 /** The approximate share of reading in the time for a mesh from a file; building is the rest. */
 const readingShare = 0.7;
-/** The approximate share of distances in the time for a diagram; tracing is the rest. */
-const distancesShare = 0.9;
 
 /** The address of an object in core.wasm. */
 type Pointer = number;
@@ -62,6 +48,8 @@ interface StoredObject {
   /** The mesh of a diagram, made when first asked for and freed with the diagram. */
   mesh?: Handle;
   lastCall?: Promise<void>;
+  /** Whether a tessellation has no further iteration. */
+  isFinished?: boolean;
 }
 
 /** The answer of `createMesh`: the mesh and its facts. */
@@ -72,8 +60,6 @@ export class LocalEngine implements Engine {
   #core: WasmModule | undefined;
   readonly #inputModules: InputModules;
   readonly #objects = new Map<Handle, StoredObject>();
-  /** Tessellations that have no further iteration. */
-  readonly #finished = new Set<Handle>();
   #lastHandle: Handle = 0;
 
   private constructor(core: WasmModule, inputModules: InputModules) {
@@ -97,13 +83,14 @@ export class LocalEngine implements Engine {
     args: readonly Argument[],
     { signal, onProgress }: TaskOptions,
   ): Promise<Result> {
-    const kept = this.#objects.get(object);
-    const result = (kept?.lastCall ?? Promise.resolve()).then(async () => {
+    const stored = this.#objects.get(object);
+    const result = (stored?.lastCall ?? Promise.resolve()).then(async () => {
       signal?.throwIfAborted();
-      const pointer = () => this.#pointer(object); // it may be closed between slices
-      return this.#answer<Result>(name, [pointer(), ...args], { signal, onProgress }, pointer);
+      const answer = await this.#answerOf<Result>(name, object, args, { signal, onProgress });
+      onProgress?.(1);
+      return answer;
     });
-    if (kept) kept.lastCall = settled(result);
+    if (stored) stored.lastCall = settled(result);
     return result;
   }
 
@@ -119,27 +106,26 @@ export class LocalEngine implements Engine {
   async openMesh(
     source: Triangles | FileInput,
     build: MeshBuild,
-    { signal, onProgress }: TaskOptions,
+    task: TaskOptions,
   ): Promise<OpenedMesh> {
-    signal?.throwIfAborted();
+    task.signal?.throwIfAborted();
     return 'positions' in source
-      ? this.#openTriangles(source, [], build, { signal, onProgress })
-      : this.#openFiles(source, build, { signal, onProgress });
+      ? this.#openTriangles(source, [], build, task)
+      : this.#openFiles(source, build, task);
   }
 
-  async #openFiles(
-    input: FileInput,
-    build: MeshBuild,
-    { signal, onProgress }: TaskOptions,
-  ): Promise<OpenedMesh> {
-    const { parts, origin, notes, ...read } = await readModel(input, this.#inputModules, {
-      signal,
-      onProgress: (share) => onProgress?.(readingShare * share),
-    });
-    const { info, triangles, ...opened } = await this.#openTriangles(read.triangles, parts, build, {
-      signal,
-      onProgress: (share) => onProgress?.(readingShare + (1 - readingShare) * share),
-    });
+  async #openFiles(input: FileInput, build: MeshBuild, task: TaskOptions): Promise<OpenedMesh> {
+    const { parts, origin, notes, ...read } = await readModel(
+      input,
+      this.#inputModules,
+      partOf(task, 0, readingShare),
+    );
+    const { info, triangles, ...opened } = await this.#openTriangles(
+      read.triangles,
+      parts,
+      build,
+      partOf(task, readingShare, 1),
+    );
     return {
       ...opened,
       info: { ...info, origin, notes: [...notes, ...info.notes] },
@@ -154,18 +140,9 @@ export class LocalEngine implements Engine {
     { signal, onProgress }: TaskOptions,
   ): Promise<OpenedMesh> {
     const core = this.#open();
-    const { positions, indices } = given;
-    const arrays = core.call('newMeshArrays', positions.length, indices.length);
+    const arrays = core.call('newMeshArrays', given.positions.length, given.indices.length);
     try {
-      const length = Math.max(positions.length, indices.length);
-      let at = 0;
-      const copyMore = () => {
-        const part = [at, (at += numbersPerStep)];
-        const pieces = [positions.subarray(...part), indices.subarray(...part)];
-        core.call('appendToMeshArrays', arrays, ...pieces);
-        return at < length ? sliceMoreToDo : sliceDone;
-      };
-      await this.#inSlices(copyMore, { signal });
+      await inSlices(this.#copyInto(arrays, given), { signal });
       const cut =
         maxEdge > 0
           ? await this.#answer<Subdivision>('subdivideMeshArrays', [arrays, maxEdge], { signal })
@@ -174,14 +151,14 @@ export class LocalEngine implements Engine {
       const args = [arrays, weld, orientation, minComponent];
       const { mesh, ...counts } = await this.#answer<CreatedMesh>('createMesh', args, {
         signal,
-        onProgress: (share) => share < 1 && onProgress?.(share),
+        onProgress,
       });
       const info: MeshInfo = {
         ...counts,
         origin: { format: 'arrays', file: '' },
-        notes: cut ? [subdivisionNote(indices.length / 3, cut)] : [],
+        notes: cut ? [subdivisionNote(given.indices.length / 3, cut)] : [],
       };
-      const handle = this.#keep({ pointer: mesh, free: 'freeMesh' });
+      const handle = this.#store({ pointer: mesh, free: 'freeMesh' });
       try {
         onProgress?.(1); // may throw, which ends the task
       } catch (error) {
@@ -195,7 +172,29 @@ export class LocalEngine implements Engine {
     }
   }
 
-  /** The answer of a function of core.wasm, worked on in slices. */
+  /** Copies triangles into arrays of core.wasm. */
+  *#copyInto(arrays: Pointer, { positions, indices }: Triangles): SlicedWork<void> {
+    const length = Math.max(positions.length, indices.length);
+    for (let at = 0; at < length; at += numbersPerStep) {
+      const part = [at, at + numbersPerStep];
+      const pieces = [positions.subarray(...part), indices.subarray(...part)];
+      this.#open().call('appendToMeshArrays', arrays, ...pieces);
+      yield at / length;
+    }
+  }
+
+  /** The answer of a function about an object, which may be closed between slices. */
+  #answerOf<Result>(
+    name: string,
+    object: Handle,
+    args: readonly Argument[],
+    task: TaskOptions,
+  ): Promise<Result> {
+    const pointer = () => this.#pointer(object);
+    return this.#answer<Result>(name, [pointer(), ...args], task, pointer);
+  }
+
+  /** The answer of a function of core.wasm, worked on in slices; the listener is not told of its end. */
   async #answer<Result>(
     name: string,
     args: readonly Argument[],
@@ -210,9 +209,7 @@ export class LocalEngine implements Engine {
     };
     try {
       await inSlices(core.working(answer, requireBoth), { signal, onProgress });
-      const result = await inSlices(core.copying<Result>(answer), { signal });
-      onProgress?.(1);
-      return result;
+      return await inSlices(core.copying<Result>(answer), { signal });
     } finally {
       core.run('freeAnswer', answer);
     }
@@ -220,64 +217,22 @@ export class LocalEngine implements Engine {
 
   async openDiagram(
     owner: Handle,
-    sites: SurfacePoints,
+    { face, bary }: SurfacePoints,
     { metric, detail }: DiagramForm,
     { signal, onProgress }: TaskOptions,
   ): Promise<OpenedDiagram> {
-    const voronoi = await this.#spread(owner, sites, metric, {
+    signal?.throwIfAborted();
+    const mesh = this.#pointer(this.#meshOf(owner));
+    const args = [mesh, face, bary, metric, detail];
+    const { voronoi } = await this.#answer<{ voronoi: Pointer }>('createVoronoi', args, {
       signal,
-      onProgress: (share) => onProgress?.(distancesShare * share),
+      onProgress,
     });
     const core = this.#open();
     try {
-      core.call('startTracing', voronoi, detail);
-      await this.#inSlices(() => core.call('stepTracing', voronoi, unitsPerStep), { signal });
       const data = await this.#answer<DiagramData>('voronoiDiagram', [voronoi], { signal });
-      onProgress?.(1);
-      return { handle: this.#keep({ pointer: voronoi, free: 'freeVoronoi' }), data };
-    } catch (error) {
-      core.run('freeVoronoi', voronoi);
-      throw error;
-    }
-  }
-
-  async distances(
-    mesh: Handle,
-    sites: SurfacePoints,
-    metric: Metric,
-    task: TaskOptions,
-  ): Promise<VertexDistances> {
-    const voronoi = await this.#spread(mesh, sites, metric, task);
-    const core = this.#open();
-    try {
-      return await this.#answer('distancesAtVertices', [voronoi], { signal: task.signal });
-    } finally {
-      core.run('freeVoronoi', voronoi);
-    }
-  }
-
-  /** The distances of sites; whoever gets them frees them. */
-  async #spread(
-    owner: Handle,
-    sites: SurfacePoints,
-    metric: Metric,
-    { signal, onProgress }: TaskOptions,
-  ): Promise<Pointer> {
-    signal?.throwIfAborted();
-    const core = this.#open();
-    const voronoi = core.call(
-      'startVoronoi',
-      this.#pointer(this.#meshOf(owner)),
-      sites.face,
-      sites.bary,
-      metric,
-    );
-    try {
-      await this.#inSlices(() => core.call('stepDistances', voronoi, unitsPerStep), {
-        signal,
-        onProgress: () => onProgress?.(core.run('distancesProgress', voronoi) ?? 0),
-      });
-      return voronoi;
+      onProgress?.(1); // may throw, which ends the task
+      return { handle: this.#store({ pointer: voronoi, free: 'freeVoronoi' }), data };
     } catch (error) {
       core.run('freeVoronoi', voronoi);
       throw error;
@@ -291,20 +246,9 @@ export class LocalEngine implements Engine {
     { signal }: TaskOptions,
   ): Promise<OpenedCvt> {
     signal?.throwIfAborted();
-    const pointer = this.#open().call(
-      'startCvt',
-      this.#pointer(mesh),
-      face,
-      bary,
-      settings.method,
-      settings.metric,
-      settings.iterations,
-      settings.energyTolerance,
-      settings.moveTolerance,
-      settings.density,
-      settings.fixedSites,
-    );
-    return { handle: this.#keep({ pointer, free: 'freeCvt' }) };
+    const args = [this.#pointer(mesh), face, bary, ...cvtArguments(settings)];
+    const pointer = this.#open().call('startCvt', ...args);
+    return { handle: this.#store({ pointer, free: 'freeCvt' }) };
   }
 
   async advanceCvt(
@@ -313,49 +257,27 @@ export class LocalEngine implements Engine {
     { signal }: TaskOptions,
   ): Promise<AdvancedCvt | undefined> {
     signal?.throwIfAborted();
-    const core = this.#open();
-    if (this.#finished.has(handle)) return undefined;
-    const cvt = () => this.#pointer(handle); // it may be closed between slices
-    await this.#inSlices(() => core.call('stepCvt', cvt(), unitsPerStep), { signal });
-    const { isLast, ...state } = core.answer<AdvancedCvt & { isLast: boolean }>(
-      'cvtIteration',
-      cvt(),
+    if (this.#stored(handle).isFinished) return undefined;
+    const { isLast, ...state } = await this.#answerOf<AdvancedCvt & { isLast: boolean }>(
+      'advanceCvt',
+      handle,
+      [],
+      { signal },
     );
-    if (isLast) this.#finished.add(handle);
+    this.#stored(handle).isFinished = isLast;
     if (form === 'bare') return state;
-    const data = await this.#answer<DiagramData>('cvtDiagram', [cvt()], { signal });
+    const data = await this.#answerOf<DiagramData>('cvtDiagram', handle, [], { signal });
     const withData = { ...state, data };
     if (form === 'data') return withData;
-    const pointer = core.call('cvtVoronoi', cvt());
-    return { ...withData, handle: this.#keep({ pointer, free: 'freeVoronoi' }) };
-  }
-
-  /**
-   * Calls `step` until it says that it is done, in slices. Between slices the thread serves others,
-   * progress is reported, and the signal may abort.
-   */
-  async #inSlices(
-    step: () => number,
-    { signal, onProgress }: { signal?: AbortSignal; onProgress?: () => void },
-  ): Promise<void> {
-    let done = false;
-    while (!done) {
-      const end = performance.now() + sliceMilliseconds;
-      do done = step() === sliceDone;
-      while (!done && performance.now() < end);
-      onProgress?.();
-      await nextTask();
-      signal?.throwIfAborted();
-      this.#open();
-    }
+    const pointer = this.#open().call('cvtVoronoi', this.#pointer(handle));
+    return { ...withData, handle: this.#store({ pointer, free: 'freeVoronoi' }) };
   }
 
   close(object: Handle): void {
-    const kept = this.#objects.get(object);
-    if (kept?.free) this.#core?.run(kept.free, kept.pointer);
-    if (kept?.mesh !== undefined) this.#objects.delete(kept.mesh);
+    const stored = this.#objects.get(object);
+    if (stored?.free) this.#core?.run(stored.free, stored.pointer);
+    if (stored?.mesh !== undefined) this.#objects.delete(stored.mesh);
     this.#objects.delete(object);
-    this.#finished.delete(object);
   }
 
   /** Lets go of the instance: all its memory at once. */
@@ -370,21 +292,25 @@ export class LocalEngine implements Engine {
   }
 
   #pointer(object: Handle): Pointer {
+    return this.#stored(object).pointer;
+  }
+
+  #stored(object: Handle): StoredObject {
     this.#open(); // throws if the library has been disposed, and with it the object
-    const kept = this.#objects.get(object);
-    if (!kept) throw new GeodesicVoronoiError('disposed', 'the object has been disposed');
-    return kept.pointer;
+    const stored = this.#objects.get(object);
+    if (!stored) throw new GeodesicVoronoiError('disposed', 'the object has been disposed');
+    return stored;
   }
 
   /** The mesh itself, or the mesh that a diagram is on. */
   #meshOf(object: Handle): Handle {
-    const kept = this.#objects.get(object);
-    if (kept?.free !== 'freeVoronoi') return object;
-    kept.mesh ??= this.#keep({ pointer: this.#open().call('meshOfVoronoi', kept.pointer) });
-    return kept.mesh;
+    const stored = this.#objects.get(object);
+    if (stored?.free !== 'freeVoronoi') return object;
+    stored.mesh ??= this.#store({ pointer: this.#open().call('meshOfVoronoi', stored.pointer) });
+    return stored.mesh;
   }
 
-  #keep(object: StoredObject): Handle {
+  #store(object: StoredObject): Handle {
     this.#objects.set(++this.#lastHandle, object);
     return this.#lastHandle;
   }

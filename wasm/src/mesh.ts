@@ -4,7 +4,14 @@
 
 import { isObject, show, toBoolean, toOptions, toTask, toTaskOptions } from './checks.js';
 import { EngineDiagram } from './diagram.js';
-import type { AdvancedCvt, Engine, OpenedMesh } from './engine.js';
+import {
+  cvtArguments,
+  type AdvancedCvt,
+  type CvtForm,
+  type CvtSettings,
+  type Engine,
+  type OpenedMesh,
+} from './engine.js';
 import { GeodesicVoronoiError, invalidArgument } from './errors.js';
 import {
   isWorstFirst,
@@ -25,6 +32,7 @@ import {
   toSampling,
   toSeed,
   type GivenDensity,
+  type GivenPoints,
 } from './arguments.js';
 import { disposeSymbol, Kept } from './kept.js';
 import {
@@ -37,8 +45,10 @@ import {
   type Metric,
   type SurfacePath,
   type SurfacePoints,
+  type VertexDistances,
 } from './results.js';
 import { pointsFile, requireSameMesh } from './points_file.js';
+import { partOf } from './slices.js';
 import type { Triangles } from './triangles.js';
 import type {
   CvtOptions,
@@ -54,6 +64,9 @@ import type {
   TaskOptions,
   VoronoiOptions,
 } from './types.js';
+
+/** The approximate share of sampling where components without a site get one afterwards. */
+const samplingShare = 0.8;
 
 export class EngineMesh implements Mesh {
   readonly info: MeshInfo;
@@ -103,21 +116,23 @@ export class EngineMesh implements Mesh {
       throw invalidArgument(`a density is for random sites, not for the sampling ${show(method)}`);
     const radius = byRadius && toRadius(toOptions(wanted, { radius: NaN }).radius);
     const count = byRadius ? maxCount : toCount(wanted);
+    const ofSampling = least === 0 ? task : partOf(task, 0, samplingShare);
     const sample = async (): Promise<SurfacePoints> => {
-      if (radius) return this.#kept.call('sampleSitesByRadius', [radius, method, seed], task);
+      if (radius) return this.#kept.call('sampleSitesByRadius', [radius, method, seed], ofSampling);
       if (isWorstFirst(method))
-        return this.#kept.call('sampleSitesWorstFirst', [count, method, seed], task);
+        return this.#kept.call('sampleSitesWorstFirst', [count, method, seed], ofSampling);
       const weights = await this.#densityOf(given, task.signal);
-      return this.#kept.call('sampleSites', [count, method, seed, weights], task);
+      return this.#kept.call('sampleSites', [count, method, seed, weights], ofSampling);
     };
-    const sites = await sample();
-    if (least === 0) return sites;
-    return this.#kept.call('coverComponents', [sites.face, sites.bary, least, count, seed], task);
+    const { face, bary } = await sample();
+    if (least === 0) return { face, bary };
+    const covering = partOf(task, samplingShare, 1);
+    return this.#kept.call('coverComponents', [face, bary, least, count, seed], covering);
   }
 
   async bareComponents(sites: SurfacePointsInput, options?: TaskOptions): Promise<BareComponents> {
     const task = toTask(options);
-    const { face, bary } = await this.#kept.onSurface(toPoints('sites', sites));
+    const { face, bary } = await this.#kept.onSurface(toPoints('sites', sites), task);
     return this.#kept.call('bareComponents', [face, bary], task);
   }
 
@@ -136,16 +151,21 @@ export class EngineMesh implements Mesh {
     return this.#kept.call('closestPoints', [toPlaces('positions', positions)], task);
   }
 
-  async readPoints(json: unknown): Promise<SurfacePoints> {
+  async readPoints(json: unknown, options?: TaskOptions): Promise<SurfacePoints> {
+    const task = toTask(options);
     const file = pointsFile(json);
     requireSameMesh(file, this.info);
-    const points = await this.#kept.onSurface(toPoints('points', file.points));
+    const points = await this.#kept.onSurface(toPoints('points', file.points), task);
     this.#requireFaces(points);
     return points;
   }
 
-  async positionsOf(points: SurfacePointsInput): Promise<Float64Array<ArrayBuffer>> {
-    const { face, bary } = await this.#kept.onSurface(toPoints('points', points));
+  async positionsOf(
+    points: SurfacePointsInput,
+    options?: TaskOptions,
+  ): Promise<Float64Array<ArrayBuffer>> {
+    const task = toTask(options);
+    const { face, bary } = await this.#kept.onSurface(toPoints('points', points), task);
     this.#requireFaces({ face });
     const places = new Float64Array(3 * face.length).fill(NaN);
     face.forEach((f, i) => {
@@ -170,7 +190,7 @@ export class EngineMesh implements Mesh {
   async voronoi(sites: SurfacePointsInput, options?: VoronoiOptions): Promise<Diagram> {
     const { metric, detail, ...task } = toTaskOptions(options, { metric: metrics[0], detail: 0 });
     const form = { metric: toMetric(metric), detail: toDetail(detail) };
-    const points = await this.#kept.onSurface(toPoints('sites', sites));
+    const points = await this.#kept.onSurface(toPoints('sites', sites), task);
     const { engine, handle } = this.#kept;
     const opened = await engine.openDiagram(handle, points, form, task);
     return new EngineDiagram(engine, form, points, opened);
@@ -179,9 +199,10 @@ export class EngineMesh implements Mesh {
   async distances(sites: SurfacePointsInput, options?: DistancesOptions): Promise<Distances> {
     const { metric, ...task } = toTaskOptions(options, { metric: metrics[0] });
     toMetric(metric);
-    const points = await this.#kept.onSurface(toPoints('sites', sites));
-    const { engine, handle } = this.#kept;
-    const known = await engine.distances(handle, points, metric, task);
+    const points = await this.#kept.onSurface(toPoints('sites', sites), task);
+    const { face, bary } = points;
+    const args = [face, bary, metric];
+    const known = await this.#kept.call<VertexDistances>('distancesAtVertices', args, task);
     return { metric, sites: points, ...known };
   }
 
@@ -192,8 +213,8 @@ export class EngineMesh implements Mesh {
   ): Promise<SurfacePath> {
     const task = toTask(options);
     const ends = [toPoint('from', from), toPoint('to', to)];
-    const start = await this.#kept.onSurface(ends[0]);
-    const end = await this.#kept.onSurface(ends[1]);
+    const start = await this.#kept.onSurface(ends[0], task);
+    const end = await this.#kept.onSurface(ends[1], task);
     return this.#kept.call('shortestPath', [start.face, start.bary, end.face, end.bary], task);
   }
 
@@ -206,21 +227,37 @@ export class EngineMesh implements Mesh {
     options: CvtOptions & { data: true },
   ): AsyncGenerator<CvtStateWithData, void, void>;
   cvt(sites: SurfacePointsInput, options?: CvtOptions): AsyncGenerator<CvtState, void, void>;
-  async *cvt(
+  cvt(sites: SurfacePointsInput, options?: CvtOptions): AsyncGenerator<CvtState, void, void> {
+    const tessellation = this.#toTessellation(sites, options);
+    tessellation.catch(() => {}); // whoever asks for the first state hears of it
+    return this.#iterations(tessellation);
+  }
+
+  /** Checks and copies the arguments of `cvt`, at the call. */
+  async #toTessellation(
     sites: SurfacePointsInput,
-    options?: CvtOptions,
-  ): AsyncGenerator<CvtState, void, void> {
+    options: CvtOptions | undefined,
+  ): Promise<Tessellation> {
     const { data, diagrams, density, signal, onProgress, ...others } = toTaskOptions(options, {
       ...tessellationDefaults,
       data: false,
       diagrams: false,
     });
     const withData = toBoolean('data', data);
-    const form = toBoolean('diagrams', diagrams) ? 'diagram' : withData ? 'data' : 'bare';
-    const checked = toCvtSettings(others);
-    const [given, list] = [toDensity(density, this.density), toPoints('sites', sites)];
-    const settings = { ...checked, density: await this.#densityOf(given, signal) };
-    const points = await this.#kept.onSurface(list);
+    return {
+      sites: toPoints('sites', sites),
+      ...toCvtSettings(others),
+      density: toDensity(density, this.density),
+      form: toBoolean('diagrams', diagrams) ? 'diagram' : withData ? 'data' : 'bare',
+      signal,
+      onProgress,
+    };
+  }
+
+  async *#iterations(wanted: Promise<Tessellation>): AsyncGenerator<CvtState, void, void> {
+    const { sites, form, density, signal, onProgress, ...others } = await wanted;
+    const settings = { ...others, density: await this.#densityOf(density, signal) };
+    const points = await this.#kept.onSurface(sites, { signal });
     const { engine } = this.#kept;
     const { handle } = await engine.openCvt(this.#kept.handle, points, settings, { signal });
     try {
@@ -241,34 +278,19 @@ export class EngineMesh implements Mesh {
       ...tessellationDefaults,
       ...repairDefaults,
     });
+    const task = { signal, onProgress };
     const most = toMaxAdded(maxAdded);
     const settings = toCvtSettings(others);
     const [given, list] = [toDensity(density, this.density), toPoints('sites', sites)];
     const perVertex = await this.#densityOf(given, signal);
-    const { face, bary } = await this.#kept.onSurface(list);
-    const { method, metric, iterations, energyTolerance, moveTolerance, fixedSites } = settings;
+    const { face, bary } = await this.#kept.onSurface(list, task);
     const shareOfSites = 0.95; // the rest is the diagram
     const remeshed = await this.#kept.call<SurfacePoints>(
       'remeshedSites',
-      [
-        face,
-        bary,
-        method,
-        metric,
-        iterations,
-        energyTolerance,
-        moveTolerance,
-        perVertex,
-        fixedSites,
-        most,
-      ],
-      { signal, onProgress: (share) => onProgress?.(shareOfSites * share) },
+      [face, bary, ...cvtArguments({ ...settings, density: perVertex }), most],
+      partOf(task, 0, shareOfSites),
     );
-    return this.voronoi(remeshed, {
-      metric,
-      signal,
-      onProgress: (share) => onProgress?.(shareOfSites + (1 - shareOfSites) * share),
-    });
+    return this.voronoi(remeshed, { metric: settings.metric, ...partOf(task, shareOfSites, 1) });
   }
 
   /** The density per vertex. */
@@ -283,6 +305,13 @@ export class EngineMesh implements Mesh {
   [disposeSymbol](): void {
     this.dispose();
   }
+}
+
+/** The arguments of `cvt`, checked and copied. */
+interface Tessellation extends Omit<CvtSettings, 'density'>, TaskOptions {
+  sites: GivenPoints;
+  density: GivenDensity;
+  form: CvtForm;
 }
 
 /** An iteration as callers get it. */

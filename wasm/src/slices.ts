@@ -6,10 +6,15 @@
 import type { TaskOptions } from './types.js';
 
 /** How long a slice of work may keep its thread from anything else. */
-export const sliceMilliseconds = 12;
+const sliceMilliseconds = 12;
 
 /** Work that can be interrupted: it yields the share done, 0 … 1, wherever it may pause. */
 export type SlicedWork<Result> = Generator<number, Result>;
+
+/** A part of a task: its share done, from 0 to 1, is one of the task's, between two shares of that. */
+export function partOf({ signal, onProgress }: TaskOptions, from: number, to: number): TaskOptions {
+  return { signal, onProgress: onProgress && ((share) => onProgress(from + (to - from) * share)) };
+}
 
 export async function inSlices<Result>(
   work: SlicedWork<Result>,
@@ -27,7 +32,7 @@ export async function inSlices<Result>(
 }
 
 /** Lets other tasks of this thread run. Not by a timer: browsers slow timers down. */
-export function nextTask(): Promise<void> {
+function nextTask(): Promise<void> {
   return new Promise((resolve) => {
     const { port1, port2 } = new MessageChannel();
     port1.onmessage = () => {

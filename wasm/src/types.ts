@@ -43,11 +43,14 @@ export interface DistancesOptions extends TaskOptions {
 
 /** Options of every call that may take long. */
 export interface TaskOptions {
-  /** Called with the share done, 0 … 1. */
+  /**
+   * Called with the share done, 0 … 1. What it throws ends the task and rejects the promise; a change of a
+   * site (`insertSite`, `moveSite`, `removeSite`) is carried out nevertheless.
+   */
   onProgress?: ((share: number) => void) | undefined;
   /**
-   * Aborting rejects the promise with the signal's reason and changes nothing. A change of a site
-   * (`insertSite`, `moveSite`, `removeSite`) that has begun is carried out nevertheless.
+   * Aborting rejects the promise with the signal's reason and changes nothing. A change of a site that
+   * has begun is carried out nevertheless.
    */
   signal?: AbortSignal | undefined;
 }
@@ -323,8 +326,8 @@ export interface Diagram extends Disposable {
   /** How good the dual is as a remesh of the surface. */
   remeshQuality(options?: TaskOptions): Promise<RemeshQuality>;
   /**
-   * A diagram without violations, of these sites and as few more as a greedy choice finds. A
-   * diagram that has no violations is returned itself.
+   * A diagram without violations, of these sites and as few more as a greedy choice finds: a new one,
+   * to be disposed of like any other. A diagram that has no violations is returned itself.
    */
   repair(options?: RepairOptions): Promise<Diagram>;
   dispose(): void;
@@ -376,12 +379,15 @@ export interface Mesh extends Disposable {
    * The points in a JSON file, parsed: a list of points in any form, or the sites of a result.
    * Refuses those that the file says belong to another mesh.
    */
-  readPoints(json: unknown): Promise<SurfacePoints>;
+  readPoints(json: unknown, options?: TaskOptions): Promise<SurfacePoints>;
   /**
    * Where points of the surface are: x, y, z each, in the frame and the unit of `positions`. NaN for
    * a label without a site (`Diagram.sites`).
    */
-  positionsOf(points: SurfacePointsInput): Promise<Float64Array<ArrayBuffer>>;
+  positionsOf(
+    points: SurfacePointsInput,
+    options?: TaskOptions,
+  ): Promise<Float64Array<ArrayBuffer>>;
   /** The diagram of sites, labelled by their order. Several sites may lie in one place. */
   voronoi(sites: SurfacePointsInput, options?: VoronoiOptions): Promise<Diagram>;
   /** For every input vertex: its nearest site, the distance, and the direction from the site. */

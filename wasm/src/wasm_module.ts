@@ -26,12 +26,11 @@ interface Exports {
   freeAnswer(answer: number): void;
 }
 
-/** How a slice of work has ended: `SliceEnd` in `abi.h`. */
-export const sliceMoreToDo = 1;
-export const sliceDone = 2;
+/** A slice of work has ended, and with it the work: `SliceEnd` in `abi.h`. */
+const sliceDone = 2;
 
 /** Units of work between two looks at the clock: far less than a slice, far more than a look. */
-export const unitsPerStep = 256;
+const unitsPerStep = 256;
 /** Bytes of a result that are copied between two looks at the clock. */
 const bytesPerStep = 2 ** 18;
 

@@ -180,6 +180,10 @@ Diagram traceDiagram(const TriangleMesh& mesh, const DistanceField& distances, i
   return finished(startDiagram(mesh, distances, siteCount, options));
 }
 
+double propagationShare(const DiagramOptions& options) {
+  return options.detail == 0 ? 0.9 : 0.5 / (1 << options.detail);
+}
+
 PartialTracer::PartialTracer(const TriangleMesh& mesh, const DistanceField& distances,
                              const DiagramOptions& options)
     : mesh_(mesh),

@@ -147,9 +147,8 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
         [&] { return diagram_.pieces_.replace(change_, budget); }, [&] { setAreas(); });
   }
   double progress() const override {
-    constexpr double kOfDistances = 0.9;  // mostly
-    return kOfDistances * diagram_.distances_->progress() +
-           (1 - kOfDistances) * sequence_.progress();
+    const double ofDistances = propagationShare(diagram_.options_);
+    return ofDistances * diagram_.distances_->progress() + (1 - ofDistances) * sequence_.progress();
   }
   DiagramChange result() override { return std::move(change_); }
 

@@ -2,6 +2,7 @@
 //
 // Shortest paths between the points that the command is given.
 import type { SurfacePath } from '../results.js';
+import { partOf } from '../slices.js';
 import type { Mesh, SurfacePointsInput } from '../types.js';
 import { FileError } from './files.js';
 import type { PointsOnSurface } from './sites.js';
@@ -23,8 +24,7 @@ export async function pathsBetween(
   // Many paths with one end in common have the distances from there in common.
   const isFromOne = starts.length === 1;
   const one = isFromOne ? starts[0] : ends.length === 1 ? ends[0] : undefined;
-  const halfway = (share: number) => onProgress(share / 2);
-  const around = one && (await mesh.voronoi(one, { onProgress: halfway }));
+  const around = one && (await mesh.voronoi(one, partOf({ onProgress }, 0, 0.5)));
   const many = isFromOne ? ends : starts;
   const paths: SurfacePath[] = [];
   for (const [i, point] of many.entries()) {
