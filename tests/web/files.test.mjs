@@ -188,7 +188,13 @@ suite('files', () => {
     await own.page.setInputFiles('#files', [file]);
     const note = own.page.locator('#note').filter({ hasText: 'as long as regions' });
     await note.waitFor();
+    await own.evaluate((element) => {
+      element.density = new Float64Array(element.info.inputVertices).fill(10);
+    });
     await own.after('diagram', () => own.page.getByText('Finer triangles').click());
+    const densities = await own.evaluate(({ density }) => [...density]);
+    assert.ok(densities.length > 50 && densities.every((rho) => Math.abs(rho - 10) < 1e-3));
+    assert.ok(await own.page.locator('#undo').isDisabled(), 'the density is no step to undo');
     assert.ok((await own.evaluate(({ info }) => info.faces)) > 100);
     assert.match(await own.page.locator('#repairs').textContent(), /8 triangles became/);
     assert.ok(Number(await own.page.locator('#max-edge').inputValue()) > 0);

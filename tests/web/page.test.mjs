@@ -474,6 +474,7 @@ suite('the page', () => {
     await viewer.after('diagram', () => viewer.page.selectOption('#weld', '1e-4'));
     (await places()).forEach((x, i) => assert.ok(Math.abs(x - before[i]) < 1e-6, `${i}: ${x}`));
     assert.ok(Math.abs((await viewer.evaluate(({ density }) => density[7])) - 8) < 1e-3);
+    assert.ok(await viewer.page.locator('#undo').isDisabled(), 'they are those to begin with');
     assert.match(await text(viewer, '#report'), /Components2/);
     assert.match(await text(viewer, '#repairs'), /18 vertices welded.*1 triangle turned over/);
     await viewer.after('diagram', () => viewer.page.selectOption('#orientation', 'keep'));

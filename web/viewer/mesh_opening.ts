@@ -14,6 +14,7 @@ import { DrawingBuilder } from './drawing_builder.js';
 import { sentence } from './failure.js';
 import { lastSegment, type NamedFiles } from './model_files.js';
 import { SceneMesh } from './scene_mesh.js';
+import type { Tints } from './site_history.js';
 
 /** How sites are sampled. */
 export interface SiteSampling {
@@ -30,8 +31,15 @@ export interface SiteSampling {
 export interface Opening {
   build: Pick<MeshOptions, 'maxEdge' | 'weld' | 'orientation' | 'minComponent'>;
   siteSampling: SiteSampling;
-  /** Sites of a mesh of the same model, which are put where they were rather than sampled. */
-  kept?: { mesh: Mesh; sites(): SurfacePoints } | undefined;
+  /** What is put where it was on a mesh of the same model. */
+  kept?: Kept | undefined;
+}
+
+interface Kept {
+  mesh: Mesh;
+  /** In place of sampled sites; undefined if these are wanted. */
+  sites?: (() => SurfacePoints) | undefined;
+  tints: Tints;
 }
 
 /** Reads a model's files. */
@@ -46,6 +54,7 @@ export interface OpenedMesh {
   /** The files that the mesh was read from. */
   files: NamedFiles;
   sites: PointList;
+  tints: Tints;
   scene: SceneMesh;
   /** Makes further drawings of the mesh. */
   builder: DrawingBuilder;
@@ -77,12 +86,14 @@ export async function openMesh(
       throw sentence(`${files.name} cannot be opened`, error);
     });
     const placing = { signal, onProgress: between(meshShare, 1) };
-    const [sites, scene] = await Promise.all([
-      kept ? keptSites(mesh, kept, placing) : sampleSites(mesh, siteSampling, placing),
+    const [sites, tints, scene] = await Promise.all([
+      keptSites(mesh, kept, placing) ?? sampleSites(mesh, siteSampling, placing),
+      keptTints(mesh, kept, { signal }),
       sceneOf(mesh, builder, signal),
     ]);
     signal.throwIfAborted();
-    return { mesh, name: lastSegment(mesh.info.origin.file), files, sites, scene, builder };
+    const name = lastSegment(mesh.info.origin.file);
+    return { mesh, name, files, sites, tints, scene, builder };
   } catch (error) {
     mesh?.dispose();
     builder.dispose();
@@ -100,14 +111,34 @@ async function sceneOf(
   return new SceneMesh(arrays ?? (await import('./scene_arrays.js')).sceneArrays(mesh));
 }
 
-async function keptSites(
+/** The sites that are kept, where they were. */
+function keptSites(
   mesh: Mesh,
-  kept: NonNullable<Opening['kept']>,
+  kept: Kept | undefined,
   task: TaskOptions,
-): Promise<PointList> {
-  return mesh.closestPoints(await kept.mesh.positionsOf(kept.sites()), task).catch((error) => {
-    throw sentence('The sites cannot be kept', error);
-  });
+): Promise<PointList> | undefined {
+  return (
+    kept?.sites &&
+    kept.mesh
+      .positionsOf(kept.sites())
+      .then((positions) => mesh.closestPoints(positions, task))
+      .catch((error) => {
+        throw sentence('The sites cannot be kept', error);
+      })
+  );
+}
+
+/** The painted density at the vertices: what it was at the closest points of the mesh before. */
+async function keptTints(mesh: Mesh, kept: Kept | undefined, task: TaskOptions): Promise<Tints> {
+  if (!kept?.tints) return undefined;
+  const { tints } = kept;
+  const { indices } = kept.mesh;
+  // Vertices that no triangle has may be anywhere.
+  const places = mesh.positions.map((x) => (Number.isFinite(x) ? x : 0));
+  const { face, bary } = await kept.mesh.closestPoints(places, task);
+  return Float32Array.from(face, (f, v) =>
+    [0, 1, 2].reduce((sum, k) => sum + bary[3 * v + k] * tints[indices[3 * f + k]], 0),
+  );
 }
 
 export async function sampleSites(

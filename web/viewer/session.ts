@@ -200,7 +200,6 @@ export class Session {
   }
 
   // --- Centroidal tessellation ----------------------------------------------------------------
-  //
   // All iterations from the first to the last are one step to undo. Any other change of the sites
   // ends the tessellation; the next one begins with the sites as they are then.
 
@@ -263,7 +262,7 @@ export class Session {
     this.#shown = undefined;
     this.#move = undefined;
     this.#mesh = mesh;
-    this.#history.reset(sites);
+    this.#history.reset(sites, opened.tints);
     this.#listener.modelChanged(opened);
     // Sites that a listener has set for the new model are no step: there is nothing to undo.
     this.#history.reset(this.sites, this.#history.tints);

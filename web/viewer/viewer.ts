@@ -147,13 +147,12 @@ export class Viewer implements Workpiece {
 
   /** Opens the model that is shown anew, made otherwise of its files: sites and density stay. */
   async rebuild(read: Reader): Promise<void> {
-    const { attributes, density, session } = this;
+    const { attributes, session } = this;
     const { mesh } = session;
     const areOthersAsked = attributes.differ(samplingAttributes);
-    const sites = () => surfacePointsOf(session.sites);
-    const kept = mesh && !areOthersAsked ? { mesh, sites } : undefined;
-    const isOpen = await session.open(read, { ...attributes.opening, kept });
-    if (isOpen && density) this.density = density;
+    const sites = areOthersAsked ? undefined : () => surfacePointsOf(session.sites);
+    const kept = mesh && { mesh, sites, tints: this.#model?.paint.tints?.slice() };
+    await session.open(read, { ...attributes.opening, kept });
   }
 
   /** Applies the metric and the detail of the attributes. */
@@ -361,6 +360,7 @@ export class Viewer implements Workpiece {
       this.#model.dispose();
     }
     this.#model = new OpenModel(opened, themeOf(this.stage.canvas));
+    this.#model.paint.tints = opened.tints;
     this.#adoptDensity();
     this.stage.add(this.#model.drawing.object);
     this.showLayers();
