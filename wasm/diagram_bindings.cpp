@@ -252,6 +252,20 @@ GVD_ABI Answer* worstRegionPoint(VoronoiHandle* voronoi, Text worst) {
   });
 }
 
+/// `DiagramAccuracy`.
+GVD_ABI Answer* diagramAccuracy(VoronoiHandle* voronoi, int samples) {
+  return guarded([&] {
+    const Surface on = voronoi->snapshot();
+    return answerOf(startAccuracy(*on.mesh, voronoi->field(), *on.diagram, samples),
+                    [on](const DiagramAccuracy& accuracy) {
+                      Record out;
+                      out.add("mislabelled", accuracy.mislabelled);
+                      out.add("maxEdge", accuracy.maxEdge);
+                      return out;
+                    });
+  });
+}
+
 /// `Located`.
 GVD_ABI Answer* locate(const VoronoiHandle* voronoi, Ints face, Doubles bary) {
   return guarded([&] {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/random.h"
+#include "diagram/region_lookup.h"
 #include "gvd/diagram.h"
 #include "gvd/sampling.h"
 #include "metrics.h"
@@ -19,59 +20,6 @@ namespace gvd::bench {
 namespace {
 
 using Eigen::Vector3d;
-
-/// Which region of a diagram a point lies in.
-class Regions {
- public:
-  Regions(const TriangleMesh& mesh, const Diagram& diagram)
-      : mesh_(mesh), diagram_(diagram), firstCell_(mesh.faceCount() + 1, 0) {
-    for (const int face : diagram.cellFace) ++firstCell_[face + 1];
-    for (int f = 0; f < mesh.faceCount(); ++f) firstCell_[f + 1] += firstCell_[f];
-  }
-
-  int labelAt(const SurfacePoint& p) const {
-    if (diagram_.faceLabel[p.face] != Diagram::kMixed) return diagram_.faceLabel[p.face];
-    int label = -1;
-    double deepest = -1;
-    for (int c = firstCell_[p.face]; c < firstCell_[p.face + 1]; ++c) {
-      const double depth = depthInCell(p, c);
-      if (depth > deepest) {
-        deepest = depth;
-        label = diagram_.cellLabel[c];
-      }
-    }
-    return label;
-  }
-
- private:
-  /// Not negative inside of a cell.
-  double depthInCell(const SurfacePoint& p, int cell) const {
-    const auto points = diagram_.cells[cell];
-    double depth = kInfinity;
-    Vector3d from = inFace(p.face, points.back());
-    for (const int point : points) {
-      const Vector3d to = inFace(p.face, point), side = to - from, way = p.bary - from;
-      depth = std::min(depth, side[1] * way[2] - side[2] * way[1]);
-      from = to;
-    }
-    return depth;
-  }
-
-  /// A point that is named once for all faces around it, in terms of one of them.
-  Vector3d inFace(int face, int point) const {
-    const SurfacePoint& p = diagram_.points[point];
-    if (p.face == face) return p.bary;
-    Vector3d bary = Vector3d::Zero();
-    for (int i = 0; i < 3; ++i)
-      for (int k = 0; k < 3; ++k)
-        if (mesh_.tail(3 * face + i) == mesh_.tail(3 * p.face + k)) bary[i] = p.bary[k];
-    return bary;
-  }
-
-  const TriangleMesh& mesh_;
-  const Diagram& diagram_;
-  std::vector<int> firstCell_;
-};
 
 /// The point of a mesh around the origin that lies in a direction from there.
 SurfacePoint pointInDirection(const TriangleMesh& mesh, const Vector3d& direction) {
@@ -123,7 +71,7 @@ std::vector<double> DetailStudy::mislabelled(Metric metric, int most) const {
   for (int detail = 0; detail <= most; ++detail) {
     const Diagram diagram =
         traceDiagram(mesh_, *field, static_cast<int>(sites_.size()), {.detail = detail});
-    const Regions regions(mesh_, diagram);
+    const RegionLookup regions(mesh_, diagram);
     double share = 0;
     for (const Stratum& stratum : strata_) {
       int wrong = 0;

@@ -507,12 +507,10 @@ test('what writes files', async () => {
   await refused(notRegions, (region) => api.partitionStl(partition, { region }), /^region is /);
   await refused([null, 5, {}], (unit) => api.diagramJson(diagram, { unit }), /^unit is /);
   await refused([...notObjects, []].slice(1, 3), (value) => api.repairSentences(value), /^repairs/);
-  await refused(notObjects, (value) => api.finerMaxEdge(value, diagram.data), /^mesh is /);
-  await refused(notObjects, (value) => api.finerMaxEdge(mesh, value), /^data is /);
   await refused(
     [null, 0, -1, NaN, '1'],
-    (length) => api.finerMaxEdge(mesh, diagram.data, { length }),
-    /^length is .*, not a positive number$/,
+    (samples) => diagram.accuracy({ samples }),
+    /^samples is .*, not an integer from 1 /,
   );
   const writers = [
     ...[api.partitionGlb, api.partitionObj, api.partitionPly].map((f) => [f, partition]),

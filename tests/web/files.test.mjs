@@ -181,12 +181,12 @@ suite('files', () => {
     await own.close();
   });
 
-  test('finer triangles are offered where they are as long as regions', async () => {
+  test('finer triangles are offered where regions are wrong', async () => {
     const own = await browser.open();
     await own.settled();
     const file = { name: 'mine.glb', mimeType: '', buffer: Buffer.from(glb(octahedron())) };
     await own.page.setInputFiles('#files', [file]);
-    const note = own.page.locator('#note').filter({ hasText: 'as long as regions' });
+    const note = own.page.locator('#note').filter({ hasText: 'lies in the wrong region' });
     await note.waitFor();
     await own.evaluate((element) => {
       element.density = new Float64Array(element.info.inputVertices).fill(10);

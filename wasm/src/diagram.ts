@@ -4,10 +4,11 @@
 // the arrays up to date with the changes.
 
 import { appendChange, areLarge, changedData, changedSites } from './change.js';
-import { toBoolean, toTask, toTaskOptions } from './checks.js';
+import { toBoolean, toInteger, toTask, toTaskOptions } from './checks.js';
 import type { DiagramForm, Engine, OpenedDiagram } from './engine.js';
 import { diagramJson, type DiagramJson } from './formats.js';
 import {
+  maxCount,
   repairDefaults,
   toLabel,
   toMaxAdded,
@@ -20,6 +21,7 @@ import { disposeSymbol, inspectSymbol, Kept, settled } from './kept.js';
 import { regionsOf } from './region.js';
 import { partOf } from './slices.js';
 import type {
+  DiagramAccuracy,
   DiagramChange,
   DiagramData,
   DualPaths,
@@ -35,6 +37,7 @@ import type {
   WorstRegion,
 } from './results.js';
 import type {
+  AccuracyOptions,
   Diagram,
   DualOptions,
   PartitionOptions,
@@ -187,6 +190,17 @@ export class EngineDiagram implements Diagram {
 
   async locate(points: SurfacePointsInput, options?: TaskOptions): Promise<Located> {
     return this.#askOf('locate', toPoints('points', points), toTask(options));
+  }
+
+  async accuracy(options?: AccuracyOptions): Promise<DiagramAccuracy> {
+    const { samples, ...task } = toTaskOptions(options, { samples: 1000 });
+    const count = toInteger('samples', samples, 1, maxCount);
+    const { mislabelled, maxEdge } = await this.#ask<DiagramAccuracy>(
+      'diagramAccuracy',
+      [count],
+      task,
+    );
+    return { mislabelled, maxEdge: Number(maxEdge.toPrecision(1)) };
   }
 
   async worstRegionPoint(worst: WorstRegion, options?: TaskOptions): Promise<SurfacePoints> {

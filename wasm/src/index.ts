@@ -59,7 +59,6 @@ export type {
   PartitionJsonOptions,
   PartitionLayout,
   PartitionStlOptions,
-  partitionLayouts,
 } from './partition_formats.js';
 export type { PolygonMeshJson } from './polygon_formats.js';
 export {
@@ -69,8 +68,6 @@ export {
   partitionPly,
   partitionStl,
 } from './partition_formats.js';
-export type { FinerMaxEdgeOptions } from './finer_max_edge.js';
-export { finerMaxEdge } from './finer_max_edge.js';
 export { repairSentences } from './sentences.js';
 export { polygonGlb, polygonJson, polygonObj, polygonPly, polygonStl } from './polygon_formats.js';
 

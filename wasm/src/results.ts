@@ -220,6 +220,22 @@ export interface SurfacePath {
   length: number;
 }
 
+/** How well a diagram keeps to its distances: see `Diagram.accuracy`. */
+export interface DiagramAccuracy {
+  /**
+   * The share of the area, 0 … 1, that lies in another region than that of the nearest site: an estimate, from
+   * the same points at each call. It is what bisectors cost that are straight within each triangle, and regions
+   * between the corners of triangles; of the error of `dgpc` it says nothing. More than a hundredth means that
+   * triangles are too coarse for the sites.
+   */
+  mislabelled: number;
+  /**
+   * The option `maxEdge` of a mesh that makes triangles finer: fine enough, mostly, for regions of this size,
+   * with `detail: 1`, and the longest edges shorter by half at least.
+   */
+  maxEdge: number;
+}
+
 export interface Located {
   /** Nearest site per point, -1 if none reaches it. */
   label: Int32Array<ArrayBuffer>;

@@ -2,10 +2,9 @@
 //
 // The controls of the layers that are shown, and of the metric.
 
-import { finerMaxEdge } from 'geodesic-voronoi';
 import { type GeodesicVoronoiElement, type Layer, layers } from '../viewer/element.js';
 import { byId, listen, onClick } from './dom.js';
-import { hasNote, showNote } from './feedback.js';
+import { hasNote, showNote, showNoteOnSites } from './feedback.js';
 import { faultsOf, repairDual } from './valid_dual.js';
 
 /** The titles of the layers, and hints on what they show. */
@@ -154,26 +153,26 @@ function setUpDistance(viewer: GeodesicVoronoiElement): void {
   show(); // A link may have set them.
   new MutationObserver(show).observe(viewer, { attributeFilter: ['metric', 'detail'] });
 
-  let endOffer = () => {};
   listen(viewer, 'load', () => {
-    endOffer();
-    const offer = () => {
-      endOffer = offerFinerTriangles(viewer);
-    };
+    const offer = () => void offerFinerTriangles(viewer);
     viewer.addEventListener('diagram', offer, { once: true });
   });
 }
 
-/**
- * Offers smaller triangles if those of a model are too long for its first diagram, and no note is shown that
- * matters more. Returns what ends the offer.
- */
-function offerFinerTriangles(viewer: GeodesicVoronoiElement): () => void {
-  const { mesh, diagram } = viewer;
-  const maxEdge = mesh && diagram ? finerMaxEdge(mesh, diagram.data) : 0;
-  if (maxEdge === 0 || hasNote()) return () => {};
-  return showNote(
-    'Some triangles are as long as regions: borders, straight in each of them, and distances are coarse.',
+/** From this share of the area in the wrong region on, smaller triangles are offered. */
+const mostMislabelled = 0.01;
+
+/** Offers smaller triangles if those of a model are too coarse for its first diagram, and no note is shown. */
+async function offerFinerTriangles(viewer: GeodesicVoronoiElement): Promise<void> {
+  const { diagram } = viewer;
+  // A diagram that is gone needs no offer.
+  const accuracy = await diagram?.accuracy().catch(() => undefined);
+  if (!accuracy || accuracy.mislabelled <= mostMislabelled) return;
+  if (hasNote() || viewer.diagram !== diagram) return;
+  const { mislabelled, maxEdge } = accuracy;
+  showNoteOnSites(
+    viewer,
+    `The triangles are coarse: about ${(100 * mislabelled).toPrecision(1)} % of the area lies in the wrong region.`,
     {
       title: 'Finer triangles',
       act: () => {

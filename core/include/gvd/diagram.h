@@ -135,4 +135,29 @@ std::unique_ptr<SlicedWork<Diagram>> startDiagram(const TriangleMesh& mesh,
 /// `detail`, and little with it.
 double propagationShare(const DiagramOptions& options);
 
+/// How well a diagram keeps to its distances.
+struct DiagramAccuracy {
+  /// The share of the area that lies in another region than that of the nearest site, in [0, 1]: an
+  /// estimate from points spread uniformly over the surface, the same at each call. A share p comes
+  /// out within about √(p / samples). It is what straight bisectors and regions between the corners
+  /// of faces cost; of the error of the distances themselves it says nothing. More than a hundredth
+  /// means that faces are too coarse for the sites.
+  double mislabelled;
+  /// The `SubdivisionOptions::maxEdge` that makes faces finer: fine enough, mostly, for regions of
+  /// this size, with a `detail` of 1, and the longest edges shorter by half at least.
+  double maxEdge;
+};
+
+/// Compares a diagram with its distances at `samples` points. O(F), then a query of the distances
+/// per point. Throws `Error(kInvalidArgument)` if `samples` is not positive, or if mesh, distances
+/// and diagram do not belong together.
+DiagramAccuracy accuracy(const TriangleMesh& mesh, const DistanceField& distances,
+                         const Diagram& diagram, int samples = 1000);
+
+/// The same in steps. Mesh, distances and diagram must outlive the work.
+std::unique_ptr<SlicedWork<DiagramAccuracy>> startAccuracy(const TriangleMesh& mesh,
+                                                           const DistanceField& distances,
+                                                           const Diagram& diagram,
+                                                           int samples = 1000);
+
 }  // namespace gvd

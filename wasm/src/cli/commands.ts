@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
 // What each command does.
-import { finerMaxEdge } from '../finer_max_edge.js';
 import { GeodesicVoronoiError } from '../errors.js';
 import type { MeshInfo, Metric, PolygonMesh, Violation } from '../results.js';
 import { counted, integer } from '../sentences.js';
@@ -200,7 +199,7 @@ async function cvt({ mesh: path, values }: Request<'cvt'>): Promise<void> {
   const { iteration, sites: last } = states.at(-1)!;
   if (!values.quiet) {
     const diagram = await mesh.voronoi(last, { metric: settings.metric });
-    writeNotes(tessellationNotes(mesh, diagram), values);
+    writeNotes(await coarseness(diagram, { more: inaccurate }), values);
   }
   const position = await mesh.positionsOf(last);
   await output.write(encode({ mesh, sites: last, position, energy }, lengthsOf(mesh, values)));
@@ -281,7 +280,7 @@ async function remesh({ mesh: path, values }: Request<'remesh'>): Promise<void> 
       mesh.remesh(sites, { ...settings, maxAdded: values['max-added'], onProgress }),
     ),
   );
-  writeNotes(tessellationNotes(mesh, diagram), values);
+  if (!values.quiet) writeNotes(await coarseness(diagram, { more: inaccurate }), values);
   const first = ('vertex' in sites ? sites.vertex : sites.face).length;
   const polygons = await diagram.dual();
   const quality = await diagram.remeshQuality();
@@ -358,12 +357,20 @@ function summarise(output: Output, { quiet }: Notices, line: string): void {
   if (output.isFile && !quiet) process.stderr.write(`${line}\n`);
 }
 
-/** What a tessellation lacks on faces about as long as regions. */
-function tessellationNotes(mesh: Mesh, { data }: Diagram): string[] {
-  const maxEdge = finerMaxEdge(mesh, data, { length: 0.4 });
-  if (maxEdge === 0) return [];
+/** From this share of the area in the wrong region on, a note is due. */
+const mostMislabelled = 0.01;
+/** What else is inaccurate in a tessellation then: squared distances are interpolated within faces. */
+const inaccurate = ', energies and centroids are inaccurate';
+
+/** Where faces are too coarse for a diagram: how much that costs, and what helps. */
+async function coarseness(
+  diagram: Diagram,
+  { more = '', remedy = '' }: { more?: string; remedy?: string },
+): Promise<string[]> {
+  const { mislabelled, maxEdge } = await diagram.accuracy();
+  if (mislabelled <= mostMislabelled) return [];
   return [
-    `faces are about as long as regions: energies and centroids, which follow from the distances at corners, are inaccurate (--max-edge ${maxEdge} makes faces shorter)`,
+    `faces are too coarse: about ${Number((100 * mislabelled).toPrecision(2))} % of the area lies in the wrong region${more} (--max-edge ${maxEdge}${remedy} makes it less)`,
   ];
 }
 
@@ -378,25 +385,20 @@ async function compute(
   const diagram = await withProgress(values, (onProgress) =>
     mesh.voronoi(sites, { metric, detail, onProgress }),
   );
-  writeNotes(diagramNotes(mesh, diagram, detail), values);
+  writeNotes(hiddenNotes(diagram), values);
+  // Points are located by distance, however coarse borders are.
+  if (detail !== undefined && !values.quiet)
+    writeNotes(await coarseness(diagram, { remedy: detail === 0 ? ' --detail 1' : '' }), values);
   return { mesh, diagram };
 }
 
-/** What may surprise in a diagram. */
-function diagramNotes(mesh: Mesh, diagram: Diagram, detail?: number): string[] {
-  const { sites, regions } = diagram;
-  const notes: string[] = [];
+/** Sites that have no region. */
+function hiddenNotes({ sites, regions }: Diagram): string[] {
   const isEmpty = (label: number) => regions[label].area === 0 && regions[label].loops.length === 0;
   const hidden = sites.face.reduce(
     (count, face, label) => count + Number(face >= 0 && isEmpty(label)),
     0,
   );
-  if (hidden > 0)
-    notes.push(`${counted(hidden, 'site')} without a region: another site is at the same place`);
-  const maxEdge = detail === undefined ? 0 : finerMaxEdge(mesh, diagram.data);
-  if (maxEdge > 0)
-    notes.push(
-      `faces are about as long as regions: borders are coarse, and regions between the corners of a face are missed (--max-edge ${maxEdge} makes faces shorter)`,
-    );
-  return notes;
+  if (hidden === 0) return [];
+  return [`${counted(hidden, 'site')} without a region: another site is at the same place`];
 }

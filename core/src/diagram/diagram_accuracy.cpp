@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+//
+// How well a diagram keeps to its distances: points are drawn, and their regions compared.
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "base/random.h"
+#include "base/sliced_loop.h"
+#include "diagram/given_diagram.h"
+#include "diagram/region_lookup.h"
+#include "distance/site_distances.h"
+#include "gvd/diagram.h"
+#include "gvd/error.h"
+
+namespace gvd {
+namespace {
+
+/// A third of the side of a square as large as a mean region, or half the longest edge if that is
+/// less, by the bounding diagonal.
+double maxEdgeFor(const TriangleMesh& mesh, const Diagram& diagram) {
+  double area = 0, longest = 0;
+  int regions = 0;
+  for (const double ofRegion : diagram.regionArea) {
+    area += ofRegion;
+    regions += ofRegion > 0;
+  }
+  for (int f = 0; f < mesh.faceCount(); ++f)
+    for (const double length : mesh.face(f).lengths) longest = std::max(longest, length);
+  const double ofRegions = regions > 0 ? std::sqrt(area / regions) / 3 : longest;
+  return std::min(ofRegions, longest / 2) / mesh.boundingDiagonal();
+}
+
+class Comparison final : public SlicedWork<DiagramAccuracy> {
+ public:
+  Comparison(const TriangleMesh& mesh, const DistanceField& distances, const Diagram& diagram,
+             int samples)
+      : mesh_(mesh),
+        distances_(distances),
+        diagram_(diagram),
+        samples_(samples),
+        regions_(mesh, diagram) {}
+
+  bool advance(long budget) override {
+    return sequence_.run([&] { sumAreas(); },
+                         [&] {
+                           return loop_.runWeighted(samples_, budget, 1, [&](int) {
+                             mislabelled_ += isMislabelled(drawPoint());
+                             return kUnitsPerPoint;
+                           });
+                         });
+  }
+  double progress() const override { return static_cast<double>(drawn_) / samples_; }
+  DiagramAccuracy result() override {
+    return {static_cast<double>(mislabelled_) / samples_, maxEdgeFor(mesh_, diagram_)};
+  }
+
+ private:
+  static constexpr long kUnitsPerPoint = 16;
+
+  void sumAreas() {
+    std::vector<double> areas(mesh_.faceCount());
+    for (int f = 0; f < mesh_.faceCount(); ++f) areas[f] = mesh_.faceArea(f);
+    sums_ = cumulative(areas);
+  }
+
+  SurfacePoint drawPoint() {
+    ++drawn_;
+    const int face = drawIndex(random_, sums_);
+    return {face, drawBarycentric(random_)};
+  }
+
+  bool isMislabelled(const SurfacePoint& p) const {
+    return distances_.nearest(p).label != regions_.labelAt(p);
+  }
+
+  const TriangleMesh& mesh_;
+  const DistanceField& distances_;
+  const Diagram& diagram_;
+  const int samples_;
+  const RegionLookup regions_;
+  std::mt19937_64 random_;  // the same numbers at each call
+  std::vector<double> sums_;
+  SlicedSequence sequence_;
+  SlicedLoop loop_;
+  int drawn_ = 0, mislabelled_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<SlicedWork<DiagramAccuracy>> startAccuracy(const TriangleMesh& mesh,
+                                                           const DistanceField& distances,
+                                                           const Diagram& diagram, int samples) {
+  requireMesh(mesh, distances);
+  requireFaces(mesh, diagram);
+  if (samples < 1)
+    throw Error(ErrorCode::kInvalidArgument,
+                "the number of samples is " + std::to_string(samples) + ", not positive");
+  return std::make_unique<Comparison>(mesh, distances, diagram, samples);
+}
+
+DiagramAccuracy accuracy(const TriangleMesh& mesh, const DistanceField& distances,
+                         const Diagram& diagram, int samples) {
+  return finished(startAccuracy(mesh, distances, diagram, samples));
+}
+
+}  // namespace gvd
