@@ -201,9 +201,21 @@ test('--max-edge, --weld, --orientation and --min-component: how the mesh is mad
   );
 
   const finer = succeeds('info shape.glb --max-edge 0.2').stdout;
-  assert.match(finer, /triangles +128 [^]*note: long edges were halved: 8 triangles became 128/);
+  assert.match(
+    finer,
+    /triangles +128 \(128 in the subdivided file\)[^]*note: long edges were halved: 8 triangles became 128/,
+  );
   fails(2, 'info shape.glb --max-edge=2', /^geodesic-voronoi: --max-edge/);
   fails(1, 'info shape.glb --max-edge 1e-9', /there would be more than 16777216 triangles/);
+
+  // Sites of the whole mesh stay where they are; others are refused.
+  const placesOf = (file) => JSON.parse(read(file)).position;
+  succeeds('cvt shape.glb --sites 3 --iterations 0 -o whole.json');
+  succeeds('cvt shape.glb --sites whole.json --max-edge 0.2 --iterations 0 -o finer.json');
+  placesOf('finer.json').forEach((x, i) => {
+    assert.ok(Math.abs(x - placesOf('whole.json')[i]) < 1e-12);
+  });
+  fails(1, 'diagram two.glb --sites finer.json --max-edge 0.2', /belong to another mesh/);
 
   const large = succeeds('info two.glb --min-component 3').stdout;
   assert.match(large, /components +1\n[^]*repair: 1 component .*\nrepair: 2 triangles of these/);
@@ -374,6 +386,8 @@ test('cvt writes sites that other commands read, and the energy of every iterati
   ).stderr;
   assert.match(soon, /^5 sites, \d+ iterations, energy/);
   assert.match(read('c.ply'), /^ply\n[^]*element vertex 5\nproperty double x/);
+  const again = succeeds('cvt shape.glb --sites c.ply --iterations 0 -o again.json').stderr;
+  assert.doesNotMatch(again, /from the surface/, 'coordinates are in the unit of the model');
   // One millimetre, of moves that are given in centimetres: the same as a thousandth of a metre.
   const ended = (options) =>
     JSON.parse(succeeds(`cvt shape.glb --sites 5 ${options}`).stdout).energy.length;

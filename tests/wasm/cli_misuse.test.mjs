@@ -107,7 +107,7 @@ const badInputs = [
   `${call('locate')} --points places.json`,
   `${call('path')} --to places.json`,
   `${call('diagram')} --sites places.json`,
-  `${call('dual')} --check`,
+  `dual mesh.glb --sites 1 -o out.json --check`,
 ];
 
 let folder;

@@ -132,6 +132,29 @@ test('a mesh that cannot be made says why', async () => {
   }
 });
 
+test('the format of bytes without a name is found', async () => {
+  const text = (string) => new TextEncoder().encode(string);
+  const corners = '0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n';
+  const binary = new Uint8Array(84 + 50 + 2); // two bytes more than the triangle takes
+  const view = new DataView(binary.buffer);
+  view.setUint32(80, 1, true);
+  view.setFloat32(84 + 24, 1, true);
+  view.setFloat32(84 + 40, 1, true);
+  const facet = ['0 0 0', '1 0 0', '0 1 0'].map((place) => `VERTEX ${place}\n`).join('');
+  const cases = [
+    ['OFF', text(`# by hand\nOFF\n3 1 0\n${corners}`)],
+    ['OFF', text(`3 1 0\n${corners}`)],
+    ['OBJ', text('# OFF\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n')],
+    ['STL', text(`SOLID A\nFACET NORMAL 0 0 1\nOUTER LOOP\n${facet}ENDLOOP\nENDFACET\nENDSOLID\n`)],
+    ['STL', binary],
+  ];
+  for (const [format, bytes] of cases) {
+    const { info } = await gvd.mesh(bytes);
+    assert.equal(info.origin.format, format);
+    assert.equal(info.faces, 1);
+  }
+});
+
 test('vertices are welded within a tolerance, in triangles and in files', async () => {
   const { positions, indices } = octahedron();
   const torn = {

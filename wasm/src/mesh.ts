@@ -78,12 +78,15 @@ export class EngineMesh implements Mesh {
   readonly density: Float64Array;
   readonly parts: readonly MeshPart[];
   readonly #kept: Kept;
+  /** The triangles before subdivision. */
+  readonly #whole: Int32Array | undefined;
 
   constructor(
     engine: Engine,
     { handle, info, parts }: OpenedMesh,
-    { positions, indices, parents, normals, uvs, density }: Triangles,
+    { positions, indices, parents, whole, normals, uvs, density }: Triangles,
   ) {
+    this.#whole = whole;
     this.info = info;
     this.positions = positions;
     this.indices = indices;
@@ -154,9 +157,13 @@ export class EngineMesh implements Mesh {
   async readPoints(json: unknown, options?: TaskOptions): Promise<SurfacePoints> {
     const task = toTask(options);
     const file = pointsFile(json);
+    const given = toPoints('points', file.points);
+    const whole = this.#whole;
+    if (whole && 3 * (file.faces ?? 0) === whole.length && 'face' in given)
+      return this.#onParts(given, whole, task);
     requireSameMesh(file, this.info);
-    const points = await this.#kept.onSurface(toPoints('points', file.points), task);
-    this.#requireFaces(points);
+    const points = await this.#kept.onSurface(given, task);
+    requireFaces(points, this.info.inputFaces);
     return points;
   }
 
@@ -166,25 +173,41 @@ export class EngineMesh implements Mesh {
   ): Promise<Float64Array<ArrayBuffer>> {
     const task = toTask(options);
     const { face, bary } = await this.#kept.onSurface(toPoints('points', points), task);
-    this.#requireFaces({ face });
+    return this.#placesOf({ face, bary }, this.indices);
+  }
+
+  /** Where points of some triangles are; NaN for a label without a site. */
+  #placesOf({ face, bary }: SurfacePoints, triangles: Int32Array): Float64Array<ArrayBuffer> {
+    requireFaces({ face }, triangles.length / 3);
     const places = new Float64Array(3 * face.length).fill(NaN);
     face.forEach((f, i) => {
       if (f === -1) return;
       for (let k = 0; k < 3; ++k) {
         const at = (corner: number) =>
-          bary[3 * i + corner] * this.positions[3 * this.indices[3 * f + corner] + k];
+          bary[3 * i + corner] * this.positions[3 * triangles[3 * f + corner] + k];
         places[3 * i + k] = at(0) + at(1) + at(2);
       }
     });
     return places;
   }
 
-  /** Refuses points on triangles that there are not; -1 is a label without a site. */
-  #requireFaces({ face }: { face: Int32Array }): void {
-    const wrong = face.findIndex((f) => f < -1 || f >= this.info.inputFaces);
-    if (wrong < 0) return;
-    const message = `point ${wrong}: there is no triangle ${face[wrong]}`;
-    throw new GeodesicVoronoiError('invalid-point', message);
+  /** Points of the triangles before subdivision, by those after it; vertices have kept their numbers. */
+  async #onParts(
+    points: SurfacePoints,
+    whole: Int32Array,
+    task: TaskOptions,
+  ): Promise<SurfacePoints> {
+    const places = this.#placesOf(points, whole);
+    const found = await this.#kept.onSurface(
+      { position: places.map((x) => (Number.isNaN(x) ? 0 : x)) },
+      task,
+    );
+    points.face.forEach((face, i) => {
+      if (face !== -1) return; // a label without a site
+      found.face[i] = -1;
+      found.bary.fill(0, 3 * i, 3 * i + 3);
+    });
+    return found;
   }
 
   async voronoi(sites: SurfacePointsInput, options?: VoronoiOptions): Promise<Diagram> {
@@ -320,4 +343,12 @@ function stateOf(engine: Engine, { handle, ...state }: AdvancedCvt, metric: Metr
   const opened = { handle, data: state.data };
   const diagram = new EngineDiagram(engine, { metric, detail: 0 }, state.sites, opened);
   return { ...state, diagram };
+}
+
+/** Refuses points on triangles that there are not; -1 is a label without a site. */
+function requireFaces({ face }: { face: Int32Array }, count: number): void {
+  const wrong = face.findIndex((f) => f < -1 || f >= count);
+  if (wrong < 0) return;
+  const message = `point ${wrong}: there is no triangle ${face[wrong]}`;
+  throw new GeodesicVoronoiError('invalid-point', message);
 }

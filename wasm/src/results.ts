@@ -98,7 +98,7 @@ export interface MeshInfo {
   vertices: number;
   faces: number;
   edges: number;
-  /** Counts of the input. */
+  /** Counts of the input, with `maxEdge` after subdivision. */
   inputVertices: number;
   inputFaces: number;
   components: number;

@@ -35,7 +35,7 @@ const repairTexts: Record<
   smallComponentTriangles: (n) => `${triangles(n)} of these, dropped with them`,
   splitVertices: (n) => `${vertices(n)} split where separate fans of triangles touch`,
   mollifiedTriangles: (n, by) =>
-    `${triangles(n)} flat or tiny: for distances, all edges are longer by ${by}`,
+    `${triangles(n)} flat or tiny: for distances, all edges are longer by ${by}, and flat triangles become a little higher`,
 };
 
 const vertices = (count: number) => counted(count, 'vertex', 'vertices');

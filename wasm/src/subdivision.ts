@@ -19,13 +19,14 @@ export interface Subdivision {
 
 /** The parts of triangles; attributes of midpoints are the means of those at their ends. */
 export function subdividedTriangles(
-  { normals, uvs, density }: Triangles,
+  { indices: whole, normals, uvs, density }: Triangles,
   { positions, indices, parents, ends }: Subdivision,
 ): Triangles {
   return {
     positions,
     indices,
     parents,
+    whole,
     normals: unitVectors(extended(normals, 3, ends), normals.length),
     uvs: extended(uvs, 2, ends),
     density: extended(density, 1, ends),

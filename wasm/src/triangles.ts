@@ -12,6 +12,8 @@ export interface Triangles {
   density: Float64Array;
   /** Per triangle the one that it is part of, if triangles have been subdivided. */
   parents?: Int32Array;
+  /** The triangles before that. */
+  whole?: Int32Array;
 }
 
 /** A model of a format without normals, texture coordinates and parts; its density is optional. */

@@ -74,7 +74,9 @@ async function info({ meshes, values }: Request<'info'>): Promise<void> {
   for (const path of meshes) {
     try {
       const { unit, parts, ...facts } = await factsOf(path, output, values);
-      reports.push(`${isOnly ? '' : `${path}\n`}${meshReport(facts, unit)}`);
+      reports.push(
+        `${isOnly ? '' : `${path}\n`}${meshReport(facts, { unit, isSubdivided: values['max-edge'] > 0 })}`,
+      );
       list.push({ ...(!isOnly && { mesh: path }), ...facts, parts });
     } catch (error) {
       if (isOnly) throw error;
@@ -171,7 +173,7 @@ async function path({ mesh: model, values }: Request<'path'>): Promise<void> {
   const missing = paths.length - lengths.length;
   if (missing > 0)
     process.stderr.write(
-      `warning: there is no path between ${counted(missing, 'pair')} of points: they are on different components\n`,
+      `warning: there is no path between ${counted(missing, 'pair')} of points: they are on different components of the surface (info tells where it is cut apart)\n`,
     );
   if (lengths.length === 0) return;
   const shortest = lengths.reduce((least, length) => Math.min(least, length));
@@ -189,7 +191,9 @@ async function cvt({ mesh: path, values }: Request<'cvt'>): Promise<void> {
   const encode = toSitesEncoder(values);
   const output = await Output.open(values.output);
   const settings = await cvtSettings(values);
-  const { mesh, sites } = await openWithSites(path, output, values, settings.density);
+  const { mesh, sites } = await openWithSites(path, output, values, {
+    density: settings.density,
+  });
   const states = await withProgress(values, async (onProgress) => {
     const all: CvtState[] = [];
     for await (const state of mesh.cvt(sites, { ...settings, onProgress })) all.push(state);
@@ -238,7 +242,8 @@ async function partition({ mesh: path, values }: Request<'partition'>): Promise<
 async function dual({ mesh: path, values }: Request<'dual'>): Promise<void> {
   const encode = toPolygonEncoder(values);
   const output = await Output.open(values.output);
-  const { mesh, diagram: given } = await compute(path, output, values);
+  const { repair: addsSites } = values;
+  const { mesh, diagram: given } = await compute(path, output, values, { addsSites });
   const diagram = values.repair
     ? await withProgress(values, (onProgress) =>
         explained(mesh, () => given.repair({ maxAdded: values['max-added'], onProgress })),
@@ -274,7 +279,10 @@ async function remesh({ mesh: path, values }: Request<'remesh'>): Promise<void> 
   const encode = toPolygonEncoder(values);
   const output = await Output.open(values.output);
   const settings = await cvtSettings(values);
-  const { mesh, sites } = await openWithSites(path, output, values, settings.density);
+  const { mesh, sites } = await openWithSites(path, output, values, {
+    density: settings.density,
+    addsSites: true,
+  });
   const diagram = await withProgress(values, (onProgress) =>
     explained(mesh, () =>
       mesh.remesh(sites, { ...settings, maxAdded: values['max-added'], onProgress }),
@@ -379,8 +387,9 @@ async function compute(
   path: string,
   output: Output,
   values: Notices & Reading & SiteSource & { metric: Metric; detail?: number },
+  options?: { addsSites: boolean },
 ): Promise<{ mesh: Mesh; diagram: Diagram }> {
-  const { mesh, sites } = await openWithSites(path, output, values);
+  const { mesh, sites } = await openWithSites(path, output, values, options);
   const { metric, detail } = values;
   const diagram = await withProgress(values, (onProgress) =>
     mesh.voronoi(sites, { metric, detail, onProgress }),

@@ -139,9 +139,10 @@ export function toSitesEncoder(target: Target): Encoder<SitesResult> {
           ...placedPointsJson({ ...sites, position }, lengths.scale),
           energy: energy.map((e) => lengths.scale ** 4 * e), // area times squared length
         }),
-      '.ply': ({ position }, { scale }) => sitesPly(position.map((x) => scale * x)),
-      '.csv': ({ position }, { scale }) => {
-        const [x, y, z] = [0, 1, 2].map((k) => column(position, 3, k).map((c) => scale * c));
+      // In the model's own unit, as `--sites` reads them.
+      '.ply': ({ position }) => sitesPly(position),
+      '.csv': ({ position }) => {
+        const [x, y, z] = [0, 1, 2].map((k) => column(position, 3, k));
         return csv({ x, y, z });
       },
     },

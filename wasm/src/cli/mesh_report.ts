@@ -5,14 +5,18 @@ import type { MeshInfo } from '../results.js';
 import { integer, repairSentences } from '../sentences.js';
 
 /** The facts of a mesh, a line each, for people; `unit` is that of lengths, if it has a name. */
-export function meshReport(facts: MeshInfo, unit: string | undefined): string {
+export function meshReport(
+  facts: MeshInfo,
+  { unit, isSubdivided }: { unit: string | undefined; isSubdivided: boolean },
+): string {
+  const input = isSubdivided ? 'subdivided file' : 'file';
   const number = (x: number) => String(Number(x.toPrecision(6)));
   const length = (x: number) => (unit ? `${number(x)} ${unit}` : number(x));
   const { format, file } = facts.origin;
   const rows: [string, string][] = [
     ['format', file ? `${format} (${file})` : format],
-    ['triangles', `${integer(facts.faces)} (${integer(facts.inputFaces)} in the file)`],
-    ['vertices', `${integer(facts.vertices)} (${integer(facts.inputVertices)} in the file)`],
+    ['triangles', `${integer(facts.faces)} (${integer(facts.inputFaces)} in the ${input})`],
+    ['vertices', `${integer(facts.vertices)} (${integer(facts.inputVertices)} in the ${input})`],
     ['edges', integer(facts.edges)],
     ['components', integer(facts.components)],
     ['boundary loops', integer(facts.boundaryLoops)],

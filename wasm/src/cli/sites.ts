@@ -4,7 +4,6 @@
 import { GeodesicVoronoiError } from '../errors.js';
 import { toPoints } from '../arguments.js';
 import { load } from '../node.js';
-import { requireSameMesh } from '../points_file.js';
 import type { SurfacePoints } from '../results.js';
 import { counted, integer } from '../sentences.js';
 import type { Density, Mesh, SurfacePointsInput } from '../types.js';
@@ -64,12 +63,12 @@ export async function openWithSites(
   path: string,
   output: Output,
   values: Notices & Reading & SiteSource,
-  density?: Density,
+  { density, addsSites }: { density?: Density | undefined; addsSites?: boolean } = {},
 ): Promise<{ mesh: Mesh; sites: PointsOnSurface }> {
   const given = typeof values.sites === 'string' ? await readPoints(values.sites) : undefined;
   const mesh = await openMesh(path, output, values);
   const sites = given ? await onSurface(mesh, given, values) : await sampled(mesh, values, density);
-  writeNotes([...meshNotes(mesh), ...(await bareNotes(mesh, sites))], values);
+  writeNotes([...meshNotes(mesh), ...(addsSites ? [] : await bareNotes(mesh, sites))], values);
   return { mesh, sites };
 }
 
@@ -84,11 +83,10 @@ export async function onSurface(
   values: Pick<Values<'diagram'>, 'quiet' | 'units'>,
 ): Promise<PointsOnSurface> {
   try {
-    requireSameMesh(given, mesh.info);
-    const points = toPoints('points', given.points);
-    if ('position' in points) return await closestOf(mesh, points.position, values);
-    await mesh.positionsOf(points);
-    return points;
+    const { points, faces } = given;
+    const list = toPoints('points', points);
+    if ('position' in list) return await closestOf(mesh, list.position, values);
+    return await mesh.readPoints(faces === undefined ? points : { mesh: { faces }, sites: points });
   } catch (error) {
     throw new FileError(`${given.name}: ${(error as Error).message}`, { cause: error });
   }
@@ -141,11 +139,17 @@ export function meshNotes({ info: { notes, repairs } }: Mesh): string[] {
       : [
           `${counted(edges, 'edge')} of ${why} ${edges === 1 ? 'is' : 'are'} cut apart: distances do not lead across`,
         ];
-  return [
-    ...notes,
+  const cuts = [
     ...cut(repairs.nonManifoldEdges, 'three or more triangles'),
     ...cut(repairs.orientationCuts, 'two triangles that disagree in orientation'),
   ];
+  // Cut edges split vertices, too.
+  const touching = cuts.length > 0 ? 0 : repairs.splitVertices;
+  if (touching > 0)
+    cuts.push(
+      `at ${counted(touching, 'vertex', 'vertices')} parts of the surface touch: distances do not lead across`,
+    );
+  return [...notes, ...cuts];
 }
 
 /** Notes the components that no site is on, if there are any. */

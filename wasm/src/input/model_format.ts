@@ -3,7 +3,7 @@
 // The format of a file, found from its content, because names can be wrong or missing.
 
 import { GeodesicVoronoiError } from '../errors.js';
-import { isBinaryStl } from './stl_layout.js';
+import { hasBinaryStl, isBinaryStl } from './stl_layout.js';
 
 export type FileFormat = 'glTF' | 'OBJ' | 'OFF' | 'PLY' | 'binary STL' | 'text STL' | 'zip';
 
@@ -16,13 +16,14 @@ export function formatOf(bytes: Uint8Array, name: string): FileFormat {
   if (bytes.length === 0) throw new GeodesicVoronoiError('invalid-file', 'the file is empty');
   if (isBinaryStl(bytes)) return 'binary STL';
   const head = new TextDecoder('latin1').decode(bytes.subarray(0, maxHeadBytes));
-  const text = head.replace(/^(ï»¿)?\s*/, ''); // the mark of UTF-8, as this decoder has it
+  // The mark of UTF-8, as this decoder has it; comments of OFF and OBJ.
+  const text = head.replace(/^(ï»¿)?(\s|#.*\n)*/, '');
   if (head.startsWith('glTF') || text.startsWith('{')) return 'glTF';
   if (head.startsWith('PK\x03\x04') || head.startsWith('PK\x05\x06')) return 'zip';
   if (/^ply[ \t]*[\r\n]/.test(head)) return 'PLY';
-  if (/^(ST)?C?N?4?n?OFF\b/.test(text)) return 'OFF';
+  if (/^((ST)?C?N?4?n?OFF\b|\d+[ \t]+\d+[ \t]+\d+\s)/.test(text)) return 'OFF';
   const isBinary = head.includes('\0');
-  const isTextStl = /^solid\b/.test(text) && /\bfacet\b|\bendsolid\b/.test(text);
+  const isTextStl = /^solid\b/i.test(text) && /\bfacet\b|\bendsolid\b/i.test(text);
   if (!isBinary && isTextStl) return 'text STL';
   if (!isBinary && objStatement.test(text)) return 'OBJ';
   switch (/\.(\w+)$/.exec(name)?.[1].toLowerCase()) {
@@ -38,6 +39,7 @@ export function formatOf(bytes: Uint8Array, name: string): FileFormat {
     case 'ply':
       return 'PLY';
   }
+  if (isBinary && hasBinaryStl(bytes)) return 'binary STL';
   throw unknown('the file has none of the formats that are read');
 }
 

@@ -50,6 +50,9 @@ class ObjReader {
         break;
       case 'l':
       case 'p':
+      case 'curv':
+      case 'curv2':
+      case 'surf':
         this.#polygons.passOver();
     }
   }

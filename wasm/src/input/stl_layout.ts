@@ -11,6 +11,12 @@ export function isBinaryStl(bytes: Uint8Array): boolean {
   return bytes.length > headerBytes && bytes.length === stlBytes(stlTriangleCount(bytes));
 }
 
+/** Whether as many triangles as it counts are there, whatever comes after them. */
+export function hasBinaryStl(bytes: Uint8Array): boolean {
+  const count = stlTriangleCount(bytes);
+  return count > 0 && bytes.length >= stlBytes(count);
+}
+
 /** 0 if there is not even a header. */
 export function stlTriangleCount({ buffer, byteOffset, byteLength }: Uint8Array): number {
   if (byteLength < headerBytes) return 0;
