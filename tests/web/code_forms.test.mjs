@@ -101,6 +101,9 @@ suite('the origin of sites', () => {
     assert.equal(await originOf(), 'edited', 'the code would go further');
     iterate(2, moved);
     assert.equal(await originOf(), 'even');
+    attributes['cvt-method'] = 'lloyd';
+    assert.equal(await originOf(), 'edited', 'the code would move sites by another method');
+    delete attributes['cvt-method'];
     viewer.cvtStatus = 'idle';
     assert.equal(await originOf(), 'edited');
     iterate(0, moved);

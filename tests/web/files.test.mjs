@@ -244,19 +244,28 @@ suite('files', () => {
     assert.equal(await viewer.page.locator('#note').isVisible(), false);
 
     await viewer.after('diagram', () => drop('one.json', '{"vertex": [900]}'));
-    await viewer.page.click('#download-button');
+    const menu = viewer.page.locator('#download');
     for (const [id, why] of [
       ['bisectors-glb', 'there are no bisectors'],
       ['bisectors-obj', 'there are no bisectors'],
       ['outlines-svg', 'no outline of a region is seen in this view'],
       ['dual-glb', 'the dual has no polygons'],
     ]) {
+      await viewer.page.click('#download-button');
       await viewer.page.click(`#download-${id}`);
       const error = viewer.page.locator('#error-text', { hasText: `cannot be made: ${why}.` });
       await error.waitFor();
-      await viewer.page.evaluate(() => document.getElementById('error-close').click());
+      await menu.waitFor({ state: 'hidden' });
+      assert.equal(await viewer.page.evaluate(() => document.activeElement.id), 'download-button');
+      await viewer.page.click('#error-close');
     }
-    await viewer.page.keyboard.press('Escape');
+    // A press on the model closes a menu, and adds no site.
+    const place = await viewer.freePlace();
+    await viewer.page.click('#download-button');
+    await menu.waitFor();
+    await viewer.page.mouse.click(place.x, place.y);
+    await menu.waitFor({ state: 'hidden' });
+    assert.equal(await viewer.siteCount(), 1);
     for (let step = 0; step < 2; ++step)
       await viewer.after('diagram', () => viewer.page.click('#undo'));
   });

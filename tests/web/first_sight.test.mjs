@@ -406,6 +406,26 @@ suite('first sight', () => {
     await viewer.close();
   });
 
+  test('a link of my own file brings its settings and its view back when that is opened', async () => {
+    const hash =
+      '#v=1&model=mine.glb&sites=12&detail=1&up=z&exploded=0.4&camera-orbit=9deg+80deg+90%25';
+    const viewer = await browser.open({ hash });
+    await viewer.settled();
+    const settings = () =>
+      viewer.evaluate((element) =>
+        ['detail', 'up', 'exploded'].map((n) => element.getAttribute(n)),
+      );
+    assert.deepEqual(await settings(), [null, null, null]);
+    await viewer.after('diagram', () => viewer.page.setInputFiles('#files', [ownFile]));
+    assert.deepEqual(await settings(), ['1', 'z', '0.4']);
+    const [theta, phi, radius] = await viewer.evaluate((e) =>
+      e.cameraOrbit.split(' ').map(parseFloat),
+    );
+    assert.ok(Math.abs(theta - 9) + Math.abs(phi - 80) + Math.abs(radius - 90) < 0.1);
+    assert.deepEqual(viewer.complaints, []);
+    await viewer.close();
+  });
+
   test('an address stays as it was opened until something is done, and one of a file of my own', async () => {
     for (const hash of ['#v=1&model=torus.glb&sites=12&seed=3', '#v=1&model=mine.glb&at=AAAA']) {
       const viewer = await browser.open({ hash });

@@ -12,22 +12,31 @@ import { isSame } from './same_sites.js';
 type Origin = 'sampled' | 'even' | 'edited';
 
 /**
- * Notes with which sites tessellations begin, and how far they get; returns what tells how the
- * present sites were made. Code repeats a tessellation only if it began with sampled sites, has a
- * uniform density, and has come as far as the code goes.
+ * Notes with which sites and settings tessellations begin, and how far they get; returns what tells
+ * how the present sites were made. Code repeats a tessellation only if it began with sampled sites,
+ * has a uniform density and the present settings, and has come as far as the code goes.
  */
 export function watchOrigin(viewer: GeodesicVoronoiElement): () => Promise<Origin> {
   let first = viewer.sites;
   let iterations = 0;
+  let settings = '';
+  const present = () => {
+    const { method, metric } = settingsOf(viewer);
+    return `${method} ${metric}`;
+  };
   listen(viewer, 'cvt-iteration', ({ iteration }) => {
     iterations = iteration;
-    if (iteration === 0) first = viewer.sites;
+    if (iteration > 0) return;
+    first = viewer.sites;
+    settings = present();
   });
   return async () => {
     if (viewer.cvtStatus === 'idle')
       return (await areSampled(viewer, viewer.sites)) ? 'sampled' : 'edited';
     const isRepeatable =
-      iterations === Number(settingsOf(viewer).iterations) && viewer.density === undefined;
+      iterations === Number(settingsOf(viewer).iterations) &&
+      settings === present() &&
+      viewer.density === undefined;
     return isRepeatable && (await areSampled(viewer, first)) ? 'even' : 'edited';
   };
 }

@@ -97,11 +97,12 @@ export function setUpDownloads(viewer: GeodesicVoronoiElement): void {
           act: () => void repairDual(viewer),
         });
       }
-      menu.hidePopover();
-      if (hadFocus) byId('download-button', HTMLElement).focus();
     } catch (error) {
       showError(sentence('The file cannot be made', error).message);
     } finally {
+      // On a phone, the menu would cover the error.
+      menu.hidePopover();
+      if (hadFocus) byId('download-button', HTMLElement).focus();
       button.ariaBusy = null;
       update();
     }

@@ -3,12 +3,12 @@
 // Choosing a model: a sample, files, a folder, or any of them dropped on the page.
 
 import type { ModelFiles } from 'geodesic-voronoi';
-import { buildAttributes } from '../viewer/attributes.js';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { chosenFiles, droppedFiles, lastSegment } from '../viewer/model_files.js';
 import { byId, listen, onClick } from './dom.js';
 import { showError, showNote } from './feedback.js';
 import { modelOf, sampleAddress } from './first_model.js';
+import { ofOneModel } from './page_state.js';
 import samples from './samples.json' with { type: 'json' };
 
 /**
@@ -35,9 +35,6 @@ export function setUpModelChoice(viewer: GeodesicVoronoiElement): void {
     void open([...dropped.files], droppedFiles(dropped));
   });
 }
-
-/** Settings that are about one model: the next one begins without them. */
-const ofOneModel = [...buildAttributes, 'detail', 'up', 'exploded', 'camera-orbit'];
 
 /** A model that can be chosen. */
 interface Choice {

@@ -17,7 +17,9 @@ export async function outlinesSvg(
   viewer: GeodesicVoronoiElement,
   data: DiagramData,
 ): Promise<string> {
-  const { clientWidth: width, clientHeight: height } = viewer;
+  const { clientWidth: width, clientHeight: height, exploded } = viewer;
+  if (exploded > 0)
+    throw new Error('the outlines are those of the whole model: end the exploded view first');
   const work = new Slices();
   const places = await seenPoints(viewer, data.points.position, work);
   const parts: string[] = [];

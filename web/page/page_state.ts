@@ -25,8 +25,8 @@ export const linkAttributes = [
   ...['metric', 'detail', 'up', 'layers', 'exploded', 'camera-orbit'],
 ] as const;
 
-/** Those that apply to no other model. */
-const ofOneFile = [...buildAttributes, 'camera-orbit'];
+/** Those that are about one model: the next one begins without them. */
+export const ofOneModel = [...buildAttributes, 'detail', 'up', 'exploded', 'camera-orbit'] as const;
 
 /** Whether an address's hash is one that `pageState` wrote. */
 export function isPageState(hash: string): boolean {
@@ -82,7 +82,7 @@ export function readPageState(viewer: GeodesicVoronoiElement, hash: string): voi
   const at = parameters.get('at');
   const model = parameters.get('model');
   // Until a reader's own file is opened, a sample is shown, to which these may not apply.
-  const ofFile: readonly string[] = model && !isSample(model) ? ofOneFile : [];
+  const ofFile: readonly string[] = model && !isSample(model) ? ofOneModel : [];
   for (const name of linkAttributes) if (!ofFile.includes(name)) restore(name);
   const waiting = new AbortController();
   let endNote: (() => void) | undefined;
@@ -99,13 +99,13 @@ export function readPageState(viewer: GeodesicVoronoiElement, hash: string): voi
       });
       return;
     }
-    const isBuiltOtherwise = ofFile.filter(restore).some((each) => each !== 'camera-orbit');
-    if (isBuiltOtherwise) return; // The model is opened anew.
+    const others = ofFile.filter(restore);
+    if (buildAttributes.some((name) => others.includes(name))) return; // The model is opened anew.
     waiting.abort();
     // Empty where all sites were removed.
     if (model && at !== null) showSites(viewer, at);
-    // The camera's place applies to this model only.
-    viewer.removeAttribute('camera-orbit');
+    // The camera's place applies to this model only. The element takes it up at the end of the task.
+    queueMicrotask(() => viewer.removeAttribute('camera-orbit'));
   };
   viewer.addEventListener('load', bringBack, { signal: waiting.signal });
 }

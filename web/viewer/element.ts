@@ -423,10 +423,10 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     if (!viewer) return;
     if (changed.has('touch-action')) viewer.scrolling.update();
     if (changed.has('tool')) viewer.tools.follow();
-    if (changed.has('camera-orbit')) viewer.orbit();
     if (changed.has('layers')) viewer.showLayers();
     if (changed.has('exploded')) viewer.explode();
     if (changed.has('up')) viewer.stage.up = this.attributeValues.up;
+    if (changed.has('camera-orbit')) viewer.orbit(); // by the axis that points up now
     if (changed.has('metric') || changed.has('detail')) viewer.configure();
     // After a failure or a cancel, attributes go back to what is shown.
     const isNews = (names: readonly string[]) =>
