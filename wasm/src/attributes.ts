@@ -100,7 +100,7 @@ export interface TriangleRun {
 }
 
 /** Vertices of a run of triangles, and the vertex of each corner. */
-export interface RunVertices {
+interface RunVertices {
   vertices: FileVertices;
   corners: Uint32Array<ArrayBuffer>;
 }

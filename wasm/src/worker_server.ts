@@ -67,7 +67,11 @@ export function serve(port: Port, loadEngine: (sources: EngineSources) => Promis
     if ('load' in data) void answer(data.id, load(data.load));
     else if ('call' in data) void answer(data.id, perform(data.id, data.call, data.args));
     else if ('abort' in data) tasks.get(data.abort)?.abort();
-    else void loading.then((engine) => engine.close(data.close));
+    else
+      void loading.then(
+        (engine) => engine.close(data.close),
+        () => {}, // nothing was loaded, so there is nothing to close
+      );
   };
 }
 

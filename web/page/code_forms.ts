@@ -55,7 +55,7 @@ async function areSampled(viewer: GeodesicVoronoiElement, sites: SurfacePoints):
 }
 
 /** The model that code opens. */
-export interface CodeModel {
+interface CodeModel {
   /** The name of its file. */
   name: string;
   /** Where it can be fetched from, if it is one of the page's own. */

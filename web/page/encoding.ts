@@ -16,7 +16,8 @@ export function encode<Name extends keyof Encoders>(
 ): Promise<Blob> {
   const worker = new Worker(new URL('./encoding_worker.ts', import.meta.url), { type: 'module' });
   return new Promise<Blob>((resolve, reject) => {
-    worker.onmessage = ({ data }: MessageEvent<Blob>) => resolve(data);
+    worker.onmessage = ({ data }: MessageEvent<Blob | string>) =>
+      typeof data === 'string' ? reject(new Error(data)) : resolve(data);
     worker.onerror = ({ message }) => reject(new Error(message || 'its worker cannot be started'));
     const given = name.startsWith('diagram') ? [] : [...buffersOf(args[0])];
     worker.postMessage({ name, args, type } satisfies EncodingRequest<Name>, given);

@@ -55,7 +55,7 @@ export interface EncodingRequest<Name extends keyof Encoders> {
   type: string;
 }
 
-/** A worker's own scope. */
+/** A worker's own scope. It answers with the file, or with why there is none. */
 const scope = globalThis as unknown as {
   onmessage: ((event: MessageEvent<EncodingRequest<keyof Encoders>>) => void) | null;
   postMessage(message: unknown): void;
@@ -63,6 +63,10 @@ const scope = globalThis as unknown as {
 
 scope.onmessage = ({ data: { name, args, type } }) => {
   const encode = encoders[name] as (...args: unknown[]) => BlobPart;
-  // A blob is handed over without a copy.
-  scope.postMessage(new Blob([encode(...args)], { type }));
+  try {
+    // A blob is handed over without a copy.
+    scope.postMessage(new Blob([encode(...args)], { type }));
+  } catch (error) {
+    scope.postMessage((error as Error).message);
+  }
 };

@@ -102,8 +102,11 @@ function tellOfPoints(viewer: GeodesicVoronoiElement, file: File, far: number): 
 
 /** The largest distance from the surface, where points are given by their places. */
 async function farthestFrom(mesh: Mesh, content: unknown): Promise<number> {
-  const { position } = (content ?? {}) as { position?: ArrayLike<number> };
-  if (!position) return 0;
+  type Points = { position?: ArrayLike<number>; face?: unknown; sites?: Points };
+  const given = (content ?? {}) as Points;
+  const { position, face } = given.sites ?? given;
+  // Points on triangles may come with their places, in another unit.
+  if (!position || face) return 0;
   const { distance } = await mesh.closestPoints(position);
   return distance.reduce((most, each) => Math.max(most, each), 0);
 }

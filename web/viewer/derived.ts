@@ -7,7 +7,7 @@ import { isAbandoned } from './failure.js';
 import type { ShownDiagram } from './shown_diagram.js';
 
 /** What to do with a result, and with a failure. */
-export interface DerivedUse<Result> {
+interface DerivedUse<Result> {
   compute(diagram: Diagram, signal: AbortSignal): Promise<Result | undefined>;
   /** Gets the latest diagram's result; undefined without a diagram or after a failure. */
   adopt(result: Result | undefined): void;

@@ -34,7 +34,7 @@ export interface DistanceTriangles {
 }
 
 /** The reach where no site reaches. */
-export const noReach = 1e6;
+const noReach = 1e6;
 
 /** Vertices of the triangles in a diagram; point i is `vertex[i]`, as the corner of a triangle. */
 export function cornersToAsk(

@@ -51,11 +51,15 @@ globalThis.onmessage = ({ data: port }: MessageEvent<MessagePort>) => {
   const answer = (id: number, result: unknown) =>
     port.postMessage({ id, result } satisfies DrawingAnswer, [...buffersOf(result)]);
 
-  // Most answers are made at once, in the order of the requests.
+  // Most answers are made at once, in the order of the requests; undefined is that of a failure.
   port.onmessage = ({ data: { id, task } }: MessageEvent<DrawingRequest>) => {
-    const result = make(task);
-    if (!(result instanceof Promise)) answer(id, result);
-    else void result.catch(() => undefined).then((made) => answer(id, made));
+    try {
+      const result = make(task);
+      if (!(result instanceof Promise)) answer(id, result);
+      else void result.catch(() => undefined).then((made) => answer(id, made));
+    } catch {
+      answer(id, undefined);
+    }
   };
 };
 

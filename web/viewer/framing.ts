@@ -5,7 +5,7 @@
 import { Vector3 } from 'three';
 
 /** Unit vectors: to the right, upwards, and from what is looked at back to the camera. */
-export interface ViewAxes {
+interface ViewAxes {
   right: Vector3;
   up: Vector3;
   back: Vector3;

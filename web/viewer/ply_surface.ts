@@ -7,7 +7,7 @@ import type { TypedArray } from 'three';
 import { PLYLoader } from 'three/addons/loaders/PLYLoader.js';
 
 /** Three numbers per vertex; whether their largest stands for 1. */
-export interface VertexNumbers {
+interface VertexNumbers {
   array: TypedArray;
   normalized: boolean;
 }

@@ -6,7 +6,7 @@ import { type BufferAttribute, type InterleavedBuffer, Sphere, Vector3 } from 't
 import { roomFor } from './record_room.js';
 
 /** Numbers of the same kind for every record, as the graphics card gets them. */
-export type UploadedBuffer = BufferAttribute | InterleavedBuffer;
+type UploadedBuffer = BufferAttribute | InterleavedBuffer;
 
 /**
  * Bounds everything that is drawn (see `ModelFrame`). Geometries of records get it, because bounds

@@ -20,7 +20,7 @@ export const lightTheme: Theme = {
   surfaceShade: 1,
 };
 
-export const darkTheme: Theme = {
+const darkTheme: Theme = {
   ink: 0xf6f8fb,
   paper: 0x12161c,
   accent: 0xff8ab8,

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "distance/common_labels.h"
 #include "gvd/diagram.h"
 
 namespace gvd {
@@ -49,12 +50,9 @@ void NodeLabels::addLabel(int node, LabelledDistance added) {
     nodes_[node].hasAddedLabels = true;
   }
   std::vector<LabelledDistance>& here = addedLabels_[node];
-  const auto isBefore = [](const auto& a, const auto& b) { return a.label < b.label; };
-  const LabelledDistance sought{owner(node), 0};
-  const auto known = std::lower_bound(here.begin(), here.end(), sought, isBefore);
-  if (known != here.end() && known->label == sought.label)
-    added.distance = std::max(added.distance, std::nextafter(known->distance, kInfinity));
-  here.insert(std::upper_bound(here.begin(), here.end(), added, isBefore), added);
+  if (const LabelledDistance* const nearest = findLabel(here, owner(node)))
+    added.distance = std::max(added.distance, std::nextafter(nearest->distance, kInfinity));
+  insertByLabel(here, added);
 }
 
 int NodeLabels::middleOf(int a, int b) const {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "diagram/required_labels.h"
 
-#include <algorithm>
-
 #include "distance/common_labels.h"
 
 namespace gvd {
@@ -41,9 +39,7 @@ void RequiredLabels::setLabels(int midpoint) {
   int& last = last_[midpoint - firstMidpoint_];
   for (int i = last; i >= 0; i = previous_[i]) {
     const LabelledDistance d{required_[i].label, found_[i]};
-    const auto isBefore = [](const auto& a, const auto& b) { return a.label < b.label; };
-    if (d.distance < kInfinity)
-      atPoint_.insert(std::upper_bound(atPoint_.begin(), atPoint_.end(), d, isBefore), d);
+    if (d.distance < kInfinity) insertByLabel(atPoint_, d);
   }
   last = -1;
   equalizeTies(atPoint_, ties_);

@@ -5,6 +5,7 @@
 #include <array>
 #include <limits>
 #include <span>
+#include <vector>
 
 #include "gvd/geodesic.h"
 
@@ -22,6 +23,12 @@ inline const LabelledDistance* findLabel(std::span<const LabelledDistance> list,
   const LabelledDistance* found = nullptr;
   for (const LabelledDistance& d : list) found = d.label == label ? &d : found;
   return found;
+}
+
+/// Puts an entry in its place in a list, which is ascending by label.
+inline void insertByLabel(std::vector<LabelledDistance>& list, const LabelledDistance& added) {
+  const auto isBefore = [](const auto& a, const auto& b) { return a.label < b.label; };
+  list.insert(std::upper_bound(list.begin(), list.end(), added, isBefore), added);
 }
 
 /// Whether isSought(label, at) is true for any label known at a corner of a triangle. Labels come

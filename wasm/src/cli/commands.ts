@@ -194,13 +194,12 @@ async function cvt({ mesh: path, values }: Request<'cvt'>): Promise<void> {
   const { mesh, sites } = await openWithSites(path, output, values, {
     density: settings.density,
   });
-  const states = await withProgress(values, async (onProgress) => {
-    const all: CvtState[] = [];
-    for await (const state of mesh.cvt(sites, { ...settings, onProgress })) all.push(state);
-    return all;
+  const energy: number[] = [];
+  const { iteration, sites: last } = await withProgress(values, async (onProgress) => {
+    let state: CvtState | undefined;
+    for await (state of mesh.cvt(sites, { ...settings, onProgress })) energy.push(state.energy);
+    return state!;
   });
-  const energy = states.map((state) => state.energy);
-  const { iteration, sites: last } = states.at(-1)!;
   if (!values.quiet) {
     const diagram = await mesh.voronoi(last, { metric: settings.metric });
     writeNotes(await coarseness(diagram, { more: inaccurate }), values);

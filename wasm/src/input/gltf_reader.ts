@@ -10,7 +10,7 @@ import type { GltfLimits, TaskOptions } from '../types.js';
 import { WasmModule } from '../wasm_module.js';
 
 /** The triangles of a glTF scene in world space. */
-export interface GltfScene extends Triangles {
+interface GltfScene extends Triangles {
   parts: MeshPart[];
   notes: string[];
 }
