@@ -313,12 +313,12 @@ suite('a diagram that changes', () => {
 
       const anew = newDrawing();
       setWhole(anew);
-      for (const each of [drawing, anew]) each.outline(change.labels[0]);
+      for (const each of [drawing, anew]) each.outline.show(change.labels[0]);
       const cardAnew = new Card();
       cardAnew.upload(anew);
       card.upload(drawing);
       assert.deepEqual(card.picture(drawing), cardAnew.picture(anew));
-      for (const each of [drawing, anew]) each.outline(-1);
+      for (const each of [drawing, anew]) each.outline.show(-1);
     }
     library.dispose();
   };

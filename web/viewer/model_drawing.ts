@@ -5,12 +5,10 @@
 import type { DiagramChange, DiagramData, SurfacePath } from 'geodesic-voronoi';
 import {
   type BufferGeometry,
-  type Camera,
   type Data3DTexture,
   Group,
   type LineBasicMaterial,
   type LineSegments,
-  Vector3,
 } from 'three';
 import type { DiagramGeometry, PreparedDiagram } from './diagram_geometry.js';
 import type { DiagramSummary } from './diagram_summary.js';
@@ -18,15 +16,15 @@ import type { DistanceScale } from './distance_scale.js';
 import { DistanceSurface } from './distance_surface.js';
 import type { DistanceTriangles } from './distance_triangles.js';
 import { ExplodedParts } from './exploded_parts.js';
-import { Glide } from './glide.js';
-import { chainEnds, FatLines, outlineEnds, pointPlaces, wireframe } from './lines.js';
-import { Markers } from './markers.js';
+import { chainEnds, FatLines, pointPlaces, wireframe } from './lines.js';
 import type { OriginalMaterial } from './original_material.js';
 import { RegionColours, toneColour } from './region_colours.js';
 import { RegionSurface, type TonedDiagram } from './region_surface.js';
+import { OutlineDrawing } from './outline_drawing.js';
 import type { PartTriangles } from './part_triangles.js';
 import { occlusionTexture } from './occlusion.js';
 import type { SceneMesh } from './scene_mesh.js';
+import { SiteDrawing } from './site_drawing.js';
 import type { Sites } from './site_history.js';
 import { lightTheme, type Theme } from './theme.js';
 import { VoronoiPointMarkers } from './voronoi_point_markers.js';
@@ -44,8 +42,6 @@ export const layers = [
 ] as const;
 export type Layer = (typeof layers)[number];
 
-/** The radius of a site's marker, as a share of that of a disc as large as its region. */
-const markerShare = 0.14;
 /** The radius of a Voronoi point's marker, as a share of that of a site's. */
 const pointShare = 0.45;
 
@@ -65,18 +61,18 @@ type Lines = Pick<DiagramData, 'points' | 'arcs' | 'segments' | 'voronoiPoints'>
 /** A model with its diagram and sites, as objects of the scene. */
 export class ModelDrawing {
   readonly object = new Group();
+  readonly sites: SiteDrawing;
+  readonly outline: OutlineDrawing;
   readonly #mesh: SceneMesh;
   readonly #surface: RegionSurface;
   readonly #colours: RegionColours;
   /** Each segment has its two labels as keys. */
   readonly #bisectors = new FatLines({ width: 2 });
-  readonly #outline = new FatLines({ width: 4.5 });
   readonly #brush = new FatLines({ width: 2.5 });
   /** From the point under the pointer to its site. */
   readonly #path = new FatLines({ width: 2.5 });
   readonly #dual = new FatLines({ width: 2.5 });
   readonly #voronoiPoints: VoronoiPointMarkers;
-  readonly #siteMarkers = new Markers({ least: 2.5, most: 9, rim: 0.3 });
   /** The surface and everything that lies on it. */
   readonly #whole = new Group();
   #parts: ExplodedParts | undefined;
@@ -87,43 +83,33 @@ export class ModelDrawing {
   readonly #occlusion: Data3DTexture;
   #theme: Theme = lightTheme;
   #shown: ReadonlySet<Layer> = new Set();
-  /** The loops when the whole diagram was drawn; `#outlines` has those of regions changed since. */
-  #loops: Pick<DiagramData, 'points' | 'loops'> | undefined;
-  readonly #outlines = new Map<number, Float32Array>();
   #tones: Uint16Array = new Uint16Array();
-  #outlined = -1;
-  #sitePlaces = new Float32Array();
-  /** The places at which the markers of sites are seen. */
-  readonly #siteGlide = new Glide();
-  #siteNormals = new Float32Array();
-  #front = 0;
-  #regionAreas: Float64Array = new Float64Array();
-  #selected = -1;
 
   constructor(mesh: SceneMesh, colours = new RegionColours()) {
     this.#mesh = mesh;
     this.#colours = colours;
     this.#occlusion = occlusionTexture(mesh.surfaceDensity);
     this.#surface = new RegionSurface(mesh, this.#occlusion);
+    this.sites = new SiteDrawing(mesh);
+    this.outline = new OutlineDrawing(mesh);
     this.#voronoiPoints = new VoronoiPointMarkers(mesh, { least: 1.5, most: 4.5, rim: 0.3 });
     this.theme = this.#theme;
     this.object.add(this.#whole);
     this.#whole.add(
       this.#surface.object,
       this.#bisectors.object,
-      this.#outline.object,
+      this.outline.object,
       this.#dual.object,
       this.#brush.object,
       this.#path.object,
       this.#voronoiPoints.markers.object,
-      this.#siteMarkers.object,
+      this.sites.object,
     );
   }
 
   /** See `Markers`. */
   set front(side: number) {
-    this.#front = side;
-    this.#siteMarkers.front = side;
+    this.sites.front = side;
     this.#voronoiPoints.markers.front = side;
   }
 
@@ -134,10 +120,10 @@ export class ModelDrawing {
   set theme(theme: Theme) {
     this.#theme = theme;
     this.#surface.shade = theme.surfaceShade;
-    this.#bisectors.colour = this.#outline.colour = theme.ink;
+    this.#bisectors.colour = this.outline.colour = theme.ink;
     this.#rimBisectors();
     this.#dual.colour = this.#brush.colour = this.#path.colour = theme.accent;
-    this.#siteMarkers.theme = theme;
+    this.sites.theme = theme;
     this.#voronoiPoints.markers.theme = theme;
     this.#wireframe?.material.color.set(theme.ink);
     if (this.#parts) this.#parts.shade = theme.surfaceShade;
@@ -150,7 +136,7 @@ export class ModelDrawing {
   show(shown: ReadonlySet<Layer>): void {
     this.#shown = shown;
     this.#surface.filled = shown.has('regions');
-    this.#siteMarkers.object.visible = shown.has('sites');
+    this.sites.object.visible = shown.has('sites');
     this.#voronoiPoints.visible = shown.has('voronoi-points');
     if (this.#wireframe) this.#wireframe.visible = shown.has('wireframe');
     this.#showBisectors();
@@ -171,9 +157,7 @@ export class ModelDrawing {
     this.#surface.setDiagram(data && { data, tones: this.#tones }, cells);
     this.#adoptAreas(prepared?.summary);
     this.#setLines(data, prepared?.geometry);
-    this.#loops = data;
-    this.#outlines.clear();
-    this.outline(-1);
+    this.outline.setLoops(data);
   }
 
   /** Draws what a change made different, and nothing else. */
@@ -186,8 +170,7 @@ export class ModelDrawing {
     const isChanged = new Uint8Array(1 + Math.max(this.#tones.length, labels[labels.length - 1]));
     for (const label of labels) isChanged[label] = 1;
     this.#replaceLines(isChanged, part);
-    for (const label of labels) this.#outlines.set(label, outlineEnds(this.#mesh, part, label));
-    this.outline(-1);
+    this.outline.changeLoops(labels, part);
   }
 
   /**
@@ -301,65 +284,10 @@ export class ModelDrawing {
     this.#surface.tints = tints;
   }
 
-  /** Sets the sites; their markers glide there in so many milliseconds. */
-  setSites(sites: Sites, selected: number, milliseconds = 0): void {
-    this.#sitePlaces = new Float32Array(3 * sites.length);
-    this.#siteNormals = new Float32Array(3 * sites.length);
-    sites.forEach(({ face, bary }, i) => {
-      this.#mesh.writePoint(face, bary, this.#sitePlaces, 3 * i);
-      this.#mesh.writeNormal(face, bary, this.#siteNormals, 3 * i);
-    });
-    this.#selected = selected;
-    this.#siteGlide.to(this.#sitePlaces, milliseconds, performance.now());
-    this.#showSites();
-  }
-
-  /** Draws the sites where they have glided to; returns whether they glide on. */
-  glideSites(): boolean {
-    this.#showSites();
-    return !this.#siteGlide.isOver(performance.now());
-  }
-
-  /** Sizes markers by their regions; equally while the numbers of sites and regions differ. */
-  #showSites(): void {
-    const areas = this.#regionAreas;
-    const sizes =
-      areas.length === this.#sitePlaces.length / 3
-        ? Float32Array.from(areas, (area) => this.#markerSizeOf(area))
-        : this.#markerSize;
-    const places = this.#siteGlide.at(performance.now());
-    this.#siteMarkers.set(places, this.#siteNormals, sizes, this.#selected);
-  }
-
   #adoptAreas(summary: DiagramSummary | undefined): void {
-    this.#regionAreas = summary?.regionArea ?? new Float64Array();
-    const usual = this.#markerSize || 1; // without regions, nothing is crowded
-    this.#siteMarkers.usual = usual;
-    this.#bisectors.widest = (bisectorShare / markerShare) * usual;
-    this.#showSites();
-  }
-
-  #markerSizeOf(area: number): number {
-    return markerShare * this.#mesh.frame.scale * Math.sqrt(area / Math.PI);
-  }
-
-  /** The marker's size for a region of mean area. */
-  get #markerSize(): number {
-    const areas = this.#regionAreas;
-    return this.#markerSizeOf(
-      areas.reduce((sum, area) => sum + area, 0) / Math.max(1, areas.length),
-    );
-  }
-
-  /** Whether a site lies on the far side of a closed surface: what is seen of it faces inwards. */
-  isTurnedAway(index: number, camera: Camera): boolean {
-    const normal = new Vector3().fromArray(this.#siteNormals, 3 * index);
-    const view = new Vector3().setFromMatrixPosition(camera.matrixWorld).sub(this.sitePlace(index));
-    return this.#front * normal.dot(view) < 0;
-  }
-
-  sitePlace(index: number): Vector3 {
-    return new Vector3().fromArray(this.#sitePlaces, 3 * index);
+    this.sites.regionAreas = summary?.regionArea ?? new Float64Array();
+    // Without regions, nothing is crowded.
+    this.#bisectors.widest = bisectorShare * (this.sites.usualRadius || 1);
   }
 
   /** A path on the surface; undefined for none. */
@@ -368,20 +296,10 @@ export class ModelDrawing {
     this.#path.set(chainEnds(this.#mesh, { points, offset: [0, points.position.length / 3] }));
   }
 
-  /** Draws one region's outline bold; -1 for none. Returns whether that changed anything. */
-  outline(label: number): boolean {
-    if (label === this.#outlined) return false;
-    this.#outlined = label;
-    const isKnown = label >= 0 && label < this.#tones.length;
-    const ends = isKnown ? this.#outlineEnds(label) : new Float32Array();
-    this.#outline.set(ends);
-    return true;
-  }
-
   dispose(): void {
     this.#surface.dispose();
     this.#bisectors.dispose();
-    this.#outline.dispose();
+    this.outline.dispose();
     this.#dual.dispose();
     this.#brush.dispose();
     this.#path.dispose();
@@ -391,7 +309,7 @@ export class ModelDrawing {
     this.setOriginal(undefined);
     this.#occlusion.dispose();
     this.#voronoiPoints.markers.dispose();
-    this.#siteMarkers.dispose();
+    this.sites.dispose();
     if (this.#wireframe) {
       this.#wireframe.geometry.dispose();
       this.#wireframe.material.dispose();
@@ -402,17 +320,11 @@ export class ModelDrawing {
     this.#bisectors.object.visible = this.#bisectors.count > 0 && this.#shown.has('bisectors');
   }
 
-  #outlineEnds(label: number): Float32Array {
-    const changed = this.#outlines.get(label);
-    if (changed || !this.#loops) return changed ?? new Float32Array();
-    return outlineEnds(this.#mesh, this.#loops, label);
-  }
-
   /** The bisectors and Voronoi points of a diagram. */
   #setLines(lines: Lines | undefined, geometry: DiagramGeometry | undefined): void {
     const ends = geometry?.segmentEnds ?? this.#segmentEnds(lines);
     this.#bisectors.adopt(ends, lines?.segments.labels ?? new Int32Array());
-    this.#voronoiPoints.set(lines, pointShare * this.#markerSize);
+    this.#voronoiPoints.set(lines, pointShare * this.sites.usualSize);
     this.#showBisectors();
   }
 
@@ -420,7 +332,7 @@ export class ModelDrawing {
   #replaceLines(isChanged: Uint8Array, lines: Lines): void {
     const gone = { first: isChanged, second: isChanged };
     this.#bisectors.replace(gone, this.#segmentEnds(lines), lines.segments.labels);
-    this.#voronoiPoints.replace(isChanged, lines, pointShare * this.#markerSize);
+    this.#voronoiPoints.replace(isChanged, lines, pointShare * this.sites.usualSize);
     this.#showBisectors();
   }
 

@@ -48,7 +48,9 @@ export class OpenModel {
   /** Whether a site is behind the surface, or on the far side of a wall however thin. */
   hidesSite(index: number, camera: Camera): boolean {
     const { drawing, picker } = this;
-    return drawing.isTurnedAway(index, camera) || picker.hides(drawing.sitePlace(index), camera);
+    return (
+      drawing.sites.isTurnedAway(index, camera) || picker.hides(drawing.sites.place(index), camera)
+    );
   }
 
   dispose(): void {

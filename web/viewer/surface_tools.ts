@@ -93,7 +93,7 @@ export class SurfaceTools implements GestureTarget {
     const toClient = stage.projection();
     const nearby: DrawnSite[] = [];
     session.sites.forEach(({ id }, i) => {
-      const client = toClient(drawing.sitePlace(i));
+      const client = toClient(drawing.sites.place(i));
       if (client && Math.hypot(client.x - x, client.y - y) <= reach * (1 + 1 / reachShare))
         nearby.push({ id, index: i, ...client });
     });

@@ -231,7 +231,7 @@ export class Viewer implements Workpiece {
   /** Where a site is drawn on the page; undefined if it is behind the surface. */
   sitePosition(index: number): { x: number; y: number } | undefined {
     if (!this.#model || !this.session.sites[index]) return undefined;
-    const place = this.#model.drawing.sitePlace(index);
+    const place = this.#model.drawing.sites.place(index);
     const client = this.stage.projection()(place);
     return client && !this.#model.hidesSite(index, this.stage.camera) ? client : undefined;
   }
@@ -378,7 +378,7 @@ export class Viewer implements Workpiece {
   #showSites(): void {
     if (!this.#model) return;
     const { selected, session } = this;
-    this.#model.drawing.setSites(session.sites, selected, this.#glideTime());
+    this.#model.drawing.sites.set(session.sites, selected, this.#glideTime());
     this.#glideSites();
     this.#emit('sites-change', {
       count: session.sites.length,
@@ -399,7 +399,7 @@ export class Viewer implements Workpiece {
 
   #glideSites(): void {
     this.stage.invalidate();
-    if (this.#model?.drawing.glideSites()) {
+    if (this.#model?.drawing.sites.glide()) {
       cancelAnimationFrame(this.#gliding);
       this.#gliding = requestAnimationFrame(() => this.#glideSites());
     }
@@ -432,7 +432,7 @@ export class Viewer implements Workpiece {
   #tellHovered(point: HoveredPoint | undefined, path: SurfacePath | undefined): void {
     const { drawing } = this.#model ?? {};
     const region = point?.region ?? -1;
-    drawing?.outline(region);
+    drawing?.outline.show(region);
     drawing?.setPath(path);
     this.stage.invalidate();
     this.#emit('hover', point ? { ...point, colour: drawing?.regionColour(region) } : null);
