@@ -159,7 +159,7 @@ export const options = {
     value: 'SHARE',
     parse: number(ranges.share),
     default: '0',
-    help: "Halve edges longer than this share of the bounding box's diagonal until none is; 0: leave them. Triangles are then numbered anew",
+    help: "Halve edges longer than this share of the bounding box's diagonal until none is; 0: leave them. Triangles are then numbered anew; sites that a result has for the whole mesh stay where they are",
   },
   weld: {
     value: 'SHARE',
