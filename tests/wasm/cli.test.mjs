@@ -278,6 +278,24 @@ test('edges that are cut are told of', () => {
     assert.doesNotMatch(succeeds(`${command} -o d.json`).stderr, /note/);
     assert.equal(succeeds(`${command} --orientation keep -o d.json -q`).stderr, '');
   }
+
+  // Two tetrahedra with a corner in common.
+  const one = [0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2];
+  const other = one.map((v) => (v === 0 ? 0 : v + 3));
+  const x = (sign) => [1, 0, 0, 0, 1, 0, 0, 0, 1].map((c) => sign * c);
+  write(
+    'hourglass.glb',
+    glb({ positions: [0, 0, 0, ...x(1), ...x(-1)], indices: [...one, ...other] }),
+  );
+  const touching = succeeds('distances hourglass.glb --sites 2 -o d.json').stderr;
+  assert.match(
+    touching,
+    /^note: at 1 vertex parts of the surface touch: distances do not lead across\n/m,
+  );
+  const none = succeeds(
+    'path hourglass.glb --from {"vertex":0} --to {"vertex":[1,4]} -o p.json',
+  ).stderr;
+  assert.match(none, /no path between 1 pair of points: .* \(info tells where it is cut apart\)/);
 });
 
 test('results name their mesh, so that their sites are not taken for those of another', () => {
