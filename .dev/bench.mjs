@@ -18,8 +18,10 @@ await main(async () => {
   keepStandardOutput();
   setUp('test');
   const executable = 'build/native/tests/bench/gvd_bench';
-  await step('Benchmark', { inputs: ['CMakeLists.txt', 'core', 'tests'], output: executable }, () =>
-    buildWithCMake('build/native', { targets: ['gvd_bench'] }),
+  await step(
+    'Benchmark',
+    { inputs: ['CMakeLists.txt', 'core', 'tests'], outputs: [executable] },
+    () => buildWithCMake('build/native', { targets: ['gvd_bench'] }),
   );
   if (options.wasm) await buildPackage();
   await bench(options, at(executable));

@@ -8,7 +8,7 @@ import { basename, posix } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { thirdPartyNotices } from './notices.mjs';
 import { setUp } from './setup.mjs';
-import { at, exists, isScript, main, run, step } from './tasks.mjs';
+import { at, isScript, main, run, step } from './tasks.mjs';
 
 const wasmModules = ['core', 'gltf'];
 /** How large each may be as it is transferred, compressed by gzip: kilobytes of 1000 bytes. */
@@ -17,15 +17,13 @@ const largestModules = { core: 251, gltf: 135 };
 const bundledPackages = ['three', 'three-mesh-bvh', 'draco3d', 'earcut', 'fflate', 'meshoptimizer'];
 const tool = (name) => at('node_modules', '.bin', name);
 
-/** Configures once and builds with CMake; `emcmake` in `wrapper` makes it a WebAssembly build. */
+/** Configures and builds with CMake; `emcmake` in `wrapper` makes it a WebAssembly build. */
 export function buildWithCMake(
   folder,
   { wrapper = [], options = ['-DCMAKE_BUILD_TYPE=Release'], targets = [] } = {},
 ) {
-  if (!exists(at(folder, 'build.ninja'))) {
-    const [command, ...args] = [...wrapper, 'cmake', '-S', '.', '-B', folder, '-G', 'Ninja'];
-    run(command, [...args, ...options]);
-  }
+  const [command, ...args] = [...wrapper, 'cmake', '-S', '.', '-B', folder, '-G', 'Ninja'];
+  run(command, [...args, ...options]);
   const selection = targets.flatMap((target) => ['--target', target]);
   run('cmake', ['--build', folder, '--parallel', String(availableParallelism()), ...selection]);
 }
@@ -34,7 +32,7 @@ export function buildWithCMake(
 export async function buildPackage() {
   const modules = wasmModules.map((name) => `build/wasm/wasm/${name}.wasm`);
   const sources = ['CMakeLists.txt', 'core', 'wasm', 'package.json'];
-  await step('WebAssembly', { inputs: sources, output: modules[0] }, () =>
+  await step('WebAssembly', { inputs: sources, outputs: modules }, () =>
     buildWithCMake('build/wasm', { wrapper: ['emcmake'], targets: wasmModules }),
   );
   const inputs = [
@@ -46,7 +44,7 @@ export async function buildPackage() {
     'package-lock.json',
     ...modules,
   ];
-  await step('Package', { inputs, output: 'dist' }, () => {
+  await step('Package', { inputs, outputs: ['dist'] }, () => {
     // Nothing that a deleted source left behind may be published.
     rmSync(at('dist'), { recursive: true, force: true });
     run(tool('tsc'), ['-p', 'wasm']);
@@ -126,7 +124,7 @@ export async function buildPage() {
   await buildPackage();
   await step(
     'Page',
-    { inputs: ['web', 'dist', 'package-lock.json'], output: 'build/page/index.html' },
+    { inputs: ['web', 'dist', 'package-lock.json'], outputs: ['build/page/index.html'] },
     async () => {
       run(tool('tsc'), ['-p', 'web/page']);
       // Not by its command: there are two Vites, the older one for the tests of the package.

@@ -19,7 +19,7 @@ export async function buildDocs() {
     'Documents',
     {
       inputs: ['README.md', '.github', 'web/docs', reference, 'core/include', 'dist'],
-      output: `${output}/index.html`,
+      outputs: [`${output}/index.html`],
     },
     async () => {
       rmSync(at(output), { recursive: true, force: true });

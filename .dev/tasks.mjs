@@ -68,12 +68,12 @@ export function announce(text) {
 
 /**
  * Does `work` unless it was done after everything in `inputs` (files and folders, of the
- * repository) last changed and `output` is still there.
+ * repository) last changed and all `outputs` are still there.
  */
-export async function step(name, { inputs, output }, work) {
+export async function step(name, { inputs, outputs }, work) {
   const stamp = at('build', 'stamps', name);
   const changed = Math.max(...inputs.map((input) => modified(at(input))));
-  if (exists(at(output)) && modified(stamp) > changed) return;
+  if (outputs.every((output) => exists(at(output))) && modified(stamp) > changed) return;
   announce(name);
   const started = new Date();
   await work();

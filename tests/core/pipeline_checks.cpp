@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "diagram_checks.h"
@@ -88,6 +89,9 @@ std::string complaintAboutParts(const TriangleMesh& mesh, std::span<const Surfac
   if (metric == Metric::kExact)
     if (const auto result = haveDistancesOfOneSiteEach(mesh, sites, *traced.field); !result)
       return complaint("distances", result);
+  const auto [mislabelled, maxEdge] = accuracy(mesh, *traced.field, traced.diagram, 20);
+  if (!(mislabelled >= 0 && mislabelled <= 1 && maxEdge > 0 && maxEdge <= 1))
+    return "accuracy: " + std::to_string(mislabelled) + " and " + std::to_string(maxEdge);
   const Partition parts = partition(mesh, traced.diagram);
   if (const auto result = isSound(mesh, parts); !result) return complaint("partition", result);
   if (const auto result = hasTheAreasOf(mesh, traced.diagram, parts); !result)
