@@ -47,7 +47,7 @@ struct VoronoiHandle {
   DiagramOptions options;
   std::shared_ptr<DistanceField> distances;
   std::shared_ptr<const DistanceField> sharedDistances;  // or these, of a tessellation
-  std::unique_ptr<DynamicDiagram> dynamic;               // or that of this, once sites have changed
+  std::unique_ptr<DynamicDiagram> dynamic;               // or its own, once sites have changed
   std::shared_ptr<const Diagram> traced;       // none after a change, until it is asked for
   std::unique_ptr<WorstRegions> worstRegions;  // of `dynamic`, once they have been asked for
 

@@ -115,6 +115,23 @@ TEST(Subdivision, LeavesTrianglesThatAreNotFiniteToTheMesh) {
   EXPECT_NEAR(mesh.area(), 0.5, 1e-15);
 }
 
+/// The share of random points whose nearest site is not the label of the face that they are in.
+/// Points in mixed faces do not count.
+double wrongShare(const Shape& shape) {
+  const TriangleMesh mesh = shape.mesh();
+  const auto sites = sampleUniform(mesh, 10, 4);
+  const auto distances = finished(propagate(mesh, sites, Metric::kExact));
+  const Diagram diagram = traceDiagram(mesh, *distances, 10);
+  int wrong = 0, points = 0;
+  for (const SurfacePoint& p : sampleUniform(mesh, 5000, 5)) {
+    const int label = diagram.faceLabel[p.face];
+    if (label < 0) continue;
+    ++points;
+    wrong += label != distances->nearest(p).label;
+  }
+  return static_cast<double>(wrong) / points;
+}
+
 DiagramAccuracy accuracyOf(const Shape& shape, int detail) {
   const TriangleMesh mesh = shape.mesh();
   const auto sites = sampleUniform(mesh, 10, 4);
@@ -132,6 +149,12 @@ TEST(Subdivision, EndsWhereCoordinatesAreHardlyFineEnough) {
 TEST(Subdivision, LetsDiagramsFindRegionsBetweenTheCornersOfLongTriangles) {
   const auto [name, shape, genus] = shapes::mechanicalShapes().front();
   ASSERT_EQ(name, "plate with a round hole");
+  EXPECT_GE(wrongShare(shape), 0.05);
+  EXPECT_EQ(wrongShare(shapeOf(subdivide(shape.positions, shape.triangles, {.maxEdge = 0.03}))), 0);
+}
+
+TEST(Subdivision, HelpsAsTheAccuracyProposes) {
+  const Shape shape = shapes::mechanicalShapes().front().shape;
   const auto [mislabelled, maxEdge] = accuracyOf(shape, 0);
   EXPECT_GE(mislabelled, 0.05);
   const Shape finer = shapeOf(subdivide(shape.positions, shape.triangles, {.maxEdge = maxEdge}));

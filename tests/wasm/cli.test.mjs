@@ -640,6 +640,7 @@ test('tessellations tell that faces are too coarse', () => {
   assert.match(succeeds('cvt shape.glb --sites 2 -o s.json').stderr, note);
   const ofPlane = succeeds('remesh grid.glb --sites 15 -o s.json').stderr;
   assert.doesNotMatch(ofPlane, note, 'squared distances in a plane are right between corners, too');
+  assert.doesNotMatch(succeeds('cvt grid.glb --sites 1 -o s.json').stderr, /note/);
   const finer = succeeds('cvt shape.glb --sites 2 --max-edge 0.1 -o s.json').stderr;
   assert.doesNotMatch(finer, note);
   assert.equal(succeeds('cvt shape.glb --sites 2 -q -o s.json').stderr, '');

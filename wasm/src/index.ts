@@ -25,6 +25,7 @@ import type { GeodesicVoronoi } from './types.js';
 import { startWorkerEngine } from './worker_engine.js';
 
 export type * from './results.js';
+export { mostMislabelled } from './results.js';
 export type * from './types.js';
 export type { CompileOptions, CompiledModule, ErrorCode, LoadOptions, Modules, WasmSource };
 export { GeodesicVoronoiError };

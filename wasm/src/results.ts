@@ -220,13 +220,16 @@ export interface SurfacePath {
   length: number;
 }
 
+/** The share of mislabelled area, 0 … 1, above which triangles are too coarse for the sites. */
+export const mostMislabelled = 0.01;
+
 /** How well a diagram keeps to its distances: see `Diagram.accuracy`. */
 export interface DiagramAccuracy {
   /**
    * The share of the area, 0 … 1, that lies in another region than that of the nearest site: an estimate, from
    * the same points at each call. It is what bisectors cost that are straight within each triangle, and regions
-   * between the corners of triangles; of the error of `dgpc` it says nothing. More than a hundredth means that
-   * triangles are too coarse for the sites.
+   * between the corners of triangles; of the error of `dgpc` it says nothing. More than
+   * `mostMislabelled` means that triangles are too coarse for the sites.
    */
   mislabelled: number;
   /**

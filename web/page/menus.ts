@@ -14,8 +14,8 @@ export function setUpMenus(viewer: GeodesicVoronoiElement): void {
   for (const id of ['share-button', 'download-button'])
     byId(id, HTMLButtonElement).disabled = false;
   // A press on the model closes the menu that is open, and does nothing else.
-  const keep = (event: Event) => {
+  const onlyCloseMenu = (event: Event) => {
     if (document.querySelector(':popover-open')) event.stopPropagation();
   };
-  viewer.addEventListener('pointerdown', keep, { capture: true });
+  viewer.addEventListener('pointerdown', onlyCloseMenu, { capture: true });
 }

@@ -2,6 +2,7 @@
 //
 // The controls of the layers that are shown, and of the metric.
 
+import { mostMislabelled } from 'geodesic-voronoi';
 import { type GeodesicVoronoiElement, type Layer, layers } from '../viewer/element.js';
 import { byId, listen, onClick } from './dom.js';
 import { hasNote, showNote, showNoteOnSites } from './feedback.js';
@@ -158,9 +159,6 @@ function setUpDistance(viewer: GeodesicVoronoiElement): void {
     viewer.addEventListener('diagram', offer, { once: true });
   });
 }
-
-/** From this share of the area in the wrong region on, smaller triangles are offered. */
-const mostMislabelled = 0.01;
 
 /** Offers smaller triangles if those of a model are too coarse for its first diagram, and no note is shown. */
 async function offerFinerTriangles(viewer: GeodesicVoronoiElement): Promise<void> {

@@ -9,19 +9,19 @@
 #include <string>
 #include <vector>
 
-#include "base/random.h"
 #include "base/sliced_loop.h"
 #include "diagram/given_diagram.h"
 #include "diagram/region_lookup.h"
 #include "distance/site_distances.h"
 #include "gvd/diagram.h"
 #include "gvd/error.h"
+#include "mesh/point_drawing.h"
 
 namespace gvd {
 namespace {
 
 /// A third of the side of a square as large as a mean region, or half the longest edge if that is
-/// less, by the bounding diagonal.
+/// less, as a share of the bounding diagonal.
 double maxEdgeFor(const TriangleMesh& mesh, const Diagram& diagram) {
   double area = 0, longest = 0;
   int regions = 0;
@@ -35,6 +35,7 @@ double maxEdgeFor(const TriangleMesh& mesh, const Diagram& diagram) {
   return std::min(ofRegions, longest / 2) / mesh.boundingDiagonal();
 }
 
+/// Counts points, drawn uniformly, that lie in another region than that of their nearest site.
 class Comparison final : public SlicedWork<DiagramAccuracy> {
  public:
   Comparison(const TriangleMesh& mesh, const DistanceField& distances, const Diagram& diagram,
@@ -43,16 +44,16 @@ class Comparison final : public SlicedWork<DiagramAccuracy> {
         distances_(distances),
         diagram_(diagram),
         samples_(samples),
-        regions_(mesh, diagram) {}
+        regions_(mesh, diagram),
+        sums_(cumulative(faceAreas(mesh))) {}
 
   bool advance(long budget) override {
-    return sequence_.run([&] { sumAreas(); },
-                         [&] {
-                           return loop_.runWeighted(samples_, budget, 1, [&](int) {
-                             mislabelled_ += isMislabelled(drawPoint());
-                             return kUnitsPerPoint;
-                           });
-                         });
+    return loop_.runWeighted(samples_, budget, 1, [&](int) {
+      const SurfacePoint p = drawPoint(random_, sums_);
+      mislabelled_ += distances_.nearest(p).label != regions_.labelAt(p);
+      ++drawn_;
+      return kUnitsPerPoint;
+    });
   }
   double progress() const override { return static_cast<double>(drawn_) / samples_; }
   DiagramAccuracy result() override {
@@ -62,30 +63,13 @@ class Comparison final : public SlicedWork<DiagramAccuracy> {
  private:
   static constexpr long kUnitsPerPoint = 16;
 
-  void sumAreas() {
-    std::vector<double> areas(mesh_.faceCount());
-    for (int f = 0; f < mesh_.faceCount(); ++f) areas[f] = mesh_.faceArea(f);
-    sums_ = cumulative(areas);
-  }
-
-  SurfacePoint drawPoint() {
-    ++drawn_;
-    const int face = drawIndex(random_, sums_);
-    return {face, drawBarycentric(random_)};
-  }
-
-  bool isMislabelled(const SurfacePoint& p) const {
-    return distances_.nearest(p).label != regions_.labelAt(p);
-  }
-
   const TriangleMesh& mesh_;
   const DistanceField& distances_;
   const Diagram& diagram_;
   const int samples_;
   const RegionLookup regions_;
+  const std::vector<double> sums_;
   std::mt19937_64 random_;  // the same numbers at each call
-  std::vector<double> sums_;
-  SlicedSequence sequence_;
   SlicedLoop loop_;
   int drawn_ = 0, mislabelled_ = 0;
 };

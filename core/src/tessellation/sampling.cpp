@@ -23,6 +23,7 @@
 #include "gvd/error.h"
 #include "gvd/geodesic.h"
 #include "mesh/given_points.h"
+#include "mesh/point_drawing.h"
 #include "mesh/representations.h"
 #include "mesh/surface_geometry.h"
 #include "tessellation/density.h"
@@ -32,23 +33,10 @@
 namespace gvd {
 namespace {
 
-std::vector<double> faceAreas(const TriangleMesh& mesh) {
-  std::vector<double> areas(mesh.faceCount());
-  for (int f = 0; f < mesh.faceCount(); ++f) areas[f] = mesh.faceArea(f);
-  return areas;
-}
-
 void requireCount(int count) {
   if (count < 0)
     throw Error(ErrorCode::kInvalidArgument,
                 "there cannot be " + std::to_string(count) + " sample points");
-}
-
-SurfacePoint drawPoint(std::mt19937_64& random, const std::vector<double>& sums) {
-  SurfacePoint p;
-  p.face = drawIndex(random, sums);
-  p.bary = drawBarycentric(random);
-  return p;
 }
 
 /// Adds, one after another, the vertex that is farthest from all points so far.

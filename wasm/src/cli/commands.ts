@@ -2,7 +2,13 @@
 //
 // What each command does.
 import { GeodesicVoronoiError } from '../errors.js';
-import type { MeshInfo, Metric, PolygonMesh, Violation } from '../results.js';
+import {
+  mostMislabelled,
+  type MeshInfo,
+  type Metric,
+  type PolygonMesh,
+  type Violation,
+} from '../results.js';
 import { counted, integer } from '../sentences.js';
 import type { CvtOptions, CvtState, Diagram, Mesh } from '../types.js';
 import {
@@ -364,8 +370,6 @@ function summarise(output: Output, { quiet }: Notices, line: string): void {
   if (output.isFile && !quiet) process.stderr.write(`${line}\n`);
 }
 
-/** From this share of the area in the wrong region on, a note is due. */
-const mostMislabelled = 0.01;
 /** What else is inaccurate in a tessellation then: squared distances are interpolated within faces. */
 const inaccurate = ', energies and centroids are inaccurate';
 
