@@ -69,6 +69,25 @@ test('dots and lines leave the colours of thousands of small regions to be seen'
   await viewer.close();
 });
 
+test('no background is seen between cells with detail and the faces beside them', async () => {
+  const viewer = await opened(grid(40));
+  await viewer.after('diagram', () =>
+    viewer.evaluate((viewer) => viewer.setAttribute('detail', 2)),
+  );
+  const picture = await viewer.picture(['regions']);
+  const gaps = await viewer.evaluate((viewer, picture) => {
+    const { data, width } = viewer.pictures[picture];
+    const isFull = (pixel) => data[4 * pixel + 3] === 255;
+    const beside = [-2, 2, -2 * width, 2 * width];
+    let count = 0;
+    for (let pixel = 0; pixel < data.length / 4; ++pixel)
+      if (!isFull(pixel) && beside.every((step) => isFull(pixel + step))) ++count;
+    return count;
+  }, picture);
+  assert.equal(gaps, 0);
+  await viewer.close();
+});
+
 test('a file of the picture is what is seen, edges that are half transparent too', async () => {
   const viewer = await browser.open();
   await viewer.settled();

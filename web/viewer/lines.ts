@@ -35,6 +35,9 @@ const limitedWidth = `min(
  */
 export const behindLines = { polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2 };
 
+/** What a material has whose surface lies behind another in the same place, itself behind lines. */
+export const behindSurface = { polygonOffset: true, polygonOffsetFactor: 3, polygonOffsetUnits: 4 };
+
 /** The width of a line with its rim, in widths of the line. */
 const rimmedWidth = 2;
 

@@ -15,7 +15,7 @@ import {
 import { type Cells, type CellTriangles, cellTriangles } from './cell_triangles.js';
 import { dropped, mixed } from './face_label.js';
 import { LabelColours } from './label_colours.js';
-import { behindLines } from './lines.js';
+import { behindLines, behindSurface } from './lines.js';
 import { occlude } from './occlusion.js';
 import {
   type Marks,
@@ -44,17 +44,18 @@ export interface TonedDiagram {
 }
 
 /**
- * The model's surface filled by region. Faces with one owner are drawn whole from arrays made once;
- * only their colours change with the diagram. Mixed faces are collapsed to a point there, and their
- * cells are drawn as they were traced: the fill ends exactly where the bisector runs.
+ * The model's surface filled by region. Faces are drawn from arrays made once; only their colours
+ * change with the diagram. The cells of mixed faces are drawn in front of these faces as they were
+ * traced: the fill ends exactly where the bisector runs. Behind them, each corner of a mixed face
+ * has the colour of its region. `detail` gives cells corners on sides whose other face has none,
+ * and there the face behind fills the gaps of single pixels.
  */
 export class RegionSurface {
   readonly object = new Group();
   readonly #mesh: SceneMesh;
   readonly #wholeFaces: BufferGeometry;
   readonly #colour: BufferAttribute;
-  readonly #corners: BufferAttribute;
-  readonly #material: MeshLambertMaterial;
+  readonly #materials: readonly MeshLambertMaterial[];
   readonly #cells: Mesh<BufferGeometry, MeshLambertMaterial>;
   /** Triangles of the cells: per corner place, normal and colour; their keys are face and label. */
   readonly #cellTriangles = new RecordBuffer((n) =>
@@ -72,18 +73,16 @@ export class RegionSurface {
     this.#mesh = mesh;
     this.#faceLabels = new Int32Array(mesh.faceCount).fill(dropped);
     this.#changedFaces = new Int32Array(mesh.faceCount);
-    this.#material = new MeshLambertMaterial({
-      vertexColors: true,
-      side: DoubleSide,
-      ...behindLines,
+    this.#materials = [behindSurface, behindLines].map((offset) => {
+      const material = new MeshLambertMaterial({ vertexColors: true, side: DoubleSide, ...offset });
+      occlude(material, occlusion);
+      return material;
     });
-    occlude(this.#material, occlusion);
     this.#wholeFaces = wholeFaceGeometry(mesh);
     this.#colour = this.#wholeFaces.getAttribute('color') as BufferAttribute;
-    this.#corners = this.#wholeFaces.index as BufferAttribute;
-    const faces = new Mesh(this.#wholeFaces, this.#material);
+    const faces = new Mesh(this.#wholeFaces, this.#materials[0]);
     faces.frustumCulled = false;
-    this.#cells = new Mesh(new BufferGeometry(), this.#material);
+    this.#cells = new Mesh(new BufferGeometry(), this.#materials[1]);
     this.#cells.frustumCulled = false;
     this.object.add(faces, this.#cells);
     this.#drawAll();
@@ -91,7 +90,7 @@ export class RegionSurface {
 
   /** The factor that colours are multiplied by. */
   set shade(shade: number) {
-    this.#material.color.setScalar(shade);
+    for (const { color } of this.#materials) color.setScalar(shade);
   }
 
   /** Whether regions are filled with their colours; otherwise the surface is neutral. */
@@ -118,12 +117,13 @@ export class RegionSurface {
     // Runs for every face in every iteration of a tessellation: nothing is allocated per face.
     for (let face = 0; face < drawn.length; ++face) {
       const label = faceLabel ? faceLabel[face] : dropped;
-      if (label === drawn[face] && !(label >= 0 && isRecoloured[label])) continue;
+      if (label === drawn[face] && label !== mixed && !(label >= 0 && isRecoloured[label]))
+        continue;
       this.#writeFace(face, label, colours);
       changed[count++] = face;
     }
-    this.#uploadFaces(changed.subarray(0, count));
     this.#replaceCells(undefined, cells ?? this.#cut(diagram?.data), colours);
+    this.#uploadFaces(changed.subarray(0, count));
   }
 
   /** Draws what a change made different. */
@@ -137,8 +137,8 @@ export class RegionSurface {
       isChanged[faces[i]] = 1;
       this.#writeFace(faces[i], part.faceLabel[i], colours);
     }
-    this.#uploadFaces(faces);
     this.#replaceCells({ first: isChanged }, this.#cut(part), colours);
+    this.#uploadFaces(faces);
     const isRecoloured = recoloured(before, diagram.tones);
     if (isRecoloured.includes(1)) this.#recolour({ second: isRecoloured }, colours);
   }
@@ -165,7 +165,7 @@ export class RegionSurface {
   dispose(): void {
     this.#cells.geometry.dispose();
     this.#wholeFaces.dispose();
-    this.#material.dispose();
+    for (const material of this.#materials) material.dispose();
   }
 
   #drawAll(): void {
@@ -175,9 +175,8 @@ export class RegionSurface {
     for (let face = 0; face < this.#mesh.faceCount; ++face) {
       this.#writeFace(face, data ? data.faceLabel[face] : dropped, colours);
     }
-    uploadAll(this.#colour);
-    uploadAll(this.#corners);
     this.#replaceCells(undefined, this.#cut(data), colours);
+    uploadAll(this.#colour);
   }
 
   /**
@@ -186,44 +185,40 @@ export class RegionSurface {
    */
   #recolour(meant: Marks, colours: LabelColours): void {
     const { first = noMarks, second = noMarks } = meant;
-    const faces: number[] = [];
+    const faces = new Set<number>();
     const labels = this.#faceLabels;
     for (let face = 0; face < labels.length; ++face) {
       if (!(first[face] > 0 || second[labels[face]] > 0)) continue;
       this.#writeFace(face, labels[face], colours);
-      faces.push(face);
+      faces.add(face);
     }
-    uploadRecords(this.#colour, faces, 9);
     const [position] = this.#cellTriangles.buffers;
     this.#cellTriangles.rewrite(meant, 2, (keys, record, target, at) => {
       this.#writeColours(keys, record, position.array, colours, target, at);
+      faces.add(keys[2 * record]);
     });
+    uploadRecords(this.#colour, Int32Array.from(faces).sort(), 9);
   }
 
   #writeFace(face: number, label: number, colours: LabelColours): void {
     this.#faceLabels[face] = label;
     const colour = this.#colour.array;
-    const corners = this.#corners.array;
     const tints = this.#tints;
-    const isMixed = label === mixed;
     for (let corner = 3 * face; corner < 3 * face + 3; ++corner) {
       if (tints) {
         colours.writeTinted(label, tints[this.#mesh.indices[corner]], colour, 3 * corner);
       } else {
         colours.write(label, colour, 3 * corner);
       }
-      corners[corner] = isMixed ? 3 * face : corner;
     }
   }
 
   /** Uploads the changed faces; all of them if many have changed, which is quicker. */
   #uploadFaces(faces: ArrayLike<number>): void {
     if (faces.length > manyShare * this.#mesh.faceCount) {
-      uploadAll(this.#corners);
       uploadAll(this.#colour);
       return;
     }
-    uploadRecords(this.#corners, faces, 3);
     uploadRecords(this.#colour, faces, 9);
   }
 
@@ -248,7 +243,7 @@ export class RegionSurface {
     this.#adoptCells();
   }
 
-  /** The colours of the three corners of a triangle of a cell. */
+  /** The colours of the three corners of a triangle of a cell, and of the face's corners there. */
   #writeColours(
     keys: Int32Array,
     triangle: number,
@@ -271,6 +266,15 @@ export class RegionSurface {
         colours.writeTinted(label, tint, target, at + k);
       } else {
         colours.write(label, target, at + k);
+      }
+    }
+    const { cornerPositions } = this.#mesh;
+    const colour = this.#colour.array;
+    for (let corner = 9 * face; corner < 9 * face + 9; corner += 3) {
+      for (let k = 0; k < 9; k += 3) {
+        if (!isSame(cornerPositions, corner, position, 9 * triangle + k)) continue;
+        for (let channel = 0; channel < 3; ++channel)
+          colour[corner + channel] = target[at + k + channel];
       }
     }
   }
@@ -303,6 +307,11 @@ function recoloured(before: Uint16Array | undefined, after: Uint16Array | undefi
   );
 }
 
+/** Whether two arrays have the same three numbers at two places. */
+function isSame(a: ArrayLike<number>, i: number, b: ArrayLike<number>, j: number): boolean {
+  return a[i] === b[j] && a[i + 1] === b[j + 1] && a[i + 2] === b[j + 2];
+}
+
 /** Buffers of three corners per triangle. */
 function cornerBuffers(position: Float32Array, normal: Float32Array, colour: Uint8Array) {
   return [
@@ -318,7 +327,6 @@ function wholeFaceGeometry(mesh: SceneMesh): BufferGeometry {
   geometry.setAttribute('position', new BufferAttribute(mesh.cornerPositions, 3));
   geometry.setAttribute('normal', new BufferAttribute(mesh.normals, 3));
   geometry.setAttribute('color', new BufferAttribute(new Uint8Array(3 * indices.length), 3, true));
-  geometry.setIndex(new BufferAttribute(new Uint32Array(indices.length), 1));
   geometry.boundingSphere = wholeScene;
   return geometry;
 }
