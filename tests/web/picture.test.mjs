@@ -74,17 +74,22 @@ test('no background is seen between cells with detail and the faces beside them'
   await viewer.after('diagram', () =>
     viewer.evaluate((viewer) => viewer.setAttribute('detail', 2)),
   );
-  const picture = await viewer.picture(['regions']);
-  const gaps = await viewer.evaluate((viewer, picture) => {
-    const { data, width } = viewer.pictures[picture];
-    const isFull = (pixel) => data[4 * pixel + 3] === 255;
-    const beside = [-2, 2, -2 * width, 2 * width];
-    let count = 0;
-    for (let pixel = 0; pixel < data.length / 4; ++pixel)
-      if (!isFull(pixel) && beside.every((step) => isFull(pixel + step))) ++count;
-    return count;
-  }, picture);
-  assert.equal(gaps, 0);
+  await viewer.after('distances', () =>
+    viewer.evaluate((viewer) => viewer.setAttribute('layers', 'distances')),
+  );
+  for (const layer of ['distances', 'regions']) {
+    const picture = await viewer.picture([layer]);
+    const gaps = await viewer.evaluate((viewer, picture) => {
+      const { data, width } = viewer.pictures[picture];
+      const isFull = (pixel) => data[4 * pixel + 3] === 255;
+      const beside = [-2, 2, -2 * width, 2 * width];
+      let count = 0;
+      for (let pixel = 0; pixel < data.length / 4; ++pixel)
+        if (!isFull(pixel) && beside.every((step) => isFull(pixel + step))) ++count;
+      return count;
+    }, picture);
+    assert.equal(gaps, 0, layer);
+  }
   await viewer.close();
 });
 

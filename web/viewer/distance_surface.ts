@@ -13,7 +13,7 @@ import {
 } from 'three';
 import { type DistanceScale, distanceColours } from './distance_scale.js';
 import type { DistanceTriangles } from './distance_triangles.js';
-import { behindLines } from './lines.js';
+import { behindLines, behindSurface } from './lines.js';
 import { occlude } from './occlusion.js';
 import { wholeScene } from './record_buffer.js';
 import type { SceneMesh } from './scene_mesh.js';
@@ -21,22 +21,34 @@ import type { SceneMesh } from './scene_mesh.js';
 /** Takes a scale in lengths of the scene. */
 export class DistanceSurface {
   readonly object = new Group();
-  readonly #material: MeshLambertMaterial;
   readonly #uniforms = { longest: { value: 1 }, isolineStep: { value: 1 } };
 
   constructor(
     mesh: SceneMesh,
-    { faceReach, corners, position, normal, reach }: DistanceTriangles,
+    { faceReach, position, normal, reach }: DistanceTriangles,
     { longest, step }: DistanceScale,
     occlusion: Data3DTexture,
   ) {
     this.#uniforms.longest.value = longest;
     this.#uniforms.isolineStep.value = step;
-    this.#material = new MeshLambertMaterial({
-      side: DoubleSide,
-      ...behindLines,
-    });
-    this.#material.onBeforeCompile = (shader) => {
+    const faces = geometryOf(mesh.cornerPositions, mesh.normals, faceReach);
+    this.#add(faces, behindSurface, occlusion);
+    this.#add(geometryOf(position, normal, reach), behindLines, occlusion);
+  }
+
+  dispose(): void {
+    for (const { geometry, material } of this.object.children as Mesh<
+      BufferGeometry,
+      MeshLambertMaterial
+    >[]) {
+      geometry.dispose();
+      material.dispose();
+    }
+  }
+
+  #add(geometry: BufferGeometry, offset: typeof behindLines, occlusion: Data3DTexture): void {
+    const material = new MeshLambertMaterial({ side: DoubleSide, ...offset });
+    material.onBeforeCompile = (shader) => {
       Object.assign(shader.uniforms, this.#uniforms);
       shader.vertexShader = shader.vertexShader
         .replace(
@@ -49,20 +61,11 @@ export class DistanceSurface {
         .replace('#include <color_fragment>', 'diffuseColor.rgb = distanceColour();');
     };
     // See `ExplodedParts`.
-    this.#material.customProgramCacheKey = () => 'distances';
-    occlude(this.#material, occlusion);
-    const whole = geometryOf(mesh.cornerPositions, mesh.normals, faceReach);
-    whole.setIndex(new BufferAttribute(corners, 1));
-    for (const geometry of [whole, geometryOf(position, normal, reach)]) {
-      const surface = new Mesh(geometry, this.#material);
-      surface.frustumCulled = false;
-      this.object.add(surface);
-    }
-  }
-
-  dispose(): void {
-    for (const { geometry } of this.object.children as Mesh[]) geometry.dispose();
-    this.#material.dispose();
+    material.customProgramCacheKey = () => 'distances';
+    occlude(material, occlusion);
+    const surface = new Mesh(geometry, material);
+    surface.frustumCulled = false;
+    this.object.add(surface);
   }
 }
 

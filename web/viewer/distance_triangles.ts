@@ -24,9 +24,8 @@ export interface DistanceSamples {
  * squared distance.
  */
 export interface DistanceTriangles {
-  /** Whole triangles: corners and the reach there; mixed triangles are collapsed to a point. */
+  /** The reach at each corner of the model's triangles; those that are mixed lie behind the cells. */
   faceReach: Float32Array;
-  corners: Uint32Array;
   /** Triangles of cells: place, shading normal and reach at each corner. */
   position: Float32Array;
   normal: Float32Array;
@@ -77,17 +76,17 @@ export function distanceTriangles(
   };
   const count = mesh.indices.length;
   const faceReach = new Float32Array(count);
-  const corners = new Uint32Array(count);
   for (let corner = 0; corner < count; ++corner) {
     const face = Math.floor(corner / 3);
     const vertex = mesh.indices[corner];
-    corners[corner] = faceLabel[face] === mixed ? 3 * face : corner;
-    faceReach[corner] =
-      faceLabel[face] < 0 ? noReach : reachAt(atVertices[vertex], mesh.positions, 3 * vertex);
+    const isReached = faceLabel[face] >= 0 || faceLabel[face] === mixed;
+    faceReach[corner] = isReached
+      ? reachAt(atVertices[vertex], mesh.positions, 3 * vertex)
+      : noReach;
   }
   const { position, normal, points } = cellTriangles(mesh, cells);
   const reach = Float32Array.from(points, (point, corner) =>
     reachAt(atPoints[point], position, 3 * corner),
   );
-  return { faceReach, corners, position, normal, reach };
+  return { faceReach, position, normal, reach };
 }
