@@ -25,31 +25,54 @@ Eigen::Vector2d directionToInput(const TriangleMesh& mesh, int face,
   return {direction.dot(firstSide), direction.x() * firstSide.y() - direction.y() * firstSide.x()};
 }
 
-/// `VertexDistances`.
-Record vertexDistances(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
-                       const DistanceField& field) {
-  const int count = mesh.inputVertexCount();
-  std::vector<int> label(count, -1);
-  std::vector<double> distance(count, kInfinity);
-  std::vector<double> direction(2 * count, std::numeric_limits<double>::quiet_NaN());
-  for (int i = 0; i < count; ++i) {
-    const int vertex = mesh.vertexOfInput(i);
-    if (vertex < 0) continue;
-    const LabelledDistance nearest = nearestOf(field.at(vertex));
-    if (nearest.label < 0) continue;
-    label[i] = nearest.label;
-    distance[i] = nearest.distance;
-    const Eigen::Vector2d towards =
-        directionToInput(mesh, sites[nearest.label].face, field.direction(nearest.label, vertex));
-    direction[2 * i] = towards.x();
-    direction[2 * i + 1] = towards.y();
+/// `VertexDistances` of sites: distances first, then those of the input's vertices.
+class VertexDistances final : public PointLookup {
+ public:
+  VertexDistances(std::shared_ptr<const TriangleMesh> mesh, std::vector<SurfacePoint> sites,
+                  Metric metric)
+      : PointLookup(mesh->inputVertexCount()),
+        mesh_(std::move(mesh)),
+        sites_(std::move(sites)),
+        propagation_(propagate(*mesh_, sites_, metric)) {}
+
+  double progress() const override {
+    constexpr double kPropagationShare = 0.9;
+    return kPropagationShare * (field_ ? 1 : propagation_->progress()) +
+           (1 - kPropagationShare) * PointLookup::progress();
   }
-  Record out;
-  out.add("label", std::move(label));
-  out.add("distance", std::move(distance));
-  out.add("direction", std::move(direction));
-  return out;
-}
+  Record result() override {
+    Record out;
+    out.add("label", std::move(label_));
+    out.add("distance", std::move(distance_));
+    out.add("direction", std::move(direction_));
+    return out;
+  }
+
+ private:
+  bool prepare(long budget) override {
+    if (!field_ && propagation_->step(budget)) field_ = propagation_->take();
+    return field_ != nullptr;
+  }
+  void lookUp(std::size_t i) override {
+    const int vertex = mesh_->vertexOfInput(static_cast<int>(i));
+    const LabelledDistance nearest =
+        vertex < 0 ? LabelledDistance{} : nearestOf(field_->at(vertex));
+    label_.push_back(nearest.label);
+    distance_.push_back(nearest.distance);
+    Eigen::Vector2d direction = Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
+    if (nearest.label >= 0)
+      direction = directionToInput(*mesh_, sites_[nearest.label].face,
+                                   field_->direction(nearest.label, vertex));
+    direction_.insert(direction_.end(), direction.begin(), direction.end());
+  }
+
+  const std::shared_ptr<const TriangleMesh> mesh_;
+  const std::vector<SurfacePoint> sites_;
+  const std::unique_ptr<Propagation> propagation_;
+  std::unique_ptr<DistanceField> field_;
+  std::vector<int> label_;
+  std::vector<double> distance_, direction_;
+};
 
 /// Makes a diagram: distances first, then what is traced of them.
 class VoronoiMaking final : public SlicedWork<Record> {
@@ -203,12 +226,10 @@ GVD_ABI MeshHandle* meshOfVoronoi(VoronoiHandle* voronoi) { return &voronoi->sur
 GVD_ABI Answer* distancesAtVertices(const MeshHandle* handle, Ints face, Doubles bary,
                                     Text metric) {
   return guarded([&] {
-    const std::shared_ptr<const TriangleMesh> mesh = handle->mesh;
-    std::vector<SurfacePoint> sites = sitesFromInput(*mesh, face, bary);
-    auto propagation = propagate(*mesh, sites, metricOf(toView(metric)));
-    return answerOf(std::move(propagation), [mesh, sites = std::move(sites)](auto field) {
-      return vertexDistances(*mesh, sites, *field);
-    });
+    return new Answer{
+        std::make_unique<VertexDistances>(handle->mesh, sitesFromInput(*handle->mesh, face, bary),
+                                          metricOf(toView(metric))),
+        {}};
   });
 }
 

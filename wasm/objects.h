@@ -81,7 +81,7 @@ class PointLookup : public SlicedWork<Record> {
  public:
   explicit PointLookup(std::size_t count) : count_(count) {}
   bool advance(long budget) final;
-  double progress() const final { return count_ > 0 ? static_cast<double>(next_) / count_ : 1; }
+  double progress() const override { return count_ > 0 ? static_cast<double>(next_) / count_ : 1; }
 
  protected:
   /// Prepares the look-ups in steps; true when they can begin.
