@@ -139,7 +139,7 @@ export async function buildPage() {
 const mostKilobytes = { page: 221, all: 472 };
 /** What that is, by the names before Vite's hashes; the scripts that these import come with them. */
 const firstFiles = [
-  ...['index', 'main', 'worker', 'drawing_worker', 'ply_reader'],
+  ...['index', 'main', 'worker', 'worker_server', 'drawing_worker', 'ply_reader'],
   ...['core', 'icon', 'poster'],
 ];
 

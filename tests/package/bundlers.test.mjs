@@ -16,7 +16,7 @@ import { chromium } from 'playwright-core';
 import * as vite8 from 'vite';
 import * as vite6 from 'vite6';
 import { glb, octahedron } from '../wasm/meshes.mjs';
-import { browserOptions } from '../web/browser.mjs';
+import { assertWorkersAreNotImported, browserOptions } from '../web/browser.mjs';
 import { install } from './installed.mjs';
 
 const webpack = createRequire(import.meta.url)('webpack');
@@ -155,6 +155,7 @@ for (const [name, vite] of [
       worker: { format: 'es' },
     });
     await assertFolderWorks(outDir);
+    await assertWorkersAreNotImported(outDir);
   });
 
   test(`${name}: the development server`, async () => {

@@ -3,9 +3,9 @@
 // The built page in a browser, for the tests: they wait for what the viewer says, never for frames.
 
 import assert from 'node:assert/strict';
-import { readFile } from 'node:fs/promises';
+import { readFile, readdir } from 'node:fs/promises';
 import { createServer } from 'node:http';
-import { extname } from 'node:path';
+import { basename, extname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 
@@ -43,6 +43,25 @@ export const browserOptions = {
   ],
   timeout: 120_000,
 };
+
+/**
+ * No module of a bundle imports the script of a worker: WebKit runs the first script of a worker once
+ * more when a module of the worker imports it, which makes it forget what it has.
+ */
+export async function assertWorkersAreNotImported(folder) {
+  const names = (await readdir(folder, { recursive: true })).filter((name) => name.endsWith('.js'));
+  const scripts = await Promise.all(names.map((name) => readFile(join(folder, name), 'utf8')));
+  const quoted = /["'`]([^"'`]+\.js)["'`]/;
+  const all = (pattern) =>
+    scripts.flatMap((script) => [...script.matchAll(pattern)].map(([, name]) => basename(name)));
+  const workers = all(new RegExp(`new Worker\\([^)]*?${quoted.source}`, 'g'));
+  const imported = new Set(all(new RegExp(`(?:from|import)\\s*\\(?${quoted.source}`, 'g')));
+  assert.ok(workers.length > 0, `there are no workers in ${names.join(', ')}`);
+  assert.deepEqual(
+    workers.filter((name) => imported.has(name)),
+    [],
+  );
+}
 
 /** Keeps, in the page, the WebGL contexts that are made. */
 function recordContexts() {

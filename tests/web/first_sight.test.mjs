@@ -6,7 +6,7 @@ import assert from 'node:assert/strict';
 import { existsSync } from 'node:fs';
 import { after, before, suite, test } from 'node:test';
 import { bumpySphere, glb } from '../wasm/meshes.mjs';
-import { startBrowser } from './browser.mjs';
+import { assertWorkersAreNotImported, startBrowser } from './browser.mjs';
 
 const ownFile = {
   name: 'mine.glb',
@@ -175,6 +175,7 @@ suite('first sight', () => {
   test('what cannot be loaded is told in a sentence, and nothing goes on', async () => {
     const cases = [
       [/\/worker-/, 'geodesic-voronoi [role=alert]', /^Nothing can be computed: the worker .+\.$/],
+      [/worker_s/, 'geodesic-voronoi [role=alert]', /^Nothing can be computed: the worker .+\.$/],
       [/\/core-/, 'geodesic-voronoi [role=alert]', /^Nothing can be computed: .+core.+\.$/],
       [/\/main-/, '#error-text', /^The page cannot be loaded: .+ Reload it to try again\.$/],
     ];
@@ -192,6 +193,9 @@ suite('first sight', () => {
       await viewer.close();
     }
   });
+
+  test('no module imports the script of a worker', () =>
+    assertWorkersAreNotImported(new URL('../../build/page/', import.meta.url).pathname));
 
   test('a library that could not be loaded is there for the next model', async () => {
     const viewer = await browser.open({

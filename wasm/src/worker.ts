@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// The script of the module worker that `loadWorker` starts.
+// The script of the module worker that `loadWorker` starts. It imports nothing before it runs:
+// bundlers let chunks import from a script what they share with it, and WebKit runs the first
+// script of a worker once more when a module imports it.
 
-import { compileFromWeb } from './compile.js';
-import { LocalEngine } from './local_engine.js';
-import { serve, type Port } from './worker_server.js';
+import type { Port } from './worker_server.js';
 
-serve(globalThis as unknown as Port, (sources) => LocalEngine.load(sources, compileFromWeb));
+const port = globalThis as unknown as Port;
+const early: MessageEvent[] = [];
+port.onmessage = (event) => early.push(event);
+
+import('./worker_server.js').then(({ serveLocalEngine }) => {
+  serveLocalEngine(port);
+  for (const event of early) port.onmessage?.(event);
+}, reportError);

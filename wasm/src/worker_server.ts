@@ -3,8 +3,10 @@
 // The far side of a worker: answers the calls that come through a port with an engine of its own. The
 // other side is `worker_engine.ts`.
 
+import { compileFromWeb } from './compile.js';
 import type { Engine, EngineSources, Handle } from './engine.js';
 import { GeodesicVoronoiError, type ErrorCode } from './errors.js';
+import { LocalEngine } from './local_engine.js';
 
 /** What the page sends. The first message loads; `abort` names an earlier `id`. */
 export type Request =
@@ -27,6 +29,11 @@ export type Loaded = Pick<Engine, 'version'>;
 export interface Port {
   postMessage(message: unknown, transfer?: Transferable[]): void;
   onmessage: ((event: MessageEvent) => void) | null;
+}
+
+/** Answers by an engine on this thread. */
+export function serveLocalEngine(port: Port): void {
+  serve(port, (sources) => LocalEngine.load(sources, compileFromWeb));
 }
 
 export function serve(port: Port, loadEngine: (sources: EngineSources) => Promise<Engine>): void {
