@@ -525,6 +525,11 @@ test('cvt with sites that stay, and with a density', () => {
   );
   assert.deepEqual(moved, [0, 2, 4]);
 
+  write('each.json', JSON.stringify(Array.from({ length: 6 }, (_, v) => v + 1)));
+  const finer = `cvt shape.glb --sites 5 --max-edge 0.2 --iterations 2`;
+  const spread = succeeds(`${finer} --density each.json`).stdout;
+  assert.notEqual(spread, succeeds(finer).stdout);
+
   write('few.json', '[1, 1]');
   write('object.json', '{}');
   fails(1, 'cvt shape.glb --sites 5 --density few.json', /2 densities for \d+ input vertices/);

@@ -99,6 +99,21 @@ test('fixed sites stay, others go where the density is', async () => {
   assert.notDeepEqual(last.face, sites.face);
 });
 
+test('the density of a subdivided mesh may be given by the vertices from before', async () => {
+  const arrays = grid(4);
+  const density = Array.from({ length: 25 }, (_, v) => 1 + (v % 5));
+  const finer = await gvd.mesh({ ...arrays, density }, { maxEdge: 0.1 });
+  assert.ok(finer.info.inputVertices > 25);
+  const last = async (density) => {
+    const start = await finer.sampleSites(6, { density });
+    return (await collect(finer.cvt(start, { density, iterations: 3 }))).at(-1);
+  };
+  const given = await last(density);
+  assert.deepEqual(given, await last('attribute'));
+  assert.deepEqual(given, await last(finer.density));
+  assert.notDeepEqual(given.sites, (await last([])).sites);
+});
+
 test('points are those of the input, turned triangles too', async () => {
   const other = await gvd.mesh(withFlipped(octahedron(), 2));
   const [first] = await collect(other.cvt({ vertex: [0, 3] }, { iterations: 0 }));

@@ -49,6 +49,7 @@ import {
 } from './results.js';
 import { pointsFile, requireSameMesh } from './points_file.js';
 import { partOf } from './slices.js';
+import { extended } from './subdivision.js';
 import type { Triangles } from './triangles.js';
 import type {
   CvtOptions,
@@ -78,15 +79,17 @@ export class EngineMesh implements Mesh {
   readonly density: Float64Array;
   readonly parts: readonly MeshPart[];
   readonly #kept: Kept;
-  /** The triangles before subdivision. */
+  /** The triangles before subdivision, and the ends of edges whose midpoints are the last vertices. */
   readonly #whole: Int32Array | undefined;
+  readonly #ends: Int32Array;
 
   constructor(
     engine: Engine,
     { handle, info, parts }: OpenedMesh,
-    { positions, indices, parents, whole, normals, uvs, density }: Triangles,
+    { positions, indices, parents, whole, ends, normals, uvs, density }: Triangles,
   ) {
     this.#whole = whole;
+    this.#ends = ends ?? new Int32Array();
     this.info = info;
     this.positions = positions;
     this.indices = indices;
@@ -318,7 +321,9 @@ export class EngineMesh implements Mesh {
 
   /** The density per vertex. */
   async #densityOf(given: GivenDensity, signal: AbortSignal | undefined): Promise<Float64Array> {
-    return given === 'curvature' ? this.curvatureDensity({ signal }) : given;
+    if (given === 'curvature') return this.curvatureDensity({ signal });
+    const wholeCount = this.positions.length / 3 - this.#ends.length / 2;
+    return given.length === wholeCount ? extended(given, 1, this.#ends) : given;
   }
 
   dispose(): void {

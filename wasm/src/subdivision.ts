@@ -27,6 +27,7 @@ export function subdividedTriangles(
     indices,
     parents,
     whole,
+    ends,
     normals: unitVectors(extended(normals, 3, ends), normals.length),
     uvs: extended(uvs, 2, ends),
     density: extended(density, 1, ends),
@@ -57,7 +58,7 @@ export function subdivisionNote(triangles: number, { indices }: Subdivision): st
 }
 
 /** Values per vertex, `size` numbers each, with those of the midpoints. */
-function extended(values: Float64Array, size: number, ends: Int32Array): Float64Array {
+export function extended(values: Float64Array, size: number, ends: Int32Array): Float64Array {
   if (values.length === 0) return values;
   const all = new Float64Array(values.length + (size * ends.length) / 2);
   all.set(values);

@@ -14,6 +14,8 @@ export interface Triangles {
   parents?: Int32Array;
   /** The triangles before that. */
   whole?: Int32Array;
+  /** Per vertex that came with that, these being the last: the two that it is the midpoint of. */
+  ends?: Int32Array;
 }
 
 /** A model of a format without normals, texture coordinates and parts; its density is optional. */
