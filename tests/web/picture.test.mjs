@@ -120,6 +120,17 @@ test('a file of the picture is what is seen, edges that are half transparent too
   await viewer.close();
 });
 
+test('the mark of the selected site is in no file of the picture', async () => {
+  const viewer = await opened(torus());
+  const index = await viewer.evaluate((viewer) =>
+    [...viewer.sites.face.keys()].findIndex((i) => viewer.sitePosition(i)),
+  );
+  const bare = await viewer.picture(['sites']);
+  await viewer.evaluate((viewer, index) => (viewer.selected = index), index);
+  assert.equal((await viewer.difference(bare, await viewer.picture(['sites']))).count, 0);
+  await viewer.close();
+});
+
 test('bisectors are dark on light pages and bright on dark ones', async () => {
   for (const colorScheme of ['light', 'dark']) {
     const viewer = await opened(torus(60, 30), { colorScheme });

@@ -141,8 +141,8 @@ export class GeodesicVoronoiElement extends ReflectingElement {
   /** A picture of the view, `scale` times as large. */
   async toBlob(type = 'image/png', quality?: number, scale = 1): Promise<Blob> {
     if (!this.#viewer) throw new Error('The element is in no document, or has not been in view.');
-    const { stage, model } = this.#viewer;
-    return fileOfPicture(await stage.read(scale), { type, quality }, model?.builder);
+    const drawn = await this.#viewer.picture(scale);
+    return fileOfPicture(drawn, { type, quality }, this.#viewer?.model?.builder);
   }
 
   // --- Sites ----------------------------------------------------------------------------------

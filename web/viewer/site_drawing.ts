@@ -55,6 +55,12 @@ export class SiteDrawing {
     this.#show();
   }
 
+  /** Marks one of the sites as selected; -1 for none. */
+  set selected(index: number) {
+    this.#selected = index;
+    this.#show();
+  }
+
   /** Draws the sites where they have glided to; returns whether they glide on. */
   glide(): boolean {
     this.#show();

@@ -16,6 +16,7 @@ import type { OpenedMesh, Reader, SiteSampling } from './mesh_opening.js';
 import { OpenModel } from './open_model.js';
 import { OriginalLayer } from './original_layer.js';
 import { PageScrolling } from './page_scrolling.js';
+import type { DrawnPixels } from './picture_file.js';
 import { PointerGestures } from './pointer_gestures.js';
 import { Session } from './session.js';
 import type { Drawable, SessionListener } from './session_listener.js';
@@ -249,6 +250,17 @@ export class Viewer implements Workpiece {
       if (!client || picker.hides(place, this.stage.camera)) return undefined;
       return { x: client.x - left, y: client.y - top };
     });
+  }
+
+  /** The pixels of the view, `scale` times as large, without the mark of the selected site. */
+  picture(scale: number): Promise<DrawnPixels> {
+    const sites = this.#model?.drawing.sites;
+    if (sites) sites.selected = -1;
+    try {
+      return this.stage.read(scale); // which draws at once, and then waits for the pixels
+    } finally {
+      if (sites) sites.selected = this.selected;
+    }
   }
 
   recordDensity(): void {
