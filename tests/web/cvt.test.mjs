@@ -237,6 +237,18 @@ suite('the centroidal tessellation', () => {
     assert.deepEqual(await viewer.sites(), sites);
   });
 
+  test('what is under the brush is told during a stroke', async () => {
+    const { x, y } = await viewer.freePlace();
+    await press('#density-paint');
+    await viewer.after('hover', () => viewer.page.mouse.move(x, y));
+    await viewer.page.mouse.down();
+    const told = await viewer.after('hover', () => viewer.page.mouse.move(x + 12, y));
+    assert.ok(told.region >= 0);
+    await viewer.after('density-change', () => viewer.page.mouse.up());
+    await viewer.after('density-change', () => press('#undo'));
+    await press('#density-paint');
+  });
+
   test('a density has a legend where it is seen', async () => {
     const legend = viewer.page.locator('geodesic-voronoi [part=density]');
     assert.equal(await legend.isVisible(), false);

@@ -64,7 +64,9 @@ export class SurfaceTools implements GestureTarget {
   /** Adds a site there, or a dab of density. */
   useAt(device: Vector2): void {
     if (this.#work.attributes.isPainting) {
-      if (this.#dab(device)) this.#work.recordDensity();
+      const hit = this.#dab(device);
+      this.#showBrush(hit);
+      if (hit) this.#work.recordDensity();
       return;
     }
     const hit = this.pick(device);
@@ -116,11 +118,13 @@ export class SurfaceTools implements GestureTarget {
 
   beginStroke(x: number, y: number): boolean {
     const { attributes, stage } = this.#work;
-    return attributes.interactive.edit && attributes.isPainting && this.#dab(stage.toDevice(x, y));
+    const isBrush = attributes.interactive.edit && attributes.isPainting;
+    return isBrush && this.#dab(stage.toDevice(x, y)) !== undefined;
   }
 
   stroke(x: number, y: number): void {
     this.#dab(this.#work.stage.toDevice(x, y));
+    this.hover(x, y);
   }
 
   endStroke(): void {
@@ -198,16 +202,15 @@ export class SurfaceTools implements GestureTarget {
     this.#showBrush(undefined);
   }
 
-  /** Paints density there; returns whether there is any surface. */
-  #dab(device: Vector2): boolean {
+  /** Paints density there; returns the place, if there is any surface. */
+  #dab(device: Vector2): SurfaceHit | undefined {
     const { attributes, model, stage } = this.#work;
     const hit = this.pick(device);
-    if (!hit || !model) return false;
+    if (!hit || !model) return undefined;
     model.paint.dab(hit, attributes.brush);
     model.drawing.setTints(model.paint.tints);
-    this.#showBrush(hit);
     stage.invalidate();
-    return true;
+    return hit;
   }
 
   /** Shows the outline of the brush's reach; nothing beside the surface. */
