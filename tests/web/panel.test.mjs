@@ -66,6 +66,12 @@ suite('the panel', () => {
     await list.focus();
     await viewer.after('diagram', () => viewer.page.keyboard.press('Delete'));
     assert.equal(await list.locator('option').count(), 59);
+    assert.equal(await viewer.evaluate(({ selected }) => selected), 12, 'the next one is selected');
+    await list.selectOption({ index: 58 });
+    await viewer.after('diagram', () => viewer.page.keyboard.press('Delete'));
+    assert.equal(await viewer.evaluate(({ selected }) => selected), 57, 'or the last one');
+    assert.equal(await list.evaluate(({ selectedIndex }) => selectedIndex), 57);
+    for (const _ of '12') await viewer.after('diagram', () => viewer.page.click('#undo'));
   });
 
   test('what the diagram is made of and what its stages took is told', async () => {

@@ -3,7 +3,7 @@
 // Placing and removing sites, and the list of them.
 
 import type { Sampling } from 'geodesic-voronoi';
-import type { GeodesicVoronoiElement } from '../viewer/element.js';
+import { commandOf, type GeodesicVoronoiElement } from '../viewer/element.js';
 import { byId, listen, onClick, showAttributes } from './dom.js';
 import { showFailure, showNoteOnSites } from './feedback.js';
 import { counted, integer, measure } from './numbers.js';
@@ -139,5 +139,13 @@ function setUpList(viewer: GeodesicVoronoiElement): void {
   });
   list.addEventListener('change', () => {
     viewer.selected = list.selectedIndex;
+  });
+  // Several are removed in a row: the site that takes the place in the list is selected.
+  list.addEventListener('keydown', (event) => {
+    const { selected } = viewer;
+    if (commandOf(event) !== 'remove' || selected < 0) return;
+    event.preventDefault();
+    viewer.removeSite(selected);
+    viewer.selected = Math.min(selected, viewer.sites.face.length - 1);
   });
 }
