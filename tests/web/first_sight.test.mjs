@@ -268,6 +268,15 @@ suite('first sight', () => {
     assert.equal(await damaged.siteCount(), 12);
     await damaged.close();
 
+    const tooFine = await browser.open({ hash: '#v=1&model=torus.glb&max-edge=1e-7' });
+    await tooFine.page.getByText('torus.glb cannot be opened').waitFor();
+    assert.equal(
+      await tooFine.page.locator('#poster').isVisible(),
+      false,
+      'it is of another model',
+    );
+    await tooFine.close();
+
     const uncountable = await browser.open({ hash: '#v=1&model=torus.glb&sites=1e9' });
     await uncountable.settled();
     assert.equal(await uncountable.siteCount(), 60);

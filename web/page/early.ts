@@ -10,6 +10,9 @@ import { modelOf } from './first_model.js';
 /** The uncompressed bytes of everything that is fetched here, inserted by the build. */
 declare const firstBytes: number;
 
+// The poster is of the model that the page opens with, unless a link names another.
+byId('poster', HTMLElement).hidden = modelOf(location.hash) !== modelOf('');
+
 const bar = byId('progress-bar', HTMLProgressElement);
 let received = 0;
 
