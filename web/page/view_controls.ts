@@ -102,6 +102,7 @@ function setUpDual(viewer: GeodesicVoronoiElement): void {
 
 function setUpExploded(viewer: GeodesicVoronoiElement): void {
   const slider = byId('exploded', HTMLInputElement);
+  const chips = byId('layers', HTMLFieldSetElement);
   let isDrawn = false;
   slider.addEventListener('input', () => {
     viewer.exploded = Number(slider.value) / 100;
@@ -131,6 +132,7 @@ function setUpExploded(viewer: GeodesicVoronoiElement): void {
   const show = () => {
     const value = String(Math.round(100 * viewer.exploded));
     if (slider.value !== value) slider.value = value;
+    chips.disabled = viewer.exploded > 0; // it shows regions alone, whatever the layers
     if (viewer.exploded === 0) endNote();
   };
   show();
