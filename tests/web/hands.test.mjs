@@ -219,6 +219,16 @@ suite('hands', () => {
     await apple.close();
   });
 
+  test('Enter beside the model says why it adds nothing', async () => {
+    await viewer.evaluate((viewer) => (viewer.cameraOrbit = '0deg 75deg 105% 2 0 0'));
+    await viewer.page.locator('geodesic-voronoi canvas').focus();
+    await viewer.page.keyboard.press('Enter');
+    await viewer.page.getByText('The model is not at the centre of the view').waitFor();
+    assert.equal(await viewer.siteCount(), 60);
+    await viewer.evaluate((viewer) => viewer.removeAttribute('camera-orbit'));
+    await viewer.evaluate((viewer) => viewer.refit());
+  });
+
   test('the exploded view fills the view, is not edited, and ends to play', async () => {
     await viewer.after('exploded', () => viewer.page.locator('#exploded').fill('80'));
     const edge = await viewer.evaluate(async (viewer) => {
@@ -233,10 +243,17 @@ suite('hands', () => {
     await viewer.page.mouse.click(x + width / 2, y + height / 2);
     await viewer.page.locator('#note-text', { hasText: 'in the exploded view' }).waitFor();
     assert.equal(await viewer.siteCount(), 60);
+    await viewer.page.keyboard.press('Enter');
+    await viewer.page
+      .getByText('No site can be added in the exploded view', { exact: true })
+      .waitFor();
+    const layers = viewer.page.locator('#layers input');
+    assert.ok(await layers.first().isDisabled(), 'it shows no other layer');
     await viewer.page.evaluate(() => document.querySelector('#cvt-step').click());
     await viewer.page.locator('#cvt-iteration', { hasText: '1' }).waitFor();
     assert.equal(await viewer.page.locator('#exploded').inputValue(), '0');
     assert.equal(await viewer.page.locator('#note').isVisible(), false, 'it is no longer true');
+    assert.ok(await layers.first().isEnabled());
     await viewer.settled();
   });
 

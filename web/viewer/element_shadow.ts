@@ -91,7 +91,7 @@ export class ElementShadow {
     root.adoptedStyleSheets = [sheet];
 
     // Attributes, since browsers have these as properties only of late.
-    this.#hint.setAttribute('aria-hidden', 'true');
+    this.#hint.setAttribute('role', 'status');
     this.#message.setAttribute('role', 'alert');
     this.canvas.setAttribute('aria-describedby', 'instructions');
     this.#poster.append(slot('poster', this.#posterImage));

@@ -39,6 +39,8 @@ export interface Workpiece {
   playCvt(): void;
   /** Makes one step of everything painted since the last call. */
   recordDensity(): void;
+  /** Shows a sentence on the view for a moment. */
+  readonly hint: (sentence: string) => void;
 }
 
 /** The tools of the pointer on the surface: add, drag and remove sites, paint density, hover. */
@@ -78,9 +80,12 @@ export class SurfaceTools implements GestureTarget {
     const { attributes, stage } = this.#work;
     const { left, top, width, height } = stage.canvas.getBoundingClientRect();
     const [x, y] = [left + width / 2, top + height / 2];
+    const device = stage.toDevice(x, y);
     const site = attributes.isPainting ? undefined : this.siteAt(x, y, pointerReach);
-    if (site === undefined) this.useAt(stage.toDevice(x, y));
-    else this.select(site);
+    if (site !== undefined) this.select(site);
+    else if (this.pick(device)) this.useAt(device);
+    else if (attributes.exploded > 0) this.#work.hint('No site can be added in the exploded view');
+    else this.#work.hint('The model is not at the centre of the view');
   }
 
   /**

@@ -36,7 +36,7 @@ const longestGlide = 250;
 export interface ViewerHost extends ContextListener {
   readonly attributes: Attributes;
   readonly emit: Emit;
-  hint(sentence: string): void;
+  readonly hint: (sentence: string) => void;
 }
 
 /** The session's model, sites and diagram on the stage, with the tools to edit them. */
@@ -47,6 +47,7 @@ export class Viewer implements Workpiece {
   readonly hover: Hover;
   readonly tools: SurfaceTools;
   readonly scrolling: PageScrolling;
+  readonly hint: (sentence: string) => void;
   readonly legend: Legend;
   readonly #emit: Emit;
   readonly #gestures: PointerGestures;
@@ -72,13 +73,10 @@ export class Viewer implements Workpiece {
     this.#emit = (type, detail) => {
       if (!this.#watching.signal.aborted) host.emit(type, detail);
     };
+    this.hint = host.hint;
     this.tools = new SurfaceTools(this);
     this.#gestures = new PointerGestures(canvas, this.tools);
-    this.scrolling = new PageScrolling(
-      canvas,
-      () => this.attributes.touchAction,
-      (sentence) => host.hint(sentence),
-    );
+    this.scrolling = new PageScrolling(canvas, () => this.attributes.touchAction, this.hint);
     this.stage = new Stage(canvas, {
       contextLost: () => host.contextLost(),
       contextRestored: () => host.contextRestored(),
