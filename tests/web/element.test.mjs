@@ -607,6 +607,20 @@ suite('attributes and events', () => {
     assert.equal(moved.orbit, '30deg 75deg 120%');
   });
 
+  test('the camera is told to be nowhere but where a model is seen from', async (context) => {
+    const viewer = await opened(context, 'empty.html');
+    const orbits = await viewer.evaluate(async () => {
+      const viewer = document.createElement('geodesic-voronoi');
+      const orbits = [];
+      viewer.addEventListener('camera-change', ({ detail }) => orbits.push(detail.orbit));
+      document.body.append(viewer);
+      await viewer.load('/samples/torus.glb');
+      return orbits;
+    });
+    for (const orbit of orbits) assert.match(orbit, /^24\.\d+deg 6\d\.\d+deg 100%/);
+    assert.ok(orbits.length > 0);
+  });
+
   test('a picture of it can be had, larger too', async (context) => {
     const viewer = await opened(context, 'one.html');
     await viewer.settled();

@@ -87,6 +87,7 @@ export class Stage {
     this.#picture = canvas.getContext('2d') as CanvasRenderingContext2D;
     this.#scene.add(this.camera);
     this.#addLights();
+    this.camera.position.copy(firstDirection); // so that no other place is told of before a model is framed
     this.#controls = this.#newControls();
   }
 
