@@ -211,6 +211,19 @@ test('distances are shown with a scale in the units of the model', async () => {
   await viewer.close();
 });
 
+test('the scale of distances is as short for a model of any size', async () => {
+  const { positions, indices } = torus();
+  const viewer = await opened({ positions: positions.map((x) => 1e-9 * x), indices });
+  await viewer.page.check('#layers [value=distances]');
+  const legend = viewer.page.locator('geodesic-voronoi .distances');
+  await legend.waitFor();
+  assert.match(
+    await legend.textContent(),
+    /^0\d\.\d\de-\d+Distance .* a line every \d\.\d\de-\d+$/,
+  );
+  await viewer.close();
+});
+
 test('the pointer shows the shortest path to the site', async () => {
   const viewer = await opened(torus(60, 30));
   const bare = await viewer.picture(['regions']);

@@ -5,6 +5,7 @@
 import { greatestDensity } from './density_paint.js';
 import { type DistanceScale, distanceColours } from './distance_scale.js';
 import { tintColours } from './label_colours.js';
+import { measure } from './measure.js';
 
 const style = `
   .legend {
@@ -60,11 +61,11 @@ export class Legend {
     if (!scale) return;
     fill(this.#distances, {
       colours: distanceColours,
-      marks: [numeral(0), numeral(scale.longest)],
+      marks: [measure(0), measure(scale.longest)],
       caption: [
         'Distance to the nearest site',
         ", in the model's units",
-        `; a line every ${numeral(scale.step)}`,
+        `; a line every ${measure(scale.step)}`,
       ],
     });
   }
@@ -107,8 +108,4 @@ function span(text: string): HTMLSpanElement {
   const element = document.createElement('span');
   element.textContent = text;
   return element;
-}
-
-function numeral(value: number): string {
-  return Number(value.toPrecision(3)).toLocaleString('en', { maximumSignificantDigits: 3 });
 }
