@@ -145,6 +145,33 @@ suite('access', () => {
     await viewer.close();
   });
 
+  test('text of twice the size is not cut off in the curve and the menus', async () => {
+    const viewer = await browser.open({ viewport: { width: 390, height: 844 } });
+    const { page } = viewer;
+    await viewer.settled();
+    await page.evaluate(() => {
+      document.documentElement.style.fontSize = '32px';
+      document.querySelector('#panel').hidden = false;
+    });
+    const cutOff = (parts, whole) =>
+      page.evaluate(
+        ([parts, whole]) => {
+          const { left, right } = document.querySelector(whole).getBoundingClientRect();
+          return [...document.querySelectorAll(`${whole} ${parts}`)]
+            .filter((part) => {
+              const box = part.getBoundingClientRect();
+              return box.left < left || box.right > right;
+            })
+            .map((part) => part.id || part.textContent);
+        },
+        [parts, whole],
+      );
+    assert.deepEqual(await cutOff('text', '#cvt-curve'), []);
+    await page.evaluate(() => document.querySelector('#download').showPopover());
+    assert.deepEqual(await cutOff('button', '#download'), []);
+    await viewer.close();
+  });
+
   test('in a low window the controls are beside the view, unless it is narrow, too', async () => {
     const viewer = await browser.open({ viewport: { width: 740, height: 360 } });
     await viewer.settled();

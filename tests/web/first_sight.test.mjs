@@ -169,6 +169,7 @@ suite('first sight', () => {
     for (const id of ['#samples', '#open', '#open-folder']) {
       assert.equal(await viewer.page.locator(id).isDisabled(), true, id);
     }
+    assert.equal(await viewer.page.locator('#samples').textContent(), 'None');
     await viewer.close();
   });
 

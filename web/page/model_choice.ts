@@ -17,7 +17,10 @@ import samples from './samples.json' with { type: 'json' };
  */
 export function setUpModelChoice(viewer: GeodesicVoronoiElement): void {
   // Without WebGL nothing can be opened; the view says so.
-  if (viewer.status === 'failed') return;
+  if (viewer.status === 'failed') {
+    byId('samples', HTMLSelectElement).options[0].text = 'None';
+    return;
+  }
   const menu = new ModelMenu(viewer);
   const open = async (files: readonly File[], all: ModelFiles | Promise<ModelFiles>) => {
     try {
