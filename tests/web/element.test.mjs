@@ -41,6 +41,12 @@ before(async () => {
     '/icon.svg': { html: '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9" />' },
     '/one.html': page(`<geodesic-voronoi ${model}></geodesic-voronoi>`),
     '/twenty.html': page(twenty),
+    '/early.html': page(`<geodesic-voronoi></geodesic-voronoi><script src="early.js"></script>`),
+    '/early.js': {
+      html: `Object.assign(document.querySelector('geodesic-voronoi'), {
+        src: '/samples/torus.glb', sites: 7, layers: ['regions', 'dual'], cameraOrbit: '30deg 75deg 120%',
+      });`,
+    },
     '/exploded.html': page(
       `<geodesic-voronoi ${model} exploded="0.8" layers="regions"></geodesic-voronoi>
        <script type="module" src="count.js"></script>`,
@@ -420,6 +426,18 @@ suite('attributes and events', () => {
       return { count: sites.face.length, layers, exploded };
     });
     assert.deepEqual(made, { count: 12, layers: ['regions', 'sites'], exploded: 0.5 });
+  });
+
+  test('properties may be set before the script has come', async (context) => {
+    const viewer = await opened(context, 'early.html');
+    await viewer.page.waitForFunction(
+      () => document.querySelector('geodesic-voronoi').status === 'ready',
+    );
+    assert.equal(await viewer.siteCount(), 7);
+    assert.deepEqual(await viewer.evaluate(({ layers }) => layers), ['regions', 'dual']);
+    assert.equal(await viewer.evaluate(({ cameraOrbit }) => cameraOrbit), '30deg 75deg 120%');
+    await viewer.evaluate((viewer) => (viewer.layers = ['regions']));
+    assert.equal(await viewer.evaluate((viewer) => viewer.getAttribute('layers')), 'regions');
   });
 
   test('an exploded view fills the view from the start, and no more', async (context) => {

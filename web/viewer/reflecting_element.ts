@@ -45,6 +45,20 @@ export interface ReflectingElement {
 export class ReflectingElement extends Base {
   protected readonly attributeValues = new Attributes(this);
 
+  constructor() {
+    super();
+    // Properties that a page set before the element was defined would hide those of the class.
+    const { observedAttributes, prototype } = new.target as typeof ReflectingElement & {
+      observedAttributes: readonly string[];
+    };
+    for (const [name, value] of Object.entries(this)) {
+      const attribute = name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
+      if (!(name in prototype && observedAttributes.includes(attribute))) continue;
+      Reflect.deleteProperty(this, name);
+      this.setAttribute(attribute, Array.isArray(value) ? value.join(' ') : String(value));
+    }
+  }
+
   /** Address of the model. */
   get src(): string {
     return this.getAttribute('src') ?? '';
