@@ -466,7 +466,7 @@ suite('the page', () => {
     // Sites stay where they are, those placed by hand, too; so does the density.
     await viewer.evaluate((viewer) => {
       viewer.sites = { face: [0, 1, 4], bary: [0.2, 0.3, 0.5, 0.6, 0.3, 0.1, 0.4, 0.4, 0.2] };
-      viewer.density = Float64Array.from({ length: 24 }, (_, v) => 1 + v);
+      viewer.density = Float64Array.from({ length: 28 }, (_, v) => 1 + v);
     });
     const places = () =>
       viewer.evaluate(async ({ mesh, sites }) => [...(await mesh.positionsOf(sites))]);

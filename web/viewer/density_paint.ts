@@ -50,7 +50,19 @@ export class DensityPaint {
   }
 
   set density(density: ArrayLike<number> | undefined) {
+    if (density) this.#check(density);
     for (let v = 0; v < this.#tints.length; ++v) this.#tints[v] = tintOf(density?.[v] ?? 1);
+  }
+
+  #check(density: ArrayLike<number>): void {
+    const count = this.#tints.length;
+    if (density.length !== count)
+      throw new RangeError(
+        `density has ${density.length} values, and the model ${count} vertices.`,
+      );
+    const wrong = Array.prototype.findIndex.call(density, (value) => !(value >= 0));
+    if (wrong >= 0)
+      throw new RangeError(`density is ${density[wrong]} at vertex ${wrong}, not 0 or above.`);
   }
 
   dab({ face, place }: SurfaceHit, { radius, density }: Brush): void {

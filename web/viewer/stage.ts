@@ -146,6 +146,7 @@ export class Stage {
 
   /** The pixels of the present view, `scale` times as large as it is shown. */
   async read(scale: number): Promise<DrawnPixels> {
+    if (!(scale > 0)) throw new RangeError(`scale is ${scale}, not a number above 0.`);
     if (this.#size.width === 0) throw new Error('The view has no size.');
     try {
       return await this.#renderer.read(this.#view(scale));
