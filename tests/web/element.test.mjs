@@ -501,6 +501,49 @@ suite('attributes and events', () => {
     assert.match(sampled.message, /^The sites cannot be placed: .*[^.]\.$/);
   });
 
+  test('a site that is nowhere is refused, and the diagram is there as before', async (context) => {
+    const viewer = await opened(context, 'one.html');
+    await viewer.settled();
+    const message = await viewer.evaluate(async (viewer) => {
+      const error = new Promise((resolve) => viewer.addEventListener('error', resolve));
+      viewer.addSite({ face: 1e9, bary: [1, 0, 0] });
+      return (await error).detail.message;
+    });
+    assert.match(
+      message,
+      /^The diagram cannot be made: site 12: there is no triangle 1000000000\.$/,
+    );
+    await viewer.settled();
+    assert.equal(await viewer.siteCount(), 12);
+    assert.equal(await viewer.regionCount(), 12);
+  });
+
+  test('a picture of no size is refused, and so is a density of other vertices', async (context) => {
+    const viewer = await opened(context, 'one.html');
+    await viewer.settled();
+    const refusals = await viewer.evaluate(async (viewer) => {
+      const messageOf = ({ message }) => message;
+      const scales = [0, -1, Number.NaN].map((scale) =>
+        viewer.toBlob('image/png', undefined, scale).catch(messageOf),
+      );
+      const densities = [[1, 2], Array(9000).fill(Number.NaN)].map((density) => {
+        try {
+          viewer.density = density;
+        } catch (error) {
+          return error.message;
+        }
+      });
+      return [...(await Promise.all(scales)), ...densities];
+    });
+    assert.deepEqual(refusals, [
+      'scale is 0, not a number above 0.',
+      'scale is -1, not a number above 0.',
+      'scale is NaN, not a number above 0.',
+      'density has 2 values, and the model 9000 vertices.',
+      'density is NaN at vertex 0, not 0 or above.',
+    ]);
+  });
+
   test('opening a file tells how far it is, and ends in the worker when it is cancelled', async (context) => {
     const viewer = await opened(context, 'one.html', {
       prepare: (page) =>

@@ -32,9 +32,7 @@ export class Session {
   readonly #listener: SessionListener;
   readonly #onProgress = (share: number) => this.#listener.progressed(share);
   readonly #history = new SiteHistory();
-  readonly #task = new LatestTask<DiagramRequest>((wanted, signal) =>
-    this.#compute(wanted, signal),
-  );
+  readonly #task = new LatestTask<DiagramRequest>((...task) => this.#compute(...task));
   #settings: DiagramSettings = { metric: 'exact', detail: 0 };
   #lease: LibraryLease | undefined;
   #opening: AbortController | undefined;
@@ -330,7 +328,7 @@ export class Session {
       const isFollowed = this.#task.superseded || this.#cvt?.playing;
       if (!mesh || mesh !== this.#mesh || isFollowed) return;
       if (!signal.aborted) this.#fail(sentence('The diagram cannot be made', error));
-      this.#returnToShown();
+      this.#returnToShown(wanted);
     } finally {
       this.#computing = this.#task.superseded;
       this.#updateStatus();
@@ -405,9 +403,9 @@ export class Session {
   }
 
   /** Goes back to the shown sites; if no diagram was shown yet, the sites stay without one. */
-  #returnToShown(): void {
+  #returnToShown(failed: DiagramRequest): void {
     if (!this.#shown) return;
-    const { sites, metric, detail } = this.#shown;
+    const { sites, metric, detail, diagram } = this.#shown;
     this.#settings = { metric, detail };
     this.#move = undefined;
     const { tints } = this.#history;
@@ -415,6 +413,8 @@ export class Session {
     if (this.#history.tints !== tints) this.#listener.densityChanged(this.#history.tints);
     this.#listener.settingsRestored(this.#settings);
     this.#listener.sitesChanged();
+    // A step that failed has taken the diagram with it.
+    if (!diagram && sites.length > 0 && failed.sites !== sites) this.#request();
   }
 
   #fail(error: unknown, type: Parameters<SessionListener['failed']>[0] = 'computefailure'): void {
