@@ -33,7 +33,7 @@ function setUpBareNote(viewer: GeodesicVoronoiElement): void {
     const advice =
       share < debrisShare
         ? '“Smallest component kept”, below “Model”, drops small ones.'
-        : '“At least per component” places some.';
+        : '“At least per component” places some, given enough sites.';
     note.textContent =
       `${integer(bare.components)} of ${counted(info.components, 'component')}, ` +
       `${Number((100 * share).toPrecision(2))} % of the area, ` +
