@@ -424,6 +424,25 @@ TEST(Repair, SaysWhatIsLeftWhereItMayNotAddMore) {
   EXPECT_THROW(repair(mesh, twice, Metric::kExact), Error);
 }
 
+/// A triangle on one edge of a cube, which is cut there: the diagram takes a site on one side of
+/// the cut to be on the other, too. Sites were added between the same two until two came to one
+/// place, and the user was told that the sites given were at fault.
+TEST(Repair, SaysThatSitesDoNotHelpAlongAnEdgeThatIsCut) {
+  shapes::Shape shape = shapes::cube();
+  shape.addTriangle(shape.triangles[0], shape.triangles[1], shape.addVertex({9, 9, 9}));
+  const auto mesh = shape.mesh();
+  ASSERT_EQ(mesh.repairs().nonManifoldEdges, 1);
+  const std::vector<SurfacePoint> sites = {centroid(2)};
+  try {
+    repair(mesh, sites, Metric::kExact);
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.code(), ErrorCode::kTooFewSites);
+    EXPECT_NE(std::string(e.what()).find("triangles are too long: site"), std::string::npos)
+        << e.what();
+  }
+}
+
 TEST(Repair, GivesTheSameSitesEveryTime) {
   const auto mesh = shapes::bumpySurface(2, 2, 0.3, 4).mesh();
   const auto sites = sampleUniform(mesh, 6, 4);

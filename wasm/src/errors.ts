@@ -16,7 +16,7 @@ export type ErrorCode =
   | 'invalid-point'
   /** An argument is of the wrong kind, or makes no sense for this object. */
   | 'invalid-argument'
-  /** The dual is not valid with as many sites as may be added (`maxAdded`). */
+  /** The dual is not valid with as many sites as may be added (`maxAdded`), or more do not help. */
   | 'too-few-sites'
   /** The object has been disposed, or the library that it belongs to. */
   | 'disposed'

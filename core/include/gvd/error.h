@@ -10,10 +10,10 @@ namespace gvd {
 
 /// What went wrong, for programs; `Error::what()` says it in one sentence, for people.
 enum class ErrorCode {
-  kInvalidMesh,      ///< the triangles cannot be made into a surface
-  kInvalidGltf,      ///< the bytes are not a glTF this library reads
-  kInvalidPoint,     ///< a site or query point is not on the surface
-  kTooFewSites,      ///< the dual is not valid with as many sites as may be added
+  kInvalidMesh,   ///< the triangles cannot be made into a surface
+  kInvalidGltf,   ///< the bytes are not a glTF this library reads
+  kInvalidPoint,  ///< a site or query point is not on the surface
+  kTooFewSites,   ///< the dual is not valid with as many sites as may be added, or more do not help
   kInvalidArgument,  ///< an option, count or list does not fit, as the function says
 };
 

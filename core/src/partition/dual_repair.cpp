@@ -183,7 +183,7 @@ class Repairing final : public SlicedWork<RepairedSites> {
       beginRound();
       return false;
     }
-    if (!round_.run([&] { return finding_->step(budget); }, [&] { takeFound(); },
+    if (!round_.run([&] { return find(budget); }, [&] { takeFound(); },
                     [&] { return insert(budget); }))
       return false;
     if (found_.empty()) return true;
@@ -211,6 +211,21 @@ class Repairing final : public SlicedWork<RepairedSites> {
     repaired_ = {dynamic_->sites(), repaired_.added, dynamic_->diagram()};
     finding_ =
         startRepairingSites(mesh_, repaired_.sites, repaired_.diagram, dynamic_->distances());
+  }
+
+  /// The first round refuses given sites without region. Later ones come upon added sites: along an
+  /// edge that is cut, for example, a diagram may mistake one side for the other, and sites are
+  /// added between the same two over and over.
+  bool find(long budget) {
+    try {
+      return finding_->step(budget);
+    } catch (const Error& error) {
+      if (repaired_.added == 0) throw;
+      throw Error(
+          ErrorCode::kTooFewSites,
+          "more sites do not make the dual valid, perhaps because triangles are too long: " +
+              std::string(error.what()));
+    }
   }
 
   void takeFound() {
