@@ -77,11 +77,12 @@ class DistanceField {
   /// The distance of one site at a point; infinity where it is not known. For the nearest site as
   /// quick as `nearest`, for another one as slow as `distancesAt`.
   virtual double distance(int label, const SurfacePoint& p) const = 0;
-  /// Starts to find distances at many points. With the exact metric, each of the sites spreads once
-  /// more, as far as it is nearest and on to its points, which takes about as long as the first
-  /// time. Distances that were found are kept until their site is removed. The points are copied;
-  /// one that is not on the mesh throws `Error(kInvalidPoint)` in a step. The field must outlive
-  /// the work, and sites must not change until it is done.
+  /// Starts to find distances at many points: infinity where a label is not known at the corners of
+  /// the point's face, or at both ends of its edge. With the exact metric, each of the sites
+  /// spreads once more, as far as it is nearest and on to its points, which takes about as long as
+  /// the first time. Distances that were found are kept until their site is removed. The points are
+  /// copied; one that is not on the mesh throws `Error(kInvalidPoint)` in a step. The field must
+  /// outlive the work, and sites must not change until it is done.
   virtual std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
       std::span<const LabelledPoint> points) const = 0;
   /// The same without steps.
@@ -92,8 +93,10 @@ class DistanceField {
   /// vector: together with the distance, geodesic polar coordinates (the logarithmic map). With the
   /// exact metric it is also the negative gradient of the distance with respect to the site. The
   /// x axis is the first side of the site's face, the y axis lies to its left; faces beside a site
-  /// on an edge or vertex are unfolded counterclockwise. (1, 0) at the site itself; not a number
-  /// where it is not known. O(1).
+  /// on an edge or vertex are unfolded counterclockwise, around a vertex beginning with
+  /// `TriangleMesh::outgoing`. So at a site on a saddle vertex, where the angles add up to more
+  /// than 2π, two paths may have one direction. (1, 0) at the site itself; not a number where it is
+  /// not known. O(1).
   virtual Eigen::Vector2d direction(int label, int vertex) const = 0;
   /// The shortest path from a point to a site: the point, every crossing of an edge, every vertex
   /// that the path turns at or passes, the site as it was given. Crossings have an exact zero,

@@ -38,8 +38,8 @@ struct StraightestGeodesic {
 /// Through a face and across an edge the geodesic is a straight line; at an inner vertex it leaves
 /// equal angles on both sides, whatever the angle sum, and the frame keeps its angle to it. A
 /// geodesic that passes a vertex closer than 1e-12 of an edge hits it, and one that starts on an
-/// edge at an angle below 1e-12 to it runs along it. A move of length 0 or a non-finite one stays
-/// at the start. Throws `Error(kInvalidPoint)` if the start is not on the mesh.
+/// edge at an angle below 1e-12 to it runs along it. A move whose squared length is zero or not
+/// finite stays at the start. Throws `Error(kInvalidPoint)` if the start is not on the mesh.
 ///
 /// O(faces crossed). It ends early if rounding keeps it in place, and after 65536 crossings plus 16
 /// per halfedge of the mesh, as when winding around a spike.
