@@ -37,10 +37,11 @@
 /// together. An object that was moved from can only be assigned to or destroyed. Results that refer
 /// to a mesh say so: it must outlive them, at the same address.
 ///
-/// Nothing keeps global state: threads that share no object are independent of one another. A mesh
-/// and a diagram may be read by several threads; so may distances at vertices, but not at other
-/// points (geodesic.h). The same input gives the same bits with one build; builds, native or
-/// WebAssembly, differ by rounding (1e-12), not in decisions.
+/// Nothing keeps global state: threads that share no object are independent of one another. A mesh,
+/// a diagram and a `ClosestPointQuery` may be read by several threads; so may distances at
+/// vertices, but not at other points (geodesic.h). Work may be begun by one thread and continued by
+/// another. The same input gives the same bits with one build; builds, native or WebAssembly,
+/// differ by rounding (1e-12), not in decisions.
 #pragma once
 
 #include "gvd/closest_point.h"
