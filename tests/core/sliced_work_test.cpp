@@ -149,8 +149,8 @@ TEST(SlicedWork, ATurnOfManyRoundsIsInterrupted) {
   const Requirement required = {.label = 0, .face = 0};
   turns.addRequired({&required, 1});
   int rounds = 0;
-  const auto goOn = [&](int /*label*/, std::vector<int>& faces) {
-    if (++rounds == 100) faces.clear();
+  const auto goOn = [&](int /*label*/, const std::vector<int>& faces) {
+    return ++rounds < 100 ? faces : std::vector<int>();
   };
   long budget = 10;
   EXPECT_FALSE(turns.step(budget, goOn));

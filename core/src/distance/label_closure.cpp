@@ -25,7 +25,7 @@ bool LabelClosure::step(long& budget) {
       [&] { beginRound(found_); },
       [&] {
         for (;;) {
-          if (!turns_.step(budget, [&](int l, std::vector<int>& faces) { listRequired(l, faces); }))
+          if (!turns_.step(budget, [&](int l, const auto& faces) { return listRequired(l, faces); }))
             return false;
           if (required_.empty()) return true;
           beginRound(std::exchange(required_, {}));
@@ -40,9 +40,9 @@ void LabelClosure::beginRound(std::span<const Requirement> requirements) {
 
 // --- Listing -------------------------------------------------------------------------------------
 
-/// Lists a label at all corners of the faces that it was required at, and replaces these faces by
-/// those that it is required at besides.
-void LabelClosure::listRequired(int label, std::vector<int>& faces) {
+/// Lists a label at all corners of the faces that it was required at. Returns the faces that it is
+/// required at besides.
+std::vector<int> LabelClosure::listRequired(int label, std::span<const int> faces) {
   added_.clear();
   for (const int f : faces)
     for (const int v : mesh_.face(f).vertices)
@@ -51,15 +51,16 @@ void LabelClosure::listRequired(int label, std::vector<int>& faces) {
         added_.push_back({v, label});
       }
   for (size_t i = 0, count = added_.size(); i < count; ++i) noteAdded(added_[i].vertex, label);
-  faces.clear();
   found_.clear();
   for (const LabelAtVertex& added : added_) closeAround(added);
+  std::vector<int> others;
   for (const Requirement& r : found_) {
     if (r.label == label)
-      faces.push_back(r.face);
+      others.push_back(r.face);
     else
       required_.push_back(r);
   }
+  return others;
 }
 
 /// A new label may lower the distances of labels that tie with it (`equalizeTies`); the closure

@@ -50,7 +50,7 @@ class LabelClosure {
   void closeAround(const LabelAtVertex& added);
   void requireAcross(int halfedge, int label);
   bool ownsPartOfEdge(int label, int halfedge) const;
-  void listRequired(int label, std::vector<int>& faces);
+  std::vector<int> listRequired(int label, std::span<const int> faces);
   void noteAdded(int vertex, int label);
 
   const TriangleMesh& mesh_;

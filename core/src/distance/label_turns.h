@@ -36,8 +36,8 @@ class LabelTurns {
   }
 
   /// Works on at most `budget` units and lowers it by their number; true when all turns are over.
-  /// Calls `then(label, faces)` when a label has spread, with the faces that it was required at. If
-  /// `then` leaves other faces there, the label spreads on to these, too, before its turn is over.
+  /// Calls `then(label, faces)` when a label has spread, with the faces that it was required at;
+  /// `then` returns other faces, to which the label spreads on before its turn is over.
   template <class Then>
   bool step(long& budget, Then then) {
     for (; next_ < turns_.size(); ++next_) {
@@ -46,7 +46,7 @@ class LabelTurns {
       for (;;) {
         // `LabelSpread::step` does not look at the budget when nothing is left to spread.
         if (budget <= 0 || !spread_.step(budget)) return false;
-        then(label, currentFaces_);
+        currentFaces_ = then(label, currentFaces_);
         if (currentFaces_.empty()) break;
         beginToRequire(label, budget);
       }
@@ -55,7 +55,7 @@ class LabelTurns {
     return true;
   }
   bool step(long& budget) {
-    return step(budget, [](int /*label*/, std::vector<int>& faces) { faces.clear(); });
+    return step(budget, [](int /*label*/, const auto& /*faces*/) { return std::vector<int>(); });
   }
 
  private:
