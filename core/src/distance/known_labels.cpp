@@ -47,12 +47,8 @@ void KnownLabels::addFacesOfSite(int label) {
   sites_.visitFacesOf(label, [&](const SurfacePoint& site) { affectedFaces_.add(site.face); });
 }
 
-void KnownLabels::start(std::span<const int> started, std::span<const int> resumed,
-                        std::span<const char> hasStarted, std::span<const int> resetVertices) {
-  started_ = started;
-  resumed_ = resumed;
-  hasStarted_ = hasStarted;
-  resetVertices_ = resetVertices;
+void KnownLabels::start(const LabelChange& change) {
+  change_ = &change;
   sequence_ = {};
   progress_ = 0;
 }
@@ -89,9 +85,9 @@ bool KnownLabels::step(long& budget) {
 
 /// Marks the distances that are final because the label owns the vertex or ties with its owner.
 bool KnownLabels::markFinal(long& budget) {
-  const size_t startedCount = started_.size();
-  return loop_.runWeighted(startedCount + resumed_.size(), budget, kQuickRounds, [&](size_t i) {
-    const int label = i < startedCount ? started_[i] : resumed_[i - startedCount];
+  const std::vector<int>&started = change_->started, &resumed = change_->resumed;
+  return loop_.runWeighted(started.size() + resumed.size(), budget, kQuickRounds, [&](size_t i) {
+    const int label = i < started.size() ? started[i] : resumed[i - started.size()];
     const std::vector<ReachedVertex>& reached = spread_.reached(label);
     for (size_t k = 0; k < reached.size(); ++k) {
       const ReachedVertex& r = reached[k];
@@ -123,9 +119,12 @@ void KnownLabels::findAffected() {
     changedVertices_.addAll();
     return;
   }
-  for (const auto& vertices : {resetVertices_, std::span<const int>(newlyFinal_)})
+  const auto addFacesAround = [&](std::span<const int> vertices) {
     for (const int v : vertices) mesh_.visitFaces(v, [&](int f) { affectedFaces_.add(f); });
-  for (const int label : started_) addFacesOfSite(label);
+  };
+  addFacesAround(change_->resetVertices);
+  addFacesAround(newlyFinal_);
+  for (const int label : change_->started) addFacesOfSite(label);
   for (const int f : affectedFaces_.list())
     for (int h = 3 * f; h < 3 * f + 3; ++h) changedVertices_.add(mesh_.tail(h));
   dropInterpolated();
@@ -166,7 +165,7 @@ bool KnownLabels::findTies(long& budget) {
     const int v = changedVertices_.list()[i];
     for (size_t k = 0; k < lists_[v].size(); ++k) {
       const int label = lists_[v][k].label;
-      if (!sites_.contains(label) || hasStarted_[label]) continue;
+      if (!sites_.contains(label) || change_->hasStarted[label]) continue;
       // The distance that the label has found: the listed one may have been lowered to that of a
       // label that is gone (`equalizeTies`).
       const ReachedVertex& r = spread_.reached(label)[lists_.reachedIndices(v)[k]];
@@ -187,9 +186,8 @@ void KnownLabels::addTies() {
 
 /// Clears the lists of changed vertices and collects the labels that may go into them.
 void KnownLabels::collectLists() {
-  listed_.clear();
   if (areAllNew()) {
-    listed_.assign(started_.begin(), started_.end());
+    listed_ = change_->started;
     std::sort(listed_.begin(), listed_.end());
     changedFaces_.addAll();
     std::vector<int> counts(mesh_.vertexCount(), 0);
@@ -197,6 +195,7 @@ void KnownLabels::collectLists() {
       for (const ReachedVertex& r : spread_.reached(label)) counts[r.vertex] += r.isFinal;
     lists_.allot(counts);
   } else {
+    listed_.clear();
     for (const int v : changedVertices_.list()) {
       for (const LabelledDistance& d : lists_[v]) changedLabels_.push_back(d.label);
       lists_.clear(v);

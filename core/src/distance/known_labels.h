@@ -17,6 +17,14 @@
 
 namespace gvd {
 
+/// What a change of sites means for labels.
+struct LabelChange {
+  std::vector<int> started;        ///< labels that spread from their sites
+  std::vector<int> resumed;        ///< labels that spread on from where they had stopped
+  std::vector<char> hasStarted;    ///< per label
+  std::vector<int> resetVertices;  ///< the owner was removed or exceeds the edge bound
+};
+
 /// The labels known at each vertex. They are found in four steps after labels have spread:
 ///
 /// 1. *Owners* (`FaceOwners`): a label owns part of a face if it is nearest at a corner, ties
@@ -45,11 +53,8 @@ class KnownLabels {
   /// Notes the faces that a label owns a part of, whose owners may change without it. Call before
   /// the spread forgets the label and before its site is removed.
   void noteLeaving(int label);
-  /// Begins to find the known labels, after `started` labels have spread from their sites and
-  /// `resumed` ones from where they had stopped; `hasStarted` says per label which. The former
-  /// owners of `resetVertices` are gone. The lists must outlive the change.
-  void start(std::span<const int> started, std::span<const int> resumed,
-             std::span<const char> hasStarted, std::span<const int> resetVertices);
+  /// Begins to find the known labels, after labels have spread. `change` must outlive the work.
+  void start(const LabelChange& change);
   /// Works on at most `budget` units and lowers it by their number; true when all is known.
   bool step(long& budget);
   double progress() const { return progress_; }
@@ -70,7 +75,7 @@ class KnownLabels {
   bool listLabels(long& budget);
   void noteExtended();
   bool ownsPartAround(int label, int vertex) const;
-  bool areAllNew() const { return sites_.count() == static_cast<int>(started_.size()); }
+  bool areAllNew() const { return sites_.count() == static_cast<int>(change_->started.size()); }
 
   const TriangleMesh& mesh_;
   const SiteSet& sites_;
@@ -82,8 +87,7 @@ class KnownLabels {
   LabelClosure closure_;
 
   // The current change.
-  std::span<const int> started_, resumed_, resetVertices_;
-  std::span<const char> hasStarted_;  ///< per label
+  const LabelChange* change_ = nullptr;
   SlicedSequence sequence_;
   SlicedLoop loop_;
   double progress_ = 1;

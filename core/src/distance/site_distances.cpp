@@ -56,9 +56,7 @@ SiteDistances::SiteDistances(const TriangleMesh& mesh, Metric metric)
 void SiteDistances::change(std::span<const SiteChange> changes) {
   for (const SiteChange& c : changes)
     if (c.site) onMesh(mesh_, *c.site, "site " + std::to_string(c.label) + ": ");
-  started_.clear();
-  resumed_.clear();
-  resetVertices_.clear();
+  change_ = {};
   missed_.clear();
   forgottenAt_.clear();
   known_.beginChange();
@@ -76,7 +74,7 @@ void SiteDistances::change(std::span<const SiteChange> changes) {
     if (!c.site) continue;
     sites_.insert(c.label, onMesh(mesh_, *c.site));
     edgeBounds_.insert(c.label);
-    started_.push_back(c.label);
+    change_.started.push_back(c.label);
   }
   stage_ = Stage::kBounds;
   hasSpread_ = false;
@@ -92,15 +90,15 @@ void SiteDistances::forget(std::span<const int> labels) {
       // Once per vertex, even if all labels reach it and all are forgotten.
       if (forgottenAt_.add(r.vertex)) {
         const auto reaching = reaching_[r.vertex];
-        resumed_.insert(resumed_.end(), reaching.begin(), reaching.end());
+        change_.resumed.insert(change_.resumed.end(), reaching.begin(), reaching.end());
       }
       LabelledDistance& nearest = bounds_[r.vertex];
       if (nearest.label < 0 || !bounds_.ties().isAtMost(r.distance, nearest.distance)) continue;
       nearest = {};
-      resetVertices_.push_back(r.vertex);
+      change_.resetVertices.push_back(r.vertex);
     }
   }
-  makeSet(resumed_);
+  makeSet(change_.resumed);
   reaching_.remove(*spread_, labels);
   spread_->remove(labels);
 }
@@ -116,7 +114,7 @@ bool SiteDistances::step(long& budget) {
       if (!turns_.step(budget)) return false;
       hasSpread_ = true;
     } while (requireMissed());
-    known_.start(started_, resumed_, hasStarted_, resetVertices_);
+    known_.start(change_);
     stage_ = Stage::kKnown;
   }
   if (stage_ == Stage::kKnown) {
@@ -139,8 +137,8 @@ void SiteDistances::applyEdgeBounds() {
   orderLabels();
   resetBounds();
   turns_.clear();
-  for (const int label : started_) turns_.addStart(label);
-  for (const int label : resumed_) {
+  for (const int label : change_.started) turns_.addStart(label);
+  for (const int label : change_.resumed) {
     lowerBy(label);
     turns_.addResume(label);
   }
@@ -148,38 +146,39 @@ void SiteDistances::applyEdgeBounds() {
 
 /// Starts the labels again that have reached a vertex whose edge bound has changed.
 void SiteDistances::restartOutdated() {
-  if (sites_.count() == static_cast<int>(started_.size())) return;
+  if (sites_.count() == static_cast<int>(change_.started.size())) return;
   std::vector<int> outdated;
   for (const int v : edgeBounds_.changed())
     outdated.insert(outdated.end(), reaching_[v].begin(), reaching_[v].end());
   makeSet(outdated);
   forget(outdated);
-  started_.insert(started_.end(), outdated.begin(), outdated.end());
+  change_.started.insert(change_.started.end(), outdated.begin(), outdated.end());
 }
 
 /// Puts neighbouring labels in succession, so that the memory they touch is still in the cache.
 /// Labels that start do not resume, too.
 void SiteDistances::orderLabels() {
-  std::sort(started_.begin(), started_.end(), [&](int a, int b) {
+  std::sort(change_.started.begin(), change_.started.end(), [&](int a, int b) {
     return std::pair(sites_[a].face, a) < std::pair(sites_[b].face, b);
   });
-  hasStarted_.assign(sites_.labelCount(), false);
-  for (const int label : started_) hasStarted_[label] = true;
-  makeSet(resumed_);
-  std::erase_if(resumed_, [&](int label) { return !sites_.contains(label) || hasStarted_[label]; });
+  change_.hasStarted.assign(sites_.labelCount(), false);
+  for (const int label : change_.started) change_.hasStarted[label] = true;
+  makeSet(change_.resumed);
+  std::erase_if(change_.resumed,
+                [&](int label) { return !sites_.contains(label) || change_.hasStarted[label]; });
 }
 
 /// Bounds the distances at reset vertices by paths along edges. Where such a path is now shorter
 /// than the owner's distance, the owner is dropped: which labels reach the new bound must not
 /// depend on earlier changes.
 void SiteDistances::resetBounds() {
-  for (const int v : resetVertices_) bounds_[v].distance = edgeBounds_[v];
+  for (const int v : change_.resetVertices) bounds_[v].distance = edgeBounds_[v];
   for (const int v : edgeBounds_.changed()) {
     if (bounds_.ties().isAtMost(bounds_[v].distance, edgeBounds_[v])) continue;
     bounds_[v] = {-1, edgeBounds_[v]};
-    resetVertices_.push_back(v);
+    change_.resetVertices.push_back(v);
   }
-  bounded_ = resetVertices_;
+  bounded_ = change_.resetVertices;
   edgeBounds_.clearChanged();
 }
 
@@ -202,9 +201,9 @@ bool SiteDistances::requireMissed() {
     const Requirement nearest = nearestAround(v);
     if (nearest.label < 0) continue;
     missed_.push_back(nearest);
-    if (!hasStarted_[nearest.label]) resumed_.push_back(nearest.label);
+    if (!change_.hasStarted[nearest.label]) change_.resumed.push_back(nearest.label);
   }
-  makeSet(resumed_);
+  makeSet(change_.resumed);
   turns_.addRequired(missed_);
   return !turns_.isEmpty();
 }

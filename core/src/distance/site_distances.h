@@ -99,13 +99,11 @@ class SiteDistances final : public DistanceField {
 
   // The current change.
   Stage stage_ = Stage::kDone;
-  std::vector<int> started_, resumed_;  ///< labels that spread
-  std::vector<char> hasStarted_;        ///< per label
+  LabelChange change_;
   LabelTurns turns_;
   bool hasSpread_ = false;           ///< whether all labels have; only missed vertices are left
   std::vector<int> bounded_;         ///< vertices limited by paths along edges alone
   std::vector<Requirement> missed_;  ///< of labels that go on to such vertices
-  std::vector<int> resetVertices_;   ///< the owner was removed or exceeds the edge bound
   IndexSet forgottenAt_;             ///< vertices where a label was forgotten
 };
 
