@@ -31,6 +31,7 @@ void KnownLabels::beginChange() {
   newlyFinal_.clear();
   ties_.clear();
   requirements_.clear();
+  progress_ = 0;
 }
 
 void KnownLabels::noteLeaving(int label) {
@@ -50,7 +51,6 @@ void KnownLabels::addFacesOfSite(int label) {
 void KnownLabels::start(const LabelChange& change) {
   change_ = &change;
   sequence_ = {};
-  progress_ = 0;
 }
 
 bool KnownLabels::step(long& budget) {

@@ -30,9 +30,9 @@ class LabelTurns {
   void addRequired(std::span<const Requirement> requirements);
 
   bool isEmpty() const { return turns_.empty(); }
-  /// The share of turns that are over; 1 if there are none.
+  /// The share of turns that are over; 0 if there are none.
   double progress() const {
-    return isEmpty() ? 1 : static_cast<double>(next_) / static_cast<double>(turns_.size());
+    return isEmpty() ? 0 : static_cast<double>(next_) / static_cast<double>(turns_.size());
   }
 
   /// Works on at most `budget` units and lowers it by their number; true when all turns are over.

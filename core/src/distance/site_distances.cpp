@@ -6,7 +6,6 @@
 #include <string>
 #include <utility>
 
-#include "base/sliced_loop.h"
 #include "distance/dgpc/unfolding_spread.h"
 #include "distance/exact/window_spread.h"
 #include "gvd/error.h"
@@ -76,7 +75,7 @@ void SiteDistances::change(std::span<const SiteChange> changes) {
     edgeBounds_.insert(c.label);
     change_.started.push_back(c.label);
   }
-  stage_ = Stage::kBounds;
+  sequence_ = {};
   hasSpread_ = false;
 }
 
@@ -104,32 +103,15 @@ void SiteDistances::forget(std::span<const int> labels) {
 }
 
 bool SiteDistances::step(long& budget) {
-  if (stage_ == Stage::kBounds) {
-    if (!edgeBounds_.step(budget)) return false;
-    applyEdgeBounds();
-    stage_ = Stage::kSpread;
-  }
-  if (stage_ == Stage::kSpread) {
-    do {
-      if (!turns_.step(budget)) return false;
-      hasSpread_ = true;
-    } while (requireMissed());
-    known_.start(change_);
-    stage_ = Stage::kKnown;
-  }
-  if (stage_ == Stage::kKnown) {
-    if (!known_.step(budget)) return false;
-    stage_ = Stage::kDone;
-  }
-  return true;
+  return sequence_.run([&] { return edgeBounds_.step(budget); }, [&] { applyEdgeBounds(); },
+                       [&] { return spread(budget); }, [&] { known_.start(change_); },
+                       [&] { return known_.step(budget); });
 }
 
 double SiteDistances::progress() const {
   constexpr double kShareOfSpread = 0.6;
-  if (stage_ == Stage::kBounds) return 0;
-  if (stage_ == Stage::kSpread)  // turns for missed vertices come at the end
-    return kShareOfSpread * (hasSpread_ ? 1 : turns_.progress());
-  return kShareOfSpread + (1 - kShareOfSpread) * known_.progress();
+  return hasSpread_ ? kShareOfSpread + (1 - kShareOfSpread) * known_.progress()
+                    : kShareOfSpread * turns_.progress();
 }
 
 void SiteDistances::applyEdgeBounds() {
@@ -142,6 +124,14 @@ void SiteDistances::applyEdgeBounds() {
     lowerBy(label);
     turns_.addResume(label);
   }
+}
+
+bool SiteDistances::spread(long& budget) {
+  do {
+    if (!turns_.step(budget)) return false;
+    hasSpread_ = true;
+  } while (requireMissed());
+  return true;
 }
 
 /// Starts the labels again that have reached a vertex whose edge bound has changed.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/index_set.h"
+#include "base/sliced_loop.h"
 #include "distance/edge_bounds.h"
 #include "distance/known_labels.h"
 #include "distance/label_spread.h"
@@ -77,9 +78,9 @@ class SiteDistances final : public DistanceField {
 
  private:
   class DistancesAtPoints;
-  enum class Stage { kBounds, kSpread, kKnown, kDone };
   void forget(std::span<const int> labels);
   void applyEdgeBounds();
+  bool spread(long& budget);
   void restartOutdated();
   void orderLabels();
   void resetBounds();
@@ -98,10 +99,10 @@ class SiteDistances final : public DistanceField {
   KnownLabels known_;
 
   // The current change.
-  Stage stage_ = Stage::kDone;
+  SlicedSequence sequence_;
   LabelChange change_;
   LabelTurns turns_;
-  bool hasSpread_ = false;           ///< whether all labels have; only missed vertices are left
+  bool hasSpread_ = true;            ///< whether all labels have; only missed vertices are left
   std::vector<int> bounded_;         ///< vertices limited by paths along edges alone
   std::vector<Requirement> missed_;  ///< of labels that go on to such vertices
   IndexSet forgottenAt_;             ///< vertices where a label was forgotten
