@@ -30,7 +30,8 @@ FaceComplex::FaceComplex(const TriangleMesh& mesh, const DistanceField& distance
       longestSide_(longestSideOf(mesh, detail)),
       isOwn_(isPart_ || detail > 0),
       ties_(mesh),
-      nodes_(distances, mesh.vertexCount()) {
+      nodes_(distances, mesh.vertexCount()),
+      twins_(mesh, elements_) {
   if (!isPart_) return;
   indexInPart_.assign(mesh.faceCount(), -1);
   nodes_.addVertices();
@@ -78,7 +79,12 @@ bool FaceComplex::finish(long& budget) {
         return detail_ == 0 || runPart(splitting_, budget, mesh_, ties_, distances_, longestSide_,
                                        elements_, nodes_);
       },
-      [&] { return !isOwn_ || matchTwins(budget); }, [&] { soleOwner_.reserve(elementCount()); },
+      [&] {
+        if (detail_ > 0) return twins_.match(nodes_.count(), budget);
+        if (isPart_) twins_.matchFaces(indexInPart_);
+        return true;
+      },
+      [&] { soleOwner_.reserve(elementCount()); },
       [&] {
         return loop_.run(elementCount(), budget, kQuickRounds, [&](int e) { noteUndecided(e); });
       });
@@ -98,10 +104,12 @@ void FaceComplex::clear() {
   nodes_.clear(elements_.tail);
   for (const int f : elements_.face) indexInPart_[f] = -1;
   elements_.clear();
-  for (auto* list : {&twin_, &soleOwner_, &undecided_, &lastOut_, &before_}) list->clear();
+  twins_.clear();
+  soleOwner_.clear();
+  undecided_.clear();
   splitting_.reset();
   mixedCount_ = 0;
-  finishing_ = matching_ = {};
+  finishing_ = {};
 }
 
 void FaceComplex::addFace(int face) { elements_.addFace(face, mesh_.face(face).vertices); }
@@ -116,57 +124,14 @@ void FaceComplex::noteUndecided(int element) {
 
 std::vector<NodeLabels::InnerNode> FaceComplex::innerNodes(int h) const {
   std::vector<NodeLabels::InnerNode> inner;
-  if (!hasFacesOnly() && twin_[h] < 0)
+  if (!hasFacesOnly() && twins_[h] < 0)
     nodes_.appendBetween(elements_.tail[h], elements_.tail[TriangleMesh::next(h)], inner);
   return inner;
 }
 
 int FaceComplex::boundaryHalfedge(int h) const {
-  const int side = isOwn_ ? elements_.meshHalfedge(h) : h;
-  return side >= 0 && mesh_.twin(side) < 0 ? side : -1;
-}
-
-bool FaceComplex::matchTwins(long& budget) {
-  if (detail_ == 0) {
-    matchTwinsOfFaces();
-    return true;
-  }
-  const size_t count = elements_.tail.size();
-  return matching_.run(
-      [&] {
-        before_.reserve(count);
-        twin_.reserve(count);
-      },
-      [&] { return fillInSlices(lastOut_, nodes_.count(), -1, budget); },
-      [&] { return loop_.run(count, budget, kQuickRounds, [&](int h) { linkHalfedge(h); }); },
-      [&] { return loop_.run(count, budget, kQuickRounds, [&](int h) { matchTwin(h); }); });
-}
-
-/// Puts a halfedge in the list of those that leave its tail. A side on the mesh boundary gets no
-/// twin, even if the mesh was cut there and another side has the same two nodes.
-void FaceComplex::linkHalfedge(int h) {
-  const bool isOnBoundary = boundaryHalfedge(h) >= 0;
-  before_.push_back(isOnBoundary ? -1 : std::exchange(lastOut_[elements_.tail[h]], h));
-}
-
-void FaceComplex::matchTwin(int h) {
-  int twin = -1;
-  if (boundaryHalfedge(h) < 0) {
-    twin = lastOut_[elements_.tail[TriangleMesh::next(h)]];
-    while (twin >= 0 && elements_.tail[TriangleMesh::next(twin)] != elements_.tail[h])
-      twin = before_[twin];
-  }
-  twin_.push_back(twin);
-}
-
-/// Matches twins if the elements are the faces of a part.
-void FaceComplex::matchTwinsOfFaces() {
-  twin_.resize(elements_.tail.size());
-  for (int h = 0; h < static_cast<int>(twin_.size()); ++h) {
-    const int twin = mesh_.twin(3 * face(h / 3) + h % 3);
-    const int element = twin < 0 ? -1 : indexInPart_[TriangleMesh::faceOf(twin)];
-    twin_[h] = element < 0 ? -1 : 3 * element + twin % 3;
-  }
+  if (isOwn_) return elements_.boundaryHalfedge(mesh_, h);
+  return mesh_.twin(h) < 0 ? h : -1;
 }
 
 }  // namespace gvd

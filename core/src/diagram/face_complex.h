@@ -8,6 +8,7 @@
 
 #include "base/sliced_loop.h"
 #include "diagram/element_splitting.h"
+#include "diagram/element_twins.h"
 #include "diagram/node_labels.h"
 #include "distance/ties.h"
 #include "gvd/geodesic.h"
@@ -41,7 +42,7 @@ class FaceComplex {
   std::span<const int> tails() const { return isOwn_ ? elements_.tail : mesh_.tails(); }
   /// -1 on the mesh boundary, at faces outside of the complex, and where an element meets several
   /// smaller ones: one label owns all of such a side.
-  std::span<const int> twins() const { return isOwn_ ? twin_ : mesh_.twins(); }
+  std::span<const int> twins() const { return isOwn_ ? twins_.list() : mesh_.twins(); }
   /// The mesh's boundary halfedge that a halfedge is part of, -1 if none.
   int boundaryHalfedge(int h) const;
   /// The number of faces of the complex, and the index of a face among them, -1 if it is not in.
@@ -80,10 +81,6 @@ class FaceComplex {
   double expectedParts(int face) const;
   void clear();
   void noteUndecided(int element);
-  bool matchTwins(long& budget);
-  void linkHalfedge(int h);
-  void matchTwin(int h);
-  void matchTwinsOfFaces();
 
   const TriangleMesh& mesh_;
   const DistanceField& distances_;
@@ -94,18 +91,17 @@ class FaceComplex {
   const TieTolerance ties_;
   NodeLabels nodes_;
   Elements elements_;  ///< if they are kept here
-  std::vector<int> twin_;
+  ElementTwins twins_;
   std::vector<int> soleOwner_;
   std::vector<int> undecided_;
   std::vector<int> indexInPart_;  ///< per face of the mesh, -1 if it is not in; empty if all are
   int partSize_ = 0;
 
-  SlicedSequence adding_, finishing_, matching_;
+  SlicedSequence adding_, finishing_;
   SlicedLoop loop_;
   double partsExpected_ = 0;  ///< of mixed faces
   int mixedCount_ = 0;
   std::optional<ElementSplitting> splitting_;
-  std::vector<int> lastOut_, before_;  ///< lists of halfedges, per node and per halfedge
 };
 
 }  // namespace gvd

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/sliced_loop.h"
+#include "diagram/elements.h"
+#include "gvd/triangle_mesh.h"
+
+namespace gvd {
+
+/// The twins of the halfedges of elements; -1 where an element meets none, or several smaller ones.
+class ElementTwins {
+ public:
+  /// Both must outlive this.
+  ElementTwins(const TriangleMesh& mesh, const Elements& elements)
+      : mesh_(mesh), elements_(elements) {}
+
+  /// Matches sides by the nodes at their ends, in slices; true when all are matched.
+  bool match(int nodeCount, long& budget);
+  /// Matches the sides of elements that are faces; `elementOfFace` is -1 for other faces.
+  void matchFaces(std::span<const int> elementOfFace);
+  void clear();
+
+  std::span<const int> list() const { return twin_; }
+  int operator[](int h) const { return twin_[h]; }
+
+ private:
+  void link(int h);
+  void matchSide(int h);
+
+  const TriangleMesh& mesh_;
+  const Elements& elements_;
+  SlicedSequence sequence_;
+  SlicedLoop loop_;
+  std::vector<int> lastOut_, before_;  ///< lists of halfedges, per node and per halfedge
+  std::vector<int> twin_;
+};
+
+}  // namespace gvd
