@@ -5,7 +5,9 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "base/tolerances.h"
 #include "gvd/error.h"
@@ -35,6 +37,17 @@ inline SurfacePoint onMesh(const TriangleMesh& mesh, const SurfacePoint& p,
   if (const std::string fault = mesh.faultOfPoint(p); !fault.empty())
     throw Error(ErrorCode::kInvalidPoint, what + fault);
   return {p.face, cleanBarycentric(p.bary)};
+}
+
+/// The same of a list, where face -1 stands for no point; the message begins with `what` and the
+/// index.
+inline std::vector<SurfacePoint> allOnMesh(const TriangleMesh& mesh,
+                                           std::span<const SurfacePoint> points,
+                                           const std::string& what) {
+  std::vector<SurfacePoint> clean(points.begin(), points.end());
+  for (std::size_t i = 0; i < clean.size(); ++i)
+    if (clean[i].face != -1) clean[i] = onMesh(mesh, clean[i], what + std::to_string(i) + ": ");
+  return clean;
 }
 
 }  // namespace gvd

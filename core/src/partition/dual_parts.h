@@ -76,10 +76,7 @@ inline std::vector<SurfacePoint> sitesOf(const TriangleMesh& mesh, const Diagram
     throw Error(ErrorCode::kInvalidArgument, "there are " + std::to_string(sites.size()) +
                                                  " sites for a diagram of " +
                                                  std::to_string(diagram.siteCount));
-  std::vector<SurfacePoint> clean(sites.begin(), sites.end());
-  for (size_t l = 0; l < clean.size(); ++l)
-    if (clean[l].face != -1) clean[l] = onMesh(mesh, clean[l], "site " + std::to_string(l) + ": ");
-  return clean;
+  return allOnMesh(mesh, sites, "site ");
 }
 
 /// A violation, and the points of the partition where it shows: the one farthest from all sites

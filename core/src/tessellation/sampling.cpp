@@ -9,12 +9,14 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <queue>
 #include <random>
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/number_text.h"
 #include "base/random.h"
@@ -320,6 +322,37 @@ PoissonDisk samplePoissonDiskCount(const TriangleMesh& mesh, int count, std::uin
   return finished(startPoissonDiskCount(mesh, count, seed));
 }
 
+namespace {
+
+std::vector<int> countPerComponent(const TriangleMesh& mesh, std::span<const SurfacePoint> points) {
+  std::vector<int> counts(mesh.topology().components, 0);
+  for (const SurfacePoint& p : points)
+    if (p.face != -1) ++counts[mesh.component(p.face)];
+  return counts;
+}
+
+/// Draws points on the components that have fewer than `perComponent`, as many as they lack.
+std::vector<SurfacePoint> drawMissing(const TriangleMesh& mesh, std::span<const int> counts,
+                                      int perComponent, std::uint64_t seed) {
+  std::vector<std::vector<int>> faces(counts.size());
+  for (int f = 0; f < mesh.faceCount(); ++f)
+    if (const int c = mesh.component(f); counts[c] < perComponent) faces[c].push_back(f);
+  std::mt19937_64 random(seed);
+  std::vector<SurfacePoint> drawn;
+  for (std::size_t c = 0; c < faces.size(); ++c) {
+    std::vector<double> areas;
+    for (const int f : faces[c]) areas.push_back(mesh.faceArea(f));
+    const std::vector<double> sums = cumulative(areas);
+    for (int i = counts[c]; i < perComponent; ++i) {
+      drawn.push_back(drawPoint(random, sums));
+      drawn.back().face = faces[c][drawn.back().face];
+    }
+  }
+  return drawn;
+}
+
+}  // namespace
+
 std::vector<SurfacePoint> coverComponents(const TriangleMesh& mesh,
                                           std::vector<SurfacePoint> points, int perComponent,
                                           int count, std::uint64_t seed) {
@@ -330,63 +363,31 @@ std::vector<SurfacePoint> coverComponents(const TriangleMesh& mesh,
                                                  " sites on each of " + std::to_string(components) +
                                                  " components if there are " +
                                                  std::to_string(count) + " in all");
-  std::vector<int> has(components, 0);
-  std::size_t total = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (points[i].face == -1) continue;
-    points[i] = onMesh(mesh, points[i], "point " + std::to_string(i) + ": ");
-    ++has[mesh.component(points[i].face)];
-    ++total;
-  }
-  std::vector<std::vector<int>> faces(components);
-  for (int f = 0; f < mesh.faceCount(); ++f)
-    if (const int c = mesh.component(f); has[c] < perComponent) faces[c].push_back(f);
-
-  const std::vector<double> areas = faceAreas(mesh);
-  std::mt19937_64 random(seed);
-  std::vector<SurfacePoint> added;
-  for (const std::vector<int>& list : faces) {
-    if (list.empty()) continue;
-    std::vector<double> sums(list.size());
-    for (std::size_t i = 0; i < list.size(); ++i) sums[i] = areas[list[i]];
-    sums = cumulative(sums);
-    int& there = has[mesh.component(list.front())];
-    for (; there < perComponent; ++there) {
-      SurfacePoint p = drawPoint(random, sums);
-      p.face = list[p.face];
-      added.push_back(p);
+  points = allOnMesh(mesh, points, "point ");
+  std::vector<int> counts = countPerComponent(mesh, points);
+  const std::vector<SurfacePoint> missing = drawMissing(mesh, counts, perComponent, seed);
+  std::int64_t surplus = std::accumulate(counts.begin(), counts.end(), std::int64_t{0}) +
+                         static_cast<std::int64_t>(missing.size()) - count;
+  // From the last to the first.
+  std::vector<SurfacePoint> covering(missing.rbegin(), missing.rend());
+  for (auto p = points.rbegin(); p != points.rend(); ++p) {
+    if (surplus > 0 && p->face != -1 && counts[mesh.component(p->face)] > perComponent) {
+      --counts[mesh.component(p->face)];
+      --surplus;
+    } else {
+      covering.push_back(*p);
     }
   }
-
-  total += added.size();
-  std::vector<char> isDropped(points.size(), false);
-  for (std::size_t i = points.size(); i-- > 0 && total > static_cast<std::size_t>(count);) {
-    if (points[i].face == -1) continue;
-    int& there = has[mesh.component(points[i].face)];
-    if (there <= perComponent) continue;
-    --there;
-    --total;
-    isDropped[i] = true;
-  }
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (!isDropped[i]) points[kept++] = points[i];
-  points.resize(kept);
-  points.insert(points.end(), added.begin(), added.end());
-  return points;
+  std::reverse(covering.begin(), covering.end());
+  return covering;
 }
 
 BareComponents bareComponents(const TriangleMesh& mesh, std::span<const SurfacePoint> points) {
-  std::vector<char> isBare(mesh.topology().components, true);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (points[i].face == -1) continue;
-    isBare[mesh.component(onMesh(mesh, points[i], "point " + std::to_string(i) + ": ").face)] =
-        false;
-  }
+  const std::vector<int> counts = countPerComponent(mesh, allOnMesh(mesh, points, "point "));
   BareComponents bare;
-  bare.components = static_cast<int>(std::count(isBare.begin(), isBare.end(), true));
+  bare.components = static_cast<int>(std::count(counts.begin(), counts.end(), 0));
   for (int f = 0; f < mesh.faceCount(); ++f)
-    if (isBare[mesh.component(f)]) bare.area += mesh.faceArea(f);
+    if (counts[mesh.component(f)] == 0) bare.area += mesh.faceArea(f);
   return bare;
 }
 
