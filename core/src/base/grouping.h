@@ -53,11 +53,11 @@ class Grouping {
 };
 
 /// Calls visit(run) for every maximal run of items that are the same as the first of the run.
-template <class Same, class Visit>
-void forEachRun(std::span<const int> items, Same same, Visit visit) {
+template <class Item, class Same, class Visit>
+void forEachRun(std::span<Item> items, Same same, Visit visit) {
   for (auto first = items.begin(); first != items.end();) {
     const auto last =
-        std::find_if(first, items.end(), [&](int item) { return !same(*first, item); });
+        std::find_if(first, items.end(), [&](const Item& item) { return !same(*first, item); });
     visit(std::span(first, last));
     first = last;
   }

@@ -16,6 +16,7 @@
 #include "gvd/diagram.h"
 #include "gvd/error.h"
 #include "mesh/point_drawing.h"
+#include "mesh/surface_geometry.h"
 
 namespace gvd {
 namespace {
@@ -23,14 +24,13 @@ namespace {
 /// A third of the side of a square as large as a mean region, or half the longest edge if that is
 /// less, as a share of the bounding diagonal.
 double maxEdgeFor(const TriangleMesh& mesh, const Diagram& diagram) {
-  double area = 0, longest = 0;
+  double area = 0;
   int regions = 0;
   for (const double ofRegion : diagram.regionArea) {
     area += ofRegion;
     regions += ofRegion > 0;
   }
-  for (int f = 0; f < mesh.faceCount(); ++f)
-    for (const double length : mesh.face(f).lengths) longest = std::max(longest, length);
+  const double longest = longestEdge(mesh);
   const double ofRegions = regions > 0 ? std::sqrt(area / regions) / 3 : longest;
   return std::min(ofRegions, longest / 2) / mesh.boundingDiagonal();
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "mesh/representations.h"
+
 namespace gvd {
 
 using Eigen::Vector3d;
@@ -31,24 +33,14 @@ int RegionLookup::labelAt(const SurfacePoint& p) const {
 double RegionLookup::depthInCell(const SurfacePoint& p, int cell) const {
   const auto points = diagram_.cells[cell];
   double depth = std::numeric_limits<double>::infinity();
-  Vector3d from = inFace(p.face, points.back());
+  const auto inFace = [&](int point) { return baryInFace(mesh_, diagram_.points[point], p.face); };
+  Vector3d from = inFace(points.back());
   for (const int point : points) {
-    const Vector3d to = inFace(p.face, point), side = to - from, way = p.bary - from;
+    const Vector3d to = inFace(point), side = to - from, way = p.bary - from;
     depth = std::min(depth, side[1] * way[2] - side[2] * way[1]);
     from = to;
   }
   return depth;
-}
-
-/// A point that is named once for all faces around it, in terms of one of them.
-Vector3d RegionLookup::inFace(int face, int point) const {
-  const SurfacePoint& p = diagram_.points[point];
-  if (p.face == face) return p.bary;
-  Vector3d bary = Vector3d::Zero();
-  for (int i = 0; i < 3; ++i)
-    for (int k = 0; k < 3; ++k)
-      if (mesh_.tail(3 * face + i) == mesh_.tail(3 * p.face + k)) bary[i] = p.bary[k];
-  return bary;
 }
 
 }  // namespace gvd

@@ -21,7 +21,6 @@ class RegionLookup {
 
  private:
   double depthInCell(const SurfacePoint& p, int cell) const;
-  Eigen::Vector3d inFace(int face, int point) const;
 
   const TriangleMesh& mesh_;
   const Diagram& diagram_;

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/grouping.h"
 #include "base/sorting.h"
 #include "mesh/representations.h"
 
@@ -53,12 +54,9 @@ void RegionOutlines::orderBoundary() {
     return std::pair(b.halfedge, b.start);
   };
   sortStably(std::span(boundary), [&](const auto& a, const auto& b) { return part(a) < part(b); });
-  for (auto first = boundary.begin(); first != boundary.end();) {
-    const auto last =
-        std::find_if(first, boundary.end(), [&](const auto& b) { return part(b) != part(*first); });
-    chain({&*first, static_cast<size_t>(last - first)});
-    first = last;
-  }
+  forEachRun(
+      std::span(boundary), [&](const auto& a, const auto& b) { return part(a) == part(b); },
+      [](std::span<BisectorGraph::BoundaryPoint> run) { chain(run); });
   for (int i = 0; i < static_cast<int>(boundary.size()); ++i)
     boundaryIndex_.push_back({boundary[i].point, i});
   sortStably(std::span(boundaryIndex_), std::less<>());

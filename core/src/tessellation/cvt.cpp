@@ -17,6 +17,7 @@
 #include "gvd/error.h"
 #include "gvd/straightest.h"
 #include "mesh/given_points.h"
+#include "mesh/point_drawing.h"
 #include "tessellation/cvt_energy.h"
 #include "tessellation/density.h"
 #include "tessellation/lbfgs.h"
@@ -280,8 +281,7 @@ class Cvt::Solver {
       if (isFixed_[l] || hasMass(l)) continue;
       if (sums.empty()) sums = cumulative(accepted_.energy.faceEnergy);
       if (!(sums.back() > 0)) return;
-      newPlaces_[l].face = drawIndex(random_, sums);
-      newPlaces_[l].bary = drawBarycentric(random_);
+      newPlaces_[l] = drawPoint(random_, sums);
       hasNewPlaces_ = true;
     }
   }
