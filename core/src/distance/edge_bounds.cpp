@@ -14,7 +14,8 @@ EdgeBounds::EdgeBounds(const TriangleMesh& mesh, const SiteSet& sites)
     : mesh_(mesh),
       sites_(sites),
       vertices_(mesh.vertexCount()),
-      queue_(kBucketsPerEdge / mesh.shortEdgeLength()) {}
+      queue_(kBucketsPerEdge / mesh.shortEdgeLength()),
+      changed_(mesh.vertexCount()) {}
 
 void EdgeBounds::insert(int label) {
   sites_.visitFacesOf(label, [&](const SurfacePoint& site) {
@@ -42,7 +43,7 @@ void EdgeBounds::remove(int label, const SurfacePoint& site) {
     Vertex& own = vertices_[v];
     own.bound = kInfinity;
     own.label = own.from = kNone;
-    noteChange(v);
+    changed_.add(v);
     former.push_back(v);
   };
   const auto takeNextToSite = [&](int v) {
@@ -93,22 +94,11 @@ void EdgeBounds::offer(int v, int label, double distance, int from) {
   own.bound = distance;
   own.label = label;
   own.from = from;
-  noteChange(v);
+  changed_.add(v);
   const size_t bucket = queue_.bucketOf(distance);
   if (own.bucket == static_cast<int>(bucket)) return;
   own.bucket = static_cast<int>(bucket);
   queue_.add(v, bucket);
-}
-
-void EdgeBounds::noteChange(int v) {
-  if (vertices_[v].isChanged) return;
-  vertices_[v].isChanged = true;
-  changed_.push_back(v);
-}
-
-void EdgeBounds::clearChanged() {
-  for (const int v : changed_) vertices_[v].isChanged = false;
-  changed_.clear();
 }
 
 }  // namespace gvd

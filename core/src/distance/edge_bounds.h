@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/bucket_queue.h"
+#include "base/index_set.h"
 #include "distance/site_set.h"
 #include "gvd/geodesic.h"
 #include "gvd/triangle_mesh.h"
@@ -31,8 +32,8 @@ class EdgeBounds {
 
   double operator[](int vertex) const { return vertices_[vertex].bound; }
   /// The vertices at which a bound has changed since the last `clearChanged`, each once.
-  const std::vector<int>& changed() const { return changed_; }
-  void clearChanged();
+  const std::vector<int>& changed() const { return changed_.list(); }
+  void clearChanged() { changed_.clear(); }
 
  private:
   /// Buckets of the queue per short edge. Hardly any edge leads to a vertex of the same bucket, so
@@ -46,18 +47,16 @@ class EdgeBounds {
     /// The bucket that the vertex is processed from, `kNone` if it is not queued. Other buckets may
     /// hold stale entries of the vertex, which `step` skips.
     int bucket = kNone;
-    bool isChanged = false;
   };
 
   void offerFrom(const FaceSite& site, int face);
   void offer(int vertex, int label, double distance, int from);
-  void noteChange(int vertex);
 
   const TriangleMesh& mesh_;
   const SiteSet& sites_;
   std::vector<Vertex> vertices_;
   BucketQueue queue_;  ///< vertices by distance
-  std::vector<int> changed_;
+  IndexSet changed_;   ///< vertices
 };
 
 }  // namespace gvd
