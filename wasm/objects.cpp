@@ -12,8 +12,8 @@ namespace gvd::abi {
 namespace {
 
 constexpr Named<Metric> kMetrics[] = {{"exact", Metric::kExact}, {"dgpc", Metric::kDgpc}};
-constexpr Named<WorstRegion> kWorstRegions[] = {{"size", WorstRegion::kLargest},
-                                                {"distortion", WorstRegion::kMostDistorted}};
+constexpr Named<WorstRegion> kWorstRegions[] = {{"size", WorstRegion::kSize},
+                                                {"distortion", WorstRegion::kDistortion}};
 
 }  // namespace
 

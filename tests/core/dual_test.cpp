@@ -318,12 +318,12 @@ TEST(Dual, NothingIsMadeOfTheDiagramOrDistancesOfAnotherMesh) {
     EXPECT_THROW(findViolations(other, sites, wrong), Error);
     EXPECT_THROW(repairingSites(other, sites, wrong, *field), Error);
     EXPECT_THROW(dualPaths(other, wrong, *field), Error);
-    EXPECT_THROW(WorstRegions(other, *field, wrong, WorstRegion::kLargest), Error);
+    EXPECT_THROW(WorstRegions(other, *field, wrong, WorstRegion::kSize), Error);
   }
   const Diagram own = trace(other, sites).diagram;
   EXPECT_THROW(repairingSites(other, sites, own, *field), Error);
   EXPECT_THROW(dualPaths(other, own, *field), Error);
-  EXPECT_THROW(WorstRegions(other, *field, own, WorstRegion::kLargest), Error);
+  EXPECT_THROW(WorstRegions(other, *field, own, WorstRegion::kSize), Error);
 }
 
 TEST(Dual, HasItsSitesWithCleanCoordinates) {

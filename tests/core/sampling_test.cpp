@@ -308,7 +308,7 @@ Diagram diagramOf(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
 TEST(SampleWorstFirst, SplitsTheLargestRegionFarFromItsSite) {
   for (const TriangleMesh& mesh : {shapes::grid(12, 12, 0.2, 1).mesh(),
                                    shapes::torus(20, 10).mesh(), shapes::icosphere(2).mesh()}) {
-    const auto points = sampleWorstFirst(mesh, 20, 3, WorstRegion::kLargest);
+    const auto points = sampleWorstFirst(mesh, 20, 3, WorstRegion::kSize);
     ASSERT_EQ(points.size(), 20u);
     EXPECT_TRUE(samePoint(points[0], sampleUniform(mesh, 1, 3)[0]));
     for (int n = 1; n < 20; ++n) {
@@ -332,11 +332,11 @@ TEST(SampleWorstFirst, SplitsTheLargestRegionFarFromItsSite) {
 
 TEST(SampleWorstFirst, BeginsWithTheSamePointsWhateverTheCount) {
   const TriangleMesh mesh = shapes::torus(12, 8).mesh();
-  const auto few = sampleWorstFirst(mesh, 5, 1, WorstRegion::kMostDistorted);
-  const auto many = sampleWorstFirst(mesh, 15, 1, WorstRegion::kMostDistorted);
+  const auto few = sampleWorstFirst(mesh, 5, 1, WorstRegion::kDistortion);
+  const auto many = sampleWorstFirst(mesh, 15, 1, WorstRegion::kDistortion);
   for (std::size_t i = 0; i < few.size(); ++i) EXPECT_TRUE(samePoint(few[i], many[i])) << i;
-  EXPECT_TRUE(sampleWorstFirst(mesh, 0, 1, WorstRegion::kLargest).empty());
-  EXPECT_THROW(sampleWorstFirst(mesh, -1, 1, WorstRegion::kLargest), Error);
+  EXPECT_TRUE(sampleWorstFirst(mesh, 0, 1, WorstRegion::kSize).empty());
+  EXPECT_THROW(sampleWorstFirst(mesh, -1, 1, WorstRegion::kSize), Error);
 }
 
 TEST(SampleWorstFirst, ByDistortionGoesWhereTheSurfaceBends) {
@@ -349,21 +349,21 @@ TEST(SampleWorstFirst, ByDistortionGoesWhereTheSurfaceBends) {
     return std::count_if(points.begin(), points.end(),
                          [&](const SurfacePoint& p) { return mesh.component(p.face) == 1; });
   };
-  EXPECT_EQ(onSphere(WorstRegion::kLargest), 1);
-  EXPECT_EQ(onSphere(WorstRegion::kMostDistorted), 19);
+  EXPECT_EQ(onSphere(WorstRegion::kSize), 1);
+  EXPECT_EQ(onSphere(WorstRegion::kDistortion), 19);
 }
 
 TEST(SampleWorstFirst, ByDistortionIsBySizeWhereAllIsFlat) {
   const TriangleMesh mesh = shapes::grid(9, 9, 0.2, 4).mesh();
-  const auto bySize = sampleWorstFirst(mesh, 30, 2, WorstRegion::kLargest);
-  const auto byDistortion = sampleWorstFirst(mesh, 30, 2, WorstRegion::kMostDistorted);
+  const auto bySize = sampleWorstFirst(mesh, 30, 2, WorstRegion::kSize);
+  const auto byDistortion = sampleWorstFirst(mesh, 30, 2, WorstRegion::kDistortion);
   for (std::size_t i = 0; i < bySize.size(); ++i)
     EXPECT_TRUE(samePoint(bySize[i], byDistortion[i])) << i;
 }
 
 TEST(WorstRegions, FollowADiagramOfWhichSitesComeGoAndMove) {
   const TriangleMesh mesh = shapes::bumpySurface(1, 4, 0.3, 1).mesh();
-  for (const WorstRegion worst : {WorstRegion::kLargest, WorstRegion::kMostDistorted}) {
+  for (const WorstRegion worst : {WorstRegion::kSize, WorstRegion::kDistortion}) {
     DynamicDiagram diagram(mesh, sampleUniform(mesh, 10, 1));
     WorstRegions regions(mesh, diagram.distances(), diagram.diagram(), worst);
     const auto places = sampleUniform(mesh, 30, 2);
@@ -386,7 +386,7 @@ TEST(WorstRegions, PointIsOnAComponentWithoutASiteFirst) {
   std::unique_ptr<DistanceField> distances;
   const std::vector<SurfacePoint> sites = {{0, {1, 0, 0}}};
   const Diagram diagram = diagramOf(mesh, sites, distances);
-  EXPECT_EQ(WorstRegions(mesh, *distances, diagram, WorstRegion::kLargest).point().face, 50);
+  EXPECT_EQ(WorstRegions(mesh, *distances, diagram, WorstRegion::kSize).point().face, 50);
 }
 
 // --- Components ----------------------------------------------------------------------------------

@@ -84,16 +84,16 @@ std::unique_ptr<SlicedWork<PoissonDisk>> startPoissonDisk(const TriangleMesh& me
 std::unique_ptr<SlicedWork<PoissonDisk>> startPoissonDiskCount(const TriangleMesh& mesh, int count,
                                                                std::uint64_t seed);
 
-/// Which region of a diagram is the worst, and gets the next site.
+/// The measure by which a region of a diagram is the worst, and gets the next site.
 enum class WorstRegion {
-  kLargest,  ///< by area
+  kSize,  ///< by its area
   /// By the distortion of its logarithmic map u: ∫ (σ₁ - 1)² + (σ₂ - 1)² over the region, σ₁ and σ₂
   /// the singular values of du, constant on each face. It is zero if the map is an isometry: for a
   /// region that is flat, and reached by straight paths alone. A region with a handle, or one that
   /// paths reach around both sides of an obstacle, has a map that is torn, and a high value. Of
   /// regions without distortion, up to rounding, the largest is the worst.
   /// Source: Ligang Liu et al. A Local/Global Approach to Mesh Parameterization. 2008.
-  kMostDistorted,
+  kDistortion,
 };
 
 /// The regions of a diagram, and which of them is the worst, while sites are inserted, moved and
@@ -134,7 +134,7 @@ class WorstRegions {
   WorstRegion worst_;
   std::vector<Region> regions_;
   std::vector<int> faceLabel_;
-  std::vector<std::vector<Share>> shares_;  ///< per face; none if the largest region is the worst
+  std::vector<std::vector<Share>> shares_;  ///< per face; none if the worst is found by size
 };
 
 /// `count` points: the first at random, uniform by area, each further one where

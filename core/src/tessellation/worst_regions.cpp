@@ -26,7 +26,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// The mean distortion of a region's logarithmic map (`WorstRegion::kMostDistorted`) that rounding
+/// The mean distortion of a region's logarithmic map (`WorstRegion::kDistortion`) that rounding
 /// of distances and of their differences can cause.
 constexpr double kFlatDistortion = 1e-12;
 
@@ -81,7 +81,7 @@ WorstRegions::WorstRegions(const TriangleMesh& mesh, const DistanceField& distan
       distances_(distances),
       worst_(worst),
       faceLabel_(mesh.faceCount(), Diagram::kUnreachable),
-      shares_(worst == WorstRegion::kMostDistorted ? mesh.faceCount() : 0) {
+      shares_(worst == WorstRegion::kDistortion ? mesh.faceCount() : 0) {
   requireFaces(mesh, diagram);
   requireMesh(mesh, distances);
   DiagramChange all{std::vector<int>(diagram.siteCount), std::vector<int>(mesh.faceCount()),
@@ -101,7 +101,7 @@ void WorstRegions::follow(const DiagramChange& change) {
     for (const int point : part.loops[i])
       regions_[part.loopLabel[i]].outline.push_back(part.points[point]);
   for (size_t i = 0; i < change.faces.size(); ++i) faceLabel_[change.faces[i]] = part.faceLabel[i];
-  if (worst_ == WorstRegion::kMostDistorted) followDistortion(change);
+  if (worst_ == WorstRegion::kDistortion) followDistortion(change);
 }
 
 void WorstRegions::followDistortion(const DiagramChange& change) {
