@@ -125,10 +125,9 @@ bool BisectorTracing::isIndifferent(int element, int owner) const {
                   });
 }
 
-void BisectorTracing::divide(int index) {
-  const int face = complex_.face(index);
-  const Element element{index, face, complex_.isFace(index)};
-  envelope_.compute(functions_.of(index));
+void BisectorTracing::divide(int element) {
+  const int face = complex_.face(element);
+  envelope_.compute(functions_.of(element));
   placed_ = points_.of(element, envelope_);
   cellAreas_.clear();
   for (const FaceEnvelope::Cell& cell : envelope_.cells()) {
@@ -141,7 +140,7 @@ void BisectorTracing::divide(int index) {
 // --- Cells and segments --------------------------------------------------------------------------
 
 /// Returns its area as a share of the face.
-double BisectorTracing::addCell(const Element& element, const FaceEnvelope::Cell& cell) {
+double BisectorTracing::addCell(int element, const FaceEnvelope::Cell& cell) {
   const size_t n = cell.sides.size();
   const Eigen::Vector3d& origin = placed_[cell.sides[0].vertex].bary;
   double area = 0;
@@ -155,16 +154,16 @@ double BisectorTracing::addCell(const Element& element, const FaceEnvelope::Cell
       addSegment(element, from, to, envelope_.label(cell.function), envelope_.label(across));
     } else if (FaceEnvelope::isTriangleSide(across)) {
       const int side = FaceEnvelope::triangleSide(across);
-      if (twins_[3 * element.index + side] < 0) addUnmatchedSide(element, side, vertex);
+      if (twins_[3 * element + side] < 0) addUnmatchedSide(element, side, vertex);
     }
   }
   return area;
 }
 
-void BisectorTracing::addSegment(const Element& element, const PlacedVertex& from,
-                                 const PlacedVertex& to, int left, int right) {
+void BisectorTracing::addSegment(int element, const PlacedVertex& from, const PlacedVertex& to,
+                                 int left, int right) {
   const int dart = 2 * static_cast<int>(graph_.segments.size());
-  graph_.addSegment(from.point, to.point, left, right, element.face);
+  graph_.addSegment(from.point, to.point, left, right, complex_.face(element));
   leave(from.point, left, dart);
   arrive(from.point, right, dart + 1);
   arrive(to.point, left, dart);
@@ -202,13 +201,13 @@ void BisectorTracing::arrive(int point, int label, int dart) {
 
 /// Adds the corners of smaller elements along a side without twin to a cell. One label owns all of
 /// such a side.
-void BisectorTracing::addUnmatchedSide(const Element& element, int side, int vertex) {
-  addBoundaryPoint(3 * element.index + side, vertex);
-  for (const auto& [node, share] : complex_.innerNodes(3 * element.index + side)) {
+void BisectorTracing::addUnmatchedSide(int element, int side, int vertex) {
+  addBoundaryPoint(3 * element + side, vertex);
+  for (const auto& [node, share] : complex_.innerNodes(3 * element + side)) {
     Eigen::Vector3d bary = Eigen::Vector3d::Zero();
     bary[side] = 1 - share;
     bary[cornerAfter(side)] = share;
-    bary = complex_.faceBary(element.index, bary);
+    bary = complex_.faceBary(element, bary);
     graph_.cells.points.push_back(points_.atNode(element, node, bary));
   }
 }

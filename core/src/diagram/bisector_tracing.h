@@ -31,15 +31,15 @@ class BisectorTracing {
   void assignUntil(int end);
   void divideUndecided(int element);
   void assign(int element, int owner);
-  void divide(int index);
+  void divide(int element);
   bool isIndifferent(int element, int owner) const;
-  double addCell(const Element& element, const FaceEnvelope::Cell& cell);
+  double addCell(int element, const FaceEnvelope::Cell& cell);
   void addAreas(double faceArea);
-  void addUnmatchedSide(const Element& element, int side, int vertex);
+  void addUnmatchedSide(int element, int side, int vertex);
   void addBoundaryPoint(int h, int vertex);
   bool mayBeOne(const PlacedVertex& a, const PlacedVertex& b);
-  void addSegment(const Element& element, const PlacedVertex& from, const PlacedVertex& to,
-                  int left, int right);
+  void addSegment(int element, const PlacedVertex& from, const PlacedVertex& to, int left,
+                  int right);
   void leave(int point, int label, int dart);
   void arrive(int point, int label, int dart);
 

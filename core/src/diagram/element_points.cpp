@@ -55,7 +55,7 @@ bool ElementPoints::prepare(long& budget) {
       [&] { return fillInSlices(firstOnSide_, 3 * complex_.elementCount(), -1, budget); });
 }
 
-std::span<const ElementPoints::PlacedVertex> ElementPoints::of(const Element& element,
+std::span<const ElementPoints::PlacedVertex> ElementPoints::of(int element,
                                                                const FaceEnvelope& envelope) {
   const std::vector<Vertex>& vertices = envelope.vertices();
   placed_.assign(vertices.size(), {});
@@ -70,7 +70,7 @@ std::span<const ElementPoints::PlacedVertex> ElementPoints::of(const Element& el
         placed.isInside = hasInnerPoint = true;
         placed.isNearCorner = isNearCorner(element, placed.bary);
       }
-      if (!element.isFace) placed.bary = complex_.faceBary(element.index, placed.bary);
+      placed.bary = complex_.faceBary(element, placed.bary);
       placed.point = make(element, envelope, v, placed.bary);
     }
   if (hasInnerPoint) tellApartInnerPoints();
@@ -79,13 +79,12 @@ std::span<const ElementPoints::PlacedVertex> ElementPoints::of(const Element& el
 
 /// Whether a point, given in the element, is near two of its sides. The limit is 64 times the
 /// largest error bound, because a chain of merged points may reach nearer to the corner.
-bool ElementPoints::isNearCorner(const Element& element, const Eigen::Vector3d& bary) const {
+bool ElementPoints::isNearCorner(int element, const Eigen::Vector3d& bary) const {
   constexpr double kNear = 64 * kMaxPointError;
   double size = 1;  // of its shortest side, in the face
-  for (int i = 0; i < 3 && !element.isFace; ++i) {
-    const Eigen::Vector3d side =
-        complex_.faceBary(element.index, Eigen::Vector3d::Unit(i)) -
-        complex_.faceBary(element.index, Eigen::Vector3d::Unit(cornerAfter(i)));
+  for (int i = 0; i < 3; ++i) {
+    const Eigen::Vector3d side = complex_.faceBary(element, Eigen::Vector3d::Unit(i)) -
+                                 complex_.faceBary(element, Eigen::Vector3d::Unit(cornerAfter(i)));
     size = std::min(size, side.lpNorm<Eigen::Infinity>());
   }
   return (size * bary.array() <= kNear).count() >= 2;
@@ -111,30 +110,30 @@ void ElementPoints::tellApartInnerPoints() {
   }
 }
 
-int ElementPoints::make(const Element& element, const FaceEnvelope& envelope, const Vertex& v,
+int ElementPoints::make(int element, const FaceEnvelope& envelope, const Vertex& v,
                         const Eigen::Vector3d& bary) {
-  if (v.kind == Vertex::kCorner) return atNode(element, tails_[3 * element.index + v.place], bary);
+  if (v.kind == Vertex::kCorner) return atNode(element, tails_[3 * element + v.place], bary);
   if (v.kind == Vertex::kOnSide) return makeOnSide(element, envelope, v, bary);
   graph_.innerPoints.push_back(static_cast<int>(graph_.points.size()));
-  return graph_.addPoint(element.face, bary, insideError(envelope, v),
+  return graph_.addPoint(complex_.face(element), bary, insideError(envelope, v),
                          envelope.label(v.functions[0]), envelope.label(v.functions[1]),
                          envelope.label(v.functions[2]));
 }
 
-int ElementPoints::atNode(const Element& element, int node, const Eigen::Vector3d& bary) {
-  return nodePoints_.at(node, [&] { return graph_.addNode(element.face, bary); });
+int ElementPoints::atNode(int element, int node, const Eigen::Vector3d& bary) {
+  return nodePoints_.at(node, [&] { return graph_.addNode(complex_.face(element), bary); });
 }
 
 /// Returns the point of the neighbour element if that has made it already.
-int ElementPoints::makeOnSide(const Element& element, const FaceEnvelope& envelope, const Vertex& v,
+int ElementPoints::makeOnSide(int element, const FaceEnvelope& envelope, const Vertex& v,
                               const Eigen::Vector3d& bary) {
   const int a = envelope.label(v.functions[0]), b = envelope.label(v.functions[1]);
-  int& first = firstOnSide_[sideOf(element.index, v.place)];
+  int& first = firstOnSide_[sideOf(element, v.place)];
   for (int p = first; p >= 0; p = graph_.points[p].nextOnSide) {
     const auto& labels = graph_.points[p].labels;
     if ((labels[0] == a && labels[1] == b) || (labels[0] == b && labels[1] == a)) return p;
   }
-  const int point = graph_.addPoint(element.face, bary, sideError(envelope, v), a, b, -1);
+  const int point = graph_.addPoint(complex_.face(element), bary, sideError(envelope, v), a, b, -1);
   mergeOnSide(element, v.place, point, first, bary);
   graph_.points[point].nextOnSide = std::exchange(first, point);
   return point;
@@ -142,19 +141,20 @@ int ElementPoints::makeOnSide(const Element& element, const FaceEnvelope& envelo
 
 /// Merges a new point on a side with the ends of the side and with other points there, within their
 /// error bounds.
-void ElementPoints::mergeOnSide(const Element& element, int side, int point, int others,
+void ElementPoints::mergeOnSide(int element, int side, int point, int others,
                                 const Eigen::Vector3d& bary) {
   const double error = graph_.points[point].error;
   const auto isNear = [&](const Eigen::Vector3d& place, double distance) {
     return (bary - place).lpNorm<Eigen::Infinity>() <= distance;
   };
   for (const int corner : {side, cornerAfter(side)}) {
-    const Eigen::Vector3d place = complex_.faceBary(element.index, Eigen::Vector3d::Unit(corner));
+    const Eigen::Vector3d place = complex_.faceBary(element, Eigen::Vector3d::Unit(corner));
     if (isNear(place, error))
-      graph_.unite(point, atNode(element, tails_[3 * element.index + corner], place));
+      graph_.unite(point, atNode(element, tails_[3 * element + corner], place));
   }
   for (int p = others; p >= 0; p = graph_.points[p].nextOnSide)
-    if (isNear(baryInFace(mesh_, graph_.places[p], element.face), graph_.points[p].error + error))
+    if (isNear(baryInFace(mesh_, graph_.places[p], complex_.face(element)),
+               graph_.points[p].error + error))
       graph_.unite(point, p);
 }
 

@@ -13,13 +13,6 @@
 
 namespace gvd {
 
-/// An element of a complex (`FaceComplex`).
-struct Element {
-  int index;
-  int face;     ///< that has the element
-  bool isFace;  ///< whether the element is all of it
-};
-
 /// Makes the points of the graph for the vertices of envelopes, each with an error bound for
 /// rounding. Neighbouring elements share the points on their common side and at its ends. Points on
 /// one side whose error bounds overlap are merged here.
@@ -38,20 +31,18 @@ class ElementPoints {
   /// Allocates the lists, before any point is made; true when done.
   bool prepare(long& budget);
   /// The points of an element, per vertex of its envelope; valid until the next call.
-  std::span<const PlacedVertex> of(const Element& element, const FaceEnvelope& envelope);
+  std::span<const PlacedVertex> of(int element, const FaceEnvelope& envelope);
   /// The point at a node, which lies at `bary` in an element's face.
-  int atNode(const Element& element, int node, const Eigen::Vector3d& bary);
+  int atNode(int element, int node, const Eigen::Vector3d& bary);
 
  private:
   using Vertex = FaceEnvelope::Vertex;
 
-  int make(const Element& element, const FaceEnvelope& envelope, const Vertex& v,
-           const Eigen::Vector3d& bary);
-  int makeOnSide(const Element& element, const FaceEnvelope& envelope, const Vertex& v,
+  int make(int element, const FaceEnvelope& envelope, const Vertex& v, const Eigen::Vector3d& bary);
+  int makeOnSide(int element, const FaceEnvelope& envelope, const Vertex& v,
                  const Eigen::Vector3d& bary);
-  void mergeOnSide(const Element& element, int side, int point, int others,
-                   const Eigen::Vector3d& bary);
-  bool isNearCorner(const Element& element, const Eigen::Vector3d& bary) const;
+  void mergeOnSide(int element, int side, int point, int others, const Eigen::Vector3d& bary);
+  bool isNearCorner(int element, const Eigen::Vector3d& bary) const;
   void tellApartInnerPoints();
   int sideOf(int element, int side) const;
 
