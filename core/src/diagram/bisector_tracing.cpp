@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/prefetch.h"
-#include "distance/common_labels.h"
+#include "distance/labelled_distances.h"
 #include "mesh/surface_geometry.h"
 
 namespace gvd {

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <utility>
 
-#include "distance/common_labels.h"
 #include "distance/edge_share.h"
+#include "distance/labelled_distances.h"
 #include "mesh/surface_geometry.h"
 
 namespace gvd {

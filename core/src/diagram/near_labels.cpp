@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "distance/common_labels.h"
+#include "distance/labelled_distances.h"
 #include "gvd/surface_point.h"
 
 namespace gvd {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "distance/common_labels.h"
+#include "distance/labelled_distances.h"
 #include "gvd/diagram.h"
 
 namespace gvd {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "diagram/required_labels.h"
 
-#include "distance/common_labels.h"
+#include "distance/labelled_distances.h"
 
 namespace gvd {
 

@@ -3,8 +3,8 @@
 
 #include <utility>
 
-#include "distance/common_labels.h"
 #include "distance/edge_share.h"
+#include "distance/labelled_distances.h"
 
 namespace gvd {
 
@@ -25,7 +25,8 @@ bool LabelClosure::step(long& budget) {
       [&] { beginRound(found_); },
       [&] {
         for (;;) {
-          if (!turns_.step(budget, [&](int l, const auto& faces) { return listRequired(l, faces); }))
+          if (!turns_.step(budget,
+                           [&](int l, const auto& faces) { return listRequired(l, faces); }))
             return false;
           if (required_.empty()) return true;
           beginRound(std::exchange(required_, {}));

@@ -6,8 +6,8 @@
 #include <span>
 
 #include "base/small_lists.h"
-#include "distance/common_labels.h"
 #include "distance/label_spread.h"
+#include "distance/labelled_distances.h"
 #include "distance/nearest_bounds.h"
 #include "distance/ties.h"
 #include "gvd/geodesic.h"

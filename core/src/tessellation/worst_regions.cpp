@@ -13,7 +13,7 @@
 
 #include "base/sliced_loop.h"
 #include "diagram/given_diagram.h"
-#include "distance/common_labels.h"
+#include "distance/labelled_distances.h"
 #include "distance/site_distances.h"
 #include "gvd/dynamic_diagram.h"
 #include "gvd/sampling.h"

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "base/sliced_loop.h"
-#include "distance/common_labels.h"
 #include "distance/dgpc/unfolding_path.h"
 #include "distance/known_labels.h"
+#include "distance/labelled_distances.h"
 #include "mesh/surface_geometry.h"
 
 namespace gvd::dgpc {

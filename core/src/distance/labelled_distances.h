@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// Lists of labelled distances, ascending by label, and the labels of three of them together.
 #pragma once
 
 #include <algorithm>
