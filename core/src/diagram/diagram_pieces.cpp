@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 #include "base/index_set.h"
@@ -262,6 +263,14 @@ Diagram DiagramPieces::diagram() const {
   }
   out.points = points.take();
   return out;
+}
+
+DiagramChange changeTo(Diagram diagram) {
+  DiagramChange change{std::vector<int>(diagram.siteCount),
+                       std::vector<int>(diagram.faceLabel.size()), std::move(diagram)};
+  std::iota(change.labels.begin(), change.labels.end(), 0);
+  std::iota(change.faces.begin(), change.faces.end(), 0);
+  return change;
 }
 
 Diagram extract(const Diagram& from, std::span<const char> isWanted, std::span<const int> faces) {

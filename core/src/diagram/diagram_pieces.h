@@ -122,6 +122,9 @@ class DiagramPieces {
   std::vector<int> arcOf_;  ///< the numbers of its arcs
 };
 
+/// The change that makes a diagram out of none.
+DiagramChange changeTo(Diagram diagram);
+
 /// Copies out of a diagram the loops, arcs and Voronoi points of the labels with `isWanted[label]`,
 /// the cells of some faces, given ascending, and which of these faces are indifferent. Points are
 /// numbered anew; `faceLabel` and areas are left empty.

@@ -5,7 +5,6 @@
 #include "gvd/dynamic_diagram.h"
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -253,10 +252,7 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
     diagram_.completedFaces_ = std::move(traced.completedFaces);
     makeSet(diagram_.mergedFaces_);
     makeSet(diagram_.completedFaces_);
-    change_ = {std::vector<int>(labelCount()), std::vector<int>(diagram_.mesh_.faceCount()),
-               std::move(traced.diagram)};
-    std::iota(change_.labels.begin(), change_.labels.end(), 0);
-    std::iota(change_.faces.begin(), change_.faces.end(), 0);
+    change_ = changeTo(std::move(traced.diagram));
     return true;
   }
 

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "base/sliced_loop.h"
+#include "diagram/diagram_pieces.h"
 #include "diagram/given_diagram.h"
 #include "distance/labelled_distances.h"
 #include "distance/site_distances.h"
@@ -84,11 +84,7 @@ WorstRegions::WorstRegions(const TriangleMesh& mesh, const DistanceField& distan
       shares_(worst == WorstRegion::kDistortion ? mesh.faceCount() : 0) {
   requireFaces(mesh, diagram);
   requireMesh(mesh, distances);
-  DiagramChange all{std::vector<int>(diagram.siteCount), std::vector<int>(mesh.faceCount()),
-                    diagram};
-  std::iota(all.labels.begin(), all.labels.end(), 0);
-  std::iota(all.faces.begin(), all.faces.end(), 0);
-  follow(all);
+  follow(changeTo(diagram));
 }
 
 void WorstRegions::follow(const DiagramChange& change) {
