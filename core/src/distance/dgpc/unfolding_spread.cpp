@@ -51,15 +51,15 @@ bool UnfoldingSpread::step(long& budget) {
 
 void UnfoldingSpread::store() {
   const int label = std::exchange(running_, -1);
-  Label& known = labels_[label];
-  known.vertices.reserve(sweep_.reached().size());
-  known.directions.reserve(sweep_.reached().size());
+  LabelState& state = labels_[label];
+  state.vertices.reserve(sweep_.reached().size());
+  state.directions.reserve(sweep_.reached().size());
   for (const int v : sweep_.reached()) {
-    known.vertices.push_back({v, false, sweep_.distance(v)});
-    known.directions.push_back(sweep_.direction(v));
+    state.vertices.push_back({v, false, sweep_.distance(v)});
+    state.directions.push_back(sweep_.direction(v));
     bounds_.lower(v, label, sweep_.distance(v));
   }
-  known.sweptCount = static_cast<int>(known.vertices.size());
+  state.sweptCount = static_cast<int>(state.vertices.size());
 }
 
 void UnfoldingSpread::remove(std::span<const int> labels) {
@@ -69,13 +69,13 @@ void UnfoldingSpread::remove(std::span<const int> labels) {
 // --- Required distances ------------------------------------------------------------------------
 
 long UnfoldingSpread::require(int label, std::span<const int> faces) {
-  Label& known = labels_[label];
-  index_.reset(known.vertices);
+  LabelState& state = labels_[label];
+  index_.reset(state.vertices);
   bool isAllKnown = true;
   for (const int f : faces)
     for (const int v : mesh_.face(f).vertices) {
-      if (index_[v] < 0) requireVertex(known, v);
-      ReachedVertex& required = known.vertices[index_[v]];
+      if (index_[v] < 0) requireVertex(state, v);
+      ReachedVertex& required = state.vertices[index_[v]];
       required.isFinal = true;
       isAllKnown &= required.distance < kInfinity;
     }
@@ -83,23 +83,23 @@ long UnfoldingSpread::require(int label, std::span<const int> faces) {
     running_ = label;
     sweepToRequired(mesh_.shortEdgeLength());
   }
-  return static_cast<long>(known.vertices.size() + faces.size());
+  return static_cast<long>(state.vertices.size() + faces.size());
 }
 
 /// Adds a vertex that the sweep has not reached, and unfolds its distance from the neighbours as in
 /// the sweep. Uses only neighbours that the sweep has reached, so that the result does not depend
 /// on what else is required.
-void UnfoldingSpread::requireVertex(Label& known, int vertex) {
+void UnfoldingSpread::requireVertex(LabelState& state, int vertex) {
   ReachedVertex required = {vertex, true, kInfinity};
   Eigen::Vector2d direction(1, 0);
   const auto sweptDistance = [&](int v) {
     const int i = index_[v];
-    return i >= 0 && i < known.sweptCount ? known.vertices[i].distance : kInfinity;
+    return i >= 0 && i < state.sweptCount ? state.vertices[i].distance : kInfinity;
   };
   const auto offer = [&](double distance, int from) {
     if (!(distance < required.distance)) return;
     required.distance = distance;
-    direction = known.directions[index_[from]];
+    direction = state.directions[index_[from]];
   };
   for (const int h : mesh_.fan(vertex)) {
     const TriangleMesh::Face& face = mesh_.face(TriangleMesh::faceOf(h));
@@ -111,8 +111,8 @@ void UnfoldingSpread::requireVertex(Label& known, int vertex) {
     offer(atTail + face.lengths[k], tail);
     offer(atTip + face.lengths[j], tip);
   }
-  known.vertices.push_back(required);
-  known.directions.push_back(direction);
+  state.vertices.push_back(required);
+  state.directions.push_back(direction);
   index_.append(vertex);
 }
 
@@ -127,17 +127,17 @@ void UnfoldingSpread::sweepToRequired(double reach) {
 
 /// Takes the distances from such a sweep, and begins the next one if some are still missing.
 void UnfoldingSpread::takeRequired() {
-  Label& known = labels_[running_];
+  LabelState& state = labels_[running_];
   bool isMissing = false;
-  for (size_t i = 0; i < known.vertices.size(); ++i) {
-    ReachedVertex& r = known.vertices[i];
+  for (size_t i = 0; i < state.vertices.size(); ++i) {
+    ReachedVertex& r = state.vertices[i];
     if (r.distance < kInfinity) continue;
     if (sweep_.distance(r.vertex) > requiredReach_) {
       isMissing = true;
       continue;
     }
     r.distance = sweep_.distance(r.vertex);
-    known.directions[i] = sweep_.direction(r.vertex);
+    state.directions[i] = sweep_.direction(r.vertex);
   }
   if (isMissing) return sweepToRequired(2 * requiredReach_);
   requiredReach_ = 0;
@@ -216,10 +216,10 @@ double UnfoldingSpread::distanceAt(int label, const SurfacePoint& p, AtVertex at
 /// more than `kMostDetour` or is none: where paths bend on long faces, virtual sources contradict
 /// each other.
 std::vector<SurfacePoint> UnfoldingSpread::path(int label, const SurfacePoint& p) {
-  const Label& known = labels_[label];
-  index_.reset(known.vertices);
+  const LabelState& state = labels_[label];
+  index_.reset(state.vertices);
   const auto atVertex = [&](int v) {
-    return index_[v] < 0 ? kInfinity : known.vertices[index_[v]].distance;
+    return index_[v] < 0 ? kInfinity : state.vertices[index_[v]].distance;
   };
   const double most = (1 + kMostDetour) * distanceAt(label, p, atVertex);
   auto path = pathByUnfolding(mesh_, sites_[label], atVertex, p);

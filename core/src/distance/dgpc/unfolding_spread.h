@@ -44,13 +44,13 @@ class UnfoldingSpread final : public LabelSpread {
   std::vector<SurfacePoint> path(int label, const SurfacePoint& p) override;
 
  private:
-  struct Label {
+  struct LabelState {
     std::vector<ReachedVertex> vertices;
     std::vector<Eigen::Vector2d> directions;  ///< at the site, per entry of `vertices`
     int sweptCount = 0;                       ///< these come first; the others were required
   };
   void store();
-  void requireVertex(Label& known, int vertex);
+  void requireVertex(LabelState& state, int vertex);
   void sweepToRequired(double reach);
   void takeRequired();
   class PointDistances;
@@ -63,7 +63,7 @@ class UnfoldingSpread final : public LabelSpread {
   const EdgeBounds& edgeBounds_;
   NearestBounds& bounds_;
   UnfoldingSweep sweep_;
-  std::vector<Label> labels_;
+  std::vector<LabelState> labels_;
   int running_ = -1;          ///< the label that spreads
   double requiredReach_ = 0;  ///< of its sweep to required vertices; 0 while it first spreads
   ReachedIndex index_;        ///< of the label whose distances or path were asked for last

@@ -146,8 +146,8 @@ struct EdgeDistances {
 /// sourceDistance + |source, t|, which squared is linear in t. `reach` is 0 if that path is nowhere
 /// shorter, infinity if it is shorter everywhere. Within rounding the window wins: a lost path
 /// makes a distance wrong, a superfluous one does not.
-inline void trim(Window& w, double length, const EdgeDistances& known) {
-  const Lanes atEnds = {known.atTail, known.atTip};
+inline void trim(Window& w, double length, const EdgeDistances& ends) {
+  const Lanes atEnds = {ends.atTail, ends.atTip};
   const Lanes along = {w.x, length - w.x};  // the source, from each end towards the other one
   const Lanes lead = atEnds - w.sourceDistance + kDistanceTolerance * (atEnds + length);
   const Lanes lead2 = lead * lead, distance2 = along * along + w.y * w.y;

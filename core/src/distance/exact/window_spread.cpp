@@ -123,25 +123,25 @@ std::unique_ptr<SlicedWork<std::vector<double>>> WindowSpread::startDistancesAt(
 /// through them (`pathBack`). Where another label is nearer, the path may lead through a waiting
 /// window instead, which then spreads on to the point.
 std::vector<SurfacePoint> WindowSpread::path(int label, const SurfacePoint& p) {
-  const LabelState& known = labels_[label];
+  const LabelState& state = labels_[label];
   if (vertexAt(mesh_, p) >= 0) {
-    index_.reset(known.vertices);
-    return pathToSite(mesh_, sites_[label], known, index_, p);
+    index_.reset(state.vertices);
+    return pathToSite(mesh_, sites_[label], state, index_, p);
   }
   searched_ = {};
   sweep_.search(p, NearestLabels(bounds_), sites_, searched_);
   const double nearest = sweep_.searched().shortest();
-  std::vector<SurfacePoint> path = pathBack(p, label, known);
+  std::vector<SurfacePoint> path = pathBack(p, label, state);
   if (bounds_.ties().isAtMost(sweep_.searched().shortest(), nearest)) return path;
   const double least = sweep_.searched().shortest();
-  LabelState state = known;
+  LabelState further = state;
   const RequiredPoint point = {p, least, nearest};
-  sweep_.require(label, state, {&point, 1});
+  sweep_.require(label, further, {&point, 1});
   long budget = kUnlimited;
   sweep_.step(budget);
   if (bounds_.ties().isAtMost(least, sweep_.distanceAtPoint(0))) return path;
-  index_.reset(state.vertices);
-  return pathToSite(mesh_, sites_[label], state, index_, p);
+  index_.reset(further.vertices);
+  return pathToSite(mesh_, sites_[label], further, index_, p);
 }
 
 /// The shortest path from a point through windows by which a label has crossed faces: straight to
@@ -149,19 +149,19 @@ std::vector<SurfacePoint> WindowSpread::path(int label, const SurfacePoint& p) {
 std::vector<SurfacePoint> WindowSpread::pathBack(const SurfacePoint& p, int label,
                                                  const LabelState& state) {
   index_.reset(state.vertices);
-  const OneLabel known(label, state, index_, bounds_);
+  const OneLabel ofLabel(label, state, index_, bounds_);
   searched_ = {};
-  sweep_.search(p, known, sites_, searched_);
+  sweep_.search(p, ofLabel, sites_, searched_);
   int vertex = -1;
   double least = kInfinity;
   for (const LabelledDistance& site : sweep_.searched().found())
     least = std::min(least, site.distance);
   for (const ReachedVertex& r : searched_.vertices)
-    if (r.distance + known.atMost(r.vertex) < least) {
-      least = r.distance + known.atMost(r.vertex);
+    if (r.distance + ofLabel.atMost(r.vertex) < least) {
+      least = r.distance + ofLabel.atMost(r.vertex);
       vertex = r.vertex;
     }
-  const bool endsAtSite = vertex < 0 || known.atMost(vertex) == 0;
+  const bool endsAtSite = vertex < 0 || ofLabel.atMost(vertex) == 0;
   const SurfacePoint end = endsAtSite ? sites_[label] : pointAtVertex(mesh_, vertex);
   index_.reset(searched_.vertices);
   std::vector<SurfacePoint> path = pathToSite(mesh_, p, searched_, index_, end);
