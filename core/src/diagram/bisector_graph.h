@@ -92,19 +92,19 @@ class NodePoints {
   int at(int node, Make make) {
     if (point_[node] < 0) {
       point_[node] = make();
-      known_.push_back(node);
+      nodes_.push_back(node);
     }
     return point_[node];
   }
   /// Forgets all points, in time proportional to their number.
   void clear() {
-    for (const int node : known_) point_[node] = -1;
-    known_.clear();
+    for (const int node : nodes_) point_[node] = -1;
+    nodes_.clear();
   }
 
  private:
   std::vector<int> point_;
-  std::vector<int> known_;
+  std::vector<int> nodes_;  ///< with a point
 };
 
 // The functions below write number by number. The numbers are still in registers; assembling a

@@ -170,22 +170,23 @@ bool RegionOutlines::traceUnbrokenBoundaries(long& budget) {
 }
 
 void RegionOutlines::traceUnbroken(int start, int owner, long& budget) {
+  const auto forHalfedges = [&](auto body) {
+    int h = start;
+    do {
+      body(h);
+      h = mesh_.outgoing(mesh_.tip(h));
+    } while (h != start);
+  };
   long length = 0;
   bool isBroken = false;
-  int h = start;
-  do {
+  forHalfedges([&](int h) {
     ++length;
     isBroken |= firstOnBoundary(h) >= 0;
-    h = mesh_.outgoing(mesh_.tip(h));
-  } while (h != start);
+  });
   budget -= length / kQuickRounds;
   if (isBroken) return;
   const auto walk = [&](auto visit) {
-    int h = start;
-    do {
-      visit(vertexPoint(mesh_.tail(h)), TriangleMesh::faceOf(h), true);
-      h = mesh_.outgoing(mesh_.tip(h));
-    } while (h != start);
+    forHalfedges([&](int h) { visit(vertexPoint(mesh_.tail(h)), TriangleMesh::faceOf(h), true); });
   };
   addRing(owner, walk, budget);
 }
