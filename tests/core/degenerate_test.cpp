@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "diagram_checks.h"
+#include "mesh/representations.h"
 #include "shapes.h"
 
 namespace gvd {
@@ -28,11 +29,6 @@ using Labels = std::vector<int>;
 constexpr double kPi = std::numbers::pi;
 
 SurfacePoint centroid(int face) { return {face, Eigen::Vector3d::Constant(1.0 / 3)}; }
-
-SurfacePoint atVertex(const TriangleMesh& mesh, int v) {
-  const int h = mesh.outgoing(v);
-  return {TriangleMesh::faceOf(h), Eigen::Vector3d::Unit(h % 3)};
-}
 
 /// The point (x, y) of a mesh in the plane z = 0.
 SurfacePoint inPlane(const TriangleMesh& mesh, double x, double y) {
@@ -352,7 +348,7 @@ TEST_P(Degenerate, OneSiteOwnsItsComponent) {
                             {"Moebius strip, cut", shapes::moebiusStrip(8), 1}};
   for (const Expected& expected : cases) {
     const auto mesh = expected.shape.mesh();
-    for (const SurfacePoint& site : {centroid(0), atVertex(mesh, 1)}) {
+    for (const SurfacePoint& site : {centroid(0), pointAtVertex(mesh, 1)}) {
       const Diagram d = diagram(mesh, {site});
       EXPECT_EQ(d.loops.size(), expected.boundaryLoops) << expected.name;
       EXPECT_EQ(d.faceLabel, Labels(mesh.faceCount(), 0)) << expected.name;
@@ -407,7 +403,7 @@ Shape spike() {
 
 TEST_P(Degenerate, RegionMayHaveAHole) {
   const auto mesh = spike().mesh();
-  const Diagram d = diagram(mesh, {atVertex(mesh, 0), atVertex(mesh, 8)});
+  const Diagram d = diagram(mesh, {pointAtVertex(mesh, 0), pointAtVertex(mesh, 8)});
   EXPECT_EQ(d.loopLabel, (Labels{0, 0, 1}));
   ASSERT_EQ(d.arcs.size(), 1);
   EXPECT_TRUE(isClosed(d, 0));
@@ -416,7 +412,8 @@ TEST_P(Degenerate, RegionMayHaveAHole) {
 
 TEST_P(Degenerate, RegionsOfATubeAreRings) {
   const auto mesh = shapes::cylinder(5, 10, 0.2, 10).mesh();
-  const Diagram d = diagram(mesh, {atVertex(mesh, 5), atVertex(mesh, 27), atVertex(mesh, 48)});
+  const Diagram d =
+      diagram(mesh, {pointAtVertex(mesh, 5), pointAtVertex(mesh, 27), pointAtVertex(mesh, 48)});
   EXPECT_EQ(d.loopLabel, (Labels{0, 0, 1, 1, 2, 2}));
   ASSERT_EQ(d.arcs.size(), 2);
   EXPECT_TRUE(isClosed(d, 0) && isClosed(d, 1));
@@ -426,7 +423,7 @@ TEST_P(Degenerate, RegionsOfATubeAreRings) {
 
 TEST_P(Degenerate, TwoSitesDivideATorusInTwoRings) {
   const auto mesh = shapes::torus(12, 5, 1, 0.25).mesh();
-  const Diagram d = diagram(mesh, {atVertex(mesh, 0), atVertex(mesh, 6)});
+  const Diagram d = diagram(mesh, {pointAtVertex(mesh, 0), pointAtVertex(mesh, 6)});
   EXPECT_EQ(d.loopLabel, (Labels{0, 0, 1, 1}));
   ASSERT_EQ(d.arcs.size(), 2);
   EXPECT_TRUE(isClosed(d, 0) && isClosed(d, 1));
@@ -436,7 +433,7 @@ TEST_P(Degenerate, TwoSitesDivideATorusInTwoRings) {
 
 TEST_P(Degenerate, RegionsMayMeetAlongSeveralArcs) {
   const auto mesh = shapes::annulus(12, 1).mesh();
-  const Diagram d = diagram(mesh, {atVertex(mesh, 0), atVertex(mesh, 6)});
+  const Diagram d = diagram(mesh, {pointAtVertex(mesh, 0), pointAtVertex(mesh, 6)});
   ASSERT_EQ(d.arcs.size(), 2);
   EXPECT_FALSE(isClosed(d, 0) || isClosed(d, 1));
   EXPECT_EQ(neighbours(d), (std::set<std::pair<int, int>>{{0, 1}}));
@@ -448,7 +445,7 @@ TEST_P(Degenerate, RegionMayTouchItself) {
   // A square tube of circumference 4, unrolled: site 0 at (0, 4), its region comes around to (2, 4)
   // from both sides; sites 1 and 2, at (2, 6) and (2, 2), are as far from there.
   const auto mesh = shapes::cylinder(4, 8, std::sqrt(0.5), 8).mesh();
-  const auto at = [&](int x, int y) { return atVertex(mesh, 4 * y + x); };
+  const auto at = [&](int x, int y) { return pointAtVertex(mesh, 4 * y + x); };
   const Diagram d = diagram(mesh, {at(0, 4), at(2, 6), at(2, 2)});
   ASSERT_EQ(meetings(d), (std::vector<Labels>{{0, 1, 0, 2}}));
   const Eigen::Vector3d meeting = mesh.position(d.points[d.voronoiPoints[0].point]);
@@ -574,7 +571,7 @@ TEST_P(Degenerate, RegionOfNoWidthAlongAnEdgeJoinsNothing) {
   const Shape shape{{0, 1, 0, 0, 0, -1, -1, 1, -1, 1, 0, 0, -1, 0, 0},
                     {0, 1, 2, 3, 1, 0, 0, 2, 4, 1, 4, 2}};
   const auto mesh = shape.mesh();
-  const Diagram d = diagram(mesh, {atVertex(mesh, 4), atVertex(mesh, 2)});
+  const Diagram d = diagram(mesh, {pointAtVertex(mesh, 4), pointAtVertex(mesh, 2)});
   if (!isExact()) return;
   EXPECT_EQ(d.loopLabel, (Labels{0, 1}));
   EXPECT_EQ(d.arcs.size(), 1);
@@ -645,7 +642,7 @@ TEST_P(Degenerate, SidesOfACutAreSplitOnTheirOwn) {
 
 Sites atAllVertices(const TriangleMesh& mesh) {
   Sites sites;
-  for (int v = 0; v < mesh.vertexCount(); ++v) sites.push_back(atVertex(mesh, v));
+  for (int v = 0; v < mesh.vertexCount(); ++v) sites.push_back(pointAtVertex(mesh, v));
   return sites;
 }
 

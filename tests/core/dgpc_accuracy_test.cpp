@@ -18,6 +18,7 @@
 #include "gvd/geodesic.h"
 #include "gvd/sampling.h"
 #include "mechanical_shapes.h"
+#include "mesh/representations.h"
 #include "shapes.h"
 
 namespace gvd {
@@ -29,11 +30,6 @@ constexpr double kLargestMeanError = 0.025;
 /// Of the meshes that are split: larger ones take exact distances too long for a test.
 constexpr int kMostFaces = 12'000;
 
-SurfacePoint atVertex(const TriangleMesh& mesh, int vertex) {
-  const int halfedge = mesh.outgoing(vertex);
-  return {TriangleMesh::faceOf(halfedge), Eigen::Vector3d::Unit(halfedge % 3)};
-}
-
 /// The distance of every vertex from the nearest site.
 std::vector<double> vertexDistances(const TriangleMesh& mesh,
                                     const std::vector<SurfacePoint>& sites, Metric metric) {
@@ -43,7 +39,7 @@ std::vector<double> vertexDistances(const TriangleMesh& mesh,
   const auto field = propagation->take();
   std::vector<double> result;
   for (int v = 0; v < mesh.vertexCount(); ++v)
-    result.push_back(field->nearest(atVertex(mesh, v)).distance);
+    result.push_back(field->nearest(pointAtVertex(mesh, v)).distance);
   return result;
 }
 
@@ -53,7 +49,8 @@ std::vector<SurfacePoint> sitesAt(Places places, const TriangleMesh& mesh, int c
   if (places == Places::kFaces) return sampleUniform(mesh, count, seed);
   shapes::Random random(seed);
   std::vector<SurfacePoint> sites;
-  for (int i = 0; i < count; ++i) sites.push_back(atVertex(mesh, random.below(mesh.vertexCount())));
+  for (int i = 0; i < count; ++i)
+    sites.push_back(pointAtVertex(mesh, random.below(mesh.vertexCount())));
   return sites;
 }
 

@@ -13,6 +13,7 @@
 
 #include "gvd/geodesic.h"
 #include "gvd/sampling.h"
+#include "mesh/representations.h"
 #include "shapes.h"
 
 namespace gvd {
@@ -78,11 +79,6 @@ std::vector<SurfacePoint> randomPoints(const TriangleMesh& mesh, int count, std:
   return points;
 }
 
-SurfacePoint vertexPoint(const TriangleMesh& mesh, int v) {
-  const int h = mesh.outgoing(v);
-  return {TriangleMesh::faceOf(h), Eigen::Vector3d::Unit(h % 3)};
-}
-
 class RandomMeshes : public ::testing::TestWithParam<int> {
  protected:
   RandomMeshes()
@@ -91,7 +87,7 @@ class RandomMeshes : public ::testing::TestWithParam<int> {
         points_(randomPoints(mesh_, 150, GetParam() + 2000)) {
     const Oracle oracle(mesh_);
     std::vector<SurfacePoint> vertices;
-    for (int v = 0; v < mesh_.vertexCount(); ++v) vertices.push_back(vertexPoint(mesh_, v));
+    for (int v = 0; v < mesh_.vertexCount(); ++v) vertices.push_back(pointAtVertex(mesh_, v));
     for (const SurfacePoint& site : sites_) {
       expected_.push_back(oracle.distances(site, points_));
       expectedAtVertices_.push_back(oracle.distances(site, vertices));
@@ -150,7 +146,7 @@ TEST_P(RandomMeshes, HavePathsAsLongAsTheOraclesDistances) {
   for (int v = 0; v < mesh_.vertexCount(); ++v) {
     for (const LabelledDistance& known : field_->at(v)) {
       const double distance = expectedAtVertices_[known.label][v];
-      const auto path = field_->path(known.label, vertexPoint(mesh_, v));
+      const auto path = field_->path(known.label, pointAtVertex(mesh_, v));
       EXPECT_NEAR(lengthOf(mesh_, path), distance, kTolerance * distance)
           << "site " << known.label << ", vertex " << v;
     }

@@ -16,6 +16,7 @@
 #include "gvd/geodesic.h"
 #include "gvd/sampling.h"
 #include "mechanical_shapes.h"
+#include "mesh/representations.h"
 #include "random_case.h"
 #include "shapes.h"
 
@@ -34,11 +35,6 @@ std::unique_ptr<DistanceField> fieldOf(const TriangleMesh& mesh,
   return propagation->take();
 }
 
-SurfacePoint atVertex(const TriangleMesh& mesh, int v) {
-  const int h = mesh.outgoing(v);
-  return {TriangleMesh::faceOf(h), Eigen::Vector3d::Unit(h % 3)};
-}
-
 /// The vertices and random points, in faces and on edges.
 std::vector<SurfacePoint> pointsOf(const TriangleMesh& mesh, int count, int seed) {
   std::vector<SurfacePoint> points = sampleUniform(mesh, count, seed);
@@ -46,7 +42,7 @@ std::vector<SurfacePoint> pointsOf(const TriangleMesh& mesh, int count, int seed
     points[i].bary[i / 3 % 3] = 0;
     points[i].bary /= points[i].bary.sum();
   }
-  for (int v = 0; v < mesh.vertexCount(); ++v) points.push_back(atVertex(mesh, v));
+  for (int v = 0; v < mesh.vertexCount(); ++v) points.push_back(pointAtVertex(mesh, v));
   return points;
 }
 
@@ -208,8 +204,8 @@ TEST(ExactPath, LeadsToEveryKnownSite) {
     const auto field = fieldOf(mesh, sites, Metric::kExact);
     for (int v = 0; v < mesh.vertexCount(); ++v)
       for (const LabelledDistance& known : field->at(v)) {
-        const Path path = field->path(known.label, atVertex(mesh, v));
-        expectPolyline(mesh, path, atVertex(mesh, v), sites[known.label]);
+        const Path path = field->path(known.label, pointAtVertex(mesh, v));
+        expectPolyline(mesh, path, pointAtVertex(mesh, v), sites[known.label]);
         EXPECT_NEAR(lengthOf(mesh, path), known.distance, kTolerance * known.distance);
       }
   }
@@ -280,8 +276,8 @@ TEST(ExactPath, TurnsAtTheInnerCornerOfAnL) {
                                    std::pair(std::array{2.0, 0.0}, std::array{0.0, 2.0})}) {
       const int a = vertexAt(from[0], from[1]), b = vertexAt(to[0], to[1]);
       ASSERT_TRUE(a >= 0 && b >= 0);
-      const auto field = fieldOf(mesh, {atVertex(mesh, b)}, Metric::kExact);
-      const Path path = field->path(0, atVertex(mesh, a));
+      const auto field = fieldOf(mesh, {pointAtVertex(mesh, b)}, Metric::kExact);
+      const Path path = field->path(0, pointAtVertex(mesh, a));
       const double expected = from[1] == 1 ? 2 : 2 * std::sqrt(2.0);
       EXPECT_NEAR(lengthOf(mesh, path), expected, 1e-14);
       const int corner = vertexAt(1, 1);
@@ -401,8 +397,8 @@ TEST_P(PathByBoth, IsStraightInThePlane) {
   for (const SurfacePoint& site : sitesOf(mesh, 9, 4)) {
     const auto field = fieldOf(mesh, {site}, GetParam());
     for (int v = 0; v < mesh.vertexCount(); ++v) {
-      const Path path = field->path(0, atVertex(mesh, v));
-      expectPolyline(mesh, path, atVertex(mesh, v), site);
+      const Path path = field->path(0, pointAtVertex(mesh, v));
+      expectPolyline(mesh, path, pointAtVertex(mesh, v), site);
       const double expected = (mesh.position(v) - mesh.position(site)).norm();
       EXPECT_NEAR(lengthOf(mesh, path), expected, 1e-7 * expected);
     }

@@ -154,6 +154,14 @@ double distanceBetween(const TriangleMesh& mesh, const SurfacePoint& a, const Su
   return (mesh.position(a) - mesh.position(b)).norm();
 }
 
+double leastDistance(const TriangleMesh& mesh, const std::vector<SurfacePoint>& points) {
+  double least = 1e300;
+  for (size_t i = 0; i < points.size(); ++i)
+    for (size_t j = 0; j < i; ++j)
+      least = std::min(least, distanceBetween(mesh, points[i], points[j]));
+  return least;
+}
+
 /// The distance of every vertex to the nearest point, for a mesh that is plane and convex.
 std::vector<double> planeDistances(const TriangleMesh& mesh,
                                    const std::vector<SurfacePoint>& points) {
@@ -185,12 +193,8 @@ TEST(SampleFarthest, KeepsThePointsFarApartOnCurvedSurfaces) {
   const auto mesh = shapes::torus(60, 30).mesh();
   const auto points = sampleFarthest(mesh, 50, 1);
   // In space they are no farther apart than on the surface.
-  double least = 1e300;
-  for (size_t i = 0; i < points.size(); ++i)
-    for (size_t j = 0; j < i; ++j)
-      least = std::min(least, distanceBetween(mesh, points[i], points[j]));
   // 0.95 is as much as disks in the plane could have; farthest point sampling reaches about 0.7.
-  EXPECT_GT(least, 0.6 * std::sqrt(2 * mesh.area() / (std::sqrt(3.0) * 50)));
+  EXPECT_GT(leastDistance(mesh, points), 0.6 * std::sqrt(2 * mesh.area() / (std::sqrt(3.0) * 50)));
 }
 
 TEST(SampleFarthest, CoversTheSurface) {
@@ -220,14 +224,6 @@ TEST(SampleFarthest, EndsWhenEveryVertexIsTaken) {
 }
 
 // --- Poisson disk --------------------------------------------------------------------------------
-
-double leastDistance(const TriangleMesh& mesh, const std::vector<SurfacePoint>& points) {
-  double least = 1e300;
-  for (size_t i = 0; i < points.size(); ++i)
-    for (size_t j = 0; j < i; ++j)
-      least = std::min(least, distanceBetween(mesh, points[i], points[j]));
-  return least;
-}
 
 TEST(SamplePoissonDisk, KeepsItsDistanceAndCoversThePlane) {
   const std::vector<TriangleMesh> meshes = {shapes::grid(20, 20, 0.2, 1).mesh(),

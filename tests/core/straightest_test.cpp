@@ -11,6 +11,7 @@
 #include "gvd/error.h"
 #include "gvd/sampling.h"
 #include "mesh/face_layout.h"
+#include "mesh/representations.h"
 #include "shapes.h"
 
 namespace gvd {
@@ -19,11 +20,6 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 using std::numbers::pi;
-
-SurfacePoint vertexPoint(const TriangleMesh& mesh, int v) {
-  const int h = mesh.outgoing(v);
-  return {TriangleMesh::faceOf(h), Vector3d::Unit(h % 3)};
-}
 
 /// The x axis of a point's frame in space, and its y axis.
 std::pair<Vector3d, Vector3d> axes(const TriangleMesh& mesh, int face) {
@@ -79,7 +75,7 @@ TEST_P(Plane, FromVertexToVertex) {
   const auto mesh = shapes::grid(6, 5, GetParam() % 2 ? 0.2 : 0, GetParam()).mesh();
   for (int a = 0; a < mesh.vertexCount(); a += 3)
     for (int b = 0; b < mesh.vertexCount(); b += 5) {
-      const SurfacePoint start = vertexPoint(mesh, a);
+      const SurfacePoint start = pointAtVertex(mesh, a);
       const Vector3d path = mesh.position(b) - mesh.position(a);
       const auto way = walkStraight(mesh, start, components(mesh, start.face, path));
       EXPECT_LT((mesh.position(way.end) - mesh.position(b)).norm(), 1e-9) << a << " to " << b;
@@ -236,7 +232,7 @@ TEST(WalkStraight, LeavesEqualAnglesOnBothSidesOfAVertex) {
     const auto mesh = shapes::vertexFan(8, angleSum).mesh();
     const int middle = 0, h = mesh.outgoing(middle);
     // In along an edge, to half the angle sum: with 8 equal corners out along the edge opposite.
-    const SurfacePoint rim = vertexPoint(mesh, mesh.tip(h));
+    const SurfacePoint rim = pointAtVertex(mesh, mesh.tip(h));
     const SurfacePoint start{TriangleMesh::faceOf(h),
                              0.5 * (Vector3d::Unit(h % 3) + Vector3d::Unit((h + 1) % 3))};
     const Vector3d inward = mesh.position(middle) - mesh.position(rim);
@@ -368,7 +364,7 @@ TEST(WalkStraight, LeavesAConeAlongItsFirstEdgeInTheDirectionsOfTheGap) {
   const int h = mesh.outgoing(0);
   ASSERT_EQ(h % 3, 0);
   for (const double angle : {1.05 * pi, 1.3 * pi, 1.5 * pi, 1.95 * pi}) {
-    const auto way = walkStraight(mesh, vertexPoint(mesh, 0), 0.5 * rotated({1, 0}, angle));
+    const auto way = walkStraight(mesh, pointAtVertex(mesh, 0), 0.5 * rotated({1, 0}, angle));
     const Vector3d along = (mesh.position(mesh.tip(h)) - mesh.position(0)).normalized();
     EXPECT_LT((mesh.position(way.end) - mesh.position(0) - 0.5 * along).norm(), 1e-12) << angle;
   }
