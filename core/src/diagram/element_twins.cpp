@@ -44,7 +44,10 @@ void ElementTwins::matchFaces(std::span<const int> elementOfFace) {
 }
 
 void ElementTwins::clear() {
-  for (auto* list : {&lastOut_, &before_, &twin_}) list->clear();
+  for (const int node : elements_.tail)
+    if (node < static_cast<int>(lastOut_.size())) lastOut_[node] = -1;
+  before_.clear();
+  twin_.clear();
   sequence_ = {};
 }
 

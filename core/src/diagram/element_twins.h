@@ -21,6 +21,7 @@ class ElementTwins {
   bool match(int nodeCount, long& budget);
   /// Matches the sides of elements that are faces; `elementOfFace` is -1 for other faces.
   void matchFaces(std::span<const int> elementOfFace);
+  /// Forgets all twins, before the elements are cleared; in time proportional to their number.
   void clear();
 
   std::span<const int> list() const { return twin_; }

@@ -103,8 +103,8 @@ void FaceComplex::setPart(std::span<const int> faces) {
 void FaceComplex::clear() {
   nodes_.clear(elements_.tail);
   for (const int f : elements_.face) indexInPart_[f] = -1;
-  elements_.clear();
   twins_.clear();
+  elements_.clear();
   soleOwner_.clear();
   undecided_.clear();
   splitting_.reset();
