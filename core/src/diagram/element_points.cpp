@@ -59,6 +59,7 @@ std::span<const ElementPoints::PlacedVertex> ElementPoints::of(int element,
                                                                const FaceEnvelope& envelope) {
   const std::vector<Vertex>& vertices = envelope.vertices();
   placed_.assign(vertices.size(), {});
+  const bool isFace = complex_.isFace(element);
   bool hasInnerPoint = false;
   for (const FaceEnvelope::Cell& cell : envelope.cells())
     for (const auto& [vertex, across] : cell.sides) {
@@ -70,7 +71,7 @@ std::span<const ElementPoints::PlacedVertex> ElementPoints::of(int element,
         placed.isInside = hasInnerPoint = true;
         placed.isNearCorner = isNearCorner(element, placed.bary);
       }
-      placed.bary = complex_.faceBary(element, placed.bary);
+      if (!isFace) placed.bary = complex_.faceBary(element, placed.bary);
       placed.point = make(element, envelope, v, placed.bary);
     }
   if (hasInnerPoint) tellApartInnerPoints();

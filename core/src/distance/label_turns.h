@@ -46,8 +46,9 @@ class LabelTurns {
       for (;;) {
         // `LabelSpread::step` does not look at the budget when nothing is left to spread.
         if (budget <= 0 || !spread_.step(budget)) return false;
-        currentFaces_ = then(label, currentFaces_);
-        if (currentFaces_.empty()) break;
+        std::vector<int> others = then(label, currentFaces_);
+        if (others.empty()) break;
+        currentFaces_ = std::move(others);
         beginToRequire(label, budget);
       }
       hasBegun_ = false;
