@@ -93,9 +93,8 @@ export interface RepairOptions extends TaskOptions {
 }
 
 /**
- * A number per input vertex, not negative; of a mesh whose long edges were halved (`maxEdge`), also
- * one per vertex before that: midpoints get the mean of their ends. 'curvature' stands for `Mesh.curvatureDensity`,
- * 'attribute' for `Mesh.density`.
+ * A number per input vertex, not negative, or with `maxEdge` per vertex before long edges were
+ * halved. 'curvature' stands for `Mesh.curvatureDensity`, 'attribute' for `Mesh.density`.
  */
 export type Density = ArrayLike<number> | 'attribute' | 'curvature';
 
