@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+// This work is based on:
+// Robert Cook. Stochastic Sampling in Computer Graphics. 1986
+// Michael McCool, Eugene Fiume. Hierarchical Poisson Disk Sampling Distributions. 1992
+//
+// `samplePoissonDisk` and `samplePoissonDiskCount`.
+#include <Eigen/Core>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <random>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "base/number_text.h"
+#include "base/random.h"
+#include "base/sliced_loop.h"
+#include "distance/dgpc/unfolding_sweep.h"
+#include "gvd/error.h"
+#include "gvd/geodesic.h"
+#include "gvd/sampling.h"
+#include "mesh/point_drawing.h"
+#include "mesh/representations.h"
+#include "mesh/surface_geometry.h"
+#include "tessellation/disk_grid.h"
+#include "tessellation/sample_count.h"
+#include "tessellation/vertex_covering.h"
+
+namespace gvd {
+namespace {
+
+/// Points that keep their distance. Each point has its distance at all vertices of the faces that
+/// its disk reaches, so whether a place is free follows from its own face, and in a large face from
+/// the disks near the place.
+class DiskSampling final : public SlicedWork<PoissonDisk> {
+ public:
+  /// Throws darts until there are `count` points, or so many darts in a row have missed that there
+  /// is probably little room left. Then, without a count, the vertices that are free are added;
+  /// with a count, the radius shrinks.
+  DiskSampling(const TriangleMesh& mesh, std::optional<int> count, double radius,
+               std::uint64_t seed)
+      : mesh_(mesh),
+        count_(count),
+        radius_(radius),
+        random_(seed),
+        sweep_(mesh),
+        disks_(mesh, radius) {
+    if (count) requireCount(*count);
+  }
+
+  bool advance(long budget) override {
+    return sequence_.run([&] { return disks_.prepare(budget); },
+                         [&] { sums_ = cumulative(faceAreas(mesh_)); },
+                         [&] { return addAll(budget); },
+                         [&] {
+                           return count_ || runPart(covering_, budget, mesh_, radius_,
+                                                    std::numeric_limits<size_t>::max(), points_);
+                         });
+  }
+  double progress() const override {
+    return count_.value_or(0) > 0 ? static_cast<double>(points_.size()) / *count_
+                                  : static_cast<double>(nextVertex_) / mesh_.vertexCount();
+  }
+  PoissonDisk result() override { return {std::move(points_), radius_}; }
+
+ private:
+  bool addAll(long& budget) {
+    for (;;) {
+      if (isSpreading_ && !spread(budget)) return false;
+      if (isDone()) return true;
+      if (budget <= 0) return false;
+      offer(next(), budget);
+    }
+  }
+
+  bool isDone() const {
+    return count_ ? static_cast<int>(points_.size()) == *count_
+                  : nextVertex_ == mesh_.vertexCount();
+  }
+
+  SurfacePoint next() {
+    constexpr size_t kFewestMisses = 100;
+    constexpr double kShrink = 0.95;  // nearer to 1, points are more even, and take longer
+    if (nextVertex_ > 0 || misses_ >= points_.size() + kFewestMisses) {
+      if (!count_) return pointAtVertex(mesh_, nextVertex_++);
+      radius_ *= kShrink;
+      misses_ = 0;
+    }
+    return drawPoint(random_, sums_);
+  }
+
+  /// Adds a point unless another one is nearer than the radius.
+  void offer(const SurfacePoint& p, long& budget) {
+    ++misses_;
+    if (!isFree(p, budget)) return;
+    if (nextVertex_ == 0) misses_ = 0;
+    points_.push_back(p);
+    sweep_.start(p, [this](int v) { return radius_ + 2 * mesh_.longestEdge(v); });
+    spread_ = {};
+    isSpreading_ = true;
+  }
+
+  bool spread(long& budget) {
+    const auto& reached = sweep_.reached();
+    isSpreading_ = !spread_.run(
+        [&] { return sweep_.step(budget); },
+        [&] { return loop_.run(reached.size(), budget, 4, [&](int i) { addDisk(reached[i]); }); });
+    return !isSpreading_;
+  }
+
+  /// Adds the disk of the new point to the faces whose first corner is a vertex that it reached.
+  void addDisk(int v) {
+    for (const int h : mesh_.fan(v)) {
+      if (h % 3 != 0) continue;
+      const int f = TriangleMesh::faceOf(h);
+      const DiskGrid::Distances distances(sweep_.distance(v), sweep_.distance(mesh_.tail(h + 1)),
+                                          sweep_.distance(mesh_.tail(h + 2)));
+      if (distances.maxCoeff() < kInfinity) disks_.add(f, distances, radius_);
+    }
+  }
+
+  bool isFree(const SurfacePoint& p, long& budget) const {
+    const double excess = interpolationExcess(p.bary, squaredSides(mesh_, p.face));
+    const std::span<const int> disks = disks_.near(p);
+    budget -= 1 + static_cast<long>(disks.size()) / kDisksPerUnit;
+    for (const int disk : disks) {
+      const DiskGrid::Distances& d = disks_[disk];
+      const double squared =
+          p.bary[0] * d[0] * d[0] + p.bary[1] * d[1] * d[1] + p.bary[2] * d[2] * d[2] - excess;
+      if (squared < radius_ * radius_) return false;
+    }
+    return true;
+  }
+
+  /// Disks that a dart is compared with in about the time of a unit of budget.
+  static constexpr long kDisksPerUnit = 32;
+
+  const TriangleMesh& mesh_;
+  const std::optional<int> count_;
+  double radius_;
+  std::mt19937_64 random_;
+
+  SlicedSequence sequence_, spread_;
+  SlicedLoop loop_;
+  dgpc::UnfoldingSweep sweep_;
+  std::vector<double> sums_;  ///< cumulative weights of the faces
+  size_t misses_ = 0;         ///< since the last dart that hit
+  int nextVertex_ = 0;        ///< to be tried, after all darts
+  bool isSpreading_ = false;
+  DiskGrid disks_;
+  std::vector<SurfacePoint> points_;
+  std::optional<VertexCovering> covering_;
+};
+
+}  // namespace
+
+std::unique_ptr<SlicedWork<PoissonDisk>> startPoissonDisk(const TriangleMesh& mesh, double radius,
+                                                          std::uint64_t seed) {
+  if (!(radius > 0 && std::isfinite(radius)))
+    throw Error(ErrorCode::kInvalidArgument,
+                "a Poisson disk cannot have the radius " + numberText(radius));
+  return std::make_unique<DiskSampling>(mesh, std::nullopt, radius, seed);
+}
+
+PoissonDisk samplePoissonDisk(const TriangleMesh& mesh, double radius, std::uint64_t seed) {
+  return finished(startPoissonDisk(mesh, radius, seed));
+}
+
+std::unique_ptr<SlicedWork<PoissonDisk>> startPoissonDiskCount(const TriangleMesh& mesh, int count,
+                                                               std::uint64_t seed) {
+  // The spacing of `count` points in a hexagonal lattice, the densest packing in the plane.
+  const double radius = count > 0 ? std::sqrt(2 * mesh.area() / (std::sqrt(3.0) * count)) : 0;
+  return std::make_unique<DiskSampling>(mesh, count, radius, seed);
+}
+
+PoissonDisk samplePoissonDiskCount(const TriangleMesh& mesh, int count, std::uint64_t seed) {
+  return finished(startPoissonDiskCount(mesh, count, seed));
+}
+
+}  // namespace gvd

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// This work is based on:
+// Gabriel Peyré, Laurent Cohen. Geodesic Remeshing Using Front Propagation. 2006
+//
+// `sampleFarthest`.
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <queue>
+#include <utility>
+#include <vector>
+
+#include "base/number_text.h"
+#include "base/sliced_loop.h"
+#include "distance/dgpc/unfolding_sweep.h"
+#include "gvd/error.h"
+#include "gvd/geodesic.h"
+#include "gvd/sampling.h"
+#include "mesh/representations.h"
+#include "tessellation/sample_count.h"
+#include "tessellation/vertex_covering.h"
+
+namespace gvd {
+namespace {
+
+/// Adds, one after another, the vertex that is farthest from all points so far.
+class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
+ public:
+  FarthestSampling(const TriangleMesh& mesh, int count, std::uint64_t seed, double coveringRadius)
+      : mesh_(mesh), count_(count), seed_(seed), coveringRadius_(coveringRadius), sweep_(mesh) {
+    requireCount(count);
+  }
+
+  bool advance(long budget) override {
+    return sequence_.run(
+        [&] { return fillInSlices(least_, mesh_.vertexCount(), kInfinity, budget); },
+        [&] {
+          return loop_.run(mesh_.vertexCount(), budget, 8, [&](int v) {
+            queue_.push({kInfinity, -v});
+          });
+        },
+        [&] {
+          if (count_ > 0) add(sampleUniform(mesh_, 1, seed_).front());
+        },
+        [&] { return count_ == 0 || addOthers(budget); },
+        [&] {
+          return coveringRadius_ == 0 || runPart(covering_, budget, mesh_, coveringRadius_,
+                                                 static_cast<size_t>(count_), points_);
+        });
+  }
+  double progress() const override {
+    return count_ > 0 ? static_cast<double>(points_.size()) / count_ : 1;
+  }
+  std::vector<SurfacePoint> result() override { return std::move(points_); }
+
+ private:
+  void add(const SurfacePoint& point) {
+    points_.push_back(point);
+    // A distance from the nearest point is right if the sweep reaches both ends of every edge that
+    // the path crosses. These ends are at most an edge length beyond the point's region.
+    sweep_.start(point, [this](int v) { return least_[v] + mesh_.longestEdge(v); });
+    spread_ = {};
+  }
+
+  bool isComplete() const { return static_cast<int>(points_.size()) == count_; }
+
+  bool addOthers(long& budget) {
+    const auto& reached = sweep_.reached();
+    while (spread_.run([&] { return sweep_.step(budget); },
+                       [&] {
+                         return loop_.run(reached.size(), budget, 8, [&](int i) {
+                           const int v = reached[i];
+                           least_[v] = std::min(least_[v], sweep_.distance(v));
+                         });
+                       },
+                       [&] { return isComplete() || findFarthest(budget); })) {
+      if (isComplete()) return true;
+      const auto [distance, negative] = queue_.top();
+      if (!(distance > coveringRadius_)) return true;
+      add(pointAtVertex(mesh_, -negative));
+    }
+    return false;
+  }
+
+  /// Distances only decrease, so the first vertex whose distance in the queue is up to date is the
+  /// farthest.
+  bool findFarthest(long& budget) {
+    for (; budget > 0; --budget) {
+      const auto [distance, negative] = queue_.top();
+      if (distance == least_[-negative]) return true;
+      queue_.pop();
+      queue_.push({least_[-negative], negative});
+    }
+    return false;
+  }
+
+  const TriangleMesh& mesh_;
+  const int count_;
+  const std::uint64_t seed_;
+  const double coveringRadius_;
+
+  SlicedSequence sequence_, spread_;
+  SlicedLoop loop_;
+  dgpc::UnfoldingSweep sweep_;
+  std::vector<double> least_;                          ///< from the nearest point, per vertex
+  std::priority_queue<std::pair<double, int>> queue_;  ///< vertices negated: the lowest first
+  std::vector<SurfacePoint> points_;
+  std::optional<VertexCovering> covering_;
+};
+
+}  // namespace
+
+std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> startFarthest(const TriangleMesh& mesh,
+                                                                     int count, std::uint64_t seed,
+                                                                     double coveringRadius) {
+  if (!(coveringRadius >= 0))
+    throw Error(ErrorCode::kInvalidArgument,
+                "points cannot cover a surface with the radius " + numberText(coveringRadius));
+  return std::make_unique<FarthestSampling>(mesh, count, seed, coveringRadius);
+}
+
+std::vector<SurfacePoint> sampleFarthest(const TriangleMesh& mesh, int count, std::uint64_t seed,
+                                         double coveringRadius) {
+  return finished(startFarthest(mesh, count, seed, coveringRadius));
+}
+
+}  // namespace gvd
